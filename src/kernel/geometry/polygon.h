@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "kernel/geometry/point.h"
+
+namespace relievo {
+
+/// A closed polyline; the last point connects to the first, which is not repeated.
+using Ring = std::vector<Point2>;
+
+/// A region bounded by rings, filled by the non-zero rule: a point is inside where the sum of
+/// the rings' winding numbers is not 0. A hole runs against the ring around it.
+using Outline = std::vector<Ring>;
+
+/// An axis-aligned box; empty while max < min.
+struct Box2 {
+  Point2 min{1e300, 1e300};
+  Point2 max{-1e300, -1e300};
+  bool empty() const { return max.x < min.x; }
+  void add(Point2 p);
+  void add(const Box2& box);
+  double diagonal() const { return empty() ? 0 : distance(min, max); }
+};
+
+/// Signed area; positive where the ring runs clockwise as seen on the screen (y down). O(n).
+double signed_area(const Ring& ring);
+
+/// Length of the closed ring. O(n).
+double perimeter(const Ring& ring);
+
+Box2 bounding_box(const Ring& ring);
+Box2 bounding_box(const Outline& outline);
+
+/// Winding number of `ring` around `p`; on the ring itself it is that of one of its sides. O(n).
+int winding_number(const Ring& ring, Point2 p);
+
+/// Whether `p` is inside by the non-zero rule. O(n).
+bool contains(const Outline& outline, Point2 p);
+
+/// Runs every ring so that rings at even nesting depth have positive signed area and those at
+/// odd depth (holes) negative; the depth of a ring is the number of other rings around its
+/// first point. O(rings * points).
+void orient_by_nesting(Outline& outline);
+
+}  // namespace relievo

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "kernel/base/result.h"
+#include "kernel/base/run_context.h"
+#include "relief/inflation/inflation.h"
+#include "relief/layers/layered_mesh.h"
+#include "relief/scene/scene.h"
+
+namespace relievo {
+
+enum class RobinUnits {
+  relative,  ///< beta = alpha / ((1 - alpha) * rho * range length): same picture at any size
+  literal,   ///< beta = alpha / (1 - alpha) per px, as printed in the paper
+};
+
+struct InflationOptions {
+  double alpha0 = 0.1;  ///< alpha beside a join's end, in [0, 1]; 1 gives the paper's pits
+  double rho = 0.25;    ///< length scale of a ramp / its length, > 0
+  RobinUnits units = RobinUnits::relative;
+};
+
+/// Solves (L + B_beta) u = M c once for all parts. Fails with bad_input where a surface has no
+/// outline that holds it at 0, naming its part.
+Result<Inflation> inflate(const LayeredMesh& mesh, const Scene& scene,
+                          const InflationOptions& options, const RunContext& context = {});
+
+}  // namespace relievo

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "kernel/geometry/point.h"
+
+namespace relievo {
+
+/// Inflated heights f = sgn(u) sqrt|u| before ordering [P eq 7-9]. u is piecewise linear on the
+/// faces; sample it linearly and take the root afterwards, for f has infinite slope at outlines.
+struct Inflation {
+  std::vector<double> u;       ///< #N, px^2, negative under parts with d < 0
+  std::vector<Point2> grad_u;  ///< #N, gradient of u at the node, px, canvas axes (y down)
+};
+
+}  // namespace relievo

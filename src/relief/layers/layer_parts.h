@@ -1,0 +1,33 @@
+#pragma once
+
+#include "kernel/base/result.h"
+#include "kernel/base/run_context.h"
+#include "relief/layers/layered_mesh.h"
+#include "relief/scene/scene.h"
+
+namespace relievo {
+
+struct LayerOptions {
+  /// Wanted number of nodes of the joined mesh; the result is within a few per cent of it.
+  /// Used where edge_length is 0.
+  int vertex_budget = 40000;
+  /// Spacing of outline samples, px; 0: chosen from vertex_budget.
+  double edge_length = 0;
+  /// How much longer an edge may get per unit of distance from the nearest outline.
+  double grading = 0.25;
+  /// Longest edge / edge_length.
+  double max_growth = 6;
+  /// Upper outlines beside a join follow the lower surface exactly ("glued"); otherwise they
+  /// may rise above it.
+  bool glue = true;
+  /// More nodes than this are refused before they are made.
+  int max_nodes = 4000000;
+};
+
+/// Puts all parts on one triangulation, joins them and collects the constraint sets.
+/// Fails with bad_input or contradiction naming the part or join, limit, or interrupted.
+/// Near-linear in the number of nodes.
+Result<LayeredMesh> layer_parts(const Scene& scene, const LayerOptions& options,
+                                const RunContext& context = {});
+
+}  // namespace relievo

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "kernel/base/result.h"
+#include "kernel/base/run_context.h"
+#include "relief/inflation/inflation.h"
+#include "relief/layers/layered_mesh.h"
+#include "relief/model/model.h"
+#include "relief/ordering/ordering.h"
+#include "relief/scene/scene.h"
+
+namespace relievo {
+
+enum class Visibility {
+  relief,  ///< top part per base triangle, with vertical walls between open edges: no slits
+  orbit,   ///< whole sheets, except lower faces covered by a part with d < 0
+  all,     ///< every face, hidden ones too
+};
+
+struct ModelOptions {
+  Visibility visibility = Visibility::relief;
+  /// Faces at outlines are cut so that the surface departs from sqrt(u) by less than this, px.
+  double rim_tolerance = 0.25;
+  int max_rim_levels = 4;  ///< an outline face is cut in at most 4^levels pieces
+};
+
+/// Turns heights into a surface with analytic normals N ~ (-1/2 grad u - |f| grad g, |f|) and
+/// texture coordinates on the drawing. Near-linear in faces.
+Result<Model> assemble_model(const LayeredMesh& mesh, const Inflation& inflation,
+                             const Ordering& ordering, const Scene& scene,
+                             const ModelOptions& options, const RunContext& context = {});
+
+}  // namespace relievo

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "kernel/geometry/point.h"
+#include "kernel/solvers/bound_qp_report.h"
+
+namespace relievo {
+
+/// Final heights h = f + g [P eq 10-13].
+struct Ordering {
+  std::vector<double> h;       ///< #N, px towards the viewer
+  std::vector<double> g;       ///< #N, shift h - f, px
+  std::vector<Point2> grad_g;  ///< #N, gradient of g at the node, canvas axes (y down)
+
+  int equalities = 0;        ///< pairs merged
+  int inequalities = 0;      ///< pairs kept as gaps
+  int rounds = 0;            ///< cutting-plane rounds that added interior pairs
+  int interior_pairs = 0;    ///< pairs they added
+  double max_violation = 0;  ///< worst h[lower] - h[upper] over all pairs, px, 0 if none
+  int overlap_samples = 0;   ///< interior samples where an upper part dips below a lower one
+  double overlap_worst = 0;  ///< and the deepest of them, px
+  BoundQpReport report;      ///< of the last solve
+};
+
+}  // namespace relievo

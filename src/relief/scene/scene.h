@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kernel/base/result.h"
+#include "kernel/geometry/polygon.h"
+
+namespace relievo {
+
+/// A semantically meaningful region of the drawing, completed where occluded [P §3].
+struct Part {
+  std::string id;   ///< unique, not empty
+  Outline outline;  ///< canvas px, non-zero rule, at least one ring with area
+  double c = 4;     ///< amount of inflation, > 0 (4: a disc becomes a hemisphere) [P eq 1]
+  double d = 1;     ///< depth scale, not 0; negative inflates away from the viewer [P eq 8]
+};
+
+/// An interconnection line [P Fig. 3, blue]: along it the upper part is seamlessly one surface
+/// with the lower one.
+struct Join {
+  int upper = -1;            ///< index of the part in front
+  int lower = -1;            ///< index of the part behind
+  std::vector<Point2> line;  ///< polyline near the upper part's outline, at least 2 points, px
+};
+
+enum class RelationKind { equal, above, free };
+
+/// What holds between two overlapping parts instead of the default [P eq 11].
+struct Relation {
+  int upper = -1;
+  int lower = -1;
+  RelationKind kind = RelationKind::above;
+  /// Restricts the relation to the run of the upper outline from the first to the second point,
+  /// in the direction of the outline; everywhere when absent.
+  std::optional<std::pair<Point2, Point2>> range;
+};
+
+/// A run of the upper outline inside the lower part along which alpha goes from alpha0 at `from`
+/// to 1 at `to`, linear in arc length [P eq 9, Fig. 5]; the shorter way round the outline.
+struct RobinRange {
+  int upper = -1;
+  int lower = -1;
+  Point2 from;
+  Point2 to;
+  std::optional<double> alpha0;  ///< in [0, 1); default of the options when absent
+  std::optional<double> rho;     ///< length scale / range length, > 0; likewise
+};
+
+/// Everything that is known of a drawing before reconstruction.
+struct Scene {
+  double width = 0;         ///< canvas, px
+  double height = 0;        ///< canvas, px
+  std::string drawing;      ///< path relative to the scene file; may be empty
+  std::vector<Part> parts;  ///< back to front
+  std::vector<Join> joins;
+  std::vector<Relation> relations;
+  std::vector<RobinRange> robin;
+};
+
+/// Checks what the types cannot say: positive finite canvas, finite coordinates, unique ids,
+/// indices in range, outlines with area, upper in front of lower, sound c, d, alpha0 and rho.
+/// The error's `where` is the path of the offending key, such as "parts[2].outline[0][5]".
+Status validate(const Scene& scene);
+
+}  // namespace relievo
