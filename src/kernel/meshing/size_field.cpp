@@ -78,7 +78,7 @@ class Lattice {
   explicit Lattice(const SizeField& field) : field_(field) {
     const double width = field.columns * field.cell;
     const double height = field.rows * field.cell;
-    step_ = *std::max_element(field.size.begin(), field.size.end());
+    step_ = field.max_size;
     rows_ = static_cast<int>(height / (step_ * kRise)) + 2;
     columns_ = static_cast<int>(width / step_ + 0.5 * rows_) + 2;
   }
@@ -143,6 +143,7 @@ SizeField make_size_field(const std::vector<CurveSample>& samples,
   field.columns = static_cast<int>(width / field.cell) + 1;
   field.rows = static_cast<int>(height / field.cell) + 1;
   const size_t count = static_cast<size_t>(field.columns) * field.rows;
+  field.max_size = options.max_size;
   field.size.assign(count, options.max_size);
   field.cover.assign(count, 0);
   for (const CurveSample& sample : samples) {

@@ -13,6 +13,7 @@ struct SizeField {
   double cell = 1;
   int columns = 0;
   int rows = 0;
+  double max_size = 1;       ///< upper bound of the size, and the step of the coarsest lattice
   std::vector<double> size;  ///< columns * rows, at cell centres
   std::vector<int> cover;    ///< columns * rows, regions that contain the cell's centre
 
@@ -38,8 +39,7 @@ SizeField make_size_field(const std::vector<CurveSample>& samples,
                           const std::vector<Outline>& regions, const SizeOptions& options);
 
 /// Points of nested hexagonal lattices whose density follows the field, inside at least one
-/// region and no closer than `clearance` sizes to a sample or to the chord between neighbours.
-/// O(points).
+/// region. O(points).
 std::vector<Point2> lattice_points(const SizeField& field);
 
 }  // namespace relievo
