@@ -1,7 +1,7 @@
 #include "kernel/operators/gradient.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Core>
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cassert>
 #include <vector>

@@ -9,7 +9,7 @@ namespace relievo {
 namespace {
 
 constexpr double kCornerAngle = 0.61;  // 35 degrees
-constexpr double kMaxSagitta = 0.3;    // px, and at most a tenth of the spacing
+constexpr double kMaxSagitta = 0.08;    // of the spacing
 constexpr int kMinRingSamples = 12;
 constexpr int kMinJoinEdges = 6;
 constexpr double kLineReach = 0.08;  // of the canvas diagonal
@@ -204,6 +204,7 @@ class Sampler {
       std::vector<double> stops = corners(*ring.ring, ring.measure, 0.5 * spacing_between(r, 0, 0));
       keep_clear(ring, stops);
       stops.insert(stops.end(), ring.marks.begin(), ring.marks.end());
+      refine_at_ends(r, stops);
       if (stops.empty()) stops.push_back(0);
       std::sort(stops.begin(), stops.end());
       stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
@@ -229,6 +230,25 @@ class Sampler {
     stops.erase(std::remove_if(stops.begin(), stops.end(), near_mark), stops.end());
   }
 
+  // The surface has a crease that starts at a join's end: short edges there resolve it.
+  void refine_at_ends(size_t r, std::vector<double>& stops) const {
+    const double length = rings_[r].measure.length;
+    const double spacing = spacing_between(r, 0, 0);
+    const std::vector<double> plain = stops;
+    for (const ArcRange& join : joins_) {
+      if (join.ring != static_cast<int>(r)) continue;
+      for (const double end : {join.from, join.to})
+        for (const double step : {-1.2, -0.5, -0.2, 0.2, 0.5, 1.2}) {
+          const double s = forward(0, end + step * spacing, length);
+          const bool clear = std::none_of(plain.begin(), plain.end(), [&](double stop) {
+            const double gap = forward(s, stop, length);
+            return stop != end && std::min(gap, length - gap) < 0.15 * spacing;
+          });
+          if (clear) stops.push_back(s);
+        }
+    }
+  }
+
   void sample_stretch(size_t r, double from, double to, InputCurve& curve) {
     const int pieces =
         std::max(1, static_cast<int>(std::lround((to - from) / spacing_between(r, from, to))));
@@ -250,7 +270,7 @@ class Sampler {
     for (const double t : {0.25, 0.5, 0.75})
       sagitta = std::max(sagitta, distance_to_segment(
                                       point_at(*ring.ring, ring.measure, a + t * (b - a)), pa, pb));
-    if (sagitta <= std::min(kMaxSagitta, 0.1 * spacing_)) return;
+    if (sagitta <= kMaxSagitta * spacing_) return;
     const double middle = 0.5 * (a + b);
     bisect(r, a, middle, levels - 1, curve);
     push(r, middle, false, curve);
