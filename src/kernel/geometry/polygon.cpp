@@ -68,10 +68,11 @@ void orient_by_nesting(Outline& outline) {
     int depth = 0;
     for (size_t j = 0; j < outline.size(); ++j)
       if (j != i && !outline[i].empty() && winding_number(outline[j], outline[i][0]) != 0) ++depth;
-    reversed[i] = (signed_area(outline[i]) > 0) != (depth % 2 == 0);
+    const double area = signed_area(outline[i]);
+    reversed[i] = area != 0 && (area > 0) != (depth % 2 == 0);
   }
   for (size_t i = 0; i < outline.size(); ++i)
-    if (reversed[i]) std::reverse(outline[i].begin(), outline[i].end());
+    if (reversed[i]) std::reverse(outline[i].begin() + 1, outline[i].end());
 }
 
 }  // namespace relievo

@@ -40,7 +40,8 @@ bool contains(const Outline& outline, Point2 p);
 
 /// Runs every ring so that rings at even nesting depth have positive signed area and those at
 /// odd depth (holes) negative; the depth of a ring is the number of other rings around its
-/// first point. O(rings * points).
+/// first point. Rings keep their first point, and those without area their direction, so that
+/// doing it again changes nothing. O(rings * points).
 void orient_by_nesting(Outline& outline);
 
 }  // namespace relievo

@@ -10,11 +10,16 @@
 
 namespace relievo {
 
+constexpr double max_coordinate = 1e6;  ///< bound of every coordinate and canvas side, px
+constexpr double min_inflation = 1e-3;  ///< bounds of c and |d|
+constexpr double max_inflation = 1e3;
+constexpr double max_rho = 1e3;  ///< bound of rho
+
 /// A semantically meaningful region of the drawing, completed where occluded [P §3].
 struct Part {
-  std::string id;   ///< unique, not empty
+  std::string id;   ///< unique, 1 to 200 bytes of UTF-8 without control characters
   Outline outline;  ///< canvas px, non-zero rule, at least one ring with area
-  double c = 4;     ///< amount of inflation, > 0 (4: a disc becomes a hemisphere) [P eq 1]
+  double c = 4;     ///< amount of inflation (4: a disc becomes a hemisphere) [P eq 1]
   double d = 1;     ///< depth scale, not 0; negative inflates away from the viewer [P eq 8]
 };
 
@@ -53,7 +58,7 @@ struct RobinRange {
 struct Scene {
   double width = 0;         ///< canvas, px
   double height = 0;        ///< canvas, px
-  std::string drawing;      ///< path relative to the scene file; may be empty
+  std::string drawing;      ///< path inside the scene file's folder, with '/'; may be empty
   std::vector<Part> parts;  ///< back to front
   std::vector<Join> joins;
   std::vector<Relation> relations;
@@ -62,7 +67,8 @@ struct Scene {
 
 /// Checks what the types cannot say: positive finite canvas, finite coordinates, unique ids,
 /// indices in range, outlines with area, upper in front of lower, sound c, d, alpha0 and rho.
-/// The error's `where` is the path of the offending key, such as "parts[2].outline[0][5]".
+/// The error's code is bad_input and its `where` the path of the offending key, such as
+/// "parts[2].outline[0][5]". Linear in points.
 Status validate(const Scene& scene);
 
 }  // namespace relievo

@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string_view>
+
+#include "relief/scene/scene.h"
+#include "relief/scene/text_rules.h"
+
+namespace relievo {
+namespace {
+
+Error bad(std::string where, std::string message) {
+  return {ErrorCode::bad_input, std::move(message), std::move(where)};
+}
+
+std::string at(const char* list, size_t index) {
+  return std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+bool in_range(Point2 p) {
+  // Written so that a NaN is out of range.
+  return std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate;
+}
+
+Error out_of_range(std::string where) {
+  return bad(std::move(where), "a coordinate is not a number within ±1000000 px");
+}
+
+/// Whether the points do not all lie on one line.
+bool has_area(const Ring& ring) {
+  if (ring.size() < 3) return false;
+  const auto other =
+      std::find_if(ring.begin(), ring.end(), [&](Point2 p) { return !(p == ring[0]); });
+  if (other == ring.end()) return false;
+  const Point2 along = *other - ring[0];
+  return std::any_of(other, ring.end(), [&](Point2 p) { return cross(along, p - ring[0]) != 0; });
+}
+
+Status check_canvas(const Scene& scene) {
+  for (const auto& [key, side] :
+       {std::pair{"canvas.width", scene.width}, std::pair{"canvas.height", scene.height}})
+    if (!(side > 0 && side <= max_coordinate))
+      return bad(key, "must be a number of px above 0 and at most 1000000");
+  return Done{};
+}
+
+Status check_outline(const Outline& outline, const std::string& where) {
+  if (outline.empty()) return bad(where, "has no ring; give at least one list of points");
+  for (size_t r = 0; r < outline.size(); ++r) {
+    const std::string ring = where + "[" + std::to_string(r) + "]";
+    for (size_t i = 0; i < outline[r].size(); ++i)
+      if (!in_range(outline[r][i])) return out_of_range(ring + "[" + std::to_string(i) + "]");
+    if (!has_area(outline[r]))
+      return bad(ring, "has no area; a ring needs three points that are not on one line");
+  }
+  return Done{};
+}
+
+Status check_part(const Part& part, const std::string& where) {
+  if (!is_sound_id(part.id))
+    return bad(where + ".id", "must be 1 to 200 bytes of UTF-8 text without control characters");
+  if (!(part.c >= min_inflation && part.c <= max_inflation))
+    return bad(where + ".c", "must be a number from 0.001 to 1000");
+  if (!(std::abs(part.d) >= min_inflation && std::abs(part.d) <= max_inflation))
+    return bad(where + ".d", "must be a number with a magnitude from 0.001 to 1000");
+  return check_outline(part.outline, where + ".outline");
+}
+
+Status check_parts(const Scene& scene) {
+  if (scene.parts.empty()) return bad("parts", "is empty; a scene needs at least one part");
+  std::map<std::string_view, size_t> first;
+  for (size_t i = 0; i < scene.parts.size(); ++i) {
+    const Part& part = scene.parts[i];
+    if (Status status = check_part(part, at("parts", i)); !status) return status;
+    if (const auto [known, added] = first.emplace(part.id, i); !added)
+      return bad(at("parts", i) + ".id",
+                 "the id \"" + part.id + "\" is taken by " + at("parts", known->second));
+  }
+  return Done{};
+}
+
+Status check_pair(const Scene& scene, int upper, int lower, const std::string& where) {
+  const int count = static_cast<int>(scene.parts.size());
+  if (upper < 0 || upper >= count) return bad(where + ".upper", "names no part of the scene");
+  if (lower < 0 || lower >= count) return bad(where + ".lower", "names no part of the scene");
+  if (upper == lower) return bad(where, "upper and lower are the same part");
+  if (upper < lower)
+    return bad(where, "upper \"" + scene.parts[upper].id + "\" lies behind lower \"" +
+                          scene.parts[lower].id + "\"; swap them, or the order of the parts");
+  return Done{};
+}
+
+Status check_joins(const Scene& scene) {
+  for (size_t i = 0; i < scene.joins.size(); ++i) {
+    const Join& join = scene.joins[i];
+    const std::string where = at("joins", i);
+    if (Status pair = check_pair(scene, join.upper, join.lower, where); !pair) return pair;
+    for (size_t k = 0; k < join.line.size(); ++k)
+      if (!in_range(join.line[k])) return out_of_range(where + ".line[" + std::to_string(k) + "]");
+    const bool has_length = std::any_of(join.line.begin(), join.line.end(),
+                                        [&](Point2 p) { return !(p == join.line[0]); });
+    if (!has_length) return bad(where + ".line", "has no length; give at least two points");
+  }
+  return Done{};
+}
+
+Status check_relations(const Scene& scene) {
+  for (size_t i = 0; i < scene.relations.size(); ++i) {
+    const Relation& relation = scene.relations[i];
+    const std::string where = at("relations", i);
+    if (Status pair = check_pair(scene, relation.upper, relation.lower, where); !pair) return pair;
+    if (!relation.range) continue;
+    if (!in_range(relation.range->first)) return out_of_range(where + ".range[0]");
+    if (!in_range(relation.range->second)) return out_of_range(where + ".range[1]");
+    if (relation.range->first == relation.range->second)
+      return bad(where + ".range", "begins where it ends; give two different points");
+  }
+  return Done{};
+}
+
+Status check_robin(const Scene& scene) {
+  for (size_t i = 0; i < scene.robin.size(); ++i) {
+    const RobinRange& range = scene.robin[i];
+    const std::string where = at("robin", i);
+    if (Status pair = check_pair(scene, range.upper, range.lower, where); !pair) return pair;
+    if (!in_range(range.from)) return out_of_range(where + ".from");
+    if (!in_range(range.to)) return out_of_range(where + ".to");
+    if (range.from == range.to)
+      return bad(where, "begins where it ends; give two different points");
+    if (range.alpha0 && !(*range.alpha0 >= 0 && *range.alpha0 < 1))
+      return bad(where + ".alpha0", "must be at least 0 and below 1");
+    if (range.rho && !(*range.rho > 0 && *range.rho <= max_rho))
+      return bad(where + ".rho", "must be above 0 and at most 1000");
+  }
+  return Done{};
+}
+
+Status check_drawing(const Scene& scene) {
+  if (scene.drawing.empty() || is_path_inside(scene.drawing)) return Done{};
+  return bad("drawing",
+             "must be a relative path inside the scene's own folder, written with '/' and without "
+             "'..'");
+}
+
+}  // namespace
+
+Status validate(const Scene& scene) {
+  for (const auto check :
+       {check_canvas, check_drawing, check_parts, check_joins, check_relations, check_robin})
+    if (Status status = check(scene); !status) return status;
+  return Done{};
+}
+
+}  // namespace relievo

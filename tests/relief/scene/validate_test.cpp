@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "relief/scene/scene.h"
+
+namespace relievo {
+namespace {
+
+Ring square(double x, double y, double side) {
+  return {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
+}
+
+Scene two_squares() {
+  Scene scene;
+  scene.width = 100;
+  scene.height = 100;
+  scene.parts = {{"lower", {square(10, 10, 50)}}, {"upper", {square(40, 40, 50)}}};
+  scene.joins = {{1, 0, {{40, 40}, {40, 60}}}};
+  scene.relations = {{1, 0, RelationKind::free, {}}};
+  scene.robin = {{1, 0, {40, 60}, {50, 60}, {}, {}}};
+  return scene;
+}
+
+template <class Change>
+std::string culprit(Change change) {
+  Scene scene = two_squares();
+  change(scene);
+  const Status status = validate(scene);
+  if (status) return "accepted";
+  EXPECT_EQ(status.error().code, ErrorCode::bad_input);
+  return status.error().where;
+}
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(Validate, AcceptsASoundScene) { EXPECT_TRUE(validate(two_squares())); }
+
+TEST(Validate, AcceptsABowTie) {
+  EXPECT_EQ(culprit([](Scene& s) {
+              s.parts[0].outline = {{{0, 0}, {9, 9}, {9, 0}, {0, 9}}};
+            }),
+            "accepted");
+}
+
+TEST(Validate, RefusesWhatIsNotFinite) {
+  EXPECT_EQ(culprit([](Scene& s) { s.width = nan; }), "canvas.width");
+  EXPECT_EQ(culprit([](Scene& s) { s.height = infinity; }), "canvas.height");
+  EXPECT_EQ(culprit([](Scene& s) { s.parts[1].outline[0][3].y = nan; }), "parts[1].outline[0][3]");
+  EXPECT_EQ(culprit([](Scene& s) { s.parts[1].c = nan; }), "parts[1].c");
+  EXPECT_EQ(culprit([](Scene& s) { s.parts[1].d = infinity; }), "parts[1].d");
+  EXPECT_EQ(culprit([](Scene& s) { s.joins[0].line[1].x = nan; }), "joins[0].line[1]");
+  EXPECT_EQ(culprit([](Scene& s) { s.robin[0].from.x = nan; }), "robin[0].from");
+  EXPECT_EQ(culprit([](Scene& s) { s.robin[0].alpha0 = nan; }), "robin[0].alpha0");
+  EXPECT_EQ(culprit([](Scene& s) { s.robin[0].rho = nan; }), "robin[0].rho");
+}
+
+TEST(Validate, RefusesIndicesWithoutPart) {
+  EXPECT_EQ(culprit([](Scene& s) { s.parts.clear(); }), "parts");
+  EXPECT_EQ(culprit([](Scene& s) { s.joins[0].upper = 2; }), "joins[0].upper");
+  EXPECT_EQ(culprit([](Scene& s) { s.joins[0].lower = -1; }), "joins[0].lower");
+  EXPECT_EQ(culprit([](Scene& s) { s.relations[0].upper = 9; }), "relations[0].upper");
+  EXPECT_EQ(culprit([](Scene& s) { s.robin[0].lower = 9; }), "robin[0].lower");
+}
+
+TEST(Validate, WantsTheUpperPartInFront) {
+  EXPECT_EQ(culprit([](Scene& s) { std::swap(s.joins[0].upper, s.joins[0].lower); }), "joins[0]");
+  EXPECT_EQ(culprit([](Scene& s) { s.relations[0].upper = 0; }), "relations[0]");
+}
+
+}  // namespace
+}  // namespace relievo
