@@ -51,7 +51,8 @@ fs::path reserve_name_beside(const fs::path& destination) {
 bool write_bytes(const fs::path& path, const Bytes& bytes) {
   std::FILE* file = std::fopen(path.c_str(), "wb");
   if (file == nullptr) return false;
-  const bool complete = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+  const bool complete =
+      bytes.empty() || std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
   return (std::fclose(file) == 0) && complete;
 }
 

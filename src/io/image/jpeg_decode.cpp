@@ -125,12 +125,12 @@ Result<Image8> decode_jpeg(ByteView bytes, const ImageLimits& limits) {
   const Status size = check_image_size(reader.jpeg.image_width, reader.jpeg.image_height, limits);
   if (!size) return size.error();
   if (too_short(reader, bytes.size())) return damaged("it ends early");
+  const int orientation = orientation_of(reader);
 
   Image8 image(static_cast<int>(reader.jpeg.image_width),
                static_cast<int>(reader.jpeg.image_height), 4);
   if (!read_pixels(reader, image)) return damaged(reader.message.data());
   if (is_cmyk(reader)) cmyk_to_rgba(image, reader.jpeg.saw_Adobe_marker == TRUE);
-  const int orientation = orientation_of(reader);
   return orientation == 1 ? image : upright(image, orientation);
 }
 
