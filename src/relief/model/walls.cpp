@@ -103,21 +103,23 @@ class WallBuilder {
     return surface_.mesh.face_part[open.first.face] >= surface_.mesh.face_part[open.second.face];
   }
 
-  /// The wall continues the rim of the higher surface: its normal is the horizontal part of the
-  /// normal there, unless that does not face across the edge.
+  /// The wall continues a rim: its normal is the horizontal part of the steeper of both normals
+  /// there, turned to the lower side, unless that does not face across the edge.
   void find_normals(bool first_higher) {
     const Point3 along =
         builder_.position(first_.back().vertex) - builder_.position(first_.front().vertex);
     const double sign = first_higher ? 1 : -1;
     const Point3 across = normalized({-sign * along.y, sign * along.x, 0});
-    const auto horizontal = [this, across](const EdgePoint& p) {
-      const Point3 n = builder_.normal(p.vertex);
-      const Point3 rim = normalized({n.x, n.y, 0});
-      return dot(rim, across) > 0.5 ? rim : across;
-    };
-    const std::vector<EdgePoint>& rim = first_higher ? first_ : second_;
-    normal_front_ = horizontal(rim.front());
-    normal_back_ = horizontal(rim.back());
+    normal_front_ = rim_normal(first_.front().vertex, second_.front().vertex, across);
+    normal_back_ = rim_normal(first_.back().vertex, second_.back().vertex, across);
+  }
+
+  Point3 rim_normal(int a, int b, Point3 across) const {
+    const Point3 steeper = builder_.normal(builder_.normal(a).z <= builder_.normal(b).z ? a : b);
+    const Point3 rim = normalized({steeper.x, steeper.y, 0});
+    const double facing = dot(rim, across);
+    if (std::abs(facing) <= 0.5) return across;
+    return facing > 0 ? rim : -1 * rim;
   }
 
   Point3 normal_at(double t) const {
