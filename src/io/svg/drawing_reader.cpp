@@ -29,6 +29,7 @@ SvgAnnotation annotation_of(const pugi::xml_node& element) {
   if (mark == "part") a.mark = SvgMark::part;
   if (mark == "texture") a.mark = SvgMark::texture;
   if (mark == "ignore") a.mark = SvgMark::ignore;
+  if (mark == "join") a.mark = SvgMark::join;
   a.c = element.attribute("data-c").value();
   a.d = element.attribute("data-d").value();
   a.relation = element.attribute("data-relation").value();
@@ -42,10 +43,11 @@ std::string name_of(const pugi::xml_node& element) {
   return *label.value() != '\0' ? label.value() : element.attribute("id").value();
 }
 
-bool has_class(const pugi::xml_node& element, std::string_view name) {
+/// Whether a class of the element is "join" or begins so ("join-left").
+bool has_join_class(const pugi::xml_node& element) {
   std::string_view classes = element.attribute("class").value();
   for (auto item = next_svg_item(classes); !item.empty(); item = next_svg_item(classes)) {
-    if (item == name) return true;
+    if (item.substr(0, 4) == "join") return true;
   }
   return false;
 }
@@ -178,7 +180,17 @@ class DrawingReader {
     const SvgAnnotation annotation = annotation_of(element);
     if (!group_element && annotation.empty()) return;
     const bool layer = std::string_view(element.attribute("inkscape:groupmode").value()) == "layer";
-    drawing_.groups.push_back({around.group, name_of(element), layer, annotation});
+    add_group(element, layer, annotation, around);
+  }
+
+  void add_group(const pugi::xml_node& element, bool layer, const SvgAnnotation& annotation,
+                 Surroundings& around) {
+    const std::string_view mark = element.attribute("data-relievo").value();
+    if (!mark.empty() && annotation.mark == SvgMark::none) {
+      warn("data-relievo=\"" + std::string(mark) + "\" is not known and ignored");
+    }
+    drawing_.groups.push_back({around.group, element.attribute("id").value(),
+                               element.attribute("inkscape:label").value(), layer, annotation});
     around.group = static_cast<int>(drawing_.groups.size()) - 1;
   }
 
@@ -295,11 +307,11 @@ class DrawingReader {
     if (!all_finite(shape.lines)) return warn(label + " is ignored: not finite");
     set_paint(shape, around);
     shape.clips = around.clips;
-    shape.join = has_class(element, "join");
+    shape.element = element;
     shape.annotation = annotation_of(element);
-    if (!shape.annotation.empty() && !around.in_clip) {
-      drawing_.groups.push_back({around.group, shape.name, false, shape.annotation});
-      around.group = static_cast<int>(drawing_.groups.size()) - 1;
+    shape.join = shape.annotation.mark == SvgMark::join || has_join_class(element);
+    if (element.attribute("data-relievo") || !shape.annotation.empty()) {
+      add_group(element, false, shape.annotation, around);
     }
     shape.group = around.group;
     drawing_.shapes.push_back(std::move(shape));

@@ -131,8 +131,11 @@ SvgMark inherited_mark(const SvgDrawing& drawing, int group) {
 }
 
 std::string inherited_name(const SvgDrawing& drawing, int group) {
-  while (group >= 0 && drawing.groups[group].name.empty()) group = drawing.groups[group].parent;
-  return group >= 0 ? drawing.groups[group].name : "";
+  for (; group >= 0; group = drawing.groups[group].parent) {
+    const SvgGroup& g = drawing.groups[group];
+    if (!g.label.empty() || !g.id.empty()) return g.label.empty() ? g.id : g.label;
+  }
+  return "";
 }
 
 FigureList find_figures(const SvgDrawing& drawing) {

@@ -39,10 +39,10 @@ std::vector<Stop> own_stops(const pugi::xml_node& gradient) {
   return stops;
 }
 
-SvgColor mean_color(const std::vector<Stop>& stops) {
-  SvgColor sum{0, 0, 0, 0};
+SvgColor overall_color(const std::vector<Stop>& stops) {
+  SvgColor sum{0, 0, 0, 1};
   const auto add = [&sum](const SvgColor& c, double weight) {
-    sum = {sum.r + weight * c.r, sum.g + weight * c.g, sum.b + weight * c.b, sum.a + weight * c.a};
+    sum = {sum.r + weight * c.r, sum.g + weight * c.g, sum.b + weight * c.b, std::min(sum.a, c.a)};
   };
   add(stops.front().color, stops.front().offset);
   for (size_t i = 0; i + 1 < stops.size(); ++i) {
@@ -67,7 +67,7 @@ std::optional<SvgColor> representative_color(const SvgPaint& paint, const SvgDoc
   if (local_name(server.name()) == "pattern") return SvgColor{0.5, 0.5, 0.5, 1};
   for (int i = 0; i < max_href_chain && server; ++i) {
     const std::vector<Stop> stops = own_stops(server);
-    if (!stops.empty()) return mean_color(stops);
+    if (!stops.empty()) return overall_color(stops);
     server = referenced_element(document, server);
   }
   return std::nullopt;

@@ -16,6 +16,7 @@ enum class SvgMark {
   part,     ///< one part
   texture,  ///< painted, but no part
   ignore,   ///< neither
+  join,     ///< a join, not painted
 };
 
 /// The annotations of one element, as written.
@@ -28,23 +29,27 @@ struct SvgAnnotation {
   std::string lower;
 
   bool empty() const {
-    return mark == SvgMark::none && c.empty() && d.empty() && relation.empty() && upper.empty() &&
-           lower.empty();
+    return mark == SvgMark::none && !has_part_values() && upper.empty() && lower.empty();
   }
+
+  /// Whether it sets what only a part has.
+  bool has_part_values() const { return !c.empty() || !d.empty() || !relation.empty(); }
 };
 
 /// A <g>, or a single annotated shape as the group of itself.
 struct SvgGroup {
   int parent = -1;
-  std::string name;  ///< inkscape:label or id; may be empty
+  std::string id;     ///< may be empty
+  std::string label;  ///< inkscape:label; may be empty
   bool layer = false;
   SvgAnnotation annotation;
 };
 
 /// One shape as it is painted, in canvas px.
 struct SvgShape {
-  std::string name;  ///< inkscape:label or id; may be empty
-  int group = -1;    ///< innermost group, -1: none
+  std::string name;        ///< inkscape:label or id; may be empty
+  pugi::xml_node element;  ///< where it comes from, in the document
+  int group = -1;          ///< innermost group, -1: none
   std::vector<Polyline> lines;
   FillRule fill_rule = FillRule::nonzero;
   std::optional<SvgColor>
@@ -52,7 +57,7 @@ struct SvgShape {
   std::optional<SvgColor> stroke;  ///< likewise
   StrokeShape pen;
   std::vector<int> clips;  ///< each cuts the shape
-  bool join = false;       ///< has the class "join"
+  bool join = false;       ///< marked as a join by data-relievo or by a class named join
   SvgAnnotation annotation;
 };
 
