@@ -76,7 +76,7 @@ struct RoundWall {
   double facing;  ///< 1 outwards, -1 inwards
 };
 
-class RoundWalls : public testing::TestWithParam<RoundWall> {};
+class RoundWalls : public ::testing::TestWithParam<RoundWall> {};
 
 TEST_P(RoundWalls, StandUprightAndFaceTheLowerSide) {
   const auto [d, lift, facing] = GetParam();
@@ -100,8 +100,8 @@ TEST_P(RoundWalls, StandUprightAndFaceTheLowerSide) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Walls, RoundWalls,
-                         testing::Values(RoundWall{1, 80, 1}, RoundWall{-1, 80, 1},
-                                         RoundWall{-1, 20, -1}, RoundWall{1, 20, -1}));
+                         ::testing::Values(RoundWall{1, 80, 1}, RoundWall{-1, 80, 1},
+                                           RoundWall{-1, 20, -1}, RoundWall{1, 20, -1}));
 
 TEST(Walls, BelongToTheHigherPart) {
   for (const double lift : {-70.0, 80.0}) {
