@@ -7,18 +7,6 @@
 namespace relievo {
 namespace {
 
-/// Two unit vectors that span the plane across a unit vector.
-struct Tangents {
-  Point3 first;
-  Point3 second;
-};
-
-Tangents tangents(Point3 axis) {
-  const Point3 other = std::abs(axis.x) < 0.7 ? Point3{1, 0, 0} : Point3{0, 1, 0};
-  const Point3 first = normalized(cross(axis, other));
-  return {first, cross(axis, first)};
-}
-
 /// The unit square onto the unit disc, areas kept.
 Point2 disc_point(Point2 square) {
   const double radius = std::sqrt(square.x);
@@ -33,9 +21,15 @@ double bend(double x) {
 
 }  // namespace
 
+AxisFrame frame_around(Point3 axis) {
+  const Point3 other = std::abs(axis.x) < 0.7 ? Point3{1, 0, 0} : Point3{0, 1, 0};
+  const Point3 first = normalized(cross(axis, other));
+  return {first, cross(axis, first), axis};
+}
+
 LightRig light_rig(const RenderOptions& options, const Camera& camera) {
   LightRig rig = {};
-  rig.key = normalized(from_camera(camera, options.light));
+  rig.key = frame_around(normalized(from_camera(camera, options.light)));
   rig.key_tangent = std::tan(options.light_radius * std::numbers::pi / 180);
   rig.up = camera.up;
   rig.rim = normalized(from_camera(camera, {0.75, 0.35, -0.55}));
@@ -56,16 +50,14 @@ LightRig light_rig(const RenderOptions& options, const Camera& camera) {
 }
 
 Point3 key_direction(const LightRig& rig, Point2 square) {
-  const Tangents t = tangents(rig.key);
   const Point2 disc = rig.key_tangent * disc_point(square);
-  return normalized(rig.key + disc.x * t.first + disc.y * t.second);
+  return normalized(rig.key.axis + disc.x * rig.key.first + disc.y * rig.key.second);
 }
 
-Point3 ambient_direction(Point3 normal, Point2 square) {
-  const Tangents t = tangents(normal);
+Point3 ambient_direction(const AxisFrame& surface, Point2 square) {
   const Point2 disc = disc_point(square);
   const double height = std::sqrt(std::max(0.0, 1 - dot(disc, disc)));
-  return disc.x * t.first + disc.y * t.second + height * normal;
+  return disc.x * surface.first + disc.y * surface.second + height * surface.axis;
 }
 
 Rgb surroundings(const LightRig& rig, Point3 direction) {
@@ -75,7 +67,9 @@ Rgb surroundings(const LightRig& rig, Point3 direction) {
 
 double highlight(const LightRig& rig, Point3 normal, Point3 to_light, Point3 to_viewer) {
   const double cosine = std::max(0.0, dot(normal, normalized(to_light + to_viewer)));
-  return rig.gloss * std::pow(cosine, 24);
+  const double square = cosine * cosine;
+  const double eighth = square * square * square * square;
+  return rig.gloss * eighth * eighth * eighth;
 }
 
 Rgb tone_curve(Rgb colour) { return {bend(colour.r), bend(colour.g), bend(colour.b)}; }

@@ -7,9 +7,18 @@
 
 namespace relievo {
 
+/// An orthonormal basis around a unit vector.
+struct AxisFrame {
+  Point3 first;
+  Point3 second;
+  Point3 axis;
+};
+
+AxisFrame frame_around(Point3 axis);
+
 /// The lights of a picture. Directions are unit, in model space.
 struct LightRig {
-  Point3 key;          ///< towards the middle of the key light
+  AxisFrame key;       ///< its axis points to the middle of the key light
   double key_tangent;  ///< tangent of its angular radius
   Rgb key_light;       ///< what a surface that faces it receives
   Point3 up;
@@ -27,8 +36,8 @@ LightRig light_rig(const RenderOptions& options, const Camera& camera);
 /// A direction to the key light; `square` is a point of the unit square.
 Point3 key_direction(const LightRig& rig, Point2 square);
 
-/// A direction above a surface, distributed with the cosine to its normal.
-Point3 ambient_direction(Point3 normal, Point2 square);
+/// A direction above a surface, distributed with the cosine to its normal, the frame's axis.
+Point3 ambient_direction(const AxisFrame& surface, Point2 square);
 
 /// Light that comes from a direction where nothing is in the way.
 Rgb surroundings(const LightRig& rig, Point3 direction);

@@ -36,7 +36,8 @@ struct Renderer {
   double reach = 0;  ///< of rays to the surroundings, px
 };
 
-bool is_finite(Point3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+bool is_finite(Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+bool is_finite(Point3 p) { return is_finite(Point2{p.x, p.y}) && std::isfinite(p.z); }
 
 Status check_options(const RenderOptions& o, const Drawing* drawing) {
   const auto wrong = [](const char* what) { return Error{ErrorCode::usage, what, "render"}; };
@@ -49,8 +50,8 @@ Status check_options(const RenderOptions& o, const Drawing* drawing) {
     return wrong("the light's radius must be from 0 to 60 degrees");
   if (o.samples < 1 || o.samples > 1024) return wrong("samples must be from 1 to 1024");
   if (o.ambient_rays < 0 || o.ambient_rays > 64) return wrong("ambient rays must be from 0 to 64");
-  if (o.window && !(std::isfinite(o.window->centre.x) && std::isfinite(o.window->centre.y) &&
-                    std::isfinite(o.window->width) && o.window->width > 0))
+  if (o.window &&
+      !(is_finite(o.window->centre) && std::isfinite(o.window->width) && o.window->width > 0))
     return wrong("the window must have a finite centre and a positive width");
   if (o.shading == Shading::textured && (drawing == nullptr || drawing->rgba.empty()))
     return wrong("there is no drawing to show on the model");
@@ -59,8 +60,10 @@ Status check_options(const RenderOptions& o, const Drawing* drawing) {
 
 Status check_model(const Model& model) {
   if (model.triangles.empty()) return Error{ErrorCode::bad_input, "the model has no triangles", ""};
-  if (!std::all_of(model.positions.begin(), model.positions.end(), is_finite))
-    return Error{ErrorCode::bad_input, "the model has a vertex that is not finite", ""};
+  for (size_t v = 0; v < model.positions.size(); ++v)
+    if (!is_finite(model.positions[v]) || !is_finite(model.normals[v]) || !is_finite(model.uvs[v]))
+      return Error{ErrorCode::bad_input, "the model has a vertex that is not finite",
+                   "vertex " + std::to_string(v)};
   return Done{};
 }
 
@@ -84,9 +87,10 @@ void aim(Camera& camera, const RenderWindow& window, const Renderer& renderer) {
 Rgb ambient_light(const Renderer& renderer, const SurfacePoint& point, uint32_t first_ray) {
   const auto count = static_cast<uint32_t>(renderer.options.ambient_rays);
   if (count == 0) return surroundings(renderer.rig, point.normal);
+  const AxisFrame surface = frame_around(point.normal);
   Rgb sum;
   for (uint32_t k = 0; k < count; ++k) {
-    const Point3 direction = ambient_direction(point.normal, even_point(first_ray + k));
+    const Point3 direction = ambient_direction(surface, even_point(first_ray + k));
     const bool blocked = renderer.scene.blocked(point.ray_origin, direction, renderer.reach);
     sum = sum + (blocked ? bounce : 1.0) * surroundings(renderer.rig, direction);
   }

@@ -316,9 +316,29 @@ TEST(RenderModel, OptionsOutOfRangeAreRefused) {
 
 TEST(RenderModel, ModelsThatCannotBeSeenAreRefused) {
   EXPECT_EQ(render_model(empty_model(5, 5), nullptr, {}).error().code, ErrorCode::bad_input);
-  Model broken = hemisphere(10, 4);
-  broken.positions[3].y = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(render_model(broken, nullptr, {}).error().code, ErrorCode::bad_input);
+  const std::vector<void (*)(Model&)> damages = {
+      [](Model& m) { m.positions[3].y = std::numeric_limits<double>::infinity(); },
+      [](Model& m) { m.normals[3].z = NAN; },
+      [](Model& m) { m.uvs[3].x = NAN; },
+  };
+  for (const auto damage : damages) {
+    Model broken = hemisphere(10, 4);
+    damage(broken);
+    const Result<Image8> refused = render_model(broken, nullptr, {});
+    EXPECT_EQ(refused.error().code, ErrorCode::bad_input);
+    EXPECT_EQ(refused.error().where, "vertex 3");
+  }
+}
+
+TEST(RenderModel, ExtremeCoordinatesGiveAPictureOrAnError) {
+  for (const double scale : {1e-300, 1e-30, 1e30, 1e300}) {
+    Model model = hemisphere(10, 4);
+    for (Point3& p : model.positions) p = scale * p;
+    RenderOptions options = canvas_view(model, 20);
+    EXPECT_TRUE(render_model(model, nullptr, options).ok()) << scale;
+    options.window.reset();
+    EXPECT_TRUE(render_model(model, nullptr, options).ok()) << scale;
+  }
 }
 
 TEST(RenderModel, StopsWhenCancelled) {
