@@ -16,7 +16,7 @@ struct LayerOptions {
   /// How much longer an edge may get per unit of distance from the nearest outline.
   double grading = 0.25;
   /// Longest edge / edge_length.
-  double max_growth = 6;
+  double max_growth = 8;
   /// Upper outlines beside a join follow the lower surface exactly ("glued"); otherwise they
   /// may rise above it.
   bool glue = true;

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+
+#include "io/files/bytes.h"
+
+namespace relievo {
+
+/// Append a number to `bytes`, least significant byte first on every machine.
+inline void append_u16(Bytes& bytes, uint16_t value) {
+  bytes.push_back(static_cast<uint8_t>(value & 0xff));
+  bytes.push_back(static_cast<uint8_t>(value >> 8));
+}
+inline void append_u32(Bytes& bytes, uint32_t value) {
+  append_u16(bytes, static_cast<uint16_t>(value & 0xffff));
+  append_u16(bytes, static_cast<uint16_t>(value >> 16));
+}
+inline void append_f32(Bytes& bytes, double value) {
+  const float narrow = static_cast<float>(value);
+  uint32_t bits = 0;
+  std::memcpy(&bits, &narrow, sizeof bits);
+  append_u32(bytes, bits);
+}
+
+inline void append_text(Bytes& bytes, std::string_view text) {
+  bytes.insert(bytes.end(), text.begin(), text.end());
+}
+
+}  // namespace relievo

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "io/files/bytes.h"
+#include "io/image/image_limits.h"
+#include "kernel/base/result.h"
+#include "kernel/image/image.h"
+
+namespace relievo {
+
+/// A PNG or JPEG file, told apart by its content, as 8-bit sRGB with straight alpha, 4 channels.
+/// Errors: `bad_input` where it is neither or damaged, `limit` where it is too large.
+Result<Image8> decode_image(ByteView bytes, const ImageLimits& limits = {});
+
+}  // namespace relievo

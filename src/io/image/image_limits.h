@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "kernel/base/result.h"
+
+namespace relievo {
+
+/// What an image file may ask for; checked from its header, before its pixels take memory.
+struct ImageLimits {
+  int64_t max_pixels = 100'000'000;
+  int64_t max_side = 32'767;
+};
+
+/// `limit` where width x height exceeds `limits`, `bad_input` where one of them is 0.
+inline Status check_image_size(int64_t width, int64_t height, const ImageLimits& limits) {
+  const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
+  if (width <= 0 || height <= 0) return Error{ErrorCode::bad_input, "image of " + size, ""};
+  if (width > limits.max_side || height > limits.max_side || width > limits.max_pixels / height)
+    return Error{ErrorCode::limit, "image of " + size + " is over the limit", ""};
+  return Done{};
+}
+
+}  // namespace relievo

@@ -1,0 +1,137 @@
+#include "io/image/jpeg_decode.h"
+
+#include <jerror.h>
+#include <jpeglib.h>
+
+#include <array>
+#include <csetjmp>
+#include <cstdio>
+#include <string>
+
+#include "io/image/exif_orientation.h"
+
+namespace relievo {
+namespace {
+
+constexpr int max_scans = 100;
+
+Error damaged(const std::string& reason) {
+  return {ErrorCode::bad_input, "the JPEG file is damaged: " + reason, ""};
+}
+
+/// libjpeg reports failures by a jump, so what outlives one is kept here, outside the jumping
+/// calls.
+struct JpegReader {
+  jpeg_decompress_struct jpeg = {};
+  jpeg_error_mgr errors = {};
+  jpeg_progress_mgr progress = {};
+  std::jmp_buf jump = {};
+  std::array<char, JMSG_LENGTH_MAX> message = {};
+
+  JpegReader() = default;
+  JpegReader(const JpegReader&) = delete;
+  JpegReader& operator=(const JpegReader&) = delete;
+  ~JpegReader() { jpeg_destroy_decompress(&jpeg); }
+};
+
+[[noreturn]] void on_error(j_common_ptr common) {
+  auto* reader = static_cast<JpegReader*>(common->client_data);
+  common->err->format_message(common, reader->message.data());
+  std::longjmp(reader->jump, 1);
+}
+
+bool loses_pixels(int message_code) {
+  return message_code == JWRN_JPEG_EOF || message_code == JWRN_HIT_MARKER ||
+         message_code == JWRN_HUFF_BAD_CODE || message_code == JWRN_MUST_RESYNC;
+}
+
+void on_message(j_common_ptr common, int level) {
+  if (level < 0 && loses_pixels(common->err->msg_code)) on_error(common);
+}
+
+/// A file of a few kB can ask for thousands of passes over the whole image.
+void on_progress(j_common_ptr common) {
+  auto* reader = static_cast<JpegReader*>(common->client_data);
+  if (reader->jpeg.input_scan_number <= max_scans) return;
+  std::snprintf(reader->message.data(), reader->message.size(), "it has too many scans");
+  std::longjmp(reader->jump, 1);
+}
+
+bool read_header(JpegReader& reader, ByteView bytes) {
+  reader.jpeg.err = jpeg_std_error(&reader.errors);
+  reader.errors.error_exit = on_error;
+  reader.errors.emit_message = on_message;
+  reader.jpeg.client_data = &reader;
+  if (setjmp(reader.jump) != 0) return false;
+  jpeg_create_decompress(&reader.jpeg);
+  reader.progress.progress_monitor = on_progress;
+  reader.jpeg.progress = &reader.progress;
+  jpeg_mem_src(&reader.jpeg, bytes.data(), bytes.size());
+  jpeg_save_markers(&reader.jpeg, JPEG_APP0 + 1, 0xffff);
+  jpeg_read_header(&reader.jpeg, TRUE);
+  return true;
+}
+
+bool is_cmyk(const JpegReader& reader) {
+  return reader.jpeg.jpeg_color_space == JCS_CMYK || reader.jpeg.jpeg_color_space == JCS_YCCK;
+}
+
+bool read_pixels(JpegReader& reader, Image8& image) {
+  if (setjmp(reader.jump) != 0) return false;
+  reader.jpeg.out_color_space = is_cmyk(reader) ? JCS_CMYK : JCS_EXT_RGBA;
+  jpeg_start_decompress(&reader.jpeg);
+  while (reader.jpeg.output_scanline < reader.jpeg.output_height) {
+    JSAMPROW row = &image.at(0, static_cast<int>(reader.jpeg.output_scanline));
+    jpeg_read_scanlines(&reader.jpeg, &row, 1);
+  }
+  jpeg_finish_decompress(&reader.jpeg);
+  return true;
+}
+
+/// Turns ink amounts into light, in place. Adobe's files store 255 - ink.
+void cmyk_to_rgba(Image8& image, bool inverted) {
+  for (size_t i = 0; i < image.pixels.size(); i += 4) {
+    uint8_t* pixel = &image.pixels[i];
+    if (!inverted)
+      for (int c = 0; c < 4; ++c) pixel[c] = static_cast<uint8_t>(255 - pixel[c]);
+    for (int c = 0; c < 3; ++c) pixel[c] = static_cast<uint8_t>((pixel[c] * pixel[3] + 127) / 255);
+    pixel[3] = 255;
+  }
+}
+
+int orientation_of(const JpegReader& reader) {
+  for (const jpeg_marker_struct* marker = reader.jpeg.marker_list; marker; marker = marker->next)
+    if (const int value = exif_orientation({marker->data, marker->data_length}); value != 1)
+      return value;
+  return 1;
+}
+
+/// Every 8 x 8 block takes at least one bit in a Huffman-coded file.
+bool too_short(const JpegReader& reader, size_t byte_count) {
+  const uint64_t blocks = uint64_t{reader.jpeg.image_width / 8} * (reader.jpeg.image_height / 8);
+  return reader.jpeg.arith_code == FALSE && blocks / 8 > byte_count;
+}
+
+}  // namespace
+
+bool is_jpeg(ByteView bytes) {
+  return bytes.size() >= 3 && bytes[0] == 0xff && bytes[1] == 0xd8 && bytes[2] == 0xff;
+}
+
+Result<Image8> decode_jpeg(ByteView bytes, const ImageLimits& limits) {
+  if (!is_jpeg(bytes)) return damaged("it does not begin with the JPEG signature");
+  JpegReader reader;
+  if (!read_header(reader, bytes)) return damaged(reader.message.data());
+  const Status size = check_image_size(reader.jpeg.image_width, reader.jpeg.image_height, limits);
+  if (!size) return size.error();
+  if (too_short(reader, bytes.size())) return damaged("it ends early");
+  const int orientation = orientation_of(reader);
+
+  Image8 image(static_cast<int>(reader.jpeg.image_width),
+               static_cast<int>(reader.jpeg.image_height), 4);
+  if (!read_pixels(reader, image)) return damaged(reader.message.data());
+  if (is_cmyk(reader)) cmyk_to_rgba(image, reader.jpeg.saw_Adobe_marker == TRUE);
+  return orientation == 1 ? image : upright(image, orientation);
+}
+
+}  // namespace relievo

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "io/files/bytes.h"
+#include "io/image/image_limits.h"
+#include "kernel/base/result.h"
+#include "kernel/image/image.h"
+
+namespace relievo {
+
+/// Whether `bytes` begin as a JPEG file does.
+bool is_jpeg(ByteView bytes);
+
+/// A JPEG file (grey, colour or CMYK, baseline or progressive) as 8-bit sRGB with alpha 255,
+/// 4 channels, upright by its EXIF orientation. Colour profiles are ignored. Errors: `bad_input`
+/// where the file is damaged or cut short (the reason is in the message), `limit`.
+Result<Image8> decode_jpeg(ByteView bytes, const ImageLimits& limits = {});
+
+}  // namespace relievo

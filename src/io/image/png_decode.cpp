@@ -1,0 +1,110 @@
+#include "io/image/png_decode.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <string>
+
+namespace relievo {
+namespace {
+
+constexpr std::array<uint8_t, 8> signature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+constexpr size_t header_end = 33;
+/// Deflate cannot pack its input tighter than this.
+constexpr uint64_t max_deflate_ratio = 1032;
+
+Error damaged(const std::string& reason) {
+  return {ErrorCode::bad_input, "the PNG file is damaged: " + reason, ""};
+}
+
+int64_t big_endian(const uint8_t* at) {
+  return int64_t{at[0]} << 24 | int64_t{at[1]} << 16 | int64_t{at[2]} << 8 | int64_t{at[3]};
+}
+
+/// libpng reports failures by a jump, so what outlives one is kept here, outside the jumping calls.
+struct PngReader {
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  ByteView rest;
+  std::string message;
+  uint64_t packed_row_bytes = 0;
+
+  PngReader() = default;
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
+  ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+[[noreturn]] void on_error(png_structp png, png_const_charp message) {
+  static_cast<PngReader*>(png_get_error_ptr(png))->message = message;
+  png_longjmp(png, 1);
+}
+
+void on_warning(png_structp, png_const_charp) {}
+
+void on_read(png_structp png, png_bytep out, size_t count) {
+  auto* reader = static_cast<PngReader*>(png_get_io_ptr(png));
+  if (reader->rest.size() < count) png_error(png, "it ends early");
+  std::memcpy(out, reader->rest.data(), count);
+  reader->rest = reader->rest.subspan(count);
+}
+
+bool read_header(PngReader& reader, const ImageLimits& limits) {
+  if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
+  const auto max_side = static_cast<png_uint_32>(limits.max_side);
+  png_set_user_limits(reader.png, max_side, max_side);
+  png_set_chunk_malloc_max(reader.png, png_alloc_size_t{8} << 20);
+  png_set_keep_unknown_chunks(reader.png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+  png_set_read_fn(reader.png, &reader, on_read);
+  png_read_info(reader.png, reader.info);
+  reader.packed_row_bytes = png_get_rowbytes(reader.png, reader.info);
+  png_set_expand(reader.png);
+  png_set_scale_16(reader.png);
+  png_set_gray_to_rgb(reader.png);
+  png_set_add_alpha(reader.png, 0xff, PNG_FILLER_AFTER);
+  png_set_interlace_handling(reader.png);
+  png_read_update_info(reader.png, reader.info);
+  return true;
+}
+
+bool read_pixels(PngReader& reader, png_bytepp rows) {
+  if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
+  png_read_image(reader.png, rows);
+  png_read_end(reader.png, nullptr);
+  return true;
+}
+
+}  // namespace
+
+bool is_png(ByteView bytes) {
+  return bytes.size() >= signature.size() &&
+         std::equal(signature.begin(), signature.end(), bytes.begin());
+}
+
+Result<Image8> decode_png(ByteView bytes, const ImageLimits& limits) {
+  if (!is_png(bytes)) return damaged("it does not begin with the PNG signature");
+  if (bytes.size() < header_end) return damaged("it ends early");
+  if (std::memcmp(bytes.data() + 12, "IHDR", 4) != 0) return damaged("it has no header");
+  const int64_t width = big_endian(bytes.data() + 16);
+  const int64_t height = big_endian(bytes.data() + 20);
+  if (Status size = check_image_size(width, height, limits); !size) return size.error();
+
+  PngReader reader;
+  reader.rest = bytes;
+  reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, on_error, on_warning);
+  if (reader.png != nullptr) reader.info = png_create_info_struct(reader.png);
+  if (reader.info == nullptr) return Error{ErrorCode::internal, "libpng cannot be started", ""};
+  if (!read_header(reader, limits)) return damaged(reader.message);
+  if (reader.packed_row_bytes * static_cast<uint64_t>(height) / max_deflate_ratio > bytes.size())
+    return damaged("it ends early");
+
+  Image8 image(static_cast<int>(width), static_cast<int>(height), 4);
+  std::vector<png_bytep> rows(static_cast<size_t>(height));
+  for (int y = 0; y < image.height; ++y) rows[static_cast<size_t>(y)] = &image.at(0, y);
+  if (!read_pixels(reader, rows.data())) return damaged(reader.message);
+  return image;
+}
+
+}  // namespace relievo

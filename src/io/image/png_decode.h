@@ -1,0 +1,18 @@
+#pragma once
+
+#include "io/files/bytes.h"
+#include "io/image/image_limits.h"
+#include "kernel/base/result.h"
+#include "kernel/image/image.h"
+
+namespace relievo {
+
+/// Whether `bytes` begin as a PNG file does.
+bool is_png(ByteView bytes);
+
+/// A PNG file of any colour type, depth and interlacing as 8-bit sRGB with straight alpha,
+/// 4 channels. Gamma and colour profiles are ignored, 16-bit samples are rounded. Errors:
+/// `bad_input` where the file is damaged or cut short (the reason is in the message), `limit`.
+Result<Image8> decode_png(ByteView bytes, const ImageLimits& limits = {});
+
+}  // namespace relievo

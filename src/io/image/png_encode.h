@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/files/bytes.h"
+#include "kernel/base/result.h"
+#include "kernel/image/image.h"
+
+namespace relievo {
+
+/// A textual note inside a PNG file. The keyword has 1 to 79 Latin-1 characters.
+struct PngText {
+  std::string keyword;
+  std::string text;
+};
+
+/// An image of 1 (grey), 3 (RGB) or 4 (RGBA, straight alpha) channels as a PNG file. The same
+/// pixels always give the same bytes: no time, no gamma, fixed compression.
+Result<Bytes> encode_png(const Image8& image, const std::vector<PngText>& texts = {});
+
+/// A grey image of 16 bits.
+Result<Bytes> encode_png(const Image16& image, const std::vector<PngText>& texts = {});
+
+}  // namespace relievo

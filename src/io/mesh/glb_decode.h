@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+
+#include "io/files/bytes.h"
+#include "io/image/image_limits.h"
+#include "kernel/base/result.h"
+#include "relief/drawing/drawing.h"
+#include "relief/model/model.h"
+
+namespace relievo {
+
+struct GlbLimits {
+  int64_t max_vertices = 20'000'000;
+  int64_t max_triangles = 40'000'000;
+  int64_t max_json_bytes = int64_t{64} << 20;
+  ImageLimits image;
+};
+
+/// A model with its drawing, which is empty where the file has no texture.
+struct DrawnModel {
+  Model model;
+  Drawing drawing;
+};
+
+/// Reads a GLB file of the kind that encode_glb writes: untransformed nodes with indexed triangles
+/// that have POSITION, NORMAL and TEXCOORD_0, an embedded base colour image or none. Every node's
+/// mesh becomes a part. Without the extras that lead back to canvas px, the model is scaled to
+/// 1000 px and its bounding box is the canvas. Errors: `bad_input` where the file is damaged or of
+/// another kind (never undefined behaviour, whatever the bytes), `limit`.
+Result<DrawnModel> decode_glb(ByteView bytes, const GlbLimits& limits = {});
+
+}  // namespace relievo

@@ -1,0 +1,242 @@
+#include "io/mesh/glb_encode.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "io/files/byte_writer.h"
+#include "io/image/png_encode.h"
+#include "io/mesh/placement.h"
+#include "relief/model/model_texture.h"
+
+namespace relievo {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int component_u16 = 5123;
+constexpr int component_u32 = 5125;
+constexpr int component_f32 = 5126;
+constexpr int filter_linear = 9729;
+constexpr int filter_mipmapped = 9987;
+constexpr int wrap_clamp = 33071;
+constexpr int target_vertices = 34962;
+constexpr int target_indices = 34963;
+constexpr size_t max_u16_vertices = 65535;
+
+/// A part's own vertices, in the order of their first use, and its triangles among them.
+struct Submesh {
+  int part = 0;
+  std::vector<int> vertices;
+  std::vector<int> indices;
+};
+
+std::vector<Submesh> split_by_part(const Model& model) {
+  std::vector<Submesh> submeshes;
+  std::vector<int> local(model.positions.size(), -1);
+  for (size_t p = 0; p < model.parts.size(); ++p) {
+    const ModelPart& part = model.parts[p];
+    if (part.triangle_count == 0) continue;
+    Submesh& submesh = submeshes.emplace_back();
+    submesh.part = static_cast<int>(p);
+    for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t)
+      for (const int v : model.triangles[t]) {
+        if (local[v] < 0) {
+          local[v] = static_cast<int>(submesh.vertices.size());
+          submesh.vertices.push_back(v);
+        }
+        submesh.indices.push_back(local[v]);
+      }
+    for (const int v : submesh.vertices) local[v] = -1;
+  }
+  return submeshes;
+}
+
+/// The two chunks of the file while they are filled.
+struct Asset {
+  Json json;
+  Bytes binary;
+
+  /// Closes the buffer view that began at `begin`; every view begins at a multiple of 4.
+  int add_view(size_t begin, int stride, int target) {
+    Json view = {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", binary.size() - begin}};
+    if (stride > 0) view["byteStride"] = stride;
+    if (target > 0) view["target"] = target;
+    json["bufferViews"].push_back(std::move(view));
+    binary.resize((binary.size() + 3) / 4 * 4);
+    return static_cast<int>(json["bufferViews"].size()) - 1;
+  }
+
+  int add_accessor(Json accessor) {
+    json["accessors"].push_back(std::move(accessor));
+    return static_cast<int>(json["accessors"].size()) - 1;
+  }
+};
+
+/// Adds one view with an N-vector per vertex of all parts, `get(v)`, and an accessor per part;
+/// returns the accessors' indices.
+template <size_t N, class Get>
+std::vector<int> add_vectors(Asset& asset, const std::vector<Submesh>& submeshes, Get get) {
+  const size_t begin = asset.binary.size();
+  const size_t view = asset.json["bufferViews"].size();
+  std::vector<int> accessors;
+  for (const Submesh& submesh : submeshes) {
+    Json accessor = {{"bufferView", view},
+                     {"byteOffset", asset.binary.size() - begin},
+                     {"componentType", component_f32},
+                     {"count", submesh.vertices.size()},
+                     {"type", "VEC" + std::to_string(N)}};
+    std::array<float, N> low = get(submesh.vertices.front());
+    std::array<float, N> high = low;
+    for (const int v : submesh.vertices) {
+      const std::array<float, N> vector = get(v);
+      for (size_t k = 0; k < N; ++k) {
+        append_f32(asset.binary, vector[k]);
+        low[k] = std::min(low[k], vector[k]);
+        high[k] = std::max(high[k], vector[k]);
+      }
+    }
+    accessor["min"] = low;
+    accessor["max"] = high;
+    accessors.push_back(asset.add_accessor(std::move(accessor)));
+  }
+  asset.add_view(begin, 4 * N, target_vertices);
+  return accessors;
+}
+
+std::array<float, 3> narrow(Point3 p) {
+  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+}
+
+std::vector<int> add_indices(Asset& asset, const std::vector<Submesh>& submeshes) {
+  const bool short_indices = std::all_of(
+      submeshes.begin(), submeshes.end(),
+      [](const Submesh& submesh) { return submesh.vertices.size() <= max_u16_vertices; });
+  const size_t begin = asset.binary.size();
+  const int view = static_cast<int>(asset.json["bufferViews"].size());
+  std::vector<int> accessors;
+  for (const Submesh& submesh : submeshes) {
+    const size_t offset = asset.binary.size() - begin;
+    for (const int index : submesh.indices) {
+      if (short_indices)
+        append_u16(asset.binary, static_cast<uint16_t>(index));
+      else
+        append_u32(asset.binary, static_cast<uint32_t>(index));
+    }
+    accessors.push_back(
+        asset.add_accessor({{"bufferView", view},
+                            {"byteOffset", offset},
+                            {"componentType", short_indices ? component_u16 : component_u32},
+                            {"count", submesh.indices.size()},
+                            {"type", "SCALAR"}}));
+  }
+  asset.add_view(begin, 0, target_indices);
+  return accessors;
+}
+
+void add_nodes(Asset& asset, const Model& model, const Placement& placement) {
+  const std::vector<Submesh> submeshes = split_by_part(model);
+  const std::vector<int> positions = add_vectors<3>(
+      asset, submeshes, [&](int v) { return narrow(place(placement, model.positions[v])); });
+  const std::vector<int> normals = add_vectors<3>(
+      asset, submeshes, [&](int v) { return narrow(file_normal(model.normals[v])); });
+  const std::vector<int> uvs = add_vectors<2>(asset, submeshes, [&](int v) {
+    return std::array<float, 2>{static_cast<float>(model.uvs[v].x),
+                                static_cast<float>(model.uvs[v].y)};
+  });
+  const std::vector<int> indices = add_indices(asset, submeshes);
+  for (size_t i = 0; i < submeshes.size(); ++i) {
+    const int order = submeshes[i].part;
+    const ModelPart& part = model.parts[order];
+    Json primitive = {
+        {"attributes",
+         {{"POSITION", positions[i]}, {"NORMAL", normals[i]}, {"TEXCOORD_0", uvs[i]}}},
+        {"indices", indices[i]},
+        {"material", 0}};
+    asset.json["meshes"].push_back(
+        {{"name", part.id}, {"primitives", Json::array({std::move(primitive)})}});
+    Json extras = {{"part", part.id}, {"order", order}, {"c", part.c}, {"d", part.d}};
+    asset.json["nodes"].push_back({{"name", part.id}, {"mesh", i}, {"extras", std::move(extras)}});
+    asset.json["scenes"][0]["nodes"].push_back(i);
+  }
+}
+
+Status add_texture(Asset& asset, const Model& model, const Drawing& drawing) {
+  const Result<Bytes> png = encode_png(model_texture(model, drawing));
+  if (!png) return png.error();
+  const size_t begin = asset.binary.size();
+  asset.binary.insert(asset.binary.end(), png->begin(), png->end());
+  const int view = asset.add_view(begin, 0, 0);
+  const Json image = {{"bufferView", view}, {"mimeType", "image/png"}};
+  const Json sampler = {{"magFilter", filter_linear},
+                        {"minFilter", filter_mipmapped},
+                        {"wrapS", wrap_clamp},
+                        {"wrapT", wrap_clamp}};
+  const Json texture = {{"sampler", 0}, {"source", 0}};
+  asset.json["images"] = Json::array({image});
+  asset.json["samplers"] = Json::array({sampler});
+  asset.json["textures"] = Json::array({texture});
+  asset.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  return Done{};
+}
+
+Json skeleton(const Model& model, const Placement& placement) {
+  const Point3 origin = placement.origin;
+  const Json extras = {{"canvas", Json::array({model.width, model.height})},
+                       {"origin", Json::array({origin.x, origin.y, origin.z})},
+                       {"scale", placement.scale}};
+  const Json scene = {{"nodes", Json::array()}, {"extras", extras}};
+  const Json reflectance = {{"baseColorFactor", Json::array({1, 1, 1, 1})},
+                            {"metallicFactor", 0},
+                            {"roughnessFactor", 0.9}};
+  const Json material = {
+      {"name", "drawing"}, {"pbrMetallicRoughness", reflectance}, {"doubleSided", true}};
+  return {{"asset", {{"version", "2.0"}, {"generator", "relievo " RELIEVO_VERSION}}},
+          {"scene", 0},
+          {"scenes", Json::array({scene})},
+          {"nodes", Json::array()},
+          {"meshes", Json::array()},
+          {"materials", Json::array({material})},
+          {"accessors", Json::array()},
+          {"bufferViews", Json::array()}};
+}
+
+Result<Bytes> pack(Asset& asset) {
+  const Json buffer = {{"byteLength", asset.binary.size()}};
+  asset.json["buffers"] = Json::array({buffer});
+  std::string text = asset.json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const uint64_t total = 28 + uint64_t{text.size()} + asset.binary.size();
+  if (total > std::numeric_limits<uint32_t>::max())
+    return Error{ErrorCode::limit, "the model does not fit into a GLB file of 4 GB", ""};
+  Bytes bytes;
+  bytes.reserve(total);
+  append_text(bytes, "glTF");
+  append_u32(bytes, 2);
+  append_u32(bytes, static_cast<uint32_t>(total));
+  append_u32(bytes, static_cast<uint32_t>(text.size()));
+  append_text(bytes, "JSON");
+  append_text(bytes, text);
+  append_u32(bytes, static_cast<uint32_t>(asset.binary.size()));
+  append_text(bytes, std::string_view("BIN\0", 4));
+  bytes.insert(bytes.end(), asset.binary.begin(), asset.binary.end());
+  return bytes;
+}
+
+}  // namespace
+
+Result<Bytes> encode_glb(const Model& model, const Drawing* drawing, double size_mm) {
+  if (Status status = check_exportable(model, size_mm); !status) return status.error();
+  const Placement placement = centred_placement(model, size_mm / 1000);
+  Asset asset;
+  asset.json = skeleton(model, placement);
+  add_nodes(asset, model, placement);
+  if (drawing != nullptr && !drawing->rgba.empty())
+    if (Status status = add_texture(asset, model, *drawing); !status) return status.error();
+  return pack(asset);
+}
+
+}  // namespace relievo

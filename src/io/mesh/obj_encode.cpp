@@ -1,0 +1,82 @@
+#include "io/mesh/obj_encode.h"
+
+#include <initializer_list>
+#include <string_view>
+
+#include "io/files/byte_writer.h"
+#include "io/files/number_text.h"
+#include "io/image/png_encode.h"
+#include "io/mesh/placement.h"
+#include "relief/model/model_texture.h"
+
+namespace relievo {
+namespace {
+
+void append_line(Bytes& bytes, std::string_view keyword, std::initializer_list<double> numbers) {
+  append_text(bytes, keyword);
+  for (const double number : numbers) {
+    bytes.push_back(' ');
+    append_text(bytes, shortest_text(static_cast<float>(number)));
+  }
+  bytes.push_back('\n');
+}
+
+void append_vertices(Bytes& obj, const Model& model, const Placement& placement) {
+  for (const Point3& position : model.positions) {
+    const Point3 p = place(placement, position);
+    append_line(obj, "v", {p.x, p.y, p.z});
+  }
+  for (const Point2& uv : model.uvs) append_line(obj, "vt", {uv.x, 1 - uv.y});
+  for (const Point3& normal : model.normals) {
+    const Point3 n = file_normal(normal);
+    append_line(obj, "vn", {n.x, n.y, n.z});
+  }
+}
+
+void append_part(Bytes& obj, const Model& model, const ModelPart& part) {
+  append_text(obj, "o " + obj_file_name(part.id) + "\nusemtl drawing\n");
+  for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
+    append_text(obj, "f");
+    for (const int v : model.triangles[t]) {
+      const std::string index = std::to_string(v + 1);
+      append_text(obj, " " + index + "/" + index + "/" + index);
+    }
+    append_text(obj, "\n");
+  }
+}
+
+std::string material(const std::string& texture) {
+  std::string text = "newmtl drawing\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\n";
+  if (!texture.empty()) text += "map_Kd " + texture + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string obj_file_name(const std::string& name) {
+  std::string result = name.empty() ? "_" : name;
+  for (char& c : result)
+    if (static_cast<unsigned char>(c) <= ' ' || c == 0x7f || c == '#' || c == '\\') c = '_';
+  return result;
+}
+
+Result<ObjFiles> encode_obj(const Model& model, const Drawing* drawing, const ObjOptions& options) {
+  if (Status status = check_exportable(model, options.size_mm); !status) return status.error();
+  ObjFiles files;
+  const std::string name = obj_file_name(options.name);
+  std::string texture;
+  if (drawing != nullptr && !drawing->rgba.empty()) {
+    Result<Bytes> png = encode_png(model_texture(model, *drawing));
+    if (!png) return png.error();
+    files.png = std::move(*png);
+    texture = name + ".png";
+  }
+  append_text(files.mtl, material(texture));
+  append_text(files.obj, "# relievo " RELIEVO_VERSION ", millimetres\nmtllib " + name + ".mtl\n");
+  append_vertices(files.obj, model, centred_placement(model, options.size_mm));
+  for (const ModelPart& part : model.parts)
+    if (part.triangle_count > 0) append_part(files.obj, model, part);
+  return files;
+}
+
+}  // namespace relievo

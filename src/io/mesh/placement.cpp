@@ -1,0 +1,52 @@
+#include "io/mesh/placement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relievo {
+namespace {
+
+bool is_finite(Point3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+bool is_finite(Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+
+double longest_side(const Box3& box) {
+  const Point3 sides = box.max - box.min;
+  return std::max({sides.x, sides.y, sides.z});
+}
+
+}  // namespace
+
+Box3 extent(const Model& model) {
+  Box3 box{model.positions.front(), model.positions.front()};
+  for (const Point3 p : model.positions) {
+    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
+    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+  }
+  return box;
+}
+
+Placement centred_placement(const Model& model, double size) {
+  const Box3 box = extent(model);
+  const Point3 middle = 0.5 * (box.min + box.max);
+  return {size / longest_side(box), {middle.x, middle.y, 0}};
+}
+
+Placement octant_placement(const Model& model, double size) {
+  const Box3 box = extent(model);
+  return {size / longest_side(box), box.min};
+}
+
+Status check_exportable(const Model& model, double size_mm) {
+  if (!std::isfinite(size_mm) || size_mm <= 0)
+    return Error{ErrorCode::usage, "the size of the model must be a positive number of mm", ""};
+  if (model.triangles.empty()) return Error{ErrorCode::bad_input, "the model has no triangles", ""};
+  for (size_t v = 0; v < model.positions.size(); ++v)
+    if (!is_finite(model.positions[v]) || !is_finite(model.normals[v]) || !is_finite(model.uvs[v]))
+      return Error{ErrorCode::bad_input, "the model has a vertex that is not finite",
+                   "vertex " + std::to_string(v)};
+  if (longest_side(extent(model)) <= 0)
+    return Error{ErrorCode::bad_input, "the model has no extent", ""};
+  return Done{};
+}
+
+}  // namespace relievo

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "kernel/base/result.h"
+#include "relief/model/model.h"
+
+namespace relievo {
+
+/// An axis-aligned box in model space.
+struct Box3 {
+  Point3 min;
+  Point3 max;
+};
+
+/// The box around all vertices of a model. Precondition: there is at least one.
+Box3 extent(const Model& model);
+
+/// Where a model lies in a file: position in the file = scale * (position - origin).
+struct Placement {
+  double scale = 1;
+  Point3 origin;
+};
+
+inline Point3 place(const Placement& placement, Point3 p) {
+  return placement.scale * (p - placement.origin);
+}
+
+/// The longest side of the model becomes `size`; its middle lies at x = y = 0 and its drawing
+/// plane at z = 0.
+Placement centred_placement(const Model& model, double size);
+
+/// The longest side of the model becomes `size`; it lies in the positive octant and touches its
+/// three planes.
+Placement octant_placement(const Model& model, double size);
+
+/// The normal made exactly unit, towards the viewer where it is zero: files must not have others.
+inline Point3 file_normal(Point3 normal) {
+  const Point3 n = normalized(normal);
+  return n == Point3{} ? Point3{0, 0, 1} : n;
+}
+
+/// What every mesh file needs: at least one triangle, finite vertices, an extent and a finite
+/// positive `size_mm`. Errors: `bad_input`, `usage` for the size.
+Status check_exportable(const Model& model, double size_mm);
+
+}  // namespace relievo

@@ -1,0 +1,43 @@
+#include "io/mesh/stl_encode.h"
+
+#include <string>
+
+#include "io/files/byte_writer.h"
+#include "io/mesh/placement.h"
+
+namespace relievo {
+namespace {
+
+constexpr size_t header_size = 80;
+constexpr size_t triangle_size = 50;
+
+void append_point(Bytes& bytes, Point3 p) {
+  append_f32(bytes, p.x);
+  append_f32(bytes, p.y);
+  append_f32(bytes, p.z);
+}
+
+}  // namespace
+
+Result<Bytes> encode_stl(const Model& model, double size_mm) {
+  if (Status status = check_exportable(model, size_mm); !status) return status.error();
+  const Placement placement = octant_placement(model, size_mm);
+  Bytes stl;
+  stl.reserve(header_size + 4 + triangle_size * model.triangles.size());
+  append_text(stl, "relievo " RELIEVO_VERSION ", binary STL, millimetres");
+  stl.resize(header_size, ' ');
+  append_u32(stl, static_cast<uint32_t>(model.triangles.size()));
+  for (const std::array<int, 3>& triangle : model.triangles) {
+    const Point3 a = place(placement, model.positions[triangle[0]]);
+    const Point3 b = place(placement, model.positions[triangle[1]]);
+    const Point3 c = place(placement, model.positions[triangle[2]]);
+    append_point(stl, normalized(cross(b - a, c - a)));
+    append_point(stl, a);
+    append_point(stl, b);
+    append_point(stl, c);
+    append_u16(stl, 0);
+  }
+  return stl;
+}
+
+}  // namespace relievo

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "io/files/bytes.h"
+#include "kernel/base/result.h"
+#include "relief/model/model.h"
+
+namespace relievo {
+
+/// The model as binary STL: mm, longest side `size_mm`, lying on z = 0 with the height of the
+/// relief as Z, in the positive octant. Errors: as check_exportable.
+Result<Bytes> encode_stl(const Model& model, double size_mm = 100);
+
+}  // namespace relievo

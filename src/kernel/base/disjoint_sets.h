@@ -1,0 +1,35 @@
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace relievo {
+
+/// Union-find over 0 .. n-1. The representative of a set is its smallest member, so results do
+/// not depend on the order of the unions.
+class DisjointSets {
+ public:
+  explicit DisjointSets(int n) : parent_(static_cast<size_t>(n)) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  /// Smallest member of the set of i. O(log n) amortised.
+  int find(int i) {
+    while (parent_[i] != i) {
+      parent_[i] = parent_[parent_[i]];
+      i = parent_[i];
+    }
+    return i;
+  }
+
+  void unite(int i, int j) {
+    const auto [low, high] = std::minmax({find(i), find(j)});
+    parent_[high] = low;
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+}  // namespace relievo

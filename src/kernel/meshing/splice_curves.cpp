@@ -1,0 +1,270 @@
+#include "kernel/meshing/splice_curves.h"
+
+#include <algorithm>
+#include <array>
+
+#include "kernel/meshing/predicates.h"
+#include "kernel/meshing/segment_grid.h"
+
+namespace relievo {
+namespace {
+
+constexpr int kMaxRounds = 40;
+
+/// A point to be inserted into an edge at parameter t of it.
+struct Insertion {
+  int edge;
+  double t;
+  int point;
+};
+
+class Splicer {
+ public:
+  explicit Splicer(const std::vector<InputCurve>& curves) : curves_(curves) { merge_points(); }
+
+  Result<SplicedCurves> run() {
+    for (int round = 0; round < kMaxRounds; ++round) {
+      tidy_loops();
+      collect_edges();
+      std::vector<Insertion> insertions = find_contacts();
+      if (insertions.empty()) insertions = find_crossings();
+      if (insertions.empty()) return std::move(out_);
+      insert(insertions);
+    }
+    return Error{ErrorCode::bad_input, "the outlines are too tangled to be separated", ""};
+  }
+
+ private:
+  // Every input point becomes its own point or that of an earlier one close to it; kept points
+  // come first so that others move to them.
+  void merge_points() {
+    struct Item {
+      int curve;
+      int index;
+      bool kept;
+      double reach;
+    };
+    std::vector<Item> items;
+    Box2 box;
+    for (size_t c = 0; c < curves_.size(); ++c) {
+      const Ring& ring = curves_[c].points;
+      const size_t n = ring.size();
+      for (size_t i = 0; i < n; ++i) {
+        const double edge = std::min(distance(ring[i], ring[(i + 1) % n]),
+                                     distance(ring[i], ring[(i + n - 1) % n]));
+        items.push_back(
+            {static_cast<int>(c), static_cast<int>(i), curves_[c].kept[i], kSnapToVertex * edge});
+        box.add(ring[i]);
+      }
+      out_.image.emplace_back(n);
+    }
+    std::stable_partition(items.begin(), items.end(), [](const Item& item) { return item.kept; });
+    auto position = [&](const Item& item) { return curves_[item.curve].points[item.index]; };
+    SegmentGrid grid(box, items.size());
+    grid.build(items.size(),
+               [&](size_t i) { return std::pair(position(items[i]), position(items[i])); });
+    std::vector<int> point_of(items.size(), -1);
+    for (size_t i = 0; i < items.size(); ++i) {
+      const Point2 p = position(items[i]);
+      int found = -1;
+      double nearest = 1e300;
+      grid.for_cells(p, p, items[i].reach, [&](size_t cell) {
+        for (const int* j = grid.begin(cell); j != grid.end(cell); ++j) {
+          if (static_cast<size_t>(*j) >= i || point_of[*j] < 0) continue;
+          const double gap = distance(p, out_.points[point_of[*j]]);
+          if (gap > std::min(items[i].reach, items[*j].reach) || gap >= nearest) continue;
+          nearest = gap;
+          found = point_of[*j];
+        }
+      });
+      if (found < 0) {
+        found = static_cast<int>(out_.points.size());
+        out_.points.push_back(p);
+      }
+      point_of[i] = found;
+      out_.image[items[i].curve][items[i].index] = found;
+    }
+    out_.loops = out_.image;
+  }
+
+  // Consecutive equal points merge, and spikes a-b-a, whose edges cancel, fold up.
+  void tidy_loops() {
+    for (std::vector<int>& loop : out_.loops) {
+      std::vector<int> tidy;
+      for (const int p : loop) {
+        if (!tidy.empty() && tidy.back() == p) continue;
+        if (tidy.size() >= 2 && tidy[tidy.size() - 2] == p)
+          tidy.pop_back();
+        else
+          tidy.push_back(p);
+      }
+      size_t first = 0;
+      while (tidy.size() - first > 1) {
+        if (tidy[first] == tidy.back()) {
+          tidy.pop_back();
+        } else if (tidy.size() - first > 2 && tidy[first + 1] == tidy.back()) {
+          ++first;
+        } else if (tidy.size() - first > 2 && tidy[first] == tidy[tidy.size() - 2]) {
+          tidy.pop_back();
+        } else {
+          break;
+        }
+      }
+      tidy.erase(tidy.begin(), tidy.begin() + static_cast<std::ptrdiff_t>(first));
+      if (tidy.size() < 3) tidy.clear();
+      loop = std::move(tidy);
+    }
+  }
+
+  // The distinct undirected edges of all loops, sorted.
+  void collect_edges() {
+    edges_.clear();
+    for (const std::vector<int>& loop : out_.loops)
+      for (size_t i = 0; i < loop.size(); ++i) {
+        const int a = loop[i];
+        const int b = loop[(i + 1) % loop.size()];
+        edges_.push_back({std::min(a, b), std::max(a, b)});
+      }
+    std::sort(edges_.begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+    shortest_.assign(out_.points.size(), 1e300);
+    for (const auto& [a, b] : edges_) {
+      const double length = distance(out_.points[a], out_.points[b]);
+      shortest_[a] = std::min(shortest_[a], length);
+      shortest_[b] = std::min(shortest_[b], length);
+    }
+  }
+
+  SegmentGrid edge_grid() const {
+    Box2 box;
+    for (const auto& edge : edges_)
+      for (const int p : edge) box.add(out_.points[p]);
+    SegmentGrid grid(box, edges_.size());
+    grid.build(edges_.size(), [&](size_t e) {
+      return std::pair(out_.points[edges_[e][0]], out_.points[edges_[e][1]]);
+    });
+    return grid;
+  }
+
+  // Vertices that lie on, or nearly on, the inside of an edge.
+  std::vector<Insertion> find_contacts() const {
+    std::vector<Insertion> found;
+    const SegmentGrid grid = edge_grid();
+    for (size_t p = 0; p < out_.points.size(); ++p) {
+      if (shortest_[p] == 1e300) continue;
+      const Point2 x = out_.points[p];
+      const double reach = kSnapToEdge * shortest_[p];
+      const size_t first = found.size();
+      grid.for_cells(x, x, reach, [&](size_t cell) {
+        for (const int* e = grid.begin(cell); e != grid.end(cell); ++e) {
+          double t = 0;
+          if (!touches(static_cast<int>(p), edges_[*e], reach, t)) continue;
+          const auto same = [&](const Insertion& other) { return other.edge == *e; };
+          if (std::none_of(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), same))
+            found.push_back({*e, t, static_cast<int>(p)});
+        }
+      });
+    }
+    return found;
+  }
+
+  bool touches(int p, const std::array<int, 2>& edge, double reach, double& t) const {
+    if (p == edge[0] || p == edge[1]) return false;
+    const Point2 a = out_.points[edge[0]];
+    const Point2 d = out_.points[edge[1]] - a;
+    const double length = norm(d);
+    t = dot(out_.points[p] - a, d) / (length * length);
+    if (t <= 0 || t >= 1) return false;
+    const double bound = std::min(reach, kSnapToEdge * length);
+    return std::abs(cross(d, out_.points[p] - a)) <= bound * length;
+  }
+
+  // Proper crossings of two edges; each becomes a vertex of both.
+  std::vector<Insertion> find_crossings() {
+    std::vector<Insertion> found;
+    const SegmentGrid grid = edge_grid();
+    std::vector<int> seen(edges_.size(), -1);
+    for (size_t e = 0; e < edges_.size(); ++e) {
+      const Point2 a = out_.points[edges_[e][0]];
+      const Point2 b = out_.points[edges_[e][1]];
+      grid.for_cells(a, b, 0, [&](size_t cell) {
+        for (const int* f = grid.begin(cell); f != grid.end(cell); ++f) {
+          if (static_cast<size_t>(*f) <= e || seen[*f] == static_cast<int>(e)) continue;
+          seen[*f] = static_cast<int>(e);
+          add_crossing(static_cast<int>(e), *f, found);
+        }
+      });
+    }
+    return found;
+  }
+
+  void add_crossing(int e, int f, std::vector<Insertion>& found) {
+    const auto [a, b] = edges_[e];
+    const auto [c, d] = edges_[f];
+    if (a == c || a == d || b == c || b == d) return;
+    const Point2 pa = out_.points[a], pb = out_.points[b], pc = out_.points[c], pd = out_.points[d];
+    if (orientation(pa, pb, pc) * orientation(pa, pb, pd) >= 0) return;
+    if (orientation(pc, pd, pa) * orientation(pc, pd, pb) >= 0) return;
+    const double denominator = cross(pb - pa, pd - pc);
+    const double t = std::clamp(cross(pc - pa, pd - pc) / denominator, 0.0, 1.0);
+    const Point2 x = pa + t * (pb - pa);
+    const double reach = kSnapToVertex * std::min(distance(pa, pb), distance(pc, pd));
+    int vertex = -1;
+    double nearest = reach;
+    for (const int p : {a, b, c, d})
+      if (distance(x, out_.points[p]) <= nearest) {
+        nearest = distance(x, out_.points[p]);
+        vertex = p;
+      }
+    if (vertex < 0) {
+      vertex = static_cast<int>(out_.points.size());
+      out_.points.push_back(x);
+    }
+    const double s = dot(x - pc, pd - pc) / dot(pd - pc, pd - pc);
+    if (vertex != a && vertex != b) found.push_back({e, t, vertex});
+    if (vertex != c && vertex != d) found.push_back({f, s, vertex});
+  }
+
+  // Threads the inserted points into every loop that uses the edge.
+  void insert(std::vector<Insertion>& insertions) {
+    std::sort(insertions.begin(), insertions.end(), [](const Insertion& x, const Insertion& y) {
+      return x.edge != y.edge ? x.edge < y.edge : (x.t != y.t ? x.t < y.t : x.point < y.point);
+    });
+    for (std::vector<int>& loop : out_.loops) {
+      std::vector<int> longer;
+      for (size_t i = 0; i < loop.size(); ++i) {
+        const int a = loop[i];
+        const int b = loop[(i + 1) % loop.size()];
+        longer.push_back(a);
+        append_between(a, b, insertions, longer);
+      }
+      loop = std::move(longer);
+    }
+  }
+
+  void append_between(int a, int b, const std::vector<Insertion>& insertions,
+                      std::vector<int>& loop) const {
+    const std::array<int, 2> key = {std::min(a, b), std::max(a, b)};
+    const auto at = std::lower_bound(edges_.begin(), edges_.end(), key);
+    if (at == edges_.end() || *at != key) return;
+    const int edge = static_cast<int>(at - edges_.begin());
+    auto first = std::lower_bound(insertions.begin(), insertions.end(), edge,
+                                  [](const Insertion& x, int e) { return x.edge < e; });
+    const size_t before = loop.size();
+    for (; first != insertions.end() && first->edge == edge; ++first) loop.push_back(first->point);
+    if (a > b) std::reverse(loop.begin() + static_cast<std::ptrdiff_t>(before), loop.end());
+  }
+
+  const std::vector<InputCurve>& curves_;
+  SplicedCurves out_;
+  std::vector<std::array<int, 2>> edges_;
+  std::vector<double> shortest_;  // per point: its shortest edge
+};
+
+}  // namespace
+
+Result<SplicedCurves> splice_curves(const std::vector<InputCurve>& curves) {
+  return Splicer(curves).run();
+}
+
+}  // namespace relievo

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "kernel/base/result.h"
+#include "kernel/geometry/polygon.h"
+
+namespace relievo {
+
+/// A closed curve to be put into a planar arrangement.
+struct InputCurve {
+  Ring points;             ///< at least 3
+  std::vector<bool> kept;  ///< per point: a corner or an end that others snap to
+};
+
+/// Closed curves without crossings: two edges meet only at shared vertices or coincide.
+struct SplicedCurves {
+  std::vector<Point2> points;
+  /// Per curve the point indices around it; empty where the curve collapsed.
+  std::vector<std::vector<int>> loops;
+  /// Per curve and input point the index that stands for it.
+  std::vector<std::vector<int>> image;
+};
+
+/// Bounds of the snapping, as fractions of the shorter of the edges involved.
+inline constexpr double kSnapToVertex = 0.15;
+inline constexpr double kSnapToEdge = 0.1;
+
+/// Splices the curves at crossings and contacts. A vertex moves by at most kSnapToVertex of its
+/// shorter edge; a curve is bent to a vertex at most kSnapToEdge of the shorter edge beside it.
+/// Fails with bad_input where the curves are too tangled to settle. Near-linear for edges of
+/// similar length.
+Result<SplicedCurves> splice_curves(const std::vector<InputCurve>& curves);
+
+}  // namespace relievo

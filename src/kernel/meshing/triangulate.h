@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "kernel/base/result.h"
+#include "kernel/geometry/point.h"
+
+namespace relievo {
+
+/// A triangulation of the convex hull of its points.
+struct PlanarTriangulation {
+  std::vector<std::array<int, 3>> triangles;  ///< #T, positive signed area
+  /// #T x 3: triangle across the edge opposite to corner k, or -1 on the hull.
+  std::vector<std::array<int, 3>> neighbours;
+};
+
+/// Constrained Delaunay triangulation. Preconditions: points are distinct, edges do not cross and
+/// contain no points other than their ends. Triangles are sorted, so that the result depends on
+/// the input only. O(n log n).
+Result<PlanarTriangulation> triangulate(const std::vector<Point2>& points,
+                                        const std::vector<std::array<int, 2>>& edges);
+
+}  // namespace relievo

@@ -1,0 +1,114 @@
+#include "kernel/operators/laplacian.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <vector>
+
+namespace relievo {
+namespace {
+
+/// Half the cotangent of the angle at each corner.
+std::vector<std::array<double, 3>> half_cotangents(const FlatMesh& mesh) {
+  std::vector<std::array<double, 3>> weights(mesh.triangles.size());
+  for (size_t t = 0; t < weights.size(); ++t) {
+    const auto& triangle = mesh.triangles[t];
+    for (int k = 0; k < 3; ++k) {
+      const Point2 origin = mesh.positions[triangle[k]];
+      const Point2 e = mesh.positions[triangle[(k + 1) % 3]] - origin;
+      const Point2 f = mesh.positions[triangle[(k + 2) % 3]] - origin;
+      weights[t][k] = 0.5 * dot(e, f) / cross(e, f);
+    }
+  }
+  return weights;
+}
+
+/// Builds a compressed matrix column by column from unordered contributions.
+class ColumnBuilder {
+ public:
+  ColumnBuilder(int rows, int columns, size_t entries)
+      : matrix_(rows, columns), value_(static_cast<size_t>(rows), 0), seen_(value_.size(), -1) {
+    matrix_.reserve(static_cast<Eigen::Index>(entries));
+  }
+
+  void add(int row, double value) {
+    if (seen_[row] != column_) {
+      seen_[row] = column_;
+      value_[row] = 0;
+      rows_.push_back(row);
+    }
+    value_[row] += value;
+  }
+
+  void finish_column() {
+    std::sort(rows_.begin(), rows_.end());
+    matrix_.startVec(column_);
+    for (const int row : rows_) matrix_.insertBack(row, column_) = value_[row];
+    rows_.clear();
+    ++column_;
+  }
+
+  SparseMatrix take() {
+    matrix_.finalize();
+    return std::move(matrix_);
+  }
+
+ private:
+  SparseMatrix matrix_;
+  std::vector<double> value_;
+  std::vector<int> seen_;
+  std::vector<int> rows_;
+  int column_ = 0;
+};
+
+}  // namespace
+
+SparseMatrix stiffness_matrix(const FlatMesh& mesh) {
+  const std::vector<std::array<double, 3>> weights = half_cotangents(mesh);
+  const NodeCorners corners = corners_at_nodes(mesh);
+  const int n = static_cast<int>(mesh.positions.size());
+  ColumnBuilder builder(n, n, mesh.positions.size() + 4 * mesh.triangles.size());
+  for (int node = 0; node < n; ++node) {
+    for (int i = corners.begin[node]; i < corners.begin[node + 1]; ++i) {
+      const int t = corners.corner[i] / 3;
+      const int next = (corners.corner[i] + 1) % 3;
+      const int last = (corners.corner[i] + 2) % 3;
+      builder.add(node, weights[t][next] + weights[t][last]);
+      builder.add(mesh.triangles[t][next], -weights[t][last]);
+      builder.add(mesh.triangles[t][last], -weights[t][next]);
+    }
+    builder.finish_column();
+  }
+  return builder.take();
+}
+
+Eigen::VectorXd lumped_mass(const FlatMesh& mesh) {
+  return load_vector(mesh, std::vector<double>(mesh.triangles.size(), 1));
+}
+
+Eigen::VectorXd load_vector(const FlatMesh& mesh, std::span<const double> density) {
+  assert(density.size() == mesh.triangles.size());
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.positions.size()));
+  const std::vector<double> areas = triangle_areas(mesh);
+  for (size_t t = 0; t < areas.size(); ++t)
+    for (const int node : mesh.triangles[t]) load[node] += density[t] * areas[t] / 3;
+  return load;
+}
+
+SparseMatrix galerkin_lower(const SparseMatrix& A, const SparseMatrix& T) {
+  assert(A.rows() == T.rows());
+  const Eigen::SparseMatrix<double, Eigen::RowMajor, int> rows_of_T = T;
+  ColumnBuilder builder(static_cast<int>(T.cols()), static_cast<int>(T.cols()),
+                        static_cast<size_t>(A.nonZeros()));
+  for (int j = 0; j < T.outerSize(); ++j) {
+    for (SparseMatrix::InnerIterator node(T, j); node; ++node)
+      for (SparseMatrix::InnerIterator a(A, node.index()); a; ++a)
+        for (decltype(rows_of_T)::InnerIterator t(rows_of_T, a.index()); t; ++t)
+          if (t.index() >= j)
+            builder.add(static_cast<int>(t.index()), t.value() * a.value() * node.value());
+    builder.finish_column();
+  }
+  return builder.take();
+}
+
+}  // namespace relievo

@@ -1,0 +1,173 @@
+#include "kernel/solvers/bound_qp.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace relievo {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr int block_tries = 3;
+constexpr int max_refinements = 4;
+
+double max_norm(const VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
+
+class ActiveSetSolver {
+ public:
+  ActiveSetSolver(const BoundQp& problem, SparseCholesky& factor, const BoundQpOptions& options)
+      : problem_(problem),
+        factor_(factor),
+        scale_(std::max(1.0, max_norm(problem.b))),
+        tolerance_(options.tolerance * scale_),
+        max_iterations_(options.max_iterations),
+        masked_(problem.K) {
+    const auto n = static_cast<size_t>(problem.b.size());
+    assert(problem.bounded.size() == n);
+    assert(options.start_active.empty() || options.start_active.size() == n);
+    solution_.active.assign(n, 0);
+    for (size_t i = 0; i < options.start_active.size(); ++i)
+      solution_.active[i] = options.start_active[i] != 0 && problem.bounded[i] != 0;
+    solution_.z = VectorXd::Zero(problem.b.size());
+    solution_.mu = solution_.z;
+  }
+
+  BoundQpSolution run(const RunContext& context) {
+    solution_.report.status = iterate(context);
+    snap_to_bounds();
+    finish_report();
+    return std::move(solution_);
+  }
+
+ private:
+  SolveStatus iterate(const RunContext& context) {
+    BoundQpReport& report = solution_.report;
+    size_t fewest = problem_.bounded.size() + 1;
+    int tries = block_tries;
+    while (report.iterations < max_iterations_) {
+      if (context.cancelled()) return SolveStatus::interrupted;
+      ++report.iterations;
+      if (!solve_free()) return SolveStatus::not_positive_definite;
+      const std::vector<int> wrong = wrong_bounds();
+      if (wrong.empty()) return SolveStatus::solved;
+      if (wrong.size() < fewest) {
+        fewest = wrong.size();
+        tries = block_tries;
+      } else {
+        --tries;
+      }
+      if (tries >= 0) {
+        for (const int i : wrong) flip(i);
+      } else {
+        flip(wrong.back());
+        ++report.safeguard_steps;
+      }
+    }
+    return SolveStatus::iteration_limit;
+  }
+
+  void flip(int i) { solution_.active[i] = solution_.active[i] == 0; }
+
+  bool solve_free() {
+    mask_active();
+    ++solution_.report.factorisations;
+    if (!factor_.factorise(masked_)) return false;
+    solution_.z.setZero();
+    VectorXd residual = free_residual();
+    double error = max_norm(residual);
+    for (int i = 0; i <= max_refinements && error > 0; ++i) {
+      const VectorXd z = solution_.z;
+      solution_.z += factor_.solve(residual);
+      clear_active(solution_.z);
+      residual = free_residual();
+      const double next = max_norm(residual);
+      if (!(next < error)) {
+        if (i > 0) solution_.z = z;
+        break;
+      }
+      error = next;
+      if (error <= 0.1 * tolerance_) break;
+    }
+    solution_.mu = multiply_symmetric(problem_.K, solution_.z) - problem_.b;
+    return solution_.mu.allFinite();
+  }
+
+  /// masked_ := K with the rows and columns of active bounds replaced by the identity.
+  void mask_active() {
+    const auto& active = solution_.active;
+    for (int j = 0; j < problem_.K.outerSize(); ++j) {
+      SparseMatrix::InnerIterator from(problem_.K, j);
+      for (SparseMatrix::InnerIterator to(masked_, j); to; ++to, ++from) {
+        const bool masked = active[j] != 0 || active[from.row()] != 0;
+        to.valueRef() = !masked ? from.value() : from.row() == j ? 1 : 0;
+      }
+    }
+  }
+
+  void clear_active(VectorXd& v) const {
+    for (Eigen::Index i = 0; i < v.size(); ++i)
+      if (solution_.active[i] != 0) v[i] = 0;
+  }
+
+  VectorXd free_residual() const {
+    VectorXd residual = problem_.b - multiply_symmetric(problem_.K, solution_.z);
+    clear_active(residual);
+    return residual;
+  }
+
+  std::vector<int> wrong_bounds() const {
+    std::vector<int> wrong;
+    for (Eigen::Index i = 0; i < problem_.b.size(); ++i) {
+      if (problem_.bounded[i] == 0) continue;
+      const double value = solution_.active[i] != 0 ? solution_.mu[i] : solution_.z[i];
+      if (value < -tolerance_) wrong.push_back(static_cast<int>(i));
+    }
+    return wrong;
+  }
+
+  /// Bounds that round-off left barely on the wrong side become active, so that z >= 0 exactly.
+  void snap_to_bounds() {
+    for (Eigen::Index i = 0; i < solution_.z.size(); ++i) {
+      if (problem_.bounded[i] == 0 || solution_.z[i] > 0) continue;
+      if (solution_.z[i] < -tolerance_) continue;
+      solution_.z[i] = 0;
+      solution_.active[i] = 1;
+    }
+  }
+
+  void finish_report() {
+    BoundQpReport& report = solution_.report;
+    const VectorXd residual = multiply_symmetric(problem_.K, solution_.z) - problem_.b;
+    for (Eigen::Index i = 0; i < residual.size(); ++i) {
+      const bool active = solution_.active[i] != 0;
+      const double z = solution_.z[i];
+      solution_.mu[i] = active ? residual[i] : 0;
+      report.active += active;
+      report.stationarity =
+          std::max(report.stationarity, std::abs(residual[i] - solution_.mu[i]) / scale_);
+      if (problem_.bounded[i] == 0) continue;
+      report.primal = std::max(report.primal, -z / scale_);
+      report.dual = std::max(report.dual, -solution_.mu[i] / scale_);
+      report.complementarity =
+          std::max(report.complementarity, std::abs(z * solution_.mu[i]) / scale_);
+    }
+    report.energy = 0.5 * solution_.z.dot(residual - problem_.b);
+  }
+
+  const BoundQp& problem_;
+  SparseCholesky& factor_;
+  double scale_;
+  double tolerance_;
+  int max_iterations_;
+  SparseMatrix masked_;
+  BoundQpSolution solution_;
+};
+
+}  // namespace
+
+BoundQpSolution solve_bound_qp(const BoundQp& problem, SparseCholesky& factor,
+                               const BoundQpOptions& options, const RunContext& context) {
+  return ActiveSetSolver(problem, factor, options).run(context);
+}
+
+}  // namespace relievo

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "kernel/base/run_context.h"
+#include "kernel/base/sparse_matrix.h"
+#include "kernel/solvers/bound_qp_report.h"
+#include "kernel/solvers/sparse_cholesky.h"
+
+namespace relievo {
+
+/// Minimise 1/2 z'Kz - b'z subject to z_i >= 0 where bounded[i]. K is positive definite.
+struct BoundQp {
+  SparseMatrix K;                ///< n x n, lower triangle with the whole diagonal
+  Eigen::VectorXd b;             ///< n, finite
+  std::vector<uint8_t> bounded;  ///< n, 0 or 1
+};
+
+struct BoundQpOptions {
+  std::vector<uint8_t> start_active;  ///< n: bounds first taken to hold with equality; empty: none
+  int max_iterations = 500;
+  /// A bound changes sides when z or mu is below -tolerance * max(1, |b|).
+  double tolerance = 1e-13;
+};
+
+/// The minimiser, exactly 0 on active bounds and never negative on the others; K z - b = mu.
+struct BoundQpSolution {
+  Eigen::VectorXd z;            ///< n
+  Eigen::VectorXd mu;           ///< n, multipliers: 0 but on active bounds
+  std::vector<uint8_t> active;  ///< n, 1 where the bound holds with equality
+  BoundQpReport report;
+};
+
+/// Primal-dual active set with block pivoting: every iteration fixes the guessed active bounds to 0
+/// (their rows and columns become the identity, so the pattern never changes), solves for the
+/// rest and lets all bounds with the wrong sign change sides. When that does not reduce their
+/// number three times in a row, one at a time does until it is reduced, which makes the method
+/// finite (Judice and Pires 1994; Kim and Park 2011). Refines iteratively, so that the residuals of
+/// the report stay near round-off. `factor` must have analysed the pattern of K and holds the last
+/// factor afterwards. Watches `context` between factorisations. One factorisation per iteration.
+BoundQpSolution solve_bound_qp(const BoundQp& problem, SparseCholesky& factor,
+                               const BoundQpOptions& options = {}, const RunContext& context = {});
+
+}  // namespace relievo

@@ -1,0 +1,227 @@
+#include "relief/layers/boundaries.h"
+
+#include <algorithm>
+
+namespace relievo {
+namespace {
+
+/// A point of the walk along an outline away from a seam.
+struct Step {
+  int node;     // of the upper part
+  int below;    // node of the lower surface
+  double s;     // arc length from the start
+  double mass;  // half the length of the two edges at it
+};
+
+class BoundaryFinder {
+ public:
+  BoundaryFinder(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
+                 const Connection& connection)
+      : base_(base), sheets_(sheets), loops_(loops), connection_(connection) {
+    find_roles();
+  }
+
+  void lay_automatic_ramps() {
+    for (const Seam& seam : connection_.seams) {
+      if (seam.first_end_inside) lay_from(seam, seam.position, -1);
+      if (seam.last_end_inside) lay_from(seam, seam.position + seam.edges, 1);
+    }
+  }
+
+  void lay_given_ramp(const RobinRange& range, const LoopRun& run) {
+    if (run.loop < 0 || run.edges < 1) return;
+    const bool from_last = run.reversed;
+    const int start = from_last ? run.position + run.edges : run.position;
+    std::vector<Step> steps;
+    double s = 0;
+    for (int i = 0; i < run.edges; ++i) {
+      const int at = from_last ? start - i : start + i;
+      add_step(range.upper, range.lower, run.loop, at, s, steps);
+      s += edge_length(run.loop, at, from_last ? -1 : 1);
+    }
+    drop_ramps_at(steps);
+    RobinRamp ramp{range.upper, range.lower, s, range.alpha0.value_or(-1), range.rho.value_or(-1)};
+    add_ramp(ramp, steps, connection_.surface[range.upper] == connection_.surface[range.lower]);
+  }
+
+  Boundaries result() {
+    compact_ramps();
+    return std::move(out_);
+  }
+
+ private:
+  void find_roles() {
+    out_.role.assign(sheets_.node_vertex.size(), NodeRole::interior);
+    for (size_t f = 0; f < sheets_.faces.size(); ++f)
+      for (int k = 0; k < 3; ++k) {
+        if (face_across(base_, sheets_, static_cast<int>(f), k) >= 0) continue;
+        const int beyond = base_.mesh.neighbours[sheets_.face_triangle[f]][k];
+        const bool flap = sheets_.face_of(beyond, sheets_.face_part[f]) >= 0;
+        for (const int corner : {(k + 1) % 3, (k + 2) % 3}) {
+          NodeRole& role = out_.role[sheets_.faces[f][corner]];
+          if (role != NodeRole::outline) role = flap ? NodeRole::flap : NodeRole::outline;
+        }
+      }
+    for (const Seam& seam : connection_.seams)
+      for (int i = 0; i <= seam.edges; ++i) {
+        if ((i == 0 && !seam.first_end_inside) || (i == seam.edges && !seam.last_end_inside))
+          continue;
+        const int edge = seam.position + std::min(i, seam.edges - 1);
+        const int node =
+            outline_node(base_, sheets_, seam.upper, vertex_at(seam.loop, edge),
+                         vertex_at(seam.loop, edge + 1), vertex_at(seam.loop, seam.position + i));
+        if (node >= 0) out_.role[node] = NodeRole::seam;
+      }
+  }
+
+  int vertex_at(int loop, int position) const {
+    const std::vector<int>& vertices = loops_.vertices[loop];
+    const int n = static_cast<int>(vertices.size());
+    return vertices[((position % n) + n) % n];
+  }
+
+  double edge_length(int loop, int position, int direction) const {
+    return distance(base_.points[vertex_at(loop, position)],
+                    base_.points[vertex_at(loop, position + direction)]);
+  }
+
+  // The frontmost node at `vertex` of the surface of `lower`, behind `upper`; -1 if there is none.
+  int node_below(int vertex, int upper, int lower) const {
+    int best = -1;
+    int best_part = -1;
+    for (int i = base_.corner_begin[vertex]; i < base_.corner_begin[vertex + 1]; ++i) {
+      const Corner corner = base_.corners[i];
+      for (int f = sheets_.stack_begin[corner / 3]; f < sheets_.stack_begin[corner / 3 + 1]; ++f) {
+        const int part = sheets_.face_part[f];
+        if (part >= upper || connection_.surface[part] != connection_.surface[lower]) continue;
+        const int node = sheets_.faces[f][corner % 3];
+        const bool better =
+            part > best_part || (part == best_part && out_.role[best] == NodeRole::flap);
+        if (!better) continue;
+        best = node;
+        best_part = part;
+      }
+    }
+    return best;
+  }
+
+  bool add_step(int upper, int lower, int loop, int at, double s, std::vector<Step>& steps) const {
+    const int vertex = vertex_at(loop, at);
+    int node = outline_node(base_, sheets_, upper, vertex, vertex_at(loop, at + 1), vertex);
+    if (node < 0)
+      node = outline_node(base_, sheets_, upper, vertex_at(loop, at - 1), vertex, vertex);
+    if (node < 0 || out_.role[node] != NodeRole::outline) return false;
+    const double mass = 0.5 * (edge_length(loop, at, -1) + edge_length(loop, at, 1));
+    steps.push_back({node, node_below(vertex, upper, lower), s, mass});
+    return true;
+  }
+
+  // Walks from a merged end until the exit, another seam, or all the way round.
+  void lay_from(const Seam& seam, int start, int direction) {
+    const int n = static_cast<int>(loops_.vertices[seam.loop].size());
+    std::vector<Step> steps;
+    double s = 0;
+    bool exit = false;
+    for (int i = 1; i < n; ++i) {
+      const int at = start + direction * i;
+      s += edge_length(seam.loop, at - direction, direction);
+      if (!add_step(seam.upper, seam.lower, seam.loop, at, s, steps)) break;
+      const int below = steps.back().below;
+      exit = below < 0 || out_.role[below] == NodeRole::outline;
+      if (!exit) continue;
+      steps.pop_back();
+      break;
+    }
+    double length = s;
+    if (!exit) length = std::min(0.5 * s, seam_length(seam));
+    while (!steps.empty() && steps.back().s >= length) steps.pop_back();
+    add_ramp({seam.upper, seam.lower, length, -1, -1}, steps, true);
+  }
+
+  double seam_length(const Seam& seam) const {
+    double length = 0;
+    for (int i = 0; i < seam.edges; ++i) length += edge_length(seam.loop, seam.position + i, 1);
+    return length;
+  }
+
+  void add_ramp(const RobinRamp& ramp, const std::vector<Step>& steps, bool glued) {
+    if (steps.empty() || ramp.length <= 0) return;
+    const int number = static_cast<int>(out_.ramps.size());
+    out_.ramps.push_back(ramp);
+    for (const Step& step : steps) {
+      if (ramp_of(step.node) >= 0) continue;
+      set_ramp_of(step.node, number);
+      out_.ramp_nodes.push_back({step.node, number, step.s / ramp.length, step.mass});
+      if (glued && step.below >= 0 && out_.role[step.below] != NodeRole::outline)
+        out_.glued.push_back({step.below, step.node});
+    }
+  }
+
+  int ramp_of(int node) const { return ramp_of_.empty() ? -1 : ramp_of_[node]; }
+  void set_ramp_of(int node, int ramp) {
+    if (ramp_of_.empty()) ramp_of_.assign(sheets_.node_vertex.size(), -1);
+    ramp_of_[node] = ramp;
+  }
+
+  void drop_ramps_at(const std::vector<Step>& steps) {
+    dropped_.resize(out_.ramps.size(), false);
+    for (const Step& step : steps)
+      if (ramp_of(step.node) >= 0) dropped_[ramp_of(step.node)] = true;
+    if (ramp_of_.empty()) return;
+    for (int& ramp : ramp_of_)
+      if (ramp >= 0 && dropped_[ramp]) ramp = -1;
+  }
+
+  // Removes dropped ramps and marks the nodes of the others.
+  void compact_ramps() {
+    dropped_.resize(out_.ramps.size(), false);
+    std::vector<int> number(out_.ramps.size(), -1);
+    std::vector<RobinRamp> ramps;
+    for (size_t r = 0; r < out_.ramps.size(); ++r) {
+      if (dropped_[r]) continue;
+      number[r] = static_cast<int>(ramps.size());
+      ramps.push_back(out_.ramps[r]);
+    }
+    std::vector<RampNode> nodes;
+    for (RampNode node : out_.ramp_nodes) {
+      node.ramp = number[node.ramp];
+      if (node.ramp >= 0) nodes.push_back(node);
+    }
+    out_.ramps = std::move(ramps);
+    out_.ramp_nodes = std::move(nodes);
+    for (const RampNode& node : out_.ramp_nodes) out_.role[node.node] = NodeRole::ramp;
+  }
+
+  const BaseMesh& base_;
+  const Sheets& sheets_;
+  const Loops& loops_;
+  const Connection& connection_;
+  Boundaries out_;
+  std::vector<int> ramp_of_;  // per node
+  std::vector<bool> dropped_;
+};
+
+}  // namespace
+
+int outline_node(const BaseMesh& base, const Sheets& sheets, int part, int a, int b, int vertex) {
+  int inner = base.triangle_left_of(a, b);
+  int outer = base.triangle_left_of(b, a);
+  if (sheets.face_of(inner, part) < 0) std::swap(inner, outer);
+  const int face = sheets.face_of(inner, part);
+  if (face < 0 || sheets.face_of(outer, part) >= 0) return -1;
+  const auto& corners = base.mesh.triangles[inner];
+  const auto at = std::find(corners.begin(), corners.end(), vertex);
+  return sheets.faces[face][at - corners.begin()];
+}
+
+Boundaries find_boundaries(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
+                           const Connection& connection, const Scene& scene,
+                           const std::vector<LoopRun>& robin_runs) {
+  BoundaryFinder finder(base, sheets, loops, connection);
+  finder.lay_automatic_ramps();
+  for (size_t r = 0; r < scene.robin.size(); ++r)
+    finder.lay_given_ramp(scene.robin[r], robin_runs[r]);
+  return finder.result();
+}
+
+}  // namespace relievo

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "relief/layers/connect_sheets.h"
+#include "relief/layers/layered_mesh.h"
+#include "relief/layers/sample_outlines.h"
+#include "relief/layers/sheets.h"
+#include "relief/scene/scene.h"
+
+namespace relievo {
+
+/// The outlines as loops of base vertices.
+struct Loops {
+  std::vector<std::vector<int>> vertices;
+  std::vector<int> part;  ///< per loop
+};
+
+/// A run of base vertices along one loop.
+struct LoopRun {
+  int loop = -1;
+  int position = 0;  ///< of its first vertex in the loop
+  int edges = 0;
+  bool reversed = false;  ///< the user's first point is its last vertex
+};
+
+/// A pair of nodes beside a join that stay together.
+struct GluedPair {
+  int lower = -1;
+  int upper = -1;
+};
+
+/// What bounds the joined sheets.
+struct Boundaries {
+  std::vector<NodeRole> role;  ///< #N
+  std::vector<RobinRamp> ramps;
+  std::vector<RampNode> ramp_nodes;
+  std::vector<GluedPair> glued;
+};
+
+/// Finds the role of every node and lays the Robin ranges: from each merged end of a seam along
+/// the upper outline to its exit, where that outline meets the rim of the lower surface, or for
+/// the length of the seam where there is no exit; and the ranges given by the scene, which
+/// replace automatic ones that they touch. Near-linear in the length of the outlines.
+Boundaries find_boundaries(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
+                           const Connection& connection, const Scene& scene,
+                           const std::vector<LoopRun>& robin_runs);
+
+/// The node of `part` at `vertex` beside the loop edge ab, or -1 where that edge is not on the
+/// part's outline.
+int outline_node(const BaseMesh& base, const Sheets& sheets, int part, int a, int b, int vertex);
+
+}  // namespace relievo

@@ -1,0 +1,231 @@
+#include "relief/layers/collect_constraints.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace relievo {
+namespace {
+
+/// A node at the vertex at hand, with every part whose faces use it there.
+struct LocalNode {
+  int node;
+  int rank;  // frontmost part
+  std::vector<int> parts;
+};
+
+/// A pair that may be kept, and how much it matters where not all can be.
+struct Candidate {
+  int lower;  // index into the local nodes
+  int upper;
+  bool equal;
+  bool upper_outline;
+};
+
+class Collector {
+ public:
+  Collector(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
+            const Connection& connection, const Boundaries& boundaries)
+      : base_(base), sheets_(sheets), boundaries_(boundaries) {
+    find_enclosed(loops, connection);
+  }
+
+  void add_relations(const Scene& scene, const std::vector<LoopRun>& runs, const Loops& loops) {
+    for (size_t r = 0; r < scene.relations.size(); ++r) {
+      const Relation& relation = scene.relations[r];
+      Rule rule{relation.upper, relation.lower, relation.kind, relation.range.has_value(), {}};
+      if (rule.limited && runs[r].loop >= 0) {
+        const std::vector<int>& loop = loops.vertices[runs[r].loop];
+        for (int i = 0; i <= runs[r].edges; ++i)
+          rule.vertices.push_back(loop[(runs[r].position + i) % loop.size()]);
+        std::sort(rule.vertices.begin(), rule.vertices.end());
+      }
+      rules_.push_back(std::move(rule));
+    }
+  }
+
+  void set_glued(bool glue) {
+    glued_below_.assign(sheets_.node_vertex.size(), -1);
+    if (!glue) return;
+    for (const GluedPair& pair : boundaries_.glued) glued_below_[pair.upper] = pair.lower;
+  }
+
+  std::vector<DepthPair> run() {
+    for (size_t v = 0; v < base_.points.size(); ++v) {
+      gather(static_cast<int>(v));
+      if (local_.size() < 2) continue;
+      propose(static_cast<int>(v));
+      keep_forest();
+    }
+    return std::move(pairs_);
+  }
+
+ private:
+  struct Rule {
+    int upper;
+    int lower;
+    RelationKind kind;
+    bool limited;
+    std::vector<int> vertices;  // sorted; where it holds, if limited
+  };
+
+  NodeRole role(int node) const { return boundaries_.role[node]; }
+  bool on_outline(int node) const {
+    return role(node) == NodeRole::outline || role(node) == NodeRole::ramp;
+  }
+
+  void gather(int vertex) {
+    local_.clear();
+    for (int i = base_.corner_begin[vertex]; i < base_.corner_begin[vertex + 1]; ++i) {
+      const int t = base_.corners[i] / 3;
+      for (int f = sheets_.stack_begin[t]; f < sheets_.stack_begin[t + 1]; ++f)
+        note(sheets_.faces[f][base_.corners[i] % 3], sheets_.face_part[f]);
+    }
+    std::sort(local_.begin(), local_.end(), [](const LocalNode& a, const LocalNode& b) {
+      return a.rank != b.rank ? a.rank < b.rank : a.node < b.node;
+    });
+  }
+
+  void note(int node, int part) {
+    auto at = std::find_if(local_.begin(), local_.end(),
+                           [&](const LocalNode& entry) { return entry.node == node; });
+    if (at == local_.end()) at = local_.insert(local_.end(), LocalNode{node, part, {}});
+    at->rank = std::max(at->rank, part);
+    if (std::find(at->parts.begin(), at->parts.end(), part) == at->parts.end())
+      at->parts.push_back(part);
+  }
+
+  // A loop of an unjoined part is enclosed where every vertex lies inside some lower part; a
+  // hole only where all loops of its part are.
+  void find_enclosed(const Loops& loops, const Connection& connection) {
+    std::vector<bool> joined(connection.surface.size(), false);
+    for (const Seam& seam : connection.seams) joined[seam.upper] = true;
+    std::vector<bool> whole(connection.surface.size(), true);
+    std::vector<bool> inside(loops.vertices.size(), true);
+    for (size_t l = 0; l < loops.vertices.size(); ++l) {
+      for (const int vertex : loops.vertices[l])
+        if (!inside_lower_part(vertex, loops.part[l])) {
+          inside[l] = false;
+          break;
+        }
+      if (!inside[l]) whole[loops.part[l]] = false;
+    }
+    enclosed_.assign(sheets_.node_vertex.size(), false);
+    for (size_t l = 0; l < loops.vertices.size(); ++l) {
+      const int part = loops.part[l];
+      if (!inside[l] || joined[part] || (is_hole(loops.vertices[l]) && !whole[part])) continue;
+      mark_enclosed(loops.vertices[l], part);
+    }
+  }
+
+  bool is_hole(const std::vector<int>& loop) const {
+    Ring ring;
+    for (const int vertex : loop) ring.push_back(base_.points[vertex]);
+    return signed_area(ring) < 0;
+  }
+
+  bool inside_lower_part(int vertex, int part) {
+    gather(vertex);
+    return std::any_of(local_.begin(), local_.end(), [&](const LocalNode& entry) {
+      return entry.rank < part && !on_outline(entry.node);
+    });
+  }
+
+  void mark_enclosed(const std::vector<int>& loop, int part) {
+    for (size_t i = 0; i < loop.size(); ++i) {
+      const int a = loop[i];
+      const int b = loop[(i + 1) % loop.size()];
+      for (const int vertex : {a, b}) {
+        const int node = outline_node(base_, sheets_, part, a, b, vertex);
+        if (node >= 0) enclosed_[node] = true;
+      }
+    }
+  }
+
+  const Rule* rule_for(const LocalNode& lower, const LocalNode& upper, int vertex) const {
+    const auto uses = [](const LocalNode& entry, int part) {
+      return std::find(entry.parts.begin(), entry.parts.end(), part) != entry.parts.end();
+    };
+    for (const Rule& rule : rules_)
+      if (uses(upper, rule.upper) && uses(lower, rule.lower) &&
+          (!rule.limited || std::binary_search(rule.vertices.begin(), rule.vertices.end(), vertex)))
+        return &rule;
+    return nullptr;
+  }
+
+  void propose(int vertex) {
+    candidates_.clear();
+    for (size_t b = 1; b < local_.size(); ++b) {
+      bool nearest = true;  // no inner node below this outline was met yet
+      for (size_t a = b; a-- > 0;) {
+        const bool inner = !on_outline(local_[a].node);
+        propose_pair(static_cast<int>(a), static_cast<int>(b), vertex, nearest);
+        nearest = nearest && !inner;
+      }
+    }
+  }
+
+  void propose_pair(int a, int b, int vertex, bool nearest) {
+    const LocalNode& lower = local_[a];
+    const LocalNode& upper = local_[b];
+    const bool lower_outline = on_outline(lower.node);
+    const bool upper_outline = on_outline(upper.node);
+    const bool flap = role(lower.node) == NodeRole::flap || role(upper.node) == NodeRole::flap;
+    if (lower_outline == upper_outline && (lower_outline || !flap)) return;
+    bool equal = upper_outline &&
+                 (glued_below_[upper.node] == lower.node || (enclosed_[upper.node] && nearest));
+    if (const Rule* rule = rule_for(lower, upper, vertex)) {
+      if (rule->kind == RelationKind::free) return;
+      equal = rule->kind == RelationKind::equal && upper_outline;
+    }
+    candidates_.push_back({a, b, equal, upper_outline});
+  }
+
+  // Keeps the most important candidates that close no cycle: equalities, then close pairs.
+  void keep_forest() {
+    std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& x, const Candidate& y) {
+      if (x.equal != y.equal) return x.equal;
+      if (x.upper - x.lower != y.upper - y.lower) return x.upper - x.lower < y.upper - y.lower;
+      if (x.upper_outline != y.upper_outline) return x.upper_outline;
+      return x.upper != y.upper ? x.upper > y.upper : x.lower > y.lower;
+    });
+    std::vector<int> root(local_.size());
+    std::iota(root.begin(), root.end(), 0);
+    const auto find = [&](int i) {
+      while (root[i] != i) i = root[i];
+      return i;
+    };
+    for (const Candidate& candidate : candidates_) {
+      const int a = find(candidate.lower);
+      const int b = find(candidate.upper);
+      if (a == b) continue;
+      root[b] = a;
+      pairs_.push_back(
+          {local_[candidate.lower].node, local_[candidate.upper].node, candidate.equal});
+    }
+  }
+
+  const BaseMesh& base_;
+  const Sheets& sheets_;
+  const Boundaries& boundaries_;
+  std::vector<Rule> rules_;
+  std::vector<int> glued_below_;  // per node, or -1
+  std::vector<bool> enclosed_;    // per node
+  std::vector<LocalNode> local_;
+  std::vector<Candidate> candidates_;
+  std::vector<DepthPair> pairs_;
+};
+
+}  // namespace
+
+std::vector<DepthPair> collect_constraints(const BaseMesh& base, const Sheets& sheets,
+                                           const Loops& loops, const Connection& connection,
+                                           const Boundaries& boundaries, const Scene& scene,
+                                           const std::vector<LoopRun>& relation_runs, bool glue) {
+  Collector collector(base, sheets, loops, connection, boundaries);
+  collector.add_relations(scene, relation_runs, loops);
+  collector.set_glued(glue);
+  return collector.run();
+}
+
+}  // namespace relievo

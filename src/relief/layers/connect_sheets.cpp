@@ -1,0 +1,206 @@
+#include "relief/layers/connect_sheets.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace relievo {
+namespace {
+
+constexpr int kMinSeamEdges = 3;
+
+class Connector {
+ public:
+  Connector(const BaseMesh& base, int part_count, Sheets& sheets) : base_(base), sheets_(sheets) {
+    out_.surface.resize(part_count);
+    std::iota(out_.surface.begin(), out_.surface.end(), 0);
+  }
+
+  Status connect(const JoinPath& join) {
+    path_ = join.vertices;
+    upper_ = join.upper;
+    find_sides();
+    find_surface(join);
+    const auto [first, last] = longest_run();
+    if (last - first < kMinSeamEdges)
+      return Error{ErrorCode::bad_input,
+                   "the join hardly runs inside the lower part; move it inwards or remove it",
+                   join.name};
+    if (last - first < static_cast<int>(outer_.size()))
+      out_.warnings.push_back(join.name +
+                              ": only the part of the join inside the lower part is used");
+    follow(join, first, last);
+    reconnect(join, first, last);
+    unite(join.upper, join.lower);
+    return Done{};
+  }
+
+  Connection result() { return std::move(out_); }
+
+ private:
+  // Per path edge the triangles on the side that the upper part covers and on the other.
+  void find_sides() {
+    inner_.clear();
+    outer_.clear();
+    for (size_t i = 0; i + 1 < path_.size(); ++i) {
+      int inner = base_.triangle_left_of(path_[i], path_[i + 1]);
+      int outer = base_.triangle_left_of(path_[i + 1], path_[i]);
+      if (sheets_.face_of(inner, upper_) < 0) std::swap(inner, outer);
+      const bool outline =
+          sheets_.face_of(inner, upper_) >= 0 && sheets_.face_of(outer, upper_) < 0;
+      inner_.push_back(outline ? inner : -1);
+      outer_.push_back(outline ? outer : -1);
+    }
+  }
+
+  bool same_surface(int part, int lower) const { return out_.surface[part] == out_.surface[lower]; }
+
+  // Per path edge the frontmost face of the lower surface on the outer side, or -1.
+  void find_surface(const JoinPath& join) {
+    below_.assign(outer_.size(), -1);
+    for (size_t i = 0; i < outer_.size(); ++i) {
+      const int t = outer_[i];
+      if (t < 0) continue;
+      for (int f = sheets_.stack_begin[t]; f < sheets_.stack_begin[t + 1]; ++f)
+        if (sheets_.face_part[f] < upper_ && same_surface(sheets_.face_part[f], join.lower))
+          below_[i] = f;
+    }
+  }
+
+  // The longest stretch of path edges with a face below, as [first, last).
+  std::pair<int, int> longest_run() const {
+    std::pair<int, int> best{0, 0};
+    const int n = static_cast<int>(below_.size());
+    for (int i = 0; i < n; ++i) {
+      int j = i;
+      while (j < n && below_[j] >= 0) ++j;
+      if (j - i > best.second - best.first) best = {i, j};
+      i = std::max(i, j);
+    }
+    return best;
+  }
+
+  int corner_at(int t, int vertex) const {
+    const auto& corners = base_.mesh.triangles[t];
+    return static_cast<int>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
+  }
+
+  // The faces met when turning around `vertex` from `face`, away from the edge to `from`, until
+  // the edge to `until` (or -1: all the way), staying on the surface; complete is set where
+  // `until` was reached or the turn closed.
+  std::vector<int> turn(int face, int vertex, int from, int until, bool& complete) const {
+    std::vector<int> fan = {face};
+    complete = false;
+    while (true) {
+      const int t = sheets_.face_triangle[face];
+      const int at = corner_at(t, vertex);
+      const auto& corners = base_.mesh.triangles[t];
+      const int a = (at + 1) % 3;
+      const int b = (at + 2) % 3;
+      const int away = corners[a] == from ? b : a;  // corner of the edge that we leave through
+      if (corners[away] == until) {
+        complete = true;
+        return fan;
+      }
+      const int next = face_across(base_, sheets_, face, away == a ? b : a);
+      if (next < 0) return fan;
+      if (next == fan.front()) {
+        complete = true;
+        return fan;
+      }
+      from = corners[away];
+      face = next;
+      fan.push_back(face);
+    }
+  }
+
+  // Walks along the seam on the surface, outwards from where the lower part itself is in view,
+  // so that neighbouring edges refer to faces that hang together.
+  void follow(const JoinPath& join, int first, int last) {
+    int start = (first + last) / 2;
+    if (sheets_.face_part[below_[start]] != join.lower)
+      for (int i = first; i < last; ++i)
+        if (sheets_.face_part[below_[i]] == join.lower) start = i;
+    for (int i = start; i + 1 < last; ++i) carry(i, i + 1);
+    for (int i = start; i > first; --i) carry(i, i - 1);
+  }
+
+  void carry(int i, int j) {
+    const int from = path_[j > i ? i : i + 1];
+    const int until = path_[j > i ? j + 1 : j];
+    bool complete = false;
+    const std::vector<int> fan = turn(below_[i], path_[std::max(i, j)], from, until, complete);
+    if (complete) below_[j] = fan.back();
+  }
+
+  int upper_node(int i, int vertex) const {
+    const int face = sheets_.face_of(inner_[i], upper_);
+    return sheets_.faces[face][corner_at(inner_[i], vertex)];
+  }
+
+  void reconnect(const JoinPath& join, int first, int last) {
+    std::vector<std::pair<Corner, int>> moves;
+    for (int i = first + 1; i < last; ++i) {
+      const int vertex = path_[i];
+      const int node = upper_node(i, vertex);
+      bool complete = false;
+      move_all(turn(below_[i - 1], vertex, path_[i - 1], path_[i + 1], complete), vertex, node,
+               moves);
+      if (!complete)
+        move_all(turn(below_[i], vertex, path_[i + 1], path_[i - 1], complete), vertex, node,
+                 moves);
+    }
+    Seam seam{join.upper, join.lower, join.loop, join.position + first, last - first, false, false};
+    seam.first_end_inside = merge_end(first, path_[first], path_[first + 1], moves);
+    seam.last_end_inside = merge_end(last - 1, path_[last], path_[last - 1], moves);
+    for (const auto& [corner, node] : moves) sheets_.faces[corner / 3][corner % 3] = node;
+    out_.seams.push_back(std::move(seam));
+  }
+
+  // Re-attaches the whole turn around an end; where the turn is not closed, the end lies on an
+  // outline, and only what is reached from the outer side moves.
+  bool merge_end(int edge, int vertex, int along,
+                 std::vector<std::pair<Corner, int>>& moves) const {
+    bool closed = false;
+    move_all(turn(below_[edge], vertex, along, -1, closed), vertex, upper_node(edge, vertex),
+             moves);
+    return closed;
+  }
+
+  void move_all(const std::vector<int>& fan, int vertex, int node,
+                std::vector<std::pair<Corner, int>>& moves) const {
+    for (const int face : fan)
+      moves.emplace_back(3 * face + corner_at(sheets_.face_triangle[face], vertex), node);
+  }
+
+  void unite(int a, int b) {
+    const int low = std::min(out_.surface[a], out_.surface[b]);
+    const int high = std::max(out_.surface[a], out_.surface[b]);
+    for (int& surface : out_.surface)
+      if (surface == high) surface = low;
+  }
+
+  const BaseMesh& base_;
+  Sheets& sheets_;
+  Connection out_;
+  std::vector<int> path_;
+  std::vector<int> inner_;
+  std::vector<int> outer_;
+  std::vector<int> below_;
+  int upper_ = -1;
+};
+
+}  // namespace
+
+Result<Connection> connect_sheets(const BaseMesh& base, const std::vector<JoinPath>& joins,
+                                  int part_count, Sheets& sheets) {
+  std::vector<size_t> order(joins.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return joins[a].upper < joins[b].upper; });
+  Connector connector(base, part_count, sheets);
+  for (const size_t j : order)
+    if (Status status = connector.connect(joins[j]); !status) return status.error();
+  return connector.result();
+}
+
+}  // namespace relievo

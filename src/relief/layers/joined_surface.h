@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "kernel/geometry/point.h"
+#include "relief/layers/layered_mesh.h"
+
+namespace relievo {
+
+/// Scene units per px: multiplied by it, the box around all faces has a diagonal of 2. This gives
+/// the Robin coefficient and epsilon, which have units of length, the same meaning at any size.
+/// 1 where there is no face. O(F).
+double scene_scale(const LayeredMesh& mesh);
+
+/// Where each node lies, canvas px times `scale`, #N. With the faces it is the flat joined mesh.
+std::vector<Point2> node_positions(const LayeredMesh& mesh, double scale = 1);
+
+}  // namespace relievo

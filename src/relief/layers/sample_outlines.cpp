@@ -1,0 +1,334 @@
+#include "relief/layers/sample_outlines.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/geometry/ring_measure.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kCornerAngle = 0.61;  // 35 degrees
+constexpr double kMaxSagitta = 0.08;    // of the spacing
+constexpr int kMinRingSamples = 12;
+constexpr int kMinJoinEdges = 6;
+constexpr double kLineReach = 0.08;  // of the canvas diagonal
+
+struct PartRing {
+  int part;
+  const Ring* ring;
+  RingMeasure measure;
+  std::vector<double> marks;  // arc lengths that must be samples
+};
+
+/// A range of arc length, from `from` forward to `to` (modulo the ring).
+struct ArcRange {
+  int ring;  // index into rings
+  double from;
+  double to;
+  bool reversed;
+};
+
+double forward(double from, double to, double length) {
+  const double d = std::fmod(to - from, length);
+  return d < 0 ? d + length : d;
+}
+
+Ring without_repeats(const Ring& ring) {
+  Ring clean;
+  for (const Point2 p : ring)
+    if (clean.empty() || !(clean.back() == p)) clean.push_back(p);
+  while (clean.size() > 1 && clean.front() == clean.back()) clean.pop_back();
+  return clean;
+}
+
+// Arc lengths at which the ring turns by more than kCornerAngle over a window, the sharpest of
+// each neighbourhood.
+std::vector<double> corners(const Ring& ring, const RingMeasure& m, double window) {
+  struct Corner {
+    double s;
+    double angle;
+  };
+  std::vector<Corner> found;
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const double s = m.start[i];
+    const Point2 in = ring[i] - point_at(ring, m, s - window);
+    const Point2 out = point_at(ring, m, s + window) - ring[i];
+    const double angle = std::abs(std::atan2(cross(in, out), dot(in, out)));
+    if (angle > kCornerAngle) found.push_back({s, angle});
+  }
+  std::vector<double> kept;
+  for (size_t i = 0; i < found.size(); ++i) {
+    bool sharpest = true;
+    for (size_t step = 1; step < found.size() && sharpest; ++step) {
+      const Corner& other = found[(i + step) % found.size()];
+      if (forward(found[i].s, other.s, m.length) > window) break;
+      sharpest = other.angle < found[i].angle;
+    }
+    for (size_t step = 1; step < found.size() && sharpest; ++step) {
+      const Corner& other = found[(i + found.size() - step) % found.size()];
+      if (forward(other.s, found[i].s, m.length) > window) break;
+      sharpest = other.angle <= found[i].angle;
+    }
+    if (sharpest) kept.push_back(found[i].s);
+  }
+  return kept;
+}
+
+class Sampler {
+ public:
+  Sampler(const Scene& scene, double spacing) : scene_(scene), spacing_(spacing) {
+    for (size_t p = 0; p < scene.parts.size(); ++p)
+      for (const Ring& ring : scene.parts[p].outline) {
+        clean_.push_back(without_repeats(ring));
+        ring_part_.push_back(static_cast<int>(p));
+      }
+    for (size_t r = 0; r < clean_.size(); ++r)
+      rings_.push_back({ring_part_[r], &clean_[r], measure(clean_[r]), {}});
+  }
+
+  Result<SampledOutlines> run() {
+    for (size_t j = 0; j < scene_.joins.size(); ++j)
+      if (Status status = locate_join(j); !status) return status.error();
+    for (const RobinRange& range : scene_.robin)
+      robin_.push_back(locate_range(range.upper, range.from, range.to, true));
+    for (const Relation& relation : scene_.relations)
+      relations_.push_back(relation.range ? locate_range(relation.upper, relation.range->first,
+                                                         relation.range->second, false)
+                                          : ArcRange{-1, 0, 0, false});
+    for (size_t r = 0; r < rings_.size(); ++r) sample_ring(r);
+    for (const ArcRange& arc : joins_) out_.joins.push_back(as_run(arc));
+    for (const ArcRange& arc : robin_) out_.robin.push_back(as_run(arc));
+    for (const ArcRange& arc : relations_) out_.relation_ranges.push_back(as_run(arc));
+    return std::move(out_);
+  }
+
+ private:
+  Status locate_join(size_t j) {
+    const Join& join = scene_.joins[j];
+    const std::string where = "joins[" + std::to_string(j) + "].line";
+    int best = -1;
+    double best_gap = 1e300;
+    for (size_t r = 0; r < rings_.size(); ++r) {
+      if (rings_[r].part != join.upper || rings_[r].ring->size() < 3) continue;
+      double gap = 0;
+      for (const Point2 p : join.line)
+        gap += nearest_on_ring(*rings_[r].ring, rings_[r].measure, p).distance;
+      if (gap < best_gap) {
+        best_gap = gap;
+        best = static_cast<int>(r);
+      }
+    }
+    const std::string& upper = scene_.parts[join.upper].id;
+    const double diagonal = std::hypot(scene_.width, scene_.height);
+    if (best < 0 || best_gap / static_cast<double>(join.line.size()) > kLineReach * diagonal)
+      return Error{ErrorCode::bad_input,
+                   "the join's line is far from the outline of \"" + upper +
+                       "\"; draw it along that outline, where it lies inside the lower part",
+                   where};
+    const PartRing& ring = rings_[best];
+    const double a = nearest_on_ring(*ring.ring, ring.measure, join.line.front()).s;
+    const double b = nearest_on_ring(*ring.ring, ring.measure, join.line.back()).s;
+    const double ahead = forward(a, b, ring.measure.length);
+    if (std::min(ahead, ring.measure.length - ahead) < 1e-6 * ring.measure.length)
+      return Error{ErrorCode::bad_input,
+                   "both ends of the join meet the outline of \"" + upper + "\" at one point",
+                   where};
+    const bool as_drawn = gap_to_line(ring, a, b, join.line) <= gap_to_line(ring, b, a, join.line);
+    joins_.push_back(as_drawn ? ArcRange{best, a, b, false} : ArcRange{best, b, a, true});
+    mark(joins_.back());
+    return Done{};
+  }
+
+  // Mean distance between the arc from a forward to b and the line, both ways.
+  static double gap_to_line(const PartRing& ring, double a, double b,
+                            const std::vector<Point2>& line) {
+    constexpr int kProbes = 32;
+    const double length = forward(a, b, ring.measure.length);
+    std::vector<Point2> arc;
+    for (int i = 0; i <= kProbes; ++i)
+      arc.push_back(point_at(*ring.ring, ring.measure, a + length * i / kProbes));
+    double sum = 0;
+    for (const Point2 p : arc) sum += distance_to_polyline(line, p) / kProbes;
+    for (const Point2 p : line)
+      sum += distance_to_polyline(arc, p) / static_cast<double>(line.size());
+    return sum;
+  }
+
+  ArcRange locate_range(int part, Point2 from, Point2 to, bool shorter) {
+    int best = -1;
+    double best_gap = 1e300;
+    for (size_t r = 0; r < rings_.size(); ++r) {
+      if (rings_[r].part != part || rings_[r].ring->size() < 3) continue;
+      const double gap = nearest_on_ring(*rings_[r].ring, rings_[r].measure, from).distance +
+                         nearest_on_ring(*rings_[r].ring, rings_[r].measure, to).distance;
+      if (gap < best_gap) {
+        best_gap = gap;
+        best = static_cast<int>(r);
+      }
+    }
+    if (best < 0) return {-1, 0, 0, false};
+    const PartRing& ring = rings_[best];
+    const double a = nearest_on_ring(*ring.ring, ring.measure, from).s;
+    const double b = nearest_on_ring(*ring.ring, ring.measure, to).s;
+    const bool flip = shorter && forward(a, b, ring.measure.length) > 0.5 * ring.measure.length;
+    const ArcRange arc = flip ? ArcRange{best, b, a, true} : ArcRange{best, a, b, false};
+    mark(arc);
+    return arc;
+  }
+
+  void mark(const ArcRange& arc) {
+    rings_[arc.ring].marks.push_back(arc.from);
+    rings_[arc.ring].marks.push_back(arc.to);
+  }
+
+  // Spacing for a stretch: short rings and short joins keep enough edges.
+  double spacing_between(size_t r, double from, double to) const {
+    const double length = rings_[r].measure.length;
+    double spacing = std::min(spacing_, length / kMinRingSamples);
+    const double middle = from + 0.5 * (to - from);
+    for (const ArcRange& join : joins_) {
+      if (join.ring != static_cast<int>(r)) continue;
+      const double arc = forward(join.from, join.to, length);
+      if (forward(join.from, middle, length) < arc)
+        spacing = std::min(spacing, arc / kMinJoinEdges);
+    }
+    return spacing;
+  }
+
+  void sample_ring(size_t r) {
+    PartRing& ring = rings_[r];
+    InputCurve curve;
+    ring_samples_.emplace_back();
+    if (ring.ring->size() >= 3 && ring.measure.length > 0) {
+      std::vector<double> stops = corners(*ring.ring, ring.measure, 0.5 * spacing_between(r, 0, 0));
+      keep_clear(ring, stops);
+      stops.insert(stops.end(), ring.marks.begin(), ring.marks.end());
+      refine_at_ends(r, stops);
+      if (stops.empty()) stops.push_back(0);
+      std::sort(stops.begin(), stops.end());
+      stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+      for (size_t i = 0; i < stops.size(); ++i) {
+        const double next = i + 1 < stops.size() ? stops[i + 1] : stops[0] + ring.measure.length;
+        sample_stretch(r, stops[i], next, curve);
+      }
+    }
+    add_spacings(curve);
+    out_.curves.push_back(std::move(curve));
+    out_.curve_part.push_back(ring.part);
+  }
+
+  // Corners next to a mark give way to it.
+  void keep_clear(const PartRing& ring, std::vector<double>& stops) const {
+    const double clear = 0.3 * spacing_;
+    const auto near_mark = [&](double s) {
+      return std::any_of(ring.marks.begin(), ring.marks.end(), [&](double mark) {
+        const double gap = forward(s, mark, ring.measure.length);
+        return std::min(gap, ring.measure.length - gap) < clear;
+      });
+    };
+    stops.erase(std::remove_if(stops.begin(), stops.end(), near_mark), stops.end());
+  }
+
+  // The surface has a crease that starts at a join's end: short edges there resolve it.
+  void refine_at_ends(size_t r, std::vector<double>& stops) const {
+    const double length = rings_[r].measure.length;
+    const double spacing = spacing_between(r, 0, 0);
+    const std::vector<double> plain = stops;
+    for (const ArcRange& join : joins_) {
+      if (join.ring != static_cast<int>(r)) continue;
+      for (const double end : {join.from, join.to})
+        for (const double step : {-1.2, -0.5, -0.2, 0.2, 0.5, 1.2}) {
+          const double s = forward(0, end + step * spacing, length);
+          const bool clear = std::none_of(plain.begin(), plain.end(), [&](double stop) {
+            const double gap = forward(s, stop, length);
+            return stop != end && std::min(gap, length - gap) < 0.15 * spacing;
+          });
+          if (clear) stops.push_back(s);
+        }
+    }
+  }
+
+  void sample_stretch(size_t r, double from, double to, InputCurve& curve) {
+    const int pieces =
+        std::max(1, static_cast<int>(std::lround((to - from) / spacing_between(r, from, to))));
+    for (int i = 0; i < pieces; ++i) {
+      const double a = from + (to - from) * i / pieces;
+      const double b = from + (to - from) * (i + 1) / pieces;
+      push(r, a, i == 0, curve);
+      bisect(r, a, b, 3, curve);
+    }
+  }
+
+  // Adds samples between a and b until the chords are close to the curve.
+  void bisect(size_t r, double a, double b, int levels, InputCurve& curve) {
+    const PartRing& ring = rings_[r];
+    if (levels == 0) return;
+    const Point2 pa = point_at(*ring.ring, ring.measure, a);
+    const Point2 pb = point_at(*ring.ring, ring.measure, b);
+    double sagitta = 0;
+    for (const double t : {0.25, 0.5, 0.75})
+      sagitta = std::max(sagitta, distance_to_segment(
+                                      point_at(*ring.ring, ring.measure, a + t * (b - a)), pa, pb));
+    if (sagitta <= kMaxSagitta * spacing_) return;
+    const double middle = 0.5 * (a + b);
+    bisect(r, a, middle, levels - 1, curve);
+    push(r, middle, false, curve);
+    bisect(r, middle, b, levels - 1, curve);
+  }
+
+  void push(size_t r, double s, bool kept, InputCurve& curve) {
+    curve.points.push_back(point_at(*rings_[r].ring, rings_[r].measure, s));
+    curve.kept.push_back(kept);
+    ring_samples_[r].push_back(std::fmod(s, rings_[r].measure.length));
+  }
+
+  void add_spacings(const InputCurve& curve) {
+    const size_t n = curve.points.size();
+    for (size_t i = 0; i < n; ++i) {
+      const double before = distance(curve.points[i], curve.points[(i + n - 1) % n]);
+      const double after = distance(curve.points[i], curve.points[(i + 1) % n]);
+      out_.samples.push_back({curve.points[i], std::max(before, after)});
+    }
+  }
+
+  CurveRun as_run(const ArcRange& arc) const {
+    if (arc.ring < 0) return {};
+    const std::vector<double>& samples = ring_samples_[arc.ring];
+    const double length = rings_[arc.ring].measure.length;
+    auto nearest = [&](double s) {
+      int best = 0;
+      double gap = 1e300;
+      for (size_t i = 0; i < samples.size(); ++i) {
+        const double ahead = forward(samples[i], s, length);
+        const double d = std::min(ahead, length - ahead);
+        if (d < gap) {
+          gap = d;
+          best = static_cast<int>(i);
+        }
+      }
+      return best;
+    };
+    return {arc.ring, nearest(arc.from), nearest(arc.to), forward(arc.from, arc.to, length),
+            arc.reversed};
+  }
+
+  const Scene& scene_;
+  double spacing_;
+  std::vector<Ring> clean_;
+  std::vector<int> ring_part_;
+  std::vector<PartRing> rings_;
+  std::vector<std::vector<double>> ring_samples_;  // per ring: arc length of each sample
+  std::vector<ArcRange> joins_;
+  std::vector<ArcRange> robin_;
+  std::vector<ArcRange> relations_;
+  SampledOutlines out_;
+};
+
+}  // namespace
+
+Result<SampledOutlines> sample_outlines(const Scene& scene, double spacing) {
+  return Sampler(scene, spacing).run();
+}
+
+}  // namespace relievo

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kernel/base/result.h"
+#include "kernel/meshing/size_field.h"
+#include "kernel/meshing/splice_curves.h"
+#include "relief/scene/scene.h"
+
+namespace relievo {
+
+/// A run of samples of one curve, in the curve's direction, from `first` to `last`.
+struct CurveRun {
+  int curve = -1;
+  int first = 0;
+  int last = 0;
+  double length = 0;      ///< px
+  bool reversed = false;  ///< the user's first point is at `last`
+};
+
+/// All outlines, resampled.
+struct SampledOutlines {
+  std::vector<InputCurve> curves;         ///< one per ring of every part
+  std::vector<int> curve_part;            ///< per curve
+  std::vector<CurveSample> samples;       ///< all samples of all curves, in order
+  std::vector<CurveRun> joins;            ///< per join of the scene
+  std::vector<CurveRun> robin;            ///< per Robin range of the scene
+  std::vector<CurveRun> relation_ranges;  ///< per relation; curve -1 where it has no range
+  std::vector<std::string> warnings;
+};
+
+/// Resamples every outline at about `spacing` px, finer where it bends, keeping corners and the
+/// ends of joins and ranges. Fails with bad_input naming the part, join or range.
+/// O(outline points * (1 + marks of the part)).
+Result<SampledOutlines> sample_outlines(const Scene& scene, double spacing);
+
+}  // namespace relievo

@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "io/files/read_file.h"
+#include "io/image/png_decode.h"
+
+namespace relievo {
+namespace {
+
+namespace fs = std::filesystem;
+
+class PngSuite : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!fs::is_directory(folder_)) GTEST_SKIP() << "the PNG suite is not at " << folder_;
+    for (const auto& entry : fs::directory_iterator(folder_))
+      if (entry.path().extension() == ".png") files_.push_back(entry.path());
+    std::sort(files_.begin(), files_.end());
+  }
+
+  Result<Image8> decode(const std::string& name) const {
+    return decode_png(*read_file(folder_ / (name + ".png")));
+  }
+
+  const fs::path folder_ = fs::path(RELIEVO_SHARED_DATA) / "adversarial/png/pngsuite";
+  std::vector<fs::path> files_;
+};
+
+TEST_F(PngSuite, SoundFilesOpenAndDamagedOnesAreRefused) {
+  EXPECT_GE(files_.size(), 175U);
+  for (const fs::path& path : files_) {
+    const bool damaged = path.filename().string()[0] == 'x';
+    const Result<Image8> image = decode_png(*read_file(path));
+    EXPECT_EQ(image.ok(), !damaged) << path;
+    if (damaged && !image.ok()) {
+      EXPECT_EQ(image.error().code, ErrorCode::bad_input);
+      EXPECT_FALSE(image.error().message.empty());
+    }
+  }
+}
+
+TEST_F(PngSuite, InterlacingDoesNotChangeThePixels) {
+  int compared = 0;
+  for (const fs::path& path : files_) {
+    std::string name = path.stem().string();
+    if (name.rfind("basi", 0) != 0) continue;
+    const Result<Image8> interlaced = decode(name);
+    name[3] = 'n';
+    const Result<Image8> plain = decode(name);
+    ASSERT_TRUE(interlaced.ok() && plain.ok()) << name;
+    EXPECT_EQ(interlaced->pixels, plain->pixels) << name;
+    ++compared;
+  }
+  EXPECT_EQ(compared, 15);
+}
+
+TEST_F(PngSuite, ChunkingCompressionAndGammaDoNotChangeThePixels) {
+  for (const auto& group :
+       std::vector<std::vector<std::string>>{{"oi1n2c16", "oi2n2c16", "oi4n2c16", "oi9n2c16"},
+                                             {"z00n2c08", "z03n2c08", "z06n2c08", "z09n2c08"},
+                                             {"tbbn3p08", "tbgn3p08", "tbwn3p08", "tbyn3p08"}}) {
+    const Result<Image8> first = decode(group[0]);
+    ASSERT_TRUE(first.ok());
+    for (const std::string& name : group) EXPECT_EQ(decode(name)->pixels, first->pixels) << name;
+  }
+}
+
+TEST_F(PngSuite, TransparentColoursBecomeAlpha) {
+  for (const char* name : {"tbbn0g04", "tbbn2c16", "tbbn3p08", "tm3n3p02"}) {
+    const Result<Image8> image = decode(name);
+    ASSERT_TRUE(image.ok());
+    EXPECT_EQ(image->at(0, 0, 3), 0) << name;
+  }
+  const Result<Image8> opaque = decode("tp0n3p08");
+  for (size_t i = 3; i < opaque->pixels.size(); i += 4) ASSERT_EQ(opaque->pixels[i], 255);
+}
+
+TEST_F(PngSuite, SamplesOfOneBitSpanBlackToWhite) {
+  const Result<Image8> image = decode("basn0g01");
+  ASSERT_TRUE(image.ok());
+  for (size_t i = 0; i < image->pixels.size(); i += 4)
+    ASSERT_TRUE(image->pixels[i] == 0 || image->pixels[i] == 255);
+  EXPECT_EQ(image->at(0, 0), 255);
+  EXPECT_EQ(image->at(31, 31), 0);
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,89 @@
+#include <gtest/gtest.h>
+
+#include "relief/pipeline/build_relief.h"
+#include "support/mesh_checks.h"
+#include "support/polygon_corpus.h"
+#include "support/random_scene.h"
+
+namespace relievo {
+namespace {
+
+using namespace testing;
+
+/// Builds with few vertices and checks everything that must hold of any relief.
+void expect_sound(const Scene& scene) {
+  ReliefOptions options;
+  options.layers.vertex_budget = 3000;
+  const auto relief = build_relief(scene, options);
+  ASSERT_TRUE(relief.ok()) << to_string(relief.error());
+  EXPECT_EQ(inconsistency(relief->layers), "");
+  const Manifoldness m = check_manifold(relief->layers);
+  EXPECT_EQ(m.repeated_edges, 0);
+  EXPECT_EQ(m.bow_ties, 0);
+  const BoundQpReport& report = relief->ordering.report;
+  EXPECT_EQ(report.status, SolveStatus::solved);
+  EXPECT_LE(report.stationarity, 1e-12);
+  EXPECT_EQ(report.primal, 0);
+  EXPECT_LE(report.dual, 1e-12);
+  EXPECT_LE(report.complementarity, 1e-12);
+  EXPECT_LE(relief->ordering.max_violation, 1e-9 * (scene.width + scene.height));
+}
+
+TEST(RandomScenes, AreManifoldAndSolved) {
+  int joins = 0;
+  for (uint64_t seed = 1; seed <= 120; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Scene scene = random_scene(seed);
+    joins += static_cast<int>(scene.joins.size());
+    expect_sound(scene);
+  }
+  EXPECT_GT(joins, 100);
+}
+
+/// A scene of the given outlines on a canvas that holds them; rings without area are left out.
+Scene scene_of(const std::vector<Outline>& outlines) {
+  Scene scene = canvas();
+  for (Outline outline : outlines) {
+    std::erase_if(outline, [](const Ring& ring) { return signed_area(ring) == 0; });
+    for (const Ring& ring : outline)
+      for (const Point2 p : ring) {
+        scene.width = std::max(scene.width, p.x);
+        scene.height = std::max(scene.height, p.y);
+      }
+    if (!outline.empty())
+      scene.parts.push_back(Part{"part" + std::to_string(scene.parts.size()), outline, 4, 1});
+  }
+  return scene;
+}
+
+/// Once as one part with holes, once with every ring a part of its own.
+void expect_sound_both_ways(const std::vector<CorpusPolygon>& polygons) {
+  constexpr size_t kMostParts = 30;
+  if (polygons.empty()) GTEST_SKIP() << "the shared drawings are not here";
+  for (const CorpusPolygon& polygon : polygons) {
+    SCOPED_TRACE(polygon.name);
+    Outline nested = polygon.rings;
+    orient_by_nesting(nested);
+    const Scene whole = scene_of({nested});
+    if (whole.parts.empty()) continue;
+    expect_sound(whole);
+    std::vector<Outline> apart;
+    for (const Ring& ring : polygon.rings)
+      if (apart.size() < kMostParts) apart.push_back({ring});
+    expect_sound(scene_of(apart));
+  }
+}
+
+const std::string kPolygons = RELIEVO_SHARED_DATA "/adversarial/polygons/";
+
+TEST(PolygonCorpus, Earcut) { expect_sound_both_ways(earcut_polygons(kPolygons + "earcut")); }
+
+TEST(PolygonCorpus, Cdt) { expect_sound_both_ways(cdt_polygons(kPolygons + "cdt")); }
+
+TEST(PolygonCorpus, Clipper) {
+  expect_sound_both_ways(clipper_polygons(kPolygons + "clipper2/Polygons.txt"));
+  expect_sound_both_ways(clipper_polygons(kPolygons + "clipper2/PolytreeHoleOwner.txt"));
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/probe.h"
+#include "support/random_scene.h"
+
+namespace relievo {
+namespace {
+
+using namespace testing;
+
+Relief build(const Scene& scene, int vertices = 6000, double rho = 0.25) {
+  ReliefOptions options;
+  options.layers.vertex_budget = vertices;
+  options.inflation.rho = rho;
+  auto relief = build_relief(scene, options);
+  EXPECT_TRUE(relief.ok()) << (relief.ok() ? "" : to_string(relief.error()));
+  return relief.ok() ? *relief : Relief();
+}
+
+template <class Map>
+Scene mapped(Scene scene, Map map) {
+  for (Part& part : scene.parts)
+    for (Ring& ring : part.outline)
+      for (Point2& p : ring) p = map(p);
+  for (Join& join : scene.joins)
+    for (Point2& p : join.line) p = map(p);
+  return scene;
+}
+
+/// Largest difference of heights on a grid, px of the first scene; `scale` converts.
+template <class Map>
+double difference(const Scene& scene, const Scene& other, Map map, double scale) {
+  const Relief a = build(scene);
+  const Relief b = build(other);
+  double worst = 0;
+  for (double y = 3.7; y < scene.height; y += 17.3)
+    for (double x = 5.3; x < scene.width; x += 17.3) {
+      const Probe pa = probe(a, {x, y});
+      const Probe pb = probe(b, map({x, y}));
+      if (!pa.found || !pb.found || pa.part != pb.part) continue;
+      worst = std::max(worst, std::abs(pa.h() - pb.h() / scale));
+    }
+  return worst;
+}
+
+TEST(Invariance, ImageScale) {
+  for (const uint64_t seed : {3, 8, 15})
+    for (const double scale : {0.5, 2.0, 10.0}) {
+      const Scene scene = random_scene(seed);
+      const auto map = [&](Point2 p) { return scale * p; };
+      Scene other = mapped(scene, map);
+      other.width *= scale;
+      other.height *= scale;
+      EXPECT_LT(difference(scene, other, map, scale), 0.01 * 100) << seed << " x " << scale;
+    }
+}
+
+TEST(Invariance, Translation) {
+  const Scene scene = random_scene(4);
+  const auto map = [](Point2 p) { return Point2{p.x + 64, p.y + 32}; };
+  EXPECT_LT(difference(scene, mapped(scene, map), map, 1), 1.0);
+}
+
+TEST(Invariance, Rotation) {
+  const Scene scene = body_and_leg();
+  const double a = 0.4;
+  const auto map = [&](Point2 p) {
+    const Point2 d = p - Point2{200, 200};
+    return Point2{200 + d.x * std::cos(a) - d.y * std::sin(a),
+                  200 + d.x * std::sin(a) + d.y * std::cos(a)};
+  };
+  EXPECT_LT(difference(scene, mapped(scene, map), map, 1), 1.0);
+}
+
+TEST(Invariance, OrderOfPartsThatDoNotOverlap) {
+  Scene scene = body_and_leg();
+  scene.parts.push_back(part("ball", circle({50, 330}, 30)));
+  Scene other = scene;
+  std::rotate(other.parts.begin(), other.parts.begin() + 2, other.parts.end());
+  other.joins[0] = {2, 1, scene.joins[0].line};
+  const Relief a = build(scene);
+  const Relief b = build(other);
+  for (const Point2 p : {Point2{200, 165}, Point2{120, 120}, Point2{200, 300}, Point2{50, 330}})
+    EXPECT_NEAR(probe(a, p).h(), probe(b, p).h(), 1e-6);
+}
+
+TEST(Determinism, SameSceneSameBits) {
+  const Scene scene = random_scene(11);
+  const Relief a = build(scene);
+  const Relief b = build(scene);
+  EXPECT_EQ(a.ordering.h, b.ordering.h);
+  EXPECT_EQ(a.layers.faces, b.layers.faces);
+}
+
+}  // namespace
+}  // namespace relievo

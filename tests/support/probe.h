@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "relief/pipeline/build_relief.h"
+
+namespace relievo::testing {
+
+/// Heights at one point of one face.
+struct Probe {
+  bool found = false;
+  int part = -1;
+  double f = 0;  ///< px
+  double g = 0;  ///< px
+  double h() const { return f + g; }
+};
+
+/// The frontmost face of a part up to `front` over the point; u and g linear, root afterwards.
+inline Probe probe(const Relief& relief, Point2 p, int front = std::numeric_limits<int>::max()) {
+  const LayeredMesh& mesh = relief.layers;
+  for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Point2 a = mesh.vertices[mesh.triangles[t][0]];
+    const Point2 b = mesh.vertices[mesh.triangles[t][1]];
+    const Point2 c = mesh.vertices[mesh.triangles[t][2]];
+    const double area = cross(b - a, c - a);
+    const double w[3] = {cross(b - p, c - p) / area, cross(c - p, a - p) / area,
+                         cross(a - p, b - p) / area};
+    if (w[0] < -1e-9 || w[1] < -1e-9 || w[2] < -1e-9) continue;
+    for (int f = mesh.stack_begin[t + 1] - 1; f >= mesh.stack_begin[t]; --f) {
+      if (mesh.face_part[f] > front) continue;
+      Probe result{true, mesh.face_part[f], 0, 0};
+      double u = 0;
+      for (int k = 0; k < 3; ++k) {
+        u += w[k] * relief.inflation.u[mesh.faces[f][k]];
+        result.g += w[k] * relief.ordering.g[mesh.faces[f][k]];
+      }
+      result.f = std::copysign(std::sqrt(std::abs(u)), u);
+      return result;
+    }
+  }
+  return {};
+}
+
+}  // namespace relievo::testing
