@@ -9,7 +9,8 @@
 namespace relievo::cli {
 namespace {
 
-constexpr const char* main_help = R"(Turns a layered drawing of a character into a seamless high relief.
+constexpr const char* main_help =
+    R"(Turns a layered drawing of a character into a seamless high relief.
 
 Examples:
   relievo build wolf.svg -o wolf.glb
@@ -25,7 +26,8 @@ Examples:
   relievo build scene.json --depth-map depth.png --json
   cat wolf.svg | relievo build - -o wolf.glb)";
 
-constexpr const char* check_help = R"(Reads a drawing, tells what its parts and joins are and what is wrong. Writes nothing.
+constexpr const char* check_help =
+    R"(Reads a drawing, tells what its parts and joins are and what is wrong. Writes nothing.
 
 Example:
   relievo check wolf.svg)";
@@ -35,7 +37,7 @@ constexpr const char* render_help = R"(Makes a picture of a model, or of a drawi
 Examples:
   relievo render wolf.glb -o wolf.png
   relievo render wolf.svg -o wolf.png --view side --clay
-  relievo render wolf.glb -o eye.png --view front --window 0.4 0.1 0.2 0.2)";
+  relievo render wolf.glb -o eye.png --view front --window 500 200 150)";
 
 constexpr const char* input_help = "SVG drawing or scene file (JSON); - reads standard input";
 
@@ -62,9 +64,9 @@ CLI::Validator one_of(const std::string& available, const std::vector<std::strin
 
 void add_mesh_options(CLI::App& app, ReliefArguments& relief) {
   LayerOptions& layers = relief.options.layers;
-  auto* vertices = app.add_option("--vertices", layers.vertex_budget,
-                                  "About so many vertices (default 40000)")
-                       ->check(CLI::Range(100, 10000000));
+  auto* vertices =
+      app.add_option("--vertices", layers.vertex_budget, "About so many vertices (default 40000)")
+          ->check(CLI::Range(100, 10000000));
   app.add_option("--edge", layers.edge_length, "Spacing of the outlines in px, instead")
       ->check(CLI::Range(0.01, 10000.0))
       ->excludes(vertices);
@@ -74,14 +76,15 @@ void add_mesh_options(CLI::App& app, ReliefArguments& relief) {
 
 void add_relief_options(CLI::App& app, ReliefArguments& relief) {
   add_mesh_options(app, relief);
-  app.add_option_function<std::string>("--method", [](const std::string&) {},
-                                       "approximate (the default)")
+  app.add_option_function<std::string>(
+         "--method", [](const std::string&) {}, "approximate (the default)")
       ->check(one_of("approximate", {"nonlinear"}));
   app.add_option("--c", relief.c, "Inflation of all parts: 4 a hemisphere, 2 round limbs")
       ->check(CLI::Range(min_inflation, max_inflation));
   InflationOptions& inflation = relief.options.inflation;
-  auto* rho = app.add_option("--rho", inflation.rho, "Softness of ramps beside joins (default 0.25)")
-                  ->check(CLI::Range(0.001, max_rho));
+  auto* rho =
+      app.add_option("--rho", inflation.rho, "Softness of ramps beside joins (default 0.25)")
+          ->check(CLI::Range(0.001, max_rho));
   app.add_option("--alpha0", inflation.alpha0, "How firmly ramps begin, 0 to 1 (default 0.1)")
       ->check(CLI::Range(0.0, 1.0));
   app.add_option_function<std::string>(
@@ -92,19 +95,22 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
          "paper: the published units; default: the same relief at any size")
       ->check(CLI::IsMember({"default", "paper"}))
       ->excludes(rho);
-  app.add_flag_callback("--no-glue", [&relief] { relief.options.layers.glue = false; },
-                        "Let outlines beside joins rise above the part below");
+  app.add_flag_callback(
+      "--no-glue", [&relief] { relief.options.layers.glue = false; },
+      "Let outlines beside joins rise above the part below");
 }
 
 void add_visibility(CLI::App& app, ReliefArguments& relief) {
-  app.add_option_function<std::string>("--profile", [](const std::string&) {},
-                                       "relief (the default)")
+  app.add_option_function<std::string>(
+         "--profile", [](const std::string&) {}, "relief (the default)")
       ->check(one_of("relief", {"solid", "figure"}));
-  auto* visible = app.add_option("--visible", relief.visibility,
-                                 "relief: what the front shows; orbit: whole parts; all: every face")
-                      ->transform(CLI::CheckedTransformer(visibilities));
-  app.add_flag_callback("--keep-hidden", [&relief] { relief.visibility = Visibility::all; },
-                        "The same as --visible all")
+  auto* visible =
+      app.add_option("--visible", relief.visibility,
+                     "relief: what the front shows; orbit: whole parts; all: every face")
+          ->transform(CLI::CheckedTransformer(visibilities));
+  app.add_flag_callback(
+         "--keep-hidden", [&relief] { relief.visibility = Visibility::all; },
+         "The same as --visible all")
       ->excludes(visible);
 }
 
@@ -168,14 +174,14 @@ void add_render(CLI::App& main, RenderArguments& render) {
       ->check(CLI::Range(-360.0, 360.0));
   app.add_option("--pitch", render.pitch, "Look from above in degrees, in place of the view's")
       ->check(CLI::Range(-90.0, 90.0));
-  app.add_option("--light", render.light, "Azimuth and elevation of the light in degrees")
-      ->expected(2);
-  app.add_option("--size", render.size, "Longest side in px (default 1200)")
+  app.add_option("--light", render.light, "Light from so many degrees to the right, and above")
+      ->expected(2)
+      ->check(CLI::Range(-360.0, 360.0));
+  app.add_option("--size", render.size, "Longest side of a view in px (default 1200)")
       ->check(CLI::Range(16, 8192));
   app.add_flag("--clay", render.clay, "Without the colours of the drawing");
-  app.add_option("--window", render.window, "Only this part: x, y, width, height, from 0 to 1")
-      ->expected(4)
-      ->check(CLI::Range(0.0, 1.0));
+  app.add_option("--window", render.window, "Look closely: middle x, y and width in canvas px")
+      ->expected(3);
   add_relief_options(app, render.relief);
   add_visibility(app, render.relief);
 }

@@ -35,7 +35,7 @@ struct BuildArguments {
   std::string preview;
   std::string report;
   bool normal_y_down = false;
-  int map_size = 2048;       ///< longest side of the maps, px
+  int map_size = 2048;        ///< longest side of the maps, px
   bool print_report = false;  ///< on standard output
 };
 
@@ -47,13 +47,13 @@ struct RenderArguments {
   CommonArguments common;
   ReliefArguments relief;
   std::string output;
-  std::string view = "three-quarter";     ///< front, three-quarter, side or sheet
-  std::optional<double> yaw;              ///< degrees, in place of the view's
-  std::optional<double> pitch;            ///< likewise
-  std::vector<double> light;              ///< azimuth and elevation in degrees; or empty
-  int size = 1200;                        ///< longest side, px
-  bool clay = false;                      ///< without the drawing
-  std::vector<double> window;             ///< part of the picture: x, y, width, height in [0, 1]
+  std::string view = "three-quarter";  ///< front, three-quarter, side or sheet
+  std::optional<double> yaw;           ///< degrees, in place of the view's
+  std::optional<double> pitch;         ///< likewise
+  std::vector<double> light;           ///< azimuth to the right and elevation, degrees; or empty
+  int size = 1200;                     ///< longest side, px
+  bool clay = false;                   ///< without the drawing
+  std::vector<double> window;          ///< middle x, y and width, canvas px; or empty
 };
 
 using Command = std::variant<BuildArguments, CheckArguments, RenderArguments>;

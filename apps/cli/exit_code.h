@@ -12,13 +12,20 @@ constexpr int exit_interrupted = 130;
 /// The exit code that tells a caller what kind of failure it was.
 inline int exit_code(ErrorCode code) {
   switch (code) {
-    case ErrorCode::internal: return 1;
-    case ErrorCode::usage: return exit_usage;
-    case ErrorCode::bad_input: return 3;
-    case ErrorCode::contradiction: return 4;
-    case ErrorCode::limit: return exit_limit;
-    case ErrorCode::file: return 6;
-    case ErrorCode::interrupted: return exit_interrupted;
+    case ErrorCode::internal:
+      return 1;
+    case ErrorCode::usage:
+      return exit_usage;
+    case ErrorCode::bad_input:
+      return 3;
+    case ErrorCode::contradiction:
+      return 4;
+    case ErrorCode::limit:
+      return exit_limit;
+    case ErrorCode::file:
+      return 6;
+    case ErrorCode::interrupted:
+      return exit_interrupted;
   }
   return 1;
 }

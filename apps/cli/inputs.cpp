@@ -108,10 +108,14 @@ Result<SceneInput> refuse(InputKind kind) {
       return bad(
           "is a flat picture, and this version cannot find the parts of one by itself; draw each "
           "part as a layer of an SVG, or write a scene file that names the picture as its drawing");
-    case InputKind::glb: return bad("is a finished model; use it with: relievo render");
-    case InputKind::zip: return bad("is an archive; this version reads SVG and scene files only");
-    case InputKind::gzip: return bad("is compressed; unpack it first, for example with gunzip");
-    default: return bad("is neither an SVG drawing nor a scene file (JSON)");
+    case InputKind::glb:
+      return bad("is a finished model; use it with: relievo render");
+    case InputKind::zip:
+      return bad("is an archive; this version reads SVG and scene files only");
+    case InputKind::gzip:
+      return bad("is compressed; unpack it first, for example with gunzip");
+    default:
+      return bad("is neither an SVG drawing nor a scene file (JSON)");
   }
 }
 

@@ -37,14 +37,16 @@ Interruption::Interruption(double timeout) : timeout_(timeout) {
 }
 
 Interruption::~Interruption() {
-  {
-    const std::lock_guard lock(mutex_);
-    finished_ = true;
-  }
-  wake_.notify_one();
+  finish();
   watcher_.join();
-  handle(SIGINT, SIG_DFL);
-  handle(SIGTERM, SIG_DFL);
+  handle(SIGINT, SIG_IGN);
+  handle(SIGTERM, SIG_IGN);
+}
+
+void Interruption::finish() {
+  const std::lock_guard lock(mutex_);
+  finished_ = true;
+  wake_.notify_one();
 }
 
 const std::atomic<bool>* Interruption::flag() const { return &stop; }

@@ -25,6 +25,9 @@ class Interruption {
   /// While the lock is held the process does not end itself: files are being written.
   std::unique_lock<std::mutex> hold_off();
 
+  /// Nothing is left to be stopped: from here on the process ends in its own way.
+  void finish();
+
   /// Why the work was stopped: `interrupted`, or `limit` where its time was up.
   Error reason() const;
 

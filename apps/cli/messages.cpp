@@ -34,6 +34,10 @@ void print_note(const std::string& text, bool quiet) {
   if (!quiet) print_line("", text);
 }
 
+void print_result(const std::string& text, bool quiet) {
+  if (!quiet) std::printf("%s%s", text.c_str(), text.empty() || text.back() != '\n' ? "\n" : "");
+}
+
 Progress::Progress(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {

@@ -18,6 +18,9 @@ void print_error(const Error& error);
 void print_warnings(const std::vector<std::string>& warnings, bool quiet);
 void print_note(const std::string& text, bool quiet);
 
+/// A line on standard output, none when `quiet`.
+void print_result(const std::string& text, bool quiet);
+
 /// One line of progress on stderr, rewritten in place; only when stderr is a terminal and not
 /// `quiet`. Leaves no trace once it is gone.
 class Progress {

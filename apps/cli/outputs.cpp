@@ -28,8 +28,7 @@ Result<Files> encode_obj_files(const Model& model, const Drawing* drawing, const
                                double size_mm) {
   auto encoded = encode_obj(model, drawing, {size_mm, path.stem().string()});
   if (!encoded) return encoded.error();
-  Files files = {{path, std::move(encoded->obj)},
-                 {beside(path, ".mtl"), std::move(encoded->mtl)}};
+  Files files = {{path, std::move(encoded->obj)}, {beside(path, ".mtl"), std::move(encoded->mtl)}};
   if (!encoded->png.empty()) files.push_back({beside(path, ".png"), std::move(encoded->png)});
   return files;
 }
@@ -52,8 +51,8 @@ std::vector<fs::path> planned_outputs(const BuildArguments& build) {
     paths.push_back(beside(obj, ".mtl"));
     paths.push_back(beside(obj, ".png"));
   }
-  for (const std::string* name : {&build.normal_map, &build.depth_map, &build.part_map,
-                                  &build.preview, &build.report})
+  for (const std::string* name :
+       {&build.normal_map, &build.depth_map, &build.part_map, &build.preview, &build.report})
     if (!name->empty()) paths.emplace_back(*name);
   return paths;
 }
@@ -84,6 +83,14 @@ Result<Files> encode_model(const Model& model, const Drawing& drawing, const std
   if (path.extension() == ".ply") return single(name, encode_ply(model, texture, {size_mm, ""}));
   if (path.extension() == ".stl") return single(name, encode_stl(model, size_mm));
   return single(name, encode_glb(model, texture, size_mm));
+}
+
+Status save(const Files& files, const std::vector<fs::path>& inputs, Interruption& interruption) {
+  const auto writing = interruption.hold_off();
+  if (*interruption.flag()) return interrupted_error();
+  const Status status = write_files(files, inputs);
+  if (status) interruption.finish();
+  return status;
 }
 
 }  // namespace relievo::cli

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/cli/arguments.h"
+#include "apps/cli/interruption.h"
 #include "io/files/write_files.h"
 #include "kernel/base/result.h"
 #include "relief/drawing/drawing.h"
@@ -23,5 +24,10 @@ Status check_outputs(const std::vector<std::filesystem::path>& paths,
 /// The files of a model in the format that the name's extension says. Precondition: a known one.
 Result<std::vector<OutputFile>> encode_model(const Model& model, const Drawing& drawing,
                                              const std::string& name, double size_mm);
+
+/// Writes all files or none, unless the work was stopped before. Errors: as write_files, and
+/// `interrupted`.
+Status save(const std::vector<OutputFile>& files, const std::vector<std::filesystem::path>& inputs,
+            Interruption& interruption);
 
 }  // namespace relievo::cli

@@ -9,10 +9,14 @@ using Json = nlohmann::ordered_json;
 
 const char* name(SolveStatus status) {
   switch (status) {
-    case SolveStatus::solved: return "solved";
-    case SolveStatus::iteration_limit: return "iteration_limit";
-    case SolveStatus::not_positive_definite: return "not_positive_definite";
-    case SolveStatus::interrupted: return "interrupted";
+    case SolveStatus::solved:
+      return "solved";
+    case SolveStatus::iteration_limit:
+      return "iteration_limit";
+    case SolveStatus::not_positive_definite:
+      return "not_positive_definite";
+    case SolveStatus::interrupted:
+      return "interrupted";
   }
   return "";
 }
@@ -42,8 +46,8 @@ Json solver(const BoundQpReport& report) {
 /// Milliseconds by stage: those of the contract first, 0 where a stage did not run.
 Json times(const ReportInput& input) {
   Json sums;
-  for (const char* stage : {"read", "mesh", "assemble", "analyse", "inflate", "order", "nonlinear",
-                            "export", "total"})
+  for (const char* stage :
+       {"read", "mesh", "assemble", "analyse", "inflate", "order", "nonlinear", "export", "total"})
     sums[stage] = 0.0;
   for (const std::vector<StageTime>* list : {&input.relief.times, &input.times})
     for (const StageTime& time : *list)
