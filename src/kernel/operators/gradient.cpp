@@ -4,88 +4,120 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <vector>
 
 namespace relievo {
 namespace {
 
-/// Weighted least squares of a linear vector function, from samples around the origin.
-class LinearFit {
+/// Neighbours a quadratic fit needs at least; five would merely interpolate.
+constexpr size_t enough_neighbours = 6;
+
+/// Least squares fit of a x + b y + c x^2 + d x y + e y^2, samples weighted by 1 / distance^2.
+class QuadraticFit {
  public:
-  void add(double weight, Point2 offset, Point2 value) {
-    const Eigen::Vector3d basis(1, offset.x, offset.y);
-    normal_ += weight * basis * basis.transpose();
-    moments_ += weight * basis * Eigen::RowVector2d(value.x, value.y);
+  /// `unit` is a length of the size of the offsets.
+  explicit QuadraticFit(double unit) : unit_(unit) {}
+
+  void add(Point2 offset, double value) {
+    const double x = offset.x / unit_;
+    const double y = offset.y / unit_;
+    const double weight = 1 / (x * x + y * y);
+    const Vector basis = (Vector() << x, y, x * x, x * y, y * y).finished();
+    normal_.noalias() += weight * basis * basis.transpose();
+    moments_ += weight * value * basis;
   }
 
-  /// The fitted value at the origin; the weighted mean where the samples do not span the plane.
-  Point2 at_origin() const {
-    const double weight = normal_(0, 0);
-    if (!(weight > 0)) return {};
-    const Eigen::Vector2d mean = normal_.block<2, 1>(1, 0) / weight;
-    const Eigen::Matrix2d spread = normal_.block<2, 2>(1, 1) / weight - mean * mean.transpose();
-    const Eigen::RowVector2d value = moments_.row(0) / weight;
-    const double trace = spread.trace();
-    if (!(spread.determinant() > flatness * trace * trace)) return {value.x(), value.y()};
-    const Eigen::Matrix2d covariance = moments_.block<2, 2>(1, 0) / weight - mean * value;
-    const Eigen::RowVector2d fitted = value - mean.transpose() * spread.ldlt().solve(covariance);
-    return {fitted.x(), fitted.y()};
+  /// Gradient at the origin, if the samples determine it.
+  std::optional<Point2> gradient() const {
+    const Eigen::LDLT<Eigen::Matrix<double, 5, 5>> ldlt(normal_);
+    const Vector pivots = ldlt.vectorD();
+    if (!(pivots.minCoeff() > flatness * pivots.maxCoeff())) return std::nullopt;
+    const Vector solution = ldlt.solve(moments_);
+    return Point2{solution[0] / unit_, solution[1] / unit_};
   }
 
  private:
-  static constexpr double flatness = 1e-3;
-  Eigen::Matrix3d normal_ = Eigen::Matrix3d::Zero();
-  Eigen::Matrix<double, 3, 2> moments_ = Eigen::Matrix<double, 3, 2>::Zero();
+  using Vector = Eigen::Matrix<double, 5, 1>;
+  static constexpr double flatness = 1e-4;
+  double unit_;
+  Eigen::Matrix<double, 5, 5> normal_ = Eigen::Matrix<double, 5, 5>::Zero();
+  Vector moments_ = Vector::Zero();
 };
 
-/// The triangles around a node; those around its neighbours too where its fan is open.
-class Patches {
+/// Collects the nodes around one node after the other.
+class Neighbourhoods {
  public:
-  explicit Patches(const FlatMesh& mesh)
-      : mesh_(mesh),
-        corners_(corners_at_nodes(mesh)),
-        seen_node_(mesh.positions.size(), -1),
-        seen_face_(mesh.triangles.size(), -1) {}
+  explicit Neighbourhoods(const FlatMesh& mesh)
+      : mesh_(mesh), corners_(corners_at_nodes(mesh)), seen_(mesh.positions.size(), -1) {}
 
+  /// One ring of neighbours inside; two on a boundary and where one has too few.
   const std::vector<int>& around(int node) {
-    faces_.clear();
-    neighbours_.clear();
-    add_faces(node, node);
-    const size_t ring = faces_.size();
-    for (size_t i = 0; i < ring; ++i)
-      for (const int other : mesh_.triangles[faces_[i]]) add_neighbour(other, node);
-    if (neighbours_.size() > ring)
-      for (const int neighbour : neighbours_) add_faces(neighbour, node);
-    return faces_;
+    nodes_.clear();
+    seen_[node] = node;
+    add_ring(node, node);
+    const size_t ring = nodes_.size();
+    const size_t faces = static_cast<size_t>(corners_.begin[node + 1] - corners_.begin[node]);
+    if (ring != faces || ring < enough_neighbours)
+      for (size_t i = 0; i < ring; ++i) add_ring(nodes_[i], node);
+    return nodes_;
   }
+
+  const NodeCorners& corners() const { return corners_; }
 
  private:
-  void add_neighbour(int other, int node) {
-    if (other == node || seen_node_[other] == node) return;
-    seen_node_[other] = node;
-    neighbours_.push_back(other);
-  }
-
-  void add_faces(int around, int node) {
-    for (int i = corners_.begin[around]; i < corners_.begin[around + 1]; ++i) {
-      const int face = corners_.corner[i] / 3;
-      if (seen_face_[face] == node) continue;
-      seen_face_[face] = node;
-      faces_.push_back(face);
-    }
+  void add_ring(int centre, int node) {
+    for (int i = corners_.begin[centre]; i < corners_.begin[centre + 1]; ++i)
+      for (const int other : mesh_.triangles[corners_.corner[i] / 3]) {
+        if (seen_[other] == node) continue;
+        seen_[other] = node;
+        nodes_.push_back(other);
+      }
   }
 
   const FlatMesh& mesh_;
   NodeCorners corners_;
-  std::vector<int> seen_node_;
-  std::vector<int> seen_face_;
-  std::vector<int> faces_;
-  std::vector<int> neighbours_;
+  std::vector<int> seen_;
+  std::vector<int> nodes_;
 };
 
-Point2 centroid(const FlatMesh& mesh, int face) {
+std::optional<Point2> fitted_gradient(const FlatMesh& mesh, std::span<const double> values,
+                                      int node, const std::vector<int>& around) {
+  const Point2 origin = mesh.positions[node];
+  double reach = 0;
+  for (const int other : around) reach = std::max(reach, distance(mesh.positions[other], origin));
+  QuadraticFit fit(reach);
+  for (const int other : around) {
+    const Point2 offset = mesh.positions[other] - origin;
+    if (dot(offset, offset) > 0) fit.add(offset, values[other] - values[node]);
+  }
+  return fit.gradient();
+}
+
+Point2 face_gradient(const FlatMesh& mesh, std::span<const double> values, int face) {
   const auto& [a, b, c] = mesh.triangles[face];
-  return (1.0 / 3) * (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]);
+  const Point2 e = mesh.positions[b] - mesh.positions[a];
+  const Point2 f = mesh.positions[c] - mesh.positions[a];
+  const double along_e = values[b] - values[a];
+  const double along_f = values[c] - values[a];
+  const double twice_area = cross(e, f);
+  return {(along_e * f.y - along_f * e.y) / twice_area,
+          (along_f * e.x - along_e * f.x) / twice_area};
+}
+
+Point2 mean_gradient(const FlatMesh& mesh, std::span<const double> values,
+                     const NodeCorners& corners, int node) {
+  Point2 sum;
+  double weight = 0;
+  for (int i = corners.begin[node]; i < corners.begin[node + 1]; ++i) {
+    const int face = corners.corner[i] / 3;
+    const auto& [a, b, c] = mesh.triangles[face];
+    const double area =
+        cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
+    sum = sum + area * face_gradient(mesh, values, face);
+    weight += area;
+  }
+  return weight > 0 ? (1 / weight) * sum : Point2{};
 }
 
 }  // namespace
@@ -94,29 +126,21 @@ std::vector<Point2> face_gradients(const FlatMesh& mesh, std::span<const double>
   assert(values.size() == mesh.positions.size());
   std::vector<Point2> gradients;
   gradients.reserve(mesh.triangles.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Point2 e = mesh.positions[b] - mesh.positions[a];
-    const Point2 f = mesh.positions[c] - mesh.positions[a];
-    const double along_e = values[b] - values[a];
-    const double along_f = values[c] - values[a];
-    const double twice_area = cross(e, f);
-    gradients.push_back({(along_e * f.y - along_f * e.y) / twice_area,
-                         (along_f * e.x - along_e * f.x) / twice_area});
-  }
+  for (size_t f = 0; f < mesh.triangles.size(); ++f)
+    gradients.push_back(face_gradient(mesh, values, static_cast<int>(f)));
   return gradients;
 }
 
 std::vector<Point2> node_gradients(const FlatMesh& mesh, std::span<const double> values) {
-  const std::vector<Point2> on_faces = face_gradients(mesh, values);
-  const std::vector<double> areas = triangle_areas(mesh);
-  Patches patches(mesh);
+  assert(values.size() == mesh.positions.size());
+  Neighbourhoods neighbourhoods(mesh);
   std::vector<Point2> gradients;
   gradients.reserve(mesh.positions.size());
-  for (size_t n = 0; n < mesh.positions.size(); ++n) {
-    LinearFit fit;
-    for (const int face : patches.around(static_cast<int>(n)))
-      fit.add(areas[face], centroid(mesh, face) - mesh.positions[n], on_faces[face]);
-    gradients.push_back(fit.at_origin());
+  for (int n = 0; n < static_cast<int>(mesh.positions.size()); ++n) {
+    const std::optional<Point2> fitted =
+        fitted_gradient(mesh, values, n, neighbourhoods.around(n));
+    gradients.push_back(fitted ? *fitted
+                               : mean_gradient(mesh, values, neighbourhoods.corners(), n));
   }
   return gradients;
 }

@@ -18,13 +18,19 @@ enum class Visibility {
 
 struct ModelOptions {
   Visibility visibility = Visibility::relief;
-  /// Faces at outlines are cut so that the surface departs from sqrt(u) by less than this, px.
+  /// Faces are cut so that the surface departs from g + sgn(u) sqrt|u|, u and g linear on every
+  /// face, by less than this, px; at least 1e-6.
   double rim_tolerance = 0.25;
-  int max_rim_levels = 4;  ///< an outline face is cut in at most 4^levels pieces
+  /// A face is cut in at most 4^levels pieces, or else the tolerance is doubled for the whole
+  /// model until that holds; in [0, 8].
+  int max_rim_levels = 4;
 };
 
 /// Turns heights into a surface with analytic normals N ~ (-1/2 grad u - |f| grad g, |f|) and
-/// texture coordinates on the drawing. Near-linear in faces.
+/// texture coordinates on the drawing. Every part of the scene has its run of triangles, empty
+/// where nothing of it is kept. After vertices at one place are merged, the relief is open only
+/// along the silhouette of the drawing. Fails with usage, limit (2^24 triangles) or interrupted.
+/// Near-linear in faces.
 Result<Model> assemble_model(const LayeredMesh& mesh, const Inflation& inflation,
                              const Ordering& ordering, const Scene& scene,
                              const ModelOptions& options, const RunContext& context = {});

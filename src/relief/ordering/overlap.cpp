@@ -45,9 +45,9 @@ double height_at(const Face& face, const std::array<int, 3>& fifths, const std::
 }  // namespace
 
 std::vector<FacePair> stacked_faces(const LayeredMesh& mesh, const Scene& scene) {
-  const std::vector<std::pair<int, int>> free = free_parts(scene);
+  const std::vector<std::pair<int, int>> crossable = free_parts(scene);
   const auto may_cross = [&](int upper, int lower) {
-    return std::binary_search(free.begin(), free.end(),
+    return std::binary_search(crossable.begin(), crossable.end(),
                               std::pair(mesh.face_part[upper], mesh.face_part[lower]));
   };
   std::vector<FacePair> pairs;

@@ -13,7 +13,7 @@ using namespace testing;
 /// Builds with few vertices and checks everything that must hold of any relief.
 void expect_sound(const Scene& scene) {
   ReliefOptions options;
-  options.layers.vertex_budget = 3000;
+  options.layers.vertex_budget = 2000;
   const auto relief = build_relief(scene, options);
   ASSERT_TRUE(relief.ok()) << to_string(relief.error());
   EXPECT_EQ(inconsistency(relief->layers), "");
@@ -40,16 +40,16 @@ TEST(RandomScenes, AreManifoldAndSolved) {
   EXPECT_GT(joins, 100);
 }
 
-/// A scene of the given outlines on a canvas that holds them; rings without area are left out.
+/// A scene of the given outlines, scaled onto the canvas; rings without area are left out.
 Scene scene_of(const std::vector<Outline>& outlines) {
   Scene scene = canvas();
+  Box2 box;
+  for (const Outline& outline : outlines) box.add(bounding_box(outline));
+  const double scale = 400 / std::max({box.max.x - box.min.x, box.max.y - box.min.y, 1e-300});
   for (Outline outline : outlines) {
     std::erase_if(outline, [](const Ring& ring) { return signed_area(ring) == 0; });
-    for (const Ring& ring : outline)
-      for (const Point2 p : ring) {
-        scene.width = std::max(scene.width, p.x);
-        scene.height = std::max(scene.height, p.y);
-      }
+    for (Ring& ring : outline)
+      for (Point2& p : ring) p = scale * (p - box.min);
     if (!outline.empty())
       scene.parts.push_back(Part{"part" + std::to_string(scene.parts.size()), outline, 4, 1});
   }
@@ -58,7 +58,7 @@ Scene scene_of(const std::vector<Outline>& outlines) {
 
 /// Once as one part with holes, once with every ring a part of its own.
 void expect_sound_both_ways(const std::vector<CorpusPolygon>& polygons) {
-  constexpr size_t kMostParts = 30;
+  constexpr size_t kMostParts = 20;
   if (polygons.empty()) GTEST_SKIP() << "the shared drawings are not here";
   for (const CorpusPolygon& polygon : polygons) {
     SCOPED_TRACE(polygon.name);

@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <cmath>
+
+#include "io/svg/annotated_parts.h"
+
+namespace relievo {
+namespace {
+
+/// How far a line in a layer may be from the outline it follows, as a fraction of the canvas
+/// diagonal.
+constexpr double near_outline = 0.015;
+
+double distance_to_segment(Point2 p, Point2 a, Point2 b) {
+  const Point2 ab = b - a;
+  const double length2 = dot(ab, ab);
+  const double t = length2 > 0 ? std::clamp(dot(p - a, ab) / length2, 0.0, 1.0) : 0;
+  return distance(p, a + t * ab);
+}
+
+double distance_to_outline(Point2 p, const Outline& outline) {
+  double least = 1e300;
+  for (const Ring& ring : outline) {
+    for (size_t i = 0; i < ring.size(); ++i) {
+      least = std::min(least, distance_to_segment(p, ring[i], ring[(i + 1) % ring.size()]));
+    }
+  }
+  return least;
+}
+
+/// The fraction of the line's length that is inside the outline, by midpoints of short pieces.
+double fraction_inside(const std::vector<Point2>& line, const Outline& outline) {
+  double inside = 0;
+  double length = 0;
+  for (size_t i = 0; i + 1 < line.size(); ++i) {
+    const double piece = distance(line[i], line[i + 1]) / 8;
+    length += 8 * piece;
+    for (int k = 0; k < 8; ++k) {
+      const Point2 p = line[i] + ((k + 0.5) / 8) * (line[i + 1] - line[i]);
+      if (contains(outline, p)) inside += piece;
+    }
+  }
+  return length > 0 ? inside / length : 0;
+}
+
+std::vector<Point2> without_repeats(std::vector<Point2> line) {
+  line.erase(std::unique(line.begin(), line.end()), line.end());
+  return line;
+}
+
+/// Connects the lines of a drawing with its parts.
+class JoinFinder {
+ public:
+  JoinFinder(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts)
+      : drawing_(drawing), parts_(parts) {}
+
+  /// The joins of a marked line, one for each of its subpaths.
+  Status add_marked(const SvgShape& shape, AnnotatedJoins& found) const {
+    const std::string where = shape.name.empty() ? "join" : shape.name;
+    int upper = enclosing_part(shape.group);
+    int lower = -1;
+    if (const Status s = look_up(shape.annotation.upper, where, upper); !s) return s;
+    if (const Status s = look_up(shape.annotation.lower, where, lower); !s) return s;
+    if (upper < 0) {
+      return Error{ErrorCode::bad_input, "the join is in no part: name it in data-upper", where};
+    }
+    for (const Polyline& polyline : shape.lines) {
+      std::vector<Point2> line = without_repeats(polyline.points);
+      if (line.size() < 2) continue;
+      const int behind = lower >= 0 ? lower : part_behind(line, upper);
+      if (behind < 0 || behind >= upper) {
+        return Error{ErrorCode::contradiction, "the join lies over no part behind its own", where};
+      }
+      found.joins.push_back({upper, behind, std::move(line)});
+    }
+    found.elements.push_back(shape.element);
+    return Done{};
+  }
+
+  /// A line in a layer that nobody marked: a join if it follows the outline over another part.
+  void add_likely(const SvgShape& shape, AnnotatedJoins& found) const {
+    const int upper = enclosing_part(shape.group);
+    if (upper < 0 || shape.lines.size() != 1 || shape.lines.front().closed) return;
+    std::vector<Point2> line = without_repeats(shape.lines.front().points);
+    const int lower = line.size() < 2 ? -1 : part_behind(line, upper);
+    if (lower < 0 || fraction_inside(line, parts_[lower].part.outline) < 0.5) return;
+    const double reach = near_outline * drawing_.canvas().diagonal();
+    const Outline& outline = parts_[upper].part.outline;
+    const bool follows = std::all_of(line.begin(), line.end(), [&](Point2 p) {
+      return distance_to_outline(p, outline) <= reach;
+    });
+    if (!follows) return;
+    found.joins.push_back({upper, lower, std::move(line)});
+    found.elements.push_back(shape.element);
+  }
+
+ private:
+  int enclosing_part(int group) const {
+    for (; group >= 0; group = drawing_.groups[group].parent) {
+      for (size_t k = 0; k < parts_.size(); ++k) {
+        if (parts_[k].group == group) return static_cast<int>(k);
+      }
+    }
+    return -1;
+  }
+
+  Status look_up(const std::string& name, const std::string& where, int& part) const {
+    if (name.empty()) return Done{};
+    for (size_t k = 0; k < parts_.size(); ++k) {
+      const SvgGroup& group = drawing_.groups[parts_[k].group];
+      if (name != parts_[k].part.id && name != group.id && name != group.label) continue;
+      part = static_cast<int>(k);
+      return Done{};
+    }
+    return Error{ErrorCode::bad_input, "there is no part named \"" + name + "\"", where};
+  }
+
+  /// The nearest part behind that contains most of the line, else the one that contains the
+  /// largest share of it, or -1.
+  int part_behind(const std::vector<Point2>& line, int upper) const {
+    int best = -1;
+    double most = 0;
+    for (int k = upper - 1; k >= 0; --k) {
+      const double share = fraction_inside(line, parts_[k].part.outline);
+      if (share > 0.5) return k;
+      if (share > most) {
+        most = share;
+        best = k;
+      }
+    }
+    return best;
+  }
+
+  const SvgDrawing& drawing_;
+  const std::vector<AnnotatedPart>& parts_;
+};
+
+}  // namespace
+
+Result<AnnotatedJoins> annotated_joins(const SvgDrawing& drawing,
+                                       const std::vector<AnnotatedPart>& parts, bool layers) {
+  const JoinFinder finder(drawing, parts);
+  AnnotatedJoins found;
+  for (const SvgShape& shape : drawing.shapes) {
+    if (shape.join) {
+      if (const Status s = finder.add_marked(shape, found); !s) return s.error();
+    } else if (layers && !shape.fill && shape.stroke) {
+      finder.add_likely(shape, found);
+    }
+  }
+  return found;
+}
+
+}  // namespace relievo

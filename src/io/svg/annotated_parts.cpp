@@ -1,0 +1,157 @@
+#include "io/svg/annotated_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "io/svg/figures.h"
+#include "io/svg/part_cover.h"
+#include "io/svg/propose_parts.h"
+#include "io/svg/scanner.h"
+
+namespace relievo {
+namespace {
+
+constexpr double wide_stroke = 0.02;
+constexpr double faint = 0.02;
+
+bool is_part_group(const SvgGroup& group, bool layers) {
+  return group.annotation.mark == SvgMark::part || group.annotation.has_part_values() ||
+         (layers && group.layer);
+}
+
+int owner_of(const SvgDrawing& drawing, int group, bool layers) {
+  while (group >= 0 && !is_part_group(drawing.groups[group], layers)) {
+    group = drawing.groups[group].parent;
+  }
+  return group;
+}
+
+Region silhouette(const SvgShape& shape, const SvgDrawing& drawing) {
+  const bool filled = shape.fill && shape.fill->a > faint;
+  const bool stroked = shape.stroke && shape.stroke->a > faint;
+  const bool wide = shape.pen.width > wide_stroke * drawing.canvas().diagonal();
+  const Region stroke = stroked && (filled || wide) ? stroke_of(shape, drawing) : Region();
+  return filled ? unite(fill_of(shape, drawing), stroke) : stroke;
+}
+
+std::string part_id(const SvgGroup& group) {
+  const bool by_id = !group.layer || group.label.empty();
+  return by_id && !group.id.empty() ? group.id : group.label;
+}
+
+/// Sets `value` from an attribute, where it is given.
+Status set_number(double& value, const std::string& text, const char* name,
+                  const std::string& part) {
+  if (text.empty()) return Done{};
+  SvgScanner scanner(trimmed_svg(text));
+  const auto number = scanner.number();
+  if (!number || !scanner.at_end() || !std::isfinite(*number) || *number == 0) {
+    return Error{ErrorCode::bad_input, std::string(name) + " must be a number other than 0", part};
+  }
+  value = *number;
+  return Done{};
+}
+
+Status set_values(Part& part, const SvgAnnotation& annotation) {
+  if (const Status s = set_number(part.c, annotation.c, "data-c", part.id); !s) return s;
+  if (const Status s = set_number(part.d, annotation.d, "data-d", part.id); !s) return s;
+  if (part.c < 0) {
+    return Error{ErrorCode::bad_input, "data-c must be positive", part.id};
+  }
+  return Done{};
+}
+
+/// The shapes that each part group owns, groups in the order of their first shape.
+std::vector<std::pair<int, std::vector<Region>>> owned_regions(const SvgDrawing& drawing,
+                                                               bool layers) {
+  std::vector<std::pair<int, std::vector<Region>>> owned;
+  std::map<int, size_t> place;
+  for (const SvgShape& shape : drawing.shapes) {
+    const int owner = owner_of(drawing, shape.group, layers);
+    if (owner < 0 || shape.join) continue;
+    if (inherited_mark(drawing, shape.group) >= SvgMark::texture) continue;
+    Region region = silhouette(shape, drawing);
+    if (region.empty()) continue;
+    const auto [at, fresh] = place.emplace(owner, owned.size());
+    if (fresh) owned.emplace_back(owner, std::vector<Region>());
+    owned[at->second].second.push_back(std::move(region));
+  }
+  return owned;
+}
+
+bool some_overlap(const std::vector<Part>& parts) {
+  for (size_t i = 0; i < parts.size(); ++i) {
+    for (size_t j = 0; j < i; ++j) {
+      const double smaller = std::min(area(parts[i].outline), area(parts[j].outline));
+      if (area(intersect(parts[i].outline, parts[j].outline)) > 0.05 * smaller) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+Result<std::vector<AnnotatedPart>> annotated_parts(const SvgDrawing& drawing, bool layers) {
+  std::vector<Part> parts;
+  std::vector<int> groups;
+  for (const auto& [group, regions] : owned_regions(drawing, layers)) {
+    const SvgGroup& source = drawing.groups[group];
+    Part part{part_id(source), tidied(unite(regions), 0.1, 4)};
+    if (part.outline.empty()) continue;
+    if (const Status s = set_values(part, source.annotation); !s) return s.error();
+    parts.push_back(std::move(part));
+    groups.push_back(group);
+  }
+  make_ids_unique(parts);
+  std::vector<AnnotatedPart> result;
+  for (size_t k = 0; k < parts.size(); ++k) result.push_back({groups[k], std::move(parts[k])});
+  return result;
+}
+
+Result<std::vector<Relation>> annotated_relations(const SvgDrawing& drawing,
+                                                  const std::vector<AnnotatedPart>& parts) {
+  std::vector<Relation> relations;
+  for (size_t upper = 0; upper < parts.size(); ++upper) {
+    const std::string& text = drawing.groups[parts[upper].group].annotation.relation;
+    if (text.empty()) continue;
+    RelationKind kind = RelationKind::free;
+    if (text == "equal") {
+      kind = RelationKind::equal;
+    } else if (text == "above") {
+      kind = RelationKind::above;
+    } else if (text != "free") {
+      return Error{ErrorCode::bad_input, "data-relation must be equal, above or free",
+                   parts[upper].part.id};
+    }
+    for (size_t lower = 0; lower < upper; ++lower) {
+      const Region common = intersect(parts[upper].part.outline, parts[lower].part.outline);
+      if (area(common) < 1) continue;
+      relations.push_back({static_cast<int>(upper), static_cast<int>(lower), kind, {}});
+    }
+  }
+  return relations;
+}
+
+bool layers_are_parts(const SvgDrawing& drawing) {
+  std::map<int, SvgDrawing> by_layer;
+  for (const SvgShape& shape : drawing.shapes) {
+    if (shape.join) return true;
+    const int owner = owner_of(drawing, shape.group, true);
+    if (owner < 0 || silhouette(shape, drawing).empty()) continue;
+    SvgDrawing& layer = by_layer[owner];
+    layer.shapes.push_back(shape);
+  }
+  if (by_layer.size() < 2) return false;
+  return std::none_of(by_layer.begin(), by_layer.end(), [&](auto& entry) {
+    SvgDrawing& layer = entry.second;
+    layer.width = drawing.width;
+    layer.height = drawing.height;
+    layer.groups = drawing.groups;
+    layer.clips = drawing.clips;
+    const std::vector<Part> inside = propose_parts(layer);
+    return inside.size() >= 4 && some_overlap(inside);
+  });
+}
+
+}  // namespace relievo

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/svg/svg_drawing.h"
+#include "relief/scene/scene.h"
+
+namespace relievo {
+
+/// A group of the drawing that is one part of the scene.
+struct AnnotatedPart {
+  int group = -1;
+  Part part;
+};
+
+/// The groups that are parts: those marked as such, and, with `layers`, all Inkscape layers. The
+/// innermost such group owns a shape. Back to front by the first shape of each; a group without
+/// a filled shape is no part. The silhouette of a part is what its filled shapes paint, their
+/// strokes included, and strokes without a fill that are wider than 1/50 of the canvas diagonal.
+/// Fails with bad_input where data-c or data-d is no sound number.
+Result<std::vector<AnnotatedPart>> annotated_parts(const SvgDrawing& drawing, bool layers);
+
+struct AnnotatedJoins {
+  std::vector<Join> joins;
+  std::vector<pugi::xml_node> elements;  ///< that must not be painted
+};
+
+/// Joins of the drawing. A marked line is a join of the part it lies in (or data-upper) to
+/// data-lower, or else to the nearest part behind that contains most of it. With `layers`, a
+/// stroke without a fill that runs along the outline of its part, over a part behind, is one too.
+/// Fails with bad_input where a name is unknown or the upper part is not said, with contradiction
+/// where the line lies over no part behind.
+Result<AnnotatedJoins> annotated_joins(const SvgDrawing& drawing,
+                                       const std::vector<AnnotatedPart>& parts, bool layers);
+
+/// Relations that data-relation asks for: to every part behind that the part overlaps. Fails with
+/// bad_input where the value is not equal, above or free.
+Result<std::vector<Relation>> annotated_relations(const SvgDrawing& drawing,
+                                                  const std::vector<AnnotatedPart>& parts);
+
+/// Whether layers stand for parts under SvgLayers::automatic: there are at least two with filled
+/// shapes, and none from whose shapes four or more parts would be proposed, some of them over
+/// others; or something in the drawing is annotated.
+bool layers_are_parts(const SvgDrawing& drawing);
+
+}  // namespace relievo

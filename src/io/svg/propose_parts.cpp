@@ -1,0 +1,159 @@
+#include "io/svg/propose_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/svg/figures.h"
+#include "io/svg/part_cover.h"
+
+namespace relievo {
+namespace {
+
+/// Fractions of the area of the whole drawing.
+constexpr double least_visible = 0.001;  ///< of a part beside others
+constexpr double least_crossing = 0.004;
+constexpr double least_contained = 0.008;
+constexpr double least_ball = 0.02;
+
+/// What speaks for or against a figure as a part of its own. Fractions are of its own area unless
+/// said otherwise.
+struct Evidence {
+  double size = 0;          ///< area / area of the drawing
+  double visible = 0;       ///< area not covered by later figures / area of the drawing
+  double hidden = 0;        ///< fraction covered by later figures
+  double inside = 0;        ///< fraction over earlier parts
+  double protrusion = 0;    ///< fraction beside earlier parts, slivers left out
+  bool crossing = false;    ///< lies over two parts, or over the edge of a patch
+  bool compact = false;     ///< blob rather than stripe or crescent
+  bool at_edge = false;     ///< its outline follows that of the part below
+  bool pale_patch = false;  ///< large, lighter than the part below, and nothing on it
+  bool ball = false;        ///< stands out by its colour and is small against the part below
+};
+
+double luminance(const SvgColor& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
+
+double fraction_of(const Region& region, const Region& other) {
+  return area(intersect(region, other)) / area(region);
+}
+
+/// Decides figure by figure, back to front.
+class Proposer {
+ public:
+  explicit Proposer(const FigureList& list)
+      : list_(list), total_(area(list.covered)), above_(list.figures.size()) {
+    for (size_t i = above_.size(); i-- > 1;) {
+      above_[i - 1] = unite(above_[i], list.figures[i].region);
+    }
+  }
+
+  std::vector<Part> run() {
+    for (size_t i = 0; i < list_.figures.size(); ++i) {
+      const Figure& figure = list_.figures[i];
+      if (is_part(figure, weigh(i))) {
+        parts_.push_back({figure.name, figure.region});
+        hosts_.push_back(figure.color);
+        below_ = unite(below_, figure.region);
+      } else {
+        patches_.push_back(figure.region);
+      }
+    }
+    if (parts_.empty() && !list_.covered.empty()) parts_.push_back({"", list_.covered});
+    return std::move(parts_);
+  }
+
+ private:
+  static bool is_part(const Figure& figure, const Evidence& e) {
+    if (e.hidden > 0.9 || e.visible < least_visible) return false;
+    const bool contained = e.protrusion < 0.02;
+    if (!contained) return figure.outlined || e.inside < 0.75 || e.compact;
+    if (e.crossing && e.visible >= least_crossing) return true;
+    if (figure.outlined) return e.visible >= least_contained && !e.pale_patch;
+    return e.ball && e.compact && !e.at_edge;
+  }
+
+  Evidence weigh(size_t i) const {
+    const Figure& figure = list_.figures[i];
+    const double own = area(figure.region);
+    Evidence e;
+    e.size = own / total_;
+    e.hidden = fraction_of(figure.region, above_[i]);
+    e.visible = (1 - e.hidden) * e.size;
+    e.inside = fraction_of(figure.region, below_);
+    e.protrusion = area(grow(subtract(figure.region, below_), -0.0015 * list_.diagonal)) / own;
+    e.compact = area(grow(figure.region, -0.25 * std::sqrt(own))) > 0;
+    weigh_against_host(figure, i, e);
+    return e;
+  }
+
+  void weigh_against_host(const Figure& figure, size_t i, Evidence& e) const {
+    int seen = 0;
+    int host = -1;
+    double most = 0;
+    Region front;
+    for (size_t k = parts_.size(); k-- > 0;) {
+      const double over = fraction_of(figure.region, subtract(parts_[k].outline, front));
+      front = unite(front, parts_[k].outline);
+      if (over > 0.15) ++seen;
+      if (over <= most) continue;
+      most = over;
+      host = static_cast<int>(k);
+    }
+    if (host < 0) return;
+    const double own = area(figure.region);
+    const double host_area = area(parts_[host].outline);
+    const SvgColor& ground = hosts_[host];
+    e.crossing = seen > 1 || crosses_patch(figure);
+    const Region core = grow(parts_[host].outline, -0.006 * list_.diagonal);
+    e.at_edge = fraction_of(figure.region, core) < 0.98;
+    e.ball = e.size >= least_ball && own < 0.15 * host_area &&
+             color_distance(figure.color, ground) > 0.3;
+    e.pale_patch = own > 0.1 * host_area && luminance(figure.color) > luminance(ground) + 0.2 &&
+                   !carries_something(i);
+  }
+
+  /// Whether the figure, in one piece, lies over the edge of a patch at least as large.
+  bool crosses_patch(const Figure& figure) const {
+    const double own = area(figure.region);
+    if (pieces(figure.region).size() > 1) return false;
+    return std::any_of(patches_.begin(), patches_.end(), [&](const Region& patch) {
+      const double over = fraction_of(figure.region, patch);
+      return area(patch) >= own && over > 0.1 && over < 0.9;
+    });
+  }
+
+  /// Whether a later figure lies inside figure i.
+  bool carries_something(size_t i) const {
+    for (size_t j = i + 1; j < list_.figures.size(); ++j) {
+      const Region& other = list_.figures[j].region;
+      if (area(other) < 0.5 * area(list_.figures[i].region) &&
+          fraction_of(other, list_.figures[i].region) > 0.9) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const FigureList& list_;
+  double total_ = 0;
+  std::vector<Region> above_;  ///< what lies in front of each figure
+  std::vector<Part> parts_;
+  std::vector<SvgColor> hosts_;  ///< colour of each part
+  std::vector<Region> patches_;  ///< figures that are no parts
+  Region below_;
+};
+
+}  // namespace
+
+std::vector<Part> propose_parts(const SvgDrawing& drawing) {
+  const FigureList list = find_figures(drawing);
+  std::vector<Part> parts = Proposer(list).run();
+  cover_rest(parts, list.covered);
+  for (Part& part : parts) part.outline = tidied(part.outline, 0.1, 4);
+  parts.erase(std::remove_if(parts.begin(), parts.end(),
+                             [](const Part& part) { return part.outline.empty(); }),
+              parts.end());
+  make_ids_unique(parts);
+  return parts;
+}
+
+}  // namespace relievo

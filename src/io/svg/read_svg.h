@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/svg/svg_options.h"
+#include "kernel/base/result.h"
+#include "relief/scene/scene.h"
+
+namespace relievo {
+
+struct SvgImport {
+  Scene scene;
+  bool proposed = false;  ///< the parts were guessed, not annotated
+  std::vector<std::string> warnings;
+};
+
+/// Reads a layered drawing (DESIGN 7). Annotated groups, else Inkscape layers, become parts with
+/// their joins and relations; a drawing without them gets parts proposed from its shapes.
+/// Outlines are cut at the canvas. Fails with bad_input (not SVG, nothing drawn, an annotation
+/// that cannot be read), contradiction (an annotation that cannot hold) or limit. Nothing outside
+/// the bytes is ever read.
+Result<SvgImport> read_svg(std::string_view bytes, const SvgOptions& options = {});
+
+}  // namespace relievo

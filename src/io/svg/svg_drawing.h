@@ -1,0 +1,99 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/svg/region.h"
+#include "io/svg/svg_document.h"
+#include "kernel/base/result.h"
+
+namespace relievo {
+
+/// What a data-relievo attribute says of an element and all below it.
+enum class SvgMark {
+  none,
+  part,     ///< one part
+  texture,  ///< painted, but no part
+  ignore,   ///< neither
+  join,     ///< a join, not painted
+};
+
+/// The annotations of one element, as written.
+struct SvgAnnotation {
+  SvgMark mark = SvgMark::none;
+  std::string c;
+  std::string d;
+  std::string relation;
+  std::string upper;
+  std::string lower;
+
+  bool empty() const {
+    return mark == SvgMark::none && !has_part_values() && upper.empty() && lower.empty();
+  }
+
+  /// Whether it sets what only a part has.
+  bool has_part_values() const { return !c.empty() || !d.empty() || !relation.empty(); }
+};
+
+/// A <g>, or a single annotated shape as the group of itself.
+struct SvgGroup {
+  int parent = -1;
+  std::string id;     ///< may be empty
+  std::string label;  ///< inkscape:label; may be empty
+  bool layer = false;
+  SvgAnnotation annotation;
+};
+
+/// One shape as it is painted, in canvas px.
+struct SvgShape {
+  std::string name;        ///< inkscape:label or id; may be empty
+  pugi::xml_node element;  ///< where it comes from, in the document
+  int group = -1;          ///< innermost group, -1: none
+  std::vector<Polyline> lines;
+  FillRule fill_rule = FillRule::nonzero;
+  std::optional<SvgColor>
+      fill;  ///< representative; alpha is that of the paint, all groups included
+  std::optional<SvgColor> stroke;  ///< likewise
+  StrokeShape pen;
+  std::vector<int> clips;  ///< each cuts the shape
+  bool join = false;       ///< marked as a join by data-relievo or by a class named join
+  SvgAnnotation annotation;
+};
+
+/// The vector content of a file, flattened. Shapes are in paint order, groups before what they
+/// hold.
+struct SvgDrawing {
+  double width = 0;   ///< canvas, px
+  double height = 0;  ///< canvas, px
+  std::vector<SvgShape> shapes;
+  std::vector<SvgGroup> groups;
+  std::vector<Region> clips;
+  std::vector<std::string> warnings;
+
+  Box2 canvas() const { return {{0, 0}, {width, height}}; }
+};
+
+/// Canvas of a document: size in px and the map from the root's user units.
+struct SvgCanvas {
+  double width = 0;
+  double height = 0;
+  double px_width = 0;   ///< root viewport before scaling, px
+  double px_height = 0;  ///< likewise
+};
+
+/// Reads all shapes. Text, images, masks, filters and markers have no geometry here and are
+/// named in the warnings, and so is a shape without finite coordinates, which is left out.
+/// Fails with limit or bad_input.
+Result<SvgDrawing> read_drawing(const SvgDocument& document, const SvgOptions& options);
+
+/// Size of the canvas; from the extent of the shapes where the root does not say it.
+Result<SvgCanvas> canvas_of(const SvgDocument& document, const SvgOptions& options);
+
+/// What the shape fills on the canvas, whatever its paint.
+Region fill_of(const SvgShape& shape, const SvgDrawing& drawing);
+
+/// What its stroke covers on the canvas; empty where it has none.
+Region stroke_of(const SvgShape& shape, const SvgDrawing& drawing);
+
+}  // namespace relievo

@@ -1,0 +1,203 @@
+#include "io/svg/svg_style.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/svg/scanner.h"
+
+namespace relievo {
+namespace {
+
+std::optional<double> parse_opacity(std::string_view text) {
+  const auto value = parse_length(text, LengthAxis::horizontal, {16, 1, 1});
+  if (!value || std::isnan(*value)) return std::nullopt;
+  return std::clamp(*value, 0.0, 1.0);
+}
+
+/// The colour of "red icc-color(...)" or "currentColor".
+std::optional<SvgColor> paint_color(std::string_view text, const SvgColor& current) {
+  text = trimmed_svg(text);
+  const std::string_view first = text.substr(0, text.find(" icc-color"));
+  if (first == "currentColor" || first == "currentcolor") return current;
+  return parse_color(first);
+}
+
+std::optional<SvgPaint> parse_paint(std::string_view text, const SvgColor& current) {
+  text = trimmed_svg(text);
+  SvgPaint paint;
+  if (text == "none") return paint;
+  if (text.substr(0, 4) == "url(") {
+    const size_t close = text.find(')');
+    if (close == std::string_view::npos) return std::nullopt;
+    paint.kind = SvgPaint::Kind::server;
+    paint.server = local_reference(text.substr(0, close + 1));
+    const std::string_view fallback = trimmed_svg(text.substr(close + 1));
+    if (const auto color = paint_color(fallback, current)) {
+      paint.color = *color;
+      paint.has_fallback = true;
+    }
+    return paint;
+  }
+  const auto color = paint_color(text, current);
+  if (!color) return std::nullopt;
+  paint.kind = SvgPaint::Kind::color;
+  paint.color = *color;
+  return paint;
+}
+
+template <class T>
+void assign(T& target, const std::optional<T>& value) {
+  if (value) target = *value;
+}
+
+/// What `inherit` stands for where a property is set on an element.
+struct Cascade {
+  SvgStyle& style;
+  const SvgStyle& parent;
+  const LengthContext& context;
+};
+
+bool apply_paint(Cascade& c, const std::string& name, const std::string& value) {
+  const bool inherit = value == "inherit";
+  SvgStyle& s = c.style;
+  if (name == "fill") {
+    assign(s.fill, inherit ? c.parent.fill : parse_paint(value, s.color));
+  } else if (name == "stroke") {
+    assign(s.stroke, inherit ? c.parent.stroke : parse_paint(value, s.color));
+  } else if (name == "fill-opacity") {
+    assign(s.fill_opacity, inherit ? c.parent.fill_opacity : parse_opacity(value));
+  } else if (name == "stroke-opacity") {
+    assign(s.stroke_opacity, inherit ? c.parent.stroke_opacity : parse_opacity(value));
+  } else if (name == "opacity") {
+    assign(s.opacity, inherit ? c.parent.opacity : parse_opacity(value));
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool apply_stroke(Cascade& c, const std::string& name, const std::string& value) {
+  const bool inherit = value == "inherit";
+  SvgStyle& s = c.style;
+  LengthContext context = c.context;
+  context.font_size = s.font_size;
+  if (name == "stroke-width") {
+    const auto width = inherit ? std::optional<double>(c.parent.stroke_width)
+                               : parse_length(value, LengthAxis::diagonal, context);
+    if (width && *width >= 0) s.stroke_width = *width;
+  } else if (name == "stroke-linecap") {
+    if (inherit) s.cap = c.parent.cap;
+    if (value == "butt") s.cap = LineCap::butt;
+    if (value == "round") s.cap = LineCap::round;
+    if (value == "square") s.cap = LineCap::square;
+  } else if (name == "stroke-linejoin") {
+    if (inherit) s.join = c.parent.join;
+    if (value.substr(0, 5) == "miter") s.join = LineJoin::miter;
+    if (value == "round") s.join = LineJoin::round;
+    if (value == "bevel") s.join = LineJoin::bevel;
+  } else if (name == "stroke-miterlimit") {
+    const auto limit = SvgScanner(value).number();
+    if (limit && *limit >= 1) s.miter_limit = *limit;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void apply_rule(FillRule& rule, const FillRule& parent, const std::string& value) {
+  if (value == "inherit") rule = parent;
+  if (value == "nonzero") rule = FillRule::nonzero;
+  if (value == "evenodd") rule = FillRule::even_odd;
+}
+
+void apply_rest(Cascade& c, const std::string& name, const std::string& value) {
+  SvgStyle& s = c.style;
+  const bool inherit = value == "inherit";
+  if (name == "fill-rule") {
+    apply_rule(s.fill_rule, c.parent.fill_rule, value);
+  } else if (name == "clip-rule") {
+    apply_rule(s.clip_rule, c.parent.clip_rule, value);
+  } else if (name == "visibility") {
+    if (inherit) s.visible = c.parent.visible;
+    if (value == "visible") s.visible = true;
+    if (value == "hidden" || value == "collapse") s.visible = false;
+  } else if (name == "display") {
+    s.displayed = inherit ? c.parent.displayed : value != "none";
+  } else if (name == "overflow") {
+    s.clips_overflow = value != "visible" && value != "auto";
+  } else if (name == "clip-path") {
+    s.clip_path = inherit ? c.parent.clip_path : local_reference(value);
+  } else if (name == "mask") {
+    s.masked = value != "none";
+  } else if (name == "transform") {
+    s.transform = value;
+  }
+}
+
+/// `color` and `font-size` come first, for other properties refer to them.
+void apply_first(Cascade& c, const std::string& name, const std::string& value) {
+  if (name == "color") {
+    assign(c.style.color, value == "inherit" ? c.parent.color : paint_color(value, c.parent.color));
+  } else if (name == "font-size" && value != "inherit") {
+    LengthContext context = c.context;
+    context.font_size = c.parent.font_size;
+    context.viewport_height = c.parent.font_size;  // a percentage is of the parent's font size
+    const auto size = parse_length(value, LengthAxis::vertical, context);
+    if (size && *size > 0) c.style.font_size = *size;
+  }
+}
+
+/// All declarations that hold for the element, the strongest last.
+std::vector<Declaration> declarations_of(const pugi::xml_node& element, const Stylesheet& sheet) {
+  std::vector<Declaration> list;
+  for (const pugi::xml_attribute& attribute : element.attributes()) {
+    const std::string_view name = attribute.name();
+    if (name == "style" || name == "d" || name == "points" || name == "transform") continue;
+    list.push_back({std::string(name), std::string(trimmed_svg(attribute.value())), false});
+  }
+  for (const StyleRule& rule : sheet.rules) {
+    if (!matches(rule, element)) continue;
+    list.insert(list.end(), rule.declarations.begin(), rule.declarations.end());
+  }
+  const auto own = parse_declarations(element.attribute("style").value());
+  list.insert(list.end(), own.begin(), own.end());
+  std::stable_partition(list.begin(), list.end(),
+                        [](const Declaration& d) { return !d.important; });
+  return list;
+}
+
+}  // namespace
+
+SvgStyle computed_style(const pugi::xml_node& element, const Stylesheet& sheet,
+                        const SvgStyle& parent, const LengthContext& context) {
+  SvgStyle style = parent;
+  style.opacity = 1;
+  style.displayed = true;
+  style.clips_overflow = true;
+  style.clip_path.clear();
+  style.masked = false;
+  style.transform.reset();
+  Cascade cascade{style, parent, context};
+  const std::vector<Declaration> list = declarations_of(element, sheet);
+  for (const Declaration& d : list) apply_first(cascade, d.name, d.value);
+  for (const Declaration& d : list) {
+    if (!apply_paint(cascade, d.name, d.value) && !apply_stroke(cascade, d.name, d.value)) {
+      apply_rest(cascade, d.name, d.value);
+    }
+  }
+  return style;
+}
+
+std::string local_reference(std::string_view text) {
+  text = trimmed_svg(text);
+  if (text.substr(0, 4) == "url(" && text.back() == ')') {
+    text = trimmed_svg(text.substr(4, text.size() - 5));
+    if (text.size() >= 2 && (text[0] == '"' || text[0] == '\'')) {
+      text = trimmed_svg(text.substr(1, text.size() - 2));
+    }
+  }
+  if (text.empty() || text[0] != '#') return "";
+  return std::string(text.substr(1));
+}
+
+}  // namespace relievo

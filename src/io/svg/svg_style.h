@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "io/svg/stylesheet.h"
+#include "io/svg/svg_color.h"
+#include "io/svg/svg_length.h"
+
+namespace relievo {
+
+enum class FillRule { nonzero, even_odd };
+enum class LineCap { butt, round, square };
+enum class LineJoin { miter, round, bevel };
+
+/// What fills or strokes: nothing, a colour, or a paint server with an optional fallback.
+struct SvgPaint {
+  enum class Kind { none, color, server };
+  Kind kind = Kind::none;
+  SvgColor color;  ///< of kind color, or the fallback of a server
+  bool has_fallback = false;
+  std::string server;  ///< id of the gradient or pattern
+};
+
+/// Computed style of one element. The first group is inherited, the second is not.
+struct SvgStyle {
+  SvgPaint fill{SvgPaint::Kind::color, {}, false, ""};
+  SvgPaint stroke;
+  SvgColor color;
+  double fill_opacity = 1;
+  double stroke_opacity = 1;
+  double stroke_width = 1;  ///< user units
+  double miter_limit = 4;
+  double font_size = 16;  ///< user units
+  FillRule fill_rule = FillRule::nonzero;
+  FillRule clip_rule = FillRule::nonzero;
+  LineCap cap = LineCap::butt;
+  LineJoin join = LineJoin::miter;
+  bool visible = true;
+
+  double opacity = 1;
+  bool displayed = true;
+  bool clips_overflow = true;  ///< of nested viewports
+  std::string clip_path;       ///< id, or empty
+  bool masked = false;
+  std::optional<std::string> transform;  ///< from CSS only
+};
+
+/// The style of `element` from its presentation attributes, the sheet and its style attribute, on
+/// top of its parent's. Values that cannot be read are as if absent.
+SvgStyle computed_style(const pugi::xml_node& element, const Stylesheet& sheet,
+                        const SvgStyle& parent, const LengthContext& context);
+
+/// The id in "url(#id)" or "#id"; empty where the reference is not local.
+std::string local_reference(std::string_view text);
+
+}  // namespace relievo

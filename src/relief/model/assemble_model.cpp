@@ -1,0 +1,86 @@
+#include "relief/model/assemble_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "relief/model/cut_faces.h"
+#include "relief/model/edge_cuts.h"
+#include "relief/model/model_builder.h"
+#include "relief/model/sheet_surface.h"
+#include "relief/model/surface_sample.h"
+#include "relief/model/walls.h"
+
+namespace relievo {
+namespace {
+
+constexpr double min_rim_tolerance = 1e-6;
+constexpr int most_rim_levels = 8;
+/// Heights count as equal within this fraction of the canvas.
+constexpr double weld_fraction = 1e-9;
+
+Status check_options(const ModelOptions& options) {
+  if (!(options.rim_tolerance >= min_rim_tolerance && std::isfinite(options.rim_tolerance)))
+    return Error{ErrorCode::usage, "the rim tolerance must be at least 1e-6 px", "rim_tolerance"};
+  if (options.max_rim_levels < 0 || options.max_rim_levels > most_rim_levels)
+    return Error{ErrorCode::usage, "the number of rim levels must be from 0 to 8",
+                 "max_rim_levels"};
+  return Done{};
+}
+
+/// Nodes take the height of the ordering itself, which is exactly equal where parts touch.
+void add_corner_vertices(const LayeredMesh& mesh, const Inflation& inflation,
+                         const Ordering& ordering, const SheetSurface& sheets,
+                         ModelBuilder& builder) {
+  for (const int node : sheets.vertex_node)
+    builder.add_vertex(mesh.vertices[mesh.node_vertex[node]], ordering.h[node],
+                       surface_normal(node_sample(inflation, ordering, node)));
+}
+
+void add_cut_vertices(const CutSurface& surface, const Inflation& inflation,
+                      const Ordering& ordering, ModelBuilder& builder) {
+  for (size_t e = 0; e < surface.sheets.edge_owner.size(); ++e) {
+    if (surface.cuts.begin[e] == surface.cuts.begin[e + 1]) continue;
+    const auto [face, corner] = surface.sheets.edge_owner[e];
+    const int a = surface.mesh.faces[face][(corner + 1) % 3];
+    const int b = surface.mesh.faces[face][(corner + 2) % 3];
+    const Point2 from = surface.mesh.vertices[surface.mesh.node_vertex[a]];
+    const Point2 to = surface.mesh.vertices[surface.mesh.node_vertex[b]];
+    const SurfaceSample first = node_sample(inflation, ordering, a);
+    const SurfaceSample last = node_sample(inflation, ordering, b);
+    for (int i = surface.cuts.begin[e]; i < surface.cuts.begin[e + 1]; ++i) {
+      const double t = surface.cuts.t[i];
+      const SurfaceSample sample = interpolate(first, last, t);
+      builder.add_vertex((1 - t) * from + t * to, height(sample), surface_normal(sample));
+    }
+  }
+}
+
+}  // namespace
+
+Result<Model> assemble_model(const LayeredMesh& mesh, const Inflation& inflation,
+                             const Ordering& ordering, const Scene& scene,
+                             const ModelOptions& options, const RunContext& context) {
+  if (Status status = check_options(options); !status.ok()) return status.error();
+  if (Status status = check_surface(mesh, inflation, ordering, scene); !status.ok())
+    return status.error();
+  context.report("model", 0);
+  const SheetSurface sheets = connect_faces(mesh, scene, options.visibility);
+  if (context.cancelled()) return interrupted_error();
+  const auto cuts = cut_edges(sheets, inflation, options);
+  if (!cuts) return cuts.error();
+  context.report("model", 0.3);
+  const CutSurface surface{mesh, sheets, *cuts};
+  ModelBuilder builder(scene);
+  builder.reserve(sheets.vertex_node.size() + cuts->t.size(),
+                  mesh.faces.size() + 2 * cuts->t.size());
+  add_corner_vertices(mesh, inflation, ordering, sheets, builder);
+  add_cut_vertices(surface, inflation, ordering, builder);
+  if (Status status = cut_faces(surface, context, builder); !status.ok()) return status.error();
+  context.report("model", 0.8);
+  close_open_edges(surface, weld_fraction * std::max(scene.width, scene.height), builder);
+  context.report("model", 1);
+  return std::move(builder).build();
+}
+
+}  // namespace relievo

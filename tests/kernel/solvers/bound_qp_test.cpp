@@ -1,0 +1,216 @@
+#include "kernel/solvers/bound_qp.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <atomic>
+
+#include "support/ipopt_qp.h"
+
+namespace relievo {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// A dense problem with integer data: small integers make ties and degenerate bounds likely.
+BoundQp random_problem(int n) {
+  const auto entry = rc::gen::inRange(-3, 4);
+  MatrixXd F(n, n);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) F(i, j) = *entry;
+  const MatrixXd K = F * F.transpose() + MatrixXd::Identity(n, n);
+  BoundQp problem;
+  problem.K = MatrixXd(K.triangularView<Eigen::Lower>()).sparseView(0, -1);
+  problem.b.resize(n);
+  for (int i = 0; i < n; ++i) {
+    problem.b[i] = *entry;
+    problem.bounded.push_back(*rc::gen::inRange(0, 4) > 0);
+  }
+  return problem;
+}
+
+MatrixXd dense_K(const BoundQp& problem) {
+  return MatrixXd(problem.K).selfadjointView<Eigen::Lower>();
+}
+
+/// The best feasible point over all active sets.
+VectorXd enumerate_active_sets(const BoundQp& problem) {
+  const int n = static_cast<int>(problem.b.size());
+  VectorXd best = VectorXd::Zero(n);
+  double lowest = 0;
+  for (uint32_t set = 0; set < 1u << n; ++set) {
+    MatrixXd K = dense_K(problem);
+    VectorXd b = problem.b;
+    bool allowed = true;
+    for (int i = 0; i < n; ++i) {
+      if ((set >> i & 1u) == 0) continue;
+      allowed = allowed && problem.bounded[i] != 0;
+      K.row(i).setZero();
+      K.col(i).setZero();
+      K(i, i) = 1;
+      b[i] = 0;
+    }
+    if (!allowed) continue;
+    const VectorXd z = K.ldlt().solve(b);
+    for (int i = 0; i < n; ++i) allowed = allowed && (problem.bounded[i] == 0 || z[i] >= -1e-12);
+    const double energy = 0.5 * z.dot(dense_K(problem) * z) - problem.b.dot(z);
+    if (allowed && energy < lowest) {
+      lowest = energy;
+      best = z;
+    }
+  }
+  return best;
+}
+
+BoundQpSolution solve(const BoundQp& problem, const BoundQpOptions& options = {}) {
+  SparseCholesky factor;
+  factor.analyse(problem.K);
+  return solve_bound_qp(problem, factor, options);
+}
+
+TEST(BoundQp, AgreesWithEnumerationOfActiveSets) {
+  EXPECT_TRUE(rc::check([] {
+    const BoundQp problem = random_problem(*rc::gen::inRange(1, 11));
+    const BoundQpSolution solution = solve(problem);
+    RC_ASSERT(solution.report.status == SolveStatus::solved);
+    const VectorXd expected = enumerate_active_sets(problem);
+    RC_ASSERT((solution.z - expected).lpNorm<Eigen::Infinity>() <= 1e-9);
+  }));
+}
+
+TEST(BoundQp, SatisfiesTheOptimalityConditionsExactly) {
+  EXPECT_TRUE(rc::check([] {
+    const BoundQp problem = random_problem(*rc::gen::inRange(1, 60));
+    const BoundQpSolution solution = solve(problem);
+    const VectorXd residual = dense_K(problem) * solution.z - problem.b - solution.mu;
+    const double scale = std::max(1.0, problem.b.lpNorm<Eigen::Infinity>());
+    RC_ASSERT(residual.lpNorm<Eigen::Infinity>() <= 1e-12 * scale);
+    RC_ASSERT(solution.report.stationarity <= 1e-12);
+    RC_ASSERT(solution.report.primal == 0);
+    RC_ASSERT(solution.report.dual <= 1e-12);
+    RC_ASSERT(solution.report.complementarity == 0);
+    for (Eigen::Index i = 0; i < problem.b.size(); ++i) {
+      RC_ASSERT(problem.bounded[i] == 0 || solution.z[i] >= 0);
+      RC_ASSERT((solution.active[i] != 0) == (problem.bounded[i] != 0 && solution.z[i] == 0));
+      RC_ASSERT(solution.mu[i] == 0 || solution.active[i] != 0);
+    }
+  }));
+}
+
+TEST(BoundQp, FindsTheSameMinimiserFromAnyStart) {
+  EXPECT_TRUE(rc::check([] {
+    const BoundQp problem = random_problem(*rc::gen::inRange(1, 40));
+    const VectorXd z = solve(problem).z;
+    BoundQpOptions options;
+    options.start_active = problem.bounded;
+    RC_ASSERT((solve(problem, options).z - z).lpNorm<Eigen::Infinity>() <= 1e-10);
+    for (auto& active : options.start_active) active = *rc::gen::inRange<uint8_t>(0, 2);
+    RC_ASSERT((solve(problem, options).z - z).lpNorm<Eigen::Infinity>() <= 1e-10);
+  }));
+}
+
+TEST(BoundQp, NeedsOneFactorisationFromTheRightStart) {
+  EXPECT_TRUE(rc::check([] {
+    const BoundQp problem = random_problem(*rc::gen::inRange(1, 40));
+    const BoundQpSolution cold = solve(problem);
+    BoundQpOptions options;
+    options.start_active = cold.active;
+    const BoundQpSolution warm = solve(problem, options);
+    RC_ASSERT(warm.report.factorisations == 1);
+    RC_ASSERT((warm.z - cold.z).lpNorm<Eigen::Infinity>() <= 1e-12);
+  }));
+}
+
+TEST(BoundQp, AgreesWithIpopt) {
+  EXPECT_TRUE(rc::check([] {
+    const BoundQp problem = random_problem(*rc::gen::inRange(1, 30));
+    const int n = static_cast<int>(problem.b.size());
+    testing::LinearlyConstrainedQp qp;
+    qp.H = dense_K(problem).sparseView();
+    qp.b = problem.b;
+    qp.C.resize(n, n);
+    qp.C.setIdentity();
+    qp.lower = VectorXd::Constant(n, -testing::unlimited);
+    for (int i = 0; i < n; ++i)
+      if (problem.bounded[i] != 0) qp.lower[i] = 0;
+    qp.upper = VectorXd::Constant(n, testing::unlimited);
+    const auto expected = testing::solve_by_ipopt(qp);
+    RC_ASSERT(expected.has_value());
+    RC_ASSERT((solve(problem).z - *expected).lpNorm<Eigen::Infinity>() <= 1e-5);
+  }));
+}
+
+TEST(BoundQp, EndsWhereBlockPivotingCycles) {
+  // Some of these ill-conditioned problems make the flips of all wrong bounds repeat themselves.
+  int safeguarded = 0;
+  for (int seed = 0; seed < 4000; ++seed) {
+    const int n = 3 + seed % 5;
+    uint32_t state = 77u + static_cast<uint32_t>(seed);
+    const auto next = [&state] {
+      state = state * 1664525u + 1013904223u;
+      return static_cast<int>(state >> 16) % 9 - 4;
+    };
+    MatrixXd F(n, n);
+    for (int i = 0; i < n * n; ++i) F(i / n, i % n) = next();
+    BoundQp problem;
+    const MatrixXd K = F * F.transpose() + 1e-3 * MatrixXd::Identity(n, n);
+    problem.K = MatrixXd(K.triangularView<Eigen::Lower>()).sparseView(0, -1);
+    problem.b.resize(n);
+    for (int i = 0; i < n; ++i) problem.b[i] = next();
+    problem.bounded.assign(static_cast<size_t>(n), 1);
+    const BoundQpSolution solution = solve(problem);
+    ASSERT_EQ(solution.report.status, SolveStatus::solved);
+    const VectorXd expected = enumerate_active_sets(problem);
+    ASSERT_LE((solution.z - expected).lpNorm<Eigen::Infinity>(),
+              1e-7 * std::max(1.0, expected.lpNorm<Eigen::Infinity>()));
+    safeguarded += solution.report.safeguard_steps > 0;
+  }
+  EXPECT_GT(safeguarded, 0);
+}
+
+BoundQp small_problem() {
+  BoundQp problem;
+  problem.K.resize(2, 2);
+  problem.K.insert(0, 0) = 2;
+  problem.K.insert(1, 0) = -1;
+  problem.K.insert(1, 1) = 2;
+  problem.b = Eigen::Vector2d(1, -3);
+  problem.bounded = {1, 1};
+  return problem;
+}
+
+TEST(BoundQp, ReportsTheEnergyAndTheActiveBounds) {
+  const BoundQpSolution solution = solve(small_problem());
+  EXPECT_EQ(solution.z, Eigen::Vector2d(0.5, 0));
+  EXPECT_EQ(solution.mu, Eigen::Vector2d(0, 2.5));
+  EXPECT_EQ(solution.report.active, 1);
+  EXPECT_DOUBLE_EQ(solution.report.energy, -0.25);
+}
+
+TEST(BoundQp, StopsWhenCancelled) {
+  std::atomic<bool> cancel = true;
+  const BoundQp problem = small_problem();
+  SparseCholesky factor;
+  factor.analyse(problem.K);
+  const BoundQpSolution solution = solve_bound_qp(problem, factor, {}, RunContext{&cancel, {}});
+  EXPECT_EQ(solution.report.status, SolveStatus::interrupted);
+  EXPECT_EQ(solution.report.factorisations, 0);
+}
+
+TEST(BoundQp, StopsAtTheIterationLimit) {
+  BoundQpOptions options;
+  options.max_iterations = 1;
+  EXPECT_EQ(solve(small_problem(), options).report.status, SolveStatus::iteration_limit);
+}
+
+TEST(BoundQp, RefusesAnIndefiniteMatrix) {
+  BoundQp problem = small_problem();
+  problem.K.coeffRef(1, 1) = -2;
+  EXPECT_EQ(solve(problem).report.status, SolveStatus::not_positive_definite);
+}
+
+}  // namespace
+}  // namespace relievo
