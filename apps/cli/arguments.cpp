@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
-#include <map>
 
 #include "apps/cli/exit_code.h"
 
@@ -41,8 +40,10 @@ Examples:
 
 constexpr const char* input_help = "SVG drawing or scene file (JSON); - reads standard input";
 
-const std::map<std::string, Visibility> visibilities = {
-    {"relief", Visibility::relief}, {"orbit", Visibility::orbit}, {"all", Visibility::all}};
+Visibility visibility(const std::string& name) {
+  if (name == "orbit") return Visibility::orbit;
+  return name == "all" ? Visibility::all : Visibility::relief;
+}
 
 void add_common(CLI::App& app, CommonArguments& common, const char* what) {
   app.add_option("INPUT", common.input, what)->required();
@@ -105,9 +106,11 @@ void add_visibility(CLI::App& app, ReliefArguments& relief) {
          "--profile", [](const std::string&) {}, "relief (the default)")
       ->check(one_of("relief", {"solid", "figure"}));
   auto* visible =
-      app.add_option("--visible", relief.visibility,
-                     "relief: what the front shows; orbit: whole parts; all: every face")
-          ->transform(CLI::CheckedTransformer(visibilities));
+      app.add_option_function<std::string>(
+             "--visible",
+             [&relief](const std::string& name) { relief.visibility = visibility(name); },
+             "relief: what the front shows (the default); orbit: whole parts; all: every face")
+          ->check(CLI::IsMember({"relief", "orbit", "all"}));
   app.add_flag_callback(
          "--keep-hidden", [&relief] { relief.visibility = Visibility::all; },
          "The same as --visible all")
@@ -150,6 +153,8 @@ void add_build(CLI::App& main, BuildArguments& build) {
   app.add_option("--map-size", build.map_size, "Longest side of the maps in px (default 2048)")
       ->check(CLI::Range(1, 16384));
   app.add_option("--preview", build.preview, "Picture of the model (.png)")->check(picture);
+  app.add_option("--preview-size", build.preview_size, "Its longest side in px (default 1200)")
+      ->check(CLI::Range(16, 8192));
   app.add_option("--report", build.report, "What was computed, how exactly, how fast (.json)")
       ->check(extension({".json"}));
   app.add_flag("--json", build.print_report, "Print the report on standard output");
@@ -202,7 +207,7 @@ int finish(const CLI::App& app, const CLI::ParseError& error) {
 ParsedArguments parse_arguments(int argc, const char* const* argv) {
   CLI::App app(main_help, "relievo");
   app.set_version_flag("--version", "relievo " RELIEVO_VERSION);
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   BuildArguments build;
   CheckArguments check;
   RenderArguments render;
@@ -213,6 +218,8 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
     app.parse(argc, argv);
     if (app.got_subcommand("check")) return Command(check);
     if (app.got_subcommand("render")) return Command(render);
+    if (!app.got_subcommand("build"))
+      throw CLI::RequiredError("A command (build, check or render)");
     if (wants_nothing(build))
       throw CLI::ValidationError("nothing to write: give -o, a map, --preview, --report or --json");
     return Command(build);

@@ -36,6 +36,7 @@ struct BuildArguments {
   std::string report;
   bool normal_y_down = false;
   int map_size = 2048;        ///< longest side of the maps, px
+  int preview_size = 1200;    ///< longest side, px
   bool print_report = false;  ///< on standard output
 };
 

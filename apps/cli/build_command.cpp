@@ -39,8 +39,10 @@ Status add_models(Products& products, const BuildArguments& build, const SceneIn
     if (context.cancelled()) return interrupted_error();
   }
   if (build.preview.empty()) return Done{};
+  RenderArguments picture;
+  picture.size = build.preview_size;
   return add(products, build.preview,
-             draw_picture(*products.model, input.drawing, RenderArguments{}, context));
+             draw_picture(*products.model, input.drawing, picture, context));
 }
 
 Result<ReliefMaps> make_maps(const BuildArguments& build, const Scene& scene, const Relief& relief,

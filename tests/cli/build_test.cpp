@@ -18,11 +18,30 @@ std::vector<std::string> with_small(std::vector<std::string> arguments) {
 }
 
 TEST_F(Build, WritesEveryKindOfFileAndNothingElse) {
-  const Outcome outcome = relievo(with_small(
-      {"build",       "drawing.svg", "-o",         "m.glb",     "-o",           "m.obj",
-       "-o",          "m.ply",       "-o",         "m.stl",     "--normal-map", "normal.png",
-       "--depth-map", "depth.png",   "--part-map", "parts.png", "--preview",    "preview.png",
-       "--report",    "report.json", "--map-size", "300"}));
+  const Outcome outcome = relievo(with_small({"build",
+                                              "drawing.svg",
+                                              "-o",
+                                              "m.glb",
+                                              "-o",
+                                              "m.obj",
+                                              "-o",
+                                              "m.ply",
+                                              "-o",
+                                              "m.stl",
+                                              "--normal-map",
+                                              "normal.png",
+                                              "--depth-map",
+                                              "depth.png",
+                                              "--part-map",
+                                              "parts.png",
+                                              "--preview",
+                                              "preview.png",
+                                              "--report",
+                                              "report.json",
+                                              "--map-size",
+                                              "300",
+                                              "--preview-size",
+                                              "90"}));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(folder_.names(),
             (std::vector<std::string>{"depth.png", "drawing.svg", "m.glb", "m.mtl", "m.obj",
@@ -36,6 +55,9 @@ TEST_F(Build, WritesEveryKindOfFileAndNothingElse) {
     ASSERT_TRUE(map) << name;
     EXPECT_EQ(std::max(map->width, map->height), 300);
   }
+  const auto preview = decode_image(to_bytes(read("preview.png")));
+  ASSERT_TRUE(preview);
+  EXPECT_EQ(std::max(preview->width, preview->height), 90);
   const auto drawn = decode_glb(to_bytes(read("m.glb")));
   ASSERT_TRUE(drawn) << to_string(drawn.error());
   EXPECT_GT(drawn->model.triangles.size(), 3000U);
@@ -48,11 +70,12 @@ TEST_F(Build, SameInputGivesSameBytes) {
   const auto files = {"m.glb", "m.obj", "m.ply", "m.stl", "n.png", "d.png", "p.png", "v.png"};
   std::vector<std::string> first;
   for (int repetition = 0; repetition < 2; ++repetition) {
-    const Outcome outcome =
-        relievo(with_small({"build",        "scene.json", "-o",          "m.glb",      "-o",
-                            "m.obj",        "-o",         "m.ply",       "-o",         "m.stl",
-                            "--normal-map", "n.png",      "--depth-map", "d.png",      "--part-map",
-                            "p.png",        "--preview",  "v.png",       "--map-size", "256"}));
+    const Outcome outcome = relievo(
+        with_small({"build",          "scene.json", "-o",          "m.glb",      "-o",
+                    "m.obj",          "-o",         "m.ply",       "-o",         "m.stl",
+                    "--normal-map",   "n.png",      "--depth-map", "d.png",      "--part-map",
+                    "p.png",          "--preview",  "v.png",       "--map-size", "256",
+                    "--preview-size", "80"}));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     std::vector<std::string> contents;
     for (const char* file : files) contents.push_back(read(file));

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <regex>
+#include <sstream>
 #include <vector>
 
 #include "house/include_rules.h"
@@ -41,10 +41,12 @@ std::vector<SourceFile> source_files() {
 
 /// Targets of the #include "..." lines of a file.
 std::vector<std::string> includes(const std::string& text) {
-  static const std::regex pattern(R"(#\s*include\s*"([^"]+)\")");
+  const std::string start = "#include \"";
   std::vector<std::string> targets;
-  for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it)
-    targets.push_back((*it)[1]);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (line.rfind(start, 0) == 0)
+      targets.push_back(line.substr(start.size(), line.rfind('"') - start.size()));
   return targets;
 }
 
