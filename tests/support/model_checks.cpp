@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "relief/model/surface_sample.h"
@@ -91,6 +92,27 @@ EdgeCensus count_edges(const Model& model, bool merge_places) {
     if (use.forward == use.backward) continue;
     ++census.open;
     census.open_edges.push_back(use.vertices);
+  }
+  return census;
+}
+
+SilhouetteCensus count_silhouette(const Model& model, const LayeredMesh& mesh) {
+  SilhouetteCensus census;
+  std::set<std::pair<double, double>> places;
+  for (size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      if (mesh.neighbours[t][k] >= 0) continue;
+      ++census.outline;
+      for (const int side : {1, 2}) {
+        const Point2 p = mesh.vertices[mesh.triangles[t][(k + side) % 3]];
+        places.insert({p.x, model.height - p.y});
+      }
+    }
+  for (const auto& [a, b] : count_edges(model, true).open_edges) {
+    const Point3 p = model.positions[a];
+    const Point3 q = model.positions[b];
+    if (places.count({p.x, p.y}) == 0 || places.count({q.x, q.y}) == 0) ++census.elsewhere;
+    if (p.x != q.x || p.y != q.y) ++census.along;
   }
   return census;
 }

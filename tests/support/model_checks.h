@@ -19,6 +19,15 @@ struct EdgeCensus {
 /// Counts by vertex index, or after vertices at exactly the same place were merged.
 EdgeCensus count_edges(const Model& model, bool merge_places);
 
+/// Where a relief is open, after vertices at exactly the same place were merged.
+struct SilhouetteCensus {
+  int outline = 0;    ///< edges of the base triangulation with one triangle
+  int along = 0;      ///< open edges of the model that are not upright
+  int elsewhere = 0;  ///< open edges that do not join points over that outline
+};
+
+SilhouetteCensus count_silhouette(const Model& model, const LayeredMesh& mesh);
+
 /// Triangles that are not vertical walls, by part or of all parts (-1).
 std::vector<std::array<int, 3>> sheet_triangles(const Model& model, int part = -1);
 

@@ -38,14 +38,27 @@ PathData circle(const pugi::xml_node& e, const LengthContext& c) {
                       r, r);
 }
 
-PathData ellipse(const pugi::xml_node& e, const LengthContext& c) {
+struct Radii {
+  double rx = 0;
+  double ry = 0;
+};
+
+/// rx and ry; one that is missing or negative is as the other.
+Radii radii(const pugi::xml_node& e, const LengthContext& c) {
   auto rx = length(e, "rx", LengthAxis::horizontal, c);
   auto ry = length(e, "ry", LengthAxis::vertical, c);
+  if (rx && !(*rx >= 0)) rx.reset();
+  if (ry && !(*ry >= 0)) ry.reset();
   if (!rx) rx = ry;
   if (!ry) ry = rx;
+  return {rx.value_or(0), ry.value_or(0)};
+}
+
+PathData ellipse(const pugi::xml_node& e, const LengthContext& c) {
+  const Radii r = radii(e, c);
   return ellipse_path({length(e, "cx", LengthAxis::horizontal, c).value_or(0),
                        length(e, "cy", LengthAxis::vertical, c).value_or(0)},
-                      rx.value_or(0), ry.value_or(0));
+                      r.rx, r.ry);
 }
 
 PathData rounded_rect(Point2 a, Point2 b, double rx, double ry) {
@@ -69,14 +82,9 @@ PathData rect(const pugi::xml_node& e, const LengthContext& c) {
   const double width = length(e, "width", LengthAxis::horizontal, c).value_or(0);
   const double height = length(e, "height", LengthAxis::vertical, c).value_or(0);
   if (!(width > 0) || !(height > 0)) return {};
-  auto rx = length(e, "rx", LengthAxis::horizontal, c);
-  auto ry = length(e, "ry", LengthAxis::vertical, c);
-  if (rx && !(*rx >= 0)) rx.reset();
-  if (ry && !(*ry >= 0)) ry.reset();
-  if (!rx) rx = ry;
-  if (!ry) ry = rx;
-  const double corner_x = std::min(rx.value_or(0), width / 2);
-  const double corner_y = std::min(ry.value_or(0), height / 2);
+  const Radii r = radii(e, c);
+  const double corner_x = std::min(r.rx, width / 2);
+  const double corner_y = std::min(r.ry, height / 2);
   if (corner_x > 0 && corner_y > 0) {
     return rounded_rect({x, y}, {x + width, y + height}, corner_x, corner_y);
   }

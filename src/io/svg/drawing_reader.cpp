@@ -52,14 +52,23 @@ bool has_join_class(const pugi::xml_node& element) {
   return false;
 }
 
-bool all_finite(const std::vector<Polyline>& lines) {
+/// Farther points, px, are beyond what regions can be computed from.
+constexpr double reach = 1e9;
+
+bool all_in_reach(const std::vector<Polyline>& lines) {
   return std::all_of(lines.begin(), lines.end(), [](const Polyline& line) {
     return std::all_of(line.points.begin(), line.points.end(),
-                       [](Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+                       [](Point2 p) { return std::abs(p.x) <= reach && std::abs(p.y) <= reach; });
   });
 }
 
+bool is_container(std::string_view name) {
+  return name == "g" || name == "a" || name == "svg" || name == "switch";
+}
+
 bool switch_allows(const pugi::xml_node& child) {
+  const std::string_view name = local_name(child.name());
+  if (!is_shape_element(name) && !is_container(name) && name != "use") return false;
   if (child.attribute("requiredExtensions")) return false;
   const pugi::xml_attribute language = child.attribute("systemLanguage");
   if (!language) return true;
@@ -90,6 +99,7 @@ class DrawingReader {
     enter_view_box(root, canvas.px_width, canvas.px_height, around);
     around.style = computed_style(root, sheet_, {}, around.lengths);
     around.opacity = around.style.opacity;
+    if (!around.style.clip_path.empty()) enter_clip(around);
     if (around.style.displayed) read_children(root, around);
     if (error_) return *error_;
     return std::move(drawing_);
@@ -160,8 +170,7 @@ class DrawingReader {
   void read_element(const pugi::xml_node& element, const Surroundings& outside) {
     const std::string_view name = local_name(element.name());
     const bool shape = is_shape_element(name);
-    const bool container = name == "g" || name == "a" || name == "svg" || name == "switch";
-    if (!shape && !container && name != "use") {
+    if (!shape && name != "use" && (!is_container(name) || outside.in_clip)) {
       if (name == "text") warn("text has no outline: convert it to paths");
       if (name == "image") warn("images have no outline");
       return;
@@ -196,7 +205,7 @@ class DrawingReader {
 
   void read_switch(const pugi::xml_node& element, const Surroundings& around) {
     for (const pugi::xml_node& child : element.children()) {
-      if (child.type() != pugi::node_element || !switch_allows(child)) continue;
+      if (!switch_allows(child)) continue;
       return read_element(child, around);
     }
   }
@@ -292,8 +301,10 @@ class DrawingReader {
   }
 
   void read_shape(const pugi::xml_node& element, Surroundings& around) {
-    if (!around.style.visible) return;
     SvgShape shape;
+    shape.annotation = annotation_of(element);
+    shape.join = shape.annotation.mark == SvgMark::join || has_join_class(element);
+    if (!around.style.visible && !shape.join) return;
     bool complete = true;
     const PathData path = shape_path(element, around.lengths, &complete);
     if (path.empty()) return;
@@ -304,12 +315,10 @@ class DrawingReader {
     shape.lines = flatten(path, around.to_canvas, options_.tolerance, room);
     for (const Polyline& line : shape.lines) points_ += line.points.size();
     if (points_ > options_.max_points) return fail("too many points", options_.max_points);
-    if (!all_finite(shape.lines)) return warn(label + " is ignored: not finite");
+    if (!all_in_reach(shape.lines)) return warn(label + " is ignored: it reaches too far");
     set_paint(shape, around);
     shape.clips = around.clips;
     shape.element = element;
-    shape.annotation = annotation_of(element);
-    shape.join = shape.annotation.mark == SvgMark::join || has_join_class(element);
     if (element.attribute("data-relievo") || !shape.annotation.empty()) {
       add_group(element, false, shape.annotation, around);
     }

@@ -14,6 +14,7 @@ using ClipperLib::Path;
 using ClipperLib::Paths;
 
 constexpr double units_per_px = 1024;
+constexpr double arc_tolerance = 0.05;  // px
 
 Path to_path(const Ring& ring) {
   Path path;
@@ -160,7 +161,8 @@ Region stroke_region(const std::vector<Polyline>& lines, const StrokeShape& shap
   if (!(half > 0) || !(half < 1e5)) return {};
   const double reach = half * (shape.join == LineJoin::miter ? shape.miter_limit : 1) + half;
   const Box2 near = inflated(bounds, std::min(reach, 1e5));
-  ClipperLib::ClipperOffset offset(std::min(shape.miter_limit, 100.0), 0.1 * units_per_px);
+  ClipperLib::ClipperOffset offset(std::min(shape.miter_limit, 100.0),
+                                   arc_tolerance * units_per_px);
   for (const Polyline& line : lines) {
     if (!std::all_of(line.points.begin(), line.points.end(), is_finite)) continue;
     for (const Polyline& run : runs_inside(line, near)) {
@@ -196,7 +198,7 @@ Region subtract(const Region& p, const Region& q) {
 }
 
 Region grow(const Region& region, double distance) {
-  ClipperLib::ClipperOffset offset(2, 0.1 * units_per_px);
+  ClipperLib::ClipperOffset offset(2, arc_tolerance * units_per_px);
   offset.AddPaths(to_paths(region), ClipperLib::jtRound, ClipperLib::etClosedPolygon);
   Paths result;
   offset.Execute(result, distance * units_per_px);

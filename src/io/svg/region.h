@@ -20,7 +20,7 @@ struct StrokeShape {
   double miter_limit = 4;
 };
 
-/// What the lines enclose inside `bounds`, whatever their coordinates.
+/// What the lines enclose inside `bounds`. Coordinates up to 1e9 px are cut there without harm.
 Region fill_region(const std::vector<Polyline>& lines, FillRule rule, const Box2& bounds);
 
 /// What the pen covers inside `bounds`. Dashes are drawn as if solid.

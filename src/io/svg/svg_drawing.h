@@ -83,7 +83,7 @@ struct SvgCanvas {
 };
 
 /// Reads all shapes. Text, images, masks, filters and markers have no geometry here and are
-/// named in the warnings, and so is a shape without finite coordinates, which is left out.
+/// named in the warnings, and so is a shape with points beyond 1e9 px, which is left out.
 /// Fails with limit or bad_input.
 Result<SvgDrawing> read_drawing(const SvgDocument& document, const SvgOptions& options);
 

@@ -9,7 +9,7 @@ namespace relievo {
 namespace {
 
 constexpr double kCornerAngle = 0.61;  // 35 degrees
-constexpr double kMaxSagitta = 0.08;    // of the spacing
+constexpr double kMaxSagitta = 0.08;   // of the spacing
 constexpr int kMinRingSamples = 12;
 constexpr int kMinJoinEdges = 6;
 constexpr double kLineReach = 0.08;  // of the canvas diagonal

@@ -26,7 +26,7 @@ struct Model {
   double height = 0;                          ///< canvas, px
   std::vector<Point3> positions;              ///< #V, px
   std::vector<Point3> normals;                ///< #V, unit
-  std::vector<Point2> uvs;                    ///< #V, in [0, 1], origin top-left, v down
+  std::vector<Point2> uvs;                    ///< #V, [0, 1] on the canvas, origin top-left, v down
   std::vector<std::array<int, 3>> triangles;  ///< #F, counter-clockwise seen from outside
   std::vector<ModelPart> parts;               ///< back to front; their triangles are disjoint runs
 };

@@ -33,9 +33,9 @@ class WallBuilder {
     append_edge_points(surface_, open.second, true, second_);
     weld_cuts();
     if (coincide()) return;
-    const bool first_higher = first_is_higher(open);
-    part_ = surface_.mesh.face_part[(first_higher ? open.first : open.second).face];
-    find_normals(first_higher);
+    first_higher_ = first_is_higher(open);
+    part_ = surface_.mesh.face_part[(first_higher_ ? open.first : open.second).face];
+    find_normals();
     for (EdgePoint& p : first_) p.vertex = builder_.copy_vertex(p.vertex, normal_at(p.t));
     for (EdgePoint& p : second_) p.vertex = builder_.copy_vertex(p.vertex, normal_at(p.t));
     const int triangle = surface_.mesh.face_triangle[open.first.face];
@@ -105,10 +105,10 @@ class WallBuilder {
 
   /// The wall continues a rim: its normal is the horizontal part of the steeper of both normals
   /// there, turned to the lower side, unless that does not face across the edge.
-  void find_normals(bool first_higher) {
+  void find_normals() {
     const Point3 along =
         builder_.position(first_.back().vertex) - builder_.position(first_.front().vertex);
-    const double sign = first_higher ? 1 : -1;
+    const double sign = first_higher_ ? 1 : -1;
     const Point3 across = normalized({-sign * along.y, sign * along.x, 0});
     normal_front_ = rim_normal(first_.front().vertex, second_.front().vertex, across);
     normal_back_ = rim_normal(first_.back().vertex, second_.back().vertex, across);
@@ -148,13 +148,30 @@ class WallBuilder {
     }
   }
 
-  /// The next point along the edge; for points side by side the lower cross edge, so that nothing
-  /// sticks out where both copies cross.
+  /// Whether to go on along the first copy: to the next point along the edge, unless only the
+  /// other triangle faces outwards.
   bool advance_first(size_t i, size_t j) const {
+    const bool preferred = prefer_first(i, j);
+    return faces_inwards(i, j, preferred) && !faces_inwards(i, j, !preferred) ? !preferred
+                                                                              : preferred;
+  }
+
+  /// For points side by side the lower cross edge, so that nothing sticks out where both copies
+  /// cross.
+  bool prefer_first(size_t i, size_t j) const {
     if (first_[i + 1].t != second_[j + 1].t) return first_[i + 1].t < second_[j + 1].t;
     return z(first_[i + 1].vertex) + z(second_[j].vertex) <=
            z(first_[i].vertex) + z(second_[j + 1].vertex);
   }
+
+  bool faces_inwards(size_t i, size_t j, bool first) const {
+    const Point2 a = in_wall(first_[i]);
+    const double turn =
+        cross(in_wall(first ? first_[i + 1] : second_[j + 1]) - a, in_wall(second_[j]) - a);
+    return first_higher_ ? turn > 0 : turn < 0;
+  }
+
+  Point2 in_wall(const EdgePoint& p) const { return {p.t, z(p.vertex)}; }
 
   /// A triangle whose vertical edge from -> to over a base vertex is cut at the heights of all
   /// surfaces that end there.
@@ -188,7 +205,8 @@ class WallBuilder {
   double weld_tolerance_;
   ModelBuilder& builder_;
   std::vector<Corner> corners_;  ///< sorted by base vertex and height
-  int part_ = -1;
+  bool first_higher_ = true;
+  int part_ = -1;  ///< the higher part
   Point3 normal_front_;
   Point3 normal_back_;
   std::vector<EdgePoint> first_;   ///< the first face's copy of the edge

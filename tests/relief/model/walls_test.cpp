@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "relief/model/assemble_model.h"
@@ -20,31 +19,10 @@ Model assemble(const DiscRelief& relief, Visibility visibility = Visibility::rel
   return model.ok() ? std::move(*model) : Model{};
 }
 
-std::set<std::pair<double, double>> silhouette_places(const DiscRelief& relief) {
-  std::set<std::pair<double, double>> places;
-  for (size_t t = 0; t < relief.mesh.triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k)
-      if (relief.mesh.neighbours[t][k] < 0)
-        for (const int side : {1, 2}) {
-          const Point2 p = relief.mesh.vertices[relief.mesh.triangles[t][(k + side) % 3]];
-          places.insert({p.x, relief.scene.height - p.y});
-        }
-  return places;
-}
-
-/// Every open edge lies on the silhouette of the drawing: along it, or upright over one of its
-/// points where walls end.
 void expect_open_at_silhouette_only(const DiscRelief& relief, const Model& model) {
-  const auto places = silhouette_places(relief);
-  const EdgeCensus census = count_edges(model, true);
-  size_t along = 0;
-  for (const auto& [a, b] : census.open_edges) {
-    const Point3 p = model.positions[a];
-    const Point3 q = model.positions[b];
-    EXPECT_TRUE(places.count({p.x, p.y}) && places.count({q.x, q.y}));
-    if (p.x != q.x || p.y != q.y) ++along;
-  }
-  EXPECT_EQ(along, places.size());
+  const SilhouetteCensus census = count_silhouette(model, relief.mesh);
+  EXPECT_EQ(census.elsewhere, 0);
+  EXPECT_EQ(census.along, census.outline);
   EXPECT_EQ(count_edges(model, false).repeated, 0);
 }
 
@@ -65,7 +43,7 @@ TEST(Walls, WithoutThemTheReliefWouldBeOpen) {
   const DiscRelief relief = make_discs(three_discs(30), 220, 200, 6);
   Model model = assemble(relief);
   model.triangles = sheet_triangles(model);
-  EXPECT_GT(count_edges(model, true).open, static_cast<int>(silhouette_places(relief).size()));
+  EXPECT_GT(count_edges(model, true).open, count_silhouette(model, relief.mesh).outline);
 }
 
 /// A small disc in a ball, raised above it, a bowl sunk into it and a disc sunk into it: all walls
@@ -76,7 +54,7 @@ struct RoundWall {
   double facing;  ///< 1 outwards, -1 inwards
 };
 
-class RoundWalls : public testing::TestWithParam<RoundWall> {};
+class RoundWalls : public ::testing::TestWithParam<RoundWall> {};
 
 TEST_P(RoundWalls, StandUprightAndFaceTheLowerSide) {
   const auto [d, lift, facing] = GetParam();
@@ -100,8 +78,19 @@ TEST_P(RoundWalls, StandUprightAndFaceTheLowerSide) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Walls, RoundWalls,
-                         testing::Values(RoundWall{1, 80, 1}, RoundWall{-1, 80, 1},
-                                         RoundWall{-1, 20, -1}, RoundWall{1, 20, -1}));
+                         ::testing::Values(RoundWall{1, 80, 1}, RoundWall{-1, 80, 1},
+                                           RoundWall{-1, 20, -1}, RoundWall{1, 20, -1}));
+
+TEST(Walls, DoNotFoldBelowAnOverhangingEdge) {
+  const DiscRelief relief = make_discs({{{90, 100}, 60}, {{190, 100}, 50, 1, 34}}, 250, 200, 6);
+  const Model model = assemble(relief);
+  for (const auto& t : model.triangles) {
+    if (!is_wall(model, t)) continue;
+    const Point3 a = model.positions[t[0]];
+    const Point3 side = cross(model.positions[t[1]] - a, model.positions[t[2]] - a);
+    for (const int v : t) EXPECT_GT(dot(model.normals[v], side), 0);
+  }
+}
 
 TEST(Walls, BelongToTheHigherPart) {
   for (const double lift : {-70.0, 80.0}) {

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "relief/layers/boundaries.h"
+#include "relief/layers/layered_mesh.h"
+#include "relief/layers/sheets.h"
+
+namespace relievo {
+
+/// The frontmost part that uses each node, -1 where none does. O(F).
+std::vector<int> frontmost_parts(const Sheets& sheets);
+
+/// The finished mesh: everything renumbered without uncovered triangles, unused vertices and
+/// unused nodes. O(T + F).
+LayeredMesh compact_layers(const BaseMesh& base, const Sheets& sheets, const Boundaries& boundaries,
+                           const std::vector<DepthPair>& pairs);
+
+}  // namespace relievo

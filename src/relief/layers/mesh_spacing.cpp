@@ -1,0 +1,108 @@
+#include "relief/layers/mesh_spacing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "relief/layers/inner_points.h"
+
+namespace relievo {
+namespace {
+
+/// How many nodes a spacing would give, without triangulating.
+struct NodeEstimate {
+  double along = 0;   // on outlines, grows like 1 / spacing
+  double inside = 0;  // between them, grows like 1 / spacing^2
+};
+
+/// Sheets at an outline sample: its own and those of the other parts there, probed on both sides.
+double nodes_at_outline(const SizeField& field, Point2 a, Point2 b) {
+  const double length = std::max(distance(a, b), 1e-300);
+  const Point2 aside = (1.5 * field.cell / length) * Point2{a.y - b.y, b.x - a.x};
+  return 0.5 * (field.cover_at(a + aside) + field.cover_at(a - aside)) + 0.5;
+}
+
+Result<NodeEstimate> estimate_nodes(const Scene& scene, double spacing,
+                                    const LayerOptions& options) {
+  const auto sampled = sample_outlines(scene, spacing);
+  if (!sampled) return sampled.error();
+  const SizeField field = size_field_for(*sampled, spacing, options);
+  NodeEstimate estimate;
+  std::vector<Point2> points;
+  std::vector<std::array<int, 2>> edges;
+  for (const InputCurve& curve : sampled->curves) {
+    const int first = static_cast<int>(points.size());
+    const int n = static_cast<int>(curve.points.size());
+    for (int i = 0; i < n; ++i) {
+      points.push_back(curve.points[i]);
+      edges.push_back({first + i, first + (i + 1) % n});
+      estimate.along += nodes_at_outline(field, curve.points[i], curve.points[(i + 1) % n]);
+    }
+  }
+  for (const Point2 p : inner_points(field, points, edges)) estimate.inside += field.cover_at(p);
+  return estimate;
+}
+
+/// Summed perimeters and areas of all rings.
+struct Extent {
+  double length = 0;
+  double area = 0;
+};
+
+Extent measure_outlines(const Scene& scene) {
+  Extent extent;
+  for (const Part& part : scene.parts)
+    for (const Ring& ring : part.outline) {
+      extent.length += perimeter(ring);
+      extent.area += std::abs(signed_area(ring));
+    }
+  return extent;
+}
+
+/// Refuses spacings that would certainly give more nodes than allowed, before anything is made.
+Status check_size(const Scene& scene, double spacing, const LayerOptions& options) {
+  const Extent extent = measure_outlines(scene);
+  const double coarsest = spacing * options.max_growth;
+  const double least = extent.length / spacing + extent.area / (coarsest * coarsest);
+  if (least > options.max_nodes || options.vertex_budget > options.max_nodes)
+    return Error{ErrorCode::limit,
+                 "the mesh would have more than " + std::to_string(options.max_nodes) +
+                     " vertices; use fewer vertices or longer edges",
+                 ""};
+  return Done{};
+}
+
+/// The spacing at which the joined mesh has about the wanted number of nodes.
+Result<double> choose_spacing(const Scene& scene, const LayerOptions& options) {
+  const auto [length, area] = measure_outlines(scene);
+  const double budget = options.vertex_budget;
+  // Twice the plain counts: sheets repeat the outlines of others, and grading thins the inside.
+  double spacing = (length + std::sqrt(length * length + 0.3 * budget * area)) / budget;
+  for (int round = 0; round < 5; ++round) {
+    const auto estimate = estimate_nodes(scene, spacing, options);
+    if (!estimate) return estimate.error();
+    const double along = estimate->along;
+    const double inside = estimate->inside;
+    if (std::abs(along + inside - budget) < 0.01 * budget) break;
+    // budget = along / x + inside / x^2 for the new spacing x * spacing
+    spacing *= (along + std::sqrt(along * along + 4 * budget * inside)) / (2 * budget);
+  }
+  return spacing;
+}
+
+}  // namespace
+
+Result<double> mesh_spacing(const Scene& scene, const LayerOptions& options) {
+  double spacing = options.edge_length;
+  if (spacing <= 0) {
+    const auto chosen = choose_spacing(scene, options);
+    if (!chosen) return chosen.error();
+    spacing = *chosen;
+  }
+  if (Status status = check_size(scene, spacing, options); !status) return status.error();
+  return spacing;
+}
+
+}  // namespace relievo

@@ -1,0 +1,89 @@
+#include "render/ray_scene.h"
+
+#include <limits>
+
+namespace relievo {
+namespace {
+
+/// Fills the geometry's own buffers; false where there is no memory for them.
+bool set_triangles(RTCGeometry geometry, const Model& model) {
+  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                                                               RTC_FORMAT_FLOAT3, 3 * sizeof(float),
+                                                               model.positions.size()));
+  auto* indices = static_cast<unsigned*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                              3 * sizeof(unsigned), model.triangles.size()));
+  if (vertices == nullptr || indices == nullptr) return false;
+  for (const Point3 p : model.positions)
+    for (const double coordinate : {p.x, p.y, p.z}) *vertices++ = static_cast<float>(coordinate);
+  for (const std::array<int, 3>& triangle : model.triangles)
+    for (const int v : triangle) *indices++ = static_cast<unsigned>(v);
+  return true;
+}
+
+bool keep_building(void* context, double) {
+  return !static_cast<const RunContext*>(context)->cancelled();
+}
+
+RTCRay make_ray(Point3 origin, Point3 direction, float length) {
+  RTCRay ray = {};
+  ray.org_x = static_cast<float>(origin.x);
+  ray.org_y = static_cast<float>(origin.y);
+  ray.org_z = static_cast<float>(origin.z);
+  ray.dir_x = static_cast<float>(direction.x);
+  ray.dir_y = static_cast<float>(direction.y);
+  ray.dir_z = static_cast<float>(direction.z);
+  ray.tfar = length;
+  ray.mask = std::numeric_limits<unsigned>::max();
+  return ray;
+}
+
+}  // namespace
+
+Result<RayScene> RayScene::build(const Model& model, const RunContext& context) {
+  RayScene result;
+  // One thread: the tree, and with it which of two coinciding faces is hit, must not depend on
+  // the machine's number of cores.
+  result.device_.reset(rtcNewDevice("threads=1"));
+  if (!result.device_) return Error{ErrorCode::internal, "the ray tracer cannot be started", ""};
+  RTCDevice device = result.device_.get();
+  result.scene_.reset(rtcNewScene(device));
+  RTCScene scene = result.scene_.get();
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  const bool filled = set_triangles(geometry, model);
+  if (filled) {
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcSetSceneProgressMonitorFunction(scene, keep_building, const_cast<RunContext*>(&context));
+    rtcCommitScene(scene);
+    rtcSetSceneProgressMonitorFunction(scene, nullptr, nullptr);
+  }
+  rtcReleaseGeometry(geometry);
+  if (context.cancelled()) return interrupted_error();
+  if (rtcGetDeviceError(device) != RTC_ERROR_NONE || !filled)
+    return Error{ErrorCode::limit, "there is not enough memory to trace rays", ""};
+  return result;
+}
+
+std::optional<RayHit> RayScene::first_hit(Point3 origin, Point3 direction) const {
+  RTCRayHit query = {};
+  query.ray = make_ray(origin, direction, std::numeric_limits<float>::infinity());
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene_.get(), &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  return RayHit{static_cast<int>(query.hit.primID), static_cast<double>(query.hit.u),
+                static_cast<double>(query.hit.v)};
+}
+
+bool RayScene::blocked(Point3 origin, Point3 direction, double length) const {
+  RTCRay ray = make_ray(origin, direction, static_cast<float>(length));
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(scene_.get(), &context, &ray);
+  return ray.tfar < 0;
+}
+
+}  // namespace relievo

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <memory>
+#include <optional>
+
+#include "kernel/base/result.h"
+#include "kernel/base/run_context.h"
+#include "relief/model/model.h"
+
+namespace relievo {
+
+/// Where a ray meets a triangle: (1 - u - v) corner 0 + u corner 1 + v corner 2.
+struct RayHit {
+  int triangle = 0;
+  double u = 0;
+  double v = 0;
+};
+
+/// A model's triangles, ready for rays. Queries may run on several threads.
+class RayScene {
+ public:
+  /// Errors: `limit` where memory does not suffice, `interrupted`. O(F log F).
+  static Result<RayScene> build(const Model& model, const RunContext& context);
+
+  /// The nearest triangle along the ray, whichever side it shows.
+  std::optional<RayHit> first_hit(Point3 origin, Point3 direction) const;
+
+  /// Whether anything lies along the ray within `length`.
+  bool blocked(Point3 origin, Point3 direction, double length) const;
+
+ private:
+  struct ReleaseDevice {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+  };
+  struct ReleaseScene {
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  };
+
+  std::unique_ptr<RTCDeviceTy, ReleaseDevice> device_;
+  std::unique_ptr<RTCSceneTy, ReleaseScene> scene_;
+};
+
+}  // namespace relievo

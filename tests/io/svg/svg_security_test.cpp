@@ -1,0 +1,164 @@
+#include <gtest/gtest.h>
+
+#include "io/svg/render_svg.h"
+#include "io/svg/svg_test_support.h"
+
+namespace relievo {
+namespace {
+
+const char* const square = "<rect width='100' height='100'/>";
+
+ErrorCode code_of(const std::string& file, const SvgOptions& options = {}) {
+  const auto import = read_svg(file, options);
+  EXPECT_FALSE(import.ok());
+  return import ? ErrorCode::internal : import.error().code;
+}
+
+/// Alpha of one pixel of the drawing at 100 x 100 px.
+int alpha_at(const std::string& file, int x, int y) {
+  const auto drawing = render_svg(file, 100, 100);
+  EXPECT_TRUE(drawing.ok()) << (drawing ? "" : to_string(drawing.error()));
+  return drawing ? drawing->rgba.at(x, y, 3) : -1;
+}
+
+TEST(SvgSecurity, WhatIsNotSvgIsRefused) {
+  for (const char* file :
+       {"", "x", "<svg", "<svg></g>", "<html/>", "<?xml version='1.0'?>", "\x1f\x8b\x08"}) {
+    EXPECT_EQ(code_of(file), ErrorCode::bad_input) << file;
+  }
+  EXPECT_EQ(code_of(svg_file("")), ErrorCode::bad_input);
+  EXPECT_EQ(code_of(svg_file(square, "width='5000' height='1'")), ErrorCode::bad_input);
+}
+
+TEST(SvgSecurity, EntitiesAreNeverExpanded) {
+  std::string bomb = "<!DOCTYPE svg [<!ENTITY a0 'lol'>";
+  for (int i = 1; i < 30; ++i) {
+    const std::string inner = "&a" + std::to_string(i - 1) + ";";
+    bomb += "<!ENTITY a" + std::to_string(i) + " '" + inner + inner + inner + inner + "'>";
+  }
+  bomb += "<!ENTITY file SYSTEM 'file:///etc/passwd'><!ENTITY size '9'>]>";
+  const std::string file = bomb + svg_file(
+                                      "<title>&a29;&file;</title><rect id='&file;' width='100' "
+                                      "height='100'/><rect width='&size;' height='9'/>");
+  const SvgImport import = import_of(file);
+  ASSERT_EQ(import.scene.parts.size(), 1u);
+  EXPECT_EQ(import.scene.parts[0].id, "&file;");
+  EXPECT_FALSE(import.warnings.empty());
+  EXPECT_EQ(alpha_at(file, 5, 5), 255);
+}
+
+TEST(SvgSecurity, NamespacesThatAreEntitiesStillRender) {
+  const std::string file =
+      "<!DOCTYPE svg [<!ENTITY ns_svg 'http://www.w3.org/2000/svg'>]>"
+      "<svg xmlns='&ns_svg;' width='1000' height='1000'>" +
+      std::string(square) + "</svg>";
+  EXPECT_EQ(import_of(file).scene.parts.size(), 1u);
+  EXPECT_EQ(alpha_at(file, 5, 5), 255);
+  EXPECT_EQ(alpha_at(file, 50, 50), 0);
+}
+
+TEST(SvgSecurity, NothingOutsideTheFileIsRead) {
+  const std::string path = std::string(RELIEVO_TEST_SOURCE_DIR) + "/io/svg/square.svg";
+  ASSERT_FALSE(file_bytes(path).empty());
+  for (const std::string& href : {path, "file://" + path}) {
+    const std::string file = svg_file(
+        "<image href='" + href + "' width='1000' height='1000'/><use xlink:href='" + href +
+        "#square'/><image xlink:href='" + href + "' width='1000' height='1000'/>" + square);
+    EXPECT_EQ(import_of(file).scene.parts.size(), 1u);
+    EXPECT_EQ(alpha_at(file, 50, 50), 0);
+    EXPECT_EQ(alpha_at(file, 5, 5), 255);
+  }
+}
+
+TEST(SvgSecurity, ScriptsAndForeignContentAreIgnored) {
+  const std::string file = svg_file(
+      "<script>throw 1</script><foreignObject width='1000' height='1000'><body>x</body>"
+      "</foreignObject><rect width='100' height='100' onload='x()'/>");
+  EXPECT_EQ(import_of(file).scene.parts.size(), 1u);
+  EXPECT_EQ(alpha_at(file, 50, 50), 0);
+}
+
+TEST(SvgSecurity, EmbeddedPicturesOfUnknownOrHugeSizeAreNotPainted) {
+  // A PNG header that claims 100000 x 100000 px.
+  const char* const huge =
+      "<image width='1000' height='1000' href='data:image/png;base64,"
+      "iVBORw0KGgoAAAANSUhEUgABhqAAAYagCAYAAAA='/>";
+  EXPECT_EQ(alpha_at(svg_file(std::string(huge) + square), 50, 50), 0);
+  const char* const one_pixel =
+      "<image width='1000' height='1000' preserveAspectRatio='none' href='data:image/png;base64,"
+      "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5E"
+      "rkJggg=='/>";
+  EXPECT_GT(alpha_at(svg_file(std::string(one_pixel) + square), 50, 50), 100);
+}
+
+TEST(SvgSecurity, UseThatLeadsBackEnds) {
+  const SvgImport import = import_of(svg_file(
+      "<g id='a'><use href='#b'/><rect width='90' height='90'/></g><g id='b'><use href='#a'/></g>"
+      "<use id='c' href='#c'/>"));
+  EXPECT_EQ(import.scene.parts.size(), 1u);
+  EXPECT_FALSE(import.warnings.empty());
+}
+
+TEST(SvgSecurity, UseThatMultipliesIsALimit) {
+  std::string content = "<g id='u0'>" + std::string(square) + "</g>";
+  for (int i = 1; i < 40; ++i) {
+    const std::string inner = "<use href='#u" + std::to_string(i - 1) + "'/>";
+    content += "<g id='u" + std::to_string(i) + "'>" + inner + inner + "</g>";
+  }
+  EXPECT_EQ(code_of(svg_file(content)), ErrorCode::limit);
+}
+
+TEST(SvgSecurity, ClipPathsThatLeadBackEnd) {
+  const SvgImport import = import_of(
+      svg_file("<clipPath id='c'><rect width='50' height='50' clip-path='url(#c)'/></clipPath>"
+               "<rect width='100' height='100' clip-path='url(#c)'/>"));
+  EXPECT_EQ(import.scene.parts.size(), 1u);
+}
+
+TEST(SvgSecurity, DeepNestingIsALimit) {
+  std::string open;
+  std::string close;
+  for (int i = 0; i < 100000; ++i) {
+    open += "<g>";
+    close += "</g>";
+  }
+  SvgOptions options;
+  options.max_elements = 200000;
+  EXPECT_EQ(code_of(svg_file(open + square + close), options), ErrorCode::limit);
+}
+
+TEST(SvgSecurity, CountsAndSizesAreLimits) {
+  std::string many;
+  for (int i = 0; i < 50; ++i) many += square;
+  SvgOptions options;
+  options.max_elements = 40;
+  EXPECT_EQ(code_of(svg_file(many), options), ErrorCode::limit);
+  options = {};
+  options.max_points = 100;
+  EXPECT_EQ(code_of(svg_file(many), options), ErrorCode::limit);
+  options = {};
+  options.max_bytes = 1000;
+  EXPECT_EQ(code_of(svg_file(many), options), ErrorCode::limit);
+  options = {};
+  options.max_shapes = 49;
+  EXPECT_EQ(code_of(svg_file(many), options), ErrorCode::limit);
+  EXPECT_EQ(render_svg(svg_file(square), 100000, 5).error().code, ErrorCode::limit);
+  EXPECT_EQ(render_svg(svg_file(square), 0, 5).error().code, ErrorCode::limit);
+}
+
+TEST(SvgSecurity, HugeCoordinatesDoNoHarm) {
+  const SvgImport import = import_of(svg_file(
+      "<path d='M -874699606 5 C 1e9 1e9 -1e9 1e9 874699606 5 Z'/>"
+      "<circle cx='1e30' cy='0' r='1e30'/><path d='M0 0L1e308 1e308' stroke='red' "
+      "stroke-width='1e300'/><rect transform='scale(1e200)' width='1e200' height='1e200'/>" +
+      std::string("<rect x='700' y='2' width='100' height='1'/>") + square));
+  for (const Part& part : import.scene.parts) {
+    const Box2 box = bounding_box(part.outline);
+    EXPECT_GE(box.min.x, 0);
+    EXPECT_LE(box.max.x, 1000);
+    EXPECT_LE(box.max.y, 1000);
+  }
+}
+
+}  // namespace
+}  // namespace relievo
