@@ -88,7 +88,7 @@ Result<Files> encode_model(const Model& model, const Drawing& drawing, const std
 Status save(const Files& files, const std::vector<fs::path>& inputs, Interruption& interruption) {
   const auto writing = interruption.hold_off();
   if (*interruption.flag()) return interrupted_error();
-  const Status status = write_files(files, inputs);
+  Status status = write_files(files, inputs);
   if (status) interruption.finish();
   return status;
 }
