@@ -4,10 +4,10 @@
 set -eu
 
 build="ca-certificates ccache cmake g++ libcgal-dev libcli11-dev libeigen3-dev libembree-dev
-  libjpeg-dev libpng-dev libpolyclipping-dev libpugixml-dev librsvg2-dev libsuitesparse-dev
-  lld make ninja-build nlohmann-json3-dev pkg-config"
+  libjpeg-dev libpng-dev libpolyclipping-dev libpugixml-dev librsvg2-dev lld ninja-build
+  nlohmann-json3-dev pkg-config"
 test="clang-format clang-tidy coinor-libipopt-dev libgtest-dev librapidcheck-dev libvalijson-dev
-  shellcheck"
+  shellcheck zlib1g-dev"
 
 case "${1:-test}" in
   build) wanted="$build" ;;
