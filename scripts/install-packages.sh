@@ -21,10 +21,19 @@ if ! command -v dpkg-query > /dev/null; then
   exit 1
 fi
 
+# shellcheck disable=SC2086
+installed=$(dpkg-query -W -f '${db:Status-Abbrev} ${Package}\n' $wanted 2> /dev/null |
+  sed -n 's/^ii  *//p') || true
 missing=""
 for package in $wanted; do
-  status=$(dpkg-query -W -f '${Status}' "$package" 2> /dev/null || true)
-  [ "$status" = "install ok installed" ] || missing="$missing $package"
+  case "
+$installed
+" in
+    *"
+$package
+"*) ;;
+    *) missing="$missing $package" ;;
+  esac
 done
 [ -n "$missing" ] || exit 0
 

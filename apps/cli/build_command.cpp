@@ -104,6 +104,7 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
   if (!input) return input.error();
   if (Status status = check_outputs(outputs, input->files); !status) return status;
   const double read_time = total.milliseconds();
+  print_warnings(input->warnings, build.common.quiet);
 
   Products products;
   std::optional<Progress> progress(build.common.quiet);
@@ -115,17 +116,16 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
   if (Status s = add_maps(products, build, input->scene, *relief, context); !s) return s;
   progress.reset();
 
-  const auto warnings = all_warnings(*input, *relief);
   const std::string report = write_report(
       {build.common.input,
        input->scene,
        *relief,
        products.model ? &*products.model : nullptr,
        {{"read", read_time}, {"export", exporting.milliseconds()}, {"total", total.milliseconds()}},
-       warnings});
+       all_warnings(*input, *relief)});
   if (!build.report.empty()) products.files.push_back({build.report, to_bytes(report)});
   if (Status status = save(products.files, input->files, interruption); !status) return status;
-  print_warnings(warnings, build.common.quiet);
+  print_warnings(relief->layers.warnings, build.common.quiet);
   print_note(summary(*relief), build.common.quiet);
   print_results(build, products, report);
   return Done{};

@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <exception>
 #include <new>
 
@@ -28,7 +29,9 @@ int run_program(int argc, const char* const* argv) {
   if (const int* code = std::get_if<int>(&parsed)) return *code;
   const auto& command = std::get<Command>(parsed);
   Interruption interruption(common(command).timeout);
-  const Status status = run(command, interruption);
+  Status status = run(command, interruption);
+  if (status && std::fflush(stdout) != 0)
+    status = Error{ErrorCode::file, "cannot write to standard output", ""};
   if (status) return exit_done;
   const bool stopped = status.error().code == ErrorCode::interrupted;
   const Error error = stopped ? interruption.reason() : status.error();

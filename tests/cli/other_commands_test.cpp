@@ -69,6 +69,12 @@ TEST_F(Help, IsAResultAndBeginsWithExamples) {
   }
 }
 
+TEST_F(Help, LostResultsAreAFailure) {
+  const Outcome outcome = run_into("/dev/full", folder_.path(), {"check", "scene.json"});
+  EXPECT_EQ(outcome.exit_code, 6);
+  EXPECT_NE(outcome.err.find("standard output"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Help, TellsTheVersion) {
   const Outcome outcome = relievo({"--version"});
   EXPECT_EQ(outcome.exit_code, 0);

@@ -28,7 +28,7 @@ void redirect(const fs::path& path, int flags, int stream) {
 }  // namespace
 
 Process::Process(const fs::path& folder, const std::vector<std::string>& arguments,
-                 const std::string& input) {
+                 const std::string& input, const fs::path& out) {
   std::string streams = testing::TempDir() + "relievo_streams_XXXXXX";
   streams_ = mkdtemp(streams.data());
   std::ofstream(streams_ / "in", std::ios::binary) << input;
@@ -38,7 +38,7 @@ Process::Process(const fs::path& folder, const std::vector<std::string>& argumen
   id_ = fork();
   if (id_ != 0) return;
   redirect(streams_ / "in", O_RDONLY, STDIN_FILENO);
-  redirect(streams_ / "out", O_WRONLY | O_CREAT, STDOUT_FILENO);
+  redirect(out.empty() ? streams_ / "out" : out, O_WRONLY | O_CREAT, STDOUT_FILENO);
   redirect(streams_ / "err", O_WRONLY | O_CREAT, STDERR_FILENO);
   if (chdir(folder.c_str()) != 0) _exit(127);
   execv(RELIEVO_PROGRAM, argv.data());
@@ -66,6 +66,11 @@ Outcome Process::wait() {
 Outcome run(const fs::path& folder, const std::vector<std::string>& arguments,
             const std::string& input) {
   return Process(folder, arguments, input).wait();
+}
+
+Outcome run_into(const fs::path& out, const fs::path& folder,
+                 const std::vector<std::string>& arguments) {
+  return Process(folder, arguments, "", out).wait();
 }
 
 }  // namespace relievo

@@ -18,9 +18,10 @@ struct Outcome {
 /// A run of the program in a folder, its streams going to files elsewhere.
 class Process {
  public:
-  /// Starts the program with `arguments`; standard input is `input`.
+  /// Starts the program with `arguments`; standard input is `input`, standard output goes to the
+  /// file `out` where that is not empty.
   Process(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
-          const std::string& input = "");
+          const std::string& input = "", const std::filesystem::path& out = {});
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
   ~Process();
@@ -38,5 +39,9 @@ class Process {
 /// Runs the program to its end.
 Outcome run(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
             const std::string& input = "");
+
+/// The same with standard output going to the file `out`.
+Outcome run_into(const std::filesystem::path& out, const std::filesystem::path& folder,
+                 const std::vector<std::string>& arguments);
 
 }  // namespace relievo
