@@ -10,13 +10,28 @@ if(RELIEVO_SANITIZE)
   target_link_options(relievo_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# relievo_library(name SOURCES... DEPENDS...): a static library below src/.
+if(PROJECT_IS_TOP_LEVEL)
+  find_program(RELIEVO_CCACHE ccache)
+  if(RELIEVO_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${RELIEVO_CCACHE})
+  endif()
+  find_program(RELIEVO_LLD ld.lld)
+  if(RELIEVO_LLD)
+    target_link_options(relievo_options INTERFACE -fuse-ld=lld)
+  endif()
+endif()
+
+# relievo_library(name SOURCES... DEPENDS...): a static library below src/,
+# installed as relievo::<name without its prefix>.
 function(relievo_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
   target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
-                                            $<INSTALL_INTERFACE:include/relievo>)
+                                            $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/relievo>)
   target_compile_features(${name} PUBLIC cxx_std_20)
+  string(REPLACE "relievo_" "" short_name ${name})
+  set_target_properties(${name} PROPERTIES EXPORT_NAME ${short_name})
+  add_library(relievo::${short_name} ALIAS ${name})
   target_link_libraries(${name} PUBLIC ${ARG_DEPENDS}
                         PRIVATE $<BUILD_INTERFACE:relievo_options> ${ARG_PRIVATE})
 endfunction()

@@ -1,0 +1,231 @@
+#include "apps/cli/arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "apps/cli/exit_code.h"
+
+namespace relievo::cli {
+namespace {
+
+constexpr const char* main_help =
+    R"(Turns a layered drawing of a character into a seamless high relief.
+
+Examples:
+  relievo build wolf.svg -o wolf.glb
+  relievo build wolf.svg -o wolf.glb --preview wolf.png --normal-map wolf-normal.png
+  relievo check wolf.svg
+  relievo render wolf.glb -o wolf-sheet.png --view sheet)";
+
+constexpr const char* build_help = R"(Reconstructs a drawing and writes models, maps and pictures.
+
+Examples:
+  relievo build wolf.svg -o wolf.glb
+  relievo build wolf.svg -o wolf.stl --size 80 --vertices 100000
+  relievo build scene.json --depth-map depth.png --json
+  cat wolf.svg | relievo build - -o wolf.glb)";
+
+constexpr const char* check_help =
+    R"(Reads a drawing, tells what its parts and joins are and what is wrong. Writes nothing.
+
+Example:
+  relievo check wolf.svg)";
+
+constexpr const char* render_help = R"(Makes a picture of a model, or of a drawing's relief.
+
+Examples:
+  relievo render wolf.glb -o wolf.png
+  relievo render wolf.svg -o wolf.png --view side --clay
+  relievo render wolf.glb -o eye.png --view front --window 500 200 150)";
+
+constexpr const char* input_help = "SVG drawing or scene file (JSON); - reads standard input";
+
+Visibility visibility(const std::string& name) {
+  if (name == "orbit") return Visibility::orbit;
+  return name == "all" ? Visibility::all : Visibility::relief;
+}
+
+void add_common(CLI::App& app, CommonArguments& common, const char* what) {
+  app.add_option("INPUT", common.input, what)->required();
+  app.add_flag("-q,--quiet", common.quiet, "Say nothing but errors");
+  app.add_option("--timeout", common.timeout, "Give up after so many seconds")
+      ->check(CLI::PositiveNumber);
+}
+
+/// Accepts only what this version can do, and says so of what is planned.
+CLI::Validator one_of(const std::string& available, const std::vector<std::string>& planned) {
+  const auto check = [=](const std::string& value) -> std::string {
+    if (value == available) return "";
+    for (const std::string& name : planned)
+      if (value == name) return "\"" + name + "\" is not available in this version";
+    return "\"" + value + "\" is unknown; use " + available;
+  };
+  return {check, available, available};
+}
+
+void add_mesh_options(CLI::App& app, ReliefArguments& relief) {
+  LayerOptions& layers = relief.options.layers;
+  auto* vertices =
+      app.add_option("--vertices", layers.vertex_budget, "About so many vertices (default 40000)")
+          ->check(CLI::Range(100, 10000000));
+  app.add_option("--edge", layers.edge_length, "Spacing of the outlines in px, instead")
+      ->check(CLI::Range(0.01, 10000.0))
+      ->excludes(vertices);
+  app.add_option("--max-vertices", layers.max_nodes, "Refuse to make more (default 4000000)")
+      ->check(CLI::Range(100, 100000000));
+}
+
+void add_relief_options(CLI::App& app, ReliefArguments& relief) {
+  add_mesh_options(app, relief);
+  app.add_option_function<std::string>(
+         "--method", [](const std::string&) {}, "approximate (the default)")
+      ->check(one_of("approximate", {"nonlinear"}));
+  app.add_option("--c", relief.c, "Inflation of all parts: 4 a hemisphere, 2 round limbs")
+      ->check(CLI::Range(min_inflation, max_inflation));
+  InflationOptions& inflation = relief.options.inflation;
+  auto* rho =
+      app.add_option("--rho", inflation.rho, "Softness of ramps beside joins (default 0.25)")
+          ->check(CLI::Range(0.001, max_rho));
+  app.add_option("--alpha0", inflation.alpha0, "How firmly ramps begin, 0 to 1 (default 0.1)")
+      ->check(CLI::Range(0.0, 1.0));
+  app.add_option_function<std::string>(
+         "--preset",
+         [&inflation](const std::string& name) {
+           if (name == "paper") inflation.units = RobinUnits::literal;
+         },
+         "paper: the published units; default: the same relief at any size")
+      ->check(CLI::IsMember({"default", "paper"}))
+      ->excludes(rho);
+  app.add_flag_callback(
+      "--no-glue", [&relief] { relief.options.layers.glue = false; },
+      "Let outlines beside joins rise above the part below");
+}
+
+void add_visibility(CLI::App& app, ReliefArguments& relief) {
+  app.add_option_function<std::string>(
+         "--profile", [](const std::string&) {}, "relief (the default)")
+      ->check(one_of("relief", {"solid", "figure"}));
+  auto* visible =
+      app.add_option_function<std::string>(
+             "--visible",
+             [&relief](const std::string& name) { relief.visibility = visibility(name); },
+             "relief: what the front shows (the default); orbit: whole parts; all: every face")
+          ->check(CLI::IsMember({"relief", "orbit", "all"}));
+  app.add_flag_callback(
+         "--keep-hidden", [&relief] { relief.visibility = Visibility::all; },
+         "The same as --visible all")
+      ->excludes(visible);
+}
+
+/// A usage error where the file's extension is none of those given.
+CLI::Validator extension(const std::vector<std::string>& allowed) {
+  const auto check = [=](const std::string& name) -> std::string {
+    std::string known;
+    for (const std::string& end : allowed) {
+      const bool fits = name.size() > end.size() && name.substr(name.size() - end.size()) == end;
+      if (fits) return "";
+      known += (known.empty() ? "" : ", ") + end;
+    }
+    return "\"" + name + "\" must end in " + known;
+  };
+  return {check, "", "extension"};
+}
+
+void add_build(CLI::App& main, BuildArguments& build) {
+  CLI::App& app = *main.add_subcommand("build", build_help);
+  add_common(app, build.common, input_help);
+  app.add_option("-o,--output", build.models, "Model: .glb, .obj, .ply or .stl; may be repeated")
+      ->check(extension({".glb", ".obj", ".ply", ".stl"}))
+      ->expected(1)
+      ->take_all();
+  app.add_option("--size", build.size_mm, "Longest side in mm (default 100)")
+      ->check(CLI::Range(0.001, 1e6));
+  const auto picture = extension({".png"});
+  app.add_option("--normal-map", build.normal_map, "Normals (.png)")->check(picture);
+  app.add_option_function<std::string>(
+         "--normal-y", [&build](const std::string& sign) { build.normal_y_down = sign == "-"; },
+         "Green of the normal map: + is up (OpenGL), - is down (DirectX)")
+      ->check(CLI::IsMember({"+", "-"}));
+  app.add_option("--depth-map", build.depth_map, "Heights, 16 bit, near is white (.png)")
+      ->check(picture);
+  app.add_option("--part-map", build.part_map, "Numbers of the parts, 16 bit (.png)")
+      ->check(picture);
+  app.add_option("--map-size", build.map_size, "Longest side of the maps in px (default 2048)")
+      ->check(CLI::Range(1, 16384));
+  app.add_option("--preview", build.preview, "Picture of the model (.png)")->check(picture);
+  app.add_option("--preview-size", build.preview_size, "Its longest side in px (default 1200)")
+      ->check(CLI::Range(16, 8192));
+  app.add_option("--report", build.report, "What was computed, how exactly, how fast (.json)")
+      ->check(extension({".json"}));
+  app.add_flag("--json", build.print_report, "Print the report on standard output");
+  add_relief_options(app, build.relief);
+  add_visibility(app, build.relief);
+}
+
+void add_check(CLI::App& main, CheckArguments& check) {
+  CLI::App& app = *main.add_subcommand("check", check_help);
+  add_common(app, check.common, input_help);
+}
+
+void add_render(CLI::App& main, RenderArguments& render) {
+  CLI::App& app = *main.add_subcommand("render", render_help);
+  add_common(app, render.common, "Model (.glb), SVG drawing or scene file; - reads standard input");
+  app.add_option("-o,--output", render.output, "Picture (.png)")
+      ->required()
+      ->check(extension({".png"}));
+  app.add_option("--view", render.view, "front, three-quarter (the default), side or sheet")
+      ->check(CLI::IsMember({"front", "three-quarter", "side", "sheet"}));
+  app.add_option("--yaw", render.yaw, "Turn to the right in degrees, in place of the view's")
+      ->check(CLI::Range(-360.0, 360.0));
+  app.add_option("--pitch", render.pitch, "Look from above in degrees, in place of the view's")
+      ->check(CLI::Range(-90.0, 90.0));
+  app.add_option("--light", render.light, "Light from so many degrees to the right, and above")
+      ->expected(2)
+      ->check(CLI::Range(-360.0, 360.0));
+  app.add_option("--size", render.size, "Longest side of a view in px (default 1200)")
+      ->check(CLI::Range(16, 8192));
+  app.add_flag("--clay", render.clay, "Without the colours of the drawing");
+  app.add_option("--window", render.window, "Look closely: middle x, y and width in canvas px")
+      ->expected(3);
+  add_relief_options(app, render.relief);
+  add_visibility(app, render.relief);
+}
+
+bool wants_nothing(const BuildArguments& build) {
+  return build.models.empty() && build.normal_map.empty() && build.depth_map.empty() &&
+         build.part_map.empty() && build.preview.empty() && build.report.empty() &&
+         !build.print_report;
+}
+
+/// Prints help and the version on standard output, mistakes on standard error.
+int finish(const CLI::App& app, const CLI::ParseError& error) {
+  return app.exit(error, std::cout, std::cerr) == 0 ? exit_done : exit_usage;
+}
+
+}  // namespace
+
+ParsedArguments parse_arguments(int argc, const char* const* argv) {
+  CLI::App app(main_help, "relievo");
+  app.set_version_flag("--version", "relievo " RELIEVO_VERSION);
+  app.require_subcommand(0, 1);
+  BuildArguments build;
+  CheckArguments check;
+  RenderArguments render;
+  add_build(app, build);
+  add_check(app, check);
+  add_render(app, render);
+  try {
+    app.parse(argc, argv);
+    if (app.got_subcommand("check")) return Command(check);
+    if (app.got_subcommand("render")) return Command(render);
+    if (!app.got_subcommand("build"))
+      throw CLI::RequiredError("A command (build, check or render)");
+    if (wants_nothing(build))
+      throw CLI::ValidationError("nothing to write: give -o, a map, --preview, --report or --json");
+    return Command(build);
+  } catch (const CLI::ParseError& error) {
+    return finish(app, error);
+  }
+}
+
+}  // namespace relievo::cli

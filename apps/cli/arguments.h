@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "relief/pipeline/build_relief.h"
+
+namespace relievo::cli {
+
+/// What all commands take.
+struct CommonArguments {
+  std::string input;  ///< a file, or "-" for standard input
+  bool quiet = false;
+  double timeout = 0;  ///< s; 0: none
+};
+
+/// How a drawing is reconstructed.
+struct ReliefArguments {
+  ReliefOptions options;
+  std::optional<double> c;  ///< in place of every part's own
+  Visibility visibility = Visibility::relief;
+};
+
+struct BuildArguments {
+  CommonArguments common;
+  ReliefArguments relief;
+  std::vector<std::string> models;  ///< .glb, .obj, .ply, .stl
+  double size_mm = 100;             ///< longest side of the model
+  std::string normal_map;           ///< files; empty: not wanted
+  std::string depth_map;
+  std::string part_map;
+  std::string preview;
+  std::string report;
+  bool normal_y_down = false;
+  int map_size = 2048;        ///< longest side of the maps, px
+  int preview_size = 1200;    ///< longest side, px
+  bool print_report = false;  ///< on standard output
+};
+
+struct CheckArguments {
+  CommonArguments common;
+};
+
+struct RenderArguments {
+  CommonArguments common;
+  ReliefArguments relief;
+  std::string output;
+  std::string view = "three-quarter";  ///< front, three-quarter, side or sheet
+  std::optional<double> yaw;           ///< degrees, in place of the view's
+  std::optional<double> pitch;         ///< likewise
+  std::vector<double> light;           ///< azimuth to the right and elevation, degrees; or empty
+  int size = 1200;                     ///< longest side, px
+  bool clay = false;                   ///< without the drawing
+  std::vector<double> window;          ///< middle x, y and width, canvas px; or empty
+};
+
+using Command = std::variant<BuildArguments, CheckArguments, RenderArguments>;
+
+/// The command, or the exit code where there is nothing more to do: help or the version was
+/// printed on standard output, or what is wrong was told on standard error.
+using ParsedArguments = std::variant<Command, int>;
+
+ParsedArguments parse_arguments(int argc, const char* const* argv);
+
+}  // namespace relievo::cli

@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <cmath>
+
+#include "apps/cli/commands.h"
+#include "apps/cli/inputs.h"
+#include "apps/cli/messages.h"
+#include "apps/cli/outputs.h"
+#include "apps/cli/pictures.h"
+#include "apps/cli/reconstruct.h"
+#include "apps/cli/report.h"
+#include "apps/cli/stopwatch.h"
+#include "io/maps/encode_maps.h"
+
+namespace relievo::cli {
+namespace {
+
+/// What a build has made so far.
+struct Products {
+  std::vector<OutputFile> files;
+  std::optional<Model> model;
+};
+
+Status add(Products& products, const std::string& name, Result<Bytes> bytes) {
+  if (!bytes) return bytes.error();
+  products.files.push_back({name, std::move(*bytes)});
+  return Done{};
+}
+
+Status add_models(Products& products, const BuildArguments& build, const SceneInput& input,
+                  const Relief& relief, const RunContext& context) {
+  if (build.models.empty() && build.preview.empty()) return Done{};
+  auto model = make_model(relief, input.scene, build.relief, context);
+  if (!model) return model.error();
+  products.model = std::move(*model);
+  for (const std::string& name : build.models) {
+    auto files = encode_model(*products.model, input.drawing, name, build.size_mm);
+    if (!files) return files.error();
+    std::move(files->begin(), files->end(), std::back_inserter(products.files));
+    if (context.cancelled()) return interrupted_error();
+  }
+  if (build.preview.empty()) return Done{};
+  RenderArguments picture;
+  picture.size = build.preview_size;
+  return add(products, build.preview,
+             draw_picture(*products.model, input.drawing, picture, context));
+}
+
+Result<ReliefMaps> make_maps(const BuildArguments& build, const Scene& scene, const Relief& relief,
+                             const RunContext& context) {
+  const double longest = std::max(scene.width, scene.height);
+  const auto pixels = [&](double side) {
+    return std::max(1, static_cast<int>(std::lround(build.map_size * side / longest)));
+  };
+  return rasterize_relief(relief.layers, relief.inflation, relief.ordering, scene,
+                          pixels(scene.width), pixels(scene.height), context);
+}
+
+Status add_maps(Products& products, const BuildArguments& build, const Scene& scene,
+                const Relief& relief, const RunContext& context) {
+  if (build.normal_map.empty() && build.depth_map.empty() && build.part_map.empty()) return Done{};
+  const auto maps = make_maps(build, scene, relief, context);
+  if (!maps) return maps.error();
+  const GreenAxis green = build.normal_y_down ? GreenAxis::down : GreenAxis::up;
+  if (!build.normal_map.empty())
+    if (Status s = add(products, build.normal_map, encode_normal_map(*maps, green)); !s) return s;
+  if (!build.depth_map.empty())
+    if (Status s = add(products, build.depth_map, encode_depth_map(*maps)); !s) return s;
+  if (!build.part_map.empty())
+    if (Status s = add(products, build.part_map, encode_part_map(*maps)); !s) return s;
+  return Done{};
+}
+
+std::string summary(const Relief& relief) {
+  return std::to_string(relief.layers.node_vertex.size()) + " vertices, " +
+         std::to_string(relief.ordering.equalities) + " equalities, " +
+         std::to_string(relief.ordering.inequalities) + " inequalities, " +
+         std::to_string(relief.ordering.report.active) + " active";
+}
+
+void print_results(const BuildArguments& build, const Products& products,
+                   const std::string& report) {
+  if (build.print_report) return print_result(report, false);
+  for (const OutputFile& file : products.files)
+    print_result(file.path.string(), build.common.quiet);
+}
+
+std::vector<std::string> all_warnings(const SceneInput& input, const Relief& relief) {
+  std::vector<std::string> warnings = input.warnings;
+  warnings.insert(warnings.end(), relief.layers.warnings.begin(), relief.layers.warnings.end());
+  return warnings;
+}
+
+Bytes to_bytes(const std::string& text) { return {text.begin(), text.end()}; }
+
+}  // namespace
+
+Status run_build(const BuildArguments& build, Interruption& interruption) {
+  const Stopwatch total;
+  const auto outputs = planned_outputs(build);
+  if (Status status = check_outputs(outputs, {build.common.input}); !status) return status;
+  const auto file = read_input(build.common.input);
+  if (!file) return file.error();
+  auto input = load_scene(*file);
+  if (!input) return input.error();
+  if (Status status = check_outputs(outputs, input->files); !status) return status;
+  const double read_time = total.milliseconds();
+  print_warnings(input->warnings, build.common.quiet);
+
+  Products products;
+  std::optional<Progress> progress(build.common.quiet);
+  const RunContext context{interruption.flag(), progress->callback()};
+  const auto relief = reconstruct(input->scene, build.relief, context);
+  if (!relief) return relief.error();
+  const Stopwatch exporting;
+  if (Status s = add_models(products, build, *input, *relief, context); !s) return s;
+  if (Status s = add_maps(products, build, input->scene, *relief, context); !s) return s;
+  progress.reset();
+
+  const std::string report = write_report(
+      {build.common.input,
+       input->scene,
+       *relief,
+       products.model ? &*products.model : nullptr,
+       {{"read", read_time}, {"export", exporting.milliseconds()}, {"total", total.milliseconds()}},
+       all_warnings(*input, *relief)});
+  if (!build.report.empty()) products.files.push_back({build.report, to_bytes(report)});
+  if (Status status = save(products.files, input->files, interruption); !status) return status;
+  print_warnings(relief->layers.warnings, build.common.quiet);
+  print_note(summary(*relief), build.common.quiet);
+  print_results(build, products, report);
+  return Done{};
+}
+
+}  // namespace relievo::cli

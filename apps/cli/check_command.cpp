@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <utility>
+
+#include "apps/cli/commands.h"
+#include "apps/cli/inputs.h"
+#include "apps/cli/messages.h"
+#include "apps/cli/table.h"
+#include "relief/layers/layer_parts.h"
+
+namespace relievo::cli {
+namespace {
+
+/// Enough to find every contradiction between annotations, and quick.
+constexpr int trial_vertices = 5000;
+
+std::string count(size_t number, const std::string& what) {
+  return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+}
+
+const char* name(RelationKind kind) {
+  switch (kind) {
+    case RelationKind::equal:
+      return "equal";
+    case RelationKind::above:
+      return "above";
+    case RelationKind::free:
+      return "free";
+  }
+  return "";
+}
+
+std::string part_table(const Scene& scene) {
+  Table table({"part", "c", "d", "rings", "points", "size in px"});
+  for (const Part& part : scene.parts) {
+    size_t points = 0;
+    for (const Ring& ring : part.outline) points += ring.size();
+    const Box2 box = bounding_box(part.outline);
+    table.add({part.id, number(part.c), number(part.d), std::to_string(part.outline.size()),
+               std::to_string(points),
+               number(box.max.x - box.min.x) + " x " + number(box.max.y - box.min.y)});
+  }
+  return table.text();
+}
+
+std::string annotation_table(const Scene& scene) {
+  Table table({"annotation", "upper", "lower", "detail"});
+  const auto id = [&](int part) { return scene.parts[part].id; };
+  for (const Join& join : scene.joins)
+    table.add({"join", id(join.upper), id(join.lower), count(join.line.size(), "point")});
+  for (const Relation& relation : scene.relations)
+    table.add({"relation", id(relation.upper), id(relation.lower),
+               std::string(name(relation.kind)) + (relation.range ? " along a range" : "")});
+  for (const RobinRange& range : scene.robin)
+    table.add({"robin", id(range.upper), id(range.lower),
+               "alpha0 " + (range.alpha0 ? number(*range.alpha0) : "default") + ", rho " +
+                   (range.rho ? number(*range.rho) : "default")});
+  return table.empty() ? "" : table.text();
+}
+
+/// What the depth constraints tie together, pair by pair.
+std::string overlap_table(const Scene& scene, const LayeredMesh& mesh) {
+  std::map<std::pair<int, int>, std::pair<size_t, size_t>> pairs;
+  for (const DepthPair& pair : mesh.constraints) {
+    auto& [equal, above] = pairs[{mesh.node_part[pair.upper], mesh.node_part[pair.lower]}];
+    ++(pair.equal ? equal : above);
+  }
+  if (pairs.empty()) return "";
+  Table table({"overlap", "over", "glued at", "above at"});
+  for (const auto& [parts, counts] : pairs)
+    table.add({scene.parts[parts.first].id, scene.parts[parts.second].id,
+               std::to_string(100 * counts.first / (counts.first + counts.second)) + " %",
+               std::to_string(100 - 100 * counts.first / (counts.first + counts.second)) + " %"});
+  return table.text();
+}
+
+}  // namespace
+
+Status run_check(const CheckArguments& check, Interruption& interruption) {
+  const bool quiet = check.common.quiet;
+  const auto file = read_input(check.common.input);
+  if (!file) return file.error();
+  const auto input = load_scene(*file);
+  if (!input) return input.error();
+  if (Status status = validate(input->scene); !status) return status;
+  print_warnings(input->warnings, quiet);
+  const Scene& scene = input->scene;
+  print_result("canvas " + number(scene.width) + " x " + number(scene.height) + " px, " +
+                   count(scene.parts.size(), "part") +
+                   (input->proposed ? " proposed from the shapes" : "") + ", back to front",
+               quiet);
+  print_result("\n" + part_table(scene), quiet);
+  if (const std::string table = annotation_table(scene); !table.empty())
+    print_result("\n" + table, quiet);
+  LayerOptions options;
+  options.vertex_budget = trial_vertices;
+  const auto mesh = layer_parts(scene, options, {interruption.flag(), {}});
+  if (!mesh) return mesh.error();
+  print_warnings(mesh->warnings, quiet);
+  if (const std::string table = overlap_table(scene, *mesh); !table.empty())
+    print_result("\n" + table, quiet);
+  print_note("nothing is wrong with " + check.common.input, quiet);
+  return Done{};
+}
+
+}  // namespace relievo::cli

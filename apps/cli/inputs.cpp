@@ -1,0 +1,161 @@
+#include "apps/cli/inputs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "io/files/read_file.h"
+#include "io/image/decode_image.h"
+#include "io/scene/read_scene.h"
+#include "io/svg/read_svg.h"
+#include "io/svg/render_svg.h"
+
+namespace relievo::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Longest side of the texture that is made from a vector drawing, px.
+constexpr double vector_texture_side = 2048;
+
+std::string_view text_of(const Bytes& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+bool begins_with(std::string_view text, std::string_view start) {
+  return text.substr(0, start.size()) == start;
+}
+
+/// The error with the file's name in front of where it is.
+Error in_file(Error error, const std::string& name) {
+  if (error.where != name) error.where = error.where.empty() ? name : name + ": " + error.where;
+  return error;
+}
+
+Result<Drawing> rasterize(const Bytes& svg, const Scene& scene) {
+  const double scale = vector_texture_side / std::max(scene.width, scene.height);
+  const auto pixels = [scale](double side) {
+    return std::max(1, static_cast<int>(std::lround(scale * side)));
+  };
+  return render_svg(text_of(svg), pixels(scene.width), pixels(scene.height));
+}
+
+Result<SceneInput> load_svg(const InputFile& input) {
+  auto import = read_svg(text_of(input.bytes));
+  if (!import) return import.error();
+  auto drawing = rasterize(input.bytes, import->scene);
+  if (!drawing) return drawing.error();
+  SceneInput loaded;
+  loaded.scene = std::move(import->scene);
+  loaded.drawing = std::move(*drawing);
+  loaded.warnings = std::move(import->warnings);
+  loaded.proposed = import->proposed;
+  return loaded;
+}
+
+/// The path of a scene's drawing; refused where a link leads out of the scene's folder.
+Result<fs::path> drawing_path(const InputFile& input, const std::string& drawing) {
+  std::error_code code;
+  const fs::path parent = fs::path(input.name).parent_path();
+  const fs::path folder =
+      fs::canonical(input.name == "-" || parent.empty() ? fs::path(".") : parent, code);
+  const fs::path path = fs::weakly_canonical(folder / drawing, code);
+  const fs::path inside = path.lexically_relative(folder);
+  if (code || inside.empty() || *inside.begin() == "..")
+    return Error{ErrorCode::bad_input, "leads out of the scene's folder", "drawing"};
+  return path;
+}
+
+void warn_about_shape(const Drawing& drawing, const Scene& scene, SceneInput& loaded) {
+  const double stretch = (drawing.rgba.width / scene.width) / (drawing.rgba.height / scene.height);
+  if (stretch > 1.02 || stretch < 1 / 1.02)
+    loaded.warnings.emplace_back("the drawing has not the shape of the canvas and is stretched");
+}
+
+Status load_drawing(const InputFile& input, SceneInput& loaded) {
+  const auto path = drawing_path(input, loaded.scene.drawing);
+  if (!path) return path.error();
+  const auto bytes = read_file(*path);
+  if (!bytes) return bytes.error();
+  loaded.files.push_back(*path);
+  if (sniff(*bytes) == InputKind::svg) {
+    auto drawing = rasterize(*bytes, loaded.scene);
+    if (!drawing) return in_file(drawing.error(), path->string());
+    loaded.drawing = std::move(*drawing);
+    return Done{};
+  }
+  auto pixels = decode_image(*bytes);
+  if (!pixels) return in_file(pixels.error(), path->string());
+  loaded.drawing.rgba = std::move(*pixels);
+  warn_about_shape(loaded.drawing, loaded.scene, loaded);
+  return Done{};
+}
+
+Result<SceneInput> load_json(const InputFile& input) {
+  auto scene = read_scene(text_of(input.bytes));
+  if (!scene) return scene.error();
+  SceneInput loaded;
+  loaded.scene = std::move(*scene);
+  if (loaded.scene.drawing.empty()) return loaded;
+  if (Status status = load_drawing(input, loaded); !status) return status.error();
+  return loaded;
+}
+
+Result<SceneInput> refuse(InputKind kind) {
+  const auto bad = [](const char* message) { return Error{ErrorCode::bad_input, message, ""}; };
+  switch (kind) {
+    case InputKind::image:
+      return bad(
+          "is a flat picture, and this version cannot find the parts of one by itself; draw each "
+          "part as a layer of an SVG, or write a scene file that names the picture as its drawing");
+    case InputKind::glb:
+      return bad("is a finished model; use it with: relievo render");
+    case InputKind::zip:
+      return bad("is an archive; this version reads SVG and scene files only");
+    case InputKind::gzip:
+      return bad("is compressed; unpack it first, for example with gunzip");
+    default:
+      return bad("is neither an SVG drawing nor a scene file (JSON)");
+  }
+}
+
+Result<SceneInput> load(const InputFile& input) {
+  const InputKind kind = sniff(input.bytes);
+  if (kind == InputKind::svg) return load_svg(input);
+  if (kind == InputKind::json) return load_json(input);
+  return refuse(kind);
+}
+
+}  // namespace
+
+InputKind sniff(ByteView bytes) {
+  std::string_view text{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  if (begins_with(text, "\x89PNG") || begins_with(text, "\xff\xd8\xff")) return InputKind::image;
+  if (begins_with(text, "GIF8") || begins_with(text, "BM")) return InputKind::image;
+  if (begins_with(text, "RIFF") && text.substr(0, 16).find("WEBP") != std::string_view::npos)
+    return InputKind::image;
+  if (begins_with(text, "glTF")) return InputKind::glb;
+  if (begins_with(text, "PK\x03\x04")) return InputKind::zip;
+  if (begins_with(text, "\x1f\x8b")) return InputKind::gzip;
+  if (begins_with(text, "\xef\xbb\xbf")) text.remove_prefix(3);
+  const size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return InputKind::unknown;
+  if (text[first] == '<') return InputKind::svg;
+  return text[first] == '{' || text[first] == '[' ? InputKind::json : InputKind::unknown;
+}
+
+Result<InputFile> read_input(const std::string& name) {
+  auto bytes = read_file(name == "-" ? fs::path("/dev/stdin") : fs::path(name));
+  if (!bytes) return bytes.error();
+  if (bytes->empty()) return Error{ErrorCode::bad_input, "is empty", name};
+  return InputFile{name, std::move(*bytes)};
+}
+
+Result<SceneInput> load_scene(const InputFile& input) {
+  auto loaded = load(input);
+  if (!loaded) return in_file(loaded.error(), input.name);
+  if (input.name != "-") loaded->files.emplace_back(input.name);
+  return loaded;
+}
+
+}  // namespace relievo::cli

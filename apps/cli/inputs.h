@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/files/bytes.h"
+#include "kernel/base/result.h"
+#include "relief/drawing/drawing.h"
+#include "relief/scene/scene.h"
+
+namespace relievo::cli {
+
+/// What a file holds, told by its content.
+enum class InputKind { svg, json, image, glb, zip, gzip, unknown };
+
+InputKind sniff(ByteView bytes);
+
+struct InputFile {
+  std::string name;  ///< as given; "-" is standard input
+  Bytes bytes;
+};
+
+/// A drawing that is ready for reconstruction.
+struct SceneInput {
+  Scene scene;
+  Drawing drawing;                           ///< empty where there is none
+  std::vector<std::filesystem::path> files;  ///< all that were read, never to be overwritten
+  std::vector<std::string> warnings;
+  bool proposed = false;  ///< the parts were guessed, not annotated
+};
+
+/// Reads the whole of a file, or of standard input where the name is "-".
+Result<InputFile> read_input(const std::string& name);
+
+/// A scene from an SVG drawing, or from a scene file and the drawing that it names. The error's
+/// `where` begins with the file's name.
+Result<SceneInput> load_scene(const InputFile& input);
+
+}  // namespace relievo::cli

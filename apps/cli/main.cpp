@@ -1,0 +1,57 @@
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "apps/cli/arguments.h"
+#include "apps/cli/commands.h"
+#include "apps/cli/exit_code.h"
+#include "apps/cli/interruption.h"
+#include "apps/cli/messages.h"
+
+namespace relievo::cli {
+namespace {
+
+const CommonArguments& common(const Command& command) {
+  return std::visit(
+      [](const auto& arguments) -> const CommonArguments& { return arguments.common; }, command);
+}
+
+Status run(const Command& command, Interruption& interruption) {
+  if (const auto* build = std::get_if<BuildArguments>(&command))
+    return run_build(*build, interruption);
+  if (const auto* check = std::get_if<CheckArguments>(&command))
+    return run_check(*check, interruption);
+  return run_render(std::get<RenderArguments>(command), interruption);
+}
+
+int run_program(int argc, const char* const* argv) {
+  const ParsedArguments parsed = parse_arguments(argc, argv);
+  if (const int* code = std::get_if<int>(&parsed)) return *code;
+  const auto& command = std::get<Command>(parsed);
+  Interruption interruption(common(command).timeout);
+  Status status = run(command, interruption);
+  if (status && std::fflush(stdout) != 0)
+    status = Error{ErrorCode::file, "cannot write to standard output", ""};
+  if (status) return exit_done;
+  const bool stopped = status.error().code == ErrorCode::interrupted;
+  const Error error = stopped ? interruption.reason() : status.error();
+  print_error(error);
+  return exit_code(error.code);
+}
+
+}  // namespace
+}  // namespace relievo::cli
+
+int main(int argc, char** argv) {
+  using relievo::ErrorCode;
+  namespace cli = relievo::cli;
+  try {
+    return cli::run_program(argc, argv);
+  } catch (const std::bad_alloc&) {
+    cli::print_error({ErrorCode::limit, "there is not enough memory; try fewer --vertices", ""});
+    return cli::exit_limit;
+  } catch (const std::exception& defect) {
+    cli::print_error({ErrorCode::internal, std::string("defect: ") + defect.what(), ""});
+    return cli::exit_code(ErrorCode::internal);
+  }
+}

@@ -1,0 +1,58 @@
+#include "apps/cli/messages.h"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+
+namespace relievo::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void print_line(const char* kind, const std::string& text) {
+  std::fprintf(stderr, "relievo: %s%s\n", kind, printable(text).c_str());
+}
+
+}  // namespace
+
+std::string printable(const std::string& text) {
+  std::string safe = text;
+  for (char& c : safe)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  return safe;
+}
+
+void print_error(const Error& error) { print_line("", to_string(error)); }
+
+void print_warnings(const std::vector<std::string>& warnings, bool quiet) {
+  if (quiet) return;
+  for (const std::string& warning : warnings) print_line("warning: ", warning);
+}
+
+void print_note(const std::string& text, bool quiet) {
+  if (!quiet) print_line("", text);
+}
+
+void print_result(const std::string& text, bool quiet) {
+  if (!quiet) std::printf("%s%s", text.c_str(), text.empty() || text.back() != '\n' ? "\n" : "");
+}
+
+Progress::Progress(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() {
+  if (shown_) std::fputs("\r\033[K", stderr);
+}
+
+std::function<void(const char*, double)> Progress::callback() {
+  if (!shown_) return {};
+  return [last = Clock::time_point()](const char* stage, double fraction) mutable {
+    const auto now = Clock::now();
+    if (now - last < std::chrono::milliseconds(50)) return;
+    last = now;
+    std::fprintf(stderr, "\r\033[K%s %3.0f %%", stage, 100 * fraction);
+    std::fflush(stderr);
+  };
+}
+
+}  // namespace relievo::cli

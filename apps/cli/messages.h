@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kernel/base/result.h"
+#include "kernel/base/run_context.h"
+
+namespace relievo::cli {
+
+/// `text` with control characters replaced, so that names from a file cannot steer the terminal.
+std::string printable(const std::string& text);
+
+/// One line on stderr: "relievo: where: message".
+void print_error(const Error& error);
+
+/// Lines on stderr, none when `quiet`.
+void print_warnings(const std::vector<std::string>& warnings, bool quiet);
+void print_note(const std::string& text, bool quiet);
+
+/// A line on standard output, none when `quiet`.
+void print_result(const std::string& text, bool quiet);
+
+/// One line of progress on stderr, rewritten in place; only when stderr is a terminal and not
+/// `quiet`. Leaves no trace once it is gone.
+class Progress {
+ public:
+  explicit Progress(bool quiet);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress();
+
+  /// What a RunContext calls; empty where nothing is to be shown.
+  std::function<void(const char*, double)> callback();
+
+ private:
+  bool shown_;
+};
+
+}  // namespace relievo::cli

@@ -1,0 +1,96 @@
+#include "apps/cli/outputs.h"
+
+#include <set>
+
+#include "io/mesh/glb_encode.h"
+#include "io/mesh/obj_encode.h"
+#include "io/mesh/ply_encode.h"
+#include "io/mesh/stl_encode.h"
+
+namespace relievo::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Files = std::vector<OutputFile>;
+
+Result<Files> single(const std::string& name, Result<Bytes> bytes) {
+  if (!bytes) return bytes.error();
+  return Files{{name, std::move(*bytes)}};
+}
+
+fs::path beside(const fs::path& path, const std::string& extension) {
+  const std::string name = obj_file_name(path.stem().string()) + extension;
+  return path.parent_path() / name;
+}
+
+Result<Files> encode_obj_files(const Model& model, const Drawing* drawing, const fs::path& path,
+                               double size_mm) {
+  auto encoded = encode_obj(model, drawing, {size_mm, path.stem().string()});
+  if (!encoded) return encoded.error();
+  Files files = {{path, std::move(encoded->obj)}, {beside(path, ".mtl"), std::move(encoded->mtl)}};
+  if (!encoded->png.empty()) files.push_back({beside(path, ".png"), std::move(encoded->png)});
+  return files;
+}
+
+/// One name for a file, however its folder is written. The file need not exist.
+fs::path identity(const fs::path& path) {
+  std::error_code code;
+  const fs::path canonical = fs::weakly_canonical(path, code);
+  return code ? fs::absolute(path, code).lexically_normal() : canonical;
+}
+
+}  // namespace
+
+std::vector<fs::path> planned_outputs(const BuildArguments& build) {
+  std::vector<fs::path> paths;
+  for (const std::string& model : build.models) {
+    paths.emplace_back(model);
+    if (paths.back().extension() != ".obj") continue;
+    const fs::path obj = paths.back();
+    paths.push_back(beside(obj, ".mtl"));
+    paths.push_back(beside(obj, ".png"));
+  }
+  for (const std::string* name :
+       {&build.normal_map, &build.depth_map, &build.part_map, &build.preview, &build.report})
+    if (!name->empty()) paths.emplace_back(*name);
+  return paths;
+}
+
+Status check_outputs(const std::vector<fs::path>& paths, const std::vector<fs::path>& inputs) {
+  std::set<fs::path> taken;
+  for (const fs::path& path : paths) {
+    std::error_code code;
+    const fs::path folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
+    if (!fs::is_directory(folder, code))
+      return Error{ErrorCode::file, "cannot be written: its folder does not exist", path.string()};
+    if (fs::is_directory(path, code))
+      return Error{ErrorCode::file, "cannot be written: it is a folder", path.string()};
+    if (!taken.insert(identity(path)).second)
+      return Error{ErrorCode::usage, "is to be written twice", path.string()};
+    for (const fs::path& input : inputs)
+      if (fs::equivalent(path, input, code))
+        return Error{ErrorCode::usage, "is an input and is never overwritten", path.string()};
+  }
+  return Done{};
+}
+
+Result<Files> encode_model(const Model& model, const Drawing& drawing, const std::string& name,
+                           double size_mm) {
+  const Drawing* texture = drawing.rgba.empty() ? nullptr : &drawing;
+  const fs::path path = name;
+  if (path.extension() == ".obj") return encode_obj_files(model, texture, path, size_mm);
+  if (path.extension() == ".ply") return single(name, encode_ply(model, texture, {size_mm, ""}));
+  if (path.extension() == ".stl") return single(name, encode_stl(model, size_mm));
+  return single(name, encode_glb(model, texture, size_mm));
+}
+
+Status save(const Files& files, const std::vector<fs::path>& inputs, Interruption& interruption) {
+  const auto writing = interruption.hold_off();
+  if (*interruption.flag()) return interrupted_error();
+  Status status = write_files(files, inputs);
+  if (status) interruption.finish();
+  return status;
+}
+
+}  // namespace relievo::cli

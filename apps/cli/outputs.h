@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "apps/cli/arguments.h"
+#include "apps/cli/interruption.h"
+#include "io/files/write_files.h"
+#include "kernel/base/result.h"
+#include "relief/drawing/drawing.h"
+#include "relief/model/model.h"
+
+namespace relievo::cli {
+
+/// All files that a build will write, those that go with others included (.mtl beside .obj).
+std::vector<std::filesystem::path> planned_outputs(const BuildArguments& build);
+
+/// Whether `paths` can be written: different files in folders that are there, none of them one
+/// of `inputs`. Errors: `usage`, `file`.
+Status check_outputs(const std::vector<std::filesystem::path>& paths,
+                     const std::vector<std::filesystem::path>& inputs);
+
+/// The files of a model in the format that the name's extension says. Precondition: a known one.
+Result<std::vector<OutputFile>> encode_model(const Model& model, const Drawing& drawing,
+                                             const std::string& name, double size_mm);
+
+/// Writes all files or none, unless the work was stopped before. Errors: as write_files, and
+/// `interrupted`.
+Status save(const std::vector<OutputFile>& files, const std::vector<std::filesystem::path>& inputs,
+            Interruption& interruption);
+
+}  // namespace relievo::cli

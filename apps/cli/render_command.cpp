@@ -1,0 +1,57 @@
+#include "apps/cli/commands.h"
+#include "apps/cli/inputs.h"
+#include "apps/cli/messages.h"
+#include "apps/cli/outputs.h"
+#include "apps/cli/pictures.h"
+#include "apps/cli/reconstruct.h"
+#include "io/mesh/glb_decode.h"
+
+namespace relievo::cli {
+namespace {
+
+struct Subject {
+  DrawnModel drawn;
+  std::vector<std::filesystem::path> files;  ///< that were read
+};
+
+Result<Subject> load_model(const InputFile& input) {
+  auto drawn = decode_glb(input.bytes);
+  if (!drawn) return Error{drawn.error().code, drawn.error().message, input.name};
+  Subject subject{std::move(*drawn), {}};
+  if (input.name != "-") subject.files.emplace_back(input.name);
+  return subject;
+}
+
+Result<Subject> build_model(const InputFile& input, const RenderArguments& render,
+                            const RunContext& context) {
+  auto loaded = load_scene(input);
+  if (!loaded) return loaded.error();
+  print_warnings(loaded->warnings, render.common.quiet);
+  const auto relief = reconstruct(loaded->scene, render.relief, context);
+  if (!relief) return relief.error();
+  auto model = make_model(*relief, loaded->scene, render.relief, context);
+  if (!model) return model.error();
+  return Subject{{std::move(*model), std::move(loaded->drawing)}, std::move(loaded->files)};
+}
+
+}  // namespace
+
+Status run_render(const RenderArguments& render, Interruption& interruption) {
+  if (Status status = check_outputs({render.output}, {render.common.input}); !status) return status;
+  const auto input = read_input(render.common.input);
+  if (!input) return input.error();
+  Progress progress(render.common.quiet);
+  const RunContext context{interruption.flag(), progress.callback()};
+  const auto subject = sniff(input->bytes) == InputKind::glb ? load_model(*input)
+                                                             : build_model(*input, render, context);
+  if (!subject) return subject.error();
+  auto picture = draw_picture(subject->drawn.model, subject->drawn.drawing, render, context);
+  if (!picture) return picture.error();
+  if (Status status = save({{render.output, std::move(*picture)}}, subject->files, interruption);
+      !status)
+    return status;
+  print_result(render.output, render.common.quiet);
+  return Done{};
+}
+
+}  // namespace relievo::cli

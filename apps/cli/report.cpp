@@ -1,0 +1,85 @@
+#include "apps/cli/report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace relievo::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* name(SolveStatus status) {
+  switch (status) {
+    case SolveStatus::solved:
+      return "solved";
+    case SolveStatus::iteration_limit:
+      return "iteration_limit";
+    case SolveStatus::not_positive_definite:
+      return "not_positive_definite";
+    case SolveStatus::interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+Json parts(const Scene& scene, const LayeredMesh& mesh) {
+  std::vector<size_t> faces(scene.parts.size());
+  for (const int part : mesh.face_part) ++faces[part];
+  Json list = Json::array();
+  for (size_t i = 0; i < scene.parts.size(); ++i)
+    list.push_back({{"id", scene.parts[i].id},
+                    {"c", scene.parts[i].c},
+                    {"d", scene.parts[i].d},
+                    {"faces", faces[i]}});
+  return list;
+}
+
+Json solver(const BoundQpReport& report) {
+  return {{"status", name(report.status)},
+          {"iterations", report.iterations},
+          {"stationarity", report.stationarity},
+          {"primal", report.primal},
+          {"dual", report.dual},
+          {"complementarity", report.complementarity},
+          {"energy", report.energy}};
+}
+
+/// Milliseconds by stage: those of the contract first, 0 where a stage did not run.
+Json times(const ReportInput& input) {
+  Json sums;
+  for (const char* stage :
+       {"read", "mesh", "assemble", "analyse", "inflate", "order", "nonlinear", "export", "total"})
+    sums[stage] = 0.0;
+  for (const std::vector<StageTime>* list : {&input.relief.times, &input.times})
+    for (const StageTime& time : *list)
+      sums[time.stage] = sums.value(time.stage, 0.0) + time.milliseconds;
+  return sums;
+}
+
+}  // namespace
+
+std::string write_report(const ReportInput& input) {
+  const LayeredMesh& mesh = input.relief.layers;
+  const Ordering& ordering = input.relief.ordering;
+  Json report;
+  report["version"] = RELIEVO_VERSION;
+  report["input"] = input.name;
+  report["method"] = "approximate";
+  report["vertices"] = mesh.node_vertex.size();
+  report["faces"] = mesh.faces.size();
+  report["parts"] = parts(input.scene, mesh);
+  report["constraints"] = {{"equalities", ordering.equalities},
+                           {"inequalities", ordering.inequalities},
+                           {"active", ordering.report.active}};
+  report["solver"] = solver(ordering.report);
+  report["max_violation"] = ordering.max_violation;
+  report["overlap_violation"] = {{"samples", ordering.overlap_samples},
+                                 {"worst", ordering.overlap_worst}};
+  if (input.model != nullptr)
+    report["model"] = {{"vertices", input.model->positions.size()},
+                       {"faces", input.model->triangles.size()}};
+  report["timings_ms"] = times(input);
+  report["warnings"] = input.warnings;
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace relievo::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "relief/pipeline/build_relief.h"
+
+namespace relievo::cli {
+
+struct ReportInput {
+  std::string name;  ///< of the input
+  const Scene& scene;
+  const Relief& relief;
+  const Model* model = nullptr;  ///< where one was made
+  std::vector<StageTime> times;  ///< of the program: "read", "export", "total"
+  std::vector<std::string> warnings;
+};
+
+/// The report as JSON text, keys in a fixed order; described in docs/report.md.
+std::string write_report(const ReportInput& input);
+
+}  // namespace relievo::cli

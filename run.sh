@@ -1,0 +1,27 @@
+#!/bin/sh
+# Builds Relievo and turns the sample drawing into a model. Installs what is missing first.
+set -eu
+cd "$(dirname "$0")"
+
+scripts/install-packages.sh build
+cmake --preset release > /dev/null
+cmake --build build/release --target relievo
+
+mkdir -p out
+relievo=build/release/apps/cli/relievo
+"$relievo" build examples/wolf.svg -o out/wolf.glb --preview out/wolf.png \
+  --normal-map out/wolf-normal.png --depth-map out/wolf-depth.png --part-map out/wolf-parts.png \
+  --report out/wolf.json > /dev/null
+"$relievo" render out/wolf.glb -o out/wolf-sheet.png --view sheet > /dev/null
+
+cat << 'END'
+
+Made from examples/wolf.svg:
+  out/wolf.glb          the model; opens in Blender, on Windows, macOS and in web viewers
+  out/wolf.png          a picture of it
+  out/wolf-sheet.png    the same from several sides
+  out/wolf-normal.png   normal map, out/wolf-depth.png depth map, out/wolf-parts.png parts
+  out/wolf.json         what was computed, how exactly and how fast
+
+Your own drawing: build/release/apps/cli/relievo build DRAWING.svg -o MODEL.glb
+END

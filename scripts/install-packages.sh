@@ -1,0 +1,49 @@
+#!/bin/sh
+# Installs the Debian packages that are missing; does nothing, quickly, where all are there.
+# Usage: install-packages.sh [build|test]   build: to compile and run; test: those and to test
+set -eu
+
+build="ca-certificates ccache cmake g++ libcgal-dev libcli11-dev libeigen3-dev libembree-dev
+  libjpeg-dev libpng-dev libpolyclipping-dev libpugixml-dev librsvg2-dev lld ninja-build
+  nlohmann-json3-dev pkg-config"
+test="clang-format clang-tidy coinor-libipopt-dev libgtest-dev librapidcheck-dev libvalijson-dev
+  shellcheck zlib1g-dev"
+
+case "${1:-test}" in
+  build) wanted="$build" ;;
+  test) wanted="$build $test" ;;
+  *) echo "usage: $0 [build|test]" >&2; exit 2 ;;
+esac
+
+if ! command -v dpkg-query > /dev/null; then
+  echo "This system has no Debian packages. Install what these stand for, then try again:" >&2
+  echo "$wanted" >&2
+  exit 1
+fi
+
+# shellcheck disable=SC2086
+installed=$(dpkg-query -W -f '${db:Status-Abbrev} ${Package}\n' $wanted 2> /dev/null |
+  sed -n 's/^ii  *//p') || true
+missing=""
+for package in $wanted; do
+  case "
+$installed
+" in
+    *"
+$package
+"*) ;;
+    *) missing="$missing $package" ;;
+  esac
+done
+[ -n "$missing" ] || exit 0
+
+as_root=""
+[ "$(id -u)" -eq 0 ] || as_root="sudo"
+echo "Installing:$missing" >&2
+export DEBIAN_FRONTEND=noninteractive
+$as_root apt-get update -qq >&2 || echo "Package lists could not be updated; trying without." >&2
+# shellcheck disable=SC2086
+if ! $as_root apt-get install -y -qq --no-install-recommends $missing >&2; then
+  echo "Could not install:$missing. Is there a network connection?" >&2
+  exit 1
+fi

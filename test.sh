@@ -1,0 +1,21 @@
+#!/bin/sh
+# Builds everything and runs every test: first under the address and undefined-behaviour
+# sanitizers, then optimised, with the linter and a program built against the installed package.
+set -eu
+cd "$(dirname "$0")"
+jobs=$(nproc 2> /dev/null || echo 2)
+
+scripts/install-packages.sh test
+if command -v npm > /dev/null; then
+  (cd tests/tools && npm ci --ignore-scripts --no-audit --no-fund --silent) ||
+    echo "No glTF validator from npm; the tests that need it are skipped." >&2
+fi
+
+cmake --preset asan > /dev/null
+cmake --build build/asan -j "$jobs"
+UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=detect_stack_use_after_return=1 \
+  ctest --test-dir build/asan -j "$jobs" --output-on-failure --no-tests=error
+
+cmake --preset dev > /dev/null
+cmake --build build/dev -j "$jobs"
+ctest --test-dir build/dev -j "$jobs" --output-on-failure --no-tests=error

@@ -1,0 +1,205 @@
+#include <nlohmann/json.hpp>
+
+#include "cli/cli_test.h"
+#include "io/image/decode_image.h"
+#include "io/mesh/glb_decode.h"
+
+namespace relievo {
+namespace {
+
+using Build = CliTest;
+using Json = nlohmann::json;
+
+const std::vector<std::string> small = {"--vertices", "3000"};
+
+std::vector<std::string> with_small(std::vector<std::string> arguments) {
+  arguments.insert(arguments.end(), small.begin(), small.end());
+  return arguments;
+}
+
+TEST_F(Build, WritesEveryKindOfFileAndNothingElse) {
+  const Outcome outcome = relievo(with_small({"build",
+                                              "drawing.svg",
+                                              "-o",
+                                              "m.glb",
+                                              "-o",
+                                              "m.obj",
+                                              "-o",
+                                              "m.ply",
+                                              "-o",
+                                              "m.stl",
+                                              "--normal-map",
+                                              "normal.png",
+                                              "--depth-map",
+                                              "depth.png",
+                                              "--part-map",
+                                              "parts.png",
+                                              "--preview",
+                                              "preview.png",
+                                              "--report",
+                                              "report.json",
+                                              "--map-size",
+                                              "300",
+                                              "--preview-size",
+                                              "90"}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(folder_.names(),
+            (std::vector<std::string>{"depth.png", "drawing.svg", "m.glb", "m.mtl", "m.obj",
+                                      "m.ply", "m.png", "m.stl", "normal.png", "parts.png",
+                                      "preview.png", "report.json", "scene.json"}));
+  for (const char* name : {"m.glb", "m.obj", "m.mtl", "m.png", "m.ply", "m.stl", "normal.png",
+                           "depth.png", "parts.png", "preview.png", "report.json"})
+    EXPECT_NE(outcome.out.find(std::string(name) + "\n"), std::string::npos) << name;
+  for (const char* name : {"normal.png", "depth.png", "parts.png"}) {
+    const auto map = decode_image(to_bytes(read(name)));
+    ASSERT_TRUE(map) << name;
+    EXPECT_EQ(std::max(map->width, map->height), 300);
+  }
+  const auto preview = decode_image(to_bytes(read("preview.png")));
+  ASSERT_TRUE(preview);
+  EXPECT_EQ(std::max(preview->width, preview->height), 90);
+  const auto drawn = decode_glb(to_bytes(read("m.glb")));
+  ASSERT_TRUE(drawn) << to_string(drawn.error());
+  EXPECT_GT(drawn->model.triangles.size(), 3000U);
+  EXPECT_FALSE(drawn->drawing.rgba.empty());
+  ASSERT_EQ(drawn->model.parts.size(), 2U);
+  EXPECT_EQ(drawn->model.parts[1].id, "head");
+}
+
+TEST_F(Build, SameInputGivesSameBytes) {
+  const auto files = {"m.glb", "m.obj", "m.ply", "m.stl", "n.png", "d.png", "p.png", "v.png"};
+  std::vector<std::string> first;
+  for (int repetition = 0; repetition < 2; ++repetition) {
+    const Outcome outcome = relievo(
+        with_small({"build",          "scene.json", "-o",          "m.glb",      "-o",
+                    "m.obj",          "-o",         "m.ply",       "-o",         "m.stl",
+                    "--normal-map",   "n.png",      "--depth-map", "d.png",      "--part-map",
+                    "p.png",          "--preview",  "v.png",       "--map-size", "256",
+                    "--preview-size", "80"}));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::vector<std::string> contents;
+    for (const char* file : files) contents.push_back(read(file));
+    if (repetition == 0) first = contents;
+    EXPECT_TRUE(contents == first);
+  }
+}
+
+TEST_F(Build, ReportsWhatItDid) {
+  const Outcome outcome = relievo(with_small({"build", "scene.json", "--json", "-o", "m.glb"}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json report = Json::parse(outcome.out);
+  EXPECT_EQ(report["input"], "scene.json");
+  EXPECT_EQ(report["method"], "approximate");
+  EXPECT_TRUE(report["version"].is_string());
+  EXPECT_GT(report["vertices"], 2000);
+  EXPECT_LT(report["vertices"], 4500);
+  ASSERT_EQ(report["parts"].size(), 2U);
+  EXPECT_EQ(report["parts"][0]["id"], "body");
+  EXPECT_EQ(report["parts"][0]["c"], 4);
+  EXPECT_EQ(report["parts"][1]["c"], 2);
+  EXPECT_EQ(report["parts"][1]["d"], 1);
+  EXPECT_EQ(report["faces"],
+            report["parts"][0]["faces"].get<int>() + report["parts"][1]["faces"].get<int>());
+  EXPECT_GT(report["constraints"]["equalities"], 0);
+  EXPECT_GT(report["constraints"]["inequalities"], 0);
+  EXPECT_TRUE(report["constraints"]["active"].is_number_integer());
+  EXPECT_EQ(report["solver"]["status"], "solved");
+  EXPECT_GT(report["solver"]["iterations"], 0);
+  for (const char* residual : {"stationarity", "primal", "dual", "complementarity"})
+    EXPECT_LE(report["solver"][residual].get<double>(), 1e-10) << residual;
+  EXPECT_TRUE(report["solver"]["energy"].is_number());
+  EXPECT_LE(report["max_violation"].get<double>(), 1e-9);
+  EXPECT_TRUE(report["overlap_violation"]["samples"].is_number_integer());
+  EXPECT_TRUE(report["overlap_violation"]["worst"].is_number());
+  double sum = 0;
+  for (const char* stage :
+       {"read", "mesh", "assemble", "analyse", "inflate", "order", "nonlinear", "export"}) {
+    EXPECT_GE(report["timings_ms"][stage].get<double>(), 0) << stage;
+    sum += report["timings_ms"][stage].get<double>();
+  }
+  EXPECT_LE(sum, 1.05 * report["timings_ms"]["total"].get<double>() + 1);
+  EXPECT_TRUE(report["warnings"].is_array());
+}
+
+TEST_F(Build, ReportInAFileIsTheSameAsOnStandardOutput) {
+  const Outcome outcome =
+      relievo(with_small({"build", "scene.json", "--json", "--report", "report.json"}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(read("report.json"), outcome.out);
+}
+
+TEST_F(Build, QuietSaysNothing) {
+  const Outcome outcome = relievo(with_small({"build", "scene.json", "-o", "m.glb", "--quiet"}));
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_TRUE(exists("m.glb"));
+}
+
+TEST_F(Build, ShowsNoProgressWithoutATerminal) {
+  const Outcome outcome = relievo(with_small({"build", "scene.json", "-o", "m.glb"}));
+  EXPECT_EQ(outcome.out, "m.glb\n");
+  EXPECT_EQ(outcome.err.find('\r'), std::string::npos);
+}
+
+TEST_F(Build, ReadsStandardInput) {
+  for (const char* text : {scene_text, svg_text}) {
+    const Outcome outcome = relievo(with_small({"build", "-", "--json"}), text);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(Json::parse(outcome.out)["input"], "-");
+  }
+}
+
+TEST_F(Build, OptionsReachTheirStages) {
+  const auto glb = [&](std::vector<std::string> options) {
+    std::vector<std::string> arguments = {"build", "scene.json", "-o", "m.glb", "-q"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    EXPECT_EQ(relievo(arguments).exit_code, 0);
+    return read("m.glb");
+  };
+  const std::string plain = glb({"--vertices", "3000"});
+  EXPECT_EQ(glb({"--vertices", "3000", "--method", "approximate", "--profile", "relief",
+                 "--visible", "relief", "--preset", "default", "--size", "100"}),
+            plain);
+  for (const std::vector<std::string>& change :
+       std::vector<std::vector<std::string>>{{"--vertices", "6000"},
+                                             {"--edge", "9"},
+                                             {"--vertices", "3000", "--c", "1"},
+                                             {"--vertices", "3000", "--size", "50"},
+                                             {"--vertices", "3000", "--rho", "0.5"},
+                                             {"--vertices", "3000", "--alpha0", "0.8"},
+                                             {"--vertices", "3000", "--preset", "paper"},
+                                             {"--vertices", "3000", "--no-glue"},
+                                             {"--vertices", "3000", "--visible", "orbit"},
+                                             {"--vertices", "3000", "--keep-hidden"}})
+    EXPECT_FALSE(glb(change) == plain) << change.back();
+}
+
+TEST_F(Build, NormalsPointDownOnRequest) {
+  const auto green = [&](const char* sign) {
+    EXPECT_EQ(relievo(with_small({"build", "scene.json", "--normal-map", "n.png", "--normal-y",
+                                  sign, "--map-size", "100", "-q"}))
+                  .exit_code,
+              0);
+    const auto map = decode_image(to_bytes(read("n.png")));
+    EXPECT_TRUE(map);
+    return map->at(50, 28, 1);
+  };
+  EXPECT_GT(green("+"), 140);
+  EXPECT_LT(green("-"), 116);
+}
+
+TEST_F(Build, TextureComesFromTheDrawingOfTheScene) {
+  std::string scene = scene_text;
+  scene.insert(scene.find("\"parts\""), "\"drawing\": \"drawing.svg\", ");
+  write("drawn.json", scene);
+  ASSERT_EQ(relievo(with_small({"build", "drawn.json", "-o", "m.glb"})).exit_code, 0);
+  const auto drawn = decode_glb(to_bytes(read("m.glb")));
+  ASSERT_TRUE(drawn);
+  EXPECT_EQ(drawn->drawing.rgba.width, 2048);
+  expect_failure({"build", "drawn.json", "--preview", "drawing.svg.png", "--report", "drawn.json"},
+                 2, "never overwritten");
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,86 @@
+#include "cli/cli_test.h"
+#include "io/image/decode_image.h"
+
+namespace relievo {
+namespace {
+
+using Check = CliTest;
+using Render = CliTest;
+using Help = CliTest;
+
+TEST_F(Check, ExplainsPartsAndJoinsAndWritesNothing) {
+  const auto before = folder_.names();
+  const Outcome outcome = relievo({"check", "scene.json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* word : {"2 parts", "body", "leg", "200 x 120", "join"})
+    EXPECT_NE(outcome.out.find(word), std::string::npos) << word << " in " << outcome.out;
+  EXPECT_LT(outcome.out.find("body"), outcome.out.find("leg"));
+  EXPECT_EQ(folder_.names(), before);
+}
+
+TEST_F(Check, ReadsDrawings) {
+  const Outcome outcome = relievo({"check", "drawing.svg"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("head"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Render, DrawsScenesAndModels) {
+  ASSERT_EQ(relievo({"build", "drawing.svg", "-o", "m.glb", "--vertices", "3000"}).exit_code, 0);
+  for (const char* input : {"m.glb", "drawing.svg"}) {
+    const Outcome outcome = relievo({"render", input, "-o", "p.png", "--size", "120"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "p.png\n");
+    const auto picture = decode_image(to_bytes(read("p.png")));
+    ASSERT_TRUE(picture);
+    EXPECT_EQ(std::max(picture->width, picture->height), 120);
+  }
+}
+
+TEST_F(Render, OptionsChangeThePicture) {
+  ASSERT_EQ(relievo({"build", "drawing.svg", "-o", "m.glb", "--vertices", "3000"}).exit_code, 0);
+  const auto picture = [&](std::vector<std::string> options) {
+    std::vector<std::string> arguments = {"render", "m.glb", "-o", "p.png", "--size", "100"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = relievo(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return read("p.png");
+  };
+  const std::string plain = picture({});
+  EXPECT_EQ(picture({"--view", "three-quarter"}), plain);
+  for (const std::vector<std::string>& change :
+       std::vector<std::vector<std::string>>{{"--view", "front"},
+                                             {"--view", "side"},
+                                             {"--view", "sheet"},
+                                             {"--yaw", "-40"},
+                                             {"--pitch", "30"},
+                                             {"--light", "60", "10"},
+                                             {"--clay"},
+                                             {"--window", "200", "100", "80"}})
+    EXPECT_FALSE(picture(change) == plain) << change[0] << " " << change.back();
+}
+
+TEST_F(Help, IsAResultAndBeginsWithExamples) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"--help"}, {"build", "--help"}, {"check", "-h"}, {"render", "-h"}}) {
+    const Outcome outcome = relievo(arguments);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_LT(outcome.out.find("Example"), outcome.out.find("Usage"));
+  }
+}
+
+TEST_F(Help, LostResultsAreAFailure) {
+  const Outcome outcome = run_into("/dev/full", folder_.path(), {"check", "scene.json"});
+  EXPECT_EQ(outcome.exit_code, 6);
+  EXPECT_NE(outcome.err.find("standard output"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Help, TellsTheVersion) {
+  const Outcome outcome = relievo({"--version"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out.substr(0, 8), "relievo ");
+  EXPECT_EQ(outcome.err, "");
+}
+
+}  // namespace
+}  // namespace relievo

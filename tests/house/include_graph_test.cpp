@@ -1,0 +1,147 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <vector>
+
+#include "house/include_rules.h"
+
+namespace relievo::house {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SourceFile {
+  std::string path;  ///< as in an include
+  std::string text;
+};
+
+/// All C++ files of the repository, sorted by path.
+std::vector<SourceFile> source_files() {
+  const fs::path root = RELIEVO_SOURCE_DIR;
+  std::vector<SourceFile> files;
+  for (const char* top : {"src", "apps", "bindings", "tests", "benchmarks", "fuzz"}) {
+    if (!fs::exists(root / top)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      const fs::path extension = entry.path().extension();
+      if (extension != ".h" && extension != ".cpp") continue;
+      std::ifstream in(entry.path(), std::ios::binary);
+      const fs::path base = std::string(top) == "src" ? root / "src" : root;
+      files.push_back({entry.path().lexically_relative(base).generic_string(),
+                       {std::istreambuf_iterator<char>(in), {}}});
+    }
+  }
+  std::sort(files.begin(), files.end(),
+            [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });
+  return files;
+}
+
+/// Targets of the #include "..." lines of a file.
+std::vector<std::string> includes(const std::string& text) {
+  const std::string start = "#include \"";
+  std::vector<std::string> targets;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (line.rfind(start, 0) == 0)
+      targets.push_back(line.substr(start.size(), line.rfind('"') - start.size()));
+  return targets;
+}
+
+TEST(IncludeGraph, IsTheDataFlow) {
+  const auto files = source_files();
+  ASSERT_GT(files.size(), 20U);
+  for (const SourceFile& file : files)
+    for (const std::string& target : includes(file.text))
+      EXPECT_EQ(include_violation(file.path, target), "") << file.path << " includes " << target;
+}
+
+TEST(IncludeGraph, NamesFilesByTheirFullPath) {
+  const fs::path root = RELIEVO_SOURCE_DIR;
+  for (const SourceFile& file : source_files())
+    for (const std::string& target : includes(file.text))
+      EXPECT_TRUE(fs::exists(root / "src" / target) || fs::exists(root / target) ||
+                  fs::exists(root / "tests" / target))
+          << file.path << " includes " << target;
+}
+
+TEST(HouseRules, HoldForEveryFile) {
+  for (const SourceFile& file : source_files())
+    EXPECT_EQ(text_violations(file.path, file.text), "") << file.path;
+}
+
+struct Edge {
+  const char* from;
+  const char* to;
+};
+
+TEST(IncludeRules, AllowTheDataFlow) {
+  const Edge edges[] = {
+      {"kernel/solvers/bound_qp.cpp", "kernel/base/result.h"},
+      {"kernel/solvers/bound_qp.cpp", "kernel/solvers/bound_qp.h"},
+      {"kernel/meshing/triangulate.cpp", "kernel/geometry/point.h"},
+      {"relief/inflation/inflate.cpp", "relief/layers/layered_mesh.h"},
+      {"relief/inflation/inflate.cpp", "kernel/solvers/sparse_cholesky.h"},
+      {"relief/model/assemble_model.cpp", "relief/scene/scene.h"},
+      {"relief/pipeline/build_relief.h", "relief/ordering/order_depth.h"},
+      {"io/mesh/glb_encode.cpp", "relief/model/model.h"},
+      {"io/mesh/glb_encode.cpp", "io/files/bytes.h"},
+      {"render/render.cpp", "relief/model/model.h"},
+      {"apps/cli/main.cpp", "relief/pipeline/build_relief.h"},
+      {"apps/cli/main.cpp", "io/scene/read_scene.h"},
+      {"tests/io/scene_test.cpp", "io/scene/json_parse.h"},
+  };
+  for (const Edge& edge : edges)
+    EXPECT_EQ(include_violation(edge.from, edge.to), "") << edge.from << " -> " << edge.to;
+}
+
+TEST(IncludeRules, CatchViolations) {
+  const Edge edges[] = {
+      {"kernel/base/result.h", "kernel/geometry/point.h"},
+      {"kernel/geometry/polygon.cpp", "kernel/image/image.h"},
+      {"kernel/solvers/bound_qp.cpp", "kernel/geometry/point.h"},
+      {"kernel/solvers/bound_qp.cpp", "kernel/operators/laplacian.h"},
+      {"kernel/operators/laplacian.cpp", "kernel/solvers/bound_qp.h"},
+      {"kernel/novelty/new.cpp", "kernel/base/result.h"},
+      {"kernel/geometry/polygon.cpp", "relief/scene/scene.h"},
+      {"kernel/geometry/polygon.cpp", "polygon.h"},
+      {"relief/layers/layer_parts.cpp", "relief/inflation/inflation.h"},
+      {"relief/ordering/order_depth.cpp", "relief/inflation/inflate.h"},
+      {"relief/ordering/order_depth.cpp", "relief/pipeline/build_relief.h"},
+      {"relief/scene/validate.cpp", "io/scene/read_scene.h"},
+      {"relief/novelty/new.cpp", "relief/scene/scene.h"},
+      {"relief/pipeline/build_relief.cpp", "relief/ordering/depth_graph.h"},
+      {"relief/pipeline/build_relief.cpp", "io/files/read_file.h"},
+      {"io/mesh/glb_encode.cpp", "relief/pipeline/build_relief.h"},
+      {"io/mesh/glb_encode.cpp", "relief/model/assemble_model.h"},
+      {"io/mesh/glb_encode.cpp", "render/render.h"},
+      {"render/render.cpp", "io/image/png_encode.h"},
+      {"render/render.cpp", "relief/layers/layered_mesh.h"},
+      {"apps/cli/main.cpp", "relief/ordering/depth_graph.h"},
+      {"apps/cli/main.cpp", "tests/support/sample_models.h"},
+      {"tests/cli/cli_test.cpp", "apps/cli/arguments.h"},
+      {"io/files/read_file.cpp", "apps/cli/arguments.h"},
+  };
+  for (const Edge& edge : edges)
+    EXPECT_NE(include_violation(edge.from, edge.to), "") << edge.from << " -> " << edge.to;
+}
+
+TEST(HouseRules, CatchViolations) {
+  const std::string fine = "#pragma once\n";
+  EXPECT_EQ(text_violations("kernel/base/a.h", fine), "");
+  EXPECT_NE(text_violations("kernel/base/a.h", "#include <vector>\n"), "");
+  EXPECT_NE(text_violations("kernel/base/a.h", fine + "using namespace std;\n"), "");
+  EXPECT_NE(text_violations("kernel/base/a.cpp", "#include <iostream>\n"), "");
+  EXPECT_NE(text_violations("relief/scene/a.cpp", "#include <format>\n"), "");
+  EXPECT_NE(text_violations("relief/scene/a.cpp", "auto x = std::bit_cast<int>(1.0F);\n"), "");
+  EXPECT_NE(text_violations("io/scene/a.cpp", "std::normal_distribution<double> d;\n"), "");
+  EXPECT_NE(text_violations("io/scene/a.cpp", std::string("// TO") + "DO: later\n"), "");
+  EXPECT_NE(text_violations("io/scene/a.cpp", std::string(401, '\n')), "");
+  EXPECT_EQ(text_violations("io/scene/a.cpp", std::string(400, '\n')), "");
+  EXPECT_EQ(text_violations("io/scene/a.cpp", "#include <fstream>\n"), "");
+}
+
+}  // namespace
+}  // namespace relievo::house
