@@ -7,6 +7,7 @@
 #include "io/svg/scanner.h"
 #include "io/svg/svg_drawing.h"
 #include "io/svg/svg_viewport.h"
+#include "io/svg/tangle.h"
 
 namespace relievo {
 namespace {
@@ -316,6 +317,12 @@ class DrawingReader {
     for (const Polyline& line : shape.lines) points_ += line.points.size();
     if (points_ > options_.max_points) return fail("too many points", options_.max_points);
     if (!all_in_reach(shape.lines)) return warn(label + " is ignored: it reaches too far");
+    const double tangled = tangle(shape.lines);
+    if (tangled > options_.max_tangle) return warn(label + " is ignored: its outline is a tangle");
+    tangle_ += tangled;
+    if (tangle_ > options_.max_total_tangle) {
+      return fail("outlines too tangled", static_cast<size_t>(options_.max_total_tangle));
+    }
     set_paint(shape, around);
     shape.clips = around.clips;
     shape.element = element;
@@ -344,6 +351,7 @@ class DrawingReader {
   std::vector<pugi::xml_node> open_references_;
   size_t elements_ = 0;
   size_t points_ = 0;
+  double tangle_ = 0;
   std::optional<Error> error_;
 };
 

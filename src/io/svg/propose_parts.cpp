@@ -39,20 +39,17 @@ double fraction_of(const Region& region, const Region& other) {
 /// Decides figure by figure, back to front.
 class Proposer {
  public:
-  explicit Proposer(const FigureList& list)
-      : list_(list), total_(area(list.covered)), above_(list.figures.size()) {
-    for (size_t i = above_.size(); i-- > 1;) {
-      above_[i - 1] = unite(above_[i], list.figures[i].region);
-    }
+  explicit Proposer(const FigureList& list) : list_(list), total_(area(list.covered)) {
+    for (const Figure& figure : list.figures) boxes_.push_back(bounding_box(figure.region));
   }
 
   std::vector<Part> run() {
     for (size_t i = 0; i < list_.figures.size(); ++i) {
       const Figure& figure = list_.figures[i];
-      if (is_part(figure, weigh(i))) {
+      const bool speck = area(figure.region) < least_visible * total_;
+      if (!speck && is_part(figure, weigh(i))) {
         parts_.push_back({figure.name, figure.region});
         hosts_.push_back(figure.color);
-        below_ = unite(below_, figure.region);
       } else {
         patches_.push_back(figure.region);
       }
@@ -76,13 +73,32 @@ class Proposer {
     const double own = area(figure.region);
     Evidence e;
     e.size = own / total_;
-    e.hidden = fraction_of(figure.region, above_[i]);
+    e.hidden = fraction_of(figure.region, above(i));
     e.visible = (1 - e.hidden) * e.size;
-    e.inside = fraction_of(figure.region, below_);
-    e.protrusion = area(grow(subtract(figure.region, below_), -0.0015 * list_.diagonal)) / own;
+    const Region beside = subtract(figure.region, below(boxes_[i]));
+    e.inside = 1 - area(beside) / own;
+    e.protrusion = area(grow(beside, -0.0015 * list_.diagonal)) / own;
     e.compact = area(grow(figure.region, -0.25 * std::sqrt(own))) > 0;
     weigh_against_host(figure, i, e);
     return e;
+  }
+
+  /// The parts so far, as far as they are near.
+  Region below(const Box2& box) const {
+    std::vector<Region> near;
+    for (const Part& part : parts_) {
+      if (boxes_meet(box, bounding_box(part.outline))) near.push_back(part.outline);
+    }
+    return unite(near);
+  }
+
+  /// What lies in front of figure i, as far as it is near.
+  Region above(size_t i) const {
+    std::vector<Region> near;
+    for (size_t j = i + 1; j < boxes_.size(); ++j) {
+      if (boxes_meet(boxes_[i], boxes_[j])) near.push_back(list_.figures[j].region);
+    }
+    return unite(near);
   }
 
   void weigh_against_host(const Figure& figure, size_t i, Evidence& e) const {
@@ -91,6 +107,7 @@ class Proposer {
     double most = 0;
     Region front;
     for (size_t k = parts_.size(); k-- > 0;) {
+      if (!boxes_meet(bounding_box(figure.region), bounding_box(parts_[k].outline))) continue;
       const double over = fraction_of(figure.region, subtract(parts_[k].outline, front));
       front = unite(front, parts_[k].outline);
       if (over > 0.15) ++seen;
@@ -114,17 +131,20 @@ class Proposer {
   /// Whether the figure, in one piece, lies over the edge of a patch at least as large.
   bool crosses_patch(const Figure& figure) const {
     const double own = area(figure.region);
-    if (pieces(figure.region).size() > 1) return false;
-    return std::any_of(patches_.begin(), patches_.end(), [&](const Region& patch) {
+    const Box2 box = bounding_box(figure.region);
+    const bool over_edge = std::any_of(patches_.begin(), patches_.end(), [&](const Region& patch) {
+      if (area(patch) < own || !boxes_meet(box, bounding_box(patch))) return false;
       const double over = fraction_of(figure.region, patch);
-      return area(patch) >= own && over > 0.1 && over < 0.9;
+      return over > 0.1 && over < 0.9;
     });
+    return over_edge && pieces(figure.region).size() == 1;
   }
 
   /// Whether a later figure lies inside figure i.
   bool carries_something(size_t i) const {
     for (size_t j = i + 1; j < list_.figures.size(); ++j) {
       const Region& other = list_.figures[j].region;
+      if (!boxes_meet(boxes_[i], boxes_[j])) continue;
       if (area(other) < 0.5 * area(list_.figures[i].region) &&
           fraction_of(other, list_.figures[i].region) > 0.9) {
         return true;
@@ -135,11 +155,10 @@ class Proposer {
 
   const FigureList& list_;
   double total_ = 0;
-  std::vector<Region> above_;  ///< what lies in front of each figure
+  std::vector<Box2> boxes_;  ///< of the figures
   std::vector<Part> parts_;
   std::vector<SvgColor> hosts_;  ///< colour of each part
   std::vector<Region> patches_;  ///< figures that are no parts
-  Region below_;
 };
 
 }  // namespace
