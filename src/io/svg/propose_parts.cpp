@@ -14,6 +14,12 @@ constexpr double least_visible = 0.001;  ///< of a part beside others
 constexpr double least_crossing = 0.004;
 constexpr double least_contained = 0.008;
 constexpr double least_ball = 0.02;
+constexpr double speck_area = 1e-4;  ///< smaller rings and holes are dropped
+
+/// Fractions of the area of the figure itself.
+constexpr double most_hidden = 0.9;
+constexpr double least_protrusion = 0.02;
+constexpr double mostly_inside = 0.75;
 
 /// What speaks for or against a figure as a part of its own. Fractions are of its own area unless
 /// said otherwise.
@@ -49,7 +55,7 @@ class Proposer {
       const bool speck = area(figure.region) < least_visible * total_;
       if (!speck && is_part(figure, weigh(i))) {
         parts_.push_back({figure.name, figure.region});
-        hosts_.push_back(figure.color);
+        colors_.push_back(figure.color);
       } else {
         patches_.push_back(figure.region);
       }
@@ -59,10 +65,13 @@ class Proposer {
   }
 
  private:
+  /// What is hardly seen never counts. What stands out beside the parts below counts, unless it
+  /// is a patch without an outline that mostly follows them. What lies inside counts where it
+  /// crosses something, has its own outline, or is a ball of another colour.
   static bool is_part(const Figure& figure, const Evidence& e) {
-    if (e.hidden > 0.9 || e.visible < least_visible) return false;
-    const bool contained = e.protrusion < 0.02;
-    if (!contained) return figure.outlined || e.inside < 0.75 || e.compact;
+    if (e.hidden > most_hidden || e.visible < least_visible) return false;
+    const bool contained = e.protrusion < least_protrusion;
+    if (!contained) return figure.outlined || e.inside < mostly_inside || e.compact;
     if (e.crossing && e.visible >= least_crossing) return true;
     if (figure.outlined) return e.visible >= least_contained && !e.pale_patch;
     return e.ball && e.compact && !e.at_edge;
@@ -118,7 +127,7 @@ class Proposer {
     if (host < 0) return;
     const double own = area(figure.region);
     const double host_area = area(parts_[host].outline);
-    const SvgColor& ground = hosts_[host];
+    const SvgColor& ground = colors_[host];
     e.crossing = seen > 1 || crosses_patch(figure);
     const Region core = grow(parts_[host].outline, -0.006 * list_.diagonal);
     e.at_edge = fraction_of(figure.region, core) < 0.98;
@@ -157,8 +166,8 @@ class Proposer {
   double total_ = 0;
   std::vector<Box2> boxes_;  ///< of the figures
   std::vector<Part> parts_;
-  std::vector<SvgColor> hosts_;  ///< colour of each part
-  std::vector<Region> patches_;  ///< figures that are no parts
+  std::vector<SvgColor> colors_;  ///< colour of each part
+  std::vector<Region> patches_;   ///< figures that are no parts
 };
 
 }  // namespace
@@ -167,7 +176,8 @@ std::vector<Part> propose_parts(const SvgDrawing& drawing) {
   const FigureList list = find_figures(drawing);
   std::vector<Part> parts = Proposer(list).run();
   cover_rest(parts, list.covered);
-  for (Part& part : parts) part.outline = tidied(part.outline, 0.1, 4);
+  const double speck = std::max(4.0, speck_area * area(list.covered));
+  for (Part& part : parts) part.outline = tidied(part.outline, 0.1, speck);
   parts.erase(std::remove_if(parts.begin(), parts.end(),
                              [](const Part& part) { return part.outline.empty(); }),
               parts.end());
