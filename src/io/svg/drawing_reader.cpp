@@ -4,9 +4,10 @@
 
 #include "io/svg/basic_shapes.h"
 #include "io/svg/paint_server.h"
-#include "io/svg/scanner.h"
 #include "io/svg/svg_drawing.h"
+#include "io/svg/svg_element.h"
 #include "io/svg/svg_viewport.h"
+#include "io/svg/tangle.h"
 
 namespace relievo {
 namespace {
@@ -23,35 +24,6 @@ struct Surroundings {
   bool in_clip = false;
 };
 
-SvgAnnotation annotation_of(const pugi::xml_node& element) {
-  SvgAnnotation a;
-  const std::string_view mark = trimmed_svg(element.attribute("data-relievo").value());
-  if (mark == "part") a.mark = SvgMark::part;
-  if (mark == "texture") a.mark = SvgMark::texture;
-  if (mark == "ignore") a.mark = SvgMark::ignore;
-  if (mark == "join") a.mark = SvgMark::join;
-  a.c = element.attribute("data-c").value();
-  a.d = element.attribute("data-d").value();
-  a.relation = element.attribute("data-relation").value();
-  a.upper = element.attribute("data-upper").value();
-  a.lower = element.attribute("data-lower").value();
-  return a;
-}
-
-std::string name_of(const pugi::xml_node& element) {
-  const pugi::xml_attribute label = element.attribute("inkscape:label");
-  return *label.value() != '\0' ? label.value() : element.attribute("id").value();
-}
-
-/// Whether a class of the element is "join" or begins so ("join-left").
-bool has_join_class(const pugi::xml_node& element) {
-  std::string_view classes = element.attribute("class").value();
-  for (auto item = next_svg_item(classes); !item.empty(); item = next_svg_item(classes)) {
-    if (item.substr(0, 4) == "join") return true;
-  }
-  return false;
-}
-
 /// Farther points, px, are beyond what regions can be computed from.
 constexpr double reach = 1e9;
 
@@ -60,23 +32,6 @@ bool all_in_reach(const std::vector<Polyline>& lines) {
     return std::all_of(line.points.begin(), line.points.end(),
                        [](Point2 p) { return std::abs(p.x) <= reach && std::abs(p.y) <= reach; });
   });
-}
-
-bool is_container(std::string_view name) {
-  return name == "g" || name == "a" || name == "svg" || name == "switch";
-}
-
-bool switch_allows(const pugi::xml_node& child) {
-  const std::string_view name = local_name(child.name());
-  if (!is_shape_element(name) && !is_container(name) && name != "use") return false;
-  if (child.attribute("requiredExtensions")) return false;
-  const pugi::xml_attribute language = child.attribute("systemLanguage");
-  if (!language) return true;
-  std::string_view list = language.value();
-  for (auto item = next_svg_item(list); !item.empty(); item = next_svg_item(list)) {
-    if (item == "en" || item.substr(0, 3) == "en-") return true;
-  }
-  return false;
 }
 
 /// Walks the tree in paint order and appends what it finds to a drawing.
@@ -316,6 +271,12 @@ class DrawingReader {
     for (const Polyline& line : shape.lines) points_ += line.points.size();
     if (points_ > options_.max_points) return fail("too many points", options_.max_points);
     if (!all_in_reach(shape.lines)) return warn(label + " is ignored: it reaches too far");
+    const double tangled = tangle(shape.lines);
+    if (tangled > options_.max_tangle) return warn(label + " is ignored: its outline is a tangle");
+    tangle_ += tangled;
+    if (tangle_ > options_.max_total_tangle) {
+      return fail("outlines too tangled", static_cast<size_t>(options_.max_total_tangle));
+    }
     set_paint(shape, around);
     shape.clips = around.clips;
     shape.element = element;
@@ -344,6 +305,7 @@ class DrawingReader {
   std::vector<pugi::xml_node> open_references_;
   size_t elements_ = 0;
   size_t points_ = 0;
+  double tangle_ = 0;
   std::optional<Error> error_;
 };
 

@@ -67,14 +67,17 @@ bool is_line(const Mark& mark, double diagonal) {
   return area(core) < 0.05 * area(mark.region);
 }
 
-bool boxes_meet(const Box2& p, const Box2& q) {
-  return p.min.x <= q.max.x && q.min.x <= p.max.x && p.min.y <= q.max.y && q.min.y <= p.max.y;
+double common_area(const Box2& p, const Box2& q) {
+  const double width = std::min(p.max.x, q.max.x) - std::max(p.min.x, q.min.x);
+  const double height = std::min(p.max.y, q.max.y) - std::max(p.min.y, q.min.y);
+  return std::max(0.0, width) * std::max(0.0, height);
 }
 
 /// Whether the two differ by no more than a rim that is thin against both.
 bool same_silhouette(const Region& p, const Region& q, double diagonal) {
-  if (!boxes_meet(bounding_box(p), bounding_box(q))) return false;
   const double larger = std::max(area(p), area(q));
+  if (common_area(bounding_box(p), bounding_box(q)) < 0.5 * larger) return false;
+  if (std::min(area(p), area(q)) < 0.5 * larger) return false;
   if (area(intersect(p, q)) < 0.5 * larger) return false;
   const double rim = std::min(line_thickness * diagonal, 0.18 * std::sqrt(larger));
   const double rest = area(grow(subtract(p, q), -rim / 2)) + area(grow(subtract(q, p), -rim / 2));

@@ -52,9 +52,9 @@ ClipperLib::PolyFillType fill_type(FillRule rule) {
 }
 
 Paths combine(ClipperLib::ClipType operation, const Paths& subject, const Paths& clip,
-              FillRule rule = FillRule::nonzero) {
+              FillRule rule = FillRule::nonzero, bool simple = false) {
   ClipperLib::Clipper clipper;
-  clipper.StrictlySimple(true);
+  clipper.StrictlySimple(simple);
   clipper.AddPaths(subject, ClipperLib::ptSubject, true);
   clipper.AddPaths(clip, ClipperLib::ptClip, true);
   Paths result;
@@ -179,12 +179,17 @@ Region unite(const Region& p, const Region& q) {
 }
 
 Region unite(const std::vector<Region>& regions) {
-  Paths all;
-  for (const Region& region : regions) {
-    const Paths paths = to_paths(region);
-    all.insert(all.end(), paths.begin(), paths.end());
+  // In rounds of pairs, for what lies inside drops out early.
+  std::vector<Paths> round;
+  for (const Region& region : regions) round.push_back(to_paths(region));
+  while (round.size() > 1) {
+    for (size_t i = 0; 2 * i < round.size(); ++i) {
+      const Paths second = 2 * i + 1 < round.size() ? round[2 * i + 1] : Paths();
+      round[i] = combine(ClipperLib::ctUnion, round[2 * i], second);
+    }
+    round.resize((round.size() + 1) / 2);
   }
-  return to_region(combine(ClipperLib::ctUnion, all, {}));
+  return round.empty() ? Region() : to_region(combine(ClipperLib::ctUnion, round[0], {}));
 }
 
 Region intersect(const Region& p, const Region& q) {
@@ -205,6 +210,10 @@ Region grow(const Region& region, double distance) {
   return to_region(result);
 }
 
+bool boxes_meet(const Box2& p, const Box2& q) {
+  return p.min.x <= q.max.x && q.min.x <= p.max.x && p.min.y <= q.max.y && q.min.y <= p.max.y;
+}
+
 double area(const Region& region) {
   double sum = 0;
   for (const Ring& ring : region) sum += signed_area(ring);
@@ -213,7 +222,6 @@ double area(const Region& region) {
 
 std::vector<Region> pieces(const Region& region) {
   ClipperLib::Clipper clipper;
-  clipper.StrictlySimple(true);
   clipper.AddPaths(to_paths(region), ClipperLib::ptSubject, true);
   ClipperLib::PolyTree tree;
   clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
@@ -240,7 +248,7 @@ Region without_holes(const Region& region) {
 Region tidied(const Region& region, double tolerance, double min_area) {
   Paths paths = to_paths(region);
   ClipperLib::CleanPolygons(paths, tolerance * units_per_px);
-  const Region clean = to_region(combine(ClipperLib::ctUnion, paths, {}));
+  const Region clean = to_region(combine(ClipperLib::ctUnion, paths, {}, FillRule::nonzero, true));
   Region kept;
   for (const Ring& ring : clean) {
     if (std::abs(signed_area(ring)) >= min_area) kept.push_back(ring);

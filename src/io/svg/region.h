@@ -36,6 +36,9 @@ Region subtract(const Region& p, const Region& q);
 /// farther than -distance from its outside. Round corners.
 Region grow(const Region& region, double distance);
 
+/// Whether the closed boxes have a point in common.
+bool boxes_meet(const Box2& p, const Box2& q);
+
 /// Sum of the rings' signed areas, px^2.
 double area(const Region& region);
 

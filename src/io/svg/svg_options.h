@@ -26,7 +26,9 @@ struct SvgOptions {
   size_t max_elements = 100000;         ///< in the file, and again after `use` is expanded
   size_t max_depth = 128;               ///< of nesting, `use` included
   size_t max_points = 1000000;          ///< of all flattened outlines together
-  size_t max_shapes = 4000;             ///< that parts are proposed from
+  size_t max_shapes = 2000;             ///< that parts are proposed from
+  double max_tangle = 2e6;              ///< of a shape (see tangle.h): a worse one is left out
+  double max_total_tangle = 3e7;        ///< of all shapes together
 };
 
 }  // namespace relievo

@@ -87,6 +87,16 @@ TEST_P(LayeredDrawings, PartsCoverTheDrawing) {
   ASSERT_TRUE(drawing.ok());
   EXPECT_GE(silhouette_agreement(import.scene, *drawing), 0.995);
   EXPECT_EQ(static_cast<int>(import.scene.parts.size()), part_count);
+  for (const Part& part : import.scene.parts) {
+    Outline nested = part.outline;
+    orient_by_nesting(nested);
+    EXPECT_EQ(nested, part.outline) << part.id;
+    for (const Ring& ring : part.outline) {
+      for (size_t i = 0; i < ring.size(); ++i) {
+        EXPECT_GT(distance(ring[i], ring[(i + 1) % ring.size()]), 0) << part.id;
+      }
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LayeredDrawings,

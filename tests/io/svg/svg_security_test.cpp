@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cstdint>
+
 #include "io/svg/render_svg.h"
 #include "io/svg/svg_test_support.h"
 
@@ -144,6 +146,19 @@ TEST(SvgSecurity, CountsAndSizesAreLimits) {
   EXPECT_EQ(code_of(svg_file(many), options), ErrorCode::limit);
   EXPECT_EQ(render_svg(svg_file(square), 100000, 5).error().code, ErrorCode::limit);
   EXPECT_EQ(render_svg(svg_file(square), 0, 5).error().code, ErrorCode::limit);
+}
+
+TEST(SvgSecurity, TanglesAreLeftOutAndNamed) {
+  std::string scribble = "<path id='scribble' d='M0 0";
+  uint32_t state = 1;
+  for (int i = 0; i < 20000; ++i) {
+    state = state * 1664525u + 1013904223u;
+    scribble += "L" + std::to_string(state >> 22) + " " + std::to_string(state >> 12 & 1023);
+  }
+  const SvgImport import = import_of(svg_file(scribble + "'/>" + square));
+  EXPECT_EQ(import.scene.parts.size(), 1u);
+  ASSERT_EQ(import.warnings.size(), 1u);
+  EXPECT_NE(import.warnings[0].find("scribble"), std::string::npos);
 }
 
 TEST(SvgSecurity, HugeCoordinatesDoNoHarm) {
