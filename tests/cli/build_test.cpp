@@ -117,6 +117,8 @@ TEST_F(Build, ReportsWhatItDid) {
     EXPECT_GE(report["timings_ms"][stage].get<double>(), 0) << stage;
     sum += report["timings_ms"][stage].get<double>();
   }
+  for (const char* stage : {"mesh", "assemble", "analyse", "inflate", "order"})
+    EXPECT_GT(report["timings_ms"][stage].get<double>(), 0) << stage;
   EXPECT_LE(sum, 1.05 * report["timings_ms"]["total"].get<double>() + 1);
   EXPECT_TRUE(report["warnings"].is_array());
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "kernel/base/disjoint_sets.h"
+#include "kernel/base/piece_timer.h"
 #include "kernel/operators/gradient.h"
 #include "kernel/operators/laplacian.h"
 #include "kernel/solvers/sparse_cholesky.h"
@@ -97,7 +98,8 @@ SparseMatrix free_system(const SparseMatrix& L, const Boundary& boundary,
 }
 
 /// Solves (L + B) u = load with u = 0 on fixed nodes; empty when there is no finite solution.
-VectorXd solve_poisson(const SparseMatrix& L, const Boundary& boundary, const VectorXd& load) {
+VectorXd solve_poisson(const SparseMatrix& L, const Boundary& boundary, const VectorXd& load,
+                       const RunContext& context) {
   std::vector<int> unknown(boundary.fixed.size(), -1);
   int unknowns = 0;
   for (size_t n = 0; n < unknown.size(); ++n)
@@ -108,7 +110,9 @@ VectorXd solve_poisson(const SparseMatrix& L, const Boundary& boundary, const Ve
 
   const SparseMatrix A = free_system(L, boundary, unknown, unknowns);
   SparseCholesky factor;
+  PieceTimer analysing(context, "analyse");
   factor.analyse(A);
+  analysing.stop();
   if (!factor.factorise(A)) return {};
   VectorXd x = factor.solve(b);
   x += factor.solve(b - multiply_symmetric(A, x));
@@ -167,10 +171,12 @@ Result<Inflation> inflate(const LayeredMesh& mesh, const Scene& scene,
   const double scale = scene_scale(mesh);
   const std::vector<Point2> positions = node_positions(mesh, scale);
   const FlatMesh flat{positions, mesh.faces};
+  PieceTimer assembling(context, "assemble");
   const SparseMatrix L = stiffness_matrix(flat);
   const VectorXd load = inflation_load(flat, mesh, scene);
+  assembling.stop();
   if (context.cancelled()) return interrupted_error();
-  VectorXd u = solve_poisson(L, boundary, load);
+  VectorXd u = solve_poisson(L, boundary, load, context);
   if (u.size() != load.size())
     return Error{ErrorCode::internal, "the inflation has no finite solution", ""};
   if (context.cancelled()) return interrupted_error();

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "kernel/base/piece_timer.h"
 #include "kernel/operators/gradient.h"
 #include "kernel/operators/laplacian.h"
 #include "kernel/solvers/bound_qp.h"
@@ -60,6 +61,7 @@ class DepthSolver {
   /// Writes h and the counts and report of `ordering`; its former h is the first guess.
   SolveStatus solve(const std::vector<DepthPair>& pairs, Ordering& ordering,
                     const RunContext& context) const {
+    PieceTimer assembling(context, "assemble");
     const DepthForest forest = build_depth_forest(node_part_, pairs);
     const GapVariables variables = make_gap_variables(forest);
     const VectorXd root_height = root_heights(forest, variables);
@@ -68,9 +70,12 @@ class DepthSolver {
 
     BoundQp problem{galerkin_lower(energy_.A, variables.T), variables.T.transpose() * force,
                     variables.bounded};
+    assembling.stop();
     if (context.cancelled()) return SolveStatus::interrupted;
+    PieceTimer analysing(context, "analyse");
     SparseCholesky factor;
     factor.analyse(problem.K);
+    analysing.stop();
     const BoundQpSolution solution =
         solve_bound_qp(problem, factor, first_guess(forest, variables, ordering.h), context);
 
@@ -174,7 +179,9 @@ Result<Ordering> order_depth(const LayeredMesh& mesh, const Inflation& inflation
   assert(inflation.u.size() == mesh.node_vertex.size());
   assert(static_cast<int>(scene.parts.size()) == mesh.part_count);
   if (Status status = check_options(options); !status) return status.error();
+  PieceTimer assembling(context, "assemble");
   const ShiftEnergy energy = make_energy(mesh, inflation, options.epsilon);
+  assembling.stop();
   const std::vector<FacePair> stacked = stacked_faces(mesh, scene);
   Ordering ordering;
   if (Status status = solve_in_rounds(mesh, stacked, energy, options, context, ordering); !status)

@@ -5,17 +5,34 @@
 namespace relievo {
 namespace {
 
-class Stopwatch {
+/// Fills a list of wall times. The time of a stage is without the pieces that it reported.
+class StageClock {
  public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
+  explicit StageClock(std::vector<StageTime>& times) : times_(times) {}
+
+  /// `context` with the pieces' times going to the list.
+  RunContext listen(RunContext context) {
+    context.timed = [this](const char* piece, double milliseconds) {
+      times_.push_back({piece, milliseconds});
+      pieces_ += milliseconds;
+    };
+    return context;
+  }
+
+  void finish(const char* stage) {
+    const auto now = Clock::now();
     const std::chrono::duration<double, std::milli> elapsed = now - last_;
+    times_.push_back({stage, elapsed.count() - pieces_});
     last_ = now;
-    return elapsed.count();
+    pieces_ = 0;
   }
 
  private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  using Clock = std::chrono::steady_clock;
+
+  std::vector<StageTime>& times_;
+  Clock::time_point last_ = Clock::now();
+  double pieces_ = 0;
 };
 
 }  // namespace
@@ -24,19 +41,22 @@ Result<Relief> build_relief(const Scene& scene, const ReliefOptions& options,
                             const RunContext& context) {
   if (Status status = validate(scene); !status) return status.error();
   Relief relief;
-  Stopwatch watch;
-  auto layers = layer_parts(scene, options.layers, context);
+  std::vector<StageTime> times;
+  StageClock clock(times);
+  const RunContext timed = clock.listen(context);
+  auto layers = layer_parts(scene, options.layers, timed);
   if (!layers) return layers.error();
   relief.layers = std::move(*layers);
-  relief.times.push_back({"mesh", watch.lap()});
-  auto inflation = inflate(relief.layers, scene, options.inflation, context);
+  clock.finish("mesh");
+  auto inflation = inflate(relief.layers, scene, options.inflation, timed);
   if (!inflation) return inflation.error();
   relief.inflation = std::move(*inflation);
-  relief.times.push_back({"inflate", watch.lap()});
-  auto ordering = order_depth(relief.layers, relief.inflation, scene, options.ordering, context);
+  clock.finish("inflate");
+  auto ordering = order_depth(relief.layers, relief.inflation, scene, options.ordering, timed);
   if (!ordering) return ordering.error();
   relief.ordering = std::move(*ordering);
-  relief.times.push_back({"order", watch.lap()});
+  clock.finish("order");
+  relief.times = std::move(times);
   return relief;
 }
 

@@ -20,9 +20,10 @@ struct ReliefOptions {
   OrderingOptions ordering;
 };
 
-/// Wall time of one stage.
+/// Wall time of a stage, or of a piece of work inside one. They do not overlap; a name may occur
+/// several times.
 struct StageTime {
-  std::string stage;  ///< "mesh", "inflate", "order", ...
+  std::string stage;  ///< "mesh", "assemble", "analyse", "inflate" or "order"
   double milliseconds = 0;
 };
 
