@@ -163,5 +163,35 @@ TEST(AnnotatedJoins, InLayersALineAlongTheOutlineIsAJoinAndOthersAreNot) {
   EXPECT_EQ(import.scene.joins[0].line.front(), (Point2{303, 100}));
 }
 
+TEST(AnnotatedJoins, CountEvenWhereTheyAreHidden) {
+  const SvgImport import = import_of(
+      svg_file(std::string("<style>.join { visibility: hidden }</style>") + body +
+               "<g id='arm' data-relievo='part'><rect x='300' y='100' width='300' height='90'/>"
+               "<path class='join' d='M300 100V190'/></g>"));
+  EXPECT_EQ(import.scene.joins.size(), 1u);
+}
+
+struct Sample {
+  const char* name;
+  size_t parts;
+  size_t joins;
+};
+
+class Samples : public testing::TestWithParam<Sample> {};
+
+TEST_P(Samples, HaveTheirPartsAndJoins) {
+  const std::string path = std::string(RELIEVO_EXAMPLES) + "/" + GetParam().name;
+  const SvgImport import = import_of(file_bytes(path));
+  EXPECT_FALSE(import.proposed);
+  EXPECT_TRUE(import.warnings.empty());
+  EXPECT_EQ(import.scene.parts.size(), GetParam().parts);
+  EXPECT_EQ(import.scene.joins.size(), GetParam().joins);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Samples,
+                         testing::Values(Sample{"bunny.svg", 18, 5}, Sample{"elephant.svg", 12, 5},
+                                         Sample{"farmer.svg", 20, 4}, Sample{"lamb.svg", 14, 4},
+                                         Sample{"unicorn.svg", 16, 4}, Sample{"wolf.svg", 13, 5}));
+
 }  // namespace
 }  // namespace relievo
