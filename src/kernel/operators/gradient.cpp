@@ -137,8 +137,7 @@ std::vector<Point2> node_gradients(const FlatMesh& mesh, std::span<const double>
   std::vector<Point2> gradients;
   gradients.reserve(mesh.positions.size());
   for (int n = 0; n < static_cast<int>(mesh.positions.size()); ++n) {
-    const std::optional<Point2> fitted =
-        fitted_gradient(mesh, values, n, neighbourhoods.around(n));
+    const std::optional<Point2> fitted = fitted_gradient(mesh, values, n, neighbourhoods.around(n));
     gradients.push_back(fitted ? *fitted
                                : mean_gradient(mesh, values, neighbourhoods.corners(), n));
   }
