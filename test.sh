@@ -14,6 +14,7 @@ fi
 cmake --preset asan > /dev/null
 cmake --build build/asan -j "$jobs"
 UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=detect_stack_use_after_return=1 \
+  LSAN_OPTIONS=suppressions=$PWD/tests/leaks.supp:print_suppressions=0 \
   ctest --test-dir build/asan -j "$jobs" --output-on-failure --no-tests=error
 
 cmake --preset dev > /dev/null
