@@ -9,7 +9,7 @@
 namespace relievo {
 namespace {
 
-constexpr int kMaxRounds = 40;
+constexpr int max_rounds = 40;
 
 /// A point to be inserted into an edge at parameter t of it.
 struct Insertion {
@@ -23,7 +23,7 @@ class Splicer {
   explicit Splicer(const std::vector<InputCurve>& curves) : curves_(curves) { merge_points(); }
 
   Result<SplicedCurves> run() {
-    for (int round = 0; round < kMaxRounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
       tidy_loops();
       collect_edges();
       std::vector<Insertion> insertions = find_contacts();
