@@ -79,7 +79,7 @@ class Lattice {
     const double width = field.columns * field.cell;
     const double height = field.rows * field.cell;
     step_ = field.max_size;
-    rows_ = static_cast<int>(height / (step_ * kRise)) + 2;
+    rows_ = static_cast<int>(height / (step_ * rise)) + 2;
     columns_ = static_cast<int>(width / step_ + 0.5 * rows_) + 2;
   }
 
@@ -90,11 +90,11 @@ class Lattice {
   }
 
  private:
-  static constexpr double kRise = 0.86602540378443865;  // sqrt(3)/2
-  static constexpr int kMaxLevels = 12;
+  static constexpr double rise = 0.86602540378443865;  // sqrt(3)/2
+  static constexpr int max_levels = 12;
 
   Point2 at(double i, double j, double step) const {
-    return {field_.origin.x + (i + 0.5 * j) * step, field_.origin.y + j * kRise * step};
+    return {field_.origin.x + (i + 0.5 * j) * step, field_.origin.y + j * rise * step};
   }
 
   bool outside(Point2 corner, double step) const {
@@ -109,7 +109,7 @@ class Lattice {
     if (outside(corner, step)) return;
     const Point2 middle = at(i + 0.5, j + 0.5, step);
     const double wanted = std::min(field_.size_at(middle), field_.size_at(corner));
-    if (step > wanted * 1.25 && level < kMaxLevels) {
+    if (step > wanted * 1.25 && level < max_levels) {
       for (int k = 0; k < 4; ++k) visit(2 * i + k % 2, 2 * j + k / 2, 0.5 * step, level + 1);
       return;
     }

@@ -9,7 +9,7 @@
 namespace relievo {
 namespace {
 
-constexpr int kMaxRounds = 40;
+constexpr int max_rounds = 40;
 
 /// A point to be inserted into an edge at parameter t of it.
 struct Insertion {
@@ -23,7 +23,7 @@ class Splicer {
   explicit Splicer(const std::vector<InputCurve>& curves) : curves_(curves) { merge_points(); }
 
   Result<SplicedCurves> run() {
-    for (int round = 0; round < kMaxRounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
       tidy_loops();
       collect_edges();
       std::vector<Insertion> insertions = find_contacts();
@@ -53,7 +53,7 @@ class Splicer {
         const double edge = std::min(distance(ring[i], ring[(i + 1) % n]),
                                      distance(ring[i], ring[(i + n - 1) % n]));
         items.push_back(
-            {static_cast<int>(c), static_cast<int>(i), curves_[c].kept[i], kSnapToVertex * edge});
+            {static_cast<int>(c), static_cast<int>(i), curves_[c].kept[i], snap_to_vertex * edge});
         box.add(ring[i]);
       }
       out_.image.emplace_back(n);
@@ -153,7 +153,7 @@ class Splicer {
     for (size_t p = 0; p < out_.points.size(); ++p) {
       if (shortest_[p] == 1e300) continue;
       const Point2 x = out_.points[p];
-      const double reach = kSnapToEdge * shortest_[p];
+      const double reach = snap_to_edge * shortest_[p];
       const size_t first = found.size();
       grid.for_cells(x, x, reach, [&](size_t cell) {
         for (const int* e = grid.begin(cell); e != grid.end(cell); ++e) {
@@ -175,7 +175,7 @@ class Splicer {
     const double length = norm(d);
     t = dot(out_.points[p] - a, d) / (length * length);
     if (t <= 0 || t >= 1) return false;
-    const double bound = std::min(reach, kSnapToEdge * length);
+    const double bound = std::min(reach, snap_to_edge * length);
     return std::abs(cross(d, out_.points[p] - a)) <= bound * length;
   }
 
@@ -208,7 +208,7 @@ class Splicer {
     const double denominator = cross(pb - pa, pd - pc);
     const double t = std::clamp(cross(pc - pa, pd - pc) / denominator, 0.0, 1.0);
     const Point2 x = pa + t * (pb - pa);
-    const double reach = kSnapToVertex * std::min(distance(pa, pb), distance(pc, pd));
+    const double reach = snap_to_vertex * std::min(distance(pa, pb), distance(pc, pd));
     int vertex = -1;
     double nearest = reach;
     for (const int p : {a, b, c, d})

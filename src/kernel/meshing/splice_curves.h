@@ -23,11 +23,11 @@ struct SplicedCurves {
 };
 
 /// Bounds of the snapping, as fractions of the shorter of the edges involved.
-inline constexpr double kSnapToVertex = 0.15;
-inline constexpr double kSnapToEdge = 0.1;
+inline constexpr double snap_to_vertex = 0.15;
+inline constexpr double snap_to_edge = 0.1;
 
-/// Splices the curves at crossings and contacts. A vertex moves by at most kSnapToVertex of its
-/// shorter edge; a curve is bent to a vertex at most kSnapToEdge of the shorter edge beside it.
+/// Splices the curves at crossings and contacts. A vertex moves by at most snap_to_vertex of its
+/// shorter edge; a curve is bent to a vertex at most snap_to_edge of the shorter edge beside it.
 /// Fails with bad_input where the curves are too tangled to settle. Near-linear for edges of
 /// similar length.
 Result<SplicedCurves> splice_curves(const std::vector<InputCurve>& curves);

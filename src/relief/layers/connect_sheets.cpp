@@ -6,7 +6,7 @@
 namespace relievo {
 namespace {
 
-constexpr int kMinSeamEdges = 3;
+constexpr int min_seam_edges = 3;
 
 class Connector {
  public:
@@ -21,7 +21,7 @@ class Connector {
     find_sides();
     find_surface(join);
     const auto [first, last] = longest_run();
-    if (last - first < kMinSeamEdges)
+    if (last - first < min_seam_edges)
       return Error{ErrorCode::bad_input,
                    "the join hardly runs inside the lower part; move it inwards or remove it",
                    join.name};

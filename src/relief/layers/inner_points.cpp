@@ -8,7 +8,7 @@
 namespace relievo {
 namespace {
 
-constexpr double kClearance = 0.62;  // of the wanted size, between inner points and outlines
+constexpr double relative_clearance = 0.62;  // of the wanted size, between inner points and outlines
 
 std::vector<Outline> outlines_of(const SampledOutlines& sampled) {
   std::vector<Outline> outlines;
@@ -43,7 +43,7 @@ std::vector<Point2> inner_points(const SizeField& field, const std::vector<Point
              [&](size_t e) { return std::pair(points[edges[e][0]], points[edges[e][1]]); });
   std::vector<Point2> kept;
   for (const Point2 p : lattice_points(field)) {
-    const double clearance = kClearance * field.size_at(p);
+    const double clearance = relative_clearance * field.size_at(p);
     bool clear = true;
     grid.for_cells(p, p, clearance, [&](size_t cell) {
       for (const int* e = grid.begin(cell); clear && e != grid.end(cell); ++e)

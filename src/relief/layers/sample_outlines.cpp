@@ -8,11 +8,11 @@
 namespace relievo {
 namespace {
 
-constexpr double kCornerAngle = 0.61;  // 35 degrees
-constexpr double kMaxSagitta = 0.08;   // of the spacing
-constexpr int kMinRingSamples = 12;
-constexpr int kMinJoinEdges = 6;
-constexpr double kLineReach = 0.08;  // of the canvas diagonal
+constexpr double corner_angle = 0.61;  // 35 degrees
+constexpr double max_sagitta = 0.08;   // of the spacing
+constexpr int min_ring_samples = 12;
+constexpr int min_join_edges = 6;
+constexpr double line_reach = 0.08;  // of the canvas diagonal
 
 struct PartRing {
   int part;
@@ -42,7 +42,7 @@ Ring without_repeats(const Ring& ring) {
   return clean;
 }
 
-// Arc lengths at which the ring turns by more than kCornerAngle over a window, the sharpest of
+// Arc lengths at which the ring turns by more than corner_angle over a window, the sharpest of
 // each neighbourhood.
 std::vector<double> corners(const Ring& ring, const RingMeasure& m, double window) {
   struct Corner {
@@ -55,7 +55,7 @@ std::vector<double> corners(const Ring& ring, const RingMeasure& m, double windo
     const Point2 in = ring[i] - point_at(ring, m, s - window);
     const Point2 out = point_at(ring, m, s + window) - ring[i];
     const double angle = std::abs(std::atan2(cross(in, out), dot(in, out)));
-    if (angle > kCornerAngle) found.push_back({s, angle});
+    if (angle > corner_angle) found.push_back({s, angle});
   }
   std::vector<double> kept;
   for (size_t i = 0; i < found.size(); ++i) {
@@ -121,7 +121,7 @@ class Sampler {
     }
     const std::string& upper = scene_.parts[join.upper].id;
     const double diagonal = std::hypot(scene_.width, scene_.height);
-    if (best < 0 || best_gap / static_cast<double>(join.line.size()) > kLineReach * diagonal)
+    if (best < 0 || best_gap / static_cast<double>(join.line.size()) > line_reach * diagonal)
       return Error{ErrorCode::bad_input,
                    "the join's line is far from the outline of \"" + upper +
                        "\"; draw it along that outline, where it lies inside the lower part",
@@ -143,13 +143,13 @@ class Sampler {
   // Mean distance between the arc from a forward to b and the line, both ways.
   static double gap_to_line(const PartRing& ring, double a, double b,
                             const std::vector<Point2>& line) {
-    constexpr int kProbes = 32;
+    constexpr int probes = 32;
     const double length = forward(a, b, ring.measure.length);
     std::vector<Point2> arc;
-    for (int i = 0; i <= kProbes; ++i)
-      arc.push_back(point_at(*ring.ring, ring.measure, a + length * i / kProbes));
+    for (int i = 0; i <= probes; ++i)
+      arc.push_back(point_at(*ring.ring, ring.measure, a + length * i / probes));
     double sum = 0;
-    for (const Point2 p : arc) sum += distance_to_polyline(line, p) / kProbes;
+    for (const Point2 p : arc) sum += distance_to_polyline(line, p) / probes;
     for (const Point2 p : line)
       sum += distance_to_polyline(arc, p) / static_cast<double>(line.size());
     return sum;
@@ -185,13 +185,13 @@ class Sampler {
   // Spacing for a stretch: short rings and short joins keep enough edges.
   double spacing_between(size_t r, double from, double to) const {
     const double length = rings_[r].measure.length;
-    double spacing = std::min(spacing_, length / kMinRingSamples);
+    double spacing = std::min(spacing_, length / min_ring_samples);
     const double middle = from + 0.5 * (to - from);
     for (const ArcRange& join : joins_) {
       if (join.ring != static_cast<int>(r)) continue;
       const double arc = forward(join.from, join.to, length);
       if (forward(join.from, middle, length) < arc)
-        spacing = std::min(spacing, arc / kMinJoinEdges);
+        spacing = std::min(spacing, arc / min_join_edges);
     }
     return spacing;
   }
@@ -270,7 +270,7 @@ class Sampler {
     for (const double t : {0.25, 0.5, 0.75})
       sagitta = std::max(sagitta, distance_to_segment(
                                       point_at(*ring.ring, ring.measure, a + t * (b - a)), pa, pb));
-    if (sagitta <= kMaxSagitta * spacing_) return;
+    if (sagitta <= max_sagitta * spacing_) return;
     const double middle = 0.5 * (a + b);
     bisect(r, a, middle, levels - 1, curve);
     push(r, middle, false, curve);

@@ -58,7 +58,7 @@ Scene scene_of(const std::vector<Outline>& outlines) {
 
 /// Once as one part with holes, once with every ring a part of its own.
 void expect_sound_both_ways(const std::vector<CorpusPolygon>& polygons) {
-  constexpr size_t kMostParts = 20;
+  constexpr size_t most_parts = 20;
   if (polygons.empty()) GTEST_SKIP() << "the shared drawings are not here";
   for (const CorpusPolygon& polygon : polygons) {
     SCOPED_TRACE(polygon.name);
@@ -69,20 +69,20 @@ void expect_sound_both_ways(const std::vector<CorpusPolygon>& polygons) {
     expect_sound(whole);
     std::vector<Outline> apart;
     for (const Ring& ring : polygon.rings)
-      if (apart.size() < kMostParts) apart.push_back({ring});
+      if (apart.size() < most_parts) apart.push_back({ring});
     expect_sound(scene_of(apart));
   }
 }
 
-const std::string kPolygons = RELIEVO_SHARED_DATA "/adversarial/polygons/";
+const std::string polygons = RELIEVO_SHARED_DATA "/adversarial/polygons/";
 
-TEST(PolygonCorpus, Earcut) { expect_sound_both_ways(earcut_polygons(kPolygons + "earcut")); }
+TEST(PolygonCorpus, Earcut) { expect_sound_both_ways(earcut_polygons(polygons + "earcut")); }
 
-TEST(PolygonCorpus, Cdt) { expect_sound_both_ways(cdt_polygons(kPolygons + "cdt")); }
+TEST(PolygonCorpus, Cdt) { expect_sound_both_ways(cdt_polygons(polygons + "cdt")); }
 
 TEST(PolygonCorpus, Clipper) {
-  expect_sound_both_ways(clipper_polygons(kPolygons + "clipper2/Polygons.txt"));
-  expect_sound_both_ways(clipper_polygons(kPolygons + "clipper2/PolytreeHoleOwner.txt"));
+  expect_sound_both_ways(clipper_polygons(polygons + "clipper2/Polygons.txt"));
+  expect_sound_both_ways(clipper_polygons(polygons + "clipper2/PolytreeHoleOwner.txt"));
 }
 
 }  // namespace
