@@ -64,6 +64,18 @@ TEST(Optimality, HoldsOnAThousandRandomPartGraphs) {
   }));
 }
 
+TEST(Optimality, TheCheckNoticesWrongHeights) {
+  EXPECT_TRUE(rc::check([] {
+    const RandomDepth random = testing::random_depth();
+    const OrderingOptions options = only_given_pairs();
+    Ordering ordering = ordered(random, options);
+    ordering.h[*rc::gen::inRange<size_t>(0, ordering.h.size())] += *rc::gen::element(-1e-3, 1e-3);
+    const testing::DepthOptimality optimality = check_depth_optimality(
+        random.mesh, random.inflation, enforced_pairs(random.mesh), ordering.h, options.epsilon);
+    RC_ASSERT(optimality.violation > 1e-6 || optimality.imbalance > 1e-6);
+  }));
+}
+
 TEST(Optimality, TheMinimiserDoesNotDependOnTheStart) {
   EXPECT_TRUE(rc::check([] {
     const RandomDepth random = testing::random_depth();
