@@ -117,7 +117,9 @@ testing::LinearlyConstrainedQp stated_directly(const RandomDepth& random, double
 TEST(Optimality, IpoptFindsTheSameHeights) {
   EXPECT_TRUE(rc::check([] {
     const RandomDepth random = testing::random_depth();
-    const OrderingOptions options = only_given_pairs();
+    OrderingOptions options = only_given_pairs();
+    // An interior point method leaves heights that only a tiny epsilon determines vague.
+    options.epsilon = 0.1;
     const Ordering ordering = ordered(random, options);
     const auto h = testing::solve_by_ipopt(stated_directly(random, options.epsilon));
     RC_ASSERT(h.has_value());
