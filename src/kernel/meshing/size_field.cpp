@@ -79,7 +79,7 @@ class Lattice {
     const double width = field.columns * field.cell;
     const double height = field.rows * field.cell;
     step_ = field.max_size;
-    rows_ = static_cast<int>(height / (step_ * row_rise)) + 2;
+    rows_ = static_cast<int>(height / (step_ * rise)) + 2;
     columns_ = static_cast<int>(width / step_ + 0.5 * rows_) + 2;
   }
 
@@ -90,11 +90,11 @@ class Lattice {
   }
 
  private:
-  static constexpr double row_rise = 0.86602540378443865;  // sqrt(3)/2
+  static constexpr double rise = 0.86602540378443865;  // sqrt(3)/2
   static constexpr int max_levels = 12;
 
   Point2 at(double i, double j, double step) const {
-    return {field_.origin.x + (i + 0.5 * j) * step, field_.origin.y + j * row_rise * step};
+    return {field_.origin.x + (i + 0.5 * j) * step, field_.origin.y + j * rise * step};
   }
 
   bool outside(Point2 corner, double step) const {

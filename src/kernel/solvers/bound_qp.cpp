@@ -33,43 +33,108 @@ class ActiveSetSolver {
   }
 
   BoundQpSolution run(const RunContext& context) {
-    solution_.report.status = iterate(context);
+    SolveStatus status = pivot_blocks(context);
+    if (status == SolveStatus::iteration_limit) status = descend(context);
+    solution_.report.status = status;
     snap_to_bounds();
     finish_report();
     return std::move(solution_);
   }
 
  private:
-  SolveStatus iterate(const RunContext& context) {
-    BoundQpReport& report = solution_.report;
+  /// Flips all wrong bounds at a time; iteration_limit also where that does not get on.
+  SolveStatus pivot_blocks(const RunContext& context) {
     size_t fewest = problem_.bounded.size() + 1;
     int tries = block_tries;
-    while (report.iterations < max_iterations_) {
+    while (solution_.report.iterations < max_iterations_) {
       if (context.cancelled()) return SolveStatus::interrupted;
-      ++report.iterations;
       if (!solve_free()) return SolveStatus::not_positive_definite;
       const std::vector<int> wrong = wrong_bounds();
       if (wrong.empty()) return SolveStatus::solved;
       if (wrong.size() < fewest) {
         fewest = wrong.size();
         tries = block_tries;
-      } else {
-        --tries;
+      } else if (--tries < 0) {
+        break;
       }
-      if (tries >= 0) {
-        for (const int i : wrong) flip(i);
+      for (const int i : wrong) flip(i);
+    }
+    return SolveStatus::iteration_limit;
+  }
+
+  /// Goes from one feasible point to a lower one: towards the minimiser of the face that the zero
+  /// bounds span, or away from it where it is reached. No face's minimiser occurs twice.
+  SolveStatus descend(const RunContext& context) {
+    VectorXd z = solution_.z;
+    project(z);
+    while (solution_.report.iterations < max_iterations_) {
+      if (context.cancelled()) return SolveStatus::interrupted;
+      activate_zeros(z);
+      if (!solve_free()) return SolveStatus::not_positive_definite;
+      ++solution_.report.safeguard_steps;
+      const std::vector<int> wrong = wrong_bounds();
+      if (wrong.empty()) return SolveStatus::solved;
+      if (is_feasible()) {
+        z = solution_.z;
+        project(z);
+        release(wrong, z);
       } else {
-        flip(wrong.back());
-        ++report.safeguard_steps;
+        z += projected_step(z, solution_.z - z);
       }
     }
     return SolveStatus::iteration_limit;
+  }
+
+  bool is_feasible() const {
+    for (Eigen::Index i = 0; i < solution_.z.size(); ++i)
+      if (problem_.bounded[i] != 0 && solution_.z[i] < -tolerance_) return false;
+    return true;
+  }
+
+  void project(VectorXd& z) const {
+    for (Eigen::Index i = 0; i < z.size(); ++i)
+      if (problem_.bounded[i] != 0) z[i] = std::max(z[i], 0.0);
+  }
+
+  void activate_zeros(const VectorXd& z) {
+    for (Eigen::Index i = 0; i < z.size(); ++i)
+      solution_.active[i] = problem_.bounded[i] != 0 && z[i] == 0;
+  }
+
+  /// The lowest point along the negative gradient of the bounds that pull.
+  void release(const std::vector<int>& pulling, VectorXd& z) const {
+    VectorXd direction = VectorXd::Zero(z.size());
+    for (const int i : pulling) direction[i] = -solution_.mu[i];
+    const double curvature = direction.dot(multiply_symmetric(problem_.K, direction));
+    z += direction.squaredNorm() / curvature * direction;
+  }
+
+  /// The longest of the steps 1, 1/2, 1/4, ... along the projected direction that lowers the
+  /// energy; at least as far as the first bound.
+  VectorXd projected_step(const VectorXd& z, const VectorXd& direction) const {
+    double to_bound = 1;
+    for (Eigen::Index i = 0; i < z.size(); ++i)
+      if (problem_.bounded[i] != 0 && direction[i] < 0)
+        to_bound = std::min(to_bound, -z[i] / direction[i]);
+    const VectorXd gradient = multiply_symmetric(problem_.K, z) - problem_.b;
+    for (double length = 1; length > to_bound; length /= 2) {
+      VectorXd end = z + length * direction;
+      project(end);
+      const VectorXd step = end - z;
+      if (step.dot(gradient + 0.5 * multiply_symmetric(problem_.K, step)) < 0) return step;
+    }
+    VectorXd end = z + to_bound * direction;
+    for (Eigen::Index i = 0; i < z.size(); ++i)
+      if (direction[i] < 0 && -z[i] / direction[i] <= to_bound && problem_.bounded[i] != 0)
+        end[i] = 0;
+    return end - z;
   }
 
   void flip(int i) { solution_.active[i] = solution_.active[i] == 0; }
 
   bool solve_free() {
     mask_active();
+    ++solution_.report.iterations;
     ++solution_.report.factorisations;
     if (!factor_.factorise(masked_)) return false;
     solution_.z.setZero();

@@ -33,13 +33,15 @@ struct BoundQpSolution {
   BoundQpReport report;
 };
 
-/// Primal-dual active set with block pivoting: every iteration fixes the guessed active bounds to 0
-/// (their rows and columns become the identity, so the pattern never changes), solves for the
-/// rest and lets all bounds with the wrong sign change sides. When that does not reduce their
-/// number three times in a row, one at a time does until it is reduced, which makes the method
-/// finite (Judice and Pires 1994; Kim and Park 2011). Refines iteratively, so that the residuals of
-/// the report stay near round-off. `factor` must have analysed the pattern of K and holds the last
-/// factor afterwards. Watches `context` between factorisations. One factorisation per iteration.
+/// Primal-dual active set: every iteration fixes the guessed active bounds to 0 (their rows and
+/// columns become the identity, so the pattern never changes), solves for the rest and lets all
+/// bounds with the wrong sign change sides (block pivoting, Judice and Pires 1994). Where their
+/// number does not fall four times in a row, a safeguard takes over that lowers the energy in every
+/// iteration, moving along projected directions from face to face (as More and Toraldo 1991 do,
+/// with exact solutions on the faces); both together end after finitely many iterations. Refines
+/// iteratively, so that the residuals of the report stay near round-off. `factor` must have
+/// analysed the pattern of K and holds the last factor afterwards. Watches `context` between
+/// factorisations, of which every iteration takes one.
 BoundQpSolution solve_bound_qp(const BoundQp& problem, SparseCholesky& factor,
                                const BoundQpOptions& options = {}, const RunContext& context = {});
 

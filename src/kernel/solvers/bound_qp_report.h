@@ -10,7 +10,7 @@ struct BoundQpReport {
   SolveStatus status = SolveStatus::solved;
   int iterations = 0;
   int factorisations = 0;
-  int safeguard_steps = 0;     ///< iterations in which the single-flip rule was used
+  int safeguard_steps = 0;     ///< iterations of the safeguard that ends cycles
   int active = 0;              ///< bounds that hold with equality
   double stationarity = 0;     ///< max |K z - b - mu|
   double primal = 0;           ///< worst violation of z >= 0

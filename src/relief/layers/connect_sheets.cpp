@@ -153,7 +153,7 @@ class Connector {
     seam.first_end_inside = merge_end(first, path_[first], path_[first + 1], moves);
     seam.last_end_inside = merge_end(last - 1, path_[last], path_[last - 1], moves);
     for (const auto& [corner, node] : moves) sheets_.faces[corner / 3][corner % 3] = node;
-    out_.seams.push_back(std::move(seam));
+    out_.seams.push_back(seam);
   }
 
   // Re-attaches the whole turn around an end; where the turn is not closed, the end lies on an

@@ -74,15 +74,15 @@ void expect_sound_both_ways(const std::vector<CorpusPolygon>& polygons) {
   }
 }
 
-const std::string polygon_folder = RELIEVO_SHARED_DATA "/adversarial/polygons/";
+const std::string polygons = RELIEVO_SHARED_DATA "/adversarial/polygons/";
 
-TEST(PolygonCorpus, Earcut) { expect_sound_both_ways(earcut_polygons(polygon_folder + "earcut")); }
+TEST(PolygonCorpus, Earcut) { expect_sound_both_ways(earcut_polygons(polygons + "earcut")); }
 
-TEST(PolygonCorpus, Cdt) { expect_sound_both_ways(cdt_polygons(polygon_folder + "cdt")); }
+TEST(PolygonCorpus, Cdt) { expect_sound_both_ways(cdt_polygons(polygons + "cdt")); }
 
 TEST(PolygonCorpus, Clipper) {
-  expect_sound_both_ways(clipper_polygons(polygon_folder + "clipper2/Polygons.txt"));
-  expect_sound_both_ways(clipper_polygons(polygon_folder + "clipper2/PolytreeHoleOwner.txt"));
+  expect_sound_both_ways(clipper_polygons(polygons + "clipper2/Polygons.txt"));
+  expect_sound_both_ways(clipper_polygons(polygons + "clipper2/PolytreeHoleOwner.txt"));
 }
 
 }  // namespace

@@ -105,6 +105,21 @@ TEST(OrderDepth, FindsTheSameHeightsFromBothStarts) {
   EXPECT_EQ(none.report.active, all.report.active);
 }
 
+TEST(OrderDepth, OrdersPilesOfUnjoinedParts) {
+  // Many loose parts on top of each other defeat plain block pivoting.
+  const LayeredMesh mesh = testing::scattered_discs(30, 25);
+  const Scene scene = scene_of(mesh);
+  const Inflation inflation = inflated(mesh, scene);
+  OrderingOptions options;
+  const Ordering none = ordered(mesh, inflation, scene, options);
+  EXPECT_GT(none.report.safeguard_steps, 0);
+  EXPECT_LE(none.report.stationarity, 1e-12);
+  EXPECT_LE(none.report.dual, 1e-12);
+  EXPECT_EQ(none.max_violation, 0);
+  options.start_active = true;
+  EXPECT_LE(largest_difference(none.h, ordered(mesh, inflation, scene, options).h), 1e-6);
+}
+
 TEST(OrderDepth, DoesNotDependOnTheSizeOfTheDrawing) {
   const LayeredMesh mesh = testing::scattered_discs(8, 30);
   const Scene scene = scene_of(mesh);
