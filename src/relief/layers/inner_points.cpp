@@ -8,7 +8,8 @@
 namespace relievo {
 namespace {
 
-constexpr double relative_clearance = 0.62;  // of the wanted size, between inner points and outlines
+constexpr double relative_clearance =
+    0.62;  // of the wanted size, between inner points and outlines
 
 std::vector<Outline> outlines_of(const SampledOutlines& sampled) {
   std::vector<Outline> outlines;
