@@ -23,9 +23,12 @@ class QuadraticFit {
     const double x = offset.x / unit_;
     const double y = offset.y / unit_;
     const double weight = 1 / (x * x + y * y);
-    const Vector basis = (Vector() << x, y, x * x, x * y, y * y).finished();
-    normal_.noalias() += weight * basis * basis.transpose();
-    moments_ += weight * value * basis;
+    const double basis[5] = {x, y, x * x, x * y, y * y};
+    for (int j = 0; j < 5; ++j) {
+      const double weighted = weight * basis[j];
+      for (int i = j; i < 5; ++i) normal_(i, j) += weighted * basis[i];
+      moments_[j] += weighted * value;
+    }
   }
 
   /// Gradient at the origin, if the samples determine it.
@@ -41,7 +44,7 @@ class QuadraticFit {
   using Vector = Eigen::Matrix<double, 5, 1>;
   static constexpr double flatness = 1e-4;
   double unit_;
-  Eigen::Matrix<double, 5, 5> normal_ = Eigen::Matrix<double, 5, 5>::Zero();
+  Eigen::Matrix<double, 5, 5> normal_ = Eigen::Matrix<double, 5, 5>::Zero();  // lower triangle
   Vector moments_ = Vector::Zero();
 };
 

@@ -26,37 +26,47 @@ std::vector<std::array<double, 3>> half_cotangents(const FlatMesh& mesh) {
 /// Builds a compressed matrix column by column from unordered contributions.
 class ColumnBuilder {
  public:
-  ColumnBuilder(int rows, int columns, size_t entries)
-      : matrix_(rows, columns), value_(static_cast<size_t>(rows), 0), seen_(value_.size(), -1) {
-    matrix_.reserve(static_cast<Eigen::Index>(entries));
+  /// `entries` is a guess of their number.
+  ColumnBuilder(int rows, int columns, Eigen::Index entries)
+      : matrix_(rows, columns), slots_(static_cast<size_t>(rows)) {
+    matrix_.resizeNonZeros(entries);
   }
 
   void add(int row, double value) {
-    if (seen_[row] != column_) {
-      seen_[row] = column_;
-      value_[row] = 0;
+    Slot& slot = slots_[row];
+    if (slot.column != column_) {
+      slot = {column_, 0};
       rows_.push_back(row);
     }
-    value_[row] += value;
+    slot.value += value;
   }
 
   void finish_column() {
     std::sort(rows_.begin(), rows_.end());
-    matrix_.startVec(column_);
-    for (const int row : rows_) matrix_.insertBack(row, column_) = value_[row];
+    const int begin = matrix_.outerIndexPtr()[column_];
+    const int end = begin + static_cast<int>(rows_.size());
+    if (end > matrix_.data().size()) matrix_.resizeNonZeros(2 * Eigen::Index{end});
+    std::copy(rows_.begin(), rows_.end(), matrix_.innerIndexPtr() + begin);
+    double* value = matrix_.valuePtr() + begin;
+    for (const int row : rows_) *value++ = slots_[row].value;
+    matrix_.outerIndexPtr()[++column_] = end;
     rows_.clear();
-    ++column_;
   }
 
   SparseMatrix take() {
-    matrix_.finalize();
+    matrix_.resizeNonZeros(matrix_.outerIndexPtr()[column_]);
     return std::move(matrix_);
   }
 
  private:
+  /// The sum in a row, of the column that last touched it.
+  struct Slot {
+    int column = -1;
+    double value = 0;
+  };
+
   SparseMatrix matrix_;
-  std::vector<double> value_;
-  std::vector<int> seen_;
+  std::vector<Slot> slots_;
   std::vector<int> rows_;
   int column_ = 0;
 };
@@ -67,7 +77,7 @@ SparseMatrix stiffness_matrix(const FlatMesh& mesh) {
   const std::vector<std::array<double, 3>> weights = half_cotangents(mesh);
   const NodeCorners corners = corners_at_nodes(mesh);
   const int n = static_cast<int>(mesh.positions.size());
-  ColumnBuilder builder(n, n, mesh.positions.size() + 4 * mesh.triangles.size());
+  ColumnBuilder builder(n, n, n + 4 * static_cast<Eigen::Index>(mesh.triangles.size()));
   for (int node = 0; node < n; ++node) {
     for (int i = corners.begin[node]; i < corners.begin[node + 1]; ++i) {
       const int t = corners.corner[i] / 3;
@@ -98,8 +108,7 @@ Eigen::VectorXd load_vector(const FlatMesh& mesh, std::span<const double> densit
 SparseMatrix galerkin_lower(const SparseMatrix& A, const SparseMatrix& T) {
   assert(A.rows() == T.rows());
   const Eigen::SparseMatrix<double, Eigen::RowMajor, int> rows_of_T = T;
-  ColumnBuilder builder(static_cast<int>(T.cols()), static_cast<int>(T.cols()),
-                        static_cast<size_t>(A.nonZeros()));
+  ColumnBuilder builder(static_cast<int>(T.cols()), static_cast<int>(T.cols()), A.nonZeros());
   for (int j = 0; j < T.outerSize(); ++j) {
     for (SparseMatrix::InnerIterator node(T, j); node; ++node)
       for (SparseMatrix::InnerIterator a(A, node.index()); a; ++a)

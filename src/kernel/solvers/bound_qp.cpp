@@ -20,8 +20,7 @@ class ActiveSetSolver {
         factor_(factor),
         scale_(std::max(1.0, max_norm(problem.b))),
         tolerance_(options.tolerance * scale_),
-        max_iterations_(options.max_iterations),
-        masked_(problem.K) {
+        max_iterations_(options.max_iterations) {
     const auto n = static_cast<size_t>(problem.b.size());
     assert(problem.bounded.size() == n);
     assert(options.start_active.empty() || options.start_active.size() == n);
@@ -49,7 +48,7 @@ class ActiveSetSolver {
     while (solution_.report.iterations < max_iterations_) {
       if (context.cancelled()) return SolveStatus::interrupted;
       if (!solve_free()) return SolveStatus::not_positive_definite;
-      const std::vector<int> wrong = wrong_bounds();
+      const std::vector<int> wrong = refined_wrong_bounds();
       if (wrong.empty()) return SolveStatus::solved;
       if (wrong.size() < fewest) {
         fewest = wrong.size();
@@ -72,7 +71,7 @@ class ActiveSetSolver {
       activate_zeros(z);
       if (!solve_free()) return SolveStatus::not_positive_definite;
       ++solution_.report.safeguard_steps;
-      const std::vector<int> wrong = wrong_bounds();
+      const std::vector<int> wrong = refined_wrong_bounds();
       if (wrong.empty()) return SolveStatus::solved;
       if (is_feasible()) {
         z = solution_.z;
@@ -83,6 +82,14 @@ class ActiveSetSolver {
       }
     }
     return SolveStatus::iteration_limit;
+  }
+
+  /// The bounds that are on the wrong side; that there are none is decided on refined values.
+  std::vector<int> refined_wrong_bounds() {
+    std::vector<int> wrong = wrong_bounds();
+    if (!wrong.empty()) return wrong;
+    refine();
+    return wrong_bounds();
   }
 
   bool is_feasible() const {
@@ -132,42 +139,39 @@ class ActiveSetSolver {
 
   void flip(int i) { solution_.active[i] = solution_.active[i] == 0; }
 
+  /// Minimises with the active bounds at 0; accurate enough to judge most guesses.
   bool solve_free() {
-    mask_active();
     ++solution_.report.iterations;
     ++solution_.report.factorisations;
-    if (!factor_.factorise(masked_)) return false;
-    solution_.z.setZero();
-    VectorXd residual = free_residual();
-    double error = max_norm(residual);
-    for (int i = 0; i <= max_refinements && error > 0; ++i) {
-      const VectorXd z = solution_.z;
-      solution_.z += factor_.solve(residual);
-      clear_active(solution_.z);
-      residual = free_residual();
-      const double next = max_norm(residual);
-      if (!(next < error)) {
-        if (i > 0) solution_.z = z;
-        break;
-      }
-      error = next;
-      if (error <= 0.1 * tolerance_) break;
-    }
-    solution_.mu = multiply_symmetric(problem_.K, solution_.z) - problem_.b;
+    if (!factor_.factorise(problem_.K, solution_.active)) return false;
+    VectorXd free_b = problem_.b;
+    clear_active(free_b);
+    solution_.z = factor_.solve(free_b);
+    clear_active(solution_.z);
+    solution_.mu = gradient();
     return solution_.mu.allFinite();
   }
 
-  /// masked_ := K with the rows and columns of active bounds replaced by the identity.
-  void mask_active() {
-    const auto& active = solution_.active;
-    for (int j = 0; j < problem_.K.outerSize(); ++j) {
-      SparseMatrix::InnerIterator from(problem_.K, j);
-      for (SparseMatrix::InnerIterator to(masked_, j); to; ++to, ++from) {
-        const bool masked = active[j] != 0 || active[from.row()] != 0;
-        to.valueRef() = !masked ? from.value() : from.row() == j ? 1 : 0;
+  /// Iterative refinement, as long as it reduces the residual.
+  void refine() {
+    double error = max_norm(free_residual());
+    for (int i = 0; i < max_refinements && error > 0.1 * tolerance_; ++i) {
+      const VectorXd z = solution_.z;
+      const VectorXd mu = solution_.mu;
+      solution_.z += factor_.solve(free_residual());
+      clear_active(solution_.z);
+      solution_.mu = gradient();
+      const double next = max_norm(free_residual());
+      if (!(next < error)) {
+        solution_.z = z;
+        solution_.mu = mu;
+        return;
       }
+      error = next;
     }
   }
+
+  VectorXd gradient() const { return multiply_symmetric(problem_.K, solution_.z) - problem_.b; }
 
   void clear_active(VectorXd& v) const {
     for (Eigen::Index i = 0; i < v.size(); ++i)
@@ -175,7 +179,7 @@ class ActiveSetSolver {
   }
 
   VectorXd free_residual() const {
-    VectorXd residual = problem_.b - multiply_symmetric(problem_.K, solution_.z);
+    VectorXd residual = -solution_.mu;
     clear_active(residual);
     return residual;
   }
@@ -202,7 +206,7 @@ class ActiveSetSolver {
 
   void finish_report() {
     BoundQpReport& report = solution_.report;
-    const VectorXd residual = multiply_symmetric(problem_.K, solution_.z) - problem_.b;
+    const VectorXd residual = gradient();
     for (Eigen::Index i = 0; i < residual.size(); ++i) {
       const bool active = solution_.active[i] != 0;
       const double z = solution_.z[i];
@@ -224,7 +228,6 @@ class ActiveSetSolver {
   double scale_;
   double tolerance_;
   int max_iterations_;
-  SparseMatrix masked_;
   BoundQpSolution solution_;
 };
 

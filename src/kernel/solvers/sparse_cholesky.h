@@ -1,15 +1,19 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "kernel/base/sparse_matrix.h"
 
 namespace relievo {
 
 /// Cholesky factorisation of symmetric positive definite sparse matrices: the pattern is analysed
-/// once, values are factorised as often as needed. Only the lower triangle (row >= column) of the
-/// matrices is read; explicit zeros belong to the pattern.
+/// once, values are factorised as often as needed, by the multifrontal method [Duff and Reid 1983;
+/// Liu 1992]. Only the lower triangle (row >= column) of the matrices is read; explicit zeros
+/// belong to the pattern. The same input gives the same bits on every processor.
 class SparseCholesky {
  public:
   SparseCholesky();
@@ -17,11 +21,22 @@ class SparseCholesky {
   SparseCholesky(SparseCholesky&&) noexcept;
   SparseCholesky& operator=(SparseCholesky&&) noexcept;
 
-  /// Chooses a fill-reducing order for the pattern of A. Near-linear in its entries.
+  /// Chooses a fill-reducing order for the pattern of A and lays out the factor.
+  /// Near-linear in the entries of A and the row indices of the fronts.
   void analyse(const SparseMatrix& A);
 
-  /// Factorises values on the analysed pattern; false when A is not positive definite.
-  bool factorise(const SparseMatrix& A);
+  /// Likewise for a given order of elimination, a permutation of the rows: cheaper by the search.
+  void analyse(const SparseMatrix& A, const std::vector<int>& order);
+
+  /// The order of elimination that was chosen or given, refined so that fronts are consecutive.
+  const std::vector<int>& order() const;
+
+  /// Entries of the lower triangle of the factor, stored zeros included.
+  Eigen::Index factor_entries() const;
+
+  /// Factorises values on the analysed pattern; false when A is not positive definite. Rows and
+  /// columns i with fixed[i] != 0 (none, or #rows flags) are replaced by those of the identity.
+  bool factorise(const SparseMatrix& A, std::span<const uint8_t> fixed = {});
 
   /// Solves A x = b with the last factorised A, b having #rows entries.
   /// Precondition: the last factorise() returned true.

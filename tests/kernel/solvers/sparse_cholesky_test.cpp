@@ -2,7 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <limits>
+
 #include "kernel/operators/laplacian.h"
+#include "support/sparse_patterns.h"
 #include "support/structured_meshes.h"
 
 namespace relievo {
@@ -48,12 +54,12 @@ TEST(SparseCholesky, KeepsExplicitZerosInThePattern) {
   SparseMatrix decoupled = A;
   for (int j = 0; j < A.outerSize(); ++j)
     for (SparseMatrix::InnerIterator entry(decoupled, j); entry; ++entry)
-      entry.valueRef() = entry.row() == j ? 2 : 0;
+      entry.valueRef() = entry.row() == j ? 4 : 0;
   SparseCholesky factor;
   factor.analyse(decoupled);
   ASSERT_TRUE(factor.factorise(decoupled));
   const VectorXd x = VectorXd::LinSpaced(A.rows(), 0, 1);
-  EXPECT_EQ(factor.solve(2 * x), x);
+  EXPECT_EQ(factor.solve(4 * x), x);
   ASSERT_TRUE(factor.factorise(A));
   EXPECT_LE((factor.solve(multiply_symmetric(A, x)) - x).lpNorm<Eigen::Infinity>(), 1e-11);
 }
@@ -71,6 +77,113 @@ TEST(SparseCholesky, SolvesTheEmptySystem) {
   factor.analyse(empty);
   ASSERT_TRUE(factor.factorise(empty));
   EXPECT_EQ(factor.solve(VectorXd()).size(), 0);
+}
+
+TEST(SparseCholesky, SolvesLikeDenseCholesky) {
+  for (const auto& [name, lower] : testing::telling_matrices()) {
+    SparseCholesky factor;
+    factor.analyse(lower);
+    ASSERT_TRUE(factor.factorise(lower)) << name;
+    const VectorXd b = VectorXd::LinSpaced(lower.rows(), -1, 3);
+    const VectorXd expected = testing::dense_symmetric(lower).llt().solve(b);
+    EXPECT_LE((factor.solve(b) - expected).lpNorm<Eigen::Infinity>(),
+              1e-12 * std::max(1.0, expected.lpNorm<Eigen::Infinity>()))
+        << name;
+  }
+}
+
+TEST(SparseCholesky, SolvesALargeGridLikeASparseReference) {
+  const SparseMatrix lower = testing::grid_laplacian(100, 100, 1e-3);
+  SparseCholesky factor;
+  factor.analyse(lower);
+  ASSERT_TRUE(factor.factorise(lower));
+  const VectorXd b = VectorXd::LinSpaced(lower.rows(), -1, 3);
+  const VectorXd x = factor.solve(b);
+  const VectorXd expected = Eigen::SimplicialLLT<SparseMatrix>(lower).solve(b);
+  EXPECT_LE((x - expected).lpNorm<Eigen::Infinity>(), 1e-11 * expected.lpNorm<Eigen::Infinity>());
+  EXPECT_LE((multiply_symmetric(lower, x) - b).lpNorm<Eigen::Infinity>(),
+            1e-13 * 8 * x.lpNorm<Eigen::Infinity>());
+}
+
+TEST(SparseCholesky, StoresLittleMoreThanTheSimplicialFactor) {
+  for (const int side : {30, 100, 200}) {
+    const SparseMatrix lower = testing::grid_laplacian(side, side, 1);
+    SparseCholesky factor;
+    factor.analyse(lower);
+    Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<int>> reference(lower);
+    const SparseMatrix L = reference.matrixL();
+    EXPECT_GE(factor.factor_entries(), L.nonZeros());
+    EXPECT_LE(static_cast<double>(factor.factor_entries()),
+              1.5 * static_cast<double>(L.nonZeros()));
+  }
+}
+
+TEST(SparseCholesky, TakesAnyOrderOfElimination) {
+  for (const auto& [name, lower] : testing::telling_matrices()) {
+    std::vector<int> order;
+    for (int i = 0; i < lower.rows(); ++i) order.push_back(static_cast<int>(lower.rows()) - 1 - i);
+    SparseCholesky factor;
+    factor.analyse(lower, order);
+    ASSERT_TRUE(factor.factorise(lower)) << name;
+    const VectorXd x = VectorXd::LinSpaced(lower.rows(), -1, 3);
+    const VectorXd error = factor.solve(multiply_symmetric(lower, x)) - x;
+    EXPECT_LE(error.lpNorm<Eigen::Infinity>(), 1e-11) << name;
+  }
+}
+
+TEST(SparseCholesky, FixedRowsActAsThoseOfTheIdentity) {
+  const SparseMatrix lower = testing::grid_laplacian(13, 9, 0.1);
+  std::vector<uint8_t> fixed(static_cast<size_t>(lower.rows()));
+  for (size_t i = 0; i < fixed.size(); ++i) fixed[i] = i % 3 == 0 || i % 7 == 0;
+  SparseMatrix replaced = lower;
+  for (int j = 0; j < lower.outerSize(); ++j)
+    for (SparseMatrix::InnerIterator entry(replaced, j); entry; ++entry)
+      if (fixed[j] != 0 || fixed[entry.row()] != 0) entry.valueRef() = entry.row() == j ? 1 : 0;
+  SparseCholesky one;
+  SparseCholesky other;
+  one.analyse(lower);
+  other.analyse(lower);
+  ASSERT_TRUE(one.factorise(lower, fixed));
+  ASSERT_TRUE(other.factorise(replaced));
+  const VectorXd b = VectorXd::LinSpaced(lower.rows(), -1, 3);
+  const VectorXd x = one.solve(b);
+  EXPECT_EQ(x, other.solve(b));
+  for (Eigen::Index i = 0; i < x.size(); ++i)
+    if (fixed[i] != 0) {
+      EXPECT_EQ(x[i], b[i]);
+    }
+}
+
+TEST(SparseCholesky, GivesTheSameBitsEveryTime) {
+  const SparseMatrix lower = testing::grid_laplacian(60, 40, 0.01);
+  const VectorXd b = VectorXd::LinSpaced(lower.rows(), -1, 3);
+  SparseCholesky first;
+  first.analyse(lower);
+  ASSERT_TRUE(first.factorise(lower));
+  const VectorXd x = first.solve(b);
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    ASSERT_TRUE(first.factorise(SparseMatrix(2 * lower)));
+    ASSERT_TRUE(first.factorise(lower));
+    EXPECT_EQ(first.solve(b), x);
+    SparseCholesky again;
+    again.analyse(lower);
+    ASSERT_TRUE(again.factorise(lower));
+    EXPECT_EQ(again.solve(b), x);
+  }
+}
+
+TEST(SparseCholesky, RefusesOneBadPivotAnywhere) {
+  for (const auto& [name, lower] : testing::telling_matrices()) {
+    SparseCholesky factor;
+    factor.analyse(lower);
+    for (const double bad : {-1e3, std::numeric_limits<double>::quiet_NaN()})
+      for (const Eigen::Index i : {Eigen::Index{0}, lower.rows() / 2, lower.rows() - 1}) {
+        SparseMatrix A = lower;
+        A.coeffRef(i, i) = bad;
+        EXPECT_FALSE(factor.factorise(A)) << name;
+      }
+    EXPECT_TRUE(factor.factorise(lower)) << name;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "kernel/solvers/supernodes.h"
+
+namespace relievo {
+
+/// An entry of the matrix and where it goes in the panel of its front.
+struct PanelEntry {
+  int source = -1;          ///< index into the values of the matrix
+  Eigen::Index target = 0;  ///< index into the panel
+};
+
+/// Where everything lies during a factorisation, so that nothing is searched for. The updates of
+/// fronts at even and at odd depth in the tree lie on two stacks: those of the children of a front
+/// are then the last ones of their stack, and its own goes on the other one.
+struct FrontLayout {
+  Supernodes fronts;
+  std::vector<Eigen::Index> panel_begin;   ///< #S + 1, in doubles
+  std::vector<Eigen::Index> update_begin;  ///< #S, in the front's stack
+  std::vector<int> stack;                  ///< #S, 0 or 1
+  std::array<Eigen::Index, 2> stack_size = {0, 0};
+  std::vector<int> first_child;    ///< #S, -1 if there is none
+  std::vector<int> next_sibling;   ///< #S, ascending, -1 at the last
+  std::vector<int> row_in_parent;  ///< as long as fronts.row: position of the row in the parent
+  std::vector<Eigen::Index> entry_begin;  ///< #S + 1
+  std::vector<PanelEntry> entries;
+  int most_rows = 0;  ///< of a front
+};
+
+/// Lays out the factorisation of matrices with the pattern of A, of which the fronts were made.
+FrontLayout lay_out(const SparseMatrix& A, Supernodes fronts);
+
+}  // namespace relievo

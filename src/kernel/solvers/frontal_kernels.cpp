@@ -1,0 +1,207 @@
+#include "kernel/solvers/frontal_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#define RELIEVO_WIDE_KERNELS
+#endif
+
+/// What the wide kernels call must be compiled for their instruction set: inlined.
+#define RELIEVO_INLINE [[gnu::always_inline]] inline
+
+namespace relievo {
+namespace {
+
+using Index = std::ptrdiff_t;
+using Pack = double __attribute__((vector_size(pack_rows * sizeof(double))));
+
+/// Columns of a tile, and columns that are eliminated before the rest is updated.
+constexpr int tile_columns = 4;
+constexpr int block_columns = 64;
+
+RELIEVO_INLINE void load(const double* from, Pack& pack) { std::memcpy(&pack, from, sizeof pack); }
+RELIEVO_INLINE void store(const Pack& pack, double* to) { std::memcpy(to, &pack, sizeof pack); }
+
+/// C -= A B' for a tile of C. Columns of A and B are `stride` apart; `depth` of them.
+struct Product {
+  const double* A;
+  const double* B;
+  Index stride;
+  int depth;
+};
+
+template <int Packs, int Columns>
+RELIEVO_INLINE void subtract_tile(double* C, Index c_stride, const Product& product) {
+  Pack sum[Columns][Packs] = {};
+  const double* A = product.A;
+  const double* B = product.B;
+  for (int p = 0; p < product.depth; ++p, A += product.stride, B += product.stride) {
+    Pack a[Packs];
+    for (int r = 0; r < Packs; ++r) load(A + r * pack_rows, a[r]);
+    for (int c = 0; c < Columns; ++c)
+      for (int r = 0; r < Packs; ++r) sum[c][r] += a[r] * B[c];
+  }
+  for (int c = 0; c < Columns; ++c)
+    for (int r = 0; r < Packs; ++r) {
+      double* to = C + c * c_stride + r * pack_rows;
+      Pack entry;
+      load(to, entry);
+      entry -= sum[c][r];
+      store(entry, to);
+    }
+}
+
+/// Rows [row, end) of `Columns` columns of the front, both multiples of a pack.
+template <int Packs, int Columns>
+RELIEVO_INLINE void subtract_strip(double* C, Index c_stride, Product product, int row, int end) {
+  const double* A = product.A;
+  for (; row + Packs * pack_rows <= end; row += Packs * pack_rows) {
+    product.A = A + row;
+    subtract_tile<Packs, Columns>(C + row, c_stride, product);
+  }
+  for (; row < end; row += pack_rows) {
+    product.A = A + row;
+    subtract_tile<1, Columns>(C + row, c_stride, product);
+  }
+}
+
+/// Subtracts what the panel's columns [from, to) contribute to `count` <= tile_columns columns.
+template <int Packs>
+RELIEVO_INLINE void subtract_columns(const Front& front, int column, int count, int from, int to) {
+  if (from == to) return;
+  const double* A = front.panel + from * front.stride();
+  const Product product{A, A + column, front.stride(), to - from};
+  double* C = front.column(column);
+  const Index c_stride = column < front.columns ? front.stride() : front.update_stride();
+  const int row = column / pack_rows * pack_rows;
+  const int end = padded(front.rows);
+  switch (count) {
+    case 1:
+      return subtract_strip<Packs, 1>(C, c_stride, product, row, end);
+    case 2:
+      return subtract_strip<Packs, 2>(C, c_stride, product, row, end);
+    case 3:
+      return subtract_strip<Packs, 3>(C, c_stride, product, row, end);
+    default:
+      return subtract_strip<Packs, 4>(C, c_stride, product, row, end);
+  }
+}
+
+/// Eliminates one panel column after what the columns before `first` contribute was subtracted.
+RELIEVO_INLINE bool eliminate_column(const Front& front, int first, int column) {
+  double* x = front.panel + column * front.stride();
+  const int begin = column / pack_rows * pack_rows;
+  const int end = padded(front.rows);
+  for (int c = first; c < column; ++c) {
+    const double* other = front.panel + c * front.stride();
+    const double factor = other[column];
+    for (int row = begin; row < end; row += pack_rows) {
+      Pack entry;
+      Pack left;
+      load(x + row, entry);
+      load(other + row, left);
+      entry -= left * factor;
+      store(entry, x + row);
+    }
+  }
+  const double pivot = x[column];
+  if (!(pivot > 0 && pivot < HUGE_VAL)) return false;
+  const double root = std::sqrt(pivot);
+  const double reciprocal = 1 / root;
+  for (int row = begin; row < end; row += pack_rows) {
+    Pack entry;
+    load(x + row, entry);
+    entry *= reciprocal;
+    store(entry, x + row);
+  }
+  x[column] = root;
+  std::fill(x + begin, x + column, 0.0);
+  return true;
+}
+
+template <int Packs>
+RELIEVO_INLINE bool eliminate(const Front& front) {
+  for (int block = 0; block < front.columns; block += block_columns) {
+    const int block_end = std::min(block + block_columns, front.columns);
+    for (int j = block; j < block_end; j += tile_columns) {
+      const int count = std::min(tile_columns, block_end - j);
+      subtract_columns<Packs>(front, j, count, block, j);
+      for (int c = j; c < j + count; ++c)
+        if (!eliminate_column(front, j, c)) return false;
+    }
+    for (int j = block_end; j < front.columns; j += tile_columns)
+      subtract_columns<Packs>(front, j, std::min(tile_columns, front.columns - j), block,
+                              block_end);
+    for (int j = front.columns; j < front.rows; j += tile_columns)
+      subtract_columns<Packs>(front, j, std::min(tile_columns, front.rows - j), block, block_end);
+  }
+  return true;
+}
+
+RELIEVO_INLINE void solve_forward(const Front& front, double* x) {
+  const int end = padded(front.rows);
+  for (int c = 0; c < front.columns; ++c) {
+    const double* L = front.panel + c * front.stride();
+    const double value = x[c] / L[c];
+    for (int row = c / pack_rows * pack_rows; row < end; row += pack_rows) {
+      Pack entry;
+      Pack left;
+      load(x + row, entry);
+      load(L + row, left);
+      entry -= left * value;
+      store(entry, x + row);
+    }
+    x[c] = value;
+  }
+}
+
+RELIEVO_INLINE void solve_backward(const Front& front, double* x) {
+  const int end = padded(front.rows);
+  for (int c = front.columns - 1; c >= 0; --c) {
+    const double* L = front.panel + c * front.stride();
+    const double right = x[c];
+    x[c] = 0;
+    Pack sum = {};
+    for (int row = c / pack_rows * pack_rows; row < end; row += pack_rows) {
+      Pack below;
+      Pack left;
+      load(x + row, below);
+      load(L + row, left);
+      sum += left * below;
+    }
+    x[c] = (right - ((sum[0] + sum[1]) + (sum[2] + sum[3]))) / L[c];
+  }
+}
+
+bool eliminate_portable(const Front& front) { return eliminate<1>(front); }
+void forward_portable(const Front& front, double* x) { solve_forward(front, x); }
+void backward_portable(const Front& front, double* x) { solve_backward(front, x); }
+
+#ifdef RELIEVO_WIDE_KERNELS
+[[gnu::target("avx2")]] bool eliminate_wide(const Front& front) { return eliminate<2>(front); }
+[[gnu::target("avx2")]] void forward_wide(const Front& front, double* x) {
+  solve_forward(front, x);
+}
+[[gnu::target("avx2")]] void backward_wide(const Front& front, double* x) {
+  solve_backward(front, x);
+}
+#endif
+
+constexpr FrontalKernels portable = {eliminate_portable, forward_portable, backward_portable};
+
+}  // namespace
+
+const FrontalKernels& portable_kernels() { return portable; }
+
+const FrontalKernels& best_kernels() {
+#ifdef RELIEVO_WIDE_KERNELS
+  static constexpr FrontalKernels wide = {eliminate_wide, forward_wide, backward_wide};
+  static const bool has_wide = __builtin_cpu_supports("avx2") != 0;
+  if (has_wide) return wide;
+#endif
+  return portable;
+}
+
+}  // namespace relievo

@@ -1,0 +1,187 @@
+#include "kernel/solvers/supernodes.h"
+
+#include <algorithm>
+
+#include "kernel/solvers/elimination_tree.h"
+
+namespace relievo {
+namespace {
+
+std::vector<int> inverse(const std::vector<int>& order) {
+  std::vector<int> position(order.size());
+  for (size_t i = 0; i < order.size(); ++i) position[order[i]] = static_cast<int>(i);
+  return position;
+}
+
+std::vector<int> renumbered(const std::vector<int>& order, const std::vector<int>& by) {
+  std::vector<int> result;
+  result.reserve(order.size());
+  for (const int i : by) result.push_back(order[i]);
+  return result;
+}
+
+enum class Triangle { upper, lower };
+
+/// One strict triangle of A with rows and columns in the given order.
+TrianglePattern permuted_pattern(const SparseMatrix& A, const std::vector<int>& order,
+                                 Triangle triangle) {
+  const std::vector<int> position = inverse(order);
+  const auto for_each_entry = [&](auto&& visit) {
+    for (int j = 0; j < A.outerSize(); ++j)
+      for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry) {
+        if (entry.row() <= j) continue;
+        const auto [low, high] = std::minmax({position[j], position[entry.row()]});
+        triangle == Triangle::upper ? visit(high, low) : visit(low, high);
+      }
+  };
+  TrianglePattern pattern;
+  pattern.begin.assign(order.size() + 1, 0);
+  for_each_entry([&](int column, int) { ++pattern.begin[column + 1]; });
+  for (size_t j = 0; j < order.size(); ++j) pattern.begin[j + 1] += pattern.begin[j];
+  pattern.index.resize(static_cast<size_t>(pattern.begin.back()));
+  std::vector<int> next(pattern.begin.begin(), pattern.begin.end() - 1);
+  for_each_entry([&](int column, int row) { pattern.index[next[column]++] = row; });
+  return pattern;
+}
+
+/// A supernode while it may still be merged into its parent.
+struct Group {
+  double entries = 0;  ///< of the factor, without zeros stored by merging
+  int columns = 0;
+  int rows = 0;
+  int parent = -1;
+  int merged_into = -1;
+};
+
+/// Maximal supernodes of a postordered tree; group_of[j] is the one of column j.
+std::vector<Group> maximal_supernodes(const std::vector<int>& parent, const std::vector<int>& count,
+                                      std::vector<int>& group_of) {
+  std::vector<Group> groups;
+  for (size_t j = 0; j < parent.size(); ++j) {
+    const bool joins =
+        j > 0 && parent[j - 1] == static_cast<int>(j) && count[j - 1] == count[j] + 1;
+    if (!joins) {
+      groups.emplace_back();
+      groups.back().rows = count[j];
+    }
+    group_of.push_back(static_cast<int>(groups.size()) - 1);
+    groups.back().columns += 1;
+    groups.back().entries += count[j];
+    groups.back().parent = parent[j];
+  }
+  for (Group& group : groups)
+    if (group.parent >= 0) group.parent = group_of[group.parent];
+  return groups;
+}
+
+/// The union of a child and its parent: the child's rows below its columns are rows of the parent.
+Group united(const Group& child, const Group& parent) {
+  Group result = parent;
+  result.columns += child.columns;
+  result.rows += child.columns;
+  result.entries += child.entries;
+  return result;
+}
+
+/// Whether a front is worth the zeros it stores: small ones save more by having fewer fronts.
+bool dense_enough(const Group& group) {
+  const double w = group.columns;
+  const double stored = w * group.rows - 0.5 * w * (w - 1);
+  const double zeros = (stored - group.entries) / stored;
+  if (group.columns <= 4) return true;
+  if (group.columns <= 16) return zeros < 0.5;
+  if (group.columns <= 48) return zeros < 0.12;
+  return zeros < 0.05;
+}
+
+/// Bottom up, so that what merges has merged its own children already.
+void merge_into_parents(std::vector<Group>& groups) {
+  std::vector<int> last_child(groups.size(), -1);
+  std::vector<int> sibling(groups.size(), -1);
+  for (int g = 0; g < static_cast<int>(groups.size()); ++g) {
+    for (int child = last_child[g]; child >= 0; child = sibling[child]) {
+      const Group candidate = united(groups[child], groups[g]);
+      if (!dense_enough(candidate)) continue;
+      groups[g] = candidate;
+      groups[child].merged_into = g;
+    }
+    const int parent = groups[g].parent;
+    if (parent < 0) continue;
+    sibling[g] = last_child[parent];
+    last_child[parent] = g;
+  }
+}
+
+/// Sets the columns and parents of the fronts: those groups that were not merged away, in their
+/// order, which is a postorder still. Returns the former column of each column.
+std::vector<int> gather_columns(const std::vector<Group>& groups, const std::vector<int>& group_of,
+                                Supernodes& result) {
+  std::vector<int> top(groups.size());
+  std::vector<int> front_of(groups.size(), -1);
+  for (int g = static_cast<int>(groups.size()) - 1; g >= 0; --g)
+    top[g] = groups[g].merged_into < 0 ? g : top[groups[g].merged_into];
+  result.column_begin = {0};
+  for (size_t g = 0; g < groups.size(); ++g) {
+    if (groups[g].merged_into >= 0) continue;
+    front_of[g] = static_cast<int>(result.column_begin.size()) - 1;
+    result.column_begin.push_back(result.column_begin.back() + groups[g].columns);
+  }
+  for (const Group& group : groups)
+    if (group.merged_into < 0)
+      result.parent.push_back(group.parent < 0 ? -1 : front_of[top[group.parent]]);
+
+  std::vector<int> next(result.column_begin.begin(), result.column_begin.end() - 1);
+  std::vector<int> former(group_of.size());
+  for (size_t j = 0; j < group_of.size(); ++j)
+    former[next[front_of[top[group_of[j]]]]++] = static_cast<int>(j);
+  return former;
+}
+
+/// Rows of a front: its columns, and those below that A or its children bring.
+void collect_rows(const TrianglePattern& lower, Supernodes& fronts) {
+  std::vector<std::vector<int>> children(fronts.parent.size());
+  std::vector<int> seen(fronts.order.size(), -1);
+  fronts.row_begin = {0};
+  for (int s = 0; s < fronts.size(); ++s) {
+    const int end = fronts.column_begin[s + 1];
+    const auto add = [&](int row) {
+      if (row < end || seen[row] == s) return;
+      seen[row] = s;
+      fronts.row.push_back(row);
+    };
+    for (int j = fronts.column_begin[s]; j < end; ++j) fronts.row.push_back(j);
+    const auto below = static_cast<std::ptrdiff_t>(fronts.row.size());
+    for (int p = lower.begin[fronts.column_begin[s]]; p < lower.begin[end]; ++p)
+      add(lower.index[p]);
+    for (const int child : children[s])
+      for (Eigen::Index r = fronts.row_begin[child] + fronts.columns(child);
+           r < fronts.row_begin[child + 1]; ++r)
+        add(fronts.row[r]);
+    std::sort(fronts.row.begin() + below, fronts.row.end());
+    fronts.row_begin.push_back(static_cast<Eigen::Index>(fronts.row.size()));
+    if (fronts.parent[s] >= 0) children[fronts.parent[s]].push_back(s);
+  }
+}
+
+}  // namespace
+
+Supernodes make_supernodes(const SparseMatrix& A, const std::vector<int>& order) {
+  const std::vector<int> parent = elimination_tree(permuted_pattern(A, order, Triangle::upper));
+  const std::vector<int> post = postorder(parent);
+  const std::vector<int> position = inverse(post);
+  std::vector<int> postordered_parent;
+  for (const int j : post) postordered_parent.push_back(parent[j] < 0 ? -1 : position[parent[j]]);
+  Supernodes result;
+  result.order = renumbered(order, post);
+  const std::vector<int> count =
+      column_counts(permuted_pattern(A, result.order, Triangle::lower), postordered_parent);
+
+  std::vector<int> group_of;
+  std::vector<Group> groups = maximal_supernodes(postordered_parent, count, group_of);
+  merge_into_parents(groups);
+  result.order = renumbered(result.order, gather_columns(groups, group_of, result));
+  collect_rows(permuted_pattern(A, result.order, Triangle::lower), result);
+  return result;
+}
+
+}  // namespace relievo

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "kernel/base/sparse_matrix.h"
+
+namespace relievo {
+
+/// The columns of a Cholesky factor grouped into fronts: dense trapezoids whose columns share one
+/// row structure. Columns and rows count in the order of elimination; children come before parents
+/// and each subtree is one run of fronts.
+struct Supernodes {
+  std::vector<int> order;               ///< #n: original index of each column
+  std::vector<int> column_begin;        ///< #S + 1: first column of each front
+  std::vector<int> parent;              ///< #S, -1 at roots
+  std::vector<Eigen::Index> row_begin;  ///< #S + 1
+  std::vector<int> row;                 ///< rows of each front, ascending, its own columns first
+
+  int size() const { return static_cast<int>(parent.size()); }
+  int columns(int front) const { return column_begin[front + 1] - column_begin[front]; }
+  int rows(int front) const { return static_cast<int>(row_begin[front + 1] - row_begin[front]); }
+};
+
+/// Groups the columns of the factor of A (lower triangle, diagonal implied), eliminated in a
+/// postorder of the given order. Maximal supernodes are merged with their parents as long as the
+/// zeros this stores remain few [Davis, Direct Methods for Sparse Linear Systems, 2006;
+/// Ashcraft and Grimes 1989]. Near-linear in the entries of A and the rows of the fronts.
+Supernodes make_supernodes(const SparseMatrix& A, const std::vector<int>& order);
+
+}  // namespace relievo
