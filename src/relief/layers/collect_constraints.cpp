@@ -172,11 +172,11 @@ class Collector {
     const bool upper_outline = on_outline(upper.node);
     const bool flap = role(lower.node) == NodeRole::flap || role(upper.node) == NodeRole::flap;
     if (lower_outline == upper_outline && (lower_outline || !flap)) return;
-    bool equal = upper_outline &&
-                 (glued_below_[upper.node] == lower.node || (enclosed_[upper.node] && nearest));
+    const bool glued = glued_below_[upper.node] == lower.node;
+    bool equal = upper_outline && nearest && (glued || enclosed_[upper.node]);
     if (const Rule* rule = rule_for(lower, upper, vertex)) {
       if (rule->kind == RelationKind::free) return;
-      equal = rule->kind == RelationKind::equal && upper_outline;
+      equal = rule->kind == RelationKind::equal && upper_outline && nearest;
     }
     candidates_.push_back({a, b, equal, upper_outline});
   }

@@ -31,6 +31,7 @@ struct Join {
   std::vector<Point2> line;  ///< polyline near the upper part's outline, at least 2 points, px
 };
 
+/// `equal` holds where the lower part is the nearest behind; where another lies between, as `above`.
 enum class RelationKind { equal, above, free };
 
 /// What holds between two overlapping parts instead of the default [P eq 11].
