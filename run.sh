@@ -12,7 +12,7 @@ relievo=build/release/apps/cli/relievo
 "$relievo" build examples/wolf.svg -o out/wolf.glb --preview out/wolf.png \
   --normal-map out/wolf-normal.png --depth-map out/wolf-depth.png --part-map out/wolf-parts.png \
   --report out/wolf.json > /dev/null
-"$relievo" render out/wolf.glb -o out/wolf-sheet.png --view sheet > /dev/null
+"$relievo" render examples/wolf.svg -o out/wolf-sheet.png --view sheet > /dev/null
 
 cat << 'END'
 

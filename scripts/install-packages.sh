@@ -9,6 +9,9 @@ build="ca-certificates ccache cmake g++ libcgal-dev libcli11-dev libeigen3-dev l
 test="clang-format clang-tidy coinor-libipopt-dev libgtest-dev librapidcheck-dev libvalijson-dev
   shellcheck zlib1g-dev"
 
+# The glTF validator runs on any node; Debian's serves where there is none.
+command -v npm > /dev/null || test="$test nodejs npm"
+
 case "${1:-test}" in
   build) wanted="$build" ;;
   test) wanted="$build $test" ;;

@@ -101,7 +101,8 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
       "Let outlines beside joins rise above the part below");
 }
 
-void add_visibility(CLI::App& app, ReliefArguments& relief) {
+void add_visibility(CLI::App& app, ReliefArguments& relief, Visibility usual) {
+  relief.visibility = usual;
   app.add_option_function<std::string>(
          "--profile", [](const std::string&) {}, "relief (the default)")
       ->check(one_of("relief", {"solid", "figure"}));
@@ -109,7 +110,9 @@ void add_visibility(CLI::App& app, ReliefArguments& relief) {
       app.add_option_function<std::string>(
              "--visible",
              [&relief](const std::string& name) { relief.visibility = visibility(name); },
-             "relief: what the front shows (the default); orbit: whole parts; all: every face")
+             std::string(
+                 "relief: what the front shows; orbit: whole parts; all: every face (default ") +
+                 (usual == Visibility::relief ? "relief)" : "orbit)"))
           ->check(CLI::IsMember({"relief", "orbit", "all"}));
   app.add_flag_callback(
          "--keep-hidden", [&relief] { relief.visibility = Visibility::all; },
@@ -159,7 +162,7 @@ void add_build(CLI::App& main, BuildArguments& build) {
       ->check(extension({".json"}));
   app.add_flag("--json", build.print_report, "Print the report on standard output");
   add_relief_options(app, build.relief);
-  add_visibility(app, build.relief);
+  add_visibility(app, build.relief, Visibility::relief);
 }
 
 void add_check(CLI::App& main, CheckArguments& check) {
@@ -188,7 +191,7 @@ void add_render(CLI::App& main, RenderArguments& render) {
   app.add_option("--window", render.window, "Look closely: middle x, y and width in canvas px")
       ->expected(3);
   add_relief_options(app, render.relief);
-  add_visibility(app, render.relief);
+  add_visibility(app, render.relief, Visibility::orbit);
 }
 
 bool wants_nothing(const BuildArguments& build) {
