@@ -1,0 +1,24 @@
+#!/bin/sh
+# Makes the pictures of README and docs from the samples. Usage: make-pictures.sh [RELIEVO]
+set -eu
+cd "$(dirname "$0")/.."
+relievo="${1:-build/release/apps/cli/relievo}"
+to=docs/pictures
+mkdir -p "$to"
+
+for name in wolf bunny farmer unicorn elephant lamb; do
+  rsvg-convert --width 480 --keep-aspect-ratio --background-color white "examples/$name.svg" \
+    -o "$to/$name-drawing.png"
+  "$relievo" render "examples/$name.svg" -o "$to/$name-clay.png" --view front --clay --size 480 > /dev/null
+  yaw=-20
+  [ "$name" != unicorn ] || yaw=20
+  "$relievo" render "examples/$name.svg" -o "$to/$name.png" --yaw "$yaw" --pitch 8 --size 480 > /dev/null
+done
+
+# A join's ends: the paper's pits, and what the Robin range makes of them.
+"$relievo" render examples/wolf.svg -o "$to/ends-pits.png" --alpha0 1 --view front --clay \
+  --window 440 470 260 --size 420 > /dev/null
+"$relievo" render examples/wolf.svg -o "$to/ends.png" --view front --clay \
+  --window 440 470 260 --size 420 > /dev/null
+"$relievo" build examples/elephant.svg --normal-map "$to/elephant-normal.png" \
+  --depth-map "$to/elephant-depth.png" --map-size 480 > /dev/null
