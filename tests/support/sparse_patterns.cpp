@@ -49,7 +49,7 @@ Edges random_edges(int n, int count, uint32_t seed) {
 Edges complete(int begin, int end) {
   Edges edges;
   for (int j = begin; j < end; ++j)
-    for (int i = j + 1; i < end; ++i) edges[{i, j}] = 0.1 * ((i * 7 + j * 3) % 11) - 0.4;
+    for (int i = j + 1; i < end; ++i) edges[{i, j}] = 0.1 * ((i * 7 + j * 3) % 11) - 0.45;
   return edges;
 }
 

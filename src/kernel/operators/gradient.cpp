@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -16,12 +17,12 @@ constexpr size_t enough_neighbours = 6;
 /// Least squares fit of a x + b y + c x^2 + d x y + e y^2, samples weighted by 1 / distance^2.
 class QuadraticFit {
  public:
-  /// `unit` is a length of the size of the offsets.
-  explicit QuadraticFit(double unit) : unit_(unit) {}
+  /// `reach` is the longest of the offsets.
+  explicit QuadraticFit(double reach) : per_reach_(1 / reach) {}
 
   void add(Point2 offset, double value) {
-    const double x = offset.x / unit_;
-    const double y = offset.y / unit_;
+    const double x = offset.x * per_reach_;
+    const double y = offset.y * per_reach_;
     const double weight = 1 / (x * x + y * y);
     const double basis[5] = {x, y, x * x, x * y, y * y};
     for (int j = 0; j < 5; ++j) {
@@ -37,13 +38,13 @@ class QuadraticFit {
     const Vector pivots = ldlt.vectorD();
     if (!(pivots.minCoeff() > flatness * pivots.maxCoeff())) return std::nullopt;
     const Vector solution = ldlt.solve(moments_);
-    return Point2{solution[0] / unit_, solution[1] / unit_};
+    return Point2{solution[0] * per_reach_, solution[1] * per_reach_};
   }
 
  private:
   using Vector = Eigen::Matrix<double, 5, 1>;
   static constexpr double flatness = 1e-4;
-  double unit_;
+  double per_reach_;
   Eigen::Matrix<double, 5, 5> normal_ = Eigen::Matrix<double, 5, 5>::Zero();  // lower triangle
   Vector moments_ = Vector::Zero();
 };
@@ -87,9 +88,12 @@ class Neighbourhoods {
 std::optional<Point2> fitted_gradient(const FlatMesh& mesh, std::span<const double> values,
                                       int node, const std::vector<int>& around) {
   const Point2 origin = mesh.positions[node];
-  double reach = 0;
-  for (const int other : around) reach = std::max(reach, distance(mesh.positions[other], origin));
-  QuadraticFit fit(reach);
+  double squared_reach = 0;
+  for (const int other : around) {
+    const Point2 offset = mesh.positions[other] - origin;
+    squared_reach = std::max(squared_reach, dot(offset, offset));
+  }
+  QuadraticFit fit(std::sqrt(squared_reach));
   for (const int other : around) {
     const Point2 offset = mesh.positions[other] - origin;
     if (dot(offset, offset) > 0) fit.add(offset, values[other] - values[node]);

@@ -142,8 +142,10 @@ class ActiveSetSolver {
   /// Minimises with the active bounds at 0; accurate enough to judge most guesses.
   bool solve_free() {
     ++solution_.report.iterations;
-    ++solution_.report.factorisations;
-    if (!factor_.factorise(problem_.K, solution_.active)) return false;
+    const bool again = solution_.report.factorisations++ > 0;
+    if (again ? !factor_.refactorise(problem_.K, solution_.active)
+              : !factor_.factorise(problem_.K, solution_.active))
+      return false;
     VectorXd free_b = problem_.b;
     clear_active(free_b);
     solution_.z = factor_.solve(free_b);

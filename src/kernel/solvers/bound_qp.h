@@ -40,8 +40,8 @@ struct BoundQpSolution {
 /// iteration, moving along projected directions from face to face (as More and Toraldo 1991 do,
 /// with exact solutions on the faces); both together end after finitely many iterations. Refines
 /// iteratively, so that the residuals of the report stay near round-off. `factor` must have
-/// analysed the pattern of K and holds the last factor afterwards. Watches `context` between
-/// factorisations, of which every iteration takes one.
+/// analysed the pattern of K, best incrementally, and holds the last factor afterwards. Watches
+/// `context` between factorisations, of which every iteration takes one.
 BoundQpSolution solve_bound_qp(const BoundQp& problem, SparseCholesky& factor,
                                const BoundQpOptions& options = {}, const RunContext& context = {});
 

@@ -1,6 +1,5 @@
 #include "kernel/solvers/elimination_tree.h"
 
-#include <cstddef>
 #include <numeric>
 
 namespace relievo {
@@ -64,13 +63,13 @@ class RowSubtrees {
 
 }  // namespace
 
-std::vector<int> elimination_tree(const TrianglePattern& upper) {
-  const int n = upper.size();
-  std::vector<int> parent(static_cast<std::size_t>(n), -1);
+std::vector<int> elimination_tree(const SymmetricGraph& graph, const std::vector<int>& order) {
+  const std::vector<int> position = positions_in(order);
+  std::vector<int> parent(order.size(), -1);
   std::vector<int> ancestor(parent);
-  for (int j = 0; j < n; ++j)
-    for (int p = upper.begin[j]; p < upper.begin[j + 1]; ++p)
-      for (int i = upper.index[p]; i >= 0 && i < j;) {
+  for (int j = 0; j < graph.size(); ++j)
+    for (int p = graph.begin[order[j]]; p < graph.begin[order[j] + 1]; ++p)
+      for (int i = position[graph.neighbour[p]]; i >= 0 && i < j;) {
         const int next = ancestor[i];
         ancestor[i] = j;
         if (next < 0) parent[i] = j;
@@ -96,17 +95,19 @@ std::vector<int> postorder(const std::vector<int>& parent) {
   return order;
 }
 
-std::vector<int> column_counts(const TrianglePattern& lower, const std::vector<int>& parent) {
-  const int n = lower.size();
+std::vector<int> column_counts(const SymmetricGraph& graph, const std::vector<int>& order,
+                               const std::vector<int>& parent) {
+  const int n = graph.size();
+  const std::vector<int> position = positions_in(order);
   RowSubtrees subtrees(parent);
   std::vector<int> count(parent.size(), 1);
   for (int j = 0; j < n; ++j)
     if (parent[j] >= 0) count[parent[j]] = 0;
   for (int j = 0; j < n; ++j) {
     if (parent[j] >= 0) --count[parent[j]];
-    for (int p = lower.begin[j]; p < lower.begin[j + 1]; ++p) {
-      const int row = lower.index[p];
-      if (!subtrees.add_leaf(row, j)) continue;
+    for (int p = graph.begin[order[j]]; p < graph.begin[order[j] + 1]; ++p) {
+      const int row = position[graph.neighbour[p]];
+      if (row < j || !subtrees.add_leaf(row, j)) continue;
       ++count[j];
       const int meeting = subtrees.meeting_point(row, j);
       if (meeting >= 0) --count[meeting];

@@ -13,11 +13,17 @@ struct PanelEntry {
   Eigen::Index target = 0;  ///< index into the panel
 };
 
-/// Where everything lies during a factorisation, so that nothing is searched for. The updates of
-/// fronts at even and at odd depth in the tree lie on two stacks: those of the children of a front
-/// are then the last ones of their stack, and its own goes on the other one.
+enum class Updates {
+  stacked,  ///< they make room for others once their parent has them
+  kept,     ///< each has its place, so that single fronts can be computed again
+};
+
+/// Where everything lies during a factorisation, so that nothing is searched for. Stacked updates
+/// of fronts at even and at odd depth in the tree lie on two stacks: those of the children of a
+/// front are then the last ones of their stack, and its own goes on the other one.
 struct FrontLayout {
   Supernodes fronts;
+  std::vector<int> front_of;               ///< #n: front that eliminates each row of the matrix
   std::vector<Eigen::Index> panel_begin;   ///< #S + 1, in doubles
   std::vector<Eigen::Index> update_begin;  ///< #S, in the front's stack
   std::vector<int> stack;                  ///< #S, 0 or 1
@@ -30,7 +36,9 @@ struct FrontLayout {
   int most_rows = 0;  ///< of a front
 };
 
-/// Lays out the factorisation of matrices with the pattern of A, of which the fronts were made.
-FrontLayout lay_out(const SparseMatrix& A, Supernodes fronts);
+/// Lays out the factorisation of matrices with the pattern of A, of which `graph` and of that the
+/// fronts were made. Near-linear in the entries and the rows of the fronts.
+FrontLayout lay_out(const SparseMatrix& A, const SymmetricGraph& graph, Supernodes fronts,
+                    Updates updates);
 
 }  // namespace relievo

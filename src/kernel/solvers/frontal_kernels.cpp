@@ -15,14 +15,39 @@ namespace relievo {
 namespace {
 
 using Index = std::ptrdiff_t;
-using Pack = double __attribute__((vector_size(pack_rows * sizeof(double))));
+/// Vectors of the instruction sets. Their lanes are separate sums: the width changes no result.
+using Pack2 = double __attribute__((vector_size(16)));
+using Pack4 = double __attribute__((vector_size(32)));
+
+template <class Pack>
+constexpr int lanes = sizeof(Pack) / sizeof(double);
 
 /// Columns of a tile, and columns that are eliminated before the rest is updated.
 constexpr int tile_columns = 4;
 constexpr int block_columns = 64;
 
-RELIEVO_INLINE void load(const double* from, Pack& pack) { std::memcpy(&pack, from, sizeof pack); }
-RELIEVO_INLINE void store(const Pack& pack, double* to) { std::memcpy(to, &pack, sizeof pack); }
+template <class Pack>
+RELIEVO_INLINE void load(const double* from, Pack& pack) {
+  std::memcpy(&pack, from, sizeof pack);
+}
+template <class Pack>
+RELIEVO_INLINE void store(const Pack& pack, double* to) {
+  std::memcpy(to, &pack, sizeof pack);
+}
+
+/// to -= from * factor for rows [begin, end), multiples of pack_rows.
+template <class Pack>
+RELIEVO_INLINE void subtract_multiple(double* to, const double* from, double factor, int begin,
+                                      int end) {
+  for (int row = begin; row < end; row += lanes<Pack>) {
+    Pack entry;
+    Pack left;
+    load(to + row, entry);
+    load(from + row, left);
+    entry -= left * factor;
+    store(entry, to + row);
+  }
+}
 
 /// C -= A B' for a tile of C. Columns of A and B are `stride` apart; `depth` of them.
 struct Product {
@@ -32,20 +57,20 @@ struct Product {
   int depth;
 };
 
-template <int Packs, int Columns>
+template <class Pack, int Packs, int Columns>
 RELIEVO_INLINE void subtract_tile(double* C, Index c_stride, const Product& product) {
   Pack sum[Columns][Packs] = {};
   const double* A = product.A;
   const double* B = product.B;
   for (int p = 0; p < product.depth; ++p, A += product.stride, B += product.stride) {
     Pack a[Packs];
-    for (int r = 0; r < Packs; ++r) load(A + r * pack_rows, a[r]);
+    for (int r = 0; r < Packs; ++r) load(A + r * lanes<Pack>, a[r]);
     for (int c = 0; c < Columns; ++c)
       for (int r = 0; r < Packs; ++r) sum[c][r] += a[r] * B[c];
   }
   for (int c = 0; c < Columns; ++c)
     for (int r = 0; r < Packs; ++r) {
-      double* to = C + c * c_stride + r * pack_rows;
+      double* to = C + c * c_stride + r * lanes<Pack>;
       Pack entry;
       load(to, entry);
       entry -= sum[c][r];
@@ -54,21 +79,21 @@ RELIEVO_INLINE void subtract_tile(double* C, Index c_stride, const Product& prod
 }
 
 /// Rows [row, end) of `Columns` columns of the front, both multiples of a pack.
-template <int Packs, int Columns>
+template <class Pack, int Packs, int Columns>
 RELIEVO_INLINE void subtract_strip(double* C, Index c_stride, Product product, int row, int end) {
   const double* A = product.A;
-  for (; row + Packs * pack_rows <= end; row += Packs * pack_rows) {
+  for (; row + Packs * lanes<Pack> <= end; row += Packs * lanes<Pack>) {
     product.A = A + row;
-    subtract_tile<Packs, Columns>(C + row, c_stride, product);
+    subtract_tile<Pack, Packs, Columns>(C + row, c_stride, product);
   }
-  for (; row < end; row += pack_rows) {
+  for (; row < end; row += lanes<Pack>) {
     product.A = A + row;
-    subtract_tile<1, Columns>(C + row, c_stride, product);
+    subtract_tile<Pack, 1, Columns>(C + row, c_stride, product);
   }
 }
 
 /// Subtracts what the panel's columns [from, to) contribute to `count` <= tile_columns columns.
-template <int Packs>
+template <class Pack, int Packs>
 RELIEVO_INLINE void subtract_columns(const Front& front, int column, int count, int from, int to) {
   if (from == to) return;
   const double* A = front.panel + from * front.stride();
@@ -79,38 +104,31 @@ RELIEVO_INLINE void subtract_columns(const Front& front, int column, int count, 
   const int end = padded(front.rows);
   switch (count) {
     case 1:
-      return subtract_strip<Packs, 1>(C, c_stride, product, row, end);
+      return subtract_strip<Pack, Packs, 1>(C, c_stride, product, row, end);
     case 2:
-      return subtract_strip<Packs, 2>(C, c_stride, product, row, end);
+      return subtract_strip<Pack, Packs, 2>(C, c_stride, product, row, end);
     case 3:
-      return subtract_strip<Packs, 3>(C, c_stride, product, row, end);
+      return subtract_strip<Pack, Packs, 3>(C, c_stride, product, row, end);
     default:
-      return subtract_strip<Packs, 4>(C, c_stride, product, row, end);
+      return subtract_strip<Pack, Packs, 4>(C, c_stride, product, row, end);
   }
 }
 
 /// Eliminates one panel column after what the columns before `first` contribute was subtracted.
+template <class Pack>
 RELIEVO_INLINE bool eliminate_column(const Front& front, int first, int column) {
   double* x = front.panel + column * front.stride();
   const int begin = column / pack_rows * pack_rows;
   const int end = padded(front.rows);
   for (int c = first; c < column; ++c) {
     const double* other = front.panel + c * front.stride();
-    const double factor = other[column];
-    for (int row = begin; row < end; row += pack_rows) {
-      Pack entry;
-      Pack left;
-      load(x + row, entry);
-      load(other + row, left);
-      entry -= left * factor;
-      store(entry, x + row);
-    }
+    subtract_multiple<Pack>(x, other, other[column], begin, end);
   }
   const double pivot = x[column];
   if (!(pivot > 0 && pivot < HUGE_VAL)) return false;
   const double root = std::sqrt(pivot);
   const double reciprocal = 1 / root;
-  for (int row = begin; row < end; row += pack_rows) {
+  for (int row = begin; row < end; row += lanes<Pack>) {
     Pack entry;
     load(x + row, entry);
     entry *= reciprocal;
@@ -121,72 +139,76 @@ RELIEVO_INLINE bool eliminate_column(const Front& front, int first, int column) 
   return true;
 }
 
-template <int Packs>
+template <class Pack, int Packs>
 RELIEVO_INLINE bool eliminate(const Front& front) {
   for (int block = 0; block < front.columns; block += block_columns) {
     const int block_end = std::min(block + block_columns, front.columns);
     for (int j = block; j < block_end; j += tile_columns) {
       const int count = std::min(tile_columns, block_end - j);
-      subtract_columns<Packs>(front, j, count, block, j);
+      subtract_columns<Pack, Packs>(front, j, count, block, j);
       for (int c = j; c < j + count; ++c)
-        if (!eliminate_column(front, j, c)) return false;
+        if (!eliminate_column<Pack>(front, j, c)) return false;
     }
     for (int j = block_end; j < front.columns; j += tile_columns)
-      subtract_columns<Packs>(front, j, std::min(tile_columns, front.columns - j), block,
-                              block_end);
+      subtract_columns<Pack, Packs>(front, j, std::min(tile_columns, front.columns - j), block,
+                                    block_end);
     for (int j = front.columns; j < front.rows; j += tile_columns)
-      subtract_columns<Packs>(front, j, std::min(tile_columns, front.rows - j), block, block_end);
+      subtract_columns<Pack, Packs>(front, j, std::min(tile_columns, front.rows - j), block,
+                                    block_end);
   }
   return true;
 }
 
+template <class Pack>
 RELIEVO_INLINE void solve_forward(const Front& front, double* x) {
   const int end = padded(front.rows);
   for (int c = 0; c < front.columns; ++c) {
     const double* L = front.panel + c * front.stride();
     const double value = x[c] / L[c];
-    for (int row = c / pack_rows * pack_rows; row < end; row += pack_rows) {
-      Pack entry;
-      Pack left;
-      load(x + row, entry);
-      load(L + row, left);
-      entry -= left * value;
-      store(entry, x + row);
-    }
+    subtract_multiple<Pack>(x, L, value, c / pack_rows * pack_rows, end);
     x[c] = value;
   }
 }
 
+/// Sums of a b over the rows [begin, end), one for each row of a pack.
+template <class Pack>
+RELIEVO_INLINE void sum_products(const double* a, const double* b, int begin, int end,
+                                 double* sums) {
+  constexpr int parts = pack_rows / lanes<Pack>;
+  Pack sum[parts] = {};
+  for (int row = begin; row < end; row += pack_rows)
+    for (int r = 0; r < parts; ++r) {
+      Pack left;
+      Pack right;
+      load(a + row + r * lanes<Pack>, left);
+      load(b + row + r * lanes<Pack>, right);
+      sum[r] += left * right;
+    }
+  std::memcpy(sums, sum, sizeof sum);
+}
+
+template <class Pack>
 RELIEVO_INLINE void solve_backward(const Front& front, double* x) {
   const int end = padded(front.rows);
   for (int c = front.columns - 1; c >= 0; --c) {
     const double* L = front.panel + c * front.stride();
     const double right = x[c];
     x[c] = 0;
-    Pack sum = {};
-    for (int row = c / pack_rows * pack_rows; row < end; row += pack_rows) {
-      Pack below;
-      Pack left;
-      load(x + row, below);
-      load(L + row, left);
-      sum += left * below;
-    }
+    double sum[pack_rows];
+    sum_products<Pack>(L, x, c / pack_rows * pack_rows, end, sum);
     x[c] = (right - ((sum[0] + sum[1]) + (sum[2] + sum[3]))) / L[c];
   }
 }
 
-bool eliminate_portable(const Front& front) { return eliminate<1>(front); }
-void forward_portable(const Front& front, double* x) { solve_forward(front, x); }
-void backward_portable(const Front& front, double* x) { solve_backward(front, x); }
+bool eliminate_portable(const Front& front) { return eliminate<Pack2, 2>(front); }
+void forward_portable(const Front& front, double* x) { solve_forward<Pack2>(front, x); }
+void backward_portable(const Front& front, double* x) { solve_backward<Pack2>(front, x); }
 
 #ifdef RELIEVO_WIDE_KERNELS
-[[gnu::target("avx2")]] bool eliminate_wide(const Front& front) { return eliminate<2>(front); }
-[[gnu::target("avx2")]] void forward_wide(const Front& front, double* x) {
-  solve_forward(front, x);
-}
-[[gnu::target("avx2")]] void backward_wide(const Front& front, double* x) {
-  solve_backward(front, x);
-}
+#define RELIEVO_WIDE [[gnu::target("avx2")]]
+RELIEVO_WIDE bool eliminate_wide(const Front& front) { return eliminate<Pack4, 2>(front); }
+RELIEVO_WIDE void forward_wide(const Front& front, double* x) { solve_forward<Pack4>(front, x); }
+RELIEVO_WIDE void backward_wide(const Front& front, double* x) { solve_backward<Pack4>(front, x); }
 #endif
 
 constexpr FrontalKernels portable = {eliminate_portable, forward_portable, backward_portable};

@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <new>
+#include <vector>
 
 #include "kernel/solvers/front_layout.h"
 #include "kernel/solvers/frontal_kernels.h"
@@ -15,12 +16,17 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Uninitialised doubles at the start of a cache line, where packs of rows are read fastest.
+/// Doubles at the start of a cache line, where packs of rows are read fastest.
 class AlignedArray {
  public:
-  explicit AlignedArray(Index size = 0)
-      : data_(static_cast<double*>(
-            ::operator new(static_cast<size_t>(size) * sizeof(double), alignment))) {}
+  /// Makes room for `size` doubles, uninitialised; what was there before is lost.
+  void make_room(Index size) {
+    if (data_ != nullptr && size <= capacity_) return;
+    data_.reset();
+    data_.reset(static_cast<double*>(
+        ::operator new(static_cast<size_t>(size) * sizeof(double), alignment)));
+    capacity_ = size;
+  }
   double* data() const { return data_.get(); }
 
  private:
@@ -29,6 +35,7 @@ class AlignedArray {
     void operator()(double* data) const { ::operator delete(data, alignment); }
   };
   std::unique_ptr<double, Free> data_;
+  Index capacity_ = 0;
 };
 
 std::vector<int> fill_reducing_order(const SparseMatrix& A) {
@@ -53,7 +60,10 @@ struct SparseCholesky::Implementation {
   FrontLayout layout;
   AlignedArray panels;
   std::array<AlignedArray, 2> stacks;
+  bool incremental = false;
   std::vector<double> values;
+  std::vector<uint8_t> fixed;     ///< of the last factorisation, or empty: none
+  std::vector<uint8_t> outdated;  ///< #S
 
   Front front(int s) const {
     const Supernodes& fronts = layout.fronts;
@@ -72,9 +82,13 @@ struct SparseCholesky::Implementation {
                  target);
   }
 
-  bool factorise(const double* entries) const {
+  /// Computes the fronts that are out of date and those that depend on them.
+  bool factorise_outdated(const SparseMatrix& A) {
+    const double* entries = values_of(A);
     const FrontalKernels& kernels = best_kernels();
     for (int s = 0; s < layout.fronts.size(); ++s) {
+      if (outdated[s] == 0) continue;
+      if (layout.fronts.parent[s] >= 0) outdated[layout.fronts.parent[s]] = 1;
       const Front target = front(s);
       assemble(s, target, entries);
       if (!kernels.eliminate(target)) return false;
@@ -82,7 +96,9 @@ struct SparseCholesky::Implementation {
     return true;
   }
 
-  void fix(const SparseMatrix& A, std::span<const uint8_t> fixed) {
+  /// The values of A, with fixed rows and columns as those of the identity.
+  const double* values_of(const SparseMatrix& A) {
+    if (fixed.empty()) return A.valuePtr();
     values.resize(static_cast<size_t>(A.outerIndexPtr()[A.outerSize()]));
     for (int j = 0; j < A.outerSize(); ++j)
       for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry) {
@@ -91,6 +107,19 @@ struct SparseCholesky::Implementation {
                                                 : entry.row() == j ? 1
                                                                    : 0;
       }
+    return values.data();
+  }
+
+  /// Marks the fronts that hold entries of rows or columns that begin or cease to be fixed.
+  void mark_outdated(const SparseMatrix& A, std::span<const uint8_t> next) {
+    const auto changes = [&](Index i) { return (fixed.empty() ? 0 : fixed[i]) != next[i]; };
+    outdated.assign(layout.fronts.parent.size(), 0);
+    for (int j = 0; j < A.outerSize(); ++j) {
+      const bool column_changes = changes(j);
+      for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry)
+        if (entry.row() >= j && (column_changes || changes(entry.row())))
+          outdated[std::min(layout.front_of[j], layout.front_of[entry.row()])] = 1;
+    }
   }
 
   /// y := L^-1 y, in the order of elimination. x holds the rows of a front.
@@ -122,18 +151,14 @@ SparseCholesky::~SparseCholesky() = default;
 SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
 SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 
-void SparseCholesky::analyse(const SparseMatrix& A) { analyse(A, fill_reducing_order(A)); }
-
-void SparseCholesky::analyse(const SparseMatrix& A, const std::vector<int>& order) {
-  assert(static_cast<Index>(order.size()) == A.rows());
+void SparseCholesky::analyse(const SparseMatrix& A, Refactorisation refactorisation) {
   Implementation& self = *implementation_;
-  self.layout = lay_out(A, make_supernodes(A, order));
-  self.panels = AlignedArray(self.layout.panel_begin.back());
-  for (int i = 0; i < 2; ++i) self.stacks[i] = AlignedArray(self.layout.stack_size[i]);
-}
-
-const std::vector<int>& SparseCholesky::order() const {
-  return implementation_->layout.fronts.order;
+  self.incremental = refactorisation == Refactorisation::incremental;
+  const SymmetricGraph graph = make_symmetric_graph(A);
+  self.layout = lay_out(A, graph, make_supernodes(graph, fill_reducing_order(A)),
+                        self.incremental ? Updates::kept : Updates::stacked);
+  self.panels.make_room(self.layout.panel_begin.back());
+  for (int i = 0; i < 2; ++i) self.stacks[i].make_room(self.layout.stack_size[i]);
 }
 
 Index SparseCholesky::factor_entries() const {
@@ -145,22 +170,33 @@ Index SparseCholesky::factor_entries() const {
 }
 
 bool SparseCholesky::factorise(const SparseMatrix& A, std::span<const uint8_t> fixed) {
-  assert(A.rows() == static_cast<Index>(order().size()));
+  Implementation& self = *implementation_;
+  assert(A.rows() == static_cast<Index>(self.layout.fronts.order.size()));
   assert(fixed.empty() || static_cast<Index>(fixed.size()) == A.rows());
-  if (fixed.empty()) return implementation_->factorise(A.valuePtr());
-  implementation_->fix(A, fixed);
-  return implementation_->factorise(implementation_->values.data());
+  self.fixed.assign(fixed.begin(), fixed.end());
+  self.outdated.assign(self.layout.fronts.parent.size(), 1);
+  return self.factorise_outdated(A);
+}
+
+bool SparseCholesky::refactorise(const SparseMatrix& A, std::span<const uint8_t> fixed) {
+  assert(static_cast<Index>(fixed.size()) == A.rows());
+  Implementation& self = *implementation_;
+  if (!self.incremental) return factorise(A, fixed);
+  self.mark_outdated(A, fixed);
+  self.fixed.assign(fixed.begin(), fixed.end());
+  return self.factorise_outdated(A);
 }
 
 VectorXd SparseCholesky::solve(const VectorXd& b) const {
   const Implementation& self = *implementation_;
+  const std::vector<int>& order = self.layout.fronts.order;
   VectorXd y(b.size());
-  for (Index i = 0; i < y.size(); ++i) y[i] = b[order()[i]];
+  for (Index i = 0; i < y.size(); ++i) y[i] = b[order[i]];
   VectorXd x = VectorXd::Zero(padded(self.layout.most_rows));
   self.solve_forward(y, x);
   self.solve_backward(y, x);
   VectorXd solution(b.size());
-  for (Index i = 0; i < y.size(); ++i) solution[order()[i]] = y[i];
+  for (Index i = 0; i < y.size(); ++i) solution[order[i]] = y[i];
   return solution;
 }
 

@@ -4,11 +4,14 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "kernel/base/sparse_matrix.h"
 
 namespace relievo {
+
+/// Whether refactorise() computes everything again, or no more than needed: this takes some three
+/// times the memory of the factor in addition.
+enum class Refactorisation { complete, incremental };
 
 /// Cholesky factorisation of symmetric positive definite sparse matrices: the pattern is analysed
 /// once, values are factorised as often as needed, by the multifrontal method [Duff and Reid 1983;
@@ -21,15 +24,10 @@ class SparseCholesky {
   SparseCholesky(SparseCholesky&&) noexcept;
   SparseCholesky& operator=(SparseCholesky&&) noexcept;
 
-  /// Chooses a fill-reducing order for the pattern of A and lays out the factor.
-  /// Near-linear in the entries of A and the row indices of the fronts.
-  void analyse(const SparseMatrix& A);
-
-  /// Likewise for a given order of elimination, a permutation of the rows: cheaper by the search.
-  void analyse(const SparseMatrix& A, const std::vector<int>& order);
-
-  /// The order of elimination that was chosen or given, refined so that fronts are consecutive.
-  const std::vector<int>& order() const;
+  /// Chooses a fill-reducing order for the pattern of A and lays out the factor, where there is
+  /// room in the memory of the last one. Near-linear in the entries of A and the row indices of the
+  /// fronts.
+  void analyse(const SparseMatrix& A, Refactorisation refactorisation = Refactorisation::complete);
 
   /// Entries of the lower triangle of the factor, stored zeros included.
   Eigen::Index factor_entries() const;
@@ -38,8 +36,12 @@ class SparseCholesky {
   /// columns i with fixed[i] != 0 (none, or #rows flags) are replaced by those of the identity.
   bool factorise(const SparseMatrix& A, std::span<const uint8_t> fixed = {});
 
+  /// Does what factorise() does, with the same bits, where A has the values of the last call and
+  /// only `fixed` (#rows flags) differs. Precondition: the last factorisation returned true.
+  bool refactorise(const SparseMatrix& A, std::span<const uint8_t> fixed);
+
   /// Solves A x = b with the last factorised A, b having #rows entries.
-  /// Precondition: the last factorise() returned true.
+  /// Precondition: the last factorisation returned true.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
  private:

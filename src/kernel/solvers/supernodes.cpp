@@ -7,41 +7,11 @@
 namespace relievo {
 namespace {
 
-std::vector<int> inverse(const std::vector<int>& order) {
-  std::vector<int> position(order.size());
-  for (size_t i = 0; i < order.size(); ++i) position[order[i]] = static_cast<int>(i);
-  return position;
-}
-
 std::vector<int> renumbered(const std::vector<int>& order, const std::vector<int>& by) {
   std::vector<int> result;
   result.reserve(order.size());
   for (const int i : by) result.push_back(order[i]);
   return result;
-}
-
-enum class Triangle { upper, lower };
-
-/// One strict triangle of A with rows and columns in the given order.
-TrianglePattern permuted_pattern(const SparseMatrix& A, const std::vector<int>& order,
-                                 Triangle triangle) {
-  const std::vector<int> position = inverse(order);
-  const auto for_each_entry = [&](auto&& visit) {
-    for (int j = 0; j < A.outerSize(); ++j)
-      for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry) {
-        if (entry.row() <= j) continue;
-        const auto [low, high] = std::minmax({position[j], position[entry.row()]});
-        triangle == Triangle::upper ? visit(high, low) : visit(low, high);
-      }
-  };
-  TrianglePattern pattern;
-  pattern.begin.assign(order.size() + 1, 0);
-  for_each_entry([&](int column, int) { ++pattern.begin[column + 1]; });
-  for (size_t j = 0; j < order.size(); ++j) pattern.begin[j + 1] += pattern.begin[j];
-  pattern.index.resize(static_cast<size_t>(pattern.begin.back()));
-  std::vector<int> next(pattern.begin.begin(), pattern.begin.end() - 1);
-  for_each_entry([&](int column, int row) { pattern.index[next[column]++] = row; });
-  return pattern;
 }
 
 /// A supernode while it may still be merged into its parent.
@@ -57,6 +27,7 @@ struct Group {
 std::vector<Group> maximal_supernodes(const std::vector<int>& parent, const std::vector<int>& count,
                                       std::vector<int>& group_of) {
   std::vector<Group> groups;
+  group_of.reserve(parent.size());
   for (size_t j = 0; j < parent.size(); ++j) {
     const bool joins =
         j > 0 && parent[j - 1] == static_cast<int>(j) && count[j - 1] == count[j] + 1;
@@ -89,8 +60,8 @@ bool dense_enough(const Group& group) {
   const double stored = w * group.rows - 0.5 * w * (w - 1);
   const double zeros = (stored - group.entries) / stored;
   if (group.columns <= 4) return true;
-  if (group.columns <= 16) return zeros < 0.5;
-  if (group.columns <= 48) return zeros < 0.12;
+  if (group.columns <= 16) return zeros < 0.3;
+  if (group.columns <= 48) return zeros < 0.1;
   return zeros < 0.05;
 }
 
@@ -137,8 +108,9 @@ std::vector<int> gather_columns(const std::vector<Group>& groups, const std::vec
   return former;
 }
 
-/// Rows of a front: its columns, and those below that A or its children bring.
-void collect_rows(const TrianglePattern& lower, Supernodes& fronts) {
+/// Rows of a front: its columns, and those below that the matrix or its children bring.
+void collect_rows(const SymmetricGraph& graph, Supernodes& fronts) {
+  const std::vector<int> position = positions_in(fronts.order);
   std::vector<std::vector<int>> children(fronts.parent.size());
   std::vector<int> seen(fronts.order.size(), -1);
   fronts.row_begin = {0};
@@ -151,8 +123,9 @@ void collect_rows(const TrianglePattern& lower, Supernodes& fronts) {
     };
     for (int j = fronts.column_begin[s]; j < end; ++j) fronts.row.push_back(j);
     const auto below = static_cast<std::ptrdiff_t>(fronts.row.size());
-    for (int p = lower.begin[fronts.column_begin[s]]; p < lower.begin[end]; ++p)
-      add(lower.index[p]);
+    for (int j = fronts.column_begin[s]; j < end; ++j)
+      for (int p = graph.begin[fronts.order[j]]; p < graph.begin[fronts.order[j] + 1]; ++p)
+        add(position[graph.neighbour[p]]);
     for (const int child : children[s])
       for (Eigen::Index r = fronts.row_begin[child] + fronts.columns(child);
            r < fronts.row_begin[child + 1]; ++r)
@@ -165,22 +138,22 @@ void collect_rows(const TrianglePattern& lower, Supernodes& fronts) {
 
 }  // namespace
 
-Supernodes make_supernodes(const SparseMatrix& A, const std::vector<int>& order) {
-  const std::vector<int> parent = elimination_tree(permuted_pattern(A, order, Triangle::upper));
-  const std::vector<int> post = postorder(parent);
-  const std::vector<int> position = inverse(post);
-  std::vector<int> postordered_parent;
-  for (const int j : post) postordered_parent.push_back(parent[j] < 0 ? -1 : position[parent[j]]);
+Supernodes make_supernodes(const SymmetricGraph& graph, const std::vector<int>& order) {
+  const std::vector<int> tree = elimination_tree(graph, order);
+  const std::vector<int> post = postorder(tree);
+  const std::vector<int> position = positions_in(post);
+  std::vector<int> parent;
+  parent.reserve(tree.size());
+  for (const int j : post) parent.push_back(tree[j] < 0 ? -1 : position[tree[j]]);
   Supernodes result;
   result.order = renumbered(order, post);
-  const std::vector<int> count =
-      column_counts(permuted_pattern(A, result.order, Triangle::lower), postordered_parent);
 
   std::vector<int> group_of;
-  std::vector<Group> groups = maximal_supernodes(postordered_parent, count, group_of);
+  std::vector<Group> groups =
+      maximal_supernodes(parent, column_counts(graph, result.order, parent), group_of);
   merge_into_parents(groups);
   result.order = renumbered(result.order, gather_columns(groups, group_of, result));
-  collect_rows(permuted_pattern(A, result.order, Triangle::lower), result);
+  collect_rows(graph, result);
   return result;
 }
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "kernel/base/sparse_matrix.h"
+#include "kernel/solvers/symmetric_graph.h"
 
 namespace relievo {
 
@@ -22,10 +22,10 @@ struct Supernodes {
   int rows(int front) const { return static_cast<int>(row_begin[front + 1] - row_begin[front]); }
 };
 
-/// Groups the columns of the factor of A (lower triangle, diagonal implied), eliminated in a
-/// postorder of the given order. Maximal supernodes are merged with their parents as long as the
+/// Groups the columns of the factor of a matrix that is eliminated in a postorder of the given
+/// order. Maximal supernodes are merged with their parents as long as the
 /// zeros this stores remain few [Davis, Direct Methods for Sparse Linear Systems, 2006;
-/// Ashcraft and Grimes 1989]. Near-linear in the entries of A and the rows of the fronts.
-Supernodes make_supernodes(const SparseMatrix& A, const std::vector<int>& order);
+/// Ashcraft and Grimes 1989]. Near-linear in the entries and the rows of the fronts.
+Supernodes make_supernodes(const SymmetricGraph& graph, const std::vector<int>& order);
 
 }  // namespace relievo

@@ -1,36 +1,56 @@
 #include "relief/ordering/gap_variables.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace relievo {
 namespace {
 
-using Row = std::vector<std::pair<int, double>>;
+/// Rows of T for each variable: columns and signs of the gaps on the way to the root, and the root.
+/// Row v holds the steps begin[v] .. begin[v] + length[v] - 1, by ascending column.
+struct RootPaths {
+  std::vector<size_t> begin;
+  std::vector<int> length;
+  std::vector<std::pair<int, double>> steps;
+};
 
-/// Row of T for each variable: signs of the gaps on the way to the root, and the root.
-std::vector<Row> paths_to_roots(const DepthForest& forest, const std::vector<int>& variable,
-                                const std::vector<uint8_t>& bounded) {
-  std::vector<Row> rows(bounded.size());
-  for (size_t v = 0; v < rows.size(); ++v)
-    if (bounded[v] == 0) rows[v] = {{static_cast<int>(v), 1.0}};
+RootPaths paths_to_roots(const DepthForest& forest, const std::vector<int>& variable,
+                         const std::vector<uint8_t>& bounded) {
+  RootPaths paths;
+  paths.begin.resize(bounded.size());
+  paths.length.assign(bounded.size(), 1);
+  paths.steps.reserve(bounded.size() + forest.gaps.size());
+  const auto append = [&](int v, double sign) {
+    paths.begin[v] = paths.steps.size();
+    paths.steps.push_back({v, sign});
+  };
+  for (size_t v = 0; v < bounded.size(); ++v)
+    if (bounded[v] == 0) append(static_cast<int>(v), 1);
   for (const DepthGap& gap : forest.gaps) {
-    Row& row = rows[variable[gap.child]];
-    row = rows[variable[gap.parent]];
-    row.push_back({variable[gap.child], gap.sign});
+    const int parent = variable[gap.parent];
+    const int child = variable[gap.child];
+    append(child, gap.sign);
+    for (int i = 0; i < paths.length[parent]; ++i) {
+      const auto step = paths.steps[paths.begin[parent] + i];
+      paths.steps.push_back(step);
+    }
+    paths.length[child] += paths.length[parent];
+    std::sort(paths.steps.begin() + static_cast<std::ptrdiff_t>(paths.begin[child]),
+              paths.steps.end());
   }
-  return rows;
+  return paths;
 }
 
-SparseMatrix matrix_of_rows(const std::vector<Row>& rows, const std::vector<int>& row_of_node) {
+SparseMatrix matrix_of_rows(const RootPaths& paths, const std::vector<int>& row_of_node) {
   Eigen::SparseMatrix<double, Eigen::RowMajor, int> T(static_cast<int>(row_of_node.size()),
-                                                      static_cast<int>(rows.size()));
-  std::vector<Row> sorted = rows;
-  for (Row& row : sorted) std::sort(row.begin(), row.end());
+                                                      static_cast<int>(paths.begin.size()));
+  T.reserve(static_cast<Eigen::Index>(row_of_node.size() + paths.steps.size()));
   for (size_t n = 0; n < row_of_node.size(); ++n) {
+    const int v = row_of_node[n];
     T.startVec(static_cast<int>(n));
-    for (const auto& [column, value] : sorted[row_of_node[n]])
-      T.insertBack(static_cast<int>(n), column) = value;
+    for (size_t i = paths.begin[v]; i < paths.begin[v] + paths.length[v]; ++i)
+      T.insertBack(static_cast<int>(n), paths.steps[i].first) = paths.steps[i].second;
   }
   T.finalize();
   return T;

@@ -9,6 +9,7 @@
 #include "kernel/operators/gradient.h"
 #include "kernel/operators/laplacian.h"
 #include "kernel/solvers/bound_qp.h"
+#include "kernel/solvers/sparse_cholesky.h"
 #include "relief/layers/joined_surface.h"
 #include "relief/ordering/depth_forest.h"
 #include "relief/ordering/gap_variables.h"
@@ -60,7 +61,7 @@ class DepthSolver {
 
   /// Writes h and the counts and report of `ordering`; its former h is the first guess.
   SolveStatus solve(const std::vector<DepthPair>& pairs, Ordering& ordering,
-                    const RunContext& context) const {
+                    const RunContext& context) {
     PieceTimer assembling(context, "assemble");
     const DepthForest forest = build_depth_forest(node_part_, pairs);
     const GapVariables variables = make_gap_variables(forest);
@@ -73,11 +74,10 @@ class DepthSolver {
     assembling.stop();
     if (context.cancelled()) return SolveStatus::interrupted;
     PieceTimer analysing(context, "analyse");
-    SparseCholesky factor;
-    factor.analyse(problem.K);
+    factor_.analyse(problem.K, Refactorisation::incremental);
     analysing.stop();
     const BoundQpSolution solution =
-        solve_bound_qp(problem, factor, first_guess(forest, variables, ordering.h), context);
+        solve_bound_qp(problem, factor_, first_guess(forest, variables, ordering.h), context);
 
     const double px = 1 / energy_.scale;
     VectorXd shifted = root_height;
@@ -116,6 +116,7 @@ class DepthSolver {
   const ShiftEnergy& energy_;
   const std::vector<int>& node_part_;
   bool start_active_;
+  SparseCholesky factor_;  ///< kept for its memory
 };
 
 Status check_options(const OrderingOptions& options) {
@@ -153,7 +154,7 @@ double worst_violation(const std::vector<DepthPair>& pairs, const std::vector<do
 Status solve_in_rounds(const LayeredMesh& mesh, const std::vector<FacePair>& stacked,
                        const ShiftEnergy& energy, const OrderingOptions& options,
                        const RunContext& context, Ordering& ordering) {
-  const DepthSolver solver(energy, mesh.node_part, options.start_active);
+  DepthSolver solver(energy, mesh.node_part, options.start_active);
   std::vector<DepthPair> pairs = mesh.constraints;
   for (;;) {
     context.report("order", ordering.rounds / (options.max_rounds + 1.0));

@@ -184,8 +184,10 @@ BoundQp small_problem() {
 
 TEST(BoundQp, ReportsTheEnergyAndTheActiveBounds) {
   const BoundQpSolution solution = solve(small_problem());
-  EXPECT_EQ(solution.z, Eigen::Vector2d(0.5, 0));
-  EXPECT_EQ(solution.mu, Eigen::Vector2d(0, 2.5));
+  EXPECT_DOUBLE_EQ(solution.z[0], 0.5);
+  EXPECT_EQ(solution.z[1], 0);
+  EXPECT_EQ(solution.mu[0], 0);
+  EXPECT_DOUBLE_EQ(solution.mu[1], 2.5);
   EXPECT_EQ(solution.report.active, 1);
   EXPECT_DOUBLE_EQ(solution.report.energy, -0.25);
 }
