@@ -6,7 +6,9 @@ target_compile_options(relievo_options INTERFACE -Wall -Wextra -Wpedantic -Wshad
                                                  -Wno-sign-conversion -Werror -ffp-contract=off)
 if(RELIEVO_SANITIZE)
   target_compile_options(relievo_options INTERFACE -fsanitize=address,undefined
-                                                   -fno-sanitize-recover=all -fno-omit-frame-pointer)
+                                                   -fno-sanitize-recover=all -fno-omit-frame-pointer
+                                                   # GCC sees uninitialised reads in instrumented code.
+                                                   -Wno-maybe-uninitialized)
   target_link_options(relievo_options INTERFACE -fsanitize=address,undefined)
 endif()
 
