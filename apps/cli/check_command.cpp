@@ -19,18 +19,6 @@ std::string count(size_t number, const std::string& what) {
   return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
 }
 
-const char* name(RelationKind kind) {
-  switch (kind) {
-    case RelationKind::equal:
-      return "equal";
-    case RelationKind::above:
-      return "above";
-    case RelationKind::free:
-      return "free";
-  }
-  return "";
-}
-
 std::string part_table(const Scene& scene) {
   Table table({"part", "c", "d", "rings", "points", "size in px"});
   for (const Part& part : scene.parts) {

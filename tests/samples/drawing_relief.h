@@ -7,7 +7,7 @@
 #include <string>
 
 #include "io/svg/read_svg.h"
-#include "relief/pipeline/build_relief.h"
+#include "support/probe.h"
 
 namespace relievo::testing {
 
@@ -30,9 +30,7 @@ inline DrawnRelief relief_of(const std::string& path, const ReliefOptions& optio
   EXPECT_TRUE(import.ok()) << path << ": " << (import.ok() ? "" : to_string(import.error()));
   if (!import.ok()) return drawn;
   drawn.scene = import->scene;
-  auto relief = build_relief(drawn.scene, options);
-  EXPECT_TRUE(relief.ok()) << path << ": " << (relief.ok() ? "" : to_string(relief.error()));
-  if (relief.ok()) drawn.relief = std::move(*relief);
+  drawn.relief = relief_of(drawn.scene, options);
   return drawn;
 }
 

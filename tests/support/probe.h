@@ -1,11 +1,21 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "relief/pipeline/build_relief.h"
 
 namespace relievo::testing {
+
+/// The relief of a scene; a failure of the test, and an empty relief, where there is none.
+inline Relief relief_of(const Scene& scene, const ReliefOptions& options) {
+  auto relief = build_relief(scene, options);
+  EXPECT_TRUE(relief.ok()) << (relief.ok() ? "" : to_string(relief.error()));
+  return relief.ok() ? std::move(*relief) : Relief();
+}
 
 /// Heights at one point of one face.
 struct Probe {

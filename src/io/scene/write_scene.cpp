@@ -33,18 +33,6 @@ std::string lines(const std::vector<Item>& items, const std::string& indent, Wri
   return text + "\n" + indent + "]";
 }
 
-const char* name(RelationKind kind) {
-  switch (kind) {
-    case RelationKind::equal:
-      return "equal";
-    case RelationKind::above:
-      return "above";
-    case RelationKind::free:
-      return "free";
-  }
-  return "";
-}
-
 class Writer {
  public:
   explicit Writer(const Scene& scene) : scene_(scene) {}

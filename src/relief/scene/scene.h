@@ -31,8 +31,12 @@ struct Join {
   std::vector<Point2> line;  ///< polyline near the upper part's outline, at least 2 points, px
 };
 
-/// `equal` holds where the lower part is the nearest behind; where another lies between, as `above`.
+/// `equal` holds where the lower part is the nearest behind; where another lies between, as
+/// `above`.
 enum class RelationKind { equal, above, free };
+
+/// The kind as scene files spell it.
+const char* name(RelationKind kind);
 
 /// What holds between two overlapping parts instead of the default [P eq 11].
 struct Relation {

@@ -151,4 +151,16 @@ Status validate(const Scene& scene) {
   return Done{};
 }
 
+const char* name(RelationKind kind) {
+  switch (kind) {
+    case RelationKind::equal:
+      return "equal";
+    case RelationKind::above:
+      return "above";
+    case RelationKind::free:
+      return "free";
+  }
+  return "";
+}
+
 }  // namespace relievo

@@ -14,9 +14,7 @@ Relief build(const Scene& scene, int vertices = 6000, double rho = 0.25) {
   ReliefOptions options;
   options.layers.vertex_budget = vertices;
   options.inflation.rho = rho;
-  auto relief = build_relief(scene, options);
-  EXPECT_TRUE(relief.ok()) << (relief.ok() ? "" : to_string(relief.error()));
-  return relief.ok() ? *relief : Relief();
+  return relief_of(scene, options);
 }
 
 template <class Map>

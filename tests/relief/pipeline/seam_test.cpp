@@ -14,9 +14,7 @@ Relief build(const Scene& scene, double alpha0 = 0.1, int vertices = 20000) {
   ReliefOptions options;
   options.layers.vertex_budget = vertices;
   options.inflation.alpha0 = alpha0;
-  auto relief = build_relief(scene, options);
-  EXPECT_TRUE(relief.ok()) << (relief.ok() ? "" : to_string(relief.error()));
-  return relief.ok() ? *relief : Relief();
+  return relief_of(scene, options);
 }
 
 TEST(Seam, HasNoKinkAcrossItsMiddle) {
