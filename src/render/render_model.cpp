@@ -226,7 +226,7 @@ Result<Image8> render_contact_sheet(const Model& model, const Drawing* drawing,
   Image8 sheet(count * options.width, options.height, 4);
   for (int i = 0; i < count; ++i) {
     RunContext part = context;
-    part.progress = [&context, i, count](const char* stage, double fraction) {
+    part.progress = [&context, i](const char* stage, double fraction) {
       context.report(stage, (i + fraction) / count);
     };
     const Result<Image8> picture =

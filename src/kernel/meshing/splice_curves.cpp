@@ -100,12 +100,11 @@ class Splicer {
       }
       size_t first = 0;
       while (tidy.size() - first > 1) {
-        if (tidy[first] == tidy.back()) {
+        const bool spiky = tidy.size() - first > 2;
+        if (tidy[first] == tidy.back() || (spiky && tidy[first] == tidy[tidy.size() - 2])) {
           tidy.pop_back();
-        } else if (tidy.size() - first > 2 && tidy[first + 1] == tidy.back()) {
+        } else if (spiky && tidy[first + 1] == tidy.back()) {
           ++first;
-        } else if (tidy.size() - first > 2 && tidy[first] == tidy[tidy.size() - 2]) {
-          tidy.pop_back();
         } else {
           break;
         }

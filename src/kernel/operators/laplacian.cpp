@@ -55,7 +55,9 @@ class ColumnBuilder {
 
   SparseMatrix take() {
     matrix_.resizeNonZeros(matrix_.outerIndexPtr()[column_]);
-    return std::move(matrix_);
+    SparseMatrix taken;
+    taken.swap(matrix_);
+    return taken;
   }
 
  private:
@@ -107,12 +109,12 @@ Eigen::VectorXd load_vector(const FlatMesh& mesh, std::span<const double> densit
 
 SparseMatrix galerkin_lower(const SparseMatrix& A, const SparseMatrix& T) {
   assert(A.rows() == T.rows());
-  const Eigen::SparseMatrix<double, Eigen::RowMajor, int> rows_of_T = T;
+  const Eigen::SparseMatrix<double, Eigen::RowMajor, int> T_by_rows = T;
   ColumnBuilder builder(static_cast<int>(T.cols()), static_cast<int>(T.cols()), A.nonZeros());
   for (int j = 0; j < T.outerSize(); ++j) {
     for (SparseMatrix::InnerIterator node(T, j); node; ++node)
       for (SparseMatrix::InnerIterator a(A, node.index()); a; ++a)
-        for (decltype(rows_of_T)::InnerIterator t(rows_of_T, a.index()); t; ++t)
+        for (decltype(T_by_rows)::InnerIterator t(T_by_rows, a.index()); t; ++t)
           if (t.index() >= j)
             builder.add(static_cast<int>(t.index()), t.value() * a.value() * node.value());
     builder.finish_column();
