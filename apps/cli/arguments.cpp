@@ -78,8 +78,15 @@ void add_mesh_options(CLI::App& app, ReliefArguments& relief) {
 void add_relief_options(CLI::App& app, ReliefArguments& relief) {
   add_mesh_options(app, relief);
   app.add_option_function<std::string>(
-         "--method", [](const std::string&) {}, "approximate (the default)")
-      ->check(one_of("approximate", {"nonlinear"}));
+         "--method",
+         [&relief](const std::string& name) {
+           if (name == "nonlinear") relief.options.method = Method::nonlinear;
+         },
+         "approximate (the default) or nonlinear: inflation and depth order at once")
+      ->check(CLI::IsMember({"approximate", "nonlinear"}));
+  app.add_option("--lambda-bnd", relief.options.joint.lambda_bnd,
+                 "Of nonlinear: how firmly outlines beside joins stay down (default 0.01: no pits)")
+      ->check(CLI::Range(min_lambda_bnd, max_lambda_bnd));
   app.add_option("--c", relief.c, "Inflation of all parts: 4 a hemisphere, 2 round limbs")
       ->check(CLI::Range(min_inflation, max_inflation));
   InflationOptions& inflation = relief.options.inflation;

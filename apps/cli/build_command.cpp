@@ -84,9 +84,18 @@ void print_results(const BuildArguments& build, const Products& products,
     print_result(file.path.string(), build.common.quiet);
 }
 
+std::vector<std::string> relief_warnings(const Relief& relief) {
+  std::vector<std::string> warnings = relief.layers.warnings;
+  if (relief.joint.status == JointStatus::iteration_limit)
+    warnings.push_back(
+        "the non-linear method did not converge; the relief keeps its order but is not the best");
+  return warnings;
+}
+
 std::vector<std::string> all_warnings(const SceneInput& input, const Relief& relief) {
   std::vector<std::string> warnings = input.warnings;
-  warnings.insert(warnings.end(), relief.layers.warnings.begin(), relief.layers.warnings.end());
+  const std::vector<std::string> own = relief_warnings(relief);
+  warnings.insert(warnings.end(), own.begin(), own.end());
   return warnings;
 }
 
@@ -125,7 +134,7 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
        all_warnings(*input, *relief)});
   if (!build.report.empty()) products.files.push_back({build.report, to_bytes(report)});
   if (Status status = save(products.files, input->files, interruption); !status) return status;
-  print_warnings(relief->layers.warnings, build.common.quiet);
+  print_warnings(relief_warnings(*relief), build.common.quiet);
   print_note(summary(*relief), build.common.quiet);
   print_results(build, products, report);
   return Done{};

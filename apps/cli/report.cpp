@@ -43,6 +43,28 @@ Json solver(const BoundQpReport& report) {
           {"energy", report.energy}};
 }
 
+Json energies(const JointEnergy& energy) {
+  return {{"total", energy.total()},
+          {"inflation", energy.inflation},
+          {"boundary", energy.boundary},
+          {"shift", energy.shift}};
+}
+
+Json joint(const JointReport& report) {
+  Json steps = Json::array();
+  for (const JointStep& step : report.steps)
+    steps.push_back({{"round", step.round},
+                     {"energy", energies(step.energy)},
+                     {"residual", step.residual},
+                     {"factorisations", step.factorisations},
+                     {"ms", step.milliseconds}});
+  return {{"status", report.status == JointStatus::solved ? "solved" : "iteration_limit"},
+          {"iterations", report.steps.size()},
+          {"residual", report.residual},
+          {"energy", energies(report.energy)},
+          {"steps", steps}};
+}
+
 /// Milliseconds by stage: those of the contract first, 0 where a stage did not run.
 Json times(const ReportInput& input) {
   Json sums;
@@ -63,7 +85,8 @@ std::string write_report(const ReportInput& input) {
   Json report;
   report["version"] = RELIEVO_VERSION;
   report["input"] = input.name;
-  report["method"] = "approximate";
+  const bool nonlinear = !input.relief.joint.steps.empty();
+  report["method"] = nonlinear ? "nonlinear" : "approximate";
   report["vertices"] = mesh.node_vertex.size();
   report["faces"] = mesh.faces.size();
   report["parts"] = parts(input.scene, mesh);
@@ -71,6 +94,7 @@ std::string write_report(const ReportInput& input) {
                            {"inequalities", ordering.inequalities},
                            {"active", ordering.report.active}};
   report["solver"] = solver(ordering.report);
+  if (nonlinear) report["nonlinear"] = joint(input.relief.joint);
   report["max_violation"] = ordering.max_violation;
   report["overlap_violation"] = {{"samples", ordering.overlap_samples},
                                  {"worst", ordering.overlap_worst}};

@@ -123,6 +123,22 @@ TEST_F(Build, ReportsWhatItDid) {
   EXPECT_TRUE(report["warnings"].is_array());
 }
 
+TEST_F(Build, NonlinearMethodRecordsItsSteps) {
+  const Outcome outcome = relievo(with_small(
+      {"build", "scene.json", "--json", "--method", "nonlinear", "--lambda-bnd", "100"}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json report = Json::parse(outcome.out);
+  EXPECT_EQ(report["method"], "nonlinear");
+  EXPECT_GT(report["timings_ms"]["nonlinear"], 0);
+  EXPECT_EQ(report["timings_ms"]["order"], 0);
+  const Json& joint = report["nonlinear"];
+  EXPECT_EQ(joint["status"], "solved");
+  EXPECT_EQ(joint["iterations"], joint["steps"].size());
+  EXPECT_GE(joint["steps"].size(), 3U);
+  EXPECT_NEAR(joint["energy"]["total"].get<double>(),
+              joint["steps"].back()["energy"]["total"].get<double>(), 1e-6);
+}
+
 TEST_F(Build, ReportInAFileIsTheSameAsOnStandardOutput) {
   const Outcome outcome =
       relievo(with_small({"build", "scene.json", "--json", "--report", "report.json"}));

@@ -29,6 +29,8 @@ TEST_F(Failures, UsageIsTwo) {
   expect_failure(with(build, {"--alpha0", "2"}), 2, "alpha0");
   expect_failure(with(build, {"--c", "0"}), 2, "c");
   expect_failure(with(build, {"--preset", "paper", "--rho", "0.5"}), 2, "rho");
+  expect_failure(with(build, {"--method", "magic"}), 2, "method");
+  expect_failure(with(build, {"--lambda-bnd", "0"}), 2, "lambda-bnd");
   expect_failure(with(build, {"--visible", "some"}), 2, "visible");
   expect_failure(with(build, {"--keep-hidden", "--visible", "orbit"}), 2, "visible");
   expect_failure(with(build, {"--normal-y", "up"}), 2, "normal-y");
@@ -39,7 +41,6 @@ TEST_F(Failures, UsageIsTwo) {
 }
 
 TEST_F(Failures, WhatIsPlannedIsNamedAsSuch) {
-  expect_failure(with(build, {"--method", "nonlinear"}), 2, "not available in this version");
   expect_failure(with(build, {"--profile", "solid"}), 2, "not available in this version");
   expect_failure(with(build, {"--profile", "figure"}), 2, "not available in this version");
 }

@@ -22,22 +22,26 @@ const std::map<std::string, Names> kernel_rules = {
 };
 
 /// The chain of stages; data flows from left to right.
-const std::vector<std::string> stages = {"drawing",   "scene",    "layers",
-                                         "inflation", "ordering", "model"};
+const std::vector<std::string> stages = {"drawing",  "scene", "layers", "inflation",
+                                         "ordering", "joint", "model"};
+
+/// The joint stage unites these two and is made of their parts.
+const Names joint_folders = {"inflation", "ordering"};
 
 /// What a stage hands on: its struct and views of it. Everything else in its folder is its own.
 const Names stage_structs = {
-    "drawing/drawing.h",     "inflation/inflation.h", "layers/joined_surface.h",
-    "layers/layered_mesh.h", "model/model.h",         "ordering/ordering.h",
-    "scene/scene.h",
+    "drawing/drawing.h",       "inflation/inflation.h", "joint/joint_solution.h",
+    "layers/joined_surface.h", "layers/layered_mesh.h", "model/model.h",
+    "ordering/ordering.h",     "scene/scene.h",
 };
 
 /// Besides, files and pictures may use what the last stage derives from a model.
 const Names model_views = {"model/model_texture.h", "model/relief_maps.h"};
 
 /// The verbs of the stages, for the pipeline alone.
-const Names stage_verbs = {"inflation/inflate.h", "layers/layer_parts.h", "model/assemble_model.h",
-                           "model/relief_maps.h", "ordering/order_depth.h"};
+const Names stage_verbs = {"inflation/inflate.h",  "joint/solve_jointly.h",
+                           "layers/layer_parts.h", "model/assemble_model.h",
+                           "model/relief_maps.h",  "ordering/order_depth.h"};
 
 struct Place {
   std::string top;     ///< kernel, relief, io, render, apps, tests, benchmarks
@@ -77,6 +81,7 @@ std::string check_relief(const Place& from, const Place& to) {
   const size_t other = stage_number(to.folder);
   if (mine == stages.size()) return "relief/" + from.folder + " is no stage";
   if (other >= mine) return "a stage must not use a later one";
+  if (from.folder == "joint" && joint_folders.count(to.folder) > 0) return "";
   return stage_structs.count(to.rest) > 0 ? "" : "a stage uses only the structs of earlier ones";
 }
 

@@ -5,11 +5,10 @@
 #include <cassert>
 #include <cmath>
 
-#include "kernel/base/disjoint_sets.h"
 #include "kernel/base/piece_timer.h"
-#include "kernel/operators/gradient.h"
 #include "kernel/operators/laplacian.h"
 #include "kernel/solvers/sparse_cholesky.h"
+#include "relief/inflation/poisson_terms.h"
 #include "relief/layers/joined_surface.h"
 
 namespace relievo {
@@ -44,28 +43,8 @@ Boundary boundary_conditions(const LayeredMesh& mesh, const InflationOptions& op
   return boundary;
 }
 
-/// Integral of c d|d| against each node's hat function, scene units.
-VectorXd inflation_load(const FlatMesh& flat, const LayeredMesh& mesh, const Scene& scene) {
-  std::vector<double> density;
-  density.reserve(mesh.faces.size());
-  for (const int part : mesh.face_part) {
-    const double d = scene.parts[part].d;
-    density.push_back(scene.parts[part].c * d * std::abs(d));
-  }
-  return load_vector(flat, density);
-}
-
-DisjointSets connected_surfaces(const LayeredMesh& mesh) {
-  DisjointSets surfaces(static_cast<int>(mesh.node_vertex.size()));
-  for (const auto& [a, b, c] : mesh.faces) {
-    surfaces.unite(a, b);
-    surfaces.unite(a, c);
-  }
-  return surfaces;
-}
-
-Status check_held(const LayeredMesh& mesh, const Scene& scene, const Boundary& boundary,
-                  DisjointSets& surfaces) {
+Status check_held(const LayeredMesh& mesh, const Scene& scene, const Boundary& boundary) {
+  DisjointSets surfaces = connected_surfaces(mesh);
   std::vector<uint8_t> held(mesh.node_vertex.size(), 0);
   for (size_t n = 0; n < held.size(); ++n)
     if (boundary.fixed[n] != 0 || boundary.spring[static_cast<Eigen::Index>(n)] > 0)
@@ -76,25 +55,6 @@ Status check_held(const LayeredMesh& mesh, const Scene& scene, const Boundary& b
                    "nothing holds the surface of this part at height 0: its outline is all join",
                    scene.parts[mesh.face_part[f]].id};
   return Done{};
-}
-
-/// The lower triangle of (L + B) without the rows and columns of fixed nodes; unknown[n] is the
-/// row of node n, or -1. Keeps the order of the nodes.
-SparseMatrix free_system(const SparseMatrix& L, const Boundary& boundary,
-                         const std::vector<int>& unknown, int unknowns) {
-  SparseMatrix A(unknowns, unknowns);
-  A.reserve(L.nonZeros() / 2 + unknowns);
-  for (int j = 0; j < L.outerSize(); ++j) {
-    if (unknown[j] < 0) continue;
-    A.startVec(unknown[j]);
-    for (SparseMatrix::InnerIterator entry(L, j); entry; ++entry) {
-      const int i = static_cast<int>(entry.row());
-      if (i < j || unknown[i] < 0) continue;
-      A.insertBack(unknown[i], unknown[j]) = entry.value() + (i == j ? boundary.spring[j] : 0);
-    }
-  }
-  A.finalize();
-  return A;
 }
 
 /// Solves (L + B) u = load with u = 0 on fixed nodes; empty when there is no finite solution.
@@ -108,7 +68,10 @@ VectorXd solve_poisson(const SparseMatrix& L, const Boundary& boundary, const Ve
   for (size_t n = 0; n < unknown.size(); ++n)
     if (unknown[n] >= 0) b[unknown[n]] = load[static_cast<Eigen::Index>(n)];
 
-  const SparseMatrix A = free_system(L, boundary, unknown, unknowns);
+  SparseMatrix A = lower_block(L, unknown, unknowns);
+  for (size_t n = 0; n < unknown.size(); ++n)
+    if (unknown[n] >= 0)
+      A.coeffRef(unknown[n], unknown[n]) += boundary.spring[static_cast<Eigen::Index>(n)];
   SparseCholesky factor;
   PieceTimer analysing(context, "analyse");
   factor.analyse(A);
@@ -125,19 +88,10 @@ VectorXd solve_poisson(const SparseMatrix& L, const Boundary& boundary, const Ve
 }
 
 /// On surfaces whose sources all have one sign u has it too; obtuse faces may spoil it slightly.
-void restore_sign(const LayeredMesh& mesh, const Scene& scene, DisjointSets& surfaces,
-                  VectorXd& u) {
-  std::vector<uint8_t> raised(mesh.node_vertex.size(), 0);
-  std::vector<uint8_t> sunk(raised);
-  for (size_t f = 0; f < mesh.faces.size(); ++f) {
-    const int surface = surfaces.find(mesh.faces[f][0]);
-    (scene.parts[mesh.face_part[f]].d > 0 ? raised : sunk)[surface] = 1;
-  }
-  for (Eigen::Index n = 0; n < u.size(); ++n) {
-    const int surface = surfaces.find(static_cast<int>(n));
-    if (sunk[surface] == 0) u[n] = std::max(u[n], 0.0);
-    if (raised[surface] == 0) u[n] = std::min(u[n], 0.0);
-  }
+void restore_sign(const LayeredMesh& mesh, const Scene& scene, VectorXd& u) {
+  const std::vector<int> signs = surface_signs(mesh, scene);
+  for (Eigen::Index n = 0; n < u.size(); ++n)
+    if (signs[n] * u[n] < 0) u[n] = 0;
 }
 
 Status check_options(const InflationOptions& options) {
@@ -148,15 +102,6 @@ Status check_options(const InflationOptions& options) {
   return Done{};
 }
 
-Inflation in_pixels(const LayeredMesh& mesh, const VectorXd& u, double scale) {
-  Inflation inflation;
-  inflation.u.reserve(static_cast<size_t>(u.size()));
-  for (const double value : u) inflation.u.push_back(value / (scale * scale));
-  const std::vector<Point2> positions = node_positions(mesh);
-  inflation.grad_u = node_gradients({positions, mesh.faces}, inflation.u);
-  return inflation;
-}
-
 }  // namespace
 
 Result<Inflation> inflate(const LayeredMesh& mesh, const Scene& scene,
@@ -165,8 +110,7 @@ Result<Inflation> inflate(const LayeredMesh& mesh, const Scene& scene,
   if (Status status = check_options(options); !status) return status.error();
   context.report("inflate", 0);
   const Boundary boundary = boundary_conditions(mesh, options);
-  DisjointSets surfaces = connected_surfaces(mesh);
-  if (Status status = check_held(mesh, scene, boundary, surfaces); !status) return status.error();
+  if (Status status = check_held(mesh, scene, boundary); !status) return status.error();
 
   const double scale = scene_scale(mesh);
   const std::vector<Point2> positions = node_positions(mesh, scale);
@@ -180,9 +124,9 @@ Result<Inflation> inflate(const LayeredMesh& mesh, const Scene& scene,
   if (u.size() != load.size())
     return Error{ErrorCode::internal, "the inflation has no finite solution", ""};
   if (context.cancelled()) return interrupted_error();
-  restore_sign(mesh, scene, surfaces, u);
+  restore_sign(mesh, scene, u);
   context.report("inflate", 1);
-  return in_pixels(mesh, u, scale);
+  return make_inflation(mesh, u, scale);
 }
 
 }  // namespace relievo

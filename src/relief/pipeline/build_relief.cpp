@@ -1,6 +1,7 @@
 #include "relief/pipeline/build_relief.h"
 
 #include <chrono>
+#include <utility>
 
 namespace relievo {
 namespace {
@@ -35,6 +36,27 @@ class StageClock {
   double pieces_ = 0;
 };
 
+Status order(const Scene& scene, const ReliefOptions& options, const RunContext& context,
+             Relief& relief) {
+  auto ordering = order_depth(relief.layers, relief.inflation, scene, options.ordering, context);
+  if (!ordering) return ordering.error();
+  relief.ordering = std::move(*ordering);
+  return Done{};
+}
+
+Status solve_nonlinear(const Scene& scene, const ReliefOptions& options, const RunContext& context,
+                       Relief& relief) {
+  JointOptions joint = options.joint;
+  joint.epsilon = options.ordering.epsilon;
+  joint.max_rounds = options.ordering.max_rounds;
+  auto solution = solve_jointly(relief.layers, scene, relief.inflation, joint, context);
+  if (!solution) return solution.error();
+  relief.inflation = std::move(solution->inflation);
+  relief.ordering = std::move(solution->ordering);
+  relief.joint = std::move(solution->report);
+  return Done{};
+}
+
 }  // namespace
 
 Result<Relief> build_relief(const Scene& scene, const ReliefOptions& options,
@@ -52,10 +74,10 @@ Result<Relief> build_relief(const Scene& scene, const ReliefOptions& options,
   if (!inflation) return inflation.error();
   relief.inflation = std::move(*inflation);
   clock.finish("inflate");
-  auto ordering = order_depth(relief.layers, relief.inflation, scene, options.ordering, timed);
-  if (!ordering) return ordering.error();
-  relief.ordering = std::move(*ordering);
-  clock.finish("order");
+  const bool nonlinear = options.method == Method::nonlinear;
+  if (Status status = (nonlinear ? solve_nonlinear : order)(scene, options, timed, relief); !status)
+    return status.error();
+  clock.finish(nonlinear ? "nonlinear" : "order");
   relief.times = std::move(times);
   return relief;
 }

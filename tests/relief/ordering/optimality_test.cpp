@@ -4,9 +4,9 @@
 
 #include "kernel/operators/laplacian.h"
 #include "relief/layers/joined_surface.h"
-#include "relief/ordering/depth_forest.h"
 #include "relief/ordering/order_depth.h"
 #include "support/depth_optimality.h"
+#include "support/enforced_pairs.h"
 #include "support/ipopt_qp.h"
 #include "support/random_depth.h"
 
@@ -14,6 +14,7 @@ namespace relievo {
 namespace {
 
 using testing::check_depth_optimality;
+using testing::enforced_pairs;
 using testing::RandomDepth;
 using testing::scene_of;
 
@@ -21,18 +22,6 @@ OrderingOptions only_given_pairs() {
   OrderingOptions options;
   options.max_rounds = 0;
   return options;
-}
-
-/// The pairs that the forest enforces; where the given pairs form diamonds they are stronger.
-std::vector<DepthPair> enforced_pairs(const LayeredMesh& mesh) {
-  const DepthForest forest = build_depth_forest(mesh.node_part, mesh.constraints);
-  std::vector<DepthPair> pairs;
-  for (int n = 0; n < static_cast<int>(forest.representative.size()); ++n)
-    if (forest.representative[n] != n) pairs.push_back({forest.representative[n], n, true});
-  for (const DepthGap& gap : forest.gaps)
-    pairs.push_back(gap.sign > 0 ? DepthPair{gap.parent, gap.child, false}
-                                 : DepthPair{gap.child, gap.parent, false});
-  return pairs;
 }
 
 Ordering ordered(const RandomDepth& random, const OrderingOptions& options) {

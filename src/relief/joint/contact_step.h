@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "kernel/base/run_context.h"
+#include "kernel/solvers/bound_qp.h"
+#include "relief/joint/joint_model.h"
+#include "relief/ordering/depth_problem.h"
+
+namespace relievo {
+
+/// A node whose f is unknown in the contact.
+struct SoftNode {
+  int node = -1;
+  int sign = 0;  ///< the unknown's sign: 1, -1, or 0 for any
+};
+
+/// What keeps the unknown f of the soft nodes: 1/2 stiffness f^2 - pull f, in scene units.
+struct Springs {
+  Eigen::VectorXd stiffness;  ///< positive
+  Eigen::VectorXd pull;
+};
+
+/// Where the parts come to lie for a given inflation.
+struct Contact {
+  SolveStatus status = SolveStatus::solved;
+  int factorisations = 0;
+  Eigen::VectorXd soft;     ///< one per soft node: what is added to its f
+  Eigen::VectorXd force;    ///< #N, lambda_shift A g: what the depth pairs press with
+  double shift_energy = 0;  ///< lambda_shift g'A g
+  std::vector<double> h;    ///< #N, px
+};
+
+/// Minimises lambda_shift / 2 g'A g and the springs over g and the soft nodes' f under the depth
+/// pairs. A bound-constrained program whose pattern and start are kept from one step to the next.
+class ContactStep {
+ public:
+  ContactStep(const JointModel& model, const DepthProblem& problem,
+              const std::vector<SoftNode>& soft, const std::vector<double>& last_h);
+
+  /// f: #N in scene units, what is fixed of it. At least one factorisation.
+  Contact solve(const Eigen::VectorXd& f, const Springs& springs, const RunContext& context);
+
+ private:
+  const JointModel& model_;
+  const DepthProblem& problem_;
+  SparseMatrix T_;  ///< (h, soft f) -> g + fixed f
+  BoundQp qp_;
+  Eigen::VectorXd own_stiffness_;  ///< diagonal of K at the soft nodes without the springs
+  Eigen::VectorXd direction_;      ///< of soft nodes: f = direction * unknown
+  std::vector<uint8_t> active_;
+  SparseCholesky factor_;
+};
+
+}  // namespace relievo

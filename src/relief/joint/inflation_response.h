@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "kernel/solvers/sparse_cholesky.h"
+#include "relief/joint/joint_model.h"
+
+namespace relievo {
+
+/// The inflation under given loads.
+struct Inflated {
+  Eigen::VectorXd u;      ///< #N
+  Eigen::VectorXd slope;  ///< #B, derivative of the inflation energy / 2 with respect to u there
+  double energy = 0;      ///< of the excess over c
+};
+
+/// Minimises the inflation energy minus twice a linear load over u off B: two Poisson solves with
+/// one factor, for the biharmonic matrix is L M^-1 L.
+class InflationResponse {
+ public:
+  explicit InflationResponse(const JointModel& model);
+
+  /// False where the Poisson problem has no unique solution.
+  bool sound() const { return sound_; }
+
+  const JointModel& model() const { return model_; }
+
+  /// load: #N, read at inner nodes; u_bound: #B.
+  Inflated solve(const Eigen::VectorXd& load, const Eigen::VectorXd& u_bound) const;
+
+  /// How u answers to a load alone. #N
+  Eigen::VectorXd compliance(const Eigen::VectorXd& load) const;
+
+ private:
+  Eigen::VectorXd solve_poisson(const Eigen::VectorXd& load) const;
+
+  const JointModel& model_;
+  SparseCholesky factor_;
+  bool sound_ = false;
+};
+
+}  // namespace relievo

@@ -1,0 +1,77 @@
+#include "relief/joint/joint_iteration.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "kernel/base/stopwatch.h"
+#include "kernel/solvers/anderson.h"
+#include "relief/ordering/order_rounds.h"
+
+namespace relievo {
+namespace {
+
+using Eigen::VectorXd;
+
+/// The accelerator forgets its past when the residual has grown by so much.
+constexpr double growth_limit = 3;
+
+/// In the order in which they are tried.
+constexpr Softness softnesses[] = {{false, 0.1}, {false, 1}, {false, 0.02}, {true, 0.1}};
+
+double relative_change(const VectorXd& x, const VectorXd& F_x, const VectorXd& u) {
+  if (x.size() == 0) return 0;
+  const double size = std::max(u.lpNorm<Eigen::Infinity>(), std::numeric_limits<double>::min());
+  return (F_x - x).lpNorm<Eigen::Infinity>() / size;
+}
+
+Status iterate(JointMap& map, const JointOptions& options, const RunContext& context,
+               JointState& state, JointReport& report) {
+  AndersonMixer mixer(options.anderson_depth);
+  double least = std::numeric_limits<double>::infinity();
+  Stopwatch watch;
+  for (int i = 0; i < options.max_iterations; ++i) {
+    context.report("nonlinear", static_cast<double>(i) / options.max_iterations);
+    const VectorXd x = map.pack(state);
+    JointState next = state;
+    JointStep step;
+    if (Status status = check_solved(map.apply(next, step, context)); !status) return status;
+    const VectorXd F_x = map.pack(next);
+    step.round = report.round;
+    step.residual = relative_change(x, F_x, next.u);
+    step.milliseconds = watch.lap();
+    report.steps.push_back(step);
+    report.residual = step.residual;
+    if (step.residual <= options.tolerance) {
+      state = std::move(next);
+      report.status = JointStatus::solved;
+      return Done{};
+    }
+    if (step.residual > growth_limit * least) {
+      mixer.restart();
+      least = step.residual;
+    }
+    least = std::min(least, step.residual);
+    map.unpack(mixer.next(x, F_x), state);
+    state.h = std::move(next.h);
+  }
+  report.status = JointStatus::iteration_limit;
+  return Done{};
+}
+
+}  // namespace
+
+Status iterate_jointly(const InflationResponse& response, const DepthProblem& problem,
+                       const JointOptions& options, const RunContext& context, JointState& state,
+                       JointReport& report) {
+  const JointState start = state;
+  for (const Softness& softness : softnesses) {
+    state = start;
+    JointMap map(response.model(), response, problem, softness, state.h);
+    if (Status status = iterate(map, options, context, state, report); !status) return status;
+    if (report.status == JointStatus::solved) return Done{};
+  }
+  state = start;
+  return Done{};
+}
+
+}  // namespace relievo

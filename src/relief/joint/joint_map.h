@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "kernel/base/run_context.h"
+#include "relief/joint/contact_step.h"
+#include "relief/joint/inflation_response.h"
+#include "relief/joint/joint_model.h"
+#include "relief/joint/joint_solution.h"
+#include "relief/ordering/depth_problem.h"
+
+namespace relievo {
+
+/// Where the iteration stands; scene units.
+struct JointState {
+  Eigen::VectorXd u;      ///< #N, its root is f; on B too
+  Eigen::VectorXd slope;  ///< #B, as in Inflated
+  Eigen::VectorXd load;   ///< #N, with which the depth pairs change u
+  std::vector<double> h;  ///< #N, px; empty at first
+};
+
+/// Which contact nodes answer within the contact already, and how much.
+struct Softness {
+  bool all = false;  ///< all of them, not only those where u may have either sign
+  double share = 1;  ///< how much of their compliance counts; larger is slower and firmer
+};
+
+/// The fixed-point problem x = F(x) of the joint formulation. F solves the contact for the present
+/// inflation and then the inflation under the forces of the contact; x holds u at the nodes on
+/// which depth pairs press, f and the slope of the inflation energy on B, and the loads of soft
+/// nodes, all scaled to the unit of u.
+class JointMap {
+ public:
+  JointMap(const JointModel& model, const InflationResponse& response, const DepthProblem& problem,
+           const Softness& softness, const std::vector<double>& last_h);
+
+  Eigen::VectorXd pack(const JointState& state) const;
+
+  /// Puts x into the state. What would change sign, or shrink to a tenth at once, shrinks to a
+  /// tenth: only its root has a meaning.
+  void unpack(const Eigen::VectorXd& x, JointState& state) const;
+
+  /// One step: leaves F in `state` and says what it cost.
+  SolveStatus apply(JointState& state, JointStep& step, const RunContext& context);
+
+ private:
+  Springs springs(const JointState& state) const;
+  void bound_spring(const JointState& state, Eigen::Index i, Springs& springs) const;
+  void mixed_spring(const JointState& state, Eigen::Index i, Springs& springs) const;
+  Eigen::VectorXd next_load(const Eigen::VectorXd& f, const JointState& state,
+                            const Contact& contact) const;
+  Eigen::VectorXd compliance_of_soft_nodes(double share) const;
+
+  const JointModel& model_;
+  const InflationResponse& response_;
+  std::vector<int> nodes_;      ///< on which pairs press, off B
+  std::vector<SoftNode> soft_;  ///< B, then those of nodes_ that are soft
+  ContactStep contact_step_;
+  Eigen::Index bounds_;         ///< #B
+  Eigen::VectorXd stiffness_;   ///< #B, makes slopes comparable to u
+  Eigen::VectorXd compliance_;  ///< of the soft nodes behind B: change of u for a change of load
+};
+
+}  // namespace relievo

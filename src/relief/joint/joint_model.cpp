@@ -1,0 +1,89 @@
+#include "relief/joint/joint_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "kernel/operators/laplacian.h"
+#include "relief/inflation/poisson_terms.h"
+#include "relief/layers/joined_surface.h"
+
+namespace relievo {
+namespace {
+
+/// B with the outline that its nodes stand for; a node under two ranges counts once for each.
+void collect_bound(const LayeredMesh& mesh, JointModel& model) {
+  std::vector<uint8_t> glued(mesh.node_role.size(), 0);
+  for (const DepthPair& pair : mesh.constraints)
+    if (pair.equal) glued[pair.lower] = glued[pair.upper] = 1;
+  for (const RampNode& node : mesh.ramp_nodes)
+    if (glued[node.node] != 0) model.bound.push_back(node.node);
+  std::sort(model.bound.begin(), model.bound.end());
+  model.bound.erase(std::unique(model.bound.begin(), model.bound.end()), model.bound.end());
+  model.bound_mass = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.bound.size()));
+  for (const RampNode& node : mesh.ramp_nodes) {
+    if (glued[node.node] == 0) continue;
+    const auto at = std::lower_bound(model.bound.begin(), model.bound.end(), node.node);
+    model.bound_mass[at - model.bound.begin()] += model.metric.scale * node.mass;
+  }
+}
+
+/// The other nodes under ranges stay as the start has them.
+void hold_rest_of_ranges(const LayeredMesh& mesh, const Inflation& start, JointModel& model) {
+  const double area = model.metric.scale * model.metric.scale;
+  model.held = Eigen::VectorXd::Zero(model.load.size());
+  for (const RampNode& node : mesh.ramp_nodes) model.held[node.node] = area * start.u[node.node];
+  for (const int n : model.bound) model.held[n] = 0;
+}
+
+void number_inner(JointModel& model) {
+  model.place.assign(static_cast<size_t>(model.load.size()), -1);
+  for (size_t i = 0; i < model.inner.size(); ++i) model.place[model.inner[i]] = static_cast<int>(i);
+}
+
+}  // namespace
+
+JointModel make_joint_model(const LayeredMesh& mesh, const Scene& scene, const Inflation& start,
+                            double epsilon) {
+  JointModel model;
+  model.metric = make_shift_metric(mesh, epsilon);
+  const std::vector<Point2> positions = node_positions(mesh, model.metric.scale);
+  const FlatMesh flat{positions, mesh.faces};
+  model.mass = lumped_mass(flat);
+  model.L = model.metric.A;
+  model.L.diagonal() -= epsilon * model.mass;
+  model.load = inflation_load(flat, mesh, scene);
+  model.sign = surface_signs(mesh, scene);
+  collect_bound(mesh, model);
+  hold_rest_of_ranges(mesh, start, model);
+  for (size_t n = 0; n < mesh.node_role.size(); ++n) {
+    const bool bound = mesh.node_role[n] == NodeRole::ramp;
+    if (!bound && mesh.node_role[n] != NodeRole::outline && start.u[n] != 0)
+      model.inner.push_back(static_cast<int>(n));
+  }
+  number_inner(model);
+  return model;
+}
+
+bool hold_wrong_signs(const Eigen::VectorXd& u, JointModel& model) {
+  const size_t before = model.inner.size();
+  const auto wrong = [&](int n) { return model.sign[n] * u[n] < 0; };
+  model.inner.erase(std::remove_if(model.inner.begin(), model.inner.end(), wrong),
+                    model.inner.end());
+  number_inner(model);
+  return model.inner.size() < before;
+}
+
+JointEnergy joint_energy(const JointModel& model, const Eigen::VectorXd& u,
+                         const Eigen::VectorXd& g) {
+  JointEnergy energy;
+  const Eigen::VectorXd excess = model.L * u - model.load;
+  for (const int n : model.inner) energy.inflation += excess[n] * excess[n] / model.mass[n];
+  for (size_t i = 0; i < model.bound.size(); ++i)
+    energy.boundary += model.lambda_bnd * model.bound_mass[static_cast<Eigen::Index>(i)] *
+                       std::abs(u[model.bound[i]]);
+  energy.shift = model.lambda_shift * g.dot(model.metric.A * g);
+  return energy;
+}
+
+}  // namespace relievo

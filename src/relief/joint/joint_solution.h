@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "relief/inflation/inflation.h"
+#include "relief/ordering/ordering.h"
+
+namespace relievo {
+
+/// The energy of the joint formulation [P eq 3-5] in scene units, by its terms with their weights.
+struct JointEnergy {
+  double inflation = 0;  ///< (M^-1 L u - c)' M (M^-1 L u - c) over all nodes that are not held
+  double boundary = 0;   ///< lambda_bnd times the line integral of f^2 over B
+  double shift = 0;      ///< lambda_shift g'(L + epsilon M) g
+  double total() const { return inflation + boundary + shift; }
+};
+
+/// One step of the iteration.
+struct JointStep {
+  int round = 0;           ///< cutting-plane round, from 0
+  JointEnergy energy;      ///< of the step; belongs to one point only in the limit
+  double residual = 0;     ///< largest change of u, relative to the largest u
+  int factorisations = 0;  ///< of the contact problem
+  double milliseconds = 0;
+};
+
+enum class JointStatus { solved, iteration_limit };
+
+struct JointReport {
+  JointStatus status = JointStatus::solved;
+  int round = 0;  ///< of the last step
+  std::vector<JointStep> steps;
+  JointEnergy energy;  ///< of the solution
+  double residual = 0;
+};
+
+/// A minimiser of the joint energy under the depth pairs.
+struct JointSolution {
+  Inflation inflation;
+  Ordering ordering;
+  JointReport report;
+};
+
+}  // namespace relievo

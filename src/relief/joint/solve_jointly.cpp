@@ -1,0 +1,110 @@
+#include "relief/joint/solve_jointly.h"
+
+#include <cassert>
+#include <cmath>
+
+#include "relief/inflation/poisson_terms.h"
+#include "relief/joint/inflation_response.h"
+#include "relief/joint/joint_iteration.h"
+#include "relief/joint/joint_model.h"
+#include "relief/ordering/order_rounds.h"
+
+namespace relievo {
+namespace {
+
+using Eigen::VectorXd;
+
+/// How often nodes with the wrong sign are looked for.
+constexpr int sign_rounds = 3;
+
+bool is_positive(double value) { return value > 0 && std::isfinite(value); }
+
+Status check_options(const JointOptions& options) {
+  if (!(options.lambda_bnd >= min_lambda_bnd && options.lambda_bnd <= max_lambda_bnd))
+    return Error{ErrorCode::usage, "lambda_bnd must lie between 1e-6 and 1e6", "lambda_bnd"};
+  if (!is_positive(options.lambda_shift))
+    return Error{ErrorCode::usage, "lambda_shift must be positive", "lambda_shift"};
+  if (!is_positive(options.tolerance))
+    return Error{ErrorCode::usage, "the tolerance must be positive", "tolerance"};
+  if (options.max_iterations < 1)
+    return Error{ErrorCode::usage, "there must be at least one iteration", "max_iterations"};
+  if (options.anderson_depth < 0)
+    return Error{ErrorCode::usage, "the depth must not be negative", "anderson_depth"};
+  OrderingOptions ordering;
+  ordering.epsilon = options.epsilon;
+  ordering.max_rounds = options.max_rounds;
+  return check_options(ordering);
+}
+
+JointState first_state(const JointModel& model, const Inflation& start) {
+  JointState state;
+  state.u.resize(static_cast<Eigen::Index>(start.u.size()));
+  const double area = model.metric.scale * model.metric.scale;
+  for (Eigen::Index n = 0; n < state.u.size(); ++n) state.u[n] = area * start.u[n];
+  state.load = VectorXd::Zero(state.u.size());
+  state.slope = VectorXd::Zero(static_cast<Eigen::Index>(model.bound.size()));
+  return state;
+}
+
+VectorXd in_scene_units(const std::vector<double>& values, double factor) {
+  VectorXd result(static_cast<Eigen::Index>(values.size()));
+  for (Eigen::Index n = 0; n < result.size(); ++n) result[n] = factor * values[n];
+  return result;
+}
+
+/// Iterates; where u comes out with the wrong sign, as obtuse faces allow, holds it at 0 and goes
+/// on.
+Status iterate_with_signs(const DepthProblem& problem, const JointOptions& options,
+                          const RunContext& context, JointModel& model, JointState& state,
+                          JointReport& report) {
+  for (int i = 0;; ++i) {
+    const InflationResponse response(model);
+    if (!response.sound())
+      return Error{ErrorCode::internal, "the inflation has no finite solution", ""};
+    if (Status status = iterate_jointly(response, problem, options, context, state, report);
+        !status)
+      return status;
+    if (i == sign_rounds || !hold_wrong_signs(state.u, model)) break;
+  }
+  for (Eigen::Index n = 0; n < state.u.size(); ++n)
+    if (model.sign[n] * state.u[n] < 0) state.u[n] = 0;
+  return Done{};
+}
+
+}  // namespace
+
+Result<JointSolution> solve_jointly(const LayeredMesh& mesh, const Scene& scene,
+                                    const Inflation& start, const JointOptions& options,
+                                    const RunContext& context) {
+  assert(start.u.size() == mesh.node_vertex.size());
+  assert(static_cast<int>(scene.parts.size()) == mesh.part_count);
+  if (Status status = check_options(options); !status) return status.error();
+  JointModel model = make_joint_model(mesh, scene, start, options.epsilon);
+  model.lambda_bnd = options.lambda_bnd;
+  model.lambda_shift = options.lambda_shift;
+  const double scale = model.metric.scale;
+
+  JointSolution solution;
+  JointState state = first_state(model, start);
+  SparseCholesky factor;
+  const auto solve = [&](const std::vector<DepthPair>& pairs, Ordering& ordering) -> Status {
+    const DepthProblem problem = make_depth_problem(mesh.node_part, pairs);
+    solution.report.round = ordering.rounds;
+    if (Status status =
+            iterate_with_signs(problem, options, context, model, state, solution.report);
+        !status)
+      return status;
+    solution.inflation = make_inflation(mesh, state.u, scale);
+    return check_solved(solve_heights(problem, model.metric, inflated_heights(solution.inflation.u),
+                                      closed_gaps(problem, state.h), factor, ordering, context));
+  };
+  Result<Ordering> ordering = order_in_rounds(mesh, scene, scale, options.max_rounds, solve);
+  if (!ordering) return ordering.error();
+  finish_ordering(mesh, scene, solution.inflation, *ordering);
+  solution.ordering = std::move(*ordering);
+  solution.report.energy = joint_energy(model, state.u, in_scene_units(solution.ordering.g, scale));
+  context.report("nonlinear", 1);
+  return solution;
+}
+
+}  // namespace relievo

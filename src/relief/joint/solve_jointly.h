@@ -1,0 +1,33 @@
+#pragma once
+
+#include "kernel/base/result.h"
+#include "kernel/base/run_context.h"
+#include "relief/inflation/inflation.h"
+#include "relief/joint/joint_solution.h"
+#include "relief/layers/layered_mesh.h"
+#include "relief/scene/scene.h"
+
+namespace relievo {
+
+constexpr double min_lambda_bnd = 1e-6;  ///< bounds of lambda_bnd
+constexpr double max_lambda_bnd = 1e6;
+
+struct JointOptions {
+  double lambda_bnd = 0.01;  ///< pull of B to the drawing plane, in scene units
+  double lambda_shift = 1;   ///< weight of the shift against the inflation, > 0
+  double epsilon = 1e-4;     ///< weight of the pull to g = 0, in scene units
+  int max_rounds = 3;        ///< cutting-plane rounds for interior overlap
+  double tolerance = 1e-8;   ///< on the residual of the iteration
+  int max_iterations = 150;  ///< of one attempt
+  int anderson_depth = 8;
+};
+
+/// Inflates and shifts all parts at once [P eq 3-6]: minimises
+///   (M^-1 L u - c)' M (M^-1 L u - c) + lambda_bnd int_B f^2 ds + lambda_shift g'(L + epsilon M) g
+/// over u and g, f = sgn(u) sqrt|u|, where the heights f + g obey the depth pairs, u = 0 on
+/// outlines, and B are the outlines under Robin ranges. `start` is any inflation of the mesh.
+Result<JointSolution> solve_jointly(const LayeredMesh& mesh, const Scene& scene,
+                                    const Inflation& start, const JointOptions& options,
+                                    const RunContext& context = {});
+
+}  // namespace relievo

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "kernel/base/run_context.h"
+#include "kernel/solvers/bound_qp_report.h"
+#include "kernel/solvers/sparse_cholesky.h"
+#include "relief/ordering/depth_forest.h"
+#include "relief/ordering/gap_variables.h"
+#include "relief/ordering/ordering.h"
+#include "relief/ordering/shift_metric.h"
+
+namespace relievo {
+
+/// Depth pairs as unknowns: heights are h = T z with gaps z >= 0.
+struct DepthProblem {
+  DepthForest forest;
+  GapVariables variables;
+};
+
+/// Costs as build_depth_forest and make_gap_variables.
+DepthProblem make_depth_problem(const std::vector<int>& node_part,
+                                const std::vector<DepthPair>& pairs);
+
+/// f at the roots' variables and 0 at the gaps'. Counting from there keeps the unknowns small, and
+/// exactly 0 where nothing pushes.
+Eigen::VectorXd root_heights(const DepthProblem& problem, const Eigen::VectorXd& f);
+
+/// One per variable: 1 for the gaps that heights h leave closed.
+std::vector<uint8_t> closed_gaps(const DepthProblem& problem, const std::vector<double>& h);
+
+/// Heights in px from the heights of the roots (px) and the unknowns in scene units: the roots'
+/// shifts and the gaps.
+std::vector<double> heights_of(const DepthProblem& problem, const Eigen::VectorXd& root_height,
+                               const Eigen::VectorXd& unknowns, double scale);
+
+/// Minimises 1/2 (h - f)'A (h - f) under the pairs, f in px. Writes h, the counts and the report
+/// of `ordering`; begins with the gaps in `start_active` closed (empty: none). `factor` is used
+/// for its memory: one analysis and one factorisation per iteration.
+SolveStatus solve_heights(const DepthProblem& problem, const ShiftMetric& metric,
+                          const Eigen::VectorXd& f, const std::vector<uint8_t>& start_active,
+                          SparseCholesky& factor, Ordering& ordering, const RunContext& context);
+
+}  // namespace relievo

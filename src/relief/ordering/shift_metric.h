@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "kernel/base/sparse_matrix.h"
+#include "relief/layers/layered_mesh.h"
+
+namespace relievo {
+
+/// What a shift g costs: 1/2 g'A g in scene units [P eq 10].
+struct ShiftMetric {
+  double scale = 1;  ///< scene units per px
+  SparseMatrix A;    ///< L + epsilon M, both triangles
+};
+
+/// O(N + F).
+ShiftMetric make_shift_metric(const LayeredMesh& mesh, double epsilon);
+
+/// f = sgn(u) sqrt|u| at each node, in the root of the unit of u.
+Eigen::VectorXd inflated_heights(const std::vector<double>& u);
+
+}  // namespace relievo

@@ -1,0 +1,183 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/ipopt_joint.h"
+#include "support/joint_case.h"
+#include "support/lbfgs.h"
+#include "support/random_scene.h"
+
+namespace relievo {
+namespace {
+
+using namespace testing;
+using Eigen::VectorXd;
+
+/// Random numbers in [-1, 1].
+VectorXd random_vector(Random& random, Eigen::Index size) {
+  VectorXd v(size);
+  for (double& x : v) x = random.uniform(-1, 1);
+  return v;
+}
+
+TEST(JointProgram, DerivativesAgreeWithDifferences) {
+  const JointCase test = joint_case(body_and_leg(), 600, 3);
+  const Relief& relief = test.approximate;
+  const JointProgram program =
+      make_joint_program(relief.layers, test.scene, test.options.joint, relief.inflation);
+  Random random(1);
+  JointPoint at = point_of(program, relief.inflation, relief.ordering);
+  at.p = (at.p.array() + 0.01).matrix();
+  const JointPoint slope = gradient(program, at);
+  for (int trial = 0; trial < 20; ++trial) {
+    const JointPoint way{random_vector(random, at.p.size()), random_vector(random, at.g.size())};
+    const double step = 1e-4;
+    const double ahead = energy(program, {at.p + step * way.p, at.g + step * way.g});
+    const double behind = energy(program, {at.p - step * way.p, at.g - step * way.g});
+    const double along = slope.p.dot(way.p) + slope.g.dot(way.g);
+    EXPECT_NEAR((ahead - behind) / (2 * step), along, 1e-6 * slope.p.lpNorm<1>());
+  }
+}
+
+TEST(JointProgram, AgreesWithTheReportedEnergy) {
+  const JointCase test = joint_case(body_and_leg(), 1500, 1);
+  const JointSolution solution = solve(test);
+  const JointProgram program = make_joint_program(test.approximate.layers, test.scene,
+                                                  test.options.joint, solution.inflation);
+  const JointPoint point = point_of(program, solution.inflation, solution.ordering);
+  EXPECT_NEAR(energy(program, point), solution.report.energy.total(),
+              1e-10 * solution.report.energy.total());
+  EXPECT_LE(violation(program, point), 1e-12);
+}
+
+/// How often Ipopt came to an end, and the worst ratio of our energy to its.
+struct Comparison {
+  int scenes = 0;
+  int converged = 0;
+  double worst = 0;
+};
+
+/// Scenes whose surfaces have one sign each: others have several minima.
+Comparison compare_with_ipopt(double lambda_bnd, int scenes) {
+  Comparison comparison;
+  for (uint64_t seed = 1; comparison.scenes < scenes; ++seed) {
+    const JointCase test = joint_case(random_scene(seed), 500, lambda_bnd);
+    const Relief& start = test.approximate;
+    if (start.layers.ramp_nodes.empty() || !has_pure_surfaces(start.layers, test.scene)) continue;
+    ++comparison.scenes;
+    const JointSolution ours = solve(test);
+    EXPECT_EQ(ours.report.status, JointStatus::solved) << seed;
+    EXPECT_LE(ours.ordering.max_violation, 1e-9) << seed;
+    const JointProgram program =
+        make_joint_program(start.layers, test.scene, test.options.joint, ours.inflation);
+    const auto theirs =
+        solve_joint_by_ipopt(program, point_of(program, start.inflation, start.ordering));
+    if (!theirs || violation(program, *theirs) > 1e-7) continue;
+    ++comparison.converged;
+    const double ratio = ours.report.energy.total() / energy(program, *theirs);
+    EXPECT_LE(ratio, 1 + 1e-6) << seed;
+    comparison.worst = std::max(comparison.worst, ratio);
+  }
+  return comparison;
+}
+
+TEST(JointReferences, IpoptFindsNothingBetterWithStiffBounds) {
+  const Comparison comparison = compare_with_ipopt(100, 25);
+  RecordProperty("converged", comparison.converged);
+  RecordProperty("worst", std::to_string(comparison.worst));
+  EXPECT_GE(comparison.converged, 20);
+}
+
+TEST(JointReferences, IpoptFindsNothingBetterWithSoftBounds) {
+  const Comparison comparison = compare_with_ipopt(0.01, 25);
+  RecordProperty("converged", comparison.converged);
+  RecordProperty("worst", std::to_string(comparison.worst));
+  EXPECT_GE(comparison.converged, 15);
+}
+
+/// The augmented Lagrangian of the program over x = (f at the unknowns, g), as a function for a
+/// descent method [P §4].
+class AugmentedLagrangian {
+ public:
+  AugmentedLagrangian(const JointProgram& program, double penalty)
+      : program_(program),
+        multipliers_(VectorXd::Zero(static_cast<Eigen::Index>(program.pairs.size()))),
+        penalty_(penalty) {}
+
+  JointPoint point(const VectorXd& x) const {
+    const auto unknowns = static_cast<Eigen::Index>(program_.node.size());
+    JointPoint at{x.head(unknowns), x.tail(x.size() - unknowns)};
+    for (int i = 0; i < unknowns; ++i)
+      at.p[i] = on_bound(program_, i) ? std::abs(at.p[i]) : at.p[i] * at.p[i];
+    return at;
+  }
+
+  double operator()(const VectorXd& x, VectorXd& slope) const {
+    const JointPoint at = point(x);
+    JointPoint d = gradient(program_, at);
+    VectorXd pressure = VectorXd::Zero(d.g.size());
+    const double value = energy(program_, at) + penalty_energy(at, pressure);
+    for (int i = 0; i < d.p.size(); ++i) {
+      const int n = program_.node[i];
+      const double chain = on_bound(program_, i) ? std::copysign(1.0, x[i]) : 2 * x[i];
+      d.p[i] = chain * d.p[i] + program_.sign[n] * std::copysign(1.0, x[i]) * pressure[n];
+    }
+    slope.resize(x.size());
+    slope << d.p, d.g + pressure;
+    return value;
+  }
+
+  void update(const VectorXd& x) {
+    const VectorXd h = heights(program_, point(x));
+    for (Eigen::Index k = 0; k < multipliers_.size(); ++k) multipliers_[k] = push(k, h);
+  }
+
+ private:
+  double push(Eigen::Index k, const VectorXd& h) const {
+    const DepthPair& pair = program_.pairs[k];
+    const double push = multipliers_[k] + penalty_ * (h[pair.lower] - h[pair.upper]);
+    return pair.equal ? push : std::max(push, 0.0);
+  }
+
+  double penalty_energy(const JointPoint& at, VectorXd& pressure) const {
+    const VectorXd h = heights(program_, at);
+    double sum = 0;
+    for (Eigen::Index k = 0; k < multipliers_.size(); ++k) {
+      const double now = push(k, h);
+      sum += (now * now - multipliers_[k] * multipliers_[k]) / (2 * penalty_);
+      pressure[program_.pairs[k].lower] += now;
+      pressure[program_.pairs[k].upper] -= now;
+    }
+    return sum;
+  }
+
+  const JointProgram& program_;
+  VectorXd multipliers_;
+  double penalty_;
+};
+
+TEST(JointReferences, DescentOnTheAugmentedLagrangianComesToTheSameEnergy) {
+  const JointCase test = joint_case(body_and_leg(), 300, 100);
+  const Relief& start = test.approximate;
+  const JointSolution ours = solve(test);
+  const JointProgram program =
+      make_joint_program(start.layers, test.scene, test.options.joint, ours.inflation);
+  const JointPoint first = point_of(program, start.inflation, start.ordering);
+  VectorXd x(first.p.size() + first.g.size());
+  x << first.p, first.g;
+  for (int i = 0; i < first.p.size(); ++i)
+    x[i] = on_bound(program, i) ? x[i] + 0.01 : std::sqrt(x[i]) + 1e-3;
+  AugmentedLagrangian lagrangian(program, 30);
+  for (int outer = 0; outer < 25; ++outer) {
+    x = minimise_by_lbfgs(lagrangian, x, 3000);
+    lagrangian.update(x);
+  }
+  const JointPoint end = lagrangian.point(x);
+  EXPECT_LE(violation(program, end), 1e-5);
+  const double e = ours.report.energy.total();
+  EXPECT_NEAR(energy(program, end), e, 1e-3 * e);
+  EXPECT_LE(e, (1 + 1e-4) * energy(program, end));
+}
+
+}  // namespace
+}  // namespace relievo

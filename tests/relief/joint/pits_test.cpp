@@ -1,0 +1,62 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/probe.h"
+#include "support/regions.h"
+#include "support/scenes.h"
+
+namespace relievo {
+namespace {
+
+using namespace testing;
+
+Relief build(const Scene& scene, double lambda_bnd) {
+  ReliefOptions options;
+  options.method = Method::nonlinear;
+  options.layers.vertex_budget = 10000;
+  options.joint.lambda_bnd = lambda_bnd;
+  auto relief = build_relief(scene, options);
+  EXPECT_TRUE(relief.ok()) << (relief.ok() ? "" : to_string(relief.error()));
+  return relief.ok() ? *relief : Relief();
+}
+
+/// Of all ends of joins, the lowest height relative to that of the middle.
+double worst_end(const Relief& relief, const Scene& scene) {
+  double worst = 1e300;
+  for (const Join& join : scene.joins) {
+    const Point2 middle = 0.5 * (join.line.front() + join.line.back());
+    for (const Point2 end : {join.line.front(), join.line.back()})
+      worst = std::min(worst, probe(relief, end).h() / probe(relief, middle).h());
+  }
+  return worst;
+}
+
+TEST(Pits, ShowAtTheLegWithStiffBoundsOnly) {
+  const Scene scene = body_and_leg();
+  EXPECT_LT(worst_end(build(scene, 100), scene), 0.75);
+  EXPECT_GT(worst_end(build(scene, 0.01), scene), 0.95);
+}
+
+/// The lowest inflation at a join's end relative to that of the lower part alone.
+double worst_pit(const Scene& scene, double lambda_bnd) {
+  Scene apart = scene;
+  apart.joins.clear();
+  const Relief joined = build(scene, lambda_bnd);
+  const Relief alone = build(apart, lambda_bnd);
+  double worst = 1e300;
+  for (const Join& join : scene.joins)
+    for (const Point2 end : {join.line.front(), join.line.back()})
+      worst = std::min(worst, probe(joined, end).f / probe(alone, end, join.lower).f);
+  return worst;
+}
+
+TEST(Pits, ShowAtTheAnimalWithStiffBoundsOnly) {
+  const auto scene = read_regions(RELIEVO_SHARED_DATA "/regions/animal.json");
+  if (!scene) GTEST_SKIP() << "the shared drawings are not here";
+  EXPECT_LT(worst_pit(*scene, 100), 0.75);
+  EXPECT_GT(worst_pit(*scene, 0.01), 0.9);
+}
+
+}  // namespace
+}  // namespace relievo

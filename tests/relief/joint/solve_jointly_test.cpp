@@ -1,0 +1,198 @@
+#include "relief/joint/solve_jointly.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <string>
+
+#include "support/depth_optimality.h"
+#include "support/enforced_pairs.h"
+#include "support/joint_case.h"
+#include "support/probe.h"
+#include "support/random_scene.h"
+
+namespace relievo {
+namespace {
+
+using namespace testing;
+using Eigen::VectorXd;
+
+/// The work of the depth pairs' forces on f, opposed to the slope of the inflation energy: how far
+/// they are from balance at free nodes and on B, relative to the largest.
+double imbalance_of_inflation(const JointProgram& program, const JointPoint& at) {
+  const JointPoint slope = gradient(program, at);
+  const VectorXd root = VectorXd::NullaryExpr(at.p.size(), [&](Eigen::Index i) {
+    return at.p[i] > 0 ? root_slope(program, at, static_cast<int>(i)) : 0;
+  });
+  double worst = 0;
+  double largest = 0;
+  for (int i = 0; i < at.p.size(); ++i) {
+    const double force = slope.g[program.node[i]];
+    if (on_bound(program, i) && at.p[i] == 0) {
+      worst = std::max(worst, force * program.sign[program.node[i]]);
+      continue;
+    }
+    const double work = force * root[i];
+    worst = std::max(worst, std::abs(slope.p[i] - work));
+    largest = std::max({largest, std::abs(slope.p[i]), std::abs(work)});
+  }
+  return worst / std::max(largest, 1e-3);
+}
+
+class RandomScenes : public ::testing::TestWithParam<double> {};
+
+TEST_P(RandomScenes, EndAtPointsWhereAllForcesBalance) {
+  int pure = 0;
+  for (uint64_t seed = 1; seed <= 40; ++seed) {
+    const JointCase test = joint_case(random_scene(seed), 2000, GetParam());
+    const LayeredMesh& mesh = test.approximate.layers;
+    const JointSolution solution = solve(test);
+    EXPECT_EQ(solution.report.status, JointStatus::solved) << seed;
+    EXPECT_LE(solution.ordering.max_violation, 1e-9) << seed;
+    EXPECT_LE(solution.ordering.report.stationarity, 1e-11) << seed;
+    const DepthOptimality order =
+        check_depth_optimality(mesh, solution.inflation, enforced_pairs(mesh), solution.ordering.h,
+                               test.options.joint.epsilon);
+    EXPECT_LE(order.imbalance, 1e-10) << seed;
+    if (!has_pure_surfaces(mesh, test.scene)) continue;
+    ++pure;
+    const JointProgram program =
+        make_joint_program(mesh, test.scene, test.options.joint, solution.inflation);
+    const JointPoint at = point_of(program, solution.inflation, solution.ordering);
+    EXPECT_LE(imbalance_of_inflation(program, at), 1e-4) << seed;
+  }
+  EXPECT_GE(pure, 20);
+}
+
+TEST_P(RandomScenes, OfTwoThousandNodesConverge) {
+  for (uint64_t seed = 41; seed <= 140; ++seed) {
+    ReliefOptions options;
+    options.method = Method::nonlinear;
+    options.layers.vertex_budget = 2000;
+    options.joint.lambda_bnd = GetParam();
+    const Result<Relief> relief = build_relief(random_scene(seed), options);
+    ASSERT_TRUE(relief.ok()) << seed << to_string(relief.error());
+    EXPECT_EQ(relief->joint.status, JointStatus::solved) << seed;
+    EXPECT_LE(relief->joint.residual, options.joint.tolerance) << seed;
+    EXPECT_LE(relief->ordering.max_violation, 1e-9) << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Lambda, RandomScenes, ::testing::Values(100.0, 0.01));
+
+Scene scaled(Scene scene, double factor) {
+  scene.width *= factor;
+  scene.height *= factor;
+  for (Part& part : scene.parts)
+    for (Ring& ring : part.outline)
+      for (Point2& p : ring) p = factor * p;
+  for (Join& join : scene.joins)
+    for (Point2& p : join.line) p = factor * p;
+  return scene;
+}
+
+TEST(SolveJointly, DoesNotDependOnTheUnitOfLength) {
+  // A power of two scales all numbers exactly.
+  const JointSolution small = solve(joint_case(body_and_leg(), 2000, 1));
+  const JointSolution large = solve(joint_case(scaled(body_and_leg(), 4), 2000, 1));
+  EXPECT_EQ(small.report.energy.total(), large.report.energy.total());
+  ASSERT_EQ(small.ordering.h.size(), large.ordering.h.size());
+  for (size_t n = 0; n < small.ordering.h.size(); ++n)
+    EXPECT_EQ(4 * small.ordering.h[n], large.ordering.h[n]);
+}
+
+TEST(SolveJointly, HardlyDependsOnTheMesh) {
+  const double coarse = solve(joint_case(body_and_leg(), 2500, 100)).report.energy.total();
+  const double fine = solve(joint_case(body_and_leg(), 10000, 100)).report.energy.total();
+  EXPECT_NEAR(coarse, fine, 0.02 * fine);
+}
+
+TEST(SolveJointly, GivesTheSameBitsAgain) {
+  const JointCase test = joint_case(random_scene(5), 2000, 0.01);
+  const JointSolution a = solve(test);
+  const JointSolution b = solve(test);
+  EXPECT_EQ(a.inflation.u, b.inflation.u);
+  EXPECT_EQ(a.ordering.h, b.ordering.h);
+}
+
+TEST(SolveJointly, IsThePoissonInflationWhereNothingPresses) {
+  Scene scene = canvas();
+  scene.parts = {part("disc", circle({200, 200}, 100))};
+  const JointCase test = joint_case(scene, 2000, 1);
+  const JointSolution solution = solve(test);
+  EXPECT_NEAR(solution.report.energy.total(), 0, 1e-20);
+  for (size_t n = 0; n < solution.inflation.u.size(); ++n) {
+    EXPECT_NEAR(solution.inflation.u[n], test.approximate.inflation.u[n], 1e-7);
+    EXPECT_EQ(solution.ordering.g[n], 0);
+  }
+}
+
+TEST(SolveJointly, DoesNotDependOnTheStart) {
+  JointCase test = joint_case(body_and_leg(), 2000, 100);
+  const JointSolution usual = solve(test);
+  for (double& u : test.approximate.inflation.u) u = 0.25 * u + 100;
+  const JointSolution other = solve(test);
+  EXPECT_NEAR(other.report.energy.total(), usual.report.energy.total(),
+              1e-9 * usual.report.energy.total());
+}
+
+TEST(SolveJointly, RecordsEveryStep) {
+  const JointSolution solution = solve(joint_case(body_and_leg(), 2000, 100));
+  const std::vector<JointStep>& steps = solution.report.steps;
+  ASSERT_GE(steps.size(), 3u);
+  EXPECT_GT(steps.front().residual, steps.back().residual);
+  EXPECT_EQ(steps.back().residual, solution.report.residual);
+  for (const JointStep& step : steps) EXPECT_GE(step.factorisations, 1);
+  EXPECT_NEAR(steps.back().energy.total(), solution.report.energy.total(),
+              1e-6 * solution.report.energy.total());
+}
+
+TEST(SolveJointly, TellsWhenItRunsOutOfSteps) {
+  JointCase test = joint_case(body_and_leg(), 1000, 100);
+  test.options.joint.max_iterations = 2;
+  const JointSolution solution = solve(test);
+  EXPECT_EQ(solution.report.status, JointStatus::iteration_limit);
+  EXPECT_LE(solution.ordering.max_violation, 1e-9);
+}
+
+TEST(SolveJointly, ReportsProgressAndStopsWhenAsked) {
+  const JointCase test = joint_case(body_and_leg(), 1000, 100);
+  std::atomic<bool> cancel = false;
+  int calls = 0;
+  RunContext context;
+  context.cancel = &cancel;
+  context.progress = [&](const char* stage, double fraction) {
+    EXPECT_EQ(std::string(stage), "nonlinear");
+    EXPECT_GE(fraction, 0);
+    EXPECT_LE(fraction, 1);
+    cancel = ++calls == 2;
+  };
+  const Relief& start = test.approximate;
+  const auto solution =
+      solve_jointly(start.layers, test.scene, start.inflation, test.options.joint, context);
+  ASSERT_FALSE(solution.ok());
+  EXPECT_EQ(solution.error().code, ErrorCode::interrupted);
+  EXPECT_EQ(calls, 2);
+}
+
+TEST(SolveJointly, RefusesOptionsThatMakeNoSense) {
+  const JointCase test = joint_case(body_and_leg(), 300, 100);
+  const Relief& start = test.approximate;
+  const auto where = [&](auto change) {
+    JointOptions options = test.options.joint;
+    change(options);
+    const auto solution = solve_jointly(start.layers, test.scene, start.inflation, options);
+    return solution.ok() ? "accepted" : solution.error().where;
+  };
+  EXPECT_EQ(where([](JointOptions& o) { o.lambda_bnd = 0; }), "lambda_bnd");
+  EXPECT_EQ(where([](JointOptions& o) { o.lambda_shift = -1; }), "lambda_shift");
+  EXPECT_EQ(where([](JointOptions& o) { o.tolerance = std::nan(""); }), "tolerance");
+  EXPECT_EQ(where([](JointOptions& o) { o.max_iterations = 0; }), "max_iterations");
+  EXPECT_EQ(where([](JointOptions& o) { o.anderson_depth = -1; }), "anderson_depth");
+  EXPECT_EQ(where([](JointOptions& o) { o.epsilon = 0; }), "epsilon");
+  EXPECT_EQ(where([](JointOptions& o) { o.max_rounds = -1; }), "max_rounds");
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "relief/inflation/inflation.h"
+#include "relief/joint/solve_jointly.h"
+#include "relief/layers/layered_mesh.h"
+#include "relief/ordering/ordering.h"
+#include "relief/scene/scene.h"
+
+namespace relievo::testing {
+
+/// The joint problem as a general non-linear program, put together from the operators alone. Scene
+/// units. The unknowns p are |u| at free nodes and |f| on B, both >= 0, and g at all nodes.
+/// Surfaces have one sign each.
+struct JointProgram {
+  double scale = 1;  ///< scene units per px
+  double lambda_bnd = 1;
+  double lambda_shift = 1;
+  Eigen::SparseMatrix<double> L;
+  Eigen::SparseMatrix<double> A;  ///< L + epsilon M
+  Eigen::VectorXd mass;
+  Eigen::VectorXd load;
+  Eigen::VectorXd sign;          ///< #N, of u
+  Eigen::VectorXd bound_mass;    ///< #N, 0 off B
+  Eigen::VectorXd held;          ///< #N, u where it is held, 0 elsewhere
+  std::vector<int> row;          ///< #N: unknown of the node, -1 where it is held
+  std::vector<int> node;         ///< of each unknown
+  std::vector<DepthPair> pairs;  ///< that are enforced
+};
+
+/// A point of the program.
+struct JointPoint {
+  Eigen::VectorXd p;  ///< one per unknown
+  Eigen::VectorXd g;  ///< #N
+};
+
+/// B are the nodes under ranges that are glued. The others, and free nodes with u = 0, are held at
+/// the u of `inflation`.
+JointProgram make_joint_program(const LayeredMesh& mesh, const Scene& scene,
+                                const JointOptions& options, const Inflation& inflation);
+
+/// Whether every surface inflates in one direction.
+bool has_pure_surfaces(const LayeredMesh& mesh, const Scene& scene);
+
+JointPoint point_of(const JointProgram& program, const Inflation& inflation,
+                    const Ordering& ordering);
+
+bool on_bound(const JointProgram& program, int unknown);
+
+/// u at all nodes.
+Eigen::VectorXd squares(const JointProgram& program, const Eigen::VectorXd& p);
+
+double energy(const JointProgram& program, const JointPoint& point);
+
+/// Derivatives of the energy.
+JointPoint gradient(const JointProgram& program, const JointPoint& point);
+
+/// f + g at all nodes.
+Eigen::VectorXd heights(const JointProgram& program, const JointPoint& point);
+
+/// Derivative of f at the node of an unknown.
+double root_slope(const JointProgram& program, const JointPoint& point, int unknown);
+
+/// Worst violation of the pairs.
+double violation(const JointProgram& program, const JointPoint& point);
+
+}  // namespace relievo::testing
