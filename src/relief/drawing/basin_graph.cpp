@@ -87,18 +87,22 @@ class PairCollector {
 
 }  // namespace
 
+std::vector<BasinBorder> borders_within(const Basins& basins, int x0, int y0, int x1, int y1) {
+  PairCollector pairs(basins);
+  const auto w = static_cast<size_t>(basins.index.width);
+  for (int y = y0; y < y1; ++y)
+    for (int x = x0; x < x1; ++x) {
+      const size_t i = static_cast<size_t>(y) * w + x;
+      if (x + 1 < x1) pairs.add(i, i + 1);
+      if (y + 1 < y1) pairs.add(i, i + w);
+    }
+  return pairs.borders();
+}
+
 void measure_basins(const Image8& rgb, Basins& basins) {
   measure_areas(rgb, basins);
   measure_boxes(basins);
-  PairCollector pairs(basins);
-  const auto w = static_cast<size_t>(basins.index.width);
-  for (int y = 0; y < basins.index.height; ++y)
-    for (size_t x = 0; x < w; ++x) {
-      const size_t i = static_cast<size_t>(y) * w + x;
-      if (x + 1 < w) pairs.add(i, i + 1);
-      if (y + 1 < basins.index.height) pairs.add(i, i + w);
-    }
-  basins.borders = pairs.borders();
+  basins.borders = borders_within(basins, 0, 0, basins.index.width, basins.index.height);
 }
 
 }  // namespace relievo
