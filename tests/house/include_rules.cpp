@@ -31,18 +31,21 @@ const Names joint_folders = {"inflation", "ordering"};
 
 /// What a stage hands on: its struct and views of it. Everything else in its folder is its own.
 const Names stage_structs = {
-    "drawing/drawing.h",       "inflation/inflation.h", "joint/joint_solution.h",
-    "layers/joined_surface.h", "layers/layered_mesh.h", "model/model.h",
-    "ordering/ordering.h",     "scene/scene.h",
+    "drawing/drawing.h",     "drawing/scribbles.h",    "drawing/segmentation.h",
+    "inflation/inflation.h", "joint/joint_solution.h", "layers/joined_surface.h",
+    "layers/layered_mesh.h", "model/model.h",          "ordering/ordering.h",
+    "scene/scene.h",
 };
 
 /// Besides, files and pictures may use what the last stage derives from a model.
 const Names model_views = {"model/model_texture.h", "model/relief_maps.h"};
 
 /// The verbs of the stages, for the pipeline alone.
-const Names stage_verbs = {"inflation/inflate.h",  "joint/solve_jointly.h",
-                           "layers/layer_parts.h", "model/assemble_model.h",
-                           "model/relief_maps.h",  "ordering/order_depth.h"};
+const Names stage_verbs = {"drawing/find_basins.h",    "drawing/label_basins.h",
+                           "drawing/label_outlines.h", "drawing/segment_drawing.h",
+                           "inflation/inflate.h",      "joint/solve_jointly.h",
+                           "layers/layer_parts.h",     "model/assemble_model.h",
+                           "model/relief_maps.h",      "ordering/order_depth.h"};
 
 struct Place {
   std::string top;     ///< kernel, relief, io, render, apps, tests, benchmarks
