@@ -40,10 +40,14 @@ class ArcTracer {
   /// Labels to the right and left of the side that leaves `c` in direction d.
   std::pair<uint16_t, uint16_t> sides(PixelCorner c, int d) const {
     switch (d) {
-      case 0: return {label(c.x, c.y), label(c.x, c.y - 1)};
-      case 1: return {label(c.x - 1, c.y), label(c.x, c.y)};
-      case 2: return {label(c.x - 1, c.y - 1), label(c.x - 1, c.y)};
-      default: return {label(c.x, c.y - 1), label(c.x - 1, c.y - 1)};
+      case 0:
+        return {label(c.x, c.y), label(c.x, c.y - 1)};
+      case 1:
+        return {label(c.x - 1, c.y), label(c.x, c.y)};
+      case 2:
+        return {label(c.x - 1, c.y - 1), label(c.x - 1, c.y)};
+      default:
+        return {label(c.x, c.y - 1), label(c.x - 1, c.y - 1)};
     }
   }
 
@@ -72,9 +76,7 @@ class ArcTracer {
       }
   }
 
-  uint8_t& visited(PixelCorner c) {
-    return visited_[static_cast<size_t>(c.y) * across_ + c.x];
-  }
+  uint8_t& visited(PixelCorner c) { return visited_[static_cast<size_t>(c.y) * across_ + c.x]; }
 
   /// Follows the boundary from `start` in direction d to the next junction or back to `start`.
   void follow(PixelCorner start, int d) {
@@ -165,7 +167,8 @@ class RingJoiner {
                                         Departure{arrival.label, at, {-1, true}});
     size_t best = departures_.size();
     int best_turn = -2;
-    for (auto d = first; d != departures_.end() && d->label == arrival.label && d->from == at; ++d) {
+    for (auto d = first; d != departures_.end() && d->label == arrival.label && d->from == at;
+         ++d) {
       const PixelCorner next = corner_from_end({d->use.arc, !d->use.forward}, 1);
       const int turn = dx * (next.y - at.y) - dy * (next.x - at.x);
       if (turn <= best_turn) continue;

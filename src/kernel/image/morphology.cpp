@@ -3,28 +3,37 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cstring>
 #include <utility>
 #include <vector>
 
 namespace relievo {
 namespace {
 
-/// Running maxima of blocks of `window` rows, from their first row down and from their last up.
-/// The largest of any `window` rows is then the larger of two of them.
-Image8 max_over_columns(const Image8& image, int radius) {
+struct Larger {
+  uint8_t operator()(uint8_t a, uint8_t b) const { return a > b ? a : b; }
+};
+struct Smaller {
+  uint8_t operator()(uint8_t a, uint8_t b) const { return a < b ? a : b; }
+};
+
+template <class Pick>
+void pick_rows(const uint8_t* a, const uint8_t* b, uint8_t* out, size_t n, const Pick& pick) {
+  for (size_t i = 0; i < n; ++i) out[i] = pick(a[i], b[i]);
+}
+
+/// Running extremes of blocks of `window` rows, from their first row down and from their last up.
+/// The extreme of any `window` rows is then that of two of them.
+template <class Pick>
+Image8 filter_columns(const Image8& image, int radius, const Pick& pick) {
   const int window = 2 * radius + 1;
   const int h = image.height;
   const size_t n = static_cast<size_t>(image.width) * image.channels;
-  const auto larger = [n](const uint8_t* a, const uint8_t* b, uint8_t* out) {
-    for (size_t i = 0; i < n; ++i) out[i] = std::max(a[i], b[i]);
-  };
   Image8 down = image;
   for (int y = 1; y < h; ++y)
-    if (y % window != 0) larger(&down.at(0, y - 1), &down.at(0, y), &down.at(0, y));
+    if (y % window != 0) pick_rows(&down.at(0, y - 1), &down.at(0, y), &down.at(0, y), n, pick);
   Image8 up = image;
   for (int y = h - 2; y >= 0; --y)
-    if ((y + 1) % window != 0) larger(&up.at(0, y + 1), &up.at(0, y), &up.at(0, y));
+    if ((y + 1) % window != 0) pick_rows(&up.at(0, y + 1), &up.at(0, y), &up.at(0, y), n, pick);
   Image8 result(image.width, h, image.channels);
   for (int y = 0; y < h; ++y) {
     const int first = std::max(0, y - radius);
@@ -34,26 +43,47 @@ Image8 max_over_columns(const Image8& image, int radius) {
     const bool in_one_block = first / window == last / window;
     const uint8_t* head = from_start ? &down.at(0, last) : &up.at(0, first);
     const uint8_t* tail = in_one_block ? head : &down.at(0, last);
-    larger(head, tail, &result.at(0, y));
+    pick_rows(head, tail, &result.at(0, y), n, pick);
   }
   return result;
 }
 
-Image8 transpose(const Image8& image) {
-  constexpr int block = 32;
-  const int channels = image.channels;
-  Image8 result(image.height, image.width, channels);
-  for (int y0 = 0; y0 < image.height; y0 += block)
-    for (int x0 = 0; x0 < image.width; x0 += block)
-      for (int y = y0; y < std::min(image.height, y0 + block); ++y)
-        for (int x = x0; x < std::min(image.width, x0 + block); ++x)
-          std::memcpy(&result.at(y, x), &image.at(x, y), channels);
-  return result;
+template <int channels>
+void transpose_block(const Image8& image, Image8& result, int x0, int y0, int block) {
+  const int x1 = std::min(image.width, x0 + block);
+  const int y1 = std::min(image.height, y0 + block);
+  for (int x = x0; x < x1; ++x) {
+    uint8_t* out = &result.at(y0, x);
+    for (int y = y0; y < y1; ++y) {
+      const uint8_t* in = &image.pixels[(static_cast<size_t>(y) * image.width + x) * channels];
+      for (int c = 0; c < channels; ++c) *out++ = in[c];
+    }
+  }
 }
 
-Image8 inverted(Image8 image) {
-  for (uint8_t& value : image.pixels) value = static_cast<uint8_t>(255 - value);
-  return image;
+Image8 transpose(const Image8& image) {
+  constexpr int block = 32;
+  Image8 result(image.height, image.width, image.channels);
+  const auto each_block = [&](auto transpose_one) {
+    for (int y = 0; y < image.height; y += block)
+      for (int x = 0; x < image.width; x += block) transpose_one(image, result, x, y, block);
+  };
+  assert(image.channels >= 1 && image.channels <= 4);
+  switch (image.channels) {
+    case 1:
+      each_block(transpose_block<1>);
+      break;
+    case 2:
+      each_block(transpose_block<2>);
+      break;
+    case 3:
+      each_block(transpose_block<3>);
+      break;
+    default:
+      each_block(transpose_block<4>);
+      break;
+  }
+  return result;
 }
 
 using Ring8 = std::array<uint8_t, 8>;  ///< neighbours clockwise from the one above, 0 or 1
@@ -93,15 +123,23 @@ bool is_removable(const Ring8& p, int half) {
 Image8 max_filter(const Image8& image, int radius) {
   assert(radius >= 0);
   if (radius == 0 || image.empty()) return image;
-  return transpose(max_over_columns(transpose(max_over_columns(image, radius)), radius));
+  const Image8 columns = transpose(filter_columns(image, radius, Larger()));
+  return transpose(filter_columns(columns, radius, Larger()));
 }
 
 Image8 min_filter(const Image8& image, int radius) {
-  return inverted(max_filter(inverted(image), radius));
+  assert(radius >= 0);
+  if (radius == 0 || image.empty()) return image;
+  const Image8 columns = transpose(filter_columns(image, radius, Smaller()));
+  return transpose(filter_columns(columns, radius, Smaller()));
 }
 
 Image8 close_gaps(const Image8& image, int radius) {
-  return min_filter(max_filter(image, radius), radius);
+  assert(radius >= 0);
+  if (radius == 0 || image.empty()) return image;
+  const Image8 columns = transpose(filter_columns(image, radius, Larger()));
+  const Image8 squares = filter_columns(columns, radius, Larger());
+  return filter_columns(transpose(filter_columns(squares, radius, Smaller())), radius, Smaller());
 }
 
 Image8 thin(const Image8& mask) {

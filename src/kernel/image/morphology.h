@@ -5,8 +5,8 @@
 namespace relievo {
 
 /// Largest value within the square of side 2 radius + 1 around each pixel, clipped by the image;
-/// each channel by itself. Precondition: radius >= 0. O(values), whatever the radius (van Herk,
-/// Gil and Werman 1992).
+/// each channel by itself. Preconditions: radius >= 0, at most 4 channels. O(values), whatever the
+/// radius (van Herk, Gil and Werman 1992).
 Image8 max_filter(const Image8& image, int radius);
 
 /// Smallest value within that square.

@@ -14,8 +14,8 @@ namespace {
 /// Calls visit(index) for the up to four pixels that share a side with pixel i.
 template <class Visit>
 void for_sides(int32_t i, int width, int height, const Visit& visit) {
-  const int x = i % width;
-  const int y = i / width;
+  const int y = static_cast<int>(static_cast<uint32_t>(i) / static_cast<uint32_t>(width));
+  const int x = i - y * width;
   if (y > 0) visit(i - width);
   if (x > 0) visit(i - 1);
   if (x + 1 < width) visit(i + 1);
@@ -47,17 +47,17 @@ class HeightQueues {
 };
 
 /// Steps of distance that the descending order tells apart, per px.
-constexpr double level_steps = 8;
+constexpr float level_steps = 8;
 
 /// Pixels of positive distance, highest first, by counting sort; raster order within a level.
 std::vector<int32_t> descending(const Image<int32_t>& squared, std::vector<int32_t>& level) {
   const size_t n = squared.pixels.size();
   level.assign(n, 0);
   int32_t top = 0;
-  const double cap = squared.width + squared.height;
+  const auto cap = static_cast<float>(squared.width + squared.height);
   for (size_t i = 0; i < n; ++i) {
-    const double distance = std::min(cap, std::sqrt(static_cast<double>(squared.pixels[i])));
-    level[i] = static_cast<int32_t>(std::lround(distance * level_steps));
+    const float distance = std::min(cap, std::sqrt(static_cast<float>(squared.pixels[i])));
+    level[i] = static_cast<int32_t>(distance * level_steps + 0.5F);
     top = std::max(top, level[i]);
   }
   std::vector<int32_t> begin(static_cast<size_t>(top) + 2, 0);
@@ -92,7 +92,8 @@ class Peaks {
     if (a == b) return;
     const auto [older, younger] = std::minmax({a, b});
     const double peak = peak_[younger];
-    if (peak - pass < options_.min_rise * level_steps || pass > options_.max_pass_ratio * peak)
+    if (peak - pass < options_.min_rise * double{level_steps} ||
+        pass > options_.max_pass_ratio * peak)
       parent_[younger] = older;
   }
 
@@ -103,7 +104,7 @@ class Peaks {
     for (size_t i = 1; i < parent_.size(); ++i) {
       if (find(static_cast<int32_t>(i)) == static_cast<int32_t>(i)) {
         numbers[i] = static_cast<int32_t>(peaks.size());
-        peaks.push_back(peak_[i] / level_steps);
+        peaks.push_back(peak_[i] / double{level_steps});
       } else {
         numbers[i] = numbers[parent_[i]];
       }

@@ -49,16 +49,7 @@ class PairCollector {
       : basins_(basins), unit_(white_cost(basins.index.width, basins.index.height)) {}
 
   void add(size_t i, size_t j) {
-    const int32_t a = basins_.index.pixels[i];
-    const int32_t b = basins_.index.pixels[j];
-    if (a == b) return;
-    const uint8_t p = basins_.barrier.pixels[i];
-    const uint8_t q = basins_.barrier.pixels[j];
-    const bool line = p == LineMap::line || q == LineMap::line;
-    const bool edge = !line && (p == LineMap::edge || q == LineMap::edge);
-    const int64_t white = 255 - std::max(basins_.ink.pixels[i], basins_.ink.pixels[j]);
-    pairs_.push_back({std::min(a, b), std::max(a, b), 1, line ? 1 : 0, edge ? 1 : 0,
-                      1 + unit_ * white * white / (255 * 255)});
+    if (basins_.index.pixels[i] != basins_.index.pixels[j]) add_pair(i, j);
   }
 
   std::vector<BasinBorder> borders() {
@@ -80,6 +71,18 @@ class PairCollector {
   }
 
  private:
+  void add_pair(size_t i, size_t j) {
+    const int32_t a = basins_.index.pixels[i];
+    const int32_t b = basins_.index.pixels[j];
+    const uint8_t p = basins_.barrier.pixels[i];
+    const uint8_t q = basins_.barrier.pixels[j];
+    const bool line = p == LineMap::line || q == LineMap::line;
+    const bool edge = !line && (p == LineMap::edge || q == LineMap::edge);
+    const int64_t white = 255 - std::max(basins_.ink.pixels[i], basins_.ink.pixels[j]);
+    pairs_.push_back({std::min(a, b), std::max(a, b), 1, line ? 1 : 0, edge ? 1 : 0,
+                      1 + unit_ * white * white / (255 * 255)});
+  }
+
   const Basins& basins_;
   int64_t unit_;
   std::vector<BasinBorder> pairs_;

@@ -2,18 +2,18 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cassert>
+#include <vector>
 
 #include "kernel/image/blur.h"
 
 namespace relievo {
 namespace {
 
-constexpr int fit_side = 96;          ///< cells along the longer side that the light is fitted to
+constexpr int fit_side = 48;          ///< cells along the longer side that the light is fitted to
 constexpr int fit_rounds = 12;        ///< of reweighting; the weights settle in about eight
 constexpr double dark_weight = 0.02;  ///< of cells below the fit, which may be ink or paint
-constexpr double darkest_paper = 40;  ///< light below which nothing is divided out
+constexpr float darkest_paper = 40;   ///< light below which nothing is divided out
 
 /// Whether the opaque pixels are light and few: lines meant for a dark ground.
 bool is_light_on_nothing(const Image8& rgba) {
@@ -28,22 +28,26 @@ bool is_light_on_nothing(const Image8& rgba) {
   return opaque < pixels / 4 && light > opaque * 9 / 10;
 }
 
-Image8 composite(const Image8& rgba) {
-  const bool invert = is_light_on_nothing(rgba);
-  Image8 rgb(rgba.width, rgba.height, 3);
-  for (size_t i = 0, o = 0; i < rgba.pixels.size(); i += 4)
-    for (size_t c = 0; c < 3; ++c) {
-      const int value = invert ? 255 - rgba.pixels[i + c] : rgba.pixels[i + c];
-      const int alpha = rgba.pixels[i + 3];
-      rgb.pixels[o++] = static_cast<uint8_t>((value * alpha + 255 * (255 - alpha) + 127) / 255);
-    }
-  return rgb;
-}
-
 bool has_transparency(const Image8& rgba) {
   for (size_t i = 3; i < rgba.pixels.size(); i += 4)
     if (rgba.pixels[i] < 128) return true;
   return false;
+}
+
+Image8 composite(const Image8& rgba, bool invert) {
+  const uint8_t flip = invert ? 255 : 0;
+  Image8 rgb(rgba.width, rgba.height, 3);
+  const uint8_t* in = rgba.pixels.data();
+  for (uint8_t* out = rgb.pixels.data(); out != rgb.pixels.data() + rgb.pixels.size(); in += 4) {
+    const uint32_t alpha = in[3];
+    for (int c = 0; c < 3; ++c) {
+      const auto value = static_cast<uint8_t>(in[c] ^ flip);
+      *out++ = alpha == 255
+                   ? value
+                   : static_cast<uint8_t>((value * alpha + 255 * (255 - alpha) + 127) / 255);
+    }
+  }
+  return rgb;
 }
 
 using Quadratic = Eigen::Matrix<double, 6, 1>;
@@ -77,16 +81,19 @@ Quadratic fit_light(const Image8& cells, int channel) {
 }
 
 void divide_by(Image8& rgb, int channel, const Quadratic& light) {
+  std::vector<float> u(static_cast<size_t>(rgb.width));
+  for (int x = 0; x < rgb.width; ++x) u[x] = static_cast<float>(position(x, rgb.width));
+  std::vector<float> scale(u.size());
   for (int y = 0; y < rgb.height; ++y) {
     const double v = position(y, rgb.height);
-    const double constant = light[0] + light[2] * v + light[5] * v * v;
-    const double linear = light[1] + light[4] * v;
-    for (int x = 0; x < rgb.width; ++x) {
-      const double u = position(x, rgb.width);
-      const double paper = std::max(darkest_paper, constant + (linear + light[3] * u) * u);
-      uint8_t& value = rgb.at(x, y, channel);
-      value = static_cast<uint8_t>(std::min(255.0, value * 255 / paper + 0.5));
-    }
+    const auto constant = static_cast<float>(light[0] + light[2] * v + light[5] * v * v);
+    const auto linear = static_cast<float>(light[1] + light[4] * v);
+    const auto square = static_cast<float>(light[3]);
+    for (size_t x = 0; x < u.size(); ++x)
+      scale[x] = 255 / std::max(darkest_paper, constant + (linear + square * u[x]) * u[x]);
+    uint8_t* value = &rgb.at(0, y, channel);
+    for (size_t x = 0; x < u.size(); ++x, value += 3)
+      *value = static_cast<uint8_t>(std::min(255.0F, *value * scale[x] + 0.5F));
   }
 }
 
@@ -98,8 +105,9 @@ bool is_white(const Quadratic& light) {
 
 Image8 remove_paper(const Image8& rgba) {
   assert(rgba.channels == 4);
-  Image8 rgb = composite(rgba);
-  if (rgb.empty() || has_transparency(rgba)) return rgb;
+  const bool transparent = has_transparency(rgba);
+  Image8 rgb = composite(rgba, transparent && is_light_on_nothing(rgba));
+  if (rgb.empty() || transparent) return rgb;
   const int factor = (std::max(rgb.width, rgb.height) + fit_side - 1) / fit_side;
   const Image8 cells = shrink(rgb, factor);
   for (int c = 0; c < 3; ++c)
