@@ -11,16 +11,13 @@ constexpr int64_t soft_pixels_per_white = 20;
 
 /// The labels that basins of a region may take; empty where the region stays as proposed.
 std::set<int> allowed_labels(const BasinVotes& votes, int region, int part_count, bool join) {
-  const std::set<int>& said = votes.labels_in_region[region];
-  if (!join || votes.is_hole[region]) return said;
+  std::set<int> labels = votes.labels_in_region[region];
   if (region == 0) {
-    std::set<int> labels = said;
-    labels.insert(0);
-    return labels;
+    if (!labels.empty()) labels.insert(0);
+  } else if (join && !votes.is_hole[region]) {
+    for (int label = 0; label <= part_count; ++label) labels.insert(label);
   }
-  std::set<int> all;
-  for (int label = 0; label <= part_count; ++label) all.insert(label);
-  return all;
+  return labels;
 }
 
 /// The energy of the basins that are free to choose.
@@ -67,8 +64,16 @@ class LabelProblem {
       int64_t value = allowed.count(label) > 0 ? 0 : CutGraph::forbidden;
       for (const auto& [other, pixels] : votes_.soft[basin])
         if (other != label) value += vote * pixels;
+      if (label != 0) value += cost_at_edge(basins_.basins[basin]);
       problem_.costs.push_back(value);
     }
+  }
+
+  /// Outside the image lies background, without a line between.
+  int64_t cost_at_edge(const Basin& basin) const {
+    int64_t pixels = 0;
+    for (const int64_t count : basin.at_edge) pixels += count;
+    return pixels * white_cost(basins_.index.width, basins_.index.height);
   }
 
   void bar_all_but(int basin, int label) {

@@ -9,9 +9,8 @@
 namespace relievo {
 namespace {
 
-constexpr double tolerance = 1;     ///< px that a bridge may depart from the sides of pixels
-constexpr size_t shortest_gap = 2;  ///< sides of pixels; a single one is noise in the line
-constexpr int line_margin = 1;      ///< px by which a boundary may leave the line it runs along
+constexpr double tolerance = 1;  ///< px that a bridge may depart from the sides of pixels
+constexpr int line_margin = 1;   ///< px by which a boundary may leave the line it runs along
 
 /// Whether the side of a pixel from a to b lies open on both sides, within the image.
 bool is_open(const Image8& barrier, PixelCorner a, PixelCorner b) {
@@ -58,7 +57,8 @@ Bridge bridge_of(const LabelArc& arc, size_t first, size_t last) {
 
 }  // namespace
 
-std::vector<Bridge> find_bridges(const Image16& labels, const Image8& barrier) {
+std::vector<Bridge> find_bridges(const Image16& labels, const Image8& barrier, double line_width) {
+  const auto shortest = static_cast<size_t>(std::max(3.0, line_width));
   const Image8 near_line = max_filter(barrier, line_margin);
   std::vector<Bridge> bridges;
   for (const LabelArc& arc : trace_label_arcs(labels)) {
@@ -66,7 +66,7 @@ std::vector<Bridge> find_bridges(const Image16& labels, const Image8& barrier) {
     for (size_t first = 0, last = 0; first < sides; first = last + 1) {
       last = first;
       while (last < sides && is_open(near_line, arc.corners[last], arc.corners[last + 1])) ++last;
-      if (last - first >= shortest_gap) bridges.push_back(bridge_of(arc, first, last));
+      if (last - first >= shortest) bridges.push_back(bridge_of(arc, first, last));
     }
   }
   return bridges;

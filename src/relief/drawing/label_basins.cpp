@@ -127,7 +127,7 @@ Segmentation assemble(const Basins& basins, const std::vector<int>& labels,
     segmentation.labels.pixels[i] = of_basin[basins.index.pixels[i]];
   segmentation.ink = basins.ink;
   measure_parts(segmentation);
-  segmentation.bridges = find_bridges(segmentation.labels, basins.barrier);
+  segmentation.bridges = find_bridges(segmentation.labels, basins.barrier, basins.line_width);
   add_notes(basins, scribbles, segmentation);
   return segmentation;
 }

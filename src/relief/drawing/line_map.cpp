@@ -15,7 +15,9 @@ namespace relievo {
 namespace {
 
 constexpr double painted_share = 0.01;  ///< of the picture that is covered by wide colour
-constexpr int paper_level = 220;        ///< darkest that paper gets, of 255
+constexpr int paint_level = 220;        ///< lightest that an area of paint is, of 255
+constexpr int paper_level = 200;        ///< darkest that paper between lines gets, of 255
+constexpr double paper_share = 0.7;     ///< of a line drawing that is paper, at least
 constexpr int faintest_line = 14;       ///< contrast below which everything is grain, of 255
 
 int widest_half_line(const Image8& image) {
@@ -30,7 +32,7 @@ bool is_painted(const Image8& rgb) {
   Image8 covered(cells.width, cells.height, 1);
   for (size_t i = 0; i < covered.pixels.size(); ++i) {
     const uint8_t* cell = &cells.pixels[3 * i];
-    covered.pixels[i] = std::min({cell[0], cell[1], cell[2]}) < paper_level ? 1 : 0;
+    covered.pixels[i] = std::min({cell[0], cell[1], cell[2]}) < 220 ? 1 : 0;
   }
   const Image8 wide = min_filter(covered, widest_half_line(cells) + 1);
   const auto count = std::count(wide.pixels.begin(), wide.pixels.end(), 1);
@@ -49,13 +51,16 @@ Image8 line_values(const Image8& rgb, bool painted) {
 }
 
 /// How much darker a pixel is than the darker of what lies on both sides of it. Among paint, the
-/// grain of a pencil differs as much as a faint line, but is not as dark.
+/// grain of a pencil differs as much as a faint line, but is not as dark. On paper, shades within
+/// ink are not lines.
 Image8 darker_than_around(const Image8& values, bool painted) {
   Image8 ink = close_gaps(values, widest_half_line(values));
   for (size_t i = 0; i < values.pixels.size(); ++i) {
-    const int contrast = ink.pixels[i] - values.pixels[i];
+    const int around = ink.pixels[i];
+    const int contrast = around - values.pixels[i];
+    const int on_paper = around < paper_level ? contrast / 3 : contrast;
     ink.pixels[i] =
-        static_cast<uint8_t>(painted ? contrast * (255 - values.pixels[i]) / 255 : contrast);
+        static_cast<uint8_t>(painted ? contrast * (255 - values.pixels[i]) / 255 : on_paper);
   }
   return ink;
 }
@@ -85,12 +90,33 @@ int otsu_threshold(const std::array<int64_t, 256>& counts) {
   return threshold;
 }
 
-/// Contrast that a line certainly has, from the contrasts above the grain.
-int line_threshold(const Image8& ink) {
+/// What three quarters of the contrasts between none and `line` stay below.
+int grain_contrast(const std::array<int64_t, 256>& counts, int line) {
+  int64_t total = 0;
+  for (int v = 1; v < line; ++v) total += counts[v];
+  int64_t below = 0;
+  for (int v = 1; v < line; ++v)
+    if ((below += counts[v]) * 4 >= total * 3) return v;
+  return 0;
+}
+
+/// Contrasts that a line certainly has somewhere, and that it has at least.
+struct LineThresholds {
+  int sure = 0;
+  int possible = 0;
+};
+
+/// From the contrasts above the grain. On paper, a line may get as faint as the grain allows; among
+/// paint it must stay darker than the strokes that fill areas.
+LineThresholds line_thresholds(const Image8& ink, bool painted) {
   std::array<int64_t, 256> counts = {};
   for (const uint8_t value : ink.pixels) ++counts[value];
-  std::fill(counts.begin(), counts.begin() + faintest_line / 2, 0);
-  return std::max(faintest_line, otsu_threshold(counts));
+  std::array<int64_t, 256> above_grain = counts;
+  std::fill(above_grain.begin(), above_grain.begin() + faintest_line / 2, 0);
+  const int typical = otsu_threshold(above_grain);
+  const int sure = std::max(faintest_line, painted ? typical : 3 * typical / 5);
+  const int possible = painted ? 2 * sure / 3 : 7 * grain_contrast(counts, typical) / 2;
+  return {sure, std::clamp(possible, faintest_line, sure)};
 }
 
 /// Twice the area of the lines over the length of their rim, which is counted along pixel sides.
@@ -115,12 +141,11 @@ LineMap find_lines(const Image8& rgb) {
   map.painted = is_painted(rgb);
   const Image8 values = line_values(rgb, map.painted);
   map.ink = darker_than_around(values, map.painted);
-  const int sure = line_threshold(map.ink);
-  const int possible = map.painted ? 2 * sure / 3 : sure / 2;
-  map.barrier = connected_above(map.ink, std::max(faintest_line, possible), sure);
+  const LineThresholds thresholds = line_thresholds(map.ink, map.painted);
+  map.barrier = connected_above(map.ink, thresholds.possible, thresholds.sure);
   map.line_width = typical_width(map.barrier);
   for (uint8_t& value : map.ink.pixels)
-    value = static_cast<uint8_t>(std::min(255, 128 * value / sure));
+    value = static_cast<uint8_t>(std::min(255, 128 * value / thresholds.sure));
   add_colour_edges(rgb, map);
   return map;
 }
