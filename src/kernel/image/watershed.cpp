@@ -150,15 +150,15 @@ PeakBasins peak_basins(const Image<int32_t>& squared_distance, const BasinOption
   std::vector<int32_t> level;
   Peaks peaks(options);
   for (const int32_t i : descending(squared_distance, level)) {
-    int32_t mine = 0;
+    int32_t uphill = -1;
     for_sides(i, basins.label.width, basins.label.height, [&](int32_t j) {
       if (label[j] == 0) return;
-      if (mine == 0)
-        mine = peaks.find(label[j]);
-      else
-        peaks.meet(mine, label[j], level[i]);
+      if (uphill < 0 || squared_distance.pixels[j] > squared_distance.pixels[uphill]) uphill = j;
     });
-    label[i] = mine != 0 ? mine : peaks.add(level[i]);
+    label[i] = uphill >= 0 ? peaks.find(label[uphill]) : peaks.add(level[i]);
+    for_sides(i, basins.label.width, basins.label.height, [&](int32_t j) {
+      if (label[j] != 0 && label[j] != label[i]) peaks.meet(label[i], label[j], level[i]);
+    });
   }
   const std::vector<int32_t> numbers = peaks.number(basins.peaks);
   for (int32_t& l : label) l = numbers[l];

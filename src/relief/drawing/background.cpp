@@ -10,7 +10,7 @@ namespace {
 
 constexpr double paper_distance = 70;      ///< from white within which background may be, of 255
 constexpr double cut_figure_share = 0.12;  ///< of the picture, from which on a region is a figure
-constexpr double leak_share = 0.12;        ///< open share of a border through which it spreads
+constexpr double leak_share = 0.07;        ///< open share of a border through which it spreads
 
 double distance_from_white(const Basin& region) {
   if (region.coloured == 0) return 0;
