@@ -10,6 +10,7 @@ namespace {
 
 constexpr double paper_distance = 70;      ///< from white within which background may be, of 255
 constexpr double cut_figure_share = 0.12;  ///< of the picture, from which on a region is a figure
+constexpr double spread_distance = 45;     ///< of mean colours, up to which background spreads
 constexpr double leak_share = 0.07;        ///< open share of a border through which it spreads
 
 double distance_from_white(const Basin& region) {
@@ -37,7 +38,8 @@ int leaking_neighbour(const RegionMerging& regions, int background) {
   double widest = leak_share;
   for (const auto& [neighbour, border] : regions.borders(background)) {
     const double share = regions.open_share(background, neighbour);
-    if (share <= widest || !is_paper(regions.region(neighbour))) continue;
+    if (share <= widest || regions.colour_distance(background, neighbour) > spread_distance)
+      continue;
     widest = share;
     best = neighbour;
   }
