@@ -151,11 +151,14 @@ PeakBasins peak_basins(const Image<int32_t>& squared_distance, const BasinOption
   Peaks peaks(options);
   for (const int32_t i : descending(squared_distance, level)) {
     int32_t uphill = -1;
+    bool alike = true;
     for_sides(i, basins.label.width, basins.label.height, [&](int32_t j) {
       if (label[j] == 0) return;
+      if (uphill >= 0 && label[j] != label[uphill]) alike = false;
       if (uphill < 0 || squared_distance.pixels[j] > squared_distance.pixels[uphill]) uphill = j;
     });
-    label[i] = uphill >= 0 ? peaks.find(label[uphill]) : peaks.add(level[i]);
+    label[i] = uphill >= 0 ? label[uphill] : peaks.add(level[i]);
+    if (alike) continue;
     for_sides(i, basins.label.width, basins.label.height, [&](int32_t j) {
       if (label[j] != 0 && label[j] != label[i]) peaks.meet(label[i], label[j], level[i]);
     });
