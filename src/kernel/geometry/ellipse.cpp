@@ -8,11 +8,11 @@
 namespace relievo {
 namespace {
 
-constexpr int unknowns = 5;        ///< centre, logarithms of the half axes, angle
-constexpr double circle_prior = 0.5;  ///< standard deviation of log(a / b)
+constexpr int unknowns = 5;           ///< centre, logarithms of the half axes, angle
+constexpr double circle_prior = 1.0;  ///< standard deviation of log(a / b)
 /// Neighbouring points of a contour err together; so many count as one.
 constexpr double correlated_points = 4;
-constexpr int max_steps = 60;
+constexpr int max_steps = 40;
 
 using Parameters = Eigen::Matrix<double, unknowns, 1>;
 
@@ -20,17 +20,36 @@ Ellipse ellipse_of(const Parameters& p) {
   return {{p[0], p[1]}, std::exp(p[2]), std::exp(p[3]), p[4]};
 }
 
+/// An ellipse with the cosine and sine of its angle.
+struct Frame {
+  explicit Frame(const Ellipse& e) : ellipse(e), c(std::cos(e.angle)), s(std::sin(e.angle)) {}
+
+  double distance(Point2 p) const {
+    const Point2 d = p - ellipse.centre;
+    const double u = (c * d.x + s * d.y) / ellipse.a;
+    const double v = (c * d.y - s * d.x) / ellipse.b;
+    const double r = std::sqrt(u * u + v * v);
+    return r > 1e-9 ? norm(d) * (1 - 1 / r) : -std::min(ellipse.a, ellipse.b);
+  }
+
+  Ellipse ellipse;
+  double c;
+  double s;
+};
+
 Eigen::VectorXd residuals(const Parameters& p, const EllipseEvidence& evidence) {
-  const Ellipse ellipse = ellipse_of(p);
+  const Frame ellipse(ellipse_of(p));
   const double weight = 1 / (evidence.noise * std::sqrt(correlated_points));
   const auto on = static_cast<Eigen::Index>(evidence.on.size());
   const auto within = static_cast<Eigen::Index>(evidence.within.size());
-  Eigen::VectorXd r(on + within + 1);
-  for (Eigen::Index i = 0; i < on; ++i)
-    r[i] = weight * radial_distance(ellipse, evidence.on[i]);
+  const auto without = static_cast<Eigen::Index>(evidence.without.size());
+  Eigen::VectorXd r(on + within + without + 1);
+  for (Eigen::Index i = 0; i < on; ++i) r[i] = weight * ellipse.distance(evidence.on[i]);
   for (Eigen::Index i = 0; i < within; ++i)
-    r[on + i] = weight * std::max(0.0, radial_distance(ellipse, evidence.within[i]));
-  r[on + within] = (p[2] - p[3]) / circle_prior;
+    r[on + i] = weight * std::max(0.0, ellipse.distance(evidence.within[i]));
+  for (Eigen::Index i = 0; i < without; ++i)
+    r[on + within + i] = weight * std::min(0.0, ellipse.distance(evidence.without[i]));
+  r[on + within + without] = (p[2] - p[3]) / circle_prior;
   return r;
 }
 
@@ -71,21 +90,13 @@ Parameters start(const EllipseEvidence& evidence) {
   return p;
 }
 
-}  // namespace
+struct Fit {
+  Parameters parameters;
+  double cost = 0;
+};
 
-double radial_distance(const Ellipse& ellipse, Point2 p) {
-  const Point2 d = p - ellipse.centre;
-  const double c = std::cos(ellipse.angle);
-  const double s = std::sin(ellipse.angle);
-  const double u = (c * d.x + s * d.y) / ellipse.a;
-  const double v = (c * d.y - s * d.x) / ellipse.b;
-  const double r = std::sqrt(u * u + v * v);
-  return r > 1e-9 ? norm(d) * (1 - 1 / r) : -std::min(ellipse.a, ellipse.b);
-}
-
-std::optional<Ellipse> fit_ellipse(const EllipseEvidence& evidence) {
-  if (evidence.on.size() < 6) return std::nullopt;
-  Parameters p = start(evidence);
+/// Levenberg and Marquardt's method.
+Fit descend(Parameters p, const EllipseEvidence& evidence) {
   Eigen::VectorXd r = residuals(p, evidence);
   double damping = 1e-3;
   for (int step = 0; step < max_steps && damping < 1e9; ++step) {
@@ -98,14 +109,29 @@ std::optional<Ellipse> fit_ellipse(const EllipseEvidence& evidence) {
       damping *= 10;
       continue;
     }
-    const bool settled = r.squaredNorm() - trial.squaredNorm() < 1e-9 * r.squaredNorm();
+    const bool settled = r.squaredNorm() - trial.squaredNorm() < 1e-6 * r.squaredNorm();
     p = moved;
     r = trial;
     damping = std::max(damping / 10, 1e-9);
     if (settled) break;
   }
-  if (!p.allFinite()) return std::nullopt;
-  return ellipse_of(p);
+  return {p, r.squaredNorm()};
+}
+
+}  // namespace
+
+double radial_distance(const Ellipse& ellipse, Point2 p) { return Frame(ellipse).distance(p); }
+
+std::optional<Ellipse> fit_ellipse(const EllipseEvidence& evidence) {
+  if (evidence.on.size() < 6) return std::nullopt;
+  const Parameters moments = start(evidence);
+  Parameters circle = moments;
+  circle[3] = circle[2];
+  const Fit first = descend(moments, evidence);
+  const Fit second = descend(circle, evidence);
+  const Fit& best = second.cost < first.cost ? second : first;
+  if (!best.parameters.allFinite()) return std::nullopt;
+  return ellipse_of(best.parameters);
 }
 
 Ring ring_of(const Ellipse& ellipse, int points) {

@@ -43,7 +43,8 @@ std::vector<Point2> smooth_arc(const DirectedPoint& from, const DirectedPoint& t
   for (int i = 1; i < count; ++i) {
     const double t = static_cast<double>(i) / count;
     const double s = 1 - t;
-    arc.push_back(s * s * s * from.at + 3 * s * s * t * b + (3 * s * t * t * c + t * t * t * to.at));
+    arc.push_back(s * s * s * from.at + 3 * s * s * t * b +
+                  (3 * s * t * t * c + t * t * t * to.at));
   }
   return arc;
 }

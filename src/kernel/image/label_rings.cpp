@@ -63,7 +63,8 @@ class Tracer {
     double area = 0;
     do {
       visited_.at(s.x, s.y) = static_cast<uint8_t>(visited_.at(s.x, s.y) | (1U << s.side));
-      ring.sides.push_back({s.x + 0.5 + 0.5 * normal_x[s.side], s.y + 0.5 + 0.5 * normal_y[s.side]});
+      ring.sides.push_back(
+          {s.x + 0.5 + 0.5 * normal_x[s.side], s.y + 0.5 + 0.5 * normal_y[s.side]});
       ring.beyond.push_back(beyond(s));
       // The divergence theorem on vertical sides, which are one unit long.
       area += normal_x[s.side] * ring.sides.back().x;

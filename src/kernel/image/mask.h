@@ -12,9 +12,7 @@ struct Mask {
 
   int right() const { return left + inside.width; }   ///< one past the last column
   int bottom() const { return top + inside.height; }  ///< one past the last row
-  bool covers(int x, int y) const {
-    return x >= left && y >= top && x < right() && y < bottom();
-  }
+  bool covers(int x, int y) const { return x >= left && y >= top && x < right() && y < bottom(); }
   /// Whether the canvas pixel (x, y) is in the set.
   bool has(int x, int y) const { return covers(x, y) && inside.at(x - left, y - top) != 0; }
 };

@@ -9,6 +9,9 @@ namespace relievo {
 namespace {
 
 constexpr double max_disagreement = 0.04;
+constexpr double shaped_share = 0.5;
+/// Besides, so many pixels per pixel side of the boundary are noise.
+constexpr double boundary_noise = 0.25;
 
 /// What of a candidate can be: the part's own pixels and those of its occluders, in one piece.
 Mask possible(const HiddenPart& hidden, const Mask& candidate) {
@@ -28,46 +31,58 @@ Mask possible(const HiddenPart& hidden, const Mask& candidate) {
   return connected_to(shape, visible);
 }
 
-/// The larger of two shares: of the candidate that would have to be seen but is not, and of the
-/// visible part that is not in it.
-double disagreement(const HiddenPart& hidden, const Mask& candidate) {
-  int64_t all = 0;
+double boundary_length(const HiddenPart& hidden) {
+  size_t sides = 0;
+  for (const LabelRing& ring : hidden.rings()) sides += ring.size();
+  return static_cast<double>(sides);
+}
+
+/// Explains what is seen: little of the candidate would have to be seen but is not, and little of
+/// the visible part is not in it.
+bool fits(const HiddenPart& hidden, const std::optional<Mask>& candidate) {
+  if (!candidate) return false;
   int64_t outside = 0;
-  for_each_pixel(candidate, [&](int x, int y) {
+  for_each_pixel(*candidate, [&](int x, int y) {
     const int part = hidden.regions.part_at(x, y);
-    ++all;
     if (part != hidden.part && (part < 0 || hidden.hides[part] == 0)) ++outside;
   });
   int64_t missing = 0;
-  for_each_pixel(hidden.visible(), [&](int x, int y) { missing += candidate.has(x, y) ? 0 : 1; });
-  const auto share = [](int64_t part, int64_t whole) {
-    return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 1.0;
+  for_each_pixel(hidden.visible(), [&](int x, int y) { missing += candidate->has(x, y) ? 0 : 1; });
+  const double noise = boundary_noise * boundary_length(hidden);
+  const auto allowed = [noise](int64_t pixels) {
+    return max_disagreement * static_cast<double>(pixels) + noise;
   };
-  return std::max(share(outside, all), share(missing, pixel_count(hidden.visible())));
-}
-
-/// Explains what is seen.
-bool fits(const HiddenPart& hidden, const std::optional<Mask>& candidate) {
-  return candidate && disagreement(hidden, *candidate) <= max_disagreement;
+  return static_cast<double>(outside) <= allowed(pixel_count(*candidate)) &&
+         static_cast<double>(missing) <= allowed(pixel_count(hidden.visible()));
 }
 
 CompletedPart complete(const HiddenPart& hidden) {
   if (!hidden.has_gaps()) return {hidden.visible(), CompletionKind::whole};
-  if (const auto shape = ellipse_shape(hidden); fits(hidden, shape))
+  if (const auto shape = ellipse_shape(hidden, contour_tolerance(hidden)); fits(hidden, shape))
     return {possible(hidden, *shape), CompletionKind::ellipse};
   if (const auto shape = continued_shape(hidden); fits(hidden, shape))
     return {possible(hidden, *shape), CompletionKind::continuation};
   return {possible(hidden, membrane_shape(hidden)), CompletionKind::membrane};
 }
 
-/// Pixels of `other` in what `part` becomes when `other` alone hides it.
-double gain(const PartRegions& regions, int part, int other) {
-  const HiddenPart hidden = hidden_part(regions, part, {other});
-  if (!hidden.has_gaps()) return 0;
-  const auto continued = continued_shape(hidden);
-  const Mask shape =
-      possible(hidden, continued ? *continued : membrane_shape(hidden));
-  return static_cast<double>(pixel_count(shape) - pixel_count(regions.visible[part]));
+/// All parts but those.
+std::vector<int> all_but(const PartRegions& regions, const std::vector<int>& parts) {
+  std::vector<int> others;
+  for (int part = 0; part < regions.count(); ++part)
+    if (std::find(parts.begin(), parts.end(), part) == parts.end()) others.push_back(part);
+  return others;
+}
+
+double pixels_of(const PartRegions& regions, int part, const Mask& shape) {
+  double count = 0;
+  for_each_pixel(shape, [&](int x, int y) { count += regions.part_at(x, y) == part ? 1 : 0; });
+  return count;
+}
+
+/// Whether the part's known contour together with its boundary to `other` is still an ellipse.
+bool is_shaped(const PartRegions& regions, int part, int other) {
+  const HiddenPart hidden = hidden_part(regions, part, all_but(regions, {part, other}));
+  return fits(hidden, ellipse_shape(hidden, shaped_share * contour_tolerance(hidden)));
 }
 
 int shared_sides(const PartRegions& regions, int part, int other) {
@@ -80,8 +95,8 @@ int shared_sides(const PartRegions& regions, int part, int other) {
 
 }  // namespace
 
-Result<Completion> complete_parts(const PartRegions& regions,
-                                  const Occluders& occluders, const RunContext& context) {
+Result<Completion> complete_parts(const PartRegions& regions, const Occluders& occluders,
+                                  const RunContext& context) {
   Completion completion;
   for (int part = 0; part < regions.count(); ++part) {
     if (context.cancelled()) return interrupted_error();
@@ -90,19 +105,25 @@ Result<Completion> complete_parts(const PartRegions& regions,
   return completion;
 }
 
-Result<std::vector<MutualGain>> measure_gains(const PartRegions& regions,
-                                              const CompletionOptions& options,
-                                              const RunContext& context) {
-  std::vector<MutualGain> gains;
+Result<std::vector<NeighbourEvidence>> compare_neighbours(const PartRegions& regions,
+                                                          const CompletionOptions& options,
+                                                          const RunContext& context) {
+  Occluders others(regions.labels.size());
+  for (int a = 0; a < regions.count(); ++a) others[a] = all_but(regions, {a});
+  const auto completion = complete_parts(regions, others, context);
+  if (!completion) return completion.error();
+  std::vector<NeighbourEvidence> evidence;
   const auto adjacent = neighbours(regions, options.min_shared_sides);
   for (int a = 0; a < regions.count(); ++a)
     for (const int b : adjacent[a]) {
       if (b < a) continue;
       if (context.cancelled()) return interrupted_error();
-      gains.push_back({a, b, gain(regions, a, b), gain(regions, b, a),
-                       shared_sides(regions, a, b)});
+      evidence.push_back({a, b, shared_sides(regions, a, b),
+                          pixels_of(regions, b, completion->parts[a].shape),
+                          pixels_of(regions, a, completion->parts[b].shape),
+                          is_shaped(regions, a, b), is_shaped(regions, b, a)});
     }
-  return gains;
+  return evidence;
 }
 
 }  // namespace relievo

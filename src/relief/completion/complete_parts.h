@@ -27,9 +27,11 @@ using Occluders = std::vector<std::vector<int>>;
 Result<Completion> complete_parts(const PartRegions& regions, const Occluders& occluders,
                                   const RunContext& context = {});
 
-/// For every two neighbours, how far each would go on below the other if only that one hid it.
-Result<std::vector<MutualGain>> measure_gains(const PartRegions& regions,
-                                              const CompletionOptions& options = {},
-                                              const RunContext& context = {});
+/// Compares every two neighbours: each part is completed as if all others could hide it, and an
+/// ellipse is fitted to its contour with and without the common boundary. O(pixels of the boxes
+/// around the parts + pairs).
+Result<std::vector<NeighbourEvidence>> compare_neighbours(const PartRegions& regions,
+                                                          const CompletionOptions& options = {},
+                                                          const RunContext& context = {});
 
 }  // namespace relievo

@@ -26,13 +26,15 @@ struct Completion {
   std::vector<CompletedPart> parts;
 };
 
-/// How far two neighbours go on below each other.
-struct MutualGain {
+/// What the shapes of two neighbours say about which hides the other.
+struct NeighbourEvidence {
   int a = -1;  ///< parts, a < b
   int b = -1;
-  double a_below_b = 0;  ///< px of b that a would cover if b hid it
+  int shared = 0;        ///< length of their common boundary, pixel sides
+  double a_below_b = 0;  ///< px of b that a would cover if everything around could hide it
   double b_below_a = 0;
-  int shared = 0;  ///< length of their common boundary, pixel sides
+  bool a_shaped = false;  ///< the common boundary fits the rest of a's contour
+  bool b_shaped = false;
 };
 
 }  // namespace relievo

@@ -86,8 +86,8 @@ void find_ends(const LabelRing& ring, size_t before, size_t after, ContourGap& g
   const size_t longest = window(ring);
   const size_t skip_before = trimmed(before);
   const size_t skip_after = trimmed(after);
-  const Lead lead_in{(gap.first + n - 1 - skip_before) % n,
-                     std::min(longest, before - skip_before), true};
+  const Lead lead_in{(gap.first + n - 1 - skip_before) % n, std::min(longest, before - skip_before),
+                     true};
   const Lead lead_out{(gap.first + gap.count + skip_after) % n,
                       std::min(longest, after - skip_after), false};
   gap.from = fit_end(lead_points(ring, lead_in));

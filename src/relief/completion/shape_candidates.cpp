@@ -13,7 +13,7 @@ namespace {
 
 constexpr size_t ellipse_samples = 160;  ///< about so many points of the contour are used
 constexpr int ellipse_points = 180;
-constexpr double ellipse_noise = 0.8;         ///< px
+constexpr double ellipse_noise = 0.8;          ///< px
 constexpr double ellipse_noise_share = 0.012;  ///< of the part's size
 constexpr double max_turn = 1.35 * std::numbers::pi;
 
@@ -33,6 +33,18 @@ std::vector<Point2> ring_points(const HiddenPart& hidden, uint8_t hidden_ones) {
         clear = flags[(i + k) % n] == hidden_ones && flags[(i + n * k - k) % n] == hidden_ones;
       if (clear) points.push_back(ring.sides[i]);
     }
+  }
+  return points;
+}
+
+/// Where occluders end at the background.
+std::vector<Point2> occluder_borders(const HiddenPart& hidden) {
+  std::vector<Point2> points;
+  for (int other = 0; other < hidden.regions.count(); ++other) {
+    if (hidden.hides[other] == 0) continue;
+    for (const LabelRing& ring : hidden.regions.rings[other])
+      for (size_t i = 0; i < ring.size(); ++i)
+        if (ring.beyond[i] == 0) points.push_back(ring.sides[i]);
   }
   return points;
 }
@@ -79,15 +91,18 @@ HiddenPart hidden_part(const PartRegions& regions, int part, const std::vector<i
   return hidden;
 }
 
-std::optional<Mask> ellipse_shape(const HiddenPart& hidden) {
+double contour_tolerance(const HiddenPart& hidden) {
+  return std::max(ellipse_noise, ellipse_noise_share * size_of(hidden.visible()));
+}
+
+std::optional<Mask> ellipse_shape(const HiddenPart& hidden, double tolerance) {
   const std::vector<Point2> on = ring_points(hidden, 0);
   EllipseEvidence evidence;
   evidence.on = thinned(on, ellipse_samples);
   evidence.within = thinned(ring_points(hidden, 1), ellipse_samples);
+  evidence.without = thinned(occluder_borders(hidden), ellipse_samples);
   const auto ellipse = fit_ellipse(evidence);
   if (!ellipse) return std::nullopt;
-  const double tolerance =
-      std::max(ellipse_noise, ellipse_noise_share * size_of(hidden.visible()));
   if (rms_distance(*ellipse, on) > tolerance) return std::nullopt;
   return fill_outline({ring_of(*ellipse, ellipse_points)}, hidden.regions.map.width,
                       hidden.regions.map.height);
@@ -137,8 +152,7 @@ Mask membrane_shape(const HiddenPart& hidden) {
   });
   const ImageF p = diffuse_contour(cells);
   Mask shape{left, top, Image8(cells.width, cells.height, 1)};
-  for (size_t i = 0; i < p.pixels.size(); ++i)
-    shape.inside.pixels[i] = p.pixels[i] > 0.5F ? 1 : 0;
+  for (size_t i = 0; i < p.pixels.size(); ++i) shape.inside.pixels[i] = p.pixels[i] > 0.5F ? 1 : 0;
   return shape;
 }
 

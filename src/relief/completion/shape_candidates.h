@@ -20,12 +20,15 @@ struct HiddenPart {
   bool has_gaps() const;
 };
 
+/// How far a contour may be from a shape that explains it, px.
+double contour_tolerance(const HiddenPart& hidden);
+
 /// Looks up which sides of the part's rings its occluders may hide. O(sides).
 HiddenPart hidden_part(const PartRegions& regions, int part, const std::vector<int>& occluders);
 
-/// The ellipse on which the known contour lies and which contains the hidden one, where there is
-/// one. O(sides).
-std::optional<Mask> ellipse_shape(const HiddenPart& hidden);
+/// The ellipse on which the known contour lies (root mean square at most `tolerance` px) and which
+/// contains the hidden one, where there is one. O(sides).
+std::optional<Mask> ellipse_shape(const HiddenPart& hidden, double tolerance);
 
 /// The rings with an arc across every gap; rings of which nothing is known are kept where they
 /// are outer ones and filled where they are holes. Nothing where an arc would turn too far, or

@@ -4,40 +4,58 @@
 #include <cmath>
 #include <map>
 
+#include "relief/stacking/bulges.h"
 #include "relief/stacking/junctions.h"
 #include "relief/stacking/order_graph.h"
 
 namespace relievo {
 namespace {
 
-/// How much the gains of area are trusted: the probability that a score of 1 tells the truth.
-constexpr double shape_trust = 0.9;
-/// Gains below this share of the smaller part, or of a strip of this width along the common
-/// boundary, say nothing.
+/// How far the cues of shape are trusted.
+constexpr double gain_trust = 0.9;
+constexpr double contour_trust = 0.9;
+/// Gains below a strip of this width along the common boundary say nothing, px.
 constexpr double strip_width = 1.5;
 constexpr double min_confidence = 0.02;
 
-/// Probabilities that the first part of a pair is in front, and that the second one is.
+/// Probabilities by cue that the first part of a pair is in front, and that the second one is.
 struct PairBelief {
   double shape[2] = {0, 0};
+  double contour[2] = {0, 0};
   double junction[2] = {0, 0};
+  double bulge[2] = {0, 0};
+
+  double total(int side) const {
+    return 1 - (1 - shape[side]) * (1 - contour[side]) * (1 - junction[side]) * (1 - bulge[side]);
+  }
 };
 
-using Beliefs = std::map<std::pair<int, int>, PairBelief>;
+using Pair = std::pair<int, int>;
+using Beliefs = std::map<Pair, PairBelief>;
 
 double unite(double p, double q) { return 1 - (1 - p) * (1 - q); }
 
-Beliefs collect(const PartRegions& regions, const std::vector<MutualGain>& gains) {
+PairBelief belief_of(const NeighbourEvidence& evidence) {
+  const double score = (evidence.b_below_a - evidence.a_below_b) /
+                       (evidence.a_below_b + evidence.b_below_a + strip_width * evidence.shared);
+  PairBelief belief;
+  belief.shape[score > 0 ? 0 : 1] = gain_trust * std::abs(score);
+  if (evidence.a_shaped != evidence.b_shaped)
+    belief.contour[evidence.a_shaped ? 0 : 1] = contour_trust;
+  return belief;
+}
+
+Beliefs collect(const PartRegions& regions, const std::vector<NeighbourEvidence>& evidence) {
   Beliefs beliefs;
-  for (const MutualGain& gain : gains) {
-    const double noise = strip_width * gain.shared;
-    const double score =
-        (gain.b_below_a - gain.a_below_b) / (gain.a_below_b + gain.b_below_a + noise);
-    PairBelief& belief = beliefs[{gain.a, gain.b}];
-    belief.shape[score > 0 ? 0 : 1] = shape_trust * std::abs(score);
+  for (const NeighbourEvidence& pair : evidence) beliefs[{pair.a, pair.b}] = belief_of(pair);
+  for (const BulgeCue& cue : find_bulge_cues(regions)) {
+    const Pair pair = std::minmax(cue.upper, cue.lower);
+    const auto found = beliefs.find(pair);
+    if (found != beliefs.end())
+      found->second.bulge[cue.upper == pair.first ? 0 : 1] = cue.confidence;
   }
   for (const JunctionCue& cue : find_junction_cues(regions)) {
-    const auto pair = std::minmax(cue.upper, cue.lower);
+    const Pair pair = std::minmax(cue.upper, cue.lower);
     const auto found = beliefs.find(pair);
     if (found == beliefs.end()) continue;
     double& p = found->second.junction[cue.upper == pair.first ? 0 : 1];
@@ -46,17 +64,12 @@ Beliefs collect(const PartRegions& regions, const std::vector<MutualGain>& gains
   return beliefs;
 }
 
-OrderArrow arrow_of(const std::pair<int, int>& pair, const PairBelief& belief) {
-  const double first = unite(belief.shape[0], belief.junction[0]);
-  const double second = unite(belief.shape[1], belief.junction[1]);
-  const int front = first >= second ? 0 : 1;
+OrderArrow arrow_of(const Pair& pair, const PairBelief& belief) {
+  const int front = belief.total(0) >= belief.total(1) ? 0 : 1;
   OrderArrow arrow;
   arrow.upper = front == 0 ? pair.first : pair.second;
   arrow.lower = front == 0 ? pair.second : pair.first;
-  arrow.confidence = std::abs(first - second);
-  const bool shape = belief.shape[front] > 0;
-  const bool junction = belief.junction[front] > 0;
-  if (junction) arrow.source = shape ? OrderSource::both : OrderSource::junction;
+  arrow.confidence = belief.total(front) - belief.total(1 - front);
   return arrow;
 }
 
@@ -79,10 +92,11 @@ std::vector<OrderArrow> guesses(const Beliefs& beliefs, const std::vector<UserAr
 
 }  // namespace
 
-Result<Stacking> stack_parts(const PartRegions& regions, const std::vector<MutualGain>& gains,
+Result<Stacking> stack_parts(const PartRegions& regions,
+                             const std::vector<NeighbourEvidence>& evidence,
                              const std::vector<UserArrow>& user_arrows) {
   Stacking stacking;
-  stacking.arrows = guesses(collect(regions, gains), user_arrows);
+  stacking.arrows = guesses(collect(regions, evidence), user_arrows);
   if (Status status = break_cycles(regions.count(), stacking.arrows); !status)
     return status.error();
   std::vector<double> area;

@@ -4,12 +4,9 @@
 
 namespace relievo {
 
-/// Why one part is held to be in front of another.
 enum class OrderSource {
-  shape,     ///< guessed: one goes on below the other
-  junction,  ///< guessed: one's contour runs straight through where three regions meet
-  both,      ///< guessed from shape and junctions
-  user,      ///< said by the user; never given up
+  guess,  ///< from shapes and contours
+  user,   ///< said by the user; never given up
 };
 
 /// One part is in front of another.
@@ -17,8 +14,8 @@ struct OrderArrow {
   int upper = -1;
   int lower = -1;
   double confidence = 0;  ///< in [0, 1]; 1 for the user's
-  OrderSource source = OrderSource::shape;
-  bool kept = true;       ///< false where it was given up to break a cycle
+  OrderSource source = OrderSource::guess;
+  bool kept = true;  ///< false where it was given up to break a cycle
 };
 
 /// The order of depth of all parts.
