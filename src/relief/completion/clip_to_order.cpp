@@ -1,0 +1,80 @@
+#include "relief/completion/clip_to_order.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "kernel/image/connected.h"
+
+namespace relievo {
+namespace {
+
+/// An empty set in the box around both sets, `margin` px larger but on the canvas.
+Mask joint_box(const Mask& a, const Mask& b, int margin, const Image16& canvas) {
+  Mask box;
+  box.left = std::max(0, std::min(a.left, b.left) - margin);
+  box.top = std::max(0, std::min(a.top, b.top) - margin);
+  const int right = std::min(canvas.width, std::max(a.right(), b.right()) + margin);
+  const int bottom = std::min(canvas.height, std::max(a.bottom(), b.bottom()) + margin);
+  box.inside = Image8(right - box.left, bottom - box.top, 1);
+  return box;
+}
+
+void put(Mask& mask, int x, int y) { mask.inside.at(x - mask.left, y - mask.top) = 1; }
+
+/// Adds the pixels within `steps` of `seed` that `allowed` accepts, walking only through those.
+template <class Allowed>
+void grow(Mask& mask, const Mask& seed, int steps, Allowed allowed) {
+  std::vector<std::pair<int, int>> front;
+  Mask reached{mask.left, mask.top, Image8(mask.inside.width, mask.inside.height, 1)};
+  for_each_pixel(seed, [&](int x, int y) {
+    put(reached, x, y);
+    front.emplace_back(x, y);
+  });
+  for (int step = 0; step < steps; ++step) {
+    std::vector<std::pair<int, int>> next;
+    const auto reach = [&](int x, int y) {
+      if (!reached.covers(x, y) || reached.has(x, y) || !allowed(x, y)) return;
+      put(reached, x, y);
+      put(mask, x, y);
+      next.emplace_back(x, y);
+    };
+    for (const auto& [x, y] : front) {
+      reach(x - 1, y);
+      reach(x + 1, y);
+      reach(x, y - 1);
+      reach(x, y + 1);
+    }
+    front.swap(next);
+  }
+}
+
+Mask clipped(const PartRegions& regions, const Mask& shape, int part, const std::vector<int>& rank,
+             int overlap) {
+  const Mask& visible = regions.visible[part];
+  Mask result = joint_box(shape, visible, overlap, regions.map);
+  const auto below_another = [&](int x, int y) {
+    const int other = regions.part_at(x, y);
+    return other >= 0 && rank[other] > rank[part];
+  };
+  for_each_pixel(shape, [&](int x, int y) {
+    if (below_another(x, y)) put(result, x, y);
+  });
+  for_each_pixel(visible, [&](int x, int y) { put(result, x, y); });
+  grow(result, visible, overlap, below_another);
+  return connected_to(result, visible);
+}
+
+}  // namespace
+
+Completion clip_to_order(const PartRegions& regions, const Completion& completion,
+                         const std::vector<int>& rank, int overlap) {
+  Completion result = completion;
+  for (int part = 0; part < regions.count(); ++part) {
+    CompletedPart& completed = result.parts[part];
+    if (completed.kind == CompletionKind::given) continue;
+    completed.shape = clipped(regions, completed.shape, part, rank, overlap);
+  }
+  return result;
+}
+
+}  // namespace relievo

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "relief/completion/completion.h"
+#include "relief/completion/part_regions.h"
+
+namespace relievo {
+
+/// The completed parts without what would be seen: each shape keeps its visible part and what
+/// lies below parts in front of it (larger `rank`), in one piece with the visible part. Every
+/// part reaches at least `overlap` px below the neighbours in front of it, so that no crack
+/// remains between them. Shapes that the user gave are kept. O(boxes of the parts).
+Completion clip_to_order(const PartRegions& regions, const Completion& completion,
+                         const std::vector<int>& rank, int overlap);
+
+}  // namespace relievo
