@@ -93,7 +93,7 @@ class Proposer {
                          sides[(root.first + i) % sides.size()]);
     const double ramp = 0.75 * (length - distance(a, b)) / (2 * length);
     const double share = std::clamp(ramp, options_.shortest_ramp, options_.longest_ramp);
-    return static_cast<size_t>(share * static_cast<double>(root.count));
+    return std::max<size_t>(1, static_cast<size_t>(share * static_cast<double>(root.count)));
   }
 
   void propose_relation(int upper, int lower, bool enclosed) {
