@@ -19,6 +19,19 @@ Mask joint_box(const Mask& a, const Mask& b, int margin, const Image16& canvas) 
   return box;
 }
 
+/// Hidden shapes keep so far from where their occluders end, px, so that no two outlines run along
+/// each other.
+constexpr int rim = 2;
+
+/// Whether the test holds in the square of `radius` around a pixel.
+template <class Test>
+bool all_around(int x, int y, int radius, Test test) {
+  for (int dy = -radius; dy <= radius; ++dy)
+    for (int dx = -radius; dx <= radius; ++dx)
+      if (!test(x + dx, y + dy)) return false;
+  return true;
+}
+
 void put(Mask& mask, int x, int y) { mask.inside.at(x - mask.left, y - mask.top) = 1; }
 
 /// Adds the pixels within `steps` of `seed` that `allowed` accepts, walking only through those.
@@ -56,11 +69,18 @@ Mask clipped(const PartRegions& regions, const Mask& shape, int part, const std:
     const int other = regions.part_at(x, y);
     return other >= 0 && rank[other] > rank[part];
   };
+  const auto own_or_below = [&](int x, int y) {
+    if (x < 0 || y < 0 || x >= regions.map.width || y >= regions.map.height) return false;
+    return regions.part_at(x, y) == part || below_another(x, y);
+  };
+  const auto well_below = [&](int x, int y) {
+    return below_another(x, y) && all_around(x, y, rim, own_or_below);
+  };
   for_each_pixel(shape, [&](int x, int y) {
-    if (below_another(x, y)) put(result, x, y);
+    if (well_below(x, y)) put(result, x, y);
   });
   for_each_pixel(visible, [&](int x, int y) { put(result, x, y); });
-  grow(result, visible, overlap, below_another);
+  grow(result, visible, overlap, well_below);
   return connected_to(result, visible);
 }
 

@@ -1,10 +1,10 @@
 #include "relief/joining/join_parts.h"
 
 #include <algorithm>
-#include <map>
+#include <optional>
 #include <set>
 
-#include "kernel/image/mask_outline.h"
+#include "kernel/geometry/ring_measure.h"
 #include "relief/joining/roots.h"
 
 namespace relievo {
@@ -12,14 +12,49 @@ namespace {
 
 using Pair = std::pair<int, int>;
 
-constexpr int line_smoothing = 4;
-constexpr size_t line_step = 4;  ///< sides between the points of a join's line
+constexpr double line_step = 3;  ///< between the points of a join's line, px
+/// A root's arc on the outline is at most so many times as long as its pixel sides.
+constexpr double max_stretch = 1.5;
+
+/// A root as an arc of the part's outline.
+struct RootArc {
+  const Ring* ring = nullptr;
+  RingMeasure measure;
+  double from = 0;    ///< arc length where it begins
+  double length = 0;  ///< in the direction of the ring
+
+  Point2 at(double s) const {
+    return point_at(*ring, measure, from + std::clamp(s, 0.0, length) + measure.length);
+  }
+};
+
+std::optional<RootArc> arc_of(const Root& root, const Outline& outline) {
+  const Ring& sides = root.ring->sides;
+  const Point2 first = sides[root.first];
+  const Point2 last = sides[(root.first + root.count - 1) % sides.size()];
+  std::optional<RootArc> best;
+  double nearest = 1e300;
+  for (const Ring& ring : outline) {
+    RootArc arc{&ring, measure(ring), 0, 0};
+    const RingFoot from = nearest_on_ring(ring, arc.measure, first);
+    const RingFoot to = nearest_on_ring(ring, arc.measure, last);
+    if (from.distance + to.distance >= nearest) continue;
+    nearest = from.distance + to.distance;
+    arc.from = from.s;
+    arc.length = to.s >= from.s ? to.s - from.s : to.s - from.s + arc.measure.length;
+    best = arc;
+  }
+  const bool sound =
+      best && best->length > 0 && best->length <= max_stretch * static_cast<double>(root.count);
+  return sound ? best : std::nullopt;
+}
 
 class Proposer {
  public:
   Proposer(const PartRegions& regions, const Stacking& stacking,
-           const JoiningCorrections& corrections, const JoiningOptions& options)
-      : regions_(regions), stacking_(stacking), options_(options) {
+           const std::vector<Outline>& outlines, const JoiningCorrections& corrections,
+           const JoiningOptions& options)
+      : regions_(regions), stacking_(stacking), outlines_(outlines), options_(options) {
     for (const Join& join : corrections.joins) add_user(join);
     for (const Pair& pair : corrections.no_joins) unjoined_.insert(pair);
     for (const Relation& relation : corrections.relations) {
@@ -61,19 +96,20 @@ class Proposer {
   }
 
   void lay_join(int part, const Root& root, double confidence) {
-    const Ring ring = smoothed(root.ring->sides, line_smoothing);
-    const size_t ramp = ramp_sides(root);
-    const auto at = [&](size_t side) { return ring[(root.first + side) % ring.size()]; };
-    const size_t last = root.count - 1 - ramp;
+    const auto arc = arc_of(root, outlines_[part]);
+    if (!arc) return;
+    const double ramp = ramp_share(*arc) * arc->length;
+    const double last = arc->length - ramp;
     ProposedJoin proposed;
     proposed.join = {part, root.lower, {}};
-    for (size_t i = ramp; i < last; i += line_step) proposed.join.line.push_back(at(i));
-    proposed.join.line.push_back(at(last));
+    const int pieces = std::max(2, static_cast<int>((last - ramp) / line_step));
+    for (int i = 0; i <= pieces; ++i)
+      proposed.join.line.push_back(arc->at(ramp + (last - ramp) * i / pieces));
     proposed.confidence = confidence;
     joined_.insert({part, root.lower});
     if (ramped_.count({part, root.lower}) == 0) {
-      if (root.opens_before) lay_ramp(part, root.lower, at(ramp), at(0));
-      if (root.opens_after) lay_ramp(part, root.lower, at(last), at(root.count - 1));
+      if (root.opens_before) lay_ramp(part, root.lower, arc->at(ramp), arc->at(0));
+      if (root.opens_after) lay_ramp(part, root.lower, arc->at(last), arc->at(arc->length));
     }
     out_.joins.push_back(std::move(proposed));
   }
@@ -82,18 +118,12 @@ class Proposer {
     out_.robin.push_back({upper, lower, from, to, std::nullopt, std::nullopt});
   }
 
-  /// Sides of the root beside each end of the join.
-  size_t ramp_sides(const Root& root) const {
-    const Ring& sides = root.ring->sides;
-    const Point2 a = sides[root.first];
-    const Point2 b = sides[(root.first + root.count - 1) % sides.size()];
-    double length = 0;
-    for (size_t i = 1; i < root.count; ++i)
-      length += distance(sides[(root.first + i - 1) % sides.size()],
-                         sides[(root.first + i) % sides.size()]);
-    const double ramp = 0.75 * (length - distance(a, b)) / (2 * length);
-    const double share = std::clamp(ramp, options_.shortest_ramp, options_.longest_ramp);
-    return std::max<size_t>(1, static_cast<size_t>(share * static_cast<double>(root.count)));
+  /// Share of the root beside each end of the join: half of what exceeds the chord, and a little
+  /// less, so that a limb's join is its cap.
+  double ramp_share(const RootArc& arc) const {
+    const double chord = distance(arc.at(0), arc.at(arc.length));
+    const double share = 0.75 * (arc.length - chord) / (2 * arc.length);
+    return std::clamp(share, options_.shortest_ramp, options_.longest_ramp);
   }
 
   void propose_relation(int upper, int lower, bool enclosed) {
@@ -105,6 +135,7 @@ class Proposer {
 
   const PartRegions& regions_;
   const Stacking& stacking_;
+  const std::vector<Outline>& outlines_;
   const JoiningOptions& options_;
   std::set<Pair> joined_;
   std::set<Pair> unjoined_;
@@ -116,8 +147,9 @@ class Proposer {
 }  // namespace
 
 Joining join_parts(const PartRegions& regions, const Stacking& stacking,
-                   const JoiningCorrections& corrections, const JoiningOptions& options) {
-  return Proposer(regions, stacking, corrections, options).run();
+                   const std::vector<Outline>& outlines, const JoiningCorrections& corrections,
+                   const JoiningOptions& options) {
+  return Proposer(regions, stacking, outlines, corrections, options).run();
 }
 
 }  // namespace relievo

@@ -32,8 +32,9 @@ struct JoiningOptions {
 ///    that they end where a limb leaves the lower part, and become Robin ranges;
 ///  - equal: the whole outline borders on parts behind it: an eye, a button;
 ///  - above: everything else.
-/// O(sides).
+/// `outlines` are those of the parts in the scene. O(sides).
 Joining join_parts(const PartRegions& regions, const Stacking& stacking,
-                   const JoiningCorrections& corrections = {}, const JoiningOptions& options = {});
+                   const std::vector<Outline>& outlines, const JoiningCorrections& corrections = {},
+                   const JoiningOptions& options = {});
 
 }  // namespace relievo

@@ -34,29 +34,32 @@ int most_common(const PartRegions& regions, const Stacking& stacking, int part, 
   return best->first;
 }
 
-/// Maximal runs of sides with parts behind across them; short interruptions do not end one.
+/// Maximal runs of sides with parts behind across them. Where a part in front hides the middle of
+/// a root, and where others interrupt it for a few sides, it goes on.
 std::vector<Root> roots_of(const LabelRing& ring, const std::vector<Across>& across) {
   std::vector<Root> roots;
   const size_t n = across.size();
   size_t start = 0;
-  while (start < n && across[start] == Across::behind) ++start;
+  while (start < n && across[start] != Across::background) ++start;
   if (start == n) return roots;
   for (size_t i = start; i < start + n; ++i) {
     if (across[i % n] != Across::behind) continue;
+    size_t last = i;
+    size_t open = 0;  // sides at the background since the last one with a part behind
+    for (size_t k = i; k < start + n && open < noise_sides; ++k) {
+      if (across[k % n] == Across::behind) last = k;
+      open = across[k % n] == Across::background ? open + 1
+             : across[k % n] == Across::behind   ? 0
+                                                 : open;
+    }
     Root root;
     root.ring = &ring;
     root.first = i % n;
-    size_t gap = 0;
-    size_t length = 0;
-    while (i + length < start + n && gap < noise_sides) {
-      gap = across[(i + length) % n] == Across::behind ? 0 : gap + 1;
-      ++length;
-    }
-    root.count = length - gap;
-    root.opens_before = across[(root.first + n - 1) % n] == Across::background;
-    root.opens_after = across[(root.first + root.count) % n] == Across::background;
-    i += length;
+    root.count = last - i + 1;
+    root.opens_before = across[(i + n - 1) % n] == Across::background;
+    root.opens_after = across[(last + 1) % n] == Across::background;
     roots.push_back(root);
+    i = last;
   }
   return roots;
 }

@@ -140,29 +140,40 @@ double round_inflation(const Mask& mask) {
   return std::round(inflation * 100) / 100;
 }
 
-Part scene_part(const Corrections& corrections, const Proposal& proposal, const Completion& clipped,
-                int part) {
-  const PartLabel label = proposal.regions.labels[part];
+/// The outlines in the scene: as the user drew them, or those of the shapes after the order.
+std::vector<Outline> scene_outlines(const Corrections& corrections, const PartRegions& regions,
+                                    const Completion& clipped) {
+  std::vector<Outline> outlines;
+  for (int part = 0; part < regions.count(); ++part) {
+    const auto found = corrections.parts.find(regions.labels[part]);
+    const bool given = found != corrections.parts.end() && found->second.outline;
+    outlines.push_back(given ? *found->second.outline : outline_of(clipped.parts[part].shape));
+    orient_by_nesting(outlines.back());
+  }
+  return outlines;
+}
+
+Part scene_part(const Corrections& corrections, PartLabel label, Outline outline,
+                const Mask& shape) {
   const auto found = corrections.parts.find(label);
   const PartCorrection said = found == corrections.parts.end() ? PartCorrection{} : found->second;
-  const Mask& shape = clipped.parts[part].shape;
   Part result;
   result.id = said.id.value_or("part-" + std::to_string(label));
-  result.outline = said.outline ? *said.outline : outline_of(shape);
-  orient_by_nesting(result.outline);
+  result.outline = std::move(outline);
   result.c = said.c.value_or(round_inflation(shape));
   result.d = said.d.value_or(1);
   return result;
 }
 
-Scene scene_of(const Corrections& corrections, const Proposal& proposal,
-               const Completion& clipped) {
+Scene scene_of(const Corrections& corrections, const Proposal& proposal, const Completion& clipped,
+               const std::vector<Outline>& outlines) {
   const std::vector<int>& rank = proposal.stacking.rank;
   Scene scene;
   scene.width = proposal.regions.map.width;
   scene.height = proposal.regions.map.height;
   for (const int part : proposal.stacking.back_to_front)
-    scene.parts.push_back(scene_part(corrections, proposal, clipped, part));
+    scene.parts.push_back(scene_part(corrections, proposal.regions.labels[part], outlines[part],
+                                     clipped.parts[part].shape));
   const auto renumbered = [&](auto item) {
     item.upper = rank[item.upper];
     item.lower = rank[item.lower];
@@ -192,7 +203,6 @@ Status propose(Proposal& proposal, const Corrections& corrections, const Proposa
                const RunContext& context) {
   LabelResolver resolver(proposal.regions);
   const std::vector<UserArrow> arrows = resolver.arrows(corrections);
-  const JoiningCorrections joining = resolver.joining(corrections.joining);
   if (resolver.error()) return *resolver.error();
   auto evidence = compare_neighbours(proposal.regions, options.completion, context);
   if (!evidence) return evidence.error();
@@ -204,7 +214,6 @@ Status propose(Proposal& proposal, const Corrections& corrections, const Proposa
   if (!completion) return completion.error();
   proposal.completion = std::move(*completion);
   keep_given_outlines(corrections, proposal);
-  proposal.joining = join_parts(proposal.regions, proposal.stacking, joining, options.joining);
   return Done{};
 }
 
@@ -222,7 +231,11 @@ Result<Proposal> propose_scene(const Image16& labels, const Corrections& correct
       static_cast<int>(std::lround(std::max(min_overlap, overlap_share * diagonal)));
   const Completion clipped =
       clip_to_order(proposal.regions, proposal.completion, proposal.stacking.rank, overlap);
-  proposal.scene = scene_of(corrections, proposal, clipped);
+  const std::vector<Outline> outlines = scene_outlines(corrections, proposal.regions, clipped);
+  proposal.joining =
+      join_parts(proposal.regions, proposal.stacking, outlines,
+                 LabelResolver(proposal.regions).joining(corrections.joining), options.joining);
+  proposal.scene = scene_of(corrections, proposal, clipped, outlines);
   if (Status s = validate(proposal.scene); !s) return s.error();
   return proposal;
 }
