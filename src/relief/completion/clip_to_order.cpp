@@ -34,6 +34,15 @@ bool all_around(int x, int y, int radius, Test test) {
 
 void put(Mask& mask, int x, int y) { mask.inside.at(x - mask.left, y - mask.top) = 1; }
 
+/// The pixels of both.
+Mask common(const Mask& a, const Mask& b) {
+  Mask both = a;
+  for_each_pixel(a, [&](int x, int y) {
+    if (!b.has(x, y)) both.inside.at(x - both.left, y - both.top) = 0;
+  });
+  return both;
+}
+
 /// Adds the pixels within `steps` of `seed` that `allowed` accepts, walking only through those.
 template <class Allowed>
 void grow(Mask& mask, const Mask& seed, int steps, Allowed allowed) {
@@ -87,12 +96,13 @@ Mask clipped(const PartRegions& regions, const Mask& shape, int part, const std:
 }  // namespace
 
 Completion clip_to_order(const PartRegions& regions, const Completion& completion,
-                         const std::vector<int>& rank, int overlap) {
+                         const Completion& below_front, const std::vector<int>& rank, int overlap) {
   Completion result = completion;
   for (int part = 0; part < regions.count(); ++part) {
     CompletedPart& completed = result.parts[part];
     if (completed.kind == CompletionKind::given) continue;
-    completed.shape = clipped(regions, completed.shape, part, rank, overlap);
+    const Mask shape = common(completed.shape, below_front.parts[part].shape);
+    completed.shape = clipped(regions, shape, part, rank, overlap);
   }
   return result;
 }

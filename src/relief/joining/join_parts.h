@@ -30,7 +30,7 @@ struct JoiningOptions {
 ///    root), the rest of it goes elsewhere, and the root is no small part of the outline. The join
 ///    is the middle of that run; the ramps beside it are as long as the run exceeds its chord, so
 ///    that they end where a limb leaves the lower part, and become Robin ranges;
-///  - equal: the whole outline borders on parts behind it: an eye, a button;
+///  - equal: the outline does not touch the background: an eye, a button, a spot;
 ///  - above: everything else.
 /// `outlines` are those of the parts in the scene. O(sides).
 Joining join_parts(const PartRegions& regions, const Stacking& stacking,

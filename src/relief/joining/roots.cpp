@@ -76,7 +76,7 @@ Surroundings surroundings(const PartRegions& regions, const Stacking& stacking, 
       if (across[i] == Across::behind) lower.insert(regions.part_of(ring.beyond[i]));
     if (ring.hole) continue;
     const auto outside =
-        std::count_if(across.begin(), across.end(), [](Across a) { return a != Across::behind; });
+        std::count_if(across.begin(), across.end(), [](Across a) { return a == Across::background; });
     if (outside > 0) around.enclosed = false;
     for (Root root : roots_of(ring, across)) {
       root.lower = most_common(regions, stacking, part, root);

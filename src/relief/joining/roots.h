@@ -21,7 +21,7 @@ struct Root {
 struct Surroundings {
   std::vector<Root> roots;
   std::vector<int> lower;  ///< parts behind it that it touches, sorted
-  bool enclosed = false;   ///< nothing else is around it
+  bool enclosed = false;   ///< it does not touch the background
 };
 
 /// O(sides of the part).

@@ -13,6 +13,7 @@ namespace {
 /// How far parts reach below their neighbours at least: a share of the drawing's diagonal.
 constexpr double overlap_share = 0.005;
 constexpr double min_overlap = 2;  ///< px
+constexpr double least_feature_inflation = 0.02;
 
 Error no_such_label(int label) {
   return {ErrorCode::bad_input, "no part has this label", "label " + std::to_string(label)};
@@ -104,6 +105,26 @@ Occluders possible_occluders(const Proposal& proposal, const std::vector<UserArr
   return occluders;
 }
 
+/// Everybody in front.
+Occluders parts_in_front(const std::vector<int>& rank) {
+  Occluders occluders(rank.size());
+  for (size_t part = 0; part < rank.size(); ++part)
+    for (size_t other = 0; other < rank.size(); ++other)
+      if (rank[other] > rank[part]) occluders[part].push_back(static_cast<int>(other));
+  return occluders;
+}
+
+/// The shapes as the order of parts lets them be.
+Result<Completion> shapes_in_order(const Proposal& proposal, const RunContext& context) {
+  const std::vector<int>& rank = proposal.stacking.rank;
+  const auto below_front = complete_parts(proposal.regions, parts_in_front(rank), context);
+  if (!below_front) return below_front.error();
+  const Image16& map = proposal.regions.map;
+  const double overlap = std::max(min_overlap, overlap_share * std::hypot(map.width, map.height));
+  return clip_to_order(proposal.regions, proposal.completion, *below_front, rank,
+                       static_cast<int>(std::lround(overlap)));
+}
+
 void keep_given_outlines(const Corrections& corrections, Proposal& proposal) {
   for (const auto& [label, correction] : corrections.parts) {
     if (!correction.outline) continue;
@@ -136,8 +157,23 @@ double round_inflation(const Mask& mask) {
   const double root = std::sqrt((a - c) * (a - c) / 4 + b * b);
   const double longer = (a + c) / 2 + root;
   const double shorter = std::max((a + c) / 2 - root, 0.0);
-  const double inflation = longer > 0 ? 2 * (1 + shorter / longer) : 4;
-  return std::round(inflation * 100) / 100;
+  return longer > 0 ? 2 * (1 + shorter / longer) : 4;
+}
+
+/// Features on a part bulge the less the larger they are: an eye does, a patch on the belly does
+/// not. With q the share that they take of the part below, c is multiplied by 1 - 1.5 sqrt(q).
+double feature_inflation(const Proposal& proposal, const Completion& clipped, int part) {
+  double factor = 1;
+  for (const ProposedRelation& proposed : proposal.joining.relations) {
+    const Relation& relation = proposed.relation;
+    if (relation.upper != part || relation.kind != RelationKind::equal) continue;
+    const auto area = [&](int k) {
+      return static_cast<double>(pixel_count(clipped.parts[k].shape));
+    };
+    const double share = area(part) / area(relation.lower);
+    factor = std::min(factor, 1 - 1.5 * std::sqrt(share));
+  }
+  return std::max(factor, least_feature_inflation);
 }
 
 /// The outlines in the scene: as the user drew them, or those of the shapes after the order.
@@ -154,13 +190,13 @@ std::vector<Outline> scene_outlines(const Corrections& corrections, const PartRe
 }
 
 Part scene_part(const Corrections& corrections, PartLabel label, Outline outline,
-                const Mask& shape) {
+                double inflation) {
   const auto found = corrections.parts.find(label);
   const PartCorrection said = found == corrections.parts.end() ? PartCorrection{} : found->second;
   Part result;
   result.id = said.id.value_or("part-" + std::to_string(label));
   result.outline = std::move(outline);
-  result.c = said.c.value_or(round_inflation(shape));
+  result.c = said.c.value_or(std::round(inflation * 100) / 100);
   result.d = said.d.value_or(1);
   return result;
 }
@@ -172,8 +208,9 @@ Scene scene_of(const Corrections& corrections, const Proposal& proposal, const C
   scene.width = proposal.regions.map.width;
   scene.height = proposal.regions.map.height;
   for (const int part : proposal.stacking.back_to_front)
-    scene.parts.push_back(scene_part(corrections, proposal.regions.labels[part], outlines[part],
-                                     clipped.parts[part].shape));
+    scene.parts.push_back(scene_part(
+        corrections, proposal.regions.labels[part], outlines[part],
+        round_inflation(clipped.parts[part].shape) * feature_inflation(proposal, clipped, part)));
   const auto renumbered = [&](auto item) {
     item.upper = rank[item.upper];
     item.lower = rank[item.lower];
@@ -226,16 +263,13 @@ Result<Proposal> propose_scene(const Image16& labels, const Corrections& correct
   if (Status s = check_labels(proposal.regions, corrections, options.max_parts); !s)
     return s.error();
   if (Status s = propose(proposal, corrections, options, context); !s) return s.error();
-  const double diagonal = std::hypot(labels.width, labels.height);
-  const int overlap =
-      static_cast<int>(std::lround(std::max(min_overlap, overlap_share * diagonal)));
-  const Completion clipped =
-      clip_to_order(proposal.regions, proposal.completion, proposal.stacking.rank, overlap);
-  const std::vector<Outline> outlines = scene_outlines(corrections, proposal.regions, clipped);
+  const auto clipped = shapes_in_order(proposal, context);
+  if (!clipped) return clipped.error();
+  const std::vector<Outline> outlines = scene_outlines(corrections, proposal.regions, *clipped);
   proposal.joining =
       join_parts(proposal.regions, proposal.stacking, outlines,
                  LabelResolver(proposal.regions).joining(corrections.joining), options.joining);
-  proposal.scene = scene_of(corrections, proposal, clipped, outlines);
+  proposal.scene = scene_of(corrections, proposal, *clipped, outlines);
   if (Status s = validate(proposal.scene); !s) return s.error();
   return proposal;
 }

@@ -13,7 +13,8 @@ namespace {
 
 /// How far the cues of shape are trusted.
 constexpr double gain_trust = 0.9;
-constexpr double contour_trust = 0.9;
+constexpr double contour_trust = 0.7;
+constexpr double bulge_trust = 0.8;
 /// Gains below a strip of this width along the common boundary say nothing, px.
 constexpr double strip_width = 1.5;
 constexpr double min_confidence = 0.02;
@@ -52,7 +53,7 @@ Beliefs collect(const PartRegions& regions, const std::vector<NeighbourEvidence>
     const Pair pair = std::minmax(cue.upper, cue.lower);
     const auto found = beliefs.find(pair);
     if (found != beliefs.end())
-      found->second.bulge[cue.upper == pair.first ? 0 : 1] = cue.confidence;
+      found->second.bulge[cue.upper == pair.first ? 0 : 1] = bulge_trust * cue.confidence;
   }
   for (const JunctionCue& cue : find_junction_cues(regions)) {
     const Pair pair = std::minmax(cue.upper, cue.lower);
