@@ -26,7 +26,7 @@ struct TruePair {
 struct TrueCharacter {
   std::string name;
   Image16 labels;
-  ImageF depth;  ///< towards the viewer, 0 on the background, else from 1 on
+  ImageF depth;                 ///< towards the viewer, 0 on the background, else from 1 on
   std::vector<TruePart> parts;  ///< those that are seen
   std::vector<TruePair> pairs;  ///< of parts that are seen
 };

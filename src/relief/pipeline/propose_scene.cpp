@@ -13,6 +13,8 @@ namespace {
 /// How far parts reach below their neighbours at least: a share of the drawing's diagonal.
 constexpr double overlap_share = 0.005;
 constexpr double min_overlap = 2;  ///< px
+/// Arrows that are surer than this tell that a surrounded part's contour is its own.
+constexpr double sure_arrow = 0.75;
 constexpr double least_feature_inflation = 0.02;
 
 Error no_such_label(int label) {
@@ -85,8 +87,15 @@ class LabelResolver {
   std::optional<Error> error_;
 };
 
-/// Who may hide whom: everybody, except where the user says otherwise or where the boundary
-/// between two parts is the front one's own contour.
+bool touches_background(const PartRegions& regions, int part) {
+  for (const LabelRing& ring : regions.rings[part])
+    if (std::count(ring.beyond.begin(), ring.beyond.end(), 0) > 0) return true;
+  return false;
+}
+
+/// Who may hide whom: everybody, except where the user says otherwise, where the boundary between
+/// two parts is the front one's own contour, and parts behind one that is surrounded by others,
+/// of whose contour nothing else would be known.
 Occluders possible_occluders(const Proposal& proposal, const std::vector<UserArrow>& arrows) {
   const int count = proposal.regions.count();
   std::vector<std::vector<uint8_t>> hides(count, std::vector<uint8_t>(count, 1));
@@ -94,6 +103,10 @@ Occluders possible_occluders(const Proposal& proposal, const std::vector<UserArr
     if (pair.a_shaped && !pair.b_shaped) hides[pair.a][pair.b] = 0;
     if (pair.b_shaped && !pair.a_shaped) hides[pair.b][pair.a] = 0;
   }
+  for (const OrderArrow& arrow : proposal.stacking.arrows)
+    if (arrow.kept && arrow.confidence >= sure_arrow &&
+        !touches_background(proposal.regions, arrow.upper))
+      hides[arrow.upper][arrow.lower] = 0;
   for (const auto& [upper, lower] : arrows) {
     hides[lower][upper] = 1;
     hides[upper][lower] = 0;
