@@ -98,25 +98,20 @@ bool is_png(ByteView bytes) {
          std::equal(signature.begin(), signature.end(), bytes.begin());
 }
 
-namespace {
-
-struct PngSize {
-  int64_t width = 0;
-  int64_t height = 0;
-};
-
-Result<PngSize> checked_size(ByteView bytes, const ImageLimits& limits) {
+Result<ImageSize> png_size(ByteView bytes, const ImageLimits& limits) {
   if (!is_png(bytes)) return damaged("it does not begin with the PNG signature");
   if (bytes.size() < header_end) return damaged("it ends early");
   if (std::memcmp(bytes.data() + 12, "IHDR", 4) != 0) return damaged("it has no header");
   const int64_t width = big_endian(bytes.data() + 16);
   const int64_t height = big_endian(bytes.data() + 20);
   if (Status size = check_image_size(width, height, limits); !size) return size.error();
-  return PngSize{width, height};
+  return ImageSize{static_cast<int>(width), static_cast<int>(height)};
 }
 
+namespace {
+
 /// Reads the header of a file of checked size.
-Status start(PngReader& reader, ByteView bytes, const PngSize& size, const ImageLimits& limits,
+Status start(PngReader& reader, ByteView bytes, const ImageSize& size, const ImageLimits& limits,
              Samples samples) {
   reader.rest = bytes;
   reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, on_error, on_warning);
@@ -131,11 +126,11 @@ Status start(PngReader& reader, ByteView bytes, const PngSize& size, const Image
 }  // namespace
 
 Result<Image8> decode_png(ByteView bytes, const ImageLimits& limits) {
-  const auto size = checked_size(bytes, limits);
+  const auto size = png_size(bytes, limits);
   if (!size) return size.error();
   PngReader reader;
   if (Status s = start(reader, bytes, *size, limits, Samples::rgba); !s) return s.error();
-  Image8 image(static_cast<int>(size->width), static_cast<int>(size->height), 4);
+  Image8 image(size->width, size->height, 4);
   std::vector<png_bytep> rows(static_cast<size_t>(size->height));
   for (int y = 0; y < image.height; ++y) rows[static_cast<size_t>(y)] = &image.at(0, y);
   if (!read_pixels(reader, rows.data())) return damaged(reader.message);
@@ -143,7 +138,7 @@ Result<Image8> decode_png(ByteView bytes, const ImageLimits& limits) {
 }
 
 Result<Image16> decode_png_values(ByteView bytes, const ImageLimits& limits) {
-  const auto size = checked_size(bytes, limits);
+  const auto size = png_size(bytes, limits);
   if (!size) return size.error();
   PngReader reader;
   if (Status s = start(reader, bytes, *size, limits, Samples::values); !s) return s.error();
@@ -157,7 +152,7 @@ Result<Image16> decode_png_values(ByteView bytes, const ImageLimits& limits) {
   std::vector<png_bytep> rows(height);
   for (size_t y = 0; y < height; ++y) rows[y] = &samples[y * width * bytes_each];
   if (!read_pixels(reader, rows.data())) return damaged(reader.message);
-  Image16 image(static_cast<int>(size->width), static_cast<int>(size->height), 1);
+  Image16 image(size->width, size->height, 1);
   for (size_t i = 0; i < image.pixels.size(); ++i)
     image.pixels[i] = bytes_each == 1
                           ? uint16_t{samples[i]}
