@@ -42,11 +42,12 @@ constexpr const char* segment_help =
     R"(Makes a scene of a flat drawing: completes hidden parts, orders them, proposes joins.
 
 Examples:
-  relievo segment wolf.png --labels wolf-parts.png -o wolf.json
+  relievo segment wolf.png --labels wolf-parts.png -o wolf.relievo
   relievo segment wolf.png --labels wolf-parts.png -o wolf.json --overlay understood.png
-  relievo build wolf.json -o wolf.glb)";
+  relievo build wolf.relievo -o wolf.glb)";
 
-constexpr const char* input_help = "SVG drawing or scene file (JSON); - reads standard input";
+constexpr const char* input_help =
+    "SVG drawing, project or scene file (JSON); - reads standard input";
 
 Visibility visibility(const std::string& name) {
   if (name == "orbit") return Visibility::orbit;
@@ -187,14 +188,14 @@ void add_check(CLI::App& main, CheckArguments& check) {
 
 void add_segment(CLI::App& main, SegmentArguments& segment) {
   CLI::App& app = *main.add_subcommand("segment", segment_help);
-  add_common(app, segment.common, "Drawing (.png, .jpg)");
+  add_common(app, segment.common,
+             "Drawing (.png, .jpg), or a project whose corrections are to be applied");
   app.add_option("--labels", segment.labels,
                  "Picture whose values are parts, 0 is background: grey or palette (.png)")
-      ->required()
       ->check(extension({".png"}));
-  app.add_option("-o,--output", segment.output, "Scene file (.json)")
+  app.add_option("-o,--output", segment.output, "Project (.relievo) or scene file (.json)")
       ->required()
-      ->check(extension({".json"}));
+      ->check(extension({".relievo", ".json"}));
   app.add_option("--overlay", segment.overlay, "What was understood, over the drawing (.png)")
       ->check(extension({".png"}));
   app.add_option("--report", segment.report, "Parts, guesses and how sure they are (.json)")

@@ -59,8 +59,8 @@ struct RenderArguments {
 
 struct SegmentArguments {
   CommonArguments common;
-  std::string labels;   ///< file
-  std::string output;   ///< scene .json
+  std::string labels;   ///< file; empty: those of the project
+  std::string output;   ///< project .relievo or scene .json
   std::string overlay;  ///< files; empty: not wanted
   std::string report;
 };

@@ -22,19 +22,22 @@ const std::map<std::string, Names> kernel_rules = {
 };
 
 /// The chain of stages; data flows from left to right.
-const std::vector<std::string> stages = {"drawing", "scene",  "completion", "stacking",
-                                         "joining", "layers", "inflation",  "ordering",
-                                         "joint",   "model"};
+const std::vector<std::string> stages = {"drawing",  "scene",       "completion", "stacking",
+                                         "joining",  "corrections", "layers",     "inflation",
+                                         "ordering", "joint",       "model"};
 
 /// The joint stage unites these two and is made of their parts.
 const Names joint_folders = {"inflation", "ordering"};
 
 /// What a stage hands on: its struct and views of it. Everything else in its folder is its own.
 const Names stage_structs = {
-    "completion/completion.h", "completion/part_regions.h", "joining/joining.h",
-    "stacking/stacking.h",     "drawing/drawing.h",         "inflation/inflation.h",
-    "joint/joint_solution.h",  "layers/joined_surface.h",   "layers/layered_mesh.h",
-    "model/model.h",           "ordering/ordering.h",       "scene/scene.h",
+    "completion/completion.h", "corrections/corrections.h",
+    "drawing/scribbles.h",     "completion/part_regions.h",
+    "joining/joining.h",       "stacking/stacking.h",
+    "drawing/drawing.h",       "inflation/inflation.h",
+    "joint/joint_solution.h",  "layers/joined_surface.h",
+    "layers/layered_mesh.h",   "model/model.h",
+    "ordering/ordering.h",     "scene/scene.h",
 };
 
 /// Besides, files and pictures may use what the last stage derives from a model.

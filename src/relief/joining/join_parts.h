@@ -1,6 +1,5 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "relief/completion/part_regions.h"
@@ -8,15 +7,6 @@
 #include "relief/stacking/stacking.h"
 
 namespace relievo {
-
-/// What the user said about how parts connect, by part index. It replaces every proposal for the
-/// same two parts.
-struct JoiningCorrections {
-  std::vector<Join> joins;
-  std::vector<std::pair<int, int>> no_joins;  ///< upper, lower
-  std::vector<Relation> relations;
-  std::vector<RobinRange> robin;
-};
 
 struct JoiningOptions {
   double min_root = 0.08;       ///< a root takes at least this share of the upper part's outline

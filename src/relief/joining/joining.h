@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "relief/scene/scene.h"
@@ -23,6 +24,15 @@ struct ProposedRelation {
 struct Joining {
   std::vector<ProposedJoin> joins;
   std::vector<ProposedRelation> relations;
+  std::vector<RobinRange> robin;
+};
+
+/// What the user said about how parts connect, by part index. It replaces every proposal for the
+/// same two parts.
+struct JoiningCorrections {
+  std::vector<Join> joins;
+  std::vector<std::pair<int, int>> no_joins;  ///< upper, lower
+  std::vector<Relation> relations;
   std::vector<RobinRange> robin;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 
 #include "kernel/image/fill_outline.h"
 #include "kernel/image/mask_outline.h"

@@ -1,36 +1,16 @@
 #pragma once
 
-#include <map>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "kernel/base/run_context.h"
 #include "relief/completion/complete_parts.h"
+#include "relief/corrections/corrections.h"
 #include "relief/joining/join_parts.h"
 #include "relief/scene/scene.h"
 #include "relief/stacking/stack_parts.h"
 
 namespace relievo {
-
-using PartLabel = uint16_t;
-
-/// What the user says of a part. Whatever is absent is proposed.
-struct PartCorrection {
-  std::optional<std::string> id;
-  std::optional<Outline> outline;  ///< the completed part, canvas px
-  std::optional<double> c;
-  std::optional<double> d;
-};
-
-/// Everything that the user says; never overruled. Parts are named by their labels; the indices
-/// in `joining` are labels too.
-struct Corrections {
-  std::map<PartLabel, PartCorrection> parts;
-  std::vector<std::pair<PartLabel, PartLabel>> order;  ///< the first is in front of the second
-  JoiningCorrections joining;
-};
 
 struct ProposalOptions {
   CompletionOptions completion;
