@@ -38,9 +38,17 @@ Examples:
   relievo render wolf.svg -o wolf.png --view side --clay
   relievo render wolf.glb -o eye.png --view front --window 500 200 150)";
 
+constexpr const char* segment_help =
+    R"(Makes a scene of a flat drawing: completes hidden parts, orders them, proposes joins.
+
+Examples:
+  relievo segment wolf.png --labels wolf-parts.png -o wolf.relievo
+  relievo segment wolf.png --labels wolf-parts.png -o wolf.json --overlay understood.png
+  relievo build wolf.relievo -o wolf.glb)";
+
 constexpr const char* input_help =
-    "Layered drawing (SVG, OpenRaster, a folder of pictures) or scene file (JSON); - reads "
-    "standard input";
+    "Layered drawing (SVG, OpenRaster, a folder of pictures), project or scene file (JSON); - "
+    "reads standard input";
 
 Visibility visibility(const std::string& name) {
   if (name == "orbit") return Visibility::orbit;
@@ -191,6 +199,22 @@ void add_check(CLI::App& main, CheckArguments& check) {
   add_common(app, check.common, input_help);
 }
 
+void add_segment(CLI::App& main, SegmentArguments& segment) {
+  CLI::App& app = *main.add_subcommand("segment", segment_help);
+  add_common(app, segment.common,
+             "Drawing (.png, .jpg), or a project whose corrections are to be applied");
+  app.add_option("--labels", segment.labels,
+                 "Picture whose values are parts, 0 is background: grey or palette (.png)")
+      ->check(extension({".png"}));
+  app.add_option("-o,--output", segment.output, "Project (.relievo) or scene file (.json)")
+      ->required()
+      ->check(extension({".relievo", ".json"}));
+  app.add_option("--overlay", segment.overlay, "What was understood, over the drawing (.png)")
+      ->check(extension({".png"}));
+  app.add_option("--report", segment.report, "Parts, guesses and how sure they are (.json)")
+      ->check(extension({".json"}));
+}
+
 void add_render(CLI::App& main, RenderArguments& render) {
   CLI::App& app = *main.add_subcommand("render", render_help);
   add_common(app, render.common, "Model (.glb), SVG drawing or scene file; - reads standard input");
@@ -235,15 +259,18 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
   BuildArguments build;
   CheckArguments check;
   RenderArguments render;
+  SegmentArguments segment;
   add_build(app, build);
   add_check(app, check);
   add_render(app, render);
+  add_segment(app, segment);
   try {
     app.parse(argc, argv);
     if (app.got_subcommand("check")) return Command(check);
     if (app.got_subcommand("render")) return Command(render);
+    if (app.got_subcommand("segment")) return Command(segment);
     if (!app.got_subcommand("build"))
-      throw CLI::RequiredError("A command (build, check or render)");
+      throw CLI::RequiredError("A command (build, check, render or segment)");
     if (wants_nothing(build))
       throw CLI::ValidationError("nothing to write: give -o, a map, --preview, --report or --json");
     if (!build.convergence.empty() && build.relief.options.method != Method::nonlinear)

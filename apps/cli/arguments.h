@@ -59,7 +59,15 @@ struct RenderArguments {
   std::vector<double> window;          ///< middle x, y and width, canvas px; or empty
 };
 
-using Command = std::variant<BuildArguments, CheckArguments, RenderArguments>;
+struct SegmentArguments {
+  CommonArguments common;
+  std::string labels;   ///< file; empty: those of the project
+  std::string output;   ///< project .relievo or scene .json
+  std::string overlay;  ///< files; empty: not wanted
+  std::string report;
+};
+
+using Command = std::variant<BuildArguments, CheckArguments, RenderArguments, SegmentArguments>;
 
 /// The command, or the exit code where there is nothing more to do: help or the version was
 /// printed on standard output, or what is wrong was told on standard error.

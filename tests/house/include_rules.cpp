@@ -22,16 +22,21 @@ const std::map<std::string, Names> kernel_rules = {
 };
 
 /// The chain of stages; data flows from left to right.
-const std::vector<std::string> stages = {"drawing",  "scene", "layers", "inflation",
-                                         "ordering", "joint", "model"};
+const std::vector<std::string> stages = {"drawing",  "scene",       "completion", "stacking",
+                                         "joining",  "corrections", "layers",     "inflation",
+                                         "ordering", "joint",       "model"};
 
 /// The joint stage unites these two and is made of their parts.
 const Names joint_folders = {"inflation", "ordering"};
 
 /// What a stage hands on: its struct and views of it. Everything else in its folder is its own.
 const Names stage_structs = {
-    "drawing/drawing.h",       "inflation/inflation.h", "joint/joint_solution.h",
-    "layers/joined_surface.h", "layers/layered_mesh.h", "model/model.h",
+    "completion/completion.h", "corrections/corrections.h",
+    "drawing/scribbles.h",     "completion/part_regions.h",
+    "joining/joining.h",       "stacking/stacking.h",
+    "drawing/drawing.h",       "inflation/inflation.h",
+    "joint/joint_solution.h",  "layers/joined_surface.h",
+    "layers/layered_mesh.h",   "model/model.h",
     "ordering/ordering.h",     "scene/scene.h",
 };
 
@@ -39,9 +44,11 @@ const Names stage_structs = {
 const Names model_views = {"model/model_texture.h", "model/relief_maps.h"};
 
 /// The verbs of the stages, for the pipeline alone.
-const Names stage_verbs = {"inflation/inflate.h",  "joint/solve_jointly.h",
-                           "layers/layer_parts.h", "model/assemble_model.h",
-                           "model/relief_maps.h",  "ordering/order_depth.h"};
+const Names stage_verbs = {"completion/clip_to_order.h", "completion/complete_parts.h",
+                           "joining/join_parts.h",       "stacking/stack_parts.h",
+                           "inflation/inflate.h",        "joint/solve_jointly.h",
+                           "layers/layer_parts.h",       "model/assemble_model.h",
+                           "model/relief_maps.h",        "ordering/order_depth.h"};
 
 struct Place {
   std::string top;     ///< kernel, relief, io, render, apps, tests, benchmarks
