@@ -57,7 +57,7 @@ std::vector<int32_t> descending(const Image<int32_t>& squared, std::vector<int32
   const auto cap = static_cast<float>(squared.width + squared.height);
   for (size_t i = 0; i < n; ++i) {
     const float distance = std::min(cap, std::sqrt(static_cast<float>(squared.pixels[i])));
-    level[i] = static_cast<int32_t>(distance * level_steps + 0.5F);
+    level[i] = static_cast<int32_t>(distance * level_steps);
     top = std::max(top, level[i]);
   }
   std::vector<int32_t> begin(static_cast<size_t>(top) + 2, 0);

@@ -54,6 +54,7 @@ Status solve_nonlinear(const Scene& scene, const ReliefOptions& options, const R
   relief.inflation = std::move(solution->inflation);
   relief.ordering = std::move(solution->ordering);
   relief.joint = std::move(solution->report);
+  relief.snapshots = std::move(solution->snapshots);
   return Done{};
 }
 

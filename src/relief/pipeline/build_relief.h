@@ -40,7 +40,8 @@ struct Relief {
   LayeredMesh layers;
   Inflation inflation;
   Ordering ordering;
-  JointReport joint;  ///< of the non-linear method; without steps otherwise
+  JointReport joint;                     ///< of the non-linear method; without steps otherwise
+  std::vector<JointSnapshot> snapshots;  ///< likewise
   std::vector<StageTime> times;
 };
 
