@@ -22,17 +22,24 @@ const std::map<std::string, Names> kernel_rules = {
 };
 
 /// The chain of stages; data flows from left to right.
-const std::vector<std::string> stages = {"drawing",  "scene", "layers", "inflation",
-                                         "ordering", "joint", "model"};
+const std::vector<std::string> stages = {"drawing",   "scene",    "layers", "discretisation",
+                                         "inflation", "ordering", "joint",  "model"};
 
 /// The joint stage unites these two and is made of their parts.
 const Names joint_folders = {"inflation", "ordering"};
 
 /// What a stage hands on: its struct and views of it. Everything else in its folder is its own.
 const Names stage_structs = {
-    "drawing/drawing.h",       "inflation/inflation.h", "joint/joint_solution.h",
-    "layers/joined_surface.h", "layers/layered_mesh.h", "model/model.h",
-    "ordering/ordering.h",     "scene/scene.h",
+    "discretisation/discretisation.h",
+    "discretisation/discretise.h",
+    "drawing/drawing.h",
+    "inflation/inflation.h",
+    "joint/joint_solution.h",
+    "layers/joined_surface.h",
+    "layers/layered_mesh.h",
+    "model/model.h",
+    "ordering/ordering.h",
+    "scene/scene.h",
 };
 
 /// Besides, files and pictures may use what the last stage derives from a model.

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "kernel/operators/gradient.h"
 #include "kernel/operators/laplacian.h"
 #include "relief/layers/joined_surface.h"
 
@@ -60,13 +59,18 @@ SparseMatrix lower_block(const SparseMatrix& A, const std::vector<int>& place, i
   return block;
 }
 
-Inflation make_inflation(const LayeredMesh& mesh, const Eigen::VectorXd& u, double scale) {
+Inflation make_inflation(const GradientStencils& gradients, const Eigen::VectorXd& u,
+                         double scale) {
   Inflation inflation;
   inflation.u.reserve(static_cast<size_t>(u.size()));
   for (const double value : u) inflation.u.push_back(value / (scale * scale));
-  const std::vector<Point2> positions = node_positions(mesh);
-  inflation.grad_u = node_gradients({positions, mesh.faces}, inflation.u);
+  inflation.grad_u = node_gradients(gradients, inflation.u);
   return inflation;
+}
+
+Inflation make_inflation(const LayeredMesh& mesh, const Eigen::VectorXd& u, double scale) {
+  const std::vector<Point2> positions = node_positions(mesh);
+  return make_inflation(gradient_stencils({positions, mesh.faces}), u, scale);
 }
 
 }  // namespace relievo

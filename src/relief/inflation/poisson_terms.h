@@ -6,6 +6,7 @@
 #include "kernel/base/disjoint_sets.h"
 #include "kernel/base/sparse_matrix.h"
 #include "kernel/operators/flat_mesh.h"
+#include "kernel/operators/gradient.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/scene/scene.h"
@@ -26,7 +27,10 @@ std::vector<int> surface_signs(const LayeredMesh& mesh, const Scene& scene);
 /// along the nodes and has `size` entries that are not negative. O(entries).
 SparseMatrix lower_block(const SparseMatrix& A, const std::vector<int>& place, int size);
 
-/// u in px^2 and its gradients, from u in units of 1 / `scale` px. O(N + F).
+/// u in px^2 and its gradients, from u in units of 1 / `scale` px. O(entries of the stencils).
+Inflation make_inflation(const GradientStencils& gradients, const Eigen::VectorXd& u, double scale);
+
+/// The same with stencils for one use. O(N + F).
 Inflation make_inflation(const LayeredMesh& mesh, const Eigen::VectorXd& u, double scale);
 
 }  // namespace relievo
