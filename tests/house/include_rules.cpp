@@ -15,7 +15,7 @@ using Names = std::set<std::string>;
 const std::map<std::string, Names> kernel_rules = {
     {"base", {}},
     {"geometry", {"base"}},
-    {"image", {"base"}},
+    {"image", {"base", "geometry"}},
     {"meshing", {"base", "geometry"}},
     {"operators", {"base", "geometry"}},
     {"solvers", {"base"}},

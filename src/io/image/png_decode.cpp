@@ -83,13 +83,19 @@ bool is_png(ByteView bytes) {
          std::equal(signature.begin(), signature.end(), bytes.begin());
 }
 
-Result<Image8> decode_png(ByteView bytes, const ImageLimits& limits) {
+Result<ImageSize> png_size(ByteView bytes, const ImageLimits& limits) {
   if (!is_png(bytes)) return damaged("it does not begin with the PNG signature");
   if (bytes.size() < header_end) return damaged("it ends early");
   if (std::memcmp(bytes.data() + 12, "IHDR", 4) != 0) return damaged("it has no header");
   const int64_t width = big_endian(bytes.data() + 16);
   const int64_t height = big_endian(bytes.data() + 20);
   if (Status size = check_image_size(width, height, limits); !size) return size.error();
+  return ImageSize{static_cast<int>(width), static_cast<int>(height)};
+}
+
+Result<Image8> decode_png(ByteView bytes, const ImageLimits& limits) {
+  const auto size = png_size(bytes, limits);
+  if (!size) return size.error();
 
   PngReader reader;
   reader.rest = bytes;
@@ -97,11 +103,12 @@ Result<Image8> decode_png(ByteView bytes, const ImageLimits& limits) {
   if (reader.png != nullptr) reader.info = png_create_info_struct(reader.png);
   if (reader.info == nullptr) return Error{ErrorCode::internal, "libpng cannot be started", ""};
   if (!read_header(reader, limits)) return damaged(reader.message);
-  if (reader.packed_row_bytes * static_cast<uint64_t>(height) / max_deflate_ratio > bytes.size())
+  if (reader.packed_row_bytes * static_cast<uint64_t>(size->height) / max_deflate_ratio >
+      bytes.size())
     return damaged("it ends early");
 
-  Image8 image(static_cast<int>(width), static_cast<int>(height), 4);
-  std::vector<png_bytep> rows(static_cast<size_t>(height));
+  Image8 image(size->width, size->height, 4);
+  std::vector<png_bytep> rows(static_cast<size_t>(size->height));
   for (int y = 0; y < image.height; ++y) rows[static_cast<size_t>(y)] = &image.at(0, y);
   if (!read_pixels(reader, rows.data())) return damaged(reader.message);
   return image;

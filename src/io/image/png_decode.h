@@ -10,6 +10,14 @@ namespace relievo {
 /// Whether `bytes` begin as a PNG file does.
 bool is_png(ByteView bytes);
 
+struct ImageSize {
+  int width = 0;
+  int height = 0;
+};
+
+/// The size that the header of a PNG file states, without decoding it. Errors as decode_png.
+Result<ImageSize> png_size(ByteView bytes, const ImageLimits& limits = {});
+
 /// A PNG file of any colour type, depth and interlacing as 8-bit sRGB with straight alpha,
 /// 4 channels. Gamma and colour profiles are ignored, 16-bit samples are rounded. Errors:
 /// `bad_input` where the file is damaged or cut short (the reason is in the message), `limit`.

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "io/svg/region.h"
+#include "io/parts/region.h"
 #include "relief/scene/scene.h"
 
 namespace relievo {

@@ -1,4 +1,4 @@
-#include "relief/scene/text_rules.h"
+#include "kernel/base/text_rules.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "io/svg/part_cover.h"
+#include "io/parts/part_cover.h"
 
 #include <algorithm>
 #include <set>

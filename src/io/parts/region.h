@@ -2,8 +2,6 @@
 
 #include <vector>
 
-#include "io/svg/path_data.h"
-#include "io/svg/svg_style.h"
 #include "kernel/geometry/polygon.h"
 
 namespace relievo {
@@ -11,21 +9,6 @@ namespace relievo {
 /// Plane regions as outlines whose rings do not cross: outer rings of positive area, holes
 /// negative. All results of the functions below are such; coordinates are rounded to 1/1024 px.
 using Region = Outline;
-
-/// How a line is stroked, in canvas px.
-struct StrokeShape {
-  double width = 1;
-  LineCap cap = LineCap::butt;
-  LineJoin join = LineJoin::miter;
-  double miter_limit = 4;
-};
-
-/// What the lines enclose inside `bounds`. Coordinates up to 1e9 px are cut there without harm.
-Region fill_region(const std::vector<Polyline>& lines, FillRule rule, const Box2& bounds);
-
-/// What the pen covers inside `bounds`. Dashes are drawn as if solid.
-Region stroke_region(const std::vector<Polyline>& lines, const StrokeShape& shape,
-                     const Box2& bounds);
 
 Region unite(const Region& p, const Region& q);
 Region unite(const std::vector<Region>& regions);

@@ -1,10 +1,9 @@
-#include "io/svg/propose_parts.h"
+#include "io/parts/propose_parts.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "io/svg/figures.h"
-#include "io/svg/part_cover.h"
+#include "io/parts/part_cover.h"
 
 namespace relievo {
 namespace {
@@ -36,7 +35,7 @@ struct Evidence {
   bool ball = false;        ///< stands out by its colour and is small against the part below
 };
 
-double luminance(const SvgColor& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
+double luminance(const Color& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
 
 double fraction_of(const Region& region, const Region& other) {
   return area(intersect(region, other)) / area(region);
@@ -127,7 +126,7 @@ class Proposer {
     if (host < 0) return;
     const double own = area(figure.region);
     const double host_area = area(parts_[host].outline);
-    const SvgColor& ground = colors_[host];
+    const Color& ground = colors_[host];
     e.crossing = seen > 1 || crosses_patch(figure);
     const Region core = grow(parts_[host].outline, -0.006 * list_.diagonal);
     e.at_edge = fraction_of(figure.region, core) < 0.98;
@@ -166,14 +165,13 @@ class Proposer {
   double total_ = 0;
   std::vector<Box2> boxes_;  ///< of the figures
   std::vector<Part> parts_;
-  std::vector<SvgColor> colors_;  ///< colour of each part
-  std::vector<Region> patches_;   ///< figures that are no parts
+  std::vector<Color> colors_;    ///< colour of each part
+  std::vector<Region> patches_;  ///< figures that are no parts
 };
 
 }  // namespace
 
-std::vector<Part> propose_parts(const SvgDrawing& drawing) {
-  const FigureList list = find_figures(drawing);
+std::vector<Part> propose_parts(const FigureList& list) {
   std::vector<Part> parts = Proposer(list).run();
   cover_rest(parts, list.covered);
   const double speck = std::max(4.0, speck_area * area(list.covered));

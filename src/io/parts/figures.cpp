@@ -1,4 +1,4 @@
-#include "io/svg/figures.h"
+#include "io/parts/figures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,58 +11,12 @@ namespace {
 constexpr double line_thickness = 0.012;
 /// A stroke without a fill that is wider than this times the diagonal is a body of its own.
 constexpr double wide_stroke = 0.02;
-constexpr double opaque = 0.5;
-constexpr double faint = 0.02;
-/// Colours nearer than this look alike.
-constexpr double contrast = 0.12;
 /// Alike figures of one group that are smaller than this fraction of the drawing belong together,
 /// as strands of hair do.
 constexpr double strand_area = 0.02;
 
-/// One opaque shape.
-struct Mark {
-  const SvgShape* shape = nullptr;
-  Region region;
-  SvgColor color;
-  bool filled = false;
-  bool outlined = false;
-};
-
-bool is_visible(const std::optional<SvgColor>& paint, double least) {
-  return paint && paint->a >= least;
-}
-
-Mark mark_of(const SvgShape& shape, const SvgDrawing& drawing, double least) {
-  Mark mark;
-  mark.shape = &shape;
-  mark.filled = is_visible(shape.fill, least);
-  const bool stroked = is_visible(shape.stroke, least);
-  const Region stroke = stroked ? stroke_of(shape, drawing) : Region();
-  if (mark.filled) {
-    mark.color = *shape.fill;
-    mark.region = unite(fill_of(shape, drawing), stroke);
-    mark.outlined = stroked && color_distance(*shape.fill, *shape.stroke) > contrast;
-  } else if (stroked) {
-    mark.color = *shape.stroke;
-    mark.region = stroke;
-  }
-  return mark;
-}
-
-std::vector<Mark> visible_marks(const SvgDrawing& drawing, double least) {
-  std::vector<Mark> marks;
-  const double canvas = drawing.width * drawing.height;
-  for (const SvgShape& shape : drawing.shapes) {
-    if (shape.join || inherited_mark(drawing, shape.group) >= SvgMark::texture) continue;
-    Mark mark = mark_of(shape, drawing, least);
-    if (mark.region.empty() || area(mark.region) > 0.98 * canvas) continue;
-    marks.push_back(std::move(mark));
-  }
-  return marks;
-}
-
 bool is_line(const Mark& mark, double diagonal) {
-  if (!mark.filled) return mark.shape->pen.width < wide_stroke * diagonal;
+  if (!mark.filled) return mark.pen_width < wide_stroke * diagonal;
   const Region core = grow(mark.region, -line_thickness * diagonal / 2);
   return area(core) < 0.05 * area(mark.region);
 }
@@ -91,7 +45,7 @@ bool join_figure(std::vector<Figure>& figures, const Mark& mark, bool line, doub
   for (size_t i = figures.size(); i-- > 0;) {
     Figure& figure = figures[i];
     if (!same_silhouette(silhouette, figure.region, diagonal)) continue;
-    figure.outlined |= mark.outlined || color_distance(mark.color, figure.color) > contrast;
+    figure.outlined |= mark.outlined || color_distance(mark.color, figure.color) > color_contrast;
     figure.region = unite(figure.region, silhouette);
     if (!line) figure.color = mark.color;
     return true;
@@ -102,8 +56,8 @@ bool join_figure(std::vector<Figure>& figures, const Mark& mark, bool line, doub
 /// Whether both are strands of one tuft.
 bool are_strands(const Figure& p, const Figure& q, double total) {
   return p.group == q.group && !p.outlined && !q.outlined &&
-         color_distance(p.color, q.color) < contrast && area(q.region) < strand_area * total &&
-         !intersect(p.region, q.region).empty();
+         color_distance(p.color, q.color) < color_contrast &&
+         area(q.region) < strand_area * total && !intersect(p.region, q.region).empty();
 }
 
 void merge_strands(FigureList& list) {
@@ -125,25 +79,7 @@ void merge_strands(FigureList& list) {
 
 }  // namespace
 
-SvgMark inherited_mark(const SvgDrawing& drawing, int group) {
-  for (; group >= 0; group = drawing.groups[group].parent) {
-    const SvgMark mark = drawing.groups[group].annotation.mark;
-    if (mark != SvgMark::none) return mark;
-  }
-  return SvgMark::none;
-}
-
-std::string inherited_name(const SvgDrawing& drawing, int group) {
-  for (; group >= 0; group = drawing.groups[group].parent) {
-    const SvgGroup& g = drawing.groups[group];
-    if (!g.label.empty() || !g.id.empty()) return g.label.empty() ? g.id : g.label;
-  }
-  return "";
-}
-
-FigureList find_figures(const SvgDrawing& drawing) {
-  std::vector<Mark> marks = visible_marks(drawing, opaque);
-  if (marks.empty()) marks = visible_marks(drawing, faint);
+FigureList group_figures(std::vector<Mark> marks) {
   FigureList list;
   std::vector<Region> all;
   for (const Mark& mark : marks) all.push_back(mark.region);
@@ -152,9 +88,8 @@ FigureList find_figures(const SvgDrawing& drawing) {
   for (Mark& mark : marks) {
     const bool line = is_line(mark, list.diagonal);
     if (join_figure(list.figures, mark, line, list.diagonal) || line) continue;
-    const SvgShape& shape = *mark.shape;
-    const std::string name = shape.name.empty() ? inherited_name(drawing, shape.group) : shape.name;
-    list.figures.push_back({name, shape.group, mark.color, std::move(mark.region), mark.outlined});
+    list.figures.push_back(
+        {std::move(mark.name), mark.group, mark.color, std::move(mark.region), mark.outlined});
   }
   merge_strands(list);
   return list;
