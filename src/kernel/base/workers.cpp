@@ -6,6 +6,7 @@
 
 #if !defined(__EMSCRIPTEN__) || defined(__EMSCRIPTEN_PTHREADS__)
 #define RELIEVO_THREADS
+#include <exception>
 #include <thread>
 #include <vector>
 #endif
@@ -18,6 +19,27 @@ constexpr int shortest_range = 4096;
 constexpr int ranges_per_worker = 4;
 
 std::atomic<int> chosen_count{0};
+
+#ifdef RELIEVO_THREADS
+void run_on_threads(int helpers, int count, const std::function<void(int)>& task) {
+  std::atomic<int> next{0};
+  std::atomic<bool> failed{false};
+  std::exception_ptr failure;
+  const auto take_tasks = [&] {
+    try {
+      for (int i = next.fetch_add(1); i < count; i = next.fetch_add(1)) task(i);
+    } catch (...) {
+      if (!failed.exchange(true)) failure = std::current_exception();
+      next = count;
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int i = 0; i < helpers; ++i) threads.emplace_back(take_tasks);
+  take_tasks();
+  for (std::thread& thread : threads) thread.join();
+  if (failure) std::rethrow_exception(failure);
+}
+#endif
 
 }  // namespace
 
@@ -34,17 +56,17 @@ int worker_count() {
 void set_worker_count(int count) { chosen_count.store(count, std::memory_order_relaxed); }
 
 void run_tasks(int count, const std::function<void(int)>& task) {
-  std::atomic<int> next{0};
-  const auto take_tasks = [&] {
-    for (int i = next.fetch_add(1); i < count; i = next.fetch_add(1)) task(i);
-  };
 #ifdef RELIEVO_THREADS
-  std::vector<std::thread> helpers;
-  for (int i = 1; i < std::min(worker_count(), count); ++i) helpers.emplace_back(take_tasks);
-  take_tasks();
-  for (std::thread& helper : helpers) helper.join();
+  const int helpers = std::min(worker_count(), count) - 1;
 #else
-  take_tasks();
+  const int helpers = 0;
+#endif
+  if (helpers <= 0) {
+    for (int i = 0; i < count; ++i) task(i);
+    return;
+  }
+#ifdef RELIEVO_THREADS
+  run_on_threads(helpers, count, task);
 #endif
 }
 

@@ -13,7 +13,8 @@ int worker_count();
 void set_worker_count(int count);
 
 /// Calls task(0) .. task(count - 1), each once, on up to worker_count() threads, the caller's among
-/// them, and returns when all are done. Tasks begin in ascending order and must not throw.
+/// them, and returns when all are done. Tasks begin in ascending order. What the first of them to
+/// fail throws is thrown again, and tasks that have not begun are left out.
 void run_tasks(int count, const std::function<void(int)>& task);
 
 /// Cuts [0, count) into a few runs of about the same length and calls work(begin, end) for each

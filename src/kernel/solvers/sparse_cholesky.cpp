@@ -80,27 +80,22 @@ struct SparseCholesky::Implementation {
     return sound;
   }
 
-  /// The values of A, with fixed rows and columns as those of the identity.
-  std::vector<double> values_of(const SparseMatrix& A, std::span<const uint8_t> fixed) const {
-    std::vector<double> result(A.valuePtr(), A.valuePtr() + A.outerIndexPtr()[A.outerSize()]);
-    if (fixed.empty()) return result;
-    for (int j = 0; j < A.outerSize(); ++j)
-      for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry)
-        if (fixed[j] != 0 || fixed[entry.row()] != 0)
-          result[&entry.value() - A.valuePtr()] = entry.row() == j ? 1 : 0;
-    return result;
-  }
-
-  /// Marks the fronts that hold entries which differ from the last ones.
-  void mark_outdated(const SparseMatrix& A, const std::vector<double>& next) {
+  /// Takes over the values of A, with fixed rows and columns as those of the identity, and marks
+  /// the fronts that hold entries which differ from the last ones.
+  void take_values(const SparseMatrix& A, std::span<const uint8_t> fixed) {
     const std::vector<int>& front_of = memory.layout.front_of;
-    outdated.assign(memory.layout.fronts.parent.size(), 0);
-    for (int j = 0; j < A.outerSize(); ++j)
-      for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry) {
-        const auto at = static_cast<size_t>(&entry.value() - A.valuePtr());
-        if (entry.row() >= j && values[at] != next[at])
-          outdated[std::min(front_of[j], front_of[entry.row()])] = 1;
+    const int* row = A.innerIndexPtr();
+    const double* value = A.valuePtr();
+    for (int j = 0; j < A.outerSize(); ++j) {
+      const bool column_fixed = !fixed.empty() && fixed[j] != 0;
+      for (int e = A.outerIndexPtr()[j]; e < A.outerIndexPtr()[j + 1]; ++e) {
+        const bool replaced = column_fixed || (!fixed.empty() && fixed[row[e]] != 0);
+        const double next = !replaced ? value[e] : row[e] == j ? 1 : 0;
+        if (next == values[e]) continue;
+        values[e] = next;
+        if (row[e] >= j) outdated[std::min(front_of[j], front_of[row[e]])] = 1;
       }
+    }
   }
 };
 
@@ -136,8 +131,10 @@ bool SparseCholesky::factorise(const SparseMatrix& A, std::span<const uint8_t> f
   Implementation& self = *implementation_;
   assert(A.rows() == static_cast<Index>(self.memory.layout.fronts.order.size()));
   assert(fixed.empty() || static_cast<Index>(fixed.size()) == A.rows());
-  self.outdated.assign(self.memory.layout.fronts.parent.size(), 1);
-  self.values = self.values_of(A, fixed);
+  self.values.assign(static_cast<size_t>(A.outerIndexPtr()[A.outerSize()]), 0);
+  self.outdated.assign(self.memory.layout.fronts.parent.size(), 0);
+  self.take_values(A, fixed);
+  self.outdated.assign(self.outdated.size(), 1);
   const bool sound = self.factorise_outdated(self.values.data(), context);
   if (!self.incremental || !sound) self.values.clear();
   return sound;
@@ -147,9 +144,9 @@ bool SparseCholesky::refactorise(const SparseMatrix& A, std::span<const uint8_t>
                                  const RunContext& context) {
   Implementation& self = *implementation_;
   if (self.values.empty()) return factorise(A, fixed, context);
-  std::vector<double> next = self.values_of(A, fixed);
-  self.mark_outdated(A, next);
-  self.values = std::move(next);
+  assert(self.values.size() == static_cast<size_t>(A.outerIndexPtr()[A.outerSize()]));
+  self.outdated.assign(self.outdated.size(), 0);
+  self.take_values(A, fixed);
   const bool sound = self.factorise_outdated(self.values.data(), context);
   if (!sound) self.values.clear();
   return sound;

@@ -40,11 +40,7 @@ std::optional<VectorXd> PoissonSystem::solve(const std::vector<uint8_t>& fixed,
         L_.coeff(static_cast<int>(i), static_cast<int>(i)) + spring[n];
   }
   if (!factor_.refactorise(A_, held, context)) return std::nullopt;
-  VectorXd x = factor_.solve(b);
-  VectorXd residual = b - multiply_symmetric(A_, x);
-  for (Index i = 0; i < unknowns; ++i)
-    if (held[i] != 0) residual[i] = 0;
-  x += factor_.solve(residual);
+  const VectorXd x = factor_.solve(b);
   if (!x.allFinite()) return std::nullopt;
   VectorXd u = VectorXd::Zero(load.size());
   for (Index i = 0; i < unknowns; ++i) u[node_[i]] = x[i];

@@ -13,13 +13,6 @@ namespace {
 
 using Round = OrderingSystem::Round;
 
-/// The gaps to start from: those that the last round closed, or as the options say.
-std::vector<uint8_t> first_guess(const DepthProblem& problem, const std::vector<double>& last_h,
-                                 bool start_active) {
-  if (!last_h.empty()) return closed_gaps(problem, last_h);
-  return start_active ? problem.variables.bounded : std::vector<uint8_t>();
-}
-
 /// Solves one round after the other with the system's rounds.
 class RoundSolver {
  public:
@@ -51,9 +44,17 @@ class RoundSolver {
     rounds.push_back(
         {pairs, make_depth_system(problem, system_.metric, input_.discretisation.elimination,
                                   std::move(factor), context_)});
-    rounds.back().system.closed =
-        first_guess(problem, ordering.h.empty() ? system_.h : ordering.h, options_.start_active);
+    rounds.back().system.closed = first_guess(problem, ordering.h);
     return rounds.back();
+  }
+
+  /// The gaps to start from; `last_h` are the heights of the last round, if any.
+  std::vector<uint8_t> first_guess(const DepthProblem& problem,
+                                   const std::vector<double>& last_h) const {
+    if (!last_h.empty()) return closed_gaps(problem, last_h);
+    if (!system_.h.empty()) return closed_gaps(problem, system_.h);
+    if (!system_.contacts.empty()) return gaps_like(input_.mesh, problem, system_.contacts);
+    return options_.start_active ? problem.variables.bounded : std::vector<uint8_t>();
   }
 
   const OrderingInput& input_;
@@ -85,10 +86,10 @@ Result<Ordering> order_depth(const OrderingInput& input, const OrderingOptions& 
       order_in_rounds(mesh, input.scene, system.metric.scale, options.max_rounds, solve);
   if (!ordering) return ordering;
   finish_ordering(mesh, input.discretisation.gradients, input.scene, input.inflation, *ordering);
-  if (system.keep_rounds) {
+  if (system.keep_rounds)
     system.rounds.resize(std::min(system.rounds.size(), static_cast<size_t>(ordering->rounds) + 1));
-    system.h = ordering->h;
-  }
+  system.h = ordering->h;
+  system.contacts = contacts_of(mesh, system.rounds.back().system);
   context.report("order", 1);
   return ordering;
 }

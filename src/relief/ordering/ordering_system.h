@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "relief/layers/layered_mesh.h"
+#include "relief/ordering/depth_contacts.h"
 #include "relief/ordering/depth_problem.h"
 
 namespace relievo {
@@ -21,7 +22,10 @@ struct OrderingSystem {
   double epsilon = 0;  ///< that of the metric; 0: there is none yet
   ShiftMetric metric;
   std::vector<Round> rounds;
-  std::vector<double> h;  ///< heights whose closed gaps a first round begins with, or empty
+  /// Where a first round begins: heights on this mesh, or else contacts on another, or else as the
+  /// options say.
+  std::vector<double> h;
+  std::vector<DepthContact> contacts;
 };
 
 }  // namespace relievo

@@ -1,5 +1,9 @@
 #include "relief/pipeline/relief_session.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/base/workers.h"
 #include "relief/discretisation/discretise.h"
 #include "relief/pipeline/stage_keys.h"
 
@@ -13,6 +17,28 @@ struct ReliefSession::Request {
   StageClock& clock;
 };
 
+namespace {
+
+/// The mesh that a first guess is found on has so many times fewer nodes.
+constexpr int coarsening = 8;
+/// It is not worth the trouble where it would have fewer than so many.
+constexpr int smallest_coarse_mesh = 500;
+
+/// Where parts touch on a coarser mesh; nothing where that has no solution.
+std::vector<DepthContact> coarse_contacts(const Scene& scene, ReliefOptions options,
+                                          const RunContext& context) {
+  LayerOptions& layers = options.layers;
+  layers.edge_length *= std::sqrt(static_cast<double>(coarsening));
+  layers.vertex_budget /= coarsening;
+  if (layers.edge_length == 0 && layers.vertex_budget < smallest_coarse_mesh) return {};
+  options.ordering.max_rounds = 0;
+  ReliefSession session(ReliefSession::Use::guess);
+  if (!session.update(scene, options, RunContext{context.cancel, {}, {}})) return {};
+  return session.contacts();
+}
+
+}  // namespace
+
 Status ReliefSession::update(const Scene& scene, const ReliefOptions& options,
                              const RunContext& context) {
   if (Status status = validate(scene); !status) return status;
@@ -21,16 +47,49 @@ Status ReliefSession::update(const Scene& scene, const ReliefOptions& options,
   StageClock clock(times);
   const RunContext timed = clock.listen(context);
   const Request request{scene, options, timed, clock};
-  if (Status status = update_layers(request); !status) return status;
-  if (Status status = update_inflation(request); !status) return status;
   const bool jointly = options.method == Method::nonlinear;
-  if (Status status = jointly ? update_jointly(request) : update_ordering(request); !status)
-    return status;
+  const bool guess = use_ != Use::guess && !jointly && sheets_state_.version() == 0;
+  Status status = Done{};
+  std::vector<DepthContact> contacts;
+  run_tasks(guess ? 2 : 1, [&](int task) {
+    if (task == 0)
+      status = update_surface(request);
+    else
+      contacts = coarse_contacts(scene, options, context);
+  });
+  if (!status) return status;
+  if (guess) ordering_system_.contacts = std::move(contacts);
+  status = jointly ? update_jointly(request) : update_ordering(request);
+  if (!status) return status;
   relief_.times = std::move(times);
   return Done{};
 }
 
 Relief ReliefSession::take() && { return std::move(relief_); }
+
+Status ReliefSession::update_surface(const Request& request) {
+  if (Status status = update_layers(request); !status) return status;
+  return update_inflation(request);
+}
+
+/// A new mesh: the order begins from what touched on the last one.
+void ReliefSession::begin_like(const Scene& scene) {
+  std::vector<DepthContact> contacts = std::move(ordering_system_.contacts);
+  ordering_system_ = {};
+  ordering_system_.keep_rounds = use_ == Use::many;
+  const auto number = [&](int& part) {
+    const auto same = [&](const Part& other) { return other.id == part_ids_[part]; };
+    const auto found = std::find_if(scene.parts.begin(), scene.parts.end(), same);
+    part = found == scene.parts.end() ? -1 : static_cast<int>(found - scene.parts.begin());
+  };
+  for (DepthContact& contact : contacts) {
+    number(contact.lower);
+    number(contact.upper);
+  }
+  ordering_system_.contacts = std::move(contacts);
+  part_ids_.clear();
+  for (const Part& part : scene.parts) part_ids_.push_back(part.id);
+}
 
 Status ReliefSession::update_layers(const Request& request) {
   const auto& [scene, options, context, clock] = request;
@@ -50,7 +109,7 @@ Status ReliefSession::update_layers(const Request& request) {
     clock.finish("mesh");
     return Done{};
   });
-  if (status && use_ == Use::one) sheets_ = {};
+  if (status && use_ != Use::many) sheets_ = {};
   return status;
 }
 
@@ -61,8 +120,7 @@ Status ReliefSession::update_inflation(const Request& request) {
       discretisation_state_.refresh(Key().add(sheets_state_.version()), [&]() -> Status {
         discretisation_ = discretise(mesh, context);
         if (context.cancelled()) return interrupted_error();
-        ordering_system_ = {};
-        ordering_system_.keep_rounds = use_ == Use::many;
+        begin_like(scene);
         return Done{};
       });
   if (!status) return status;
@@ -83,7 +141,7 @@ Status ReliefSession::update_inflation(const Request& request) {
     clock.finish("inflate");
     return Done{};
   });
-  if (use_ == Use::one) poisson_.reset();
+  if (use_ != Use::many) poisson_.reset();
   return status;
 }
 

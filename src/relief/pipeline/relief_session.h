@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "relief/pipeline/build_relief.h"
 #include "relief/pipeline/key.h"
@@ -40,13 +42,15 @@ class StageState {
 /// inflation where they act             | | relation                         | constraints; the
 /// order with a new pattern                  | | outline, join, order, resolution | everything |
 ///
-/// The minimum of a warm solve is the one of a cold solve: the same active set, and heights that
-/// differ by round-off. Takes some 3 kB per node.
+/// Where nothing is known of the order yet, it begins from that of a coarser mesh. The minimum of a
+/// warm solve is the one of a cold solve: the same active set, and heights that differ by round-off
+/// at most. Takes some 3 kB per node.
 class ReliefSession {
  public:
   enum class Use {
-    many,  ///< several updates
-    one,   ///< a single one, with less memory
+    many,   ///< several updates
+    one,    ///< a single one, with less memory
+    guess,  ///< the same, on a mesh too coarse to begin from a coarser one
   };
 
   explicit ReliefSession(Use use = Use::many) : use_(use) {}
@@ -58,16 +62,21 @@ class ReliefSession {
   /// Of the last update. Its times are of the stages that were computed again.
   const Relief& relief() const { return relief_; }
 
+  /// Where parts touch in the relief, or may: of the approximate method.
+  const std::vector<DepthContact>& contacts() const { return ordering_system_.contacts; }
+
   /// The relief itself; the session is empty afterwards.
   Relief take() &&;
 
  private:
   struct Request;
 
+  Status update_surface(const Request& request);
   Status update_layers(const Request& request);
   Status update_inflation(const Request& request);
   Status update_ordering(const Request& request);
   Status update_jointly(const Request& request);
+  void begin_like(const Scene& scene);
 
   Use use_;
   StageState sheets_state_;
@@ -81,6 +90,7 @@ class ReliefSession {
   std::optional<PoissonSystem> poisson_;
   Inflation inflation_;
   OrderingSystem ordering_system_;
+  std::vector<std::string> part_ids_;  ///< that the contacts' parts had
   Relief relief_;
 };
 
