@@ -13,6 +13,7 @@ namespace relievo {
 struct Discretisation {
   double scale = 1;              ///< scene units per px
   SparseMatrix L;                ///< #N x #N, stiffness, both triangles
+  std::vector<int> surface;      ///< #N, smallest node of the node's joined surface
   Eigen::VectorXd mass;          ///< #N, lumped, scene units^2
   GradientStencils gradients;    ///< at nodes, 1 / px
   std::vector<int> elimination;  ///< nodes in an order in which matrices on them fill in little;

@@ -37,6 +37,7 @@ Discretisation discretise(const LayeredMesh& mesh, const RunContext& context) {
   const std::vector<Point2> in_px = node_positions(mesh);
   const std::vector<Point2> in_units = node_positions(mesh, result.scale);
   const FlatMesh flat{in_units, mesh.faces};
+  result.surface = joined_surfaces(mesh);
   const auto timed = [&](const char* piece, const std::function<void()>& work) {
     if (context.cancelled()) return;
     const PieceTimer timer(context, piece);

@@ -41,14 +41,14 @@ Boundary boundary_conditions(const LayeredMesh& mesh, const InflationOptions& op
   return boundary;
 }
 
-Status check_held(const LayeredMesh& mesh, const Scene& scene, const Boundary& boundary) {
-  DisjointSets surfaces = connected_surfaces(mesh);
+Status check_held(const InflationInput& input, const Boundary& boundary) {
+  const auto& [mesh, discretisation, scene] = input;
   std::vector<uint8_t> held(mesh.node_vertex.size(), 0);
   for (size_t n = 0; n < held.size(); ++n)
     if (boundary.fixed[n] != 0 || boundary.spring[static_cast<Eigen::Index>(n)] > 0)
-      held[surfaces.find(static_cast<int>(n))] = 1;
+      held[discretisation.surface[n]] = 1;
   for (size_t f = 0; f < mesh.faces.size(); ++f)
-    if (held[surfaces.find(mesh.faces[f][0])] == 0)
+    if (held[discretisation.surface[mesh.faces[f][0]]] == 0)
       return Error{ErrorCode::bad_input,
                    "nothing holds the surface of this part at height 0: its outline is all join",
                    scene.parts[mesh.face_part[f]].id};
@@ -56,8 +56,9 @@ Status check_held(const LayeredMesh& mesh, const Scene& scene, const Boundary& b
 }
 
 /// On surfaces whose sources all have one sign u has it too; obtuse faces may spoil it slightly.
-void restore_sign(const LayeredMesh& mesh, const Scene& scene, VectorXd& u) {
-  const std::vector<int> signs = surface_signs(mesh, scene);
+void restore_sign(const InflationInput& input, VectorXd& u) {
+  const std::vector<int> signs =
+      surface_signs(input.mesh, input.discretisation.surface, input.scene);
   for (Eigen::Index n = 0; n < u.size(); ++n)
     if (signs[n] * u[n] < 0) u[n] = 0;
 }
@@ -79,14 +80,14 @@ Result<Inflation> inflate(const InflationInput& input, const InflationOptions& o
   if (Status status = check_options(options); !status) return status.error();
   context.report("inflate", 0);
   const Boundary boundary = boundary_conditions(mesh, options);
-  if (Status status = check_held(mesh, scene, boundary); !status) return status.error();
+  if (Status status = check_held(input, boundary); !status) return status.error();
 
   const std::vector<Point2> positions = node_positions(mesh, discretisation.scale);
   const VectorXd load = inflation_load({positions, mesh.faces}, mesh, scene);
   std::optional<VectorXd> u = system.solve(boundary.fixed, boundary.spring, load, context);
   if (context.cancelled()) return interrupted_error();
   if (!u) return Error{ErrorCode::internal, "the inflation has no finite solution", ""};
-  restore_sign(mesh, scene, *u);
+  restore_sign(input, *u);
   context.report("inflate", 1);
   return make_inflation(discretisation.gradients, *u, discretisation.scale);
 }

@@ -36,8 +36,8 @@ std::optional<VectorXd> PoissonSystem::solve(const std::vector<uint8_t>& fixed,
     const int n = node_[i];
     held[i] = fixed[n];
     b[i] = held[i] != 0 ? 0 : load[n];
-    A_.coeffRef(static_cast<int>(i), static_cast<int>(i)) =
-        L_.coeff(static_cast<int>(i), static_cast<int>(i)) + spring[n];
+    const int diagonal = A_.outerIndexPtr()[i];  // first of the lower triangle's column
+    A_.valuePtr()[diagonal] = L_.valuePtr()[diagonal] + spring[n];
   }
   if (!factor_.refactorise(A_, held, context)) return std::nullopt;
   const VectorXd x = factor_.solve(b);

@@ -18,30 +18,20 @@ Eigen::VectorXd inflation_load(const FlatMesh& flat, const LayeredMesh& mesh, co
   return load_vector(flat, density);
 }
 
-DisjointSets connected_surfaces(const LayeredMesh& mesh) {
-  DisjointSets surfaces(static_cast<int>(mesh.node_vertex.size()));
-  for (const auto& [a, b, c] : mesh.faces) {
-    surfaces.unite(a, b);
-    surfaces.unite(a, c);
-  }
-  return surfaces;
+std::vector<int> surface_signs(const LayeredMesh& mesh, const std::vector<int>& surface,
+                               const Scene& scene) {
+  std::vector<uint8_t> raised(mesh.node_vertex.size(), 0);
+  std::vector<uint8_t> sunk(raised);
+  for (size_t f = 0; f < mesh.faces.size(); ++f)
+    (scene.parts[mesh.face_part[f]].d > 0 ? raised : sunk)[surface[mesh.faces[f][0]]] = 1;
+  std::vector<int> signs;
+  signs.reserve(raised.size());
+  for (const int s : surface) signs.push_back(raised[s] - sunk[s]);
+  return signs;
 }
 
 std::vector<int> surface_signs(const LayeredMesh& mesh, const Scene& scene) {
-  DisjointSets surfaces = connected_surfaces(mesh);
-  std::vector<uint8_t> raised(mesh.node_vertex.size(), 0);
-  std::vector<uint8_t> sunk(raised);
-  for (size_t f = 0; f < mesh.faces.size(); ++f) {
-    const int surface = surfaces.find(mesh.faces[f][0]);
-    (scene.parts[mesh.face_part[f]].d > 0 ? raised : sunk)[surface] = 1;
-  }
-  std::vector<int> signs;
-  signs.reserve(raised.size());
-  for (size_t n = 0; n < raised.size(); ++n) {
-    const int surface = surfaces.find(static_cast<int>(n));
-    signs.push_back(raised[surface] - sunk[surface]);
-  }
-  return signs;
+  return surface_signs(mesh, joined_surfaces(mesh), scene);
 }
 
 SparseMatrix lower_block(const SparseMatrix& A, const std::vector<int>& place, int size) {

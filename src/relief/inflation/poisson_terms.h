@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "kernel/base/disjoint_sets.h"
 #include "kernel/base/sparse_matrix.h"
 #include "kernel/operators/flat_mesh.h"
 #include "kernel/operators/gradient.h"
@@ -16,11 +15,12 @@ namespace relievo {
 /// Integral of c d|d| against each node's hat function, in the unit of `flat`, #N. O(N + F).
 Eigen::VectorXd inflation_load(const FlatMesh& flat, const LayeredMesh& mesh, const Scene& scene);
 
-/// The nodes of each joined surface as one set. Near-linear.
-DisjointSets connected_surfaces(const LayeredMesh& mesh);
-
 /// The sign that u has by the maximum principle, #N: 1 or -1 where all parts of the node's surface
-/// have d of that sign, 0 where they differ. Near-linear.
+/// have d of that sign, 0 where they differ. `surface` is the one of each node, #N. O(N + F).
+std::vector<int> surface_signs(const LayeredMesh& mesh, const std::vector<int>& surface,
+                               const Scene& scene);
+
+/// The same, finding the surfaces. Near-linear.
 std::vector<int> surface_signs(const LayeredMesh& mesh, const Scene& scene);
 
 /// The lower triangle of the rows and columns n of A with place[n] >= 0, moved there. `place` rises

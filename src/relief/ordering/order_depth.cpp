@@ -27,6 +27,10 @@ class RoundSolver {
   Status solve(const std::vector<DepthPair>& pairs, Ordering& ordering) {
     context_.report("order", ordering.rounds / (options_.max_rounds + 1.0));
     Round& round = round_for(pairs, ordering);
+    if (context_.cancelled()) {  // it may be half made
+      system_.rounds.clear();
+      return interrupted_error();
+    }
     return check_solved(solve_heights(round.system, system_.metric, f_, ordering, context_));
   }
 
@@ -85,7 +89,7 @@ Result<Ordering> order_depth(const OrderingInput& input, const OrderingOptions& 
   Result<Ordering> ordering =
       order_in_rounds(mesh, input.scene, system.metric.scale, options.max_rounds, solve);
   if (!ordering) return ordering;
-  finish_ordering(mesh, input.discretisation.gradients, input.scene, input.inflation, *ordering);
+  finish_ordering(input, *ordering);
   if (system.keep_rounds)
     system.rounds.resize(std::min(system.rounds.size(), static_cast<size_t>(ordering->rounds) + 1));
   system.h = ordering->h;

@@ -5,7 +5,6 @@
 
 #include "kernel/base/result.h"
 #include "kernel/base/run_context.h"
-#include "kernel/operators/gradient.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/order_depth.h"
@@ -29,10 +28,9 @@ Result<Ordering> order_in_rounds(const LayeredMesh& mesh, const Scene& scene, do
                                  int max_rounds, const HeightSolver& solve);
 
 /// Fills in g = h - f, its gradients and the samples of the overlap.
-void finish_ordering(const LayeredMesh& mesh, const GradientStencils& gradients, const Scene& scene,
-                     const Inflation& inflation, Ordering& ordering);
+void finish_ordering(const OrderingInput& input, Ordering& ordering);
 
-/// The same with stencils for one use.
+/// The same with operators for one use.
 void finish_ordering(const LayeredMesh& mesh, const Scene& scene, const Inflation& inflation,
                      Ordering& ordering);
 
