@@ -43,9 +43,6 @@ std::vector<double> heights_of(const DepthProblem& problem, const VectorXd& root
   return heights_from_gaps(problem.forest, problem.variables, shifted, unknowns, 1 / scale);
 }
 
-namespace {
-
-/// The variables in the order in which their first nodes come.
 std::vector<int> order_of_variables(const GapVariables& variables,
                                     const std::vector<int>& elimination) {
   std::vector<uint8_t> seen(variables.bounded.size(), 0);
@@ -58,8 +55,6 @@ std::vector<int> order_of_variables(const GapVariables& variables,
   }
   return order;
 }
-
-}  // namespace
 
 DepthSystem make_depth_system(const DepthProblem& problem, const ShiftMetric& metric,
                               const std::vector<int>& elimination, SparseCholesky factor,

@@ -44,6 +44,10 @@ struct DepthSystem {
   std::vector<uint8_t> closed;  ///< gaps to begin with closed, then those of the solution; or empty
 };
 
+/// The variables in the order in which their first nodes come in `elimination`. O(N).
+std::vector<int> order_of_variables(const GapVariables& variables,
+                                    const std::vector<int>& elimination);
+
 /// `elimination` holds the nodes in an order that fills in little; where it is empty, one is
 /// chosen. Uses the memory of `factor`. Near-linear in the entries of K and of the fronts' rows.
 DepthSystem make_depth_system(const DepthProblem& problem, const ShiftMetric& metric,

@@ -109,7 +109,10 @@ Status ReliefSession::update_layers(const Request& request) {
     clock.finish("mesh");
     return Done{};
   });
-  if (status && use_ != Use::many) sheets_ = {};
+  if (use_ != Use::many) {
+    sheets_state_.forget();
+    sheets_ = {};
+  }
   return status;
 }
 
@@ -141,7 +144,10 @@ Status ReliefSession::update_inflation(const Request& request) {
     clock.finish("inflate");
     return Done{};
   });
-  if (use_ != Use::many) poisson_.reset();
+  if (use_ != Use::many) {
+    poisson_state_.forget();
+    poisson_.reset();
+  }
   return status;
 }
 

@@ -25,6 +25,9 @@ class StageState {
     return Done{};
   }
 
+  /// The value is gone.
+  void forget() { inputs_.reset(); }
+
   /// Grows with every computation: what later stages name as their input.
   uint64_t version() const { return version_; }
 
