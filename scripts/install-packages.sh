@@ -5,8 +5,8 @@
 set -eu
 
 build="ca-certificates ccache cmake g++ libcgal-dev libcli11-dev libeigen3-dev libembree-dev
-  libjpeg-dev libpng-dev libpolyclipping-dev libpugixml-dev librsvg2-dev libzip-dev lld
-  ninja-build nlohmann-json3-dev pkg-config"
+  libgif-dev libjpeg-dev libpng-dev libpolyclipping-dev libpugixml-dev librsvg2-dev libzip-dev
+  lld ninja-build nlohmann-json3-dev pkg-config"
 test="clang-format clang-tidy coinor-libipopt-dev libgtest-dev librapidcheck-dev libvalijson-dev
   shellcheck zlib1g-dev"
 

@@ -8,6 +8,7 @@
 #include "io/image/decode_image.h"
 #include "io/layered/read_layer_folder.h"
 #include "io/layered/read_ora.h"
+#include "io/project/project_file.h"
 #include "io/scene/read_scene.h"
 #include "io/svg/read_svg.h"
 #include "io/svg/render_svg.h"
@@ -71,11 +72,34 @@ Result<SceneInput> load_folder(const InputFile& input) {
   return loaded;
 }
 
+/// The pixels of a picture, or of a vector drawing that covers the scene's canvas.
+Result<Drawing> drawing_from(const Bytes& bytes, const Scene& scene) {
+  if (sniff(bytes) == InputKind::svg) return rasterize(bytes, scene);
+  auto pixels = decode_image(bytes);
+  if (!pixels) return pixels.error();
+  return Drawing{std::move(*pixels)};
+}
+
+Result<SceneInput> load_project(const InputFile& input) {
+  auto project = decode_project(input.bytes);
+  if (!project) return project.error();
+  SceneInput loaded;
+  loaded.scene = std::move(project->scene);
+  if (loaded.scene.drawing.empty()) return loaded;
+  const Bytes& picture = project->picture.empty() ? project->drawing.bytes : project->picture;
+  auto drawing = drawing_from(picture, loaded.scene);
+  if (!drawing) return in_file(drawing.error(), loaded.scene.drawing);
+  loaded.drawing = std::move(*drawing);
+  return loaded;
+}
+
 Result<SceneInput> load_archive(const InputFile& input) {
+  if (is_project(input.bytes)) return load_project(input);
   const auto entries = unpack_archive(input.bytes);
   if (!entries) return entries.error();
   if (!is_ora(*entries))
-    return Error{ErrorCode::bad_input, "is an archive, but no OpenRaster drawing", ""};
+    return Error{ErrorCode::bad_input,
+                 "is an archive, but neither a project nor an OpenRaster drawing", ""};
   auto ora = read_ora(*entries);
   if (!ora) return ora.error();
   SceneInput loaded = with_layers(std::move(ora->content));
@@ -108,15 +132,9 @@ Status load_drawing(const InputFile& input, SceneInput& loaded) {
   const auto bytes = read_file(*path);
   if (!bytes) return bytes.error();
   loaded.files.push_back(*path);
-  if (sniff(*bytes) == InputKind::svg) {
-    auto drawing = rasterize(*bytes, loaded.scene);
-    if (!drawing) return in_file(drawing.error(), path->string());
-    loaded.drawing = std::move(*drawing);
-    return Done{};
-  }
-  auto pixels = decode_image(*bytes);
-  if (!pixels) return in_file(pixels.error(), path->string());
-  loaded.drawing.rgba = std::move(*pixels);
+  auto drawing = drawing_from(*bytes, loaded.scene);
+  if (!drawing) return in_file(drawing.error(), path->string());
+  loaded.drawing = std::move(*drawing);
   warn_about_shape(loaded.drawing, loaded.scene, loaded);
   return Done{};
 }
@@ -136,14 +154,14 @@ Result<SceneInput> refuse(InputKind kind) {
   switch (kind) {
     case InputKind::image:
       return bad(
-          "is a flat picture, and this version cannot find the parts of one by itself; draw each "
-          "part as a layer of an SVG, or write a scene file that names the picture as its drawing");
+          "is a flat picture; find its parts first with: relievo segment, or draw each part as a "
+          "layer of an SVG");
     case InputKind::glb:
       return bad("is a finished model; use it with: relievo render");
     case InputKind::gzip:
       return bad("is compressed; unpack it first, for example with gunzip");
     default:
-      return bad("is neither an SVG or OpenRaster drawing nor a scene file (JSON)");
+      return bad("is neither an SVG or OpenRaster drawing nor a scene or project file");
   }
 }
 

@@ -23,4 +23,9 @@ Result<ImageSize> png_size(ByteView bytes, const ImageLimits& limits = {});
 /// `bad_input` where the file is damaged or cut short (the reason is in the message), `limit`.
 Result<Image8> decode_png(ByteView bytes, const ImageLimits& limits = {});
 
+/// The values themselves of a grey or palette PNG file of up to 16 bits (palette: the indices), not
+/// scaled, 1 channel; an alpha channel is left out. For pictures whose values are numbers, not
+/// colours. Errors: as decode_png, and `bad_input` where the file holds colours.
+Result<Image16> decode_png_values(ByteView bytes, const ImageLimits& limits = {});
+
 }  // namespace relievo

@@ -17,8 +17,9 @@ struct Relief {
   LayeredMesh layers;
   Inflation inflation;
   Ordering ordering;
-  JointReport joint;             ///< of the non-linear method; without steps otherwise
-  std::vector<StageTime> times;  ///< of the stages that ran
+  JointReport joint;                     ///< of the non-linear method; without steps otherwise
+  std::vector<JointSnapshot> snapshots;  ///< likewise
+  std::vector<StageTime> times;          ///< of the stages that ran
 };
 
 /// Layers and inflation, then the order of depths, or the joint problem from there.

@@ -162,6 +162,7 @@ Status ReliefSession::update_ordering(const Request& request) {
     relief_.inflation = inflation_;
     relief_.ordering = std::move(*ordering);
     relief_.joint = {};
+    relief_.snapshots.clear();
     clock.finish("order");
     return Done{};
   });
@@ -180,6 +181,7 @@ Status ReliefSession::update_jointly(const Request& request) {
     relief_.inflation = std::move(solution->inflation);
     relief_.ordering = std::move(solution->ordering);
     relief_.joint = std::move(solution->report);
+    relief_.snapshots = std::move(solution->snapshots);
     clock.finish("nonlinear");
     return Done{};
   });

@@ -59,7 +59,7 @@ Key ordering_key(const LayeredMesh& mesh, const Scene& scene, const OrderingOpti
 Key joint_key(const JointOptions& options) {
   Key key;
   key.add(options.lambda_bnd).add(options.lambda_shift).add(options.tolerance);
-  return key.add(options.max_iterations).add(options.anderson_depth);
+  return key.add(options.max_iterations).add(options.anderson_depth).add(options.snapshots);
 }
 
 }  // namespace relievo
