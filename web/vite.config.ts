@@ -11,7 +11,10 @@ export default defineConfig({
   base: './',
   plugins: [contentPolicy(), offlineCopy()],
   resolve: {
-    alias: { '#relievo': `${core}/relievo.mjs`, '#core.wasm': `${core}/relievo.wasm` },
+    alias: [
+      { find: '#relievo', replacement: `${core}/relievo.mjs` },
+      { find: /^#core\.wasm/, replacement: `${core}/relievo.wasm` },
+    ],
   },
   server: { fs: { allow: [at('..')] } },
   worker: { format: 'es' },
