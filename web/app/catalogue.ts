@@ -230,12 +230,12 @@ const german: Record<MessageKey, string> = {
   keyEscape: 'Geste, Tafel, Auswahl verlassen',
 };
 
-const catalogues: Record<string, Record<MessageKey, string>> = { en: english, de: german };
+export const catalogues: Record<'en' | 'de', Record<MessageKey, string>> = { en: english, de: german };
 
 export const language = typeof navigator !== 'undefined' && navigator.language.startsWith('de') ? 'de' : 'en';
 
 /** The text of a key, with {names} filled in. */
 export function t(key: MessageKey, values: Record<string, string | number> = {}): string {
-  const text = (catalogues[language] ?? english)[key];
+  const text = catalogues[language][key];
   return text.replace(/\{(\w+)\}/g, (_, name: string) => String(values[name] ?? ''));
 }

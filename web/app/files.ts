@@ -1,3 +1,4 @@
+import { zipSync } from 'fflate';
 import type { Autosave } from '../document/autosave';
 import { type Document, emptyDocument } from '../document/document';
 import { readProject, writeProject } from '../document/project_file';
@@ -13,6 +14,10 @@ const imageTypes = ['image/png', 'image/jpeg', 'image/webp'];
 
 function baseName(name: string): string {
   return name.replace(/\.[^.]*$/, '') || 'untitled';
+}
+
+function zipped(files: readonly OutputFile[]): Uint8Array<ArrayBuffer> {
+  return zipSync(Object.fromEntries(files.map(({ name, bytes }) => [name, bytes])));
 }
 
 /** Hands a file to the person. */
@@ -78,7 +83,9 @@ export class Files {
       const texture = format === 'stl' ? null : textureOf(doc, state.picture);
       const files = await this.engine.encode(format, doc.name, doc.settings.sizeMm, texture);
       if (isFailure(files)) throw new Error(files.error.message);
-      files.files.forEach(download);
+      const [only, ...others] = files.files;
+      if (only && others.length === 0) download(only);
+      else download({ name: `${doc.name}-${format}.zip`, bytes: zipped(files.files) });
     });
   };
 

@@ -7,6 +7,9 @@ import { t } from './catalogue';
 import type { Editor } from './editor';
 import { PeekOverlay } from './peek_overlay';
 
+/** What the toolbar covers, CSS px. */
+const toolbarRoom = 90;
+
 /** The canvas with its zoom, and the pointers on it. */
 export class PaperControl {
   view: Viewport = { scale: 1, x: 0, y: 0 };
@@ -37,7 +40,7 @@ export class PaperControl {
 
   fit(): void {
     const { width, height } = this.editor.document;
-    this.view = fitted([width, height], [this.canvas.clientWidth, this.canvas.clientHeight]);
+    this.view = fitted([width, height], [this.canvas.clientWidth, this.canvas.clientHeight], toolbarRoom);
     this.redraw();
   }
 

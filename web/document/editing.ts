@@ -152,6 +152,7 @@ export function addJoin(document: Document, join: Join): Document {
 
 /** Joins two overlapping parts along all of the upper outline that is inside the lower part. */
 export function joinParts(document: Document, a: string, b: string): Document {
+  if (a === b) return document;
   const pair = ordered(document, a, b);
   const upper = document.parts[partIndex(document, pair.upper)];
   const lower = document.parts[partIndex(document, pair.lower)];
@@ -168,6 +169,7 @@ export function removeJoin(document: Document, upper: string, lower: string): Do
 
 /** What holds between two parts everywhere; null: the default. */
 export function relate(document: Document, a: string, b: string, kind: RelationKind | null): Document {
+  if (a === b) return document;
   const pair = ordered(document, a, b);
   const others = document.relations.filter(
     (old) => old.upper !== pair.upper || old.lower !== pair.lower || old.range !== undefined,

@@ -6,7 +6,7 @@ import { traceLine } from '../view/paper_view';
 import type { Modifiers, Tool, ToolHost } from './tool';
 
 /** Ends so near to each other, as a share of the stroke's length, are one. */
-const closing = 0.12;
+const closing = 0.05;
 
 /** A closed stroke is a part; an open one is a part that grows out of what lies below its ends. */
 export class DrawTool implements Tool {

@@ -12,7 +12,7 @@ export class ModelView {
   private readonly scene = new THREE.Scene();
   private readonly camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -10, 10);
   private readonly controls: OrbitControls;
-  private readonly light = new THREE.DirectionalLight(0xffffff, 2.1);
+  private readonly light = new THREE.DirectionalLight(0xffffff, 2.3);
   private readonly model = new THREE.Group();
   private readonly materials = {
     drawing: new THREE.MeshStandardMaterial({ roughness: 0.92, side: THREE.DoubleSide }),
@@ -29,7 +29,7 @@ export class ModelView {
   constructor(private readonly canvas: HTMLCanvasElement) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
-    this.scene.add(this.model, this.light, this.light.target, new THREE.HemisphereLight(0xffffff, 0xb9b2a8, 1.35));
+    this.scene.add(this.model, this.light, this.light.target, new THREE.HemisphereLight(0xffffff, 0xcfc8bd, 1.85));
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener('change', () => this.redraw());
     this.controls.mouseButtons = { LEFT: THREE.MOUSE.ROTATE, MIDDLE: THREE.MOUSE.PAN, RIGHT: null };
