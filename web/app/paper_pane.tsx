@@ -114,7 +114,7 @@ export class PaperControl {
 
   private down(event: PointerEvent): void {
     this.canvas.setPointerCapture(event.pointerId);
-    this.canvas.focus();
+    if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
     if (event.pointerType === 'pen') this.sawPen = true;
     this.pointers.set(event.pointerId, [event.offsetX, event.offsetY]);
     if (this.pointers.size === 2) {

@@ -56,7 +56,7 @@ function painted(document: Document, picture: ImageBitmap | null): OffscreenCanv
   if (picture) context.drawImage(picture, 0, 0);
   else {
     context.scale(canvas.width / document.width, canvas.height / document.height);
-    paintParts(context as unknown as CanvasRenderingContext2D, document.parts, document.width / 350);
+    paintParts(context as unknown as CanvasRenderingContext2D, document, document.width / 350);
     context.resetTransform();
   }
   return context;

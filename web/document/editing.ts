@@ -15,8 +15,11 @@ import { arcBetween, contains, longestRunInside, mix, nearestPlace, overlap } fr
 
 const inks = ['#e8a87c', '#85b79d', '#8fb8de', '#e27d8a', '#c3a6d8', '#e3c567', '#7fb7be', '#d9a5b3'];
 
-function newPart(document: Document, name: string, ring: Ring): Part {
-  const color = inks[document.parts.length % inks.length] as string;
+function freshInk(document: Document): string {
+  return inks[document.parts.length % inks.length] as string;
+}
+
+function newPart(document: Document, name: string, ring: Ring, color = freshInk(document)): Part {
   return { id: freshId(document, name), outline: [ring], c: 4, d: 1, color };
 }
 
@@ -37,7 +40,7 @@ export function addOpenPart(document: Document, name: string, stroke: Ring): Doc
   const first = stroke[0] as Point;
   const last = stroke[stroke.length - 1] as Point;
   const lower = partUnder(document, mix(first, last, 0.5), document.parts.length);
-  const part = newPart(document, name, stroke);
+  const part = newPart(document, name, stroke, lower?.color);
   const added = { ...document, parts: [...document.parts, part] };
   if (!lower) return added;
   const line = [last, mix(last, first, 0.5), first];

@@ -158,7 +158,7 @@ export class ModelView {
   private litMaterial(usual: THREE.MeshStandardMaterial): THREE.MeshStandardMaterial {
     const lit = usual.clone();
     lit.emissive = new THREE.Color(marks.select);
-    lit.emissiveIntensity = 0.22;
+    lit.emissiveIntensity = 0.13;
     return lit;
   }
 

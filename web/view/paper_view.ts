@@ -31,16 +31,27 @@ export function traceLine(context: CanvasRenderingContext2D, line: Ring): void {
   line.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
 }
 
-/** Parts as a flat drawing: what stands for a drawing where there is none. */
-export function paintParts(context: CanvasRenderingContext2D, parts: readonly Part[], pen: number): void {
+/**
+ * Parts as a flat drawing: what stands for a drawing where there is none. No ink runs along joins,
+ * where two parts are one surface.
+ */
+export function paintParts(context: CanvasRenderingContext2D, document: Document, pen: number): void {
   context.lineJoin = 'round';
-  for (const part of parts) {
+  for (const part of document.parts) {
+    const color = part.color ?? '#d9d4c7';
     tracePart(context, part.outline);
-    context.fillStyle = part.color ?? '#d9d4c7';
+    context.fillStyle = color;
     context.fill('nonzero');
     context.strokeStyle = marks.ink;
     context.lineWidth = pen;
     context.stroke();
+    context.strokeStyle = color;
+    context.lineWidth = 1.6 * pen;
+    for (const join of document.joins)
+      if (join.upper === part.id) {
+        traceLine(context, join.line);
+        context.stroke();
+      }
   }
 }
 
@@ -77,7 +88,7 @@ function drawPage(context: CanvasRenderingContext2D, content: PaperContent, pixe
   context.fillRect(0, 0, document.width, document.height);
   context.restore();
   if (picture) context.drawImage(picture, 0, 0, document.width, document.height);
-  else paintParts(context, document.parts, 2 * pixel);
+  else paintParts(context, document, 2 * pixel);
 }
 
 /** Nearer parts are lighter, as in the paper's figure 3. */
@@ -123,11 +134,11 @@ export function drawPaper(
   const { document } = content;
   drawPage(context, content, pixel);
   if (content.depthTint) drawDepths(context, document.parts, pixel);
-  if (content.showMarks && content.overlays) drawMarks(context, content.overlays, pixel);
   for (const part of document.parts) {
     if (part.id === content.culprit) drawPart(context, part, marks.culprit, true, pixel);
     else if (part.id === content.selected) drawPart(context, part, marks.select, true, pixel);
     else if (part.id === content.hovered) drawPart(context, part, marks.select, false, pixel);
   }
+  if (content.showMarks && content.overlays) drawMarks(context, content.overlays, pixel);
   content.preview(context, pixel);
 }

@@ -1,39 +1,17 @@
-import { execFileSync } from 'node:child_process';
-import { readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { unzipSync } from 'fflate';
-import validator from 'gltf-validator';
 import type { Page } from 'playwright-core';
-import { afterAll, beforeAll, expect, it } from 'vitest';
-import { closeStage, openStage, picture, pictures, reopen, settled, type Stage } from './browser.ts';
-
-const root = fileURLToPath(new URL('../../..', import.meta.url));
-const program = process.env['RELIEVO'] ?? join(root, 'build/dev/apps/cli/relievo');
+import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
+import { choosePart, gesture, names, oval, sample, save, type Spot } from './actions.ts';
+import { closeStage, openStage, picture, settled, type Stage } from './browser.ts';
 
 let stage: Stage;
 beforeAll(async () => {
   stage = await openStage();
 });
+beforeEach(async () => {
+  await stage.page.goto(stage.url);
+});
 afterAll(() => closeStage(stage));
-
-async function downloaded(page: Page, act: () => Promise<void>, name: string): Promise<Buffer> {
-  const waiting = page.waitForEvent('download');
-  await act();
-  const path = join(pictures, name);
-  await (await waiting).saveAs(path);
-  return readFileSync(path);
-}
-
-const save = (page: Page, name: string): Promise<Buffer> =>
-  downloaded(page, () => page.click('#save'), name);
-
-const names = (page: Page): Promise<string[]> => page.locator('.parts .name').allInnerTexts();
-
-async function sample(page: Page, name: string): Promise<void> {
-  await page.click(`[data-sample=${name}]`);
-  await settled(page);
-}
 
 it('orders, joins and hollows parts by keyboard, and undo leads back to the same bytes', async () => {
   const { page } = stage;
@@ -56,56 +34,100 @@ it('orders, joins and hollows parts by keyboard, and undo leads back to the same
   const redo = page.locator('#redo');
   while (await redo.isEnabled()) await redo.click();
   expect((await save(page, 'redone.relievo')).equals(after)).toBe(true);
+  expect(stage.troubles).toEqual([]);
 });
 
-it('keeps the work when the browser is ended, and a saved project opens again', async () => {
-  await settled(stage.page);
-  const before = await save(stage.page, 'kept.relievo');
-  await stage.page.waitForSelector('.saved.yes');
-  await reopen(stage);
-  const { page } = stage;
-  await page.click('#go-on');
-  await settled(page);
-  expect((await save(page, 'recovered.relievo')).equals(before)).toBe(true);
-  await page.click('.brand');
-  await page.setInputFiles('input[type=file]', join(pictures, 'kept.relievo'));
-  await settled(page);
-  expect((await save(page, 'opened.relievo')).equals(before)).toBe(true);
-});
+async function outlineOf(page: Page, name: string): Promise<Spot[]> {
+  const project = unzipSync(await save(page, 'outline.relievo'));
+  const scene = JSON.parse(new TextDecoder().decode(project['scene.json'])) as {
+    parts: { id: string; outline: Spot[][] }[];
+  };
+  return scene.parts.find((part) => part.id === name)?.outline[0] ?? [];
+}
 
-it('exports the model that the command line makes of the saved project', async () => {
+it('sets a soft range with two clicks', async () => {
   const { page } = stage;
-  const project = unzipSync(await save(page, 'export.relievo'));
-  await page.click('#export');
-  const glb = await downloaded(page, () => page.click('[data-export=glb]'), 'export.glb');
-  const report = await validator.validateBytes(new Uint8Array(glb));
-  expect(report.issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
-  for (const name of ['scene.json', 'drawing.png']) writeFileSync(join(pictures, name), project[name]!);
-  const native = join(pictures, 'native.glb');
-  execFileSync(program, ['build', join(pictures, 'scene.json'), '-q', '--vertices', '20000', '-o', native]);
-  expect(glb.equals(readFileSync(native))).toBe(true);
-  for (const kind of ['obj', 'ply', 'stl', 'normal', 'depth', 'part', 'picture']) {
-    const bytes = await downloaded(page, () => page.click(`[data-export=${kind}]`), `export-${kind}`);
-    expect(bytes.length).toBeGreaterThan(1000);
-  }
-  await picture(page, 'export');
-});
-
-it('sets a soft range with two clicks and joins with a line', async () => {
-  const { page } = stage;
-  await page.keyboard.press('Escape');
-  await page.click('.brand');
   await sample(page, 'elephant');
+  await choosePart(page, 'near-ear');
   await page.keyboard.press('5');
-  const box = (await page.locator('.paper canvas').first().boundingBox())!;
-  await page.locator('.parts li').nth(1).click();
-  for (const [x, y] of [[0.5, 0.45], [0.55, 0.55]] as const) {
-    await page.mouse.move(box.x + x * box.width, box.y + y * box.height);
-    await page.mouse.down();
-    await page.mouse.up();
-    await picture(page, `range-${x}`);
-  }
+  const ear = await outlineOf(page, 'near-ear');
+  await gesture(page, [ear[0]!]);
+  await gesture(page, [ear[Math.floor(ear.length / 6)]!]);
   await settled(page);
   await picture(page, 'range');
+  const clear = page.locator('.neighbour .chip', { hasText: 'Clear ranges' });
+  expect(await clear.count()).toBe(1);
+  await clear.click();
+  expect(await clear.count()).toBe(0);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('joins with a line across the root', async () => {
+  const { page } = stage;
+  await sample(page, 'elephant');
+  const tail = await outlineOf(page, 'tail');
+  const root = tail.reduce((a, b) => (a[0] < b[0] ? a : b));
+  await choosePart(page, 'tail');
+  await page.keyboard.press('Home');
+  expect((await names(page))[0]).toBe('tail');
+  await page.keyboard.press('3');
+  await gesture(page, [[root[0], root[1] - 25], [root[0] - 6, root[1]], [root[0] + 2, root[1] + 25]]);
+  await settled(page);
+  await picture(page, 'joined');
+  expect(await page.locator('.parts li').first().locator('.joined').count()).toBe(1);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('orders with an arrow', async () => {
+  const { page } = stage;
+  await page.click('#empty');
+  await gesture(page, oval(400, 400, 200, 150));
+  await gesture(page, oval(650, 400, 150, 150));
+  expect(await names(page)).toEqual(['part 2', 'part']);
+  await page.keyboard.press('4');
+  await gesture(page, [[300, 400], [720, 400]]);
+  expect(await names(page)).toEqual(['part', 'part 2']);
+  await settled(page);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('loses nothing when the engine dies', async () => {
+  const { page } = stage;
+  await page.click('#empty');
+  await gesture(page, oval(400, 400, 200, 150));
+  await settled(page);
+  for (const worker of page.workers())
+    await worker.evaluate(() => {
+      setTimeout(() => {
+        throw new Error('dead');
+      });
+    });
+  await page.waitForTimeout(300);
+  stage.troubles.length = 0;
+  await gesture(page, oval(650, 500, 120, 100));
+  await settled(page);
+  expect(await names(page)).toEqual(['part 2', 'part']);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('names the culprit of what cannot be built, and keeps the last good relief', async () => {
+  const { page } = stage;
+  await page.click('#empty');
+  await gesture(page, oval(400, 400, 200, 150));
+  await gesture(page, oval(600, 500, 120, 100));
+  await page.keyboard.press('1');
+  await page.keyboard.press('j');
+  await settled(page);
+  const nodes = await page.locator('.numbers').getAttribute('data-nodes');
+  await gesture(page, [[620, 520], [860, 660]]);
+  await page.waitForSelector('.trouble');
+  await page.waitForTimeout(700);
+  await picture(page, 'trouble');
+  expect(await page.locator('.parts li.culprit .name').innerText()).toBe('part 2');
+  expect(await page.locator('.trouble').innerText()).toContain('join');
+  expect(await page.locator('.numbers').getAttribute('data-nodes')).toBe(nodes);
+  await page.keyboard.press('Control+z');
+  await settled(page);
+  expect(await page.locator('.trouble').count()).toBe(0);
   expect(stage.troubles).toEqual([]);
 });
