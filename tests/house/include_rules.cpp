@@ -23,22 +23,31 @@ const std::map<std::string, Names> kernel_rules = {
 };
 
 /// The chain of stages; data flows from left to right.
-const std::vector<std::string> stages = {"drawing",  "scene",       "completion", "stacking",
-                                         "joining",  "corrections", "layers",     "inflation",
-                                         "ordering", "joint",       "model"};
+const std::vector<std::string> stages = {"drawing",   "scene",       "completion", "stacking",
+                                         "joining",   "corrections", "layers",     "discretisation",
+                                         "inflation", "ordering",    "joint",      "model"};
 
 /// The joint stage unites these two and is made of their parts.
 const Names joint_folders = {"inflation", "ordering"};
 
 /// What a stage hands on: its struct and views of it. Everything else in its folder is its own.
 const Names stage_structs = {
-    "completion/completion.h",   "completion/part_regions.h",
-    "corrections/corrections.h", "drawing/drawing.h",
-    "drawing/scribbles.h",       "drawing/segmentation.h",
-    "inflation/inflation.h",     "joining/joining.h",
-    "joint/joint_solution.h",    "layers/joined_surface.h",
-    "layers/layered_mesh.h",     "model/model.h",
-    "ordering/ordering.h",       "scene/scene.h",
+    "completion/completion.h",
+    "completion/part_regions.h",
+    "corrections/corrections.h",
+    "drawing/drawing.h",
+    "discretisation/discretisation.h",
+    "discretisation/discretise.h",
+    "drawing/scribbles.h",
+    "drawing/segmentation.h",
+    "inflation/inflation.h",
+    "joining/joining.h",
+    "joint/joint_solution.h",
+    "layers/joined_surface.h",
+    "layers/layered_mesh.h",
+    "model/model.h",
+    "ordering/ordering.h",
+    "scene/scene.h",
     "stacking/stacking.h",
 };
 
