@@ -39,9 +39,12 @@ Examples:
   relievo render wolf.glb -o eye.png --view front --window 500 200 150)";
 
 constexpr const char* segment_help =
-    R"(Makes a scene of a flat drawing: completes hidden parts, orders them, proposes joins.
+    R"(Makes a scene of a flat drawing: finds its parts, completes what is hidden, orders them, proposes
+joins.
 
 Examples:
+  relievo segment bear.png -o bear.relievo --overlay understood.png
+  relievo segment bear.png --scribbles strokes.png -o bear.relievo
   relievo segment wolf.png --labels wolf-parts.png -o wolf.relievo
   relievo segment wolf.png --labels wolf-parts.png -o wolf.json --overlay understood.png
   relievo build wolf.relievo -o wolf.glb)";
@@ -202,10 +205,16 @@ void add_check(CLI::App& main, CheckArguments& check) {
 void add_segment(CLI::App& main, SegmentArguments& segment) {
   CLI::App& app = *main.add_subcommand("segment", segment_help);
   add_common(app, segment.common,
-             "Drawing (.png, .jpg), or a project whose corrections are to be applied");
-  app.add_option("--labels", segment.labels,
-                 "Picture whose values are parts, 0 is background: grey or palette (.png)")
-      ->check(extension({".png"}));
+             "Drawing (.png, .jpg, .gif), or a project whose corrections are to be applied");
+  CLI::Option* labels =
+      app.add_option("--labels", segment.labels,
+                     "Picture whose values are parts, 0 is background: grey or palette (.png)")
+          ->check(extension({".png"}));
+  app.add_option("--scribbles", segment.scribbles,
+                 "Strokes that say what the parts are: a picture over the drawing, one colour a "
+                 "part (.png), or strokes (.json)")
+      ->check(extension({".png", ".json"}))
+      ->excludes(labels);
   app.add_option("-o,--output", segment.output, "Project (.relievo) or scene file (.json)")
       ->required()
       ->check(extension({".relievo", ".json"}));

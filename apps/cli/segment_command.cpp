@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "apps/cli/commands.h"
+#include "apps/cli/drawing_labels.h"
 #include "apps/cli/inputs.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
@@ -10,6 +11,7 @@
 #include "apps/cli/stopwatch.h"
 #include "io/files/read_file.h"
 #include "io/image/decode_image.h"
+#include "io/image/gif_decode.h"
 #include "io/image/jpeg_decode.h"
 #include "io/image/png_decode.h"
 #include "io/image/png_encode.h"
@@ -32,6 +34,11 @@ Error in(const std::string& file, Error error) {
   return error;
 }
 
+std::string kind_of_image(ByteView bytes) {
+  if (is_gif(bytes)) return "gif";
+  return is_jpeg(bytes) ? "jpeg" : "png";
+}
+
 Result<SegmentInput> from_project(const InputFile& file) {
   auto project = decode_project(file.bytes);
   if (!project) return project.error();
@@ -50,9 +57,8 @@ Result<SegmentInput> from_project(const InputFile& file) {
 SegmentInput from_picture(const InputFile& file) {
   SegmentInput input;
   input.file = file.name;
-  const bool jpeg = is_jpeg(file.bytes);
   input.drawing = {file.name == "-" ? "drawing" : fs::path(file.name).filename().string(), "image",
-                   jpeg ? "image/jpeg" : "image/png", file.bytes};
+                   "image/" + kind_of_image(file.bytes), file.bytes};
   return input;
 }
 
@@ -65,7 +71,8 @@ Status read_labels(const std::string& name, SegmentInput& input) {
   return Done{};
 }
 
-Result<SegmentInput> load(const SegmentArguments& segment) {
+/// `notes` takes what the search for parts has to say.
+Result<SegmentInput> load(const SegmentArguments& segment, std::vector<std::string>& notes) {
   const auto file = read_input(segment.common.input);
   if (!file) return file.error();
   auto input = is_project(file->bytes) ? from_project(*file) : from_picture(*file);
@@ -75,8 +82,11 @@ Result<SegmentInput> load(const SegmentArguments& segment) {
   input->pixels = std::move(*pixels);
   if (!segment.labels.empty())
     if (Status status = read_labels(segment.labels, *input); !status) return status.error();
-  if (input->labels.empty())
-    return Error{ErrorCode::usage, "give the parts of the drawing with --labels", file->name};
+  if (segment.labels.empty() && (!segment.scribbles.empty() || input->labels.empty())) {
+    auto said = label_drawing(segment.scribbles, *input);
+    if (!said) return in(file->name, said.error());
+    notes = std::move(*said);
+  }
   if (input->labels.width != input->pixels.width || input->labels.height != input->pixels.height)
     return Error{ErrorCode::bad_input,
                  "must be as large as the drawing, " + std::to_string(input->pixels.width) + " x " +
@@ -98,7 +108,7 @@ std::string path_from(const fs::path& scene, const std::string& drawing) {
 /// The file beside the scene that takes a copy of a drawing from elsewhere.
 fs::path copy_of_drawing(const fs::path& scene, ByteView drawing) {
   fs::path copy = scene;
-  return copy.replace_extension(is_png(drawing) ? ".png" : ".jpg");
+  return copy.replace_extension(kind_of_image(drawing));
 }
 
 bool is_project_name(const std::string& name) { return fs::path(name).extension() == ".relievo"; }
@@ -188,10 +198,11 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
   for (const std::string* name : {&segment.overlay, &segment.report})
     if (!name->empty()) outputs.emplace_back(*name);
   std::vector<fs::path> inputs;
-  for (const std::string* name : {&segment.common.input, &segment.labels})
+  for (const std::string* name : {&segment.common.input, &segment.labels, &segment.scribbles})
     if (!name->empty() && *name != "-") inputs.emplace_back(*name);
   if (Status status = check_outputs(outputs, inputs); !status) return status;
-  const auto loaded = load(segment);
+  std::vector<std::string> notes;
+  const auto loaded = load(segment, notes);
   if (!loaded) return loaded.error();
   Progress progress(quiet);
   const Stopwatch watch;
@@ -201,6 +212,7 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
   const auto files = files_of(segment, *loaded, *proposal, watch.milliseconds());
   if (!files) return files.error();
   if (Status status = save(*files, inputs, interruption); !status) return status;
+  print_warnings(notes, quiet);
   print_warnings(proposal->warnings, quiet);
   print_note(summary(*proposal), quiet);
   for (const OutputFile& file : *files) print_result(file.path.string(), quiet);
