@@ -17,6 +17,7 @@ struct Basin {
   Box2 box;                                ///< of its pixels
   std::array<int64_t, 3> colour_sum = {};  ///< of the drawing on white, over pixels off the lines
   int64_t coloured = 0;                    ///< pixels in colour_sum
+  int64_t transparent = 0;                 ///< of those, the ones that are so in the drawing
 };
 
 /// Where two basins meet.

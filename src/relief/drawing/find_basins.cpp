@@ -52,7 +52,7 @@ Result<Basins> find_basins(const Drawing& drawing) {
   basins.barrier = std::move(map.barrier);
   basins.line_width = map.line_width;
   basins.painted = map.painted;
-  measure_basins(rgb, basins);
+  measure_basins(drawing.rgba, rgb, basins);
   propose_regions(basins);
   return basins;
 }
