@@ -101,6 +101,18 @@ fs::path copy_of_drawing(const fs::path& scene, ByteView drawing) {
   return copy.replace_extension(is_png(drawing) ? ".png" : ".jpg");
 }
 
+/// A copy is put where nothing is, or the same.
+Status check_copy(const fs::path& copy, const Bytes& drawing) {
+  std::error_code code;
+  if (!fs::exists(copy, code)) return Done{};
+  const auto there = read_file(copy);
+  if (there && *there == drawing) return Done{};
+  return Error{ErrorCode::usage,
+               "is in the way of a copy of the drawing; write the scene beside the drawing, or a "
+               "project (.relievo), which holds it",
+               copy.string()};
+}
+
 bool is_project_name(const std::string& name) { return fs::path(name).extension() == ".relievo"; }
 
 uint8_t over(uint8_t above, uint8_t below, uint8_t alpha) {
@@ -141,6 +153,7 @@ Result<Files> scene_files(const SegmentArguments& segment, const SegmentInput& i
   if (!is_project_name(input.file)) scene.drawing = path_from(segment.output, input.file);
   if (scene.drawing.empty()) {
     const fs::path copy = copy_of_drawing(segment.output, input.drawing.bytes);
+    if (Status status = check_copy(copy, input.drawing.bytes); !status) return status.error();
     scene.drawing = copy.filename().string();
     files.push_back({copy, input.drawing.bytes});
   }
