@@ -47,11 +47,17 @@ Examples:
   relievo build wolf.relievo -o wolf.glb)";
 
 constexpr const char* input_help =
-    "SVG drawing, project or scene file (JSON); - reads standard input";
+    "Layered drawing (SVG, OpenRaster, a folder of pictures), project or scene file (JSON); - "
+    "reads standard input";
 
 Visibility visibility(const std::string& name) {
   if (name == "orbit") return Visibility::orbit;
   return name == "all" ? Visibility::all : Visibility::relief;
+}
+
+Field field(const std::string& name) {
+  if (name == "inflation") return Field::inflation;
+  return name == "shift" ? Field::shift : Field::relief;
 }
 
 void add_common(CLI::App& app, CommonArguments& common, const char* what) {
@@ -96,6 +102,10 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
   app.add_option("--lambda-bnd", relief.options.joint.lambda_bnd,
                  "Of nonlinear: how firmly outlines beside joins stay down (default 0.01: no pits)")
       ->check(CLI::Range(min_lambda_bnd, max_lambda_bnd));
+  app.add_option_function<std::string>(
+         "--field", [&relief](const std::string& name) { relief.field = field(name); },
+         "relief (the default), or one of the two that it is the sum of: inflation, shift")
+      ->check(CLI::IsMember({"relief", "inflation", "shift"}));
   app.add_option("--c", relief.c, "Inflation of all parts: 4 a hemisphere, 2 round limbs")
       ->check(CLI::Range(min_inflation, max_inflation));
   InflationOptions& inflation = relief.options.inflation;
@@ -174,6 +184,9 @@ void add_build(CLI::App& main, BuildArguments& build) {
   app.add_option("--preview", build.preview, "Picture of the model (.png)")->check(picture);
   app.add_option("--preview-size", build.preview_size, "Its longest side in px (default 1200)")
       ->check(CLI::Range(16, 8192));
+  app.add_option("--convergence", build.convergence,
+                 "Of nonlinear: the surface after some of its steps, side by side (.png)")
+      ->check(picture);
   app.add_option("--report", build.report, "What was computed, how exactly, how fast (.json)")
       ->check(extension({".json"}));
   app.add_flag("--json", build.print_report, "Print the report on standard output");
@@ -228,8 +241,8 @@ void add_render(CLI::App& main, RenderArguments& render) {
 
 bool wants_nothing(const BuildArguments& build) {
   return build.models.empty() && build.normal_map.empty() && build.depth_map.empty() &&
-         build.part_map.empty() && build.preview.empty() && build.report.empty() &&
-         !build.print_report;
+         build.part_map.empty() && build.preview.empty() && build.convergence.empty() &&
+         build.report.empty() && !build.print_report;
 }
 
 /// Prints help and the version on standard output, mistakes on standard error.
@@ -260,6 +273,8 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
       throw CLI::RequiredError("A command (build, check, render or segment)");
     if (wants_nothing(build))
       throw CLI::ValidationError("nothing to write: give -o, a map, --preview, --report or --json");
+    if (!build.convergence.empty() && build.relief.options.method != Method::nonlinear)
+      throw CLI::ValidationError("--convergence needs --method nonlinear: the other has no steps");
     return Command(build);
   } catch (const CLI::ParseError& error) {
     return finish(app, error);
