@@ -69,7 +69,9 @@ TEST_F(Segment, CopiesADrawingFromElsewhereButOverNothing) {
 }
 
 TEST_F(Segment, SaysWhatIsWrong) {
-  expect_failure({"segment", "fox.png", "-o", "fox.json"}, 2, "--labels");
+  expect_failure({"segment", "fox.png", "--labels", "labels.png", "--scribbles", "labels.png", "-o",
+                  "fox.json"},
+                 2, "--scribbles");
   expect_failure({"segment", "fox.png", "--labels", "fox.png", "-o", "fox.json"}, 3, "colours");
   write("small.png", std::string(to_text(*encode_png(Image16(10, 10, 1)))));
   expect_failure({"segment", "fox.png", "--labels", "small.png", "-o", "fox.json"}, 3, "120 x 100");
