@@ -56,6 +56,39 @@ TEST_F(Segment, AProjectBuildsAndSegmentsToTheSameAgain) {
   EXPECT_NE(check.out.find("2 parts"), std::string::npos);
 }
 
+/// A part of a scene file, from its id to the end of its line.
+std::string part_line(const std::string& scene, const std::string& id) {
+  const size_t at = scene.find("\"id\": \"" + id + "\"");
+  return at == std::string::npos ? "" : scene.substr(at, scene.find('\n', at) - at);
+}
+
+TEST_F(Segment, FindsThePartsOfLineArt) {
+  // Two discs with outlines, one over the other.
+  const Image16 areas =
+      painted(160, 120, {disc(60, 60, 40), disc(60, 60, 37), disc(105, 60, 35), disc(105, 60, 32)});
+  Image8 lines(160, 120, 3, 255);
+  Image8 strokes(160, 120, 4);
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 160; ++x) {
+      const bool line = areas.at(x, y) % 2 == 1;
+      for (int c = 0; c < 3; ++c) lines.at(x, y, c) = line ? 0 : 255;
+      if (x < 100 || x > 110 || y < 55 || y > 65) continue;
+      strokes.at(x, y, 0) = 255;
+      strokes.at(x, y, 3) = 255;
+    }
+  write("lines.png", std::string(to_text(*encode_png(lines))));
+  write("strokes.png", std::string(to_text(*encode_png(strokes))));
+  ASSERT_EQ(relievo({"segment", "lines.png", "-o", "lines.json", "-q"}).exit_code, 0);
+  const std::string plain = read("lines.json");
+  EXPECT_NE(part_line(plain, "part-1"), "");
+  EXPECT_NE(part_line(plain, "part-2"), "");
+  EXPECT_EQ(part_line(plain, "part-3"), "");
+  const Outcome named =
+      relievo({"segment", "lines.png", "--scribbles", "strokes.png", "-o", "named.relievo", "-q"});
+  ASSERT_EQ(named.exit_code, 0) << named.err;
+  EXPECT_NE(relievo({"check", "named.relievo"}).out.find("#ff0000"), std::string::npos);
+}
+
 TEST_F(Segment, CopiesADrawingFromElsewhereButOverNothing) {
   std::filesystem::create_directory(folder_.path() / "out");
   const std::vector<std::string> arguments = {"segment",    "fox.png", "--labels",
