@@ -10,7 +10,9 @@ namespace {
 
 constexpr double paper_distance = 70;      ///< from white within which background may be, of 255
 constexpr double cut_figure_share = 0.12;  ///< of the picture, from which on a region is a figure
-constexpr double leak_share = 0.12;        ///< open share of a border through which it spreads
+constexpr double spread_distance = 45;     ///< of mean colours, up to which background spreads
+constexpr double leak_width = 0.7;         ///< px of gap per px of inradius from which it spreads
+constexpr double leak_share = 0.07;        ///< open share of a border through which it spreads
 
 double distance_from_white(const Basin& region) {
   if (region.coloured == 0) return 0;
@@ -37,7 +39,10 @@ int leaking_neighbour(const RegionMerging& regions, int background) {
   double widest = leak_share;
   for (const auto& [neighbour, border] : regions.borders(background)) {
     const double share = regions.open_share(background, neighbour);
-    if (share <= widest || !is_paper(regions.region(neighbour))) continue;
+    const double gap = share * static_cast<double>(border.pairs);
+    if (gap < leak_width * regions.region(neighbour).inradius) continue;
+    if (share <= widest || regions.colour_distance(background, neighbour) > spread_distance)
+      continue;
     widest = share;
     best = neighbour;
   }

@@ -38,6 +38,7 @@ struct Basins {
   Image8 ink;                        ///< see LineMap
   Image8 barrier;                    ///< see LineMap
   double line_width = 1;             ///< px
+  bool painted = false;              ///< see LineMap
   std::vector<int> region;           ///< [#B] proposal: 0 background, else 1 ... #R
   int region_count = 0;              ///< #R
   double unbounded_ink = 0;          ///< share of the lines, by area, that bound no region

@@ -51,6 +51,7 @@ Result<Basins> find_basins(const Drawing& drawing) {
   basins.ink = std::move(map.ink);
   basins.barrier = std::move(map.barrier);
   basins.line_width = map.line_width;
+  basins.painted = map.painted;
   measure_basins(rgb, basins);
   propose_regions(basins);
   return basins;
