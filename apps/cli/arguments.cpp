@@ -67,6 +67,9 @@ void add_common(CLI::App& app, CommonArguments& common, const char* what) {
   app.add_flag("-q,--quiet", common.quiet, "Say nothing but errors");
   app.add_option("--timeout", common.timeout, "Give up after so many seconds")
       ->check(CLI::PositiveNumber);
+  app.add_option("--threads", common.threads,
+                 "Threads to use (default: as many as there are); the results are the same")
+      ->check(CLI::Range(1, 256));
 }
 
 /// Accepts only what this version can do, and says so of what is planned.

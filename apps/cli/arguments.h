@@ -15,6 +15,7 @@ struct CommonArguments {
   std::string input;  ///< a file, or "-" for standard input
   bool quiet = false;
   double timeout = 0;  ///< s; 0: none
+  int threads = 0;     ///< 0: as many as the machine has
 };
 
 /// How a drawing is reconstructed.
