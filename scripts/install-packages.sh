@@ -1,13 +1,16 @@
 #!/bin/sh
 # Installs the Debian packages that are missing; does nothing, quickly, where all are there.
-# Usage: install-packages.sh [build|test]   build: to compile and run; test: those and to test
+# Usage: install-packages.sh [build|test|bench]
+# build: to compile and run; test: those and to test; bench: the first and to measure
 set -eu
 
 build="ca-certificates ccache cmake g++ libcgal-dev libcli11-dev libeigen3-dev libembree-dev
-  libjpeg-dev libpng-dev libpolyclipping-dev libpugixml-dev librsvg2-dev lld ninja-build
-  nlohmann-json3-dev pkg-config"
+  libgif-dev libjpeg-dev libpng-dev libpolyclipping-dev libpugixml-dev librsvg2-dev libzip-dev
+  lld ninja-build nlohmann-json3-dev pkg-config"
 test="clang-format clang-tidy coinor-libipopt-dev libgtest-dev librapidcheck-dev libvalijson-dev
   shellcheck zlib1g-dev"
+
+bench="libbenchmark-dev libopenblas0-pthread libopenblas-pthread-dev libsuitesparse-dev python3"
 
 # The glTF validator runs on any node; Debian's serves where there is none.
 command -v npm > /dev/null || test="$test nodejs npm"
@@ -15,7 +18,8 @@ command -v npm > /dev/null || test="$test nodejs npm"
 case "${1:-test}" in
   build) wanted="$build" ;;
   test) wanted="$build $test" ;;
-  *) echo "usage: $0 [build|test]" >&2; exit 2 ;;
+  bench) wanted="$build $bench" ;;
+  *) echo "usage: $0 [build|test|bench]" >&2; exit 2 ;;
 esac
 
 if ! command -v dpkg-query > /dev/null; then

@@ -38,11 +38,26 @@ Examples:
   relievo render wolf.svg -o wolf.png --view side --clay
   relievo render wolf.glb -o eye.png --view front --window 500 200 150)";
 
-constexpr const char* input_help = "SVG drawing or scene file (JSON); - reads standard input";
+constexpr const char* segment_help =
+    R"(Makes a scene of a flat drawing: completes hidden parts, orders them, proposes joins.
+
+Examples:
+  relievo segment wolf.png --labels wolf-parts.png -o wolf.relievo
+  relievo segment wolf.png --labels wolf-parts.png -o wolf.json --overlay understood.png
+  relievo build wolf.relievo -o wolf.glb)";
+
+constexpr const char* input_help =
+    "Layered drawing (SVG, OpenRaster, a folder of pictures), project or scene file (JSON); - "
+    "reads standard input";
 
 Visibility visibility(const std::string& name) {
   if (name == "orbit") return Visibility::orbit;
   return name == "all" ? Visibility::all : Visibility::relief;
+}
+
+Field field(const std::string& name) {
+  if (name == "inflation") return Field::inflation;
+  return name == "shift" ? Field::shift : Field::relief;
 }
 
 void add_common(CLI::App& app, CommonArguments& common, const char* what) {
@@ -87,6 +102,10 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
   app.add_option("--lambda-bnd", relief.options.joint.lambda_bnd,
                  "Of nonlinear: how firmly outlines beside joins stay down (default 0.01: no pits)")
       ->check(CLI::Range(min_lambda_bnd, max_lambda_bnd));
+  app.add_option_function<std::string>(
+         "--field", [&relief](const std::string& name) { relief.field = field(name); },
+         "relief (the default), or one of the two that it is the sum of: inflation, shift")
+      ->check(CLI::IsMember({"relief", "inflation", "shift"}));
   app.add_option("--c", relief.c, "Inflation of all parts: 4 a hemisphere, 2 round limbs")
       ->check(CLI::Range(min_inflation, max_inflation));
   InflationOptions& inflation = relief.options.inflation;
@@ -165,6 +184,9 @@ void add_build(CLI::App& main, BuildArguments& build) {
   app.add_option("--preview", build.preview, "Picture of the model (.png)")->check(picture);
   app.add_option("--preview-size", build.preview_size, "Its longest side in px (default 1200)")
       ->check(CLI::Range(16, 8192));
+  app.add_option("--convergence", build.convergence,
+                 "Of nonlinear: the surface after some of its steps, side by side (.png)")
+      ->check(picture);
   app.add_option("--report", build.report, "What was computed, how exactly, how fast (.json)")
       ->check(extension({".json"}));
   app.add_flag("--json", build.print_report, "Print the report on standard output");
@@ -175,6 +197,22 @@ void add_build(CLI::App& main, BuildArguments& build) {
 void add_check(CLI::App& main, CheckArguments& check) {
   CLI::App& app = *main.add_subcommand("check", check_help);
   add_common(app, check.common, input_help);
+}
+
+void add_segment(CLI::App& main, SegmentArguments& segment) {
+  CLI::App& app = *main.add_subcommand("segment", segment_help);
+  add_common(app, segment.common,
+             "Drawing (.png, .jpg), or a project whose corrections are to be applied");
+  app.add_option("--labels", segment.labels,
+                 "Picture whose values are parts, 0 is background: grey or palette (.png)")
+      ->check(extension({".png"}));
+  app.add_option("-o,--output", segment.output, "Project (.relievo) or scene file (.json)")
+      ->required()
+      ->check(extension({".relievo", ".json"}));
+  app.add_option("--overlay", segment.overlay, "What was understood, over the drawing (.png)")
+      ->check(extension({".png"}));
+  app.add_option("--report", segment.report, "Parts, guesses and how sure they are (.json)")
+      ->check(extension({".json"}));
 }
 
 void add_render(CLI::App& main, RenderArguments& render) {
@@ -203,8 +241,8 @@ void add_render(CLI::App& main, RenderArguments& render) {
 
 bool wants_nothing(const BuildArguments& build) {
   return build.models.empty() && build.normal_map.empty() && build.depth_map.empty() &&
-         build.part_map.empty() && build.preview.empty() && build.report.empty() &&
-         !build.print_report;
+         build.part_map.empty() && build.preview.empty() && build.convergence.empty() &&
+         build.report.empty() && !build.print_report;
 }
 
 /// Prints help and the version on standard output, mistakes on standard error.
@@ -221,17 +259,22 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
   BuildArguments build;
   CheckArguments check;
   RenderArguments render;
+  SegmentArguments segment;
   add_build(app, build);
   add_check(app, check);
   add_render(app, render);
+  add_segment(app, segment);
   try {
     app.parse(argc, argv);
     if (app.got_subcommand("check")) return Command(check);
     if (app.got_subcommand("render")) return Command(render);
+    if (app.got_subcommand("segment")) return Command(segment);
     if (!app.got_subcommand("build"))
-      throw CLI::RequiredError("A command (build, check or render)");
+      throw CLI::RequiredError("A command (build, check, render or segment)");
     if (wants_nothing(build))
       throw CLI::ValidationError("nothing to write: give -o, a map, --preview, --report or --json");
+    if (!build.convergence.empty() && build.relief.options.method != Method::nonlinear)
+      throw CLI::ValidationError("--convergence needs --method nonlinear: the other has no steps");
     return Command(build);
   } catch (const CLI::ParseError& error) {
     return finish(app, error);

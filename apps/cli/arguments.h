@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "relief/pipeline/build_relief.h"
+#include "relief/pipeline/keep_field.h"
 
 namespace relievo::cli {
 
@@ -22,6 +22,7 @@ struct ReliefArguments {
   ReliefOptions options;
   std::optional<double> c;  ///< in place of every part's own
   Visibility visibility = Visibility::relief;
+  Field field = Field::relief;
 };
 
 struct BuildArguments {
@@ -33,6 +34,7 @@ struct BuildArguments {
   std::string depth_map;
   std::string part_map;
   std::string preview;
+  std::string convergence;
   std::string report;
   bool normal_y_down = false;
   int map_size = 2048;        ///< longest side of the maps, px
@@ -57,7 +59,15 @@ struct RenderArguments {
   std::vector<double> window;          ///< middle x, y and width, canvas px; or empty
 };
 
-using Command = std::variant<BuildArguments, CheckArguments, RenderArguments>;
+struct SegmentArguments {
+  CommonArguments common;
+  std::string labels;   ///< file; empty: those of the project
+  std::string output;   ///< project .relievo or scene .json
+  std::string overlay;  ///< files; empty: not wanted
+  std::string report;
+};
+
+using Command = std::variant<BuildArguments, CheckArguments, RenderArguments, SegmentArguments>;
 
 /// The command, or the exit code where there is nothing more to do: help or the version was
 /// printed on standard output, or what is wrong was told on standard error.

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "apps/cli/commands.h"
+#include "apps/cli/convergence.h"
 #include "apps/cli/inputs.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
@@ -70,6 +71,12 @@ Status add_maps(Products& products, const BuildArguments& build, const Scene& sc
   return Done{};
 }
 
+Status add_convergence(Products& products, const BuildArguments& build, const Scene& scene,
+                       const Relief& relief, const RunContext& context) {
+  if (build.convergence.empty()) return Done{};
+  return add(products, build.convergence, draw_convergence(relief, scene, context));
+}
+
 std::string summary(const Relief& relief) {
   return std::to_string(relief.layers.node_vertex.size()) + " vertices, " +
          std::to_string(relief.ordering.equalities) + " equalities, " +
@@ -99,6 +106,14 @@ std::vector<std::string> all_warnings(const SceneInput& input, const Relief& rel
   return warnings;
 }
 
+/// The options of the reconstruction, with what the outputs need besides.
+ReliefArguments relief_arguments(const BuildArguments& build) {
+  ReliefArguments relief = build.relief;
+  if (!build.convergence.empty())
+    relief.options.joint.snapshots = convergence_steps(relief.options.joint.max_iterations);
+  return relief;
+}
+
 Bytes to_bytes(const std::string& text) { return {text.begin(), text.end()}; }
 
 }  // namespace
@@ -118,11 +133,12 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
   Products products;
   std::optional<Progress> progress(build.common.quiet);
   const RunContext context{interruption.flag(), progress->callback()};
-  const auto relief = reconstruct(input->scene, build.relief, context);
+  const auto relief = reconstruct(input->scene, relief_arguments(build), context);
   if (!relief) return relief.error();
   const Stopwatch exporting;
   if (Status s = add_models(products, build, *input, *relief, context); !s) return s;
   if (Status s = add_maps(products, build, input->scene, *relief, context); !s) return s;
+  if (Status s = add_convergence(products, build, input->scene, *relief, context); !s) return s;
   progress.reset();
 
   const std::string report = write_report(

@@ -6,6 +6,9 @@
 
 #include "io/files/read_file.h"
 #include "io/image/decode_image.h"
+#include "io/layered/read_layer_folder.h"
+#include "io/layered/read_ora.h"
+#include "io/project/project_file.h"
 #include "io/scene/read_scene.h"
 #include "io/svg/read_svg.h"
 #include "io/svg/render_svg.h"
@@ -53,6 +56,57 @@ Result<SceneInput> load_svg(const InputFile& input) {
   return loaded;
 }
 
+SceneInput with_layers(LayeredDrawing&& content) {
+  SceneInput loaded;
+  loaded.scene = std::move(content.scene);
+  loaded.drawing = std::move(content.drawing);
+  loaded.proposed = content.proposed;
+  return loaded;
+}
+
+Result<SceneInput> load_folder(const InputFile& input) {
+  auto folder = read_layer_folder(input.name);
+  if (!folder) return folder.error();
+  SceneInput loaded = with_layers(std::move(folder->content));
+  loaded.files = std::move(folder->files);
+  return loaded;
+}
+
+/// The pixels of a picture, or of a vector drawing that covers the scene's canvas.
+Result<Drawing> drawing_from(const Bytes& bytes, const Scene& scene) {
+  if (sniff(bytes) == InputKind::svg) return rasterize(bytes, scene);
+  auto pixels = decode_image(bytes);
+  if (!pixels) return pixels.error();
+  return Drawing{std::move(*pixels)};
+}
+
+Result<SceneInput> load_project(const InputFile& input) {
+  auto project = decode_project(input.bytes);
+  if (!project) return project.error();
+  SceneInput loaded;
+  loaded.scene = std::move(project->scene);
+  if (loaded.scene.drawing.empty()) return loaded;
+  const Bytes& picture = project->picture.empty() ? project->drawing.bytes : project->picture;
+  auto drawing = drawing_from(picture, loaded.scene);
+  if (!drawing) return in_file(drawing.error(), loaded.scene.drawing);
+  loaded.drawing = std::move(*drawing);
+  return loaded;
+}
+
+Result<SceneInput> load_archive(const InputFile& input) {
+  if (is_project(input.bytes)) return load_project(input);
+  const auto entries = unpack_archive(input.bytes);
+  if (!entries) return entries.error();
+  if (!is_ora(*entries))
+    return Error{ErrorCode::bad_input,
+                 "is an archive, but neither a project nor an OpenRaster drawing", ""};
+  auto ora = read_ora(*entries);
+  if (!ora) return ora.error();
+  SceneInput loaded = with_layers(std::move(ora->content));
+  loaded.warnings = std::move(ora->warnings);
+  return loaded;
+}
+
 /// The path of a scene's drawing; refused where a link leads out of the scene's folder.
 Result<fs::path> drawing_path(const InputFile& input, const std::string& drawing) {
   std::error_code code;
@@ -78,15 +132,9 @@ Status load_drawing(const InputFile& input, SceneInput& loaded) {
   const auto bytes = read_file(*path);
   if (!bytes) return bytes.error();
   loaded.files.push_back(*path);
-  if (sniff(*bytes) == InputKind::svg) {
-    auto drawing = rasterize(*bytes, loaded.scene);
-    if (!drawing) return in_file(drawing.error(), path->string());
-    loaded.drawing = std::move(*drawing);
-    return Done{};
-  }
-  auto pixels = decode_image(*bytes);
-  if (!pixels) return in_file(pixels.error(), path->string());
-  loaded.drawing.rgba = std::move(*pixels);
+  auto drawing = drawing_from(*bytes, loaded.scene);
+  if (!drawing) return in_file(drawing.error(), path->string());
+  loaded.drawing = std::move(*drawing);
   warn_about_shape(loaded.drawing, loaded.scene, loaded);
   return Done{};
 }
@@ -106,23 +154,23 @@ Result<SceneInput> refuse(InputKind kind) {
   switch (kind) {
     case InputKind::image:
       return bad(
-          "is a flat picture, and this version cannot find the parts of one by itself; draw each "
-          "part as a layer of an SVG, or write a scene file that names the picture as its drawing");
+          "is a flat picture; find its parts first with: relievo segment, or draw each part as a "
+          "layer of an SVG");
     case InputKind::glb:
       return bad("is a finished model; use it with: relievo render");
-    case InputKind::zip:
-      return bad("is an archive; this version reads SVG and scene files only");
     case InputKind::gzip:
       return bad("is compressed; unpack it first, for example with gunzip");
     default:
-      return bad("is neither an SVG drawing nor a scene file (JSON)");
+      return bad("is neither an SVG or OpenRaster drawing nor a scene or project file");
   }
 }
 
 Result<SceneInput> load(const InputFile& input) {
-  const InputKind kind = sniff(input.bytes);
+  const InputKind kind = input.folder ? InputKind::folder : sniff(input.bytes);
   if (kind == InputKind::svg) return load_svg(input);
   if (kind == InputKind::json) return load_json(input);
+  if (kind == InputKind::zip) return load_archive(input);
+  if (kind == InputKind::folder) return load_folder(input);
   return refuse(kind);
 }
 
@@ -135,7 +183,7 @@ InputKind sniff(ByteView bytes) {
   if (begins_with(text, "RIFF") && text.substr(0, 16).find("WEBP") != std::string_view::npos)
     return InputKind::image;
   if (begins_with(text, "glTF")) return InputKind::glb;
-  if (begins_with(text, "PK\x03\x04")) return InputKind::zip;
+  if (is_archive(bytes)) return InputKind::zip;
   if (begins_with(text, "\x1f\x8b")) return InputKind::gzip;
   if (begins_with(text, "\xef\xbb\xbf")) text.remove_prefix(3);
   const size_t first = text.find_first_not_of(" \t\r\n");
@@ -145,6 +193,8 @@ InputKind sniff(ByteView bytes) {
 }
 
 Result<InputFile> read_input(const std::string& name) {
+  std::error_code ignored;
+  if (name != "-" && fs::is_directory(name, ignored)) return InputFile{name, {}, true};
   auto bytes = read_file(name == "-" ? fs::path("/dev/stdin") : fs::path(name));
   if (!bytes) return bytes.error();
   if (bytes->empty()) return Error{ErrorCode::bad_input, "is empty", name};
@@ -154,7 +204,7 @@ Result<InputFile> read_input(const std::string& name) {
 Result<SceneInput> load_scene(const InputFile& input) {
   auto loaded = load(input);
   if (!loaded) return in_file(loaded.error(), input.name);
-  if (input.name != "-") loaded->files.emplace_back(input.name);
+  if (input.name != "-" && !input.folder) loaded->files.emplace_back(input.name);
   return loaded;
 }
 

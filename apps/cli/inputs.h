@@ -12,14 +12,15 @@
 
 namespace relievo::cli {
 
-/// What a file holds, told by its content.
-enum class InputKind { svg, json, image, glb, zip, gzip, unknown };
+/// What a file holds, told by its content; or that it is a folder.
+enum class InputKind { svg, json, image, glb, zip, gzip, folder, unknown };
 
 InputKind sniff(ByteView bytes);
 
 struct InputFile {
   std::string name;  ///< as given; "-" is standard input
   Bytes bytes;
+  bool folder = false;  ///< it is a folder, and `bytes` is empty
 };
 
 /// A drawing that is ready for reconstruction.
@@ -31,10 +32,11 @@ struct SceneInput {
   bool proposed = false;  ///< the parts were guessed, not annotated
 };
 
-/// Reads the whole of a file, or of standard input where the name is "-".
+/// Reads the whole of a file, or of standard input where the name is "-". A folder is only named.
 Result<InputFile> read_input(const std::string& name);
 
-/// A scene from an SVG drawing, or from a scene file and the drawing that it names. The error's
+/// A scene from a layered drawing (SVG, OpenRaster, a folder of pictures), or from a scene file
+/// and the drawing that it names. The error's
 /// `where` begins with the file's name.
 Result<SceneInput> load_scene(const InputFile& input);
 

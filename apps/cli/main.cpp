@@ -21,6 +21,8 @@ Status run(const Command& command, Interruption& interruption) {
     return run_build(*build, interruption);
   if (const auto* check = std::get_if<CheckArguments>(&command))
     return run_check(*check, interruption);
+  if (const auto* segment = std::get_if<SegmentArguments>(&command))
+    return run_segment(*segment, interruption);
   return run_render(std::get<RenderArguments>(command), interruption);
 }
 

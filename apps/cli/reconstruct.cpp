@@ -6,7 +6,9 @@ Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
                            const RunContext& context) {
   if (arguments.c)
     for (Part& part : scene.parts) part.c = *arguments.c;
-  return build_relief(scene, arguments.options, context);
+  auto relief = build_relief(scene, arguments.options, context);
+  if (relief) keep_field(*relief, arguments.field);
+  return relief;
 }
 
 Result<Model> make_model(const Relief& relief, const Scene& scene, const ReliefArguments& arguments,

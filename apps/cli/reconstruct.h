@@ -7,7 +7,8 @@
 
 namespace relievo::cli {
 
-/// The relief of a scene by the chosen options, which may change the scene's own values (c).
+/// The relief of a scene by the chosen options, or the field of it that they ask for. They may
+/// change the scene's own values (c).
 Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
                            const RunContext& context);
 

@@ -219,5 +219,23 @@ TEST_F(Build, TextureComesFromTheDrawingOfTheScene) {
                  2, "never overwritten");
 }
 
+TEST_F(Build, ShowsTheFieldsAndTheConvergenceOfTheNonlinearMethod) {
+  const Outcome outcome = relievo(
+      with_small({"build", "scene.json", "--method", "nonlinear", "--convergence", "strip.png",
+                  "--field", "shift", "--depth-map", "shift.png", "--map-size", "100"}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto strip = decode_image(to_bytes(read("strip.png")));
+  ASSERT_TRUE(strip);
+  EXPECT_EQ(strip->width % 480, 0);
+  EXPECT_GE(strip->width, 3 * 480);
+  EXPECT_EQ(strip->height, 480);
+  ASSERT_EQ(relievo(with_small({"build", "scene.json", "--method", "nonlinear", "--depth-map",
+                                "relief.png", "--map-size", "100"}))
+                .exit_code,
+            0);
+  EXPECT_NE(read("shift.png"), read("relief.png"));
+  expect_failure({"build", "scene.json", "--convergence", "strip2.png"}, 2, "nonlinear");
+}
+
 }  // namespace
 }  // namespace relievo

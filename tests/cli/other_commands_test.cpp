@@ -1,5 +1,6 @@
 #include "cli/cli_test.h"
 #include "io/image/decode_image.h"
+#include "io/image/png_encode.h"
 
 namespace relievo {
 namespace {
@@ -22,6 +23,21 @@ TEST_F(Check, ReadsDrawings) {
   const Outcome outcome = relievo({"check", "drawing.svg"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("head"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Check, ReadsAFolderOfLayers) {
+  std::filesystem::create_directory(folder_.path() / "layers");
+  Image8 layer(100, 80, 4);
+  for (int y = 20; y < 60; ++y)
+    for (int x = 10; x < 90; ++x) layer.at(x, y, 3) = 255;
+  write("layers/body.png", std::string(to_text(*encode_png(layer))));
+  const Outcome outcome = relievo({"check", "layers"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("body"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("80 x 40"), std::string::npos) << outcome.out;
+  expect_failure({"build", "layers", "--preview", "layers/body.png", "-o", "m.glb"}, 2, "body.png");
+  std::filesystem::create_directory(folder_.path() / "empty");
+  expect_failure({"build", "empty", "-o", "m.glb"}, 3, "holds no layers");
 }
 
 TEST_F(Render, DrawsScenesAndModels) {

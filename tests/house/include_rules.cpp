@@ -15,33 +15,52 @@ using Names = std::set<std::string>;
 const std::map<std::string, Names> kernel_rules = {
     {"base", {}},
     {"geometry", {"base"}},
-    {"image", {"base"}},
+    {"graph", {"base"}},
+    {"image", {"base", "geometry"}},
     {"meshing", {"base", "geometry"}},
     {"operators", {"base", "geometry"}},
     {"solvers", {"base"}},
 };
 
 /// The chain of stages; data flows from left to right.
-const std::vector<std::string> stages = {"drawing",  "scene", "layers", "inflation",
-                                         "ordering", "joint", "model"};
+const std::vector<std::string> stages = {"drawing",   "scene",       "completion", "stacking",
+                                         "joining",   "corrections", "layers",     "discretisation",
+                                         "inflation", "ordering",    "joint",      "model"};
 
 /// The joint stage unites these two and is made of their parts.
 const Names joint_folders = {"inflation", "ordering"};
 
 /// What a stage hands on: its struct and views of it. Everything else in its folder is its own.
 const Names stage_structs = {
-    "drawing/drawing.h",       "inflation/inflation.h", "joint/joint_solution.h",
-    "layers/joined_surface.h", "layers/layered_mesh.h", "model/model.h",
-    "ordering/ordering.h",     "scene/scene.h",
+    "completion/completion.h",
+    "completion/part_regions.h",
+    "corrections/corrections.h",
+    "drawing/drawing.h",
+    "discretisation/discretisation.h",
+    "discretisation/discretise.h",
+    "drawing/scribbles.h",
+    "drawing/segmentation.h",
+    "inflation/inflation.h",
+    "joining/joining.h",
+    "joint/joint_solution.h",
+    "layers/joined_surface.h",
+    "layers/layered_mesh.h",
+    "model/model.h",
+    "ordering/ordering.h",
+    "scene/scene.h",
+    "stacking/stacking.h",
 };
 
 /// Besides, files and pictures may use what the last stage derives from a model.
 const Names model_views = {"model/model_texture.h", "model/relief_maps.h"};
 
 /// The verbs of the stages, for the pipeline alone.
-const Names stage_verbs = {"inflation/inflate.h",  "joint/solve_jointly.h",
-                           "layers/layer_parts.h", "model/assemble_model.h",
-                           "model/relief_maps.h",  "ordering/order_depth.h"};
+const Names stage_verbs = {
+    "completion/clip_to_order.h", "completion/complete_parts.h", "drawing/find_basins.h",
+    "drawing/label_basins.h",     "drawing/label_outlines.h",    "drawing/segment_drawing.h",
+    "inflation/inflate.h",        "joining/join_parts.h",        "joint/solve_jointly.h",
+    "layers/layer_parts.h",       "model/assemble_model.h",      "model/relief_maps.h",
+    "ordering/order_depth.h",     "stacking/stack_parts.h"};
 
 struct Place {
   std::string top;     ///< kernel, relief, io, render, apps, tests, benchmarks

@@ -2,19 +2,22 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 
+#include "io/layered/read_layer_folder.h"
 #include "io/svg/read_svg.h"
+#include "io/svg/render_svg.h"
 #include "support/probe.h"
 
 namespace relievo::testing {
 
 /// A drawing with its scene and its relief.
 struct DrawnRelief {
-  std::string bytes;
   Scene scene;
+  Drawing drawing;  ///< one pixel a px of the canvas
   Relief relief;
 };
 
@@ -23,14 +26,33 @@ inline std::string read_text(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-inline DrawnRelief relief_of(const std::string& path, const ReliefOptions& options) {
+inline DrawnRelief drawn_svg(const std::string& path) {
   DrawnRelief drawn;
-  drawn.bytes = read_text(path);
-  const auto import = read_svg(drawn.bytes);
+  const std::string bytes = read_text(path);
+  const auto import = read_svg(bytes);
   EXPECT_TRUE(import.ok()) << path << ": " << (import.ok() ? "" : to_string(import.error()));
   if (!import.ok()) return drawn;
   drawn.scene = import->scene;
-  drawn.relief = relief_of(drawn.scene, options);
+  const auto drawing =
+      render_svg(bytes, static_cast<int>(drawn.scene.width), static_cast<int>(drawn.scene.height));
+  EXPECT_TRUE(drawing.ok()) << path;
+  if (drawing.ok()) drawn.drawing = *drawing;
+  return drawn;
+}
+
+inline DrawnRelief drawn_folder(const std::string& path) {
+  DrawnRelief drawn;
+  const auto import = read_layer_folder(path);
+  EXPECT_TRUE(import.ok()) << path << ": " << (import.ok() ? "" : to_string(import.error()));
+  if (!import.ok()) return drawn;
+  drawn.scene = import->content.scene;
+  drawn.drawing = import->content.drawing;
+  return drawn;
+}
+
+inline DrawnRelief relief_of(const std::string& path, const ReliefOptions& options) {
+  DrawnRelief drawn = std::filesystem::is_directory(path) ? drawn_folder(path) : drawn_svg(path);
+  if (!drawn.scene.parts.empty()) drawn.relief = relief_of(drawn.scene, options);
   return drawn;
 }
 

@@ -1,5 +1,6 @@
 #include "io/image/decode_image.h"
 
+#include "io/image/gif_decode.h"
 #include "io/image/jpeg_decode.h"
 #include "io/image/png_decode.h"
 
@@ -8,7 +9,8 @@ namespace relievo {
 Result<Image8> decode_image(ByteView bytes, const ImageLimits& limits) {
   if (is_png(bytes)) return decode_png(bytes, limits);
   if (is_jpeg(bytes)) return decode_jpeg(bytes, limits);
-  return Error{ErrorCode::bad_input, "the file is neither a PNG nor a JPEG image", ""};
+  if (is_gif(bytes)) return decode_gif(bytes, limits);
+  return Error{ErrorCode::bad_input, "the file is neither a PNG nor a JPEG nor a GIF image", ""};
 }
 
 }  // namespace relievo

@@ -51,7 +51,25 @@ void on_read(png_structp png, png_bytep out, size_t count) {
   reader->rest = reader->rest.subspan(count);
 }
 
-bool read_header(PngReader& reader, const ImageLimits& limits) {
+/// What the rows hold.
+enum class Samples {
+  rgba,    ///< 8-bit RGBA
+  values,  ///< grey values or palette indices as they are, 8 or 16 bits
+};
+
+void convert(PngReader& reader, Samples samples) {
+  if (samples == Samples::values) {
+    png_set_packing(reader.png);
+    png_set_strip_alpha(reader.png);
+  } else {
+    png_set_expand(reader.png);
+    png_set_scale_16(reader.png);
+    png_set_gray_to_rgb(reader.png);
+    png_set_add_alpha(reader.png, 0xff, PNG_FILLER_AFTER);
+  }
+}
+
+bool read_header(PngReader& reader, const ImageLimits& limits, Samples samples) {
   if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
   const auto max_side = static_cast<png_uint_32>(limits.max_side);
   png_set_user_limits(reader.png, max_side, max_side);
@@ -60,10 +78,7 @@ bool read_header(PngReader& reader, const ImageLimits& limits) {
   png_set_read_fn(reader.png, &reader, on_read);
   png_read_info(reader.png, reader.info);
   reader.packed_row_bytes = png_get_rowbytes(reader.png, reader.info);
-  png_set_expand(reader.png);
-  png_set_scale_16(reader.png);
-  png_set_gray_to_rgb(reader.png);
-  png_set_add_alpha(reader.png, 0xff, PNG_FILLER_AFTER);
+  convert(reader, samples);
   png_set_interlace_handling(reader.png);
   png_read_update_info(reader.png, reader.info);
   return true;
@@ -83,27 +98,65 @@ bool is_png(ByteView bytes) {
          std::equal(signature.begin(), signature.end(), bytes.begin());
 }
 
-Result<Image8> decode_png(ByteView bytes, const ImageLimits& limits) {
+Result<ImageSize> png_size(ByteView bytes, const ImageLimits& limits) {
   if (!is_png(bytes)) return damaged("it does not begin with the PNG signature");
   if (bytes.size() < header_end) return damaged("it ends early");
   if (std::memcmp(bytes.data() + 12, "IHDR", 4) != 0) return damaged("it has no header");
   const int64_t width = big_endian(bytes.data() + 16);
   const int64_t height = big_endian(bytes.data() + 20);
   if (Status size = check_image_size(width, height, limits); !size) return size.error();
+  return ImageSize{static_cast<int>(width), static_cast<int>(height)};
+}
 
-  PngReader reader;
+namespace {
+
+/// Reads the header of a file of checked size.
+Status start(PngReader& reader, ByteView bytes, const ImageSize& size, const ImageLimits& limits,
+             Samples samples) {
   reader.rest = bytes;
   reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, on_error, on_warning);
   if (reader.png != nullptr) reader.info = png_create_info_struct(reader.png);
   if (reader.info == nullptr) return Error{ErrorCode::internal, "libpng cannot be started", ""};
-  if (!read_header(reader, limits)) return damaged(reader.message);
-  if (reader.packed_row_bytes * static_cast<uint64_t>(height) / max_deflate_ratio > bytes.size())
-    return damaged("it ends early");
+  if (!read_header(reader, limits, samples)) return damaged(reader.message);
+  const uint64_t packed = reader.packed_row_bytes * static_cast<uint64_t>(size.height);
+  if (packed / max_deflate_ratio > bytes.size()) return damaged("it ends early");
+  return Done{};
+}
 
-  Image8 image(static_cast<int>(width), static_cast<int>(height), 4);
-  std::vector<png_bytep> rows(static_cast<size_t>(height));
+}  // namespace
+
+Result<Image8> decode_png(ByteView bytes, const ImageLimits& limits) {
+  const auto size = png_size(bytes, limits);
+  if (!size) return size.error();
+  PngReader reader;
+  if (Status s = start(reader, bytes, *size, limits, Samples::rgba); !s) return s.error();
+  Image8 image(size->width, size->height, 4);
+  std::vector<png_bytep> rows(static_cast<size_t>(size->height));
   for (int y = 0; y < image.height; ++y) rows[static_cast<size_t>(y)] = &image.at(0, y);
   if (!read_pixels(reader, rows.data())) return damaged(reader.message);
+  return image;
+}
+
+Result<Image16> decode_png_values(ByteView bytes, const ImageLimits& limits) {
+  const auto size = png_size(bytes, limits);
+  if (!size) return size.error();
+  PngReader reader;
+  if (Status s = start(reader, bytes, *size, limits, Samples::values); !s) return s.error();
+  if (png_get_channels(reader.png, reader.info) != 1)
+    return Error{ErrorCode::bad_input, "holds colours where grey values or a palette are needed",
+                 ""};
+  const size_t bytes_each = png_get_bit_depth(reader.png, reader.info) == 16 ? 2 : 1;
+  const auto width = static_cast<size_t>(size->width);
+  const auto height = static_cast<size_t>(size->height);
+  Bytes samples(width * height * bytes_each);
+  std::vector<png_bytep> rows(height);
+  for (size_t y = 0; y < height; ++y) rows[y] = &samples[y * width * bytes_each];
+  if (!read_pixels(reader, rows.data())) return damaged(reader.message);
+  Image16 image(size->width, size->height, 1);
+  for (size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = bytes_each == 1
+                          ? uint16_t{samples[i]}
+                          : static_cast<uint16_t>(samples[2 * i] << 8U | samples[2 * i + 1]);
   return image;
 }
 

@@ -1,41 +1,25 @@
 #include "io/scene/read_scene.h"
 
 #include <algorithm>
-#include <initializer_list>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 
 #include "io/scene/json_parse.h"
+#include "io/scene/json_reader.h"
 
 namespace relievo {
 namespace {
 
 using Json = nlohmann::json;
-
-/// Where a value is, as a list towards the root; written out only for an error.
-struct Path {
-  const Path* parent = nullptr;
-  std::string_view key;  ///< empty: an element
-  size_t index = 0;
-
-  Path member(std::string_view name) const { return {this, name, 0}; }
-  Path element(size_t i) const { return {this, {}, i}; }
-};
-
-std::string to_string(const Path& path) {
-  if (path.parent == nullptr) return "";
-  const std::string before = to_string(*path.parent);
-  if (path.key.empty()) return before + "[" + std::to_string(path.index) + "]";
-  return before + (before.empty() ? "" : ".") + std::string(path.key);
-}
+using Path = JsonPath;
 
 /// Turns JSON values into a scene. The first failure is kept; after it, whatever is returned is
 /// of no use and is thrown away by the caller.
-class SceneReader {
+class SceneReader : public JsonReader {
  public:
-  explicit SceneReader(const SceneLimits& limits) : limits_(limits) {}
+  explicit SceneReader(const SceneLimits& limits)
+      : JsonReader(limits.max_points), limits_(limits) {}
 
   Scene scene(const Json& json) {
     const Path root;
@@ -47,7 +31,7 @@ class SceneReader {
     check_format(json, root);
     keys(json, root, {"format", "version", "canvas", "parts"},
          {"drawing", "joins", "relations", "robin"});
-    if (error_) return scene;
+    if (error()) return scene;
     canvas(json["canvas"], root.member("canvas"), scene);
     if (json.contains("drawing"))
       scene.drawing = path_text(json["drawing"], root.member("drawing"));
@@ -60,16 +44,10 @@ class SceneReader {
     return scene;
   }
 
-  const std::optional<Error>& error() const { return error_; }
-
  private:
-  void fail(const Path& path, std::string message, ErrorCode code = ErrorCode::bad_input) {
-    if (!error_) error_ = Error{code, std::move(message), to_string(path)};
-  }
-
   void check(const Scene& scene) {
-    if (error_) return;
-    if (Status status = validate(scene); !status) error_ = status.error();
+    if (error()) return;
+    if (Status status = validate(scene); !status) fail(status.error());
   }
 
   void check_format(const Json& json, const Path& root) {
@@ -82,71 +60,10 @@ class SceneReader {
            "this program reads version 1 only; a newer file needs a newer program");
   }
 
-  /// The keys of an object: all of `required`, any of `optional`, nothing else.
-  bool keys(const Json& json, const Path& path, std::initializer_list<const char*> required,
-            std::initializer_list<const char*> optional) {
-    if (!json.is_object()) {
-      fail(path, "must be an object { ... }");
-      return false;
-    }
-    for (const char* key : required)
-      if (!json.contains(key)) fail(path.member(key), "is missing");
-    for (const auto& item : json.items()) {
-      const auto is = [&](const char* key) { return item.key() == key; };
-      if (!std::any_of(required.begin(), required.end(), is) &&
-          !std::any_of(optional.begin(), optional.end(), is))
-        fail(path.member(item.key().empty() ? "\"\"" : item.key()),
-             "is not a known key; remove it or correct its name");
-    }
-    return !error_;
-  }
-
-  bool is_list(const Json& json, const Path& path, const char* what) {
-    if (!json.is_array()) fail(path, std::string("must be a list of ") + what);
-    return json.is_array();
-  }
-
-  double number(const Json& json, const Path& path) {
-    if (!json.is_number()) {
-      fail(path, "must be a number");
-      return 0;
-    }
-    return json.get<double>();
-  }
-
-  std::string text(const Json& json, const Path& path) {
-    if (json.is_string()) return json.get<std::string>();
-    fail(path, "must be a text in quotes");
-    return "";
-  }
-
   std::string path_text(const Json& json, const Path& path) {
     std::string name = text(json, path);
     if (name.empty()) fail(path, "is empty; leave the key out where there is no drawing");
     return name;
-  }
-
-  Point2 point(const Json& json, const Path& path) {
-    if (!json.is_array() || json.size() != 2) {
-      fail(path, "must be a point [x, y]");
-      return {};
-    }
-    return {number(json[0], path.element(0)), number(json[1], path.element(1))};
-  }
-
-  std::vector<Point2> points(const Json& json, const Path& path) {
-    std::vector<Point2> list;
-    if (!is_list(json, path, "points [[x, y], ...]")) return list;
-    point_count_ += json.size();
-    if (point_count_ > limits_.max_points) {
-      fail(path, "the scene has more than " + std::to_string(limits_.max_points) + " points",
-           ErrorCode::limit);
-      return list;
-    }
-    list.reserve(json.size());
-    for (size_t i = 0; i < json.size() && !error_; ++i)
-      list.push_back(point(json[i], path.element(i)));
-    return list;
   }
 
   void canvas(const Json& json, const Path& path, Scene& scene) {
@@ -160,7 +77,7 @@ class SceneReader {
     if (json.size() > limits_.max_parts)
       return fail(path, "has more than " + std::to_string(limits_.max_parts) + " parts",
                   ErrorCode::limit);
-    for (size_t i = 0; i < json.size() && !error_; ++i) {
+    for (size_t i = 0; i < json.size() && !error(); ++i) {
       scene.parts.push_back(part(json[i], path.element(i)));
       index_.emplace(scene.parts.back().id, static_cast<int>(i));
     }
@@ -172,10 +89,7 @@ class SceneReader {
     part.id = text(json["id"], path.member("id"));
     if (json.contains("c")) part.c = number(json["c"], path.member("c"));
     if (json.contains("d")) part.d = number(json["d"], path.member("d"));
-    const Path outline = path.member("outline");
-    if (!is_list(json["outline"], outline, "rings [[[x, y], ...], ...]")) return part;
-    for (size_t r = 0; r < json["outline"].size() && !error_; ++r)
-      part.outline.push_back(points(json["outline"][r], outline.element(r)));
+    part.outline = outline(json["outline"], path.member("outline"));
     return part;
   }
 
@@ -192,11 +106,11 @@ class SceneReader {
   template <class Item>
   void list(const Json& json, const Path& root, const char* key, std::vector<Item>& items,
             Item (SceneReader::*read)(const Json&, const Path&)) {
-    if (error_ || !json.contains(key)) return;
+    if (error() || !json.contains(key)) return;
     const Json& array = json[key];
     const Path path = root.member(key);
     if (!is_list(array, path, "objects")) return;
-    for (size_t i = 0; i < array.size() && !error_; ++i)
+    for (size_t i = 0; i < array.size() && !error(); ++i)
       items.push_back((this->*read)(array[i], path.element(i)));
   }
 
@@ -231,13 +145,6 @@ class SceneReader {
     return relation;
   }
 
-  RelationKind relation_kind(const Json& json, const Path& path) {
-    if (json == "equal") return RelationKind::equal;
-    if (json == "free") return RelationKind::free;
-    if (json != "above") fail(path, "must be \"equal\", \"above\" or \"free\"");
-    return RelationKind::above;
-  }
-
   RobinRange robin(const Json& json, const Path& path) {
     RobinRange range;
     if (!keys(json, path, {"upper", "lower", "from", "to"}, {"alpha0", "rho"})) return range;
@@ -250,9 +157,7 @@ class SceneReader {
   }
 
   const SceneLimits& limits_;
-  std::optional<Error> error_;
   std::map<std::string, int> index_;
-  size_t point_count_ = 0;
 };
 
 }  // namespace

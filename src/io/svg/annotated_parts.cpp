@@ -4,10 +4,10 @@
 #include <cmath>
 #include <map>
 
-#include "io/svg/figures.h"
-#include "io/svg/part_cover.h"
-#include "io/svg/propose_parts.h"
+#include "io/parts/part_cover.h"
+#include "io/parts/propose_parts.h"
 #include "io/svg/scanner.h"
+#include "io/svg/svg_marks.h"
 
 namespace relievo {
 namespace {
@@ -149,7 +149,7 @@ bool layers_are_parts(const SvgDrawing& drawing) {
     layer.height = drawing.height;
     layer.groups = drawing.groups;
     layer.clips = drawing.clips;
-    const std::vector<Part> inside = propose_parts(layer);
+    const std::vector<Part> inside = propose_parts(group_figures(opaque_marks(layer)));
     return inside.size() >= 4 && some_overlap(inside);
   });
 }

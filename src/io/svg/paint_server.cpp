@@ -10,7 +10,7 @@ constexpr int max_href_chain = 16;
 
 struct Stop {
   double offset = 0;
-  SvgColor color;
+  Color color;
 };
 
 std::string property(const pugi::xml_node& element, const char* name) {
@@ -31,7 +31,7 @@ std::vector<Stop> own_stops(const pugi::xml_node& gradient) {
     const auto opacity =
         parse_length(property(child, "stop-opacity"), LengthAxis::horizontal, fraction);
     Stop stop{std::clamp(offset.value_or(0), 0.0, 1.0),
-              parse_color(property(child, "stop-color")).value_or(SvgColor{})};
+              parse_color(property(child, "stop-color")).value_or(Color{})};
     if (!stops.empty()) stop.offset = std::max(stop.offset, stops.back().offset);
     stop.color.a *= std::clamp(opacity.value_or(1), 0.0, 1.0);
     stops.push_back(stop);
@@ -39,9 +39,9 @@ std::vector<Stop> own_stops(const pugi::xml_node& gradient) {
   return stops;
 }
 
-SvgColor overall_color(const std::vector<Stop>& stops) {
-  SvgColor sum{0, 0, 0, 1};
-  const auto add = [&sum](const SvgColor& c, double weight) {
+Color overall_color(const std::vector<Stop>& stops) {
+  Color sum{0, 0, 0, 1};
+  const auto add = [&sum](const Color& c, double weight) {
     sum = {sum.r + weight * c.r, sum.g + weight * c.g, sum.b + weight * c.b, std::min(sum.a, c.a)};
   };
   add(stops.front().color, stops.front().offset);
@@ -56,15 +56,15 @@ SvgColor overall_color(const std::vector<Stop>& stops) {
 
 }  // namespace
 
-std::optional<SvgColor> representative_color(const SvgPaint& paint, const SvgDocument& document) {
+std::optional<Color> representative_color(const SvgPaint& paint, const SvgDocument& document) {
   if (paint.kind == SvgPaint::Kind::none) return std::nullopt;
   if (paint.kind == SvgPaint::Kind::color) return paint.color;
   const auto found = document.ids.find(paint.server);
   if (found == document.ids.end()) {
-    return paint.has_fallback ? std::optional<SvgColor>(paint.color) : std::nullopt;
+    return paint.has_fallback ? std::optional<Color>(paint.color) : std::nullopt;
   }
   pugi::xml_node server = found->second;
-  if (local_name(server.name()) == "pattern") return SvgColor{0.5, 0.5, 0.5, 1};
+  if (local_name(server.name()) == "pattern") return Color{0.5, 0.5, 0.5, 1};
   for (int i = 0; i < max_href_chain && server; ++i) {
     const std::vector<Stop> stops = own_stops(server);
     if (!stops.empty()) return overall_color(stops);

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/parts/propose_parts.h"
 #include "io/svg/interpret_svg.h"
-#include "io/svg/propose_parts.h"
+#include "io/svg/svg_marks.h"
 
 namespace relievo {
 namespace {
@@ -42,7 +43,7 @@ Status propose(const SvgDrawing& drawing, const SvgOptions& options, SvgInterpre
                      std::to_string(options.max_shapes) + ")",
                  "svg"};
   }
-  result.import.scene.parts = propose_parts(drawing);
+  result.import.scene.parts = propose_parts(group_figures(opaque_marks(drawing)));
   result.import.proposed = true;
   for (const SvgShape& shape : drawing.shapes) {
     if (!shape.join) continue;

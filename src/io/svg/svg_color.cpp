@@ -26,7 +26,7 @@ int hex_digit(char c) {
   return -1;
 }
 
-std::optional<SvgColor> hex_color(std::string_view digits) {
+std::optional<Color> hex_color(std::string_view digits) {
   const size_t n = digits.size();
   if (n != 3 && n != 4 && n != 6 && n != 8) return std::nullopt;
   const size_t width = n < 6 ? 1 : 2;
@@ -37,7 +37,7 @@ std::optional<SvgColor> hex_color(std::string_view digits) {
     if (high < 0 || low < 0) return std::nullopt;
     channel[i] = (16 * high + low) / 255.0;
   }
-  return SvgColor{channel[0], channel[1], channel[2], channel[3]};
+  return Color{channel[0], channel[1], channel[2], channel[3]};
 }
 
 double unit_clamp(double value) { return value > 0 ? std::min(value, 1.0) : 0; }
@@ -60,7 +60,7 @@ std::vector<Component> components(SvgScanner& scanner) {
   return list;
 }
 
-SvgColor from_hsl(double hue, double saturation, double lightness) {
+Color from_hsl(double hue, double saturation, double lightness) {
   const double chroma = saturation * std::min(lightness, 1 - lightness);
   const auto channel = [=](double n) {
     const double k = std::fmod(n + std::fmod(hue / 30, 12) + 12, 12);
@@ -69,12 +69,12 @@ SvgColor from_hsl(double hue, double saturation, double lightness) {
   return {channel(0), channel(8), channel(4), 1};
 }
 
-std::optional<SvgColor> function_color(std::string_view text) {
+std::optional<Color> function_color(std::string_view text) {
   SvgScanner scanner(text);
   const std::string_view name = scanner.word();
   const std::vector<Component> c = components(scanner);
   if (c.size() != 3 && c.size() != 4) return std::nullopt;
-  SvgColor color;
+  Color color;
   if (name == "rgb" || name == "rgba") {
     const auto channel = [](const Component& v) {
       return unit_clamp(v.value / (v.percent ? 100 : 255));
@@ -91,20 +91,15 @@ std::optional<SvgColor> function_color(std::string_view text) {
 
 }  // namespace
 
-std::optional<SvgColor> parse_color(std::string_view text) {
+std::optional<Color> parse_color(std::string_view text) {
   const std::string name = lower_case(trimmed_svg(text));
   if (name.empty()) return std::nullopt;
   if (name[0] == '#') return hex_color(std::string_view(name).substr(1));
-  if (name == "transparent") return SvgColor{0, 0, 0, 0};
+  if (name == "transparent") return Color{0, 0, 0, 0};
   if (const auto rgb = named_color(name)) {
-    return SvgColor{(*rgb >> 16) / 255.0, (*rgb >> 8 & 255) / 255.0, (*rgb & 255) / 255.0, 1};
+    return Color{(*rgb >> 16) / 255.0, (*rgb >> 8 & 255) / 255.0, (*rgb & 255) / 255.0, 1};
   }
   return function_color(name);
-}
-
-double color_distance(const SvgColor& p, const SvgColor& q) {
-  return std::sqrt((p.r - q.r) * (p.r - q.r) + (p.g - q.g) * (p.g - q.g) +
-                   (p.b - q.b) * (p.b - q.b));
 }
 
 }  // namespace relievo

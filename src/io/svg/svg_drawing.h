@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "io/svg/region.h"
 #include "io/svg/svg_document.h"
+#include "io/svg/svg_region.h"
 #include "kernel/base/result.h"
 
 namespace relievo {
@@ -52,9 +52,8 @@ struct SvgShape {
   int group = -1;          ///< innermost group, -1: none
   std::vector<Polyline> lines;
   FillRule fill_rule = FillRule::nonzero;
-  std::optional<SvgColor>
-      fill;  ///< representative; alpha is that of the paint, all groups included
-  std::optional<SvgColor> stroke;  ///< likewise
+  std::optional<Color> fill;    ///< representative; alpha is that of the paint, all groups included
+  std::optional<Color> stroke;  ///< likewise
   StrokeShape pen;
   std::vector<int> clips;  ///< each cuts the shape
   bool join = false;       ///< marked as a join by data-relievo or by a class named join

@@ -15,14 +15,14 @@ std::optional<double> parse_opacity(std::string_view text) {
 }
 
 /// The colour of "red icc-color(...)" or "currentColor".
-std::optional<SvgColor> paint_color(std::string_view text, const SvgColor& current) {
+std::optional<Color> paint_color(std::string_view text, const Color& current) {
   text = trimmed_svg(text);
   const std::string_view first = text.substr(0, text.find(" icc-color"));
   if (first == "currentColor" || first == "currentcolor") return current;
   return parse_color(first);
 }
 
-std::optional<SvgPaint> parse_paint(std::string_view text, const SvgColor& current) {
+std::optional<SvgPaint> parse_paint(std::string_view text, const Color& current) {
   text = trimmed_svg(text);
   SvgPaint paint;
   if (text == "none") return paint;

@@ -17,7 +17,7 @@ enum class LineJoin { miter, round, bevel };
 struct SvgPaint {
   enum class Kind { none, color, server };
   Kind kind = Kind::none;
-  SvgColor color;  ///< of kind color, or the fallback of a server
+  Color color;  ///< of kind color, or the fallback of a server
   bool has_fallback = false;
   std::string server;  ///< id of the gradient or pattern
 };
@@ -26,7 +26,7 @@ struct SvgPaint {
 struct SvgStyle {
   SvgPaint fill{SvgPaint::Kind::color, {}, false, ""};
   SvgPaint stroke;
-  SvgColor color;
+  Color color;
   double fill_opacity = 1;
   double stroke_opacity = 1;
   double stroke_width = 1;  ///< user units

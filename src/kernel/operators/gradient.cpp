@@ -5,14 +5,19 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <optional>
+#include <cstdint>
 #include <vector>
+
+#include "kernel/base/workers.h"
 
 namespace relievo {
 namespace {
 
 /// Neighbours a quadratic fit needs at least; five would merely interpolate.
 constexpr size_t enough_neighbours = 6;
+/// Stencils are made in up to so many pieces, each with a look-up as large as the mesh.
+constexpr int most_pieces = 16;
+constexpr int least_nodes = 4096;
 
 /// Least squares fit of a x + b y + c x^2 + d x y + e y^2, samples weighted by 1 / distance^2.
 class QuadraticFit {
@@ -20,40 +25,55 @@ class QuadraticFit {
   /// `reach` is the longest of the offsets.
   explicit QuadraticFit(double reach) : per_reach_(1 / reach) {}
 
-  void add(Point2 offset, double value) {
-    const double x = offset.x * per_reach_;
-    const double y = offset.y * per_reach_;
-    const double weight = 1 / (x * x + y * y);
-    const double basis[5] = {x, y, x * x, x * y, y * y};
+  void add(Point2 offset) {
+    const Sample sample = sample_at(offset);
     for (int j = 0; j < 5; ++j) {
-      const double weighted = weight * basis[j];
-      for (int i = j; i < 5; ++i) normal_(i, j) += weighted * basis[i];
-      moments_[j] += weighted * value;
+      const double weighted = sample.weight * sample.basis[j];
+      for (int i = j; i < 5; ++i) normal_(i, j) += weighted * sample.basis[i];
     }
   }
 
-  /// Gradient at the origin, if the samples determine it.
-  std::optional<Point2> gradient() const {
+  /// Solves for the gradient at the origin; false where the samples do not determine it.
+  bool solve() {
     const Eigen::LDLT<Eigen::Matrix<double, 5, 5>> ldlt(normal_);
     const Vector pivots = ldlt.vectorD();
-    if (!(pivots.minCoeff() > flatness * pivots.maxCoeff())) return std::nullopt;
-    const Vector solution = ldlt.solve(moments_);
-    return Point2{solution[0] * per_reach_, solution[1] * per_reach_};
+    if (!(pivots.minCoeff() > flatness * pivots.maxCoeff())) return false;
+    for (int k = 0; k < 2; ++k) rows_[k] = ldlt.solve(Vector::Unit(k));
+    return true;
+  }
+
+  /// By how much the gradient grows with the value at a sample. After solve().
+  Point2 weight_of(Point2 offset) const {
+    const Sample sample = sample_at(offset);
+    Point2 sum;
+    for (int j = 0; j < 5; ++j) sum = sum + sample.basis[j] * Point2{rows_[0][j], rows_[1][j]};
+    return (sample.weight * per_reach_) * sum;
   }
 
  private:
   using Vector = Eigen::Matrix<double, 5, 1>;
+  struct Sample {
+    double weight;
+    double basis[5];
+  };
+
+  Sample sample_at(Point2 offset) const {
+    const double x = offset.x * per_reach_;
+    const double y = offset.y * per_reach_;
+    return {1 / (x * x + y * y), {x, y, x * x, x * y, y * y}};
+  }
+
   static constexpr double flatness = 1e-4;
   double per_reach_;
   Eigen::Matrix<double, 5, 5> normal_ = Eigen::Matrix<double, 5, 5>::Zero();  // lower triangle
-  Vector moments_ = Vector::Zero();
+  Vector rows_[2];  // of the inverse of normal_
 };
 
 /// Collects the nodes around one node after the other.
 class Neighbourhoods {
  public:
-  explicit Neighbourhoods(const FlatMesh& mesh)
-      : mesh_(mesh), corners_(corners_at_nodes(mesh)), seen_(mesh.positions.size(), -1) {}
+  Neighbourhoods(const FlatMesh& mesh, const NodeCorners& corners)
+      : mesh_(mesh), corners_(corners), seen_(mesh.positions.size(), -1) {}
 
   /// One ring of neighbours inside; two on a boundary and where one has too few.
   const std::vector<int>& around(int node) {
@@ -67,8 +87,6 @@ class Neighbourhoods {
     return nodes_;
   }
 
-  const NodeCorners& corners() const { return corners_; }
-
  private:
   void add_ring(int centre, int node) {
     for (int i = corners_.begin[centre]; i < corners_.begin[centre + 1]; ++i)
@@ -80,13 +98,14 @@ class Neighbourhoods {
   }
 
   const FlatMesh& mesh_;
-  NodeCorners corners_;
+  const NodeCorners& corners_;
   std::vector<int> seen_;
   std::vector<int> nodes_;
 };
 
-std::optional<Point2> fitted_gradient(const FlatMesh& mesh, std::span<const double> values,
-                                      int node, const std::vector<int>& around) {
+/// Appends the stencil of a quadratic fit; false where there is none.
+bool append_fit(const FlatMesh& mesh, int node, const std::vector<int>& around,
+                GradientStencils& stencils) {
   const Point2 origin = mesh.positions[node];
   double squared_reach = 0;
   for (const int other : around) {
@@ -94,11 +113,16 @@ std::optional<Point2> fitted_gradient(const FlatMesh& mesh, std::span<const doub
     squared_reach = std::max(squared_reach, dot(offset, offset));
   }
   QuadraticFit fit(std::sqrt(squared_reach));
+  const auto apart = [&](int other) { return !(mesh.positions[other] == origin); };
+  for (const int other : around)
+    if (apart(other)) fit.add(mesh.positions[other] - origin);
+  if (!fit.solve()) return false;
   for (const int other : around) {
-    const Point2 offset = mesh.positions[other] - origin;
-    if (dot(offset, offset) > 0) fit.add(offset, values[other] - values[node]);
+    if (!apart(other)) continue;
+    stencils.neighbour.push_back(other);
+    stencils.weight.push_back(fit.weight_of(mesh.positions[other] - origin));
   }
-  return fit.gradient();
+  return true;
 }
 
 Point2 face_gradient(const FlatMesh& mesh, std::span<const double> values, int face) {
@@ -112,19 +136,40 @@ Point2 face_gradient(const FlatMesh& mesh, std::span<const double> values, int f
           (along_f * e.x - along_e * f.x) / twice_area};
 }
 
-Point2 mean_gradient(const FlatMesh& mesh, std::span<const double> values,
-                     const NodeCorners& corners, int node) {
-  Point2 sum;
-  double weight = 0;
+/// Appends the stencil of the area-weighted mean of the gradients on the faces around.
+void append_mean(const FlatMesh& mesh, int node, const NodeCorners& corners,
+                 GradientStencils& stencils) {
+  double twice_area = 0;
   for (int i = corners.begin[node]; i < corners.begin[node + 1]; ++i) {
-    const int face = corners.corner[i] / 3;
-    const auto& [a, b, c] = mesh.triangles[face];
-    const double area =
+    const auto& [a, b, c] = mesh.triangles[corners.corner[i] / 3];
+    twice_area +=
         cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
-    sum = sum + area * face_gradient(mesh, values, face);
-    weight += area;
   }
-  return weight > 0 ? (1 / weight) * sum : Point2{};
+  if (!(twice_area > 0)) return;
+  for (int i = corners.begin[node]; i < corners.begin[node + 1]; ++i) {
+    const auto& triangle = mesh.triangles[corners.corner[i] / 3];
+    for (int k = 0; k < 3; ++k) {
+      if (triangle[k] == node) continue;
+      const Point2 across =
+          mesh.positions[triangle[(k + 2) % 3]] - mesh.positions[triangle[(k + 1) % 3]];
+      stencils.neighbour.push_back(triangle[k]);
+      stencils.weight.push_back((1 / twice_area) * Point2{-across.y, across.x});
+    }
+  }
+}
+
+/// The stencils of nodes [first, last), with `begin` from 0.
+GradientStencils stencils_of_range(const FlatMesh& mesh, const NodeCorners& corners, int first,
+                                   int last) {
+  Neighbourhoods neighbourhoods(mesh, corners);
+  GradientStencils stencils;
+  stencils.begin.push_back(0);
+  for (int n = first; n < last; ++n) {
+    if (!append_fit(mesh, n, neighbourhoods.around(n), stencils))
+      append_mean(mesh, n, corners, stencils);
+    stencils.begin.push_back(stencils.neighbour.size());
+  }
+  return stencils;
 }
 
 }  // namespace
@@ -138,17 +183,39 @@ std::vector<Point2> face_gradients(const FlatMesh& mesh, std::span<const double>
   return gradients;
 }
 
-std::vector<Point2> node_gradients(const FlatMesh& mesh, std::span<const double> values) {
-  assert(values.size() == mesh.positions.size());
-  Neighbourhoods neighbourhoods(mesh);
-  std::vector<Point2> gradients;
-  gradients.reserve(mesh.positions.size());
-  for (int n = 0; n < static_cast<int>(mesh.positions.size()); ++n) {
-    const std::optional<Point2> fitted = fitted_gradient(mesh, values, n, neighbourhoods.around(n));
-    gradients.push_back(fitted ? *fitted
-                               : mean_gradient(mesh, values, neighbourhoods.corners(), n));
+GradientStencils gradient_stencils(const FlatMesh& mesh) {
+  const NodeCorners corners = corners_at_nodes(mesh);
+  const int nodes = static_cast<int>(mesh.positions.size());
+  const int pieces = std::clamp(nodes / least_nodes, 1, most_pieces);
+  std::vector<GradientStencils> parts(static_cast<size_t>(pieces));
+  const auto at = [&](int p) { return static_cast<int>(int64_t{nodes} * p / pieces); };
+  run_tasks(pieces, [&](int p) { parts[p] = stencils_of_range(mesh, corners, at(p), at(p + 1)); });
+  GradientStencils all;
+  all.begin.push_back(0);
+  for (const GradientStencils& part : parts) {
+    const size_t before = all.neighbour.size();
+    for (size_t i = 1; i < part.begin.size(); ++i) all.begin.push_back(before + part.begin[i]);
+    all.neighbour.insert(all.neighbour.end(), part.neighbour.begin(), part.neighbour.end());
+    all.weight.insert(all.weight.end(), part.weight.begin(), part.weight.end());
   }
+  return all;
+}
+
+std::vector<Point2> node_gradients(const GradientStencils& stencils,
+                                   std::span<const double> values) {
+  assert(values.size() + 1 == stencils.begin.size());
+  std::vector<Point2> gradients(values.size());
+  run_ranges(static_cast<int>(values.size()), [&](int first, int last) {
+    for (int n = first; n < last; ++n)
+      for (size_t i = stencils.begin[n]; i < stencils.begin[n + 1]; ++i)
+        gradients[n] =
+            gradients[n] + (values[stencils.neighbour[i]] - values[n]) * stencils.weight[i];
+  });
   return gradients;
+}
+
+std::vector<Point2> node_gradients(const FlatMesh& mesh, std::span<const double> values) {
+  return node_gradients(gradient_stencils(mesh), values);
 }
 
 }  // namespace relievo

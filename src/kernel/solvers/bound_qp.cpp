@@ -15,9 +15,11 @@ double max_norm(const VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::
 
 class ActiveSetSolver {
  public:
-  ActiveSetSolver(const BoundQp& problem, SparseCholesky& factor, const BoundQpOptions& options)
+  ActiveSetSolver(const BoundQp& problem, SparseCholesky& factor, const BoundQpOptions& options,
+                  const RunContext& context)
       : problem_(problem),
         factor_(factor),
+        context_(context),
         scale_(std::max(1.0, max_norm(problem.b))),
         tolerance_(options.tolerance * scale_),
         max_iterations_(options.max_iterations) {
@@ -31,9 +33,10 @@ class ActiveSetSolver {
     solution_.mu = solution_.z;
   }
 
-  BoundQpSolution run(const RunContext& context) {
-    SolveStatus status = pivot_blocks(context);
-    if (status == SolveStatus::iteration_limit) status = descend(context);
+  BoundQpSolution run() {
+    SolveStatus status = pivot_blocks();
+    if (status == SolveStatus::iteration_limit) status = descend();
+    if (context_.cancelled()) status = SolveStatus::interrupted;
     solution_.report.status = status;
     snap_to_bounds();
     finish_report();
@@ -42,11 +45,10 @@ class ActiveSetSolver {
 
  private:
   /// Flips all wrong bounds at a time; iteration_limit also where that does not get on.
-  SolveStatus pivot_blocks(const RunContext& context) {
+  SolveStatus pivot_blocks() {
     size_t fewest = problem_.bounded.size() + 1;
     int tries = block_tries;
     while (solution_.report.iterations < max_iterations_) {
-      if (context.cancelled()) return SolveStatus::interrupted;
       if (!solve_free()) return SolveStatus::not_positive_definite;
       const std::vector<int> wrong = refined_wrong_bounds();
       if (wrong.empty()) return SolveStatus::solved;
@@ -63,11 +65,10 @@ class ActiveSetSolver {
 
   /// Goes from one feasible point to a lower one: towards the minimiser of the face that the zero
   /// bounds span, or away from it where it is reached. No face's minimiser occurs twice.
-  SolveStatus descend(const RunContext& context) {
+  SolveStatus descend() {
     VectorXd z = solution_.z;
     project(z);
     while (solution_.report.iterations < max_iterations_) {
-      if (context.cancelled()) return SolveStatus::interrupted;
       activate_zeros(z);
       if (!solve_free()) return SolveStatus::not_positive_definite;
       ++solution_.report.safeguard_steps;
@@ -141,11 +142,10 @@ class ActiveSetSolver {
 
   /// Minimises with the active bounds at 0; accurate enough to judge most guesses.
   bool solve_free() {
+    if (context_.cancelled()) return false;
     ++solution_.report.iterations;
-    const bool again = solution_.report.factorisations++ > 0;
-    if (again ? !factor_.refactorise(problem_.K, solution_.active)
-              : !factor_.factorise(problem_.K, solution_.active))
-      return false;
+    ++solution_.report.factorisations;
+    if (!factor_.refactorise(problem_.K, solution_.active, context_)) return false;
     VectorXd free_b = problem_.b;
     clear_active(free_b);
     solution_.z = factor_.solve(free_b);
@@ -227,6 +227,7 @@ class ActiveSetSolver {
 
   const BoundQp& problem_;
   SparseCholesky& factor_;
+  const RunContext& context_;
   double scale_;
   double tolerance_;
   int max_iterations_;
@@ -237,7 +238,7 @@ class ActiveSetSolver {
 
 BoundQpSolution solve_bound_qp(const BoundQp& problem, SparseCholesky& factor,
                                const BoundQpOptions& options, const RunContext& context) {
-  return ActiveSetSolver(problem, factor, options).run(context);
+  return ActiveSetSolver(problem, factor, options, context).run();
 }
 
 }  // namespace relievo

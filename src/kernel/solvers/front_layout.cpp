@@ -1,6 +1,7 @@
 #include "kernel/solvers/front_layout.h"
 
 #include <algorithm>
+#include <array>
 
 #include "kernel/solvers/frontal_kernels.h"
 
@@ -34,20 +35,52 @@ void place_panels(FrontLayout& layout) {
   }
 }
 
+Index update_size(const Supernodes& fronts, int s) {
+  return static_cast<Index>(Front{fronts.rows(s), fronts.columns(s)}.update_size());
+}
+
+void keep_update(FrontLayout& layout, int s) {
+  layout.update_begin[s] = layout.updates_size;
+  layout.updates_size += update_size(layout.fronts, s);
+}
+
+/// Lays the updates inside a task on its two stacks, behind what has its place already.
+void stack_updates(FrontLayout& layout, const FrontTask& task, const std::vector<int>& parity) {
+  const Supernodes& fronts = layout.fronts;
+  std::array<Index, 2> used = {0, 0};
+  std::array<Index, 2> most = {0, 0};
+  const auto leaves_task = [&](int s) {
+    return fronts.parent[s] < 0 || fronts.parent[s] >= task.last;
+  };
+  for (int s = task.first; s < task.last; ++s) {
+    const int stack = parity[s];
+    if (!leaves_task(s)) {
+      layout.update_begin[s] = used[stack];
+      used[stack] += update_size(fronts, s);
+      most[stack] = std::max(most[stack], used[stack]);
+    }
+    if (layout.first_child[s] >= 0) used[1 - stack] = layout.update_begin[layout.first_child[s]];
+  }
+  for (int s = task.first; s < task.last; ++s)
+    if (!leaves_task(s))
+      layout.update_begin[s] += layout.updates_size + (parity[s] != 0 ? most[0] : 0);
+  layout.updates_size += most[0] + most[1];
+  for (int s = task.first; s < task.last; ++s)
+    if (leaves_task(s)) keep_update(layout, s);
+}
+
 void place_updates(FrontLayout& layout, Updates updates) {
   const Supernodes& fronts = layout.fronts;
-  layout.stack.assign(fronts.parent.size(), 0);
-  for (int s = fronts.size() - 1; s >= 0; --s)
-    if (fronts.parent[s] >= 0) layout.stack[s] = 1 - layout.stack[fronts.parent[s]];
-  std::array<Index, 2> used = {0, 0};
-  for (int s = 0; s < fronts.size(); ++s) {
-    const int stack = layout.stack[s];
-    layout.update_begin.push_back(used[stack]);
-    used[stack] += static_cast<Index>(Front{fronts.rows(s), fronts.columns(s)}.update_size());
-    layout.stack_size[stack] = std::max(layout.stack_size[stack], used[stack]);
-    if (updates == Updates::stacked && layout.first_child[s] >= 0)
-      used[1 - stack] = layout.update_begin[layout.first_child[s]];
+  layout.update_begin.assign(fronts.parent.size(), 0);
+  if (updates == Updates::kept) {
+    for (int s = 0; s < fronts.size(); ++s) keep_update(layout, s);
+    return;
   }
+  std::vector<int> parity(fronts.parent.size(), 0);
+  for (int s = fronts.size() - 1; s >= 0; --s)
+    if (fronts.parent[s] >= 0) parity[s] = 1 - parity[fronts.parent[s]];
+  for (const FrontTask& task : layout.tasks.tasks) stack_updates(layout, task, parity);
+  for (const int s : layout.tasks.top) keep_update(layout, s);
 }
 
 /// Index of the diagonal entry of each column in the values of A, -1 where it is missing.
@@ -103,6 +136,7 @@ FrontLayout lay_out(const SparseMatrix& A, const SymmetricGraph& graph, Supernod
                     Updates updates) {
   FrontLayout layout;
   layout.fronts = std::move(fronts);
+  layout.tasks = split_into_tasks(layout.fronts);
   link_children(layout);
   place_panels(layout);
   place_updates(layout, updates);

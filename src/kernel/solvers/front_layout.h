@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
+#include "kernel/solvers/front_tasks.h"
 #include "kernel/solvers/supernodes.h"
 
 namespace relievo {
@@ -18,18 +18,19 @@ enum class Updates {
   kept,     ///< each has its place, so that single fronts can be computed again
 };
 
-/// Where everything lies during a factorisation, so that nothing is searched for. Stacked updates
-/// of fronts at even and at odd depth in the tree lie on two stacks: those of the children of a
-/// front are then the last ones of their stack, and its own goes on the other one.
+/// Where everything lies during a factorisation, so that nothing is searched for. Every task has
+/// two stacks for the updates of its fronts at even and at odd depth in the tree: those of the
+/// children of a front are then the last ones of their stack, and its own goes on the other one.
+/// Updates that leave a task, and those of the top fronts, have places of their own.
 struct FrontLayout {
   Supernodes fronts;
+  FrontTasks tasks;
   std::vector<int> front_of;               ///< #n: front that eliminates each row of the matrix
   std::vector<Eigen::Index> panel_begin;   ///< #S + 1, in doubles
-  std::vector<Eigen::Index> update_begin;  ///< #S, in the front's stack
-  std::vector<int> stack;                  ///< #S, 0 or 1
-  std::array<Eigen::Index, 2> stack_size = {0, 0};
-  std::vector<int> first_child;    ///< #S, -1 if there is none
-  std::vector<int> next_sibling;   ///< #S, ascending, -1 at the last
+  std::vector<Eigen::Index> update_begin;  ///< #S, in doubles
+  Eigen::Index updates_size = 0;           ///< of all updates that live at once, in doubles
+  std::vector<int> first_child;            ///< #S, -1 if there is none
+  std::vector<int> next_sibling;           ///< #S, ascending, -1 at the last
   std::vector<int> row_in_parent;  ///< as long as fronts.row: position of the row in the parent
   std::vector<Eigen::Index> entry_begin;  ///< #S + 1
   std::vector<PanelEntry> entries;

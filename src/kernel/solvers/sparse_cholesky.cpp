@@ -2,41 +2,20 @@
 
 #include <Eigen/OrderingMethods>
 #include <algorithm>
-#include <array>
+#include <atomic>
 #include <cassert>
-#include <new>
+#include <utility>
 #include <vector>
 
-#include "kernel/solvers/front_layout.h"
-#include "kernel/solvers/frontal_kernels.h"
+#include "kernel/base/workers.h"
+#include "kernel/solvers/factor_memory.h"
+#include "kernel/solvers/triangular_solves.h"
 
 namespace relievo {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-/// Doubles at the start of a cache line, where packs of rows are read fastest.
-class AlignedArray {
- public:
-  /// Makes room for `size` doubles, uninitialised; what was there before is lost.
-  void make_room(Index size) {
-    if (data_ != nullptr && size <= capacity_) return;
-    data_.reset();
-    data_.reset(static_cast<double*>(
-        ::operator new(static_cast<size_t>(size) * sizeof(double), alignment)));
-    capacity_ = size;
-  }
-  double* data() const { return data_.get(); }
-
- private:
-  static constexpr std::align_val_t alignment{64};
-  struct Free {
-    void operator()(double* data) const { ::operator delete(data, alignment); }
-  };
-  std::unique_ptr<double, Free> data_;
-  Index capacity_ = 0;
-};
 
 std::vector<int> fill_reducing_order(const SparseMatrix& A) {
   if (A.rows() == 0) return {};
@@ -57,91 +36,65 @@ void add_update(const Front& child, const int* rows, const Front& parent) {
 }  // namespace
 
 struct SparseCholesky::Implementation {
-  FrontLayout layout;
-  AlignedArray panels;
-  std::array<AlignedArray, 2> stacks;
+  FactorMemory memory;
   bool incremental = false;
-  std::vector<double> values;
-  std::vector<uint8_t> fixed;     ///< of the last factorisation, or empty: none
+  std::vector<double> values;     ///< of the last factorisation, fixed rows replaced
   std::vector<uint8_t> outdated;  ///< #S
-
-  Front front(int s) const {
-    const Supernodes& fronts = layout.fronts;
-    return {fronts.rows(s), fronts.columns(s), panels.data() + layout.panel_begin[s],
-            stacks[layout.stack[s]].data() + layout.update_begin[s]};
-  }
 
   /// Sums the matrix's entries and the children's updates.
   void assemble(int s, const Front& target, const double* entries) const {
+    const FrontLayout& layout = memory.layout;
     std::fill(target.panel, target.panel + target.stride() * target.columns, 0.0);
     std::fill(target.update, target.update + target.update_size(), 0.0);
     for (Index e = layout.entry_begin[s]; e < layout.entry_begin[s + 1]; ++e)
       target.panel[layout.entries[e].target] = entries[layout.entries[e].source];
     for (int child = layout.first_child[s]; child >= 0; child = layout.next_sibling[child])
-      add_update(front(child), layout.row_in_parent.data() + layout.fronts.row_begin[child],
+      add_update(memory.front(child), layout.row_in_parent.data() + layout.fronts.row_begin[child],
                  target);
   }
 
+  /// Computes a front if it is out of date; false where a pivot is not positive.
+  bool update_front(int s, const double* entries) const {
+    if (outdated[s] == 0) return true;
+    const Front target = memory.front(s);
+    assemble(s, target, entries);
+    return best_kernels().eliminate(target);
+  }
+
   /// Computes the fronts that are out of date and those that depend on them.
-  bool factorise_outdated(const SparseMatrix& A) {
-    const double* entries = values_of(A);
-    const FrontalKernels& kernels = best_kernels();
-    for (int s = 0; s < layout.fronts.size(); ++s) {
-      if (outdated[s] == 0) continue;
-      if (layout.fronts.parent[s] >= 0) outdated[layout.fronts.parent[s]] = 1;
-      const Front target = front(s);
-      assemble(s, target, entries);
-      if (!kernels.eliminate(target)) return false;
-    }
-    return true;
+  bool factorise_outdated(const double* entries, const RunContext& context) {
+    const Supernodes& fronts = memory.layout.fronts;
+    for (int s = 0; s < fronts.size(); ++s)
+      if (outdated[s] != 0 && fronts.parent[s] >= 0) outdated[fronts.parent[s]] = 1;
+    const FrontTasks& tasks = memory.layout.tasks;
+    std::atomic<bool> sound{true};
+    const auto update = [&](int s) {
+      if (context.cancelled() || !update_front(s, entries)) sound = false;
+      return sound.load(std::memory_order_relaxed);
+    };
+    run_tasks(static_cast<int>(tasks.tasks.size()), [&](int t) {
+      for (int s = tasks.tasks[t].first; s < tasks.tasks[t].last; ++s)
+        if (!update(s)) return;
+    });
+    for (size_t i = 0; i < tasks.top.size() && sound; ++i) update(tasks.top[i]);
+    return sound;
   }
 
-  /// The values of A, with fixed rows and columns as those of the identity.
-  const double* values_of(const SparseMatrix& A) {
-    if (fixed.empty()) return A.valuePtr();
-    values.resize(static_cast<size_t>(A.outerIndexPtr()[A.outerSize()]));
-    for (int j = 0; j < A.outerSize(); ++j)
-      for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry) {
-        const bool identity = fixed[j] != 0 || fixed[entry.row()] != 0;
-        values[&entry.value() - A.valuePtr()] = !identity          ? entry.value()
-                                                : entry.row() == j ? 1
-                                                                   : 0;
-      }
-    return values.data();
-  }
-
-  /// Marks the fronts that hold entries of rows or columns that begin or cease to be fixed.
-  void mark_outdated(const SparseMatrix& A, std::span<const uint8_t> next) {
-    const auto changes = [&](Index i) { return (fixed.empty() ? 0 : fixed[i]) != next[i]; };
-    outdated.assign(layout.fronts.parent.size(), 0);
+  /// Takes over the values of A, with fixed rows and columns as those of the identity, and marks
+  /// the fronts that hold entries which differ from the last ones.
+  void take_values(const SparseMatrix& A, std::span<const uint8_t> fixed) {
+    const std::vector<int>& front_of = memory.layout.front_of;
+    const int* row = A.innerIndexPtr();
+    const double* value = A.valuePtr();
     for (int j = 0; j < A.outerSize(); ++j) {
-      const bool column_changes = changes(j);
-      for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry)
-        if (entry.row() >= j && (column_changes || changes(entry.row())))
-          outdated[std::min(layout.front_of[j], layout.front_of[entry.row()])] = 1;
-    }
-  }
-
-  /// y := L^-1 y, in the order of elimination. x holds the rows of a front.
-  void solve_forward(VectorXd& y, VectorXd& x) const {
-    const FrontalKernels& kernels = best_kernels();
-    for (int s = 0; s < layout.fronts.size(); ++s) {
-      const Front source = front(s);
-      const int* row = layout.fronts.row.data() + layout.fronts.row_begin[s];
-      for (int i = 0; i < source.rows; ++i) x[i] = y[row[i]];
-      kernels.solve_forward(source, x.data());
-      for (int i = 0; i < source.rows; ++i) y[row[i]] = x[i];
-    }
-  }
-
-  void solve_backward(VectorXd& y, VectorXd& x) const {
-    const FrontalKernels& kernels = best_kernels();
-    for (int s = layout.fronts.size() - 1; s >= 0; --s) {
-      const Front source = front(s);
-      const int* row = layout.fronts.row.data() + layout.fronts.row_begin[s];
-      for (int i = 0; i < source.rows; ++i) x[i] = y[row[i]];
-      kernels.solve_backward(source, x.data());
-      for (int i = 0; i < source.columns; ++i) y[row[i]] = x[i];
+      const bool column_fixed = !fixed.empty() && fixed[j] != 0;
+      for (int e = A.outerIndexPtr()[j]; e < A.outerIndexPtr()[j + 1]; ++e) {
+        const bool replaced = column_fixed || (!fixed.empty() && fixed[row[e]] != 0);
+        const double next = !replaced ? value[e] : row[e] == j ? 1 : 0;
+        if (next == values[e]) continue;
+        values[e] = next;
+        if (row[e] >= j) outdated[std::min(front_of[j], front_of[row[e]])] = 1;
+      }
     }
   }
 };
@@ -151,50 +104,61 @@ SparseCholesky::~SparseCholesky() = default;
 SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
 SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 
-void SparseCholesky::analyse(const SparseMatrix& A, Refactorisation refactorisation) {
+void SparseCholesky::analyse(const SparseMatrix& A, Refactorisation refactorisation,
+                             std::span<const int> order) {
+  assert(order.empty() || static_cast<Index>(order.size()) == A.rows());
   Implementation& self = *implementation_;
   self.incremental = refactorisation == Refactorisation::incremental;
+  self.values.clear();
   const SymmetricGraph graph = make_symmetric_graph(A);
-  self.layout = lay_out(A, graph, make_supernodes(graph, fill_reducing_order(A)),
-                        self.incremental ? Updates::kept : Updates::stacked);
-  self.panels.make_room(self.layout.panel_begin.back());
-  for (int i = 0; i < 2; ++i) self.stacks[i].make_room(self.layout.stack_size[i]);
+  const std::vector<int> chosen =
+      order.empty() ? fill_reducing_order(A) : std::vector<int>(order.begin(), order.end());
+  self.memory.layout = lay_out(A, graph, make_supernodes(graph, chosen),
+                               self.incremental ? Updates::kept : Updates::stacked);
+  self.memory.make_room();
 }
 
 Index SparseCholesky::factor_entries() const {
-  const Supernodes& fronts = implementation_->layout.fronts;
+  const Supernodes& fronts = implementation_->memory.layout.fronts;
   Index entries = 0;
   for (int s = 0; s < fronts.size(); ++s)
     for (int c = 0; c < fronts.columns(s); ++c) entries += fronts.rows(s) - c;
   return entries;
 }
 
-bool SparseCholesky::factorise(const SparseMatrix& A, std::span<const uint8_t> fixed) {
+bool SparseCholesky::factorise(const SparseMatrix& A, std::span<const uint8_t> fixed,
+                               const RunContext& context) {
   Implementation& self = *implementation_;
-  assert(A.rows() == static_cast<Index>(self.layout.fronts.order.size()));
+  assert(A.rows() == static_cast<Index>(self.memory.layout.fronts.order.size()));
   assert(fixed.empty() || static_cast<Index>(fixed.size()) == A.rows());
-  self.fixed.assign(fixed.begin(), fixed.end());
-  self.outdated.assign(self.layout.fronts.parent.size(), 1);
-  return self.factorise_outdated(A);
+  self.values.assign(static_cast<size_t>(A.outerIndexPtr()[A.outerSize()]), 0);
+  self.outdated.assign(self.memory.layout.fronts.parent.size(), 0);
+  self.take_values(A, fixed);
+  self.outdated.assign(self.outdated.size(), 1);
+  const bool sound = self.factorise_outdated(self.values.data(), context);
+  if (!self.incremental || !sound) self.values.clear();
+  return sound;
 }
 
-bool SparseCholesky::refactorise(const SparseMatrix& A, std::span<const uint8_t> fixed) {
-  assert(static_cast<Index>(fixed.size()) == A.rows());
+bool SparseCholesky::refactorise(const SparseMatrix& A, std::span<const uint8_t> fixed,
+                                 const RunContext& context) {
   Implementation& self = *implementation_;
-  if (!self.incremental) return factorise(A, fixed);
-  self.mark_outdated(A, fixed);
-  self.fixed.assign(fixed.begin(), fixed.end());
-  return self.factorise_outdated(A);
+  if (self.values.empty()) return factorise(A, fixed, context);
+  assert(self.values.size() == static_cast<size_t>(A.outerIndexPtr()[A.outerSize()]));
+  self.outdated.assign(self.outdated.size(), 0);
+  self.take_values(A, fixed);
+  const bool sound = self.factorise_outdated(self.values.data(), context);
+  if (!sound) self.values.clear();
+  return sound;
 }
 
 VectorXd SparseCholesky::solve(const VectorXd& b) const {
-  const Implementation& self = *implementation_;
-  const std::vector<int>& order = self.layout.fronts.order;
+  const FactorMemory& memory = implementation_->memory;
+  const std::vector<int>& order = memory.layout.fronts.order;
   VectorXd y(b.size());
   for (Index i = 0; i < y.size(); ++i) y[i] = b[order[i]];
-  VectorXd x = VectorXd::Zero(padded(self.layout.most_rows));
-  self.solve_forward(y, x);
-  self.solve_backward(y, x);
+  solve_forward(memory, y);
+  solve_backward(memory, y);
   VectorXd solution(b.size());
   for (Index i = 0; i < y.size(); ++i) solution[order[i]] = y[i];
   return solution;

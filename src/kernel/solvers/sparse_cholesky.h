@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include "kernel/base/run_context.h"
 #include "kernel/base/sparse_matrix.h"
 
 namespace relievo {
@@ -16,7 +17,8 @@ enum class Refactorisation { complete, incremental };
 /// Cholesky factorisation of symmetric positive definite sparse matrices: the pattern is analysed
 /// once, values are factorised as often as needed, by the multifrontal method [Duff and Reid 1983;
 /// Liu 1992]. Only the lower triangle (row >= column) of the matrices is read; explicit zeros
-/// belong to the pattern. The same input gives the same bits on every processor.
+/// belong to the pattern. The same input gives the same bits on every processor and with any number
+/// of threads.
 class SparseCholesky {
  public:
   SparseCholesky();
@@ -24,21 +26,26 @@ class SparseCholesky {
   SparseCholesky(SparseCholesky&&) noexcept;
   SparseCholesky& operator=(SparseCholesky&&) noexcept;
 
-  /// Chooses a fill-reducing order for the pattern of A and lays out the factor, where there is
-  /// room in the memory of the last one. Near-linear in the entries of A and the row indices of the
+  /// Lays out the factor for the pattern of A, where there is room in the memory of the last one.
+  /// `order` says in which order to eliminate the rows (all of them, each once); where it is empty,
+  /// one that fills in little is chosen. Near-linear in the entries of A and the row indices of the
   /// fronts.
-  void analyse(const SparseMatrix& A, Refactorisation refactorisation = Refactorisation::complete);
+  void analyse(const SparseMatrix& A, Refactorisation refactorisation = Refactorisation::complete,
+               std::span<const int> order = {});
 
   /// Entries of the lower triangle of the factor, stored zeros included.
   Eigen::Index factor_entries() const;
 
-  /// Factorises values on the analysed pattern; false when A is not positive definite. Rows and
-  /// columns i with fixed[i] != 0 (none, or #rows flags) are replaced by those of the identity.
-  bool factorise(const SparseMatrix& A, std::span<const uint8_t> fixed = {});
+  /// Factorises values on the analysed pattern; false when A is not positive definite, or when
+  /// `context` is cancelled. Rows and columns i with fixed[i] != 0 (none, or #rows flags) are
+  /// replaced by those of the identity. Uses all workers.
+  bool factorise(const SparseMatrix& A, std::span<const uint8_t> fixed = {},
+                 const RunContext& context = {});
 
-  /// Does what factorise() does, with the same bits, where A has the values of the last call and
-  /// only `fixed` (#rows flags) differs. Precondition: the last factorisation returned true.
-  bool refactorise(const SparseMatrix& A, std::span<const uint8_t> fixed);
+  /// Does what factorise() does, with the same bits; after an incremental analysis, computes only
+  /// what depends on entries that are not as in the last factorisation.
+  bool refactorise(const SparseMatrix& A, std::span<const uint8_t> fixed = {},
+                   const RunContext& context = {});
 
   /// Solves A x = b with the last factorised A, b having #rows entries.
   /// Precondition: the last factorisation returned true.

@@ -2,7 +2,9 @@
 
 #include "kernel/base/result.h"
 #include "kernel/base/run_context.h"
+#include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflation.h"
+#include "relief/inflation/poisson_system.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/scene/scene.h"
 
@@ -19,8 +21,20 @@ struct InflationOptions {
   RobinUnits units = RobinUnits::relative;
 };
 
+/// The joined surface and what was computed of it.
+struct InflationInput {
+  const LayeredMesh& mesh;
+  const Discretisation& discretisation;
+  const Scene& scene;
+};
+
 /// Solves (L + B_beta) u = M c once for all parts. Fails with bad_input where a surface has no
-/// outline that holds it at 0, naming its part.
+/// outline that holds it at 0, naming its part. `system` is that of the mesh and its
+/// discretisation; the result does not depend on what it was used for before.
+Result<Inflation> inflate(const InflationInput& input, const InflationOptions& options,
+                          PoissonSystem& system, const RunContext& context = {});
+
+/// The same with operators and a system for one use.
 Result<Inflation> inflate(const LayeredMesh& mesh, const Scene& scene,
                           const InflationOptions& options, const RunContext& context = {});
 

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "kernel/operators/gradient.h"
 #include "kernel/operators/laplacian.h"
 #include "relief/layers/joined_surface.h"
 
@@ -19,30 +18,20 @@ Eigen::VectorXd inflation_load(const FlatMesh& flat, const LayeredMesh& mesh, co
   return load_vector(flat, density);
 }
 
-DisjointSets connected_surfaces(const LayeredMesh& mesh) {
-  DisjointSets surfaces(static_cast<int>(mesh.node_vertex.size()));
-  for (const auto& [a, b, c] : mesh.faces) {
-    surfaces.unite(a, b);
-    surfaces.unite(a, c);
-  }
-  return surfaces;
+std::vector<int> surface_signs(const LayeredMesh& mesh, const std::vector<int>& surface,
+                               const Scene& scene) {
+  std::vector<uint8_t> raised(mesh.node_vertex.size(), 0);
+  std::vector<uint8_t> sunk(raised);
+  for (size_t f = 0; f < mesh.faces.size(); ++f)
+    (scene.parts[mesh.face_part[f]].d > 0 ? raised : sunk)[surface[mesh.faces[f][0]]] = 1;
+  std::vector<int> signs;
+  signs.reserve(raised.size());
+  for (const int s : surface) signs.push_back(raised[s] - sunk[s]);
+  return signs;
 }
 
 std::vector<int> surface_signs(const LayeredMesh& mesh, const Scene& scene) {
-  DisjointSets surfaces = connected_surfaces(mesh);
-  std::vector<uint8_t> raised(mesh.node_vertex.size(), 0);
-  std::vector<uint8_t> sunk(raised);
-  for (size_t f = 0; f < mesh.faces.size(); ++f) {
-    const int surface = surfaces.find(mesh.faces[f][0]);
-    (scene.parts[mesh.face_part[f]].d > 0 ? raised : sunk)[surface] = 1;
-  }
-  std::vector<int> signs;
-  signs.reserve(raised.size());
-  for (size_t n = 0; n < raised.size(); ++n) {
-    const int surface = surfaces.find(static_cast<int>(n));
-    signs.push_back(raised[surface] - sunk[surface]);
-  }
-  return signs;
+  return surface_signs(mesh, joined_surfaces(mesh), scene);
 }
 
 SparseMatrix lower_block(const SparseMatrix& A, const std::vector<int>& place, int size) {
@@ -60,13 +49,18 @@ SparseMatrix lower_block(const SparseMatrix& A, const std::vector<int>& place, i
   return block;
 }
 
-Inflation make_inflation(const LayeredMesh& mesh, const Eigen::VectorXd& u, double scale) {
+Inflation make_inflation(const GradientStencils& gradients, const Eigen::VectorXd& u,
+                         double scale) {
   Inflation inflation;
   inflation.u.reserve(static_cast<size_t>(u.size()));
   for (const double value : u) inflation.u.push_back(value / (scale * scale));
-  const std::vector<Point2> positions = node_positions(mesh);
-  inflation.grad_u = node_gradients({positions, mesh.faces}, inflation.u);
+  inflation.grad_u = node_gradients(gradients, inflation.u);
   return inflation;
+}
+
+Inflation make_inflation(const LayeredMesh& mesh, const Eigen::VectorXd& u, double scale) {
+  const std::vector<Point2> positions = node_positions(mesh);
+  return make_inflation(gradient_stencils({positions, mesh.faces}), u, scale);
 }
 
 }  // namespace relievo

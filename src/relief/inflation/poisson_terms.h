@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "kernel/base/disjoint_sets.h"
 #include "kernel/base/sparse_matrix.h"
 #include "kernel/operators/flat_mesh.h"
+#include "kernel/operators/gradient.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/scene/scene.h"
@@ -15,18 +15,22 @@ namespace relievo {
 /// Integral of c d|d| against each node's hat function, in the unit of `flat`, #N. O(N + F).
 Eigen::VectorXd inflation_load(const FlatMesh& flat, const LayeredMesh& mesh, const Scene& scene);
 
-/// The nodes of each joined surface as one set. Near-linear.
-DisjointSets connected_surfaces(const LayeredMesh& mesh);
-
 /// The sign that u has by the maximum principle, #N: 1 or -1 where all parts of the node's surface
-/// have d of that sign, 0 where they differ. Near-linear.
+/// have d of that sign, 0 where they differ. `surface` is the one of each node, #N. O(N + F).
+std::vector<int> surface_signs(const LayeredMesh& mesh, const std::vector<int>& surface,
+                               const Scene& scene);
+
+/// The same, finding the surfaces. Near-linear.
 std::vector<int> surface_signs(const LayeredMesh& mesh, const Scene& scene);
 
 /// The lower triangle of the rows and columns n of A with place[n] >= 0, moved there. `place` rises
 /// along the nodes and has `size` entries that are not negative. O(entries).
 SparseMatrix lower_block(const SparseMatrix& A, const std::vector<int>& place, int size);
 
-/// u in px^2 and its gradients, from u in units of 1 / `scale` px. O(N + F).
+/// u in px^2 and its gradients, from u in units of 1 / `scale` px. O(entries of the stencils).
+Inflation make_inflation(const GradientStencils& gradients, const Eigen::VectorXd& u, double scale);
+
+/// The same with stencils for one use. O(N + F).
 Inflation make_inflation(const LayeredMesh& mesh, const Eigen::VectorXd& u, double scale);
 
 }  // namespace relievo

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "kernel/base/stopwatch.h"
 #include "kernel/solvers/anderson.h"
@@ -15,8 +16,17 @@ using Eigen::VectorXd;
 /// The accelerator forgets its past when the residual has grown by so much.
 constexpr double growth_limit = 3;
 
-/// In the order in which they are tried.
-constexpr Softness softnesses[] = {{false, 0.1}, {false, 1}, {false, 0.02}, {true, 0.1}};
+/// In the order in which they are tried where u may have either sign somewhere.
+constexpr Softness softnesses[] = {
+    {false, 0.1, 0.05}, {false, 0.1, 0.1}, {false, 0.5, 0.1}, {true, 0.1, 0.1}, {false, 0.1, 0.2}};
+
+/// The same where it has one sign on every surface.
+constexpr Softness pure_softnesses[] = {{false}, {true, 0.1}};
+
+std::span<const Softness> softnesses_of(const JointModel& model) {
+  if (std::count(model.sign.begin(), model.sign.end(), 0) > 0) return softnesses;
+  return pure_softnesses;
+}
 
 double relative_change(const VectorXd& x, const VectorXd& F_x, const VectorXd& u) {
   if (x.size() == 0) return 0;
@@ -24,8 +34,15 @@ double relative_change(const VectorXd& x, const VectorXd& F_x, const VectorXd& u
   return (F_x - x).lpNorm<Eigen::Infinity>() / size;
 }
 
+bool is_kept(size_t step, const JointOptions& options) {
+  return std::binary_search(options.snapshots.begin(), options.snapshots.end(),
+                            static_cast<int>(step));
+}
+
 Status iterate(JointMap& map, const JointOptions& options, const RunContext& context,
-               JointState& state, JointReport& report) {
+               JointRun& run) {
+  JointState& state = run.state;
+  JointReport& report = run.report;
   AndersonMixer mixer(options.anderson_depth);
   double least = std::numeric_limits<double>::infinity();
   Stopwatch watch;
@@ -41,6 +58,8 @@ Status iterate(JointMap& map, const JointOptions& options, const RunContext& con
     step.milliseconds = watch.lap();
     report.steps.push_back(step);
     report.residual = step.residual;
+    if (is_kept(report.steps.size(), options))
+      run.kept.push_back({static_cast<int>(report.steps.size()), next.u});
     if (step.residual <= options.tolerance) {
       state = std::move(next);
       report.status = JointStatus::solved;
@@ -61,16 +80,15 @@ Status iterate(JointMap& map, const JointOptions& options, const RunContext& con
 }  // namespace
 
 Status iterate_jointly(const InflationResponse& response, const DepthProblem& problem,
-                       const JointOptions& options, const RunContext& context, JointState& state,
-                       JointReport& report) {
-  const JointState start = state;
-  for (const Softness& softness : softnesses) {
-    state = start;
-    JointMap map(response.model(), response, problem, softness, state.h);
-    if (Status status = iterate(map, options, context, state, report); !status) return status;
-    if (report.status == JointStatus::solved) return Done{};
+                       const JointOptions& options, const RunContext& context, JointRun& run) {
+  const JointState start = run.state;
+  for (const Softness& softness : softnesses_of(response.model())) {
+    run.state = start;
+    JointMap map(response.model(), response, problem, softness, start.h);
+    if (Status status = iterate(map, options, context, run); !status) return status;
+    if (run.report.status == JointStatus::solved) return Done{};
   }
-  state = start;
+  run.state = start;
   return Done{};
 }
 

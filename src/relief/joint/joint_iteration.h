@@ -8,12 +8,24 @@
 
 namespace relievo {
 
-/// Iterates contact and inflation under one set of pairs until they agree, from `state`, and
-/// leaves it there. Where that does not converge, begins again with other softnesses. Appends the
-/// steps to `report` and sets its status and residual; where nothing converges, leaves `state` as
-/// it was. Fails only when cancelled, or where the contact has no solution.
+/// The inflation on the way.
+struct KeptState {
+  int step = 0;       ///< steps taken, from 1
+  Eigen::VectorXd u;  ///< #N, scene units
+};
+
+/// An iteration that may go on under other pairs.
+struct JointRun {
+  JointState state;
+  JointReport report;
+  std::vector<KeptState> kept;  ///< those that the options ask for
+};
+
+/// Iterates contact and inflation under one set of pairs until they agree, from the run's state,
+/// and leaves it there. Where that does not converge, begins again with other softnesses. Appends
+/// the steps to the report and sets its status and residual; where nothing converges, leaves the
+/// state as it was. Fails only when cancelled, or where the contact has no solution.
 Status iterate_jointly(const InflationResponse& response, const DepthProblem& problem,
-                       const JointOptions& options, const RunContext& context, JointState& state,
-                       JointReport& report);
+                       const JointOptions& options, const RunContext& context, JointRun& run);
 
 }  // namespace relievo

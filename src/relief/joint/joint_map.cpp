@@ -11,7 +11,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// |f| is taken at least so large where a force acts on its root, and where B should leave 0.
+/// |f| is taken at least so large where B should leave 0.
 constexpr double smallest_f = 1e-3;
 /// |u| is taken at least so large for the resistance of a soft node.
 constexpr double smallest_u = 1e-3;
@@ -20,7 +20,7 @@ constexpr double softest = 0.2;
 /// A typical resistance of the contact against f on B.
 constexpr double contact_stiffness = 0.3;
 
-double signed_root(double u) { return std::copysign(std::sqrt(std::abs(u)), u); }
+double signed_root(double u) { return SmoothRoot().f(u); }
 
 std::vector<int> contact_nodes(const JointModel& model, const DepthProblem& problem) {
   const std::vector<int>& variable = problem.variables.variable;
@@ -51,6 +51,7 @@ JointMap::JointMap(const JointModel& model, const InflationResponse& response,
                    const std::vector<double>& last_h)
     : model_(model),
       response_(response),
+      smooth_root_(softness.width),
       nodes_(contact_nodes(model, problem)),
       soft_(soft_nodes(model, nodes_, softness.all)),
       contact_step_(model, problem, soft_, last_h),
@@ -93,7 +94,7 @@ void JointMap::unpack(const VectorXd& x, JointState& state) const {
 
 SolveStatus JointMap::apply(JointState& state, JointStep& step, const RunContext& context) {
   VectorXd f = model_.held.unaryExpr(&signed_root);
-  for (const int n : nodes_) f[n] = signed_root(state.u[n]);
+  for (const int n : nodes_) f[n] = root(n).f(state.u[n]);
   Contact contact = contact_step_.solve(f, springs(state), context);
   if (contact.status != SolveStatus::solved) return contact.status;
   const VectorXd f_bound = contact.soft.head(bounds_);
@@ -130,15 +131,16 @@ void JointMap::bound_spring(const JointState& state, Index i, Springs& springs) 
   springs.pull[i] = (springs.stiffness[i] - resistance) * (sunk ? -size : size);
 }
 
-/// The same for a change of f at a soft node: the inflation holds it with 2 |f| times the load,
-/// which grows with u as the compliance says.
+/// The same for a change of f at a soft node: the inflation holds it with the load times du/df,
+/// and the load grows with u as the compliance says.
 void JointMap::mixed_spring(const JointState& state, Index i, Springs& springs) const {
   const int n = soft_[i].node;
-  const double f = signed_root(state.u[n]);
-  const double growth = 4 * std::max(std::abs(state.u[n]), smallest_u) / compliance_[i - bounds_];
-  const double own = 2 * (f < 0 ? -state.load[n] : state.load[n]);
+  const double u = state.u[n];
+  const double step = 1 / root(n).slope(u);
+  const double growth = std::max(step * step, 4 * smallest_u) / compliance_[i - bounds_];
+  const double own = 2 * (u < 0 ? -state.load[n] : state.load[n]);
   springs.stiffness[i] = std::max(growth + own, 0.5 * growth);
-  springs.pull[i] = -2 * std::abs(f) * state.load[n];
+  springs.pull[i] = -step * state.load[n];
 }
 
 /// A force on f is a load on u by the slope of the root; at soft nodes, whose f may pass 0, the
@@ -146,12 +148,11 @@ void JointMap::mixed_spring(const JointState& state, Index i, Springs& springs) 
 VectorXd JointMap::next_load(const VectorXd& f, const JointState& state,
                              const Contact& contact) const {
   VectorXd load = VectorXd::Zero(f.size());
-  for (const int n : nodes_)
-    load[n] = contact.force[n] / (2 * std::max(std::abs(f[n]), smallest_f));
+  for (const int n : nodes_) load[n] = contact.force[n] * root(n).slope(state.u[n]);
   for (Index i = 0; i < compliance_.size(); ++i) {
     const int n = soft_[bounds_ + i].node;
-    const double next = f[n] + contact.soft[bounds_ + i];
-    load[n] = state.load[n] + (next * std::abs(next) - state.u[n]) / compliance_[i];
+    const double next = root(n).u(f[n] + contact.soft[bounds_ + i]);
+    load[n] = state.load[n] + (next - state.u[n]) / compliance_[i];
   }
   return load;
 }

@@ -8,6 +8,7 @@
 #include "relief/joint/inflation_response.h"
 #include "relief/joint/joint_model.h"
 #include "relief/joint/joint_solution.h"
+#include "relief/joint/smooth_root.h"
 #include "relief/ordering/depth_problem.h"
 
 namespace relievo {
@@ -24,6 +25,7 @@ struct JointState {
 struct Softness {
   bool all = false;  ///< all of them, not only those where u may have either sign
   double share = 1;  ///< how much of their compliance counts; larger is slower and firmer
+  double width = 0;  ///< of the root where u may have either sign, scene units
 };
 
 /// The fixed-point problem x = F(x) of the joint formulation. F solves the contact for the present
@@ -52,8 +54,14 @@ class JointMap {
                             const Contact& contact) const;
   Eigen::VectorXd compliance_of_soft_nodes(double share) const;
 
+  const SmoothRoot& root(int node) const {
+    return model_.sign[node] == 0 ? smooth_root_ : sharp_root_;
+  }
+
   const JointModel& model_;
   const InflationResponse& response_;
+  SmoothRoot sharp_root_;
+  SmoothRoot smooth_root_;      ///< where u may have either sign
   std::vector<int> nodes_;      ///< on which pairs press, off B
   std::vector<SoftNode> soft_;  ///< B, then those of nodes_ that are soft
   ContactStep contact_step_;

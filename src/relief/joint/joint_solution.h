@@ -34,11 +34,20 @@ struct JointReport {
   double residual = 0;
 };
 
+/// The surface where the iteration would end after one of its steps: the inflation of the step
+/// and the depth order for it.
+struct JointSnapshot {
+  int step = 0;  ///< steps taken, from 1
+  Inflation inflation;
+  Ordering ordering;
+};
+
 /// A minimiser of the joint energy under the depth pairs.
 struct JointSolution {
   Inflation inflation;
   Ordering ordering;
   JointReport report;
+  std::vector<JointSnapshot> snapshots;  ///< as the options ask, in order
 };
 
 }  // namespace relievo

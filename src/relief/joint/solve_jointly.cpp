@@ -1,7 +1,9 @@
 #include "relief/joint/solve_jointly.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "relief/inflation/poisson_terms.h"
 #include "relief/joint/inflation_response.h"
@@ -28,6 +30,8 @@ Status check_options(const JointOptions& options) {
     return Error{ErrorCode::usage, "the tolerance must be positive", "tolerance"};
   if (options.max_iterations < 1)
     return Error{ErrorCode::usage, "there must be at least one iteration", "max_iterations"};
+  if (!std::is_sorted(options.snapshots.begin(), options.snapshots.end()))
+    return Error{ErrorCode::usage, "the steps must rise", "snapshots"};
   if (options.anderson_depth < 0)
     return Error{ErrorCode::usage, "the depth must not be negative", "anderson_depth"};
   OrderingOptions ordering;
@@ -55,14 +59,13 @@ VectorXd in_scene_units(const std::vector<double>& values, double factor) {
 /// Iterates; where u comes out with the wrong sign, as obtuse faces allow, holds it at 0 and goes
 /// on.
 Status iterate_with_signs(const DepthProblem& problem, const JointOptions& options,
-                          const RunContext& context, JointModel& model, JointState& state,
-                          JointReport& report) {
+                          const RunContext& context, JointModel& model, JointRun& run) {
+  JointState& state = run.state;
   for (int i = 0;; ++i) {
     const InflationResponse response(model);
     if (!response.sound())
       return Error{ErrorCode::internal, "the inflation has no finite solution", ""};
-    if (Status status = iterate_jointly(response, problem, options, context, state, report);
-        !status)
+    if (Status status = iterate_jointly(response, problem, options, context, run); !status)
       return status;
     if (i == sign_rounds || !hold_wrong_signs(state.u, model)) break;
   }
@@ -70,6 +73,59 @@ Status iterate_with_signs(const DepthProblem& problem, const JointOptions& optio
     if (model.sign[n] * state.u[n] < 0) state.u[n] = 0;
   return Done{};
 }
+
+/// Solves round after round, each under more pairs and from where the last one ended.
+class JointRounds {
+ public:
+  JointRounds(const LayeredMesh& mesh, const JointOptions& options, const RunContext& context,
+              JointModel model, JointState start)
+      : mesh_(mesh), options_(options), context_(context), model_(std::move(model)) {
+    run_.state = std::move(start);
+  }
+
+  /// Leaves the solution for these pairs in `solution` and its heights in `ordering`.
+  Status solve(const std::vector<DepthPair>& pairs, Ordering& ordering, JointSolution& solution) {
+    const DepthProblem problem = make_depth_problem(mesh_.node_part, pairs);
+    run_.report.round = ordering.rounds;
+    if (Status status = iterate_with_signs(problem, options_, context_, model_, run_); !status)
+      return status;
+    for (const KeptState& kept : std::exchange(run_.kept, {})) {
+      JointSnapshot snapshot{kept.step, inflation_of(kept.u), {}};
+      const Status status = order(problem, snapshot.inflation, snapshot.ordering);
+      if (!status) return status;
+      solution.snapshots.push_back(std::move(snapshot));
+    }
+    solution.inflation = inflation_of(run_.state.u);
+    return order(problem, solution.inflation, ordering);
+  }
+
+  /// With the energy at the end.
+  JointReport report(const Ordering& ordering) const {
+    JointReport report = run_.report;
+    const VectorXd g = in_scene_units(ordering.g, model_.metric.scale);
+    report.energy = joint_energy(model_, run_.state.u, g);
+    return report;
+  }
+
+ private:
+  Inflation inflation_of(const VectorXd& u) const {
+    return make_inflation(mesh_, u, model_.metric.scale);
+  }
+
+  /// The exact depth order for an inflation.
+  Status order(const DepthProblem& problem, const Inflation& inflation, Ordering& ordering) {
+    return check_solved(solve_heights(problem, model_.metric, inflated_heights(inflation.u),
+                                      closed_gaps(problem, run_.state.h), factor_, ordering,
+                                      context_));
+  }
+
+  const LayeredMesh& mesh_;
+  const JointOptions& options_;
+  const RunContext& context_;
+  JointModel model_;
+  JointRun run_;
+  SparseCholesky factor_;
+};
 
 }  // namespace
 
@@ -83,26 +139,20 @@ Result<JointSolution> solve_jointly(const LayeredMesh& mesh, const Scene& scene,
   model.lambda_bnd = options.lambda_bnd;
   model.lambda_shift = options.lambda_shift;
   const double scale = model.metric.scale;
+  JointState first = first_state(model, start);
+  JointRounds rounds(mesh, options, context, std::move(model), std::move(first));
 
   JointSolution solution;
-  JointState state = first_state(model, start);
-  SparseCholesky factor;
-  const auto solve = [&](const std::vector<DepthPair>& pairs, Ordering& ordering) -> Status {
-    const DepthProblem problem = make_depth_problem(mesh.node_part, pairs);
-    solution.report.round = ordering.rounds;
-    if (Status status =
-            iterate_with_signs(problem, options, context, model, state, solution.report);
-        !status)
-      return status;
-    solution.inflation = make_inflation(mesh, state.u, scale);
-    return check_solved(solve_heights(problem, model.metric, inflated_heights(solution.inflation.u),
-                                      closed_gaps(problem, state.h), factor, ordering, context));
+  const auto solve = [&](const std::vector<DepthPair>& pairs, Ordering& ordering) {
+    return rounds.solve(pairs, ordering, solution);
   };
   Result<Ordering> ordering = order_in_rounds(mesh, scene, scale, options.max_rounds, solve);
   if (!ordering) return ordering.error();
   finish_ordering(mesh, scene, solution.inflation, *ordering);
+  for (JointSnapshot& snapshot : solution.snapshots)
+    finish_ordering(mesh, scene, snapshot.inflation, snapshot.ordering);
   solution.ordering = std::move(*ordering);
-  solution.report.energy = joint_energy(model, state.u, in_scene_units(solution.ordering.g, scale));
+  solution.report = rounds.report(solution.ordering);
   context.report("nonlinear", 1);
   return solution;
 }

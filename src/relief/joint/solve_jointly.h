@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "kernel/base/result.h"
 #include "kernel/base/run_context.h"
 #include "relief/inflation/inflation.h"
@@ -20,6 +22,7 @@ struct JointOptions {
   double tolerance = 1e-8;   ///< on the residual of the iteration
   int max_iterations = 150;  ///< of one attempt
   int anderson_depth = 8;
+  std::vector<int> snapshots;  ///< after which steps the surface is kept, ascending, from 1
 };
 
 /// Inflates and shifts all parts at once [P eq 3-6]: minimises

@@ -15,4 +15,7 @@ double scene_scale(const LayeredMesh& mesh);
 /// Where each node lies, canvas px times `scale`, #N. With the faces it is the flat joined mesh.
 std::vector<Point2> node_positions(const LayeredMesh& mesh, double scale = 1);
 
+/// The joined surface of each node, #N, named by its smallest node. Near-linear.
+std::vector<int> joined_surfaces(const LayeredMesh& mesh);
+
 }  // namespace relievo

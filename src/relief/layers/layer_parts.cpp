@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -45,30 +46,29 @@ void drop_unused_points(SplicedCurves& spliced) {
   spliced.points = std::move(points);
 }
 
-Result<LayeredMesh> join_layers(const Scene& scene, const SampledOutlines& sampled,
-                                const SplicedCurves& spliced, const BaseMesh& base,
-                                const LayerOptions& options) {
-  const Loops loops{spliced.loops, sampled.curve_part};
-  const Cover cover = cover_triangles(base.mesh, loops.vertices, loops.part);
-  Sheets sheets = make_sheets(base, cover);
+Result<JoinedSheets> join_on(const Scene& scene, const SampledOutlines& sampled,
+                             SplicedCurves spliced, BaseMesh base) {
+  JoinedSheets joined;
+  joined.base = std::move(base);
+  joined.loops = {spliced.loops, sampled.curve_part};
+  const Cover cover = cover_triangles(joined.base.mesh, joined.loops.vertices, joined.loops.part);
+  joined.sheets = make_sheets(joined.base, cover);
   const auto paths = join_paths(scene, spliced, locate_runs(spliced, sampled.joins));
   if (!paths) return paths.error();
-  const auto connection =
-      connect_sheets(base, *paths, static_cast<int>(scene.parts.size()), sheets);
+  auto connection =
+      connect_sheets(joined.base, *paths, static_cast<int>(scene.parts.size()), joined.sheets);
   if (!connection) return connection.error();
-  std::vector<DepthPair> pairs = split_fans(base, sheets);
-  sheets.node_part = frontmost_parts(sheets);
-  const Boundaries boundaries =
-      find_boundaries(base, sheets, loops, *connection, scene, locate_runs(spliced, sampled.robin));
-  const std::vector<DepthPair> ordered =
-      collect_constraints(base, sheets, loops, *connection, boundaries, scene,
-                          locate_runs(spliced, sampled.relation_ranges), options.glue);
-  pairs.insert(pairs.end(), ordered.begin(), ordered.end());
-  LayeredMesh mesh = compact_layers(base, sheets, boundaries, pairs);
-  mesh.warnings = sampled.warnings;
-  mesh.warnings.insert(mesh.warnings.end(), connection->warnings.begin(),
-                       connection->warnings.end());
-  return mesh;
+  joined.connection = std::move(*connection);
+  joined.copies = split_fans(joined.base, joined.sheets);
+  joined.sheets.node_part = frontmost_parts(joined.sheets);
+  joined.robin = locate_runs(spliced, sampled.robin);
+  const std::vector<LoopRun> ranges = locate_runs(spliced, sampled.relation_ranges);
+  for (size_t r = 0; r < ranges.size(); ++r)
+    if (scene.relations[r].range) joined.relation_ranges.push_back(ranges[r]);
+  joined.warnings = sampled.warnings;
+  joined.warnings.insert(joined.warnings.end(), joined.connection.warnings.begin(),
+                         joined.connection.warnings.end());
+  return joined;
 }
 
 Status check_covered(const LayeredMesh& mesh, const Scene& scene, double spacing) {
@@ -85,10 +85,19 @@ Status check_covered(const LayeredMesh& mesh, const Scene& scene, double spacing
   return Done{};
 }
 
+/// One per relation of the scene; loop -1 where it has no range.
+std::vector<LoopRun> runs_of_relations(const JoinedSheets& joined, const Scene& scene) {
+  std::vector<LoopRun> runs;
+  auto next = joined.relation_ranges.begin();
+  for (const Relation& relation : scene.relations)
+    runs.push_back(relation.range ? *next++ : LoopRun{});
+  return runs;
+}
+
 }  // namespace
 
-Result<LayeredMesh> layer_parts(const Scene& scene, const LayerOptions& options,
-                                const RunContext& context) {
+Result<JoinedSheets> join_sheets(const Scene& scene, const LayerOptions& options,
+                                 const RunContext& context) {
   const auto spacing = mesh_spacing(scene, options);
   if (!spacing) return spacing.error();
   if (context.cancelled()) return interrupted_error();
@@ -109,13 +118,36 @@ Result<LayeredMesh> layer_parts(const Scene& scene, const LayerOptions& options,
   if (!mesh) return mesh.error();
   if (context.cancelled()) return interrupted_error();
   context.report("mesh", 0.7);
-  const BaseMesh base = make_base_mesh(std::move(points), std::move(*mesh));
-  auto layers = join_layers(scene, *sampled, *spliced, base, options);
-  if (!layers) return layers.error();
-  if (Status status = check_covered(*layers, scene, *spacing); !status) return status.error();
-  layers->part_count = static_cast<int>(scene.parts.size());
-  layers->edge_length = *spacing;
+  auto joined = join_on(scene, *sampled, std::move(*spliced),
+                        make_base_mesh(std::move(points), std::move(*mesh)));
+  if (!joined) return joined.error();
+  joined->edge_length = *spacing;
+  return joined;
+}
+
+Result<LayeredMesh> constrain_sheets(const JoinedSheets& joined, const Scene& scene, bool glue) {
+  const auto& [base, sheets, loops, connection] =
+      std::tie(joined.base, joined.sheets, joined.loops, joined.connection);
+  const Boundaries boundaries =
+      find_boundaries(base, sheets, loops, connection, scene, joined.robin);
+  std::vector<DepthPair> pairs = joined.copies;
+  const std::vector<DepthPair> ordered = collect_constraints(
+      base, sheets, loops, connection, boundaries, scene, runs_of_relations(joined, scene), glue);
+  pairs.insert(pairs.end(), ordered.begin(), ordered.end());
+  LayeredMesh layers = compact_layers(base, sheets, boundaries, pairs);
+  if (Status status = check_covered(layers, scene, joined.edge_length); !status)
+    return status.error();
+  layers.warnings = joined.warnings;
+  layers.part_count = static_cast<int>(scene.parts.size());
+  layers.edge_length = joined.edge_length;
   return layers;
+}
+
+Result<LayeredMesh> layer_parts(const Scene& scene, const LayerOptions& options,
+                                const RunContext& context) {
+  const auto joined = join_sheets(scene, options, context);
+  if (!joined) return joined.error();
+  return constrain_sheets(*joined, scene, options.glue);
 }
 
 }  // namespace relievo

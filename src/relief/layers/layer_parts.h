@@ -2,6 +2,7 @@
 
 #include "kernel/base/result.h"
 #include "kernel/base/run_context.h"
+#include "relief/layers/joined_sheets.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/scene/scene.h"
 
@@ -24,9 +25,18 @@ struct LayerOptions {
   int max_nodes = 4000000;
 };
 
-/// Puts all parts on one triangulation, joins them and collects the constraint sets.
-/// Fails with bad_input or contradiction naming the part or join, limit, or interrupted.
-/// Near-linear in the number of nodes.
+/// Puts all parts on one triangulation and joins them. Of the scene it reads the outlines, the
+/// order and ids of the parts, the joins, and the ends of Robin and relation ranges; of the options
+/// all but `glue`. Fails with bad_input or contradiction naming the part or join, limit, or
+/// interrupted. Near-linear in the number of nodes.
+Result<JoinedSheets> join_sheets(const Scene& scene, const LayerOptions& options,
+                                 const RunContext& context = {});
+
+/// Finds boundaries and constraint sets on the joined sheets of the scene. Near-linear in the
+/// number of nodes.
+Result<LayeredMesh> constrain_sheets(const JoinedSheets& joined, const Scene& scene, bool glue);
+
+/// Both: puts all parts on one triangulation, joins them and collects the constraint sets.
 Result<LayeredMesh> layer_parts(const Scene& scene, const LayerOptions& options,
                                 const RunContext& context = {});
 

@@ -40,6 +40,7 @@ struct DepthPair {
   int lower = -1;
   int upper = -1;
   bool equal = false;
+  friend bool operator==(const DepthPair&, const DepthPair&) = default;
 };
 
 /// All parts on one planar triangulation. A *face* is one part's copy of a base triangle; the

@@ -13,6 +13,7 @@ constexpr double max_sagitta = 0.08;   // of the spacing
 constexpr int min_ring_samples = 12;
 constexpr int min_join_edges = 6;
 constexpr double line_reach = 0.08;  // of the canvas diagonal
+constexpr double same_mark = 0.02;   // of the spacing: nearer marks are one
 
 struct PartRing {
   int part;
@@ -127,8 +128,8 @@ class Sampler {
                        "\"; draw it along that outline, where it lies inside the lower part",
                    where};
     const PartRing& ring = rings_[best];
-    const double a = nearest_on_ring(*ring.ring, ring.measure, join.line.front()).s;
-    const double b = nearest_on_ring(*ring.ring, ring.measure, join.line.back()).s;
+    const double a = settled(ring, nearest_on_ring(*ring.ring, ring.measure, join.line.front()).s);
+    const double b = settled(ring, nearest_on_ring(*ring.ring, ring.measure, join.line.back()).s);
     const double ahead = forward(a, b, ring.measure.length);
     if (std::min(ahead, ring.measure.length - ahead) < 1e-6 * ring.measure.length)
       return Error{ErrorCode::bad_input,
@@ -169,12 +170,21 @@ class Sampler {
     }
     if (best < 0) return {-1, 0, 0, false};
     const PartRing& ring = rings_[best];
-    const double a = nearest_on_ring(*ring.ring, ring.measure, from).s;
-    const double b = nearest_on_ring(*ring.ring, ring.measure, to).s;
+    const double a = settled(ring, nearest_on_ring(*ring.ring, ring.measure, from).s);
+    const double b = settled(ring, nearest_on_ring(*ring.ring, ring.measure, to).s);
     const bool flip = shorter && forward(a, b, ring.measure.length) > 0.5 * ring.measure.length;
     const ArcRange arc = flip ? ArcRange{best, b, a, true} : ArcRange{best, a, b, false};
     mark(arc);
     return arc;
+  }
+
+  // The mark that is already at s within rounding, or s: a range often begins where a join ends.
+  double settled(const PartRing& ring, double s) const {
+    for (const double mark : ring.marks) {
+      const double gap = forward(s, mark, ring.measure.length);
+      if (std::min(gap, ring.measure.length - gap) < same_mark * spacing_) return mark;
+    }
+    return s;
   }
 
   void mark(const ArcRange& arc) {

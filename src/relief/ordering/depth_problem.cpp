@@ -1,8 +1,9 @@
 #include "relief/ordering/depth_problem.h"
 
+#include <utility>
+
 #include "kernel/base/piece_timer.h"
 #include "kernel/operators/laplacian.h"
-#include "kernel/solvers/bound_qp.h"
 
 namespace relievo {
 
@@ -42,31 +43,63 @@ std::vector<double> heights_of(const DepthProblem& problem, const VectorXd& root
   return heights_from_gaps(problem.forest, problem.variables, shifted, unknowns, 1 / scale);
 }
 
-SolveStatus solve_heights(const DepthProblem& problem, const ShiftMetric& metric, const VectorXd& f,
-                          const std::vector<uint8_t>& start_active, SparseCholesky& factor,
-                          Ordering& ordering, const RunContext& context) {
+std::vector<int> order_of_variables(const GapVariables& variables,
+                                    const std::vector<int>& elimination) {
+  std::vector<uint8_t> seen(variables.bounded.size(), 0);
+  std::vector<int> order;
+  order.reserve(seen.size());
+  for (const int n : elimination) {
+    const int v = variables.variable[n];
+    if (seen[v] == 0) order.push_back(v);
+    seen[v] = 1;
+  }
+  return order;
+}
+
+DepthSystem make_depth_system(const DepthProblem& problem, const ShiftMetric& metric,
+                              const std::vector<int>& elimination, SparseCholesky factor,
+                              const RunContext& context) {
+  DepthSystem system{problem, {}, std::move(factor), {}};
   PieceTimer assembling(context, "assemble");
+  system.qp.K = galerkin_lower(metric.A, problem.variables.T);
+  system.qp.bounded = problem.variables.bounded;
+  assembling.stop();
+  if (context.cancelled()) return system;
+  const PieceTimer analysing(context, "analyse");
+  system.factor.analyse(system.qp.K, Refactorisation::incremental,
+                        order_of_variables(problem.variables, elimination));
+  return system;
+}
+
+SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const VectorXd& f,
+                          Ordering& ordering, const RunContext& context) {
+  if (context.cancelled()) return SolveStatus::interrupted;
+  const DepthProblem& problem = system.problem;
   const GapVariables& variables = problem.variables;
   const VectorXd root_height = root_heights(problem, f);
   const VectorXd rest = metric.scale * (f - variables.T * root_height);
   const VectorXd force = metric.A * rest;
-  const BoundQp qp{galerkin_lower(metric.A, variables.T), variables.T.transpose() * force,
-                   variables.bounded};
-  assembling.stop();
-  if (context.cancelled()) return SolveStatus::interrupted;
-  PieceTimer analysing(context, "analyse");
-  factor.analyse(qp.K, Refactorisation::incremental);
-  analysing.stop();
+  system.qp.b = variables.T.transpose() * force;
   BoundQpOptions options;
-  options.start_active = start_active;
-  const BoundQpSolution solution = solve_bound_qp(qp, factor, options, context);
-
+  options.start_active = system.closed;
+  BoundQpSolution solution = solve_bound_qp(system.qp, system.factor, options, context);
   ordering.h = heights_of(problem, root_height, solution.z, metric.scale);
   ordering.equalities = static_cast<int>(ordering.h.size() - variables.bounded.size());
   ordering.inequalities = static_cast<int>(problem.forest.gaps.size());
   ordering.report = solution.report;
   ordering.report.energy += 0.5 * rest.dot(force);
+  system.closed = std::move(solution.active);
   return solution.report.status;
+}
+
+SolveStatus solve_heights(const DepthProblem& problem, const ShiftMetric& metric, const VectorXd& f,
+                          const std::vector<uint8_t>& start_active, SparseCholesky& factor,
+                          Ordering& ordering, const RunContext& context) {
+  DepthSystem system = make_depth_system(problem, metric, {}, std::move(factor), context);
+  system.closed = start_active;
+  const SolveStatus status = solve_heights(system, metric, f, ordering, context);
+  factor = std::move(system.factor);
+  return status;
 }
 
 }  // namespace relievo

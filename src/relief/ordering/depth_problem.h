@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "kernel/base/run_context.h"
-#include "kernel/solvers/bound_qp_report.h"
+#include "kernel/solvers/bound_qp.h"
 #include "kernel/solvers/sparse_cholesky.h"
 #include "relief/ordering/depth_forest.h"
 #include "relief/ordering/gap_variables.h"
@@ -36,9 +36,31 @@ std::vector<uint8_t> closed_gaps(const DepthProblem& problem, const std::vector<
 std::vector<double> heights_of(const DepthProblem& problem, const Eigen::VectorXd& root_height,
                                const Eigen::VectorXd& unknowns, double scale);
 
+/// A depth problem as a quadratic program with the factor of its matrix K = T'A T.
+struct DepthSystem {
+  DepthProblem problem;
+  BoundQp qp;                   ///< b is that of the last solution
+  SparseCholesky factor;        ///< analysed incrementally
+  std::vector<uint8_t> closed;  ///< gaps to begin with closed, then those of the solution; or empty
+};
+
+/// The variables in the order in which their first nodes come in `elimination`. O(N).
+std::vector<int> order_of_variables(const GapVariables& variables,
+                                    const std::vector<int>& elimination);
+
+/// `elimination` holds the nodes in an order that fills in little; where it is empty, one is
+/// chosen. Uses the memory of `factor`. Near-linear in the entries of K and of the fronts' rows.
+DepthSystem make_depth_system(const DepthProblem& problem, const ShiftMetric& metric,
+                              const std::vector<int>& elimination, SparseCholesky factor,
+                              const RunContext& context);
+
 /// Minimises 1/2 (h - f)'A (h - f) under the pairs, f in px. Writes h, the counts and the report
-/// of `ordering`; begins with the gaps in `start_active` closed (empty: none). `factor` is used
-/// for its memory: one analysis and one factorisation per iteration.
+/// of `ordering`. One factorisation per iteration, of what changes.
+SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const Eigen::VectorXd& f,
+                          Ordering& ordering, const RunContext& context);
+
+/// The same with a system for one use that begins with the gaps in `start_active` closed (empty:
+/// none). `factor` is used for its memory.
 SolveStatus solve_heights(const DepthProblem& problem, const ShiftMetric& metric,
                           const Eigen::VectorXd& f, const std::vector<uint8_t>& start_active,
                           SparseCholesky& factor, Ordering& ordering, const RunContext& context);

@@ -2,9 +2,11 @@
 
 #include "kernel/base/result.h"
 #include "kernel/base/run_context.h"
+#include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/ordering.h"
+#include "relief/ordering/ordering_system.h"
 #include "relief/scene/scene.h"
 
 namespace relievo {
@@ -15,7 +17,21 @@ struct OrderingOptions {
   bool start_active = false;  ///< first guess of the active set: all gaps closed, or none
 };
 
-/// Shifts the parts so that all depth pairs hold, by the least Dirichlet energy of g.
+/// The joined surface and what was computed of it.
+struct OrderingInput {
+  const LayeredMesh& mesh;
+  const Discretisation& discretisation;
+  const Inflation& inflation;
+  const Scene& scene;
+};
+
+/// Shifts the parts so that all depth pairs hold, by the least Dirichlet energy of g. `system` is
+/// a new one or was used for the same discretisation before: then the solver begins from what it
+/// found, and computes again only what is different. Its minimum is the same.
+Result<Ordering> order_depth(const OrderingInput& input, const OrderingOptions& options,
+                             OrderingSystem& system, const RunContext& context = {});
+
+/// The same with operators and a system for one use.
 Result<Ordering> order_depth(const LayeredMesh& mesh, const Inflation& inflation,
                              const Scene& scene, const OrderingOptions& options,
                              const RunContext& context = {});

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/operators/gradient.h"
 #include "relief/layers/joined_surface.h"
 #include "relief/ordering/overlap.h"
 #include "relief/ordering/shift_metric.h"
@@ -66,19 +65,27 @@ Result<Ordering> order_in_rounds(const LayeredMesh& mesh, const Scene& scene, do
   return ordering;
 }
 
-void finish_ordering(const LayeredMesh& mesh, const Scene& scene, const Inflation& inflation,
-                     Ordering& ordering) {
-  const Eigen::VectorXd f = inflated_heights(inflation.u);
+void finish_ordering(const OrderingInput& input, Ordering& ordering) {
+  const Eigen::VectorXd f = inflated_heights(input.inflation.u);
   ordering.g.clear();
   ordering.g.reserve(ordering.h.size());
   for (size_t n = 0; n < ordering.h.size(); ++n)
     ordering.g.push_back(ordering.h[n] - f[static_cast<Eigen::Index>(n)]);
-  const std::vector<Point2> positions = node_positions(mesh);
-  ordering.grad_g = node_gradients({positions, mesh.faces}, ordering.g);
-  const OverlapSamples samples = sample_overlap(mesh, stacked_faces(mesh, scene), inflation.u,
-                                                ordering.g, crossing_tolerance / scene_scale(mesh));
+  ordering.grad_g = node_gradients(input.discretisation.gradients, ordering.g);
+  const OverlapSamples samples =
+      sample_overlap(input.mesh, stacked_faces(input.mesh, input.scene), input.inflation.u,
+                     ordering.g, crossing_tolerance / input.discretisation.scale);
   ordering.overlap_samples = samples.count;
   ordering.overlap_worst = samples.worst;
+}
+
+void finish_ordering(const LayeredMesh& mesh, const Scene& scene, const Inflation& inflation,
+                     Ordering& ordering) {
+  Discretisation discretisation;
+  discretisation.scale = scene_scale(mesh);
+  const std::vector<Point2> positions = node_positions(mesh);
+  discretisation.gradients = gradient_stencils({positions, mesh.faces});
+  finish_ordering({mesh, discretisation, inflation, scene}, ordering);
 }
 
 }  // namespace relievo

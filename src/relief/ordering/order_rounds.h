@@ -28,6 +28,9 @@ Result<Ordering> order_in_rounds(const LayeredMesh& mesh, const Scene& scene, do
                                  int max_rounds, const HeightSolver& solve);
 
 /// Fills in g = h - f, its gradients and the samples of the overlap.
+void finish_ordering(const OrderingInput& input, Ordering& ordering);
+
+/// The same with operators for one use.
 void finish_ordering(const LayeredMesh& mesh, const Scene& scene, const Inflation& inflation,
                      Ordering& ordering);
 

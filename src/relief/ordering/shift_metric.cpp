@@ -7,6 +7,12 @@
 
 namespace relievo {
 
+ShiftMetric make_shift_metric(const Discretisation& discretisation, double epsilon) {
+  ShiftMetric metric{discretisation.scale, discretisation.L};
+  metric.A.diagonal() += epsilon * discretisation.mass;
+  return metric;
+}
+
 ShiftMetric make_shift_metric(const LayeredMesh& mesh, double epsilon) {
   ShiftMetric metric;
   metric.scale = scene_scale(mesh);

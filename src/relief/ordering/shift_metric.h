@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kernel/base/sparse_matrix.h"
+#include "relief/discretisation/discretisation.h"
 #include "relief/layers/layered_mesh.h"
 
 namespace relievo {
@@ -14,7 +15,10 @@ struct ShiftMetric {
   SparseMatrix A;    ///< L + epsilon M, both triangles
 };
 
-/// O(N + F).
+/// O(entries of L).
+ShiftMetric make_shift_metric(const Discretisation& discretisation, double epsilon);
+
+/// The same with matrices for one use. O(N + F).
 ShiftMetric make_shift_metric(const LayeredMesh& mesh, double epsilon);
 
 /// f = sgn(u) sqrt|u| at each node, in the root of the unit of u.

@@ -3,8 +3,8 @@
 #include <map>
 #include <string_view>
 
+#include "kernel/base/text_rules.h"
 #include "relief/scene/scene.h"
-#include "relief/scene/text_rules.h"
 
 namespace relievo {
 namespace {

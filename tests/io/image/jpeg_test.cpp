@@ -156,6 +156,32 @@ TEST(Jpeg, FlippedBitsGiveAnImageOrAnError) {
   EXPECT_LT(decoded, static_cast<int>(8 * jpeg.size()));
 }
 
+/// Seeds of each kind: colours, grey, inks, baseline and progressive, turned.
+TEST(Jpeg, DamageOfTenSeedsNeverCrashes) {
+  int seeds = 0;
+  for (const bool progressive : {false, true})
+    for (const int size : {8, 17, 40}) {
+      const Bytes exif = exif_block(static_cast<uint8_t>(1 + seeds % 8), progressive);
+      for (const auto& [channels, space] :
+           {std::pair(3, JCS_RGB), std::pair(1, JCS_GRAYSCALE), std::pair(4, JCS_CMYK)}) {
+        ++seeds;
+        const Bytes good =
+            encode_jpeg(gradient(size, size + 3, channels), {space, progressive, exif});
+        const Result<Image8> image = decode_jpeg(good);
+        ASSERT_TRUE(image.ok());
+        for (size_t cut = 0; cut + 2 < good.size(); cut += 5)
+          EXPECT_FALSE(decode_jpeg(ByteView(good).first(cut)).ok());
+        for (size_t bit = 0; bit < 8 * good.size(); bit += 13) {
+          Bytes damaged = good;
+          damaged[bit / 8] = static_cast<uint8_t>(damaged[bit / 8] ^ (1 << bit % 8));
+          const Result<Image8> result = decode_jpeg(damaged, {1 << 20, 1 << 14});
+          EXPECT_TRUE(result.ok() || !result.error().message.empty());
+        }
+      }
+    }
+  EXPECT_GE(seeds, 10);
+}
+
 TEST(Jpeg, HugeSizesAreRefusedBeforePixelsTakeMemory) {
   Bytes jpeg = encode_jpeg(gradient(16, 16, 3), {});
   size_t frame = 0;

@@ -6,6 +6,7 @@
 
 #include "io/files/read_file.h"
 #include "io/image/png_decode.h"
+#include "io/support/reference_png.h"
 
 namespace relievo {
 namespace {
@@ -38,6 +39,41 @@ TEST_F(PngSuite, SoundFilesOpenAndDamagedOnesAreRefused) {
     if (damaged && !image.ok()) {
       EXPECT_EQ(image.error().code, ErrorCode::bad_input);
       EXPECT_FALSE(image.error().message.empty());
+    }
+  }
+}
+
+TEST_F(PngSuite, EverySoundFileHasItsGoldenPixels) {
+  int compared = 0;
+  for (const fs::path& path : files_) {
+    if (path.filename().string()[0] == 'x') continue;
+    const Bytes bytes = *read_file(path);
+    const Result<Image8> image = decode_png(bytes);
+    ASSERT_TRUE(image.ok()) << path;
+    const Image8 golden = ReferencePng(bytes).image();
+    ASSERT_EQ(image->width, golden.width);
+    ASSERT_EQ(image->height, golden.height);
+    EXPECT_EQ(image->pixels, golden.pixels) << path;
+    ++compared;
+  }
+  EXPECT_GE(compared, 161);
+}
+
+/// Ten sound files, one for every colour type and then some of odd structure.
+TEST_F(PngSuite, DamageNeverGoesUnnoticedOrCrashes) {
+  for (const char* name : {"basn0g01", "basn0g16", "basn2c08", "basn3p02", "basn4a16", "basn6a08",
+                           "basi3p08", "s05i3p02", "oi9n2c16", "tbbn2c16"}) {
+    const Bytes good = *read_file(folder_ / (std::string(name) + ".png"));
+    const Image8 golden = *decode_png(good);
+    for (size_t size = 0; size < good.size(); size += 7)
+      EXPECT_FALSE(decode_png(ByteView(good).first(size)).ok()) << name << " " << size;
+    for (size_t bit = 0; bit < 8 * good.size(); bit += 11) {
+      Bytes damaged = good;
+      damaged[bit / 8] = static_cast<uint8_t>(damaged[bit / 8] ^ (1 << bit % 8));
+      const Result<Image8> image = decode_png(damaged, {1 << 20, 1 << 14});
+      if (image.ok()) {
+        EXPECT_EQ(image->width, golden.width) << name << " " << bit;
+      }
     }
   }
 }

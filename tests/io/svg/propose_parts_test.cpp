@@ -1,4 +1,4 @@
-#include "io/svg/propose_parts.h"
+#include "io/parts/propose_parts.h"
 
 #include <gtest/gtest.h>
 

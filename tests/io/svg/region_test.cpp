@@ -1,9 +1,9 @@
-#include "io/svg/region.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+
+#include "io/svg/svg_region.h"
 
 namespace relievo {
 namespace {

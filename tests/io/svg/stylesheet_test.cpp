@@ -12,7 +12,7 @@ std::string fill_in(const std::string& content) {
   const SvgDrawing drawing = drawing_of(svg_file(content));
   EXPECT_EQ(drawing.shapes.size(), 1u) << content;
   if (drawing.shapes.size() != 1 || !drawing.shapes[0].fill) return "none";
-  const SvgColor& c = *drawing.shapes[0].fill;
+  const Color& c = *drawing.shapes[0].fill;
   char text[8];
   std::snprintf(text, sizeof text, "%02x%02x%02x", static_cast<int>(c.r * 255 + 0.5),
                 static_cast<int>(c.g * 255 + 0.5), static_cast<int>(c.b * 255 + 0.5));

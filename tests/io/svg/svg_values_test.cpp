@@ -85,7 +85,7 @@ void expect_color(const char* text, double r, double g, double b, double a = 255
   EXPECT_NEAR(color->a * 255, a, 0.6) << text;
 }
 
-TEST(SvgColor, EveryNotation) {
+TEST(Color, EveryNotation) {
   expect_color("#f80", 255, 136, 0);
   expect_color("#FF8800", 255, 136, 0);
   expect_color("#ff880080", 255, 136, 0, 128);

@@ -136,7 +136,8 @@ TEST(Inflate, AnAlphaOfOneIsAnOutline) {
   LayeredMesh mesh = disc(8);
   const std::vector<double> u = solved(mesh, scene_of(mesh)).u;
   soften_outline(mesh, 1, 0.25, 100);
-  EXPECT_EQ(solved(mesh, scene_of(mesh)).u, u);
+  const std::vector<double> same = solved(mesh, scene_of(mesh)).u;
+  for (size_t n = 0; n < u.size(); ++n) EXPECT_NEAR(same[n], u[n], 1e-12 * radius * radius);
 }
 
 TEST(Inflate, AlphaRisesLinearlyAlongARamp) {

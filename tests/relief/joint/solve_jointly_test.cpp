@@ -79,6 +79,20 @@ TEST_P(RandomScenes, OfTwoThousandNodesConverge) {
   }
 }
 
+// Surfaces of these scenes join parts with d > 0 and d < 0; their parts press where u passes 0.
+TEST_P(RandomScenes, OfBothSignsConvergeOnFineMeshes) {
+  for (const uint64_t seed : {7, 12, 21, 150, 195}) {
+    ReliefOptions options;
+    options.method = Method::nonlinear;
+    options.layers.vertex_budget = 12000;
+    options.joint.lambda_bnd = GetParam();
+    const Result<Relief> relief = build_relief(random_scene(seed), options);
+    ASSERT_TRUE(relief.ok()) << seed << to_string(relief.error());
+    EXPECT_EQ(relief->joint.status, JointStatus::solved) << seed;
+    EXPECT_LE(relief->ordering.max_violation, 1e-9) << seed;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Lambda, RandomScenes, ::testing::Values(100.0, 0.01));
 
 Scene scaled(Scene scene, double factor) {
@@ -148,6 +162,25 @@ TEST(SolveJointly, RecordsEveryStep) {
               1e-6 * solution.report.energy.total());
 }
 
+TEST(SolveJointly, KeepsSurfacesOnTheWay) {
+  JointCase test = joint_case(body_and_leg(), 2000, 1);
+  const int steps = static_cast<int>(solve(test).report.steps.size());
+  test.options.joint.snapshots = {1, 3, steps, 1000};
+  const JointSolution solution = solve(test);
+  ASSERT_EQ(solution.snapshots.size(), 3u);
+  const auto distance = [&](const JointSnapshot& snapshot) {
+    double worst = 0;
+    for (size_t n = 0; n < solution.ordering.h.size(); ++n)
+      worst = std::max(worst, std::abs(snapshot.ordering.h[n] - solution.ordering.h[n]));
+    return worst;
+  };
+  for (const JointSnapshot& snapshot : solution.snapshots)
+    for (const DepthPair& pair : test.approximate.layers.constraints)
+      EXPECT_LE(snapshot.ordering.h[pair.lower], snapshot.ordering.h[pair.upper] + 1e-9);
+  EXPECT_GT(distance(solution.snapshots[0]), distance(solution.snapshots[1]));
+  EXPECT_LT(distance(solution.snapshots[2]), 1e-6);
+}
+
 TEST(SolveJointly, TellsWhenItRunsOutOfSteps) {
   JointCase test = joint_case(body_and_leg(), 1000, 100);
   test.options.joint.max_iterations = 2;
@@ -192,6 +225,7 @@ TEST(SolveJointly, RefusesOptionsThatMakeNoSense) {
   EXPECT_EQ(where([](JointOptions& o) { o.anderson_depth = -1; }), "anderson_depth");
   EXPECT_EQ(where([](JointOptions& o) { o.epsilon = 0; }), "epsilon");
   EXPECT_EQ(where([](JointOptions& o) { o.max_rounds = -1; }), "max_rounds");
+  EXPECT_EQ(where([](JointOptions& o) { o.snapshots = {3, 1}; }), "snapshots");
 }
 
 }  // namespace

@@ -80,6 +80,18 @@ TEST(LayerParts, JoinedPartsAreOneSurface) {
   EXPECT_EQ(seam, flap + 2);
 }
 
+TEST(LayerParts, MarksThatDifferByRoundingAreOne) {
+  Scene scene = body_and_leg();
+  const Point2 end = scene.joins[0].line.back();
+  const Point2 exit{end.x, end.y + 40};
+  scene.robin.push_back({1, 0, {end.x, end.y + 1e-12}, exit, std::nullopt, std::nullopt});
+  const LayeredMesh mesh = layers_of(scene);
+  double shortest = 1e300;
+  for (const auto& [a, b, c] : mesh.triangles)
+    shortest = std::min(shortest, distance(mesh.vertices[a], mesh.vertices[b]));
+  EXPECT_GT(shortest, 0.01 * mesh.edge_length);
+}
+
 TEST(LayerParts, BudgetIsMet) {
   for (const int budget : {5000, 20000, 40000}) {
     LayerOptions options;

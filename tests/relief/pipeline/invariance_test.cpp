@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
 #include "support/probe.h"
 #include "support/random_scene.h"
@@ -10,12 +11,24 @@ namespace {
 
 using namespace testing;
 
-Relief build(const Scene& scene, int vertices = 6000, double rho = 0.25) {
+Relief build(const Scene& scene, Method method) {
   ReliefOptions options;
-  options.layers.vertex_budget = vertices;
-  options.inflation.rho = rho;
+  options.method = method;
+  options.layers.vertex_budget = 6000;
   return relief_of(scene, options);
 }
+
+class Invariance : public ::testing::TestWithParam<Method> {};
+class Determinism : public ::testing::TestWithParam<Method> {};
+
+std::string method_name(const ::testing::TestParamInfo<Method>& info) {
+  return info.param == Method::nonlinear ? "nonlinear" : "approximate";
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Invariance, ::testing::Values(Method::approximate, Method::nonlinear),
+                         method_name);
+INSTANTIATE_TEST_SUITE_P(Of, Determinism, ::testing::Values(Method::approximate, Method::nonlinear),
+                         method_name);
 
 template <class Map>
 Scene mapped(Scene scene, Map map) {
@@ -29,9 +42,9 @@ Scene mapped(Scene scene, Map map) {
 
 /// Largest difference of heights on a grid, px of the first scene; `scale` converts.
 template <class Map>
-double difference(const Scene& scene, const Scene& other, Map map, double scale) {
-  const Relief a = build(scene);
-  const Relief b = build(other);
+double difference(const Scene& scene, const Scene& other, Map map, double scale, Method method) {
+  const Relief a = build(scene, method);
+  const Relief b = build(other, method);
   double worst = 0;
   for (double y = 3.7; y < scene.height; y += 17.3)
     for (double x = 5.3; x < scene.width; x += 17.3) {
@@ -43,7 +56,7 @@ double difference(const Scene& scene, const Scene& other, Map map, double scale)
   return worst;
 }
 
-TEST(Invariance, ImageScale) {
+TEST_P(Invariance, ImageScale) {
   for (const uint64_t seed : {3, 8, 15})
     for (const double scale : {0.5, 2.0, 10.0}) {
       const Scene scene = random_scene(seed);
@@ -51,17 +64,18 @@ TEST(Invariance, ImageScale) {
       Scene other = mapped(scene, map);
       other.width *= scale;
       other.height *= scale;
-      EXPECT_LT(difference(scene, other, map, scale), 0.01 * 100) << seed << " x " << scale;
+      EXPECT_LT(difference(scene, other, map, scale, GetParam()), 0.01 * 100)
+          << seed << " x " << scale;
     }
 }
 
-TEST(Invariance, Translation) {
+TEST_P(Invariance, Translation) {
   const Scene scene = random_scene(4);
   const auto map = [](Point2 p) { return Point2{p.x + 64, p.y + 32}; };
-  EXPECT_LT(difference(scene, mapped(scene, map), map, 1), 1.0);
+  EXPECT_LT(difference(scene, mapped(scene, map), map, 1, GetParam()), 1.0);
 }
 
-TEST(Invariance, Rotation) {
+TEST_P(Invariance, Rotation) {
   const Scene scene = body_and_leg();
   const double a = 0.4;
   const auto map = [&](Point2 p) {
@@ -69,25 +83,25 @@ TEST(Invariance, Rotation) {
     return Point2{200 + d.x * std::cos(a) - d.y * std::sin(a),
                   200 + d.x * std::sin(a) + d.y * std::cos(a)};
   };
-  EXPECT_LT(difference(scene, mapped(scene, map), map, 1), 1.0);
+  EXPECT_LT(difference(scene, mapped(scene, map), map, 1, GetParam()), 1.0);
 }
 
-TEST(Invariance, OrderOfPartsThatDoNotOverlap) {
+TEST_P(Invariance, OrderOfPartsThatDoNotOverlap) {
   Scene scene = body_and_leg();
   scene.parts.push_back(part("ball", circle({50, 330}, 30)));
   Scene other = scene;
   std::rotate(other.parts.begin(), other.parts.begin() + 2, other.parts.end());
   other.joins[0] = {2, 1, scene.joins[0].line};
-  const Relief a = build(scene);
-  const Relief b = build(other);
+  const Relief a = build(scene, GetParam());
+  const Relief b = build(other, GetParam());
   for (const Point2 p : {Point2{200, 165}, Point2{120, 120}, Point2{200, 300}, Point2{50, 330}})
     EXPECT_NEAR(probe(a, p).h(), probe(b, p).h(), 1e-6);
 }
 
-TEST(Determinism, SameSceneSameBits) {
+TEST_P(Determinism, SameSceneSameBits) {
   const Scene scene = random_scene(11);
-  const Relief a = build(scene);
-  const Relief b = build(scene);
+  const Relief a = build(scene, GetParam());
+  const Relief b = build(scene, GetParam());
   EXPECT_EQ(a.ordering.h, b.ordering.h);
   EXPECT_EQ(a.layers.faces, b.layers.faces);
 }

@@ -1,0 +1,210 @@
+#include <algorithm>
+#include <cmath>
+
+#include "apps/cli/commands.h"
+#include "apps/cli/inputs.h"
+#include "apps/cli/messages.h"
+#include "apps/cli/outputs.h"
+#include "apps/cli/segment_project.h"
+#include "apps/cli/segment_report.h"
+#include "apps/cli/stopwatch.h"
+#include "io/files/read_file.h"
+#include "io/image/decode_image.h"
+#include "io/image/jpeg_decode.h"
+#include "io/image/png_decode.h"
+#include "io/image/png_encode.h"
+#include "io/overlay/overlay_svg.h"
+#include "io/project/project_file.h"
+#include "io/scene/write_scene.h"
+#include "io/svg/render_svg.h"
+#include "relief/pipeline/propose_scene.h"
+
+namespace relievo::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The overlay is at least so large, so that lines of small drawings can be told apart, px.
+constexpr double overlay_side = 1200;
+
+Error in(const std::string& file, Error error) {
+  error.where = error.where.empty() ? file : file + ": " + error.where;
+  return error;
+}
+
+Result<SegmentInput> from_project(const InputFile& file) {
+  auto project = decode_project(file.bytes);
+  if (!project) return project.error();
+  if (!project->segmentation)
+    return Error{ErrorCode::bad_input, "is a project of a layered drawing, which has its parts",
+                 ""};
+  SegmentationRecord& record = *project->segmentation;
+  return SegmentInput{file.name,
+                      std::move(project->drawing),
+                      {},
+                      std::move(record.labels),
+                      std::move(record.scribbles),
+                      std::move(record.corrections)};
+}
+
+SegmentInput from_picture(const InputFile& file) {
+  SegmentInput input;
+  input.file = file.name;
+  const bool jpeg = is_jpeg(file.bytes);
+  input.drawing = {file.name == "-" ? "drawing" : fs::path(file.name).filename().string(), "image",
+                   jpeg ? "image/jpeg" : "image/png", file.bytes};
+  return input;
+}
+
+Status read_labels(const std::string& name, SegmentInput& input) {
+  const auto bytes = read_file(name);
+  if (!bytes) return bytes.error();
+  auto labels = decode_png_values(*bytes);
+  if (!labels) return in(name, labels.error());
+  input.labels = std::move(*labels);
+  return Done{};
+}
+
+Result<SegmentInput> load(const SegmentArguments& segment) {
+  const auto file = read_input(segment.common.input);
+  if (!file) return file.error();
+  auto input = is_project(file->bytes) ? from_project(*file) : from_picture(*file);
+  if (!input) return in(file->name, input.error());
+  auto pixels = decode_image(input->drawing.bytes);
+  if (!pixels) return in(file->name, pixels.error());
+  input->pixels = std::move(*pixels);
+  if (!segment.labels.empty())
+    if (Status status = read_labels(segment.labels, *input); !status) return status.error();
+  if (input->labels.empty())
+    return Error{ErrorCode::usage, "give the parts of the drawing with --labels", file->name};
+  if (input->labels.width != input->pixels.width || input->labels.height != input->pixels.height)
+    return Error{ErrorCode::bad_input,
+                 "must be as large as the drawing, " + std::to_string(input->pixels.width) + " x " +
+                     std::to_string(input->pixels.height) + " pixels",
+                 segment.labels};
+  return input;
+}
+
+/// The path of the drawing seen from the scene's folder, or empty where it is not inside.
+std::string path_from(const fs::path& scene, const std::string& drawing) {
+  if (drawing == "-") return "";
+  std::error_code code;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(scene, code), code).parent_path();
+  const fs::path path = fs::weakly_canonical(fs::absolute(drawing, code), code);
+  const fs::path inside = path.lexically_relative(folder);
+  return code || inside.empty() || *inside.begin() == ".." ? "" : inside.generic_string();
+}
+
+/// The file beside the scene that takes a copy of a drawing from elsewhere.
+fs::path copy_of_drawing(const fs::path& scene, ByteView drawing) {
+  fs::path copy = scene;
+  return copy.replace_extension(is_png(drawing) ? ".png" : ".jpg");
+}
+
+bool is_project_name(const std::string& name) { return fs::path(name).extension() == ".relievo"; }
+
+uint8_t over(uint8_t above, uint8_t below, uint8_t alpha) {
+  return static_cast<uint8_t>((above * alpha + below * (255 - alpha) + 127) / 255);
+}
+
+/// The drawing on white, enlarged, with the overlay on it.
+Image8 composed(const Image8& drawing, const Image8& overlay) {
+  Image8 picture(overlay.width, overlay.height, 3);
+  for (int y = 0; y < overlay.height; ++y)
+    for (int x = 0; x < overlay.width; ++x) {
+      const int sx = std::min(drawing.width - 1, x * drawing.width / overlay.width);
+      const int sy = std::min(drawing.height - 1, y * drawing.height / overlay.height);
+      for (int c = 0; c < 3; ++c) {
+        const uint8_t paper = over(drawing.at(sx, sy, c), 255, drawing.at(sx, sy, 3));
+        picture.at(x, y, c) = over(overlay.at(x, y, c), paper, overlay.at(x, y, 3));
+      }
+    }
+  return picture;
+}
+
+Result<Bytes> overlay_png(const Scene& scene, const Image8& drawing) {
+  const double scale =
+      std::max(1.0, std::round(overlay_side / std::max(drawing.width, drawing.height)));
+  const auto overlay = render_svg(overlay_svg(scene), static_cast<int>(drawing.width * scale),
+                                  static_cast<int>(drawing.height * scale));
+  if (!overlay) return overlay.error();
+  return encode_png(composed(drawing, overlay->rgba));
+}
+
+Bytes to_bytes(const std::string& text) { return {text.begin(), text.end()}; }
+
+using Files = std::vector<OutputFile>;
+
+/// The scene file, and a copy of the drawing where that lies elsewhere.
+Result<Files> scene_files(const SegmentArguments& segment, const SegmentInput& input, Scene scene) {
+  Files files;
+  if (!is_project_name(input.file)) scene.drawing = path_from(segment.output, input.file);
+  if (scene.drawing.empty()) {
+    const fs::path copy = copy_of_drawing(segment.output, input.drawing.bytes);
+    scene.drawing = copy.filename().string();
+    files.push_back({copy, input.drawing.bytes});
+  }
+  const auto text = write_scene(scene);
+  if (!text) return text.error();
+  files.push_back({segment.output, to_bytes(*text)});
+  return files;
+}
+
+Result<Files> project_files(const SegmentArguments& segment, const SegmentInput& input,
+                            const Proposal& proposal) {
+  auto bytes = encode_project(project_of(input, proposal));
+  if (!bytes) return bytes.error();
+  return Files{{segment.output, std::move(*bytes)}};
+}
+
+/// Every file that the command writes.
+Result<Files> files_of(const SegmentArguments& segment, const SegmentInput& input,
+                       const Proposal& proposal, double milliseconds) {
+  auto files = is_project_name(segment.output) ? project_files(segment, input, proposal)
+                                               : scene_files(segment, input, proposal.scene);
+  if (!files) return files.error();
+  if (!segment.overlay.empty()) {
+    auto overlay = overlay_png(proposal.scene, input.pixels);
+    if (!overlay) return overlay.error();
+    files->push_back({segment.overlay, std::move(*overlay)});
+  }
+  if (!segment.report.empty())
+    files->push_back({segment.report, to_bytes(write_segment_report(segment.common.input, proposal,
+                                                                    milliseconds))});
+  return files;
+}
+
+std::string summary(const Proposal& proposal) {
+  return std::to_string(proposal.scene.parts.size()) + " parts, " +
+         std::to_string(proposal.scene.joins.size()) + " joins, " +
+         std::to_string(proposal.scene.relations.size()) + " relations";
+}
+
+}  // namespace
+
+Status run_segment(const SegmentArguments& segment, Interruption& interruption) {
+  const bool quiet = segment.common.quiet;
+  std::vector<fs::path> outputs = {segment.output};
+  for (const std::string* name : {&segment.overlay, &segment.report})
+    if (!name->empty()) outputs.emplace_back(*name);
+  std::vector<fs::path> inputs;
+  for (const std::string* name : {&segment.common.input, &segment.labels})
+    if (!name->empty() && *name != "-") inputs.emplace_back(*name);
+  if (Status status = check_outputs(outputs, inputs); !status) return status;
+  const auto loaded = load(segment);
+  if (!loaded) return loaded.error();
+  Progress progress(quiet);
+  const Stopwatch watch;
+  const auto proposal = propose_scene(loaded->labels, loaded->corrections, {},
+                                      {interruption.flag(), progress.callback(), {}});
+  if (!proposal) return proposal.error();
+  const auto files = files_of(segment, *loaded, *proposal, watch.milliseconds());
+  if (!files) return files.error();
+  if (Status status = save(*files, inputs, interruption); !status) return status;
+  print_warnings(proposal->warnings, quiet);
+  print_note(summary(*proposal), quiet);
+  for (const OutputFile& file : *files) print_result(file.path.string(), quiet);
+  return Done{};
+}
+
+}  // namespace relievo::cli

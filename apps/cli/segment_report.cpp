@@ -1,0 +1,99 @@
+#include "apps/cli/segment_report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace relievo::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* name(CompletionKind kind) {
+  switch (kind) {
+    case CompletionKind::whole:
+      return "whole";
+    case CompletionKind::ellipse:
+      return "ellipse";
+    case CompletionKind::continuation:
+      return "continuation";
+    case CompletionKind::membrane:
+      return "membrane";
+    case CompletionKind::given:
+      return "given";
+  }
+  return "";
+}
+
+class ReportWriter {
+ public:
+  explicit ReportWriter(const Proposal& proposal) : proposal_(proposal) {}
+
+  Json parts() const {
+    Json list = Json::array();
+    for (const int part : proposal_.stacking.back_to_front) {
+      const CompletedPart& completed = proposal_.completion.parts[part];
+      list.push_back({{"id", id(part)},
+                      {"label", proposal_.regions.labels[part]},
+                      {"visible_px", pixel_count(proposal_.regions.visible[part])},
+                      {"completed_px", pixel_count(completed.shape)},
+                      {"completion", name(completed.kind)}});
+    }
+    return list;
+  }
+
+  Json order() const {
+    Json list = Json::array();
+    for (const OrderArrow& arrow : proposal_.stacking.arrows)
+      list.push_back({{"upper", id(arrow.upper)},
+                      {"lower", id(arrow.lower)},
+                      {"confidence", arrow.confidence},
+                      {"source", arrow.source == OrderSource::user ? "user" : "guess"},
+                      {"kept", arrow.kept}});
+    return list;
+  }
+
+  Json joins() const {
+    Json list = Json::array();
+    for (const ProposedJoin& join : proposal_.joining.joins)
+      list.push_back({{"upper", id(join.join.upper)},
+                      {"lower", id(join.join.lower)},
+                      {"confidence", join.confidence},
+                      {"source", join.user ? "user" : "guess"}});
+    return list;
+  }
+
+  Json relations() const {
+    Json list = Json::array();
+    for (const ProposedRelation& relation : proposal_.joining.relations)
+      list.push_back({{"upper", id(relation.relation.upper)},
+                      {"lower", id(relation.relation.lower)},
+                      {"relation", relievo::name(relation.relation.kind)},
+                      {"source", relation.user ? "user" : "guess"}});
+    return list;
+  }
+
+ private:
+  const std::string& id(int part) const {
+    return proposal_.scene.parts[proposal_.stacking.rank[part]].id;
+  }
+
+  const Proposal& proposal_;
+};
+
+}  // namespace
+
+std::string write_segment_report(const std::string& input, const Proposal& proposal,
+                                 double milliseconds) {
+  const ReportWriter writer(proposal);
+  Json report;
+  report["version"] = RELIEVO_VERSION;
+  report["input"] = input;
+  report["parts"] = writer.parts();
+  report["order"] = writer.order();
+  report["joins"] = writer.joins();
+  report["relations"] = writer.relations();
+  report["timings_ms"] = {{"propose", milliseconds}};
+  report["warnings"] = proposal.warnings;
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace relievo::cli

@@ -1,0 +1,79 @@
+#include <benchmark/benchmark.h>
+
+#include <functional>
+#include <string>
+
+#include "characters.h"
+#include "relief/pipeline/relief_session.h"
+#include "suites.h"
+
+namespace relievo::benchmarks {
+namespace {
+
+using benchmark::State;
+
+struct Edit {
+  const char* name;
+  std::function<void(Scene&, ReliefOptions&)> make;
+};
+
+const Edit edits[] = {
+    {"c_of_one_part_a_tenth_more", [](Scene& s, ReliefOptions&) { s.parts.back().c *= 1.1; }},
+    {"d_of_one_part_a_tenth_less", [](Scene& s, ReliefOptions&) { s.parts.back().d *= 0.9; }},
+    {"c_of_the_largest_part_doubled", [](Scene& s, ReliefOptions&) { s.parts.front().c *= 2; }},
+    {"alpha0_doubled", [](Scene&, ReliefOptions& o) { o.inflation.alpha0 *= 2; }},
+    {"rho_a_fifth_more", [](Scene&, ReliefOptions& o) { o.inflation.rho *= 1.2; }},
+    {"a_relation_dropped",
+     [](Scene& s, ReliefOptions&) {
+       const int front = static_cast<int>(s.parts.size()) - 1;
+       for (int lower = 0; lower < front; ++lower)
+         s.relations.push_back({front, lower, RelationKind::free, std::nullopt});
+     }},
+    {"a_join_removed", [](Scene& s, ReliefOptions&) { s.joins.pop_back(); }},
+    {"an_outline_moved",
+     [](Scene& s, ReliefOptions&) {
+       for (Ring& ring : s.parts.back().outline)
+         for (Point2& p : ring) p.x += 1;
+     }},
+};
+
+int changes(const std::vector<DepthContact>& before, const std::vector<DepthContact>& after) {
+  if (before.size() != after.size()) return -1;
+  int count = 0;
+  for (size_t i = 0; i < before.size(); ++i) count += before[i].closed != after[i].closed;
+  return count;
+}
+
+/// Makes the edit and takes it back in turn; the time is of one of the two.
+void run(State& state, const Edit& edit, const std::string& name) {
+  const Scene plain = scene_of(name);
+  const ReliefOptions plain_options = options_for(40000);
+  Scene scene = plain;
+  ReliefOptions options = plain_options;
+  edit.make(scene, options);
+  ReliefSession session;
+  bool ok = session.update(plain, plain_options).ok();
+  const std::vector<DepthContact> before = session.contacts();
+  bool edited = false;
+  for (auto _ : state) {
+    edited = !edited;
+    ok = ok && session.update(edited ? scene : plain, edited ? options : plain_options).ok();
+  }
+  ok = ok && session.update(scene, options).ok();
+  if (!ok) return state.SkipWithError("cannot be built");
+  state.counters["changes"] = changes(before, session.contacts());
+  state.counters["iterations"] = session.relief().ordering.report.iterations;
+}
+
+}  // namespace
+
+void register_edits() {
+  for (const char* name : {"wolf", "farmer"})
+    for (const Edit& edit : edits)
+      benchmark::RegisterBenchmark((std::string("edit/") + name + "/" + edit.name).c_str(),
+                                   [&edit, name](State& state) { run(state, edit, name); })
+          ->Unit(benchmark::kMillisecond)
+          ->UseRealTime();
+}
+
+}  // namespace relievo::benchmarks

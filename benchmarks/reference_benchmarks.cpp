@@ -1,0 +1,93 @@
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+#include "characters.h"
+#include "references/cholmod_factor.h"
+#include "references/interior_point.h"
+#include "references/lagrange_active_set.h"
+#include "relief/pipeline/relief_session.h"
+#include "suites.h"
+
+namespace relievo::benchmarks {
+namespace {
+
+using benchmark::State;
+
+constexpr int largest_for_slow_ones = 40000;
+
+std::string name_of(const char* what, const std::string& name, int vertices) {
+  return std::string(what) + "/" + name + "/" + std::to_string(vertices);
+}
+
+void own_factor(State& state, const std::string& name, int vertices) {
+  Program program = program_of(surface_of(name, vertices));
+  for (auto _ : state)
+    if (!program.system.factor.factorise(program.system.qp.K)) state.SkipWithError("not definite");
+  state.counters["entries"] = static_cast<double>(program.system.factor.factor_entries());
+}
+
+void cholmod(State& state, const std::string& name, int vertices) {
+  CholmodFactor factor(program_of(surface_of(name, vertices)).system.qp.K);
+  for (auto _ : state)
+    if (!factor.factorise()) state.SkipWithError("not definite");
+}
+
+double difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  return (a - b).lpNorm<Eigen::Infinity>();
+}
+
+void multipliers(State& state, const std::string& name, int vertices) {
+  const Surface& surface = surface_of(name, vertices);
+  const Program program = program_of(surface);
+  const Eigen::VectorXd f = program.metric.scale * inflated_heights(surface.inflation.u);
+  Eigen::VectorXd h(f.size());
+  for (Eigen::Index n = 0; n < h.size(); ++n) h[n] = program.metric.scale * program.ordering.h[n];
+  for (auto _ : state) {
+    const ReferenceSolution solution =
+        solve_with_multipliers(program.metric.A, f, surface.mesh.constraints);
+    if (!solution.solved) state.SkipWithError("not solved");
+    state.counters["iterations"] = solution.iterations;
+    state.counters["difference"] = difference(solution.x, h);
+  }
+}
+
+void interior_point(State& state, const std::string& name, int vertices) {
+  const Surface& surface = surface_of(name, vertices);
+  Program program = program_of(surface);
+  BoundQpOptions cold;
+  const BoundQpSolution exact = solve_bound_qp(program.system.qp, program.system.factor, cold);
+  const std::vector<int> order =
+      order_of_variables(program.system.problem.variables, surface.discretisation.elimination);
+  for (auto _ : state) {
+    const ReferenceSolution solution = solve_by_interior_point(program.system.qp, order);
+    if (!solution.solved) state.SkipWithError("not solved");
+    state.counters["iterations"] = solution.iterations;
+    state.counters["difference"] = difference(solution.x, exact.z);
+  }
+}
+
+void add_size(const std::string& name, int vertices) {
+  const auto add = [&](const char* what, auto run) {
+    return benchmark::RegisterBenchmark(
+               name_of(what, name, vertices).c_str(),
+               [run, name, vertices](State& state) { run(state, name, vertices); })
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
+  };
+  add("factor", own_factor);
+  add("cholmod", cholmod);
+  if (vertices > largest_for_slow_ones) return;
+  add("interior_point", interior_point);
+  add("multipliers", multipliers)->Iterations(1);
+}
+
+}  // namespace
+
+void register_references(const Extent& extent) {
+  for (int vertices = 5000; vertices <= extent.largest; vertices *= 2) add_size("wolf", vertices);
+  for (const Character& character : characters())
+    if (std::string(character.name) != "wolf") add_size(character.name, 40000);
+}
+
+}  // namespace relievo::benchmarks

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+
+#include "kernel/base/sparse_matrix.h"
+
+namespace relievo::benchmarks {
+
+/// CHOLMOD's supernodal factorisation in the order that its approximate minimum degree gives.
+class CholmodFactor {
+ public:
+  /// Analyses the pattern of a matrix of which the lower triangle is stored.
+  explicit CholmodFactor(const SparseMatrix& lower);
+  ~CholmodFactor();
+  CholmodFactor(const CholmodFactor&) = delete;
+  CholmodFactor& operator=(const CholmodFactor&) = delete;
+
+  /// Factorises the values of the matrix; false where it is not positive definite.
+  bool factorise();
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace relievo::benchmarks

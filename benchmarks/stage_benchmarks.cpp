@@ -1,0 +1,128 @@
+#include <benchmark/benchmark.h>
+
+#include <functional>
+#include <string>
+
+#include "characters.h"
+#include "io/mesh/glb_encode.h"
+#include "relief/model/assemble_model.h"
+#include "relief/pipeline/relief_session.h"
+#include "suites.h"
+
+namespace relievo::benchmarks {
+namespace {
+
+using benchmark::State;
+using Case = std::function<void(State&, const std::string& name, int vertices)>;
+
+void mesh(State& state, const std::string& name, int vertices) {
+  const LayerOptions options = options_for(vertices).layers;
+  for (auto _ : state) {
+    const auto layers = layer_parts(scene_of(name), options);
+    state.counters["vertices"] = static_cast<double>(layers->node_vertex.size());
+  }
+}
+
+void discretisation(State& state, const std::string& name, int vertices) {
+  const Surface& surface = surface_of(name, vertices);
+  for (auto _ : state) benchmark::DoNotOptimize(discretise(surface.mesh));
+}
+
+void inflation(State& state, const std::string& name, int vertices) {
+  const Surface& surface = surface_of(name, vertices);
+  for (auto _ : state) {
+    PoissonSystem poisson(surface.mesh, surface.discretisation, Refactorisation::complete, {});
+    benchmark::DoNotOptimize(
+        inflate({surface.mesh, surface.discretisation, scene_of(name)}, {}, poisson));
+  }
+}
+
+void order_from(State& state, const std::string& name, const Surface& surface,
+                const std::vector<DepthContact>& contacts) {
+  for (auto _ : state) {
+    OrderingSystem system;
+    system.contacts = contacts;
+    const auto ordering = order_depth(
+        {surface.mesh, surface.discretisation, surface.inflation, scene_of(name)}, {}, system);
+    const BoundQpReport& report = ordering->report;
+    state.counters["iterations"] = report.iterations;
+    state.counters["rounds"] = ordering->rounds;
+    state.counters["inequalities"] = ordering->inequalities;
+    state.counters["active"] = report.active;
+    state.counters["kkt"] =
+        std::max({report.stationarity, report.primal, report.dual, report.complementarity});
+  }
+}
+
+void order_cold(State& state, const std::string& name, int vertices) {
+  order_from(state, name, surface_of(name, vertices), {});
+}
+
+void order_from_coarse(State& state, const std::string& name, int vertices) {
+  const Surface& surface = surface_of(name, vertices);
+  order_from(state, name, surface, surface.coarse);
+}
+
+/// Operators, inflation and order: everything but the mesh.
+void solve(State& state, const std::string& name, int vertices) {
+  const Surface& surface = surface_of(name, vertices);
+  const Scene& scene = scene_of(name);
+  for (auto _ : state) {
+    const Discretisation operators = discretise(surface.mesh);
+    OrderingSystem system;
+    system.contacts = surface.coarse;
+    PoissonSystem poisson(surface.mesh, operators, Refactorisation::complete, {});
+    const auto inflated = inflate({surface.mesh, operators, scene}, InflationOptions(), poisson);
+    benchmark::DoNotOptimize(order_depth({surface.mesh, operators, *inflated, scene}, {}, system));
+  }
+}
+
+void build(State& state, const std::string& name, int vertices) {
+  for (auto _ : state)
+    benchmark::DoNotOptimize(build_relief(scene_of(name), options_for(vertices)));
+}
+
+void model(State& state, const std::string& name, int vertices) {
+  const auto relief = build_relief(scene_of(name), options_for(vertices));
+  for (auto _ : state) {
+    const auto made =
+        assemble_model(relief->layers, relief->inflation, relief->ordering, scene_of(name), {});
+    benchmark::DoNotOptimize(encode_glb(*made, nullptr, 100));
+  }
+}
+
+struct Stage {
+  const char* name;
+  Case run;
+};
+
+const Stage stages[] = {
+    {"mesh", mesh},
+    {"discretise", discretisation},
+    {"inflate", inflation},
+    {"order_cold", order_cold},
+    {"order", order_from_coarse},
+    {"solve", solve},
+    {"build", build},
+    {"model", model},
+};
+
+void add(const std::string& name, int vertices) {
+  for (const Stage& stage : stages)
+    benchmark::RegisterBenchmark(
+        (std::string(stage.name) + "/" + name + "/" + std::to_string(vertices)).c_str(),
+        [stage, name, vertices](State& state) { stage.run(state, name, vertices); })
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
+}
+
+}  // namespace
+
+void register_stages(const Extent& extent) {
+  for (const Character& character : characters()) add(character.name, character.paper_vertices);
+  for (int vertices = 5000; vertices <= extent.largest; vertices *= 2) add("wolf", vertices);
+  for (const Character& character : characters())
+    if (std::string(character.name) != "wolf") add(character.name, 40000);
+}
+
+}  // namespace relievo::benchmarks

@@ -1,0 +1,125 @@
+#include "io/layered/layer_pile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "io/layered/layer_color.h"
+#include "io/parts/part_cover.h"
+#include "io/parts/propose_parts.h"
+#include "kernel/image/level_contours.h"
+
+namespace relievo {
+namespace {
+
+/// A layer that covers more of the canvas is its background.
+constexpr double background = 0.98;
+
+/// Outlines of layers are simplified by no more than this, px.
+constexpr double outline_tolerance = 0.05;
+
+/// Straight-alpha source over straight-alpha ground.
+void blend(uint8_t* ground, const uint8_t* source, double opacity) {
+  const double a = opacity * source[3] / 255;
+  const double b = ground[3] / 255.0 * (1 - a);
+  const double sum = a + b;
+  if (a <= 0) return;
+  for (int k = 0; k < 3; ++k)
+    ground[k] = static_cast<uint8_t>(std::lround((a * source[k] + b * ground[k]) / sum));
+  ground[3] = static_cast<uint8_t>(std::lround(255 * sum));
+}
+
+/// The layer as far as it lies on the canvas.
+RasterLayer cut_to_canvas(const RasterLayer& layer, const Image8& canvas) {
+  const int64_t right = int64_t{layer.x} + layer.rgba.width;
+  const int64_t bottom = int64_t{layer.y} + layer.rgba.height;
+  const int left = std::max(layer.x, 0);
+  const int top = std::max(layer.y, 0);
+  RasterLayer cut = layer;
+  cut.x = left;
+  cut.y = top;
+  cut.rgba = Image8();
+  const int64_t width = std::min<int64_t>(right, canvas.width) - left;
+  const int64_t height = std::min<int64_t>(bottom, canvas.height) - top;
+  if (width <= 0 || height <= 0) return cut;
+  cut.rgba = Image8(static_cast<int>(width), static_cast<int>(height), 4);
+  for (int y = 0; y < cut.rgba.height; ++y) {
+    const uint8_t* row = &layer.rgba.at(left - layer.x, y + top - layer.y);
+    std::copy(row, row + 4 * width, &cut.rgba.at(0, y));
+  }
+  return cut;
+}
+
+void paint(Image8& canvas, const RasterLayer& layer) {
+  for (int y = 0; y < layer.rgba.height; ++y)
+    for (int x = 0; x < layer.rgba.width; ++x)
+      blend(&canvas.at(x + layer.x, y + layer.y), &layer.rgba.at(x, y), layer.opacity);
+}
+
+Region opaque_region(const RasterLayer& layer) {
+  ImageF alpha(layer.rgba.width, layer.rgba.height, 1);
+  for (size_t i = 0; i < alpha.pixels.size(); ++i)
+    alpha.pixels[i] = static_cast<float>(layer.opacity) * layer.rgba.pixels[4 * i + 3];
+  Region region = level_contours(alpha, 127.5F);
+  for (Ring& ring : region)
+    for (Point2& p : ring) p = p + Point2{double(layer.x), double(layer.y)};
+  return tidied(region, outline_tolerance, 1);
+}
+
+Part part_of(const RasterLayer& layer, Region region) {
+  Part part;
+  part.id = layer.name;
+  part.outline = std::move(region);
+  part.c = layer.c.value_or(part.c);
+  part.d = layer.d.value_or(part.d);
+  return part;
+}
+
+}  // namespace
+
+LayerPile empty_pile(int width, int height) {
+  LayerPile pile;
+  pile.rgba = Image8(width, height, 4);
+  return pile;
+}
+
+void put_layer(LayerPile& pile, const RasterLayer& layer) {
+  const RasterLayer cut = cut_to_canvas(layer, pile.rgba);
+  if (cut.rgba.empty()) return;
+  paint(pile.rgba, cut);
+  if (layer.role == LayerRole::texture) return;
+  Region region = opaque_region(cut);
+  if (region.empty()) return;
+  if (layer.role == LayerRole::part) {
+    pile.parts.push_back(part_of(layer, std::move(region)));
+    return;
+  }
+  if (area(region) > background * pile.rgba.width * pile.rgba.height) return;
+  const LayerColor color = color_of(cut);
+  Mark mark;
+  mark.name = layer.name;
+  mark.group = layer.group;
+  mark.region = std::move(region);
+  mark.color = color.inner;
+  mark.outlined = color.outlined;
+  pile.marks.push_back(std::move(mark));
+}
+
+Result<LayeredDrawing> scene_of_pile(LayerPile pile) {
+  LayeredDrawing result;
+  result.scene.width = pile.rgba.width;
+  result.scene.height = pile.rgba.height;
+  result.proposed = pile.parts.empty();
+  if (result.proposed) {
+    result.scene.parts = propose_parts(group_figures(std::move(pile.marks)));
+  } else {
+    result.scene.parts = std::move(pile.parts);
+    make_ids_unique(result.scene.parts);
+  }
+  if (result.scene.parts.empty())
+    return Error{ErrorCode::bad_input, "no layer has anything opaque on the canvas", "layers"};
+  result.drawing.rgba = std::move(pile.rgba);
+  return result;
+}
+
+}  // namespace relievo

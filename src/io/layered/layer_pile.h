@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/parts/figures.h"
+#include "kernel/base/result.h"
+#include "relief/drawing/drawing.h"
+#include "relief/scene/scene.h"
+
+namespace relievo {
+
+/// What a layer is to the scene.
+enum class LayerRole {
+  proposed,  ///< the drawing as a whole decides
+  part,      ///< one part: all of it that is opaque
+  texture,   ///< painted, but no part
+};
+
+/// One layer of a painted drawing, or one sprite.
+struct RasterLayer {
+  std::string name;    ///< may be empty
+  int group = -1;      ///< innermost group of layers, -1: none
+  int x = 0;           ///< of its left column on the canvas, px
+  int y = 0;           ///< of its top row
+  double opacity = 1;  ///< in [0, 1], of the layer as a whole
+  LayerRole role = LayerRole::proposed;
+  std::optional<double> c;  ///< of its part
+  std::optional<double> d;
+  Image8 rgba;  ///< 8-bit sRGB with straight alpha
+};
+
+/// Layers put on each other so far.
+struct LayerPile {
+  Image8 rgba;              ///< the picture, of the size of the canvas
+  std::vector<Mark> marks;  ///< what is opaque of each layer that may be a part or belong to one
+  std::vector<Part> parts;  ///< of the layers with the role part
+};
+
+/// A drawing with its parts.
+struct LayeredDrawing {
+  Scene scene;
+  Drawing drawing;
+  bool proposed = false;  ///< the parts were guessed
+};
+
+LayerPile empty_pile(int width, int height);
+
+/// Paints the layer over the pile, cut at its canvas, and takes the outline of what has an alpha
+/// of at least one half, exact to a fraction of a pixel. O(pixels of the layer).
+void put_layer(LayerPile& pile, const RasterLayer& layer);
+
+/// The scene of the whole pile: the layers that are parts, else parts proposed as from vector
+/// shapes. Error: bad_input where nothing opaque is drawn.
+Result<LayeredDrawing> scene_of_pile(LayerPile pile);
+
+}  // namespace relievo

@@ -1,0 +1,164 @@
+#include "io/layered/layer_table.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "kernel/base/text_rules.h"
+
+namespace relievo {
+namespace {
+
+using Fields = std::vector<std::string_view>;
+
+/// Layers farther off the canvas than this are taken for mistakes, px.
+constexpr double farthest = 1e5;
+
+Error line_error(size_t line, const std::string& message) {
+  return {ErrorCode::bad_input, message, "line " + std::to_string(line)};
+}
+
+Fields split(std::string_view text, char separator) {
+  Fields fields;
+  while (true) {
+    const size_t end = text.find(separator);
+    fields.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return fields;
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  double value = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (code != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    return std::nullopt;
+  return value;
+}
+
+/// Fields of one line by the names of their columns.
+class Row {
+ public:
+  Row(const std::map<std::string, size_t>& columns, Fields fields, size_t line)
+      : columns_(columns), fields_(std::move(fields)), line_(line) {}
+
+  std::string_view text(const char* column) const {
+    const auto found = columns_.find(column);
+    if (found == columns_.end() || found->second >= fields_.size()) return {};
+    return fields_[found->second];
+  }
+
+  /// The number in a column; nothing where it is empty.
+  Result<std::optional<double>> number(const char* column, double low, double high) const {
+    const std::string_view field = text(column);
+    if (field.empty()) return std::optional<double>();
+    const auto value = parse_number(field);
+    if (!value || *value < low || *value > high)
+      return line_error(line_, std::string(column) + " is not a number that can be used here: " +
+                                   std::string(field.substr(0, 40)));
+    return value;
+  }
+
+  size_t line() const { return line_; }
+
+ private:
+  const std::map<std::string, size_t>& columns_;
+  Fields fields_;
+  size_t line_;
+};
+
+Result<LayerRole> role_of(const Row& row) {
+  const std::string_view role = row.text("role");
+  if (role.empty()) return LayerRole::proposed;
+  if (role == "part") return LayerRole::part;
+  if (role == "texture") return LayerRole::texture;
+  return line_error(row.line(), "role is neither part nor texture");
+}
+
+Status read_numbers(const Row& row, LayerRow& result) {
+  const auto order = row.number("order_back_to_front", -1e9, 1e9);
+  if (!order) return order.error();
+  const auto x = row.number("x", -farthest, farthest);
+  if (!x) return x.error();
+  const auto y = row.number("y", -farthest, farthest);
+  if (!y) return y.error();
+  const auto opacity = row.number("opacity", 0, 1);
+  if (!opacity) return opacity.error();
+  const auto c = row.number("c", 0, max_inflation);
+  if (!c) return c.error();
+  const auto d = row.number("d", -max_inflation, max_inflation);
+  if (!d) return d.error();
+  result.order = order->value_or(static_cast<double>(row.line()));
+  RasterLayer& layer = result.layer;
+  layer.x = static_cast<int>(std::lround(x->value_or(0)));
+  layer.y = static_cast<int>(std::lround(y->value_or(0)));
+  layer.opacity = opacity->value_or(1);
+  layer.c = *c;
+  layer.d = *d;
+  return Done{};
+}
+
+Result<LayerRow> read_row(const Row& row) {
+  LayerRow result;
+  result.file = row.text("file");
+  if (!is_path_inside(result.file))
+    return line_error(row.line(), "file is not a path inside the folder");
+  result.layer.name = row.text("name");
+  if (!result.layer.name.empty() && !is_sound_id(result.layer.name))
+    return line_error(row.line(), "name is too long or not plain UTF-8");
+  const auto role = role_of(row);
+  if (!role) return role.error();
+  result.layer.role = *role;
+  if (Status status = read_numbers(row, result); !status) return status.error();
+  return result;
+}
+
+Result<std::map<std::string, size_t>> read_columns(std::string_view line) {
+  std::map<std::string, size_t> columns;
+  const Fields names = split(line, '\t');
+  for (size_t k = 0; k < names.size(); ++k)
+    if (!columns.emplace(names[k], k).second)
+      return line_error(1, "column " + std::string(names[k].substr(0, 40)) + " is there twice");
+  if (columns.count("file") == 0)
+    return line_error(1, "has no column named file; the first line names the columns");
+  return columns;
+}
+
+void settle_roles(std::vector<LayerRow>& rows) {
+  const bool some_part = std::any_of(rows.begin(), rows.end(), [](const LayerRow& row) {
+    return row.layer.role == LayerRole::part;
+  });
+  for (LayerRow& row : rows)
+    if (some_part && row.layer.role == LayerRole::proposed) row.layer.role = LayerRole::texture;
+}
+
+}  // namespace
+
+Result<std::vector<LayerRow>> read_layer_table(std::string_view text) {
+  if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
+  const Fields lines = split(text, '\n');
+  const auto without_return = [](std::string_view line) {
+    return !line.empty() && line.back() == '\r' ? line.substr(0, line.size() - 1) : line;
+  };
+  const auto columns = read_columns(without_return(lines[0]));
+  if (!columns) return columns.error();
+  std::vector<LayerRow> rows;
+  for (size_t i = 1; i < lines.size(); ++i) {
+    const std::string_view line = without_return(lines[i]);
+    if (line.empty()) continue;
+    auto row = read_row(Row(*columns, split(line, '\t'), i + 1));
+    if (!row) return row.error();
+    rows.push_back(std::move(*row));
+    if (rows.size() > max_layers)
+      return Error{ErrorCode::limit, "has more than " + std::to_string(max_layers) + " layers", ""};
+  }
+  if (rows.empty()) return Error{ErrorCode::bad_input, "names no layer", ""};
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const LayerRow& p, const LayerRow& q) { return p.order < q.order; });
+  settle_roles(rows);
+  return rows;
+}
+
+}  // namespace relievo

@@ -1,0 +1,46 @@
+#include "io/layered/packed_layers.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace relievo {
+namespace {
+
+Error in_layer(Error error, const PackedLayer& packed) {
+  error.where = packed.file;
+  return error;
+}
+
+/// A canvas on which every layer lies, as far as it is right of and below the origin.
+Result<ImageSize> least_canvas(const std::vector<PackedLayer>& layers, const ImageLimits& limits) {
+  int64_t width = 1;
+  int64_t height = 1;
+  for (const PackedLayer& packed : layers) {
+    const auto size = png_size(packed.png, limits);
+    if (!size) return in_layer(size.error(), packed);
+    width = std::max(width, int64_t{packed.layer.x} + size->width);
+    height = std::max(height, int64_t{packed.layer.y} + size->height);
+  }
+  if (Status status = check_image_size(width, height, limits); !status) return status.error();
+  return ImageSize{static_cast<int>(width), static_cast<int>(height)};
+}
+
+}  // namespace
+
+Result<LayeredDrawing> unpack_layers(const std::vector<PackedLayer>& layers, ImageSize canvas,
+                                     const ImageLimits& limits) {
+  const bool open = canvas.width == 0 || canvas.height == 0;
+  const auto size = open ? least_canvas(layers, limits) : Result<ImageSize>(canvas);
+  if (!size) return size.error();
+  LayerPile pile = empty_pile(size->width, size->height);
+  for (const PackedLayer& packed : layers) {
+    auto pixels = decode_png(packed.png, limits);
+    if (!pixels) return in_layer(pixels.error(), packed);
+    RasterLayer layer = packed.layer;
+    layer.rgba = std::move(*pixels);
+    put_layer(pile, layer);
+  }
+  return scene_of_pile(std::move(pile));
+}
+
+}  // namespace relievo

@@ -1,0 +1,125 @@
+#include "io/layered/read_layer_folder.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <utility>
+
+#include "io/files/read_file.h"
+#include "io/layered/layer_table.h"
+#include "io/layered/packed_layers.h"
+
+namespace relievo {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error in_file(Error error, const fs::path& path) {
+  const std::string name = path.string();
+  if (error.where.rfind(name, 0) != 0)
+    error.where = error.where.empty() ? name : name + ": " + error.where;
+  return error;
+}
+
+/// Compares names so that numbers in them count as numbers: leg2 before leg10.
+bool natural_less(const std::string& p, const std::string& q) {
+  const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  size_t i = 0;
+  size_t j = 0;
+  while (i < p.size() && j < q.size()) {
+    if (!is_digit(p[i]) || !is_digit(q[j])) {
+      if (p[i] != q[j]) return p[i] < q[j];
+      ++i, ++j;
+      continue;
+    }
+    const auto number = [&](const std::string& text, size_t& at) {
+      while (at + 1 < text.size() && text[at] == '0' && is_digit(text[at + 1])) ++at;
+      const size_t start = at;
+      while (at < text.size() && is_digit(text[at])) ++at;
+      return text.substr(start, at - start);
+    };
+    const std::string a = number(p, i);
+    const std::string b = number(q, j);
+    if (a.size() != b.size()) return a.size() < b.size();
+    if (a != b) return a < b;
+  }
+  return p.size() - i != q.size() - j ? p.size() - i < q.size() - j : p < q;
+}
+
+bool is_png_name(const fs::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".png";
+}
+
+Result<std::vector<LayerRow>> rows_by_name(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(folder, code))
+    if (is_png_name(entry.path())) names.push_back(entry.path().filename().string());
+  if (code) return Error{ErrorCode::file, "cannot be read: " + code.message(), folder.string()};
+  if (names.empty())
+    return Error{ErrorCode::bad_input,
+                 "holds no layers: neither a layers.tsv that lists them nor PNG files",
+                 folder.string()};
+  if (names.size() > max_layers)
+    return Error{ErrorCode::limit, "has more than " + std::to_string(max_layers) + " layers",
+                 folder.string()};
+  std::sort(names.begin(), names.end(), natural_less);
+  std::vector<LayerRow> rows;
+  for (const std::string& name : names) {
+    LayerRow row;
+    row.file = name;
+    row.layer.name = fs::path(name).stem().string();
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Result<std::vector<LayerRow>> rows_of(const fs::path& folder, std::vector<fs::path>& files) {
+  const fs::path table = folder / "layers.tsv";
+  std::error_code code;
+  if (!fs::exists(table, code)) return rows_by_name(folder);
+  const auto bytes = read_file(table);
+  if (!bytes) return bytes.error();
+  auto rows = read_layer_table({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+  if (!rows) return in_file(rows.error(), table);
+  files.push_back(table);
+  return rows;
+}
+
+/// The file's path, links followed; refused where it leaves the folder.
+Result<fs::path> layer_path(const fs::path& folder, const std::string& file) {
+  std::error_code code;
+  const fs::path root = fs::canonical(folder, code);
+  const fs::path path = fs::weakly_canonical(root / file, code);
+  const fs::path inside = path.lexically_relative(root);
+  if (code || inside.empty() || *inside.begin() == "..")
+    return Error{ErrorCode::bad_input, "leads out of the folder", (folder / file).string()};
+  return path;
+}
+
+}  // namespace
+
+Result<FolderDrawing> read_layer_folder(const fs::path& folder, const ImageLimits& limits) {
+  FolderDrawing result;
+  auto rows = rows_of(folder, result.files);
+  if (!rows) return rows.error();
+  std::vector<PackedLayer> layers;
+  uint64_t room = max_packed_bytes;
+  for (LayerRow& row : *rows) {
+    const auto path = layer_path(folder, row.file);
+    if (!path) return path.error();
+    auto bytes = read_file(*path, room);
+    if (!bytes) return bytes.error();
+    room -= bytes->size();
+    layers.push_back({std::move(row.layer), (folder / row.file).string(), std::move(*bytes)});
+    result.files.push_back(folder / row.file);
+  }
+  auto content = unpack_layers(layers, {}, limits);
+  if (!content) return in_file(content.error(), folder);
+  result.content = std::move(*content);
+  return result;
+}
+
+}  // namespace relievo

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "relief/scene/scene.h"
+
+namespace relievo {
+
+/// What else is drawn over a drawing.
+struct OverlayMarks {
+  std::vector<std::vector<Point2>> bridges;  ///< gaps of lines that were closed, canvas px
+};
+
+/// An SVG picture of what was understood of a drawing, to be laid over it: parts tinted from blue
+/// (back) to yellow (front), completed outlines dashed, joins blue, outlines over other parts
+/// cyan (equal) or magenta (above), Robin ranges from green to red [P Fig. 3], bridges orange.
+/// O(points of overlapping outlines).
+std::string overlay_svg(const Scene& scene, const OverlayMarks& marks = {});
+
+}  // namespace relievo

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "io/parts/region.h"
+#include "relief/scene/scene.h"
+
+namespace relievo {
+
+/// Extends the parts so that together they cover `covered`. A piece that is left goes to the part
+/// it touches most, the frontmost of equals; one that touches none becomes a part of its own if
+/// it is worth it (1/500 of the whole), else another ring of the nearest part.
+void cover_rest(std::vector<Part>& parts, const Region& covered);
+
+/// Names parts without an id by their place and parts with a taken one by a suffix.
+void make_ids_unique(std::vector<Part>& parts);
+
+}  // namespace relievo

@@ -1,0 +1,186 @@
+#include "io/parts/propose_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/parts/part_cover.h"
+
+namespace relievo {
+namespace {
+
+/// Fractions of the area of the whole drawing.
+constexpr double least_visible = 0.001;  ///< of a part beside others
+constexpr double least_crossing = 0.004;
+constexpr double least_contained = 0.008;
+constexpr double least_ball = 0.02;
+constexpr double speck_area = 1e-4;  ///< smaller rings and holes are dropped
+
+/// Fractions of the area of the figure itself.
+constexpr double most_hidden = 0.9;
+constexpr double least_protrusion = 0.02;
+constexpr double mostly_inside = 0.75;
+
+/// What speaks for or against a figure as a part of its own. Fractions are of its own area unless
+/// said otherwise.
+struct Evidence {
+  double size = 0;          ///< area / area of the drawing
+  double visible = 0;       ///< area not covered by later figures / area of the drawing
+  double hidden = 0;        ///< fraction covered by later figures
+  double inside = 0;        ///< fraction over earlier parts
+  double protrusion = 0;    ///< fraction beside earlier parts, slivers left out
+  bool crossing = false;    ///< lies over two parts, or over the edge of a patch
+  bool compact = false;     ///< blob rather than stripe or crescent
+  bool at_edge = false;     ///< its outline follows that of the part below
+  bool pale_patch = false;  ///< large, lighter than the part below, and nothing on it
+  bool ball = false;        ///< stands out by its colour and is small against the part below
+};
+
+double luminance(const Color& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
+
+double fraction_of(const Region& region, const Region& other) {
+  return area(intersect(region, other)) / area(region);
+}
+
+/// Decides figure by figure, back to front.
+class Proposer {
+ public:
+  explicit Proposer(const FigureList& list) : list_(list), total_(area(list.covered)) {
+    for (const Figure& figure : list.figures) boxes_.push_back(bounding_box(figure.region));
+  }
+
+  std::vector<Part> run() {
+    for (size_t i = 0; i < list_.figures.size(); ++i) {
+      const Figure& figure = list_.figures[i];
+      const bool speck = area(figure.region) < least_visible * total_;
+      if (!speck && is_part(figure, weigh(i))) {
+        parts_.push_back({figure.name, figure.region});
+        colors_.push_back(figure.color);
+      } else {
+        patches_.push_back(figure.region);
+      }
+    }
+    if (parts_.empty() && !list_.covered.empty()) parts_.push_back({"", list_.covered});
+    return std::move(parts_);
+  }
+
+ private:
+  /// What is hardly seen never counts. What stands out beside the parts below counts, unless it
+  /// is a patch without an outline that mostly follows them. What lies inside counts where it
+  /// crosses something, has its own outline, or is a ball of another colour.
+  static bool is_part(const Figure& figure, const Evidence& e) {
+    if (e.hidden > most_hidden || e.visible < least_visible) return false;
+    const bool contained = e.protrusion < least_protrusion;
+    if (!contained) return figure.outlined || e.inside < mostly_inside || e.compact;
+    if (e.crossing && e.visible >= least_crossing) return true;
+    if (figure.outlined) return e.visible >= least_contained && !e.pale_patch;
+    return e.ball && e.compact && !e.at_edge;
+  }
+
+  Evidence weigh(size_t i) const {
+    const Figure& figure = list_.figures[i];
+    const double own = area(figure.region);
+    Evidence e;
+    e.size = own / total_;
+    e.hidden = fraction_of(figure.region, above(i));
+    e.visible = (1 - e.hidden) * e.size;
+    const Region beside = subtract(figure.region, below(boxes_[i]));
+    e.inside = 1 - area(beside) / own;
+    e.protrusion = area(grow(beside, -0.0015 * list_.diagonal)) / own;
+    e.compact = area(grow(figure.region, -0.25 * std::sqrt(own))) > 0;
+    weigh_against_host(figure, i, e);
+    return e;
+  }
+
+  /// The parts so far, as far as they are near.
+  Region below(const Box2& box) const {
+    std::vector<Region> near;
+    for (const Part& part : parts_) {
+      if (boxes_meet(box, bounding_box(part.outline))) near.push_back(part.outline);
+    }
+    return unite(near);
+  }
+
+  /// What lies in front of figure i, as far as it is near.
+  Region above(size_t i) const {
+    std::vector<Region> near;
+    for (size_t j = i + 1; j < boxes_.size(); ++j) {
+      if (boxes_meet(boxes_[i], boxes_[j])) near.push_back(list_.figures[j].region);
+    }
+    return unite(near);
+  }
+
+  void weigh_against_host(const Figure& figure, size_t i, Evidence& e) const {
+    int seen = 0;
+    int host = -1;
+    double most = 0;
+    Region front;
+    for (size_t k = parts_.size(); k-- > 0;) {
+      if (!boxes_meet(bounding_box(figure.region), bounding_box(parts_[k].outline))) continue;
+      const double over = fraction_of(figure.region, subtract(parts_[k].outline, front));
+      front = unite(front, parts_[k].outline);
+      if (over > 0.15) ++seen;
+      if (over <= most) continue;
+      most = over;
+      host = static_cast<int>(k);
+    }
+    if (host < 0) return;
+    const double own = area(figure.region);
+    const double host_area = area(parts_[host].outline);
+    const Color& ground = colors_[host];
+    e.crossing = seen > 1 || crosses_patch(figure);
+    const Region core = grow(parts_[host].outline, -0.006 * list_.diagonal);
+    e.at_edge = fraction_of(figure.region, core) < 0.98;
+    e.ball = e.size >= least_ball && own < 0.15 * host_area &&
+             color_distance(figure.color, ground) > 0.3;
+    e.pale_patch = own > 0.1 * host_area && luminance(figure.color) > luminance(ground) + 0.2 &&
+                   !carries_something(i);
+  }
+
+  /// Whether the figure, in one piece, lies over the edge of a patch at least as large.
+  bool crosses_patch(const Figure& figure) const {
+    const double own = area(figure.region);
+    const Box2 box = bounding_box(figure.region);
+    const bool over_edge = std::any_of(patches_.begin(), patches_.end(), [&](const Region& patch) {
+      if (area(patch) < own || !boxes_meet(box, bounding_box(patch))) return false;
+      const double over = fraction_of(figure.region, patch);
+      return over > 0.1 && over < 0.9;
+    });
+    return over_edge && pieces(figure.region).size() == 1;
+  }
+
+  /// Whether a later figure lies inside figure i.
+  bool carries_something(size_t i) const {
+    for (size_t j = i + 1; j < list_.figures.size(); ++j) {
+      const Region& other = list_.figures[j].region;
+      if (!boxes_meet(boxes_[i], boxes_[j])) continue;
+      if (area(other) < 0.5 * area(list_.figures[i].region) &&
+          fraction_of(other, list_.figures[i].region) > 0.9) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const FigureList& list_;
+  double total_ = 0;
+  std::vector<Box2> boxes_;  ///< of the figures
+  std::vector<Part> parts_;
+  std::vector<Color> colors_;    ///< colour of each part
+  std::vector<Region> patches_;  ///< figures that are no parts
+};
+
+}  // namespace
+
+std::vector<Part> propose_parts(const FigureList& list) {
+  std::vector<Part> parts = Proposer(list).run();
+  cover_rest(parts, list.covered);
+  const double speck = std::max(4.0, speck_area * area(list.covered));
+  for (Part& part : parts) part.outline = tidied(part.outline, 0.1, speck);
+  parts.erase(std::remove_if(parts.begin(), parts.end(),
+                             [](const Part& part) { return part.outline.empty(); }),
+              parts.end());
+  make_ids_unique(parts);
+  return parts;
+}
+
+}  // namespace relievo

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "io/parts/figures.h"
+#include "relief/scene/scene.h"
+
+namespace relievo {
+
+/// Parts guessed from the figures, back to front. Together they cover all that the list covers.
+/// Empty where nothing is drawn.
+std::vector<Part> propose_parts(const FigureList& list);
+
+}  // namespace relievo

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "io/project/project.h"
+#include "kernel/base/result.h"
+
+namespace relievo {
+
+/// The newest version of project files that is read, and the one that is written.
+constexpr int project_version = 1;
+
+/// project.json without the scene, the labels and the drawing's bytes, which are entries of their
+/// own.
+std::string write_project_json(const Project& project);
+
+/// Reads what write_project_json wrote; what the web editor keeps there as well is passed over.
+/// Errors: `bad_input` with the path of the key, `limit`.
+Result<Project> read_project_json(std::string_view json);
+
+}  // namespace relievo

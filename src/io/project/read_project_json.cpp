@@ -1,0 +1,247 @@
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "io/project/project_json.h"
+#include "io/project/project_names.h"
+#include "io/scene/json_parse.h"
+#include "io/scene/json_reader.h"
+
+namespace relievo {
+namespace {
+
+constexpr size_t max_points = 1'000'000;
+
+/// Reads the values of project.json.
+class ProjectReader : public JsonReader {
+ public:
+  ProjectReader() : JsonReader(max_points) {}
+
+  Project project(const Json& json) {
+    Project project;
+    const JsonPath root;
+    if (!json.is_object() || json.value("format", Json()) != "relievo-project") {
+      fail(root.member("format"), "is not a project: the key must say \"relievo-project\"");
+      return project;
+    }
+    const Json version = json.value("version", Json());
+    if (!version.is_number_integer() || version < 1 || version > project_version)
+      fail(root.member("version"), "this program reads versions up to " +
+                                       std::to_string(project_version) +
+                                       "; a newer file needs a newer program");
+    if (json.contains("name")) project.name = text(json["name"], root.member("name"));
+    if (json.contains("drawing") && !json["drawing"].is_null())
+      project.drawing = drawing(json["drawing"], root.member("drawing"));
+    if (json.contains("segmentation"))
+      project.segmentation = segmentation(json["segmentation"], root.member("segmentation"));
+    return project;
+  }
+
+ private:
+  ProjectDrawing drawing(const Json& json, const JsonPath& path) {
+    ProjectDrawing drawing;
+    if (!keys(json, path, {"name", "kind", "mime"}, {"paintable"})) return drawing;
+    drawing.name = text(json["name"], path.member("name"));
+    drawing.kind = text(json["kind"], path.member("kind"));
+    drawing.mime = text(json["mime"], path.member("mime"));
+    if (drawing.kind != "svg" && drawing.kind != "image")
+      fail(path.member("kind"), "must be \"image\" or \"svg\"");
+    return drawing;
+  }
+
+  SegmentationRecord segmentation(const Json& json, const JsonPath& path) {
+    SegmentationRecord record;
+    if (!keys(json, path, {"parts", "order", "joins", "scribbles", "corrections"}, {}))
+      return record;
+    list(json, path, "parts", record.parts, &ProjectReader::part);
+    list(json, path, "order", record.order, &ProjectReader::arrow);
+    list(json, path, "joins", record.joins, &ProjectReader::join_record);
+    record.scribbles = scribbles(json["scribbles"], path.member("scribbles"));
+    record.corrections = corrections(json["corrections"], path.member("corrections"));
+    return record;
+  }
+
+  template <class Item>
+  void list(const Json& json, const JsonPath& parent, const char* key, std::vector<Item>& items,
+            Item (ProjectReader::*read)(const Json&, const JsonPath&)) {
+    if (error() || !json.contains(key)) return;
+    const JsonPath path = parent.member(key);
+    if (!is_list(json[key], path, "objects")) return;
+    for (size_t i = 0; i < json[key].size() && !error(); ++i)
+      items.push_back((this->*read)(json[key][i], path.element(i)));
+  }
+
+  PartLabel label(const Json& json, const JsonPath& path) {
+    const bool sound =
+        json.is_number_integer() && json >= 1 && json <= std::numeric_limits<PartLabel>::max();
+    if (!sound) fail(path, "must be a label, a whole number from 1 to 65535");
+    return sound ? json.get<PartLabel>() : PartLabel{0};
+  }
+
+  template <class Item>
+  void pair(const Json& json, const JsonPath& path, Item& item) {
+    item.upper = label(json["upper"], path.member("upper"));
+    item.lower = label(json["lower"], path.member("lower"));
+    if (!error() && item.upper == item.lower)
+      fail(path.member("lower"), "must be another part than the upper one");
+  }
+
+  template <class Value, size_t size>
+  Value one_of(const std::array<Spelling<Value>, size>& names, const Json& json,
+               const JsonPath& path) {
+    for (const auto& spelling : names)
+      if (json == spelling.name) return spelling.value;
+    std::string known;
+    for (const auto& spelling : names)
+      known += (known.empty() ? "\"" : "\", \"") + std::string(spelling.name);
+    fail(path, "must be one of " + known + "\"");
+    return names[0].value;
+  }
+
+  double share(const Json& json, const JsonPath& path) {
+    const double value = number(json, path);
+    if (!error() && !(value >= 0 && value <= 1)) fail(path, "must lie between 0 and 1");
+    return value;
+  }
+
+  bool flag(const Json& json, const JsonPath& path) {
+    if (!json.is_boolean()) fail(path, "must be true or false");
+    return json.is_boolean() && json.get<bool>();
+  }
+
+  PartRecord part(const Json& json, const JsonPath& path) {
+    if (!keys(json, path, {"label", "id", "completion"}, {})) return {};
+    return {label(json["label"], path.member("label")), text(json["id"], path.member("id")),
+            one_of(completion_names, json["completion"], path.member("completion"))};
+  }
+
+  OrderArrow arrow(const Json& json, const JsonPath& path) {
+    OrderArrow arrow;
+    if (!keys(json, path, {"upper", "lower", "confidence", "user", "kept"}, {})) return arrow;
+    pair(json, path, arrow);
+    arrow.confidence = share(json["confidence"], path.member("confidence"));
+    arrow.source = flag(json["user"], path.member("user")) ? OrderSource::user : OrderSource::guess;
+    arrow.kept = flag(json["kept"], path.member("kept"));
+    return arrow;
+  }
+
+  JoinRecord join_record(const Json& json, const JsonPath& path) {
+    JoinRecord join;
+    if (!keys(json, path, {"upper", "lower", "confidence"}, {})) return join;
+    pair(json, path, join);
+    join.confidence = share(json["confidence"], path.member("confidence"));
+    return join;
+  }
+
+  Scribbles scribbles(const Json& json, const JsonPath& path) {
+    Scribbles scribbles;
+    if (!keys(json, path, {"parts", "strokes"}, {})) return scribbles;
+    list(json, path, "parts", scribbles.parts, &ProjectReader::text_of);
+    scribble_parts_ = scribbles.parts;
+    list(json, path, "strokes", scribbles.strokes, &ProjectReader::stroke);
+    return scribbles;
+  }
+
+  std::string text_of(const Json& json, const JsonPath& path) { return text(json, path); }
+
+  Scribble stroke(const Json& json, const JsonPath& path) {
+    Scribble stroke;
+    if (!keys(json, path, {"kind", "width", "points"}, {"part"})) return stroke;
+    stroke.kind = one_of(scribble_names, json["kind"], path.member("kind"));
+    stroke.width = number(json["width"], path.member("width"));
+    if (!error() && !(stroke.width > 0)) fail(path.member("width"), "must be positive");
+    stroke.points = points(json["points"], path.member("points"));
+    if (!error() && stroke.points.empty()) fail(path.member("points"), "has no points");
+    if (stroke.kind != ScribbleKind::soft && stroke.kind != ScribbleKind::hard) return stroke;
+    const std::string id =
+        json.contains("part") ? text(json["part"], path.member("part")) : std::string();
+    const auto found = std::find(scribble_parts_.begin(), scribble_parts_.end(), id);
+    stroke.part = static_cast<int>(found - scribble_parts_.begin());
+    if (found == scribble_parts_.end())
+      fail(path.member("part"), "is not among the scribbles' parts");
+    return stroke;
+  }
+
+  Corrections corrections(const Json& json, const JsonPath& path) {
+    Corrections corrections;
+    if (!keys(json, path, {}, {"parts", "order", "joins", "no_joins", "relations", "robin"}))
+      return corrections;
+    std::vector<std::pair<PartLabel, PartCorrection>> parts;
+    list(json, path, "parts", parts, &ProjectReader::part_correction);
+    corrections.parts.insert(parts.begin(), parts.end());
+    list(json, path, "order", corrections.order, &ProjectReader::label_pair<PartLabel>);
+    JoiningCorrections& joining = corrections.joining;
+    list(json, path, "joins", joining.joins, &ProjectReader::join);
+    list(json, path, "no_joins", joining.no_joins, &ProjectReader::label_pair<int>);
+    list(json, path, "relations", joining.relations, &ProjectReader::relation);
+    list(json, path, "robin", joining.robin, &ProjectReader::robin);
+    return corrections;
+  }
+
+  std::pair<PartLabel, PartCorrection> part_correction(const Json& json, const JsonPath& path) {
+    PartCorrection correction;
+    if (!keys(json, path, {"label"}, {"id", "outline", "c", "d"})) return {};
+    if (json.contains("id")) correction.id = text(json["id"], path.member("id"));
+    if (json.contains("c")) correction.c = number(json["c"], path.member("c"));
+    if (json.contains("d")) correction.d = number(json["d"], path.member("d"));
+    if (json.contains("outline"))
+      correction.outline = outline(json["outline"], path.member("outline"));
+    return {label(json["label"], path.member("label")), std::move(correction)};
+  }
+
+  template <class Number>
+  std::pair<Number, Number> label_pair(const Json& json, const JsonPath& path) {
+    JoinRecord pair_record;
+    if (!keys(json, path, {"upper", "lower"}, {})) return {};
+    pair(json, path, pair_record);
+    return {pair_record.upper, pair_record.lower};
+  }
+
+  Join join(const Json& json, const JsonPath& path) {
+    Join join;
+    if (!keys(json, path, {"upper", "lower", "line"}, {})) return join;
+    pair(json, path, join);
+    join.line = points(json["line"], path.member("line"));
+    return join;
+  }
+
+  Relation relation(const Json& json, const JsonPath& path) {
+    Relation relation;
+    if (!keys(json, path, {"upper", "lower", "relation"}, {"range"})) return relation;
+    pair(json, path, relation);
+    relation.kind = relation_kind(json["relation"], path.member("relation"));
+    if (!json.contains("range")) return relation;
+    const std::vector<Point2> ends = points(json["range"], path.member("range"));
+    if (ends.size() == 2)
+      relation.range = {ends[0], ends[1]};
+    else
+      fail(path.member("range"), "must be two points [[x, y], [x, y]]");
+    return relation;
+  }
+
+  RobinRange robin(const Json& json, const JsonPath& path) {
+    RobinRange range;
+    if (!keys(json, path, {"upper", "lower", "from", "to"}, {"alpha0", "rho"})) return range;
+    pair(json, path, range);
+    range.from = point(json["from"], path.member("from"));
+    range.to = point(json["to"], path.member("to"));
+    if (json.contains("alpha0")) range.alpha0 = number(json["alpha0"], path.member("alpha0"));
+    if (json.contains("rho")) range.rho = number(json["rho"], path.member("rho"));
+    return range;
+  }
+
+  std::vector<std::string> scribble_parts_;
+};
+
+}  // namespace
+
+Result<Project> read_project_json(std::string_view text) {
+  const auto json = parse_json(text);
+  if (!json) return json.error();
+  ProjectReader reader;
+  Project project = reader.project(*json);
+  if (reader.error()) return *reader.error();
+  return project;
+}
+
+}  // namespace relievo

@@ -1,0 +1,126 @@
+#include <nlohmann/json.hpp>
+
+#include "io/project/project_json.h"
+#include "io/project/project_names.h"
+
+namespace relievo {
+namespace {
+
+using Ordered = nlohmann::ordered_json;
+
+Ordered json_of(Point2 p) { return Ordered::array({p.x, p.y}); }
+
+Ordered json_of(const std::vector<Point2>& points) {
+  Ordered list = Ordered::array();
+  for (const Point2 p : points) list.push_back(json_of(p));
+  return list;
+}
+
+template <class Item>
+Ordered pair_of(const Item& item) {
+  return {{"upper", item.upper}, {"lower", item.lower}};
+}
+
+Ordered json_of(const Scribbles& scribbles) {
+  Ordered strokes = Ordered::array();
+  for (const Scribble& stroke : scribbles.strokes) {
+    Ordered item = {{"kind", spelling(scribble_names, stroke.kind)}};
+    if (stroke.kind == ScribbleKind::soft || stroke.kind == ScribbleKind::hard)
+      item["part"] = scribbles.parts[stroke.part];
+    item["width"] = stroke.width;
+    item["points"] = json_of(stroke.points);
+    strokes.push_back(std::move(item));
+  }
+  return {{"parts", scribbles.parts}, {"strokes", std::move(strokes)}};
+}
+
+Ordered json_of(PartLabel label, const PartCorrection& correction) {
+  Ordered item = {{"label", label}};
+  if (correction.id) item["id"] = *correction.id;
+  if (correction.c) item["c"] = *correction.c;
+  if (correction.d) item["d"] = *correction.d;
+  if (!correction.outline) return item;
+  item["outline"] = Ordered::array();
+  for (const Ring& ring : *correction.outline) item["outline"].push_back(json_of(ring));
+  return item;
+}
+
+Ordered json_of(const JoiningCorrections& joining, Ordered corrections) {
+  for (const char* key : {"joins", "no_joins", "relations", "robin"})
+    corrections[key] = Ordered::array();
+  for (const Join& join : joining.joins) {
+    Ordered item = pair_of(join);
+    item["line"] = json_of(join.line);
+    corrections["joins"].push_back(std::move(item));
+  }
+  for (const auto& [upper, lower] : joining.no_joins)
+    corrections["no_joins"].push_back({{"upper", upper}, {"lower", lower}});
+  for (const Relation& relation : joining.relations) {
+    Ordered item = pair_of(relation);
+    item["relation"] = name(relation.kind);
+    if (relation.range)
+      item["range"] = json_of(std::vector<Point2>{relation.range->first, relation.range->second});
+    corrections["relations"].push_back(std::move(item));
+  }
+  for (const RobinRange& range : joining.robin) {
+    Ordered item = pair_of(range);
+    item["from"] = json_of(range.from);
+    item["to"] = json_of(range.to);
+    if (range.alpha0) item["alpha0"] = *range.alpha0;
+    if (range.rho) item["rho"] = *range.rho;
+    corrections["robin"].push_back(std::move(item));
+  }
+  return corrections;
+}
+
+Ordered json_of(const Corrections& corrections) {
+  Ordered json = {{"parts", Ordered::array()}, {"order", Ordered::array()}};
+  for (const auto& [label, correction] : corrections.parts)
+    json["parts"].push_back(json_of(label, correction));
+  for (const auto& [upper, lower] : corrections.order)
+    json["order"].push_back({{"upper", upper}, {"lower", lower}});
+  return json_of(corrections.joining, std::move(json));
+}
+
+Ordered json_of(const SegmentationRecord& record) {
+  Ordered parts = Ordered::array();
+  for (const PartRecord& part : record.parts)
+    parts.push_back({{"label", part.label},
+                     {"id", part.id},
+                     {"completion", spelling(completion_names, part.completion)}});
+  Ordered order = Ordered::array();
+  for (const OrderArrow& arrow : record.order) {
+    Ordered item = pair_of(arrow);
+    item["confidence"] = arrow.confidence;
+    item["user"] = arrow.source == OrderSource::user;
+    item["kept"] = arrow.kept;
+    order.push_back(std::move(item));
+  }
+  Ordered joins = Ordered::array();
+  for (const JoinRecord& join : record.joins) {
+    Ordered item = pair_of(join);
+    item["confidence"] = join.confidence;
+    joins.push_back(std::move(item));
+  }
+  return {{"parts", std::move(parts)},
+          {"order", std::move(order)},
+          {"joins", std::move(joins)},
+          {"scribbles", json_of(record.scribbles)},
+          {"corrections", json_of(record.corrections)}};
+}
+
+}  // namespace
+
+std::string write_project_json(const Project& project) {
+  Ordered json = {{"format", "relievo-project"}, {"version", project_version}};
+  json["name"] = project.name;
+  json["drawing"] = nullptr;
+  if (!project.drawing.bytes.empty())
+    json["drawing"] = {{"name", project.drawing.name},
+                       {"kind", project.drawing.kind},
+                       {"mime", project.drawing.mime}};
+  if (project.segmentation) json["segmentation"] = json_of(*project.segmentation);
+  return json.dump(1, ' ', false, Ordered::error_handler_t::replace) + "\n";
+}
+
+}  // namespace relievo

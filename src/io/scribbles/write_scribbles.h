@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "relief/drawing/scribbles.h"
+
+namespace relievo {
+
+/// The scribble file that read_scribbles reads back to the same values, one stroke a line.
+std::string write_scribbles(const Scribbles& scribbles);
+
+}  // namespace relievo

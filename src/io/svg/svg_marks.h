@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/parts/figures.h"
+#include "io/svg/svg_drawing.h"
+
+namespace relievo {
+
+/// The shapes whose alpha is at least one half, or, where nothing is that opaque, whatever can be
+/// seen. A background over the whole canvas, joins and what is marked as texture or to be ignored
+/// are left out.
+std::vector<Mark> opaque_marks(const SvgDrawing& drawing);
+
+/// What an element is marked as by itself or the nearest marked group around it.
+SvgMark inherited_mark(const SvgDrawing& drawing, int group);
+
+/// A name for what lies in the group: the nearest one given; may be empty.
+std::string inherited_name(const SvgDrawing& drawing, int group);
+
+}  // namespace relievo

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "io/parts/region.h"
+#include "io/svg/path_data.h"
+#include "io/svg/svg_style.h"
+
+namespace relievo {
+
+/// How a line is stroked, in canvas px.
+struct StrokeShape {
+  double width = 1;
+  LineCap cap = LineCap::butt;
+  LineJoin join = LineJoin::miter;
+  double miter_limit = 4;
+};
+
+/// What the lines enclose inside `bounds`. Coordinates up to 1e9 px are cut there without harm.
+Region fill_region(const std::vector<Polyline>& lines, FillRule rule, const Box2& bounds);
+
+/// What the pen covers inside `bounds`. Dashes are drawn as if solid.
+Region stroke_region(const std::vector<Polyline>& lines, const StrokeShape& shape,
+                     const Box2& bounds);
+
+}  // namespace relievo

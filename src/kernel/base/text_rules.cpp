@@ -1,0 +1,66 @@
+#include "kernel/base/text_rules.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace relievo {
+namespace {
+
+/// Length of the sequence that `lead` begins, or 0 where it begins none.
+size_t sequence_length(uint8_t lead) {
+  if (lead < 0x80) return 1;
+  if (lead >= 0xc2 && lead < 0xe0) return 2;
+  if (lead >= 0xe0 && lead < 0xf0) return 3;
+  if (lead >= 0xf0 && lead < 0xf5) return 4;
+  return 0;
+}
+
+/// Decodes one sequence of known length; its continuation bytes are checked.
+bool decode(std::string_view sequence, uint32_t& code) {
+  const auto lead = static_cast<uint8_t>(sequence[0]);
+  code = sequence.size() == 1 ? lead : lead & (0x7fU >> sequence.size());
+  for (const char c : sequence.substr(1)) {
+    const auto byte = static_cast<uint8_t>(c);
+    if ((byte & 0xc0U) != 0x80U) return false;
+    code = (code << 6U) | (byte & 0x3fU);
+  }
+  return true;
+}
+
+bool is_allowed(uint32_t code, size_t length) {
+  if (code < 0x20 || (code >= 0x7f && code < 0xa0)) return false;
+  if (length == 3 && (code < 0x800 || (code >= 0xd800 && code < 0xe000))) return false;
+  return length != 4 || (code >= 0x10000 && code <= 0x10ffff);
+}
+
+}  // namespace
+
+bool is_plain_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const size_t length = sequence_length(static_cast<uint8_t>(text[0]));
+    uint32_t code = 0;
+    if (length == 0 || length > text.size()) return false;
+    if (!decode(text.substr(0, length), code) || !is_allowed(code, length)) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+bool is_sound_id(std::string_view id) {
+  return !id.empty() && id.size() <= 200 && is_plain_utf8(id);
+}
+
+bool is_path_inside(std::string_view path) {
+  if (path.size() > 1000 || !is_plain_utf8(path)) return false;
+  if (path.find_first_of("\\:") != std::string_view::npos) return false;
+  for (bool more = true; more;) {
+    const size_t slash = path.find('/');
+    const std::string_view segment = path.substr(0, slash);
+    if (segment.empty() || segment == "." || segment == "..") return false;
+    more = slash != std::string_view::npos;
+    if (more) path.remove_prefix(slash + 1);
+  }
+  return true;
+}
+
+}  // namespace relievo

@@ -1,0 +1,150 @@
+#include "kernel/geometry/ellipse.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace relievo {
+namespace {
+
+constexpr int unknowns = 5;           ///< centre, logarithms of the half axes, angle
+constexpr double circle_prior = 1.0;  ///< standard deviation of log(a / b)
+/// Neighbouring points of a contour err together; so many count as one.
+constexpr double correlated_points = 4;
+constexpr int max_steps = 40;
+
+using Parameters = Eigen::Matrix<double, unknowns, 1>;
+
+Ellipse ellipse_of(const Parameters& p) {
+  return {{p[0], p[1]}, std::exp(p[2]), std::exp(p[3]), p[4]};
+}
+
+/// An ellipse with the cosine and sine of its angle.
+struct Frame {
+  explicit Frame(const Ellipse& e) : ellipse(e), c(std::cos(e.angle)), s(std::sin(e.angle)) {}
+
+  double distance(Point2 p) const {
+    const Point2 d = p - ellipse.centre;
+    const double u = (c * d.x + s * d.y) / ellipse.a;
+    const double v = (c * d.y - s * d.x) / ellipse.b;
+    const double r = std::sqrt(u * u + v * v);
+    return r > 1e-9 ? norm(d) * (1 - 1 / r) : -std::min(ellipse.a, ellipse.b);
+  }
+
+  Ellipse ellipse;
+  double c;
+  double s;
+};
+
+Eigen::VectorXd residuals(const Parameters& p, const EllipseEvidence& evidence) {
+  const Frame ellipse(ellipse_of(p));
+  const double weight = 1 / (evidence.noise * std::sqrt(correlated_points));
+  const auto on = static_cast<Eigen::Index>(evidence.on.size());
+  const auto within = static_cast<Eigen::Index>(evidence.within.size());
+  const auto without = static_cast<Eigen::Index>(evidence.without.size());
+  Eigen::VectorXd r(on + within + without + 1);
+  for (Eigen::Index i = 0; i < on; ++i) r[i] = weight * ellipse.distance(evidence.on[i]);
+  for (Eigen::Index i = 0; i < within; ++i)
+    r[on + i] = weight * std::max(0.0, ellipse.distance(evidence.within[i]));
+  for (Eigen::Index i = 0; i < without; ++i)
+    r[on + within + i] = weight * std::min(0.0, ellipse.distance(evidence.without[i]));
+  r[on + within + without] = (p[2] - p[3]) / circle_prior;
+  return r;
+}
+
+/// Forward differences.
+Eigen::MatrixXd jacobian(const Parameters& p, const Eigen::VectorXd& r,
+                         const EllipseEvidence& evidence) {
+  const double size = std::exp(std::max(p[2], p[3]));
+  Eigen::MatrixXd J(r.size(), unknowns);
+  for (int k = 0; k < unknowns; ++k) {
+    const double step = k < 2 ? 1e-6 * size : 1e-6;
+    Parameters moved = p;
+    moved[k] += step;
+    J.col(k) = (residuals(moved, evidence) - r) / step;
+  }
+  return J;
+}
+
+/// The ellipse with the second moments of the points, as if they filled it.
+Parameters start(const EllipseEvidence& evidence) {
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
+  double count = 0;
+  for (const auto* list : {&evidence.on, &evidence.within})
+    for (const Point2 point : *list) {
+      const Eigen::Vector2d q(point.x, point.y);
+      mean += q;
+      second += q * q.transpose();
+      ++count;
+    }
+  mean /= count;
+  second = second / count - mean * mean.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(second);
+  const double minor = std::sqrt(2 * std::max(axes.eigenvalues()[0], 0.25));
+  const double major = std::sqrt(2 * std::max(axes.eigenvalues()[1], 0.25));
+  const Eigen::Vector2d along = axes.eigenvectors().col(1);
+  Parameters p;
+  p << mean[0], mean[1], std::log(major), std::log(minor), std::atan2(along[1], along[0]);
+  return p;
+}
+
+struct Fit {
+  Parameters parameters;
+  double cost = 0;
+};
+
+/// Levenberg and Marquardt's method.
+Fit descend(Parameters p, const EllipseEvidence& evidence) {
+  Eigen::VectorXd r = residuals(p, evidence);
+  double damping = 1e-3;
+  for (int step = 0; step < max_steps && damping < 1e9; ++step) {
+    const Eigen::MatrixXd J = jacobian(p, r, evidence);
+    Eigen::MatrixXd A = J.transpose() * J;
+    A.diagonal() += damping * A.diagonal() + Eigen::VectorXd::Constant(unknowns, 1e-12);
+    const Parameters moved = p - Parameters(A.ldlt().solve(J.transpose() * r));
+    const Eigen::VectorXd trial = residuals(moved, evidence);
+    if (!(trial.squaredNorm() < r.squaredNorm())) {
+      damping *= 10;
+      continue;
+    }
+    const bool settled = r.squaredNorm() - trial.squaredNorm() < 1e-6 * r.squaredNorm();
+    p = moved;
+    r = trial;
+    damping = std::max(damping / 10, 1e-9);
+    if (settled) break;
+  }
+  return {p, r.squaredNorm()};
+}
+
+}  // namespace
+
+double radial_distance(const Ellipse& ellipse, Point2 p) { return Frame(ellipse).distance(p); }
+
+std::optional<Ellipse> fit_ellipse(const EllipseEvidence& evidence) {
+  if (evidence.on.size() < 6) return std::nullopt;
+  const Parameters moments = start(evidence);
+  Parameters circle = moments;
+  circle[3] = circle[2];
+  const Fit first = descend(moments, evidence);
+  const Fit second = descend(circle, evidence);
+  const Fit& best = second.cost < first.cost ? second : first;
+  if (!best.parameters.allFinite()) return std::nullopt;
+  return ellipse_of(best.parameters);
+}
+
+Ring ring_of(const Ellipse& ellipse, int points) {
+  Ring ring;
+  const double c = std::cos(ellipse.angle);
+  const double s = std::sin(ellipse.angle);
+  for (int i = 0; i < points; ++i) {
+    const double t = 2 * std::numbers::pi * i / points;
+    const double u = ellipse.a * std::cos(t);
+    const double v = ellipse.b * std::sin(t);
+    ring.push_back({ellipse.centre.x + c * u - s * v, ellipse.centre.y + s * u + c * v});
+  }
+  return ring;
+}
+
+}  // namespace relievo

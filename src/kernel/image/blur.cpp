@@ -1,0 +1,112 @@
+#include "kernel/image/blur.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+namespace relievo {
+namespace {
+
+/// Sums of at most 4001 bytes times this, shifted by 24 bits, are their means for one window.
+constexpr int reciprocal_bits = 24;
+
+uint8_t mean(uint32_t sum, uint64_t reciprocal) {
+  return static_cast<uint8_t>((sum * reciprocal + (uint64_t{1} << (reciprocal_bits - 1))) >>
+                              reciprocal_bits);
+}
+
+uint64_t reciprocal_of(int window) {
+  return ((uint64_t{1} << reciprocal_bits) + window / 2) / static_cast<uint64_t>(window);
+}
+
+void blur_row(const uint8_t* in, uint8_t* out, int width, int step, int radius) {
+  const uint64_t reciprocal = reciprocal_of(2 * radius + 1);
+  const auto clamped = [&](int x) { return in[std::clamp(x, 0, width - 1) * step]; };
+  uint32_t sum = 0;
+  for (int x = -radius; x <= radius; ++x) sum += clamped(x);
+  for (int x = 0; x < width; ++x) {
+    out[x * step] = mean(sum, reciprocal);
+    sum += clamped(x + radius + 1);
+    sum -= clamped(x - radius);
+  }
+}
+
+Image8 blur_rows(const Image8& image, int radius) {
+  Image8 result(image.width, image.height, image.channels);
+  for (int y = 0; y < image.height; ++y)
+    for (int c = 0; c < image.channels; ++c)
+      blur_row(&image.at(0, y, c), &result.at(0, y, c), image.width, image.channels, radius);
+  return result;
+}
+
+Image8 blur_columns(const Image8& image, int radius) {
+  const uint64_t reciprocal = reciprocal_of(2 * radius + 1);
+  const size_t n = static_cast<size_t>(image.width) * image.channels;
+  const auto row = [&](int y) { return &image.at(0, std::clamp(y, 0, image.height - 1)); };
+  Image8 result(image.width, image.height, image.channels);
+  std::vector<uint32_t> sums(n, 0);
+  for (int y = -radius; y <= radius; ++y)
+    for (size_t i = 0; i < n; ++i) sums[i] += row(y)[i];
+  for (int y = 0; y < image.height; ++y) {
+    uint8_t* out = &result.at(0, y);
+    const uint8_t* enters = row(y + radius + 1);
+    const uint8_t* leaves = row(y - radius);
+    for (size_t i = 0; i < n; ++i) {
+      out[i] = mean(sums[i], reciprocal);
+      sums[i] += enters[i];
+      sums[i] -= leaves[i];
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+Image8 box_blur(const Image8& image, int radius) {
+  assert(radius >= 0 && radius <= 2000);
+  if (radius == 0 || image.empty()) return image;
+  return blur_columns(blur_rows(image, radius), radius);
+}
+
+Image8 gaussian_blur(const Image8& image, double sigma) {
+  assert(sigma >= 0 && sigma <= 1000);
+  // Three boxes of side s have variance (s^2 - 1) / 4; sides are odd, so two sizes mix.
+  const double ideal = std::sqrt(4 * sigma * sigma + 1);
+  const int low = std::max(0, static_cast<int>((ideal - 1) / 2));
+  const auto variance = [](int r) { return r * (r + 1) / 3.0; };
+  const double missing = sigma * sigma - 3 * variance(low);
+  const double step = variance(low + 1) - variance(low);
+  const int wider = std::clamp(static_cast<int>(std::lround(missing / step)), 0, 3);
+  Image8 result = image;
+  for (int pass = 0; pass < 3; ++pass) result = box_blur(result, low + (pass < wider ? 1 : 0));
+  return result;
+}
+
+Image8 shrink(const Image8& image, int factor) {
+  assert(factor >= 1);
+  if (factor == 1 || image.empty()) return image;
+  const int w = (image.width + factor - 1) / factor;
+  const int h = (image.height + factor - 1) / factor;
+  const int channels = image.channels;
+  Image8 result(w, h, channels);
+  std::vector<uint64_t> sums(static_cast<size_t>(w) * channels);
+  for (int y = 0; y < h; ++y) {
+    std::fill(sums.begin(), sums.end(), 0);
+    const int bottom = std::min(image.height, (y + 1) * factor);
+    for (int v = y * factor; v < bottom; ++v) {
+      const uint8_t* in = &image.at(0, v);
+      for (int x = 0; x < image.width; ++x)
+        for (int c = 0; c < channels; ++c) sums[x / factor * channels + c] += *in++;
+    }
+    for (int x = 0; x < w; ++x) {
+      const uint64_t count =
+          uint64_t(bottom - y * factor) * (std::min(image.width, (x + 1) * factor) - x * factor);
+      for (int c = 0; c < channels; ++c)
+        result.at(x, y, c) = static_cast<uint8_t>((sums[x * channels + c] + count / 2) / count);
+    }
+  }
+  return result;
+}
+
+}  // namespace relievo

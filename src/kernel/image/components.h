@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kernel/image/image.h"
+
+namespace relievo {
+
+/// Which pixels are neighbours: those that share a side, or also those that share a corner.
+enum class Connectivity { sides, corners };
+
+struct Components {
+  Image<int32_t> label;        ///< 0 outside the mask, else 1 ... #C in the order of first pixels
+  std::vector<int64_t> areas;  ///< [#C + 1] px; [0] is what lies outside the mask
+};
+
+/// The connected pieces of the pixels of `mask` (one channel) that are not 0. O(pixels).
+Components connected_components(const Image8& mask, Connectivity connectivity);
+
+}  // namespace relievo

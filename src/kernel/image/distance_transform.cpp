@@ -1,0 +1,86 @@
+#include "kernel/image/distance_transform.h"
+
+#include <algorithm>
+#include <cassert>
+#include <vector>
+
+namespace relievo {
+namespace {
+
+/// Larger than any side, small enough that its square plus another fits.
+constexpr int far_away = 1 << 15;
+
+/// Distance to the nearest pixel of the mask in the same column.
+Image<int32_t> column_distances(const Image8& mask) {
+  const int w = mask.width;
+  Image<int32_t> distance(w, mask.height, 1, far_away);
+  for (int y = 0; y < mask.height; ++y) {
+    const uint8_t* seed = &mask.at(0, y);
+    int32_t* row = &distance.at(0, y);
+    const int32_t* above = y > 0 ? row - w : row;
+    for (int x = 0; x < w; ++x) row[x] = seed[x] != 0 ? 0 : std::min(far_away, above[x] + 1);
+  }
+  for (int y = mask.height - 2; y >= 0; --y) {
+    int32_t* row = &distance.at(0, y);
+    for (int x = 0; x < w; ++x) row[x] = std::min(row[x], row[x + w] + 1);
+  }
+  return distance;
+}
+
+/// Lower envelope of the parabolas (x - i)^2 + g[i]^2 along one row.
+class RowEnvelope {
+ public:
+  explicit RowEnvelope(int width) : apex_(width), start_(width), squares_(width) {}
+
+  void replace_by_distances(int32_t* row, int width) {
+    for (int i = 0; i < width; ++i) squares_[i] = int64_t{row[i]} * row[i];
+    collect(row, width);
+    if (last_ < 0) return std::fill(row, row + width, no_distance);
+    for (int x = width - 1, q = last_; x >= 0; --x) {
+      row[x] = static_cast<int32_t>(height(x, apex_[q]));
+      if (x == start_[q]) --q;
+    }
+  }
+
+ private:
+  void collect(const int32_t* row, int width) {
+    last_ = -1;
+    for (int x = 0; x < width; ++x) {
+      if (row[x] >= far_away) continue;
+      while (last_ >= 0 && height(start_[last_], apex_[last_]) > height(start_[last_], x)) --last_;
+      const int64_t start = last_ < 0 ? 0 : 1 + crossing(apex_[last_], x);
+      if (start >= width) continue;
+      ++last_;
+      apex_[last_] = x;
+      start_[last_] = static_cast<int>(start);
+    }
+  }
+
+  int64_t height(int64_t x, int apex) const { return (x - apex) * (x - apex) + squares_[apex]; }
+
+  /// Last x at which the parabola of i is not above that of j > i.
+  int64_t crossing(int64_t i, int64_t j) const {
+    const int64_t numerator = j * j - i * i + squares_[j] - squares_[i];
+    const int64_t denominator = 2 * (j - i);
+    return numerator >= 0 ? numerator / denominator : -1;
+  }
+
+  std::vector<int> apex_;
+  std::vector<int> start_;
+  std::vector<int64_t> squares_;
+  int last_ = -1;
+};
+
+}  // namespace
+
+Image<int32_t> squared_distance_to(const Image8& mask) {
+  assert(mask.channels == 1 && mask.width < far_away && mask.height < far_away);
+  if (mask.empty()) return {};
+  Image<int32_t> distance = column_distances(mask);
+  RowEnvelope envelope(mask.width);
+  for (int y = 0; y < mask.height; ++y)
+    envelope.replace_by_distances(&distance.at(0, y), mask.width);
+  return distance;
+}
+
+}  // namespace relievo

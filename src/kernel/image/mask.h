@@ -1,0 +1,35 @@
+#pragma once
+
+#include "kernel/image/image.h"
+
+namespace relievo {
+
+/// A set of pixels of a canvas, stored inside a box. Pixels outside the box are not in it.
+struct Mask {
+  int left = 0;   ///< column of the box's first pixel on the canvas; may be negative
+  int top = 0;    ///< row, likewise
+  Image8 inside;  ///< 1 where a pixel of the box belongs to the set, else 0; 1 channel
+
+  int right() const { return left + inside.width; }   ///< one past the last column
+  int bottom() const { return top + inside.height; }  ///< one past the last row
+  bool covers(int x, int y) const { return x >= left && y >= top && x < right() && y < bottom(); }
+  /// Whether the canvas pixel (x, y) is in the set.
+  bool has(int x, int y) const { return covers(x, y) && inside.at(x - left, y - top) != 0; }
+};
+
+/// Calls visit(x, y) for every pixel of the set, row by row. O(box).
+template <class Visit>
+void for_each_pixel(const Mask& mask, Visit visit) {
+  for (int y = 0; y < mask.inside.height; ++y)
+    for (int x = 0; x < mask.inside.width; ++x)
+      if (mask.inside.at(x, y) != 0) visit(mask.left + x, mask.top + y);
+}
+
+/// Number of pixels in the set. O(box).
+inline int64_t pixel_count(const Mask& mask) {
+  int64_t count = 0;
+  for (const uint8_t value : mask.inside.pixels) count += value;
+  return count;
+}
+
+}  // namespace relievo

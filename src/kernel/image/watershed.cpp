@@ -1,0 +1,168 @@
+#include "kernel/image/watershed.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "kernel/base/disjoint_sets.h"
+#include "kernel/image/distance_transform.h"
+
+namespace relievo {
+namespace {
+
+/// Calls visit(index) for the up to four pixels that share a side with pixel i.
+template <class Visit>
+void for_sides(int32_t i, int width, int height, const Visit& visit) {
+  const int y = static_cast<int>(static_cast<uint32_t>(i) / static_cast<uint32_t>(width));
+  const int x = i - y * width;
+  if (y > 0) visit(i - width);
+  if (x > 0) visit(i - 1);
+  if (x + 1 < width) visit(i + 1);
+  if (y + 1 < height) visit(i + width);
+}
+
+/// First-in-first-out queues of pixels, one a height; the lowest is served first. A pixel that
+/// comes in below the level being served joins that level.
+class HeightQueues {
+ public:
+  void push(uint8_t height, int32_t pixel) {
+    queues_[std::max<size_t>(height, level_)].push_back(pixel);
+  }
+
+  /// The next pixel, or -1 when there is none.
+  int32_t pop() {
+    while (next_ == queues_[level_].size()) {
+      queues_[level_] = {};
+      next_ = 0;
+      if (++level_ == queues_.size()) return -1;
+    }
+    return queues_[level_][next_++];
+  }
+
+ private:
+  std::array<std::vector<int32_t>, 256> queues_;
+  size_t level_ = 0;
+  size_t next_ = 0;
+};
+
+/// Steps of distance that the descending order tells apart, per px.
+constexpr float level_steps = 8;
+
+/// Pixels of positive distance, highest first, by counting sort; raster order within a level.
+std::vector<int32_t> descending(const Image<int32_t>& squared, std::vector<int32_t>& level) {
+  const size_t n = squared.pixels.size();
+  level.assign(n, 0);
+  int32_t top = 0;
+  const auto cap = static_cast<float>(squared.width + squared.height);
+  for (size_t i = 0; i < n; ++i) {
+    const float distance = std::min(cap, std::sqrt(static_cast<float>(squared.pixels[i])));
+    level[i] = static_cast<int32_t>(distance * level_steps + 0.5F);
+    top = std::max(top, level[i]);
+  }
+  std::vector<int32_t> begin(static_cast<size_t>(top) + 2, 0);
+  for (const int32_t l : level) ++begin[top - l + 1];
+  for (size_t k = 1; k < begin.size(); ++k) begin[k] += begin[k - 1];
+  std::vector<int32_t> order(begin[top]);
+  for (size_t i = 0; i < n; ++i)
+    if (level[i] > 0) order[begin[top - level[i]]++] = static_cast<int32_t>(i);
+  return order;
+}
+
+/// Peaks found so far, each with the one that absorbed it.
+class Peaks {
+ public:
+  explicit Peaks(const BasinOptions& options) : options_(options) {}
+
+  int32_t add(int32_t level) {
+    peak_.push_back(level);
+    parent_.push_back(static_cast<int32_t>(parent_.size()));
+    return parent_.back();
+  }
+
+  int32_t find(int32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+
+  /// Two basins meet at a pass; the younger ends there if it does not rise enough above it.
+  void meet(int32_t a, int32_t b, int32_t pass) {
+    a = find(a);
+    b = find(b);
+    if (a == b) return;
+    const auto [older, younger] = std::minmax({a, b});
+    const double peak = peak_[younger];
+    if (peak - pass < options_.min_rise * double{level_steps} ||
+        pass > options_.max_pass_ratio * peak)
+      parent_[younger] = older;
+  }
+
+  /// Numbers of the basins that are left, from 1, and their peaks.
+  std::vector<int32_t> number(std::vector<double>& peaks) {
+    std::vector<int32_t> numbers(parent_.size(), 0);
+    peaks = {0};
+    for (size_t i = 1; i < parent_.size(); ++i) {
+      if (find(static_cast<int32_t>(i)) == static_cast<int32_t>(i)) {
+        numbers[i] = static_cast<int32_t>(peaks.size());
+        peaks.push_back(peak_[i] / double{level_steps});
+      } else {
+        numbers[i] = numbers[parent_[i]];
+      }
+    }
+    return numbers;
+  }
+
+ private:
+  BasinOptions options_;
+  std::vector<int32_t> peak_ = {0};
+  std::vector<int32_t> parent_ = {0};
+};
+
+}  // namespace
+
+void flood_from_seeds(const Image8& height, Image<int32_t>& label) {
+  assert(height.pixels.size() == label.pixels.size() && label.channels == 1);
+  HeightQueues queues;
+  const auto claim_around = [&](int32_t i) {
+    for_sides(i, label.width, label.height, [&](int32_t j) {
+      if (label.pixels[j] != 0) return;
+      label.pixels[j] = label.pixels[i];
+      queues.push(height.pixels[j], j);
+    });
+  };
+  const auto is_open = [&](int32_t j) { return label.pixels[j] == 0; };
+  std::vector<int32_t> rim;
+  for (size_t i = 0; i < label.pixels.size(); ++i) {
+    if (label.pixels[i] <= 0) continue;
+    bool open = false;
+    for_sides(static_cast<int32_t>(i), label.width, label.height,
+              [&](int32_t j) { open = open || is_open(j); });
+    if (open) rim.push_back(static_cast<int32_t>(i));
+  }
+  for (const int32_t i : rim) claim_around(i);
+  for (int32_t i = queues.pop(); i >= 0; i = queues.pop()) claim_around(i);
+}
+
+PeakBasins peak_basins(const Image<int32_t>& squared_distance, const BasinOptions& options) {
+  assert(squared_distance.channels == 1);
+  PeakBasins basins{Image<int32_t>(squared_distance.width, squared_distance.height, 1), {}};
+  std::vector<int32_t>& label = basins.label.pixels;
+  std::vector<int32_t> level;
+  Peaks peaks(options);
+  for (const int32_t i : descending(squared_distance, level)) {
+    int32_t mine = 0;
+    for_sides(i, basins.label.width, basins.label.height, [&](int32_t j) {
+      if (label[j] == 0) return;
+      if (mine == 0)
+        mine = peaks.find(label[j]);
+      else
+        peaks.meet(mine, label[j], level[i]);
+    });
+    label[i] = mine != 0 ? mine : peaks.add(level[i]);
+  }
+  const std::vector<int32_t> numbers = peaks.number(basins.peaks);
+  for (int32_t& l : label) l = numbers[l];
+  return basins;
+}
+
+}  // namespace relievo

@@ -1,0 +1,215 @@
+#include "kernel/operators/dissection.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+
+namespace relievo {
+namespace {
+
+/// Cuts are tried between so many bins of equal width in each direction.
+constexpr int bins = 128;
+constexpr int directions = 4;
+/// Groups of no more vertices are not parted.
+constexpr int smallest_group = 8;
+/// Diagonal cuts gain little in smaller groups.
+constexpr int group_for_diagonals = 512;
+/// A cut that leaves more than this share on one side is taken where there is no other.
+constexpr double worst_balance = 0.8;
+/// Cost of a separator: its weight times 1 + premium (larger share - 1/2)^2.
+constexpr double premium = 8;
+
+using Coordinates = std::array<double, directions>;
+using Bins = std::array<uint8_t, directions>;
+
+Coordinates coordinates(Point2 p) { return {p.x, p.y, p.x + p.y, p.x - p.y}; }
+
+/// Neighbours of each vertex, each once.
+struct VertexGraph {
+  std::vector<int> begin = {0};
+  std::vector<int> neighbour;
+};
+
+VertexGraph vertex_graph(const FlatMesh& mesh) {
+  const NodeCorners corners = corners_at_nodes(mesh);
+  VertexGraph graph;
+  graph.begin.reserve(mesh.positions.size() + 1);
+  graph.neighbour.reserve(4 * mesh.triangles.size());
+  for (size_t v = 0; v < mesh.positions.size(); ++v) {
+    const auto first = static_cast<std::ptrdiff_t>(graph.neighbour.size());
+    for (int i = corners.begin[v]; i < corners.begin[v + 1]; ++i) {
+      const auto& triangle = mesh.triangles[corners.corner[i] / 3];
+      for (const int step : {1, 2})
+        graph.neighbour.push_back(triangle[(corners.corner[i] + step) % 3]);
+    }
+    const auto begin = graph.neighbour.begin() + first;
+    std::sort(begin, graph.neighbour.end());
+    graph.neighbour.erase(std::unique(begin, graph.neighbour.end()), graph.neighbour.end());
+    graph.begin.push_back(static_cast<int>(graph.neighbour.size()));
+  }
+  return graph;
+}
+
+/// `direction` < 0 where nothing can be parted.
+struct Cut {
+  int direction = -1;
+  int bin = 0;  ///< the last one before the cut
+};
+
+/// Weights by bin: of the vertices there, and the change of the separator of a cut behind it.
+struct BinWeights {
+  std::array<int, bins> here{};
+  std::array<int, bins> separator{};
+};
+
+class Dissection {
+ public:
+  Dissection(const FlatMesh& mesh, std::span<const int> weights)
+      : positions_(mesh.positions), weights_(weights), graph_(vertex_graph(mesh)) {
+    vertices_.resize(positions_.size());
+    std::iota(vertices_.begin(), vertices_.end(), 0);
+    group_.resize(vertices_.size(), 0);
+    bin_.resize(vertices_.size());
+  }
+
+  std::vector<int> run() {
+    part(0, static_cast<int>(vertices_.size()));
+    return std::move(vertices_);
+  }
+
+ private:
+  /// Puts the vertices [first, last) in order.
+  void part(int first, int last) {
+    if (last - first <= smallest_group) return;
+    const int group = ++groups_;
+    for (int i = first; i < last; ++i) group_[vertices_[i]] = group;
+    fill_bins(first, last);
+    const Cut cut = best_cut(first, last, group);
+    if (cut.direction < 0) return;
+    const auto [middle, separator] = split(first, last, group, cut);
+    part(first, middle);
+    part(middle, separator);
+  }
+
+  void fill_bins(int first, int last) {
+    Coordinates low = coordinates(positions_[vertices_[first]]);
+    Coordinates high = low;
+    for (int i = first; i < last; ++i) {
+      const Coordinates here = coordinates(positions_[vertices_[i]]);
+      for (int d = 0; d < directions; ++d) {
+        low[d] = std::min(low[d], here[d]);
+        high[d] = std::max(high[d], here[d]);
+      }
+    }
+    Coordinates scale{};
+    for (int d = 0; d < directions; ++d)
+      if (high[d] > low[d]) scale[d] = bins / (high[d] - low[d]);
+    for (int i = first; i < last; ++i) {
+      const Coordinates here = coordinates(positions_[vertices_[i]]);
+      for (int d = 0; d < directions; ++d)
+        bin_[vertices_[i]][d] =
+            static_cast<uint8_t>(std::min(bins - 1.0, (here[d] - low[d]) * scale[d]));
+    }
+  }
+
+  Cut best_cut(int first, int last, int group) const {
+    const int tried = last - first < group_for_diagonals ? 2 : directions;
+    std::array<BinWeights, directions> by_bin{};
+    int total = 0;
+    for (int i = first; i < last; ++i) {
+      const int v = vertices_[i];
+      total += weights_[v];
+      const Bins reach = farthest_bins(v, group);
+      for (int d = 0; d < tried; ++d) {
+        by_bin[d].here[bin_[v][d]] += weights_[v];
+        by_bin[d].separator[bin_[v][d]] += weights_[v];
+        by_bin[d].separator[reach[d]] -= weights_[v];
+      }
+    }
+    Cut best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int d = 0; d < tried; ++d) try_direction(by_bin[d], d, total, least, best);
+    return best;
+  }
+
+  /// The highest bins of the vertex and its neighbours in the group.
+  Bins farthest_bins(int v, int group) const {
+    Bins reach = bin_[v];
+    for (int e = graph_.begin[v]; e < graph_.begin[v + 1]; ++e) {
+      const int other = graph_.neighbour[e];
+      if (group_[other] != group) continue;
+      for (int d = 0; d < directions; ++d) reach[d] = std::max(reach[d], bin_[other][d]);
+    }
+    return reach;
+  }
+
+  static void try_direction(const BinWeights& weights, int direction, int total, double& least,
+                            Cut& best) {
+    int before = 0;
+    int separator = 0;
+    for (int b = 0; b + 1 < bins; ++b) {
+      before += weights.here[b];
+      separator += weights.separator[b];
+      const int left = before - separator;
+      const int right = total - before;
+      if (left <= 0 || right <= 0) continue;
+      const double share = static_cast<double>(std::max(left, right)) / total;
+      const double excess = std::max(0.0, share - 0.5);
+      double cost = separator * (1 + premium * excess * excess);
+      if (share > worst_balance) cost += total;
+      if (cost >= least) continue;
+      least = cost;
+      best = {direction, b};
+    }
+  }
+
+  /// Moves the separator to the end and the others to their sides; where the second side and the
+  /// separator begin.
+  std::array<int, 2> split(int first, int last, int group, const Cut& cut) {
+    const auto behind = [&](int v) { return bin_[v][cut.direction] > cut.bin; };
+    const auto touches = [&](int v) {
+      for (int e = graph_.begin[v]; e < graph_.begin[v + 1]; ++e)
+        if (group_[graph_.neighbour[e]] == group && behind(graph_.neighbour[e])) return true;
+      return false;
+    };
+    int end = first;
+    behind_.clear();
+    separator_.clear();
+    for (int i = first; i < last; ++i) {
+      const int v = vertices_[i];
+      if (behind(v))
+        behind_.push_back(v);
+      else if (touches(v))
+        separator_.push_back(v);
+      else
+        vertices_[end++] = v;
+    }
+    const int middle = end;
+    for (const int v : behind_) vertices_[end++] = v;
+    const int separator = end;
+    for (const int v : separator_) vertices_[end++] = v;
+    return {middle, separator};
+  }
+
+  std::span<const Point2> positions_;
+  std::span<const int> weights_;
+  VertexGraph graph_;
+  std::vector<int> vertices_;
+  std::vector<int> behind_;
+  std::vector<int> separator_;
+  std::vector<int> group_;
+  std::vector<Bins> bin_;
+  int groups_ = 0;
+};
+
+}  // namespace
+
+std::vector<int> dissection_order(const FlatMesh& mesh, std::span<const int> weights) {
+  assert(weights.size() == mesh.positions.size());
+  return Dissection(mesh, weights).run();
+}
+
+}  // namespace relievo

@@ -1,0 +1,93 @@
+#include "kernel/solvers/triangular_solves.h"
+
+#include "kernel/base/workers.h"
+
+namespace relievo {
+namespace {
+
+using Eigen::VectorXd;
+
+/// Solves with one front after the other. x holds the rows of a front.
+class ForwardSolve {
+ public:
+  ForwardSolve(const FactorMemory& factor, VectorXd& y)
+      : factor_(factor), y_(y), x_(padded(factor.layout.most_rows)) {
+    x_.setZero();
+  }
+
+  /// A front in a task that ends before column `end`: what belongs to columns from there on is
+  /// added to `above`.
+  void solve_below(int s, int end, double* above) {
+    const Front source = gather(s);
+    const int* row = factor_.rows(s);
+    int i = source.columns;
+    for (; i < source.rows && row[i] < end; ++i) y_[row[i]] += x_[i];
+    const std::vector<int>& place = factor_.layout.tasks.top_place;
+    for (; i < source.rows; ++i) above[place[row[i]]] += x_[i];
+  }
+
+  void solve_top(int s) {
+    const Front source = gather(s);
+    const int* row = factor_.rows(s);
+    for (int i = source.columns; i < source.rows; ++i) y_[row[i]] += x_[i];
+  }
+
+ private:
+  /// Solves the columns; leaves what they contribute to the rows below in x.
+  Front gather(int s) {
+    const Front source = factor_.front(s);
+    const int* row = factor_.rows(s);
+    for (int i = 0; i < source.columns; ++i) x_[i] = y_[row[i]];
+    for (int i = source.columns; i < source.rows; ++i) x_[i] = 0;
+    best_kernels().solve_forward(source, x_.data());
+    for (int i = 0; i < source.columns; ++i) y_[row[i]] = x_[i];
+    return source;
+  }
+
+  const FactorMemory& factor_;
+  VectorXd& y_;
+  VectorXd x_;
+};
+
+void solve_front_backward(const FactorMemory& factor, int s, VectorXd& y, VectorXd& x) {
+  const Front source = factor.front(s);
+  const int* row = factor.rows(s);
+  for (int i = 0; i < source.rows; ++i) x[i] = y[row[i]];
+  best_kernels().solve_backward(source, x.data());
+  for (int i = 0; i < source.columns; ++i) y[row[i]] = x[i];
+}
+
+}  // namespace
+
+void solve_forward(const FactorMemory& factor, VectorXd& y) {
+  const FrontTasks& tasks = factor.layout.tasks;
+  const int count = static_cast<int>(tasks.tasks.size());
+  Eigen::MatrixXd above = Eigen::MatrixXd::Zero(tasks.top_columns, count);
+  run_tasks(count, [&](int t) {
+    ForwardSolve solve(factor, y);
+    const auto [first, last] = tasks.tasks[t];
+    const int end = factor.layout.fronts.column_begin[last];
+    for (int s = first; s < last; ++s) solve.solve_below(s, end, above.col(t).data());
+  });
+  VectorXd sum = VectorXd::Zero(tasks.top_columns);
+  for (int t = 0; t < count; ++t) sum += above.col(t);
+  ForwardSolve solve(factor, y);
+  for (const int s : tasks.top)
+    for (int c = factor.layout.fronts.column_begin[s]; c < factor.layout.fronts.column_begin[s + 1];
+         ++c)
+      y[c] += sum[tasks.top_place[c]];
+  for (const int s : tasks.top) solve.solve_top(s);
+}
+
+void solve_backward(const FactorMemory& factor, VectorXd& y) {
+  const FrontTasks& tasks = factor.layout.tasks;
+  VectorXd x = VectorXd::Zero(padded(factor.layout.most_rows));
+  for (size_t i = tasks.top.size(); i-- > 0;) solve_front_backward(factor, tasks.top[i], y, x);
+  run_tasks(static_cast<int>(tasks.tasks.size()), [&](int t) {
+    VectorXd own = VectorXd::Zero(padded(factor.layout.most_rows));
+    for (int s = tasks.tasks[t].last - 1; s >= tasks.tasks[t].first; --s)
+      solve_front_backward(factor, s, y, own);
+  });
+}
+
+}  // namespace relievo

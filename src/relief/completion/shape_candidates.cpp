@@ -1,0 +1,159 @@
+#include "relief/completion/shape_candidates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "kernel/geometry/ellipse.h"
+#include "kernel/image/fill_outline.h"
+#include "kernel/image/illusory_surface.h"
+
+namespace relievo {
+namespace {
+
+constexpr size_t ellipse_samples = 160;  ///< about so many points of the contour are used
+constexpr int ellipse_points = 180;
+constexpr double ellipse_noise = 0.8;          ///< px
+constexpr double ellipse_noise_share = 0.012;  ///< of the part's size
+constexpr double max_turn = 1.35 * std::numbers::pi;
+
+double size_of(const Mask& mask) { return std::sqrt(static_cast<double>(pixel_count(mask))); }
+
+/// Sides that are known, away from junctions, or those that are hidden.
+std::vector<Point2> ring_points(const HiddenPart& hidden, uint8_t hidden_ones) {
+  std::vector<Point2> points;
+  for (size_t r = 0; r < hidden.rings().size(); ++r) {
+    const LabelRing& ring = hidden.rings()[r];
+    const std::vector<uint8_t>& flags = hidden.known[r].hidden;
+    if (ring.hole) continue;
+    const size_t n = ring.size();
+    for (size_t i = 0; i < n; ++i) {
+      bool clear = flags[i] == hidden_ones;
+      for (size_t k = 1; k <= junction_sides && clear; ++k)
+        clear = flags[(i + k) % n] == hidden_ones && flags[(i + n * k - k) % n] == hidden_ones;
+      if (clear) points.push_back(ring.sides[i]);
+    }
+  }
+  return points;
+}
+
+/// Where occluders end at the background.
+std::vector<Point2> occluder_borders(const HiddenPart& hidden) {
+  std::vector<Point2> points;
+  for (int other = 0; other < hidden.regions.count(); ++other) {
+    if (hidden.hides[other] == 0) continue;
+    for (const LabelRing& ring : hidden.regions.rings[other])
+      for (size_t i = 0; i < ring.size(); ++i)
+        if (ring.beyond[i] == 0) points.push_back(ring.sides[i]);
+  }
+  return points;
+}
+
+std::vector<Point2> thinned(const std::vector<Point2>& points, size_t about) {
+  const size_t step = std::max<size_t>(1, points.size() / about);
+  std::vector<Point2> few;
+  for (size_t i = 0; i < points.size(); i += step) few.push_back(points[i]);
+  return few;
+}
+
+double rms_distance(const Ellipse& ellipse, const std::vector<Point2>& points) {
+  double sum = 0;
+  for (const Point2 p : points) {
+    const double d = radial_distance(ellipse, p);
+    sum += d * d;
+  }
+  return std::sqrt(sum / static_cast<double>(std::max<size_t>(points.size(), 1)));
+}
+
+Box2 grown(const Mask& mask, double share) {
+  const double margin = share * std::max(mask.inside.width, mask.inside.height) + 2;
+  return {{mask.left - margin, mask.top - margin}, {mask.right() + margin, mask.bottom() + margin}};
+}
+
+}  // namespace
+
+bool HiddenPart::has_gaps() const {
+  return std::any_of(known.begin(), known.end(),
+                     [](const KnownContour& k) { return k.nothing || !k.gaps.empty(); });
+}
+
+HiddenPart hidden_part(const PartRegions& regions, int part, const std::vector<int>& occluders) {
+  HiddenPart hidden{regions, part, std::vector<uint8_t>(regions.labels.size(), 0), {}};
+  for (const int other : occluders) hidden.hides[other] = 1;
+  for (const LabelRing& ring : hidden.rings()) {
+    std::vector<uint8_t> flags(ring.size());
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const int other = regions.part_of(ring.beyond[i]);
+      flags[i] = other >= 0 ? hidden.hides[other] : uint8_t{0};
+    }
+    hidden.known.push_back(find_gaps(ring, std::move(flags)));
+  }
+  return hidden;
+}
+
+double contour_tolerance(const HiddenPart& hidden) {
+  return std::max(ellipse_noise, ellipse_noise_share * size_of(hidden.visible()));
+}
+
+std::optional<Mask> ellipse_shape(const HiddenPart& hidden, double tolerance) {
+  const std::vector<Point2> on = ring_points(hidden, 0);
+  EllipseEvidence evidence;
+  evidence.on = thinned(on, ellipse_samples);
+  evidence.within = thinned(ring_points(hidden, 1), ellipse_samples);
+  evidence.without = thinned(occluder_borders(hidden), ellipse_samples);
+  const auto ellipse = fit_ellipse(evidence);
+  if (!ellipse) return std::nullopt;
+  if (rms_distance(*ellipse, on) > tolerance) return std::nullopt;
+  return fill_outline({ring_of(*ellipse, ellipse_points)}, hidden.regions.map.width,
+                      hidden.regions.map.height);
+}
+
+std::optional<Mask> continued_shape(const HiddenPart& hidden) {
+  Outline outline;
+  int open_rings = 0;
+  for (size_t r = 0; r < hidden.rings().size(); ++r) {
+    const LabelRing& ring = hidden.rings()[r];
+    const KnownContour& known = hidden.known[r];
+    if (known.nothing) {
+      if (!ring.hole) outline.push_back(ring.sides);
+      continue;
+    }
+    if (!ring.hole && !known.gaps.empty() && ++open_rings > 1) return std::nullopt;
+    for (const ContourGap& gap : known.gaps)
+      if (std::abs(turning(gap.from, gap.to)) > max_turn) return std::nullopt;
+    outline.push_back(bridge_gaps(ring, known));
+  }
+  return fill_outline(outline, hidden.regions.map.width, hidden.regions.map.height);
+}
+
+Mask membrane_shape(const HiddenPart& hidden) {
+  const Image16& labels = hidden.regions.map;
+  const Box2 box = grown(hidden.visible(), 0.5);
+  const int left = std::max(0, static_cast<int>(box.min.x));
+  const int top = std::max(0, static_cast<int>(box.min.y));
+  const int right = std::min(labels.width, static_cast<int>(box.max.x) + 1);
+  const int bottom = std::min(labels.height, static_cast<int>(box.max.y) + 1);
+  Image<Cell> cells(right - left, bottom - top, 1, Cell::open);
+  const auto fix = [&](int x, int y, Cell cell) {
+    if (x >= left && y >= top && x < right && y < bottom) cells.at(x - left, y - top) = cell;
+  };
+  const auto other_side = [&](int px, int py, int x, int y) {
+    if (x < 0 || y < 0 || x >= labels.width || y >= labels.height) return;
+    const int other = hidden.regions.part_at(x, y);
+    if (other == hidden.part || (other >= 0 && hidden.hides[other] != 0)) return;
+    fix(px, py, Cell::one);
+    fix(x, y, Cell::zero);
+  };
+  for_each_pixel(hidden.visible(), [&](int x, int y) {
+    other_side(x, y, x - 1, y);
+    other_side(x, y, x + 1, y);
+    other_side(x, y, x, y - 1);
+    other_side(x, y, x, y + 1);
+  });
+  const ImageF p = diffuse_contour(cells);
+  Mask shape{left, top, Image8(cells.width, cells.height, 1)};
+  for (size_t i = 0; i < p.pixels.size(); ++i) shape.inside.pixels[i] = p.pixels[i] > 0.5F ? 1 : 0;
+  return shape;
+}
+
+}  // namespace relievo

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "kernel/base/sparse_matrix.h"
+#include "kernel/operators/gradient.h"
+
+namespace relievo {
+
+/// The joined surface as the solvers see it: what its triangulation alone decides, and all stages
+/// share.
+struct Discretisation {
+  double scale = 1;              ///< scene units per px
+  SparseMatrix L;                ///< #N x #N, stiffness, both triangles
+  std::vector<int> surface;      ///< #N, smallest node of the node's joined surface
+  Eigen::VectorXd mass;          ///< #N, lumped, scene units^2
+  GradientStencils gradients;    ///< at nodes, 1 / px
+  std::vector<int> elimination;  ///< nodes in an order in which matrices on them fill in little;
+                                 ///< those at one base vertex are consecutive
+};
+
+}  // namespace relievo

@@ -1,0 +1,61 @@
+#include "relief/discretisation/discretise.h"
+
+#include <array>
+#include <functional>
+
+#include "kernel/base/piece_timer.h"
+#include "kernel/base/workers.h"
+#include "kernel/operators/dissection.h"
+#include "kernel/operators/laplacian.h"
+#include "relief/layers/joined_surface.h"
+
+namespace relievo {
+namespace {
+
+/// Dissects the base triangulation: what lies at one place is eliminated together.
+std::vector<int> elimination_order(const LayeredMesh& mesh) {
+  std::vector<int> weights(mesh.vertices.size(), 0);
+  for (const int v : mesh.node_vertex) ++weights[v];
+  const std::vector<int> order = dissection_order({mesh.vertices, mesh.triangles}, weights);
+  std::vector<int> place(mesh.vertices.size());
+  int next = 0;
+  for (const int v : order) {
+    place[v] = next;
+    next += weights[v];
+  }
+  std::vector<int> nodes(mesh.node_vertex.size());
+  for (size_t n = 0; n < nodes.size(); ++n)
+    nodes[place[mesh.node_vertex[n]]++] = static_cast<int>(n);
+  return nodes;
+}
+
+}  // namespace
+
+Discretisation discretise(const LayeredMesh& mesh, const RunContext& context) {
+  Discretisation result;
+  result.scale = scene_scale(mesh);
+  const std::vector<Point2> in_px = node_positions(mesh);
+  const std::vector<Point2> in_units = node_positions(mesh, result.scale);
+  const FlatMesh flat{in_units, mesh.faces};
+  result.surface = joined_surfaces(mesh);
+  const auto timed = [&](const char* piece, const std::function<void()>& work) {
+    if (context.cancelled()) return;
+    const PieceTimer timer(context, piece);
+    work();
+  };
+  timed("assemble", [&] {
+    const std::array<std::function<void()>, 2> work = {
+        [&] {
+          result.gradients = gradient_stencils({in_px, mesh.faces});
+        },
+        [&] {
+          result.L = stiffness_matrix(flat);
+          result.mass = lumped_mass(flat);
+        }};
+    run_tasks(2, [&](int i) { work[i](); });
+  });
+  timed("analyse", [&] { result.elimination = elimination_order(mesh); });
+  return result;
+}
+
+}  // namespace relievo

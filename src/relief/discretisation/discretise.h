@@ -1,0 +1,14 @@
+#pragma once
+
+#include "kernel/base/run_context.h"
+#include "relief/discretisation/discretisation.h"
+#include "relief/layers/layered_mesh.h"
+
+namespace relievo {
+
+/// Assembles the operators of the joined surface and orders its nodes for elimination. Reads the
+/// triangulation and the nodes of the mesh, not their roles nor the constraints. Where `context`
+/// is cancelled the result is of no use. O(N log N).
+Discretisation discretise(const LayeredMesh& mesh, const RunContext& context = {});
+
+}  // namespace relievo

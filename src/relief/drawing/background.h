@@ -1,0 +1,15 @@
+#pragma once
+
+#include "relief/drawing/region_merging.h"
+
+namespace relievo {
+
+/// Unites all regions that are background and returns that region, or -1 where there is none: what
+/// has the paper's colour and reaches the edge of the image, and what is quite open to it. A large
+/// region that reaches one edge only is taken for a figure that the edge cuts.
+int unite_background(RegionMerging& regions, int64_t picture_area);
+
+/// Share of the lines, by area, on all sides of which lies the background.
+double unbounded_line_share(const Basins& basins);
+
+}  // namespace relievo

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "relief/drawing/basins.h"
+#include "relief/drawing/mark_pixels.h"
+
+namespace relievo {
+
+/// What scribbles say in terms of basins. Label 0 is background, k + 1 is Scribbles::parts[k].
+struct BasinVotes {
+  struct HardPixel {
+    int32_t pixel = 0;
+    int basin = 0;
+    int label = 0;
+  };
+  std::vector<HardPixel> hard;                  ///< sorted by basin, then pixel
+  std::vector<std::map<int, int64_t>> soft;     ///< [#B] label -> px that vote for it
+  std::vector<std::set<int>> labels_in_region;  ///< [#R + 1] labels that may be taken there
+  std::vector<bool> is_hole;                    ///< [#R + 1] only hole strokes lie there
+};
+
+/// Counts the strokes. On lines they say nothing, since lines are shared. Of a hard stroke, what
+/// slipped into a region with less than a tenth of its pixels is dropped.
+BasinVotes count_votes(const Basins& basins, const Scribbles& scribbles);
+
+}  // namespace relievo

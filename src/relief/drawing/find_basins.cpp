@@ -1,0 +1,59 @@
+#include "relief/drawing/find_basins.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "kernel/image/blur.h"
+#include "kernel/image/distance_transform.h"
+#include "kernel/image/watershed.h"
+#include "relief/drawing/basin_graph.h"
+#include "relief/drawing/line_map.h"
+#include "relief/drawing/propose_regions.h"
+#include "relief/drawing/remove_paper.h"
+
+namespace relievo {
+namespace {
+
+/// Basins narrower than this are the insides of double strokes.
+constexpr double smallest_inradius = 1.5;
+
+Image<int32_t> watershed(const LineMap& map, std::vector<Basin>& basins) {
+  PeakBasins found = peak_basins(squared_distance_to(map.barrier), {1.5, 0.9});
+  // Peaks are sorted: what is too narrow comes last.
+  std::vector<int32_t> number(found.peaks.size(), 0);
+  for (size_t k = 1; k < found.peaks.size(); ++k) {
+    if (found.peaks[k] < smallest_inradius) continue;
+    basins.emplace_back();
+    basins.back().inradius = found.peaks[k];
+    number[k] = static_cast<int32_t>(basins.size());
+  }
+  for (int32_t& label : found.label.pixels) label = number[label];
+  if (basins.empty()) return {};
+  flood_from_seeds(box_blur(map.ink, std::max(1, static_cast<int>(map.line_width / 4))),
+                   found.label);
+  for (int32_t& label : found.label.pixels) --label;
+  return std::move(found.label);
+}
+
+}  // namespace
+
+Result<Basins> find_basins(const Drawing& drawing) {
+  if (drawing.rgba.empty()) return Error{ErrorCode::bad_input, "the drawing has no pixels", ""};
+  const Image8 rgb = remove_paper(drawing.rgba);
+  LineMap map = find_lines(rgb);
+  if (std::count(map.barrier.pixels.begin(), map.barrier.pixels.end(), LineMap::none) ==
+      static_cast<ptrdiff_t>(map.barrier.pixels.size()))
+    return Error{ErrorCode::bad_input, "the drawing is blank: no line or edge was found in it", ""};
+  Basins basins;
+  basins.index = watershed(map, basins.basins);
+  if (basins.basins.empty())
+    return Error{ErrorCode::bad_input, "the drawing has no areas between its lines", ""};
+  basins.ink = std::move(map.ink);
+  basins.barrier = std::move(map.barrier);
+  basins.line_width = map.line_width;
+  measure_basins(rgb, basins);
+  propose_regions(basins);
+  return basins;
+}
+
+}  // namespace relievo

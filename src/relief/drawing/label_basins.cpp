@@ -1,0 +1,162 @@
+#include "relief/drawing/label_basins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "relief/drawing/basin_labelling.h"
+#include "relief/drawing/basin_votes.h"
+#include "relief/drawing/find_bridges.h"
+#include "relief/drawing/split_basins.h"
+
+namespace relievo {
+namespace {
+
+/// Shares of lines that bound no area: from the first on it is said, from the second on a drawing
+/// without strokes is refused.
+constexpr double much_unbounded = 0.2;
+constexpr double mostly_unbounded = 0.42;
+constexpr int many_parts = 40;
+constexpr size_t most_parts = 65534;
+
+Error bad_stroke(size_t number, const std::string& what) {
+  return {ErrorCode::bad_input, what, "scribble stroke " + std::to_string(number + 1)};
+}
+
+Status check_scribbles(const Scribbles& scribbles) {
+  std::set<std::string> ids;
+  for (const std::string& id : scribbles.parts)
+    if (id.empty() || !ids.insert(id).second)
+      return Error{ErrorCode::bad_input, "part ids must be unique and not empty", id};
+  const auto finite = [](Point2 p) { return std::abs(p.x) < 1e6 && std::abs(p.y) < 1e6; };
+  for (size_t k = 0; k < scribbles.strokes.size(); ++k) {
+    const Scribble& stroke = scribbles.strokes[k];
+    const bool for_part = stroke.kind == ScribbleKind::soft || stroke.kind == ScribbleKind::hard;
+    if (for_part && (stroke.part < 0 || stroke.part >= static_cast<int>(scribbles.parts.size())))
+      return bad_stroke(k, "the stroke belongs to no part");
+    if (stroke.points.empty() || !std::all_of(stroke.points.begin(), stroke.points.end(), finite))
+      return bad_stroke(k, "the stroke has no points or points far outside");
+    if (!(stroke.width > 0 && stroke.width <= 1000))
+      return bad_stroke(k, "the width of a stroke must lie in (0, 1000] px");
+  }
+  return Done{};
+}
+
+/// Names for proposed parts that no scribbled part has.
+class FreshNames {
+ public:
+  explicit FreshNames(const std::vector<std::string>& taken) : taken_(taken.begin(), taken.end()) {}
+
+  std::string next() {
+    std::string name;
+    do {
+      name = "part" + std::to_string(++number_);
+    } while (taken_.count(name) > 0);
+    return name;
+  }
+
+ private:
+  std::set<std::string> taken_;
+  int number_ = 0;
+};
+
+/// Numbers the labels that have pixels, scribbled parts first, and lists them as parts.
+std::vector<uint16_t> number_parts(const std::vector<int>& used, const Scribbles& scribbles,
+                                   std::vector<SegmentedPart>& parts) {
+  const auto scribbled = static_cast<int>(scribbles.parts.size());
+  std::vector<uint16_t> number(used.empty() ? 1 : static_cast<size_t>(used.back()) + 1, 0);
+  FreshNames names(scribbles.parts);
+  for (const int label : used) {
+    if (label == 0) continue;
+    const bool proposed = label > scribbled;
+    parts.push_back({proposed ? names.next() : scribbles.parts[label - 1], proposed, 0, {}});
+    number[label] = static_cast<uint16_t>(parts.size());
+  }
+  return number;
+}
+
+std::vector<int> used_labels(const std::vector<int>& labels) {
+  std::vector<int> used = labels;
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  return used;
+}
+
+void measure_parts(Segmentation& segmentation) {
+  const int w = segmentation.labels.width;
+  for (int y = 0; y < segmentation.labels.height; ++y) {
+    const uint16_t* row = &segmentation.labels.at(0, y);
+    for (int begin = 0, end = 0; begin < w; begin = end) {
+      while (end < w && row[end] == row[begin]) ++end;
+      if (row[begin] == 0) continue;
+      SegmentedPart& part = segmentation.parts[row[begin] - 1];
+      part.area += end - begin;
+      part.box.add(Point2{begin * 1.0, y * 1.0});
+      part.box.add(Point2{end * 1.0, y + 1.0});
+    }
+  }
+}
+
+void add_notes(const Basins& basins, const Scribbles& scribbles, Segmentation& segmentation) {
+  std::set<std::string> present;
+  for (const SegmentedPart& part : segmentation.parts) present.insert(part.id);
+  for (const std::string& id : scribbles.parts)
+    if (present.count(id) == 0)
+      segmentation.notes.push_back("no area is left for the part \"" + id +
+                                   "\": draw a hard stroke inside it");
+  if (!scribbles.strokes.empty()) return;
+  if (basins.unbounded_ink > much_unbounded)
+    segmentation.notes.push_back(
+        "a good part of the lines bounds no area: they may be too faint or have wide gaps; mark "
+        "each part with a stroke");
+  if (segmentation.parts.size() > many_parts)
+    segmentation.notes.push_back(
+        "more areas were found than a character has parts: mark each part with a stroke");
+}
+
+Segmentation assemble(const Basins& basins, const std::vector<int>& labels,
+                      const Scribbles& scribbles) {
+  Segmentation segmentation;
+  const std::vector<uint16_t> number =
+      number_parts(used_labels(labels), scribbles, segmentation.parts);
+  std::vector<uint16_t> of_basin(labels.size());
+  for (size_t b = 0; b < labels.size(); ++b) of_basin[b] = number[labels[b]];
+  segmentation.labels = Image16(basins.index.width, basins.index.height, 1);
+  for (size_t i = 0; i < basins.index.pixels.size(); ++i)
+    segmentation.labels.pixels[i] = of_basin[basins.index.pixels[i]];
+  segmentation.ink = basins.ink;
+  measure_parts(segmentation);
+  segmentation.bridges = find_bridges(segmentation.labels, basins.barrier, basins.line_width);
+  add_notes(basins, scribbles, segmentation);
+  return segmentation;
+}
+
+}  // namespace
+
+Result<Segmentation> label_basins(const Basins& basins, const Scribbles& scribbles,
+                                  const LabelOptions& options) {
+  if (const Status valid = check_scribbles(scribbles); !valid) return valid.error();
+  if (scribbles.strokes.empty() && basins.unbounded_ink > mostly_unbounded)
+    return Error{ErrorCode::bad_input,
+                 "most lines of the drawing bound no area, as those of a stick figure: give limbs "
+                 "and body closed outlines, or mark each part with a hard stroke",
+                 ""};
+  const auto part_count = static_cast<int>(scribbles.parts.size());
+  if (scribbles.parts.size() + static_cast<size_t>(basins.region_count) > most_parts)
+    return Error{ErrorCode::limit, "the drawing has too many parts", ""};
+  BasinVotes votes = count_votes(basins, scribbles);
+  const bool split = needs_split(votes);
+  const Basins divided = split ? split_basins(basins, votes) : Basins();
+  const Basins& used = split ? divided : basins;
+  Segmentation segmentation =
+      assemble(used, choose_labels(used, votes, part_count, options), scribbles);
+  if (segmentation.parts.empty())
+    return Error{ErrorCode::bad_input,
+                 "no line of the drawing bounds an area: give the figure closed outlines, or mark "
+                 "each part with a hard stroke",
+                 ""};
+  return segmentation;
+}
+
+}  // namespace relievo

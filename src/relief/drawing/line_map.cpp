@@ -1,0 +1,153 @@
+#include "relief/drawing/line_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "kernel/image/blur.h"
+#include "kernel/image/morphology.h"
+#include "relief/drawing/colour_edges.h"
+#include "relief/drawing/hysteresis.h"
+
+namespace relievo {
+namespace {
+
+constexpr double painted_share = 0.01;  ///< of the picture that is covered by wide colour
+constexpr int paint_level = 220;        ///< lightest that an area of paint is, of 255
+constexpr int paper_level = 200;        ///< darkest that paper between lines gets, of 255
+constexpr double paper_share = 0.7;     ///< of a line drawing that is paper, at least
+constexpr int faintest_line = 14;       ///< contrast below which everything is grain, of 255
+
+int widest_half_line(const Image8& image) {
+  return std::max(
+      3, static_cast<int>(std::lround(widest_line / 2 * std::hypot(image.width, image.height))));
+}
+
+/// Whether colour covers more of the picture than lines could.
+bool is_painted(const Image8& rgb) {
+  const int factor = std::max(1, std::max(rgb.width, rgb.height) / 100);
+  const Image8 cells = shrink(rgb, factor);
+  Image8 covered(cells.width, cells.height, 1);
+  for (size_t i = 0; i < covered.pixels.size(); ++i) {
+    const uint8_t* cell = &cells.pixels[3 * i];
+    covered.pixels[i] = std::min({cell[0], cell[1], cell[2]}) < 220 ? 1 : 0;
+  }
+  const Image8 wide = min_filter(covered, widest_half_line(cells) + 1);
+  const auto count = std::count(wide.pixels.begin(), wide.pixels.end(), 1);
+  return static_cast<double>(count) > painted_share * static_cast<double>(wide.pixels.size());
+}
+
+/// One value a pixel in which lines are dark: on paint, ink is dark in every channel and paint is
+/// not; on paper, a coloured pencil is dark in some channel.
+Image8 line_values(const Image8& rgb, bool painted) {
+  Image8 values(rgb.width, rgb.height, 1);
+  for (size_t i = 0; i < values.pixels.size(); ++i) {
+    const uint8_t* p = &rgb.pixels[3 * i];
+    values.pixels[i] = painted ? std::max({p[0], p[1], p[2]}) : std::min({p[0], p[1], p[2]});
+  }
+  return painted ? box_blur(values, 1) : values;
+}
+
+/// How much darker a pixel is than the darker of what lies on both sides of it. Among paint, the
+/// grain of a pencil differs as much as a faint line, but is not as dark. On paper, shades within
+/// ink are not lines.
+Image8 darker_than_around(const Image8& values, bool painted) {
+  Image8 ink = close_gaps(values, widest_half_line(values));
+  for (size_t i = 0; i < values.pixels.size(); ++i) {
+    const int around = ink.pixels[i];
+    const int contrast = around - values.pixels[i];
+    const int on_paper = around < paper_level ? contrast / 3 : contrast;
+    ink.pixels[i] =
+        static_cast<uint8_t>(painted ? contrast * (255 - values.pixels[i]) / 255 : on_paper);
+  }
+  return ink;
+}
+
+/// The threshold that separates a histogram best into two classes (Otsu 1979).
+int otsu_threshold(const std::array<int64_t, 256>& counts) {
+  double total = 0;
+  double sum = 0;
+  for (int v = 0; v < 256; ++v) {
+    total += static_cast<double>(counts[v]);
+    sum += v * static_cast<double>(counts[v]);
+  }
+  double below = 0;
+  double below_sum = 0;
+  double best = -1;
+  int threshold = 0;
+  for (int v = 0; v < 255; ++v) {
+    below += static_cast<double>(counts[v]);
+    below_sum += v * static_cast<double>(counts[v]);
+    if (below == 0 || below == total) continue;
+    const double difference = below_sum / below - (sum - below_sum) / (total - below);
+    const double between = below * (total - below) * difference * difference;
+    if (between <= best) continue;
+    best = between;
+    threshold = v;
+  }
+  return threshold;
+}
+
+/// What three quarters of the contrasts between none and `line` stay below.
+int grain_contrast(const std::array<int64_t, 256>& counts, int line) {
+  int64_t total = 0;
+  for (int v = 1; v < line; ++v) total += counts[v];
+  int64_t below = 0;
+  for (int v = 1; v < line; ++v)
+    if ((below += counts[v]) * 4 >= total * 3) return v;
+  return 0;
+}
+
+/// Contrasts that a line certainly has somewhere, and that it has at least.
+struct LineThresholds {
+  int sure = 0;
+  int possible = 0;
+};
+
+/// From the contrasts above the grain. On paper, a line may get as faint as the grain allows; among
+/// paint it must stay darker than the strokes that fill areas.
+LineThresholds line_thresholds(const Image8& ink, bool painted) {
+  std::array<int64_t, 256> counts = {};
+  for (const uint8_t value : ink.pixels) ++counts[value];
+  std::array<int64_t, 256> above_grain = counts;
+  std::fill(above_grain.begin(), above_grain.begin() + faintest_line / 2, 0);
+  const int typical = otsu_threshold(above_grain);
+  const int sure = std::max(faintest_line, painted ? typical : 3 * typical / 5);
+  const int possible = painted ? 2 * sure / 3 : 7 * grain_contrast(counts, typical) / 2;
+  return {sure, std::clamp(possible, faintest_line, sure)};
+}
+
+/// Twice the area of the lines over the length of their rim, which is counted along pixel sides.
+double typical_width(const Image8& barrier) {
+  const auto w = static_cast<size_t>(barrier.width);
+  const std::vector<uint8_t>& p = barrier.pixels;
+  int64_t area = 0;
+  int64_t rim = 0;
+  for (size_t i = w; i < p.size(); ++i) {
+    area += p[i];
+    rim += (p[i] ^ p[i - 1]) + (p[i] ^ p[i - w]);
+  }
+  // Sides of pixels are 4 / pi times as long as a rim in a random direction.
+  const double length = static_cast<double>(rim) * 0.785;
+  return rim > 0 ? std::max(1.0, 2 * static_cast<double>(area) / length) : 1;
+}
+
+}  // namespace
+
+LineMap find_lines(const Image8& rgb) {
+  LineMap map;
+  map.painted = is_painted(rgb);
+  const Image8 values = line_values(rgb, map.painted);
+  map.ink = darker_than_around(values, map.painted);
+  const LineThresholds thresholds = line_thresholds(map.ink, map.painted);
+  map.barrier = connected_above(map.ink, thresholds.possible, thresholds.sure);
+  map.line_width = typical_width(map.barrier);
+  for (uint8_t& value : map.ink.pixels)
+    value = static_cast<uint8_t>(std::min(255, 128 * value / thresholds.sure));
+  add_colour_edges(rgb, map);
+  return map;
+}
+
+}  // namespace relievo

@@ -1,0 +1,141 @@
+#include "relief/drawing/propose_regions.h"
+
+#include <algorithm>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+#include "relief/drawing/background.h"
+#include "relief/drawing/region_merging.h"
+
+namespace relievo {
+namespace {
+
+constexpr double open_share = 0.3;        ///< of a border without line, above which areas are one
+constexpr double different_colour = 55;   ///< of areas that are not one, unless quite open
+constexpr double quite_open_share = 0.7;  ///< above which colour does not matter
+constexpr double smallest_part = 0.0008;  ///< of the box around the figure
+constexpr double detail_share = 0.08;     ///< of the area around it, up to which it is a detail
+constexpr double enclosed_share = 0.85;   ///< of a detail's border that is with one region
+
+/// Unites regions, those most open to each other first, until lines part all of them.
+class OpenMerger {
+ public:
+  explicit OpenMerger(RegionMerging& regions) : regions_(regions) {
+    for (int a = 0; a < regions.count(); ++a)
+      for (const auto& [b, border] : regions.borders(a))
+        if (a < b) propose(a, b, border);
+  }
+
+  void run() {
+    while (!queue_.empty()) {
+      const auto [share, minus_pairs, a, b] = queue_.top();
+      queue_.pop();
+      if (!regions_.is_region(a) || !regions_.is_region(b)) continue;
+      const auto border = regions_.borders(a).find(b);
+      // An entry that later unions made out of date has a newer one.
+      if (border == regions_.borders(a).end() || border->second.pairs != -minus_pairs ||
+          regions_.open_share(a, b) != share)
+        continue;
+      regions_.unite(a, b);
+      const int merged = std::min(a, b);
+      for (const auto& [neighbour, joint] : regions_.borders(merged))
+        propose(merged, neighbour, joint);
+    }
+  }
+
+ private:
+  void propose(int a, int b, const RegionBorder& border) {
+    const double share = regions_.open_share(a, b);
+    if (share <= open_share) return;
+    if (share < quite_open_share && regions_.colour_distance(a, b) > different_colour) return;
+    queue_.push({share, -border.pairs, std::min(a, b), std::max(a, b)});
+  }
+
+  RegionMerging& regions_;
+  std::priority_queue<std::tuple<double, int64_t, int, int>> queue_;
+};
+
+/// The neighbour with the longest common border, or -1.
+int closest_neighbour(const RegionMerging& regions, int r) {
+  int best = -1;
+  int64_t longest = 0;
+  for (const auto& [neighbour, border] : regions.borders(r))
+    if (border.pairs > longest) {
+      longest = border.pairs;
+      best = neighbour;
+    }
+  return best;
+}
+
+int64_t border_length(const RegionMerging& regions, int r) {
+  int64_t sum = 0;
+  for (const auto& entry : regions.borders(r)) sum += entry.second.pairs;
+  return sum;
+}
+
+/// Area of the box around all that is not background, px^2.
+double figure_box_area(RegionMerging& regions, int background) {
+  Box2 box;
+  for (int r = 0; r < regions.count(); ++r)
+    if (regions.is_region(r) && r != background) box.add(regions.region(r).box);
+  return box.empty() ? 0 : (box.max.x - box.min.x) * (box.max.y - box.min.y);
+}
+
+/// Gives regions that are too small or narrow to be parts to their longest neighbour, smallest
+/// first.
+void absorb_slivers(RegionMerging& regions, double least_area, double least_inradius) {
+  std::vector<std::pair<int64_t, int>> order;
+  for (int r = 0; r < regions.count(); ++r)
+    if (regions.is_region(r)) order.emplace_back(regions.region(r).area, r);
+  std::sort(order.begin(), order.end());
+  for (const auto& [area, r] : order) {
+    if (!regions.is_region(r)) continue;
+    const Basin& region = regions.region(r);
+    if (static_cast<double>(region.area) >= least_area && region.inradius >= least_inradius)
+      continue;
+    const int neighbour = closest_neighbour(regions, r);
+    if (neighbour >= 0) regions.unite(r, neighbour);
+  }
+}
+
+/// Gives what lies within one part and is small beside it to that part, smallest first.
+void absorb_details(RegionMerging& regions, int background) {
+  std::vector<std::pair<int64_t, int>> order;
+  for (int r = 0; r < regions.count(); ++r)
+    if (regions.is_region(r) && r != background) order.emplace_back(regions.region(r).area, r);
+  std::sort(order.begin(), order.end());
+  for (const auto& [area, r] : order) {
+    if (!regions.is_region(r)) continue;
+    const int around = closest_neighbour(regions, r);
+    if (around < 0 || around == background) continue;
+    const auto common = static_cast<double>(regions.borders(r).at(around).pairs);
+    const auto host_area = static_cast<double>(regions.region(around).area);
+    if (static_cast<double>(regions.region(r).area) < detail_share * host_area &&
+        common > enclosed_share * static_cast<double>(border_length(regions, r)))
+      regions.unite(r, around);
+  }
+}
+
+}  // namespace
+
+void propose_regions(Basins& basins) {
+  RegionMerging regions(basins);
+  OpenMerger(regions).run();
+  int background = unite_background(regions, static_cast<int64_t>(basins.index.pixels.size()));
+  const double least_area = smallest_part * figure_box_area(regions, background);
+  absorb_slivers(regions, least_area, std::max(1.5, basins.line_width / 2));
+  if (background >= 0) background = regions.region_of(background);
+  absorb_details(regions, background);
+
+  std::vector<int> number(basins.basins.size(), -1);
+  basins.region.resize(basins.basins.size());
+  for (size_t b = 0; b < basins.basins.size(); ++b) {
+    const int r = regions.region_of(static_cast<int>(b));
+    if (number[r] < 0) number[r] = r == background ? 0 : ++basins.region_count;
+    basins.region[b] = number[r];
+  }
+  basins.unbounded_ink = unbounded_line_share(basins);
+}
+
+}  // namespace relievo

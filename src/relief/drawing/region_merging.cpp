@@ -1,0 +1,73 @@
+#include "relief/drawing/region_merging.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace relievo {
+namespace {
+
+constexpr double similar_colour = 60;  ///< distance of mean colours, of 255 a channel
+
+}  // namespace
+
+RegionMerging::RegionMerging(const Basins& basins)
+    : sets_(static_cast<int>(basins.basins.size())),
+      regions_(basins.basins),
+      borders_(basins.basins.size()) {
+  for (const BasinBorder& border : basins.borders) {
+    borders_[border.a][border.b] = {border.pairs, border.line_pairs, border.edge_pairs};
+    borders_[border.b][border.a] = {border.pairs, border.line_pairs, border.edge_pairs};
+  }
+}
+
+void RegionMerging::unite(int a, int b) {
+  const auto [keeps, goes] = std::minmax(a, b);
+  sets_.unite(a, b);
+  Basin& region = regions_[keeps];
+  const Basin& other = regions_[goes];
+  region.area += other.area;
+  region.inradius = std::max(region.inradius, other.inradius);
+  region.coloured += other.coloured;
+  region.box.add(other.box);
+  for (size_t k = 0; k < 4; ++k) region.at_edge[k] += other.at_edge[k];
+  for (size_t c = 0; c < 3; ++c) region.colour_sum[c] += other.colour_sum[c];
+
+  if (borders_[goes].size() > borders_[keeps].size()) std::swap(borders_[goes], borders_[keeps]);
+  borders_[keeps].erase(keeps);
+  borders_[keeps].erase(goes);
+  for (const auto& [neighbour, border] : borders_[goes]) {
+    if (neighbour == keeps || neighbour == goes) continue;
+    RegionBorder& sum = borders_[keeps][neighbour];
+    sum.pairs += border.pairs;
+    sum.line_pairs += border.line_pairs;
+    sum.edge_pairs += border.edge_pairs;
+  }
+  borders_[goes].clear();
+  for (const auto& [neighbour, border] : borders_[keeps]) {
+    borders_[neighbour].erase(goes);
+    borders_[neighbour][keeps] = border;
+  }
+}
+
+double RegionMerging::open_share(int a, int b) const {
+  const RegionBorder& border = borders_[a].at(b);
+  const int64_t edges = colour_distance(a, b) < similar_colour ? 0 : border.edge_pairs;
+  return 1 - static_cast<double>(border.line_pairs + edges) / static_cast<double>(border.pairs);
+}
+
+double RegionMerging::colour_distance(int a, int b) const {
+  const Basin& x = regions_[a];
+  const Basin& y = regions_[b];
+  if (x.coloured == 0 || y.coloured == 0) return 0;
+  double sum = 0;
+  for (size_t c = 0; c < 3; ++c) {
+    const double difference =
+        static_cast<double>(x.colour_sum[c]) / static_cast<double>(x.coloured) -
+        static_cast<double>(y.colour_sum[c]) / static_cast<double>(y.coloured);
+    sum += difference * difference;
+  }
+  return std::sqrt(sum);
+}
+
+}  // namespace relievo

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "kernel/base/disjoint_sets.h"
+#include "relief/drawing/basins.h"
+
+namespace relievo {
+
+/// How two regions meet.
+struct RegionBorder {
+  int64_t pairs = 0;
+  int64_t line_pairs = 0;
+  int64_t edge_pairs = 0;
+};
+
+/// Basins that are united step by step; a region is known by its smallest basin.
+class RegionMerging {
+ public:
+  explicit RegionMerging(const Basins& basins);
+
+  bool is_region(int r) { return sets_.find(r) == r; }
+  int region_of(int basin) { return sets_.find(basin); }
+  const Basin& region(int r) const { return regions_[r]; }
+  const std::map<int, RegionBorder>& borders(int r) const { return borders_[r]; }
+  int count() const { return static_cast<int>(regions_.size()); }  ///< of basins
+
+  /// Unites two regions. O(borders of the one with fewer, log).
+  void unite(int a, int b);
+
+  /// Share of the border of two neighbours that nothing marks; an edge between areas of similar
+  /// colour is texture and marks nothing.
+  double open_share(int a, int b) const;
+
+  /// Euclidean distance of mean colours, of 255 a channel; 0 where one has no colour.
+  double colour_distance(int a, int b) const;
+
+ private:
+  DisjointSets sets_;
+  std::vector<Basin> regions_;
+  std::vector<std::map<int, RegionBorder>> borders_;
+};
+
+}  // namespace relievo

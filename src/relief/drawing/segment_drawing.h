@@ -1,0 +1,16 @@
+#pragma once
+
+#include "kernel/base/result.h"
+#include "relief/drawing/drawing.h"
+#include "relief/drawing/label_basins.h"
+#include "relief/drawing/scribbles.h"
+#include "relief/drawing/segmentation.h"
+
+namespace relievo {
+
+/// Divides a flat drawing into its visible parts: find_basins, then label_basins. Where strokes
+/// change again and again, call these two instead and keep the basins.
+Result<Segmentation> segment_drawing(const Drawing& drawing, const Scribbles& scribbles = {},
+                                     const LabelOptions& options = {});
+
+}  // namespace relievo

@@ -1,0 +1,155 @@
+#include "relief/joining/join_parts.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "kernel/geometry/ring_measure.h"
+#include "relief/joining/roots.h"
+
+namespace relievo {
+namespace {
+
+using Pair = std::pair<int, int>;
+
+constexpr double line_step = 3;  ///< between the points of a join's line, px
+/// A root's arc on the outline is at most so many times as long as its pixel sides.
+constexpr double max_stretch = 1.5;
+
+/// A root as an arc of the part's outline.
+struct RootArc {
+  const Ring* ring = nullptr;
+  RingMeasure measure;
+  double from = 0;    ///< arc length where it begins
+  double length = 0;  ///< in the direction of the ring
+
+  Point2 at(double s) const {
+    return point_at(*ring, measure, from + std::clamp(s, 0.0, length) + measure.length);
+  }
+};
+
+std::optional<RootArc> arc_of(const Root& root, const Outline& outline) {
+  const Ring& sides = root.ring->sides;
+  const Point2 first = sides[root.first];
+  const Point2 last = sides[(root.first + root.count - 1) % sides.size()];
+  std::optional<RootArc> best;
+  double nearest = 1e300;
+  for (const Ring& ring : outline) {
+    RootArc arc{&ring, measure(ring), 0, 0};
+    const RingFoot from = nearest_on_ring(ring, arc.measure, first);
+    const RingFoot to = nearest_on_ring(ring, arc.measure, last);
+    if (from.distance + to.distance >= nearest) continue;
+    nearest = from.distance + to.distance;
+    arc.from = from.s;
+    arc.length = to.s >= from.s ? to.s - from.s : to.s - from.s + arc.measure.length;
+    best = arc;
+  }
+  const bool sound =
+      best && best->length > 0 && best->length <= max_stretch * static_cast<double>(root.count);
+  return sound ? best : std::nullopt;
+}
+
+class Proposer {
+ public:
+  Proposer(const PartRegions& regions, const Stacking& stacking,
+           const std::vector<Outline>& outlines, const JoiningCorrections& corrections,
+           const JoiningOptions& options)
+      : regions_(regions), stacking_(stacking), outlines_(outlines), options_(options) {
+    for (const Join& join : corrections.joins) add_user(join);
+    for (const Pair& pair : corrections.no_joins) unjoined_.insert(pair);
+    for (const Relation& relation : corrections.relations) {
+      out_.relations.push_back({relation, true});
+      related_.insert({relation.upper, relation.lower});
+    }
+    out_.robin = corrections.robin;
+    for (const RobinRange& range : corrections.robin) ramped_.insert({range.upper, range.lower});
+  }
+
+  Joining run() {
+    for (int part = 0; part < regions_.count(); ++part) propose(part);
+    return std::move(out_);
+  }
+
+ private:
+  void add_user(const Join& join) {
+    out_.joins.push_back({join, 1, true});
+    joined_.insert({join.upper, join.lower});
+  }
+
+  void propose(int part) {
+    const Surroundings around = surroundings(regions_, stacking_, part);
+    for (const Root& root : around.roots) propose_join(part, root, around);
+    for (const int lower : around.lower) propose_relation(part, lower, around.enclosed);
+  }
+
+  void propose_join(int part, const Root& root, const Surroundings& around) {
+    const auto same = [&](const Root& other) { return other.lower == root.lower; };
+    const bool only = std::count_if(around.roots.begin(), around.roots.end(), same) == 1;
+    const Pair pair{part, root.lower};
+    const bool decided = joined_.count(pair) + unjoined_.count(pair) + related_.count(pair) > 0;
+    if (around.enclosed || !only || decided) return;
+    const double length = static_cast<double>(root.count);
+    const double share = length / static_cast<double>(root.ring->size());
+    if (share < options_.min_root || root.count < static_cast<size_t>(options_.min_root_sides))
+      return;
+    lay_join(part, root, std::min(1.0, 0.5 + share));
+  }
+
+  void lay_join(int part, const Root& root, double confidence) {
+    const auto arc = arc_of(root, outlines_[part]);
+    if (!arc) return;
+    const double ramp = ramp_share(*arc) * arc->length;
+    const double last = arc->length - ramp;
+    ProposedJoin proposed;
+    proposed.join = {part, root.lower, {}};
+    const int pieces = std::max(2, static_cast<int>((last - ramp) / line_step));
+    for (int i = 0; i <= pieces; ++i)
+      proposed.join.line.push_back(arc->at(ramp + (last - ramp) * i / pieces));
+    proposed.confidence = confidence;
+    joined_.insert({part, root.lower});
+    if (ramped_.count({part, root.lower}) == 0) {
+      if (root.opens_before) lay_ramp(part, root.lower, arc->at(ramp), arc->at(0));
+      if (root.opens_after) lay_ramp(part, root.lower, arc->at(last), arc->at(arc->length));
+    }
+    out_.joins.push_back(std::move(proposed));
+  }
+
+  void lay_ramp(int upper, int lower, Point2 from, Point2 to) {
+    out_.robin.push_back({upper, lower, from, to, std::nullopt, std::nullopt});
+  }
+
+  /// Share of the root beside each end of the join: half of what exceeds the chord, and a little
+  /// less, so that a limb's join is its cap.
+  double ramp_share(const RootArc& arc) const {
+    const double chord = distance(arc.at(0), arc.at(arc.length));
+    const double share = 0.75 * (arc.length - chord) / (2 * arc.length);
+    return std::clamp(share, options_.shortest_ramp, options_.longest_ramp);
+  }
+
+  void propose_relation(int upper, int lower, bool enclosed) {
+    const Pair pair{upper, lower};
+    if (joined_.count(pair) + related_.count(pair) > 0) return;
+    const RelationKind kind = enclosed ? RelationKind::equal : RelationKind::above;
+    out_.relations.push_back({{upper, lower, kind, std::nullopt}, false});
+  }
+
+  const PartRegions& regions_;
+  const Stacking& stacking_;
+  const std::vector<Outline>& outlines_;
+  const JoiningOptions& options_;
+  std::set<Pair> joined_;
+  std::set<Pair> unjoined_;
+  std::set<Pair> related_;
+  std::set<Pair> ramped_;
+  Joining out_;
+};
+
+}  // namespace
+
+Joining join_parts(const PartRegions& regions, const Stacking& stacking,
+                   const std::vector<Outline>& outlines, const JoiningCorrections& corrections,
+                   const JoiningOptions& options) {
+  return Proposer(regions, stacking, outlines, corrections, options).run();
+}
+
+}  // namespace relievo

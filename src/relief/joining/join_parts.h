@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "relief/completion/part_regions.h"
+#include "relief/joining/joining.h"
+#include "relief/stacking/stacking.h"
+
+namespace relievo {
+
+struct JoiningOptions {
+  double min_root = 0.08;       ///< a root takes at least this share of the upper part's outline
+  int min_root_sides = 8;       ///< and so many pixel sides
+  double shortest_ramp = 0.08;  ///< share of the root beside each end of the join
+  double longest_ramp = 0.3;
+};
+
+/// Proposes how every part connects with those behind it that it touches:
+///  - join: the outline of the part has exactly one run that borders on parts behind it (its
+///    root), the rest of it goes elsewhere, and the root is no small part of the outline. The join
+///    is the middle of that run; the ramps beside it are as long as the run exceeds its chord, so
+///    that they end where a limb leaves the lower part, and become Robin ranges;
+///  - equal: the outline does not touch the background: an eye, a button, a spot;
+///  - above: everything else.
+/// `outlines` are those of the parts in the scene. O(sides).
+Joining join_parts(const PartRegions& regions, const Stacking& stacking,
+                   const std::vector<Outline>& outlines, const JoiningCorrections& corrections = {},
+                   const JoiningOptions& options = {});
+
+}  // namespace relievo

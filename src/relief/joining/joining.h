@@ -1,0 +1,39 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "relief/scene/scene.h"
+
+namespace relievo {
+
+/// A proposed join and how sure it is.
+struct ProposedJoin {
+  Join join;
+  double confidence = 0;  ///< in [0, 1]; 1 for the user's
+  bool user = false;
+};
+
+/// A proposed relation and whose it is.
+struct ProposedRelation {
+  Relation relation;
+  bool user = false;
+};
+
+/// How the parts connect. Indices are those of the parts in the order of their labels.
+struct Joining {
+  std::vector<ProposedJoin> joins;
+  std::vector<ProposedRelation> relations;
+  std::vector<RobinRange> robin;
+};
+
+/// What the user said about how parts connect, by part index. It replaces every proposal for the
+/// same two parts.
+struct JoiningCorrections {
+  std::vector<Join> joins;
+  std::vector<std::pair<int, int>> no_joins;  ///< upper, lower
+  std::vector<Relation> relations;
+  std::vector<RobinRange> robin;
+};
+
+}  // namespace relievo

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "kernel/geometry/point.h"
+#include "relief/layers/layered_mesh.h"
+#include "relief/ordering/depth_problem.h"
+
+namespace relievo {
+
+/// Where two parts may touch, and whether they do: a gap without its mesh.
+struct DepthContact {
+  int lower = -1;  ///< parts
+  int upper = -1;
+  Point2 position;  ///< px
+  bool closed = false;
+};
+
+/// The contacts of a solved system. O(gaps).
+std::vector<DepthContact> contacts_of(const LayeredMesh& mesh, const DepthSystem& system);
+
+/// A first guess for a problem on another mesh of a similar scene, one flag per variable: each gap
+/// is as the nearest contact of the same parts, open where there is none. O(gaps log contacts)
+/// where contacts are not stacked above each other on the canvas.
+std::vector<uint8_t> gaps_like(const LayeredMesh& mesh, const DepthProblem& problem,
+                               std::vector<DepthContact> contacts);
+
+}  // namespace relievo

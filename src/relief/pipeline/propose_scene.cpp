@@ -1,0 +1,292 @@
+#include "relief/pipeline/propose_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "kernel/image/fill_outline.h"
+#include "kernel/image/mask_outline.h"
+#include "relief/completion/clip_to_order.h"
+
+namespace relievo {
+namespace {
+
+/// How far parts reach below their neighbours at least: a share of the drawing's diagonal.
+constexpr double overlap_share = 0.005;
+constexpr double min_overlap = 2;  ///< px
+/// Arrows that are surer than this tell that a surrounded part's contour is its own.
+constexpr double sure_arrow = 0.75;
+constexpr double least_feature_inflation = 0.02;
+
+Error no_such_label(int label) {
+  return {ErrorCode::bad_input, "no part has this label", "label " + std::to_string(label)};
+}
+
+/// Small labels become background.
+Image16 without_specks(const Image16& labels, int min_pixels, std::vector<std::string>& warnings) {
+  std::map<uint16_t, int> pixels;
+  for (const uint16_t label : labels.pixels)
+    if (label != 0) ++pixels[label];
+  int specks = 0;
+  for (const auto& [label, count] : pixels) specks += count < min_pixels ? 1 : 0;
+  if (specks == 0) return labels;
+  warnings.push_back(std::to_string(specks) + " labels have fewer than " +
+                     std::to_string(min_pixels) + " pixels and are left out");
+  Image16 kept = labels;
+  for (uint16_t& label : kept.pixels)
+    if (label != 0 && pixels[label] < min_pixels) label = 0;
+  return kept;
+}
+
+/// Turns labels in the user's corrections into part indices.
+class LabelResolver {
+ public:
+  explicit LabelResolver(const PartRegions& regions) : regions_(regions) {}
+
+  int part(int label) {
+    const bool known = label > 0 && label < static_cast<int>(regions_.part_of_label.size()) &&
+                       regions_.part_of_label[label] >= 0;
+    if (!known && !error_) error_ = no_such_label(label);
+    return known ? regions_.part_of_label[label] : 0;
+  }
+
+  template <class Item>
+  void pair(Item& item) {
+    item.upper = part(item.upper);
+    item.lower = part(item.lower);
+  }
+
+  JoiningCorrections joining(JoiningCorrections corrections) {
+    for (Join& join : corrections.joins) pair(join);
+    for (auto& [upper, lower] : corrections.no_joins) {
+      upper = part(upper);
+      lower = part(lower);
+    }
+    for (Relation& relation : corrections.relations) pair(relation);
+    for (RobinRange& range : corrections.robin) pair(range);
+    return corrections;
+  }
+
+  std::vector<UserArrow> arrows(const Corrections& corrections) {
+    std::vector<UserArrow> arrows;
+    for (const auto& [upper, lower] : corrections.order)
+      arrows.emplace_back(part(upper), part(lower));
+    // A join or relation says as well which part is in front.
+    const JoiningCorrections own = joining(corrections.joining);
+    for (const Join& join : own.joins) arrows.emplace_back(join.upper, join.lower);
+    for (const Relation& relation : own.relations)
+      arrows.emplace_back(relation.upper, relation.lower);
+    std::sort(arrows.begin(), arrows.end());
+    arrows.erase(std::unique(arrows.begin(), arrows.end()), arrows.end());
+    return arrows;
+  }
+
+  const std::optional<Error>& error() const { return error_; }
+
+ private:
+  const PartRegions& regions_;
+  std::optional<Error> error_;
+};
+
+bool touches_background(const PartRegions& regions, int part) {
+  for (const LabelRing& ring : regions.rings[part])
+    if (std::count(ring.beyond.begin(), ring.beyond.end(), 0) > 0) return true;
+  return false;
+}
+
+/// Who may hide whom: everybody, except where the user says otherwise, where the boundary between
+/// two parts is the front one's own contour, and parts behind one that is surrounded by others,
+/// of whose contour nothing else would be known.
+Occluders possible_occluders(const Proposal& proposal, const std::vector<UserArrow>& arrows) {
+  const int count = proposal.regions.count();
+  std::vector<std::vector<uint8_t>> hides(count, std::vector<uint8_t>(count, 1));
+  for (const NeighbourEvidence& pair : proposal.evidence) {
+    if (pair.a_shaped && !pair.b_shaped) hides[pair.a][pair.b] = 0;
+    if (pair.b_shaped && !pair.a_shaped) hides[pair.b][pair.a] = 0;
+  }
+  for (const OrderArrow& arrow : proposal.stacking.arrows)
+    if (arrow.kept && arrow.confidence >= sure_arrow &&
+        !touches_background(proposal.regions, arrow.upper))
+      hides[arrow.upper][arrow.lower] = 0;
+  for (const auto& [upper, lower] : arrows) {
+    hides[lower][upper] = 1;
+    hides[upper][lower] = 0;
+  }
+  Occluders occluders(count);
+  for (int part = 0; part < count; ++part)
+    for (int other = 0; other < count; ++other)
+      if (other != part && hides[part][other] != 0) occluders[part].push_back(other);
+  return occluders;
+}
+
+/// Everybody in front.
+Occluders parts_in_front(const std::vector<int>& rank) {
+  Occluders occluders(rank.size());
+  for (size_t part = 0; part < rank.size(); ++part)
+    for (size_t other = 0; other < rank.size(); ++other)
+      if (rank[other] > rank[part]) occluders[part].push_back(static_cast<int>(other));
+  return occluders;
+}
+
+/// The shapes as the order of parts lets them be.
+Result<Completion> shapes_in_order(const Proposal& proposal, const RunContext& context) {
+  const std::vector<int>& rank = proposal.stacking.rank;
+  const auto below_front = complete_parts(proposal.regions, parts_in_front(rank), context);
+  if (!below_front) return below_front.error();
+  const Image16& map = proposal.regions.map;
+  const double overlap = std::max(min_overlap, overlap_share * std::hypot(map.width, map.height));
+  return clip_to_order(proposal.regions, proposal.completion, *below_front, rank,
+                       static_cast<int>(std::lround(overlap)));
+}
+
+void keep_given_outlines(const Corrections& corrections, Proposal& proposal) {
+  for (const auto& [label, correction] : corrections.parts) {
+    if (!correction.outline) continue;
+    const int part = proposal.regions.part_of(label);
+    const Image16& map = proposal.regions.map;
+    proposal.completion.parts[part] = {fill_outline(*correction.outline, map.width, map.height),
+                                       CompletionKind::given};
+  }
+}
+
+/// The amount of inflation that makes an ellipse of these proportions as deep as it is narrow:
+/// -c = laplace(c a^2 b^2 / (2 (a^2 + b^2)) (1 - x^2 / a^2 - y^2 / b^2)) with height b in the
+/// middle, hence c = 2 (1 + (b / a)^2): 4 for a disc, 2 for a long limb.
+double round_inflation(const Mask& mask) {
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+  for_each_pixel(mask, [&](int px, int py) {
+    const double u = px - mask.left;
+    const double v = py - mask.top;
+    n += 1;
+    x += u;
+    y += v;
+    xx += u * u;
+    xy += u * v;
+    yy += v * v;
+  });
+  if (n == 0) return 4;
+  const double a = xx / n - x / n * (x / n);
+  const double b = xy / n - x / n * (y / n);
+  const double c = yy / n - y / n * (y / n);
+  const double root = std::sqrt((a - c) * (a - c) / 4 + b * b);
+  const double longer = (a + c) / 2 + root;
+  const double shorter = std::max((a + c) / 2 - root, 0.0);
+  return longer > 0 ? 2 * (1 + shorter / longer) : 4;
+}
+
+/// Features on a part bulge the less the larger they are: an eye does, a patch on the belly does
+/// not. With q the share that they take of the part below, c is multiplied by 1 - 1.5 sqrt(q).
+double feature_inflation(const Proposal& proposal, const Completion& clipped, int part) {
+  double factor = 1;
+  for (const ProposedRelation& proposed : proposal.joining.relations) {
+    const Relation& relation = proposed.relation;
+    if (relation.upper != part || relation.kind != RelationKind::equal) continue;
+    const auto area = [&](int k) {
+      return static_cast<double>(pixel_count(clipped.parts[k].shape));
+    };
+    const double share = area(part) / area(relation.lower);
+    factor = std::min(factor, 1 - 1.5 * std::sqrt(share));
+  }
+  return std::max(factor, least_feature_inflation);
+}
+
+/// The outlines in the scene: as the user drew them, or those of the shapes after the order.
+std::vector<Outline> scene_outlines(const Corrections& corrections, const PartRegions& regions,
+                                    const Completion& clipped) {
+  std::vector<Outline> outlines;
+  for (int part = 0; part < regions.count(); ++part) {
+    const auto found = corrections.parts.find(regions.labels[part]);
+    const bool given = found != corrections.parts.end() && found->second.outline;
+    outlines.push_back(given ? *found->second.outline : outline_of(clipped.parts[part].shape));
+    orient_by_nesting(outlines.back());
+  }
+  return outlines;
+}
+
+Part scene_part(const Corrections& corrections, PartLabel label, Outline outline,
+                double inflation) {
+  const auto found = corrections.parts.find(label);
+  const PartCorrection said = found == corrections.parts.end() ? PartCorrection{} : found->second;
+  Part result;
+  result.id = said.id.value_or("part-" + std::to_string(label));
+  result.outline = std::move(outline);
+  result.c = said.c.value_or(std::round(inflation * 100) / 100);
+  result.d = said.d.value_or(1);
+  return result;
+}
+
+Scene scene_of(const Corrections& corrections, const Proposal& proposal, const Completion& clipped,
+               const std::vector<Outline>& outlines) {
+  const std::vector<int>& rank = proposal.stacking.rank;
+  Scene scene;
+  scene.width = proposal.regions.map.width;
+  scene.height = proposal.regions.map.height;
+  for (const int part : proposal.stacking.back_to_front)
+    scene.parts.push_back(scene_part(
+        corrections, proposal.regions.labels[part], outlines[part],
+        round_inflation(clipped.parts[part].shape) * feature_inflation(proposal, clipped, part)));
+  const auto renumbered = [&](auto item) {
+    item.upper = rank[item.upper];
+    item.lower = rank[item.lower];
+    return item;
+  };
+  for (const ProposedJoin& join : proposal.joining.joins)
+    scene.joins.push_back(renumbered(join.join));
+  for (const ProposedRelation& relation : proposal.joining.relations)
+    scene.relations.push_back(renumbered(relation.relation));
+  for (const RobinRange& range : proposal.joining.robin) scene.robin.push_back(renumbered(range));
+  return scene;
+}
+
+Status check_labels(const PartRegions& regions, const Corrections& corrections, int max_parts) {
+  if (regions.count() == 0)
+    return Error{ErrorCode::bad_input, "has no parts: every pixel is background", "labels"};
+  if (regions.count() > max_parts)
+    return Error{ErrorCode::limit, "has more than " + std::to_string(max_parts) + " parts",
+                 "labels"};
+  for (const auto& [label, correction] : corrections.parts)
+    if (regions.part_of(label) < 0) return no_such_label(label);
+  return Done{};
+}
+
+/// Fills in what follows from the regions, stage by stage.
+Status propose(Proposal& proposal, const Corrections& corrections, const ProposalOptions& options,
+               const RunContext& context) {
+  LabelResolver resolver(proposal.regions);
+  const std::vector<UserArrow> arrows = resolver.arrows(corrections);
+  if (resolver.error()) return *resolver.error();
+  auto evidence = compare_neighbours(proposal.regions, options.completion, context);
+  if (!evidence) return evidence.error();
+  proposal.evidence = std::move(*evidence);
+  auto stacking = stack_parts(proposal.regions, proposal.evidence, arrows);
+  if (!stacking) return stacking.error();
+  proposal.stacking = std::move(*stacking);
+  auto completion = complete_parts(proposal.regions, possible_occluders(proposal, arrows), context);
+  if (!completion) return completion.error();
+  proposal.completion = std::move(*completion);
+  keep_given_outlines(corrections, proposal);
+  return Done{};
+}
+
+}  // namespace
+
+Result<Proposal> propose_scene(const Image16& labels, const Corrections& corrections,
+                               const ProposalOptions& options, const RunContext& context) {
+  Proposal proposal;
+  proposal.regions = find_regions(without_specks(labels, options.min_pixels, proposal.warnings));
+  if (Status s = check_labels(proposal.regions, corrections, options.max_parts); !s)
+    return s.error();
+  if (Status s = propose(proposal, corrections, options, context); !s) return s.error();
+  const auto clipped = shapes_in_order(proposal, context);
+  if (!clipped) return clipped.error();
+  const std::vector<Outline> outlines = scene_outlines(corrections, proposal.regions, *clipped);
+  proposal.joining =
+      join_parts(proposal.regions, proposal.stacking, outlines,
+                 LabelResolver(proposal.regions).joining(corrections.joining), options.joining);
+  proposal.scene = scene_of(corrections, proposal, *clipped, outlines);
+  if (Status s = validate(proposal.scene); !s) return s.error();
+  return proposal;
+}
+
+}  // namespace relievo

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "kernel/base/run_context.h"
+#include "relief/completion/complete_parts.h"
+#include "relief/corrections/corrections.h"
+#include "relief/joining/join_parts.h"
+#include "relief/scene/scene.h"
+#include "relief/stacking/stack_parts.h"
+
+namespace relievo {
+
+struct ProposalOptions {
+  CompletionOptions completion;
+  JoiningOptions joining;
+  int max_parts = 1024;
+  int min_pixels = 16;  ///< labels with fewer pixels are left out, with a warning
+};
+
+/// What was understood of a segmented drawing, and the scene that it makes.
+struct Proposal {
+  PartRegions regions;
+  std::vector<NeighbourEvidence> evidence;
+  Completion completion;  ///< shapes as they are if nothing is cut off by the order
+  Stacking stacking;
+  Joining joining;
+  Scene scene;  ///< without a drawing; part k is the part stacking.back_to_front[k]
+  std::vector<std::string> warnings;
+};
+
+/// From labels (a pixel's part, 0 for the background) to a scene: completion, order, joins and
+/// relations. Errors: `bad_input` where there are no parts or a correction names one that is not
+/// there, `limit` where there are too many, `contradiction` where arrows of the user form a
+/// circle, `interrupted`. Near-linear in pixels, times the number of parts that overlap.
+Result<Proposal> propose_scene(const Image16& labels, const Corrections& corrections = {},
+                               const ProposalOptions& options = {}, const RunContext& context = {});
+
+}  // namespace relievo

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "relief/inflation/inflate.h"
+#include "relief/joint/solve_jointly.h"
+#include "relief/layers/layer_parts.h"
+#include "relief/ordering/order_depth.h"
+
+namespace relievo {
+
+enum class Method {
+  approximate,  ///< inflation, then order [P §3.2]
+  nonlinear,    ///< both at once [P §3.1]
+};
+
+struct ReliefOptions {
+  Method method = Method::approximate;
+  LayerOptions layers;
+  InflationOptions inflation;
+  OrderingOptions ordering;
+  JointOptions joint;  ///< of the non-linear method; epsilon and max_rounds are the ordering's
+};
+
+}  // namespace relievo

@@ -1,0 +1,190 @@
+#include "relief/pipeline/relief_session.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/base/workers.h"
+#include "relief/discretisation/discretise.h"
+#include "relief/pipeline/stage_keys.h"
+
+namespace relievo {
+
+/// What an update was asked for.
+struct ReliefSession::Request {
+  const Scene& scene;
+  const ReliefOptions& options;
+  const RunContext& context;
+  StageClock& clock;
+};
+
+namespace {
+
+/// The mesh that a first guess is found on has so many times fewer nodes.
+constexpr int coarsening = 8;
+/// It is not worth the trouble where it would have fewer than so many.
+constexpr int smallest_coarse_mesh = 500;
+
+/// Where parts touch on a coarser mesh; nothing where that has no solution.
+std::vector<DepthContact> coarse_contacts(const Scene& scene, ReliefOptions options,
+                                          const RunContext& context) {
+  LayerOptions& layers = options.layers;
+  layers.edge_length *= std::sqrt(static_cast<double>(coarsening));
+  layers.vertex_budget /= coarsening;
+  if (layers.edge_length == 0 && layers.vertex_budget < smallest_coarse_mesh) return {};
+  options.ordering.max_rounds = 0;
+  ReliefSession session(ReliefSession::Use::guess);
+  if (!session.update(scene, options, RunContext{context.cancel, {}, {}})) return {};
+  return session.contacts();
+}
+
+}  // namespace
+
+Status ReliefSession::update(const Scene& scene, const ReliefOptions& options,
+                             const RunContext& context) {
+  if (Status status = validate(scene); !status) return status;
+  relief_.times.clear();
+  std::vector<StageTime> times;
+  StageClock clock(times);
+  const RunContext timed = clock.listen(context);
+  const Request request{scene, options, timed, clock};
+  const bool jointly = options.method == Method::nonlinear;
+  const bool guess = use_ != Use::guess && !jointly && sheets_state_.version() == 0;
+  Status status = Done{};
+  std::vector<DepthContact> contacts;
+  run_tasks(guess ? 2 : 1, [&](int task) {
+    if (task == 0)
+      status = update_surface(request);
+    else
+      contacts = coarse_contacts(scene, options, context);
+  });
+  if (!status) return status;
+  if (guess) ordering_system_.contacts = std::move(contacts);
+  status = jointly ? update_jointly(request) : update_ordering(request);
+  if (!status) return status;
+  relief_.times = std::move(times);
+  return Done{};
+}
+
+Relief ReliefSession::take() && { return std::move(relief_); }
+
+Status ReliefSession::update_surface(const Request& request) {
+  if (Status status = update_layers(request); !status) return status;
+  return update_inflation(request);
+}
+
+/// A new mesh: the order begins from what touched on the last one.
+void ReliefSession::begin_like(const Scene& scene) {
+  std::vector<DepthContact> contacts = std::move(ordering_system_.contacts);
+  ordering_system_ = {};
+  ordering_system_.keep_rounds = use_ == Use::many;
+  const auto number = [&](int& part) {
+    const auto same = [&](const Part& other) { return other.id == part_ids_[part]; };
+    const auto found = std::find_if(scene.parts.begin(), scene.parts.end(), same);
+    part = found == scene.parts.end() ? -1 : static_cast<int>(found - scene.parts.begin());
+  };
+  for (DepthContact& contact : contacts) {
+    number(contact.lower);
+    number(contact.upper);
+  }
+  ordering_system_.contacts = std::move(contacts);
+  part_ids_.clear();
+  for (const Part& part : scene.parts) part_ids_.push_back(part.id);
+}
+
+Status ReliefSession::update_layers(const Request& request) {
+  const auto& [scene, options, context, clock] = request;
+  Status status = sheets_state_.refresh(sheets_key(scene, options.layers), [&]() -> Status {
+    auto sheets = join_sheets(scene, options.layers, context);
+    if (!sheets) return sheets.error();
+    sheets_ = std::move(*sheets);
+    clock.finish("mesh");
+    return Done{};
+  });
+  if (!status) return status;
+  Key key = layers_key(scene, options.layers);
+  status = layers_state_.refresh(key.add(sheets_state_.version()), [&]() -> Status {
+    auto layers = constrain_sheets(sheets_, scene, options.layers.glue);
+    if (!layers) return layers.error();
+    relief_.layers = std::move(*layers);
+    clock.finish("mesh");
+    return Done{};
+  });
+  if (use_ != Use::many) {
+    sheets_state_.forget();
+    sheets_ = {};
+  }
+  return status;
+}
+
+Status ReliefSession::update_inflation(const Request& request) {
+  const auto& [scene, options, context, clock] = request;
+  const LayeredMesh& mesh = relief_.layers;
+  Status status =
+      discretisation_state_.refresh(Key().add(sheets_state_.version()), [&]() -> Status {
+        discretisation_ = discretise(mesh, context);
+        if (context.cancelled()) return interrupted_error();
+        begin_like(scene);
+        return Done{};
+      });
+  if (!status) return status;
+  Key roles = Key().add(discretisation_state_.version()).add(mesh.node_role);
+  status = poisson_state_.refresh(std::move(roles), [&]() -> Status {
+    poisson_.emplace(mesh, discretisation_,
+                     use_ == Use::many ? Refactorisation::incremental : Refactorisation::complete,
+                     context);
+    return Done{};
+  });
+  if (!status) return status;
+  Key key = inflation_key(scene, options.inflation);
+  key.add(poisson_state_.version()).add(boundary_key(mesh));
+  status = inflation_state_.refresh(std::move(key), [&]() -> Status {
+    auto inflation = inflate({mesh, discretisation_, scene}, options.inflation, *poisson_, context);
+    if (!inflation) return inflation.error();
+    inflation_ = std::move(*inflation);
+    clock.finish("inflate");
+    return Done{};
+  });
+  if (use_ != Use::many) {
+    poisson_state_.forget();
+    poisson_.reset();
+  }
+  return status;
+}
+
+Status ReliefSession::update_ordering(const Request& request) {
+  const auto& [scene, options, context, clock] = request;
+  Key key = ordering_key(relief_.layers, scene, options.ordering);
+  key.add(Method::approximate).add(inflation_state_.version());
+  return heights_state_.refresh(std::move(key), [&]() -> Status {
+    auto ordering = order_depth({relief_.layers, discretisation_, inflation_, scene},
+                                options.ordering, ordering_system_, context);
+    if (!ordering) return ordering.error();
+    relief_.inflation = inflation_;
+    relief_.ordering = std::move(*ordering);
+    relief_.joint = {};
+    relief_.snapshots.clear();
+    clock.finish("order");
+    return Done{};
+  });
+}
+
+Status ReliefSession::update_jointly(const Request& request) {
+  const auto& [scene, options, context, clock] = request;
+  Key key = ordering_key(relief_.layers, scene, options.ordering);
+  key.add(Method::nonlinear).add(inflation_state_.version()).add(joint_key(options.joint));
+  return heights_state_.refresh(std::move(key), [&]() -> Status {
+    JointOptions joint = options.joint;
+    joint.epsilon = options.ordering.epsilon;
+    joint.max_rounds = options.ordering.max_rounds;
+    auto solution = solve_jointly(relief_.layers, scene, inflation_, joint, context);
+    if (!solution) return solution.error();
+    relief_.inflation = std::move(solution->inflation);
+    relief_.ordering = std::move(solution->ordering);
+    relief_.joint = std::move(solution->report);
+    relief_.snapshots = std::move(solution->snapshots);
+    clock.finish("nonlinear");
+    return Done{};
+  });
+}
+
+}  // namespace relievo

@@ -1,0 +1,65 @@
+#include "relief/pipeline/stage_keys.h"
+
+namespace relievo {
+
+Key sheets_key(const Scene& scene, const LayerOptions& options) {
+  Key key;
+  key.add(scene.width).add(scene.height).add(scene.parts.size());
+  for (const Part& part : scene.parts) key.add(std::string_view(part.id)).add(part.outline);
+  key.add(scene.joins.size());
+  for (const Join& join : scene.joins) key.add(join.upper).add(join.lower).add(join.line);
+  key.add(scene.robin.size());
+  for (const RobinRange& range : scene.robin)
+    key.add(range.upper).add(range.lower).add(range.from).add(range.to);
+  for (const Relation& relation : scene.relations)
+    if (relation.range)
+      key.add(relation.upper).add(relation.range->first).add(relation.range->second);
+  key.add(options.vertex_budget).add(options.edge_length).add(options.grading);
+  return key.add(options.max_growth).add(options.max_nodes);
+}
+
+Key layers_key(const Scene& scene, const LayerOptions& options) {
+  Key key;
+  key.add(options.glue).add(scene.relations.size());
+  for (const Relation& relation : scene.relations)
+    key.add(relation.upper).add(relation.lower).add(relation.kind).add(relation.range.has_value());
+  for (const RobinRange& range : scene.robin)
+    key.add(range.alpha0.has_value())
+        .add(range.alpha0.value_or(0))
+        .add(range.rho.has_value())
+        .add(range.rho.value_or(0));
+  return key;
+}
+
+Key boundary_key(const LayeredMesh& mesh) {
+  Key key;
+  key.add(mesh.node_role).add(mesh.ramps.size());
+  for (const RobinRamp& ramp : mesh.ramps) key.add(ramp.length).add(ramp.alpha0).add(ramp.rho);
+  for (const RampNode& node : mesh.ramp_nodes)
+    key.add(node.node).add(node.ramp).add(node.t).add(node.mass);
+  return key;
+}
+
+Key inflation_key(const Scene& scene, const InflationOptions& options) {
+  Key key;
+  for (const Part& part : scene.parts) key.add(part.c).add(part.d);
+  return key.add(options.alpha0).add(options.rho).add(options.units);
+}
+
+Key ordering_key(const LayeredMesh& mesh, const Scene& scene, const OrderingOptions& options) {
+  Key key;
+  for (const DepthPair& pair : mesh.constraints)
+    key.add(pair.lower).add(pair.upper).add(pair.equal);
+  for (const Part& part : scene.parts) key.add(part.d < 0);
+  for (const Relation& relation : scene.relations)
+    key.add(relation.upper).add(relation.lower).add(relation.kind).add(relation.range.has_value());
+  return key.add(options.epsilon).add(options.max_rounds).add(options.start_active);
+}
+
+Key joint_key(const JointOptions& options) {
+  Key key;
+  key.add(options.lambda_bnd).add(options.lambda_shift).add(options.tolerance);
+  return key.add(options.max_iterations).add(options.anderson_depth).add(options.snapshots);
+}
+
+}  // namespace relievo

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "kernel/base/result.h"
+#include "relief/stacking/stacking.h"
+
+namespace relievo {
+
+/// Gives up guessed arrows until no cycle is left: while there is one, the least confident guess
+/// that lies on a cycle (of equals, the one with the smallest `weight`, then the first). Arrows of
+/// the user are never given up; a cycle of those alone is an error (`contradiction`) that names
+/// its parts by `name`. O(arrows * (parts + arrows)).
+Status break_cycles(int parts, std::vector<OrderArrow>& arrows);
+
+/// Parts back to front along the kept arrows; among parts that may come next, the one with the
+/// largest `area` first. Precondition: no cycles. O(parts^2 + arrows).
+std::vector<int> sort_back_to_front(const std::vector<double>& area,
+                                    const std::vector<OrderArrow>& arrows);
+
+}  // namespace relievo

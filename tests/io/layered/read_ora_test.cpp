@@ -1,0 +1,123 @@
+#include "io/layered/read_ora.h"
+
+#include <gtest/gtest.h>
+
+#include "io/layered/layer_support.h"
+#include "io/support/test_archive.h"
+
+namespace relievo {
+namespace {
+
+using Names = std::vector<std::string>;
+using Files = std::vector<std::pair<std::string, std::string>>;
+
+std::string png(const Image8& image) { return to_text(*encode_png(image)); }
+
+Files files_of(const std::string& stack) {
+  return {{"mimetype", "image/openraster"},
+          {"stack.xml", "<image w='300' h='300'><stack>" + stack + "</stack></image>"},
+          {"data/body.png", png(disc(300, 300, {150, 180}, 90, red))},
+          {"data/ear.png", png(disc(90, 90, {45, 45}, 40, blue))}};
+}
+
+Result<OraDrawing> read(const Files& files) {
+  const auto entries = unpack_archive(test_archive(files));
+  if (!entries) return entries.error();
+  EXPECT_TRUE(is_ora(*entries));
+  return read_ora(*entries);
+}
+
+TEST(ReadOra, TheFirstLayerLiesInFront) {
+  const auto ora =
+      read(files_of("<layer name='ear' src='data/ear.png' x='105' y='35'/>"
+                    "<layer name='body' src='data/body.png'/>"));
+  ASSERT_TRUE(ora) << to_string(ora.error());
+  EXPECT_EQ(part_names(ora->content), (Names{"body", "ear"}));
+  EXPECT_EQ(ora->content.scene.width, 300);
+  const Box2 ear = bounding_box(ora->content.scene.parts[1].outline);
+  EXPECT_NEAR(ear.min.x, 110, 0.1);
+  EXPECT_NEAR(ear.min.y, 40, 0.1);
+  EXPECT_TRUE(ora->warnings.empty());
+}
+
+TEST(ReadOra, HiddenAndFaintLayersAreNoParts) {
+  const auto parts = [](const std::string& attribute) {
+    const auto ora = read(files_of("<stack " + attribute +
+                                   "><layer name='ear' src='data/ear.png' x='105' y='35'/></stack>"
+                                   "<layer name='body' src='data/body.png'/>"));
+    return ora.ok() ? part_names(ora->content) : Names();
+  };
+  EXPECT_EQ(parts(""), (Names{"body", "ear"}));
+  EXPECT_EQ(parts("visibility='hidden'"), Names{"body"});
+  EXPECT_EQ(parts("opacity='0.4'"), Names{"body"});
+  EXPECT_EQ(parts("name='texture: decoration'"), Names{"body"});
+  EXPECT_EQ(parts("name='part: both'"), Names{"ear"});
+}
+
+TEST(ReadOra, BlendingIsPaintedPlainlyAndSaidSo) {
+  const auto ora =
+      read(files_of("<layer name='body' src='data/body.png' composite-op='svg:multiply'/>"));
+  ASSERT_TRUE(ora);
+  EXPECT_EQ(ora->warnings.size(), 1u);
+}
+
+TEST(ReadOra, RefusesWhatItCannotUse) {
+  const auto message = [](const Files& files) {
+    const auto ora = read(files);
+    EXPECT_FALSE(ora);
+    return ora.ok() ? "" : to_string(ora.error());
+  };
+  EXPECT_NE(message({{"mimetype", "image/openraster"}}).find("stack.xml"), std::string::npos);
+  EXPECT_NE(message(files_of("<layer src='data/none.png'/>")).find("data/none.png"),
+            std::string::npos);
+  EXPECT_NE(message(files_of("<layer src='stack.xml'/>")).find("stack.xml"), std::string::npos);
+  EXPECT_NE(message(files_of("")).find("opaque"), std::string::npos);
+  Files broken = files_of("");
+  broken[1].second = "<image w='300' h='300'><stack>";
+  EXPECT_NE(message(broken).find("XML"), std::string::npos);
+  Files huge = files_of("<layer src='data/body.png'/>");
+  huge[1].second = "<image w='300000' h='300000'><stack/></image>";
+  EXPECT_NE(message(huge).find("limit"), std::string::npos);
+  std::string deep;
+  for (int k = 0; k < 100; ++k) deep = "<stack>" + deep + "</stack>";
+  EXPECT_NE(message(files_of(deep)).find("deeply"), std::string::npos);
+}
+
+TEST(Archive, RefusesWhatItShouldNotUnpack) {
+  const auto code = [](const Bytes& bytes, const ArchiveLimits& limits = {}) {
+    const auto entries = unpack_archive(bytes, limits);
+    return entries.ok() ? std::string("ok") : to_string(entries.error());
+  };
+  EXPECT_EQ(code(test_archive({{"a", "text"}, {"b/c", "text"}})), "ok");
+  EXPECT_NE(code(test_archive({{"../a", "text"}})).find("leads out"), std::string::npos);
+  EXPECT_NE(code(test_archive({{"/a", "text"}})).find("leads out"), std::string::npos);
+  EXPECT_NE(code(test_archive({{"a", "text"}}, true)).find("encrypted"), std::string::npos);
+  EXPECT_NE(code(test_archive({{"a", std::string(1 << 22, 'a')}}), {2000, 1 << 20, 100000})
+                .find("too large"),
+            std::string::npos);
+  EXPECT_NE(code(test_archive({{"a", std::string(1 << 22, 'a')}}), {2000, 1 << 30, 100})
+                .find("too large"),
+            std::string::npos);
+  EXPECT_NE(code(test_archive({{"a", ""}, {"b", ""}, {"c", ""}}), {2}).find("too many"),
+            std::string::npos);
+}
+
+TEST(Archive, DamageIsFoundOrHarmless) {
+  const Bytes whole = test_archive(files_of("<layer src='data/body.png'/>"));
+  for (size_t length = 0; length < whole.size(); length += 37)
+    EXPECT_FALSE(unpack_archive(ByteView(whole).subspan(0, length)));
+  for (size_t at = 0; at < whole.size(); at += 11) {
+    Bytes flipped = whole;
+    flipped[at] ^= 0x10;
+    const auto entries = unpack_archive(flipped);
+    if (!entries) {
+      EXPECT_FALSE(entries.error().message.empty());
+    } else if (is_ora(*entries)) {
+      const auto ora = read_ora(*entries);
+      EXPECT_TRUE(ora.ok() || !ora.error().message.empty());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace relievo

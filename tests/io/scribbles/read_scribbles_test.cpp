@@ -1,0 +1,69 @@
+#include "io/scribbles/read_scribbles.h"
+
+#include <gtest/gtest.h>
+
+#include "io/scribbles/write_scribbles.h"
+
+namespace relievo {
+namespace {
+
+Scribbles sample() {
+  return {{"head", "body \"1\""},
+          {{ScribbleKind::hard, 0, {{1.5, 2}, {3, 0.1}}, 4},
+           {ScribbleKind::soft, 1, {{7, 8}}, 2.5},
+           {ScribbleKind::outside, 0, {{0, 0}}, 1},
+           {ScribbleKind::hole, 0, {{9, 9}, {10, 9}}, 3}}};
+}
+
+TEST(Scribbles, WhatIsWrittenReadsBack) {
+  const Result<Scribbles> s = read_scribbles(write_scribbles(sample()));
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  const Scribbles expected = sample();
+  EXPECT_EQ(s->parts, expected.parts);
+  ASSERT_EQ(s->strokes.size(), expected.strokes.size());
+  for (size_t k = 0; k < expected.strokes.size(); ++k) {
+    EXPECT_EQ(s->strokes[k].kind, expected.strokes[k].kind);
+    EXPECT_EQ(s->strokes[k].part, expected.strokes[k].part);
+    EXPECT_EQ(s->strokes[k].points, expected.strokes[k].points);
+    EXPECT_EQ(s->strokes[k].width, expected.strokes[k].width);
+  }
+  EXPECT_EQ(write_scribbles(*s), write_scribbles(expected));
+}
+
+TEST(Scribbles, MistakesAreNamedWithTheirPlace) {
+  const std::string good = write_scribbles(sample());
+  const auto refuse = [&](const std::string& from, const std::string& to, const char* where) {
+    std::string text = good;
+    text.replace(text.find(from), from.size(), to);
+    const Result<Scribbles> s = read_scribbles(text);
+    ASSERT_FALSE(s.ok()) << to;
+    EXPECT_EQ(s.error().code, ErrorCode::bad_input);
+    EXPECT_EQ(s.error().where, where) << s.error().message;
+  };
+  refuse("relievo-scribbles", "relievo-scene", "format");
+  refuse("\"version\": 1", "\"version\": 2", "version");
+  refuse("\"hard\"", "\"loud\"", "strokes[0].kind");
+  refuse("\"part\":\"head\"", "\"part\":\"tail\"", "strokes[0].part");
+  refuse("\"width\":2.5", "\"width\":0", "strokes[1].width");
+  refuse("[7.0,8.0]", "[7.0]", "strokes[1].points");
+  refuse("[[0.0,0.0]]", "[]", "strokes[2].points");
+  refuse("\"kind\":\"hole\"", "\"kind\":\"hole\",\"part\":\"head\"", "strokes[3].part");
+  refuse("\"kind\":\"outside\"", "\"kind\":\"outside\",\"colour\":1", "strokes[2].colour");
+  refuse("[\"head\"", "[\"body \\\"1\\\"\"", "parts");
+}
+
+TEST(Scribbles, LimitsAreTheCallers) {
+  const std::string text = write_scribbles(sample());
+  EXPECT_EQ(read_scribbles(text, {size_t{1} << 20, 3, 100}).error().code, ErrorCode::limit);
+  EXPECT_EQ(read_scribbles(text, {size_t{1} << 20, 100, 5}).error().code, ErrorCode::limit);
+  EXPECT_EQ(read_scribbles(text, {20, 100, 100}).error().code, ErrorCode::limit);
+}
+
+TEST(Scribbles, EveryTruncationIsRefused) {
+  const std::string text = write_scribbles(sample());
+  for (size_t size = 0; size + 2 < text.size(); ++size)
+    EXPECT_FALSE(read_scribbles(std::string_view(text).substr(0, size)).ok()) << size;
+}
+
+}  // namespace
+}  // namespace relievo

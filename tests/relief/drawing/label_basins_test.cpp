@@ -1,0 +1,162 @@
+#include "relief/drawing/label_basins.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "relief/drawing/find_basins.h"
+#include "relief/drawing/mark_pixels.h"
+#include "support/ink_drawing.h"
+
+namespace relievo {
+namespace {
+
+Scribble stroke(ScribbleKind kind, int part, std::vector<Point2> points, double width = 5) {
+  return {kind, part, std::move(points), width};
+}
+
+/// Two rooms with a wall between, and a third one to the right.
+Basins rooms() {
+  InkDrawing ink(420, 220);
+  ink.line({20, 20}, {400, 20}).line({400, 20}, {400, 200}).line({400, 200}, {20, 200});
+  ink.line({20, 200}, {20, 20}).line({140, 20}, {140, 200}).line({260, 20}, {260, 200});
+  return *find_basins(ink.drawing());
+}
+
+/// One room without any wall.
+Basins hall() {
+  InkDrawing ink(420, 220);
+  ink.line({20, 20}, {400, 20}).line({400, 20}, {400, 200}).line({400, 200}, {20, 200});
+  ink.line({20, 200}, {20, 20});
+  return *find_basins(ink.drawing());
+}
+
+TEST(LabelBasins, ProposalsAreKeptWhereNobodyDraws) {
+  const Basins basins = rooms();
+  const Result<Segmentation> s =
+      label_basins(basins, {{"left"}, {stroke(ScribbleKind::hard, 0, {{70, 110}, {90, 110}})}});
+  ASSERT_TRUE(s.ok());
+  ASSERT_EQ(s->parts.size(), 3U);
+  EXPECT_EQ(s->parts[0].id, "left");
+  EXPECT_FALSE(s->parts[0].proposed);
+  EXPECT_TRUE(s->parts[1].proposed);
+  EXPECT_EQ(s->labels.at(80, 50), 1);
+  EXPECT_NE(s->labels.at(200, 50), s->labels.at(330, 50));
+}
+
+TEST(LabelBasins, OneStrokeOverSeveralAreasMakesThemOnePart) {
+  const Result<Segmentation> s =
+      label_basins(rooms(), {{"both"}, {stroke(ScribbleKind::soft, 0, {{80, 110}, {200, 110}})}});
+  ASSERT_TRUE(s.ok());
+  EXPECT_EQ(s->parts.size(), 2U);
+  EXPECT_EQ(s->labels.at(80, 50), s->labels.at(200, 50));
+}
+
+TEST(LabelBasins, JoiningLeavesNothingButWhatWasDrawn) {
+  const Scribbles scribbles{
+      {"a", "b"},
+      {stroke(ScribbleKind::hard, 0, {{80, 110}}), stroke(ScribbleKind::hard, 1, {{330, 110}})}};
+  const Result<Segmentation> s = label_basins(rooms(), scribbles, {true});
+  ASSERT_TRUE(s.ok());
+  EXPECT_EQ(s->parts.size(), 2U);
+  EXPECT_NE(s->labels.at(80, 50), s->labels.at(330, 50));
+}
+
+TEST(LabelBasins, HardStrokesAreNeverOverruled) {
+  const Basins basins = hall();
+  for (int k = 0; k < 12; ++k) {
+    const double x = 60 + 22 * k;
+    const Scribbles scribbles{{"a", "b"},
+                              {stroke(ScribbleKind::hard, 0, {{40, 110}, {60, 150}}),
+                               stroke(ScribbleKind::hard, 1, {{x + 20, 60}, {x + 40, 160}}, 3)}};
+    const Result<Segmentation> s = label_basins(basins, scribbles);
+    ASSERT_TRUE(s.ok());
+    for (const MarkedPixel& mark :
+         mark_pixels(scribbles, basins.index.width, basins.index.height)) {
+      const std::string& id = scribbles.parts[scribbles.strokes[mark.stroke].part];
+      ASSERT_EQ(s->parts[s->labels.pixels[mark.pixel] - 1].id, id) << k;
+    }
+  }
+}
+
+TEST(LabelBasins, HardStrokesDivideAnOpenAreaBetweenThem) {
+  const Result<Segmentation> s =
+      label_basins(hall(), {{"a", "b"},
+                            {stroke(ScribbleKind::hard, 0, {{60, 60}, {60, 160}}),
+                             stroke(ScribbleKind::hard, 1, {{360, 60}, {360, 160}})}});
+  ASSERT_TRUE(s.ok());
+  ASSERT_EQ(s->parts.size(), 2U);
+  EXPECT_NEAR(static_cast<double>(s->parts[0].area) / static_cast<double>(s->parts[1].area), 1,
+              0.1);
+  EXPECT_FALSE(s->bridges.empty());
+}
+
+TEST(LabelBasins, SoftStrokesVote) {
+  const Result<Segmentation> s =
+      label_basins(hall(), {{"much", "little"},
+                            {stroke(ScribbleKind::soft, 0, {{60, 60}, {300, 160}}),
+                             stroke(ScribbleKind::soft, 1, {{360, 60}, {370, 60}})}});
+  ASSERT_TRUE(s.ok());
+  ASSERT_EQ(s->parts.size(), 1U);
+  EXPECT_EQ(s->parts[0].id, "much");
+  ASSERT_EQ(s->notes.size(), 1U);
+  EXPECT_NE(s->notes[0].find("little"), std::string::npos);
+}
+
+TEST(LabelBasins, ASlipOverALineIsForgiven) {
+  const Result<Segmentation> s =
+      label_basins(rooms(), {{"left"}, {stroke(ScribbleKind::hard, 0, {{40, 110}, {146, 110}})}});
+  ASSERT_TRUE(s.ok());
+  EXPECT_EQ(s->labels.at(80, 50), 1);
+  EXPECT_NE(s->labels.at(200, 50), 1);
+}
+
+TEST(LabelBasins, HolesAndOutsideBecomeBackground) {
+  for (const ScribbleKind kind : {ScribbleKind::outside, ScribbleKind::hole}) {
+    const Result<Segmentation> s = label_basins(rooms(), {{}, {stroke(kind, 0, {{200, 110}})}});
+    ASSERT_TRUE(s.ok());
+    EXPECT_EQ(s->parts.size(), 2U);
+    EXPECT_EQ(s->labels.at(200, 50), 0);
+    EXPECT_NE(s->labels.at(80, 50), 0);
+  }
+}
+
+TEST(LabelBasins, LaterStrokesCoverEarlierOnes) {
+  const Result<Segmentation> s =
+      label_basins(rooms(), {{"a", "b"},
+                             {stroke(ScribbleKind::hard, 0, {{60, 110}, {100, 110}}),
+                              stroke(ScribbleKind::hard, 1, {{60, 110}, {100, 110}})}});
+  ASSERT_TRUE(s.ok());
+  EXPECT_EQ(s->parts[s->labels.at(80, 50) - 1].id, "b");
+}
+
+TEST(LabelBasins, StrokesMayLieOnTheBackground) {
+  const Basins basins = hall();
+  const Result<Segmentation> s =
+      label_basins(basins, {{"cloud"}, {stroke(ScribbleKind::hard, 0, {{5, 215}, {9, 215}}, 3)}});
+  ASSERT_TRUE(s.ok());
+  EXPECT_EQ(s->labels.at(7, 215), 1);
+}
+
+TEST(LabelBasins, BadStrokesAreRefused) {
+  const Basins basins = hall();
+  const double inf = std::numeric_limits<double>::infinity();
+  for (const Scribbles& bad :
+       std::vector<Scribbles>{{{"a", "a"}, {}},
+                              {{""}, {}},
+                              {{"a"}, {stroke(ScribbleKind::hard, 1, {{5, 5}})}},
+                              {{"a"}, {stroke(ScribbleKind::soft, -1, {{5, 5}})}},
+                              {{"a"}, {stroke(ScribbleKind::hard, 0, {})}},
+                              {{"a"}, {stroke(ScribbleKind::hard, 0, {{inf, 5}})}},
+                              {{"a"}, {stroke(ScribbleKind::hard, 0, {{5, 5}}, 0)}}}) {
+    const Result<Segmentation> s = label_basins(basins, bad);
+    ASSERT_FALSE(s.ok());
+    EXPECT_EQ(s.error().code, ErrorCode::bad_input);
+    EXPECT_FALSE(s.error().where.empty() && bad.parts[0] != "");
+  }
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,183 @@
+#include "relief/drawing/segment_drawing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "support/ink_drawing.h"
+#include "support/random_image.h"
+
+namespace relievo {
+namespace {
+
+/// A head on a body, with an eye that is a detail of the head.
+InkDrawing snowman() {
+  InkDrawing ink(300, 400);
+  ink.arc({150, 120}, 70, 0.36, 1.14).arc({150, 260}, 100, 0, 1);
+  ink.circle({130, 100}, 8, 3);
+  return ink;
+}
+
+uint16_t label_at(const Segmentation& s, int x, int y) { return s.labels.at(x, y); }
+
+TEST(SegmentDrawing, ClosedLinesNeedNoScribbles) {
+  const Result<Segmentation> s = segment_drawing(snowman().drawing());
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  EXPECT_EQ(s->parts.size(), 2U);
+  EXPECT_EQ(label_at(*s, 5, 5), 0);
+  const uint16_t head = label_at(*s, 150, 140);
+  const uint16_t body = label_at(*s, 150, 260);
+  EXPECT_NE(head, 0);
+  EXPECT_NE(body, 0);
+  EXPECT_NE(head, body);
+  EXPECT_EQ(label_at(*s, 130, 100), head) << "the eye is a detail";
+  EXPECT_TRUE(s->bridges.empty());
+}
+
+TEST(SegmentDrawing, LabelsReachTheMiddleOfLines) {
+  const Result<Segmentation> s =
+      segment_drawing(InkDrawing(200, 200).circle({100, 100}, 60, 8).drawing());
+  ASSERT_TRUE(s.ok());
+  EXPECT_NEAR(static_cast<double>(s->parts[0].area), 3.14159 * 60 * 60, 3.14159 * 120 * 0.7);
+}
+
+TEST(SegmentDrawing, AreasAndBoxesAreThoseOfTheLabels) {
+  const Result<Segmentation> s = segment_drawing(snowman().drawing());
+  ASSERT_TRUE(s.ok());
+  for (size_t k = 0; k < s->parts.size(); ++k) {
+    int64_t area = 0;
+    Box2 box;
+    for (int y = 0; y < s->labels.height; ++y)
+      for (int x = 0; x < s->labels.width; ++x) {
+        if (s->labels.at(x, y) != k + 1) continue;
+        ++area;
+        box.add(Point2{x * 1.0, y * 1.0});
+        box.add(Point2{x + 1.0, y + 1.0});
+      }
+    EXPECT_EQ(s->parts[k].area, area);
+    EXPECT_EQ(s->parts[k].box.min, box.min);
+    EXPECT_EQ(s->parts[k].box.max, box.max);
+  }
+}
+
+TEST(SegmentDrawing, GroundAndLightDoNotChangeTheParts) {
+  const Result<Segmentation> plain = segment_drawing(snowman().drawing());
+  const Result<Segmentation> transparent = segment_drawing(snowman().on_transparent_ground());
+  const Result<Segmentation> photo = segment_drawing(snowman().photographed());
+  ASSERT_TRUE(plain.ok() && transparent.ok() && photo.ok());
+  for (const Result<Segmentation>* other : {&transparent, &photo}) {
+    ASSERT_EQ((*other)->parts.size(), plain->parts.size());
+    int64_t different = 0;
+    for (size_t i = 0; i < plain->labels.pixels.size(); ++i)
+      different += plain->labels.pixels[i] != (*other)->labels.pixels[i] ? 1 : 0;
+    EXPECT_LT(different, 1200) << "a pixel along all lines at most";
+  }
+}
+
+TEST(SegmentDrawing, WhiteLinesOnATransparentGroundCount) {
+  Drawing drawing = snowman().on_transparent_ground();
+  for (size_t i = 0; i < drawing.rgba.pixels.size(); ++i)
+    if (i % 4 != 3) drawing.rgba.pixels[i] = 255;
+  const Result<Segmentation> s = segment_drawing(drawing);
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  EXPECT_EQ(s->parts.size(), 2U);
+}
+
+/// Share of pixels whose labels correspond under the most frequent pairing of labels.
+double agreement(const Image16& a, const Image16& b) {
+  std::map<std::pair<int, int>, int64_t> together;
+  for (size_t i = 0; i < a.pixels.size(); ++i) ++together[{a.pixels[i], b.pixels[i]}];
+  std::map<int, int64_t> best;
+  for (const auto& [pair, count] : together) best[pair.first] = std::max(best[pair.first], count);
+  int64_t sum = 0;
+  for (const auto& entry : best) sum += entry.second;
+  return static_cast<double>(sum) / static_cast<double>(a.pixels.size());
+}
+
+TEST(SegmentDrawing, TurningAndMirroringTheDrawingDoesSoWithTheLabels) {
+  const Drawing drawing = snowman().drawing();
+  const Result<Segmentation> s = segment_drawing(drawing);
+  const Result<Segmentation> quarter = segment_drawing({turned(drawing.rgba)});
+  const Result<Segmentation> mirror = segment_drawing({mirrored(drawing.rgba)});
+  ASSERT_TRUE(s.ok() && quarter.ok() && mirror.ok());
+  EXPECT_EQ(quarter->parts.size(), s->parts.size());
+  EXPECT_EQ(mirror->parts.size(), s->parts.size());
+  EXPECT_GT(agreement(turned(s->labels), quarter->labels), 0.995);
+  EXPECT_GT(agreement(mirrored(s->labels), mirror->labels), 0.995);
+}
+
+TEST(SegmentDrawing, SameDrawingGivesTheSame) {
+  const Result<Segmentation> a = segment_drawing(snowman().photographed());
+  const Result<Segmentation> b = segment_drawing(snowman().photographed());
+  ASSERT_TRUE(a.ok() && b.ok());
+  EXPECT_EQ(a->labels.pixels, b->labels.pixels);
+}
+
+TEST(SegmentDrawing, GapsAreClosedUntilTheyAreNoGapsAnyMore) {
+  int closed_up_to = 0;
+  for (int gap = 0; gap <= 240; gap += 20) {
+    const double turn = gap / (2 * 3.14159 * 100);
+    const Result<Segmentation> s = segment_drawing(
+        InkDrawing(320, 320).arc({160, 160}, 100, turn / 2, 1 - turn / 2).drawing());
+    const bool closed = s.ok() && label_at(*s, 160, 160) != 0 && label_at(*s, 5, 5) == 0;
+    if (!closed) break;
+    closed_up_to = gap;
+    EXPECT_EQ(s->bridges.size(), gap > 6 ? 1U : 0U) << gap;
+    for (const Bridge& bridge : s->bridges) {
+      EXPECT_EQ(bridge.label_a, 0);
+      EXPECT_NEAR(distance(bridge.points.front(), bridge.points.back()), gap, 16);
+    }
+  }
+  EXPECT_GE(closed_up_to, 60) << "a tenth of the outline";
+  EXPECT_LT(closed_up_to, 240) << "an arc of a circle is no area";
+}
+
+TEST(SegmentDrawing, FlatColoursWithoutLinesArePartedAtTheirEdges) {
+  const Result<Segmentation> s = segment_drawing(InkDrawing(320, 240)
+                                                     .disc({120, 120}, 80, 240, 120, 40)
+                                                     .disc({210, 120}, 60, 40, 110, 220)
+                                                     .drawing());
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  ASSERT_EQ(s->parts.size(), 2U);
+  EXPECT_NE(label_at(*s, 90, 120), label_at(*s, 230, 120));
+  EXPECT_EQ(label_at(*s, 5, 5), 0);
+  for (const SegmentedPart& part : s->parts)
+    if (part.box.max.x > 260) {
+      EXPECT_NEAR(static_cast<double>(part.area), 3.14159 * 3600, 500);
+    }
+}
+
+TEST(SegmentDrawing, DrawingsWithoutAreasSayWhatToDo) {
+  InkDrawing stick(300, 400);
+  stick.circle({150, 60}, 30).line({150, 90}, {150, 240}).line({150, 120}, {60, 200});
+  stick.line({150, 120}, {240, 200}).line({150, 240}, {90, 370}).line({150, 240}, {210, 370});
+  const Result<Segmentation> figure = segment_drawing(stick.drawing());
+  ASSERT_FALSE(figure.ok());
+  EXPECT_EQ(figure.error().code, ErrorCode::bad_input);
+  EXPECT_NE(figure.error().message.find("closed outlines"), std::string::npos);
+
+  for (const Drawing& drawing : {Drawing(), InkDrawing(50, 40).drawing(),
+                                 InkDrawing(99, 99).line({10, 50}, {90, 50}).drawing()}) {
+    const Result<Segmentation> none = segment_drawing(drawing);
+    ASSERT_FALSE(none.ok());
+    EXPECT_EQ(none.error().code, ErrorCode::bad_input);
+    EXPECT_FALSE(none.error().message.empty());
+  }
+}
+
+TEST(SegmentDrawing, TinyDrawingsDoNotCrash) {
+  for (int width = 1; width <= 6; ++width)
+    for (int height = 1; height <= 6; ++height)
+      for (uint32_t seed = 0; seed < 8; ++seed) {
+        const Drawing drawing{random_image(width, height, 0.7, seed, 4)};
+        const Result<Segmentation> s = segment_drawing(drawing);
+        if (s.ok()) {
+          EXPECT_EQ(s->labels.pixels.size(), drawing.rgba.pixels.size() / 4);
+        }
+      }
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,194 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "io/files/read_file.h"
+#include "io/image/decode_image.h"
+#include "io/scribbles/read_scribbles.h"
+#include "io/svg/render_svg.h"
+#include "relief/drawing/label_outlines.h"
+#include "relief/drawing/segment_drawing.h"
+
+namespace relievo {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FlatDrawings : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!fs::is_directory(folder_)) GTEST_SKIP() << "the flat drawings are not at " << folder_;
+  }
+
+  Drawing drawing(const std::string& name) const {
+    const Result<Bytes> bytes = read_file(folder_ / name);
+    EXPECT_TRUE(bytes.ok()) << name;
+    if (fs::path(name).extension() == ".svg")
+      return *render_svg({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, 792, 612);
+    return {*decode_image(*bytes)};
+  }
+
+  Result<Segmentation> segment(const std::string& name) const {
+    return segment_drawing(drawing(name));
+  }
+
+  Result<Segmentation> segment(const std::string& name, const std::string& strokes) const {
+    const Result<Bytes> bytes =
+        read_file(fs::path(RELIEVO_TEST_DATA) / "scribbles" / (strokes + ".json"));
+    const Result<Scribbles> scribbles =
+        read_scribbles({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+    EXPECT_TRUE(scribbles.ok()) << (scribbles.ok() ? "" : to_string(scribbles.error()));
+    return segment_drawing(drawing(name), *scribbles);
+  }
+
+  const fs::path folder_ = fs::path(RELIEVO_SHARED_DATA) / "flat";
+};
+
+/// A point of the drawing and the name that the test gives to the part there; "" is background.
+struct Spot {
+  int x, y;
+  std::string part;
+};
+
+/// Points of one name must have one label, others another.
+void expect_parts(const Segmentation& s, const std::vector<Spot>& spots) {
+  std::map<std::string, int> label_of = {{"", 0}};
+  std::map<int, std::string> name_of = {{0, ""}};
+  for (const Spot& spot : spots) {
+    const int label = s.labels.at(spot.x, spot.y);
+    EXPECT_EQ(label_of.emplace(spot.part, label).first->second, label)
+        << spot.part << " at " << spot.x << ", " << spot.y;
+    EXPECT_EQ(name_of.emplace(label, spot.part).first->second, spot.part)
+        << "at " << spot.x << ", " << spot.y;
+  }
+}
+
+TEST_F(FlatDrawings, Chicken) {
+  const Result<Segmentation> s = segment("F06_chicken_tuxpaint.png");
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  EXPECT_LE(s->parts.size(), 10U);
+  expect_parts(*s, {{10, 10, ""},
+                    {420, 200, ""},
+                    {200, 100, "head"},
+                    {180, 200, "head"},
+                    {240, 45, "head"},
+                    {200, 290, "body"},
+                    {50, 270, "left wing"},
+                    {350, 270, "right wing"},
+                    {145, 60, "comb"}});
+}
+
+TEST_F(FlatDrawings, Frog) {
+  const Result<Segmentation> s = segment("F07_frog_tuxpaint.png");
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  expect_parts(*s, {{20, 20, ""},
+                    {470, 200, "near eye"},
+                    {519, 195, "near eye"},
+                    {600, 220, "far eye"},
+                    {420, 330, "body"},
+                    {340, 300, "body"},
+                    {270, 380, "thigh"},
+                    {120, 450, "far leg"},
+                    {620, 350, "far arm"}});
+}
+
+TEST_F(FlatDrawings, Snowman) {
+  const Result<Segmentation> s = segment("F08_snowman_stamp.png");
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  expect_parts(*s, {{10, 60, ""},
+                    {130, 40, "hat"},
+                    {130, 110, "hat"},
+                    {110, 180, "head"},
+                    {80, 270, "upper ball"},
+                    {60, 380, "lower ball"},
+                    {200, 360, "broom"}});
+}
+
+TEST_F(FlatDrawings, Pig) {
+  const Result<Segmentation> s = segment("F09_pig_lear.gif");
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  EXPECT_LE(s->parts.size(), 20U);
+  expect_parts(*s, {{10, 10, ""}, {200, 120, "body"}, {250, 150, "body"}, {60, 110, "head"}});
+}
+
+TEST_F(FlatDrawings, Cat) {
+  const Result<Segmentation> s = segment("F10_cat_carrot.png");
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  EXPECT_LE(s->parts.size(), 10U);
+  expect_parts(*s, {{5, 5, ""}, {100, 60, "head"}, {30, 62, "tail"}, {60, 120, "hind leg"}});
+}
+
+TEST_F(FlatDrawings, SleepingCat) {
+  const Result<Segmentation> s = segment("F12_sleeping_cat_openclipart.svg");
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  EXPECT_LE(s->parts.size(), 12U);
+  expect_parts(*s, {{10, 10, ""}, {200, 270, "head"}, {80, 220, "left ear"}, {500, 170, "body"}});
+  EXPECT_FALSE(s->bridges.empty());
+}
+
+TEST_F(FlatDrawings, PhotographsAndScansNeedOneStrokeAPart) {
+  for (const auto& [name, strokes] :
+       std::map<std::string, std::string>{{"F01_kid_man/texture.png", "F01_kid_man"},
+                                          {"F02_kid_bug/texture.png", "F02_kid_bug"},
+                                          {"F04_gopher_dandy_pencil.png", "F04_gopher_dandy"},
+                                          {"F05_gopher_pirate_pencil.png", "F05_gopher_pirate"}}) {
+    const Result<Segmentation> s = segment(name, strokes);
+    ASSERT_TRUE(s.ok()) << name << ": " << to_string(s.error());
+    EXPECT_TRUE(s->notes.empty()) << s->notes[0];
+    double drawn = 0;
+    double proposed = 0;
+    for (const SegmentedPart& part : s->parts)
+      (part.proposed ? proposed : drawn) += static_cast<double>(part.area);
+    EXPECT_LT(proposed, 0.05 * drawn) << name;
+    EXPECT_EQ(s->labels.at(s->labels.width - 3, s->labels.height / 2), 0) << name;
+  }
+}
+
+/// The strokes of a real drawing bound the figure that another person cut out of it.
+TEST_F(FlatDrawings, SilhouettesAgreeWithMasks) {
+  for (const auto& [name, strokes] : std::map<std::string, std::string>{
+           {"F01_kid_man", "F01_kid_man"}, {"F02_kid_bug", "F02_kid_bug"}}) {
+    const Result<Segmentation> s = segment(name + "/texture.png", strokes);
+    ASSERT_TRUE(s.ok());
+    const Image8 mask = drawing(name + "/mask.png").rgba;
+    int64_t both = 0;
+    int64_t either = 0;
+    for (size_t i = 0; i < s->labels.pixels.size(); ++i) {
+      const bool ours = s->labels.pixels[i] != 0;
+      const bool theirs = mask.pixels[4 * i] > 127;
+      both += ours && theirs ? 1 : 0;
+      either += ours || theirs ? 1 : 0;
+    }
+    // Masks include the outer half of the lines.
+    EXPECT_GT(static_cast<double>(both) / static_cast<double>(either), 0.75) << name;
+  }
+}
+
+TEST_F(FlatDrawings, FiguresWithoutAreasAreExplained) {
+  for (const char* name : {"F03_kid_stick/texture.png", "F11_rabbits_potter.jpg"}) {
+    const Result<Segmentation> s = segment(name);
+    const std::string said = s.ok() ? (s->notes.empty() ? "" : s->notes[0]) : s.error().message;
+    EXPECT_NE(said.find("stroke"), std::string::npos) << name << ": " << said;
+  }
+}
+
+TEST_F(FlatDrawings, OutlinesCoverTheLabels) {
+  for (const char* name : {"F06_chicken_tuxpaint.png", "F08_snowman_stamp.png"}) {
+    const Result<Segmentation> s = segment(name);
+    ASSERT_TRUE(s.ok());
+    const auto outlines = label_outlines(s->labels, s->ink, 4);
+    ASSERT_EQ(outlines.size(), s->parts.size() + 1);
+    for (size_t k = 0; k < s->parts.size(); ++k) {
+      double area = 0;
+      for (const Ring& ring : outlines[k + 1]) area += signed_area(ring);
+      const auto pixels = static_cast<double>(s->parts[k].area);
+      EXPECT_NEAR(area, pixels, 0.05 * pixels + 40) << name << " " << s->parts[k].id;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace relievo
