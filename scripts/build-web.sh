@@ -9,6 +9,6 @@ scripts/fetch-sources.sh build/sources
 cmake --preset wasm > /dev/null
 cmake --build --preset wasm
 cd web
-[ node_modules/.package-lock.json -nt package-lock.json ] ||
+[ -n "$(find node_modules/.package-lock.json -newer package-lock.json 2> /dev/null)" ] ||
   npm ci --ignore-scripts --no-audit --no-fund --silent
 npm run --silent build
