@@ -1,5 +1,6 @@
 #!/bin/sh
-# Builds Relievo and turns the sample drawing into a model. Installs what is missing first.
+# Builds Relievo, turns the sample drawing into a model and serves the editor, until it is stopped.
+# Installs what is missing first.
 set -eu
 cd "$(dirname "$0")"
 
@@ -30,4 +31,10 @@ Made from examples/bear.png, a flat drawing:
   out/bear.glb          the model, out/bear.png a picture of it
 
 Your own drawing: build/release/apps/cli/relievo build DRAWING.svg -o MODEL.glb
+
+Now the editor, for the browser:
 END
+
+scripts/build-web.sh
+echo "The editor is in build/web, for any host of static files. Open it here:"
+cd web && exec npm run --silent serve

@@ -21,8 +21,9 @@ mkdir -p "$state/parts" "$state/lists/partial"
 [ ! -f /etc/apt/sources.list ] ||
   sed -n 's/^deb /deb-src /p' /etc/apt/sources.list > "$state/parts/classic.list"
 for file in /etc/apt/sources.list.d/*.sources; do
-  [ -f "$file" ] && grep -qi debian "$file" || continue
-  sed 's/^Types:.*/Types: deb-src/' "$file" > "$state/parts/$(basename "$file")"
+  if grep -qi debian "$file" 2> /dev/null; then
+    sed 's/^Types:.*/Types: deb-src/' "$file" > "$state/parts/$(basename "$file")"
+  fi
 done
 own_apt() {
   apt-get -q -q -o Dir::Etc::SourceList=/dev/null -o Dir::Etc::SourceParts="$state/parts" \

@@ -11,7 +11,7 @@ if [ ! -f "$build/compile_commands.json" ]; then
   exit 1
 fi
 
-find src apps tests benchmarks \( -name '*.h' -o -name '*.cpp' \) -print0 |
+find src apps bindings tests benchmarks \( -name '*.h' -o -name '*.cpp' \) -print0 |
   xargs -0 clang-format --dry-run -Werror
 
 find src apps -name '*.cpp' -print0 | sort -z |

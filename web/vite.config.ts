@@ -17,6 +17,7 @@ export default defineConfig({
     ],
   },
   server: { fs: { allow: [at('..')] } },
+  preview: { host: '127.0.0.1', port: 8080 },
   worker: { format: 'es' },
   build: { outDir: at('../build/web'), emptyOutDir: true, assetsInlineLimit: 0, chunkSizeWarningLimit: 900 },
   test: {

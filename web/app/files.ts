@@ -8,7 +8,7 @@ import { type ExportFormat, isFailure, type MapKind, type OutputFile } from '../
 import type { BuildControl } from './build_control';
 import { t } from './catalogue';
 import type { Editor } from './editor';
-import { decodePicture, pictureOf, pngOf, textureOf } from './pictures';
+import { decodePicture, pictureOf, pixelsOf, pngOf, textureOf } from './pictures';
 
 const imageTypes = ['image/png', 'image/jpeg', 'image/webp'];
 
@@ -65,7 +65,8 @@ export class Files {
   }
 
   /** Shows a document that comes from a file or from what was kept. */
-  async show(next: Document): Promise<void> {
+  async show(document_: Document): Promise<void> {
+    const next = await this.withPaintable(document_);
     const picture = next.drawing && (await pictureOf(next.drawing, next.width, next.height));
     this.editor.openDocument(next, picture);
     this.editor.set({ tool: next.parts.length === 0 ? 'draw' : 'select', notice: '' });
@@ -124,6 +125,15 @@ export class Files {
     this.editor.set({ notice: [...words, ...imported.warnings].join(' ') });
   }
 
+  /** A project holds the artist's file as it came: what may be painted of it is found anew. */
+  private async withPaintable(next: Document): Promise<Document> {
+    const { drawing } = next;
+    if (drawing?.kind !== 'svg' || drawing.paintable !== undefined) return next;
+    const imported = await this.engine.importSvg(drawing.bytes);
+    if (isFailure(imported)) throw new Error(imported.error.message);
+    return { ...next, drawing: { ...drawing, paintable: imported.paintable } };
+  }
+
   private async openImage(name: string, bytes: Uint8Array, mime: string): Promise<void> {
     const picture = await decodePicture(bytes, mime);
     const scale = Math.min(1, 2048 / Math.max(picture.width, picture.height));
@@ -135,7 +145,21 @@ export class Files {
       drawing: { name, kind: 'image', mime, bytes },
     };
     this.editor.openDocument(next, picture);
-    this.editor.set({ tool: 'draw', notice: t('imageHint') });
+    this.editor.set({ tool: 'draw', notice: t('guessing') });
+    await this.guessParts(next, picture);
+  }
+
+  /** Lets the engine find the parts of a flat drawing; they can be traced by hand where it cannot. */
+  private async guessParts(next: Document, picture: ImageBitmap): Promise<void> {
+    const found = await this.engine.importPicture(pixelsOf(picture, next.width, next.height));
+    if (this.editor.document !== next) return;
+    if (isFailure(found)) {
+      this.editor.set({ notice: `${found.error.message}. ${t('imageHint')}` });
+      return;
+    }
+    const { parts, joins, relations, robin } = sceneContent(found.scene);
+    this.editor.edit('guess', { ...next, parts, joins, relations, robin });
+    this.editor.set({ tool: 'select', notice: [t('guessed'), ...found.warnings].join(' ') });
   }
 
   private keepLater(): void {

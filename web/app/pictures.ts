@@ -62,6 +62,14 @@ function painted(document: Document, picture: ImageBitmap | null): OffscreenCanv
   return context;
 }
 
+/** A picture at another size. */
+export function pixelsOf(picture: ImageBitmap, width: number, height: number): Texture {
+  const [canvas, context] = canvasOf(width, height);
+  context.drawImage(picture, 0, 0, canvas.width, canvas.height);
+  const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+  return { rgba: new Uint8Array(data.buffer as ArrayBuffer), width: canvas.width, height: canvas.height };
+}
+
 /** What exported files embed. */
 export function textureOf(document: Document, picture: ImageBitmap | null): Texture {
   const context = painted(document, picture);

@@ -39,7 +39,7 @@ export interface RobinRange {
   readonly rho?: number;
 }
 
-/** The drawing as its file came; `paintable` is what may be shown of an SVG. */
+/** The drawing as its file came; `paintable` is what may be shown of an SVG, as the engine says. */
 export interface DrawingSource {
   readonly name: string;
   readonly kind: 'svg' | 'image';

@@ -15,7 +15,7 @@ interface ProjectHead {
   version: number;
   name: string;
   settings: Settings;
-  drawing: Omit<DrawingSource, 'bytes'> | null;
+  drawing: Omit<DrawingSource, 'bytes' | 'paintable'> | null;
   colors: Record<string, string>;
 }
 
@@ -33,7 +33,6 @@ export function writeProject(document: Document, picture: Uint8Array | null): Ui
       name: document.drawing.name,
       kind: document.drawing.kind,
       mime: document.drawing.mime,
-      ...(document.drawing.paintable === undefined ? {} : { paintable: document.drawing.paintable }),
     },
     colors: Object.fromEntries(
       document.parts.filter((part) => part.color).map((part) => [part.id, part.color as string]),
@@ -86,13 +85,12 @@ function soundSettings(settings: Partial<Settings> | undefined): Settings {
 function drawingOf(head: ProjectHead, files: Record<string, Uint8Array>): DrawingSource | null {
   const bytes = files['drawing'];
   if (!head.drawing || !bytes) return null;
-  const { name, kind, mime, paintable } = head.drawing;
+  const { name, kind, mime } = head.drawing;
   return {
     name: String(name),
     kind: kind === 'svg' ? 'svg' : 'image',
     mime: String(mime),
     bytes,
-    ...(typeof paintable === 'string' ? { paintable } : {}),
   };
 }
 

@@ -1,6 +1,6 @@
 import * as Comlink from 'comlink';
 import type { EngineEndpoint } from './engine_worker';
-import type { BuiltRelief, Failure, Files, ExportFormat, MapKind, SvgImport, Texture } from './messages';
+import type { BuiltRelief, Failure, Files, ExportFormat, MapKind, PictureImport, SvgImport, Texture } from './messages';
 import type { BuildRequest } from './relief_service';
 
 /** The worker is gone: it was stopped on purpose, or it crashed and another took its place. */
@@ -55,6 +55,10 @@ export class Engine {
 
   importSvg(bytes: Uint8Array): Promise<SvgImport | Failure> {
     return this.call(async (remote) => await remote.importSvg(bytes));
+  }
+
+  importPicture(picture: Texture): Promise<PictureImport | Failure> {
+    return this.call(async (remote) => await remote.importPicture(picture));
   }
 
   build(

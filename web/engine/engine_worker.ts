@@ -1,5 +1,5 @@
 import * as Comlink from 'comlink';
-import { type BuiltRelief, type Failure, isFailure } from './messages';
+import { type BuiltRelief, type Failure, isFailure, type Texture } from './messages';
 import { type BuildRequest, ReliefService } from './relief_service';
 
 /** Every array of a result, to be handed over instead of copied. */
@@ -25,6 +25,9 @@ const endpoint = {
   },
   async importSvg(bytes: Uint8Array) {
     return (await started()).importSvg(bytes);
+  },
+  async importPicture(picture: Texture) {
+    return (await started()).importPicture(picture);
   },
   async build(
     request: BuildRequest,

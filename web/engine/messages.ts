@@ -76,6 +76,13 @@ export interface SvgImport {
   warnings: string[];
 }
 
+/** A flat drawing whose parts were guessed. */
+export interface PictureImport {
+  /** Text of a scene file; its canvas is the picture. */
+  scene: string;
+  warnings: string[];
+}
+
 export interface OutputFile {
   name: string;
   bytes: Uint8Array<ArrayBuffer>;

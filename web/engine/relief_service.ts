@@ -7,6 +7,7 @@ import {
   type Files,
   isFailure,
   type MapKind,
+  type PictureImport,
   type SvgImport,
   type Texture,
   type Visibility,
@@ -40,6 +41,10 @@ export class ReliefService {
 
   importSvg(bytes: Uint8Array): SvgImport | Failure {
     return this.module.importSvg(bytes);
+  }
+
+  importPicture({ rgba, width, height }: Texture): PictureImport | Failure {
+    return this.module.importPicture(rgba, width, height);
   }
 
   build(request: BuildRequest, progress: (stage: string, done: number) => void): BuiltRelief | Failure {

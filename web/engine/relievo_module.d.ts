@@ -1,6 +1,6 @@
 /** The module that Emscripten makes of bindings/wasm. */
 declare module '#relievo' {
-  import type { Failure, Files, Overlays, Report, SvgImport, Surface } from './messages';
+  import type { Failure, Files, Overlays, PictureImport, Report, SvgImport, Surface } from './messages';
   import type { BuildOptions, ExportFormat, MapKind, Visibility } from './messages';
 
   export interface Reconstruction {
@@ -15,6 +15,7 @@ declare module '#relievo' {
 
   export interface RelievoModule {
     importSvg(bytes: Uint8Array): SvgImport | Failure;
+    importPicture(rgba: Uint8Array, width: number, height: number): PictureImport | Failure;
     Reconstruction: new () => Reconstruction;
   }
 

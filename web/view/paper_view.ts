@@ -80,13 +80,11 @@ function drawMarks(context: CanvasRenderingContext2D, overlays: Overlays, pixel:
 
 function drawPage(context: CanvasRenderingContext2D, content: PaperContent, pixel: number): void {
   const { document, picture } = content;
-  context.save();
-  context.shadowColor = content.dark ? 'rgb(0 0 0 / 50%)' : 'rgb(40 36 30 / 18%)';
-  context.shadowBlur = 18;
-  context.shadowOffsetY = 3;
   context.fillStyle = content.dark ? '#f4f1ea' : '#fffdf8';
   context.fillRect(0, 0, document.width, document.height);
-  context.restore();
+  context.strokeStyle = content.dark ? 'rgb(0 0 0 / 60%)' : 'rgb(60 50 30 / 16%)';
+  context.lineWidth = pixel;
+  context.strokeRect(0, 0, document.width, document.height);
   if (picture) context.drawImage(picture, 0, 0, document.width, document.height);
   else paintParts(context, document, 2 * pixel);
 }

@@ -15,7 +15,6 @@ namespace relievo {
 namespace {
 
 constexpr double painted_share = 0.01;  ///< of the picture that is covered by wide colour
-constexpr int paint_level = 220;        ///< lightest that an area of paint is, of 255
 constexpr int paper_level = 200;        ///< darkest that paper between lines gets, of 255
 constexpr int faintest_line = 14;       ///< contrast below which everything is grain, of 255
 

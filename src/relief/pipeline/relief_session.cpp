@@ -92,7 +92,10 @@ void ReliefSession::begin_like(const Scene& scene) {
 }
 
 Status ReliefSession::update_layers(const Request& request) {
-  const auto& [scene, options, context, clock] = request;
+  const Scene& scene = request.scene;
+  const ReliefOptions& options = request.options;
+  const RunContext& context = request.context;
+  StageClock& clock = request.clock;
   Status status = sheets_state_.refresh(sheets_key(scene, options.layers), [&]() -> Status {
     auto sheets = join_sheets(scene, options.layers, context);
     if (!sheets) return sheets.error();
@@ -117,7 +120,10 @@ Status ReliefSession::update_layers(const Request& request) {
 }
 
 Status ReliefSession::update_inflation(const Request& request) {
-  const auto& [scene, options, context, clock] = request;
+  const Scene& scene = request.scene;
+  const ReliefOptions& options = request.options;
+  const RunContext& context = request.context;
+  StageClock& clock = request.clock;
   const LayeredMesh& mesh = relief_.layers;
   Status status =
       discretisation_state_.refresh(Key().add(sheets_state_.version()), [&]() -> Status {
@@ -152,7 +158,10 @@ Status ReliefSession::update_inflation(const Request& request) {
 }
 
 Status ReliefSession::update_ordering(const Request& request) {
-  const auto& [scene, options, context, clock] = request;
+  const Scene& scene = request.scene;
+  const ReliefOptions& options = request.options;
+  const RunContext& context = request.context;
+  StageClock& clock = request.clock;
   Key key = ordering_key(relief_.layers, scene, options.ordering);
   key.add(Method::approximate).add(inflation_state_.version());
   return heights_state_.refresh(std::move(key), [&]() -> Status {
@@ -169,7 +178,10 @@ Status ReliefSession::update_ordering(const Request& request) {
 }
 
 Status ReliefSession::update_jointly(const Request& request) {
-  const auto& [scene, options, context, clock] = request;
+  const Scene& scene = request.scene;
+  const ReliefOptions& options = request.options;
+  const RunContext& context = request.context;
+  StageClock& clock = request.clock;
   Key key = ordering_key(relief_.layers, scene, options.ordering);
   key.add(Method::nonlinear).add(inflation_state_.version()).add(joint_key(options.joint));
   return heights_state_.refresh(std::move(key), [&]() -> Status {

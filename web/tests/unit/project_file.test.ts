@@ -8,7 +8,7 @@ import { randomNumbers } from './random';
 function sample(): Document {
   const drawn = addPart(emptyDocument(), 'body', [[100, 100], [300, 100], [300.25, 220.5], [100, 220]]);
   const bytes = strToU8('<svg/>');
-  const drawing = { name: 'a.svg', kind: 'svg' as const, mime: 'image/svg+xml', bytes, paintable: '<svg/>' };
+  const drawing = { name: 'a.svg', kind: 'svg' as const, mime: 'image/svg+xml', bytes };
   return { ...changeSettings(drawn, { rho: 0.3, sizeMm: 80 }), name: 'figure', drawing };
 }
 
