@@ -16,6 +16,14 @@ for name in wolf bunny farmer unicorn elephant lamb; do
   "$relievo" render "examples/$name.svg" -o "$to/$name.png" --yaw "$yaw" --pitch 8 --size 480 > /dev/null
 done
 
+# A flat drawing.
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+convert examples/bear.png -resize 480x480 "$to/bear-drawing.png"
+"$relievo" segment examples/bear.png -o "$work/bear.relievo" --overlay "$work/bear.png" > /dev/null
+convert "$work/bear.png" -resize 480x480 "$to/bear-understood.png"
+"$relievo" render "$work/bear.relievo" -o "$to/bear.png" --yaw -20 --pitch 8 --size 480 > /dev/null
+
 # A join's ends: the paper's pits, and what the Robin range makes of them.
 "$relievo" render examples/wolf.svg -o "$to/ends-pits.png" --alpha0 1 --view front --clay \
   --window 440 470 260 --size 420 > /dev/null
@@ -25,8 +33,6 @@ done
   --depth-map "$to/elephant-depth.png" --map-size 480 > /dev/null
 
 # The non-linear method: its fields, its steps, and the ends of joins.
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 for field in inflation shift relief; do
   "$relievo" render examples/wolf.svg --method nonlinear --field "$field" --clay --yaw -20 \
     --pitch 8 --size 480 -o "$work/$field.png" > /dev/null
