@@ -74,16 +74,20 @@ OrderArrow arrow_of(const Pair& pair, const PairBelief& belief) {
   return arrow;
 }
 
+/// Whether the user ordered these two parts.
+bool is_said(const std::vector<UserArrow>& user, const Pair& pair) {
+  return std::any_of(user.begin(), user.end(), [&](const UserArrow& arrow) {
+    return Pair(std::minmax(arrow.first, arrow.second)) == pair;
+  });
+}
+
 std::vector<OrderArrow> guesses(const Beliefs& beliefs, const std::vector<UserArrow>& user) {
   std::vector<OrderArrow> arrows;
   for (const auto& [upper, lower] : user)
     arrows.push_back({upper, lower, 1, OrderSource::user, true});
   for (const auto& [pair, belief] : beliefs) {
     const OrderArrow arrow = arrow_of(pair, belief);
-    const bool said = std::any_of(user.begin(), user.end(), [&](const UserArrow& u) {
-      return std::minmax(u.first, u.second) == std::minmax(pair.first, pair.second);
-    });
-    if (!said && arrow.confidence >= min_confidence) arrows.push_back(arrow);
+    if (!is_said(user, pair) && arrow.confidence >= min_confidence) arrows.push_back(arrow);
   }
   std::sort(arrows.begin(), arrows.end(), [](const OrderArrow& p, const OrderArrow& q) {
     return std::pair(p.upper, p.lower) < std::pair(q.upper, q.lower);
