@@ -3,9 +3,9 @@
 #include <functional>
 #include <string>
 
-#include "characters.h"
+#include "benchmarks/characters.h"
+#include "benchmarks/suites.h"
 #include "relief/pipeline/relief_session.h"
-#include "suites.h"
 
 namespace relievo::benchmarks {
 namespace {
@@ -73,6 +73,7 @@ void register_edits() {
       benchmark::RegisterBenchmark((std::string("edit/") + name + "/" + edit.name).c_str(),
                                    [&edit, name](State& state) { run(state, edit, name); })
           ->Unit(benchmark::kMillisecond)
+          ->MeasureProcessCPUTime()
           ->UseRealTime();
 }
 

@@ -2,12 +2,12 @@
 
 #include <string>
 
-#include "characters.h"
-#include "references/cholmod_factor.h"
-#include "references/interior_point.h"
-#include "references/lagrange_active_set.h"
+#include "benchmarks/characters.h"
+#include "benchmarks/references/cholmod_factor.h"
+#include "benchmarks/references/interior_point.h"
+#include "benchmarks/references/lagrange_active_set.h"
+#include "benchmarks/suites.h"
 #include "relief/pipeline/relief_session.h"
-#include "suites.h"
 
 namespace relievo::benchmarks {
 namespace {
@@ -73,6 +73,7 @@ void add_size(const std::string& name, int vertices) {
                name_of(what, name, vertices).c_str(),
                [run, name, vertices](State& state) { run(state, name, vertices); })
         ->Unit(benchmark::kMillisecond)
+        ->MeasureProcessCPUTime()
         ->UseRealTime();
   };
   add("factor", own_factor);

@@ -1,13 +1,14 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 
-#include "characters.h"
+#include "benchmarks/characters.h"
+#include "benchmarks/suites.h"
 #include "io/mesh/glb_encode.h"
 #include "relief/model/assemble_model.h"
 #include "relief/pipeline/relief_session.h"
-#include "suites.h"
 
 namespace relievo::benchmarks {
 namespace {
@@ -113,6 +114,7 @@ void add(const std::string& name, int vertices) {
         (std::string(stage.name) + "/" + name + "/" + std::to_string(vertices)).c_str(),
         [stage, name, vertices](State& state) { stage.run(state, name, vertices); })
         ->Unit(benchmark::kMillisecond)
+        ->MeasureProcessCPUTime()
         ->UseRealTime();
 }
 
