@@ -5,7 +5,7 @@ target_compile_features(relievo_options INTERFACE cxx_std_20)
 target_compile_options(relievo_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
                                                  -Wno-sign-conversion -Werror -ffp-contract=off
                                                  # GCC 12 misjudges "literal" + std::string at -O3.
-                                                 $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+                                                 $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-Wno-restrict>)
 if(RELIEVO_SANITIZE)
   target_compile_options(relievo_options INTERFACE -fsanitize=address,undefined
                                                    -fno-sanitize-recover=all -fno-omit-frame-pointer
