@@ -1,5 +1,6 @@
 #!/bin/sh
-# Builds Relievo and turns the sample drawing into a model. Installs what is missing first.
+# Builds Relievo, turns the sample drawing into a model and serves the editor, until it is stopped.
+# Installs what is missing first.
 set -eu
 cd "$(dirname "$0")"
 
@@ -12,6 +13,8 @@ relievo=build/release/apps/cli/relievo
 "$relievo" build examples/wolf.svg -o out/wolf.glb --preview out/wolf.png \
   --normal-map out/wolf-normal.png --depth-map out/wolf-depth.png --part-map out/wolf-parts.png \
   --report out/wolf.json > /dev/null
+"$relievo" segment examples/bear.png -o out/bear.relievo --overlay out/bear-understood.png > /dev/null
+"$relievo" build out/bear.relievo -o out/bear.glb --preview out/bear.png > /dev/null
 "$relievo" render examples/wolf.svg -o out/wolf-sheet.png --view sheet > /dev/null
 
 cat << 'END'
@@ -23,5 +26,15 @@ Made from examples/wolf.svg:
   out/wolf-normal.png   normal map, out/wolf-depth.png depth map, out/wolf-parts.png parts
   out/wolf.json         what was computed, how exactly and how fast
 
+Made from examples/bear.png, a flat drawing:
+  out/bear.relievo      what was understood of it; out/bear-understood.png shows that
+  out/bear.glb          the model, out/bear.png a picture of it
+
 Your own drawing: build/release/apps/cli/relievo build DRAWING.svg -o MODEL.glb
+
+Now the editor, for the browser:
 END
+
+scripts/build-web.sh
+echo "The editor is in build/web, for any host of static files. Open it here:"
+cd web && exec npm run --silent serve

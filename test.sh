@@ -1,6 +1,7 @@
 #!/bin/sh
 # Builds everything and runs every test: first under the address and undefined-behaviour
-# sanitizers, then optimised, with the linter and a program built against the installed package.
+# sanitizers, then optimised, with the linter and a program built against the installed package,
+# and last the editor.
 set -eu
 cd "$(dirname "$0")"
 jobs=$(nproc 2> /dev/null || echo 2)
@@ -20,3 +21,7 @@ UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=detect_stack_use_after_return=1 \
 cmake --preset dev > /dev/null
 cmake --build build/dev -j "$jobs"
 ctest --test-dir build/dev -j "$jobs" --output-on-failure --no-tests=error
+
+# The editor: its modules, its engine against the command line, and journeys in a real browser.
+scripts/build-web.sh
+(cd web && npm run --silent test && npm run --silent journeys)

@@ -6,6 +6,13 @@ target_compile_options(relievo_options INTERFACE -Wall -Wextra -Wpedantic -Wshad
                                                  -Wno-sign-conversion -Werror -ffp-contract=off
                                                  # GCC 12 misjudges "literal" + std::string at -O3.
                                                  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-Wno-restrict>)
+# Sums in one order everywhere, so that the browser computes what this program does.
+target_compile_definitions(relievo_options INTERFACE EIGEN_DONT_VECTORIZE)
+if(EMSCRIPTEN)
+  # What libraries throw is caught in C++; no exception leaves the module.
+  add_compile_options(-fwasm-exceptions)
+  add_link_options(-fwasm-exceptions)
+endif()
 if(RELIEVO_SANITIZE)
   target_compile_options(relievo_options INTERFACE -fsanitize=address,undefined
                                                    -fno-sanitize-recover=all -fno-omit-frame-pointer
@@ -20,7 +27,7 @@ if(PROJECT_IS_TOP_LEVEL)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${RELIEVO_CCACHE})
   endif()
   find_program(RELIEVO_LLD ld.lld)
-  if(RELIEVO_LLD)
+  if(RELIEVO_LLD AND NOT EMSCRIPTEN)
     target_link_options(relievo_options INTERFACE -fuse-ld=lld)
   endif()
 endif()

@@ -7,13 +7,15 @@ set -eu
 build="ca-certificates ccache cmake g++ libcgal-dev libcli11-dev libeigen3-dev libembree-dev
   libgif-dev libjpeg-dev libpng-dev libpolyclipping-dev libpugixml-dev librsvg2-dev libzip-dev
   lld ninja-build nlohmann-json3-dev pkg-config"
+web="dpkg-dev emscripten libboost-dev"
 test="clang-format clang-tidy coinor-libipopt-dev libgtest-dev librapidcheck-dev libvalijson-dev
   shellcheck zlib1g-dev"
 
 bench="libbenchmark-dev libopenblas0-pthread libopenblas-pthread-dev libsuitesparse-dev python3"
 
-# The glTF validator runs on any node; Debian's serves where there is none.
-command -v npm > /dev/null || test="$test nodejs npm"
+# Any node serves; Debian's where there is none.
+command -v npm > /dev/null || web="$web nodejs npm"
+test="$test chromium"
 
 case "${1:-test}" in
   build) wanted="$build" ;;

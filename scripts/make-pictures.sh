@@ -1,5 +1,6 @@
 #!/bin/sh
-# Makes the pictures of README and docs from the samples. Usage: make-pictures.sh [RELIEVO]
+# Makes the pictures of README and docs from the samples, with rsvg-convert and ImageMagick.
+# Usage: make-pictures.sh [RELIEVO]
 set -eu
 cd "$(dirname "$0")/.."
 relievo="${1:-build/release/apps/cli/relievo}"
@@ -22,3 +23,24 @@ done
   --window 440 470 260 --size 420 > /dev/null
 "$relievo" build examples/elephant.svg --normal-map "$to/elephant-normal.png" \
   --depth-map "$to/elephant-depth.png" --map-size 480 > /dev/null
+
+# The non-linear method: its fields, its steps, and the ends of joins.
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+for field in inflation shift relief; do
+  "$relievo" render examples/wolf.svg --method nonlinear --field "$field" --clay --yaw -20 \
+    --pitch 8 --size 480 -o "$work/$field.png" > /dev/null
+done
+"$relievo" build examples/wolf.svg --method nonlinear --convergence "$work/steps.png" > /dev/null
+look="--view front --clay --window 440 470 260 --size 420"
+# shellcheck disable=SC2086
+"$relievo" render examples/wolf.svg $look -o "$work/approximate.png" > /dev/null
+for lambda in 100 0.01; do
+  # shellcheck disable=SC2086
+  "$relievo" render examples/wolf.svg $look --method nonlinear --lambda-bnd "$lambda" \
+    -o "$work/nonlinear-$lambda.png" > /dev/null
+done
+convert "$work/inflation.png" "$work/shift.png" "$work/relief.png" +append "$to/wolf-fields.png"
+convert "$work/steps.png" -resize 50% "$to/wolf-convergence.png"
+convert "$work/approximate.png" "$work/nonlinear-100.png" "$work/nonlinear-0.01.png" +append \
+  "$to/joint-ends.png"

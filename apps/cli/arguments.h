@@ -62,9 +62,10 @@ struct RenderArguments {
 
 struct SegmentArguments {
   CommonArguments common;
-  std::string labels;   ///< file; empty: those of the project
-  std::string output;   ///< project .relievo or scene .json
-  std::string overlay;  ///< files; empty: not wanted
+  std::string labels;     ///< files; empty: found in the drawing, or those of the project
+  std::string scribbles;  ///< .png or .json
+  std::string output;     ///< project .relievo or scene .json
+  std::string overlay;    ///< files; empty: not wanted
   std::string report;
 };
 

@@ -119,13 +119,14 @@ std::string check_render(const Place& to) {
   return "render uses the kernel, models, drawings and itself only";
 }
 
-std::string check_apps(const Place& to) {
-  if (to.top == "kernel" || to.top == "io" || to.top == "render" || to.top == "apps") return "";
-  if (to.top != "relief") return "apps use the libraries only";
+/// For programs and bindings alike.
+std::string check_apps(const Place& from, const Place& to) {
+  if (to.top == "kernel" || to.top == "io" || to.top == "render" || to.top == from.top) return "";
+  if (to.top != "relief") return from.top + " use the libraries only";
   if (to.folder == "pipeline" ||
       stage_structs.count(to.rest) + stage_verbs.count(to.rest) + model_views.count(to.rest) > 0)
     return "";
-  return "apps use the pipeline and the stages' structs and verbs, not their insides";
+  return from.top + " use the pipeline and the stages' structs and verbs, not their insides";
 }
 
 bool contains_word(const std::string& text, const std::string& word) {
@@ -147,8 +148,8 @@ std::string include_violation(const std::string& from, const std::string& to) {
   if (source.top == "relief") return check_relief(source, target);
   if (source.top == "io") return check_io(target);
   if (source.top == "render") return check_render(target);
-  if (source.top == "apps") return check_apps(target);
-  if (target.top == "apps") return "nobody includes apps";
+  if (source.top == "apps" || source.top == "bindings") return check_apps(source, target);
+  if (target.top == "apps" || target.top == "bindings") return "nobody includes " + target.top;
   return "";
 }
 

@@ -213,7 +213,7 @@ Result<Bytes> pack(Asset& asset) {
   if (total > std::numeric_limits<uint32_t>::max())
     return Error{ErrorCode::limit, "the model does not fit into a GLB file of 4 GB", ""};
   Bytes bytes;
-  bytes.reserve(total);
+  bytes.reserve(static_cast<size_t>(total));
   append_text(bytes, "glTF");
   append_u32(bytes, 2);
   append_u32(bytes, static_cast<uint32_t>(total));

@@ -6,12 +6,8 @@
 #include <algorithm>
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "io/svg/embedded_image.h"
-#include "io/svg/interpret_svg.h"
-#include "io/svg/scanner.h"
-#include "io/svg/svg_viewport.h"
+#include "io/svg/paintable_svg.h"
 
 namespace relievo {
 namespace {
@@ -27,88 +23,6 @@ struct Release {
 };
 template <class T>
 using Owned = std::unique_ptr<T, Release>;
-
-/// Whether the renderer may see the element: no scripts, nothing foreign, nothing from elsewhere,
-/// and no picture of unknown size.
-bool is_harmless(const pugi::xml_node& element) {
-  const std::string_view name = local_name(element.name());
-  if (name == "script" || name == "foreignObject" || name == "feImage") return false;
-  if (trimmed_svg(element.attribute("data-relievo").value()) == "ignore") return false;
-  if (name != "image") return true;
-  const auto size = embedded_png_size(element);
-  return size && static_cast<int64_t>(size->width) * size->height <= 25000000;
-}
-
-void remove_harmful(pugi::xml_node parent) {
-  for (pugi::xml_node child = parent.first_child(); child;) {
-    const pugi::xml_node next = child.next_sibling();
-    if (child.type() == pugi::node_element) {
-      if (is_harmless(child)) {
-        remove_harmful(child);
-      } else {
-        parent.remove_child(child);
-      }
-    }
-    child = next;
-  }
-}
-
-void set_attribute(pugi::xml_node node, const char* name, const std::string& value) {
-  pugi::xml_attribute attribute = node.attribute(name);
-  if (!attribute) attribute = node.append_attribute(name);
-  attribute.set_value(value.c_str());
-}
-
-/// Namespaces that were written as entities of the document type are put in their place.
-void repair_namespaces(pugi::xml_node root) {
-  for (pugi::xml_attribute attribute : root.attributes()) {
-    const std::string_view name = attribute.name();
-    if (name.substr(0, 5) != "xmlns" || attribute.value()[0] != '&') continue;
-    const std::string_view prefix = local_name(name);
-    if (prefix == "xmlns" || prefix == "svg") attribute.set_value("http://www.w3.org/2000/svg");
-    if (prefix == "xlink") attribute.set_value("http://www.w3.org/1999/xlink");
-  }
-  if (local_name(root.name()) == root.name()) {
-    set_attribute(root, "xmlns", "http://www.w3.org/2000/svg");
-  }
-  set_attribute(root, "xmlns:xlink", "http://www.w3.org/1999/xlink");
-}
-
-/// Gives the root the size that the canvas has for us, so that both agree on where things are.
-void fix_size(pugi::xml_node root, const SvgCanvas& canvas) {
-  const std::string width = std::to_string(canvas.px_width);
-  const std::string height = std::to_string(canvas.px_height);
-  set_attribute(root, "width", width);
-  set_attribute(root, "height", height);
-  if (!parse_view_box(root.attribute("viewBox").value())) {
-    set_attribute(root, "viewBox", "0 0 " + width + " " + height);
-  }
-}
-
-struct StringWriter : pugi::xml_writer {
-  std::string text;
-  void write(const void* data, size_t size) override {
-    text.append(static_cast<const char*>(data), size);
-  }
-};
-
-/// The document as the renderer may see it.
-Result<std::string> safe_text(SvgDocument& document, const SvgCanvas& canvas,
-                              const SvgOptions& options) {
-  const auto drawing = read_drawing(document, options);
-  if (!drawing) return drawing.error();
-  const auto interpretation = interpret_svg(*drawing, options);
-  if (!interpretation) return interpretation.error();
-  for (pugi::xml_node join : interpretation->join_elements) {
-    set_attribute(join, "data-relievo", "ignore");
-  }
-  remove_harmful(document.root);
-  repair_namespaces(document.root);
-  fix_size(document.root, canvas);
-  StringWriter writer;
-  document.root.print(writer, "", pugi::format_raw);
-  return std::move(writer.text);
-}
 
 Error render_error(GError* cause) {
   const Owned<GError> owned(cause);
@@ -140,10 +54,10 @@ Image8 straight_rgba(cairo_surface_t* surface, int width, int height) {
   return image;
 }
 
-Result<Drawing> rasterize(const std::string& text, const SvgCanvas& canvas, int width, int height) {
+Result<Drawing> rasterize(const PaintableSvg& svg, int width, int height) {
   GError* error = nullptr;
-  const Owned<RsvgHandle> handle(
-      rsvg_handle_new_from_data(reinterpret_cast<const guint8*>(text.data()), text.size(), &error));
+  const Owned<RsvgHandle> handle(rsvg_handle_new_from_data(
+      reinterpret_cast<const guint8*>(svg.text.data()), svg.text.size(), &error));
   if (!handle) return render_error(error);
   const Owned<cairo_surface_t> surface(
       cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
@@ -151,8 +65,8 @@ Result<Drawing> rasterize(const std::string& text, const SvgCanvas& canvas, int 
     return Error{ErrorCode::limit, "not enough memory for the texture", "svg"};
   }
   const Owned<cairo_t> context(cairo_create(surface.get()));
-  cairo_scale(context.get(), width / canvas.px_width, height / canvas.px_height);
-  const RsvgRectangle viewport{0, 0, canvas.px_width, canvas.px_height};
+  cairo_scale(context.get(), width / svg.width, height / svg.height);
+  const RsvgRectangle viewport{0, 0, svg.width, svg.height};
   if (!rsvg_handle_render_document(handle.get(), context.get(), &viewport, &error)) {
     return render_error(error);
   }
@@ -170,13 +84,9 @@ Result<Drawing> render_svg(std::string_view bytes, int width, int height,
                      " px is not in the limits",
                  "svg"};
   }
-  auto document = parse_svg_document(bytes, options);
-  if (!document) return document.error();
-  const auto canvas = canvas_of(**document, options);
-  if (!canvas) return canvas.error();
-  const auto text = safe_text(**document, *canvas, options);
-  if (!text) return text.error();
-  return rasterize(*text, *canvas, width, height);
+  const auto paintable = paintable_svg(bytes, options);
+  if (!paintable) return paintable.error();
+  return rasterize(*paintable, width, height);
 }
 
 }  // namespace relievo

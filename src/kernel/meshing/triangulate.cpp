@@ -5,7 +5,10 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <algorithm>
+#include <array>
 #include <utility>
+#include <vector>
 
 namespace relievo {
 namespace {
@@ -17,6 +20,55 @@ using FaceBase = CGAL::Triangulation_face_base_with_info_2<int, Kernel, Constrai
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
+
+struct CornerFace {
+  std::array<int, 3> corners;
+  Triangulation::Face_handle face;
+};
+
+/// Which corner of a face has the smallest number.
+int first_corner(Triangulation::Face_handle face) {
+  int first = 0;
+  for (int k = 1; k < 3; ++k)
+    if (face->vertex(k)->info() < face->vertex(first)->info()) first = k;
+  return first;
+}
+
+/// All triangles by their corners, smallest first: an order that does not depend on the one in
+/// which points were inserted, which differs between standard libraries.
+std::vector<CornerFace> sorted_faces(const Triangulation& cdt) {
+  std::vector<CornerFace> faces;
+  faces.reserve(cdt.number_of_faces());
+  for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f) {
+    const int first = first_corner(f);
+    CornerFace face{{}, f};
+    for (int k = 0; k < 3; ++k) face.corners[k] = f->vertex((first + k) % 3)->info();
+    faces.push_back(face);
+  }
+  std::sort(faces.begin(), faces.end(),
+            [](const CornerFace& a, const CornerFace& b) { return a.corners < b.corners; });
+  return faces;
+}
+
+PlanarTriangulation numbered_triangles(const Triangulation& cdt) {
+  const std::vector<CornerFace> faces = sorted_faces(cdt);
+  int count = 0;
+  for (const CornerFace& face : faces) face.face->info() = count++;
+  PlanarTriangulation out;
+  out.triangles.reserve(faces.size());
+  out.neighbours.reserve(faces.size());
+  for (const CornerFace& face : faces) {
+    const int first = first_corner(face.face);
+    std::array<int, 3> across{};
+    for (int k = 0; k < 3; ++k) {
+      const Triangulation::Face_handle other = face.face->neighbor((first + k) % 3);
+      across[k] = cdt.is_infinite(other) ? -1 : other->info();
+    }
+    out.triangles.push_back(face.corners);
+    out.neighbours.push_back(across);
+  }
+  return out;
+}
 
 }  // namespace
 
@@ -39,22 +91,7 @@ Result<PlanarTriangulation> triangulate(const std::vector<Point2>& points,
   if (cdt.number_of_vertices() != points.size())
     return Error{ErrorCode::internal, "constraints of the triangulation cross", ""};
 
-  PlanarTriangulation out;
-  int count = 0;
-  for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f) f->info() = count++;
-  out.triangles.reserve(count);
-  out.neighbours.reserve(count);
-  for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f) {
-    std::array<int, 3> corners{};
-    std::array<int, 3> across{};
-    for (int k = 0; k < 3; ++k) {
-      corners[k] = f->vertex(k)->info();
-      across[k] = cdt.is_infinite(f->neighbor(k)) ? -1 : f->neighbor(k)->info();
-    }
-    out.triangles.push_back(corners);
-    out.neighbours.push_back(across);
-  }
-  return out;
+  return numbered_triangles(cdt);
 }
 
 }  // namespace relievo

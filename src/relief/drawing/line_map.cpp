@@ -15,9 +15,7 @@ namespace relievo {
 namespace {
 
 constexpr double painted_share = 0.01;  ///< of the picture that is covered by wide colour
-constexpr int paint_level = 220;        ///< lightest that an area of paint is, of 255
 constexpr int paper_level = 200;        ///< darkest that paper between lines gets, of 255
-constexpr double paper_share = 0.7;     ///< of a line drawing that is paper, at least
 constexpr int faintest_line = 14;       ///< contrast below which everything is grain, of 255
 
 int widest_half_line(const Image8& image) {

@@ -92,21 +92,24 @@ void ReliefSession::begin_like(const Scene& scene) {
 }
 
 Status ReliefSession::update_layers(const Request& request) {
-  Status status =
-      sheets_state_.refresh(sheets_key(request.scene, request.options.layers), [&]() -> Status {
-        auto sheets = join_sheets(request.scene, request.options.layers, request.context);
-        if (!sheets) return sheets.error();
-        sheets_ = std::move(*sheets);
-        request.clock.finish("mesh");
-        return Done{};
-      });
+  const Scene& scene = request.scene;
+  const ReliefOptions& options = request.options;
+  const RunContext& context = request.context;
+  StageClock& clock = request.clock;
+  Status status = sheets_state_.refresh(sheets_key(scene, options.layers), [&]() -> Status {
+    auto sheets = join_sheets(scene, options.layers, context);
+    if (!sheets) return sheets.error();
+    sheets_ = std::move(*sheets);
+    clock.finish("mesh");
+    return Done{};
+  });
   if (!status) return status;
-  Key key = layers_key(request.scene, request.options.layers);
+  Key key = layers_key(scene, options.layers);
   status = layers_state_.refresh(key.add(sheets_state_.version()), [&]() -> Status {
-    auto layers = constrain_sheets(sheets_, request.scene, request.options.layers.glue);
+    auto layers = constrain_sheets(sheets_, scene, options.layers.glue);
     if (!layers) return layers.error();
     relief_.layers = std::move(*layers);
-    request.clock.finish("mesh");
+    clock.finish("mesh");
     return Done{};
   });
   if (use_ != Use::many) {
@@ -117,12 +120,16 @@ Status ReliefSession::update_layers(const Request& request) {
 }
 
 Status ReliefSession::update_inflation(const Request& request) {
+  const Scene& scene = request.scene;
+  const ReliefOptions& options = request.options;
+  const RunContext& context = request.context;
+  StageClock& clock = request.clock;
   const LayeredMesh& mesh = relief_.layers;
   Status status =
       discretisation_state_.refresh(Key().add(sheets_state_.version()), [&]() -> Status {
-        discretisation_ = discretise(mesh, request.context);
-        if (request.context.cancelled()) return interrupted_error();
-        begin_like(request.scene);
+        discretisation_ = discretise(mesh, context);
+        if (context.cancelled()) return interrupted_error();
+        begin_like(scene);
         return Done{};
       });
   if (!status) return status;
@@ -130,18 +137,17 @@ Status ReliefSession::update_inflation(const Request& request) {
   status = poisson_state_.refresh(std::move(roles), [&]() -> Status {
     poisson_.emplace(mesh, discretisation_,
                      use_ == Use::many ? Refactorisation::incremental : Refactorisation::complete,
-                     request.context);
+                     context);
     return Done{};
   });
   if (!status) return status;
-  Key key = inflation_key(request.scene, request.options.inflation);
+  Key key = inflation_key(scene, options.inflation);
   key.add(poisson_state_.version()).add(boundary_key(mesh));
   status = inflation_state_.refresh(std::move(key), [&]() -> Status {
-    auto inflation = inflate({mesh, discretisation_, request.scene}, request.options.inflation,
-                             *poisson_, request.context);
+    auto inflation = inflate({mesh, discretisation_, scene}, options.inflation, *poisson_, context);
     if (!inflation) return inflation.error();
     inflation_ = std::move(*inflation);
-    request.clock.finish("inflate");
+    clock.finish("inflate");
     return Done{};
   });
   if (use_ != Use::many) {
@@ -152,36 +158,43 @@ Status ReliefSession::update_inflation(const Request& request) {
 }
 
 Status ReliefSession::update_ordering(const Request& request) {
-  Key key = ordering_key(relief_.layers, request.scene, request.options.ordering);
+  const Scene& scene = request.scene;
+  const ReliefOptions& options = request.options;
+  const RunContext& context = request.context;
+  StageClock& clock = request.clock;
+  Key key = ordering_key(relief_.layers, scene, options.ordering);
   key.add(Method::approximate).add(inflation_state_.version());
   return heights_state_.refresh(std::move(key), [&]() -> Status {
-    auto ordering = order_depth({relief_.layers, discretisation_, inflation_, request.scene},
-                                request.options.ordering, ordering_system_, request.context);
+    auto ordering = order_depth({relief_.layers, discretisation_, inflation_, scene},
+                                options.ordering, ordering_system_, context);
     if (!ordering) return ordering.error();
     relief_.inflation = inflation_;
     relief_.ordering = std::move(*ordering);
     relief_.joint = {};
     relief_.snapshots.clear();
-    request.clock.finish("order");
+    clock.finish("order");
     return Done{};
   });
 }
 
 Status ReliefSession::update_jointly(const Request& request) {
-  Key key = ordering_key(relief_.layers, request.scene, request.options.ordering);
-  key.add(Method::nonlinear).add(inflation_state_.version()).add(joint_key(request.options.joint));
+  const Scene& scene = request.scene;
+  const ReliefOptions& options = request.options;
+  const RunContext& context = request.context;
+  StageClock& clock = request.clock;
+  Key key = ordering_key(relief_.layers, scene, options.ordering);
+  key.add(Method::nonlinear).add(inflation_state_.version()).add(joint_key(options.joint));
   return heights_state_.refresh(std::move(key), [&]() -> Status {
-    JointOptions joint = request.options.joint;
-    joint.epsilon = request.options.ordering.epsilon;
-    joint.max_rounds = request.options.ordering.max_rounds;
-    auto solution =
-        solve_jointly(relief_.layers, request.scene, inflation_, joint, request.context);
+    JointOptions joint = options.joint;
+    joint.epsilon = options.ordering.epsilon;
+    joint.max_rounds = options.ordering.max_rounds;
+    auto solution = solve_jointly(relief_.layers, scene, inflation_, joint, context);
     if (!solution) return solution.error();
     relief_.inflation = std::move(solution->inflation);
     relief_.ordering = std::move(solution->ordering);
     relief_.joint = std::move(solution->report);
     relief_.snapshots = std::move(solution->snapshots);
-    request.clock.finish("nonlinear");
+    clock.finish("nonlinear");
     return Done{};
   });
 }

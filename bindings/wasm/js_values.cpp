@@ -1,0 +1,59 @@
+#include "bindings/wasm/js_values.h"
+
+namespace relievo::wasm {
+namespace {
+
+using emscripten::val;
+
+template <class T>
+val copy(const char* type, const std::vector<T>& values) {
+  return val::global(type).new_(val(emscripten::typed_memory_view(values.size(), values.data())));
+}
+
+const char* name(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::internal:
+      return "internal";
+    case ErrorCode::usage:
+      return "usage";
+    case ErrorCode::bad_input:
+      return "bad_input";
+    case ErrorCode::contradiction:
+      return "contradiction";
+    case ErrorCode::limit:
+      return "limit";
+    case ErrorCode::file:
+      return "file";
+    case ErrorCode::interrupted:
+      return "interrupted";
+  }
+  return "internal";
+}
+
+}  // namespace
+
+val failure(const Error& error) {
+  val what = val::object();
+  what.set("code", name(error.code));
+  what.set("message", error.message);
+  what.set("where", error.where);
+  val result = val::object();
+  result.set("error", what);
+  return result;
+}
+
+Bytes to_bytes(const val& array) {
+  return emscripten::convertJSArrayToNumberVector<uint8_t>(array);
+}
+
+val to_js(const Bytes& bytes) { return copy("Uint8Array", bytes); }
+val to_js(const std::vector<float>& numbers) { return copy("Float32Array", numbers); }
+val to_js(const std::vector<uint32_t>& numbers) { return copy("Uint32Array", numbers); }
+
+val to_js(const std::vector<std::string>& texts) {
+  val list = val::array();
+  for (size_t i = 0; i < texts.size(); ++i) list.set(i, texts[i]);
+  return list;
+}
+
+}  // namespace relievo::wasm

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/files/bytes.h"
+#include "kernel/base/result.h"
+
+namespace relievo::wasm {
+
+/// {error: {code, message, where}}: what a call returns that failed.
+emscripten::val failure(const Error& error);
+
+/// The content of a Uint8Array.
+Bytes to_bytes(const emscripten::val& array);
+
+/// Copies that the page owns.
+emscripten::val to_js(const Bytes& bytes);
+emscripten::val to_js(const std::vector<float>& numbers);
+emscripten::val to_js(const std::vector<uint32_t>& numbers);
+emscripten::val to_js(const std::vector<std::string>& texts);
+
+}  // namespace relievo::wasm

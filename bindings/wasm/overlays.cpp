@@ -1,0 +1,104 @@
+#include "bindings/wasm/overlays.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace relievo::wasm {
+namespace {
+
+struct Edge {
+  int a = -1;  ///< nodes, a < b
+  int b = -1;
+
+  bool operator==(const Edge& other) const { return a == other.a && b == other.b; }
+  bool operator<(const Edge& other) const { return a != other.a ? a < other.a : b < other.b; }
+};
+
+/// Every edge once for each face that has it, sorted.
+std::vector<Edge> sorted_edges(const LayeredMesh& mesh) {
+  std::vector<Edge> edges;
+  edges.reserve(3 * mesh.faces.size());
+  for (const std::array<int, 3>& face : mesh.faces)
+    for (int k = 0; k < 3; ++k) {
+      const int a = face[k];
+      const int b = face[(k + 1) % 3];
+      edges.push_back({std::min(a, b), std::max(a, b)});
+    }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+enum class Tie : uint8_t { none, above, equal };
+
+std::vector<Tie> ties_of_nodes(const LayeredMesh& mesh) {
+  std::vector<Tie> ties(mesh.node_vertex.size(), Tie::none);
+  for (const DepthPair& pair : mesh.constraints)
+    for (const int node : {pair.lower, pair.upper})
+      ties[node] = std::max(ties[node], pair.equal ? Tie::equal : Tie::above);
+  return ties;
+}
+
+/// Alpha under Robin ranges; 1 elsewhere, but the ramps' own start on joins.
+std::vector<float> alphas(const LayeredMesh& mesh, double usual) {
+  std::vector<float> alpha(mesh.node_vertex.size(), 1);
+  for (size_t i = 0; i < alpha.size(); ++i)
+    if (mesh.node_role[i] == NodeRole::seam) alpha[i] = static_cast<float>(usual);
+  for (const RampNode& node : mesh.ramp_nodes) {
+    const double own = mesh.ramps[node.ramp].alpha0;
+    const double start = own < 0 ? usual : own;
+    alpha[node.node] = static_cast<float>(start + (1 - start) * node.t);
+  }
+  return alpha;
+}
+
+void add_segment(const LayeredMesh& mesh, Edge edge, std::vector<float>& segments) {
+  for (const int node : {edge.a, edge.b}) {
+    const Point2 p = mesh.vertices[mesh.node_vertex[node]];
+    segments.push_back(static_cast<float>(p.x));
+    segments.push_back(static_cast<float>(p.y));
+  }
+}
+
+class Finder {
+ public:
+  Finder(const LayeredMesh& mesh, double alpha0)
+      : mesh_(mesh), ties_(ties_of_nodes(mesh)), alpha_(alphas(mesh, alpha0)) {}
+
+  void add(Edge edge, bool open, Overlays& overlays) const {
+    const NodeRole a = mesh_.node_role[edge.a];
+    const NodeRole b = mesh_.node_role[edge.b];
+    if (a == NodeRole::seam && b == NodeRole::seam) add_segment(mesh_, edge, overlays.joins);
+    if (!open) return;
+    if (a == NodeRole::ramp || b == NodeRole::ramp) {
+      add_segment(mesh_, edge, overlays.ramps);
+      overlays.ramps.push_back(alpha_[edge.a]);
+      overlays.ramps.push_back(alpha_[edge.b]);
+    }
+    const Tie tie = std::min(ties_[edge.a], ties_[edge.b]);
+    if (tie == Tie::equal) add_segment(mesh_, edge, overlays.equal);
+    if (tie == Tie::above) add_segment(mesh_, edge, overlays.above);
+  }
+
+ private:
+  const LayeredMesh& mesh_;
+  std::vector<Tie> ties_;
+  std::vector<float> alpha_;
+};
+
+}  // namespace
+
+Overlays find_overlays(const LayeredMesh& mesh, double alpha0) {
+  const std::vector<Edge> edges = sorted_edges(mesh);
+  const Finder finder(mesh, alpha0);
+  Overlays overlays;
+  for (size_t i = 0; i < edges.size();) {
+    size_t end = i + 1;
+    while (end < edges.size() && edges[end] == edges[i]) ++end;
+    finder.add(edges[i], end - i == 1, overlays);
+    i = end;
+  }
+  return overlays;
+}
+
+}  // namespace relievo::wasm

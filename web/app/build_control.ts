@@ -1,0 +1,146 @@
+import { Engine, EngineStopped } from '../engine/engine';
+import { type BuiltRelief, type EngineError, isFailure } from '../engine/messages';
+import type { Document } from '../document/document';
+import { sceneText } from '../document/scene_text';
+import type { Editor } from './editor';
+
+const draftVertices = 3000;
+/** The full mesh follows when nothing has changed for so long, ms. */
+const rest = 160;
+
+function requestFor(document: Document, draft: boolean) {
+  const { settings } = document;
+  return {
+    scene: sceneText(document),
+    options: {
+      method: draft ? ('approximate' as const) : settings.method,
+      vertices: draft ? Math.min(draftVertices, settings.vertices) : settings.vertices,
+      edge: 0,
+      rho: settings.rho,
+      alpha0: 0.1,
+      lambdaBnd: settings.lambdaBnd,
+      literal: settings.literal,
+      glue: true,
+    },
+    visibility: 'orbit' as const,
+    tolerance: draft ? 1 : 0.25,
+  };
+}
+
+/** What of a document changes its relief. */
+function shapeOf(document: Document): readonly unknown[] {
+  const { width, height, parts, joins, relations, robin, settings } = document;
+  const { method, vertices, rho, lambdaBnd, literal } = settings;
+  return [width, height, parts, joins, relations, robin, method, vertices, rho, lambdaBnd, literal];
+}
+
+/** The id of the part that an error speaks of, or null. */
+export function culpritOf(error: EngineError, document: Document): string | null {
+  const path = /^(parts|joins|relations|robin)\[(\d+)\]/.exec(error.where);
+  if (!path) return document.parts.find((part) => part.id === error.where)?.id ?? null;
+  const index = Number(path[2]);
+  if (path[1] === 'parts') return document.parts[index]?.id ?? null;
+  const list = document[path[1] as 'joins' | 'relations' | 'robin'];
+  return list[index]?.upper ?? null;
+}
+
+/**
+ * Keeps the relief up with the document: a coarse one at once, the full one when the hand rests.
+ * Each has a worker of its own; what a newer document makes useless is stopped.
+ */
+export class BuildControl {
+  private shape: readonly unknown[] = [];
+  private draftWanted: Document | null = null;
+  private drafting = false;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private builtFull: Document | null = null;
+
+  constructor(
+    private readonly editor: Editor,
+    private readonly draft: Engine,
+    private readonly full: Engine,
+  ) {
+    editor.subscribe(() => this.follow());
+  }
+
+  /** Resolves when the full engine holds the relief of the present document. */
+  async settle(): Promise<void> {
+    if (this.builtFull === this.editor.document) return;
+    clearTimeout(this.timer);
+    this.full.cancel();
+    await this.buildFull(this.editor.document);
+    if (this.builtFull !== this.editor.document) throw new Error(this.editor.state.build.error?.message ?? '');
+  }
+
+  /** Stops the full build; the coarse relief stays. */
+  stop(): void {
+    clearTimeout(this.timer);
+    this.full.cancel();
+  }
+
+  private follow(): void {
+    const { document, state } = this.editor;
+    const shape = shapeOf(document);
+    if (shape.length === this.shape.length && shape.every((value, i) => value === this.shape[i])) return;
+    this.shape = shape;
+    clearTimeout(this.timer);
+    this.full.cancel();
+    if (document.parts.length === 0) {
+      this.editor.set({ relief: null, culprit: null, build: { phase: 'idle', progress: 0, error: null } });
+      return;
+    }
+    if (state.open) this.start(document);
+  }
+
+  private start(document: Document): void {
+    this.draftWanted = document;
+    if (!this.drafting) void this.runDrafts();
+    this.timer = setTimeout(() => void this.buildFull(document), rest);
+  }
+
+  /** Builds the newest document until there is no newer one. */
+  private async runDrafts(): Promise<void> {
+    this.drafting = true;
+    while (this.draftWanted) {
+      const document = this.draftWanted;
+      this.draftWanted = null;
+      await this.build(this.draft, document, 'draft');
+    }
+    this.drafting = false;
+  }
+
+  private async buildFull(document: Document): Promise<void> {
+    if (await this.build(this.full, document, 'full')) this.builtFull = document;
+  }
+
+  private async build(engine: Engine, document: Document, phase: 'draft' | 'full'): Promise<boolean> {
+    this.editor.set({ build: { phase, progress: 0, error: this.editor.state.build.error } });
+    try {
+      const built = await engine.build(requestFor(document, phase === 'draft'), (_stage, done) => {
+        if (phase === 'full') this.editor.set({ build: { ...this.editor.state.build, progress: done } });
+      });
+      return isFailure(built) ? this.refuse(document, built.error) : this.accept(document, built, phase);
+    } catch (error) {
+      if (!(error instanceof EngineStopped) || error.crashed)
+        this.refuse(document, { code: 'internal', message: String(error), where: '' });
+      return false;
+    }
+  }
+
+  private accept(document: Document, relief: BuiltRelief, phase: 'draft' | 'full'): boolean {
+    const stale = shapeOf(document).some((value, i) => value !== this.shape[i]);
+    if (phase === 'full' && stale) return false;
+    this.editor.set({ relief, culprit: null, build: { phase: 'idle', progress: 1, error: null } });
+    return true;
+  }
+
+  /** The last good relief stays; the culprit is shown and named. */
+  private refuse(document: Document, error: EngineError): boolean {
+    this.editor.set({
+      culprit: culpritOf(error, document),
+      build: { phase: 'idle', progress: 0, error },
+      notice: error.where ? `${error.where}: ${error.message}` : error.message,
+    });
+    return false;
+  }
+}

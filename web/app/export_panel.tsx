@@ -1,0 +1,55 @@
+import { useState } from 'preact/hooks';
+import { changeSettings } from '../document/editing';
+import type { ExportFormat, MapKind } from '../engine/messages';
+import { type MessageKey, t } from './catalogue';
+import type { Editor } from './editor';
+import type { Files } from './files';
+import { useStore } from './store';
+
+const formats: readonly [ExportFormat, MessageKey][] = [
+  ['glb', 'formatGlb'], ['obj', 'formatObj'], ['ply', 'formatPly'], ['stl', 'formatStl'],
+];
+const maps: readonly [MapKind, MessageKey][] = [
+  ['normal', 'mapNormal'], ['depth', 'mapDepth'], ['part', 'mapPart'],
+];
+
+interface ExportPanelProps {
+  editor: Editor;
+  files: Files;
+  picture(): Promise<Blob>;
+}
+
+export function ExportPanel({ editor, files, picture }: ExportPanelProps) {
+  const { history } = useStore(editor);
+  const { document } = history;
+  const [greenDown, setGreenDown] = useState(false);
+  const setSize = (value: number): void => {
+    if (value >= 1 && value <= 10_000) editor.edit('size', changeSettings(document, { sizeMm: value }), 'size');
+  };
+  return (
+    <div class="sheet" role="group" aria-label={t('exportTitle')}>
+      <label class="field">
+        <span>{t('size')}</span>
+        <input type="number" min={1} max={10000} value={document.settings.sizeMm} onChange={(event) => setSize(Number(event.currentTarget.value))} />
+      </label>
+      <h3>{t('exportModels')}</h3>
+      {formats.map(([format, label]) => (
+        <button type="button" class="wide" key={format} data-export={format} onClick={() => void files.exportModel(format)}>
+          {t(label)}
+        </button>
+      ))}
+      <h3>{t('exportMaps')}</h3>
+      {maps.map(([kind, label]) => (
+        <button type="button" class="wide" key={kind} data-export={kind} onClick={() => void files.exportMap(kind, greenDown)}>
+          {t(label)}
+        </button>
+      ))}
+      <label class="check">
+        <input type="checkbox" checked={greenDown} onChange={() => setGreenDown(!greenDown)} /> {t('greenDown')}
+      </label>
+      <button type="button" class="wide" data-export="picture" onClick={() => void files.exportPicture(picture())}>
+        {t('exportPicture')}
+      </button>
+    </div>
+  );
+}

@@ -1,0 +1,186 @@
+import { zipSync } from 'fflate';
+import type { Autosave } from '../document/autosave';
+import { type Document, emptyDocument } from '../document/document';
+import { readProject, writeProject } from '../document/project_file';
+import { sceneContent } from '../document/scene_text';
+import type { Engine } from '../engine/engine';
+import { type ExportFormat, isFailure, type MapKind, type OutputFile } from '../engine/messages';
+import type { BuildControl } from './build_control';
+import { t } from './catalogue';
+import type { Editor } from './editor';
+import { decodePicture, pictureOf, pixelsOf, pngOf, textureOf } from './pictures';
+
+const imageTypes = ['image/png', 'image/jpeg', 'image/webp'];
+
+function baseName(name: string): string {
+  return name.replace(/\.[^.]*$/, '') || 'untitled';
+}
+
+function zipped(files: readonly OutputFile[]): Uint8Array<ArrayBuffer> {
+  return zipSync(Object.fromEntries(files.map(({ name, bytes }) => [name, bytes])));
+}
+
+/** Hands a file to the person. */
+export function download(file: OutputFile): void {
+  const url = URL.createObjectURL(new Blob([file.bytes]));
+  const link = document.createElement('a');
+  link.href = url;
+  link.download = file.name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}
+
+/** Opening, keeping, saving and exporting. */
+export class Files {
+  private saving: Promise<void> = Promise.resolve();
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private kept: Document | null = null;
+
+  constructor(
+    private readonly editor: Editor,
+    private readonly engine: Engine,
+    private readonly control: BuildControl,
+    private readonly autosave: Autosave | null,
+  ) {
+    editor.subscribe(() => this.keepLater());
+  }
+
+  /** Opens whatever a file is; tells why where it cannot be. */
+  async open(file: File): Promise<void> {
+    try {
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      if (file.name.endsWith('.relievo')) await this.show(readProject(bytes));
+      else if (file.type === 'image/svg+xml' || file.name.endsWith('.svg')) await this.openSvg(file.name, bytes);
+      else if (imageTypes.includes(file.type)) await this.openImage(file.name, bytes, file.type);
+      else throw new Error(t('unknownFile'));
+    } catch (error) {
+      const why = error instanceof Error ? error.message : String(error);
+      this.editor.set({ notice: t('notReadable', { name: file.name, why }) });
+    }
+  }
+
+  async openSample(name: string, url: string): Promise<void> {
+    const answer = await fetch(url);
+    await this.openSvg(`${name}.svg`, new Uint8Array(await answer.arrayBuffer()));
+  }
+
+  /** Shows a document that comes from a file or from what was kept. */
+  async show(document_: Document): Promise<void> {
+    const next = await this.withPaintable(document_);
+    const picture = next.drawing && (await pictureOf(next.drawing, next.width, next.height));
+    this.editor.openDocument(next, picture);
+    this.editor.set({ tool: next.parts.length === 0 ? 'draw' : 'select', notice: '' });
+  }
+
+  saveProject = async (): Promise<void> => {
+    const { document: doc, state } = this.editor;
+    const bytes = writeProject(doc, await pngOf(doc, state.picture));
+    download({ name: `${doc.name}.relievo`, bytes });
+  };
+
+  exportModel = async (format: ExportFormat): Promise<void> => {
+    await this.exporting(async () => {
+      const { document: doc, state } = this.editor;
+      const texture = format === 'stl' ? null : textureOf(doc, state.picture);
+      const files = await this.engine.encode(format, doc.name, doc.settings.sizeMm, texture);
+      if (isFailure(files)) throw new Error(files.error.message);
+      const [only, ...others] = files.files;
+      if (only && others.length === 0) download(only);
+      else download({ name: `${doc.name}-${format}.zip`, bytes: zipped(files.files) });
+    });
+  };
+
+  exportMap = async (kind: MapKind, greenDown: boolean): Promise<void> => {
+    await this.exporting(async () => {
+      const map = await this.engine.map(kind, 2048, greenDown);
+      if (isFailure(map)) throw new Error(map.error.message);
+      download({ name: `${this.editor.document.name}-${kind}.png`, bytes: map.bytes as Uint8Array<ArrayBuffer> });
+    });
+  };
+
+  exportPicture = async (picture: Promise<Blob>): Promise<void> => {
+    const bytes = new Uint8Array(await (await picture).arrayBuffer());
+    download({ name: `${this.editor.document.name}-view.png`, bytes });
+  };
+
+  private async exporting(work: () => Promise<void>): Promise<void> {
+    try {
+      await this.control.settle();
+      await work();
+    } catch (error) {
+      this.editor.set({ notice: `${t('failed')}: ${error instanceof Error ? error.message : String(error)}` });
+    }
+  }
+
+  private async openSvg(name: string, bytes: Uint8Array): Promise<void> {
+    const imported = await this.engine.importSvg(bytes);
+    if (isFailure(imported)) throw new Error(imported.error.message);
+    await this.show({
+      ...emptyDocument(),
+      ...sceneContent(imported.scene),
+      name: baseName(name),
+      drawing: { name, kind: 'svg', mime: 'image/svg+xml', bytes, paintable: imported.paintable },
+    });
+    const words = imported.proposed ? [t('proposedParts')] : [];
+    this.editor.set({ notice: [...words, ...imported.warnings].join(' ') });
+  }
+
+  /** A project holds the artist's file as it came: what may be painted of it is found anew. */
+  private async withPaintable(next: Document): Promise<Document> {
+    const { drawing } = next;
+    if (drawing?.kind !== 'svg' || drawing.paintable !== undefined) return next;
+    const imported = await this.engine.importSvg(drawing.bytes);
+    if (isFailure(imported)) throw new Error(imported.error.message);
+    return { ...next, drawing: { ...drawing, paintable: imported.paintable } };
+  }
+
+  private async openImage(name: string, bytes: Uint8Array, mime: string): Promise<void> {
+    const picture = await decodePicture(bytes, mime);
+    const scale = Math.min(1, 2048 / Math.max(picture.width, picture.height));
+    const next: Document = {
+      ...emptyDocument(),
+      name: baseName(name),
+      width: Math.round(scale * picture.width),
+      height: Math.round(scale * picture.height),
+      drawing: { name, kind: 'image', mime, bytes },
+    };
+    this.editor.openDocument(next, picture);
+    this.editor.set({ tool: 'draw', notice: t('guessing') });
+    await this.guessParts(next, picture);
+  }
+
+  /** Lets the engine find the parts of a flat drawing; they can be traced by hand where it cannot. */
+  private async guessParts(next: Document, picture: ImageBitmap): Promise<void> {
+    const found = await this.engine.importPicture(pixelsOf(picture, next.width, next.height));
+    if (this.editor.document !== next) return;
+    if (isFailure(found)) {
+      this.editor.set({ notice: `${found.error.message}. ${t('imageHint')}` });
+      return;
+    }
+    const { parts, joins, relations, robin } = sceneContent(found.scene);
+    this.editor.edit('guess', { ...next, parts, joins, relations, robin });
+    this.editor.set({ tool: 'select', notice: [t('guessed'), ...found.warnings].join(' ') });
+  }
+
+  private keepLater(): void {
+    const { state } = this.editor;
+    if (!state.open || state.history.document === this.kept) return;
+    this.kept = state.history.document;
+    this.editor.set({ saved: 'no' });
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => {
+      this.saving = this.saving.then(() => this.keep());
+    }, 250);
+  }
+
+  private async keep(): Promise<void> {
+    const { document: doc } = this.editor;
+    try {
+      if (!this.autosave) throw new Error('no storage');
+      await this.autosave.save(doc);
+      if (doc === this.editor.document) this.editor.set({ saved: 'yes' });
+    } catch {
+      this.editor.set({ saved: 'failed', notice: t('saveFailed') });
+    }
+  }
+}

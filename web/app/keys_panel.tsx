@@ -1,0 +1,34 @@
+import { type MessageKey, t } from './catalogue';
+
+const rows: readonly [string, MessageKey][] = [
+  ['1 … 6', 'keyTools'],
+  ['Page Up, Page Down, Home, End', 'keyOrder'],
+  ['J', 'keyJoin'],
+  ['H', 'keyReverse'],
+  ['Delete', 'keyDelete'],
+  ['Space, wheel', 'keyPan'],
+  ['Ctrl wheel, + −', 'keyZoom'],
+  ['0', 'keyFit'],
+  ['V', 'keyPeek'],
+  ['L', 'keyLight'],
+  ['N', 'keyShade'],
+  ['D', 'keyTint'],
+  ['Ctrl Z, Ctrl ⇧ Z', 'keyUndo'],
+  ['Ctrl O, Ctrl S, Ctrl E', 'keyFile'],
+  ['Esc', 'keyEscape'],
+];
+
+export function KeysPanel() {
+  return (
+    <div class="sheet keys" role="group" aria-label={t('keys')}>
+      <dl>
+        {rows.map(([keys, label]) => (
+          <div key={label}>
+            <dt><kbd>{keys}</kbd></dt>
+            <dd>{t(label)}</dd>
+          </div>
+        ))}
+      </dl>
+    </div>
+  );
+}

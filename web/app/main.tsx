@@ -1,0 +1,98 @@
+import { render } from 'preact';
+import coreUrl from '#core.wasm?url';
+import { Autosave } from '../document/autosave';
+import type { Document } from '../document/document';
+import { compileCore, Engine } from '../engine/engine';
+import { BuildControl } from './build_control';
+import { language } from './catalogue';
+import { Editor } from './editor';
+import { Files } from './files';
+import type { PaperControl } from './paper_pane';
+import { type HeldKeys, listenToKeys } from './shortcuts';
+import { StartScreen } from './start_screen';
+import { useStore } from './store';
+import './styles.css';
+import { Workspace } from './workspace';
+
+interface PageProps {
+  editor: Editor;
+  files: Files;
+  held: HeldKeys;
+  kept: Document | null;
+  attachPaper(paper: PaperControl): void;
+  choose(): void;
+}
+
+function Page({ editor, files, held, kept, attachPaper, choose }: PageProps) {
+  const { open, notice } = useStore(editor);
+  if (open) return <Workspace editor={editor} files={files} held={held} attachPaper={attachPaper} choose={choose} />;
+  return (
+    <>
+      <StartScreen files={files} kept={kept} choose={choose} />
+      <p class="start-notice" role="status">{notice}</p>
+    </>
+  );
+}
+
+/** Asks for a file. */
+function chooser(files: Files): () => void {
+  const input = document.createElement('input');
+  input.type = 'file';
+  input.accept = '.svg,.png,.jpg,.jpeg,.webp,.relievo';
+  input.hidden = true;
+  input.addEventListener('change', () => {
+    const file = input.files?.[0];
+    if (file) void files.open(file);
+    input.value = '';
+  });
+  document.body.append(input);
+  return () => input.click();
+}
+
+/** A file may be dropped or pasted anywhere. */
+function listenToDrops(files: Files): void {
+  const first = (data: DataTransfer | null): void => {
+    const file = data?.files[0];
+    if (file) void files.open(file);
+  };
+  window.addEventListener('dragover', (event) => event.preventDefault());
+  window.addEventListener('drop', (event) => {
+    event.preventDefault();
+    first(event.dataTransfer);
+  });
+  window.addEventListener('paste', (event) => first(event.clipboardData));
+}
+
+async function openStorage(): Promise<{ autosave: Autosave | null; kept: Document | null }> {
+  try {
+    const autosave = await Autosave.open();
+    void navigator.storage?.persist?.();
+    return { autosave, kept: await autosave.restore() };
+  } catch {
+    return { autosave: null, kept: null };
+  }
+}
+
+async function main(): Promise<void> {
+  document.documentElement.lang = language;
+  const compiled = compileCore(coreUrl);
+  const editor = new Editor();
+  const full = new Engine(compiled);
+  const control = new BuildControl(editor, new Engine(compiled), full);
+  const { autosave, kept } = await openStorage();
+  const files = new Files(editor, full, control, autosave);
+  const choose = chooser(files);
+  let paper: PaperControl | null = null;
+  const held = listenToKeys({ editor, files, paper: () => paper, choose });
+  listenToDrops(files);
+  const attachPaper = (control_: PaperControl): void => {
+    paper = control_;
+  };
+  render(
+    <Page editor={editor} files={files} held={held} kept={kept} attachPaper={attachPaper} choose={choose} />,
+    document.getElementById('page') as HTMLElement,
+  );
+  if (import.meta.env.PROD && 'serviceWorker' in navigator) void navigator.serviceWorker.register('./service_worker.js');
+}
+
+void main();

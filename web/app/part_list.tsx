@@ -1,0 +1,66 @@
+import { useState } from 'preact/hooks';
+import { partIndex } from '../document/document';
+import { movePart } from '../document/editing';
+import { t } from './catalogue';
+import type { Editor } from './editor';
+import { useStore } from './store';
+
+/** The parts, nearest first. Drag or keys change the order. */
+export function PartList({ editor }: { editor: Editor }) {
+  const { history, selected, hovered, culprit } = useStore(editor);
+  const [dragged, setDragged] = useState<string | null>(null);
+  const [target, setTarget] = useState<string | null>(null);
+  const { document } = history;
+  const list = [...document.parts].reverse();
+
+  const drop = (onto: string): void => {
+    if (dragged) editor.edit('order', movePart(document, dragged, partIndex(document, onto)));
+    setDragged(null);
+    setTarget(null);
+  };
+  const step = (event: KeyboardEvent, index: number): void => {
+    const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    const next = by === undefined ? undefined : list[index + by];
+    if (!next) return;
+    event.preventDefault();
+    editor.select(next.id);
+    const item = (event.currentTarget as HTMLElement).parentElement?.children[index + (by ?? 0)];
+    (item as HTMLElement | undefined)?.focus();
+  };
+
+  if (list.length === 0) return <p class="quiet">{t('noParts')}</p>;
+  return (
+    <ul class="parts" role="listbox" aria-label={t('parts')} title={t('partsHelp')}>
+      {list.map((part, index) => (
+        <li
+          key={part.id}
+          role="option"
+          aria-selected={part.id === selected}
+          tabIndex={part.id === selected || (selected === null && index === 0) ? 0 : -1}
+          class={[
+            part.id === hovered ? 'hovered' : '',
+            part.id === culprit ? 'culprit' : '',
+            part.id === target ? 'target' : '',
+          ].join(' ')}
+          draggable
+          onDragStart={() => setDragged(part.id)}
+          onDragOver={(event) => {
+            event.preventDefault();
+            setTarget(part.id);
+          }}
+          onDrop={() => drop(part.id)}
+          onDragEnd={() => setTarget(null)}
+          onClick={() => editor.select(part.id)}
+          onPointerEnter={() => editor.set({ hovered: part.id })}
+          onPointerLeave={() => editor.set({ hovered: null })}
+          onKeyDown={(event) => step(event, index)}
+        >
+          <span class="number">{index + 1}</span>
+          <span class="name">{part.id}</span>
+          {document.joins.some((join) => join.upper === part.id) && <span class="joined" title={t('join')} />}
+          {part.d < 0 && <span class="hollow" title={t('reverse')} />}
+        </li>
+      ))}
+    </ul>
+  );
+}

@@ -1,0 +1,129 @@
+import { partIndex } from '../document/document';
+import { changePart, joinParts, movePart, neighbours, ordered, removeJoin, removePart } from '../document/editing';
+import type { Editor, Shading } from './editor';
+import type { Files } from './files';
+import type { PaperControl } from './paper_pane';
+import { tools } from './toolbar';
+
+/** Keys that are held down. */
+export interface HeldKeys {
+  light: boolean;
+}
+
+interface Scope {
+  editor: Editor;
+  files: Files;
+  paper(): PaperControl | null;
+  choose(): void;
+}
+
+const nextShading: Record<Shading, Shading> = { drawing: 'clay', clay: 'normals', normals: 'drawing' };
+
+function toggleJoin(editor: Editor, id: string): void {
+  const { document } = editor;
+  const index = partIndex(document, id);
+  const own = document.joins.find((join) => join.upper === id) ?? document.joins.find((join) => join.lower === id);
+  if (own) {
+    editor.edit('join', removeJoin(document, own.upper, own.lower));
+    return;
+  }
+  const lower = neighbours(document, id).find((part) => partIndex(document, part.id) < index);
+  if (!lower) return;
+  const pair = ordered(document, id, lower.id);
+  editor.edit('join', joinParts(document, pair.upper, pair.lower));
+}
+
+/** What keys do to the selected part. */
+function partKeys(editor: Editor, id: string): Record<string, () => void> {
+  const { document } = editor;
+  const at = partIndex(document, id);
+  const part = document.parts[at];
+  const moveTo = (to: number) => (): void => editor.edit('order', movePart(document, id, to));
+  const remove = (): void => editor.edit('remove', removePart(document, id));
+  return {
+    PageUp: moveTo(at + 1),
+    PageDown: moveTo(at - 1),
+    Home: moveTo(document.parts.length - 1),
+    End: moveTo(0),
+    Delete: remove,
+    Backspace: remove,
+    j: () => toggleJoin(editor, id),
+    h: () => part && editor.edit('reverse', changePart(document, id, { d: -part.d })),
+  };
+}
+
+function pageKeys({ editor, paper }: Scope): Record<string, () => void> {
+  const { state } = editor;
+  return {
+    '0': () => paper()?.fit(),
+    '+': () => paper()?.zoom(1.25),
+    '=': () => paper()?.zoom(1.25),
+    '-': () => paper()?.zoom(0.8),
+    n: () => editor.set({ shading: nextShading[state.shading] }),
+    d: () => editor.set({ depthTint: !state.depthTint }),
+    '?': () => editor.set({ panel: state.panel === 'keys' ? 'none' : 'keys' }),
+    Escape: () => {
+      paper()?.cancelGesture();
+      if (state.panel !== 'none' || state.tourStep !== null) editor.set({ panel: 'none', tourStep: null });
+      else editor.select(null);
+    },
+  };
+}
+
+function commandKeys({ editor, files, choose }: Scope, shift: boolean): Record<string, () => void> {
+  return {
+    z: () => (shift ? editor.redo() : editor.undo()),
+    y: () => editor.redo(),
+    s: () => void files.saveProject(),
+    o: choose,
+    e: () => editor.set({ panel: editor.state.panel === 'export' ? 'none' : 'export' }),
+  };
+}
+
+function isTyping(target: EventTarget | null): boolean {
+  return target instanceof HTMLInputElement || target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement;
+}
+
+function press(event: KeyboardEvent, scope: Scope, held: HeldKeys): boolean {
+  const { editor } = scope;
+  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+  if (event.ctrlKey || event.metaKey) return run(commandKeys(scope, event.shiftKey)[key]);
+  if (isTyping(event.target) && key !== 'Escape') return false;
+  if (!editor.state.open) return false;
+  if (key === 'v' || key === 'l') {
+    if (key === 'v') editor.set({ peeking: true });
+    else held.light = true;
+    return true;
+  }
+  const paper = scope.paper();
+  if (key === ' ' && paper && !(event.target instanceof HTMLButtonElement)) {
+    paper.spaceHeld = true;
+    return true;
+  }
+  const tool = tools.find((entry) => entry.key === key);
+  if (tool) return run(() => editor.set({ tool: tool.name }));
+  const { selected } = editor.state;
+  return run((selected === null ? undefined : partKeys(editor, selected)[key]) ?? pageKeys(scope)[key]);
+}
+
+function run(action: (() => void) | undefined): boolean {
+  action?.();
+  return action !== undefined;
+}
+
+/** Listens to the keyboard. Keys that mean nothing here stay the browser's. */
+export function listenToKeys(scope: Scope): HeldKeys {
+  const held: HeldKeys = { light: false };
+  window.addEventListener('keydown', (event) => {
+    if (press(event, scope, held)) event.preventDefault();
+  });
+  const release = (key: string): void => {
+    if (key === 'v') scope.editor.set({ peeking: false });
+    if (key === 'l') held.light = false;
+    const paper = scope.paper();
+    if (key === ' ' && paper) paper.spaceHeld = false;
+  };
+  window.addEventListener('keyup', (event) => release(event.key.toLowerCase()));
+  window.addEventListener('blur', () => ['v', 'l', ' '].forEach(release));
+  return held;
+}

@@ -1,0 +1,31 @@
+import { useEffect, useReducer } from 'preact/hooks';
+
+/** A value that tells when it changes. */
+export class Store<State extends object> {
+  private readonly listeners = new Set<() => void>();
+
+  constructor(private current: State) {}
+
+  get state(): State {
+    return this.current;
+  }
+
+  set(values: Partial<State>): void {
+    const keys = Object.keys(values) as (keyof State)[];
+    if (keys.every((key) => this.current[key] === values[key])) return;
+    this.current = { ...this.current, ...values };
+    for (const listener of [...this.listeners]) listener();
+  }
+
+  subscribe(listener: () => void): () => void {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+}
+
+/** The store's state; the component is drawn again whenever it changes. */
+export function useStore<State extends object>(store: Store<State>): State {
+  const [, again] = useReducer((count: number) => count + 1, 0);
+  useEffect(() => store.subscribe(() => again(undefined as never)), [store]);
+  return store.state;
+}

@@ -1,0 +1,131 @@
+import { useMemo, useRef } from 'preact/hooks';
+import type { Document } from '../document/document';
+import { DrawTool } from '../tools/draw_tool';
+import { JoinTool } from '../tools/join_tool';
+import { OrderTool } from '../tools/order_tool';
+import { RangeTool } from '../tools/range_tool';
+import { SelectTool } from '../tools/select_tool';
+import type { Tool, ToolHost } from '../tools/tool';
+import type { ModelView } from '../view/model_view';
+import { t } from './catalogue';
+import type { Editor, ToolName } from './editor';
+import { ExportPanel } from './export_panel';
+import type { Files } from './files';
+import { Icon } from './icons';
+import { KeysPanel } from './keys_panel';
+import { ModelPane } from './model_pane';
+import { type PaperControl, PaperPane } from './paper_pane';
+import { PartList } from './part_list';
+import { PartPanel } from './part_panel';
+import { SettingsPanel } from './settings_panel';
+import type { HeldKeys } from './shortcuts';
+import { useStore } from './store';
+import { Toolbar, tools } from './toolbar';
+import { Tour } from './tour';
+
+function makeTools(host: ToolHost): Record<ToolName, Tool> {
+  const select = new SelectTool(host);
+  return {
+    select,
+    hand: select,
+    draw: new DrawTool(host, () => t('part')),
+    join: new JoinTool(host),
+    order: new OrderTool(host),
+    range: new RangeTool(host),
+  };
+}
+
+function hostOf(editor: Editor, reach: () => number): ToolHost {
+  return {
+    get document() {
+      return editor.document;
+    },
+    get selected() {
+      return editor.state.selected;
+    },
+    get reach() {
+      return reach();
+    },
+    edit: (label: string, next: Document, gesture?: string) => editor.edit(label, next, gesture ?? null),
+    select: (id) => editor.select(id),
+    hover: (id) => editor.set({ hovered: id }),
+  };
+}
+
+function TopBar({ editor, files, choose }: { editor: Editor; files: Files; choose(): void }) {
+  const { history, panel, saved } = useStore(editor);
+  const toggle = (name: 'keys' | 'export' | 'settings'): void => editor.set({ panel: panel === name ? 'none' : name });
+  const savedText = { yes: t('saved'), no: t('notSaved'), failed: t('saveFailed') }[saved];
+  return (
+    <header class="top">
+      <button type="button" class="bare brand" title={t('new')} onClick={() => editor.set({ open: false })}>{t('title')}</button>
+      <span class="document-name">{history.document.name}</span>
+      <span class={`saved ${saved}`} title={savedText}><span class="hidden">{savedText}</span></span>
+      <span class="gap" />
+      <button type="button" class="bare" id="undo" disabled={history.done.length === 0} title={`${t('undo')} (Ctrl Z)`} aria-label={t('undo')} onClick={() => editor.undo()}><Icon name="undo" /></button>
+      <button type="button" class="bare" id="redo" disabled={history.undone.length === 0} title={`${t('redo')} (Ctrl ⇧ Z)`} aria-label={t('redo')} onClick={() => editor.redo()}><Icon name="redo" /></button>
+      <span class="gap" />
+      <button type="button" onClick={() => editor.set({ tourStep: 0 })}>{t('tour')}</button>
+      <button type="button" aria-expanded={panel === 'keys'} onClick={() => toggle('keys')}>{t('keys')}</button>
+      <button type="button" aria-expanded={panel === 'settings'} id="settings" onClick={() => toggle('settings')}>{t('settings')}</button>
+      <button type="button" onClick={choose}>{t('open')}</button>
+      <button type="button" id="save" onClick={() => void files.saveProject()}>{t('save')}</button>
+      <button type="button" class="primary" id="export" aria-expanded={panel === 'export'} onClick={() => toggle('export')}>{t('export')}</button>
+    </header>
+  );
+}
+
+function StatusBar({ editor }: { editor: Editor }) {
+  const { tool, notice, relief, build, depthTint, showMarks } = useStore(editor);
+  const hint = tools.find((entry) => entry.name === tool)?.hint ?? 'hintSelect';
+  const ms = relief ? Object.values(relief.report.times).reduce((sum, time) => sum + time, 0) : 0;
+  return (
+    <footer class="status">
+      <span class="hint">{t(hint)}</span>
+      <span class="notice" role="status" aria-live="polite">{notice}</span>
+      <label class="check"><input type="checkbox" checked={depthTint} onChange={() => editor.set({ depthTint: !depthTint })} /> {t('depthTint')}</label>
+      <label class="check"><input type="checkbox" checked={showMarks} onChange={() => editor.set({ showMarks: !showMarks })} /> {t('marks')}</label>
+      <span class="numbers" data-nodes={relief?.report.nodes ?? 0} data-phase={build.phase}>
+        {relief && t('ready', { nodes: relief.report.nodes.toLocaleString(), ms: Math.round(ms) })}
+      </span>
+    </footer>
+  );
+}
+
+interface WorkspaceProps {
+  editor: Editor;
+  files: Files;
+  held: HeldKeys;
+  attachPaper(paper: PaperControl): void;
+  choose(): void;
+}
+
+export function Workspace({ editor, files, held, attachPaper, choose }: WorkspaceProps) {
+  const { panel } = useStore(editor);
+  const paper = useRef<PaperControl | null>(null);
+  const model = useRef<ModelView | null>(null);
+  const hands = useMemo(() => makeTools(hostOf(editor, () => paper.current?.reach ?? 12)), []);
+  const picture = (): Promise<Blob> => model.current?.picture() ?? Promise.reject(new Error('no view'));
+  const attach = (control: PaperControl): void => {
+    paper.current = control;
+    attachPaper(control);
+  };
+  return (
+    <div class="workspace">
+      <TopBar editor={editor} files={files} choose={choose} />
+      <Toolbar editor={editor} />
+      <PaperPane editor={editor} tool={() => hands[editor.state.tool]} attach={attach} />
+      <ModelPane editor={editor} attach={(view) => (model.current = view)} lightHeld={() => held.light} />
+      <aside class="side">
+        <h2>{t('parts')}</h2>
+        <PartList editor={editor} />
+        <PartPanel editor={editor} />
+      </aside>
+      {panel === 'export' && <ExportPanel editor={editor} files={files} picture={picture} />}
+      {panel === 'settings' && <SettingsPanel editor={editor} />}
+      {panel === 'keys' && <KeysPanel />}
+      <Tour editor={editor} />
+      <StatusBar editor={editor} />
+    </div>
+  );
+}

@@ -1,0 +1,219 @@
+import {
+  type Document,
+  freshId,
+  type Join,
+  type Part,
+  partIndex,
+  type Point,
+  type RelationKind,
+  type Ring,
+  type Settings,
+} from './document';
+import { arcBetween, contains, longestRunInside, mix, nearestPlace, overlap } from './outline';
+
+/** Every verb of editing: a document in, a document out. */
+
+const inks = ['#e8a87c', '#85b79d', '#8fb8de', '#e27d8a', '#c3a6d8', '#e3c567', '#7fb7be', '#d9a5b3'];
+
+function freshInk(document: Document): string {
+  return inks[document.parts.length % inks.length] as string;
+}
+
+function newPart(document: Document, name: string, ring: Ring, color = freshInk(document)): Part {
+  return { id: freshId(document, name), outline: [ring], c: 4, d: 1, color };
+}
+
+export function addPart(document: Document, name: string, ring: Ring): Document {
+  return { ...document, parts: [...document.parts, newPart(document, name, ring)] };
+}
+
+/** The foremost part behind index `before` that contains the point. */
+function partUnder(document: Document, point: Point, before: number): Part | undefined {
+  return document.parts
+    .slice(0, before)
+    .reverse()
+    .find((part) => contains(part.outline, point));
+}
+
+/** An open stroke as a part whose open side is joined to what lies below it, as in Monster Mash. */
+export function addOpenPart(document: Document, name: string, stroke: Ring): Document {
+  const first = stroke[0] as Point;
+  const last = stroke[stroke.length - 1] as Point;
+  const lower = partUnder(document, mix(first, last, 0.5), document.parts.length);
+  const part = newPart(document, name, stroke, lower?.color);
+  const added = { ...document, parts: [...document.parts, part] };
+  if (!lower) return added;
+  const line = [last, mix(last, first, 0.5), first];
+  return { ...added, joins: [...added.joins, { upper: part.id, lower: lower.id, line }] };
+}
+
+export function removePart(document: Document, id: string): Document {
+  const other = (pair: { upper: string; lower: string }): boolean => pair.upper !== id && pair.lower !== id;
+  return {
+    ...document,
+    parts: document.parts.filter((part) => part.id !== id),
+    joins: document.joins.filter(other),
+    relations: document.relations.filter(other),
+    robin: document.robin.filter(other),
+  };
+}
+
+export function changePart(document: Document, id: string, values: Partial<Pick<Part, 'c' | 'd' | 'outline'>>): Document {
+  return {
+    ...document,
+    parts: document.parts.map((part) => (part.id === id ? { ...part, ...values } : part)),
+  };
+}
+
+/** Renames a part wherever it is spoken of; nothing where the name is empty or taken. */
+export function renamePart(document: Document, id: string, name: string): Document {
+  const wanted = name.trim();
+  if (wanted === '' || wanted === id || partIndex(document, wanted) >= 0) return document;
+  const rename = <T extends { upper: string; lower: string }>(pair: T): T => ({
+    ...pair,
+    upper: pair.upper === id ? wanted : pair.upper,
+    lower: pair.lower === id ? wanted : pair.lower,
+  });
+  return {
+    ...document,
+    parts: document.parts.map((part) => (part.id === id ? { ...part, id: wanted } : part)),
+    joins: document.joins.map(rename),
+    relations: document.relations.map(rename),
+    robin: document.robin.map(rename),
+  };
+}
+
+/** Turns a join whose parts changed places: now the other part's outline carries it. */
+function turnedJoin(document: Document, join: Join): Join | null {
+  const upper = document.parts[partIndex(document, join.lower)] as Part;
+  const lower = document.parts[partIndex(document, join.upper)] as Part;
+  const line = longestRunInside(upper, lower);
+  return line && { upper: upper.id, lower: lower.id, line };
+}
+
+/** Moves a part to another place in the order, 0 at the back. What its pairs say is turned too. */
+export function movePart(document: Document, id: string, to: number): Document {
+  const from = partIndex(document, id);
+  const target = Math.max(0, Math.min(document.parts.length - 1, to));
+  if (from < 0 || from === target) return document;
+  const parts = [...document.parts];
+  const [part] = parts.splice(from, 1);
+  parts.splice(target, 0, part as Part);
+  const moved = { ...document, parts };
+  const upright = (pair: { upper: string; lower: string }): boolean =>
+    partIndex(moved, pair.upper) > partIndex(moved, pair.lower);
+  return {
+    ...moved,
+    joins: moved.joins
+      .map((join) => (upright(join) ? join : turnedJoin(moved, join)))
+      .filter((join) => join !== null),
+    relations: moved.relations.map((relation) =>
+      upright(relation)
+        ? relation
+        : { upper: relation.lower, lower: relation.upper, relation: relation.relation },
+    ),
+    robin: moved.robin.filter(upright),
+  };
+}
+
+/** `front` comes to lie in front of `back`, as near to where it was as can be. */
+export function bringBefore(document: Document, front: string, back: string): Document {
+  const from = partIndex(document, front);
+  const to = partIndex(document, back);
+  return from < 0 || to < 0 || from > to ? document : movePart(document, front, to);
+}
+
+/** The pair in the order of the document. */
+export function ordered(document: Document, a: string, b: string): { upper: string; lower: string } {
+  return partIndex(document, a) > partIndex(document, b) ? { upper: a, lower: b } : { upper: b, lower: a };
+}
+
+/** The join that a line across a part's root means, or null. `reach` in px. */
+export function joinOfLine(document: Document, line: Ring, reach: number): Join | null {
+  const first = line[0] as Point;
+  const last = line[line.length - 1] as Point;
+  let best: Join | null = null;
+  let least = 2 * reach;
+  document.parts.forEach((upper, index) => {
+    const ends = [nearestPlace(upper.outline, first), nearestPlace(upper.outline, last)] as const;
+    const cost = ends[0].distance + ends[1].distance;
+    if (cost >= least) return;
+    const arc = arcBetween(upper.outline, ends[0], ends[1]);
+    const middle = arc[Math.floor(arc.length / 2)] as Point;
+    const lower = partUnder(document, middle, index);
+    if (!lower) return;
+    least = cost;
+    best = { upper: upper.id, lower: lower.id, line: arc };
+  });
+  return best;
+}
+
+export function addJoin(document: Document, join: Join): Document {
+  const others = document.joins.filter((old) => old.upper !== join.upper || old.lower !== join.lower);
+  return { ...document, joins: [...others, join] };
+}
+
+/** Joins two overlapping parts along all of the upper outline that is inside the lower part. */
+export function joinParts(document: Document, a: string, b: string): Document {
+  if (a === b) return document;
+  const pair = ordered(document, a, b);
+  const upper = document.parts[partIndex(document, pair.upper)];
+  const lower = document.parts[partIndex(document, pair.lower)];
+  const line = upper && lower && longestRunInside(upper, lower);
+  return line ? addJoin(document, { ...pair, line }) : document;
+}
+
+export function removeJoin(document: Document, upper: string, lower: string): Document {
+  return {
+    ...document,
+    joins: document.joins.filter((join) => join.upper !== upper || join.lower !== lower),
+  };
+}
+
+/** What holds between two parts everywhere; null: the default. */
+export function relate(document: Document, a: string, b: string, kind: RelationKind | null): Document {
+  if (a === b) return document;
+  const pair = ordered(document, a, b);
+  const others = document.relations.filter(
+    (old) => old.upper !== pair.upper || old.lower !== pair.lower || old.range !== undefined,
+  );
+  return { ...document, relations: kind ? [...others, { ...pair, relation: kind }] : others };
+}
+
+/** The two-click range: the upper outline comes loose from `from` to `to`. */
+export function addRange(document: Document, upperId: string, from: Point, to: Point): Document {
+  const index = partIndex(document, upperId);
+  const upper = document.parts[index];
+  if (!upper) return document;
+  const ends = [nearestPlace(upper.outline, from), nearestPlace(upper.outline, to)] as const;
+  const arc = arcBetween(upper.outline, ends[0], ends[1]);
+  const lower =
+    partUnder(document, arc[Math.floor(arc.length / 2)] as Point, index) ??
+    partUnder(document, ends[0].point, index);
+  if (!lower) return document;
+  const range = { upper: upperId, lower: lower.id, from: ends[0].point, to: ends[1].point };
+  return { ...document, robin: [...document.robin, range] };
+}
+
+export function removeRanges(document: Document, upper: string, lower: string): Document {
+  return {
+    ...document,
+    robin: document.robin.filter((range) => range.upper !== upper || range.lower !== lower),
+  };
+}
+
+export function changeSettings(document: Document, values: Partial<Settings>): Document {
+  return { ...document, settings: { ...document.settings, ...values } };
+}
+
+/** The parts that overlap one, foremost first. */
+export function neighbours(document: Document, id: string): Part[] {
+  const part = document.parts[partIndex(document, id)];
+  if (!part) return [];
+  return document.parts.filter((other) => other.id !== id && overlap(part, other)).reverse();
+}
+
+/** The foremost part at a point. */
+export function partAt(document: Document, point: Point): Part | undefined {
+  return partUnder(document, point, document.parts.length);
+}

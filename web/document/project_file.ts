@@ -1,0 +1,117 @@
+import { strFromU8, strToU8, unzipSync, zipSync } from 'fflate';
+import { defaultSettings, type Document, type DrawingSource, type Settings } from './document';
+import { sceneContent, sceneText } from './scene_text';
+
+/** A project that cannot be opened, in words for a person. */
+export class ProjectError extends Error {}
+
+const mimetype = 'application/vnd.relievo';
+const version = 1;
+const maxBytes = 256 * 1024 * 1024;
+const entries = ['mimetype', 'project.json', 'scene.json', 'drawing', 'drawing.png'];
+
+interface ProjectHead {
+  format: 'relievo-project';
+  version: number;
+  name: string;
+  settings: Settings;
+  drawing: Omit<DrawingSource, 'bytes' | 'paintable'> | null;
+  colors: Record<string, string>;
+}
+
+/**
+ * The project as a zip: scene.json is a scene file whose drawing is the picture beside it, the
+ * artist's own file lies in `drawing`, untouched. The same document gives the same bytes.
+ */
+export function writeProject(document: Document, picture: Uint8Array | null): Uint8Array<ArrayBuffer> {
+  const head: ProjectHead = {
+    format: 'relievo-project',
+    version,
+    name: document.name,
+    settings: document.settings,
+    drawing: document.drawing && {
+      name: document.drawing.name,
+      kind: document.drawing.kind,
+      mime: document.drawing.mime,
+    },
+    colors: Object.fromEntries(
+      document.parts.filter((part) => part.color).map((part) => [part.id, part.color as string]),
+    ),
+  };
+  const stored = { level: 0 as const, mtime: '1980-01-01T00:00:00' };
+  const packed = { level: 6 as const, mtime: '1980-01-01T00:00:00' };
+  return zipSync({
+    mimetype: [strToU8(mimetype), stored],
+    'project.json': [strToU8(JSON.stringify(head)), packed],
+    'scene.json': [strToU8(sceneText(document, picture ? 'drawing.png' : undefined)), packed],
+    ...(document.drawing ? { drawing: [document.drawing.bytes, packed] } : {}),
+    ...(picture ? { 'drawing.png': [picture, stored] } : {}),
+  });
+}
+
+/** Unpacks what a project may hold and nothing else; sizes are checked before memory is spent. */
+function unpack(bytes: Uint8Array): Record<string, Uint8Array> {
+  let total = 0;
+  return unzipSync(bytes, {
+    filter(file) {
+      if (!entries.includes(file.name)) return false;
+      total += file.originalSize;
+      if (total > maxBytes) throw new ProjectError('The project is larger than 256 MB.');
+      return true;
+    },
+  });
+}
+
+function parseHead(bytes: Uint8Array | undefined): ProjectHead {
+  if (!bytes) throw new ProjectError('This is no Relievo project: it has no project.json.');
+  const head = JSON.parse(strFromU8(bytes)) as Partial<ProjectHead>;
+  if (head.format !== 'relievo-project' || typeof head.version !== 'number')
+    throw new ProjectError('This is no Relievo project.');
+  if (head.version > version) throw new ProjectError('The project was made by a newer version.');
+  return head as ProjectHead;
+}
+
+/** The settings that are numbers and words of the kinds that they must be. */
+function soundSettings(settings: Partial<Settings> | undefined): Settings {
+  const sound: Record<string, unknown> = { ...defaultSettings };
+  for (const [key, usual] of Object.entries(defaultSettings)) {
+    const value = settings?.[key as keyof Settings];
+    if (typeof value === typeof usual && (typeof value !== 'number' || Number.isFinite(value))) sound[key] = value;
+  }
+  if (sound['method'] !== 'nonlinear') sound['method'] = 'approximate';
+  return sound as unknown as Settings;
+}
+
+function drawingOf(head: ProjectHead, files: Record<string, Uint8Array>): DrawingSource | null {
+  const bytes = files['drawing'];
+  if (!head.drawing || !bytes) return null;
+  const { name, kind, mime } = head.drawing;
+  return {
+    name: String(name),
+    kind: kind === 'svg' ? 'svg' : 'image',
+    mime: String(mime),
+    bytes,
+  };
+}
+
+/** Reads what writeProject wrote. Throws ProjectError. The engine still has to accept the scene. */
+export function readProject(bytes: Uint8Array): Document {
+  try {
+    const files = unpack(bytes);
+    const head = parseHead(files['project.json']);
+    const scene = sceneContent(strFromU8(files['scene.json'] ?? new Uint8Array()));
+    return {
+      name: String(head.name),
+      drawing: drawingOf(head, files),
+      settings: soundSettings(head.settings),
+      ...scene,
+      parts: scene.parts.map((part) => {
+        const color = head.colors?.[part.id];
+        return color && /^#[0-9a-f]{6}$/i.test(color) ? { ...part, color } : part;
+      }),
+    };
+  } catch (error) {
+    if (error instanceof ProjectError) throw error;
+    throw new ProjectError('The project file is damaged.');
+  }
+}

@@ -1,0 +1,42 @@
+import { type Document, type Join, type Part, type Relation, type RobinRange } from './document';
+
+interface SceneFile {
+  format: 'relievo-scene';
+  version: 1;
+  canvas: { width: number; height: number };
+  drawing?: string;
+  parts: Omit<Part, 'color'>[];
+  joins?: Join[];
+  relations?: Relation[];
+  robin?: RobinRange[];
+}
+
+/** The document as the engine reads it, docs/scene.md. The same document gives the same text. */
+export function sceneText(document: Document, drawing?: string): string {
+  const file: SceneFile = {
+    format: 'relievo-scene',
+    version: 1,
+    canvas: { width: document.width, height: document.height },
+    ...(drawing === undefined ? {} : { drawing }),
+    parts: document.parts.map(({ id, outline, c, d }) => ({ id, outline, c, d })),
+    joins: [...document.joins],
+    relations: [...document.relations],
+    robin: [...document.robin],
+  };
+  return JSON.stringify(file);
+}
+
+/** What a scene file says of a document. Precondition: the engine wrote or accepted the text. */
+export function sceneContent(
+  text: string,
+): Pick<Document, 'width' | 'height' | 'parts' | 'joins' | 'relations' | 'robin'> {
+  const file = JSON.parse(text) as SceneFile;
+  return {
+    width: file.canvas.width,
+    height: file.canvas.height,
+    parts: file.parts.map((part) => ({ ...part, c: part.c ?? 4, d: part.d ?? 1 })),
+    joins: file.joins ?? [],
+    relations: file.relations ?? [],
+    robin: file.robin ?? [],
+  };
+}

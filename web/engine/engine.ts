@@ -1,0 +1,115 @@
+import * as Comlink from 'comlink';
+import type { EngineEndpoint } from './engine_worker';
+import type { BuiltRelief, Failure, Files, ExportFormat, MapKind, PictureImport, SvgImport, Texture } from './messages';
+import type { BuildRequest } from './relief_service';
+
+/** The worker is gone: it was stopped on purpose, or it crashed and another took its place. */
+export class EngineStopped extends Error {
+  constructor(readonly crashed: boolean, detail = '') {
+    super(crashed ? `the engine stopped: ${detail}` : 'cancelled');
+  }
+}
+
+interface RunningWorker {
+  worker: Worker;
+  remote: Comlink.Remote<EngineEndpoint>;
+  ready: Promise<void>;
+  stopped: Promise<never>;
+  stop(reason: EngineStopped): void;
+}
+
+function startWorker(compiled: Promise<WebAssembly.Module>): RunningWorker {
+  const worker = new Worker(new URL('./engine_worker.ts', import.meta.url), { type: 'module' });
+  const remote = Comlink.wrap<EngineEndpoint>(worker);
+  let stop: (reason: EngineStopped) => void = () => undefined;
+  const stopped = new Promise<never>((_, reject) => {
+    stop = reject;
+  });
+  stopped.catch(() => undefined);
+  const ready = compiled.then((module) => remote.start(module));
+  ready.catch(() => undefined);
+  return { worker, remote, ready, stopped, stop };
+}
+
+/**
+ * One worker with the core. A call that is stopped, or whose worker dies, rejects with
+ * EngineStopped and leaves a fresh worker behind: the page keeps everything that matters.
+ */
+export class Engine {
+  private running: RunningWorker;
+  private calls = 0;
+
+  constructor(private readonly compiled: Promise<WebAssembly.Module>) {
+    this.running = startWorker(compiled);
+    this.watch();
+  }
+
+  get busy(): boolean {
+    return this.calls > 0;
+  }
+
+  /** Ends whatever runs, at once. */
+  cancel(): void {
+    if (this.busy) this.restart(new EngineStopped(false));
+  }
+
+  importSvg(bytes: Uint8Array): Promise<SvgImport | Failure> {
+    return this.call(async (remote) => await remote.importSvg(bytes));
+  }
+
+  importPicture(picture: Texture): Promise<PictureImport | Failure> {
+    return this.call(async (remote) => await remote.importPicture(picture));
+  }
+
+  build(
+    request: BuildRequest,
+    progress: (stage: string, done: number) => void,
+  ): Promise<BuiltRelief | Failure> {
+    return this.call(async (remote) => await remote.build(request, Comlink.proxy(progress)));
+  }
+
+  encode(format: ExportFormat, name: string, sizeMm: number, texture: Texture | null): Promise<Files | Failure> {
+    return this.call(async (remote) => await remote.encode(format, name, sizeMm, texture));
+  }
+
+  map(kind: MapKind, side: number, greenDown: boolean): Promise<{ bytes: Uint8Array } | Failure> {
+    return this.call(async (remote) => await remote.map(kind, side, greenDown));
+  }
+
+  private async call<T>(work: (remote: Comlink.Remote<EngineEndpoint>) => Promise<T>): Promise<T> {
+    const { remote, ready, stopped } = this.running;
+    this.calls++;
+    try {
+      await Promise.race([ready, stopped]);
+      return await Promise.race([work(remote), stopped]);
+    } catch (error) {
+      // A trap or memory that ran out leaves the module in an unknown state.
+      if (error instanceof EngineStopped) throw error;
+      const reason = new EngineStopped(true, String(error));
+      if (this.running.remote === remote) this.restart(reason);
+      throw reason;
+    } finally {
+      this.calls--;
+    }
+  }
+
+  private restart(reason: EngineStopped): void {
+    const old = this.running;
+    old.worker.terminate();
+    this.running = startWorker(this.compiled);
+    this.watch();
+    old.stop(reason);
+  }
+
+  private watch(): void {
+    const { worker } = this.running;
+    worker.addEventListener('error', (event) => {
+      if (this.running.worker === worker) this.restart(new EngineStopped(true, event.message));
+    });
+  }
+}
+
+/** Compiles the core once; every worker gets the same module. */
+export function compileCore(url: string): Promise<WebAssembly.Module> {
+  return WebAssembly.compileStreaming(fetch(url));
+}

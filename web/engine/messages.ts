@@ -1,0 +1,109 @@
+/** What the page and the engine say to each other. Plain values and arrays that are handed over. */
+
+export type Method = 'approximate' | 'nonlinear';
+export type Visibility = 'relief' | 'orbit' | 'all';
+export type ExportFormat = 'glb' | 'obj' | 'ply' | 'stl';
+export type MapKind = 'normal' | 'depth' | 'part';
+
+export interface BuildOptions {
+  method: Method;
+  /** About so many nodes of the joined mesh. */
+  vertices: number;
+  /** Spacing of the outlines in px; 0: from `vertices`. */
+  edge: number;
+  rho: number;
+  alpha0: number;
+  lambdaBnd: number;
+  /** The paper's own units of the Robin coefficient. */
+  literal: boolean;
+  glue: boolean;
+}
+
+export interface EngineError {
+  code: 'internal' | 'usage' | 'bad_input' | 'contradiction' | 'limit' | 'file' | 'interrupted';
+  message: string;
+  /** Culprit: path of a key of the scene, id of a part, or empty. */
+  where: string;
+}
+
+export interface Failure {
+  error: EngineError;
+}
+
+export interface Report {
+  nodes: number;
+  faces: number;
+  equalities: number;
+  inequalities: number;
+  active: number;
+  rounds: number;
+  maxViolation: number;
+  overlapWorst: number;
+  converged: boolean;
+  times: Record<string, number>;
+  warnings: string[];
+}
+
+export interface PartRun {
+  id: string;
+  firstTriangle: number;
+  triangleCount: number;
+}
+
+/** A surface in px of the canvas: X right, Y up, Z to the viewer. */
+export interface Surface {
+  positions: Float32Array<ArrayBuffer>;
+  normals: Float32Array<ArrayBuffer>;
+  uvs: Float32Array<ArrayBuffer>;
+  triangles: Uint32Array<ArrayBuffer>;
+  parts: PartRun[];
+}
+
+/** Segments of edges in canvas px, four numbers each; ramps have alpha at both ends besides. */
+export interface Overlays {
+  joins: Float32Array<ArrayBuffer>;
+  equal: Float32Array<ArrayBuffer>;
+  above: Float32Array<ArrayBuffer>;
+  ramps: Float32Array<ArrayBuffer>;
+}
+
+export interface SvgImport {
+  /** Text of a scene file. */
+  scene: string;
+  /** The drawing as the page may paint it. */
+  paintable: string;
+  proposed: boolean;
+  warnings: string[];
+}
+
+/** A flat drawing whose parts were guessed. */
+export interface PictureImport {
+  /** Text of a scene file; its canvas is the picture. */
+  scene: string;
+  warnings: string[];
+}
+
+export interface OutputFile {
+  name: string;
+  bytes: Uint8Array<ArrayBuffer>;
+}
+
+export interface Files {
+  files: OutputFile[];
+}
+
+export interface Texture {
+  rgba: Uint8Array<ArrayBuffer>;
+  width: number;
+  height: number;
+}
+
+export interface BuiltRelief {
+  report: Report;
+  surface: Surface;
+  overlays: Overlays;
+}
+
+export function isFailure(value: object): value is Failure {
+  return 'error' in value;
+}

@@ -1,0 +1,68 @@
+import createRelievo, { type Reconstruction, type RelievoModule } from '#relievo';
+import {
+  type BuildOptions,
+  type BuiltRelief,
+  type ExportFormat,
+  type Failure,
+  type Files,
+  isFailure,
+  type MapKind,
+  type PictureImport,
+  type SvgImport,
+  type Texture,
+  type Visibility,
+} from './messages';
+
+export interface BuildRequest {
+  scene: string;
+  options: BuildOptions;
+  visibility: Visibility;
+  /** Departure of the surface from the true one, px. */
+  tolerance: number;
+}
+
+/** The engine as one instance of the module: what runs in the worker, and in tests under Node. */
+export class ReliefService {
+  private readonly reconstruction: Reconstruction;
+
+  private constructor(private readonly module: RelievoModule) {
+    this.reconstruction = new module.Reconstruction();
+  }
+
+  static async start(compiled: WebAssembly.Module): Promise<ReliefService> {
+    const module = await createRelievo({
+      instantiateWasm(imports, ready) {
+        void WebAssembly.instantiate(compiled, imports).then(ready);
+        return {};
+      },
+    });
+    return new ReliefService(module);
+  }
+
+  importSvg(bytes: Uint8Array): SvgImport | Failure {
+    return this.module.importSvg(bytes);
+  }
+
+  importPicture({ rgba, width, height }: Texture): PictureImport | Failure {
+    return this.module.importPicture(rgba, width, height);
+  }
+
+  build(request: BuildRequest, progress: (stage: string, done: number) => void): BuiltRelief | Failure {
+    const report = this.reconstruction.build(request.scene, request.options, progress);
+    if (isFailure(report)) return report;
+    const surface = this.reconstruction.surface(request.visibility, request.tolerance);
+    if (isFailure(surface)) return surface;
+    const overlays = this.reconstruction.overlays();
+    return isFailure(overlays) ? overlays : { report, surface, overlays };
+  }
+
+  encode(format: ExportFormat, name: string, sizeMm: number, texture: Texture | null): Files | Failure {
+    const drawn = texture ?? { rgba: new Uint8Array(), width: 0, height: 0 };
+    this.reconstruction.setTexture(drawn.rgba, drawn.width, drawn.height);
+    return this.reconstruction.encode(format, name, sizeMm);
+  }
+
+  map(kind: MapKind, side: number, greenDown: boolean): { bytes: Uint8Array } | Failure {
+    return this.reconstruction.map(kind, side, greenDown);
+  }
+}

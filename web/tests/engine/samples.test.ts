@@ -1,0 +1,139 @@
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import validator from 'gltf-validator';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { isFailure, type BuildOptions, type Failure } from '../../engine/messages';
+import { ReliefService } from '../../engine/relief_service';
+
+const root = fileURLToPath(new URL('../../..', import.meta.url));
+const program = process.env['RELIEVO'] ?? join(root, 'build/dev/apps/cli/relievo');
+const samples = ['bunny', 'elephant', 'farmer', 'lamb', 'unicorn', 'wolf'];
+
+const options: BuildOptions = {
+  method: 'approximate',
+  vertices: 20000,
+  edge: 0,
+  rho: 0.25,
+  alpha0: 0.1,
+  lambdaBnd: 0.01,
+  literal: false,
+  glue: true,
+};
+const quiet = (): void => undefined;
+
+function must<T extends object>(value: T | Failure): T {
+  if (isFailure(value)) throw new Error(`${value.error.where}: ${value.error.message}`);
+  return value;
+}
+
+let service: ReliefService;
+
+beforeAll(async () => {
+  const bytes = readFileSync(join(root, 'build/wasm/bindings/wasm/relievo.wasm'));
+  service = await ReliefService.start(await WebAssembly.compile(bytes));
+});
+
+function importSample(name: string): string {
+  return must(service.importSvg(readFileSync(join(root, 'examples', `${name}.svg`)))).scene;
+}
+
+function build(scene: string, changed: Partial<BuildOptions> = {}) {
+  return must(
+    service.build(
+      { scene, options: { ...options, ...changed }, visibility: 'orbit', tolerance: 0.25 },
+      quiet,
+    ),
+  );
+}
+
+describe('the engine and the command line', () => {
+  if (!existsSync(program)) throw new Error(`${program} is not built; set RELIEVO to another`);
+  const folder = mkdtempSync(join(tmpdir(), 'relievo-'));
+
+  /** What the command line makes of the same scene. */
+  function native(name: string, scene: string, ...more: string[]): void {
+    const file = join(folder, `${name}.json`);
+    writeFileSync(file, scene);
+    execFileSync(program, ['build', file, '-q', '--vertices', '20000', ...more]);
+  }
+
+  it.each(samples)('make the same bytes of %s', (name) => {
+    const scene = importSample(name);
+    native(name, scene, '-o', join(folder, `${name}.glb`), '--normal-map', join(folder, `${name}.png`));
+    build(scene);
+    const [file] = must(service.encode('glb', name, 100, null)).files;
+    expect(Buffer.from(file!.bytes).equals(readFileSync(join(folder, `${name}.glb`)))).toBe(true);
+    const map = must(service.map('normal', 2048, false)).bytes;
+    expect(Buffer.from(map).equals(readFileSync(join(folder, `${name}.png`)))).toBe(true);
+  });
+
+  it('make the same bytes in every format, and by the non-linear method', () => {
+    const scene = importSample('lamb');
+    const nonlinear = ['--method', 'nonlinear'];
+    for (const format of ['obj', 'ply', 'stl'])
+      native('lamb', scene, ...nonlinear, '-o', join(folder, `lamb.${format}`));
+    build(scene, { method: 'nonlinear' });
+    for (const format of ['obj', 'ply', 'stl'] as const) {
+      const [file] = must(service.encode(format, 'lamb', 100, null)).files;
+      expect(Buffer.from(file!.bytes).equals(readFileSync(join(folder, `lamb.${format}`)))).toBe(true);
+    }
+  });
+});
+
+describe('the engine', () => {
+  it('embeds a drawing in files that the validator has nothing to say about', async () => {
+    build(importSample('wolf'), { vertices: 4000 });
+    const texture = { rgba: new Uint8Array(64 * 64 * 4).fill(200), width: 64, height: 64 };
+    const [file] = must(service.encode('glb', 'wolf', 100, texture)).files;
+    const report = await validator.validateBytes(file!.bytes);
+    expect(report.issues.numErrors).toBe(0);
+    expect(report.issues.numWarnings).toBe(0);
+  });
+
+  it('hands out surfaces whose parts cover all triangles, inside the canvas', () => {
+    const scene = importSample('bunny');
+    const { surface, report } = build(scene, { vertices: 4000 });
+    const { canvas } = JSON.parse(scene) as { canvas: { width: number; height: number } };
+    const total = surface.parts.reduce((sum, part) => sum + part.triangleCount, 0);
+    expect(total).toBe(surface.triangles.length / 3);
+    expect(surface.normals.length).toBe(surface.positions.length);
+    for (let i = 0; i < surface.positions.length; i += 3) {
+      expect(surface.positions[i]).toBeGreaterThanOrEqual(0);
+      expect(surface.positions[i]).toBeLessThanOrEqual(canvas.width);
+    }
+    expect(report.maxViolation).toBeLessThan(1e-6);
+  });
+
+  it('shows joins, equal heights and ramps where the scene has them', () => {
+    const { overlays } = build(importSample('wolf'), { vertices: 4000 });
+    expect(overlays.joins.length % 4).toBe(0);
+    expect(overlays.joins.length).toBeGreaterThan(0);
+    expect(overlays.ramps.length % 6).toBe(0);
+    for (let i = 4; i < overlays.ramps.length; i += 6) {
+      expect(overlays.ramps[i]).toBeGreaterThanOrEqual(0);
+      expect(overlays.ramps[i]).toBeLessThanOrEqual(1);
+    }
+  });
+
+  it('names the culprit of a scene that it refuses, and goes on', () => {
+    const scene = importSample('lamb');
+    const broken = scene.replace(/"c": [0-9.]+/, '"c": -1');
+    const refused = service.build({ scene: broken, options, visibility: 'orbit', tolerance: 1 }, quiet);
+    expect(isFailure(refused) && refused.error.code).toBe('bad_input');
+    expect(isFailure(refused) && refused.error.where).toBe('parts[0].c');
+    build(scene, { vertices: 2000 });
+  });
+
+  it('paints nothing of a hostile drawing', () => {
+    const hostile = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 500 500" onload="x()">
+      <script>x()</script><foreignObject><p>x</p></foreignObject>
+      <image href="https://example.org/a.png" width="9" height="9"/>
+      <g data-relievo="part" id="a"><path fill="red" d="M50 50H400V400H50Z"/></g></svg>`;
+    const { paintable } = must(service.importSvg(new TextEncoder().encode(hostile)));
+    expect(paintable).not.toMatch(/script|foreignObject|example\.org/);
+    expect(paintable).toContain('M50 50H400V400H50Z');
+  });
+});

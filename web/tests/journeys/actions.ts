@@ -1,0 +1,58 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Page } from 'playwright-core';
+import { pictures, settled } from './browser.ts';
+
+/** What a person does, over and over. */
+
+export type Spot = [number, number];
+
+export async function sample(page: Page, name: string): Promise<void> {
+  await page.click(`[data-sample=${name}]`);
+  await settled(page);
+}
+
+/** Names of the parts, nearest first. */
+export function names(page: Page): Promise<string[]> {
+  return page.locator('.parts .name').allInnerTexts();
+}
+
+export async function choosePart(page: Page, name: string): Promise<void> {
+  await page.locator('.parts li').nth((await names(page)).indexOf(name)).click();
+}
+
+export async function downloaded(page: Page, act: () => Promise<void>, name: string): Promise<Buffer> {
+  const waiting = page.waitForEvent('download');
+  await act();
+  const path = join(pictures, name);
+  await (await waiting).saveAs(path);
+  return readFileSync(path);
+}
+
+export function save(page: Page, name: string): Promise<Buffer> {
+  return downloaded(page, () => page.click('#save'), name);
+}
+
+/** A click or a drag over a page of 1000 x 800 that fits its pane; spots are its px. */
+export async function gesture(page: Page, spots: Spot[]): Promise<void> {
+  const box = await page.locator('.paper canvas').first().boundingBox();
+  if (!box || spots.length === 0) throw new Error('no page to draw on');
+  const [left, margin] = [90, 24];
+  const room = box.width - left - margin;
+  const scale = Math.min(room / 1000, (box.height - 2 * margin) / 800);
+  const at = ([x, y]: Spot): Spot => [
+    box.x + left + (room - scale * 1000) / 2 + scale * x,
+    box.y + (box.height - scale * 800) / 2 + scale * y,
+  ];
+  await page.mouse.move(...at(spots[0] as Spot));
+  await page.mouse.down();
+  for (const spot of spots.slice(1)) await page.mouse.move(...at(spot), { steps: 3 });
+  await page.mouse.up();
+}
+
+export function oval(x: number, y: number, rx: number, ry: number): Spot[] {
+  return Array.from({ length: 33 }, (_, i) => {
+    const angle = (2 * Math.PI * i) / 32;
+    return [x + rx * Math.cos(angle), y + ry * Math.sin(angle)];
+  });
+}

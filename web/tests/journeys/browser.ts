@@ -1,0 +1,98 @@
+import { existsSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { type BrowserContext, chromium, type Page } from 'playwright-core';
+import { preview, type PreviewServer } from 'vite';
+
+const web = fileURLToPath(new URL('../..', import.meta.url));
+
+/** Where journeys leave pictures for a person to look at. */
+export const pictures = join(web, '../build/journeys');
+
+/** The built page, served and opened in a browser with storage of its own. */
+export interface Stage {
+  server: PreviewServer;
+  context: BrowserContext;
+  page: Page;
+  url: string;
+  profile: string;
+  /** Everything that went wrong: console errors, refused by policy, requests to elsewhere. */
+  troubles: string[];
+}
+
+function openContext(profile: string): Promise<BrowserContext> {
+  return chromium.launchPersistentContext(profile, {
+    executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
+    headless: true,
+    viewport: { width: 1360, height: 800 },
+    acceptDownloads: true,
+    locale: 'en-GB',
+    args: [
+      '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
+      '--disable-component-update', '--disable-sync', '--use-angle=swiftshader',
+      // Without a graphics processor the page is put together faster this way.
+      '--enable-unsafe-swiftshader', '--disable-gpu-compositing', '--disable-accelerated-2d-canvas',
+    ],
+  });
+}
+
+function watch(stage: Stage): void {
+  const { context, troubles, url } = stage;
+  context.on('console', (message) => {
+    if (message.type() === 'error') troubles.push(message.text());
+  });
+  context.on('weberror', (error) => troubles.push(String(error.error())));
+  context.on('request', (request) => {
+    const address = request.url();
+    if (!address.startsWith(url) && !/^(blob|data):/.test(address)) troubles.push(`request to ${address}`);
+  });
+}
+
+export async function openStage(): Promise<Stage> {
+  if (!existsSync(join(web, '../build/web/index.html'))) throw new Error('run "npm run build" first');
+  mkdirSync(pictures, { recursive: true });
+  const server = await preview({ root: web, preview: { port: 0, host: '127.0.0.1' }, logLevel: 'error' });
+  const address = server.httpServer.address();
+  if (address === null || typeof address === 'string') throw new Error('the server has no port');
+  const url = `http://127.0.0.1:${address.port}/`;
+  const profile = mkdtempSync(join(tmpdir(), 'relievo-browser-'));
+  const context = await openContext(profile);
+  const page = context.pages()[0] ?? (await context.newPage());
+  const stage = { server, context, page, url, profile, troubles: [] };
+  watch(stage);
+  await page.goto(url);
+  return stage;
+}
+
+/** Ends the browser without a word and opens it again with the same storage. */
+export async function reopen(stage: Stage): Promise<void> {
+  await stage.context.close();
+  stage.context = await openContext(stage.profile);
+  watch(stage);
+  stage.page = stage.context.pages()[0] ?? (await stage.context.newPage());
+  await stage.page.goto(stage.url);
+}
+
+export async function closeStage(stage: Stage): Promise<void> {
+  await stage.context.close();
+  await stage.server.close();
+  rmSync(stage.profile, { recursive: true, force: true });
+}
+
+/** Waits until the full relief of the present document is on the screen. */
+export async function settled(page: Page): Promise<void> {
+  await page.waitForTimeout(300);
+  await page.waitForFunction(
+    () => {
+      const numbers = document.querySelector<HTMLElement>('.numbers');
+      return numbers?.dataset['phase'] === 'idle' && Number(numbers.dataset['nodes']) > 5000;
+    },
+    undefined,
+    { timeout: 60_000 },
+  );
+}
+
+export async function picture(page: Page, name: string): Promise<void> {
+  await page.screenshot({ path: join(pictures, `${name}.png`) });
+}

@@ -1,0 +1,133 @@
+import { unzipSync } from 'fflate';
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
+import { choosePart, gesture, names, oval, sample, save, type Spot } from './actions.ts';
+import { closeStage, openStage, picture, settled, type Stage } from './browser.ts';
+
+let stage: Stage;
+beforeAll(async () => {
+  stage = await openStage();
+});
+beforeEach(async () => {
+  await stage.page.goto(stage.url);
+});
+afterAll(() => closeStage(stage));
+
+it('orders, joins and hollows parts by keyboard, and undo leads back to the same bytes', async () => {
+  const { page } = stage;
+  await sample(page, 'bunny');
+  const before = await save(page, 'before.relievo');
+  const order = await names(page);
+  await page.locator('.parts li').nth(2).click();
+  await page.keyboard.press('PageDown');
+  expect((await names(page))[3]).toBe(order[2]);
+  await page.keyboard.press('j');
+  await page.keyboard.press('h');
+  await page.locator('.slider input').first().fill('6');
+  await settled(page);
+  await picture(page, 'edited');
+  const after = await save(page, 'after.relievo');
+  expect(after.equals(before)).toBe(false);
+  const undo = page.locator('#undo');
+  while (await undo.isEnabled()) await undo.click();
+  expect((await save(page, 'undone.relievo')).equals(before)).toBe(true);
+  const redo = page.locator('#redo');
+  while (await redo.isEnabled()) await redo.click();
+  expect((await save(page, 'redone.relievo')).equals(after)).toBe(true);
+  expect(stage.troubles).toEqual([]);
+});
+
+async function outlineOf(page: Page, name: string): Promise<Spot[]> {
+  const project = unzipSync(await save(page, 'outline.relievo'));
+  const scene = JSON.parse(new TextDecoder().decode(project['scene.json'])) as {
+    parts: { id: string; outline: Spot[][] }[];
+  };
+  return scene.parts.find((part) => part.id === name)?.outline[0] ?? [];
+}
+
+it('sets a soft range with two clicks', async () => {
+  const { page } = stage;
+  await sample(page, 'elephant');
+  await choosePart(page, 'near-ear');
+  await page.keyboard.press('5');
+  const ear = await outlineOf(page, 'near-ear');
+  await gesture(page, [ear[0]!]);
+  await gesture(page, [ear[Math.floor(ear.length / 6)]!]);
+  await settled(page);
+  await picture(page, 'range');
+  const clear = page.locator('.neighbour .chip', { hasText: 'Clear ranges' });
+  expect(await clear.count()).toBe(1);
+  await clear.click();
+  expect(await clear.count()).toBe(0);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('joins with a line across the root', async () => {
+  const { page } = stage;
+  await sample(page, 'elephant');
+  const tail = await outlineOf(page, 'tail');
+  const root = tail.reduce((a, b) => (a[0] < b[0] ? a : b));
+  await choosePart(page, 'tail');
+  await page.keyboard.press('Home');
+  expect((await names(page))[0]).toBe('tail');
+  await page.keyboard.press('3');
+  await gesture(page, [[root[0], root[1] - 25], [root[0] - 6, root[1]], [root[0] + 2, root[1] + 25]]);
+  await settled(page);
+  await picture(page, 'joined');
+  expect(await page.locator('.parts li').first().locator('.joined').count()).toBe(1);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('orders with an arrow', async () => {
+  const { page } = stage;
+  await page.click('#empty');
+  await gesture(page, oval(400, 400, 200, 150));
+  await gesture(page, oval(650, 400, 150, 150));
+  expect(await names(page)).toEqual(['part 2', 'part']);
+  await page.keyboard.press('4');
+  await gesture(page, [[300, 400], [720, 400]]);
+  expect(await names(page)).toEqual(['part', 'part 2']);
+  await settled(page);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('loses nothing when the engine dies', async () => {
+  const { page } = stage;
+  await page.click('#empty');
+  await gesture(page, oval(400, 400, 200, 150));
+  await settled(page);
+  for (const worker of page.workers())
+    await worker.evaluate(() => {
+      setTimeout(() => {
+        throw new Error('dead');
+      });
+    });
+  await page.waitForTimeout(300);
+  stage.troubles.length = 0;
+  await gesture(page, oval(650, 500, 120, 100));
+  await settled(page);
+  expect(await names(page)).toEqual(['part 2', 'part']);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('names the culprit of what cannot be built, and keeps the last good relief', async () => {
+  const { page } = stage;
+  await page.click('#empty');
+  await gesture(page, oval(400, 400, 200, 150));
+  await gesture(page, oval(600, 500, 120, 100));
+  await page.keyboard.press('1');
+  await page.keyboard.press('j');
+  await settled(page);
+  const nodes = await page.locator('.numbers').getAttribute('data-nodes');
+  await gesture(page, [[620, 520], [860, 660]]);
+  await page.waitForSelector('.trouble');
+  await page.waitForTimeout(700);
+  await picture(page, 'trouble');
+  expect(await page.locator('.parts li.culprit .name').innerText()).toBe('part 2');
+  expect(await page.locator('.trouble').innerText()).toContain('join');
+  expect(await page.locator('.numbers').getAttribute('data-nodes')).toBe(nodes);
+  await page.keyboard.press('Control+z');
+  await settled(page);
+  expect(await page.locator('.trouble').count()).toBe(0);
+  expect(stage.troubles).toEqual([]);
+});

@@ -1,0 +1,20 @@
+import { afterAll, beforeAll, expect, it } from 'vitest';
+import { closeStage, openStage, picture, settled, type Stage } from './browser.ts';
+
+let stage: Stage;
+beforeAll(async () => {
+  stage = await openStage();
+});
+afterAll(() => closeStage(stage));
+
+it('shows a sample in three dimensions soon after a click', async () => {
+  const { page } = stage;
+  await page.waitForSelector('[data-sample=wolf] img');
+  await picture(page, 'start');
+  const begin = Date.now();
+  await page.click('[data-sample=wolf]');
+  await settled(page);
+  console.info(`sample to full relief: ${Date.now() - begin} ms`);
+  await picture(page, 'wolf');
+  expect(stage.troubles).toEqual([]);
+});

@@ -1,0 +1,153 @@
+import { describe, expect, it } from 'vitest';
+import { type Document, emptyDocument, partIndex, type Point } from '../../document/document';
+import {
+  addJoin, addOpenPart, addPart, addRange, bringBefore, changePart, changeSettings, joinOfLine, joinParts, movePart,
+  neighbours, relate, removePart, renamePart,
+} from '../../document/editing';
+import { area, contains, longestRunInside, nearestPlace } from '../../document/outline';
+import { record, redo, startHistory, undo } from '../../document/history';
+import { sceneText } from '../../document/scene_text';
+import { randomNumbers } from './random';
+
+function box(x: number, y: number, width: number, height: number): Point[] {
+  return [[x, y], [x + width, y], [x + width, y + height], [x, y + height]];
+}
+
+/** A body with a head and an arm that reach into it. */
+function figure(): Document {
+  let document = addPart(emptyDocument(), 'body', box(200, 200, 300, 200));
+  document = addPart(document, 'head', box(150, 120, 120, 130));
+  return addPart(document, 'arm', box(400, 300, 60, 250));
+}
+
+/** All that a scene file demands of pairs of parts. */
+function expectSound(document: Document): void {
+  const ids = document.parts.map((part) => part.id);
+  expect(new Set(ids).size).toBe(ids.length);
+  for (const pair of [...document.joins, ...document.relations, ...document.robin]) {
+    expect(partIndex(document, pair.lower)).toBeGreaterThanOrEqual(0);
+    expect(partIndex(document, pair.upper)).toBeGreaterThan(partIndex(document, pair.lower));
+  }
+}
+
+describe('drawing parts', () => {
+  it('joins an open stroke to what lies under its open side', () => {
+    const leg: Point[] = [[300, 380], [300, 500], [340, 500], [340, 380]];
+    const document = addOpenPart(figure(), 'leg', leg);
+    const join = document.joins[0]!;
+    expect(join).toMatchObject({ upper: 'leg', lower: 'body' });
+    const outline = document.parts[partIndex(document, 'leg')]!.outline;
+    for (const point of join.line) expect(nearestPlace(outline, point).distance).toBeLessThan(1e-9);
+  });
+
+  it('leaves an open stroke over nothing as a part of its own', () => {
+    const document = addOpenPart(figure(), 'cloud', [[700, 10], [720, 60], [760, 60], [780, 10]]);
+    expect(document.joins).toEqual([]);
+    expect(document.parts.length).toBe(4);
+  });
+});
+
+describe('order', () => {
+  it('turns joins and relations when their parts change places, and drops what has no place', () => {
+    let document = joinParts(figure(), 'head', 'body');
+    document = relate(document, 'arm', 'body', 'free');
+    document = addRange(document, 'head', [270, 250], [200, 250]);
+    expect(document.robin.length).toBe(1);
+    const moved = movePart(document, 'body', 2);
+    expectSound(moved);
+    expect(moved.joins[0]).toMatchObject({ upper: 'body', lower: 'head' });
+    expect(moved.relations[0]).toMatchObject({ upper: 'body', lower: 'arm', relation: 'free' });
+    expect(moved.robin).toEqual([]);
+  });
+
+  it('brings a part before another and never behind where it was', () => {
+    const document = bringBefore(figure(), 'body', 'head');
+    expect(document.parts.map((part) => part.id)).toEqual(['head', 'body', 'arm']);
+    expect(bringBefore(document, 'arm', 'head')).toBe(document);
+  });
+});
+
+describe('joins', () => {
+  it('are found from a line across a root, with their ends on the upper outline', () => {
+    const join = joinOfLine(figure(), [[395, 320], [430, 310], [465, 320]], 20)!;
+    expect(join).toMatchObject({ upper: 'arm', lower: 'body' });
+    const arm = figure().parts[2]!;
+    for (const point of join.line) expect(nearestPlace(arm.outline, point).distance).toBeLessThan(1e-9);
+    expectSound(addJoin(figure(), join));
+  });
+
+  it('run inside the lower part', () => {
+    const { parts } = figure();
+    for (const point of longestRunInside(parts[1]!, parts[0]!)!)
+      expect(contains(parts[0]!.outline, point)).toBe(true);
+  });
+});
+
+it('finds the parts that overlap one', () => {
+  expect(neighbours(figure(), 'body').map((part) => part.id)).toEqual(['arm', 'head']);
+  expect(neighbours(figure(), 'head').map((part) => part.id)).toEqual(['body']);
+});
+
+it('renames a part wherever it is spoken of', () => {
+  const document = renamePart(joinParts(figure(), 'head', 'body'), 'head', 'skull');
+  expectSound(document);
+  expect(document.joins[0]?.upper).toBe('skull');
+  expect(renamePart(document, 'skull', 'body')).toBe(document);
+});
+
+it('measures areas with the sign of the turn on the screen', () => {
+  expect(area(box(0, 0, 3, 2))).toBe(6);
+  expect(area(box(0, 0, 3, 2).reverse())).toBe(-6);
+});
+
+/** Any edit at all. */
+function anyEdit(document: Document, random: () => number): Document {
+  const pick = (): string => document.parts[Math.floor(random() * document.parts.length)]?.id ?? '';
+  const spot = (): Point => [1000 * random(), 800 * random()];
+  const edits = [
+    () => addPart(document, 'part', box(...spot(), 50 + 200 * random(), 50 + 200 * random())),
+    () => removePart(document, pick()),
+    () => movePart(document, pick(), Math.floor(6 * random())),
+    () => changePart(document, pick(), { c: 1 + random() }),
+    () => joinParts(document, pick(), pick()),
+    () => relate(document, pick(), pick(), 'equal'),
+    () => addRange(document, pick(), spot(), spot()),
+    () => renamePart(document, pick(), `name ${Math.floor(9 * random())}`),
+    () => changeSettings(document, { rho: random() }),
+  ];
+  return edits[Math.floor(random() * edits.length)]!();
+}
+
+describe('history', () => {
+  it('leads back to the first bytes and forth to the last, whatever was done', () => {
+    for (let seed = 1; seed <= 200; seed++) {
+      const random = randomNumbers(seed);
+      let history = startHistory(figure());
+      const first = sceneText(history.document);
+      for (let i = 0; i < 60; i++) {
+        const chance = random();
+        if (chance < 0.15) history = undo(history);
+        else if (chance < 0.25) history = redo(history);
+        else {
+          const next = anyEdit(history.document, random);
+          history = record(history, 'edit', next, chance < 0.5 ? 'slider' : null);
+        }
+        expectSound(history.document);
+      }
+      while (history.undone.length > 0) history = redo(history);
+      const last = sceneText(history.document);
+      while (history.done.length > 0) history = undo(history);
+      expect(sceneText(history.document)).toBe(first);
+      while (history.undone.length > 0) history = redo(history);
+      expect(sceneText(history.document)).toBe(last);
+    }
+  });
+
+  it('makes one change of a gesture and another of the next', () => {
+    let history = startHistory(figure());
+    for (const c of [1, 2, 3]) history = record(history, 'c', changePart(history.document, 'arm', { c }), 'c arm');
+    history = record(history, 'c', changePart(history.document, 'head', { c: 1 }), 'c head');
+    expect(history.done.length).toBe(2);
+    expect(undo(undo(history)).document).toEqual(figure());
+  });
+});

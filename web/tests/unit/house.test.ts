@@ -1,0 +1,37 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { dirname, join, normalize } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { expect, it } from 'vitest';
+
+const web = fileURLToPath(new URL('../..', import.meta.url));
+
+/** Who may import whom: data flows from the document through tools and view to the page. */
+const allowed: Record<string, string[]> = {
+  document: [],
+  engine: [],
+  view: ['document', 'engine'],
+  tools: ['document', 'view'],
+  app: ['document', 'engine', 'view', 'tools'],
+};
+
+function sources(folder: string): string[] {
+  return readdirSync(join(web, folder)).filter((name) => /\.tsx?$/.test(name));
+}
+
+it.each(Object.keys(allowed))('%s imports only what it may', (folder) => {
+  for (const name of sources(folder)) {
+    const text = readFileSync(join(web, folder, name), 'utf8');
+    for (const [, path] of text.matchAll(/from '(\.[^']*)'/g)) {
+      const target = normalize(join(folder, dirname(name), path ?? '')).split('/')[0] ?? '';
+      if (target in allowed && target !== folder) expect(allowed[folder]).toContain(target);
+    }
+  }
+});
+
+it.each(Object.keys(allowed))('%s has small files and no untyped values', (folder) => {
+  for (const name of sources(folder)) {
+    const text = readFileSync(join(web, folder, name), 'utf8');
+    expect(text.split('\n').length, name).toBeLessThanOrEqual(300);
+    expect(text, name).not.toMatch(/: any\b|<any>|as any\b|innerHTML|@ts-ignore/);
+  }
+});

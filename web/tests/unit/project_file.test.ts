@@ -1,0 +1,53 @@
+import { strToU8, unzipSync, zipSync } from 'fflate';
+import { describe, expect, it } from 'vitest';
+import { emptyDocument, type Document } from '../../document/document';
+import { addPart, changeSettings } from '../../document/editing';
+import { ProjectError, readProject, writeProject } from '../../document/project_file';
+import { randomNumbers } from './random';
+
+function sample(): Document {
+  const drawn = addPart(emptyDocument(), 'body', [[100, 100], [300, 100], [300.25, 220.5], [100, 220]]);
+  const bytes = strToU8('<svg/>');
+  const drawing = { name: 'a.svg', kind: 'svg' as const, mime: 'image/svg+xml', bytes };
+  return { ...changeSettings(drawn, { rho: 0.3, sizeMm: 80 }), name: 'figure', drawing };
+}
+
+describe('a project', () => {
+  it('reads back as it was, and writes the same bytes again', () => {
+    const bytes = writeProject(sample(), new Uint8Array([1, 2, 3]));
+    expect(readProject(bytes)).toEqual(sample());
+    expect(writeProject(readProject(bytes), new Uint8Array([1, 2, 3]))).toEqual(bytes);
+  });
+
+  it('begins with what it is, stored', () => {
+    const text = new TextDecoder().decode(writeProject(sample(), null).slice(30, 60));
+    expect(text).toMatch(/^mimetypeapplication/);
+  });
+
+  it('of a newer version is refused by name', () => {
+    const files = unzipSync(writeProject(sample(), null));
+    const head = JSON.parse(new TextDecoder().decode(files['project.json'])) as object;
+    const newer = zipSync({ ...files, 'project.json': strToU8(JSON.stringify({ ...head, version: 99 })) });
+    expect(() => readProject(newer)).toThrow(/newer version/);
+  });
+
+  it('takes nothing from a zip but what a project has', () => {
+    const files = unzipSync(writeProject(sample(), null));
+    const more = zipSync({ ...files, '../../evil.js': strToU8('x'), 'another/drawing': strToU8('x') });
+    expect(readProject(more)).toEqual(sample());
+  });
+
+  it('that is damaged anywhere is read or refused, never anything else', () => {
+    const whole = writeProject(sample(), null);
+    const random = randomNumbers(7);
+    for (let i = 0; i < 2000; i++) {
+      const bytes = whole.slice(0, random() < 0.3 ? Math.floor(random() * whole.length) : whole.length);
+      for (let k = 0; k < 3; k++) bytes[Math.floor(random() * bytes.length)] = Math.floor(random() * 256);
+      try {
+        readProject(bytes);
+      } catch (error) {
+        expect(error).toBeInstanceOf(ProjectError);
+      }
+    }
+  });
+});

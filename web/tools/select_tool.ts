@@ -1,0 +1,84 @@
+import type { Document, Part, Point } from '../document/document';
+import { changePart, partAt } from '../document/editing';
+import { contains } from '../document/outline';
+import { marks } from '../view/colors';
+import { type Handle, handleAt, handlesOf, slide } from './handles';
+import type { Modifiers, Tool, ToolHost } from './tool';
+
+type Gesture =
+  | { kind: 'none' }
+  | { kind: 'slide'; handle: Handle; before: Document }
+  | { kind: 'move'; part: Part; from: Point; before: Document };
+
+/** Chooses parts, slides the ends of joins and ranges, moves parts where there is no drawing. */
+export class SelectTool implements Tool {
+  cursor = 'default';
+  private gesture: Gesture = { kind: 'none' };
+  private count = 0;
+
+  constructor(private readonly host: ToolHost) {}
+
+  down(point: Point, keys: Modifiers): void {
+    const { document, selected, reach } = this.host;
+    const handle = handleAt(handlesOf(document, selected), point, reach);
+    this.count++;
+    if (handle) {
+      this.gesture = { kind: 'slide', handle, before: document };
+      return;
+    }
+    const part = this.partBelow(point, keys.alt);
+    this.host.select(part?.id ?? null);
+    if (part && !document.drawing) this.gesture = { kind: 'move', part, from: point, before: document };
+  }
+
+  move(point: Point, pressed: boolean): void {
+    const { document, selected, reach } = this.host;
+    const gesture = this.gesture;
+    if (pressed && gesture.kind === 'slide')
+      this.host.edit('slide', slide(gesture.before, gesture.handle, point), `slide ${this.count}`);
+    else if (pressed && gesture.kind === 'move') this.shift(gesture, point);
+    if (pressed) return;
+    this.cursor = handleAt(handlesOf(document, selected), point, reach) ? 'grab' : 'default';
+    this.host.hover(partAt(document, point)?.id ?? null);
+  }
+
+  up(): void {
+    this.gesture = { kind: 'none' };
+  }
+
+  cancel(): void {
+    if (this.gesture.kind !== 'none') this.host.edit('cancel', this.gesture.before, `${this.gesture.kind} ${this.count}`);
+    this.gesture = { kind: 'none' };
+  }
+
+  draw(context: CanvasRenderingContext2D, pixel: number): void {
+    const { document, selected } = this.host;
+    for (const handle of handlesOf(document, selected)) {
+      context.beginPath();
+      context.arc(handle.point[0], handle.point[1], 5.5 * pixel, 0, 2 * Math.PI);
+      context.fillStyle = '#fff';
+      context.fill();
+      context.lineWidth = 2.5 * pixel;
+      context.strokeStyle = handle.kind === 'join' ? marks.join : handle.end === 'first' ? '#3a9d4a' : '#d6402f';
+      context.stroke();
+    }
+  }
+
+  /** The foremost part at a point; below the selected one where that is wanted. */
+  private partBelow(point: Point, deeper: boolean): Part | undefined {
+    const { document, selected } = this.host;
+    const stack = document.parts.filter((part) => contains(part.outline, point)).reverse();
+    const at = stack.findIndex((part) => part.id === selected);
+    return deeper && at >= 0 ? stack[(at + 1) % stack.length] : stack[0];
+  }
+
+  private shift(gesture: Gesture & { kind: 'move' }, point: Point): void {
+    const dx = point[0] - gesture.from[0];
+    const dy = point[1] - gesture.from[1];
+    const moved = ([x, y]: Point): Point => [x + dx, y + dy];
+    const { before, part } = gesture;
+    const placed = changePart(before, part.id, { outline: part.outline.map((ring) => ring.map(moved)) });
+    const joins = placed.joins.map((join) => (join.upper === part.id ? { ...join, line: join.line.map(moved) } : join));
+    this.host.edit('move', { ...placed, joins }, `move ${this.count}`);
+  }
+}

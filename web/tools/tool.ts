@@ -1,0 +1,29 @@
+import type { Document, Point } from '../document/document';
+
+/** What a tool may see and do. Lengths in canvas px. */
+export interface ToolHost {
+  readonly document: Document;
+  readonly selected: string | null;
+  /** How far a hand may miss, canvas px. */
+  readonly reach: number;
+  edit(label: string, next: Document, gesture?: string): void;
+  select(id: string | null): void;
+  hover(id: string | null): void;
+}
+
+export interface Modifiers {
+  readonly shift: boolean;
+  readonly alt: boolean;
+}
+
+/** A small state machine between pointer and document. Points are in canvas px. */
+export interface Tool {
+  readonly cursor: string;
+  down(point: Point, keys: Modifiers): void;
+  move(point: Point, pressed: boolean): void;
+  up(point: Point, keys: Modifiers): void;
+  /** Escape, or a second finger: as if the gesture had not begun. */
+  cancel(): void;
+  /** What the hand is about to do. `pixel`: a CSS px in canvas px. */
+  draw(context: CanvasRenderingContext2D, pixel: number): void;
+}

@@ -1,0 +1,15 @@
+/** The paper's colours of annotations, and the page's own. */
+export const marks = {
+  join: '#2f6fed',
+  equal: '#13b5c4',
+  above: '#d4459e',
+  culprit: '#e0392b',
+  select: '#f28c28',
+  ink: '#2b2d33',
+} as const;
+
+/** Green where a range is soft (alpha 0), red where it is firm (1), as in the paper's figure 5. */
+export function rampColor(alpha: number): string {
+  const t = Math.min(1, Math.max(0, alpha));
+  return `hsl(${Math.round(130 * (1 - t))} 75% 42%)`;
+}

@@ -1,0 +1,142 @@
+import type { Document, Part, Ring } from '../document/document';
+import type { Overlays } from '../engine/messages';
+import { marks, rampColor } from './colors';
+import type { Viewport } from './viewport';
+
+/** All that the canvas on the left shows. */
+export interface PaperContent {
+  document: Document;
+  picture: ImageBitmap | null;
+  overlays: Overlays | null;
+  selected: string | null;
+  hovered: string | null;
+  culprit: string | null;
+  depthTint: boolean;
+  showMarks: boolean;
+  dark: boolean;
+  /** What the tool in hand shows, in canvas px. */
+  preview(context: CanvasRenderingContext2D, pixel: number): void;
+}
+
+export function tracePart(context: CanvasRenderingContext2D, outline: readonly Ring[]): void {
+  context.beginPath();
+  for (const ring of outline) {
+    ring.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
+    context.closePath();
+  }
+}
+
+export function traceLine(context: CanvasRenderingContext2D, line: Ring): void {
+  context.beginPath();
+  line.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
+}
+
+/**
+ * Parts as a flat drawing: what stands for a drawing where there is none. No ink runs along joins,
+ * where two parts are one surface.
+ */
+export function paintParts(context: CanvasRenderingContext2D, document: Document, pen: number): void {
+  context.lineJoin = 'round';
+  for (const part of document.parts) {
+    const color = part.color ?? '#d9d4c7';
+    tracePart(context, part.outline);
+    context.fillStyle = color;
+    context.fill('nonzero');
+    context.strokeStyle = marks.ink;
+    context.lineWidth = pen;
+    context.stroke();
+    context.strokeStyle = color;
+    context.lineWidth = 1.6 * pen;
+    for (const join of document.joins)
+      if (join.upper === part.id) {
+        traceLine(context, join.line);
+        context.stroke();
+      }
+  }
+}
+
+function segments(context: CanvasRenderingContext2D, ends: Float32Array, color: string, width: number): void {
+  context.beginPath();
+  for (let i = 0; i < ends.length; i += 4) {
+    context.moveTo(ends[i] as number, ends[i + 1] as number);
+    context.lineTo(ends[i + 2] as number, ends[i + 3] as number);
+  }
+  context.strokeStyle = color;
+  context.lineWidth = width;
+  context.lineCap = 'round';
+  context.stroke();
+}
+
+function drawMarks(context: CanvasRenderingContext2D, overlays: Overlays, pixel: number): void {
+  segments(context, overlays.above, marks.above, 1.6 * pixel);
+  segments(context, overlays.equal, marks.equal, 2.4 * pixel);
+  segments(context, overlays.joins, marks.join, 3.2 * pixel);
+  const { ramps } = overlays;
+  for (let i = 0; i < ramps.length; i += 6) {
+    const alpha = ((ramps[i + 4] as number) + (ramps[i + 5] as number)) / 2;
+    segments(context, ramps.subarray(i, i + 4), rampColor(alpha), 3.2 * pixel);
+  }
+}
+
+function drawPage(context: CanvasRenderingContext2D, content: PaperContent, pixel: number): void {
+  const { document, picture } = content;
+  context.fillStyle = content.dark ? '#f4f1ea' : '#fffdf8';
+  context.fillRect(0, 0, document.width, document.height);
+  context.strokeStyle = content.dark ? 'rgb(0 0 0 / 60%)' : 'rgb(60 50 30 / 16%)';
+  context.lineWidth = pixel;
+  context.strokeRect(0, 0, document.width, document.height);
+  if (picture) context.drawImage(picture, 0, 0, document.width, document.height);
+  else paintParts(context, document, 2 * pixel);
+}
+
+/** Nearer parts are lighter, as in the paper's figure 3. */
+function drawDepths(context: CanvasRenderingContext2D, parts: readonly Part[], pixel: number): void {
+  parts.forEach((part, i) => {
+    const light = 32 + (56 * (i + 1)) / parts.length;
+    tracePart(context, part.outline);
+    context.fillStyle = `hsl(38 28% ${light}% / 92%)`;
+    context.fill('nonzero');
+    context.strokeStyle = 'rgb(60 50 40 / 55%)';
+    context.lineWidth = pixel;
+    context.stroke();
+  });
+}
+
+function drawPart(context: CanvasRenderingContext2D, part: Part, color: string, strong: boolean, pixel: number): void {
+  tracePart(context, part.outline);
+  context.globalAlpha = strong ? 0.16 : 0.1;
+  context.fillStyle = color;
+  context.fill('nonzero');
+  context.globalAlpha = 1;
+  context.lineJoin = 'round';
+  context.strokeStyle = 'rgb(255 255 255 / 85%)';
+  context.lineWidth = (strong ? 5 : 3.5) * pixel;
+  context.stroke();
+  context.strokeStyle = color;
+  context.lineWidth = (strong ? 2.4 : 1.6) * pixel;
+  context.stroke();
+}
+
+/** Draws everything anew. `ratio`: device px a CSS px. */
+export function drawPaper(
+  context: CanvasRenderingContext2D,
+  content: PaperContent,
+  view: Viewport,
+  ratio: number,
+): void {
+  const { canvas } = context;
+  context.setTransform(1, 0, 0, 1, 0, 0);
+  context.clearRect(0, 0, canvas.width, canvas.height);
+  context.setTransform(ratio * view.scale, 0, 0, ratio * view.scale, ratio * view.x, ratio * view.y);
+  const pixel = 1 / view.scale;
+  const { document } = content;
+  drawPage(context, content, pixel);
+  if (content.depthTint) drawDepths(context, document.parts, pixel);
+  for (const part of document.parts) {
+    if (part.id === content.culprit) drawPart(context, part, marks.culprit, true, pixel);
+    else if (part.id === content.selected) drawPart(context, part, marks.select, true, pixel);
+    else if (part.id === content.hovered) drawPart(context, part, marks.select, false, pixel);
+  }
+  if (content.showMarks && content.overlays) drawMarks(context, content.overlays, pixel);
+  content.preview(context, pixel);
+}

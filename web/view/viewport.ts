@@ -1,0 +1,41 @@
+import type { Point } from '../document/document';
+
+/** Where the canvas lies on the screen: screen = scale * canvas + offset, CSS px. */
+export interface Viewport {
+  readonly scale: number;
+  readonly x: number;
+  readonly y: number;
+}
+
+const minScale = 0.05;
+const maxScale = 40;
+
+export function toScreen(view: Viewport, [x, y]: Point): Point {
+  return [view.scale * x + view.x, view.scale * y + view.y];
+}
+
+export function toCanvas(view: Viewport, [x, y]: Point): Point {
+  return [(x - view.x) / view.scale, (y - view.y) / view.scale];
+}
+
+export function panned(view: Viewport, dx: number, dy: number): Viewport {
+  return { scale: view.scale, x: view.x + dx, y: view.y + dy };
+}
+
+/** Zooms about a point of the screen, which stays where it is. */
+export function zoomed(view: Viewport, factor: number, [x, y]: Point): Viewport {
+  const scale = Math.min(maxScale, Math.max(minScale, view.scale * factor));
+  const ratio = scale / view.scale;
+  return { scale, x: x - ratio * (x - view.x), y: y - ratio * (y - view.y) };
+}
+
+/** All of the canvas in the middle of a pane, beside what covers its left edge. */
+export function fitted(canvas: Point, pane: Point, left: number, margin = 24): Viewport {
+  const room = pane[0] - left - margin;
+  const scale = Math.max(minScale, Math.min(room / canvas[0], (pane[1] - 2 * margin) / canvas[1]));
+  return {
+    scale,
+    x: left + (room - scale * canvas[0]) / 2,
+    y: (pane[1] - scale * canvas[1]) / 2,
+  };
+}

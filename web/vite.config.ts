@@ -1,0 +1,42 @@
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vitest/config';
+import { contentPolicy, offlineCopy } from './build_plugins.ts';
+
+const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
+
+/** The core as the wasm preset builds it. */
+const core = at('../build/wasm/bindings/wasm');
+
+export default defineConfig({
+  base: './',
+  plugins: [contentPolicy(), offlineCopy()],
+  resolve: {
+    alias: [
+      { find: '#relievo', replacement: `${core}/relievo.mjs` },
+      { find: /^#core\.wasm/, replacement: `${core}/relievo.wasm` },
+    ],
+  },
+  server: { fs: { allow: [at('..')] } },
+  preview: { host: '127.0.0.1', port: 8080 },
+  worker: { format: 'es' },
+  build: { outDir: at('../build/web'), emptyOutDir: true, assetsInlineLimit: 0, chunkSizeWarningLimit: 900 },
+  test: {
+    projects: [
+      { extends: true, test: { name: 'unit', include: ['tests/unit/**/*.test.ts'] } },
+      {
+        extends: true,
+        test: { name: 'engine', include: ['tests/engine/**/*.test.ts'], testTimeout: 60_000 },
+      },
+      {
+        extends: true,
+        test: {
+          name: 'journeys',
+          include: ['tests/journeys/**/*.test.ts'],
+          testTimeout: 120_000,
+          hookTimeout: 120_000,
+          fileParallelism: false,
+        },
+      },
+    ],
+  },
+});
