@@ -73,6 +73,7 @@ void register_edits() {
       benchmark::RegisterBenchmark((std::string("edit/") + name + "/" + edit.name).c_str(),
                                    [&edit, name](State& state) { run(state, edit, name); })
           ->Unit(benchmark::kMillisecond)
+          ->MeasureProcessCPUTime()
           ->UseRealTime();
 }
 

@@ -5,8 +5,9 @@
 #include <cstring>
 
 #include "benchmarks/suites.h"
+#include "kernel/base/workers.h"
 
-// Usage: relievo_benchmark [--largest=VERTICES] [options of Google Benchmark]
+// Usage: relievo_benchmark [--largest=VERTICES] [--threads=N] [options of Google Benchmark]
 
 namespace {
 
@@ -19,18 +20,25 @@ void restart_with_one_thread(char** argv) {
   execv("/proc/self/exe", argv);
 }
 
+/// The value of the first argument where that is the option, which is removed; or null.
+const char* take_option(const char* option, int& argc, char**& argv) {
+  if (argc < 2 || std::strncmp(argv[1], option, std::strlen(option)) != 0) return nullptr;
+  const char* value = argv[1] + std::strlen(option);
+  argv[1] = argv[0];
+  ++argv;
+  --argc;
+  return value;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   restart_with_one_thread(argv);
   relievo::benchmarks::Extent extent;
-  const char* largest = "--largest=";
-  if (argc > 1 && std::strncmp(argv[1], largest, std::strlen(largest)) == 0) {
-    extent.largest = std::atoi(argv[1] + std::strlen(largest));
-    argv[1] = argv[0];
-    ++argv;
-    --argc;
-  }
+  if (const char* largest = take_option("--largest=", argc, argv))
+    extent.largest = std::atoi(largest);
+  if (const char* threads = take_option("--threads=", argc, argv))
+    relievo::set_worker_count(std::atoi(threads));
   relievo::benchmarks::register_stages(extent);
   relievo::benchmarks::register_references(extent);
   relievo::benchmarks::register_edits();

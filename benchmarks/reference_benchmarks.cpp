@@ -73,6 +73,7 @@ void add_size(const std::string& name, int vertices) {
                name_of(what, name, vertices).c_str(),
                [run, name, vertices](State& state) { run(state, name, vertices); })
         ->Unit(benchmark::kMillisecond)
+        ->MeasureProcessCPUTime()
         ->UseRealTime();
   };
   add("factor", own_factor);

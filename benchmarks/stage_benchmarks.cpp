@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 
@@ -113,6 +114,7 @@ void add(const std::string& name, int vertices) {
         (std::string(stage.name) + "/" + name + "/" + std::to_string(vertices)).c_str(),
         [stage, name, vertices](State& state) { stage.run(state, name, vertices); })
         ->Unit(benchmark::kMillisecond)
+        ->MeasureProcessCPUTime()
         ->UseRealTime();
 }
 

@@ -24,12 +24,12 @@ def read(path):
 
 def ms(results, name):
     run = results.get(name)
-    return "" if run is None else f"{run['real_time']:.3g}"
+    return "" if run is None else f"{run['cpu_time']:.3g}"
 
 
 def ratio(results, name, baseline):
     run, other = results.get(name), results.get(baseline)
-    return "" if run is None or other is None else f"{run['real_time'] / other['real_time']:.3g}"
+    return "" if run is None or other is None else f"{run['cpu_time'] / other['cpu_time']:.3g}"
 
 
 def count(results, name, counter):
@@ -77,8 +77,8 @@ def edits(results):
         if name.startswith("edit/"):
             _, drawing, edit = name.split("/")
             changes = int(run["changes"])
-            rows.append([drawing, edit.replace("_", " "), f"{run['real_time']:.3g}",
-                         "other mesh" if changes < 0 else str(changes),
+            rows.append([drawing, edit.replace("_", " "), f"{run['cpu_time']:.3g}",
+                         "other pairs" if changes < 0 else str(changes),
                          f"{run['iterations']:.0f}"])
     return table(["drawing", "edit", "ms", "gaps that open or close", "iterations"], rows)
 

@@ -67,8 +67,11 @@ struct BinWeights {
 
 class Dissection {
  public:
-  Dissection(const FlatMesh& mesh, std::span<const int> weights)
-      : positions_(mesh.positions), weights_(weights), graph_(vertex_graph(mesh)) {
+  Dissection(const FlatMesh& mesh, std::span<const int> weights, const RunContext& context)
+      : positions_(mesh.positions),
+        weights_(weights),
+        context_(context),
+        graph_(vertex_graph(mesh)) {
     vertices_.resize(positions_.size());
     std::iota(vertices_.begin(), vertices_.end(), 0);
     group_.resize(vertices_.size(), 0);
@@ -83,7 +86,7 @@ class Dissection {
  private:
   /// Puts the vertices [first, last) in order.
   void part(int first, int last) {
-    if (last - first <= smallest_group) return;
+    if (last - first <= smallest_group || context_.cancelled()) return;
     const int group = ++groups_;
     for (int i = first; i < last; ++i) group_[vertices_[i]] = group;
     fill_bins(first, last);
@@ -196,6 +199,7 @@ class Dissection {
 
   std::span<const Point2> positions_;
   std::span<const int> weights_;
+  const RunContext& context_;
   VertexGraph graph_;
   std::vector<int> vertices_;
   std::vector<int> behind_;
@@ -207,9 +211,10 @@ class Dissection {
 
 }  // namespace
 
-std::vector<int> dissection_order(const FlatMesh& mesh, std::span<const int> weights) {
+std::vector<int> dissection_order(const FlatMesh& mesh, std::span<const int> weights,
+                                  const RunContext& context) {
   assert(weights.size() == mesh.positions.size());
-  return Dissection(mesh, weights).run();
+  return Dissection(mesh, weights, context).run();
 }
 
 }  // namespace relievo

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "kernel/base/run_context.h"
 #include "kernel/operators/flat_mesh.h"
 
 namespace relievo {
@@ -13,7 +14,9 @@ namespace relievo {
 /// places in four directions the one with the lightest separator is taken, unbalanced ones at a
 /// premium. `weights`, #V: unknowns at each vertex. An order for unknowns that lie at the vertices
 /// and are coupled along the edges follows from it, whatever else couples them.
-/// O(V log V) where the spacing of the vertices varies by bounded factors.
-std::vector<int> dissection_order(const FlatMesh& mesh, std::span<const int> weights);
+/// Where `context` is cancelled it is any order. O(V log V) where the spacing of the vertices
+/// varies by bounded factors.
+std::vector<int> dissection_order(const FlatMesh& mesh, std::span<const int> weights,
+                                  const RunContext& context = {});
 
 }  // namespace relievo

@@ -13,10 +13,11 @@ namespace relievo {
 namespace {
 
 /// Dissects the base triangulation: what lies at one place is eliminated together.
-std::vector<int> elimination_order(const LayeredMesh& mesh) {
+std::vector<int> elimination_order(const LayeredMesh& mesh, const RunContext& context) {
   std::vector<int> weights(mesh.vertices.size(), 0);
   for (const int v : mesh.node_vertex) ++weights[v];
-  const std::vector<int> order = dissection_order({mesh.vertices, mesh.triangles}, weights);
+  const std::vector<int> order =
+      dissection_order({mesh.vertices, mesh.triangles}, weights, context);
   std::vector<int> place(mesh.vertices.size());
   int next = 0;
   for (const int v : order) {
@@ -54,7 +55,7 @@ Discretisation discretise(const LayeredMesh& mesh, const RunContext& context) {
         }};
     run_tasks(2, [&](int i) { work[i](); });
   });
-  timed("analyse", [&] { result.elimination = elimination_order(mesh); });
+  timed("analyse", [&] { result.elimination = elimination_order(mesh, context); });
   return result;
 }
 
