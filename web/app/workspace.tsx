@@ -98,9 +98,10 @@ interface WorkspaceProps {
   held: HeldKeys;
   attachPaper(paper: PaperControl): void;
   choose(): void;
+  stop(): void;
 }
 
-export function Workspace({ editor, files, held, attachPaper, choose }: WorkspaceProps) {
+export function Workspace({ editor, files, held, attachPaper, choose, stop }: WorkspaceProps) {
   const { panel } = useStore(editor);
   const paper = useRef<PaperControl | null>(null);
   const model = useRef<ModelView | null>(null);
@@ -115,7 +116,7 @@ export function Workspace({ editor, files, held, attachPaper, choose }: Workspac
       <TopBar editor={editor} files={files} choose={choose} />
       <Toolbar editor={editor} />
       <PaperPane editor={editor} tool={() => hands[editor.state.tool]} attach={attach} />
-      <ModelPane editor={editor} attach={(view) => (model.current = view)} lightHeld={() => held.light} />
+      <ModelPane editor={editor} attach={(view) => (model.current = view)} lightHeld={() => held.light} stop={stop} />
       <aside class="side">
         <h2>{t('parts')}</h2>
         <PartList editor={editor} />
