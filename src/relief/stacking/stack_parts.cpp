@@ -81,7 +81,7 @@ std::vector<OrderArrow> guesses(const Beliefs& beliefs, const std::vector<UserAr
   for (const auto& [pair, belief] : beliefs) {
     const OrderArrow arrow = arrow_of(pair, belief);
     const bool said = std::any_of(user.begin(), user.end(), [&](const UserArrow& u) {
-      return std::minmax(u.first, u.second) == std::minmax(pair.first, pair.second);
+      return std::minmax(u.first, u.second) == std::minmax(arrow.upper, arrow.lower);
     });
     if (!said && arrow.confidence >= min_confidence) arrows.push_back(arrow);
   }
