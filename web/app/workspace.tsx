@@ -81,7 +81,7 @@ function StatusBar({ editor }: { editor: Editor }) {
   const ms = relief ? Object.values(relief.report.times).reduce((sum, time) => sum + time, 0) : 0;
   return (
     <footer class="status">
-      <span class="hint">{t(hint)}</span>
+      {notice === '' && <span class="hint">{t(hint)}</span>}
       <span class="notice" role="status" aria-live="polite">{notice}</span>
       <label class="check"><input type="checkbox" checked={depthTint} onChange={() => editor.set({ depthTint: !depthTint })} /> {t('depthTint')}</label>
       <label class="check"><input type="checkbox" checked={showMarks} onChange={() => editor.set({ showMarks: !showMarks })} /> {t('marks')}</label>
