@@ -13,6 +13,8 @@ relievo=build/release/apps/cli/relievo
 "$relievo" build examples/wolf.svg -o out/wolf.glb --preview out/wolf.png \
   --normal-map out/wolf-normal.png --depth-map out/wolf-depth.png --part-map out/wolf-parts.png \
   --report out/wolf.json > /dev/null
+"$relievo" segment examples/bear.png -o out/bear.relievo --overlay out/bear-understood.png > /dev/null
+"$relievo" build out/bear.relievo -o out/bear.glb --preview out/bear.png > /dev/null
 "$relievo" render examples/wolf.svg -o out/wolf-sheet.png --view sheet > /dev/null
 
 cat << 'END'
@@ -23,6 +25,10 @@ Made from examples/wolf.svg:
   out/wolf-sheet.png    the same from several sides
   out/wolf-normal.png   normal map, out/wolf-depth.png depth map, out/wolf-parts.png parts
   out/wolf.json         what was computed, how exactly and how fast
+
+Made from examples/bear.png, a flat drawing:
+  out/bear.relievo      what was understood of it; out/bear-understood.png shows that
+  out/bear.glb          the model, out/bear.png a picture of it
 
 Your own drawing: build/release/apps/cli/relievo build DRAWING.svg -o MODEL.glb
 

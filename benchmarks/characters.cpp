@@ -1,4 +1,4 @@
-#include "characters.h"
+#include "benchmarks/characters.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -3,9 +3,9 @@
 #include <functional>
 #include <string>
 
-#include "characters.h"
+#include "benchmarks/characters.h"
+#include "benchmarks/suites.h"
 #include "relief/pipeline/relief_session.h"
-#include "suites.h"
 
 namespace relievo::benchmarks {
 namespace {

@@ -47,7 +47,8 @@ void survey(uint64_t seed, int vertices, double lambda_bnd, Tally (&tallies)[2])
   if (solved) tallies[mixed].steps.push_back(steps);
   tallies[mixed].failed += solved ? 0 : 1;
   std::printf("%d,%g,%d,%s,%d,%d,%.1e,%.1e,%.0f\n", static_cast<int>(seed), lambda_bnd, mixed,
-              solved ? "solved" : "not solved", steps, report.round, report.residual, relief->ordering.max_violation, milliseconds);
+              solved ? "solved" : "not solved", steps, report.round, report.residual,
+              relief->ordering.max_violation, milliseconds);
   std::fflush(stdout);
 }
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "suites.h"
+#include "benchmarks/suites.h"
 
 // Usage: relievo_benchmark [--largest=VERTICES] [options of Google Benchmark]
 

@@ -2,12 +2,12 @@
 
 #include <string>
 
-#include "characters.h"
-#include "references/cholmod_factor.h"
-#include "references/interior_point.h"
-#include "references/lagrange_active_set.h"
+#include "benchmarks/characters.h"
+#include "benchmarks/references/cholmod_factor.h"
+#include "benchmarks/references/interior_point.h"
+#include "benchmarks/references/lagrange_active_set.h"
+#include "benchmarks/suites.h"
 #include "relief/pipeline/relief_session.h"
-#include "suites.h"
 
 namespace relievo::benchmarks {
 namespace {

@@ -3,11 +3,11 @@
 #include <functional>
 #include <string>
 
-#include "characters.h"
+#include "benchmarks/characters.h"
+#include "benchmarks/suites.h"
 #include "io/mesh/glb_encode.h"
 #include "relief/model/assemble_model.h"
 #include "relief/pipeline/relief_session.h"
-#include "suites.h"
 
 namespace relievo::benchmarks {
 namespace {

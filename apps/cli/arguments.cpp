@@ -39,10 +39,12 @@ Examples:
   relievo render wolf.glb -o eye.png --view front --window 500 200 150)";
 
 constexpr const char* segment_help =
-    R"(Makes a scene of a flat drawing: completes hidden parts, orders them, proposes joins.
+    R"(Makes a scene of a flat drawing: finds its parts, completes what they hide of each other, orders
+them in depth, proposes joins.
 
 Examples:
-  relievo segment wolf.png --labels wolf-parts.png -o wolf.relievo
+  relievo segment wolf.png -o wolf.relievo
+  relievo segment photo.jpg --scribbles strokes.png -o wolf.relievo --overlay understood.png
   relievo segment wolf.png --labels wolf-parts.png -o wolf.json --overlay understood.png
   relievo build wolf.relievo -o wolf.glb)";
 
@@ -65,6 +67,9 @@ void add_common(CLI::App& app, CommonArguments& common, const char* what) {
   app.add_flag("-q,--quiet", common.quiet, "Say nothing but errors");
   app.add_option("--timeout", common.timeout, "Give up after so many seconds")
       ->check(CLI::PositiveNumber);
+  app.add_option("--threads", common.threads,
+                 "Threads to use (default: as many as there are); the results are the same")
+      ->check(CLI::Range(1, 256));
 }
 
 /// Accepts only what this version can do, and says so of what is planned.
@@ -203,9 +208,15 @@ void add_segment(CLI::App& main, SegmentArguments& segment) {
   CLI::App& app = *main.add_subcommand("segment", segment_help);
   add_common(app, segment.common,
              "Drawing (.png, .jpg), or a project whose corrections are to be applied");
-  app.add_option("--labels", segment.labels,
-                 "Picture whose values are parts, 0 is background: grey or palette (.png)")
-      ->check(extension({".png"}));
+  auto* labels =
+      app.add_option("--labels", segment.labels,
+                     "Picture whose values are parts, 0 is background: grey or palette (.png)")
+          ->check(extension({".png"}));
+  app.add_option("--scribbles", segment.scribbles,
+                 "Strokes that say which part is where: a picture, one colour a part (.png), or a "
+                 "scribble file (.json)")
+      ->check(extension({".png", ".json"}))
+      ->excludes(labels);
   app.add_option("-o,--output", segment.output, "Project (.relievo) or scene file (.json)")
       ->required()
       ->check(extension({".relievo", ".json"}));

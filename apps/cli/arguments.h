@@ -15,6 +15,7 @@ struct CommonArguments {
   std::string input;  ///< a file, or "-" for standard input
   bool quiet = false;
   double timeout = 0;  ///< s; 0: none
+  int threads = 0;     ///< 0: as many as the machine has
 };
 
 /// How a drawing is reconstructed.
@@ -61,9 +62,10 @@ struct RenderArguments {
 
 struct SegmentArguments {
   CommonArguments common;
-  std::string labels;   ///< file; empty: those of the project
-  std::string output;   ///< project .relievo or scene .json
-  std::string overlay;  ///< files; empty: not wanted
+  std::string labels;     ///< files; empty: found in the drawing, or those of the project
+  std::string scribbles;  ///< .png or .json
+  std::string output;     ///< project .relievo or scene .json
+  std::string overlay;    ///< files; empty: not wanted
   std::string report;
 };
 

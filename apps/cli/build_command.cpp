@@ -124,7 +124,7 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
   if (Status status = check_outputs(outputs, {build.common.input}); !status) return status;
   const auto file = read_input(build.common.input);
   if (!file) return file.error();
-  auto input = load_scene(*file);
+  auto input = start_scene(*file);
   if (!input) return input.error();
   if (Status status = check_outputs(outputs, input->files); !status) return status;
   const double read_time = total.milliseconds();
@@ -136,6 +136,7 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
   const auto relief = reconstruct(input->scene, relief_arguments(build), context);
   if (!relief) return relief.error();
   const Stopwatch exporting;
+  if (Status s = finish_drawing(*file, *input); !s) return s;
   if (Status s = add_models(products, build, *input, *relief, context); !s) return s;
   if (Status s = add_maps(products, build, input->scene, *relief, context); !s) return s;
   if (Status s = add_convergence(products, build, input->scene, *relief, context); !s) return s;

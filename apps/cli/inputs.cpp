@@ -12,6 +12,7 @@
 #include "io/scene/read_scene.h"
 #include "io/svg/read_svg.h"
 #include "io/svg/render_svg.h"
+#include "kernel/base/workers.h"
 
 namespace relievo::cli {
 namespace {
@@ -35,22 +36,25 @@ Error in_file(Error error, const std::string& name) {
   return error;
 }
 
-Result<Drawing> rasterize(const Bytes& svg, const Scene& scene) {
-  const double scale = vector_texture_side / std::max(scene.width, scene.height);
+/// `width` and `height` are those of the canvas.
+Result<Drawing> rasterize(const Bytes& svg, double width, double height) {
+  const double scale = vector_texture_side / std::max(width, height);
   const auto pixels = [scale](double side) {
     return std::max(1, static_cast<int>(std::lround(scale * side)));
   };
-  return render_svg(text_of(svg), pixels(scene.width), pixels(scene.height));
+  return render_svg(text_of(svg), pixels(width), pixels(height));
 }
 
 Result<SceneInput> load_svg(const InputFile& input) {
   auto import = read_svg(text_of(input.bytes));
   if (!import) return import.error();
-  auto drawing = rasterize(input.bytes, import->scene);
-  if (!drawing) return drawing.error();
   SceneInput loaded;
+  const double width = import->scene.width;
+  const double height = import->scene.height;
+  loaded.rendering =
+      std::async(worker_count() > 1 ? std::launch::async : std::launch::deferred,
+                 [&input, width, height] { return rasterize(input.bytes, width, height); });
   loaded.scene = std::move(import->scene);
-  loaded.drawing = std::move(*drawing);
   loaded.warnings = std::move(import->warnings);
   loaded.proposed = import->proposed;
   return loaded;
@@ -74,7 +78,7 @@ Result<SceneInput> load_folder(const InputFile& input) {
 
 /// The pixels of a picture, or of a vector drawing that covers the scene's canvas.
 Result<Drawing> drawing_from(const Bytes& bytes, const Scene& scene) {
-  if (sniff(bytes) == InputKind::svg) return rasterize(bytes, scene);
+  if (sniff(bytes) == InputKind::svg) return rasterize(bytes, scene.width, scene.height);
   auto pixels = decode_image(bytes);
   if (!pixels) return pixels.error();
   return Drawing{std::move(*pixels)};
@@ -201,11 +205,26 @@ Result<InputFile> read_input(const std::string& name) {
   return InputFile{name, std::move(*bytes)};
 }
 
-Result<SceneInput> load_scene(const InputFile& input) {
+Result<SceneInput> start_scene(const InputFile& input) {
   auto loaded = load(input);
   if (!loaded) return in_file(loaded.error(), input.name);
   if (input.name != "-" && !input.folder) loaded->files.emplace_back(input.name);
   return loaded;
+}
+
+Status finish_drawing(const InputFile& input, SceneInput& scene) {
+  if (!scene.rendering.valid()) return Done{};
+  auto drawing = scene.rendering.get();
+  if (!drawing) return in_file(drawing.error(), input.name);
+  scene.drawing = std::move(*drawing);
+  return Done{};
+}
+
+Result<SceneInput> load_scene(const InputFile& input) {
+  auto scene = start_scene(input);
+  if (!scene) return scene;
+  if (Status status = finish_drawing(input, *scene); !status) return status.error();
+  return scene;
 }
 
 }  // namespace relievo::cli

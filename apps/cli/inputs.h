@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <future>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,7 @@ struct InputFile {
 struct SceneInput {
   Scene scene;
   Drawing drawing;                           ///< empty where there is none
+  std::future<Result<Drawing>> rendering;    ///< of `drawing`, while that is not finished
   std::vector<std::filesystem::path> files;  ///< all that were read, never to be overwritten
   std::vector<std::string> warnings;
   bool proposed = false;  ///< the parts were guessed, not annotated
@@ -34,6 +36,13 @@ struct SceneInput {
 
 /// Reads the whole of a file, or of standard input where the name is "-". A folder is only named.
 Result<InputFile> read_input(const std::string& name);
+
+/// What load_scene gives, but for the pixels of an SVG: another thread renders them. `input` must
+/// live until they are finished.
+Result<SceneInput> start_scene(const InputFile& input);
+
+/// Waits for the drawing.
+Status finish_drawing(const InputFile& input, SceneInput& scene);
 
 /// A scene from a layered drawing (SVG, OpenRaster, a folder of pictures), or from a scene file
 /// and the drawing that it names. The error's

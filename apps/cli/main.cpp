@@ -7,6 +7,7 @@
 #include "apps/cli/exit_code.h"
 #include "apps/cli/interruption.h"
 #include "apps/cli/messages.h"
+#include "kernel/base/workers.h"
 
 namespace relievo::cli {
 namespace {
@@ -30,6 +31,7 @@ int run_program(int argc, const char* const* argv) {
   const ParsedArguments parsed = parse_arguments(argc, argv);
   if (const int* code = std::get_if<int>(&parsed)) return *code;
   const auto& command = std::get<Command>(parsed);
+  set_worker_count(common(command).threads);
   Interruption interruption(common(command).timeout);
   Status status = run(command, interruption);
   if (status && std::fflush(stdout) != 0)

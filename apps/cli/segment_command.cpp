@@ -10,13 +10,16 @@
 #include "apps/cli/stopwatch.h"
 #include "io/files/read_file.h"
 #include "io/image/decode_image.h"
-#include "io/image/jpeg_decode.h"
+#include "io/image/gif_decode.h"
 #include "io/image/png_decode.h"
 #include "io/image/png_encode.h"
 #include "io/overlay/overlay_svg.h"
 #include "io/project/project_file.h"
 #include "io/scene/write_scene.h"
+#include "io/scribbles/read_scribbles.h"
+#include "io/scribbles/scribble_image.h"
 #include "io/svg/render_svg.h"
+#include "relief/drawing/segment_drawing.h"
 #include "relief/pipeline/propose_scene.h"
 
 namespace relievo::cli {
@@ -39,20 +42,26 @@ Result<SegmentInput> from_project(const InputFile& file) {
     return Error{ErrorCode::bad_input, "is a project of a layered drawing, which has its parts",
                  ""};
   SegmentationRecord& record = *project->segmentation;
-  return SegmentInput{file.name,
-                      std::move(project->drawing),
-                      {},
-                      std::move(record.labels),
-                      std::move(record.scribbles),
-                      std::move(record.corrections)};
+  SegmentInput input;
+  input.file = file.name;
+  input.drawing = std::move(project->drawing);
+  input.labels = std::move(record.labels);
+  input.scribbles = std::move(record.scribbles);
+  input.corrections = std::move(record.corrections);
+  return input;
+}
+
+/// What kind of picture it is, as the ending of its name.
+std::string picture_kind(ByteView bytes) {
+  if (is_png(bytes)) return "png";
+  return is_gif(bytes) ? "gif" : "jpeg";
 }
 
 SegmentInput from_picture(const InputFile& file) {
   SegmentInput input;
   input.file = file.name;
-  const bool jpeg = is_jpeg(file.bytes);
   input.drawing = {file.name == "-" ? "drawing" : fs::path(file.name).filename().string(), "image",
-                   jpeg ? "image/jpeg" : "image/png", file.bytes};
+                   "image/" + picture_kind(file.bytes), file.bytes};
   return input;
 }
 
@@ -65,6 +74,44 @@ Status read_labels(const std::string& name, SegmentInput& input) {
   return Done{};
 }
 
+Result<Scribbles> load_scribbles(const std::string& name, const Image8& pixels) {
+  const auto bytes = read_file(name);
+  if (!bytes) return bytes.error();
+  if (!is_png(*bytes)) {
+    auto scribbles = read_scribbles({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+    return scribbles ? std::move(scribbles) : in(name, scribbles.error());
+  }
+  const auto picture = decode_png(*bytes);
+  if (!picture) return in(name, picture.error());
+  auto scribbles = scribbles_from_image(*picture, pixels.width, pixels.height);
+  return scribbles ? std::move(scribbles) : in(name, scribbles.error());
+}
+
+/// Labels from the pixels. Parts that were scribbled keep their names.
+Status find_labels(SegmentInput& input) {
+  auto found = segment_drawing(Drawing{input.pixels}, input.scribbles);
+  if (!found) return found.error();
+  for (size_t k = 0; k < found->parts.size(); ++k)
+    if (!found->parts[k].proposed && found->parts[k].area > 0)
+      input.corrections.parts[static_cast<PartLabel>(k + 1)].id = found->parts[k].id;
+  for (Bridge& bridge : found->bridges) input.bridges.push_back(std::move(bridge.points));
+  input.labels = std::move(found->labels);
+  input.notes = std::move(found->notes);
+  return Done{};
+}
+
+/// The labels that the arguments ask for.
+Status choose_labels(const SegmentArguments& segment, SegmentInput& input) {
+  if (!segment.labels.empty()) return read_labels(segment.labels, input);
+  if (segment.scribbles.empty() && !input.labels.empty()) return Done{};
+  if (!segment.scribbles.empty()) {
+    auto scribbles = load_scribbles(segment.scribbles, input.pixels);
+    if (!scribbles) return scribbles.error();
+    input.scribbles = std::move(*scribbles);
+  }
+  return find_labels(input);
+}
+
 Result<SegmentInput> load(const SegmentArguments& segment) {
   const auto file = read_input(segment.common.input);
   if (!file) return file.error();
@@ -73,10 +120,7 @@ Result<SegmentInput> load(const SegmentArguments& segment) {
   auto pixels = decode_image(input->drawing.bytes);
   if (!pixels) return in(file->name, pixels.error());
   input->pixels = std::move(*pixels);
-  if (!segment.labels.empty())
-    if (Status status = read_labels(segment.labels, *input); !status) return status.error();
-  if (input->labels.empty())
-    return Error{ErrorCode::usage, "give the parts of the drawing with --labels", file->name};
+  if (Status status = choose_labels(segment, *input); !status) return status.error();
   if (input->labels.width != input->pixels.width || input->labels.height != input->pixels.height)
     return Error{ErrorCode::bad_input,
                  "must be as large as the drawing, " + std::to_string(input->pixels.width) + " x " +
@@ -98,7 +142,19 @@ std::string path_from(const fs::path& scene, const std::string& drawing) {
 /// The file beside the scene that takes a copy of a drawing from elsewhere.
 fs::path copy_of_drawing(const fs::path& scene, ByteView drawing) {
   fs::path copy = scene;
-  return copy.replace_extension(is_png(drawing) ? ".png" : ".jpg");
+  return copy.replace_extension(picture_kind(drawing));
+}
+
+/// A copy is put where nothing is, or the same.
+Status check_copy(const fs::path& copy, const Bytes& drawing) {
+  std::error_code code;
+  if (!fs::exists(copy, code)) return Done{};
+  const auto there = read_file(copy);
+  if (there && *there == drawing) return Done{};
+  return Error{ErrorCode::usage,
+               "is in the way of a copy of the drawing; write the scene beside the drawing, or a "
+               "project (.relievo), which holds it",
+               copy.string()};
 }
 
 bool is_project_name(const std::string& name) { return fs::path(name).extension() == ".relievo"; }
@@ -122,11 +178,13 @@ Image8 composed(const Image8& drawing, const Image8& overlay) {
   return picture;
 }
 
-Result<Bytes> overlay_png(const Scene& scene, const Image8& drawing) {
+Result<Bytes> overlay_png(const Scene& scene, const SegmentInput& input) {
+  const Image8& drawing = input.pixels;
   const double scale =
       std::max(1.0, std::round(overlay_side / std::max(drawing.width, drawing.height)));
-  const auto overlay = render_svg(overlay_svg(scene), static_cast<int>(drawing.width * scale),
-                                  static_cast<int>(drawing.height * scale));
+  const auto overlay =
+      render_svg(overlay_svg(scene, {input.bridges}), static_cast<int>(drawing.width * scale),
+                 static_cast<int>(drawing.height * scale));
   if (!overlay) return overlay.error();
   return encode_png(composed(drawing, overlay->rgba));
 }
@@ -141,6 +199,7 @@ Result<Files> scene_files(const SegmentArguments& segment, const SegmentInput& i
   if (!is_project_name(input.file)) scene.drawing = path_from(segment.output, input.file);
   if (scene.drawing.empty()) {
     const fs::path copy = copy_of_drawing(segment.output, input.drawing.bytes);
+    if (Status status = check_copy(copy, input.drawing.bytes); !status) return status.error();
     scene.drawing = copy.filename().string();
     files.push_back({copy, input.drawing.bytes});
   }
@@ -164,7 +223,7 @@ Result<Files> files_of(const SegmentArguments& segment, const SegmentInput& inpu
                                                : scene_files(segment, input, proposal.scene);
   if (!files) return files.error();
   if (!segment.overlay.empty()) {
-    auto overlay = overlay_png(proposal.scene, input.pixels);
+    auto overlay = overlay_png(proposal.scene, input);
     if (!overlay) return overlay.error();
     files->push_back({segment.overlay, std::move(*overlay)});
   }
@@ -188,7 +247,7 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
   for (const std::string* name : {&segment.overlay, &segment.report})
     if (!name->empty()) outputs.emplace_back(*name);
   std::vector<fs::path> inputs;
-  for (const std::string* name : {&segment.common.input, &segment.labels})
+  for (const std::string* name : {&segment.common.input, &segment.labels, &segment.scribbles})
     if (!name->empty() && *name != "-") inputs.emplace_back(*name);
   if (Status status = check_outputs(outputs, inputs); !status) return status;
   const auto loaded = load(segment);
@@ -201,6 +260,7 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
   const auto files = files_of(segment, *loaded, *proposal, watch.milliseconds());
   if (!files) return files.error();
   if (Status status = save(*files, inputs, interruption); !status) return status;
+  print_warnings(loaded->notes, quiet);
   print_warnings(proposal->warnings, quiet);
   print_note(summary(*proposal), quiet);
   for (const OutputFile& file : *files) print_result(file.path.string(), quiet);

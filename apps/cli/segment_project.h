@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "io/project/project.h"
 #include "relief/pipeline/propose_scene.h"
@@ -15,6 +16,8 @@ struct SegmentInput {
   Image16 labels;
   Scribbles scribbles;
   Corrections corrections;
+  std::vector<std::vector<Point2>> bridges;  ///< gaps in the lines that were closed, px
+  std::vector<std::string> notes;            ///< what a person should know
 };
 
 /// The project that keeps the drawing, what the user said and what was proposed.

@@ -1,4 +1,4 @@
-#include "references/cholmod_factor.h"
+#include "benchmarks/references/cholmod_factor.h"
 
 #include <cholmod.h>
 

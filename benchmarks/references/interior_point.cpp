@@ -1,4 +1,4 @@
-#include "references/interior_point.h"
+#include "benchmarks/references/interior_point.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "references/lagrange_active_set.h"
+#include "benchmarks/references/lagrange_active_set.h"
 
 #include <Eigen/SparseLU>
 #include <cstdint>

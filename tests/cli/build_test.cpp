@@ -17,6 +17,22 @@ std::vector<std::string> with_small(std::vector<std::string> arguments) {
   return arguments;
 }
 
+TEST_F(Build, ThreadsChangeNoByte) {
+  const std::vector<std::string> names = {"m.glb", "m.stl", "normal.png", "depth.png", "parts.png"};
+  std::vector<std::string> expected;
+  for (const char* threads : {"1", "2", "2", "3"}) {
+    const Outcome outcome =
+        relievo(with_small({"build", "drawing.svg", "-o", "m.glb", "-o", "m.stl", "--normal-map",
+                            "normal.png", "--depth-map", "depth.png", "--part-map", "parts.png",
+                            "--map-size", "300", "--threads", threads}));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::vector<std::string> files;
+    for (const std::string& name : names) files.push_back(read(name));
+    if (expected.empty()) expected = files;
+    for (size_t i = 0; i < names.size(); ++i) EXPECT_TRUE(files[i] == expected[i]) << names[i];
+  }
+}
+
 TEST_F(Build, WritesEveryKindOfFileAndNothingElse) {
   const Outcome outcome = relievo(with_small({"build",
                                               "drawing.svg",

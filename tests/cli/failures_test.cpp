@@ -13,7 +13,7 @@ std::vector<std::string> with(std::vector<std::string> arguments,
 }
 
 TEST_F(Failures, UsageIsTwo) {
-  expect_failure({}, 2, "build, check or render");
+  expect_failure({}, 2, "build, check, render or segment");
   expect_failure({"paint"}, 2, "paint");
   expect_failure({"build", "scene.json"}, 2, "nothing to write");
   expect_failure({"build", "-o", "out.glb"}, 2, "INPUT");

@@ -11,7 +11,8 @@ inline Image8 random_image(int width, int height, double density, uint32_t seed,
   std::mt19937 random(seed);
   Image8 image(width, height, channels);
   for (uint8_t& value : image.pixels)
-    if (static_cast<double>(random() % 1000) < density * 1000) value = static_cast<uint8_t>(1 + random() % 255);
+    if (static_cast<double>(random() % 1000) < density * 1000)
+      value = static_cast<uint8_t>(1 + random() % 255);
   return image;
 }
 

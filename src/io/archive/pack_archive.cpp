@@ -82,7 +82,8 @@ Result<Bytes> pack_archive(const std::vector<ArchiveEntry>& entries) {
   for (const ArchiveEntry& entry : entries)
     if (Status status = add(archive.get(), entry); !status) return status.error();
   if (zip_close(archive.get()) != 0) return failed(zip_strerror(archive.get()));
-  archive.release();
+  // zip_close has freed it.
+  static_cast<void>(archive.release());
   return content(buffer.get());
 }
 

@@ -12,7 +12,7 @@ constexpr int unknowns = 5;           ///< centre, logarithms of the half axes, 
 constexpr double circle_prior = 1.0;  ///< standard deviation of log(a / b)
 /// Neighbouring points of a contour err together; so many count as one.
 constexpr double correlated_points = 4;
-constexpr int max_steps = 40;
+constexpr int max_steps = 25;
 
 using Parameters = Eigen::Matrix<double, unknowns, 1>;
 

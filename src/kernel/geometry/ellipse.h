@@ -28,7 +28,7 @@ double radial_distance(const Ellipse& ellipse, Point2 p);
 /// The most likely ellipse: least squares of the radial distances of `on` and of what of `within`
 /// lies outside and of `without` inside, with a weak preference for circles where the evidence
 /// leaves the shape open. Nothing where there are fewer than 6 points on it. Levenberg-Marquardt
-/// from the moments of all points; O(points) a step, from two starts, at most 40 steps each.
+/// from the moments of all points; O(points) a step, from two starts, at most 25 steps each.
 std::optional<Ellipse> fit_ellipse(const EllipseEvidence& evidence);
 
 /// The ellipse as a ring of positive area.

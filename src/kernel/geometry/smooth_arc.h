@@ -12,10 +12,10 @@ struct DirectedPoint {
   Point2 direction;
 };
 
-/// The smooth arc from `from` to `to` with the given directions at its ends: the cubic whose end
-/// tangents Hobby chose so that arcs of circles come out round to 0.1 % up to three quarters of a
-/// circle (J. D. Hobby, Smooth, easy to compute interpolating splines, 1986). Sampled about every
-/// `step` px; neither end is included.
+/// The smooth arc from `from` to `to` with the given directions at its ends: a cubic with Hobby's
+/// end tangents, with which a quarter of a circle comes out round to 0.05 % and half of one to 2 %
+/// (J. D. Hobby, Smooth, easy to compute interpolating splines, 1986). Sampled about every `step`
+/// px; neither end is included.
 std::vector<Point2> smooth_arc(const DirectedPoint& from, const DirectedPoint& to, double step);
 
 /// Angle by which the arc turns from its chord, at both ends together, in radians; positive to

@@ -61,6 +61,21 @@ Image8 blur_columns(const Image8& image, int radius) {
   return result;
 }
 
+/// Mean of one channel over a block that the image may cut off.
+uint8_t block_mean(const Image8& image, int x, int y, int side, int channel) {
+  const int width = std::min(side, image.width - x);
+  const int height = std::min(side, image.height - y);
+  uint64_t sum = 0;
+  for (int v = y; v < y + height; ++v) {
+    const uint8_t* in = &image.at(x, v, channel);
+    uint32_t row = 0;
+    for (int u = 0; u < width; ++u) row += in[static_cast<ptrdiff_t>(u) * image.channels];
+    sum += row;
+  }
+  const uint64_t count = static_cast<uint64_t>(width) * height;
+  return static_cast<uint8_t>((sum + count / 2) / count);
+}
+
 }  // namespace
 
 Image8 box_blur(const Image8& image, int radius) {
@@ -88,24 +103,11 @@ Image8 shrink(const Image8& image, int factor) {
   if (factor == 1 || image.empty()) return image;
   const int w = (image.width + factor - 1) / factor;
   const int h = (image.height + factor - 1) / factor;
-  const int channels = image.channels;
-  Image8 result(w, h, channels);
-  std::vector<uint64_t> sums(static_cast<size_t>(w) * channels);
-  for (int y = 0; y < h; ++y) {
-    std::fill(sums.begin(), sums.end(), 0);
-    const int bottom = std::min(image.height, (y + 1) * factor);
-    for (int v = y * factor; v < bottom; ++v) {
-      const uint8_t* in = &image.at(0, v);
-      for (int x = 0; x < image.width; ++x)
-        for (int c = 0; c < channels; ++c) sums[x / factor * channels + c] += *in++;
-    }
-    for (int x = 0; x < w; ++x) {
-      const uint64_t count =
-          uint64_t(bottom - y * factor) * (std::min(image.width, (x + 1) * factor) - x * factor);
-      for (int c = 0; c < channels; ++c)
-        result.at(x, y, c) = static_cast<uint8_t>((sums[x * channels + c] + count / 2) / count);
-    }
-  }
+  Image8 result(w, h, image.channels);
+  for (int y = 0; y < h; ++y)
+    for (int x = 0; x < w; ++x)
+      for (int c = 0; c < image.channels; ++c)
+        result.at(x, y, c) = block_mean(image, x * factor, y * factor, factor, c);
   return result;
 }
 

@@ -57,7 +57,7 @@ std::vector<int32_t> descending(const Image<int32_t>& squared, std::vector<int32
   const auto cap = static_cast<float>(squared.width + squared.height);
   for (size_t i = 0; i < n; ++i) {
     const float distance = std::min(cap, std::sqrt(static_cast<float>(squared.pixels[i])));
-    level[i] = static_cast<int32_t>(distance * level_steps + 0.5F);
+    level[i] = static_cast<int32_t>(distance * level_steps);
     top = std::max(top, level[i]);
   }
   std::vector<int32_t> begin(static_cast<size_t>(top) + 2, 0);
@@ -150,15 +150,18 @@ PeakBasins peak_basins(const Image<int32_t>& squared_distance, const BasinOption
   std::vector<int32_t> level;
   Peaks peaks(options);
   for (const int32_t i : descending(squared_distance, level)) {
-    int32_t mine = 0;
+    int32_t uphill = -1;
+    bool alike = true;
     for_sides(i, basins.label.width, basins.label.height, [&](int32_t j) {
       if (label[j] == 0) return;
-      if (mine == 0)
-        mine = peaks.find(label[j]);
-      else
-        peaks.meet(mine, label[j], level[i]);
+      if (uphill >= 0 && label[j] != label[uphill]) alike = false;
+      if (uphill < 0 || squared_distance.pixels[j] > squared_distance.pixels[uphill]) uphill = j;
     });
-    label[i] = mine != 0 ? mine : peaks.add(level[i]);
+    label[i] = uphill >= 0 ? label[uphill] : peaks.add(level[i]);
+    if (alike) continue;
+    for_sides(i, basins.label.width, basins.label.height, [&](int32_t j) {
+      if (label[j] != 0 && label[j] != label[i]) peaks.meet(label[i], label[j], level[i]);
+    });
   }
   const std::vector<int32_t> numbers = peaks.number(basins.peaks);
   for (int32_t& l : label) l = numbers[l];

@@ -11,7 +11,7 @@
 namespace relievo {
 namespace {
 
-constexpr size_t ellipse_samples = 160;  ///< about so many points of the contour are used
+constexpr size_t ellipse_samples = 100;  ///< about so many points of the contour are used
 constexpr int ellipse_points = 180;
 constexpr double ellipse_noise = 0.8;          ///< px
 constexpr double ellipse_noise_share = 0.012;  ///< of the part's size

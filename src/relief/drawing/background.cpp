@@ -10,7 +10,10 @@ namespace {
 
 constexpr double paper_distance = 70;      ///< from white within which background may be, of 255
 constexpr double cut_figure_share = 0.12;  ///< of the picture, from which on a region is a figure
-constexpr double leak_share = 0.12;        ///< open share of a border through which it spreads
+constexpr double opaque_share = 0.05;      ///< of the picture off the lines: fills, not blots
+constexpr double spread_distance = 45;     ///< of mean colours, up to which background spreads
+constexpr double leak_width = 0.7;         ///< px of gap per px of inradius from which it spreads
+constexpr double leak_share = 0.07;        ///< open share of a border through which it spreads
 
 double distance_from_white(const Basin& region) {
   if (region.coloured == 0) return 0;
@@ -31,13 +34,31 @@ bool reaches_outside(const Basin& region, int64_t picture_area) {
          static_cast<double>(region.area) < cut_figure_share * static_cast<double>(picture_area);
 }
 
+/// Whether the drawing has opaque areas, so that transparent ones are none of the figure.
+bool has_opaque_areas(RegionMerging& regions) {
+  int64_t transparent = 0;
+  int64_t all = 0;
+  for (int r = 0; r < regions.count(); ++r) {
+    if (!regions.is_region(r)) continue;
+    transparent += regions.region(r).transparent;
+    all += regions.region(r).coloured;
+  }
+  return transparent > 0 &&
+         static_cast<double>(all - transparent) > opaque_share * static_cast<double>(all);
+}
+
+bool is_transparent(const Basin& region) { return 2 * region.transparent > region.coloured; }
+
 /// The neighbour through whose border the background spreads most easily, or -1.
 int leaking_neighbour(const RegionMerging& regions, int background) {
   int best = -1;
   double widest = leak_share;
   for (const auto& [neighbour, border] : regions.borders(background)) {
     const double share = regions.open_share(background, neighbour);
-    if (share <= widest || !is_paper(regions.region(neighbour))) continue;
+    const double gap = share * static_cast<double>(border.pairs);
+    if (gap < leak_width * regions.region(neighbour).inradius) continue;
+    if (share <= widest || regions.colour_distance(background, neighbour) > spread_distance)
+      continue;
     widest = share;
     best = neighbour;
   }
@@ -47,9 +68,12 @@ int leaking_neighbour(const RegionMerging& regions, int background) {
 }  // namespace
 
 int unite_background(RegionMerging& regions, int64_t picture_area) {
+  const bool opaque = has_opaque_areas(regions);
   int background = -1;
   for (int r = 0; r < regions.count(); ++r) {
-    if (!regions.is_region(r) || !reaches_outside(regions.region(r), picture_area)) continue;
+    if (!regions.is_region(r)) continue;
+    const Basin& region = regions.region(r);
+    if (!reaches_outside(region, picture_area) && !(opaque && is_transparent(region))) continue;
     if (background < 0)
       background = r;
     else

@@ -7,7 +7,7 @@
 namespace relievo {
 namespace {
 
-void measure_areas(const Image8& rgb, Basins& basins) {
+void measure_areas(const Image8& rgba, const Image8& rgb, Basins& basins) {
   const int w = basins.index.width;
   const int h = basins.index.height;
   for (size_t i = 0; i < basins.index.pixels.size(); ++i) {
@@ -15,6 +15,7 @@ void measure_areas(const Image8& rgb, Basins& basins) {
     ++basin.area;
     if (basins.barrier.pixels[i] != 0) continue;
     ++basin.coloured;
+    basin.transparent += rgba.pixels[4 * i + 3] < 128 ? 1 : 0;
     for (size_t c = 0; c < 3; ++c) basin.colour_sum[c] += rgb.pixels[3 * i + c];
   }
   const auto count_at_edge = [&](int x, int y, size_t edge) {
@@ -102,8 +103,8 @@ std::vector<BasinBorder> borders_within(const Basins& basins, int x0, int y0, in
   return pairs.borders();
 }
 
-void measure_basins(const Image8& rgb, Basins& basins) {
-  measure_areas(rgb, basins);
+void measure_basins(const Image8& rgba, const Image8& rgb, Basins& basins) {
+  measure_areas(rgba, rgb, basins);
   measure_boxes(basins);
   basins.borders = borders_within(basins, 0, 0, basins.index.width, basins.index.height);
 }

@@ -4,9 +4,10 @@
 
 namespace relievo {
 
-/// Fills `basins` and `borders` from index, ink and barrier. `rgb` is the drawing on white.
+/// Fills `basins` and `borders` from index, ink and barrier. `rgba` is the drawing, `rgb` the same
+/// on white.
 /// O(pixels + border pixels log border pixels).
-void measure_basins(const Image8& rgb, Basins& basins);
+void measure_basins(const Image8& rgba, const Image8& rgb, Basins& basins);
 
 /// The borders between basins inside a window of pixels, its end excluded; sorted by a, b.
 std::vector<BasinBorder> borders_within(const Basins& basins, int x0, int y0, int x1, int y1);

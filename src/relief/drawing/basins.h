@@ -17,6 +17,7 @@ struct Basin {
   Box2 box;                                ///< of its pixels
   std::array<int64_t, 3> colour_sum = {};  ///< of the drawing on white, over pixels off the lines
   int64_t coloured = 0;                    ///< pixels in colour_sum
+  int64_t transparent = 0;                 ///< of those, the ones that are so in the drawing
 };
 
 /// Where two basins meet.
@@ -38,6 +39,7 @@ struct Basins {
   Image8 ink;                        ///< see LineMap
   Image8 barrier;                    ///< see LineMap
   double line_width = 1;             ///< px
+  bool painted = false;              ///< see LineMap
   std::vector<int> region;           ///< [#B] proposal: 0 background, else 1 ... #R
   int region_count = 0;              ///< #R
   double unbounded_ink = 0;          ///< share of the lines, by area, that bound no region

@@ -51,7 +51,8 @@ Result<Basins> find_basins(const Drawing& drawing) {
   basins.ink = std::move(map.ink);
   basins.barrier = std::move(map.barrier);
   basins.line_width = map.line_width;
-  measure_basins(rgb, basins);
+  basins.painted = map.painted;
+  measure_basins(drawing.rgba, rgb, basins);
   propose_regions(basins);
   return basins;
 }

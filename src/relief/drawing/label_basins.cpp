@@ -13,10 +13,11 @@
 namespace relievo {
 namespace {
 
-/// Shares of lines that bound no area: from the first on it is said, from the second on a drawing
-/// without strokes is refused.
+/// Shares of lines that bound no area: from the first on it is said, from the others on a drawing
+/// or painting without strokes is refused.
 constexpr double much_unbounded = 0.2;
 constexpr double mostly_unbounded = 0.42;
+constexpr double mostly_unbounded_paint = 0.25;
 constexpr int many_parts = 40;
 constexpr size_t most_parts = 65534;
 
@@ -40,6 +41,21 @@ Status check_scribbles(const Scribbles& scribbles) {
     if (!(stroke.width > 0 && stroke.width <= 1000))
       return bad_stroke(k, "the width of a stroke must lie in (0, 1000] px");
   }
+  return Done{};
+}
+
+/// Whether enough of the lines bound areas for a proposal that makes sense.
+Status check_closed(const Basins& basins) {
+  if (basins.painted && basins.unbounded_ink > mostly_unbounded_paint)
+    return Error{ErrorCode::bad_input,
+                 "too few areas of the painting have an outline or a clear edge: mark each part "
+                 "with a hard stroke, or give a picture of labels",
+                 ""};
+  if (basins.unbounded_ink > mostly_unbounded)
+    return Error{ErrorCode::bad_input,
+                 "most lines of the drawing bound no area, as those of a stick figure: give limbs "
+                 "and body closed outlines, or mark each part with a hard stroke",
+                 ""};
   return Done{};
 }
 
@@ -137,11 +153,8 @@ Segmentation assemble(const Basins& basins, const std::vector<int>& labels,
 Result<Segmentation> label_basins(const Basins& basins, const Scribbles& scribbles,
                                   const LabelOptions& options) {
   if (const Status valid = check_scribbles(scribbles); !valid) return valid.error();
-  if (scribbles.strokes.empty() && basins.unbounded_ink > mostly_unbounded)
-    return Error{ErrorCode::bad_input,
-                 "most lines of the drawing bound no area, as those of a stick figure: give limbs "
-                 "and body closed outlines, or mark each part with a hard stroke",
-                 ""};
+  if (scribbles.strokes.empty())
+    if (const Status enough = check_closed(basins); !enough) return enough.error();
   const auto part_count = static_cast<int>(scribbles.parts.size());
   if (scribbles.parts.size() + static_cast<size_t>(basins.region_count) > most_parts)
     return Error{ErrorCode::limit, "the drawing has too many parts", ""};

@@ -11,7 +11,7 @@
 namespace relievo {
 namespace {
 
-constexpr double open_share = 0.3;        ///< of a border without line, above which areas are one
+constexpr double open_share = 0.24;       ///< of a border without line, above which areas are one
 constexpr double different_colour = 55;   ///< of areas that are not one, unless quite open
 constexpr double quite_open_share = 0.7;  ///< above which colour does not matter
 constexpr double smallest_part = 0.0008;  ///< of the box around the figure

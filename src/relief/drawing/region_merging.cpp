@@ -29,6 +29,7 @@ void RegionMerging::unite(int a, int b) {
   region.area += other.area;
   region.inradius = std::max(region.inradius, other.inradius);
   region.coloured += other.coloured;
+  region.transparent += other.transparent;
   region.box.add(other.box);
   for (size_t k = 0; k < 4; ++k) region.at_edge[k] += other.at_edge[k];
   for (size_t c = 0; c < 3; ++c) region.colour_sum[c] += other.colour_sum[c];

@@ -15,6 +15,8 @@ using Pair = std::pair<int, int>;
 constexpr double line_step = 3;  ///< between the points of a join's line, px
 /// A root's arc on the outline is at most so many times as long as its pixel sides.
 constexpr double max_stretch = 1.5;
+/// At least this share of a join lies inside the lower part.
+constexpr double min_inside = 0.5;
 
 /// A root as an arc of the part's outline.
 struct RootArc {
@@ -47,6 +49,31 @@ std::optional<RootArc> arc_of(const Root& root, const Outline& outline) {
   const bool sound =
       best && best->length > 0 && best->length <= max_stretch * static_cast<double>(root.count);
   return sound ? best : std::nullopt;
+}
+
+/// The arc without a ramp at each end.
+std::vector<Point2> line_of(const RootArc& arc, double ramp) {
+  const double length = arc.length - 2 * ramp;
+  const int pieces = std::max(8, static_cast<int>(length / line_step));
+  std::vector<Point2> line;
+  for (int i = 0; i <= pieces; ++i) line.push_back(arc.at(ramp + length * i / pieces));
+  return line;
+}
+
+/// The longest run of points inside the outline; empty where that is less than a share of all.
+std::vector<Point2> longest_inside(const std::vector<Point2>& line, const Outline& outline,
+                                   double least_share) {
+  std::vector<Point2> best;
+  std::vector<Point2> run;
+  for (const Point2 p : line) {
+    if (contains(outline, p))
+      run.push_back(p);
+    else
+      run.clear();
+    if (run.size() > best.size()) best = run;
+  }
+  const double share = static_cast<double>(best.size()) / static_cast<double>(line.size());
+  return share >= least_share ? best : std::vector<Point2>();
 }
 
 class Proposer {
@@ -99,19 +126,15 @@ class Proposer {
     const auto arc = arc_of(root, outlines_[part]);
     if (!arc) return;
     const double ramp = ramp_share(*arc) * arc->length;
-    const double last = arc->length - ramp;
-    ProposedJoin proposed;
-    proposed.join = {part, root.lower, {}};
-    const int pieces = std::max(2, static_cast<int>((last - ramp) / line_step));
-    for (int i = 0; i <= pieces; ++i)
-      proposed.join.line.push_back(arc->at(ramp + (last - ramp) * i / pieces));
-    proposed.confidence = confidence;
+    const std::vector<Point2> line =
+        longest_inside(line_of(*arc, ramp), outlines_[root.lower], min_inside);
+    if (line.empty()) return;
     joined_.insert({part, root.lower});
     if (ramped_.count({part, root.lower}) == 0) {
-      if (root.opens_before) lay_ramp(part, root.lower, arc->at(ramp), arc->at(0));
-      if (root.opens_after) lay_ramp(part, root.lower, arc->at(last), arc->at(arc->length));
+      if (root.opens_before) lay_ramp(part, root.lower, line.front(), arc->at(0));
+      if (root.opens_after) lay_ramp(part, root.lower, line.back(), arc->at(arc->length));
     }
-    out_.joins.push_back(std::move(proposed));
+    out_.joins.push_back({{part, root.lower, line}, confidence, false});
   }
 
   void lay_ramp(int upper, int lower, Point2 from, Point2 to) {

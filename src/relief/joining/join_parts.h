@@ -9,7 +9,7 @@
 namespace relievo {
 
 struct JoiningOptions {
-  double min_root = 0.08;       ///< a root takes at least this share of the upper part's outline
+  double min_root = 0.1;        ///< a root takes at least this share of the upper part's outline
   int min_root_sides = 8;       ///< and so many pixel sides
   double shortest_ramp = 0.08;  ///< share of the root beside each end of the join
   double longest_ramp = 0.3;

@@ -75,8 +75,8 @@ Surroundings surroundings(const PartRegions& regions, const Stacking& stacking, 
     for (size_t i = 0; i < ring.size(); ++i)
       if (across[i] == Across::behind) lower.insert(regions.part_of(ring.beyond[i]));
     if (ring.hole) continue;
-    const auto outside =
-        std::count_if(across.begin(), across.end(), [](Across a) { return a == Across::background; });
+    const auto outside = std::count_if(across.begin(), across.end(),
+                                       [](Across a) { return a == Across::background; });
     if (outside > 0) around.enclosed = false;
     for (Root root : roots_of(ring, across)) {
       root.lower = most_common(regions, stacking, part, root);

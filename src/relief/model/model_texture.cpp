@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace relievo {
 namespace {
@@ -46,54 +48,67 @@ Mask cover(const Model& model, int width, int height) {
   return mask;
 }
 
-/// Chebyshev distance to the nearest pixel where `is_source`, capped at 65535, and that pixel's
-/// colour copied along: two passes over the pixels, each looking at the neighbours before it.
+/// Copies colours from known pixels to the others, to each from about the nearest in Chebyshev
+/// distance: two passes over the pixels, each looking at the neighbours before it.
 class Spread {
  public:
-  Spread(int width, int height) : distance_(width, height, 1, far) {}
+  Spread(int width, int height)
+      : width_(width),
+        stride_(static_cast<std::ptrdiff_t>(width) + 2),
+        distance_(static_cast<size_t>(stride_) * (static_cast<size_t>(height) + 2), far) {}
 
-  void mark_source(int x, int y) { distance_.at(x, y) = 0; }
-  int distance(int x, int y) const { return distance_.at(x, y); }
+  void mark_known(int x, int y) { distance_[at(x, y)] = 0; }
 
-  /// `colours` may be null when only distances are wanted.
-  void run(Image8* colours) {
-    for (int y = 0; y < distance_.height; ++y)
-      for (int x = 0; x < distance_.width; ++x) relax(x, y, -1, colours);
-    for (int y = distance_.height - 1; y >= 0; --y)
-      for (int x = distance_.width - 1; x >= 0; --x) relax(x, y, 1, colours);
+  void run(Image8& colours) {
+    for (int y = 0; y < colours.height; ++y)
+      for (int x = 0; x < width_; ++x) relax(x, y, -1, colours);
+    for (int y = colours.height - 1; y >= 0; --y)
+      for (int x = width_ - 1; x >= 0; --x) relax(x, y, 1, colours);
   }
 
  private:
   static constexpr uint16_t far = std::numeric_limits<uint16_t>::max();
 
-  void relax(int x, int y, int step, Image8* colours) {
+  /// There is a margin of one pixel that is never near.
+  std::ptrdiff_t at(int x, int y) const { return (std::ptrdiff_t{y} + 1) * stride_ + x + 1; }
+
+  void relax(int x, int y, int step, Image8& colours) {
+    const std::ptrdiff_t here = at(x, y);
+    if (distance_[here] <= 1) return;
     const std::array<std::array<int, 2>, 4> offsets = {
         {{step, 0}, {-1, step}, {0, step}, {1, step}}};
     for (const auto& [dx, dy] : offsets) {
-      const int from_x = x + dx;
-      const int from_y = y + dy;
-      if (from_x < 0 || from_x >= distance_.width || from_y < 0 || from_y >= distance_.height)
-        continue;
-      if (distance_.at(from_x, from_y) + 1 >= distance_.at(x, y)) continue;
-      distance_.at(x, y) = static_cast<uint16_t>(distance_.at(from_x, from_y) + 1);
-      if (colours != nullptr)
-        for (int c = 0; c < 3; ++c) colours->at(x, y, c) = colours->at(from_x, from_y, c);
+      const int next = distance_[here + dy * stride_ + dx] + 1;
+      if (next >= distance_[here]) continue;
+      distance_[here] = static_cast<uint16_t>(next);
+      for (int c = 0; c < 3; ++c) colours.at(x, y, c) = colours.at(x + dx, y + dy, c);
     }
   }
 
-  Image<uint16_t> distance_;
+  int width_;
+  std::ptrdiff_t stride_;
+  std::vector<uint16_t> distance_;
 };
 
 constexpr int silhouette_band = 2;
 
-/// Pixels of the cover that are further than the band from its border.
-Spread distance_to_background(const Mask& covered) {
-  Spread outside(covered.width, covered.height);
+/// Pixels that are not covered, or at most the band away from one that is not, in Chebyshev
+/// distance: along rows, then along columns.
+Mask near_background(const Mask& covered) {
+  Mask along_rows(covered.width, covered.height, 1);
+  Mask near(covered.width, covered.height, 1);
   for (int y = 0; y < covered.height; ++y)
-    for (int x = 0; x < covered.width; ++x)
-      if (covered.at(x, y) == 0) outside.mark_source(x, y);
-  outside.run(nullptr);
-  return outside;
+    for (int x = 0; x < covered.width; ++x) {
+      if (covered.at(x, y) != 0) continue;
+      const int end = std::min(x + silhouette_band, covered.width - 1);
+      for (int i = std::max(x - silhouette_band, 0); i <= end; ++i) along_rows.at(i, y) = 1;
+    }
+  for (int y = 0; y < covered.height; ++y) {
+    const int end = std::min(y + silhouette_band, covered.height - 1);
+    for (int i = std::max(y - silhouette_band, 0); i <= end; ++i)
+      for (int x = 0; x < covered.width; ++x) near.at(x, i) |= along_rows.at(x, y);
+  }
+  return near;
 }
 
 uint8_t on_paper(int colour, int alpha) {
@@ -105,17 +120,17 @@ uint8_t on_paper(int colour, int alpha) {
 Image8 model_texture(const Model& model, const Drawing& drawing) {
   const Image8& rgba = drawing.rgba;
   if (rgba.empty()) return {};
-  const Spread outside = distance_to_background(cover(model, rgba.width, rgba.height));
+  const Mask near = near_background(cover(model, rgba.width, rgba.height));
   Image8 texture(rgba.width, rgba.height, 3, 255);
   Spread known(rgba.width, rgba.height);
   for (int y = 0; y < rgba.height; ++y)
     for (int x = 0; x < rgba.width; ++x) {
       const int alpha = rgba.at(x, y, 3);
-      if (alpha < 255 && outside.distance(x, y) <= silhouette_band) continue;
-      known.mark_source(x, y);
+      if (alpha < 255 && near.at(x, y) != 0) continue;
+      known.mark_known(x, y);
       for (int c = 0; c < 3; ++c) texture.at(x, y, c) = on_paper(rgba.at(x, y, c), alpha);
     }
-  known.run(&texture);
+  known.run(texture);
   return texture;
 }
 

@@ -175,20 +175,19 @@ double round_inflation(const Mask& mask) {
   return longer > 0 ? 2 * (1 + shorter / longer) : 4;
 }
 
-/// Features on a part bulge the less the larger they are: an eye does, a patch on the belly does
-/// not. With q the share that they take of the part below, c is multiplied by 1 - 1.5 sqrt(q).
+/// Features bulge the less the larger they are: an eye does, a patch on the belly does not. With q
+/// the ratio of their area to that of all parts on which they lie, c is multiplied by
+/// 1 - 1.5 sqrt(q).
 double feature_inflation(const Proposal& proposal, const Completion& clipped, int part) {
-  double factor = 1;
+  const auto area = [&](int k) { return static_cast<double>(pixel_count(clipped.parts[k].shape)); };
+  double below = 0;
   for (const ProposedRelation& proposed : proposal.joining.relations) {
     const Relation& relation = proposed.relation;
-    if (relation.upper != part || relation.kind != RelationKind::equal) continue;
-    const auto area = [&](int k) {
-      return static_cast<double>(pixel_count(clipped.parts[k].shape));
-    };
-    const double share = area(part) / area(relation.lower);
-    factor = std::min(factor, 1 - 1.5 * std::sqrt(share));
+    if (relation.upper == part && relation.kind == RelationKind::equal)
+      below += area(relation.lower);
   }
-  return std::max(factor, least_feature_inflation);
+  if (below == 0) return 1;
+  return std::max(1 - 1.5 * std::sqrt(area(part) / below), least_feature_inflation);
 }
 
 /// The outlines in the scene: as the user drew them, or those of the shapes after the order.

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
+
 #include "io/image/decode_image.h"
 #include "io/image/png_decode.h"
 #include "io/image/png_encode.h"
@@ -38,6 +40,22 @@ TEST(Png, RgbaRoundTrip) {
   const Result<Image8> decoded = decode_image(*png);
   ASSERT_TRUE(decoded.ok()) << to_string(decoded.error());
   EXPECT_EQ(decoded->pixels, image.pixels);
+}
+
+TEST(Png, ValuesAreReadAsTheyAre) {
+  Image16 deep(9, 7, 1);
+  for (size_t i = 0; i < deep.pixels.size(); ++i) deep.pixels[i] = static_cast<uint16_t>(i * 997);
+  const auto read_deep = decode_png_values(*encode_png(deep));
+  ASSERT_TRUE(read_deep.ok());
+  EXPECT_EQ(read_deep->pixels, deep.pixels);
+  const Image8 shallow = pattern(9, 7, 1);
+  const auto read_shallow = decode_png_values(*encode_png(shallow));
+  ASSERT_TRUE(read_shallow.ok());
+  EXPECT_TRUE(
+      std::equal(shallow.pixels.begin(), shallow.pixels.end(), read_shallow->pixels.begin()));
+  const auto colours = decode_png_values(*encode_png(pattern(9, 7, 3)));
+  ASSERT_FALSE(colours.ok());
+  EXPECT_EQ(colours.error().code, ErrorCode::bad_input);
 }
 
 TEST(Png, OtherChannelCountsExpandToOpaque) {

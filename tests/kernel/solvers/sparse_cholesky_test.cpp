@@ -5,8 +5,10 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <atomic>
 #include <limits>
 
+#include "kernel/base/workers.h"
 #include "kernel/operators/laplacian.h"
 #include "support/sparse_patterns.h"
 #include "support/structured_meshes.h"
@@ -158,6 +160,64 @@ TEST(SparseCholesky, RefactorisesWithTheSameBits) {
         EXPECT_EQ(changing.solve(b), fresh.solve(b)) << name << " " << step;
       }
     }
+}
+
+TEST(SparseCholesky, RefactorisesChangedValuesWithTheSameBits) {
+  for (const auto& [name, lower] : testing::telling_matrices()) {
+    const VectorXd b = VectorXd::LinSpaced(lower.rows(), -1, 3);
+    SparseMatrix A = lower;
+    SparseCholesky changing;
+    changing.analyse(A, Refactorisation::incremental);
+    ASSERT_TRUE(changing.factorise(A)) << name;
+    for (const Eigen::Index step : {1, 7, 100}) {
+      for (Eigen::Index i = 0; i < A.rows(); i += step) A.coeffRef(i, i) *= 1.5;
+      SparseCholesky fresh;
+      fresh.analyse(A);
+      ASSERT_TRUE(fresh.factorise(A)) << name;
+      ASSERT_TRUE(changing.refactorise(A)) << name;
+      EXPECT_EQ(changing.solve(b), fresh.solve(b)) << name << " " << step;
+    }
+  }
+}
+
+TEST(SparseCholesky, StartsAfreshAfterAFailure) {
+  SparseMatrix A = testing::grid_laplacian(30, 20, 0.01);
+  const VectorXd b = VectorXd::LinSpaced(A.rows(), -1, 3);
+  SparseCholesky factor;
+  factor.analyse(A, Refactorisation::incremental);
+  ASSERT_TRUE(factor.factorise(A));
+  const VectorXd x = factor.solve(b);
+  SparseMatrix bad = A;
+  bad.coeffRef(100, 100) = -1;
+  EXPECT_FALSE(factor.refactorise(bad));
+  ASSERT_TRUE(factor.refactorise(A));
+  EXPECT_EQ(factor.solve(b), x);
+}
+
+TEST(SparseCholesky, StopsWhenCancelled) {
+  const SparseMatrix A = testing::grid_laplacian(30, 20, 0.01);
+  SparseCholesky factor;
+  factor.analyse(A);
+  const std::atomic<bool> cancel = true;
+  EXPECT_FALSE(factor.factorise(A, {}, RunContext{&cancel}));
+  EXPECT_TRUE(factor.factorise(A));
+}
+
+TEST(SparseCholesky, GivesTheSameBitsWithAnyNumberOfThreads) {
+  const SparseMatrix lower = testing::grid_laplacian(150, 120, 0.01);
+  const VectorXd b = VectorXd::LinSpaced(lower.rows(), -1, 3);
+  VectorXd expected;
+  for (const Refactorisation kind : {Refactorisation::complete, Refactorisation::incremental})
+    for (const int workers : {1, 2, 5}) {
+      set_worker_count(workers);
+      SparseCholesky factor;
+      factor.analyse(lower, kind);
+      ASSERT_TRUE(factor.factorise(lower));
+      const VectorXd x = factor.solve(b);
+      if (expected.size() == 0) expected = x;
+      EXPECT_EQ(x, expected) << workers;
+    }
+  set_worker_count(0);
 }
 
 TEST(SparseCholesky, GivesTheSameBitsEveryTime) {

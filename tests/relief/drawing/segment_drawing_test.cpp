@@ -149,6 +149,24 @@ TEST(SegmentDrawing, FlatColoursWithoutLinesArePartedAtTheirEdges) {
     }
 }
 
+TEST(SegmentDrawing, TransparentAreasOfOpaqueFiguresAreHoles) {
+  Drawing ring = InkDrawing(240, 240)
+                     .disc({120, 120}, 90, 240, 160, 60)
+                     .circle({120, 120}, 90)
+                     .circle({120, 120}, 40)
+                     .drawing();
+  for (int y = 0; y < 240; ++y)
+    for (int x = 0; x < 240; ++x) {
+      const double radius = distance({x + 0.5, y + 0.5}, {120, 120});
+      if (radius > 92 || radius < 38) ring.rgba.at(x, y, 3) = 0;
+    }
+  const Result<Segmentation> s = segment_drawing(ring);
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  ASSERT_EQ(s->parts.size(), 1U);
+  EXPECT_EQ(label_at(*s, 120, 120), 0);
+  EXPECT_EQ(label_at(*s, 120, 55), 1);
+}
+
 TEST(SegmentDrawing, DrawingsWithoutAreasSayWhatToDo) {
   InkDrawing stick(300, 400);
   stick.circle({150, 60}, 30).line({150, 90}, {150, 240}).line({150, 120}, {60, 200});

@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <string>
+
+#include "io/files/read_file.h"
+#include "io/image/decode_image.h"
+#include "kernel/base/stopwatch.h"
+#include "relief/drawing/find_basins.h"
+#include "relief/drawing/label_basins.h"
+#include "relief/drawing/label_outlines.h"
+
+// Prints how the time of segmentation grows with the size of a drawing, and what a changed stroke
+// costs beside the whole. Usage: relievo_segmentation [DRAWING]; without one, circles.
+
+namespace relievo {
+namespace {
+
+constexpr int repetitions = 5;
+
+/// Circles of ink with a gap in each, coloured in part, on paper with grain.
+Drawing circles(int side) {
+  Drawing drawing{Image8(side, side, 4, 250)};
+  const double cell = side / 3.0;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const double u = x - (std::floor(x / cell) + 0.5) * cell;
+      const double v = y - (std::floor(y / cell) + 0.5) * cell;
+      const double radius = std::hypot(u, v);
+      const bool coloured = static_cast<int>(x / cell) == 1 && radius < 0.4 * cell;
+      const bool ink = std::abs(radius - 0.4 * cell) < 3 && (std::abs(u) > 0.04 * cell || v < 0);
+      const int grain = (x * 7919 + y * 104729) % 5;
+      for (int c = 0; c < 3; ++c) {
+        const int paper = coloured ? 120 + 50 * c : 250;
+        drawing.rgba.at(x, y, c) = static_cast<uint8_t>(ink ? 30 : paper - grain);
+      }
+    }
+  return drawing;
+}
+
+/// Shortest of several runs, ms.
+double time_of(const std::function<void()>& work) {
+  double best = 1e9;
+  for (int k = 0; k < repetitions; ++k) {
+    Stopwatch watch;
+    work();
+    best = std::min(best, watch.lap());
+  }
+  return best;
+}
+
+/// Prints one line and returns the time per megapixel.
+double measure(const Drawing& drawing) {
+  const double megapixels = 1e-6 * drawing.rgba.width * drawing.rgba.height;
+  Result<Basins> basins = find_basins(drawing);
+  if (!basins) {
+    std::printf("%s\n", to_string(basins.error()).c_str());
+    return 0;
+  }
+  const double x = drawing.rgba.width / 2.0;
+  const double y = drawing.rgba.height / 2.0;
+  const Scribbles strokes{{"a", "b"},
+                          {{ScribbleKind::hard, 0, {{x - 30, y}, {x - 30, y + 20}}, 5},
+                           {ScribbleKind::hard, 1, {{x + 30, y}, {x + 30, y + 20}}, 5}}};
+  const Result<Segmentation> labels = label_basins(*basins, strokes);
+  const double find = time_of([&] { basins = find_basins(drawing); });
+  const double label = time_of([&] { (void)label_basins(*basins, strokes); });
+  const double outline =
+      labels ? time_of([&] { (void)label_outlines(labels->labels, labels->ink); }) : 0;
+  std::printf(
+      "%7.2f MP  basins %7.1f ms/MP  strokes %6.1f ms/MP (%4.1f %%)  outlines %6.1f ms/MP\n",
+      megapixels, find / megapixels, label / megapixels, 100 * label / find, outline / megapixels);
+  return find / megapixels;
+}
+
+int run(int argc, char** argv) {
+  if (argc > 1) {
+    const auto bytes = read_file(argv[1]);
+    const auto image = bytes ? decode_image(*bytes) : Result<Image8>(bytes.error());
+    if (!image) {
+      std::printf("%s\n", to_string(image.error()).c_str());
+      return 1;
+    }
+    measure({*image});
+    return 0;
+  }
+  const double small = measure(circles(500));
+  for (const int side : {1000, 2000, 4000})
+    std::printf("  cost per pixel against the smallest: %.2f\n", measure(circles(side)) / small);
+  return 0;
+}
+
+}  // namespace
+}  // namespace relievo
+
+int main(int argc, char** argv) { return relievo::run(argc, argv); }

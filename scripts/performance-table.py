@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""Writes the measurements of relievo_benchmark into docs/performance.md.
+
+Usage: performance-table.py RESULTS.json, made with relievo_benchmark --benchmark_out=RESULTS.json
+"""
+import json
+import pathlib
+import sys
+
+PAGE = pathlib.Path(__file__).parent.parent / "docs" / "performance.md"
+BEGIN, END = "<!-- measured -->\n", "<!-- end -->\n"
+
+
+def read(path):
+    """Benchmarks by their name without Google Benchmark's suffixes."""
+    results = {}
+    for run in json.loads(pathlib.Path(path).read_text())["benchmarks"]:
+        if run.get("run_type") == "aggregate" and run.get("aggregate_name") != "median":
+            continue
+        if not run.get("error_occurred"):
+            results["/".join(run["run_name"].split("/")[:3])] = run
+    return results
+
+
+def ms(results, name):
+    run = results.get(name)
+    return "" if run is None else f"{run['real_time']:.3g}"
+
+
+def ratio(results, name, baseline):
+    run, other = results.get(name), results.get(baseline)
+    return "" if run is None or other is None else f"{run['real_time'] / other['real_time']:.3g}"
+
+
+def count(results, name, counter):
+    run = results.get(name)
+    return "" if run is None or counter not in run else f"{run[counter]:.0f}"
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
+
+
+def sizes(results, stage):
+    return sorted({tuple(name.split("/")[1:]) for name in results if name.startswith(stage + "/")},
+                  key=lambda size: (int(size[1]), size[0]))
+
+
+def stages(results):
+    columns = ["mesh", "discretise", "inflate", "order", "order_cold", "solve", "build", "model"]
+    rows = []
+    for size in sizes(results, "solve"):
+        name = "/".join(size)
+        rows.append([size[0], size[1]] + [ms(results, f"{stage}/{name}") for stage in columns] +
+                    [count(results, f"order/{name}", "iterations"),
+                     count(results, f"order_cold/{name}", "iterations")])
+    return table(["drawing", "vertices"] + columns + ["iterations", "cold"], rows)
+
+
+def references(results):
+    rows = []
+    for size in sizes(results, "cholmod"):
+        name = "/".join(size)
+        rows.append([size[0], size[1], ms(results, f"cholmod/{name}"),
+                     ratio(results, f"cholmod/{name}", f"factor/{name}"),
+                     ratio(results, f"solve/{name}", f"cholmod/{name}"),
+                     ratio(results, f"interior_point/{name}", f"order_cold/{name}"),
+                     ratio(results, f"multipliers/{name}", f"solve/{name}")])
+    return table(["drawing", "vertices", "CHOLMOD, ms", "CHOLMOD / own", "solve / CHOLMOD",
+                  "interior point / order", "multipliers / solve"], rows)
+
+
+def edits(results):
+    rows = []
+    for name, run in sorted(results.items()):
+        if name.startswith("edit/"):
+            _, drawing, edit = name.split("/")
+            changes = int(run["changes"])
+            rows.append([drawing, edit.replace("_", " "), f"{run['real_time']:.3g}",
+                         "other mesh" if changes < 0 else str(changes),
+                         f"{run['iterations']:.0f}"])
+    return table(["drawing", "edit", "ms", "gaps that open or close", "iterations"], rows)
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    results = read(sys.argv[1])
+    page = PAGE.read_text()
+    before, rest = page.split(BEGIN)
+    _, after = rest.split(END)
+    parts = [("Stages, ms", stages), ("References", references), ("Edits at 40,000 vertices", edits)]
+    body = "\n".join(f"### {title}\n\n{make(results)}" for title, make in parts)
+    PAGE.write_text(before + BEGIN + "\n" + body + "\n" + END + after)
+
+
+main()

@@ -1,0 +1,76 @@
+#include <cmath>
+
+#include "cli/cli_test.h"
+#include "io/files/bytes.h"
+#include "io/image/png_encode.h"
+
+namespace relievo {
+namespace {
+
+/// A flat drawing without labels: two circles of ink, one above the other.
+class SegmentDrawing : public CliTest {
+ protected:
+  void SetUp() override {
+    Image8 drawing(240, 300, 3, 255);
+    for (int y = 0; y < 300; ++y)
+      for (int x = 0; x < 240; ++x) {
+        const double head = std::hypot(x - 120, y - 90) - 50;
+        const double body = std::hypot(x - 120, y - 200) - 70;
+        const bool ink = std::abs(head) < 2 || (std::abs(body) < 2 && head > 0);
+        for (int c = 0; c < 3; ++c) drawing.at(x, y, c) = ink ? 20 : 255;
+      }
+    write_png("figure.png", drawing);
+    write_png("blank.png", Image8(60, 40, 3, 255));
+  }
+
+  void write_png(const std::string& name, const Image8& image) const {
+    const Bytes png = *encode_png(image);
+    write(name, {png.begin(), png.end()});
+  }
+};
+
+TEST_F(SegmentDrawing, PartsAreFoundAndBuilt) {
+  const Outcome segmented = relievo({"segment", "figure.png", "-o", "figure.relievo"});
+  ASSERT_EQ(segmented.exit_code, 0) << segmented.err;
+  EXPECT_NE(segmented.err.find("2 parts"), std::string::npos) << segmented.err;
+  const Outcome built = relievo({"build", "figure.relievo", "-o", "figure.ply"});
+  EXPECT_EQ(built.exit_code, 0) << built.err;
+  EXPECT_TRUE(exists("figure.ply"));
+}
+
+TEST_F(SegmentDrawing, StrokesNameTheirParts) {
+  write("strokes.json", R"({"format": "relievo-scribbles", "version": 1, "parts": ["snow head"],
+    "strokes": [{"kind": "hard", "part": "snow head", "width": 4, "points": [[110, 80], [130, 80]]},
+                {"kind": "hole", "width": 4, "points": [[120, 220]]}]})");
+  const Outcome segmented =
+      relievo({"segment", "figure.png", "--scribbles", "strokes.json", "-o", "scene.json"});
+  ASSERT_EQ(segmented.exit_code, 0) << segmented.err;
+  EXPECT_NE(segmented.err.find("1 parts"), std::string::npos) << segmented.err;
+  EXPECT_NE(read("scene.json").find("\"snow head\""), std::string::npos);
+}
+
+TEST_F(SegmentDrawing, AScribblePictureDoesTheSame) {
+  Image8 strokes(240, 300, 4, 0);
+  for (int y = 78; y < 84; ++y)
+    for (int x = 110; x < 130; ++x) {
+      strokes.at(x, y, 0) = 255;
+      strokes.at(x, y, 3) = 255;
+    }
+  write_png("strokes.png", strokes);
+  const Outcome segmented =
+      relievo({"segment", "figure.png", "--scribbles", "strokes.png", "-o", "scene.json"});
+  ASSERT_EQ(segmented.exit_code, 0) << segmented.err;
+  EXPECT_NE(read("scene.json").find("\"#ff0000\""), std::string::npos);
+}
+
+TEST_F(SegmentDrawing, MistakesAreExplained) {
+  expect_failure({"segment", "blank.png", "-o", "a.relievo"}, 3, "blank");
+  write_png("small.png", Image8(9, 9, 4, 255));
+  expect_failure({"segment", "figure.png", "--scribbles", "small.png", "-o", "a.relievo"}, 3,
+                 "small.png");
+  expect_failure({"segment", "figure.png", "--scribbles", "none.json", "-o", "a.relievo"}, 6,
+                 "none.json");
+}
+
+}  // namespace
+}  // namespace relievo

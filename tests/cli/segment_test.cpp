@@ -1,0 +1,119 @@
+#include "cli/cli_test.h"
+#include "io/image/decode_image.h"
+#include "io/image/png_encode.h"
+#include "support/label_maps.h"
+
+namespace relievo {
+namespace {
+
+using namespace testing;
+
+/// A drawing of a leg on a body with its labels.
+class Segment : public CliTest {
+ protected:
+  void SetUp() override {
+    const Image16 labels = painted(120, 100, {oval(60, 35, 50, 28, 0), box(48, 35, 70, 92)});
+    Image8 drawing(120, 100, 3, 255);
+    for (int y = 0; y < 100; ++y)
+      for (int x = 0; x < 120; ++x)
+        if (labels.at(x, y) > 0) drawing.at(x, y, labels.at(x, y)) = 60;
+    write("fox.png", std::string(to_text(*encode_png(drawing))));
+    write("labels.png", std::string(to_text(*encode_png(labels))));
+  }
+};
+
+TEST_F(Segment, MakesASceneThatBuilds) {
+  const Outcome outcome = relievo({"segment", "fox.png", "--labels", "labels.png", "-o", "fox.json",
+                                   "--overlay", "overlay.png", "--report", "report.json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("fox.json\n"), std::string::npos);
+  EXPECT_NE(read("fox.json").find("\"drawing\": \"fox.png\""), std::string::npos);
+  EXPECT_NE(read("report.json").find("\"confidence\""), std::string::npos);
+  const auto overlay = decode_image(to_bytes(read("overlay.png")));
+  ASSERT_TRUE(overlay.ok());
+  EXPECT_EQ(overlay->width % 120, 0);
+  const Outcome built = relievo({"build", "fox.json", "-o", "fox.glb", "--vertices", "2000"});
+  EXPECT_EQ(built.exit_code, 0) << built.err;
+}
+
+TEST_F(Segment, AProjectBuildsAndSegmentsToTheSameAgain) {
+  const std::vector<std::string> arguments = {"segment", "fox.png", "--labels", "labels.png"};
+  auto to_project = arguments;
+  to_project.insert(to_project.end(), {"-o", "fox.relievo"});
+  ASSERT_EQ(relievo(to_project).exit_code, 0);
+  ASSERT_EQ(relievo({"segment", "fox.relievo", "-o", "again.relievo"}).exit_code, 0);
+  EXPECT_EQ(read("again.relievo"), read("fox.relievo"));
+  auto to_scene = arguments;
+  to_scene.insert(to_scene.end(), {"-o", "fox.json"});
+  ASSERT_EQ(relievo(to_scene).exit_code, 0);
+  for (const char* input : {"fox.relievo", "fox.json"})
+    ASSERT_EQ(relievo({"build", input, "-o", std::string(input) + ".glb", "--vertices", "2000"})
+                  .exit_code,
+              0);
+  EXPECT_EQ(read("fox.relievo.glb"), read("fox.json.glb"));
+  const Outcome check = relievo({"check", "fox.relievo"});
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_NE(check.out.find("2 parts"), std::string::npos);
+}
+
+/// A part of a scene file, from its id to the end of its line.
+std::string part_line(const std::string& scene, const std::string& id) {
+  const size_t at = scene.find("\"id\": \"" + id + "\"");
+  return at == std::string::npos ? "" : scene.substr(at, scene.find('\n', at) - at);
+}
+
+TEST_F(Segment, FindsThePartsOfLineArt) {
+  // Two discs with outlines, one over the other.
+  const Image16 areas =
+      painted(160, 120, {disc(60, 60, 40), disc(60, 60, 37), disc(105, 60, 35), disc(105, 60, 32)});
+  Image8 lines(160, 120, 3, 255);
+  Image8 strokes(160, 120, 4);
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 160; ++x) {
+      const bool line = areas.at(x, y) % 2 == 1;
+      for (int c = 0; c < 3; ++c) lines.at(x, y, c) = line ? 0 : 255;
+      if (x < 100 || x > 110 || y < 55 || y > 65) continue;
+      strokes.at(x, y, 0) = 255;
+      strokes.at(x, y, 3) = 255;
+    }
+  write("lines.png", std::string(to_text(*encode_png(lines))));
+  write("strokes.png", std::string(to_text(*encode_png(strokes))));
+  ASSERT_EQ(relievo({"segment", "lines.png", "-o", "lines.json", "-q"}).exit_code, 0);
+  const std::string plain = read("lines.json");
+  EXPECT_NE(part_line(plain, "part-1"), "");
+  EXPECT_NE(part_line(plain, "part-2"), "");
+  EXPECT_EQ(part_line(plain, "part-3"), "");
+  const Outcome named =
+      relievo({"segment", "lines.png", "--scribbles", "strokes.png", "-o", "named.relievo", "-q"});
+  ASSERT_EQ(named.exit_code, 0) << named.err;
+  EXPECT_NE(relievo({"check", "named.relievo"}).out.find("#ff0000"), std::string::npos);
+}
+
+TEST_F(Segment, CopiesADrawingFromElsewhereButOverNothing) {
+  std::filesystem::create_directory(folder_.path() / "out");
+  const std::vector<std::string> arguments = {"segment",    "fox.png", "--labels",
+                                              "labels.png", "-o",      "out/a.json"};
+  ASSERT_EQ(relievo(arguments).exit_code, 0);
+  EXPECT_EQ(read("out/a.png"), read("fox.png"));
+  ASSERT_EQ(relievo(arguments).exit_code, 0);
+  write("out/a.png", "something else");
+  expect_failure(arguments, 2, "out/a.png");
+  EXPECT_EQ(read("out/a.png"), "something else");
+}
+
+TEST_F(Segment, SaysWhatIsWrong) {
+  expect_failure({"segment", "fox.png", "--labels", "labels.png", "--scribbles", "labels.png", "-o",
+                  "fox.json"},
+                 2, "--scribbles");
+  expect_failure({"segment", "fox.png", "--labels", "fox.png", "-o", "fox.json"}, 3, "colours");
+  write("small.png", std::string(to_text(*encode_png(Image16(10, 10, 1)))));
+  expect_failure({"segment", "fox.png", "--labels", "small.png", "-o", "fox.json"}, 3, "120 x 100");
+  write("empty.png", std::string(to_text(*encode_png(Image16(120, 100, 1)))));
+  expect_failure({"segment", "fox.png", "--labels", "empty.png", "-o", "fox.json"}, 3, "no parts");
+  expect_failure({"segment", "labels.png", "--labels", "labels.png", "-o", "fox.gif"}, 2, ".json");
+  write("broken.relievo", "PK\x03\x04 no zip");
+  expect_failure({"segment", "broken.relievo", "-o", "fox.json"}, 3, "broken.relievo");
+}
+
+}  // namespace
+}  // namespace relievo

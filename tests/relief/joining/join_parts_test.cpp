@@ -1,0 +1,101 @@
+#include "relief/joining/join_parts.h"
+
+#include <gtest/gtest.h>
+
+#include "kernel/image/mask_outline.h"
+#include "support/label_maps.h"
+
+namespace relievo {
+namespace {
+
+using namespace testing;
+
+struct Drawing {
+  int width;
+  int height;
+  std::vector<Inside> shapes;
+};
+
+/// Joins with the painted order: part k is in front of part k - 1, and completed.
+Joining join(const Drawing& drawing, const JoiningCorrections& corrections = {}) {
+  const PartRegions regions = find_regions(painted(drawing.width, drawing.height, drawing.shapes));
+  Stacking stacking;
+  std::vector<Outline> outlines;
+  for (int part = 0; part < regions.count(); ++part) {
+    stacking.back_to_front.push_back(part);
+    stacking.rank.push_back(part);
+    const Image16 alone = painted(drawing.width, drawing.height, {drawing.shapes[part]});
+    outlines.push_back(outline_of(find_regions(alone).visible[0]));
+  }
+  return join_parts(regions, stacking, outlines, corrections);
+}
+
+Drawing leg_on_body() { return {220, 200, {box(20, 20, 200, 100), box(90, 60, 130, 180)}}; }
+
+TEST(JoinParts, TheRootOfALimbIsJoined) {
+  const Joining joining = join(leg_on_body());
+  ASSERT_EQ(joining.joins.size(), 1U);
+  const Join& found = joining.joins[0].join;
+  EXPECT_EQ(found.upper, 1);
+  EXPECT_EQ(found.lower, 0);
+  // It runs along the top of the leg, and the ramps down its sides to where it leaves the body.
+  for (const Point2 p : found.line) EXPECT_LT(p.y, 80);
+  ASSERT_EQ(joining.robin.size(), 2U);
+  for (const RobinRange& range : joining.robin) {
+    EXPECT_NEAR(range.to.y, 100, 1.5);
+    EXPECT_LT(range.from.y, range.to.y - 10);
+    EXPECT_NEAR(range.from.x, range.to.x, 1.5);
+  }
+  EXPECT_NEAR(std::abs(joining.robin[0].to.x - joining.robin[1].to.x), 40, 2);
+}
+
+TEST(JoinParts, AnEnclosedFeatureIsEqual) {
+  const Joining joining = join(Drawing{160, 160, {disc(80, 80, 60), disc(60, 70, 12)}});
+  EXPECT_TRUE(joining.joins.empty());
+  ASSERT_EQ(joining.relations.size(), 1U);
+  EXPECT_EQ(joining.relations[0].relation.kind, RelationKind::equal);
+}
+
+TEST(JoinParts, WhatOnlyCrossesIsAbove) {
+  const Joining joining = join(Drawing{220, 160, {box(60, 20, 160, 140), box(20, 60, 200, 90)}});
+  EXPECT_TRUE(joining.joins.empty());
+  ASSERT_EQ(joining.relations.size(), 1U);
+  EXPECT_EQ(joining.relations[0].relation.kind, RelationKind::above);
+}
+
+TEST(JoinParts, ALargePartOverASmallOneIsAbove) {
+  const Joining joining = join(Drawing{320, 260, {box(150, 200, 166, 240), disc(160, 110, 100)}});
+  EXPECT_TRUE(joining.joins.empty());
+  ASSERT_EQ(joining.relations.size(), 1U);
+  EXPECT_EQ(joining.relations[0].relation.kind, RelationKind::above);
+}
+
+TEST(JoinParts, TheUserIsNotOverruled) {
+  JoiningCorrections none;
+  none.no_joins = {{1, 0}};
+  EXPECT_TRUE(join(leg_on_body(), none).joins.empty());
+
+  JoiningCorrections related;
+  related.relations = {{1, 0, RelationKind::free, std::nullopt}};
+  const Joining free = join(leg_on_body(), related);
+  EXPECT_TRUE(free.joins.empty());
+  ASSERT_EQ(free.relations.size(), 1U);
+  EXPECT_EQ(free.relations[0].relation.kind, RelationKind::free);
+
+  JoiningCorrections drawn;
+  drawn.joins = {{1, 0, {{90, 62}, {130, 62}}}};
+  const Joining own = join(leg_on_body(), drawn);
+  ASSERT_EQ(own.joins.size(), 1U);
+  EXPECT_TRUE(own.joins[0].user);
+  EXPECT_EQ(own.joins[0].join.line.size(), 2U);
+
+  JoiningCorrections ramped;
+  ramped.robin = {{1, 0, {90, 70}, {90, 100}, 0.5, std::nullopt}};
+  const Joining ramps = join(leg_on_body(), ramped);
+  EXPECT_EQ(ramps.joins.size(), 1U);
+  ASSERT_EQ(ramps.robin.size(), 1U);
+  EXPECT_EQ(ramps.robin[0].alpha0, 0.5);
+}
+
+}  // namespace
+}  // namespace relievo

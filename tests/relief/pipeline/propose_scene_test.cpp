@@ -1,0 +1,103 @@
+#include "relief/pipeline/propose_scene.h"
+
+#include <gtest/gtest.h>
+
+#include "relief/pipeline/build_relief.h"
+#include "support/label_maps.h"
+
+namespace relievo {
+namespace {
+
+using namespace testing;
+
+Image16 leg_on_body() {
+  return painted(220, 200, {oval(110, 70, 95, 55, 0), box(90, 60, 130, 180)});
+}
+
+Proposal propose(const Image16& labels, const Corrections& corrections = {}) {
+  auto proposal = propose_scene(labels, corrections);
+  EXPECT_TRUE(proposal.ok()) << (proposal.ok() ? "" : to_string(proposal.error()));
+  return proposal.ok() ? std::move(*proposal) : Proposal();
+}
+
+TEST(ProposeScene, MakesASceneThatBuilds) {
+  const Proposal proposal = propose(leg_on_body());
+  ASSERT_EQ(proposal.scene.parts.size(), 2U);
+  EXPECT_EQ(proposal.scene.parts[1].id, "part-2");
+  EXPECT_EQ(proposal.scene.joins.size(), 1U);
+  ReliefOptions options;
+  options.layers.vertex_budget = 2000;
+  const auto relief = build_relief(proposal.scene, options);
+  ASSERT_TRUE(relief.ok()) << to_string(relief.error());
+  EXPECT_TRUE(relief->layers.warnings.empty());
+}
+
+TEST(ProposeScene, RandomDrawingsMakeScenesThatBuild) {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE(seed);
+    ReliefOptions options;
+    options.layers.vertex_budget = 1500;
+    const auto relief = build_relief(propose(random_labels(seed)).scene, options);
+    EXPECT_TRUE(relief.ok()) << to_string(relief.error());
+  }
+}
+
+TEST(ProposeScene, RoundPartsAreInflatedMoreThanLongOnes) {
+  const Proposal proposal = propose(painted(300, 200, {disc(70, 80, 50), box(150, 80, 290, 100)}));
+  const Scene& scene = proposal.scene;
+  ASSERT_EQ(scene.parts.size(), 2U);
+  const size_t round = scene.parts[0].id == "part-1" ? 0 : 1;
+  EXPECT_NEAR(scene.parts[round].c, 4, 0.01);
+  EXPECT_NEAR(scene.parts[1 - round].c, 2 * (1 + 20.0 * 20 / (140 * 140)), 0.02);
+}
+
+TEST(ProposeScene, TheUserIsNotOverruled) {
+  Corrections corrections;
+  corrections.order = {{1, 2}};
+  corrections.parts[2].id = "leg";
+  corrections.parts[2].c = 7;
+  corrections.parts[2].d = -2;
+  corrections.parts[1].outline = Outline{{{10, 10}, {200, 10}, {200, 120}, {10, 120}}};
+  const Proposal proposal = propose(leg_on_body(), corrections);
+  ASSERT_EQ(proposal.scene.parts.size(), 2U);
+  EXPECT_EQ(proposal.scene.parts[0].id, "leg");
+  EXPECT_EQ(proposal.scene.parts[0].c, 7);
+  EXPECT_EQ(proposal.scene.parts[0].d, -2);
+  EXPECT_EQ(proposal.scene.parts[1].outline, *corrections.parts[1].outline);
+  EXPECT_EQ(proposal.completion.parts[0].kind, CompletionKind::given);
+}
+
+TEST(ProposeScene, AJoinOfTheUserPutsItsPartInFront) {
+  Corrections corrections;
+  corrections.joining.joins = {{1, 2, {{90, 124}, {130, 124}}}};
+  const Proposal proposal = propose(leg_on_body(), corrections);
+  EXPECT_EQ(proposal.scene.parts[1].id, "part-1");
+  ASSERT_GE(proposal.scene.joins.size(), 1U);
+  EXPECT_EQ(proposal.scene.joins[0].upper, 1);
+}
+
+TEST(ProposeScene, SaysWhatIsWrong) {
+  EXPECT_EQ(propose_scene(Image16(20, 20, 1)).error().code, ErrorCode::bad_input);
+  Corrections unknown;
+  unknown.order = {{1, 9}};
+  const auto missing = propose_scene(leg_on_body(), unknown);
+  ASSERT_FALSE(missing.ok());
+  EXPECT_EQ(missing.error().where, "label 9");
+  Corrections circle;
+  circle.order = {{1, 2}, {2, 1}};
+  EXPECT_EQ(propose_scene(leg_on_body(), circle).error().code, ErrorCode::contradiction);
+  ProposalOptions few;
+  few.max_parts = 1;
+  EXPECT_EQ(propose_scene(leg_on_body(), {}, few).error().code, ErrorCode::limit);
+}
+
+TEST(ProposeScene, LeavesSpecksOut) {
+  Image16 labels = leg_on_body();
+  labels.at(3, 3) = 7;
+  const Proposal proposal = propose(labels);
+  EXPECT_EQ(proposal.scene.parts.size(), 2U);
+  EXPECT_EQ(proposal.warnings.size(), 1U);
+}
+
+}  // namespace
+}  // namespace relievo
