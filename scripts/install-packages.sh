@@ -1,27 +1,27 @@
 #!/bin/sh
 # Installs the Debian packages that are missing; does nothing, quickly, where all are there.
-# Usage: install-packages.sh [build|test|bench]
-# build: to compile and run; test: those and to test; bench: the first and to measure
+# Usage: install-packages.sh [build|web|test|bench]
+# build: to compile and run; web: those and for the editor; test: all of these and to test; bench:
+# the first and to measure
 set -eu
 
 build="ca-certificates ccache cmake g++ libcgal-dev libcli11-dev libeigen3-dev libembree-dev
   libgif-dev libjpeg-dev libpng-dev libpolyclipping-dev libpugixml-dev librsvg2-dev libzip-dev
   lld ninja-build nlohmann-json3-dev pkg-config"
 web="dpkg-dev emscripten libboost-dev"
-test="clang-format clang-tidy coinor-libipopt-dev libgtest-dev librapidcheck-dev libvalijson-dev
-  shellcheck zlib1g-dev"
-
+test="chromium clang-format clang-tidy coinor-libipopt-dev libgtest-dev librapidcheck-dev
+  libvalijson-dev shellcheck zlib1g-dev"
 bench="libbenchmark-dev libopenblas0-pthread libopenblas-pthread-dev libsuitesparse-dev python3"
 
 # Any node serves; Debian's where there is none.
 command -v npm > /dev/null || web="$web nodejs npm"
-test="$test chromium"
 
 case "${1:-test}" in
   build) wanted="$build" ;;
-  test) wanted="$build $test" ;;
+  web) wanted="$build $web" ;;
+  test) wanted="$build $web $test" ;;
   bench) wanted="$build $bench" ;;
-  *) echo "usage: $0 [build|test|bench]" >&2; exit 2 ;;
+  *) echo "usage: $0 [build|web|test|bench]" >&2; exit 2 ;;
 esac
 
 if ! command -v dpkg-query > /dev/null; then

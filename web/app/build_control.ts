@@ -2,6 +2,7 @@ import { Engine, EngineStopped } from '../engine/engine';
 import { type BuiltRelief, type EngineError, isFailure } from '../engine/messages';
 import type { Document } from '../document/document';
 import { sceneText } from '../document/scene_text';
+import { t } from './catalogue';
 import type { Editor } from './editor';
 
 const draftVertices = 3000;
@@ -76,6 +77,7 @@ export class BuildControl {
   stop(): void {
     clearTimeout(this.timer);
     this.full.cancel();
+    this.editor.set({ build: { ...this.editor.state.build, phase: 'idle', progress: 0 } });
   }
 
   private follow(): void {
@@ -122,7 +124,7 @@ export class BuildControl {
       return isFailure(built) ? this.refuse(document, built.error) : this.accept(document, built, phase);
     } catch (error) {
       if (!(error instanceof EngineStopped) || error.crashed)
-        this.refuse(document, { code: 'internal', message: String(error), where: '' });
+        this.refuse(document, { code: 'internal', message: t('crashed'), where: '' });
       return false;
     }
   }

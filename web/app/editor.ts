@@ -72,6 +72,7 @@ export class Editor extends Store<EditorState> {
 
   /** Goes on to a document; steps of one gesture become one change. */
   edit(label: string, next: Document, gesture: string | null = null): void {
+    this.set({ notice: '' });
     this.show(record(this.state.history, label, next, gesture));
   }
 

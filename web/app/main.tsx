@@ -21,11 +21,12 @@ interface PageProps {
   kept: Document | null;
   attachPaper(paper: PaperControl): void;
   choose(): void;
+  stop(): void;
 }
 
-function Page({ editor, files, held, kept, attachPaper, choose }: PageProps) {
+function Page({ editor, files, held, kept, attachPaper, choose, stop }: PageProps) {
   const { open, notice } = useStore(editor);
-  if (open) return <Workspace editor={editor} files={files} held={held} attachPaper={attachPaper} choose={choose} />;
+  if (open) return <Workspace editor={editor} files={files} held={held} attachPaper={attachPaper} choose={choose} stop={stop} />;
   return (
     <>
       <StartScreen files={files} kept={kept} choose={choose} />
@@ -89,7 +90,7 @@ async function main(): Promise<void> {
     paper = control_;
   };
   render(
-    <Page editor={editor} files={files} held={held} kept={kept} attachPaper={attachPaper} choose={choose} />,
+    <Page editor={editor} files={files} held={held} kept={kept} attachPaper={attachPaper} choose={choose} stop={() => control.stop()} />,
     document.getElementById('page') as HTMLElement,
   );
   if (import.meta.env.PROD && 'serviceWorker' in navigator) void navigator.serviceWorker.register('./service_worker.js');

@@ -9,6 +9,7 @@ interface ModelPaneProps {
   editor: Editor;
   attach(view: ModelView): void;
   lightHeld(): boolean;
+  stop(): void;
 }
 
 /** A click that did not turn the model chooses a part; with L held, dragging moves the light. */
@@ -55,10 +56,11 @@ const shadings: readonly [Shading, () => string][] = [
   ['normals', () => t('shadingNormals')],
 ];
 
-export function ModelPane({ editor, attach, lightHeld }: ModelPaneProps) {
+export function ModelPane({ editor, attach, lightHeld, stop }: ModelPaneProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const view = useRef<ModelView>(null);
-  const { shading, build, relief } = useStore(editor);
+  const { shading, build, relief, history } = useStore(editor);
+  const slow = build.phase === 'full' && history.document.settings.method === 'nonlinear';
   useEffect(() => {
     const node = canvas.current;
     if (!node) return;
@@ -68,10 +70,10 @@ export function ModelPane({ editor, attach, lightHeld }: ModelPaneProps) {
     const observer = new ResizeObserver(() => shown.resize(node.clientWidth, node.clientHeight));
     observer.observe(node);
     listen(node, shown, editor, lightHeld);
-    const stop = follow(shown, editor);
+    const unfollow = follow(shown, editor);
     return () => {
       observer.disconnect();
-      stop();
+      unfollow();
     };
   }, []);
   return (
@@ -86,6 +88,7 @@ export function ModelPane({ editor, attach, lightHeld }: ModelPaneProps) {
         <button type="button" onClick={() => view.current?.turn(0, 0)}>{t('front')}</button>
       </div>
       <progress class={build.phase === 'full' ? 'shown' : ''} max={1} value={build.progress} aria-label={t('building')} />
+      {slow && <button type="button" class="stop" onClick={stop}>{t('stop')}</button>}
       {build.error && (
         <p class="trouble" role="alert">
           <strong>{t('failed')}.</strong> {build.error.where && `${build.error.where}: `}{build.error.message}.{' '}

@@ -101,7 +101,7 @@ function press(event: KeyboardEvent, scope: Scope, held: HeldKeys): boolean {
     return true;
   }
   const tool = tools.find((entry) => entry.key === key);
-  if (tool) return run(() => editor.set({ tool: tool.name }));
+  if (tool) return run(() => editor.set({ tool: tool.name, notice: '' }));
   const { selected } = editor.state;
   return run((selected === null ? undefined : partKeys(editor, selected)[key]) ?? pageKeys(scope)[key]);
 }

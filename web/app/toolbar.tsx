@@ -23,7 +23,7 @@ export function Toolbar({ editor }: { editor: Editor }) {
     event.preventDefault();
     const at = tools.findIndex((entry) => entry.name === tool);
     const next = tools[(at + by + tools.length) % tools.length]?.name ?? 'select';
-    editor.set({ tool: next });
+    editor.set({ tool: next, notice: '' });
     bar.current?.querySelector<HTMLElement>(`[data-tool=${next}]`)?.focus();
   };
   return (
@@ -37,7 +37,7 @@ export function Toolbar({ editor }: { editor: Editor }) {
           aria-pressed={entry.name === tool}
           title={`${t(entry.label)} (${entry.key}) — ${t(entry.hint)}`}
           aria-label={t(entry.label)}
-          onClick={() => editor.set({ tool: entry.name })}
+          onClick={() => editor.set({ tool: entry.name, notice: '' })}
         >
           <Icon name={entry.name} />
           <kbd>{entry.key}</kbd>

@@ -81,7 +81,7 @@ function StatusBar({ editor }: { editor: Editor }) {
   const ms = relief ? Object.values(relief.report.times).reduce((sum, time) => sum + time, 0) : 0;
   return (
     <footer class="status">
-      <span class="hint">{t(hint)}</span>
+      {notice === '' && <span class="hint">{t(hint)}</span>}
       <span class="notice" role="status" aria-live="polite">{notice}</span>
       <label class="check"><input type="checkbox" checked={depthTint} onChange={() => editor.set({ depthTint: !depthTint })} /> {t('depthTint')}</label>
       <label class="check"><input type="checkbox" checked={showMarks} onChange={() => editor.set({ showMarks: !showMarks })} /> {t('marks')}</label>
@@ -98,9 +98,10 @@ interface WorkspaceProps {
   held: HeldKeys;
   attachPaper(paper: PaperControl): void;
   choose(): void;
+  stop(): void;
 }
 
-export function Workspace({ editor, files, held, attachPaper, choose }: WorkspaceProps) {
+export function Workspace({ editor, files, held, attachPaper, choose, stop }: WorkspaceProps) {
   const { panel } = useStore(editor);
   const paper = useRef<PaperControl | null>(null);
   const model = useRef<ModelView | null>(null);
@@ -115,7 +116,7 @@ export function Workspace({ editor, files, held, attachPaper, choose }: Workspac
       <TopBar editor={editor} files={files} choose={choose} />
       <Toolbar editor={editor} />
       <PaperPane editor={editor} tool={() => hands[editor.state.tool]} attach={attach} />
-      <ModelPane editor={editor} attach={(view) => (model.current = view)} lightHeld={() => held.light} />
+      <ModelPane editor={editor} attach={(view) => (model.current = view)} lightHeld={() => held.light} stop={stop} />
       <aside class="side">
         <h2>{t('parts')}</h2>
         <PartList editor={editor} />
