@@ -132,7 +132,8 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
 
   Products products;
   std::optional<Progress> progress(build.common.quiet);
-  const RunContext context{interruption.flag(), progress->callback()};
+  RunContext context{interruption.flag()};
+  progress->watch(context);
   const auto relief = reconstruct(input->scene, relief_arguments(build), context);
   if (!relief) return relief.error();
   const Stopwatch exporting;

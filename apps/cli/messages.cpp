@@ -2,13 +2,12 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <cstdio>
 
 namespace relievo::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 void print_line(const char* kind, const std::string& text) {
   std::fprintf(stderr, "relievo: %s%s\n", kind, printable(text).c_str());
@@ -44,14 +43,19 @@ Progress::~Progress() {
   if (shown_) std::fputs("\r\033[K", stderr);
 }
 
-std::function<void(const char*, double)> Progress::callback() {
-  if (!shown_) return {};
-  return [last = Clock::time_point()](const char* stage, double fraction) mutable {
-    const auto now = Clock::now();
-    if (now - last < std::chrono::milliseconds(50)) return;
-    last = now;
-    std::fprintf(stderr, "\r\033[K%s %3.0f %%", stage, 100 * fraction);
+void Progress::watch(RunContext& context) {
+  if (!shown_) return;
+  context.progress = [this](const char* stage, double fraction) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < std::chrono::milliseconds(50)) return;
+    last_ = now;
+    std::fprintf(stderr, "\r\033[K%s %3.0f %%%s", stage, 100 * fraction, measured_.c_str());
     std::fflush(stderr);
+  };
+  context.measured = [this](const char* quantity, double value) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), ", %s %.6g", quantity, value);
+    measured_ = text.data();
   };
 }
 

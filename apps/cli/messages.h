@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -30,11 +31,13 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// What a RunContext calls; empty where nothing is to be shown.
-  std::function<void(const char*, double)> callback();
+  /// Shows what happens under the context, for as long as this lives.
+  void watch(RunContext& context);
 
  private:
   bool shown_;
+  std::chrono::steady_clock::time_point last_;
+  std::string measured_;
 };
 
 }  // namespace relievo::cli

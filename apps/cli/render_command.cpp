@@ -41,7 +41,8 @@ Status run_render(const RenderArguments& render, Interruption& interruption) {
   const auto input = read_input(render.common.input);
   if (!input) return input.error();
   Progress progress(render.common.quiet);
-  const RunContext context{interruption.flag(), progress.callback()};
+  RunContext context{interruption.flag()};
+  progress.watch(context);
   const auto subject = sniff(input->bytes) == InputKind::glb ? load_model(*input)
                                                              : build_model(*input, render, context);
   if (!subject) return subject.error();

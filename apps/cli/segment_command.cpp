@@ -253,9 +253,10 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
   const auto loaded = load(segment);
   if (!loaded) return loaded.error();
   Progress progress(quiet);
+  RunContext context{interruption.flag()};
+  progress.watch(context);
   const Stopwatch watch;
-  const auto proposal = propose_scene(loaded->labels, loaded->corrections, {},
-                                      {interruption.flag(), progress.callback(), {}});
+  const auto proposal = propose_scene(loaded->labels, loaded->corrections, {}, context);
   if (!proposal) return proposal.error();
   const auto files = files_of(segment, *loaded, *proposal, watch.milliseconds());
   if (!files) return files.error();

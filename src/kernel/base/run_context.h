@@ -17,10 +17,15 @@ struct RunContext {
   /// Called when a piece of work inside a stage ("assemble", "analyse") is done, with its wall
   /// time.
   std::function<void(const char* piece, double milliseconds)> timed{};
+  /// Called with a quantity that tells how the stage is getting on ("energy").
+  std::function<void(const char* quantity, double value)> measured{};
 
   bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
   void report(const char* stage, double fraction) const {
     if (progress) progress(stage, fraction);
+  }
+  void measure(const char* quantity, double value) const {
+    if (measured) measured(quantity, value);
   }
 };
 

@@ -58,6 +58,7 @@ Status iterate(JointMap& map, const JointOptions& options, const RunContext& con
     step.milliseconds = watch.lap();
     report.steps.push_back(step);
     report.residual = step.residual;
+    context.measure("energy", step.energy.total());
     if (is_kept(report.steps.size(), options))
       run.kept.push_back({static_cast<int>(report.steps.size()), next.u});
     if (step.residual <= options.tolerance) {

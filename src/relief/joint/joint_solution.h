@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "relief/inflation/inflation.h"
+#include "relief/joint/joint_memory.h"
 #include "relief/ordering/ordering.h"
 
 namespace relievo {
@@ -48,6 +49,7 @@ struct JointSolution {
   Ordering ordering;
   JointReport report;
   std::vector<JointSnapshot> snapshots;  ///< as the options ask, in order
+  JointMemory memory;                    ///< empty where the iteration did not converge
 };
 
 }  // namespace relievo

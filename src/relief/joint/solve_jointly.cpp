@@ -9,6 +9,7 @@
 #include "relief/joint/inflation_response.h"
 #include "relief/joint/joint_iteration.h"
 #include "relief/joint/joint_model.h"
+#include "relief/joint/recall.h"
 #include "relief/ordering/order_rounds.h"
 
 namespace relievo {
@@ -78,9 +79,11 @@ Status iterate_with_signs(const DepthProblem& problem, const JointOptions& optio
 class JointRounds {
  public:
   JointRounds(const LayeredMesh& mesh, const JointOptions& options, const RunContext& context,
-              JointModel model, JointState start)
+              JointModel model, const JointStart& start)
       : mesh_(mesh), options_(options), context_(context), model_(std::move(model)) {
-    run_.state = std::move(start);
+    run_.state = first_state(model_, start.inflation);
+    u_start_ = run_.state.u;
+    if (start.memory != nullptr) recall(mesh, model_, *start.memory, run_.state);
   }
 
   /// Leaves the solution for these pairs in `solution` and its heights in `ordering`.
@@ -97,6 +100,11 @@ class JointRounds {
     }
     solution.inflation = inflation_of(run_.state.u);
     return order(problem, solution.inflation, ordering);
+  }
+
+  JointMemory memory() const {
+    if (run_.report.status != JointStatus::solved) return {};
+    return remember(mesh_, model_, u_start_, run_.state);
   }
 
   /// With the energy at the end.
@@ -123,6 +131,7 @@ class JointRounds {
   const JointOptions& options_;
   const RunContext& context_;
   JointModel model_;
+  VectorXd u_start_;
   JointRun run_;
   SparseCholesky factor_;
 };
@@ -130,17 +139,16 @@ class JointRounds {
 }  // namespace
 
 Result<JointSolution> solve_jointly(const LayeredMesh& mesh, const Scene& scene,
-                                    const Inflation& start, const JointOptions& options,
+                                    const JointStart& start, const JointOptions& options,
                                     const RunContext& context) {
-  assert(start.u.size() == mesh.node_vertex.size());
+  assert(start.inflation.u.size() == mesh.node_vertex.size());
   assert(static_cast<int>(scene.parts.size()) == mesh.part_count);
   if (Status status = check_options(options); !status) return status.error();
-  JointModel model = make_joint_model(mesh, scene, start, options.epsilon);
+  JointModel model = make_joint_model(mesh, scene, start.inflation, options.epsilon);
   model.lambda_bnd = options.lambda_bnd;
   model.lambda_shift = options.lambda_shift;
   const double scale = model.metric.scale;
-  JointState first = first_state(model, start);
-  JointRounds rounds(mesh, options, context, std::move(model), std::move(first));
+  JointRounds rounds(mesh, options, context, std::move(model), start);
 
   JointSolution solution;
   const auto solve = [&](const std::vector<DepthPair>& pairs, Ordering& ordering) {
@@ -153,6 +161,7 @@ Result<JointSolution> solve_jointly(const LayeredMesh& mesh, const Scene& scene,
     finish_ordering(mesh, scene, snapshot.inflation, snapshot.ordering);
   solution.ordering = std::move(*ordering);
   solution.report = rounds.report(solution.ordering);
+  solution.memory = rounds.memory();
   context.report("nonlinear", 1);
   return solution;
 }

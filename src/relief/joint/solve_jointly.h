@@ -21,16 +21,26 @@ struct JointOptions {
   int max_rounds = 3;        ///< cutting-plane rounds for interior overlap
   double tolerance = 1e-8;   ///< on the residual of the iteration
   int max_iterations = 150;  ///< of one attempt
-  int anderson_depth = 8;
+  int anderson_depth = 16;
   std::vector<int> snapshots;  ///< after which steps the surface is kept, ascending, from 1
+};
+
+/// What an iteration begins from.
+struct JointStart {
+  /// Any inflation of the mesh.
+  JointStart(const Inflation& any, const JointMemory* known = nullptr)
+      : inflation(any), memory(known) {}
+
+  const Inflation& inflation;
+  const JointMemory* memory;  ///< of a similar problem, or null
 };
 
 /// Inflates and shifts all parts at once [P eq 3-6]: minimises
 ///   (M^-1 L u - c)' M (M^-1 L u - c) + lambda_bnd int_B f^2 ds + lambda_shift g'(L + epsilon M) g
 /// over u and g, f = sgn(u) sqrt|u|, where the heights f + g obey the depth pairs, u = 0 on
-/// outlines, and B are the outlines under Robin ranges. `start` is any inflation of the mesh.
+/// outlines, and B are the outlines under Robin ranges.
 Result<JointSolution> solve_jointly(const LayeredMesh& mesh, const Scene& scene,
-                                    const Inflation& start, const JointOptions& options,
+                                    const JointStart& start, const JointOptions& options,
                                     const RunContext& context = {});
 
 }  // namespace relievo

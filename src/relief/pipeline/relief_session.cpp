@@ -23,18 +23,27 @@ namespace {
 constexpr int coarsening = 8;
 /// It is not worth the trouble where it would have fewer than so many.
 constexpr int smallest_coarse_mesh = 500;
+/// Of the non-linear method on that mesh.
+constexpr double coarse_tolerance = 1e-4;
 
-/// Where parts touch on a coarser mesh; nothing where that has no solution.
-std::vector<DepthContact> coarse_contacts(const Scene& scene, ReliefOptions options,
-                                          const RunContext& context) {
+/// What the solution on a coarser mesh tells of the one that is wanted.
+struct Guess {
+  std::vector<DepthContact> contacts;
+  JointMemory joint;
+};
+
+/// Nothing where the coarse problem has no solution.
+Guess coarse_guess(const Scene& scene, ReliefOptions options, const RunContext& context) {
   LayerOptions& layers = options.layers;
   layers.edge_length *= std::sqrt(static_cast<double>(coarsening));
   layers.vertex_budget /= coarsening;
   if (layers.edge_length == 0 && layers.vertex_budget < smallest_coarse_mesh) return {};
   options.ordering.max_rounds = 0;
+  options.joint.snapshots.clear();
+  options.joint.tolerance = std::max(options.joint.tolerance, coarse_tolerance);
   ReliefSession session(ReliefSession::Use::guess);
-  if (!session.update(scene, options, RunContext{context.cancel, {}, {}})) return {};
-  return session.contacts();
+  if (!session.update(scene, options, RunContext{context.cancel, {}, {}, {}})) return {};
+  return {session.contacts(), session.joint_memory()};
 }
 
 }  // namespace
@@ -48,17 +57,20 @@ Status ReliefSession::update(const Scene& scene, const ReliefOptions& options,
   const RunContext timed = clock.listen(context);
   const Request request{scene, options, timed, clock};
   const bool jointly = options.method == Method::nonlinear;
-  const bool guess = use_ != Use::guess && !jointly && sheets_state_.version() == 0;
+  const bool guess = use_ != Use::guess && sheets_state_.version() == 0;
   Status status = Done{};
-  std::vector<DepthContact> contacts;
+  Guess coarse;
   run_tasks(guess ? 2 : 1, [&](int task) {
     if (task == 0)
       status = update_surface(request);
     else
-      contacts = coarse_contacts(scene, options, context);
+      coarse = coarse_guess(scene, options, context);
   });
   if (!status) return status;
-  if (guess) ordering_system_.contacts = std::move(contacts);
+  if (guess) {
+    ordering_system_.contacts = std::move(coarse.contacts);
+    joint_memory_ = std::move(coarse.joint);
+  }
   status = jointly ? update_jointly(request) : update_ordering(request);
   if (!status) return status;
   relief_.times = std::move(times);
@@ -87,6 +99,9 @@ void ReliefSession::begin_like(const Scene& scene) {
     number(contact.upper);
   }
   ordering_system_.contacts = std::move(contacts);
+  for (JointMark& mark : joint_memory_) number(mark.part);
+  std::stable_sort(joint_memory_.begin(), joint_memory_.end(),
+                   [](const JointMark& a, const JointMark& b) { return a.part < b.part; });
   part_ids_.clear();
   for (const Part& part : scene.parts) part_ids_.push_back(part.id);
 }
@@ -188,8 +203,10 @@ Status ReliefSession::update_jointly(const Request& request) {
     JointOptions joint = options.joint;
     joint.epsilon = options.ordering.epsilon;
     joint.max_rounds = options.ordering.max_rounds;
-    auto solution = solve_jointly(relief_.layers, scene, inflation_, joint, context);
+    auto solution =
+        solve_jointly(relief_.layers, scene, {inflation_, &joint_memory_}, joint, context);
     if (!solution) return solution.error();
+    joint_memory_ = std::move(solution->memory);
     relief_.inflation = std::move(solution->inflation);
     relief_.ordering = std::move(solution->ordering);
     relief_.joint = std::move(solution->report);

@@ -39,15 +39,15 @@ class StageState {
 /// The relief of a scene that is being edited. Keeps triangulation, matrices, factors and active
 /// sets, and computes again only what depends on what has changed:
 ///
-/// | edit                             | computed again | | -------------------------------- |
-/// ---------------------------------------------------------- | | c, d | a solve of the inflation;
-/// of the order from its active set | | alpha0, rho                      | and the factor of the
-/// inflation where they act             | | relation                         | constraints; the
-/// order with a new pattern                  | | outline, join, order, resolution | everything |
+/// - c, d: a solve of the inflation, and of the order from its active set;
+/// - alpha0, rho: besides, the factor of the inflation where they act;
+/// - a relation: the constraints, and the order with a new pattern;
+/// - an outline, a join, the order of parts, the resolution: everything.
 ///
-/// Where nothing is known of the order yet, it begins from that of a coarser mesh. The minimum of a
-/// warm solve is the one of a cold solve: the same active set, and heights that differ by round-off
-/// at most. Takes some 3 kB per node.
+/// Where nothing is known of the order yet, it begins from that of a coarser mesh, and so does the
+/// iteration of the non-linear method. The minimum of a warm solve is the one of a cold solve: the
+/// same active set, and heights that differ by round-off at most, or, of the non-linear method, by
+/// its tolerance. Takes some 3 kB per node.
 class ReliefSession {
  public:
   enum class Use {
@@ -67,6 +67,9 @@ class ReliefSession {
 
   /// Where parts touch in the relief, or may: of the approximate method.
   const std::vector<DepthContact>& contacts() const { return ordering_system_.contacts; }
+
+  /// Where the non-linear method ended.
+  const JointMemory& joint_memory() const { return joint_memory_; }
 
   /// The relief itself; the session is empty afterwards.
   Relief take() &&;
@@ -93,7 +96,8 @@ class ReliefSession {
   std::optional<PoissonSystem> poisson_;
   Inflation inflation_;
   OrderingSystem ordering_system_;
-  std::vector<std::string> part_ids_;  ///< that the contacts' parts had
+  JointMemory joint_memory_;
+  std::vector<std::string> part_ids_;  ///< that the contacts' and marks' parts had
   Relief relief_;
 };
 

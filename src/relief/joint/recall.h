@@ -1,0 +1,21 @@
+#pragma once
+
+#include "relief/joint/joint_map.h"
+#include "relief/joint/joint_memory.h"
+#include "relief/joint/joint_model.h"
+#include "relief/layers/layered_mesh.h"
+
+namespace relievo {
+
+/// What `state` knows of the nodes of the mesh's pairs and of B. u_start: #N, scene units.
+/// O(pairs log pairs).
+JointMemory remember(const LayeredMesh& mesh, const JointModel& model,
+                     const Eigen::VectorXd& u_start, const JointState& state);
+
+/// Puts what is known of the nearest node of the same part into `state`, whose u is that of the
+/// start; leaves parts that are not known as they are. O(pairs log marks) where marks are not
+/// stacked above each other on the canvas.
+void recall(const LayeredMesh& mesh, const JointModel& model, const JointMemory& memory,
+            JointState& state);
+
+}  // namespace relievo
