@@ -1,6 +1,6 @@
 #!/bin/sh
-# Builds Relievo, turns the sample drawing into a model and serves the editor, until it is stopped.
-# Installs what is missing first.
+# Builds Relievo, turns two sample drawings into models, and serves the editor until it is stopped;
+# away from a terminal, or with --no-serve, it ends when all is made. Installs what is missing.
 set -eu
 cd "$(dirname "$0")"
 
@@ -36,5 +36,10 @@ Now the editor, for the browser:
 END
 
 scripts/build-web.sh
-echo "The editor is in build/web, for any host of static files. Open it here:"
+echo "The editor is in build/web, for any host of static files."
+if [ ! -t 1 ] || [ "${1:-}" = --no-serve ]; then
+  echo "To serve it here: cd web && npm run serve"
+  exit 0
+fi
+echo "Open it here; Ctrl-C ends it:"
 cd web && exec npm run --silent serve
