@@ -190,6 +190,40 @@ class Workers {
   Workers& operator=(const Workers&) = delete;
 };
 
+TEST(ReliefSession, TheNonlinearMethodBeginsWhereItEnded) {
+  Scene scene = body_and_leg();
+  ReliefOptions options = options_for(4000);
+  options.method = Method::nonlinear;
+  ReliefSession session;
+  ASSERT_TRUE(session.update(scene, options).ok());
+  const size_t first = session.relief().joint.steps.size();
+  scene.parts[1].c *= 1.02;
+  ASSERT_TRUE(session.update(scene, options).ok());
+  const JointReport& warm = session.relief().joint;
+  EXPECT_EQ(warm.status, JointStatus::solved);
+  EXPECT_LT(warm.steps.size(), first);
+  EXPECT_LT(warm.steps[0].residual, 0.1);
+  const Result<Relief> cold = build_relief(scene, options);
+  ASSERT_TRUE(cold.ok());
+  EXPECT_NEAR(warm.energy.total(), cold->joint.energy.total(), 1e-7 * warm.energy.total());
+  for (size_t n = 0; n < cold->ordering.h.size(); ++n)
+    EXPECT_NEAR(session.relief().ordering.h[n], cold->ordering.h[n], 1e-2);
+}
+
+TEST(ReliefSession, TheNonlinearMethodBeginsFromACoarserMesh) {
+  ReliefOptions options = options_for(16000);
+  options.method = Method::nonlinear;
+  const Scene scene = body_and_leg();
+  const Result<Relief> guessed = build_relief(scene, options);
+  ReliefSession plain(ReliefSession::Use::guess);
+  ASSERT_TRUE(guessed.ok() && plain.update(scene, options).ok());
+  const JointReport& unguessed = plain.relief().joint;
+  EXPECT_LT(guessed->joint.steps[0].residual, 0.6 * unguessed.steps[0].residual);
+  EXPECT_LE(guessed->joint.steps.size(), unguessed.steps.size());
+  EXPECT_NEAR(guessed->joint.energy.total(), unguessed.energy.total(),
+              1e-7 * unguessed.energy.total());
+}
+
 TEST(Determinism, ThreadsChangeNoBit) {
   const Scene scene = random_scene(11);
   const ReliefOptions options = options_for(12000);
