@@ -60,15 +60,11 @@ std::string picture_kind(ByteView bytes) {
 }
 
 /// The picture as which a vector drawing is segmented, a PNG file.
-Result<Bytes> rasterize(const Bytes& svg) {
+Result<Bytes> picture_of(const Bytes& svg) {
   const std::string_view text{reinterpret_cast<const char*>(svg.data()), svg.size()};
   const auto canvas = paintable_svg(text);
   if (!canvas) return canvas.error();
-  const double scale = vector_side / std::max(canvas->width, canvas->height);
-  const auto pixels = [scale](double side) {
-    return std::max(1, static_cast<int>(std::lround(scale * side)));
-  };
-  const auto picture = render_svg(text, pixels(canvas->width), pixels(canvas->height));
+  const auto picture = rasterize(text, canvas->width, canvas->height, vector_side);
   if (!picture) return picture.error();
   return encode_png(picture->rgba);
 }
@@ -83,7 +79,7 @@ SegmentInput from_picture(const InputFile& file) {
 
 /// The pixels are kept, not the vectors: labels belong to pixels, and a build reads the same ones.
 Result<SegmentInput> from_svg(const InputFile& file) {
-  auto picture = rasterize(file.bytes);
+  auto picture = picture_of(file.bytes);
   if (!picture) return picture.error();
   SegmentInput input = from_picture({file.name, std::move(*picture)});
   input.drawing_file.clear();

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "kernel/geometry/polygon.h"
-#include "kernel/image/connected.h"
 #include "kernel/image/fill_outline.h"
 #include "support/label_maps.h"
 
@@ -63,14 +62,6 @@ TEST(MaskOutline, HolesRunTheOtherWay) {
   EXPECT_NEAR(signed_area(outline[0]) + signed_area(outline[1]), M_PI * (3600 - 625), 60);
   EXPECT_FALSE(contains(outline, {100, 80}));
   EXPECT_TRUE(contains(outline, {140, 80}));
-}
-
-TEST(Connected, KeepsThePiecesThatTheSeedReaches) {
-  const Image16 labels = painted(60, 20, {box(2, 2, 20, 18)});
-  Mask mask = mask_of(labels, 1);
-  for (int x = 40; x < 50; ++x) mask.inside.at(x, 10) = 1;
-  const Mask seed{5, 5, Image8(1, 1, 1, 1)};
-  EXPECT_EQ(pixel_count(connected_to(mask, seed)), 18 * 16);
 }
 
 }  // namespace
