@@ -9,7 +9,6 @@
 #include "kernel/base/stopwatch.h"
 #include "relief/drawing/find_basins.h"
 #include "relief/drawing/label_basins.h"
-#include "relief/drawing/label_outlines.h"
 
 // Prints how the time of segmentation grows with the size of a drawing, and what a changed stroke
 // costs beside the whole. Usage: relievo_segmentation [DRAWING]; without one, circles.
@@ -63,14 +62,10 @@ double measure(const Drawing& drawing) {
   const Scribbles strokes{{"a", "b"},
                           {{ScribbleKind::hard, 0, {{x - 30, y}, {x - 30, y + 20}}, 5},
                            {ScribbleKind::hard, 1, {{x + 30, y}, {x + 30, y + 20}}, 5}}};
-  const Result<Segmentation> labels = label_basins(*basins, strokes);
   const double find = time_of([&] { basins = find_basins(drawing); });
   const double label = time_of([&] { (void)label_basins(*basins, strokes); });
-  const double outline =
-      labels ? time_of([&] { (void)label_outlines(labels->labels, labels->ink); }) : 0;
-  std::printf(
-      "%7.2f MP  basins %7.1f ms/MP  strokes %6.1f ms/MP (%4.1f %%)  outlines %6.1f ms/MP\n",
-      megapixels, find / megapixels, label / megapixels, 100 * label / find, outline / megapixels);
+  std::printf("%7.2f MP  basins %7.1f ms/MP  strokes %6.1f ms/MP (%4.1f %%)\n", megapixels,
+              find / megapixels, label / megapixels, 100 * label / find);
   return find / megapixels;
 }
 

@@ -40,7 +40,7 @@ Examples:
 
 constexpr const char* segment_help =
     R"(Makes a scene of a flat drawing: finds its parts, completes what they hide of each other, orders
-them in depth, proposes joins.
+them in depth, proposes joins. An SVG drawing is taken as the picture that it paints.
 
 Examples:
   relievo segment wolf.png -o wolf.relievo
@@ -207,7 +207,7 @@ void add_check(CLI::App& main, CheckArguments& check) {
 void add_segment(CLI::App& main, SegmentArguments& segment) {
   CLI::App& app = *main.add_subcommand("segment", segment_help);
   add_common(app, segment.common,
-             "Drawing (.png, .jpg), or a project whose corrections are to be applied");
+             "Drawing (.png, .jpg, .gif, .svg), or a project whose corrections are to be applied");
   auto* labels =
       app.add_option("--labels", segment.labels,
                      "Picture whose values are parts, 0 is background: grey or palette (.png)")

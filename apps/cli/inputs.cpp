@@ -37,12 +37,8 @@ Error in_file(Error error, const std::string& name) {
 }
 
 /// `width` and `height` are those of the canvas.
-Result<Drawing> rasterize(const Bytes& svg, double width, double height) {
-  const double scale = vector_texture_side / std::max(width, height);
-  const auto pixels = [scale](double side) {
-    return std::max(1, static_cast<int>(std::lround(scale * side)));
-  };
-  return render_svg(text_of(svg), pixels(width), pixels(height));
+Result<Drawing> texture_of(const Bytes& svg, double width, double height) {
+  return rasterize(text_of(svg), width, height, vector_texture_side);
 }
 
 Result<SceneInput> load_svg(const InputFile& input) {
@@ -53,7 +49,7 @@ Result<SceneInput> load_svg(const InputFile& input) {
   const double height = import->scene.height;
   loaded.rendering =
       std::async(worker_count() > 1 ? std::launch::async : std::launch::deferred,
-                 [&input, width, height] { return rasterize(input.bytes, width, height); });
+                 [&input, width, height] { return texture_of(input.bytes, width, height); });
   loaded.scene = std::move(import->scene);
   loaded.warnings = std::move(import->warnings);
   loaded.proposed = import->proposed;
@@ -78,7 +74,7 @@ Result<SceneInput> load_folder(const InputFile& input) {
 
 /// The pixels of a picture, or of a vector drawing that covers the scene's canvas.
 Result<Drawing> drawing_from(const Bytes& bytes, const Scene& scene) {
-  if (sniff(bytes) == InputKind::svg) return rasterize(bytes, scene.width, scene.height);
+  if (sniff(bytes) == InputKind::svg) return texture_of(bytes, scene.width, scene.height);
   auto pixels = decode_image(bytes);
   if (!pixels) return pixels.error();
   return Drawing{std::move(*pixels)};
@@ -179,6 +175,14 @@ Result<SceneInput> load(const InputFile& input) {
 }
 
 }  // namespace
+
+Result<Drawing> rasterize(std::string_view svg, double width, double height, double longest) {
+  const double scale = longest / std::max(width, height);
+  const auto pixels = [scale](double side) {
+    return std::max(1, static_cast<int>(std::lround(scale * side)));
+  };
+  return render_svg(svg, pixels(width), pixels(height));
+}
 
 InputKind sniff(ByteView bytes) {
   std::string_view text{reinterpret_cast<const char*>(bytes.data()), bytes.size()};

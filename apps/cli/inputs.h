@@ -34,6 +34,9 @@ struct SceneInput {
   bool proposed = false;  ///< the parts were guessed, not annotated
 };
 
+/// The picture of an SVG whose canvas has this width and height, its longest side `longest` px.
+Result<Drawing> rasterize(std::string_view svg, double width, double height, double longest);
+
 /// Reads the whole of a file, or of standard input where the name is "-". A folder is only named.
 Result<InputFile> read_input(const std::string& name);
 

@@ -18,6 +18,7 @@
 #include "io/scene/write_scene.h"
 #include "io/scribbles/read_scribbles.h"
 #include "io/scribbles/scribble_image.h"
+#include "io/svg/paintable_svg.h"
 #include "io/svg/render_svg.h"
 #include "relief/drawing/segment_drawing.h"
 #include "relief/pipeline/propose_scene.h"
@@ -29,6 +30,8 @@ namespace fs = std::filesystem;
 
 /// The overlay is at least so large, so that lines of small drawings can be told apart, px.
 constexpr double overlay_side = 1200;
+/// Longest side of the picture that is made from a vector drawing, px.
+constexpr double vector_side = 1600;
 
 Error in(const std::string& file, Error error) {
   error.where = error.where.empty() ? file : file + ": " + error.where;
@@ -43,7 +46,6 @@ Result<SegmentInput> from_project(const InputFile& file) {
                  ""};
   SegmentationRecord& record = *project->segmentation;
   SegmentInput input;
-  input.file = file.name;
   input.drawing = std::move(project->drawing);
   input.labels = std::move(record.labels);
   input.scribbles = std::move(record.scribbles);
@@ -57,12 +59,38 @@ std::string picture_kind(ByteView bytes) {
   return is_gif(bytes) ? "gif" : "jpeg";
 }
 
+/// The picture as which a vector drawing is segmented, a PNG file.
+Result<Bytes> picture_of(const Bytes& svg) {
+  const std::string_view text{reinterpret_cast<const char*>(svg.data()), svg.size()};
+  const auto canvas = paintable_svg(text);
+  if (!canvas) return canvas.error();
+  const auto picture = rasterize(text, canvas->width, canvas->height, vector_side);
+  if (!picture) return picture.error();
+  return encode_png(picture->rgba);
+}
+
 SegmentInput from_picture(const InputFile& file) {
   SegmentInput input;
-  input.file = file.name;
+  input.drawing_file = file.name;
   input.drawing = {file.name == "-" ? "drawing" : fs::path(file.name).filename().string(), "image",
                    "image/" + picture_kind(file.bytes), file.bytes};
   return input;
+}
+
+/// The pixels are kept, not the vectors: labels belong to pixels, and a build reads the same ones.
+Result<SegmentInput> from_svg(const InputFile& file) {
+  auto picture = picture_of(file.bytes);
+  if (!picture) return picture.error();
+  SegmentInput input = from_picture({file.name, std::move(*picture)});
+  input.drawing_file.clear();
+  input.drawing.name = fs::path(input.drawing.name).replace_extension("png").string();
+  return input;
+}
+
+Result<SegmentInput> from_file(const InputFile& file) {
+  if (is_project(file.bytes)) return from_project(file);
+  if (sniff(file.bytes) == InputKind::svg) return from_svg(file);
+  return from_picture(file);
 }
 
 Status read_labels(const std::string& name, SegmentInput& input) {
@@ -115,7 +143,7 @@ Status choose_labels(const SegmentArguments& segment, SegmentInput& input) {
 Result<SegmentInput> load(const SegmentArguments& segment) {
   const auto file = read_input(segment.common.input);
   if (!file) return file.error();
-  auto input = is_project(file->bytes) ? from_project(*file) : from_picture(*file);
+  auto input = from_file(*file);
   if (!input) return in(file->name, input.error());
   auto pixels = decode_image(input->drawing.bytes);
   if (!pixels) return in(file->name, pixels.error());
@@ -129,9 +157,10 @@ Result<SegmentInput> load(const SegmentArguments& segment) {
   return input;
 }
 
-/// The path of the drawing seen from the scene's folder, or empty where it is not inside.
+/// The path of the drawing seen from the scene's folder, or empty where it is not inside or has
+/// no file of its own.
 std::string path_from(const fs::path& scene, const std::string& drawing) {
-  if (drawing == "-") return "";
+  if (drawing.empty() || drawing == "-") return "";
   std::error_code code;
   const fs::path folder = fs::weakly_canonical(fs::absolute(scene, code), code).parent_path();
   const fs::path path = fs::weakly_canonical(fs::absolute(drawing, code), code);
@@ -196,7 +225,7 @@ using Files = std::vector<OutputFile>;
 /// The scene file, and a copy of the drawing where that lies elsewhere.
 Result<Files> scene_files(const SegmentArguments& segment, const SegmentInput& input, Scene scene) {
   Files files;
-  if (!is_project_name(input.file)) scene.drawing = path_from(segment.output, input.file);
+  scene.drawing = path_from(segment.output, input.drawing_file);
   if (scene.drawing.empty()) {
     const fs::path copy = copy_of_drawing(segment.output, input.drawing.bytes);
     if (Status status = check_copy(copy, input.drawing.bytes); !status) return status.error();

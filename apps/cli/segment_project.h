@@ -10,9 +10,9 @@ namespace relievo::cli {
 
 /// A flat drawing, its labels and what the user says about them.
 struct SegmentInput {
-  std::string file;        ///< as given on the command line
-  ProjectDrawing drawing;  ///< the artist's own file
-  Image8 pixels;           ///< of the drawing, RGBA
+  std::string drawing_file;  ///< its path or "-"; empty where it is inside a project or made here
+  ProjectDrawing drawing;    ///< the artist's own file, or the picture of their vectors
+  Image8 pixels;             ///< of the drawing, RGBA
   Image16 labels;
   Scribbles scribbles;
   Corrections corrections;

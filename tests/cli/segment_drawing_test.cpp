@@ -2,6 +2,7 @@
 
 #include "cli/cli_test.h"
 #include "io/files/bytes.h"
+#include "io/image/decode_image.h"
 #include "io/image/png_encode.h"
 
 namespace relievo {
@@ -63,7 +64,31 @@ TEST_F(SegmentDrawing, AScribblePictureDoesTheSame) {
   EXPECT_NE(read("scene.json").find("\"#ff0000\""), std::string::npos);
 }
 
+TEST_F(SegmentDrawing, VectorsAreTakenAsThePictureThatTheyPaint) {
+  // One path of ink around two areas, so that no shape of the file is a part.
+  write("figure.svg", R"(<svg xmlns="http://www.w3.org/2000/svg" width="240" height="300">
+    <path d="M70 90 a50 50 0 0 1 100 0 a50 50 0 0 1 -100 0
+             M96.4 134.1 a70 70 0 1 0 47.2 0" fill="none" stroke="black" stroke-width="4"/></svg>)");
+  const Outcome segmented = relievo({"segment", "figure.svg", "-o", "figure.relievo"});
+  ASSERT_EQ(segmented.exit_code, 0) << segmented.err;
+  EXPECT_NE(segmented.err.find("2 parts"), std::string::npos) << segmented.err;
+  ASSERT_EQ(relievo({"segment", "figure.svg", "-o", "scene.json"}).exit_code, 0);
+  const auto picture = decode_image(to_bytes(read("scene.png")));
+  ASSERT_TRUE(picture.ok());
+  EXPECT_EQ(picture->width, 1280);
+  EXPECT_EQ(picture->height, 1600);
+  for (const char* input : {"figure.relievo", "scene.json"})
+    ASSERT_EQ(relievo({"build", input, "-o", std::string(input) + ".glb", "--vertices", "2000"})
+                  .exit_code,
+              0);
+  EXPECT_EQ(read("figure.relievo.glb"), read("scene.json.glb"));
+  ASSERT_EQ(relievo({"segment", "figure.relievo", "-o", "again.relievo"}).exit_code, 0);
+  EXPECT_EQ(read("again.relievo"), read("figure.relievo"));
+}
+
 TEST_F(SegmentDrawing, MistakesAreExplained) {
+  write("broken.svg", "<svg");
+  expect_failure({"segment", "broken.svg", "-o", "a.relievo"}, 3, "broken.svg");
   expect_failure({"segment", "blank.png", "-o", "a.relievo"}, 3, "blank");
   write_png("small.png", Image8(9, 9, 4, 255));
   expect_failure({"segment", "figure.png", "--scribbles", "small.png", "-o", "a.relievo"}, 3,

@@ -9,8 +9,9 @@
 #include "io/image/decode_image.h"
 #include "io/scribbles/read_scribbles.h"
 #include "io/svg/render_svg.h"
-#include "relief/drawing/label_outlines.h"
+#include "kernel/image/fill_outline.h"
 #include "relief/drawing/segment_drawing.h"
+#include "relief/pipeline/propose_scene.h"
 
 namespace relievo {
 namespace {
@@ -175,17 +176,26 @@ TEST_F(FlatDrawings, FiguresWithoutAreasAreExplained) {
   }
 }
 
+/// Outlines in the scene cover what is seen of their parts, and of the background nothing.
 TEST_F(FlatDrawings, OutlinesCoverTheLabels) {
   for (const char* name : {"F06_chicken_tuxpaint.png", "F08_snowman_stamp.png"}) {
     const Result<Segmentation> s = segment(name);
     ASSERT_TRUE(s.ok());
-    const auto outlines = label_outlines(s->labels, s->ink, 4);
-    ASSERT_EQ(outlines.size(), s->parts.size() + 1);
-    for (size_t k = 0; k < s->parts.size(); ++k) {
-      double area = 0;
-      for (const Ring& ring : outlines[k + 1]) area += signed_area(ring);
-      const auto pixels = static_cast<double>(s->parts[k].area);
-      EXPECT_NEAR(area, pixels, 0.07 * pixels + 40) << name << " " << s->parts[k].id;
+    const Result<Proposal> proposal = propose_scene(s->labels);
+    ASSERT_TRUE(proposal.ok());
+    const PartRegions& regions = proposal->regions;
+    for (int part = 0; part < regions.count(); ++part) {
+      const Part& drawn = proposal->scene.parts[proposal->stacking.rank[part]];
+      const Mask filled = fill_outline(drawn.outline, regions.map.width, regions.map.height);
+      int64_t covered = 0;
+      int64_t outside = 0;
+      for_each_pixel(filled, [&](int x, int y) {
+        covered += regions.part_at(x, y) == part ? 1 : 0;
+        outside += regions.part_at(x, y) < 0 ? 1 : 0;
+      });
+      const auto pixels = static_cast<double>(pixel_count(regions.visible[part]));
+      EXPECT_GT(static_cast<double>(covered), 0.96 * pixels - 20) << name << " " << drawn.id;
+      EXPECT_LT(static_cast<double>(outside), 0.02 * pixels + 20) << name << " " << drawn.id;
     }
   }
 }

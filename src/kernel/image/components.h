@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kernel/image/image.h"
+#include "kernel/image/mask.h"
 
 namespace relievo {
 
@@ -17,5 +18,8 @@ struct Components {
 
 /// The connected pieces of the pixels of `mask` (one channel) that are not 0. O(pixels).
 Components connected_components(const Image8& mask, Connectivity connectivity);
+
+/// The pixels of `mask` that are connected by sides within it to a pixel of `seed`. O(box).
+Mask connected_to(const Mask& mask, const Mask& seed);
 
 }  // namespace relievo

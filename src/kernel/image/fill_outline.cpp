@@ -50,13 +50,12 @@ void fill_row(std::vector<Crossing>& row, Mask& mask, int y) {
 Mask fill_outline(const Outline& outline, int width, int height) {
   const Box2 box = bounding_box(outline);
   if (box.empty()) return {};
-  Mask mask;
-  mask.left = first_centre(box.min.x, width);
-  mask.top = first_centre(box.min.y, height);
+  const int left = first_centre(box.min.x, width);
+  const int top = first_centre(box.min.y, height);
   const int right = first_centre(box.max.x, width);
   const int bottom = first_centre(box.max.y, height);
-  if (right <= mask.left || bottom <= mask.top) return {};
-  mask.inside = Image8(right - mask.left, bottom - mask.top, 1);
+  if (right <= left || bottom <= top) return {};
+  Mask mask = empty_mask(left, top, right, bottom);
   std::vector<std::vector<Crossing>> rows(mask.inside.height);
   for (const Ring& ring : outline)
     for (size_t i = 0; i < ring.size(); ++i)

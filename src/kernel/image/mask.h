@@ -15,7 +15,16 @@ struct Mask {
   bool covers(int x, int y) const { return x >= left && y >= top && x < right() && y < bottom(); }
   /// Whether the canvas pixel (x, y) is in the set.
   bool has(int x, int y) const { return covers(x, y) && inside.at(x - left, y - top) != 0; }
+  /// Adds a pixel of the box.
+  void add(int x, int y) { inside.at(x - left, y - top) = 1; }
+  /// Removes a pixel of the box.
+  void remove(int x, int y) { inside.at(x - left, y - top) = 0; }
 };
+
+/// No pixels, in the box from (left, top) to before (right, bottom).
+inline Mask empty_mask(int left, int top, int right, int bottom) {
+  return {left, top, Image8(right - left, bottom - top, 1)};
+}
 
 /// Calls visit(x, y) for every pixel of the set, row by row. O(box).
 template <class Visit>

@@ -1,8 +1,10 @@
 #include "kernel/image/mask_outline.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
-#include "kernel/geometry/ring_measure.h"
+#include "kernel/geometry/simplify_line.h"
 #include "kernel/image/label_rings.h"
 
 namespace relievo {
@@ -14,40 +16,19 @@ Image16 as_labels(const Mask& mask) {
   return labels;
 }
 
-/// Marks the points of ring[first..last] that are kept, its ends included (Douglas and Peucker).
-void keep_points(const Ring& ring, size_t first, size_t last, double tolerance,
-                 std::vector<uint8_t>& keep) {
-  std::vector<std::pair<size_t, size_t>> open = {{first, last}};
-  while (!open.empty()) {
-    const auto [a, b] = open.back();
-    open.pop_back();
-    size_t farthest = a;
-    double largest = tolerance;
-    for (size_t i = a + 1; i < b; ++i) {
-      const double d = distance_to_segment(ring[i], ring[a], ring[b]);
-      if (d <= largest) continue;
-      largest = d;
-      farthest = i;
-    }
-    if (farthest == a) continue;
-    keep[farthest] = 1;
-    open.emplace_back(a, farthest);
-    open.emplace_back(farthest, b);
-  }
-}
-
+/// Simplified in thirds, so that no piece is closed.
 Ring simplified(const Ring& ring, double tolerance) {
   if (ring.size() < 8) return ring;
-  std::vector<uint8_t> keep(ring.size(), 0);
-  // Fixed points a third apart, so that no piece is closed.
-  const size_t third = ring.size() / 3;
-  for (const size_t i : {size_t{0}, third, 2 * third, ring.size() - 1}) keep[i] = 1;
-  keep_points(ring, 0, third, tolerance, keep);
-  keep_points(ring, third, 2 * third, tolerance, keep);
-  keep_points(ring, 2 * third, ring.size() - 1, tolerance, keep);
+  const auto third = static_cast<std::ptrdiff_t>(ring.size() / 3);
+  const auto last = static_cast<std::ptrdiff_t>(ring.size() - 1);
+  const std::array<std::ptrdiff_t, 4> ends = {0, third, 2 * third, last};
   Ring few;
-  for (size_t i = 0; i < ring.size(); ++i)
-    if (keep[i] != 0) few.push_back(ring[i]);
+  for (size_t k = 0; k < 3; ++k) {
+    const Ring piece =
+        simplify_line({ring.begin() + ends[k], ring.begin() + ends[k + 1] + 1}, tolerance);
+    few.insert(few.end(), piece.begin(), piece.end() - 1);
+  }
+  few.push_back(ring.back());
   return few;
 }
 

@@ -69,44 +69,38 @@ std::vector<int32_t> descending(const Image<int32_t>& squared, std::vector<int32
   return order;
 }
 
-/// Peaks found so far, each with the one that absorbed it.
+/// Peaks found so far; a set is an older peak, its smallest member, and those that it absorbed.
 class Peaks {
  public:
   explicit Peaks(const BasinOptions& options) : options_(options) {}
 
   int32_t add(int32_t level) {
     peak_.push_back(level);
-    parent_.push_back(static_cast<int32_t>(parent_.size()));
-    return parent_.back();
-  }
-
-  int32_t find(int32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
+    return sets_.add();
   }
 
   /// Two basins meet at a pass; the younger ends there if it does not rise enough above it.
   void meet(int32_t a, int32_t b, int32_t pass) {
-    a = find(a);
-    b = find(b);
+    a = sets_.find(a);
+    b = sets_.find(b);
     if (a == b) return;
     const auto [older, younger] = std::minmax({a, b});
     const double peak = peak_[younger];
     if (peak - pass < options_.min_rise * double{level_steps} ||
         pass > options_.max_pass_ratio * peak)
-      parent_[younger] = older;
+      sets_.unite(older, younger);
   }
 
   /// Numbers of the basins that are left, from 1, and their peaks.
   std::vector<int32_t> number(std::vector<double>& peaks) {
-    std::vector<int32_t> numbers(parent_.size(), 0);
+    std::vector<int32_t> numbers(sets_.size(), 0);
     peaks = {0};
-    for (size_t i = 1; i < parent_.size(); ++i) {
-      if (find(static_cast<int32_t>(i)) == static_cast<int32_t>(i)) {
+    for (int i = 1; i < sets_.size(); ++i) {
+      if (sets_.find(i) == i) {
         numbers[i] = static_cast<int32_t>(peaks.size());
         peaks.push_back(peak_[i] / double{level_steps});
       } else {
-        numbers[i] = numbers[parent_[i]];
+        numbers[i] = numbers[sets_.find(i)];
       }
     }
     return numbers;
@@ -115,7 +109,7 @@ class Peaks {
  private:
   BasinOptions options_;
   std::vector<int32_t> peak_ = {0};
-  std::vector<int32_t> parent_ = {0};
+  DisjointSets sets_{1};
 };
 
 }  // namespace

@@ -3,20 +3,17 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernel/image/connected.h"
+#include "kernel/image/components.h"
 
 namespace relievo {
 namespace {
 
 /// An empty set in the box around both sets, `margin` px larger but on the canvas.
 Mask joint_box(const Mask& a, const Mask& b, int margin, const Image16& canvas) {
-  Mask box;
-  box.left = std::max(0, std::min(a.left, b.left) - margin);
-  box.top = std::max(0, std::min(a.top, b.top) - margin);
-  const int right = std::min(canvas.width, std::max(a.right(), b.right()) + margin);
-  const int bottom = std::min(canvas.height, std::max(a.bottom(), b.bottom()) + margin);
-  box.inside = Image8(right - box.left, bottom - box.top, 1);
-  return box;
+  return empty_mask(std::max(0, std::min(a.left, b.left) - margin),
+                    std::max(0, std::min(a.top, b.top) - margin),
+                    std::min(canvas.width, std::max(a.right(), b.right()) + margin),
+                    std::min(canvas.height, std::max(a.bottom(), b.bottom()) + margin));
 }
 
 /// Hidden shapes keep so far from where their occluders end, px, so that no two outlines run along
@@ -32,13 +29,11 @@ bool all_around(int x, int y, int radius, Test test) {
   return true;
 }
 
-void put(Mask& mask, int x, int y) { mask.inside.at(x - mask.left, y - mask.top) = 1; }
-
 /// The pixels of both.
 Mask common(const Mask& a, const Mask& b) {
   Mask both = a;
   for_each_pixel(a, [&](int x, int y) {
-    if (!b.has(x, y)) both.inside.at(x - both.left, y - both.top) = 0;
+    if (!b.has(x, y)) both.remove(x, y);
   });
   return both;
 }
@@ -47,17 +42,17 @@ Mask common(const Mask& a, const Mask& b) {
 template <class Allowed>
 void grow(Mask& mask, const Mask& seed, int steps, Allowed allowed) {
   std::vector<std::pair<int, int>> front;
-  Mask reached{mask.left, mask.top, Image8(mask.inside.width, mask.inside.height, 1)};
+  Mask reached = empty_mask(mask.left, mask.top, mask.right(), mask.bottom());
   for_each_pixel(seed, [&](int x, int y) {
-    put(reached, x, y);
+    reached.add(x, y);
     front.emplace_back(x, y);
   });
   for (int step = 0; step < steps; ++step) {
     std::vector<std::pair<int, int>> next;
     const auto reach = [&](int x, int y) {
       if (!reached.covers(x, y) || reached.has(x, y) || !allowed(x, y)) return;
-      put(reached, x, y);
-      put(mask, x, y);
+      reached.add(x, y);
+      mask.add(x, y);
       next.emplace_back(x, y);
     };
     for (const auto& [x, y] : front) {
@@ -86,9 +81,9 @@ Mask clipped(const PartRegions& regions, const Mask& shape, int part, const std:
     return below_another(x, y) && all_around(x, y, rim, own_or_below);
   };
   for_each_pixel(shape, [&](int x, int y) {
-    if (well_below(x, y)) put(result, x, y);
+    if (well_below(x, y)) result.add(x, y);
   });
-  for_each_pixel(visible, [&](int x, int y) { put(result, x, y); });
+  for_each_pixel(visible, [&](int x, int y) { result.add(x, y); });
   grow(result, visible, overlap, well_below);
   return connected_to(result, visible);
 }

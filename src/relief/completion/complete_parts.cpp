@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "kernel/image/connected.h"
+#include "kernel/image/components.h"
 #include "relief/completion/shape_candidates.h"
 
 namespace relievo {
@@ -16,18 +16,14 @@ constexpr double boundary_noise = 0.25;
 /// What of a candidate can be: the part's own pixels and those of its occluders, in one piece.
 Mask possible(const HiddenPart& hidden, const Mask& candidate) {
   const Mask& visible = hidden.visible();
-  Mask shape;
-  shape.left = std::min(candidate.left, visible.left);
-  shape.top = std::min(candidate.top, visible.top);
-  const int right = std::max(candidate.right(), visible.right());
-  const int bottom = std::max(candidate.bottom(), visible.bottom());
-  shape.inside = Image8(right - shape.left, bottom - shape.top, 1);
-  const auto add = [&](int x, int y) { shape.inside.at(x - shape.left, y - shape.top) = 1; };
+  Mask shape = empty_mask(
+      std::min(candidate.left, visible.left), std::min(candidate.top, visible.top),
+      std::max(candidate.right(), visible.right()), std::max(candidate.bottom(), visible.bottom()));
   for_each_pixel(candidate, [&](int x, int y) {
     const int part = hidden.regions.part_at(x, y);
-    if (part >= 0 && hidden.hides[part] != 0) add(x, y);
+    if (part >= 0 && hidden.hides[part] != 0) shape.add(x, y);
   });
-  for_each_pixel(visible, add);
+  for_each_pixel(visible, [&](int x, int y) { shape.add(x, y); });
   return connected_to(shape, visible);
 }
 

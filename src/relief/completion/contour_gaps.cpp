@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "kernel/base/cyclic_runs.h"
+
 namespace relievo {
 namespace {
 
@@ -23,12 +25,10 @@ struct Run {
 std::vector<Run> runs_of(const std::vector<uint8_t>& circle, uint8_t value) {
   std::vector<Run> runs;
   const size_t n = circle.size();
-  for (size_t i = 0; i < n; ++i) {
-    if (circle[i] != value || circle[(i + n - 1) % n] == value) continue;
-    Run run{i, 0};
-    while (run.count < n && circle[(i + run.count) % n] == value) ++run.count;
-    runs.push_back(run);
-  }
+  const auto same = [&](size_t i, size_t j) { return circle[i] == circle[j]; };
+  for_each_run(n, same, [&](size_t first, size_t count) {
+    if (circle[first] == value && count < n) runs.push_back({first, count});
+  });
   return runs;
 }
 

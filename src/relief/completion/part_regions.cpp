@@ -39,16 +39,14 @@ PartRegions find_regions(const Image16& labels) {
     if (box.right <= box.left) continue;
     regions.part_of_label[label] = regions.count();
     regions.labels.push_back(static_cast<uint16_t>(label));
-    regions.visible.push_back(
-        {box.left, box.top, Image8(box.right - box.left, box.bottom - box.top, 1)});
+    regions.visible.push_back(empty_mask(box.left, box.top, box.right, box.bottom));
   }
   regions.rings.resize(regions.labels.size());
   for (int y = 0; y < labels.height; ++y)
     for (int x = 0; x < labels.width; ++x) {
       const int part = regions.part_of(labels.at(x, y));
       if (part < 0) continue;
-      Mask& mask = regions.visible[part];
-      mask.inside.at(x - mask.left, y - mask.top) = 1;
+      regions.visible[part].add(x, y);
     }
   for (LabelRing& ring : trace_label_rings(labels))
     regions.rings[regions.part_of(ring.label)].push_back(std::move(ring));

@@ -1,9 +1,11 @@
 #include "relief/drawing/find_bridges.h"
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
 
-#include "kernel/image/label_arcs.h"
+#include "kernel/base/cyclic_runs.h"
+#include "kernel/geometry/simplify_line.h"
+#include "kernel/image/label_rings.h"
 #include "kernel/image/morphology.h"
 
 namespace relievo {
@@ -12,47 +14,27 @@ namespace {
 constexpr double tolerance = 1;  ///< px that a bridge may depart from the sides of pixels
 constexpr int line_margin = 1;   ///< px by which a boundary may leave the line it runs along
 
-/// Whether the side of a pixel from a to b lies open on both sides, within the image.
-bool is_open(const Image8& barrier, PixelCorner a, PixelCorner b) {
-  const bool horizontal = a.y == b.y;
-  const int x = std::min(a.x, b.x);
-  const int y = std::min(a.y, b.y);
+/// Whether the pixels on both sides of the pixel side with this middle are open, in the image.
+bool is_open(const Image8& barrier, Point2 side) {
+  const int x = static_cast<int>(side.x);
+  const int y = static_cast<int>(side.y);
+  const bool horizontal = side.y == y;
   const int other_x = horizontal ? x : x - 1;
   const int other_y = horizontal ? y - 1 : y;
   if (other_x < 0 || other_y < 0 || x >= barrier.width || y >= barrier.height) return false;
   return barrier.at(x, y) == 0 && barrier.at(other_x, other_y) == 0;
 }
 
-double distance_to_chord(Point2 p, Point2 a, Point2 b) {
-  const double length = distance(a, b);
-  return length > 0 ? std::abs(cross(b - a, p - a)) / length : distance(a, p);
+std::vector<uint8_t> open_sides(const LabelRing& ring, const Image8& barrier) {
+  std::vector<uint8_t> open;
+  for (const Point2 side : ring.sides) open.push_back(is_open(barrier, side) ? 1 : 0);
+  return open;
 }
 
-/// Keeps the points that others depart from (Douglas, Peucker 1973).
-void simplify(const std::vector<Point2>& points, size_t first, size_t last,
-              std::vector<Point2>& kept) {
-  size_t farthest = first;
-  double worst = tolerance;
-  for (size_t k = first + 1; k < last; ++k)
-    if (const double d = distance_to_chord(points[k], points[first], points[last]); d > worst) {
-      worst = d;
-      farthest = k;
-    }
-  if (farthest != first) {
-    simplify(points, first, farthest, kept);
-    simplify(points, farthest, last, kept);
-    return;
-  }
-  kept.push_back(points[last]);
-}
-
-Bridge bridge_of(const LabelArc& arc, size_t first, size_t last) {
+Bridge bridge_of(const LabelRing& ring, size_t first, size_t count) {
   std::vector<Point2> points;
-  for (size_t k = first; k <= last; ++k)
-    points.push_back(Point2{arc.corners[k].x * 1.0, arc.corners[k].y * 1.0});
-  Bridge bridge{{points.front()}, std::min(arc.left, arc.right), std::max(arc.left, arc.right)};
-  simplify(points, 0, points.size() - 1, bridge.points);
-  return bridge;
+  for (size_t k = 0; k < count; ++k) points.push_back(ring.sides[(first + k) % ring.size()]);
+  return {simplify_line(points, tolerance), ring.beyond[first], ring.label};
 }
 
 }  // namespace
@@ -61,13 +43,16 @@ std::vector<Bridge> find_bridges(const Image16& labels, const Image8& barrier, d
   const auto shortest = static_cast<size_t>(std::max(3.0, line_width));
   const Image8 near_line = max_filter(barrier, line_margin);
   std::vector<Bridge> bridges;
-  for (const LabelArc& arc : trace_label_arcs(labels)) {
-    const size_t sides = arc.corners.size() - 1;
-    for (size_t first = 0, last = 0; first < sides; first = last + 1) {
-      last = first;
-      while (last < sides && is_open(near_line, arc.corners[last], arc.corners[last + 1])) ++last;
-      if (last - first >= shortest) bridges.push_back(bridge_of(arc, first, last));
-    }
+  for (const LabelRing& ring : trace_label_rings(labels)) {
+    const std::vector<uint8_t> open = open_sides(ring, near_line);
+    const auto go_on = [&](size_t i, size_t j) {
+      return open[i] == open[j] && ring.beyond[i] == ring.beyond[j];
+    };
+    for_each_run(ring.size(), go_on, [&](size_t first, size_t count) {
+      // Each boundary is met from both sides; the larger label's is taken.
+      if (open[first] != 0 && count >= shortest && ring.beyond[first] < ring.label)
+        bridges.push_back(bridge_of(ring, first, count));
+    });
   }
   return bridges;
 }

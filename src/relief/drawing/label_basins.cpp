@@ -141,7 +141,6 @@ Segmentation assemble(const Basins& basins, const std::vector<int>& labels,
   segmentation.labels = Image16(basins.index.width, basins.index.height, 1);
   for (size_t i = 0; i < basins.index.pixels.size(); ++i)
     segmentation.labels.pixels[i] = of_basin[basins.index.pixels[i]];
-  segmentation.ink = basins.ink;
   measure_parts(segmentation);
   segmentation.bridges = find_bridges(segmentation.labels, basins.barrier, basins.line_width);
   add_notes(basins, scribbles, segmentation);

@@ -27,7 +27,6 @@ struct Bridge {
 /// A drawing divided into its visible parts. Labels meet on the middle of lines.
 struct Segmentation {
   Image16 labels;                    ///< [drawing size] 0 background, k + 1 is parts[k]
-  Image8 ink;                        ///< [drawing size] darkness of lines, 255 = full
   std::vector<SegmentedPart> parts;  ///< in the order of their labels
   std::vector<Bridge> bridges;
   std::vector<std::string> notes;  ///< what a person should know, one sentence each

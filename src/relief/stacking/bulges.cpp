@@ -3,6 +3,8 @@
 #include <cmath>
 #include <map>
 
+#include "kernel/base/cyclic_runs.h"
+
 namespace relievo {
 namespace {
 
@@ -25,28 +27,14 @@ double twice_area(const LabelRing& ring, size_t first, size_t count) {
   return sum;
 }
 
-/// Calls visit(first side, number of sides) for every run with one label across.
-template <class Visit>
-void for_each_run(const LabelRing& ring, Visit visit) {
-  const size_t n = ring.size();
-  size_t start = 0;
-  while (start < n && ring.beyond[start] == ring.beyond[(start + n - 1) % n]) ++start;
-  if (start == n) return visit(0, n);
-  for (size_t i = start; i < start + n;) {
-    size_t count = 1;
-    while (ring.beyond[(i + count) % n] == ring.beyond[i % n]) ++count;
-    visit(i % n, count);
-    i += count;
-  }
-}
-
 }  // namespace
 
 std::vector<BulgeCue> find_bulge_cues(const PartRegions& regions) {
   std::map<std::pair<int, int>, Bulge> bulges;
   for (int part = 0; part < regions.count(); ++part)
-    for (const LabelRing& ring : regions.rings[part])
-      for_each_run(ring, [&](size_t first, size_t count) {
+    for (const LabelRing& ring : regions.rings[part]) {
+      const auto same = [&](size_t i, size_t j) { return ring.beyond[i] == ring.beyond[j]; };
+      for_each_run(ring.size(), same, [&](size_t first, size_t count) {
         const int other = regions.part_of(ring.beyond[first]);
         if (other < part || count < min_sides) return;
         const Point2 chord = ring.sides[(first + count - 1) % ring.size()] - ring.sides[first];
@@ -54,6 +42,7 @@ std::vector<BulgeCue> find_bulge_cues(const PartRegions& regions) {
         bulge.area += twice_area(ring, first, count) / 2;
         bulge.chords += dot(chord, chord);
       });
+    }
   std::vector<BulgeCue> cues;
   for (const auto& [pair, bulge] : bulges) {
     if (bulge.area == 0) continue;

@@ -50,5 +50,18 @@ TEST(Components, EqualThoseOfASearch) {
   }
 }
 
+TEST(Components, ConnectedToASeedAreThePiecesThatItTouches) {
+  Mask mask{-3, 4, Image8(60, 20, 1)};
+  for (int x = 2; x < 20; ++x)
+    for (int y = 2; y < 18; ++y) mask.inside.at(x, y) = 1;
+  const int64_t piece = pixel_count(mask);
+  for (int x = 20; x < 50; ++x) mask.inside.at(x, 18) = 1;  // meets the piece at a corner only
+  const Mask connected = connected_to(mask, {5, 9, Image8(1, 1, 1, 1)});
+  EXPECT_EQ(pixel_count(connected), piece);
+  EXPECT_TRUE(connected.has(-1, 6));
+  EXPECT_FALSE(connected.has(30, 22));
+  EXPECT_EQ(pixel_count(connected_to(mask, {-40, 9, Image8(9, 9, 1, 1)})), 0);
+}
+
 }  // namespace
 }  // namespace relievo

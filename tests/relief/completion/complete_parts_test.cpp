@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernel/image/connected.h"
+#include "kernel/image/components.h"
 #include "relief/completion/clip_to_order.h"
 #include "support/label_maps.h"
 

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "kernel/geometry/ring_measure.h"
+#include "relief/drawing/segment_drawing.h"
 #include "relief/pipeline/build_relief.h"
+#include "support/ink_drawing.h"
 #include "support/label_maps.h"
 
 namespace relievo {
@@ -74,6 +79,46 @@ TEST(ProposeScene, AJoinOfTheUserPutsItsPartInFront) {
   EXPECT_EQ(proposal.scene.parts[1].id, "part-1");
   ASSERT_GE(proposal.scene.joins.size(), 1U);
   EXPECT_EQ(proposal.scene.joins[0].upper, 1);
+}
+
+/// Mean distance of the points of outlines, sampled evenly, from a curve; points
+/// at which `distance_at` is not a number do not count.
+template <class DistanceAt>
+double mean_distance(const Scene& scene, DistanceAt distance_at) {
+  double sum = 0;
+  int count = 0;
+  for (const Part& part : scene.parts)
+    for (const Ring& ring : part.outline) {
+      const RingMeasure along = measure(ring);
+      for (double s = 0; s < along.length; s += 0.5) {
+        const double d = distance_at(point_at(ring, along, s));
+        if (std::isnan(d)) continue;
+        sum += std::abs(d);
+        ++count;
+      }
+    }
+  return sum / count;
+}
+
+TEST(ProposeScene, OutlinesRunAlongTheMiddleOfLines) {
+  const Point2 head{120.2, 90.6};
+  const Point2 body{115.6, 190.3};
+  for (const double width : {2.0, 3.0, 5.0, 7.0}) {
+    // The arc of the body outside the head, in turns.
+    const Drawing drawing =
+        InkDrawing(240, 290).circle(head, 50, width).arc(body, 70, -0.165, 0.68, width).drawing();
+    const auto segmentation = segment_drawing(drawing);
+    ASSERT_TRUE(segmentation.ok()) << to_string(segmentation.error());
+    const Scene scene = propose(segmentation->labels).scene;
+    ASSERT_EQ(scene.parts.size(), 2U);
+    const double off = mean_distance(scene, [&](Point2 p) {
+      const double from_head = distance(p, head) - 50;
+      const double from_body = distance(p, body) - 70;
+      const bool hidden = from_head < -3;
+      return hidden ? std::nan("") : std::min(std::abs(from_head), std::abs(from_body));
+    });
+    EXPECT_LT(off, 0.2) << width;
+  }
 }
 
 TEST(ProposeScene, SaysWhatIsWrong) {
