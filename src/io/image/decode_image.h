@@ -7,8 +7,9 @@
 
 namespace relievo {
 
-/// A PNG, JPEG or GIF file, told apart by its content, as 8-bit sRGB with straight alpha, 4 channels.
-/// Errors: `bad_input` where it is none of them or damaged, `limit` where it is too large.
+/// A PNG, JPEG or GIF file, told apart by its content, as 8-bit sRGB with straight alpha, 4
+/// channels. Errors: `bad_input` where it is none of them or damaged, `limit` where it is too
+/// large.
 Result<Image8> decode_image(ByteView bytes, const ImageLimits& limits = {});
 
 }  // namespace relievo

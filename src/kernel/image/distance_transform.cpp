@@ -60,7 +60,8 @@ class RowEnvelope {
 
   /// Last x at which the parabola of i is not above that of j > i.
   int64_t crossing(int64_t i, int64_t j) const {
-    const int64_t numerator = j * j - i * i + squares_[static_cast<size_t>(j)] - squares_[static_cast<size_t>(i)];
+    const int64_t numerator =
+        j * j - i * i + squares_[static_cast<size_t>(j)] - squares_[static_cast<size_t>(i)];
     const int64_t denominator = 2 * (j - i);
     return numerator >= 0 ? numerator / denominator : -1;
   }
