@@ -83,6 +83,7 @@ struct SparseCholesky::Implementation {
   /// Takes over the values of A, with fixed rows and columns as those of the identity, and marks
   /// the fronts that hold entries which differ from the last ones.
   void take_values(const SparseMatrix& A, std::span<const uint8_t> fixed) {
+    assert(A.isCompressed());
     const std::vector<int>& front_of = memory.layout.front_of;
     const int* row = A.innerIndexPtr();
     const double* value = A.valuePtr();
@@ -106,6 +107,7 @@ SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 
 void SparseCholesky::analyse(const SparseMatrix& A, Refactorisation refactorisation,
                              std::span<const int> order) {
+  assert(A.isCompressed());
   assert(order.empty() || static_cast<Index>(order.size()) == A.rows());
   Implementation& self = *implementation_;
   self.incremental = refactorisation == Refactorisation::incremental;

@@ -16,9 +16,9 @@ enum class Refactorisation { complete, incremental };
 
 /// Cholesky factorisation of symmetric positive definite sparse matrices: the pattern is analysed
 /// once, values are factorised as often as needed, by the multifrontal method [Duff and Reid 1983;
-/// Liu 1992]. Only the lower triangle (row >= column) of the matrices is read; explicit zeros
-/// belong to the pattern. The same input gives the same bits on every processor and with any number
-/// of threads.
+/// Liu 1992]. Only the lower triangle (row >= column) of the matrices, which must be
+/// compressed, is read; explicit zeros belong to the pattern. The same input gives the same bits on
+/// every processor and with any number of threads.
 class SparseCholesky {
  public:
   SparseCholesky();

@@ -177,6 +177,7 @@ BoundQp small_problem() {
   problem.K.insert(0, 0) = 2;
   problem.K.insert(1, 0) = -1;
   problem.K.insert(1, 1) = 2;
+  problem.K.makeCompressed();
   problem.b = Eigen::Vector2d(1, -3);
   problem.bounded = {1, 1};
   return problem;
