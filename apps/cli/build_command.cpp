@@ -11,6 +11,7 @@
 #include "apps/cli/report.h"
 #include "apps/cli/stopwatch.h"
 #include "io/maps/encode_maps.h"
+#include "kernel/image/image_size.h"
 
 namespace relievo::cli {
 namespace {
@@ -48,12 +49,9 @@ Status add_models(Products& products, const BuildArguments& build, const SceneIn
 
 Result<ReliefMaps> make_maps(const BuildArguments& build, const Scene& scene, const Relief& relief,
                              const RunContext& context) {
-  const double longest = std::max(scene.width, scene.height);
-  const auto pixels = [&](double side) {
-    return std::max(1, static_cast<int>(std::lround(build.map_size * side / longest)));
-  };
-  return rasterize_relief(relief.layers, relief.inflation, relief.ordering, scene,
-                          pixels(scene.width), pixels(scene.height), context);
+  const ImageSize size = fitted_size(scene.width, scene.height, build.map_size);
+  return rasterize_relief(relief.layers, relief.inflation, relief.ordering, scene, size.width,
+                          size.height, context);
 }
 
 Status add_maps(Products& products, const BuildArguments& build, const Scene& scene,

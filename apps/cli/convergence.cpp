@@ -1,10 +1,11 @@
 #include "apps/cli/convergence.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "io/image/png_encode.h"
+#include "kernel/image/image_size.h"
+#include "kernel/image/paste.h"
 #include "render/render_model.h"
 
 namespace relievo::cli {
@@ -14,13 +15,10 @@ constexpr int cell_side = 480;  ///< longest side of one picture, px
 constexpr size_t max_cells = 7;
 
 RenderOptions cell_options(const Scene& scene) {
-  const double longest = std::max(scene.width, scene.height);
-  const auto pixels = [&](double side) {
-    return std::max(1, static_cast<int>(std::lround(cell_side * side / longest)));
-  };
+  const ImageSize size = fitted_size(scene.width, scene.height, cell_side);
   RenderOptions options;
-  options.width = pixels(scene.width);
-  options.height = pixels(scene.height);
+  options.width = size.width;
+  options.height = size.height;
   options.yaw = -20;
   options.pitch = 8;
   options.window = RenderWindow{{scene.width / 2, scene.height / 2}, scene.width};
@@ -34,11 +32,6 @@ Result<Image8> draw(const Relief& relief, const Inflation& inflation, const Orde
   const auto model = assemble_model(relief.layers, inflation, ordering, scene, options, context);
   if (!model) return model.error();
   return render_model(*model, nullptr, cell_options(scene), context);
-}
-
-void put_beside(Image8& strip, int left, const Image8& picture) {
-  for (int y = 0; y < picture.height; ++y)
-    std::copy_n(&picture.at(0, y), size_t{4} * picture.width, &strip.at(left, y));
 }
 
 }  // namespace
@@ -66,7 +59,7 @@ Result<Bytes> draw_convergence(const Relief& relief, const Scene& scene,
   const int width = pictures[0].width;
   Image8 strip(width * static_cast<int>(pictures.size()), pictures[0].height, 4);
   for (size_t k = 0; k < pictures.size(); ++k)
-    put_beside(strip, static_cast<int>(k) * width, pictures[k]);
+    paste(strip, static_cast<int>(k) * width, 0, pictures[k]);
   return encode_png(strip);
 }
 

@@ -1,9 +1,7 @@
 #include "apps/cli/inputs.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
+#include "io/files/in_file.h"
+#include "io/files/paths.h"
 #include "io/files/read_file.h"
 #include "io/image/decode_image.h"
 #include "io/layered/read_layer_folder.h"
@@ -13,6 +11,7 @@
 #include "io/svg/read_svg.h"
 #include "io/svg/render_svg.h"
 #include "kernel/base/workers.h"
+#include "kernel/image/image_size.h"
 
 namespace relievo::cli {
 namespace {
@@ -28,12 +27,6 @@ std::string_view text_of(const Bytes& bytes) {
 
 bool begins_with(std::string_view text, std::string_view start) {
   return text.substr(0, start.size()) == start;
-}
-
-/// The error with the file's name in front of where it is.
-Error in_file(Error error, const std::string& name) {
-  if (error.where != name) error.where = error.where.empty() ? name : name + ": " + error.where;
-  return error;
 }
 
 /// `width` and `height` are those of the canvas.
@@ -109,15 +102,12 @@ Result<SceneInput> load_archive(const InputFile& input) {
 
 /// The path of a scene's drawing; refused where a link leads out of the scene's folder.
 Result<fs::path> drawing_path(const InputFile& input, const std::string& drawing) {
-  std::error_code code;
   const fs::path parent = fs::path(input.name).parent_path();
-  const fs::path folder =
-      fs::canonical(input.name == "-" || parent.empty() ? fs::path(".") : parent, code);
-  const fs::path path = fs::weakly_canonical(folder / drawing, code);
-  const fs::path inside = path.lexically_relative(folder);
-  if (code || inside.empty() || *inside.begin() == "..")
-    return Error{ErrorCode::bad_input, "leads out of the scene's folder", "drawing"};
-  return path;
+  const fs::path folder = input.name == "-" || parent.empty() ? fs::path(".") : parent;
+  const auto inside = path_below(folder / drawing, folder);
+  if (!inside) return Error{ErrorCode::bad_input, "leads out of the scene's folder", "drawing"};
+  std::error_code code;
+  return fs::weakly_canonical(folder, code) / *inside;
 }
 
 void warn_about_shape(const Drawing& drawing, const Scene& scene, SceneInput& loaded) {
@@ -177,11 +167,8 @@ Result<SceneInput> load(const InputFile& input) {
 }  // namespace
 
 Result<Drawing> rasterize(std::string_view svg, double width, double height, double longest) {
-  const double scale = longest / std::max(width, height);
-  const auto pixels = [scale](double side) {
-    return std::max(1, static_cast<int>(std::lround(scale * side)));
-  };
-  return render_svg(svg, pixels(width), pixels(height));
+  const ImageSize size = fitted_size(width, height, longest);
+  return render_svg(svg, size.width, size.height);
 }
 
 InputKind sniff(ByteView bytes) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/image/png_encode.h"
+#include "kernel/image/image_size.h"
 #include "render/render_model.h"
 
 namespace relievo::cli {
@@ -24,12 +25,9 @@ Point3 light_direction(double azimuth, double elevation) {
 
 RenderOptions options_of(const RenderArguments& arguments, const Model& model, bool has_drawing) {
   RenderOptions options = seen_from(named_view(arguments.view), {});
-  const double longest = std::max(model.width, model.height);
-  const auto pixels = [&](double side) {
-    return std::max(1, static_cast<int>(std::lround(arguments.size * side / longest)));
-  };
-  options.width = pixels(model.width);
-  options.height = pixels(model.height);
+  const ImageSize size = fitted_size(model.width, model.height, arguments.size);
+  options.width = size.width;
+  options.height = size.height;
   options.yaw = arguments.yaw.value_or(options.yaw);
   options.pitch = arguments.pitch.value_or(options.pitch);
   options.shading = arguments.clay || !has_drawing ? Shading::clay : Shading::textured;

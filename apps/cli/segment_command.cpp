@@ -8,6 +8,8 @@
 #include "apps/cli/segment_project.h"
 #include "apps/cli/segment_report.h"
 #include "apps/cli/stopwatch.h"
+#include "io/files/in_file.h"
+#include "io/files/paths.h"
 #include "io/files/read_file.h"
 #include "io/image/decode_image.h"
 #include "io/image/gif_decode.h"
@@ -32,11 +34,6 @@ namespace fs = std::filesystem;
 constexpr double overlay_side = 1200;
 /// Longest side of the picture that is made from a vector drawing, px.
 constexpr double vector_side = 1600;
-
-Error in(const std::string& file, Error error) {
-  error.where = error.where.empty() ? file : file + ": " + error.where;
-  return error;
-}
 
 Result<SegmentInput> from_project(const InputFile& file) {
   auto project = decode_project(file.bytes);
@@ -97,7 +94,7 @@ Status read_labels(const std::string& name, SegmentInput& input) {
   const auto bytes = read_file(name);
   if (!bytes) return bytes.error();
   auto labels = decode_png_values(*bytes);
-  if (!labels) return in(name, labels.error());
+  if (!labels) return in_file(labels.error(), name);
   input.labels = std::move(*labels);
   return Done{};
 }
@@ -107,12 +104,12 @@ Result<Scribbles> load_scribbles(const std::string& name, const Image8& pixels) 
   if (!bytes) return bytes.error();
   if (!is_png(*bytes)) {
     auto scribbles = read_scribbles({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-    return scribbles ? std::move(scribbles) : in(name, scribbles.error());
+    return scribbles ? std::move(scribbles) : in_file(scribbles.error(), name);
   }
   const auto picture = decode_png(*bytes);
-  if (!picture) return in(name, picture.error());
+  if (!picture) return in_file(picture.error(), name);
   auto scribbles = scribbles_from_image(*picture, pixels.width, pixels.height);
-  return scribbles ? std::move(scribbles) : in(name, scribbles.error());
+  return scribbles ? std::move(scribbles) : in_file(scribbles.error(), name);
 }
 
 /// Labels from the pixels. Parts that were scribbled keep their names.
@@ -144,9 +141,9 @@ Result<SegmentInput> load(const SegmentArguments& segment) {
   const auto file = read_input(segment.common.input);
   if (!file) return file.error();
   auto input = from_file(*file);
-  if (!input) return in(file->name, input.error());
+  if (!input) return in_file(input.error(), file->name);
   auto pixels = decode_image(input->drawing.bytes);
-  if (!pixels) return in(file->name, pixels.error());
+  if (!pixels) return in_file(pixels.error(), file->name);
   input->pixels = std::move(*pixels);
   if (Status status = choose_labels(segment, *input); !status) return status.error();
   if (input->labels.width != input->pixels.width || input->labels.height != input->pixels.height)
@@ -162,10 +159,9 @@ Result<SegmentInput> load(const SegmentArguments& segment) {
 std::string path_from(const fs::path& scene, const std::string& drawing) {
   if (drawing.empty() || drawing == "-") return "";
   std::error_code code;
-  const fs::path folder = fs::weakly_canonical(fs::absolute(scene, code), code).parent_path();
-  const fs::path path = fs::weakly_canonical(fs::absolute(drawing, code), code);
-  const fs::path inside = path.lexically_relative(folder);
-  return code || inside.empty() || *inside.begin() == ".." ? "" : inside.generic_string();
+  const fs::path place = fs::weakly_canonical(fs::absolute(scene, code), code);
+  const auto inside = path_below(drawing, place.parent_path());
+  return code || !inside ? "" : inside->generic_string();
 }
 
 /// The file beside the scene that takes a copy of a drawing from elsewhere.

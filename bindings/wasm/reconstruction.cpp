@@ -1,7 +1,6 @@
 #include "bindings/wasm/reconstruction.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "bindings/wasm/js_values.h"
 #include "bindings/wasm/overlays.h"
@@ -11,6 +10,7 @@
 #include "io/mesh/ply_encode.h"
 #include "io/mesh/stl_encode.h"
 #include "io/scene/read_scene.h"
+#include "kernel/image/image_size.h"
 
 namespace relievo::wasm {
 namespace {
@@ -208,12 +208,9 @@ val Reconstruction::encode(const std::string& format, const std::string& name,
 
 val Reconstruction::map(const std::string& kind, int side, bool green_down) const {
   if (!relief_) return failure(nothing_built);
-  const double scale = side / std::max(scene_.width, scene_.height);
-  const auto pixels = [scale](double length) {
-    return std::max(1, static_cast<int>(std::lround(scale * length)));
-  };
+  const ImageSize size = fitted_size(scene_.width, scene_.height, side);
   const auto maps = rasterize_relief(relief_->layers, relief_->inflation, relief_->ordering, scene_,
-                                     pixels(scene_.width), pixels(scene_.height));
+                                     size.width, size.height);
   if (!maps) return failure(maps.error());
   const auto bytes = kind == "normal"
                          ? encode_normal_map(*maps, green_down ? GreenAxis::down : GreenAxis::up)

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "kernel/image/paste.h"
 #include "relief/model/model_texture.h"
 #include "render/camera.h"
 #include "render/lighting.h"
@@ -232,8 +233,7 @@ Result<Image8> render_contact_sheet(const Model& model, const Drawing* drawing,
     const Result<Image8> picture =
         render(model, drawing, seen_from(sheet_views[i], cell), unit, part);
     if (!picture) return picture.error();
-    for (int y = 0; y < options.height; ++y)
-      std::copy_n(&picture->at(0, y), size_t{4} * options.width, &sheet.at(i * options.width, y));
+    paste(sheet, i * options.width, 0, *picture);
   }
   return sheet;
 }

@@ -4,16 +4,12 @@
 #include "io/image/image_limits.h"
 #include "kernel/base/result.h"
 #include "kernel/image/image.h"
+#include "kernel/image/image_size.h"
 
 namespace relievo {
 
 /// Whether `bytes` begin as a PNG file does.
 bool is_png(ByteView bytes);
-
-struct ImageSize {
-  int width = 0;
-  int height = 0;
-};
 
 /// The size that the header of a PNG file states, without decoding it. Errors as decode_png.
 Result<ImageSize> png_size(ByteView bytes, const ImageLimits& limits = {});

@@ -35,10 +35,10 @@ RasterLayer cut_to_canvas(const RasterLayer& layer, const Image8& canvas) {
   const int64_t bottom = int64_t{layer.y} + layer.rgba.height;
   const int left = std::max(layer.x, 0);
   const int top = std::max(layer.y, 0);
-  RasterLayer cut = layer;
+  RasterLayer cut;
   cut.x = left;
   cut.y = top;
-  cut.rgba = Image8();
+  cut.opacity = layer.opacity;
   const int64_t width = std::min<int64_t>(right, canvas.width) - left;
   const int64_t height = std::min<int64_t>(bottom, canvas.height) - top;
   if (width <= 0 || height <= 0) return cut;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,15 @@ struct RasterLayer {
   std::optional<double> d;
   Image8 rgba;  ///< 8-bit sRGB with straight alpha
 };
+
+/// Where some layer is a part, those without a role are texture. Items have a `layer`.
+template <class Item>
+void settle_roles(std::vector<Item>& items) {
+  const auto is_part = [](const Item& item) { return item.layer.role == LayerRole::part; };
+  if (std::none_of(items.begin(), items.end(), is_part)) return;
+  for (Item& item : items)
+    if (item.layer.role == LayerRole::proposed) item.layer.role = LayerRole::texture;
+}
 
 /// Layers put on each other so far.
 struct LayerPile {

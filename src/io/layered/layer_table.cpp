@@ -126,14 +126,6 @@ Result<std::map<std::string, size_t>> read_columns(std::string_view line) {
   return columns;
 }
 
-void settle_roles(std::vector<LayerRow>& rows) {
-  const bool some_part = std::any_of(rows.begin(), rows.end(), [](const LayerRow& row) {
-    return row.layer.role == LayerRole::part;
-  });
-  for (LayerRow& row : rows)
-    if (some_part && row.layer.role == LayerRole::proposed) row.layer.role = LayerRole::texture;
-}
-
 }  // namespace
 
 Result<std::vector<LayerRow>> read_layer_table(std::string_view text) {

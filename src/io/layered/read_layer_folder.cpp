@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "io/files/in_file.h"
+#include "io/files/paths.h"
 #include "io/files/read_file.h"
 #include "io/layered/layer_table.h"
 #include "io/layered/packed_layers.h"
@@ -13,13 +15,6 @@ namespace relievo {
 namespace {
 
 namespace fs = std::filesystem;
-
-Error in_file(Error error, const fs::path& path) {
-  const std::string name = path.string();
-  if (error.where.rfind(name, 0) != 0)
-    error.where = error.where.empty() ? name : name + ": " + error.where;
-  return error;
-}
 
 /// Compares names so that numbers in them count as numbers: leg2 before leg10.
 bool natural_less(const std::string& p, const std::string& q) {
@@ -83,20 +78,9 @@ Result<std::vector<LayerRow>> rows_of(const fs::path& folder, std::vector<fs::pa
   const auto bytes = read_file(table);
   if (!bytes) return bytes.error();
   auto rows = read_layer_table({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-  if (!rows) return in_file(rows.error(), table);
+  if (!rows) return in_file(rows.error(), table.string());
   files.push_back(table);
   return rows;
-}
-
-/// The file's path, links followed; refused where it leaves the folder.
-Result<fs::path> layer_path(const fs::path& folder, const std::string& file) {
-  std::error_code code;
-  const fs::path root = fs::canonical(folder, code);
-  const fs::path path = fs::weakly_canonical(root / file, code);
-  const fs::path inside = path.lexically_relative(root);
-  if (code || inside.empty() || *inside.begin() == "..")
-    return Error{ErrorCode::bad_input, "leads out of the folder", (folder / file).string()};
-  return path;
 }
 
 }  // namespace
@@ -108,16 +92,17 @@ Result<FolderDrawing> read_layer_folder(const fs::path& folder, const ImageLimit
   std::vector<PackedLayer> layers;
   uint64_t room = max_packed_bytes;
   for (LayerRow& row : *rows) {
-    const auto path = layer_path(folder, row.file);
-    if (!path) return path.error();
-    auto bytes = read_file(*path, room);
+    const fs::path path = folder / row.file;
+    if (!path_below(path, folder))
+      return Error{ErrorCode::bad_input, "leads out of the folder", path.string()};
+    auto bytes = read_file(path, room);
     if (!bytes) return bytes.error();
     room -= bytes->size();
-    layers.push_back({std::move(row.layer), (folder / row.file).string(), std::move(*bytes)});
-    result.files.push_back(folder / row.file);
+    layers.push_back({std::move(row.layer), path.string(), std::move(*bytes)});
+    result.files.push_back(path);
   }
   auto content = unpack_layers(layers, {}, limits);
-  if (!content) return in_file(content.error(), folder);
+  if (!content) return in_file(content.error(), folder.string());
   result.content = std::move(*content);
   return result;
 }

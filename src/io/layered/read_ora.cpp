@@ -105,15 +105,6 @@ Result<ImageSize> canvas_of(const pugi::xml_node& image, const ImageLimits& limi
   return ImageSize{width, height};
 }
 
-void settle_roles(std::vector<PackedLayer>& layers) {
-  const bool some_part = std::any_of(layers.begin(), layers.end(), [](const PackedLayer& packed) {
-    return packed.layer.role == LayerRole::part;
-  });
-  for (PackedLayer& packed : layers)
-    if (some_part && packed.layer.role == LayerRole::proposed)
-      packed.layer.role = LayerRole::texture;
-}
-
 }  // namespace
 
 bool is_ora(const std::vector<ArchiveEntry>& entries) {

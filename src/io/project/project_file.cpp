@@ -6,6 +6,7 @@
 
 #include "io/archive/pack_archive.h"
 #include "io/archive/zip_archive.h"
+#include "io/files/in_file.h"
 #include "io/image/png_decode.h"
 #include "io/image/png_encode.h"
 #include "io/project/project_json.h"
@@ -26,11 +27,6 @@ std::string_view text_of(const Bytes& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-Error in(const std::string& entry, Error error) {
-  error.where = error.where.empty() ? entry : entry + ": " + error.where;
-  return error;
-}
-
 Error missing(const std::string& entry) {
   return {ErrorCode::bad_input, "is missing in the project", entry};
 }
@@ -44,7 +40,7 @@ class Unpacker {
     const ArchiveEntry* head = find_entry(entries_, "project.json");
     if (head == nullptr) return missing("project.json");
     auto project = read_project_json(text_of(head->bytes));
-    if (!project) return in("project.json", project.error());
+    if (!project) return in_file(project.error(), "project.json");
     for (const auto read :
          {&Unpacker::read_scene_entry, &Unpacker::read_pictures, &Unpacker::read_labels})
       if (Status status = (this->*read)(*project); !status) return status.error();
@@ -56,7 +52,7 @@ class Unpacker {
     const ArchiveEntry* entry = find_entry(entries_, "scene.json");
     if (entry == nullptr) return missing("scene.json");
     auto scene = read_scene(text_of(entry->bytes));
-    if (!scene) return in("scene.json", scene.error());
+    if (!scene) return in_file(scene.error(), "scene.json");
     project.scene = std::move(*scene);
     return Done{};
   }
@@ -77,7 +73,7 @@ class Unpacker {
     const ArchiveEntry* entry = find_entry(entries_, "labels.png");
     if (entry == nullptr) return missing("labels.png");
     auto labels = decode_png_values(entry->bytes);
-    if (!labels) return in("labels.png", labels.error());
+    if (!labels) return in_file(labels.error(), "labels.png");
     project.segmentation->labels = std::move(*labels);
     return Done{};
   }
@@ -94,7 +90,7 @@ bool is_project(ByteView bytes) {
 
 Result<Bytes> encode_project(const Project& project) {
   const auto scene = write_scene(project.scene);
-  if (!scene) return in("scene.json", scene.error());
+  if (!scene) return in_file(scene.error(), "scene.json");
   std::vector<ArchiveEntry> entries = {{"mimetype", bytes_of(mimetype)},
                                        {"project.json", bytes_of(write_project_json(project))},
                                        {"scene.json", bytes_of(*scene)}};
@@ -102,7 +98,7 @@ Result<Bytes> encode_project(const Project& project) {
   if (!project.picture.empty()) entries.push_back({project.scene.drawing, project.picture});
   if (project.segmentation) {
     auto labels = encode_png(project.segmentation->labels);
-    if (!labels) return in("labels.png", labels.error());
+    if (!labels) return in_file(labels.error(), "labels.png");
     entries.push_back({"labels.png", std::move(*labels)});
   }
   return pack_archive(entries);
