@@ -91,7 +91,7 @@ export class PaperControl {
         hovered: state.hovered,
         culprit: state.culprit,
         depthTint: state.depthTint,
-        showMarks: state.showMarks,
+        showMarks: state.showMarks && state.tool !== 'scribble',
         dark: window.matchMedia('(prefers-color-scheme: dark)').matches,
         preview: (on, pixel) => this.tool().draw(on, pixel),
       },

@@ -16,15 +16,15 @@ const kinds: readonly { kind: BrushKind; label: MessageKey; hint: MessageKey }[]
 export const brushWidths = { least: 4, most: 60, usual: 12 } as const;
 
 /** The strokes of each part and of the background: how many, and a way to be rid of them. */
-function StrokeList({ editor, segments }: { editor: Editor; segments: SegmentControl }) {
-  const { history, pending, brush } = useStore(editor);
+export function StrokeList({ editor, segments }: { editor: Editor; segments: SegmentControl }) {
+  const { history, pending, brush, tool } = useStore(editor);
   const document = pending ?? history.document;
   const { parts, strokes } = scribblesOf(document);
   const count = (of: (typeof strokes)[number]['part'], kind?: string): number =>
     strokes.filter((stroke) => (kind === undefined ? stroke.part === of : stroke.kind === kind)).length;
   const take = (values: Partial<Brush>): void => editor.set({ brush: { ...brush, ...values } });
   const background = (['outside', 'hole'] as const).filter((kind) => count(undefined, kind) > 0);
-  if (strokes.length === 0) return null;
+  if (tool !== 'scribble' || strokes.length === 0) return null;
   return (
     <ul class="stroke-list" aria-label={t('strokes')}>
       {parts.map((part) => (
@@ -55,13 +55,13 @@ function StrokeList({ editor, segments }: { editor: Editor; segments: SegmentCon
 }
 
 /** What the scribble brush says, beside the page while it is in hand. */
-export function ScribbleBar({ editor, segments }: { editor: Editor; segments: SegmentControl }) {
+export function ScribbleBar({ editor }: { editor: Editor }) {
   const { tool, brush, history, tint, pending } = useStore(editor);
   if (tool !== 'scribble' || !canScribble(history.document)) return null;
   const take = (kind: BrushKind): void => editor.set({ brush: { ...brush, kind, part: null } });
   const step = (event: KeyboardEvent): void => {
     const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
-    if (by === undefined) return;
+    if (by === undefined || event.target instanceof HTMLInputElement) return;
     event.preventDefault();
     const at = kinds.findIndex(({ kind }) => kind === brush.kind);
     const next = kinds[(Math.max(0, at) + by + kinds.length) % kinds.length];
@@ -70,33 +70,30 @@ export function ScribbleBar({ editor, segments }: { editor: Editor; segments: Se
     (event.currentTarget as HTMLElement).querySelector<HTMLElement>(`[data-brush=${next.kind}]`)?.focus();
   };
   return (
-    <div class="scribble-bar" data-tint-ms={tint ? Math.round(tint.ms) : undefined} data-pending={pending !== null}>
-      <StrokeList editor={editor} segments={segments} />
-      <div class="row" role="toolbar" aria-label={t('brush')} onKeyDown={step}>
-        {kinds.map(({ kind, label, hint }) => (
-          <button
-            type="button"
-            key={kind}
-            data-brush={kind}
-            aria-pressed={brush.kind === kind}
-            tabIndex={brush.kind === kind || (brush.kind === 'part' && kind === 'auto') ? 0 : -1}
-            title={t(hint)}
-            onClick={() => take(kind)}
-          >
-            {t(label)}
-          </button>
-        ))}
-        <label class="brush-width" title={t('brushWidth')}>
-          <span class="hidden">{t('brushWidth')}</span>
-          <input
-            type="range"
-            min={brushWidths.least}
-            max={brushWidths.most}
-            value={brush.width}
-            onInput={(event) => editor.set({ brush: { ...brush, width: Number(event.currentTarget.value) } })}
-          />
-        </label>
-      </div>
+    <div class="scribble-bar" role="toolbar" aria-label={t('brush')} data-tint-ms={tint ? Math.round(tint.ms) : undefined} data-pending={pending !== null} onKeyDown={step}>
+      {kinds.map(({ kind, label, hint }) => (
+        <button
+          type="button"
+          key={kind}
+          data-brush={kind}
+          aria-pressed={brush.kind === kind}
+          tabIndex={brush.kind === kind || (brush.kind === 'part' && kind === 'auto') ? 0 : -1}
+          title={t(hint)}
+          onClick={() => take(kind)}
+        >
+          {t(label)}
+        </button>
+      ))}
+      <label class="brush-width" title={t('brushWidth')}>
+        <span class="hidden">{t('brushWidth')}</span>
+        <input
+          type="range"
+          min={brushWidths.least}
+          max={brushWidths.most}
+          value={brush.width}
+          onInput={(event) => editor.set({ brush: { ...brush, width: Number(event.currentTarget.value) } })}
+        />
+      </label>
     </div>
   );
 }

@@ -24,34 +24,68 @@ function told(error: EngineError): string {
   return error.where ? `${error.where}: ${error.message}` : error.message;
 }
 
+/** A worker that is asked about one drawing after another, and shown each once. */
+class DrawingReader {
+  private opened: DrawingSource | null = null;
+  private opening: Promise<object | Failure> = Promise.resolve({});
+
+  constructor(private readonly editor: Editor, readonly engine: Engine) {}
+
+  async ask<T extends object>(document: Document, question: (engine: Engine) => Promise<T | Failure>): Promise<T | Failure> {
+    const { drawing } = document;
+    if (!drawing) throw new Error('no drawing');
+    if (this.opened !== drawing) {
+      this.opened = drawing;
+      this.opening = this.engine.openDrawing(this.flat(document, drawing));
+    }
+    try {
+      const opened = await this.opening;
+      return isFailure(opened) ? opened : await question(this.engine);
+    } catch (error) {
+      // The worker that knew the drawing is gone.
+      this.opened = null;
+      throw error;
+    }
+  }
+
+  private flat({ width, height }: Document, drawing: DrawingSource): FlatDrawing {
+    const { picture } = this.editor.state;
+    if (drawing.mime === 'image/png') return { png: drawing.bytes };
+    if (!picture) throw new Error('no picture');
+    return { pixels: pixelsOf(picture, width, height) };
+  }
+}
+
 /**
- * Understands flat drawings in a worker of its own. While strokes are in hand, their labels are
+ * Understands flat drawings in workers of its own: one for labels, which must not wait. While strokes are in hand, their labels are
  * shown as a tint at once; what follows from them - hidden shapes, order, joins - becomes one
  * change of the document, strokes included, when it is known.
  */
 export class SegmentControl {
-  private opened: DrawingSource | null = null;
-  private opening: Promise<object | Failure> = Promise.resolve({});
+  private readonly labeller: DrawingReader;
+  private readonly thinker: DrawingReader;
   private readonly wishes: Wish[] = [];
   private working = false;
   private wanted: Document | null = null;
   private tinting = false;
   private tinted: { drawing: DrawingSource; scribbles: Scribbles; corrections: Corrections } | null = null;
 
-  constructor(private readonly editor: Editor, private readonly engine: Engine) {
+  constructor(private readonly editor: Editor, engines: { labels: Engine; thoughts: Engine }) {
+    this.labeller = new DrawingReader(editor, engines.labels);
+    this.thinker = new DrawingReader(editor, engines.thoughts);
     editor.subscribe(() => this.follow());
   }
 
   /** Whether a segmentation from a file is sound; why not otherwise. */
   async check(document: Document): Promise<void> {
     if (!document.segmentation) return;
-    const checked = await this.engine.checkSegmentation(requestOf(document));
+    const checked = await this.thinker.engine.checkSegmentation(requestOf(document));
     if (isFailure(checked)) throw new Error(told(checked.error));
   }
 
   /** Finds the parts of a drawing that has none yet. */
   async guess(document: Document): Promise<Understanding | Failure> {
-    return this.ask(document, () => this.engine.understand(requestOf(document)));
+    return this.thinker.ask(document, (engine) => engine.understand(requestOf(document)));
   }
 
   /** Shows the labels of a document that is only being made; the newest one wins. */
@@ -107,8 +141,8 @@ export class SegmentControl {
       this.wanted = null;
       const begun = performance.now();
       try {
-        const labelled = await this.ask(document, () =>
-          this.engine.label(requestOf(document), document.width, document.height),
+        const labelled = await this.labeller.ask(document, (engine) =>
+          engine.label(requestOf(document), document.width, document.height),
         );
         if (document.drawing !== this.editor.document.drawing) continue;
         if (isFailure(labelled)) this.editor.set({ tint: null });
@@ -132,7 +166,7 @@ export class SegmentControl {
     try {
       const changed = wish.change(document);
       const understood =
-        changed === document ? null : await this.ask(changed, () => this.engine.understand(requestOf(changed)));
+        changed === document ? null : await this.thinker.ask(changed, (engine) => engine.understand(requestOf(changed)));
       if (this.wishes[0] !== wish) return;
       if (understood && this.editor.document !== document) return;
       this.wishes.shift();
@@ -154,31 +188,5 @@ export class SegmentControl {
     this.editor.edit(wish.label, adopt(changed, understood));
     if (selected !== null) this.editor.select(selected);
     if (understood.warnings.length > 0) this.editor.set({ notice: understood.warnings.join(' ') });
-  }
-
-  /** Asks a question about a drawing, which the worker is shown first where it does not know it. */
-  private async ask<T extends object>(document: Document, question: () => Promise<T | Failure>): Promise<T | Failure> {
-    const { drawing } = document;
-    if (!drawing) throw new Error('no drawing');
-    if (this.opened !== drawing) {
-      this.opened = drawing;
-      this.opening = this.engine.openDrawing(this.flat(document, drawing));
-    }
-    try {
-      const opened = await this.opening;
-      if (isFailure(opened)) return opened;
-      return await question();
-    } catch (error) {
-      // The worker that knew the drawing is gone.
-      this.opened = null;
-      throw error;
-    }
-  }
-
-  private flat({ width, height }: Document, drawing: DrawingSource): FlatDrawing {
-    const { picture } = this.editor.state;
-    if (drawing.mime === 'image/png') return { png: drawing.bytes };
-    if (!picture) throw new Error('no picture');
-    return { pixels: pixelsOf(picture, width, height) };
   }
 }

@@ -19,7 +19,7 @@ import { type PaperControl, PaperPane } from './paper_pane';
 import { PartList } from './part_list';
 import { PartPanel } from './part_panel';
 import { SettingsPanel } from './settings_panel';
-import { ScribbleBar } from './scribble_bar';
+import { ScribbleBar, StrokeList } from './scribble_bar';
 import type { SegmentControl } from './segment_control';
 import type { HeldKeys } from './shortcuts';
 import { useStore } from './store';
@@ -142,11 +142,12 @@ export function Workspace({ editor, files, segments, held, attachPaper, choose, 
       <TopBar editor={editor} files={files} choose={choose} />
       <Toolbar editor={editor} />
       <PaperPane editor={editor} tool={() => hands[editor.state.tool]} attach={attach} />
-      <ScribbleBar editor={editor} segments={segments} />
+      <ScribbleBar editor={editor} />
       <ModelPane editor={editor} attach={(view) => (model.current = view)} lightHeld={() => held.light} stop={stop} />
       <aside class="side">
         <h2>{t('parts')}</h2>
         <PartList editor={editor} />
+        <StrokeList editor={editor} segments={segments} />
         <PartPanel editor={editor} />
       </aside>
       {panel === 'export' && <ExportPanel editor={editor} files={files} picture={picture} />}

@@ -3,8 +3,10 @@
 export type Rgb = readonly [number, number, number];
 
 const golden = 0.618034;
+/** Hues come near again after 5, 8 or 13 steps; these do not then. */
+const lightness = [0.4, 0.54, 0.68] as const;
 
-/** Red, green, blue in [0, 255] of a hue, all in [0, 1]. */
+/** In [0, 255], of values in [0, 1]. */
 function rgbOf(hue: number, saturation: number, lightness: number): Rgb {
   const amplitude = saturation * Math.min(lightness, 1 - lightness);
   const channel = (shift: number): number => {
@@ -15,5 +17,5 @@ function rgbOf(hue: number, saturation: number, lightness: number): Rgb {
 }
 
 export function labelColor(label: number): Rgb {
-  return rgbOf((0.06 + label * golden) % 1, 0.72, label % 2 === 0 ? 0.44 : 0.55);
+  return rgbOf((0.06 + label * golden) % 1, 0.75, lightness[label % 3] as number);
 }

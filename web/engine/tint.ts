@@ -1,7 +1,7 @@
 import { labelColor } from './label_colors';
 
 /** Opacity of areas and of the borders between them, of 255. */
-const area = 120;
+const area = 140;
 const border = 235;
 
 /**

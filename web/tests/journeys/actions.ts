@@ -33,16 +33,16 @@ export function save(page: Page, name: string): Promise<Buffer> {
   return downloaded(page, () => page.click('#save'), name);
 }
 
-/** A click or a drag over a page of 1000 x 800 that fits its pane; spots are its px. */
-export async function gesture(page: Page, spots: Spot[]): Promise<void> {
+/** A click or a drag over a page that fits its pane; spots are its px. */
+export async function gesture(page: Page, spots: Spot[], [width, height]: Spot = [1000, 800]): Promise<void> {
   const box = await page.locator('.paper canvas').first().boundingBox();
   if (!box || spots.length === 0) throw new Error('no page to draw on');
   const [left, margin] = [90, 24];
   const room = box.width - left - margin;
-  const scale = Math.min(room / 1000, (box.height - 2 * margin) / 800);
+  const scale = Math.min(room / width, (box.height - 2 * margin) / height);
   const at = ([x, y]: Spot): Spot => [
-    box.x + left + (room - scale * 1000) / 2 + scale * x,
-    box.y + (box.height - scale * 800) / 2 + scale * y,
+    box.x + left + (room - scale * width) / 2 + scale * x,
+    box.y + (box.height - scale * height) / 2 + scale * y,
   ];
   await page.mouse.move(...at(spots[0] as Spot));
   await page.mouse.down();
