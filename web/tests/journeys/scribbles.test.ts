@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { strToU8, unzipSync, zipSync } from 'fflate';
 import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
-import { choosePart, downloaded, gesture, names, save, type Spot } from './actions.ts';
+import { choosePart, downloaded, gesture, names, save, type Spot, spotsOn } from './actions.ts';
 import { closeStage, openStage, picture, pictures, reopen, settled, type Stage } from './browser.ts';
 
 const root = fileURLToPath(new URL('../../..', import.meta.url));
@@ -60,8 +60,6 @@ it('makes a model of a flat drawing with scribbles, which stay editable in the s
   await scribble([60, 60], [120, 120]);
   await settled(page);
   await picture(page, 'scribble-bear');
-  const ms = Number(await page.locator('.scribble-bar').getAttribute('data-tint-ms'));
-  console.log(`scribble to tint: ${ms} ms`);
 
   await choosePart(page, (await names(page))[0]!);
   await page.keyboard.press('Home');
@@ -127,6 +125,32 @@ it('opens a saved project again, goes on with its strokes, and builds as the com
   const native = join(pictures, 'bear-native.glb');
   execFileSync(program, ['build', join(pictures, 'bear-erased.relievo'), '-q', '--vertices', '20000', '-o', native]);
   expect(glb.equals(readFileSync(native))).toBe(true);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('tints the parts while the pen is down, within 150 ms a megapixel, and forgets a stroke on Escape', async () => {
+  const { page } = stage;
+  await openBear();
+  const count = (await names(page)).length;
+  const times: number[] = [];
+  const spots = await spotsOn(page, [[430, 620], [450, 660], [470, 700], [490, 730], [500, 760]], bear);
+  await page.mouse.move(...spots[0]!);
+  await page.mouse.down();
+  for (const spot of spots.slice(1)) {
+    await page.mouse.move(...spot, { steps: 4 });
+    await page.waitForTimeout(250);
+    times.push(Number(await page.locator('.scribble-bar').getAttribute('data-tint-ms')));
+  }
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await picture(page, 'scribble-pen-down-dark');
+  await page.emulateMedia({ colorScheme: 'light' });
+  await picture(page, 'scribble-pen-down');
+  console.log(`scribble to tint at 0.9 megapixels: ${times.join(', ')} ms`);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await understood();
+  expect((await names(page)).length).toBe(count);
+  expect(await page.locator('.stroke-list li').count()).toBe(0);
   expect(stage.troubles).toEqual([]);
 });
 
