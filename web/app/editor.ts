@@ -1,7 +1,7 @@
 import type { BuiltRelief, EngineError, TintedLabels } from '../engine/messages';
 import { noteCorrections } from '../document/corrections';
 import { type Document, emptyDocument } from '../document/document';
-import { type History, record, redo, startHistory, undo } from '../document/history';
+import { amend, type History, record, redo, startHistory, undo } from '../document/history';
 import type { Brush } from '../tools/scribble_tool';
 import { Store } from './store';
 
@@ -84,6 +84,11 @@ export class Editor extends Store<EditorState> {
   edit(label: string, next: Document, gesture: string | null = null): void {
     this.set({ notice: '' });
     this.show(record(this.state.history, label, noteCorrections(this.document, next), gesture));
+  }
+
+  /** Goes on to what follows from the last change, as a part of it. */
+  complete(next: Document): void {
+    this.show(amend(this.state.history, next));
   }
 
   undo(): void {

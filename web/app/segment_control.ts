@@ -9,6 +9,9 @@ import { t } from './catalogue';
 import type { Editor } from './editor';
 import { pixelsOf } from './pictures';
 
+/** Hidden shapes follow a new order when it has stayed for so long, ms. */
+const rest = 300;
+
 /** A change of strokes that waits to be understood. */
 interface Wish {
   readonly label: string;
@@ -68,12 +71,18 @@ export class SegmentControl {
   private working = false;
   private wanted: Document | null = null;
   private tinting = false;
+  private ordered: Document['parts'] | null = null;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private reordered: Document | null = null;
   private tinted: { drawing: DrawingSource; scribbles: Scribbles; corrections: Corrections } | null = null;
 
   constructor(private readonly editor: Editor, engines: { labels: Engine; thoughts: Engine }) {
     this.labeller = new DrawingReader(editor, engines.labels);
     this.thinker = new DrawingReader(editor, engines.thoughts);
-    editor.subscribe(() => this.follow());
+    editor.subscribe(() => {
+      this.followOrder();
+      this.followStrokes();
+    });
   }
 
   /** Whether a segmentation from a file is sound; why not otherwise. */
@@ -109,8 +118,9 @@ export class SegmentControl {
     return true;
   }
 
-  /** Resolves when no stroke waits. */
+  /** Resolves when all is understood. */
   async settle(): Promise<void> {
+    if (this.reordered) await this.rethink(this.reordered);
     while (this.working) await new Promise((resolve) => setTimeout(resolve, 20));
   }
 
@@ -123,8 +133,36 @@ export class SegmentControl {
     this.editor.set({ pending: this.wishes.length > 0 ? this.pending : null });
   }
 
+  /** What is hidden depends on what lies in front: a new order is understood once the hand rests. */
+  private followOrder(): void {
+    const { history } = this.editor.state;
+    const { document } = history;
+    if (document.parts === this.ordered) return;
+    this.ordered = document.parts;
+    clearTimeout(this.timer);
+    const isNew = history.done.at(-1)?.label === 'order' && history.undone.length === 0;
+    this.reordered = document.segmentation && isNew ? document : null;
+    if (this.reordered) this.timer = setTimeout(() => void this.rethink(document), rest);
+  }
+
+  private async rethink(document: Document): Promise<void> {
+    try {
+      const understood = await this.thinker.ask(document, (engine) => engine.understand(requestOf(document)));
+      if (this.reordered !== document || this.editor.document !== document) return;
+      this.reordered = null;
+      if (isFailure(understood)) this.editor.set({ notice: told(understood.error) });
+      else {
+        const next = adopt(document, understood);
+        this.ordered = next.parts;
+        this.editor.complete(next);
+      }
+    } catch (error) {
+      if (!(error instanceof EngineStopped)) throw error;
+    }
+  }
+
   /** Keeps the tint up with the document while strokes can be seen. */
-  private follow(): void {
+  private followStrokes(): void {
     const { document, state } = this.editor;
     const { drawing } = document;
     if (state.tool !== 'scribble' || !state.open || !drawing || !canScribble(document) || this.wishes.length > 0) return;

@@ -45,6 +45,14 @@ function headOf(project: Buffer): Head {
   return JSON.parse(Buffer.from(unzipSync(project)['project.json']!).toString()) as Head;
 }
 
+interface Scene {
+  parts: { id: string }[];
+}
+
+function sceneOf(project: Buffer): Scene {
+  return JSON.parse(Buffer.from(unzipSync(project)['scene.json']!).toString()) as Scene;
+}
+
 it('makes a model of a flat drawing with scribbles, which stay editable in the saved project', async () => {
   const { page } = stage;
   await openBear();
@@ -169,6 +177,28 @@ it('opens and saves a project of the command line without losing what it holds',
   const { corrections } = (JSON.parse(Buffer.from(saved['project.json']!).toString()) as { segmentation: { corrections: { order: unknown[] } } }).segmentation;
   expect(corrections.order.length).toBe(1);
   execFileSync(program, ['check', join(pictures, 'bear-corrected.relievo')]);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('completes what a new order hides, as a part of the same step', async () => {
+  const { page } = stage;
+  await openBear();
+  const before = sceneOf(await save(page, 'bear-before.relievo'));
+  await choosePart(page, (await names(page)).at(-1)!);
+  await page.keyboard.press('Home');
+  await page.waitForTimeout(2000);
+  await settled(page);
+  await picture(page, 'scribble-reordered');
+  const after = sceneOf(await save(page, 'bear-after.relievo'));
+  const front = after.parts.at(-1)!.id;
+  expect(front).toBe(before.parts[0]!.id);
+  const outline = (scene: Scene, id: string): string => JSON.stringify(scene.parts.find((part) => part.id === id));
+  expect(outline(after, front)).not.toBe(outline(before, front));
+  await page.keyboard.press('Control+z');
+  expect(sceneOf(await save(page, 'bear-back.relievo'))).toEqual(before);
+  await page.keyboard.press('Control+Shift+z');
+  await page.waitForTimeout(2000);
+  expect(sceneOf(await save(page, 'bear-forth.relievo'))).toEqual(after);
   expect(stage.troubles).toEqual([]);
 });
 
