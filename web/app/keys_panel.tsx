@@ -18,6 +18,7 @@ const rows: readonly [string, MessageKey][] = [
   ['Esc', 'keyEscape'],
   ['[ ]', 'keyBrush'],
   ['Alt', 'keyErase'],
+  ['Arrows, Enter', 'keyScribble'],
 ];
 
 export function KeysPanel() {

@@ -19,6 +19,7 @@ export const scribbleEnglish = {
   clearStrokes: 'Remove the strokes of {name}',
   keyBrush: 'Narrower, wider brush',
   keyErase: 'Scribble: rub out strokes',
+  keyScribble: 'Scribble: move the brush, set it down or lift it',
   tourScribble: 'On a flat picture the parts are guessed. Scribble over what belongs together: each stroke makes a part, shown in its colour at once.',
 };
 
@@ -41,5 +42,6 @@ export const scribbleGerman: Record<keyof typeof scribbleEnglish, string> = {
   clearStrokes: 'Striche von {name} entfernen',
   keyBrush: 'Pinsel schmaler, breiter',
   keyErase: 'Kritzeln: Striche ausradieren',
+  keyScribble: 'Kritzeln: Pinsel bewegen, aufsetzen oder heben',
   tourScribble: 'Auf einem flachen Bild werden die Teile erraten. Kritzle über alles, was zusammengehört: Jeder Strich ist ein Teil und zeigt gleich seine Farbe.',
 };

@@ -31,6 +31,9 @@ export interface ScribbleHost {
   refuse(): void;
 }
 
+/** How far an arrow key moves the brush, as shares of the reach of a hand: usually, with Shift. */
+const steps = [0.5, 3] as const;
+
 /** A stroke says what belongs together; strokes of one colour are one part. */
 export class ScribbleTool implements Tool {
   readonly cursor = 'crosshair';
@@ -74,6 +77,24 @@ export class ScribbleTool implements Tool {
     if (this.points.length === 0) return;
     this.points = [];
     this.scribbles.drop();
+  }
+
+  /** Arrows move the brush, Enter sets it down and lifts it. */
+  key(name: string, keys: Modifiers): boolean {
+    const { width, height } = this.host.document;
+    const [x, y] = this.at ?? [width / 2, height / 2];
+    if (name === 'Enter') {
+      this.at = [x, y];
+      if (this.points.length > 0) this.up();
+      else this.down([x, y], keys);
+      return true;
+    }
+    const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[name];
+    if (!way) return false;
+    const step = this.host.reach * steps[keys.shift ? 1 : 0];
+    const within = (value: number, most: number): number => Math.min(most, Math.max(0, value));
+    this.move([within(x + step * (way[0] as number), width), within(y + step * (way[1] as number), height)], true);
+    return true;
   }
 
   draw(context: CanvasRenderingContext2D, pixel: number): void {

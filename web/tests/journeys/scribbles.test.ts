@@ -180,6 +180,29 @@ it('opens and saves a project of the command line without losing what it holds',
   expect(stage.troubles).toEqual([]);
 });
 
+it('needs no pointer: arrows move the brush, Enter sets it down and lifts it', async () => {
+  const { page } = stage;
+  await openBear();
+  const { keyboard } = page;
+  for (let i = 0; i < 5; i++) await keyboard.press('Shift+ArrowDown');
+  await keyboard.press('Enter');
+  for (let i = 0; i < 4; i++) await keyboard.press('ArrowDown');
+  await picture(page, 'scribble-keys');
+  await keyboard.press('Enter');
+  await understood();
+  expect(await page.locator('.stroke-list li').count()).toBe(1);
+  await page.locator('[data-brush=auto]').focus();
+  await keyboard.press('ArrowLeft');
+  expect(await page.locator('[data-brush=erase]').getAttribute('aria-pressed')).toBe('true');
+  await page.locator('.stroke-list [aria-label^=Remove]').focus();
+  await keyboard.press('Enter');
+  await page.waitForFunction(() => document.querySelectorAll('.stroke-list li').length === 0);
+  await understood();
+  await keyboard.press('?');
+  await picture(page, 'scribble-keys-panel');
+  expect(stage.troubles).toEqual([]);
+});
+
 it('completes what a new order hides, as a part of the same step', async () => {
   const { page } = stage;
   await openBear();
