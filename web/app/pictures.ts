@@ -5,6 +5,8 @@ import { paintParts } from '../view/paper_view';
 /** Longest side of the texture made of a vector drawing or of parts: the command line's. */
 const vectorSide = 2048;
 const maxPixels = 4096 * 4096;
+/** Of a flat drawing, so that labels follow the pen. */
+const flatPixels = 2048 * 2048;
 
 function canvasOf(width: number, height: number): [OffscreenCanvas, OffscreenCanvasRenderingContext2D] {
   const canvas = new OffscreenCanvas(Math.max(1, Math.round(width)), Math.max(1, Math.round(height)));
@@ -64,18 +66,18 @@ function painted(document: Document, picture: ImageBitmap | null): OffscreenCanv
 
 /**
  * A flat drawing as it is segmented and kept: the file as it came, or its picture as a PNG file
- * where the command line could not read that, or where it was made smaller.
+ * where the command line could not read that, or where it is too large to scribble on.
  */
-export async function flatDrawing(drawing: DrawingSource, picture: ImageBitmap): Promise<DrawingSource> {
-  const size = await createImageBitmap(new Blob([drawing.bytes as Uint8Array<ArrayBuffer>], { type: drawing.mime }));
-  const whole = size.width === picture.width && size.height === picture.height;
-  size.close();
-  if (whole && (drawing.mime === 'image/png' || drawing.mime === 'image/jpeg')) return drawing;
-  const [canvas, context] = canvasOf(picture.width, picture.height);
-  context.drawImage(picture, 0, 0);
-  const blob = await canvas.convertToBlob({ type: 'image/png' });
-  const bytes = new Uint8Array(await blob.arrayBuffer());
-  return { name: drawing.name.replace(/\.[^.]*$/, '') + '.png', kind: 'image', mime: 'image/png', bytes };
+export async function flatDrawing(source: DrawingSource): Promise<{ drawing: DrawingSource; picture: ImageBitmap }> {
+  const whole = await createImageBitmap(new Blob([source.bytes as Uint8Array<ArrayBuffer>], { type: source.mime }));
+  const scale = Math.min(1, Math.sqrt(flatPixels / (whole.width * whole.height)));
+  if (scale === 1 && ['image/png', 'image/jpeg'].includes(source.mime)) return { drawing: source, picture: whole };
+  const [canvas, context] = canvasOf(scale * whole.width, scale * whole.height);
+  context.drawImage(whole, 0, 0, canvas.width, canvas.height);
+  whole.close();
+  const bytes = new Uint8Array(await (await canvas.convertToBlob({ type: 'image/png' })).arrayBuffer());
+  const name = `${source.name.replace(/\.[^.]*$/, '')}.png`;
+  return { drawing: { name, kind: 'image', mime: 'image/png', bytes }, picture: canvas.transferToImageBitmap() };
 }
 
 /** A picture at another size. */

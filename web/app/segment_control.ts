@@ -14,6 +14,7 @@ const rest = 300;
 
 /** A change of strokes that waits to be understood. */
 interface Wish {
+  readonly drawing: DrawingSource | null;
   readonly label: string;
   change(document: Document): Document;
 }
@@ -105,7 +106,7 @@ export class SegmentControl {
 
   /** Has a change of strokes understood and makes it, strokes and all, one step. */
   wish(label: string, change: (document: Document) => Document): void {
-    this.wishes.push({ label, change });
+    this.wishes.push({ drawing: this.editor.document.drawing, label, change });
     this.showPending();
     if (!this.working) void this.work();
   }
@@ -201,6 +202,10 @@ export class SegmentControl {
   /** Tries again where the document has changed meanwhile. */
   private async grant(wish: Wish): Promise<void> {
     const { document } = this.editor;
+    if (document.drawing !== wish.drawing) {
+      this.forgetWishes();
+      return;
+    }
     try {
       const changed = wish.change(document);
       const understood =
