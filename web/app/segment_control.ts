@@ -33,7 +33,15 @@ class DrawingReader {
   private opened: DrawingSource | null = null;
   private opening: Promise<object | Failure> = Promise.resolve({});
 
-  constructor(private readonly editor: Editor, readonly engine: Engine) {}
+  private made: Engine | null = null;
+
+  constructor(private readonly editor: Editor, private readonly make: () => Engine) {}
+
+  /** The worker, which is started when it is needed first. */
+  get engine(): Engine {
+    this.made ??= this.make();
+    return this.made;
+  }
 
   async ask<T extends object>(document: Document, question: (engine: Engine) => Promise<T | Failure>): Promise<T | Failure> {
     const { drawing } = document;
@@ -77,9 +85,9 @@ export class SegmentControl {
   private reordered: Document | null = null;
   private tinted: { drawing: DrawingSource; scribbles: Scribbles; corrections: Corrections } | null = null;
 
-  constructor(private readonly editor: Editor, engines: { labels: Engine; thoughts: Engine }) {
-    this.labeller = new DrawingReader(editor, engines.labels);
-    this.thinker = new DrawingReader(editor, engines.thoughts);
+  constructor(private readonly editor: Editor, start: () => Engine) {
+    this.labeller = new DrawingReader(editor, start);
+    this.thinker = new DrawingReader(editor, start);
     editor.subscribe(() => {
       this.followOrder();
       this.followStrokes();
