@@ -8,6 +8,8 @@ import type { Editor } from './editor';
 const draftVertices = 3000;
 /** The full mesh follows when nothing has changed for so long, ms. */
 const rest = 160;
+/** A build that has become useless may go on for so long: the next one goes on from it. ms. */
+const patience = 1000;
 
 function requestFor(document: Document, draft: boolean) {
   const { settings } = document;
@@ -47,7 +49,8 @@ export function culpritOf(error: EngineError, document: Document): string | null
 
 /**
  * Keeps the relief up with the document: a coarse one at once, the full one when the hand rests.
- * Each has a worker of its own; what a newer document makes useless is stopped.
+ * Each has a worker of its own, which keeps what the next build can go on from; so only what takes
+ * long is stopped when a newer document makes it useless.
  */
 export class BuildControl {
   private shape: readonly unknown[] = [];
@@ -55,6 +58,9 @@ export class BuildControl {
   private drafting = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private builtFull: Document | null = null;
+  private fullWanted: Document | null = null;
+  private fullRun: Promise<void> | null = null;
+  private fullBegun = 0;
 
   constructor(
     private readonly editor: Editor,
@@ -68,14 +74,14 @@ export class BuildControl {
   async settle(): Promise<void> {
     if (this.builtFull === this.editor.document) return;
     clearTimeout(this.timer);
-    this.full.cancel();
-    await this.buildFull(this.editor.document);
+    await this.wantFull(this.editor.document);
     if (this.builtFull !== this.editor.document) throw new Error(this.editor.state.build.error?.message ?? '');
   }
 
   /** Stops the full build; the coarse relief stays. */
   stop(): void {
     clearTimeout(this.timer);
+    this.fullWanted = null;
     this.full.cancel();
     this.editor.set({ build: { ...this.editor.state.build, phase: 'idle', progress: 0 } });
   }
@@ -86,7 +92,8 @@ export class BuildControl {
     if (shape.length === this.shape.length && shape.every((value, i) => value === this.shape[i])) return;
     this.shape = shape;
     clearTimeout(this.timer);
-    this.full.cancel();
+    this.fullWanted = null;
+    if (document.settings.method === 'nonlinear' || performance.now() - this.fullBegun > patience) this.full.cancel();
     if (document.parts.length === 0) {
       this.editor.set({ relief: null, culprit: null, build: { phase: 'idle', progress: 0, error: null } });
       return;
@@ -97,7 +104,7 @@ export class BuildControl {
   private start(document: Document): void {
     this.draftWanted = document;
     if (!this.drafting) void this.runDrafts();
-    this.timer = setTimeout(() => void this.buildFull(document), rest);
+    this.timer = setTimeout(() => void this.wantFull(document), rest);
   }
 
   /** Builds the newest document until there is no newer one. */
@@ -111,8 +118,22 @@ export class BuildControl {
     this.drafting = false;
   }
 
-  private async buildFull(document: Document): Promise<void> {
-    if (await this.build(this.full, document, 'full')) this.builtFull = document;
+  /** Resolves when the full engine rests. */
+  private wantFull(document: Document): Promise<void> {
+    this.fullWanted = document;
+    this.fullRun ??= this.runFull().finally(() => {
+      this.fullRun = null;
+    });
+    return this.fullRun;
+  }
+
+  private async runFull(): Promise<void> {
+    while (this.fullWanted) {
+      const document = this.fullWanted;
+      this.fullWanted = null;
+      this.fullBegun = performance.now();
+      if (await this.build(this.full, document, 'full')) this.builtFull = document;
+    }
   }
 
   private async build(engine: Engine, document: Document, phase: 'draft' | 'full'): Promise<boolean> {

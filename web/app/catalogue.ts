@@ -1,3 +1,5 @@
+import { scribbleEnglish, scribbleGerman } from './scribble_words';
+
 /** Every word that the page says, in every language that it speaks. */
 
 const english = {
@@ -85,9 +87,9 @@ const english = {
   notSaved: 'Not kept yet',
   saveFailed: 'This browser does not keep your work. Save the project to a file.',
   proposedParts: 'The drawing names no parts; these were guessed from its shapes.',
-  imageHint: 'Trace the parts over the picture with the Draw tool.',
+  imageHint: 'Scribble over each part.',
   guessing: 'Looking for the parts of the picture …',
-  guessed: 'These parts were guessed. Change their order, join them, remove them or draw others.',
+  guessed: 'These parts were guessed. Scribble over what belongs together to correct them.',
   notReadable: '“{name}” could not be read: {why}',
   unknownFile: 'only SVG, PNG, JPEG, WebP and .relievo files can be opened',
   crashed: 'The engine stopped and was started anew. Your work is safe.',
@@ -114,6 +116,7 @@ const english = {
   keyUndo: 'Undo, redo',
   keyFile: 'Open, save, export',
   keyEscape: 'Leave the gesture, the panel, the choice',
+  ...scribbleEnglish,
 };
 
 export type MessageKey = keyof typeof english;
@@ -203,9 +206,9 @@ const german: Record<MessageKey, string> = {
   notSaved: 'Noch nicht bewahrt',
   saveFailed: 'Dieser Browser bewahrt deine Arbeit nicht. Sichere das Projekt in eine Datei.',
   proposedParts: 'Die Zeichnung nennt keine Teile; diese sind aus ihren Formen erraten.',
-  imageHint: 'Zeichne die Teile mit dem Werkzeug Zeichnen über dem Bild nach.',
+  imageHint: 'Kritzle über jedes Teil.',
   guessing: 'Sucht die Teile des Bildes …',
-  guessed: 'Diese Teile sind erraten. Ordne, verbinde, entferne sie oder zeichne andere.',
+  guessed: 'Diese Teile sind erraten. Kritzle über alles, was zusammengehört, um sie zu ändern.',
   notReadable: '„{name}“ ist nicht lesbar: {why}',
   unknownFile: 'nur SVG, PNG, JPEG, WebP und .relievo lassen sich öffnen',
   crashed: 'Das Rechenwerk blieb stehen und wurde neu gestartet. Deine Arbeit ist sicher.',
@@ -232,6 +235,7 @@ const german: Record<MessageKey, string> = {
   keyUndo: 'Rückgängig, wiederholen',
   keyFile: 'Öffnen, sichern, ausgeben',
   keyEscape: 'Geste, Tafel, Auswahl verlassen',
+  ...scribbleGerman,
 };
 
 export const catalogues: Record<'en' | 'de', Record<MessageKey, string>> = { en: english, de: german };

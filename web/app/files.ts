@@ -1,14 +1,16 @@
 import { zipSync } from 'fflate';
 import type { Autosave } from '../document/autosave';
 import { type Document, emptyDocument } from '../document/document';
-import { readProject, writeProject } from '../document/project_file';
+import { isOwnPicture, readProject, writeProject } from '../document/project_file';
 import { sceneContent } from '../document/scene_text';
+import { adopt } from '../document/scribbling';
 import type { Engine } from '../engine/engine';
 import { type ExportFormat, isFailure, type MapKind, type OutputFile } from '../engine/messages';
 import type { BuildControl } from './build_control';
 import { t } from './catalogue';
 import type { Editor } from './editor';
-import { decodePicture, pictureOf, pixelsOf, pngOf, textureOf } from './pictures';
+import { decodePicture, flatDrawing, pictureOf, pngOf, textureOf } from './pictures';
+import type { SegmentControl } from './segment_control';
 
 const imageTypes = ['image/png', 'image/jpeg', 'image/webp'];
 
@@ -39,7 +41,7 @@ export class Files {
   constructor(
     private readonly editor: Editor,
     private readonly engine: Engine,
-    private readonly control: BuildControl,
+    private readonly controls: { control: BuildControl; segments: SegmentControl },
     private readonly autosave: Autosave | null,
   ) {
     editor.subscribe(() => this.keepLater());
@@ -49,7 +51,7 @@ export class Files {
   async open(file: File): Promise<void> {
     try {
       const bytes = new Uint8Array(await file.arrayBuffer());
-      if (file.name.endsWith('.relievo')) await this.show(readProject(bytes));
+      if (file.name.endsWith('.relievo')) await this.openProject(bytes);
       else if (file.type === 'image/svg+xml' || file.name.endsWith('.svg')) await this.openSvg(file.name, bytes);
       else if (imageTypes.includes(file.type)) await this.openImage(file.name, bytes, file.type);
       else throw new Error(t('unknownFile'));
@@ -59,6 +61,12 @@ export class Files {
     }
   }
 
+  private async openProject(bytes: Uint8Array): Promise<void> {
+    const project = readProject(bytes);
+    await this.controls.segments.check(project);
+    await this.show(project);
+  }
+
   async openSample(name: string, url: string): Promise<void> {
     const answer = await fetch(url);
     await this.openSvg(`${name}.svg`, new Uint8Array(await answer.arrayBuffer()));
@@ -66,15 +74,16 @@ export class Files {
 
   /** Shows a document that comes from a file or from what was kept. */
   async show(document_: Document): Promise<void> {
-    const next = await this.withPaintable(document_);
+    const next = await this.withPaintable({ ...emptyDocument(), ...document_ });
     const picture = next.drawing && (await pictureOf(next.drawing, next.width, next.height));
     this.editor.openDocument(next, picture);
     this.editor.set({ tool: next.parts.length === 0 ? 'draw' : 'select', notice: '' });
   }
 
   saveProject = async (): Promise<void> => {
+    await this.controls.segments.settle();
     const { document: doc, state } = this.editor;
-    const bytes = writeProject(doc, await pngOf(doc, state.picture));
+    const bytes = writeProject(doc, isOwnPicture(doc) ? null : await pngOf(doc, state.picture));
     download({ name: `${doc.name}.relievo`, bytes });
   };
 
@@ -105,7 +114,8 @@ export class Files {
 
   private async exporting(work: () => Promise<void>): Promise<void> {
     try {
-      await this.control.settle();
+      await this.controls.segments.settle();
+      await this.controls.control.settle();
       await work();
     } catch (error) {
       this.editor.set({ notice: `${t('failed')}: ${error instanceof Error ? error.message : String(error)}` });
@@ -134,32 +144,27 @@ export class Files {
     return { ...next, drawing: { ...drawing, paintable: imported.paintable } };
   }
 
+  /** The canvas of a flat drawing is its pixels. */
   private async openImage(name: string, bytes: Uint8Array, mime: string): Promise<void> {
     const picture = await decodePicture(bytes, mime);
-    const scale = Math.min(1, 2048 / Math.max(picture.width, picture.height));
-    const next: Document = {
-      ...emptyDocument(),
-      name: baseName(name),
-      width: Math.round(scale * picture.width),
-      height: Math.round(scale * picture.height),
-      drawing: { name, kind: 'image', mime, bytes },
-    };
+    const { width, height } = picture;
+    const drawing = await flatDrawing({ name, kind: 'image', mime, bytes }, picture);
+    const next: Document = { ...emptyDocument(), name: baseName(name), width, height, drawing };
     this.editor.openDocument(next, picture);
     this.editor.set({ tool: 'draw', notice: t('guessing') });
-    await this.guessParts(next, picture);
+    await this.guessParts(next);
   }
 
-  /** Lets the engine find the parts of a flat drawing; they can be traced by hand where it cannot. */
-  private async guessParts(next: Document, picture: ImageBitmap): Promise<void> {
-    const found = await this.engine.importPicture(pixelsOf(picture, next.width, next.height));
+  /** Lets the engine find the parts of a flat drawing; strokes tell them where it cannot. */
+  private async guessParts(next: Document): Promise<void> {
+    const found = await this.controls.segments.guess(next);
     if (this.editor.document !== next) return;
     if (isFailure(found)) {
-      this.editor.set({ notice: `${found.error.message}. ${t('imageHint')}` });
+      this.editor.set({ tool: 'scribble', notice: `${found.error.message}. ${t('imageHint')}` });
       return;
     }
-    const { parts, joins, relations, robin } = sceneContent(found.scene);
-    this.editor.edit('guess', { ...next, parts, joins, relations, robin });
-    this.editor.set({ tool: 'select', notice: [t('guessed'), ...found.warnings].join(' ') });
+    this.editor.edit('guess', adopt(next, found));
+    this.editor.set({ tool: 'scribble', notice: [t('guessed'), ...found.warnings].join(' ') });
   }
 
   private keepLater(): void {

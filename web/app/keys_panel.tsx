@@ -1,7 +1,7 @@
 import { type MessageKey, t } from './catalogue';
 
 const rows: readonly [string, MessageKey][] = [
-  ['1 … 6', 'keyTools'],
+  ['1 … 7', 'keyTools'],
   ['Page Up, Page Down, Home, End', 'keyOrder'],
   ['J', 'keyJoin'],
   ['H', 'keyReverse'],
@@ -16,6 +16,9 @@ const rows: readonly [string, MessageKey][] = [
   ['Ctrl Z, Ctrl ⇧ Z', 'keyUndo'],
   ['Ctrl O, Ctrl S, Ctrl E', 'keyFile'],
   ['Esc', 'keyEscape'],
+  ['[ ]', 'keyBrush'],
+  ['Alt', 'keyErase'],
+  ['Arrows, Enter', 'keyScribble'],
 ];
 
 export function KeysPanel() {

@@ -63,14 +63,21 @@ export class PaperControl {
     this.redraw();
   }
 
+  /** Hands a key to the tool; whether it means something there. */
+  toolKey(name: string, shift: boolean, alt: boolean): boolean {
+    const taken = this.tool().key?.(name, { shift, alt }) ?? false;
+    if (taken) this.redraw();
+    return taken;
+  }
+
   redraw(): void {
     if (this.frame === 0) this.frame = requestAnimationFrame(() => this.render());
   }
 
   /** Draws where something that the canvas shows has changed. */
   follow(): void {
-    const { history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool } = this.editor.state;
-    const shown = [history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool];
+    const { history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool, tint, pending, brush } = this.editor.state;
+    const shown = [history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool, tint, pending, brush];
     if (shown.every((value, i) => value === this.shown[i])) return;
     this.shown = shown;
     this.redraw();
@@ -91,7 +98,7 @@ export class PaperControl {
         hovered: state.hovered,
         culprit: state.culprit,
         depthTint: state.depthTint,
-        showMarks: state.showMarks,
+        showMarks: state.showMarks && state.tool !== 'scribble',
         dark: window.matchMedia('(prefers-color-scheme: dark)').matches,
         preview: (on, pixel) => this.tool().draw(on, pixel),
       },

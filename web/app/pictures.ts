@@ -62,6 +62,22 @@ function painted(document: Document, picture: ImageBitmap | null): OffscreenCanv
   return context;
 }
 
+/**
+ * A flat drawing as it is segmented and kept: the file as it came, or its picture as a PNG file
+ * where the command line could not read that, or where it was made smaller.
+ */
+export async function flatDrawing(drawing: DrawingSource, picture: ImageBitmap): Promise<DrawingSource> {
+  const size = await createImageBitmap(new Blob([drawing.bytes as Uint8Array<ArrayBuffer>], { type: drawing.mime }));
+  const whole = size.width === picture.width && size.height === picture.height;
+  size.close();
+  if (whole && (drawing.mime === 'image/png' || drawing.mime === 'image/jpeg')) return drawing;
+  const [canvas, context] = canvasOf(picture.width, picture.height);
+  context.drawImage(picture, 0, 0);
+  const blob = await canvas.convertToBlob({ type: 'image/png' });
+  const bytes = new Uint8Array(await blob.arrayBuffer());
+  return { name: drawing.name.replace(/\.[^.]*$/, '') + '.png', kind: 'image', mime: 'image/png', bytes };
+}
+
 /** A picture at another size. */
 export function pixelsOf(picture: ImageBitmap, width: number, height: number): Texture {
   const [canvas, context] = canvasOf(width, height);

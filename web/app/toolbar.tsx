@@ -11,6 +11,7 @@ export const tools: readonly { name: ToolName; key: string; label: MessageKey; h
   { name: 'order', key: '4', label: 'order', hint: 'hintOrder' },
   { name: 'range', key: '5', label: 'range', hint: 'hintRange' },
   { name: 'hand', key: '6', label: 'hand', hint: 'hintHand' },
+  { name: 'scribble', key: '7', label: 'scribble', hint: 'hintScribble' },
 ];
 
 /** One tab stop; arrows go from tool to tool. */

@@ -1,6 +1,9 @@
 import * as Comlink from 'comlink';
 import type { EngineEndpoint } from './engine_worker';
-import type { BuiltRelief, Failure, Files, ExportFormat, MapKind, PictureImport, SvgImport, Texture } from './messages';
+import type {
+  BuiltRelief, ExportFormat, Failure, Files, FlatDrawing, MapKind, SegmentationRequest, SvgImport, Texture, TintedLabels,
+  Understanding,
+} from './messages';
 import type { BuildRequest } from './relief_service';
 
 /** The worker is gone: it was stopped on purpose, or it crashed and another took its place. */
@@ -57,8 +60,21 @@ export class Engine {
     return this.call(async (remote) => await remote.importSvg(bytes));
   }
 
-  importPicture(picture: Texture): Promise<PictureImport | Failure> {
-    return this.call(async (remote) => await remote.importPicture(picture));
+  openDrawing(drawing: FlatDrawing): Promise<object | Failure> {
+    return this.call(async (remote) => await remote.openDrawing(drawing));
+  }
+
+  /** `width` and `height` are those of the drawing. */
+  label(request: SegmentationRequest, width: number, height: number): Promise<TintedLabels | Failure> {
+    return this.call(async (remote) => await remote.label(request, width, height));
+  }
+
+  understand(request: SegmentationRequest): Promise<Understanding | Failure> {
+    return this.call(async (remote) => await remote.understand(request));
+  }
+
+  checkSegmentation(request: SegmentationRequest): Promise<object | Failure> {
+    return this.call(async (remote) => await remote.checkSegmentation(request));
   }
 
   build(

@@ -1,6 +1,9 @@
 import * as Comlink from 'comlink';
-import { type BuiltRelief, type Failure, isFailure, type Texture } from './messages';
+import {
+  type BuiltRelief, type Failure, type FlatDrawing, isFailure, type SegmentationRequest, type TintedLabels,
+} from './messages';
 import { type BuildRequest, ReliefService } from './relief_service';
+import { tintOf } from './tint';
 
 /** Every array of a result, to be handed over instead of copied. */
 function arraysOf(built: BuiltRelief): ArrayBuffer[] {
@@ -26,8 +29,22 @@ const endpoint = {
   async importSvg(bytes: Uint8Array) {
     return (await started()).importSvg(bytes);
   },
-  async importPicture(picture: Texture) {
-    return (await started()).importPicture(picture);
+  async openDrawing(drawing: FlatDrawing) {
+    const opened = (await started()).openDrawing(drawing);
+    if (isFailure(opened)) return opened;
+    return {};
+  },
+  async label(request: SegmentationRequest, width: number, height: number): Promise<TintedLabels | Failure> {
+    const labelled = (await started()).label(request);
+    if (isFailure(labelled)) return labelled;
+    const tint = await createImageBitmap(tintOf(labelled.labels, width, height));
+    return Comlink.transfer({ tint, parts: labelled.parts }, [tint]);
+  },
+  async understand(request: SegmentationRequest) {
+    return (await started()).understand(request);
+  },
+  async checkSegmentation(request: SegmentationRequest) {
+    return (await started()).checkSegmentation(request);
   },
   async build(
     request: BuildRequest,

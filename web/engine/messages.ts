@@ -76,13 +76,6 @@ export interface SvgImport {
   warnings: string[];
 }
 
-/** A flat drawing whose parts were guessed. */
-export interface PictureImport {
-  /** Text of a scene file; its canvas is the picture. */
-  scene: string;
-  warnings: string[];
-}
-
 export interface OutputFile {
   name: string;
   bytes: Uint8Array<ArrayBuffer>;
@@ -102,6 +95,41 @@ export interface BuiltRelief {
   report: Report;
   surface: Surface;
   overlays: Overlays;
+}
+
+/** A flat drawing: a PNG file, which the core decodes as the command line does, or its pixels. */
+export type FlatDrawing = { png: Uint8Array } | { pixels: Texture };
+
+/** Strokes and corrections with what was known before them. */
+export interface SegmentationRequest {
+  /** Text of a project.json. */
+  project: string;
+  /** Its labels.png; empty where nothing was known. */
+  labels: Uint8Array;
+}
+
+export interface Labelled {
+  /** The label of every pixel, 0 where there is no part. */
+  labels: Uint16Array<ArrayBuffer>;
+  parts: { label: number; id: string }[];
+  notes: string[];
+}
+
+/** The labels as the page shows them. */
+export interface TintedLabels {
+  tint: ImageBitmap;
+  parts: { label: number; id: string }[];
+}
+
+/** All that follows from strokes and corrections. */
+export interface Understanding {
+  /** Text of a project.json. */
+  project: string;
+  /** Text of a scene file; its canvas is the drawing. */
+  scene: string;
+  /** A PNG file. */
+  labels: Uint8Array<ArrayBuffer>;
+  warnings: string[];
 }
 
 export function isFailure(value: object): value is Failure {

@@ -1,15 +1,18 @@
-import createRelievo, { type Reconstruction, type RelievoModule } from '#relievo';
+import createRelievo, { type Reconstruction, type RelievoModule, type Segmenter } from '#relievo';
 import {
   type BuildOptions,
   type BuiltRelief,
   type ExportFormat,
   type Failure,
   type Files,
+  type FlatDrawing,
   isFailure,
+  type Labelled,
   type MapKind,
-  type PictureImport,
+  type SegmentationRequest,
   type SvgImport,
   type Texture,
+  type Understanding,
   type Visibility,
 } from './messages';
 
@@ -24,9 +27,11 @@ export interface BuildRequest {
 /** The engine as one instance of the module: what runs in the worker, and in tests under Node. */
 export class ReliefService {
   private readonly reconstruction: Reconstruction;
+  private readonly segmenter: Segmenter;
 
   private constructor(private readonly module: RelievoModule) {
     this.reconstruction = new module.Reconstruction();
+    this.segmenter = new module.Segmenter();
   }
 
   static async start(compiled: WebAssembly.Module): Promise<ReliefService> {
@@ -43,8 +48,23 @@ export class ReliefService {
     return this.module.importSvg(bytes);
   }
 
-  importPicture({ rgba, width, height }: Texture): PictureImport | Failure {
-    return this.module.importPicture(rgba, width, height);
+  /** Takes a flat drawing to scribble on. */
+  openDrawing(drawing: FlatDrawing): object | Failure {
+    if ('png' in drawing) return this.segmenter.openPng(drawing.png);
+    const { rgba, width, height } = drawing.pixels;
+    return this.segmenter.openPixels(rgba, width, height);
+  }
+
+  label({ project, labels }: SegmentationRequest): Labelled | Failure {
+    return this.segmenter.label(project, labels);
+  }
+
+  understand({ project, labels }: SegmentationRequest): Understanding | Failure {
+    return this.segmenter.propose(project, labels);
+  }
+
+  checkSegmentation({ project, labels }: SegmentationRequest): object | Failure {
+    return this.module.checkSegmentation(project, labels);
   }
 
   build(request: BuildRequest, progress: (stage: string, done: number) => void): BuiltRelief | Failure {

@@ -1,6 +1,6 @@
 /** The module that Emscripten makes of bindings/wasm. */
 declare module '#relievo' {
-  import type { Failure, Files, Overlays, PictureImport, Report, SvgImport, Surface } from './messages';
+  import type { Failure, Files, Labelled, Overlays, Report, SvgImport, Surface, Understanding } from './messages';
   import type { BuildOptions, ExportFormat, MapKind, Visibility } from './messages';
 
   export interface Reconstruction {
@@ -13,10 +13,19 @@ declare module '#relievo' {
     delete(): void;
   }
 
+  export interface Segmenter {
+    openPng(file: Uint8Array): object | Failure;
+    openPixels(rgba: Uint8Array, width: number, height: number): object | Failure;
+    label(project: string, last: Uint8Array): Labelled | Failure;
+    propose(project: string, last: Uint8Array): Understanding | Failure;
+    delete(): void;
+  }
+
   export interface RelievoModule {
     importSvg(bytes: Uint8Array): SvgImport | Failure;
-    importPicture(rgba: Uint8Array, width: number, height: number): PictureImport | Failure;
+    checkSegmentation(project: string, labels: Uint8Array): object | Failure;
     Reconstruction: new () => Reconstruction;
+    Segmenter: new () => Segmenter;
   }
 
   export default function createRelievo(options: {

@@ -24,6 +24,8 @@ export interface Tool {
   up(point: Point, keys: Modifiers): void;
   /** Escape, or a second finger: as if the gesture had not begun. */
   cancel(): void;
+  /** A key while the tool is in hand and the page has the focus; whether it means something. */
+  key?(name: string, keys: Modifiers): boolean;
   /** What the hand is about to do. `pixel`: a CSS px in canvas px. */
   draw(context: CanvasRenderingContext2D, pixel: number): void;
 }

@@ -70,6 +70,21 @@ describe('the engine and the command line', () => {
     expect(Buffer.from(map).equals(readFileSync(join(folder, `${name}.png`)))).toBe(true);
   });
 
+  it('make the same bytes after edits that went on from the build before', () => {
+    const scene = importSample('wolf');
+    const edited = scene.replace(/"c": ?[0-9.]+/g, '"c": 3.1');
+    expect(edited).not.toBe(scene);
+    native('edited', edited, '-o', join(folder, 'edited.glb'), '--depth-map', join(folder, 'edited.png'));
+    build(scene);
+    const { report } = build(edited);
+    expect(report.times['mesh']).toBeUndefined();
+    expect(report.times['order']).toBeGreaterThan(0);
+    const map = must(service.map('depth', 2048, false)).bytes;
+    expect(Buffer.from(map).equals(readFileSync(join(folder, 'edited.png')))).toBe(true);
+    const [file] = must(service.encode('glb', 'edited', 100, null)).files;
+    expect(Buffer.from(file!.bytes).equals(readFileSync(join(folder, 'edited.glb')))).toBe(true);
+  });
+
   it('make the same bytes in every format, and by the non-linear method', () => {
     const scene = importSample('lamb');
     const nonlinear = ['--method', 'nonlinear'];
