@@ -114,6 +114,12 @@ const english = {
   keyUndo: 'Undo, redo',
   keyFile: 'Open, save, export',
   keyEscape: 'Leave the gesture, the panel, the choice',
+  keyGrip: 'Outline: next grip, push it (⇧: farther)',
+  outline: 'Outline',
+  hintOutline: 'Drag a grip to push the outline, dashed where it is hidden. Draw from outline to outline to replace a stretch.',
+  crossesItself: 'The outline would cross itself there, so it stays as it was.',
+  tooSmall: 'Nothing would be left of the part, so it stays as it was.',
+  endsOffOutline: 'A line that replaces a stretch begins and ends on the outline.',
 };
 
 export type MessageKey = keyof typeof english;
@@ -232,6 +238,12 @@ const german: Record<MessageKey, string> = {
   keyUndo: 'Rückgängig, wiederholen',
   keyFile: 'Öffnen, sichern, ausgeben',
   keyEscape: 'Geste, Tafel, Auswahl verlassen',
+  keyGrip: 'Umriss: nächster Griff, Griff schieben (⇧: weiter)',
+  outline: 'Umriss',
+  hintOutline: 'Einen Griff ziehen schiebt den Umriss, gestrichelt, wo er verdeckt ist. Ein Strich von Umriss zu Umriss ersetzt ein Stück.',
+  crossesItself: 'Der Umriss würde sich dort schneiden; er bleibt, wie er war.',
+  tooSmall: 'Vom Teil bliebe nichts; er bleibt, wie er war.',
+  endsOffOutline: 'Ein Strich, der ein Stück ersetzt, beginnt und endet auf dem Umriss.',
 };
 
 export const catalogues: Record<'en' | 'de', Record<MessageKey, string>> = { en: english, de: german };

@@ -3,7 +3,7 @@ import { type Document, emptyDocument } from '../document/document';
 import { type History, record, redo, startHistory, undo } from '../document/history';
 import { Store } from './store';
 
-export type ToolName = 'select' | 'draw' | 'join' | 'order' | 'range' | 'hand';
+export type ToolName = 'select' | 'draw' | 'join' | 'order' | 'range' | 'hand' | 'outline';
 export type Shading = 'drawing' | 'clay' | 'normals';
 
 export interface BuildState {

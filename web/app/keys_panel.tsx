@@ -1,7 +1,8 @@
 import { type MessageKey, t } from './catalogue';
 
 const rows: readonly [string, MessageKey][] = [
-  ['1 … 6', 'keyTools'],
+  ['1 … 6, O', 'keyTools'],
+  [', . arrows', 'keyGrip'],
   ['Page Up, Page Down, Home, End', 'keyOrder'],
   ['J', 'keyJoin'],
   ['H', 'keyReverse'],

@@ -63,6 +63,13 @@ export class PaperControl {
     this.redraw();
   }
 
+  /** Hands a key to the tool; whether it means something there. */
+  toolKey(name: string, shift: boolean, alt: boolean): boolean {
+    const taken = this.tool().key?.(name, { shift, alt }) ?? false;
+    if (taken) this.redraw();
+    return taken;
+  }
+
   redraw(): void {
     if (this.frame === 0) this.frame = requestAnimationFrame(() => this.render());
   }

@@ -100,6 +100,8 @@ function press(event: KeyboardEvent, scope: Scope, held: HeldKeys): boolean {
     paper.spaceHeld = true;
     return true;
   }
+  const onPage = event.target === document.body || event.target instanceof HTMLCanvasElement;
+  if (onPage && paper?.toolKey(key, event.shiftKey, event.altKey)) return true;
   const tool = tools.find((entry) => entry.key === key);
   if (tool) return run(() => editor.set({ tool: tool.name, notice: '' }));
   const { selected } = editor.state;

@@ -2,6 +2,7 @@ import { useMemo, useRef } from 'preact/hooks';
 import type { Document } from '../document/document';
 import { DrawTool } from '../tools/draw_tool';
 import { JoinTool } from '../tools/join_tool';
+import { OutlineTool } from '../tools/outline_tool';
 import { OrderTool } from '../tools/order_tool';
 import { RangeTool } from '../tools/range_tool';
 import { SelectTool } from '../tools/select_tool';
@@ -32,6 +33,7 @@ function makeTools(host: ToolHost): Record<ToolName, Tool> {
     join: new JoinTool(host),
     order: new OrderTool(host),
     range: new RangeTool(host),
+    outline: new OutlineTool(host),
   };
 }
 
@@ -49,6 +51,7 @@ function hostOf(editor: Editor, reach: () => number): ToolHost {
     edit: (label: string, next: Document, gesture?: string) => editor.edit(label, next, gesture ?? null),
     select: (id) => editor.select(id),
     hover: (id) => editor.set({ hovered: id }),
+    refuse: (reason) => editor.set({ notice: t(reason) }),
   };
 }
 

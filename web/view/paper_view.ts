@@ -1,4 +1,5 @@
 import type { Document, Part, Ring } from '../document/document';
+import { hiddenOutline } from '../document/hidden';
 import type { Overlays } from '../engine/messages';
 import { marks, rampColor } from './colors';
 import type { Viewport } from './viewport';
@@ -117,6 +118,21 @@ function drawPart(context: CanvasRenderingContext2D, part: Part, color: string, 
   context.stroke();
 }
 
+/** Dashes where the outline of a part lies behind others. */
+export function dashHidden(context: CanvasRenderingContext2D, parts: readonly Part[], id: string, pixel: number): void {
+  context.lineCap = 'butt';
+  for (const [dash, color, width] of [[[], '#fff', 3.2], [[5 * pixel, 4 * pixel], marks.select, 2]] as const) {
+    context.setLineDash([...dash]);
+    context.strokeStyle = color;
+    context.lineWidth = width * pixel;
+    for (const line of hiddenOutline(parts, id)) {
+      traceLine(context, line);
+      context.stroke();
+    }
+  }
+  context.setLineDash([]);
+}
+
 /** Draws everything anew. `ratio`: device px a CSS px. */
 export function drawPaper(
   context: CanvasRenderingContext2D,
@@ -137,6 +153,7 @@ export function drawPaper(
     else if (part.id === content.selected) drawPart(context, part, marks.select, true, pixel);
     else if (part.id === content.hovered) drawPart(context, part, marks.select, false, pixel);
   }
+  if (content.selected !== null) dashHidden(context, document.parts, content.selected, pixel);
   if (content.showMarks && content.overlays) drawMarks(context, content.overlays, pixel);
   content.preview(context, pixel);
 }
