@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bindings/wasm/import_layers.h"
 #include "bindings/wasm/js_values.h"
 #include "bindings/wasm/reconstruction.h"
 #include "io/scene/write_scene.h"
@@ -65,6 +66,7 @@ EMSCRIPTEN_BINDINGS(relievo) {
   using relievo::wasm::Reconstruction;
   emscripten::function("importSvg", &relievo::wasm::import_svg);
   emscripten::function("importPicture", &relievo::wasm::import_picture);
+  emscripten::function("importLayers", &relievo::wasm::import_layers);
   emscripten::class_<Reconstruction>("Reconstruction")
       .constructor<>()
       .function("build", &Reconstruction::build)

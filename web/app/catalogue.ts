@@ -89,7 +89,7 @@ const english = {
   guessing: 'Looking for the parts of the picture …',
   guessed: 'These parts were guessed. Change their order, join them, remove them or draw others.',
   notReadable: '“{name}” could not be read: {why}',
-  unknownFile: 'only SVG, PNG, JPEG, WebP and .relievo files can be opened',
+  unknownFile: 'only SVG, OpenRaster, PNG, JPEG, WebP and .relievo files can be opened',
   crashed: 'The engine stopped and was started anew. Your work is safe.',
   tour: 'Tour',
   next: 'Next',
@@ -120,6 +120,14 @@ const english = {
   crossesItself: 'The outline would cross itself there, so it stays as it was.',
   tooSmall: 'Nothing would be left of the part, so it stays as it was.',
   endsOffOutline: 'A line that replaces a stretch begins and ends on the outline.',
+  tooLarge: 'it is larger than 256 MB unpacked',
+  damagedFile: 'it is damaged',
+  fieldRelief: 'Relief h',
+  fieldInflation: 'Inflation f',
+  fieldShift: 'Shift g',
+  field: 'Shown height',
+  energy: 'energy {value}',
+  keyField: 'Relief, inflation or shift alone',
 };
 
 export type MessageKey = keyof typeof english;
@@ -213,7 +221,7 @@ const german: Record<MessageKey, string> = {
   guessing: 'Sucht die Teile des Bildes …',
   guessed: 'Diese Teile sind erraten. Ordne, verbinde, entferne sie oder zeichne andere.',
   notReadable: '„{name}“ ist nicht lesbar: {why}',
-  unknownFile: 'nur SVG, PNG, JPEG, WebP und .relievo lassen sich öffnen',
+  unknownFile: 'nur SVG, OpenRaster, PNG, JPEG, WebP und .relievo lassen sich öffnen',
   crashed: 'Das Rechenwerk blieb stehen und wurde neu gestartet. Deine Arbeit ist sicher.',
   tour: 'Rundgang',
   next: 'Weiter',
@@ -244,6 +252,14 @@ const german: Record<MessageKey, string> = {
   crossesItself: 'Der Umriss würde sich dort schneiden; er bleibt, wie er war.',
   tooSmall: 'Vom Teil bliebe nichts; er bleibt, wie er war.',
   endsOffOutline: 'Ein Strich, der ein Stück ersetzt, beginnt und endet auf dem Umriss.',
+  tooLarge: 'ausgepackt ist sie größer als 256 MB',
+  damagedFile: 'sie ist beschädigt',
+  fieldRelief: 'Relief h',
+  fieldInflation: 'Wölbung f',
+  fieldShift: 'Verschiebung g',
+  field: 'Gezeigte Höhe',
+  energy: 'Energie {value}',
+  keyField: 'Relief, nur Wölbung oder nur Verschiebung',
 };
 
 export const catalogues: Record<'en' | 'de', Record<MessageKey, string>> = { en: english, de: german };

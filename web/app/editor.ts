@@ -4,6 +4,7 @@ import { type History, record, redo, startHistory, undo } from '../document/hist
 import { Store } from './store';
 
 export type ToolName = 'select' | 'draw' | 'join' | 'order' | 'range' | 'hand' | 'outline';
+export type Field = 'relief' | 'inflation' | 'shift';
 export type Shading = 'drawing' | 'clay' | 'normals';
 
 export interface BuildState {
@@ -12,6 +13,8 @@ export interface BuildState {
   /** In [0, 1]. */
   progress: number;
   error: EngineError | null;
+  /** Of the non-linear method, step by step. */
+  energies?: readonly number[];
 }
 
 export interface EditorState {
@@ -24,6 +27,8 @@ export interface EditorState {
   /** The part that is drawn in red because it cannot be built. */
   culprit: string | null;
   shading: Shading;
+  /** The height that the relief shows. */
+  field: Field;
   depthTint: boolean;
   showMarks: boolean;
   peeking: boolean;
@@ -47,6 +52,7 @@ function firstState(): EditorState {
     hovered: null,
     culprit: null,
     shading: 'drawing',
+    field: 'relief',
     depthTint: false,
     showMarks: true,
     peeking: false,

@@ -13,6 +13,7 @@ const rows: readonly [string, MessageKey][] = [
   ['V', 'keyPeek'],
   ['L', 'keyLight'],
   ['N', 'keyShade'],
+  ['F', 'keyField'],
   ['D', 'keyTint'],
   ['Ctrl Z, Ctrl ⇧ Z', 'keyUndo'],
   ['Ctrl O, Ctrl S, Ctrl E', 'keyFile'],

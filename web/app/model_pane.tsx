@@ -2,6 +2,8 @@ import { useEffect, useRef } from 'preact/hooks';
 import { ModelView } from '../view/model_view';
 import { t } from './catalogue';
 import type { Editor, Shading } from './editor';
+import { EnergyCurve } from './energy_curve';
+import { FieldSwitch } from './field_switch';
 import { bledTexture } from './pictures';
 import { useStore } from './store';
 
@@ -88,7 +90,13 @@ export function ModelPane({ editor, attach, lightHeld, stop }: ModelPaneProps) {
         <button type="button" onClick={() => view.current?.turn(0, 0)}>{t('front')}</button>
       </div>
       <progress class={build.phase === 'full' ? 'shown' : ''} max={1} value={build.progress} aria-label={t('building')} />
-      {slow && <button type="button" class="stop" onClick={stop}>{t('stop')}</button>}
+      <FieldSwitch editor={editor} />
+      {slow && (
+        <div class="stop">
+          <EnergyCurve energies={build.energies ?? []} />
+          <button type="button" onClick={stop}>{t('stop')}</button>
+        </div>
+      )}
       {build.error && (
         <p class="trouble" role="alert">
           <strong>{t('failed')}.</strong> {build.error.where && `${build.error.where}: `}{build.error.message}.{' '}

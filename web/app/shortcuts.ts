@@ -1,6 +1,7 @@
 import { partIndex } from '../document/document';
 import { changePart, joinParts, movePart, neighbours, ordered, removeJoin, removePart } from '../document/editing';
 import type { Editor, Shading } from './editor';
+import { nextField } from './field_switch';
 import type { Files } from './files';
 import type { PaperControl } from './paper_pane';
 import { tools } from './toolbar';
@@ -60,6 +61,7 @@ function pageKeys({ editor, paper }: Scope): Record<string, () => void> {
     '=': () => paper()?.zoom(1.25),
     '-': () => paper()?.zoom(0.8),
     n: () => editor.set({ shading: nextShading[state.shading] }),
+    f: () => editor.set({ field: nextField(state.field) }),
     d: () => editor.set({ depthTint: !state.depthTint }),
     '?': () => editor.set({ panel: state.panel === 'keys' ? 'none' : 'keys' }),
     Escape: () => {

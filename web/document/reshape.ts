@@ -125,11 +125,12 @@ interface NewRing {
 /** Puts a ring in its place unless the outline crosses itself more than before or vanishes. */
 function replaced(before: readonly Ring[], { index, ring, changed }: NewRing): Ring[] | Refusal {
   const outline = before.map((old, i) => (i === index ? ring : old));
-  const areas = [areaOf(before), areaOf(outline)] as const;
-  if (Math.abs(areas[1]) < leastArea || areas[0] * areas[1] < 0) return 'tooSmall';
   const old = before[index] as Ring;
   const crosses = crossings(outline, index, changed);
-  return crosses > 0 && crosses > crossings(before, index, old.length) ? 'crossesItself' : outline;
+  if (crosses > 0 && crosses > crossings(before, index, old.length)) return 'crossesItself';
+  const areas = [areaOf(before), areaOf(outline)] as const;
+  if (Math.abs(areas[1]) < leastArea || areas[0] * areas[1] < 0) return 'tooSmall';
+  return outline;
 }
 
 /** Pushes the outline of a part at a place of it; what lies within `radius` px along it follows smoothly. */

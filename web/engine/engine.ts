@@ -1,7 +1,9 @@
 import * as Comlink from 'comlink';
 import type { EngineEndpoint } from './engine_worker';
-import type { BuiltRelief, Failure, Files, ExportFormat, MapKind, PictureImport, SvgImport, Texture } from './messages';
-import type { BuildRequest } from './relief_service';
+import type {
+  BuiltRelief, ExportFormat, Failure, Files, LayersImport, MapKind, OutputFile, PictureImport, Progress, Surface, SvgImport, Texture,
+} from './messages';
+import type { BuildRequest, SurfaceRequest } from './relief_service';
 
 /** The worker is gone: it was stopped on purpose, or it crashed and another took its place. */
 export class EngineStopped extends Error {
@@ -61,10 +63,15 @@ export class Engine {
     return this.call(async (remote) => await remote.importPicture(picture));
   }
 
-  build(
-    request: BuildRequest,
-    progress: (stage: string, done: number) => void,
-  ): Promise<BuiltRelief | Failure> {
+  importLayers(files: OutputFile[]): Promise<LayersImport | Failure> {
+    return this.call(async (remote) => await remote.importLayers(files));
+  }
+
+  surface(request: SurfaceRequest): Promise<Surface | Failure> {
+    return this.call(async (remote) => await remote.surface(request));
+  }
+
+  build(request: BuildRequest, progress: Progress): Promise<BuiltRelief | Failure> {
     return this.call(async (remote) => await remote.build(request, Comlink.proxy(progress)));
   }
 

@@ -1,11 +1,11 @@
 /** The module that Emscripten makes of bindings/wasm. */
 declare module '#relievo' {
-  import type { Failure, Files, Overlays, PictureImport, Report, SvgImport, Surface } from './messages';
-  import type { BuildOptions, ExportFormat, MapKind, Visibility } from './messages';
+  import type { Failure, Files, LayersImport, OutputFile, Overlays, PictureImport, Report, SvgImport, Surface } from './messages';
+  import type { BuildOptions, ExportFormat, Field, MapKind, Progress, Visibility } from './messages';
 
   export interface Reconstruction {
-    build(scene: string, options: BuildOptions, progress: (stage: string, done: number) => void): Report | Failure;
-    surface(visibility: Visibility, tolerance: number): Surface | Failure;
+    build(scene: string, options: BuildOptions, progress: Progress): Report | Failure;
+    surface(visibility: Visibility, tolerance: number, field: Field): Surface | Failure;
     overlays(): Overlays | Failure;
     setTexture(rgba: Uint8Array, width: number, height: number): void;
     encode(format: ExportFormat, name: string, sizeMm: number): Files | Failure;
@@ -16,6 +16,7 @@ declare module '#relievo' {
   export interface RelievoModule {
     importSvg(bytes: Uint8Array): SvgImport | Failure;
     importPicture(rgba: Uint8Array, width: number, height: number): PictureImport | Failure;
+    importLayers(files: OutputFile[]): LayersImport | Failure;
     Reconstruction: new () => Reconstruction;
   }
 
