@@ -110,6 +110,15 @@ export class Files {
     download({ name: `${this.editor.document.name}-view.png`, bytes });
   };
 
+  exportTurntable = async (record: () => Promise<Uint8Array<ArrayBuffer>>): Promise<void> => {
+    await this.exporting(async () => {
+      this.editor.set({ notice: t('recording') });
+      const bytes = await record();
+      download({ name: `${this.editor.document.name}-turntable.gif`, bytes });
+      this.editor.set({ notice: '' });
+    });
+  };
+
   private async openPictures(all: readonly File[]): Promise<void> {
     const name = (all[0] as File).name;
     await this.opening(name, async () => {

@@ -7,6 +7,7 @@ import { OrderTool } from '../tools/order_tool';
 import { RangeTool } from '../tools/range_tool';
 import { SelectTool } from '../tools/select_tool';
 import type { Tool, ToolHost } from '../tools/tool';
+import { swayingGif } from '../view/animation';
 import type { ModelView } from '../view/model_view';
 import { t } from './catalogue';
 import type { Editor, ToolName } from './editor';
@@ -110,6 +111,11 @@ export function Workspace({ editor, files, held, attachPaper, choose, stop }: Wo
   const model = useRef<ModelView | null>(null);
   const hands = useMemo(() => makeTools(hostOf(editor, () => paper.current?.reach ?? 12)), []);
   const picture = (): Promise<Blob> => model.current?.picture() ?? Promise.reject(new Error('no view'));
+  const turntable = async (): Promise<Uint8Array<ArrayBuffer>> => {
+    if (!model.current) throw new Error('no view');
+    const ground = getComputedStyle(document.documentElement).getPropertyValue('--paper');
+    return swayingGif(model.current, ground);
+  };
   const attach = (control: PaperControl): void => {
     paper.current = control;
     attachPaper(control);
@@ -125,7 +131,7 @@ export function Workspace({ editor, files, held, attachPaper, choose, stop }: Wo
         <PartList editor={editor} />
         <PartPanel editor={editor} />
       </aside>
-      {panel === 'export' && <ExportPanel editor={editor} files={files} picture={picture} />}
+      {panel === 'export' && <ExportPanel editor={editor} files={files} picture={picture} turntable={turntable} />}
       {panel === 'settings' && <SettingsPanel editor={editor} />}
       {panel === 'keys' && <KeysPanel />}
       <Tour editor={editor} />

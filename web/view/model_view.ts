@@ -148,6 +148,19 @@ export class ModelView {
     this.redraw();
   }
 
+  /** The view as pixels on a ground of one colour, its longest side `side` px at most. */
+  snapshot(side: number, ground: string): ImageData {
+    this.render();
+    const scale = Math.min(1, side / Math.max(this.canvas.width, this.canvas.height));
+    const [width, height] = [Math.round(scale * this.canvas.width), Math.round(scale * this.canvas.height)];
+    const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+    if (!context) throw new Error('this browser has no canvas');
+    context.fillStyle = ground;
+    context.fillRect(0, 0, width, height);
+    context.drawImage(this.canvas, 0, 0, width, height);
+    return context.getImageData(0, 0, width, height);
+  }
+
   picture(): Promise<Blob> {
     this.render();
     return new Promise((resolve, reject) =>
