@@ -28,8 +28,7 @@ async function recordSway(view: ModelView, ground: string): Promise<ImageData[]>
   try {
     for (let step = 0; step <= steps; step++) {
       view.turn(angleAt(step), pitch);
-      pictures.push(view.snapshot(side, ground));
-      await new Promise((resolve) => setTimeout(resolve));
+      pictures.push(await view.snapshot(side, ground));
     }
   } finally {
     view.turn(yaw, pitch);

@@ -19,7 +19,10 @@ export interface PaperContent {
   preview(context: CanvasRenderingContext2D, pixel: number): void;
 }
 
-export function tracePart(context: CanvasRenderingContext2D, outline: readonly Ring[]): void {
+/** Either kind of canvas. */
+type Context = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
+
+export function tracePart(context: Context, outline: readonly Ring[]): void {
   context.beginPath();
   for (const ring of outline) {
     ring.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
@@ -27,7 +30,7 @@ export function tracePart(context: CanvasRenderingContext2D, outline: readonly R
   }
 }
 
-export function traceLine(context: CanvasRenderingContext2D, line: Ring): void {
+export function traceLine(context: Context, line: Ring): void {
   context.beginPath();
   line.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
 }
@@ -36,7 +39,7 @@ export function traceLine(context: CanvasRenderingContext2D, line: Ring): void {
  * Parts as a flat drawing: what stands for a drawing where there is none. No ink runs along joins,
  * where two parts are one surface.
  */
-export function paintParts(context: CanvasRenderingContext2D, document: Document, pen: number): void {
+export function paintParts(context: Context, document: Pick<Document, 'parts' | 'joins'>, pen: number): void {
   context.lineJoin = 'round';
   for (const part of document.parts) {
     const color = part.color ?? '#d9d4c7';
