@@ -38,7 +38,7 @@ export function save(page: Page, name: string): Promise<Buffer> {
 export async function pageView(page: Page): Promise<{ scale: number; at(spot: Spot): Spot }> {
   const box = await page.locator('.paper canvas').first().boundingBox();
   if (!box) throw new Error('no page to draw on');
-  const [left, margin] = [90, 24];
+  const [left, margin] = [(page.viewportSize()?.width ?? 0) <= 900 ? 24 : 90, 24];
   const room = box.width - left - margin;
   const scale = Math.min(room / 1000, (box.height - 2 * margin) / 800);
   const origin = [box.x + left + (room - scale * 1000) / 2, box.y + (box.height - scale * 800) / 2] as const;
