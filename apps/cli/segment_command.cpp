@@ -116,8 +116,8 @@ Result<Scribbles> load_scribbles(const std::string& name, const Image8& pixels) 
 
 /// Labels from the pixels. Parts that were scribbled keep their names, those of a project their
 /// labels and what was said of them.
-Status find_labels(SegmentInput& input) {
-  auto found = segment_drawing(Drawing{input.pixels}, input.scribbles);
+Status find_labels(SegmentInput& input, const RunContext& context) {
+  auto found = segment_drawing(Drawing{input.pixels}, input.scribbles, {}, context);
   if (!found) return found.error();
   KeptLabels kept = keep_labels(*found, {std::move(input.labels), std::move(input.label_of)});
   for (size_t k = 0; k < found->parts.size(); ++k)
@@ -131,7 +131,8 @@ Status find_labels(SegmentInput& input) {
 }
 
 /// The labels that the arguments ask for.
-Status choose_labels(const SegmentArguments& segment, SegmentInput& input) {
+Status choose_labels(const SegmentArguments& segment, SegmentInput& input,
+                     const RunContext& context) {
   if (!segment.labels.empty()) return read_labels(segment.labels, input);
   if (segment.scribbles.empty() && !input.labels.empty()) return Done{};
   if (!segment.scribbles.empty()) {
@@ -139,10 +140,10 @@ Status choose_labels(const SegmentArguments& segment, SegmentInput& input) {
     if (!scribbles) return scribbles.error();
     input.scribbles = std::move(*scribbles);
   }
-  return find_labels(input);
+  return find_labels(input, context);
 }
 
-Result<SegmentInput> load(const SegmentArguments& segment) {
+Result<SegmentInput> load(const SegmentArguments& segment, const RunContext& context) {
   const auto file = read_input(segment.common.input);
   if (!file) return file.error();
   auto input = from_file(*file);
@@ -150,7 +151,7 @@ Result<SegmentInput> load(const SegmentArguments& segment) {
   auto pixels = decode_image(input->drawing.bytes);
   if (!pixels) return in_file(pixels.error(), file->name);
   input->pixels = std::move(*pixels);
-  if (Status status = choose_labels(segment, *input); !status) return status.error();
+  if (Status status = choose_labels(segment, *input, context); !status) return status.error();
   if (input->labels.width != input->pixels.width || input->labels.height != input->pixels.height)
     return Error{ErrorCode::bad_input,
                  "must be as large as the drawing, " + std::to_string(input->pixels.width) + " x " +
@@ -280,11 +281,11 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
   for (const std::string* name : {&segment.common.input, &segment.labels, &segment.scribbles})
     if (!name->empty() && *name != "-") inputs.emplace_back(*name);
   if (Status status = check_outputs(outputs, inputs); !status) return status;
-  const auto loaded = load(segment);
-  if (!loaded) return loaded.error();
   Progress progress(quiet);
   RunContext context{interruption.flag()};
   progress.watch(context);
+  const auto loaded = load(segment, context);
+  if (!loaded) return loaded.error();
   const Stopwatch watch;
   const auto proposal = propose_scene(loaded->labels, loaded->corrections, {}, context);
   if (!proposal) return proposal.error();

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "bindings/wasm/import_layers.h"
 #include "bindings/wasm/js_values.h"
 #include "bindings/wasm/reconstruction.h"
 #include "bindings/wasm/segmenter.h"
@@ -42,6 +43,7 @@ EMSCRIPTEN_BINDINGS(relievo) {
   using relievo::wasm::Segmenter;
   emscripten::function("importSvg", &relievo::wasm::import_svg);
   emscripten::function("checkSegmentation", &relievo::wasm::check_segmentation);
+  emscripten::function("importLayers", &relievo::wasm::import_layers);
   emscripten::class_<Reconstruction>("Reconstruction")
       .constructor<>()
       .function("build", &Reconstruction::build)

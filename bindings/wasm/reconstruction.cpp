@@ -11,6 +11,7 @@
 #include "io/mesh/stl_encode.h"
 #include "io/scene/read_scene.h"
 #include "kernel/image/image_size.h"
+#include "relief/pipeline/keep_field.h"
 
 namespace relievo::wasm {
 namespace {
@@ -51,6 +52,7 @@ val report(const Relief& relief) {
   what.set("rounds", relief.ordering.rounds);
   what.set("maxViolation", relief.ordering.max_violation);
   what.set("overlapWorst", relief.ordering.overlap_worst);
+  what.set("energy", relief.joint.energy.total());
   what.set("converged", relief.joint.status == JointStatus::solved);
   what.set("times", times(relief.times));
   what.set("warnings", to_js(relief.layers.warnings));
@@ -60,6 +62,11 @@ val report(const Relief& relief) {
 Visibility visibility_named(const std::string& name) {
   if (name == "orbit") return Visibility::orbit;
   return name == "all" ? Visibility::all : Visibility::relief;
+}
+
+Field field_named(const std::string& name) {
+  if (name == "inflation") return Field::inflation;
+  return name == "shift" ? Field::shift : Field::relief;
 }
 
 std::vector<float> flatten(const std::vector<Point3>& points) {
@@ -149,8 +156,10 @@ val Reconstruction::build(const std::string& scene, const val& options, const va
   if (!read) return failure(read.error());
   const ReliefOptions wanted = to_options(options);
   RunContext context;
-  context.progress = [&progress](const char* stage, double fraction) {
-    progress(std::string(stage), fraction);
+  val energy = val::undefined();
+  context.measured = [&energy](const char*, double value) { energy = val(value); };
+  context.progress = [&](const char* stage, double fraction) {
+    progress(std::string(stage), fraction, energy);
   };
   // The non-linear method ends where its tolerance lets it, which depends on where it begins.
   const bool fresh = state_ == State::none || wanted.method == Method::nonlinear;
@@ -174,14 +183,19 @@ Status Reconstruction::make_exact() {
   return Done{};
 }
 
-val Reconstruction::surface(const std::string& visibility, double tolerance) const {
+val Reconstruction::surface(const std::string& visibility, double tolerance,
+                            const std::string& field) const {
   if (state_ == State::none) return failure(nothing_built);
   const Relief& relief = session_.relief();
   ModelOptions options;
   options.visibility = visibility_named(visibility);
   options.rim_tolerance = tolerance;
+  Relief shown;
+  shown.inflation = relief.inflation;
+  shown.ordering = relief.ordering;
+  keep_field(shown, field_named(field));
   const auto model =
-      assemble_model(relief.layers, relief.inflation, relief.ordering, scene_, options);
+      assemble_model(relief.layers, shown.inflation, shown.ordering, scene_, options);
   return model ? to_js(*model) : failure(model.error());
 }
 

@@ -16,15 +16,17 @@ namespace relievo::wasm {
 class Reconstruction {
  public:
   /// `scene` is the text of a scene file. `options`: {method, vertices, edge, rho, alpha0,
-  /// lambdaBnd, literal, glue}, all there. `progress(stage, fraction)`. Returns {nodes, faces,
-  /// equalities, inequalities, active, rounds, maxViolation, overlapWorst, times: {stage: ms},
-  /// warnings}.
+  /// lambdaBnd, literal, glue}, all there. `progress(stage, fraction, energy)`, the last
+  /// undefined but of the non-linear method. Returns {nodes, faces,
+  /// equalities, inequalities, active, rounds, maxViolation, overlapWorst, converged, energy,
+  /// times: {stage: ms}, warnings}.
   emscripten::val build(const std::string& scene, const emscripten::val& options,
                         const emscripten::val& progress);
 
   /// {positions, normals, uvs, triangles, parts: [{id, firstTriangle, triangleCount}]}, see Model;
-  /// `tolerance` is its rim's, px.
-  emscripten::val surface(const std::string& visibility, double tolerance) const;
+  /// `tolerance` is its rim's, px. `field`: "relief", "inflation" or "shift", see keep_field.
+  emscripten::val surface(const std::string& visibility, double tolerance,
+                          const std::string& field) const;
 
   /// {joins, equal, above, ramps}, see Overlays.
   emscripten::val overlays() const;

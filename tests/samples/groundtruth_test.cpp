@@ -90,6 +90,27 @@ DepthFit fit_depth(const DepthSamples& samples, bool tilt) {
   return fit;
 }
 
+/// How much too high the relief is, px of the relief.
+std::vector<double> height_errors(const DepthSamples& samples, const DepthFit& fit) {
+  std::vector<double> error;
+  for (size_t i = 0; i < samples.at.size(); ++i)
+    error.push_back(
+        (fit.coefficients[0] * samples.relief[i] + fit.coefficients[1] - samples.truth[i]) /
+        fit.coefficients[0]);
+  return error;
+}
+
+/// Share of the variance of the body's true depth that these errors leave unexplained.
+double unexplained_share(const std::vector<double>& error, const DepthFit& fit,
+                         const DepthSamples& body) {
+  const double middle = mean(body.truth);
+  double all = 0;
+  for (const double value : body.truth) all += (value - middle) * (value - middle);
+  double sum = 0;
+  for (const double value : error) sum += value * value;
+  return fit.coefficients[0] * fit.coefficients[0] * sum / all;
+}
+
 class GroundTruth : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -194,15 +215,15 @@ TEST_F(GroundTruth, ReliefsHaveTheTrueDepth) {
     const DepthFit tilted = fit_depth(body, true);
     std::printf("%s: correlation %.3f over the body, %.3f without its lean\n",
                 character.name.c_str(), plain.correlation, tilted.correlation);
+    double unexplained = 0;
     for (const auto& [label, samples] : by_part) {
-      std::vector<double> error;
-      for (size_t i = 0; i < samples.at.size(); ++i)
-        error.push_back(
-            (plain.coefficients[0] * samples.relief[i] + plain.coefficients[1] - samples.truth[i]) /
-            plain.coefficients[0]);
-      std::printf("  %2d %-26s %-5s too high by %6.1f px\n", label, names[label].c_str(),
-                  is_limb(names[label]) ? "limb" : "body", mean(error));
+      const std::vector<double> error = height_errors(samples, plain);
+      const double cost = is_limb(names[label]) ? 0 : unexplained_share(error, plain, body);
+      unexplained += cost;
+      std::printf("  %2d %-26s too high by %6.1f px, costs %.3f\n", label, names[label].c_str(),
+                  mean(error), cost);
     }
+    EXPECT_NEAR(unexplained, 1 - plain.correlation * plain.correlation, 1e-6);
     EXPECT_GE(is_turned(character) ? tilted.correlation : plain.correlation, 0.9);
   }
 }

@@ -3,7 +3,7 @@ import { type BuiltRelief, type EngineError, isFailure } from '../engine/message
 import type { Document } from '../document/document';
 import { sceneText } from '../document/scene_text';
 import { t } from './catalogue';
-import type { Editor } from './editor';
+import type { Editor, Field } from './editor';
 
 const draftVertices = 3000;
 /** The full mesh follows when nothing has changed for so long, ms. */
@@ -11,7 +11,11 @@ const rest = 160;
 /** A build that has become useless may go on for so long: the next one goes on from it. ms. */
 const patience = 1000;
 
-function requestFor(document: Document, draft: boolean) {
+function surfaceFor(field: Field, draft: boolean) {
+  return { visibility: 'orbit' as const, tolerance: draft ? 1 : 0.25, field };
+}
+
+function requestFor(document: Document, field: Field, draft: boolean) {
   const { settings } = document;
   return {
     scene: sceneText(document),
@@ -25,8 +29,7 @@ function requestFor(document: Document, draft: boolean) {
       literal: settings.literal,
       glue: true,
     },
-    visibility: 'orbit' as const,
-    tolerance: draft ? 1 : 0.25,
+    ...surfaceFor(field, draft),
   };
 }
 
@@ -61,6 +64,8 @@ export class BuildControl {
   private fullWanted: Document | null = null;
   private fullRun: Promise<void> | null = null;
   private fullBegun = 0;
+  /** The field that the full engine was asked for last. */
+  private asked: Field = 'relief';
 
   constructor(
     private readonly editor: Editor,
@@ -68,6 +73,7 @@ export class BuildControl {
     private readonly full: Engine,
   ) {
     editor.subscribe(() => this.follow());
+    editor.subscribe(() => void this.followField());
   }
 
   /** Resolves when the full engine holds the relief of the present document. */
@@ -84,6 +90,24 @@ export class BuildControl {
     this.fullWanted = null;
     this.full.cancel();
     this.editor.set({ build: { ...this.editor.state.build, phase: 'idle', progress: 0 } });
+  }
+
+  /** Shows another field of what is built already. */
+  private async followField(): Promise<void> {
+    const { field } = this.editor.state;
+    if (field === this.asked || this.builtFull === null || this.isStale(this.builtFull)) return;
+    this.asked = field;
+    try {
+      const surface = await this.full.surface(surfaceFor(field, false));
+      const { relief } = this.editor.state;
+      if (relief && !isFailure(surface) && field === this.asked) this.editor.set({ relief: { ...relief, surface } });
+    } catch (error) {
+      if (!(error instanceof EngineStopped)) throw error;
+    }
+  }
+
+  private isStale(document: Document): boolean {
+    return shapeOf(document).some((value, i) => value !== this.shape[i]);
   }
 
   private follow(): void {
@@ -132,15 +156,19 @@ export class BuildControl {
       const document = this.fullWanted;
       this.fullWanted = null;
       this.fullBegun = performance.now();
-      if (await this.build(this.full, document, 'full')) this.builtFull = document;
+      if (!(await this.build(this.full, document, 'full'))) continue;
+      this.builtFull = document;
+      await this.followField();
     }
   }
 
   private async build(engine: Engine, document: Document, phase: 'draft' | 'full'): Promise<boolean> {
     this.editor.set({ build: { phase, progress: 0, error: this.editor.state.build.error } });
+    const { field } = this.editor.state;
+    if (phase === 'full') this.asked = field;
     try {
-      const built = await engine.build(requestFor(document, phase === 'draft'), (_stage, done) => {
-        if (phase === 'full') this.editor.set({ build: { ...this.editor.state.build, progress: done } });
+      const built = await engine.build(requestFor(document, field, phase === 'draft'), (_stage, done, energy) => {
+        if (phase === 'full') this.advance(done, energy);
       });
       return isFailure(built) ? this.refuse(document, built.error) : this.accept(document, built, phase);
     } catch (error) {
@@ -150,10 +178,18 @@ export class BuildControl {
     }
   }
 
+  private advance(progress: number, energy?: number): void {
+    const { build } = this.editor.state;
+    const energies = energy === undefined ? build.energies ?? [] : [...(build.energies ?? []), energy];
+    this.editor.set({ build: { ...build, progress, energies } });
+  }
+
   private accept(document: Document, relief: BuiltRelief, phase: 'draft' | 'full'): boolean {
-    const stale = shapeOf(document).some((value, i) => value !== this.shape[i]);
-    if (phase === 'full' && stale) return false;
-    this.editor.set({ relief, culprit: null, build: { phase: 'idle', progress: 1, error: null } });
+    if (phase === 'full' && this.isStale(document)) return false;
+    const { build } = this.editor.state;
+    // The full build may have begun already.
+    const goesOn = phase === 'draft' && build.phase === 'full';
+    this.editor.set({ relief, culprit: null, build: goesOn ? { ...build, error: null } : { phase: 'idle', progress: 1, error: null } });
     return true;
   }
 

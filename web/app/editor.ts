@@ -5,7 +5,8 @@ import { amend, type History, record, redo, startHistory, undo } from '../docume
 import type { Brush } from '../tools/scribble_tool';
 import { Store } from './store';
 
-export type ToolName = 'select' | 'draw' | 'join' | 'order' | 'range' | 'hand' | 'scribble';
+export type ToolName = 'select' | 'draw' | 'join' | 'order' | 'range' | 'hand' | 'scribble' | 'outline';
+export type Field = 'relief' | 'inflation' | 'shift';
 export type Shading = 'drawing' | 'clay' | 'normals';
 
 export interface BuildState {
@@ -14,6 +15,8 @@ export interface BuildState {
   /** In [0, 1]. */
   progress: number;
   error: EngineError | null;
+  /** Of the non-linear method, step by step. */
+  energies?: readonly number[];
 }
 
 export interface EditorState {
@@ -26,6 +29,8 @@ export interface EditorState {
   /** The part that is drawn in red because it cannot be built. */
   culprit: string | null;
   shading: Shading;
+  /** The height that the relief shows. */
+  field: Field;
   depthTint: boolean;
   showMarks: boolean;
   peeking: boolean;
@@ -54,6 +59,7 @@ function firstState(): EditorState {
     hovered: null,
     culprit: null,
     shading: 'drawing',
+    field: 'relief',
     depthTint: false,
     showMarks: true,
     peeking: false,

@@ -9,6 +9,7 @@ import { type ExportFormat, isFailure, type MapKind, type OutputFile } from '../
 import type { BuildControl } from './build_control';
 import { t } from './catalogue';
 import type { Editor } from './editor';
+import { documentOfLayers, entriesOfOra } from './layered_drawing';
 import { flatDrawing, pictureOf, pngOf, textureOf } from './pictures';
 import type { SegmentControl } from './segment_control';
 
@@ -47,18 +48,24 @@ export class Files {
     editor.subscribe(() => this.keepLater());
   }
 
+  /** Opens a file, or pictures that are the layers of one drawing. */
+  async openAll(all: readonly File[]): Promise<void> {
+    const [first] = all;
+    if (!first) return;
+    if (all.length > 1 && all.every((file) => file.type === 'image/png')) await this.openPictures(all);
+    else await this.open(first);
+  }
+
   /** Opens whatever a file is; tells why where it cannot be. */
   async open(file: File): Promise<void> {
-    try {
+    await this.opening(file.name, async () => {
       const bytes = new Uint8Array(await file.arrayBuffer());
       if (file.name.endsWith('.relievo')) await this.openProject(bytes);
       else if (file.type === 'image/svg+xml' || file.name.endsWith('.svg')) await this.openSvg(file.name, bytes);
+      else if (file.name.endsWith('.ora')) await this.openLayers(file.name, entriesOfOra(bytes));
       else if (imageTypes.includes(file.type)) await this.openImage(file.name, bytes, file.type);
       else throw new Error(t('unknownFile'));
-    } catch (error) {
-      const why = error instanceof Error ? error.message : String(error);
-      this.editor.set({ notice: t('notReadable', { name: file.name, why }) });
-    }
+    });
   }
 
   private async openProject(bytes: Uint8Array): Promise<void> {
@@ -111,6 +118,38 @@ export class Files {
     const bytes = new Uint8Array(await (await picture).arrayBuffer());
     download({ name: `${this.editor.document.name}-view.png`, bytes });
   };
+
+  exportTurntable = async (record: () => Promise<Uint8Array<ArrayBuffer>>): Promise<void> => {
+    await this.exporting(async () => {
+      this.editor.set({ notice: t('recording') });
+      const bytes = await record();
+      download({ name: `${this.editor.document.name}-turntable.gif`, bytes });
+      this.editor.set({ notice: '' });
+    });
+  };
+
+  private async openPictures(all: readonly File[]): Promise<void> {
+    const name = (all[0] as File).name;
+    await this.opening(name, async () => {
+      const read = async (file: File) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) });
+      await this.openLayers(name, await Promise.all(all.map(read)));
+    });
+  }
+
+  private async openLayers(name: string, entries: OutputFile[]): Promise<void> {
+    const { document: next, notice } = await documentOfLayers(this.engine, baseName(name), entries);
+    await this.show(next);
+    this.editor.set({ notice });
+  }
+
+  private async opening(name: string, work: () => Promise<void>): Promise<void> {
+    try {
+      await work();
+    } catch (error) {
+      const why = error instanceof Error ? error.message : String(error);
+      this.editor.set({ notice: t('notReadable', { name, why }) });
+    }
+  }
 
   private async exporting(work: () => Promise<void>): Promise<void> {
     try {

@@ -41,29 +41,26 @@ function Page({ editor, files, segments, held, kept, attachPaper, choose, stop }
 function chooser(files: Files): () => void {
   const input = document.createElement('input');
   input.type = 'file';
-  input.accept = '.svg,.png,.jpg,.jpeg,.webp,.relievo';
+  input.accept = '.svg,.ora,.png,.jpg,.jpeg,.webp,.relievo';
+  input.multiple = true;
   input.hidden = true;
   input.addEventListener('change', () => {
-    const file = input.files?.[0];
-    if (file) void files.open(file);
+    void files.openAll([...(input.files ?? [])]);
     input.value = '';
   });
   document.body.append(input);
   return () => input.click();
 }
 
-/** A file may be dropped or pasted anywhere. */
+/** Files may be dropped or pasted anywhere. */
 function listenToDrops(files: Files): void {
-  const first = (data: DataTransfer | null): void => {
-    const file = data?.files[0];
-    if (file) void files.open(file);
-  };
+  const open = (data: DataTransfer | null): void => void files.openAll([...(data?.files ?? [])]);
   window.addEventListener('dragover', (event) => event.preventDefault());
   window.addEventListener('drop', (event) => {
     event.preventDefault();
-    first(event.dataTransfer);
+    open(event.dataTransfer);
   });
-  window.addEventListener('paste', (event) => first(event.clipboardData));
+  window.addEventListener('paste', (event) => open(event.clipboardData));
 }
 
 async function openStorage(): Promise<{ autosave: Autosave | null; kept: Document | null }> {

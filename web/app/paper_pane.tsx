@@ -7,8 +7,9 @@ import { t } from './catalogue';
 import type { Editor } from './editor';
 import { PeekOverlay } from './peek_overlay';
 
-/** What the toolbar covers, CSS px. */
+/** What the toolbar covers, CSS px; on narrow screens it lies below. */
 const toolbarRoom = 90;
+const narrow = window.matchMedia('(max-width: 900px)');
 
 /** The canvas with its zoom, and the pointers on it. */
 export class PaperControl {
@@ -40,7 +41,7 @@ export class PaperControl {
 
   fit(): void {
     const { width, height } = this.editor.document;
-    this.view = fitted([width, height], [this.canvas.clientWidth, this.canvas.clientHeight], toolbarRoom);
+    this.view = fitted([width, height], [this.canvas.clientWidth, this.canvas.clientHeight], narrow.matches ? 24 : toolbarRoom);
     this.redraw();
   }
 

@@ -1,18 +1,24 @@
 import type { Document, DrawingSource } from '../document/document';
 import type { Texture } from '../engine/messages';
-import { paintParts } from '../view/paper_view';
+import { canvasOf, painted, vectorSide } from '../view/painted_drawing';
 
-/** Longest side of the texture made of a vector drawing or of parts: the command line's. */
-const vectorSide = 2048;
 const maxPixels = 4096 * 4096;
 /** Of a flat drawing, so that labels follow the pen. */
 const flatPixels = 2048 * 2048;
+const stripHeight = 256;
 
-function canvasOf(width: number, height: number): [OffscreenCanvas, OffscreenCanvasRenderingContext2D] {
-  const canvas = new OffscreenCanvas(Math.max(1, Math.round(width)), Math.max(1, Math.round(height)));
-  const context = canvas.getContext('2d', { willReadFrequently: true });
-  if (!context) throw new Error('this browser has no canvas');
-  return [canvas, context];
+/** Paints all of a canvas, a strip at a time, so that the page stays free for the hand. */
+async function paintInStrips(context: OffscreenCanvasRenderingContext2D, image: HTMLImageElement): Promise<void> {
+  const { width, height } = context.canvas;
+  for (let y = 0; y < height; y += stripHeight) {
+    context.save();
+    context.beginPath();
+    context.rect(0, y, width, stripHeight);
+    context.clip();
+    context.drawImage(image, 0, 0, width, height);
+    context.restore();
+    await new Promise((resolve) => setTimeout(resolve));
+  }
 }
 
 /** Lets the browser paint an SVG as a picture: no script of it runs, nothing of it is fetched. */
@@ -24,7 +30,7 @@ async function rasterizeSvg(paintable: string, width: number, height: number): P
     await image.decode();
     const scale = vectorSide / Math.max(width, height);
     const [canvas, context] = canvasOf(scale * width, scale * height);
-    context.drawImage(image, 0, 0, canvas.width, canvas.height);
+    await paintInStrips(context, image);
     return canvas.transferToImageBitmap();
   } finally {
     URL.revokeObjectURL(url);
@@ -47,21 +53,6 @@ export async function pictureOf(drawing: DrawingSource, width: number, height: n
   return drawing.kind === 'svg'
     ? rasterizeSvg(drawing.paintable ?? '', width, height)
     : decodePicture(drawing.bytes, drawing.mime);
-}
-
-/** The drawing, or the parts painted flat where there is none, as pixels. */
-function painted(document: Document, picture: ImageBitmap | null): OffscreenCanvasRenderingContext2D {
-  const scale = vectorSide / Math.max(document.width, document.height);
-  const [canvas, context] = picture
-    ? canvasOf(picture.width, picture.height)
-    : canvasOf(scale * document.width, scale * document.height);
-  if (picture) context.drawImage(picture, 0, 0);
-  else {
-    context.scale(canvas.width / document.width, canvas.height / document.height);
-    paintParts(context as unknown as CanvasRenderingContext2D, document, document.width / 350);
-    context.resetTransform();
-  }
-  return context;
 }
 
 /**
@@ -99,22 +90,4 @@ export function textureOf(document: Document, picture: ImageBitmap | null): Text
 export async function pngOf(document: Document, picture: ImageBitmap | null): Promise<Uint8Array> {
   const blob = await painted(document, picture).canvas.convertToBlob({ type: 'image/png' });
   return new Uint8Array(await blob.arrayBuffer());
-}
-
-/** The same for the view: what is transparent takes the colour beside it, so that rims show none of it. */
-export function bledTexture(document: Document, picture: ImageBitmap | null): OffscreenCanvas {
-  const sharp = painted(document, picture).canvas;
-  const scale = Math.min(1, vectorSide / Math.max(sharp.width, sharp.height));
-  const [canvas, context] = canvasOf(scale * sharp.width, scale * sharp.height);
-  context.fillStyle = '#efe9dd';
-  context.fillRect(0, 0, canvas.width, canvas.height);
-  for (const radius of [3, 1.5])
-    for (let turn = 0; turn < 8; turn++) {
-      const angle = (turn * Math.PI) / 4;
-      context.drawImage(
-        sharp, radius * Math.cos(angle), radius * Math.sin(angle), canvas.width, canvas.height,
-      );
-    }
-  context.drawImage(sharp, 0, 0, canvas.width, canvas.height);
-  return canvas;
 }

@@ -1,6 +1,7 @@
 import { partIndex } from '../document/document';
 import { changePart, joinParts, movePart, neighbours, ordered, removeJoin, removePart } from '../document/editing';
 import type { Editor, Shading } from './editor';
+import { nextField } from './field_switch';
 import type { Files } from './files';
 import type { PaperControl } from './paper_pane';
 import { brushWidths } from './scribble_bar';
@@ -71,6 +72,7 @@ function pageKeys({ editor, paper }: Scope): Record<string, () => void> {
     '[': () => resizeBrush(editor, 1 / 1.3),
     ']': () => resizeBrush(editor, 1.3),
     n: () => editor.set({ shading: nextShading[state.shading] }),
+    f: () => editor.set({ field: nextField(state.field) }),
     d: () => editor.set({ depthTint: !state.depthTint }),
     '?': () => editor.set({ panel: state.panel === 'keys' ? 'none' : 'keys' }),
     Escape: () => {

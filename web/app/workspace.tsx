@@ -2,11 +2,13 @@ import { useMemo, useRef } from 'preact/hooks';
 import type { Document } from '../document/document';
 import { DrawTool } from '../tools/draw_tool';
 import { JoinTool } from '../tools/join_tool';
+import { OutlineTool } from '../tools/outline_tool';
 import { OrderTool } from '../tools/order_tool';
 import { RangeTool } from '../tools/range_tool';
 import { type ScribbleHost, ScribbleTool } from '../tools/scribble_tool';
 import { SelectTool } from '../tools/select_tool';
 import type { Tool, ToolHost } from '../tools/tool';
+import { swayingGif } from '../view/animation';
 import type { ModelView } from '../view/model_view';
 import { t } from './catalogue';
 import type { Editor, ToolName } from './editor';
@@ -36,6 +38,7 @@ function makeTools(host: ToolHost, scribbles: ScribbleHost): Record<ToolName, To
     order: new OrderTool(host),
     range: new RangeTool(host),
     scribble: new ScribbleTool(host, scribbles),
+    outline: new OutlineTool(host),
   };
 }
 
@@ -53,6 +56,7 @@ function hostOf(editor: Editor, reach: () => number): ToolHost {
     edit: (label: string, next: Document, gesture?: string) => editor.edit(label, next, gesture ?? null),
     select: (id) => editor.select(id),
     hover: (id) => editor.set({ hovered: id }),
+    refuse: (reason) => editor.set({ notice: t(reason) }),
   };
 }
 
@@ -133,6 +137,11 @@ export function Workspace({ editor, files, segments, held, attachPaper, choose, 
     [],
   );
   const picture = (): Promise<Blob> => model.current?.picture() ?? Promise.reject(new Error('no view'));
+  const turntable = async (): Promise<Uint8Array<ArrayBuffer>> => {
+    if (!model.current) throw new Error('no view');
+    const ground = getComputedStyle(document.documentElement).getPropertyValue('--paper');
+    return swayingGif(model.current, ground);
+  };
   const attach = (control: PaperControl): void => {
     paper.current = control;
     attachPaper(control);
@@ -150,7 +159,7 @@ export function Workspace({ editor, files, segments, held, attachPaper, choose, 
         <StrokeList editor={editor} segments={segments} />
         <PartPanel editor={editor} />
       </aside>
-      {panel === 'export' && <ExportPanel editor={editor} files={files} picture={picture} />}
+      {panel === 'export' && <ExportPanel editor={editor} files={files} picture={picture} turntable={turntable} />}
       {panel === 'settings' && <SettingsPanel editor={editor} />}
       {panel === 'keys' && <KeysPanel />}
       <Tour editor={editor} />

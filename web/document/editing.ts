@@ -218,6 +218,13 @@ export function neighbours(document: Document, id: string): Part[] {
   return document.parts.filter((other) => other.id !== id && overlap(part, other)).reverse();
 }
 
+/** The foremost part at a point, or, where that is wanted, the one below the selected one. */
+export function partBelow(document: Document, point: Point, selected: string | null, deeper: boolean): Part | undefined {
+  const stack = document.parts.filter((part) => contains(part.outline, point)).reverse();
+  const at = stack.findIndex((part) => part.id === selected);
+  return deeper && at >= 0 ? stack[(at + 1) % stack.length] : stack[0];
+}
+
 /** The foremost part at a point. */
 export function partAt(document: Document, point: Point): Part | undefined {
   return partUnder(document, point, document.parts.length);

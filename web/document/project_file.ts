@@ -1,4 +1,5 @@
-import { strFromU8, strToU8, unzipSync, zipSync } from 'fflate';
+import { strFromU8, strToU8, zipSync } from 'fflate';
+import { ArchiveTooLarge, unpackArchive } from './archive';
 import { defaultSettings, type Document, type DrawingSource, type Settings } from './document';
 import { sceneContent, sceneText } from './scene_text';
 import { recordOf, type Segmentation, type SegmentationRecord } from './segmentation';
@@ -60,19 +61,6 @@ export function writeProject(document: Document, picture: Uint8Array | null): Ui
   });
 }
 
-/** Unpacks what a project may hold and nothing else; sizes are checked before memory is spent. */
-function unpack(bytes: Uint8Array): Record<string, Uint8Array> {
-  let total = 0;
-  return unzipSync(bytes, {
-    filter(file) {
-      if (!entries.includes(file.name)) return false;
-      total += file.originalSize;
-      if (total > maxBytes) throw new ProjectError('The project is larger than 256 MB.');
-      return true;
-    },
-  });
-}
-
 function parseHead(bytes: Uint8Array | undefined): ProjectHead {
   if (!bytes) throw new ProjectError('This is no Relievo project: it has no project.json.');
   const head = JSON.parse(strFromU8(bytes)) as Partial<ProjectHead>;
@@ -116,7 +104,7 @@ function segmentationOf(head: ProjectHead, files: Record<string, Uint8Array>): S
  */
 export function readProject(bytes: Uint8Array): Document {
   try {
-    const files = unpack(bytes);
+    const files = unpackArchive(bytes, (name) => entries.includes(name), maxBytes);
     const head = parseHead(files['project.json']);
     const scene = sceneContent(strFromU8(files['scene.json'] ?? new Uint8Array()));
     return {
@@ -132,6 +120,7 @@ export function readProject(bytes: Uint8Array): Document {
     };
   } catch (error) {
     if (error instanceof ProjectError) throw error;
+    if (error instanceof ArchiveTooLarge) throw new ProjectError('The project is larger than 256 MB.');
     throw new ProjectError('The project file is damaged.');
   }
 }

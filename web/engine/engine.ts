@@ -1,10 +1,10 @@
 import * as Comlink from 'comlink';
 import type { EngineEndpoint } from './engine_worker';
 import type {
-  BuiltRelief, ExportFormat, Failure, Files, FlatDrawing, MapKind, SegmentationRequest, SvgImport, Texture, TintedLabels,
-  Understanding,
+  BuiltRelief, ExportFormat, Failure, Files, FlatDrawing, LayersImport, MapKind, OutputFile, Progress,
+  SegmentationRequest, Surface, SvgImport, Texture, TintedLabels, Understanding,
 } from './messages';
-import type { BuildRequest } from './relief_service';
+import type { BuildRequest, SurfaceRequest } from './relief_service';
 
 /** The worker is gone: it was stopped on purpose, or it crashed and another took its place. */
 export class EngineStopped extends Error {
@@ -77,10 +77,15 @@ export class Engine {
     return this.call(async (remote) => await remote.checkSegmentation(request));
   }
 
-  build(
-    request: BuildRequest,
-    progress: (stage: string, done: number) => void,
-  ): Promise<BuiltRelief | Failure> {
+  importLayers(files: OutputFile[]): Promise<LayersImport | Failure> {
+    return this.call(async (remote) => await remote.importLayers(files));
+  }
+
+  surface(request: SurfaceRequest): Promise<Surface | Failure> {
+    return this.call(async (remote) => await remote.surface(request));
+  }
+
+  build(request: BuildRequest, progress: Progress): Promise<BuiltRelief | Failure> {
     return this.call(async (remote) => await remote.build(request, Comlink.proxy(progress)));
   }
 

@@ -1,17 +1,19 @@
 import * as Comlink from 'comlink';
 import {
-  type BuiltRelief, type Failure, type FlatDrawing, isFailure, type SegmentationRequest, type TintedLabels,
+  type BuiltRelief, type Failure, type FlatDrawing, isFailure, type OutputFile, type Progress, type SegmentationRequest,
+  type Surface, type TintedLabels,
 } from './messages';
-import { type BuildRequest, ReliefService } from './relief_service';
+import { type BuildRequest, ReliefService, type SurfaceRequest } from './relief_service';
 import { tintOf } from './tint';
 
-/** Every array of a result, to be handed over instead of copied. */
-function arraysOf(built: BuiltRelief): ArrayBuffer[] {
-  const { surface, overlays } = built;
-  return [
-    surface.positions, surface.normals, surface.uvs, surface.triangles,
-    overlays.joins, overlays.equal, overlays.above, overlays.ramps,
-  ].map((array) => array.buffer);
+/** Every array of a surface, to be handed over instead of copied. */
+function arraysOf(surface: Surface): ArrayBuffer[] {
+  return [surface.positions, surface.normals, surface.uvs, surface.triangles].map((array) => array.buffer);
+}
+
+function arraysOfRelief({ surface, overlays }: BuiltRelief): ArrayBuffer[] {
+  const lines = [overlays.joins, overlays.equal, overlays.above, overlays.ramps].map((array) => array.buffer);
+  return [...arraysOf(surface), ...lines];
 }
 
 let service: Promise<ReliefService> | undefined;
@@ -48,16 +50,23 @@ const endpoint = {
   },
   async build(
     request: BuildRequest,
-    progress: (stage: string, done: number) => void,
+    progress: Progress,
   ): Promise<BuiltRelief | Failure> {
     let last = 0;
-    const built = (await started()).build(request, (stage, done) => {
+    const built = (await started()).build(request, (stage, done, energy) => {
       const now = performance.now();
       if (now - last < 50) return;
       last = now;
-      progress(stage, done);
+      progress(stage, done, energy);
     });
-    return isFailure(built) ? built : Comlink.transfer(built, arraysOf(built));
+    return isFailure(built) ? built : Comlink.transfer(built, arraysOfRelief(built));
+  },
+  async importLayers(files: OutputFile[]) {
+    return (await started()).importLayers(files);
+  },
+  async surface(request: SurfaceRequest): Promise<Surface | Failure> {
+    const surface = (await started()).surface(request);
+    return isFailure(surface) ? surface : Comlink.transfer(surface, arraysOf(surface));
   },
   async encode(...arguments_: Parameters<ReliefService['encode']>) {
     return (await started()).encode(...arguments_);

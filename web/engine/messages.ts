@@ -2,6 +2,8 @@
 
 export type Method = 'approximate' | 'nonlinear';
 export type Visibility = 'relief' | 'orbit' | 'all';
+/** The heights, or one of the two that they are the sum of. */
+export type Field = 'relief' | 'inflation' | 'shift';
 export type ExportFormat = 'glb' | 'obj' | 'ply' | 'stl';
 export type MapKind = 'normal' | 'depth' | 'part';
 
@@ -40,6 +42,8 @@ export interface Report {
   maxViolation: number;
   overlapWorst: number;
   converged: boolean;
+  /** Of the non-linear method, scene units; else 0. */
+  energy: number;
   times: Record<string, number>;
   warnings: string[];
 }
@@ -74,6 +78,17 @@ export interface SvgImport {
   paintable: string;
   proposed: boolean;
   warnings: string[];
+}
+
+/** A drawing of painted layers. */
+export interface LayersImport {
+  /** Text of a scene file; its canvas is the picture. */
+  scene: string;
+  /** The parts were guessed. */
+  proposed: boolean;
+  warnings: string[];
+  /** The picture that the layers make, a PNG file. */
+  drawing: Uint8Array<ArrayBuffer>;
 }
 
 export interface OutputFile {
@@ -131,6 +146,8 @@ export interface Understanding {
   labels: Uint8Array<ArrayBuffer>;
   warnings: string[];
 }
+/** A stage and how much of it is done, in [0, 1]; the non-linear method's energy once it has one. */
+export type Progress = (stage: string, done: number, energy?: number) => void;
 
 export function isFailure(value: object): value is Failure {
   return 'error' in value;

@@ -3,9 +3,14 @@ import {
   type BuildOptions,
   type BuiltRelief,
   type ExportFormat,
+  type Field,
   type Failure,
   type Files,
   type FlatDrawing,
+  type LayersImport,
+  type OutputFile,
+  type Progress,
+  type Surface,
   isFailure,
   type Labelled,
   type MapKind,
@@ -16,12 +21,16 @@ import {
   type Visibility,
 } from './messages';
 
-export interface BuildRequest {
-  scene: string;
-  options: BuildOptions;
+export interface SurfaceRequest {
   visibility: Visibility;
   /** Departure of the surface from the true one, px. */
   tolerance: number;
+  field: Field;
+}
+
+export interface BuildRequest extends SurfaceRequest {
+  scene: string;
+  options: BuildOptions;
 }
 
 /** The engine as one instance of the module: what runs in the worker, and in tests under Node. */
@@ -67,13 +76,22 @@ export class ReliefService {
     return this.module.checkSegmentation(project, labels);
   }
 
-  build(request: BuildRequest, progress: (stage: string, done: number) => void): BuiltRelief | Failure {
+  importLayers(files: OutputFile[]): LayersImport | Failure {
+    return this.module.importLayers(files);
+  }
+
+  build(request: BuildRequest, progress: Progress): BuiltRelief | Failure {
     const report = this.reconstruction.build(request.scene, request.options, progress);
     if (isFailure(report)) return report;
-    const surface = this.reconstruction.surface(request.visibility, request.tolerance);
+    const surface = this.surface(request);
     if (isFailure(surface)) return surface;
     const overlays = this.reconstruction.overlays();
     return isFailure(overlays) ? overlays : { report, surface, overlays };
+  }
+
+  /** The surface of the last build again, by another field or tolerance. */
+  surface({ visibility, tolerance, field }: SurfaceRequest): Surface | Failure {
+    return this.reconstruction.surface(visibility, tolerance, field);
   }
 
   encode(format: ExportFormat, name: string, sizeMm: number, texture: Texture | null): Files | Failure {

@@ -1,4 +1,5 @@
 import type { Document, Point } from '../document/document';
+import type { Refusal } from '../document/reshape';
 
 /** What a tool may see and do. Lengths in canvas px. */
 export interface ToolHost {
@@ -9,6 +10,8 @@ export interface ToolHost {
   edit(label: string, next: Document, gesture?: string): void;
   select(id: string | null): void;
   hover(id: string | null): void;
+  /** Says why nothing was changed. */
+  refuse(reason: Refusal): void;
 }
 
 export interface Modifiers {

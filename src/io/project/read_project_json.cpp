@@ -4,8 +4,8 @@
 
 #include "io/project/project_json.h"
 #include "io/project/project_names.h"
+#include "io/scene/annotation_reader.h"
 #include "io/scene/json_parse.h"
-#include "io/scene/json_reader.h"
 
 namespace relievo {
 namespace {
@@ -13,9 +13,9 @@ namespace {
 constexpr size_t max_points = 1'000'000;
 
 /// Reads the values of project.json.
-class ProjectReader : public JsonReader {
+class ProjectReader final : public AnnotationReader {
  public:
-  ProjectReader() : JsonReader(max_points) {}
+  ProjectReader() : AnnotationReader(max_points) {}
 
   Project project(const Json& json) {
     Project project;
@@ -61,16 +61,6 @@ class ProjectReader : public JsonReader {
     return record;
   }
 
-  template <class Item>
-  void list(const Json& json, const JsonPath& parent, const char* key, std::vector<Item>& items,
-            Item (ProjectReader::*read)(const Json&, const JsonPath&)) {
-    if (error() || !json.contains(key)) return;
-    const JsonPath path = parent.member(key);
-    if (!is_list(json[key], path, "objects")) return;
-    for (size_t i = 0; i < json[key].size() && !error(); ++i)
-      items.push_back((this->*read)(json[key][i], path.element(i)));
-  }
-
   PartLabel label(const Json& json, const JsonPath& path) {
     const bool sound =
         json.is_number_integer() && json >= 1 && json <= std::numeric_limits<PartLabel>::max();
@@ -78,13 +68,7 @@ class ProjectReader : public JsonReader {
     return sound ? json.get<PartLabel>() : PartLabel{0};
   }
 
-  template <class Item>
-  void pair(const Json& json, const JsonPath& path, Item& item) {
-    item.upper = label(json["upper"], path.member("upper"));
-    item.lower = label(json["lower"], path.member("lower"));
-    if (!error() && item.upper == item.lower)
-      fail(path.member("lower"), "must be another part than the upper one");
-  }
+  int part_reference(const Json& json, const JsonPath& path) override { return label(json, path); }
 
   template <class Value, size_t size>
   Value one_of(const std::array<Spelling<Value>, size>& names, const Json& json,
@@ -195,39 +179,6 @@ class ProjectReader : public JsonReader {
     if (!keys(json, path, {"upper", "lower"}, {})) return {};
     pair(json, path, pair_record);
     return {pair_record.upper, pair_record.lower};
-  }
-
-  Join join(const Json& json, const JsonPath& path) {
-    Join join;
-    if (!keys(json, path, {"upper", "lower", "line"}, {})) return join;
-    pair(json, path, join);
-    join.line = points(json["line"], path.member("line"));
-    return join;
-  }
-
-  Relation relation(const Json& json, const JsonPath& path) {
-    Relation relation;
-    if (!keys(json, path, {"upper", "lower", "relation"}, {"range"})) return relation;
-    pair(json, path, relation);
-    relation.kind = relation_kind(json["relation"], path.member("relation"));
-    if (!json.contains("range")) return relation;
-    const std::vector<Point2> ends = points(json["range"], path.member("range"));
-    if (ends.size() == 2)
-      relation.range = {ends[0], ends[1]};
-    else
-      fail(path.member("range"), "must be two points [[x, y], [x, y]]");
-    return relation;
-  }
-
-  RobinRange robin(const Json& json, const JsonPath& path) {
-    RobinRange range;
-    if (!keys(json, path, {"upper", "lower", "from", "to"}, {"alpha0", "rho"})) return range;
-    pair(json, path, range);
-    range.from = point(json["from"], path.member("from"));
-    range.to = point(json["to"], path.member("to"));
-    if (json.contains("alpha0")) range.alpha0 = number(json["alpha0"], path.member("alpha0"));
-    if (json.contains("rho")) range.rho = number(json["rho"], path.member("rho"));
-    return range;
   }
 
   std::vector<std::string> scribble_parts_;

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "io/scene/annotation_reader.h"
 #include "io/scene/json_parse.h"
-#include "io/scene/json_reader.h"
 
 namespace relievo {
 namespace {
@@ -16,10 +16,10 @@ using Path = JsonPath;
 
 /// Turns JSON values into a scene. The first failure is kept; after it, whatever is returned is
 /// of no use and is thrown away by the caller.
-class SceneReader : public JsonReader {
+class SceneReader final : public AnnotationReader {
  public:
   explicit SceneReader(const SceneLimits& limits)
-      : JsonReader(limits.max_points), limits_(limits) {}
+      : AnnotationReader(limits.max_points), limits_(limits) {}
 
   Scene scene(const Json& json) {
     const Path root;
@@ -93,7 +93,7 @@ class SceneReader : public JsonReader {
     return part;
   }
 
-  int part_index(const Json& json, const Path& path) {
+  int part_reference(const Json& json, const Path& path) override {
     const std::string id = text(json, path);
     const auto found = index_.find(id);
     if (found == index_.end()) {
@@ -101,59 +101,6 @@ class SceneReader : public JsonReader {
       return -1;
     }
     return found->second;
-  }
-
-  template <class Item>
-  void list(const Json& json, const Path& root, const char* key, std::vector<Item>& items,
-            Item (SceneReader::*read)(const Json&, const Path&)) {
-    if (error() || !json.contains(key)) return;
-    const Json& array = json[key];
-    const Path path = root.member(key);
-    if (!is_list(array, path, "objects")) return;
-    for (size_t i = 0; i < array.size() && !error(); ++i)
-      items.push_back((this->*read)(array[i], path.element(i)));
-  }
-
-  /// The parts that a join, relation or Robin range is about.
-  template <class Item>
-  void pair(const Json& json, const Path& path, Item& item) {
-    item.upper = part_index(json["upper"], path.member("upper"));
-    item.lower = part_index(json["lower"], path.member("lower"));
-  }
-
-  Join join(const Json& json, const Path& path) {
-    Join join;
-    if (!keys(json, path, {"upper", "lower", "line"}, {})) return join;
-    pair(json, path, join);
-    join.line = points(json["line"], path.member("line"));
-    return join;
-  }
-
-  Relation relation(const Json& json, const Path& path) {
-    Relation relation;
-    if (!keys(json, path, {"upper", "lower", "relation"}, {"range"})) return relation;
-    pair(json, path, relation);
-    relation.kind = relation_kind(json["relation"], path.member("relation"));
-    if (!json.contains("range")) return relation;
-    const Json& range = json["range"];
-    const Path range_path = path.member("range");
-    if (!range.is_array() || range.size() != 2)
-      fail(range_path, "must be two points [[x, y], [x, y]]");
-    else
-      relation.range = {point(range[0], range_path.element(0)),
-                        point(range[1], range_path.element(1))};
-    return relation;
-  }
-
-  RobinRange robin(const Json& json, const Path& path) {
-    RobinRange range;
-    if (!keys(json, path, {"upper", "lower", "from", "to"}, {"alpha0", "rho"})) return range;
-    pair(json, path, range);
-    range.from = point(json["from"], path.member("from"));
-    range.to = point(json["to"], path.member("to"));
-    if (json.contains("alpha0")) range.alpha0 = number(json["alpha0"], path.member("alpha0"));
-    if (json.contains("rho")) range.rho = number(json["rho"], path.member("rho"));
-    return range;
   }
 
   const SceneLimits& limits_;

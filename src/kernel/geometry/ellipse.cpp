@@ -9,7 +9,7 @@ namespace relievo {
 namespace {
 
 constexpr int unknowns = 5;           ///< centre, logarithms of the half axes, angle
-constexpr double circle_prior = 1.0;  ///< standard deviation of log(a / b)
+constexpr double circle_prior = 1.5;  ///< standard deviation of log(a / b)
 /// Neighbouring points of a contour err together; so many count as one.
 constexpr double correlated_points = 4;
 constexpr int max_steps = 25;

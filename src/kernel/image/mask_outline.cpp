@@ -32,8 +32,7 @@ Ring simplified(const Ring& ring, double tolerance) {
   return few;
 }
 
-}  // namespace
-
+/// The points of a closed ring averaged with their neighbours, `passes` times.
 Ring smoothed(Ring ring, int passes) {
   const size_t n = ring.size();
   if (n < 3) return ring;
@@ -45,6 +44,8 @@ Ring smoothed(Ring ring, int passes) {
   }
   return ring;
 }
+
+}  // namespace
 
 Outline outline_of(const Mask& mask, const OutlineOptions& options) {
   const std::vector<LabelRing> rings = trace_label_rings(as_labels(mask));

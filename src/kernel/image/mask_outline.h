@@ -16,7 +16,4 @@ struct OutlineOptions {
 /// O(box + boundary * log boundary).
 Outline outline_of(const Mask& mask, const OutlineOptions& options = {});
 
-/// The points of a closed ring averaged with their neighbours, `passes` times.
-Ring smoothed(Ring ring, int passes);
-
 }  // namespace relievo

@@ -38,6 +38,12 @@ Mask common(const Mask& a, const Mask& b) {
   return both;
 }
 
+/// Whether the completion below the parts in front knows better: a membrane, which fits anything,
+/// does not where the contour is that of an ellipse or goes on smoothly.
+bool limits(const CompletedPart& below_front, const CompletedPart& completed) {
+  return below_front.kind != CompletionKind::membrane || completed.kind == CompletionKind::membrane;
+}
+
 /// Adds the pixels within `steps` of `seed` that `allowed` accepts, walking only through those.
 template <class Allowed>
 void grow(Mask& mask, const Mask& seed, int steps, Allowed allowed) {
@@ -96,7 +102,9 @@ Completion clip_to_order(const PartRegions& regions, const Completion& completio
   for (int part = 0; part < regions.count(); ++part) {
     CompletedPart& completed = result.parts[part];
     if (completed.kind == CompletionKind::given) continue;
-    const Mask shape = common(completed.shape, below_front.parts[part].shape);
+    const CompletedPart& limit = below_front.parts[part];
+    const Mask shape =
+        limits(limit, completed) ? common(completed.shape, limit.shape) : completed.shape;
     completed.shape = clipped(regions, shape, part, rank, overlap);
   }
   return result;

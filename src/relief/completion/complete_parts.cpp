@@ -96,6 +96,7 @@ Result<Completion> complete_parts(const PartRegions& regions, const Occluders& o
   Completion completion;
   for (int part = 0; part < regions.count(); ++part) {
     if (context.cancelled()) return interrupted_error();
+    context.report("complete", static_cast<double>(part) / regions.count());
     completion.parts.push_back(complete(hidden_part(regions, part, occluders[part])));
   }
   return completion;

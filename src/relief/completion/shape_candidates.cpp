@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "kernel/geometry/ellipse.h"
+#include "kernel/image/distance_transform.h"
 #include "kernel/image/fill_outline.h"
 #include "kernel/image/illusory_surface.h"
 
@@ -15,6 +16,8 @@ constexpr size_t ellipse_samples = 100;  ///< about so many points of the contou
 constexpr int ellipse_points = 180;
 constexpr double ellipse_noise = 0.8;          ///< px
 constexpr double ellipse_noise_share = 0.012;  ///< of the part's size
+/// How far a contour without an end of its own goes on, as a share of the visible part's size.
+constexpr double endless_share = 0.25;
 constexpr double max_turn = 1.35 * std::numbers::pi;
 
 double size_of(const Mask& mask) { return std::sqrt(static_cast<double>(pixel_count(mask))); }
@@ -63,6 +66,32 @@ double rms_distance(const Ellipse& ellipse, const std::vector<Point2>& points) {
     sum += d * d;
   }
   return std::sqrt(sum / static_cast<double>(std::max<size_t>(points.size(), 1)));
+}
+
+Image8 above_half(const ImageF& p) {
+  Image8 above(p.width, p.height, 1);
+  for (size_t i = 0; i < p.pixels.size(); ++i) above.pixels[i] = p.pixels[i] > 0.5F ? 1 : 0;
+  return above;
+}
+
+/// Whether the shape has pixels at the border of its box.
+bool reaches_border(const Mask& shape) {
+  const Image8& inside = shape.inside;
+  for (int x = 0; x < inside.width; ++x)
+    if (inside.at(x, 0) != 0 || inside.at(x, inside.height - 1) != 0) return true;
+  for (int y = 0; y < inside.height; ++y)
+    if (inside.at(0, y) != 0 || inside.at(inside.width - 1, y) != 0) return true;
+  return false;
+}
+
+/// Removes what is farther from the visible part than a share of its size.
+void cut_off(Mask& shape, const Mask& visible) {
+  Image8 seen(shape.inside.width, shape.inside.height, 1);
+  for_each_pixel(visible, [&](int x, int y) { seen.at(x - shape.left, y - shape.top) = 1; });
+  const double reach = endless_share * std::max(visible.inside.width, visible.inside.height);
+  const auto squares = squared_distance_to(seen);
+  for (size_t i = 0; i < squares.pixels.size(); ++i)
+    if (squares.pixels[i] > reach * reach) shape.inside.pixels[i] = 0;
 }
 
 Box2 grown(const Mask& mask, double share) {
@@ -150,9 +179,8 @@ Mask membrane_shape(const HiddenPart& hidden) {
     other_side(x, y, x, y - 1);
     other_side(x, y, x, y + 1);
   });
-  const ImageF p = diffuse_contour(cells);
-  Mask shape{left, top, Image8(cells.width, cells.height, 1)};
-  for (size_t i = 0; i < p.pixels.size(); ++i) shape.inside.pixels[i] = p.pixels[i] > 0.5F ? 1 : 0;
+  Mask shape{left, top, above_half(diffuse_contour(cells))};
+  if (reaches_border(shape)) cut_off(shape, hidden.visible());
   return shape;
 }
 

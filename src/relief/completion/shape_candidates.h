@@ -36,7 +36,8 @@ std::optional<Mask> ellipse_shape(const HiddenPart& hidden, double tolerance);
 std::optional<Mask> continued_shape(const HiddenPart& hidden);
 
 /// Where the diffusion of the known contour exceeds one half, in a box around the part that is
-/// twice as large. O(box).
+/// twice as large. Where contours drift apart, so that it has no end in that box, it goes on for a
+/// quarter of the part's size. O(box).
 Mask membrane_shape(const HiddenPart& hidden);
 
 }  // namespace relievo

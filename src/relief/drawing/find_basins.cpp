@@ -35,25 +35,36 @@ Image<int32_t> watershed(const LineMap& map, std::vector<Basin>& basins) {
   return std::move(found.label);
 }
 
+/// Tells what share is done; false where the rest is not wanted.
+bool go_on(const RunContext& context, double done) {
+  context.report("find areas", done);
+  return !context.cancelled();
+}
+
 }  // namespace
 
-Result<Basins> find_basins(const Drawing& drawing) {
+Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   if (drawing.rgba.empty()) return Error{ErrorCode::bad_input, "the drawing has no pixels", ""};
+  if (!go_on(context, 0)) return interrupted_error();
   const Image8 rgb = remove_paper(drawing.rgba);
+  if (!go_on(context, 0.1)) return interrupted_error();
   LineMap map = find_lines(rgb);
   if (std::count(map.barrier.pixels.begin(), map.barrier.pixels.end(), LineMap::none) ==
       static_cast<ptrdiff_t>(map.barrier.pixels.size()))
     return Error{ErrorCode::bad_input, "the drawing is blank: no line or edge was found in it", ""};
+  if (!go_on(context, 0.5)) return interrupted_error();
   Basins basins;
   basins.index = watershed(map, basins.basins);
   if (basins.basins.empty())
     return Error{ErrorCode::bad_input, "the drawing has no areas between its lines", ""};
+  if (!go_on(context, 0.9)) return interrupted_error();
   basins.ink = std::move(map.ink);
   basins.barrier = std::move(map.barrier);
   basins.line_width = map.line_width;
   basins.painted = map.painted;
   measure_basins(drawing.rgba, rgb, basins);
   propose_regions(basins);
+  context.report("find areas", 1);
   return basins;
 }
 

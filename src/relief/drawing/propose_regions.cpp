@@ -15,8 +15,11 @@ constexpr double open_share = 0.24;       ///< of a border without line, above w
 constexpr double different_colour = 55;   ///< of areas that are not one, unless quite open
 constexpr double quite_open_share = 0.7;  ///< above which colour does not matter
 constexpr double smallest_part = 0.0008;  ///< of the box around the figure
+constexpr double host_share = 0.25;       ///< of a sliver's border, from which it lies on a part
 constexpr double detail_share = 0.08;     ///< of the area around it, up to which it is a detail
-constexpr double enclosed_share = 0.85;   ///< of a detail's border that is with one region
+constexpr double enclosed_share = 0.8;    ///< of a detail's border that is with one region
+constexpr double narrowest_part =
+    0.75;  ///< inradius in widths of lines: narrower are gaps in strokes
 
 /// Unites regions, those most open to each other first, until lines part all of them.
 class OpenMerger {
@@ -82,20 +85,35 @@ double figure_box_area(RegionMerging& regions, int background) {
   return box.empty() ? 0 : (box.max.x - box.min.x) * (box.max.y - box.min.y);
 }
 
-/// Gives regions that are too small or narrow to be parts to their longest neighbour, smallest
+/// The part on which a region lies: the neighbour with the longest common border, the background
+/// only where no part takes a good share of the border. -1 where there is none.
+int lies_on(const RegionMerging& regions, int r, int background) {
+  int best = -1;
+  int64_t longest = 0;
+  for (const auto& [neighbour, border] : regions.borders(r))
+    if (neighbour != background && border.pairs > longest) {
+      longest = border.pairs;
+      best = neighbour;
+    }
+  const double good = host_share * static_cast<double>(border_length(regions, r));
+  return static_cast<double>(longest) >= good ? best : closest_neighbour(regions, r);
+}
+
+/// Gives regions that are too small or narrow to be parts to those on which they lie, smallest
 /// first.
-void absorb_slivers(RegionMerging& regions, double least_area, double least_inradius) {
+void absorb_slivers(RegionMerging& regions, int background, double least_area,
+                    double least_inradius) {
   std::vector<std::pair<int64_t, int>> order;
   for (int r = 0; r < regions.count(); ++r)
     if (regions.is_region(r)) order.emplace_back(regions.region(r).area, r);
   std::sort(order.begin(), order.end());
   for (const auto& [area, r] : order) {
-    if (!regions.is_region(r)) continue;
+    if (!regions.is_region(r) || r == background) continue;
     const Basin& region = regions.region(r);
     if (static_cast<double>(region.area) >= least_area && region.inradius >= least_inradius)
       continue;
-    const int neighbour = closest_neighbour(regions, r);
-    if (neighbour >= 0) regions.unite(r, neighbour);
+    const int host = lies_on(regions, r, background);
+    if (host >= 0) regions.unite(r, host);
   }
 }
 
@@ -124,7 +142,8 @@ void propose_regions(Basins& basins) {
   OpenMerger(regions).run();
   int background = unite_background(regions, static_cast<int64_t>(basins.index.pixels.size()));
   const double least_area = smallest_part * figure_box_area(regions, background);
-  absorb_slivers(regions, least_area, std::max(1.5, basins.line_width / 2));
+  absorb_slivers(regions, background, least_area,
+                 std::max(1.5, narrowest_part * basins.line_width));
   if (background >= 0) background = regions.region_of(background);
   absorb_details(regions, background);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernel/base/result.h"
+#include "kernel/base/run_context.h"
 #include "relief/drawing/drawing.h"
 #include "relief/drawing/label_basins.h"
 #include "relief/drawing/scribbles.h"
@@ -11,6 +12,7 @@ namespace relievo {
 /// Divides a flat drawing into its visible parts: find_basins, then label_basins. Where strokes
 /// change again and again, call these two instead and keep the basins.
 Result<Segmentation> segment_drawing(const Drawing& drawing, const Scribbles& scribbles = {},
-                                     const LabelOptions& options = {});
+                                     const LabelOptions& options = {},
+                                     const RunContext& context = {});
 
 }  // namespace relievo

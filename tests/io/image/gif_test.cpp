@@ -5,6 +5,7 @@
 
 #include "io/image/decode_image.h"
 #include "io/image/gif_decode.h"
+#include "io/support/damage.h"
 
 namespace relievo {
 namespace {
@@ -98,6 +99,19 @@ TEST(Gif, FlippedBitsGiveAnImageOrAnError) {
     refused += decode_gif(damaged, {1 << 20, 1 << 14}).ok() ? 0 : 1;
   }
   EXPECT_GT(refused, 0);
+}
+
+/// Seeds of each kind: with rows in order or interlaced, opaque or not, beside the canvas' corner.
+TEST(Gif, DamageOfTenSeedsNeverCrashes) {
+  for (const bool interlaced : {false, true})
+    for (const int transparent : {NO_TRANSPARENT_COLOR, 0, 7})
+      for (const int left : {0, 2}) {
+        const Bytes good = encode_gif({interlaced, transparent, left, 2 - left});
+        ASSERT_TRUE(decode_gif(good).ok());
+        survive_damage(good, 200, [](ByteView bytes) {
+          return decode_gif(bytes, {1 << 20, 1 << 14});
+        });
+      }
 }
 
 TEST(Gif, HugeSizesAreRefusedBeforePixelsTakeMemory) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "io/layered/layer_support.h"
+#include "io/support/damage.h"
 #include "io/support/test_archive.h"
 
 namespace relievo {
@@ -100,6 +101,28 @@ TEST(Archive, RefusesWhatItShouldNotUnpack) {
             std::string::npos);
   EXPECT_NE(code(test_archive({{"a", ""}, {"b", ""}, {"c", ""}}), {2}).find("too many"),
             std::string::npos);
+}
+
+/// Seeds with other pictures and stacks, damaged inside the archive, where no checksum protects
+/// them.
+TEST(ReadOra, DamageOfTenSeedsNeverCrashes) {
+  for (int seed = 0; seed < 10; ++seed) {
+    const int size = 20 + 3 * seed;
+    const std::string picture = png(disc(size, size, {size / 2.0, size / 2.0}, size / 3.0, red));
+    const std::string layer = "<layer name='n' src='data/a.png' x='" + std::to_string(seed) + "'/>";
+    const auto entries =
+        unpack_archive(test_archive({{"mimetype", "image/openraster"},
+                                     {"stack.xml", "<image w='60' h='60'><stack opacity='0.9'>" +
+                                                       layer + layer + "</stack></image>"},
+                                     {"data/a.png", picture}}));
+    ASSERT_TRUE(entries && read_ora(*entries).ok());
+    for (size_t entry = 1; entry < entries->size(); ++entry)
+      survive_damage((*entries)[entry].bytes, 150, [&](ByteView bytes) {
+        std::vector<ArchiveEntry> damaged = *entries;
+        damaged[entry].bytes = Bytes(bytes.begin(), bytes.end());
+        return read_ora(damaged, {1 << 20, 1 << 14});
+      });
+  }
 }
 
 TEST(Archive, DamageIsFoundOrHarmless) {

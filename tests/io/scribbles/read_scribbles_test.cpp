@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "io/scribbles/write_scribbles.h"
+#include "io/support/damage.h"
+#include "io/support/temporary_folder.h"
 
 namespace relievo {
 namespace {
@@ -63,6 +65,22 @@ TEST(Scribbles, EveryTruncationIsRefused) {
   const std::string text = write_scribbles(sample());
   for (size_t size = 0; size + 2 < text.size(); ++size)
     EXPECT_FALSE(read_scribbles(std::string_view(text).substr(0, size)).ok()) << size;
+}
+
+/// Seeds with more and more strokes of all kinds.
+TEST(Scribbles, DamageOfTenSeedsNeverCrashes) {
+  Scribbles scribbles = sample();
+  for (int seed = 0; seed < 10; ++seed) {
+    const Bytes good = to_bytes(write_scribbles(scribbles));
+    ASSERT_TRUE(read_scribbles(to_text(good)).ok());
+    survive_damage(good, 300, [](ByteView bytes) {
+      return read_scribbles({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    });
+    Scribble stroke = scribbles.strokes[static_cast<size_t>(seed % 4)];
+    stroke.points.push_back({1e-3 * seed, 1e5 / (1 + seed)});
+    scribbles.strokes.push_back(stroke);
+    scribbles.parts.push_back("part \xc3\xa9 " + std::to_string(seed));
+  }
 }
 
 }  // namespace

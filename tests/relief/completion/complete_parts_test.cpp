@@ -106,6 +106,24 @@ TEST(CompleteParts, PiecesOnBothSidesOfAnOccluderAreBridged) {
   EXPECT_GE(overlap_ratio(completion.parts[0].shape, band, labels), 0.95);
 }
 
+TEST(CompleteParts, MembraneEndsWhereContoursDriftApart) {
+  // A strip that widens below a large part, as a waistband below a shirt: its sides never meet.
+  const Inside strip = [](double x, double y) {
+    return y > 100 && y < 112 && std::abs(x - 150) < 40 + 2 * (112 - y);
+  };
+  const Image16 labels = painted(300, 160, {strip, box(20, 5, 280, 100)});
+  const PartRegions regions = find_regions(labels);
+  const Completion completion = complete(regions, {{1}, {}});
+  ASSERT_EQ(completion.parts[0].kind, CompletionKind::membrane);
+  const Mask& shape = completion.parts[0].shape;
+  const int width = regions.visible[0].inside.width;
+  EXPECT_TRUE(shape.has(150, 95));
+  for_each_pixel(shape, [&](int x, int y) {
+    EXPECT_GT(y, 100 - 0.26 * width) << x;
+    EXPECT_LT(std::abs(x - 150), 0.77 * width) << y;
+  });
+}
+
 TEST(CompleteParts, EnclosedFeatureHidesWhatIsBelowIt) {
   const Image16 labels = painted(160, 160, {disc(80, 80, 60), disc(60, 70, 12)});
   const Completion completion = complete(find_regions(labels), {{1}, {}});

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -155,6 +156,29 @@ TEST(LabelBasins, BadStrokesAreRefused) {
     ASSERT_FALSE(s.ok());
     EXPECT_EQ(s.error().code, ErrorCode::bad_input);
     EXPECT_FALSE(s.error().where.empty() && bad.parts[0] != "");
+  }
+}
+
+TEST(FindBasins, StopsBetweenAnyTwoSteps) {
+  const Drawing drawing = InkDrawing(120, 120).circle({60, 60}, 40).drawing();
+  int steps = 0;
+  RunContext count;
+  double last = -1;
+  count.progress = [&](const char*, double fraction) {
+    EXPECT_GT(fraction, last);
+    last = fraction;
+    ++steps;
+  };
+  ASSERT_TRUE(find_basins(drawing, count).ok());
+  EXPECT_EQ(last, 1);
+  for (int stop = 0; stop + 1 < steps; ++stop) {
+    std::atomic<bool> cancel = false;
+    RunContext context{&cancel};
+    int left = stop;
+    context.progress = [&](const char*, double) { cancel = left-- == 0 || cancel; };
+    const auto basins = find_basins(drawing, context);
+    ASSERT_FALSE(basins.ok()) << stop;
+    EXPECT_EQ(basins.error().code, ErrorCode::interrupted);
   }
 }
 

@@ -36,6 +36,22 @@ TEST(SegmentDrawing, ClosedLinesNeedNoScribbles) {
   EXPECT_TRUE(s->bridges.empty());
 }
 
+TEST(SegmentDrawing, WhiskersBelongToTheHeadAndNotToTheBackground) {
+  // A whisker drawn as a thin closed shape reaches from the cheek over the head's outline; so
+  // narrow a gap between strokes is no part, wherever most of it lies.
+  for (const double end : {240.0, 270.0}) {
+    InkDrawing ink(300, 240);
+    ink.arc({150, 120}, 80, 0.008, 0.992);
+    ink.line({200, 116}, {end, 116}).line({200, 124}, {end, 124});
+    ink.line({200, 116}, {200, 124}).line({end, 116}, {end, 124});
+    const Result<Segmentation> s = segment_drawing(ink.drawing());
+    ASSERT_TRUE(s.ok()) << to_string(s.error());
+    EXPECT_EQ(s->parts.size(), 1U) << end;
+    EXPECT_EQ(label_at(*s, 215, 120), label_at(*s, 150, 120)) << end;
+    EXPECT_EQ(label_at(*s, 290, 120), 0) << end;
+  }
+}
+
 TEST(SegmentDrawing, LabelsReachTheMiddleOfLines) {
   const Result<Segmentation> s =
       segment_drawing(InkDrawing(200, 200).circle({100, 100}, 60, 8).drawing());

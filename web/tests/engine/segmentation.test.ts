@@ -193,7 +193,7 @@ describe('a project of a flat drawing', () => {
     const [file, model, anew] = ['a.relievo', 'a.glb', 'b.relievo'].map((name) => join(folder, name)) as [string, string, string];
     writeFileSync(file, writeProject(document, null));
     execFileSync(program, ['build', file, '-q', '--vertices', '20000', '-o', model, '-o', join(folder, 'a.stl')]);
-    must(service.build({ scene: sceneText(document), options, visibility: 'orbit', tolerance: 0.25 }, () => undefined));
+    must(service.build({ scene: sceneText(document), options, visibility: 'orbit', tolerance: 0.25, field: 'relief' }, () => undefined));
     const [stl] = must(service.encode('stl', 'a', 100, null)).files;
     expect(Buffer.from(stl!.bytes).equals(readFileSync(join(folder, 'a.stl')))).toBe(true);
     execFileSync(program, ['segment', file, '-q', '-o', anew]);

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { strToU8, unzipSync, zipSync } from 'fflate';
 import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
-import { choosePart, downloaded, gesture, names, save, type Spot, spotsOn } from './actions.ts';
+import { choosePart, downloaded, gesture, names, pageView, save, type Spot } from './actions.ts';
 import { closeStage, openStage, picture, pictures, reopen, settled, type Stage } from './browser.ts';
 
 const root = fileURLToPath(new URL('../../..', import.meta.url));
@@ -147,7 +147,8 @@ it('tints the parts while the pen is down, and forgets a stroke on Escape', asyn
   await openBear();
   const count = (await names(page)).length;
   const times: number[] = [];
-  const spots = await spotsOn(page, [[430, 620], [450, 660], [470, 700], [490, 730], [500, 760]], bear);
+  const { at } = await pageView(page, bear);
+  const spots = ([[430, 620], [450, 660], [470, 700], [490, 730], [500, 760]] satisfies Spot[]).map(at);
   await page.mouse.move(...spots[0]!);
   await page.mouse.down();
   for (const spot of spots.slice(1)) {
