@@ -68,6 +68,24 @@ it('joins with a line across the root', async () => {
   expect(stage.troubles).toEqual([]);
 });
 
+it('joins with a click on a suggestion', async () => {
+  const { page } = stage;
+  await page.click('#empty');
+  await gesture(page, oval(400, 400, 200, 150));
+  await gesture(page, oval(640, 400, 130, 60));
+  await settled(page);
+  await page.keyboard.press('3');
+  await page.keyboard.press('Escape');
+  await page.waitForTimeout(200);
+  await picture(page, 'suggested');
+  const part = await outlineOf(page, 'part 2');
+  const root = part.reduce((a, b) => (a[0] < b[0] ? a : b));
+  await gesture(page, [root]);
+  await settled(page);
+  expect(await page.locator('.parts li .joined').count()).toBe(1);
+  expect(stage.troubles).toEqual([]);
+});
+
 it('orders with an arrow', async () => {
   const { page } = stage;
   await page.click('#empty');
