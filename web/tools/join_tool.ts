@@ -3,7 +3,7 @@ import { addJoin, joinOfLine, partAt } from '../document/editing';
 import { distance } from '../document/outline';
 import { suggestedJoins, suggestionAt } from '../document/suggestions';
 import { marks } from '../view/colors';
-import { traceLine } from '../view/paper_view';
+import { strokeLine } from '../view/paper_view';
 import type { Tool, ToolHost } from './tool';
 
 /** A line across the root of a part joins it to the part below; so does a click on a suggestion. */
@@ -44,29 +44,16 @@ export class JoinTool implements Tool {
       this.drawSuggestions(context, pixel);
       return;
     }
-    traceLine(context, this.line);
-    context.strokeStyle = 'rgb(47 111 237 / 45%)';
-    context.lineWidth = 2 * pixel;
-    context.stroke();
+    strokeLine(context, this.line, 'rgb(47 111 237 / 45%)', 2 * pixel);
     const join = this.proposed();
-    if (!join) return;
-    traceLine(context, join.line);
-    context.strokeStyle = marks.join;
-    context.lineWidth = 5 * pixel;
-    context.lineCap = 'round';
-    context.stroke();
+    if (join) strokeLine(context, join.line, marks.join, 5 * pixel);
   }
 
   private drawSuggestions(context: CanvasRenderingContext2D, pixel: number): void {
     context.setLineDash([7 * pixel, 6 * pixel]);
-    context.lineCap = 'round';
     for (const { line } of suggestedJoins(this.host.document)) {
-      for (const [color, width] of [['rgb(255 255 255 / 70%)', 6], ['rgb(47 111 237 / 60%)', 3]] as const) {
-        traceLine(context, line);
-        context.strokeStyle = color;
-        context.lineWidth = width * pixel;
-        context.stroke();
-      }
+      strokeLine(context, line, 'rgb(255 255 255 / 70%)', 6 * pixel);
+      strokeLine(context, line, 'rgb(47 111 237 / 60%)', 3 * pixel);
     }
     context.setLineDash([]);
   }
