@@ -67,7 +67,7 @@ export function offlineCopy(): Plugin {
           const file = bundle[name];
           hash.update(name).update(file?.type === 'chunk' ? file.code : (file?.source ?? ''));
         }
-        const all = ['./', ...files.map((name) => `./${name}`), './icon.svg', './manifest.webmanifest'];
+        const all = ['./', ...files.map((name) => `./${name}`), './icon.svg', './icon-180.png', './icon-512.png', './manifest.webmanifest'];
         const source = worker(hash.digest('hex').slice(0, 16), all);
         this.emitFile({ type: 'asset', fileName: 'service_worker.js', source });
       },

@@ -1,5 +1,6 @@
 #include "apps/cli/inputs.h"
 
+#include "io/archive/zip_archive.h"
 #include "io/files/in_file.h"
 #include "io/files/paths.h"
 #include "io/files/read_file.h"

@@ -24,6 +24,7 @@
 #include "io/svg/render_svg.h"
 #include "relief/drawing/label_colours.h"
 #include "relief/drawing/segment_drawing.h"
+#include "relief/pipeline/keep_labels.h"
 #include "relief/pipeline/propose_scene.h"
 
 namespace relievo::cli {
@@ -48,6 +49,7 @@ Result<SegmentInput> from_project(const InputFile& file) {
   input.labels = std::move(record.labels);
   input.scribbles = std::move(record.scribbles);
   input.corrections = std::move(record.corrections);
+  for (const PartRecord& part : record.parts) input.label_of[part.id] = part.label;
   return input;
 }
 
@@ -113,15 +115,18 @@ Result<Scribbles> load_scribbles(const std::string& name, const Image8& pixels) 
   return scribbles ? std::move(scribbles) : in_file(scribbles.error(), name);
 }
 
-/// Labels from the pixels. Parts that were scribbled keep their names.
+/// Labels from the pixels. Parts that were scribbled keep their names, those of a project their
+/// labels and what was said of them.
 Status find_labels(SegmentInput& input, const RunContext& context) {
   auto found = segment_drawing(Drawing{input.pixels}, input.scribbles, {}, context);
   if (!found) return found.error();
+  KeptLabels kept = keep_labels(*found, {std::move(input.labels), std::move(input.label_of)});
   for (size_t k = 0; k < found->parts.size(); ++k)
-    if (!found->parts[k].proposed && found->parts[k].area > 0)
-      input.corrections.parts[static_cast<PartLabel>(k + 1)].id = found->parts[k].id;
+    if (!found->parts[k].proposed)
+      input.corrections.parts[kept.label_of[k]].id = found->parts[k].id;
+  input.corrections = corrections_of(kept.labels, input.corrections, ProposalOptions().min_pixels);
   for (Bridge& bridge : found->bridges) input.bridges.push_back(std::move(bridge.points));
-  input.labels = std::move(found->labels);
+  input.labels = std::move(kept.labels);
   input.notes = std::move(found->notes);
   return Done{};
 }

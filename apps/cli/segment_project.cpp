@@ -2,23 +2,17 @@
 
 #include <filesystem>
 
+#include "io/project/record_proposal.h"
+
 namespace relievo::cli {
 namespace {
 
 SegmentationRecord record_of(const SegmentInput& input, const Proposal& proposal) {
-  const std::vector<PartLabel>& labels = proposal.regions.labels;
-  SegmentationRecord record{input.labels, input.scribbles, input.corrections, {}, {}, {}};
-  for (const int part : proposal.stacking.back_to_front)
-    record.parts.push_back({labels[part], proposal.scene.parts[proposal.stacking.rank[part]].id,
-                            proposal.completion.parts[part].kind});
-  for (OrderArrow arrow : proposal.stacking.arrows) {
-    arrow.upper = labels[arrow.upper];
-    arrow.lower = labels[arrow.lower];
-    record.order.push_back(arrow);
-  }
-  for (const ProposedJoin& proposed : proposal.joining.joins)
-    record.joins.push_back(
-        {labels[proposed.join.upper], labels[proposed.join.lower], proposed.confidence});
+  SegmentationRecord record = record_proposal(proposal.regions, proposal.completion,
+                                              proposal.stacking, proposal.joining, proposal.scene);
+  record.labels = input.labels;
+  record.scribbles = input.scribbles;
+  record.corrections = input.corrections;
   return record;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct SegmentInput {
   Image8 pixels;             ///< of the drawing, RGBA
   Image16 labels;
   Scribbles scribbles;
+  std::map<std::string, PartLabel> label_of;  ///< ids that parts have in a project
   Corrections corrections;
   std::vector<std::vector<Point2>> bridges;  ///< gaps in the lines that were closed, px
   std::vector<std::string> notes;            ///< what a person should know

@@ -48,6 +48,7 @@ Bytes to_bytes(const val& array) {
 
 val to_js(const Bytes& bytes) { return copy("Uint8Array", bytes); }
 val to_js(const std::vector<float>& numbers) { return copy("Float32Array", numbers); }
+val to_js(const std::vector<uint16_t>& numbers) { return copy("Uint16Array", numbers); }
 val to_js(const std::vector<uint32_t>& numbers) { return copy("Uint32Array", numbers); }
 
 val to_js(const std::vector<std::string>& texts) {

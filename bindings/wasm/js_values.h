@@ -20,6 +20,7 @@ Bytes to_bytes(const emscripten::val& array);
 /// Copies that the page owns.
 emscripten::val to_js(const Bytes& bytes);
 emscripten::val to_js(const std::vector<float>& numbers);
+emscripten::val to_js(const std::vector<uint16_t>& numbers);
 emscripten::val to_js(const std::vector<uint32_t>& numbers);
 emscripten::val to_js(const std::vector<std::string>& texts);
 

@@ -2,15 +2,14 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "bindings/wasm/import_layers.h"
 #include "bindings/wasm/js_values.h"
 #include "bindings/wasm/reconstruction.h"
+#include "bindings/wasm/segmenter.h"
 #include "io/scene/write_scene.h"
 #include "io/svg/paintable_svg.h"
 #include "io/svg/read_svg.h"
-#include "relief/drawing/segment_drawing.h"
-#include "relief/pipeline/propose_scene.h"
 
 namespace relievo::wasm {
 namespace {
@@ -36,35 +35,15 @@ val import_svg(const val& array) {
   return result;
 }
 
-/// {scene, warnings} of a flat drawing whose parts are guessed: the text of a scene file whose
-/// canvas is the picture, 4 bytes a pixel, straight alpha. See segment_drawing and propose_scene.
-val import_picture(const val& rgba, int width, int height) {
-  Drawing drawing;
-  drawing.rgba.width = width;
-  drawing.rgba.height = height;
-  drawing.rgba.channels = 4;
-  drawing.rgba.pixels = to_bytes(rgba);
-  const auto segmentation = segment_drawing(drawing);
-  if (!segmentation) return failure(segmentation.error());
-  const auto proposal = propose_scene(segmentation->labels);
-  if (!proposal) return failure(proposal.error());
-  const auto scene = write_scene(proposal->scene);
-  if (!scene) return failure(scene.error());
-  std::vector<std::string> warnings = segmentation->notes;
-  warnings.insert(warnings.end(), proposal->warnings.begin(), proposal->warnings.end());
-  val result = val::object();
-  result.set("scene", *scene);
-  result.set("warnings", to_js(warnings));
-  return result;
-}
-
 }  // namespace
 }  // namespace relievo::wasm
 
 EMSCRIPTEN_BINDINGS(relievo) {
   using relievo::wasm::Reconstruction;
+  using relievo::wasm::Segmenter;
   emscripten::function("importSvg", &relievo::wasm::import_svg);
-  emscripten::function("importPicture", &relievo::wasm::import_picture);
+  emscripten::function("checkSegmentation", &relievo::wasm::check_segmentation);
+  emscripten::function("importLayers", &relievo::wasm::import_layers);
   emscripten::class_<Reconstruction>("Reconstruction")
       .constructor<>()
       .function("build", &Reconstruction::build)
@@ -73,4 +52,10 @@ EMSCRIPTEN_BINDINGS(relievo) {
       .function("setTexture", &Reconstruction::set_texture)
       .function("encode", &Reconstruction::encode)
       .function("map", &Reconstruction::map);
+  emscripten::class_<Segmenter>("Segmenter")
+      .constructor<>()
+      .function("openPng", &Segmenter::open_png)
+      .function("openPixels", &Segmenter::open_pixels)
+      .function("label", &Segmenter::label)
+      .function("propose", &Segmenter::propose);
 }

@@ -11,6 +11,7 @@
 #include "io/mesh/stl_encode.h"
 #include "io/scene/read_scene.h"
 #include "kernel/image/image_size.h"
+#include "relief/pipeline/keep_field.h"
 
 namespace relievo::wasm {
 namespace {
@@ -51,6 +52,7 @@ val report(const Relief& relief) {
   what.set("rounds", relief.ordering.rounds);
   what.set("maxViolation", relief.ordering.max_violation);
   what.set("overlapWorst", relief.ordering.overlap_worst);
+  what.set("energy", relief.joint.energy.total());
   what.set("converged", relief.joint.status == JointStatus::solved);
   what.set("times", times(relief.times));
   what.set("warnings", to_js(relief.layers.warnings));
@@ -60,6 +62,11 @@ val report(const Relief& relief) {
 Visibility visibility_named(const std::string& name) {
   if (name == "orbit") return Visibility::orbit;
   return name == "all" ? Visibility::all : Visibility::relief;
+}
+
+Field field_named(const std::string& name) {
+  if (name == "inflation") return Field::inflation;
+  return name == "shift" ? Field::shift : Field::relief;
 }
 
 std::vector<float> flatten(const std::vector<Point3>& points) {
@@ -149,30 +156,52 @@ val Reconstruction::build(const std::string& scene, const val& options, const va
   if (!read) return failure(read.error());
   const ReliefOptions wanted = to_options(options);
   RunContext context;
-  context.progress = [&progress](const char* stage, double fraction) {
-    progress(std::string(stage), fraction);
+  val energy = val::undefined();
+  context.measured = [&energy](const char*, double value) { energy = val(value); };
+  context.progress = [&](const char* stage, double fraction) {
+    progress(std::string(stage), fraction, energy);
   };
-  auto relief = build_relief(*read, wanted, context);
-  if (!relief) return failure(relief.error());
+  // The non-linear method ends where its tolerance lets it, which depends on where it begins.
+  const bool fresh = state_ == State::none || wanted.method == Method::nonlinear;
+  if (fresh) session_ = ReliefSession();
+  state_ = State::none;
+  if (Status status = session_.update(*read, wanted, context); !status)
+    return failure(status.error());
+  state_ = fresh ? State::exact : State::warm;
   scene_ = std::move(*read);
-  relief_ = std::move(*relief);
-  alpha0_ = wanted.inflation.alpha0;
-  return report(*relief_);
+  options_ = wanted;
+  return report(session_.relief());
 }
 
-val Reconstruction::surface(const std::string& visibility, double tolerance) const {
-  if (!relief_) return failure(nothing_built);
+Status Reconstruction::make_exact() {
+  if (state_ == State::none) return nothing_built;
+  if (state_ == State::exact) return Done{};
+  session_ = ReliefSession();
+  state_ = State::none;
+  if (Status status = session_.update(scene_, options_); !status) return status;
+  state_ = State::exact;
+  return Done{};
+}
+
+val Reconstruction::surface(const std::string& visibility, double tolerance,
+                            const std::string& field) const {
+  if (state_ == State::none) return failure(nothing_built);
+  const Relief& relief = session_.relief();
   ModelOptions options;
   options.visibility = visibility_named(visibility);
   options.rim_tolerance = tolerance;
+  Relief shown;
+  shown.inflation = relief.inflation;
+  shown.ordering = relief.ordering;
+  keep_field(shown, field_named(field));
   const auto model =
-      assemble_model(relief_->layers, relief_->inflation, relief_->ordering, scene_, options);
+      assemble_model(relief.layers, shown.inflation, shown.ordering, scene_, options);
   return model ? to_js(*model) : failure(model.error());
 }
 
 val Reconstruction::overlays() const {
-  if (!relief_) return failure(nothing_built);
-  const Overlays found = find_overlays(relief_->layers, alpha0_);
+  if (state_ == State::none) return failure(nothing_built);
+  const Overlays found = find_overlays(session_.relief().layers, options_.inflation.alpha0);
   val overlays = val::object();
   overlays.set("joins", wasm::to_js(found.joins));
   overlays.set("equal", wasm::to_js(found.equal));
@@ -190,11 +219,10 @@ void Reconstruction::set_texture(const val& rgba, int width, int height) {
   texture_.rgba.pixels = to_bytes(rgba);
 }
 
-val Reconstruction::encode(const std::string& format, const std::string& name,
-                           double size_mm) const {
-  if (!relief_) return failure(nothing_built);
-  const auto model =
-      assemble_model(relief_->layers, relief_->inflation, relief_->ordering, scene_, {});
+val Reconstruction::encode(const std::string& format, const std::string& name, double size_mm) {
+  if (Status status = make_exact(); !status) return failure(status.error());
+  const Relief& relief = session_.relief();
+  const auto model = assemble_model(relief.layers, relief.inflation, relief.ordering, scene_, {});
   if (!model) return failure(model.error());
   const Drawing* texture = texture_.rgba.empty() ? nullptr : &texture_;
   if (format == "obj") return encode_obj_files(*model, texture, {size_mm, name});
@@ -206,10 +234,11 @@ val Reconstruction::encode(const std::string& format, const std::string& name,
   return files.finish();
 }
 
-val Reconstruction::map(const std::string& kind, int side, bool green_down) const {
-  if (!relief_) return failure(nothing_built);
+val Reconstruction::map(const std::string& kind, int side, bool green_down) {
+  if (Status status = make_exact(); !status) return failure(status.error());
+  const Relief& relief = session_.relief();
   const ImageSize size = fitted_size(scene_.width, scene_.height, side);
-  const auto maps = rasterize_relief(relief_->layers, relief_->inflation, relief_->ordering, scene_,
+  const auto maps = rasterize_relief(relief.layers, relief.inflation, relief.ordering, scene_,
                                      size.width, size.height);
   if (!maps) return failure(maps.error());
   const auto bytes = kind == "normal"

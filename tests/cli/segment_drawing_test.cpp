@@ -1,9 +1,11 @@
 #include <cmath>
+#include <map>
 
 #include "cli/cli_test.h"
 #include "io/files/bytes.h"
 #include "io/image/decode_image.h"
 #include "io/image/png_encode.h"
+#include "io/project/project_file.h"
 
 namespace relievo {
 namespace {
@@ -48,6 +50,34 @@ TEST_F(SegmentDrawing, StrokesNameTheirParts) {
   ASSERT_EQ(segmented.exit_code, 0) << segmented.err;
   EXPECT_NE(segmented.err.find("1 parts"), std::string::npos) << segmented.err;
   EXPECT_NE(read("scene.json").find("\"snow head\""), std::string::npos);
+}
+
+TEST_F(SegmentDrawing, StrokesOnAProjectLeaveWhatWasSaidOfItsParts) {
+  ASSERT_EQ(relievo({"segment", "figure.png", "-o", "figure.relievo"}).exit_code, 0);
+  const std::string archive = read("figure.relievo");
+  auto project = decode_project(to_bytes(archive));
+  ASSERT_TRUE(project.ok());
+  const PartLabel head = project->segmentation->labels.at(120, 90);
+  const PartLabel body = project->segmentation->labels.at(120, 220);
+  project->segmentation->corrections.parts[head].id = "head";
+  project->segmentation->corrections.parts[head].c = 1.5;
+  project->segmentation->corrections.parts[body].c = 2.5;
+  const Bytes corrected = *encode_project(*project);
+  write("corrected.relievo", {corrected.begin(), corrected.end()});
+  write("strokes.json", R"({"format": "relievo-scribbles", "version": 1, "parts": ["belly"],
+    "strokes": [{"kind": "hard", "part": "belly", "width": 4, "points": [[110, 220], [130, 220]]}]})");
+  ASSERT_EQ(relievo({"segment", "corrected.relievo", "--scribbles", "strokes.json", "-o",
+                     "again.relievo"})
+                .exit_code,
+            0);
+  const auto again = decode_project(to_bytes(read("again.relievo")));
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->segmentation->labels.at(120, 90), head);
+  std::map<std::string, double> inflations;
+  for (const Part& part : again->scene.parts) inflations[part.id] = part.c;
+  ASSERT_EQ(inflations.size(), 2u);
+  EXPECT_EQ(inflations["head"], 1.5);
+  EXPECT_NE(inflations["belly"], 2.5) << "another part lies where that was said";
 }
 
 TEST_F(SegmentDrawing, AScribblePictureDoesTheSame) {

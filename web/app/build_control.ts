@@ -3,13 +3,19 @@ import { type BuiltRelief, type EngineError, isFailure } from '../engine/message
 import type { Document } from '../document/document';
 import { sceneText } from '../document/scene_text';
 import { t } from './catalogue';
-import type { Editor } from './editor';
+import type { Editor, Field } from './editor';
 
 const draftVertices = 3000;
 /** The full mesh follows when nothing has changed for so long, ms. */
 const rest = 160;
+/** A build that has become useless may go on for so long: the next one goes on from it. ms. */
+const patience = 1000;
 
-function requestFor(document: Document, draft: boolean) {
+function surfaceFor(field: Field, draft: boolean) {
+  return { visibility: 'orbit' as const, tolerance: draft ? 1 : 0.25, field };
+}
+
+function requestFor(document: Document, field: Field, draft: boolean) {
   const { settings } = document;
   return {
     scene: sceneText(document),
@@ -23,8 +29,7 @@ function requestFor(document: Document, draft: boolean) {
       literal: settings.literal,
       glue: true,
     },
-    visibility: 'orbit' as const,
-    tolerance: draft ? 1 : 0.25,
+    ...surfaceFor(field, draft),
   };
 }
 
@@ -47,7 +52,8 @@ export function culpritOf(error: EngineError, document: Document): string | null
 
 /**
  * Keeps the relief up with the document: a coarse one at once, the full one when the hand rests.
- * Each has a worker of its own; what a newer document makes useless is stopped.
+ * Each has a worker of its own, which keeps what the next build can go on from; so only what takes
+ * long is stopped when a newer document makes it useless.
  */
 export class BuildControl {
   private shape: readonly unknown[] = [];
@@ -55,6 +61,11 @@ export class BuildControl {
   private drafting = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private builtFull: Document | null = null;
+  private fullWanted: Document | null = null;
+  private fullRun: Promise<void> | null = null;
+  private fullBegun = 0;
+  /** The field that the full engine was asked for last. */
+  private asked: Field = 'relief';
 
   constructor(
     private readonly editor: Editor,
@@ -62,22 +73,41 @@ export class BuildControl {
     private readonly full: Engine,
   ) {
     editor.subscribe(() => this.follow());
+    editor.subscribe(() => void this.followField());
   }
 
   /** Resolves when the full engine holds the relief of the present document. */
   async settle(): Promise<void> {
     if (this.builtFull === this.editor.document) return;
     clearTimeout(this.timer);
-    this.full.cancel();
-    await this.buildFull(this.editor.document);
+    await this.wantFull(this.editor.document);
     if (this.builtFull !== this.editor.document) throw new Error(this.editor.state.build.error?.message ?? '');
   }
 
   /** Stops the full build; the coarse relief stays. */
   stop(): void {
     clearTimeout(this.timer);
+    this.fullWanted = null;
     this.full.cancel();
     this.editor.set({ build: { ...this.editor.state.build, phase: 'idle', progress: 0 } });
+  }
+
+  /** Shows another field of what is built already. */
+  private async followField(): Promise<void> {
+    const { field } = this.editor.state;
+    if (field === this.asked || this.builtFull === null || this.isStale(this.builtFull)) return;
+    this.asked = field;
+    try {
+      const surface = await this.full.surface(surfaceFor(field, false));
+      const { relief } = this.editor.state;
+      if (relief && !isFailure(surface) && field === this.asked) this.editor.set({ relief: { ...relief, surface } });
+    } catch (error) {
+      if (!(error instanceof EngineStopped)) throw error;
+    }
+  }
+
+  private isStale(document: Document): boolean {
+    return shapeOf(document).some((value, i) => value !== this.shape[i]);
   }
 
   private follow(): void {
@@ -86,7 +116,8 @@ export class BuildControl {
     if (shape.length === this.shape.length && shape.every((value, i) => value === this.shape[i])) return;
     this.shape = shape;
     clearTimeout(this.timer);
-    this.full.cancel();
+    this.fullWanted = null;
+    if (document.settings.method === 'nonlinear' || performance.now() - this.fullBegun > patience) this.full.cancel();
     if (document.parts.length === 0) {
       this.editor.set({ relief: null, culprit: null, build: { phase: 'idle', progress: 0, error: null } });
       return;
@@ -97,7 +128,7 @@ export class BuildControl {
   private start(document: Document): void {
     this.draftWanted = document;
     if (!this.drafting) void this.runDrafts();
-    this.timer = setTimeout(() => void this.buildFull(document), rest);
+    this.timer = setTimeout(() => void this.wantFull(document), rest);
   }
 
   /** Builds the newest document until there is no newer one. */
@@ -111,15 +142,33 @@ export class BuildControl {
     this.drafting = false;
   }
 
-  private async buildFull(document: Document): Promise<void> {
-    if (await this.build(this.full, document, 'full')) this.builtFull = document;
+  /** Resolves when the full engine rests. */
+  private wantFull(document: Document): Promise<void> {
+    this.fullWanted = document;
+    this.fullRun ??= this.runFull().finally(() => {
+      this.fullRun = null;
+    });
+    return this.fullRun;
+  }
+
+  private async runFull(): Promise<void> {
+    while (this.fullWanted) {
+      const document = this.fullWanted;
+      this.fullWanted = null;
+      this.fullBegun = performance.now();
+      if (!(await this.build(this.full, document, 'full'))) continue;
+      this.builtFull = document;
+      await this.followField();
+    }
   }
 
   private async build(engine: Engine, document: Document, phase: 'draft' | 'full'): Promise<boolean> {
     this.editor.set({ build: { phase, progress: 0, error: this.editor.state.build.error } });
+    const { field } = this.editor.state;
+    if (phase === 'full') this.asked = field;
     try {
-      const built = await engine.build(requestFor(document, phase === 'draft'), (_stage, done) => {
-        if (phase === 'full') this.editor.set({ build: { ...this.editor.state.build, progress: done } });
+      const built = await engine.build(requestFor(document, field, phase === 'draft'), (_stage, done, energy) => {
+        if (phase === 'full') this.advance(done, energy);
       });
       return isFailure(built) ? this.refuse(document, built.error) : this.accept(document, built, phase);
     } catch (error) {
@@ -129,10 +178,18 @@ export class BuildControl {
     }
   }
 
+  private advance(progress: number, energy?: number): void {
+    const { build } = this.editor.state;
+    const energies = energy === undefined ? build.energies ?? [] : [...(build.energies ?? []), energy];
+    this.editor.set({ build: { ...build, progress, energies } });
+  }
+
   private accept(document: Document, relief: BuiltRelief, phase: 'draft' | 'full'): boolean {
-    const stale = shapeOf(document).some((value, i) => value !== this.shape[i]);
-    if (phase === 'full' && stale) return false;
-    this.editor.set({ relief, culprit: null, build: { phase: 'idle', progress: 1, error: null } });
+    if (phase === 'full' && this.isStale(document)) return false;
+    const { build } = this.editor.state;
+    // The full build may have begun already.
+    const goesOn = phase === 'draft' && build.phase === 'full';
+    this.editor.set({ relief, culprit: null, build: goesOn ? { ...build, error: null } : { phase: 'idle', progress: 1, error: null } });
     return true;
   }
 

@@ -1,9 +1,12 @@
-import type { BuiltRelief, EngineError } from '../engine/messages';
+import type { BuiltRelief, EngineError, TintedLabels } from '../engine/messages';
+import { noteCorrections } from '../document/corrections';
 import { type Document, emptyDocument } from '../document/document';
-import { type History, record, redo, startHistory, undo } from '../document/history';
+import { amend, type History, record, redo, startHistory, undo } from '../document/history';
+import type { Brush } from '../tools/scribble_tool';
 import { Store } from './store';
 
-export type ToolName = 'select' | 'draw' | 'join' | 'order' | 'range' | 'hand';
+export type ToolName = 'select' | 'draw' | 'join' | 'order' | 'range' | 'hand' | 'scribble' | 'outline';
+export type Field = 'relief' | 'inflation' | 'shift';
 export type Shading = 'drawing' | 'clay' | 'normals';
 
 export interface BuildState {
@@ -12,6 +15,8 @@ export interface BuildState {
   /** In [0, 1]. */
   progress: number;
   error: EngineError | null;
+  /** Of the non-linear method, step by step. */
+  energies?: readonly number[];
 }
 
 export interface EditorState {
@@ -24,6 +29,8 @@ export interface EditorState {
   /** The part that is drawn in red because it cannot be built. */
   culprit: string | null;
   shading: Shading;
+  /** The height that the relief shows. */
+  field: Field;
   depthTint: boolean;
   showMarks: boolean;
   peeking: boolean;
@@ -36,6 +43,11 @@ export interface EditorState {
   notice: string;
   panel: 'none' | 'keys' | 'export' | 'settings';
   tourStep: number | null;
+  brush: Brush;
+  /** The labels of the strokes that are shown, and how long they took. */
+  tint: (TintedLabels & { ms: number }) | null;
+  /** With strokes that wait to be understood. */
+  pending: Document | null;
 }
 
 function firstState(): EditorState {
@@ -47,6 +59,7 @@ function firstState(): EditorState {
     hovered: null,
     culprit: null,
     shading: 'drawing',
+    field: 'relief',
     depthTint: false,
     showMarks: true,
     peeking: false,
@@ -57,6 +70,9 @@ function firstState(): EditorState {
     notice: '',
     panel: 'none',
     tourStep: null,
+    brush: { kind: 'auto', part: null, width: 12 },
+    tint: null,
+    pending: null,
   };
 }
 
@@ -70,10 +86,15 @@ export class Editor extends Store<EditorState> {
     return this.state.history.document;
   }
 
-  /** Goes on to a document; steps of one gesture become one change. */
+  /** Goes on to a document; steps of one gesture become one change. What it changes is kept as corrections. */
   edit(label: string, next: Document, gesture: string | null = null): void {
     this.set({ notice: '' });
-    this.show(record(this.state.history, label, next, gesture));
+    this.show(record(this.state.history, label, noteCorrections(this.document, next), gesture));
+  }
+
+  /** Goes on to what follows from the last change, as a part of it. */
+  complete(next: Document): void {
+    this.show(amend(this.state.history, next));
   }
 
   undo(): void {
@@ -94,6 +115,8 @@ export class Editor extends Store<EditorState> {
       culprit: null,
       relief: null,
       picture,
+      tint: null,
+      pending: null,
       build: { phase: 'idle', progress: 0, error: null },
     });
   }

@@ -17,9 +17,10 @@ interface ExportPanelProps {
   editor: Editor;
   files: Files;
   picture(): Promise<Blob>;
+  turntable(): Promise<Uint8Array<ArrayBuffer>>;
 }
 
-export function ExportPanel({ editor, files, picture }: ExportPanelProps) {
+export function ExportPanel({ editor, files, picture, turntable }: ExportPanelProps) {
   const { history } = useStore(editor);
   const { document } = history;
   const [greenDown, setGreenDown] = useState(false);
@@ -47,8 +48,12 @@ export function ExportPanel({ editor, files, picture }: ExportPanelProps) {
       <label class="check">
         <input type="checkbox" checked={greenDown} onChange={() => setGreenDown(!greenDown)} /> {t('greenDown')}
       </label>
+      <h3>{t('exportViews')}</h3>
       <button type="button" class="wide" data-export="picture" onClick={() => void files.exportPicture(picture())}>
         {t('exportPicture')}
+      </button>
+      <button type="button" class="wide" data-export="turntable" onClick={() => void files.exportTurntable(turntable)}>
+        {t('exportTurntable')}
       </button>
     </div>
   );

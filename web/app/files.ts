@@ -1,14 +1,17 @@
 import { zipSync } from 'fflate';
 import type { Autosave } from '../document/autosave';
 import { type Document, emptyDocument } from '../document/document';
-import { readProject, writeProject } from '../document/project_file';
+import { isOwnPicture, readProject, writeProject } from '../document/project_file';
 import { sceneContent } from '../document/scene_text';
+import { adopt } from '../document/scribbling';
 import type { Engine } from '../engine/engine';
 import { type ExportFormat, isFailure, type MapKind, type OutputFile } from '../engine/messages';
 import type { BuildControl } from './build_control';
 import { t } from './catalogue';
 import type { Editor } from './editor';
-import { decodePicture, pictureOf, pixelsOf, pngOf, textureOf } from './pictures';
+import { documentOfLayers, entriesOfOra } from './layered_drawing';
+import { decodePicture, flatDrawing, pictureOf, pngOf, textureOf } from './pictures';
+import type { SegmentControl } from './segment_control';
 
 const imageTypes = ['image/png', 'image/jpeg', 'image/webp'];
 
@@ -39,24 +42,36 @@ export class Files {
   constructor(
     private readonly editor: Editor,
     private readonly engine: Engine,
-    private readonly control: BuildControl,
+    private readonly controls: { control: BuildControl; segments: SegmentControl },
     private readonly autosave: Autosave | null,
   ) {
     editor.subscribe(() => this.keepLater());
   }
 
+  /** Opens a file, or pictures that are the layers of one drawing. */
+  async openAll(all: readonly File[]): Promise<void> {
+    const [first] = all;
+    if (!first) return;
+    if (all.length > 1 && all.every((file) => file.type === 'image/png')) await this.openPictures(all);
+    else await this.open(first);
+  }
+
   /** Opens whatever a file is; tells why where it cannot be. */
   async open(file: File): Promise<void> {
-    try {
+    await this.opening(file.name, async () => {
       const bytes = new Uint8Array(await file.arrayBuffer());
-      if (file.name.endsWith('.relievo')) await this.show(readProject(bytes));
+      if (file.name.endsWith('.relievo')) await this.openProject(bytes);
       else if (file.type === 'image/svg+xml' || file.name.endsWith('.svg')) await this.openSvg(file.name, bytes);
+      else if (file.name.endsWith('.ora')) await this.openLayers(file.name, entriesOfOra(bytes));
       else if (imageTypes.includes(file.type)) await this.openImage(file.name, bytes, file.type);
       else throw new Error(t('unknownFile'));
-    } catch (error) {
-      const why = error instanceof Error ? error.message : String(error);
-      this.editor.set({ notice: t('notReadable', { name: file.name, why }) });
-    }
+    });
+  }
+
+  private async openProject(bytes: Uint8Array): Promise<void> {
+    const project = readProject(bytes);
+    await this.controls.segments.check(project);
+    await this.show(project);
   }
 
   async openSample(name: string, url: string): Promise<void> {
@@ -66,15 +81,16 @@ export class Files {
 
   /** Shows a document that comes from a file or from what was kept. */
   async show(document_: Document): Promise<void> {
-    const next = await this.withPaintable(document_);
+    const next = await this.withPaintable({ ...emptyDocument(), ...document_ });
     const picture = next.drawing && (await pictureOf(next.drawing, next.width, next.height));
     this.editor.openDocument(next, picture);
     this.editor.set({ tool: next.parts.length === 0 ? 'draw' : 'select', notice: '' });
   }
 
   saveProject = async (): Promise<void> => {
+    await this.controls.segments.settle();
     const { document: doc, state } = this.editor;
-    const bytes = writeProject(doc, await pngOf(doc, state.picture));
+    const bytes = writeProject(doc, isOwnPicture(doc) ? null : await pngOf(doc, state.picture));
     download({ name: `${doc.name}.relievo`, bytes });
   };
 
@@ -103,9 +119,42 @@ export class Files {
     download({ name: `${this.editor.document.name}-view.png`, bytes });
   };
 
+  exportTurntable = async (record: () => Promise<Uint8Array<ArrayBuffer>>): Promise<void> => {
+    await this.exporting(async () => {
+      this.editor.set({ notice: t('recording') });
+      const bytes = await record();
+      download({ name: `${this.editor.document.name}-turntable.gif`, bytes });
+      this.editor.set({ notice: '' });
+    });
+  };
+
+  private async openPictures(all: readonly File[]): Promise<void> {
+    const name = (all[0] as File).name;
+    await this.opening(name, async () => {
+      const read = async (file: File) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) });
+      await this.openLayers(name, await Promise.all(all.map(read)));
+    });
+  }
+
+  private async openLayers(name: string, entries: OutputFile[]): Promise<void> {
+    const { document: next, notice } = await documentOfLayers(this.engine, baseName(name), entries);
+    await this.show(next);
+    this.editor.set({ notice });
+  }
+
+  private async opening(name: string, work: () => Promise<void>): Promise<void> {
+    try {
+      await work();
+    } catch (error) {
+      const why = error instanceof Error ? error.message : String(error);
+      this.editor.set({ notice: t('notReadable', { name, why }) });
+    }
+  }
+
   private async exporting(work: () => Promise<void>): Promise<void> {
     try {
-      await this.control.settle();
+      await this.controls.segments.settle();
+      await this.controls.control.settle();
       await work();
     } catch (error) {
       this.editor.set({ notice: `${t('failed')}: ${error instanceof Error ? error.message : String(error)}` });
@@ -134,32 +183,27 @@ export class Files {
     return { ...next, drawing: { ...drawing, paintable: imported.paintable } };
   }
 
+  /** The canvas of a flat drawing is its pixels. */
   private async openImage(name: string, bytes: Uint8Array, mime: string): Promise<void> {
     const picture = await decodePicture(bytes, mime);
-    const scale = Math.min(1, 2048 / Math.max(picture.width, picture.height));
-    const next: Document = {
-      ...emptyDocument(),
-      name: baseName(name),
-      width: Math.round(scale * picture.width),
-      height: Math.round(scale * picture.height),
-      drawing: { name, kind: 'image', mime, bytes },
-    };
+    const { width, height } = picture;
+    const drawing = await flatDrawing({ name, kind: 'image', mime, bytes }, picture);
+    const next: Document = { ...emptyDocument(), name: baseName(name), width, height, drawing };
     this.editor.openDocument(next, picture);
     this.editor.set({ tool: 'draw', notice: t('guessing') });
-    await this.guessParts(next, picture);
+    await this.guessParts(next);
   }
 
-  /** Lets the engine find the parts of a flat drawing; they can be traced by hand where it cannot. */
-  private async guessParts(next: Document, picture: ImageBitmap): Promise<void> {
-    const found = await this.engine.importPicture(pixelsOf(picture, next.width, next.height));
+  /** Lets the engine find the parts of a flat drawing; strokes tell them where it cannot. */
+  private async guessParts(next: Document): Promise<void> {
+    const found = await this.controls.segments.guess(next);
     if (this.editor.document !== next) return;
     if (isFailure(found)) {
-      this.editor.set({ notice: `${found.error.message}. ${t('imageHint')}` });
+      this.editor.set({ tool: 'scribble', notice: `${found.error.message}. ${t('imageHint')}` });
       return;
     }
-    const { parts, joins, relations, robin } = sceneContent(found.scene);
-    this.editor.edit('guess', { ...next, parts, joins, relations, robin });
-    this.editor.set({ tool: 'select', notice: [t('guessed'), ...found.warnings].join(' ') });
+    this.editor.edit('guess', adopt(next, found));
+    this.editor.set({ tool: 'scribble', notice: [t('guessed'), ...found.warnings].join(' ') });
   }
 
   private keepLater(): void {

@@ -1,7 +1,8 @@
 import { type MessageKey, t } from './catalogue';
 
 const rows: readonly [string, MessageKey][] = [
-  ['1 … 6', 'keyTools'],
+  ['1 … 7, O', 'keyTools'],
+  [', . arrows', 'keyGrip'],
   ['Page Up, Page Down, Home, End', 'keyOrder'],
   ['J', 'keyJoin'],
   ['H', 'keyReverse'],
@@ -12,10 +13,14 @@ const rows: readonly [string, MessageKey][] = [
   ['V', 'keyPeek'],
   ['L', 'keyLight'],
   ['N', 'keyShade'],
+  ['F', 'keyField'],
   ['D', 'keyTint'],
   ['Ctrl Z, Ctrl ⇧ Z', 'keyUndo'],
   ['Ctrl O, Ctrl S, Ctrl E', 'keyFile'],
   ['Esc', 'keyEscape'],
+  ['[ ]', 'keyBrush'],
+  ['Alt', 'keyErase'],
+  ['Arrows, Enter', 'keyScribble'],
 ];
 
 export function KeysPanel() {

@@ -8,6 +8,7 @@ import { language } from './catalogue';
 import { Editor } from './editor';
 import { Files } from './files';
 import type { PaperControl } from './paper_pane';
+import { SegmentControl } from './segment_control';
 import { type HeldKeys, listenToKeys } from './shortcuts';
 import { StartScreen } from './start_screen';
 import { useStore } from './store';
@@ -17,6 +18,7 @@ import { Workspace } from './workspace';
 interface PageProps {
   editor: Editor;
   files: Files;
+  segments: SegmentControl;
   held: HeldKeys;
   kept: Document | null;
   attachPaper(paper: PaperControl): void;
@@ -24,9 +26,9 @@ interface PageProps {
   stop(): void;
 }
 
-function Page({ editor, files, held, kept, attachPaper, choose, stop }: PageProps) {
+function Page({ editor, files, segments, held, kept, attachPaper, choose, stop }: PageProps) {
   const { open, notice } = useStore(editor);
-  if (open) return <Workspace editor={editor} files={files} held={held} attachPaper={attachPaper} choose={choose} stop={stop} />;
+  if (open) return <Workspace editor={editor} files={files} segments={segments} held={held} attachPaper={attachPaper} choose={choose} stop={stop} />;
   return (
     <>
       <StartScreen files={files} kept={kept} choose={choose} />
@@ -39,29 +41,26 @@ function Page({ editor, files, held, kept, attachPaper, choose, stop }: PageProp
 function chooser(files: Files): () => void {
   const input = document.createElement('input');
   input.type = 'file';
-  input.accept = '.svg,.png,.jpg,.jpeg,.webp,.relievo';
+  input.accept = '.svg,.ora,.png,.jpg,.jpeg,.webp,.relievo';
+  input.multiple = true;
   input.hidden = true;
   input.addEventListener('change', () => {
-    const file = input.files?.[0];
-    if (file) void files.open(file);
+    void files.openAll([...(input.files ?? [])]);
     input.value = '';
   });
   document.body.append(input);
   return () => input.click();
 }
 
-/** A file may be dropped or pasted anywhere. */
+/** Files may be dropped or pasted anywhere. */
 function listenToDrops(files: Files): void {
-  const first = (data: DataTransfer | null): void => {
-    const file = data?.files[0];
-    if (file) void files.open(file);
-  };
+  const open = (data: DataTransfer | null): void => void files.openAll([...(data?.files ?? [])]);
   window.addEventListener('dragover', (event) => event.preventDefault());
   window.addEventListener('drop', (event) => {
     event.preventDefault();
-    first(event.dataTransfer);
+    open(event.dataTransfer);
   });
-  window.addEventListener('paste', (event) => first(event.clipboardData));
+  window.addEventListener('paste', (event) => open(event.clipboardData));
 }
 
 async function openStorage(): Promise<{ autosave: Autosave | null; kept: Document | null }> {
@@ -81,16 +80,17 @@ async function main(): Promise<void> {
   const full = new Engine(compiled);
   const control = new BuildControl(editor, new Engine(compiled), full);
   const { autosave, kept } = await openStorage();
-  const files = new Files(editor, full, control, autosave);
+  const segments = new SegmentControl(editor, { labels: new Engine(compiled), thoughts: new Engine(compiled) });
+  const files = new Files(editor, full, { control, segments }, autosave);
   const choose = chooser(files);
   let paper: PaperControl | null = null;
-  const held = listenToKeys({ editor, files, paper: () => paper, choose });
+  const held = listenToKeys({ editor, files, segments, paper: () => paper, choose });
   listenToDrops(files);
   const attachPaper = (control_: PaperControl): void => {
     paper = control_;
   };
   render(
-    <Page editor={editor} files={files} held={held} kept={kept} attachPaper={attachPaper} choose={choose} stop={() => control.stop()} />,
+    <Page editor={editor} files={files} segments={segments} held={held} kept={kept} attachPaper={attachPaper} choose={choose} stop={() => control.stop()} />,
     document.getElementById('page') as HTMLElement,
   );
   if (import.meta.env.PROD && 'serviceWorker' in navigator) void navigator.serviceWorker.register('./service_worker.js');

@@ -1,8 +1,10 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { ModelView } from '../view/model_view';
+import { listenToOrbit } from '../view/orbit';
 import { t } from './catalogue';
 import type { Editor, Shading } from './editor';
-import { bledTexture } from './pictures';
+import { EnergyCurve } from './energy_curve';
+import { FieldSwitch } from './field_switch';
 import { useStore } from './store';
 
 interface ModelPaneProps {
@@ -10,6 +12,27 @@ interface ModelPaneProps {
   attach(view: ModelView): void;
   lightHeld(): boolean;
   stop(): void;
+}
+
+/** Follows the pointer with the part under it, one question at a time. */
+function hovering(view: ModelView, editor: Editor): (spot: readonly [number, number] | null) => void {
+  let wanted: readonly [number, number] | null = null;
+  let asking = false;
+  const ask = async (): Promise<void> => {
+    asking = true;
+    while (wanted) {
+      const spot = wanted;
+      const hovered = await view.pick(...spot);
+      if (wanted) editor.set({ hovered });
+      if (wanted === spot) wanted = null;
+    }
+    asking = false;
+  };
+  return (spot) => {
+    wanted = spot;
+    if (!spot) editor.set({ hovered: null });
+    else if (!asking) void ask();
+  };
 }
 
 /** A click that did not turn the model chooses a part; with L held, dragging moves the light. */
@@ -20,15 +43,17 @@ function listen(canvas: HTMLCanvasElement, view: ModelView, editor: Editor, ligh
   });
   canvas.addEventListener('pointerup', (event) => {
     if (down && Math.hypot(event.offsetX - down[0], event.offsetY - down[1]) < 4)
-      editor.select(view.pick(event.offsetX, event.offsetY));
+      void view.pick(event.offsetX, event.offsetY).then((part) => editor.select(part));
     down = null;
   });
+  const hover = hovering(view, editor);
   canvas.addEventListener('pointermove', (event) => {
     if (lightHeld())
       view.aimLight((2 * event.offsetX) / canvas.clientWidth - 1, 1 - (2 * event.offsetY) / canvas.clientHeight);
-    else if (event.buttons === 0) editor.set({ hovered: view.pick(event.offsetX, event.offsetY) });
+    else if (event.buttons === 0) hover([event.offsetX, event.offsetY]);
   });
-  canvas.addEventListener('pointerleave', () => editor.set({ hovered: null }));
+  canvas.addEventListener('pointerleave', () => hover(null));
+  listenToOrbit(canvas, view, lightHeld);
   canvas.addEventListener('dblclick', () => view.turn(0, 0));
 }
 
@@ -40,7 +65,7 @@ function follow(view: ModelView, editor: Editor): () => void {
     const { document } = history;
     const now = [relief, picture ?? document.parts, shading, hovered ?? selected, document.name];
     if (now[1] !== before[1] || now[4] !== before[4])
-      view.setPicture(picture || document.parts.length > 0 ? bledTexture(document, picture) : null);
+      view.paint(picture || document.parts.length > 0 ? document : null, picture);
     if (now[0] !== before[0]) view.show(relief?.surface ?? null, document.width, document.height);
     if (now[2] !== before[2]) view.setShading(shading);
     if (now[3] !== before[3]) view.highlight(hovered ?? selected);
@@ -74,11 +99,12 @@ export function ModelPane({ editor, attach, lightHeld, stop }: ModelPaneProps) {
     return () => {
       observer.disconnect();
       unfollow();
+      shown.dispose();
     };
   }, []);
   return (
     <section class="pane model" aria-label={t('relief')} aria-busy={build.phase !== 'idle'}>
-      <canvas ref={canvas} class={build.error ? 'stale' : ''} aria-label={t('relief')} role="img" />
+      <canvas ref={canvas} class={build.error ? 'stale' : ''} aria-label={t('relief')} role="img" tabIndex={0} />
       <div class="floating bottom" role="group" aria-label={t('relief')}>
         {shadings.map(([name, label]) => (
           <button type="button" key={name} aria-pressed={name === shading} onClick={() => editor.set({ shading: name })}>
@@ -88,7 +114,13 @@ export function ModelPane({ editor, attach, lightHeld, stop }: ModelPaneProps) {
         <button type="button" onClick={() => view.current?.turn(0, 0)}>{t('front')}</button>
       </div>
       <progress class={build.phase === 'full' ? 'shown' : ''} max={1} value={build.progress} aria-label={t('building')} />
-      {slow && <button type="button" class="stop" onClick={stop}>{t('stop')}</button>}
+      <FieldSwitch editor={editor} />
+      {slow && (
+        <div class="stop">
+          <EnergyCurve energies={build.energies ?? []} />
+          <button type="button" onClick={stop}>{t('stop')}</button>
+        </div>
+      )}
       {build.error && (
         <p class="trouble" role="alert">
           <strong>{t('failed')}.</strong> {build.error.where && `${build.error.where}: `}{build.error.message}.{' '}

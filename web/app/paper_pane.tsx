@@ -7,8 +7,9 @@ import { t } from './catalogue';
 import type { Editor } from './editor';
 import { PeekOverlay } from './peek_overlay';
 
-/** What the toolbar covers, CSS px. */
+/** What the toolbar covers, CSS px; on narrow screens it lies below. */
 const toolbarRoom = 90;
+const narrow = window.matchMedia('(max-width: 900px)');
 
 /** The canvas with its zoom, and the pointers on it. */
 export class PaperControl {
@@ -40,7 +41,7 @@ export class PaperControl {
 
   fit(): void {
     const { width, height } = this.editor.document;
-    this.view = fitted([width, height], [this.canvas.clientWidth, this.canvas.clientHeight], toolbarRoom);
+    this.view = fitted([width, height], [this.canvas.clientWidth, this.canvas.clientHeight], narrow.matches ? 24 : toolbarRoom);
     this.redraw();
   }
 
@@ -63,14 +64,21 @@ export class PaperControl {
     this.redraw();
   }
 
+  /** Hands a key to the tool; whether it means something there. */
+  toolKey(name: string, shift: boolean, alt: boolean): boolean {
+    const taken = this.tool().key?.(name, { shift, alt }) ?? false;
+    if (taken) this.redraw();
+    return taken;
+  }
+
   redraw(): void {
     if (this.frame === 0) this.frame = requestAnimationFrame(() => this.render());
   }
 
   /** Draws where something that the canvas shows has changed. */
   follow(): void {
-    const { history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool } = this.editor.state;
-    const shown = [history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool];
+    const { history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool, tint, pending, brush } = this.editor.state;
+    const shown = [history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool, tint, pending, brush];
     if (shown.every((value, i) => value === this.shown[i])) return;
     this.shown = shown;
     this.redraw();
@@ -91,7 +99,7 @@ export class PaperControl {
         hovered: state.hovered,
         culprit: state.culprit,
         depthTint: state.depthTint,
-        showMarks: state.showMarks,
+        showMarks: state.showMarks && state.tool !== 'scribble',
         dark: window.matchMedia('(prefers-color-scheme: dark)').matches,
         preview: (on, pixel) => this.tool().draw(on, pixel),
       },

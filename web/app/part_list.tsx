@@ -1,17 +1,23 @@
 import { useState } from 'preact/hooks';
 import { partIndex } from '../document/document';
+import { labelOfStroke } from '../document/scribbling';
 import { movePart } from '../document/editing';
+import { inkOf } from '../view/colors';
 import { t } from './catalogue';
 import type { Editor } from './editor';
 import { useStore } from './store';
 
 /** The parts, nearest first. Drag or keys change the order. */
 export function PartList({ editor }: { editor: Editor }) {
-  const { history, selected, hovered, culprit } = useStore(editor);
+  const { history, selected, hovered, culprit, tool } = useStore(editor);
   const [dragged, setDragged] = useState<string | null>(null);
   const [target, setTarget] = useState<string | null>(null);
   const { document } = history;
   const list = [...document.parts].reverse();
+  const ink = (part: string): string | undefined => {
+    const label = tool === 'scribble' ? labelOfStroke(document, { part }) : undefined;
+    return label === undefined ? undefined : inkOf(label);
+  };
 
   const drop = (onto: string): void => {
     if (dragged) editor.edit('order', movePart(document, dragged, partIndex(document, onto)));
@@ -56,6 +62,7 @@ export function PartList({ editor }: { editor: Editor }) {
           onKeyDown={(event) => step(event, index)}
         >
           <span class="number">{index + 1}</span>
+          {ink(part.id) && <span class="dot" style={{ background: ink(part.id) }} />}
           <span class="name">{part.id}</span>
           {document.joins.some((join) => join.upper === part.id) && <span class="joined" title={t('join')} />}
           {part.d < 0 && <span class="hollow" title={t('reverse')} />}

@@ -1,7 +1,6 @@
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { ModelView } from '../view/model_view';
 import type { Viewport } from '../view/viewport';
-import { bledTexture } from './pictures';
 import { type Editor } from './editor';
 import { useStore } from './store';
 
@@ -22,7 +21,10 @@ export function PeekOverlay({ editor, view }: PeekOverlayProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const model = useRef<ModelView>(null);
   const { peeking, relief } = useStore(editor);
+  const [ready, setReady] = useState(false);
   const active = peeking && relief !== null;
+
+  useEffect(() => () => model.current?.dispose(), []);
 
   useEffect(() => {
     const node = canvas.current;
@@ -32,10 +34,14 @@ export function PeekOverlay({ editor, view }: PeekOverlayProps) {
     const shown = model.current;
     const { document, state } = editor;
     shown.resize(node.clientWidth, node.clientHeight);
-    shown.setPicture(bledTexture(document, state.picture));
+    shown.paint(document, state.picture);
     shown.show(relief.surface, document.width, document.height);
     shown.align(paper);
     shown.turn(0, 0);
+    let over = false;
+    void shown.drawn().then(() => {
+      if (!over) setReady(true);
+    });
     const follow = (event: PointerEvent): void => {
       const box = node.getBoundingClientRect();
       const right = (2 * (event.clientX - box.left)) / box.width - 1;
@@ -45,12 +51,14 @@ export function PeekOverlay({ editor, view }: PeekOverlayProps) {
     };
     window.addEventListener('pointermove', follow);
     return () => {
+      over = true;
+      setReady(false);
       window.removeEventListener('pointermove', follow);
       springBack(shown, node);
     };
   }, [active, relief]);
 
-  return <canvas ref={canvas} class={active ? 'peek shown' : 'peek'} aria-hidden="true" />;
+  return <canvas ref={canvas} class={active ? `peek ${ready ? 'shown' : 'coming'}` : 'peek'} aria-hidden="true" />;
 }
 
 function springBack(model: ModelView, canvas: HTMLCanvasElement): void {

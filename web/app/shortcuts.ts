@@ -1,8 +1,11 @@
 import { partIndex } from '../document/document';
 import { changePart, joinParts, movePart, neighbours, ordered, removeJoin, removePart } from '../document/editing';
 import type { Editor, Shading } from './editor';
+import { nextField } from './field_switch';
 import type { Files } from './files';
 import type { PaperControl } from './paper_pane';
+import { brushWidths } from './scribble_bar';
+import type { SegmentControl } from './segment_control';
 import { tools } from './toolbar';
 
 /** Keys that are held down. */
@@ -13,6 +16,7 @@ export interface HeldKeys {
 interface Scope {
   editor: Editor;
   files: Files;
+  segments: SegmentControl;
   paper(): PaperControl | null;
   choose(): void;
 }
@@ -31,6 +35,12 @@ function toggleJoin(editor: Editor, id: string): void {
   if (!lower) return;
   const pair = ordered(document, id, lower.id);
   editor.edit('join', joinParts(document, pair.upper, pair.lower));
+}
+
+function resizeBrush(editor: Editor, factor: number): void {
+  const { brush } = editor.state;
+  const width = Math.min(brushWidths.most, Math.max(brushWidths.least, Math.round(factor * brush.width)));
+  editor.set({ brush: { ...brush, width } });
 }
 
 /** What keys do to the selected part. */
@@ -59,7 +69,10 @@ function pageKeys({ editor, paper }: Scope): Record<string, () => void> {
     '+': () => paper()?.zoom(1.25),
     '=': () => paper()?.zoom(1.25),
     '-': () => paper()?.zoom(0.8),
+    '[': () => resizeBrush(editor, 1 / 1.3),
+    ']': () => resizeBrush(editor, 1.3),
     n: () => editor.set({ shading: nextShading[state.shading] }),
+    f: () => editor.set({ field: nextField(state.field) }),
     d: () => editor.set({ depthTint: !state.depthTint }),
     '?': () => editor.set({ panel: state.panel === 'keys' ? 'none' : 'keys' }),
     Escape: () => {
@@ -70,9 +83,9 @@ function pageKeys({ editor, paper }: Scope): Record<string, () => void> {
   };
 }
 
-function commandKeys({ editor, files, choose }: Scope, shift: boolean): Record<string, () => void> {
+function commandKeys({ editor, files, segments, choose }: Scope, shift: boolean): Record<string, () => void> {
   return {
-    z: () => (shift ? editor.redo() : editor.undo()),
+    z: () => (shift ? editor.redo() : segments.forgetWishes() || editor.undo()),
     y: () => editor.redo(),
     s: () => void files.saveProject(),
     o: choose,
@@ -100,6 +113,8 @@ function press(event: KeyboardEvent, scope: Scope, held: HeldKeys): boolean {
     paper.spaceHeld = true;
     return true;
   }
+  const onPage = event.target === document.body || event.target instanceof HTMLCanvasElement;
+  if (onPage && paper?.toolKey(key, event.shiftKey, event.altKey)) return true;
   const tool = tools.find((entry) => entry.key === key);
   if (tool) return run(() => editor.set({ tool: tool.name, notice: '' }));
   const { selected } = editor.state;

@@ -11,6 +11,8 @@ export const tools: readonly { name: ToolName; key: string; label: MessageKey; h
   { name: 'order', key: '4', label: 'order', hint: 'hintOrder' },
   { name: 'range', key: '5', label: 'range', hint: 'hintRange' },
   { name: 'hand', key: '6', label: 'hand', hint: 'hintHand' },
+  { name: 'scribble', key: '7', label: 'scribble', hint: 'hintScribble' },
+  { name: 'outline', key: 'o', label: 'outline', hint: 'hintOutline' },
 ];
 
 /** One tab stop; arrows go from tool to tool. */
@@ -40,7 +42,7 @@ export function Toolbar({ editor }: { editor: Editor }) {
           onClick={() => editor.set({ tool: entry.name, notice: '' })}
         >
           <Icon name={entry.name} />
-          <kbd>{entry.key}</kbd>
+          <kbd>{entry.key.toUpperCase()}</kbd>
         </button>
       ))}
     </div>

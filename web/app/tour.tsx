@@ -9,6 +9,7 @@ const steps: readonly { text: MessageKey; beside: 'model' | 'side' | 'tools' | '
   { text: 'tour3', beside: 'tools' },
   { text: 'tour4', beside: 'tools' },
   { text: 'tour5', beside: 'paper' },
+  { text: 'tourScribble', beside: 'tools' },
 ];
 
 export function Tour({ editor }: { editor: Editor }) {

@@ -2,10 +2,13 @@ import { useMemo, useRef } from 'preact/hooks';
 import type { Document } from '../document/document';
 import { DrawTool } from '../tools/draw_tool';
 import { JoinTool } from '../tools/join_tool';
+import { OutlineTool } from '../tools/outline_tool';
 import { OrderTool } from '../tools/order_tool';
 import { RangeTool } from '../tools/range_tool';
+import { type ScribbleHost, ScribbleTool } from '../tools/scribble_tool';
 import { SelectTool } from '../tools/select_tool';
 import type { Tool, ToolHost } from '../tools/tool';
+import { swayingGif } from '../view/animation';
 import type { ModelView } from '../view/model_view';
 import { t } from './catalogue';
 import type { Editor, ToolName } from './editor';
@@ -18,12 +21,14 @@ import { type PaperControl, PaperPane } from './paper_pane';
 import { PartList } from './part_list';
 import { PartPanel } from './part_panel';
 import { SettingsPanel } from './settings_panel';
+import { ScribbleBar, StrokeList } from './scribble_bar';
+import type { SegmentControl } from './segment_control';
 import type { HeldKeys } from './shortcuts';
 import { useStore } from './store';
 import { Toolbar, tools } from './toolbar';
 import { Tour } from './tour';
 
-function makeTools(host: ToolHost): Record<ToolName, Tool> {
+function makeTools(host: ToolHost, scribbles: ScribbleHost): Record<ToolName, Tool> {
   const select = new SelectTool(host);
   return {
     select,
@@ -32,6 +37,8 @@ function makeTools(host: ToolHost): Record<ToolName, Tool> {
     join: new JoinTool(host),
     order: new OrderTool(host),
     range: new RangeTool(host),
+    scribble: new ScribbleTool(host, scribbles),
+    outline: new OutlineTool(host),
   };
 }
 
@@ -49,6 +56,25 @@ function hostOf(editor: Editor, reach: () => number): ToolHost {
     edit: (label: string, next: Document, gesture?: string) => editor.edit(label, next, gesture ?? null),
     select: (id) => editor.select(id),
     hover: (id) => editor.set({ hovered: id }),
+    refuse: (reason) => editor.set({ notice: t(reason) }),
+  };
+}
+
+function scribbleHostOf(editor: Editor, segments: SegmentControl): ScribbleHost {
+  return {
+    get brush() {
+      return editor.state.brush;
+    },
+    get pending() {
+      return segments.pending;
+    },
+    get tint() {
+      return editor.state.tint?.tint ?? null;
+    },
+    show: (document) => segments.show(document),
+    drop: () => segments.show(segments.pending),
+    wish: (label, change) => segments.wish(label, change),
+    refuse: () => editor.set({ notice: t('noScribbles') }),
   };
 }
 
@@ -95,18 +121,27 @@ function StatusBar({ editor }: { editor: Editor }) {
 interface WorkspaceProps {
   editor: Editor;
   files: Files;
+  segments: SegmentControl;
   held: HeldKeys;
   attachPaper(paper: PaperControl): void;
   choose(): void;
   stop(): void;
 }
 
-export function Workspace({ editor, files, held, attachPaper, choose, stop }: WorkspaceProps) {
+export function Workspace({ editor, files, segments, held, attachPaper, choose, stop }: WorkspaceProps) {
   const { panel } = useStore(editor);
   const paper = useRef<PaperControl | null>(null);
   const model = useRef<ModelView | null>(null);
-  const hands = useMemo(() => makeTools(hostOf(editor, () => paper.current?.reach ?? 12)), []);
+  const hands = useMemo(
+    () => makeTools(hostOf(editor, () => paper.current?.reach ?? 12), scribbleHostOf(editor, segments)),
+    [],
+  );
   const picture = (): Promise<Blob> => model.current?.picture() ?? Promise.reject(new Error('no view'));
+  const turntable = async (): Promise<Uint8Array<ArrayBuffer>> => {
+    if (!model.current) throw new Error('no view');
+    const ground = getComputedStyle(document.documentElement).getPropertyValue('--paper');
+    return swayingGif(model.current, ground);
+  };
   const attach = (control: PaperControl): void => {
     paper.current = control;
     attachPaper(control);
@@ -116,13 +151,15 @@ export function Workspace({ editor, files, held, attachPaper, choose, stop }: Wo
       <TopBar editor={editor} files={files} choose={choose} />
       <Toolbar editor={editor} />
       <PaperPane editor={editor} tool={() => hands[editor.state.tool]} attach={attach} />
+      <ScribbleBar editor={editor} />
       <ModelPane editor={editor} attach={(view) => (model.current = view)} lightHeld={() => held.light} stop={stop} />
       <aside class="side">
         <h2>{t('parts')}</h2>
         <PartList editor={editor} />
+        <StrokeList editor={editor} segments={segments} />
         <PartPanel editor={editor} />
       </aside>
-      {panel === 'export' && <ExportPanel editor={editor} files={files} picture={picture} />}
+      {panel === 'export' && <ExportPanel editor={editor} files={files} picture={picture} turntable={turntable} />}
       {panel === 'settings' && <SettingsPanel editor={editor} />}
       {panel === 'keys' && <KeysPanel />}
       <Tour editor={editor} />

@@ -1,3 +1,5 @@
+import type { Segmentation } from './segmentation';
+
 /** What a person makes: plain data, never changed in place. Coordinates are canvas px, y down. */
 
 export type Point = readonly [number, number];
@@ -67,6 +69,8 @@ export interface Document {
   readonly joins: readonly Join[];
   readonly relations: readonly Relation[];
   readonly robin: readonly RobinRange[];
+  /** How a flat drawing was understood; null of all others. */
+  readonly segmentation: Segmentation | null;
   readonly settings: Settings;
 }
 
@@ -89,6 +93,7 @@ export function emptyDocument(): Document {
     joins: [],
     relations: [],
     robin: [],
+    segmentation: null,
     settings: defaultSettings,
   };
 }

@@ -10,6 +10,8 @@ import {
   type Settings,
 } from './document';
 import { arcBetween, contains, longestRunInside, mix, nearestPlace, overlap } from './outline';
+import { clearStrokes } from './scribbling';
+import { renameLabelled } from './segmentation';
 
 /** Every verb of editing: a document in, a document out. */
 
@@ -49,8 +51,9 @@ export function addOpenPart(document: Document, name: string, stroke: Ring): Doc
 
 export function removePart(document: Document, id: string): Document {
   const other = (pair: { upper: string; lower: string }): boolean => pair.upper !== id && pair.lower !== id;
+  const unmarked = document.segmentation ? clearStrokes(document, { part: id }) : document;
   return {
-    ...document,
+    ...unmarked,
     parts: document.parts.filter((part) => part.id !== id),
     joins: document.joins.filter(other),
     relations: document.relations.filter(other),
@@ -80,6 +83,7 @@ export function renamePart(document: Document, id: string, name: string): Docume
     joins: document.joins.map(rename),
     relations: document.relations.map(rename),
     robin: document.robin.map(rename),
+    segmentation: document.segmentation && renameLabelled(document.segmentation, id, wanted),
   };
 }
 
@@ -211,6 +215,13 @@ export function neighbours(document: Document, id: string): Part[] {
   const part = document.parts[partIndex(document, id)];
   if (!part) return [];
   return document.parts.filter((other) => other.id !== id && overlap(part, other)).reverse();
+}
+
+/** The foremost part at a point, or, where that is wanted, the one below the selected one. */
+export function partBelow(document: Document, point: Point, selected: string | null, deeper: boolean): Part | undefined {
+  const stack = document.parts.filter((part) => contains(part.outline, point)).reverse();
+  const at = stack.findIndex((part) => part.id === selected);
+  return deeper && at >= 0 ? stack[(at + 1) % stack.length] : stack[0];
 }
 
 /** The foremost part at a point. */

@@ -47,3 +47,11 @@ export function redo(history: History): History {
     gesture: null,
   };
 }
+
+/** Goes on to `next` as a part of the last change. */
+export function amend(history: History, next: Document): History {
+  const last = history.done.at(-1);
+  const change = last && difference(last.label, history.document, next);
+  if (!last || !change) return history;
+  return { ...history, document: next, done: [...history.done.slice(0, -1), squash(last, change)] };
+}

@@ -83,8 +83,22 @@ export function perimeter(ring: Ring): number {
   return ring.reduce((sum, p, i) => sum + distance(p, ring[(i + 1) % ring.length] as Point), 0);
 }
 
-/** The way along a ring from one arc length to another, forwards. */
-function walk(ring: Ring, from: number, to: number): Point[] {
+/** The point of a ring at an arc length from its first point, px. Linear in points. */
+export function pointAt(ring: Ring, at: number): Point {
+  const length = perimeter(ring);
+  let left = ((at % length) + length) % length;
+  for (let i = 0; i < ring.length; i++) {
+    const a = ring[i] as Point;
+    const b = ring[(i + 1) % ring.length] as Point;
+    const side = distance(a, b);
+    if (left <= side) return side === 0 ? a : mix(a, b, left / side);
+    left -= side;
+  }
+  return ring[0] as Point;
+}
+
+/** The corners of a ring between one arc length and another, forwards. */
+export function walk(ring: Ring, from: number, to: number): Point[] {
   const length = perimeter(ring);
   const span = (((to - from) % length) + length) % length;
   const path: Point[] = [];
@@ -99,15 +113,20 @@ function walk(ring: Ring, from: number, to: number): Point[] {
   return path;
 }
 
-/** The shorter way along a ring between two places of it. */
-export function arcBetween(outline: readonly Ring[], from: OutlinePlace, to: OutlinePlace): Point[] {
+/** Both ways along a ring between two places of it, the shorter one first. */
+export function arcsBetween(outline: readonly Ring[], from: OutlinePlace, to: OutlinePlace): [Point[], Point[]] {
   const ring = outline[from.ring];
-  if (!ring || from.ring !== to.ring) return [from.point, to.point];
+  if (!ring || from.ring !== to.ring) return [[from.point, to.point], [from.point, to.point]];
   const length = perimeter(ring);
   const forwards = (((to.at - from.at) % length) + length) % length;
-  const inner =
-    forwards <= length / 2 ? walk(ring, from.at, to.at) : walk(ring, to.at, from.at).reverse();
-  return [from.point, ...inner, to.point];
+  const ahead = [from.point, ...walk(ring, from.at, to.at), to.point];
+  const back = [from.point, ...walk(ring, to.at, from.at).reverse(), to.point];
+  return forwards <= length / 2 ? [ahead, back] : [back, ahead];
+}
+
+/** The shorter way along a ring between two places of it. */
+export function arcBetween(outline: readonly Ring[], from: OutlinePlace, to: OutlinePlace): Point[] {
+  return arcsBetween(outline, from, to)[0];
 }
 
 /** A polyline with points at most `step` apart. */

@@ -1,6 +1,8 @@
-import { strFromU8, strToU8, unzipSync, zipSync } from 'fflate';
+import { strFromU8, strToU8, zipSync } from 'fflate';
+import { ArchiveTooLarge, unpackArchive } from './archive';
 import { defaultSettings, type Document, type DrawingSource, type Settings } from './document';
 import { sceneContent, sceneText } from './scene_text';
+import { recordOf, type Segmentation, type SegmentationRecord } from './segmentation';
 
 /** A project that cannot be opened, in words for a person. */
 export class ProjectError extends Error {}
@@ -8,7 +10,7 @@ export class ProjectError extends Error {}
 const mimetype = 'application/vnd.relievo';
 const version = 1;
 const maxBytes = 256 * 1024 * 1024;
-const entries = ['mimetype', 'project.json', 'scene.json', 'drawing', 'drawing.png'];
+const entries = ['mimetype', 'project.json', 'scene.json', 'drawing', 'drawing.png', 'labels.png'];
 
 interface ProjectHead {
   format: 'relievo-project';
@@ -17,13 +19,21 @@ interface ProjectHead {
   settings: Settings;
   drawing: Omit<DrawingSource, 'bytes' | 'paintable'> | null;
   colors: Record<string, string>;
+  segmentation?: SegmentationRecord;
+}
+
+/** Whether the drawing itself is the picture that covers the canvas: what was segmented does. */
+export function isOwnPicture(document: Document): boolean {
+  return document.segmentation !== null && document.segmentation.labels.length > 0;
 }
 
 /**
  * The project as a zip: scene.json is a scene file whose drawing is the picture beside it, the
- * artist's own file lies in `drawing`, untouched. The same document gives the same bytes.
+ * artist's own file lies in `drawing`, untouched. The same document gives the same bytes. `picture`
+ * is not there where the drawing itself is the picture.
  */
 export function writeProject(document: Document, picture: Uint8Array | null): Uint8Array<ArrayBuffer> {
+  const labels = isOwnPicture(document) ? document.segmentation?.labels : undefined;
   const head: ProjectHead = {
     format: 'relievo-project',
     version,
@@ -37,28 +47,17 @@ export function writeProject(document: Document, picture: Uint8Array | null): Ui
     colors: Object.fromEntries(
       document.parts.filter((part) => part.color).map((part) => [part.id, part.color as string]),
     ),
+    ...(labels ? { segmentation: recordOf(document.segmentation as Segmentation) } : {}),
   };
   const stored = { level: 0 as const, mtime: '1980-01-01T00:00:00' };
   const packed = { level: 6 as const, mtime: '1980-01-01T00:00:00' };
   return zipSync({
     mimetype: [strToU8(mimetype), stored],
     'project.json': [strToU8(JSON.stringify(head)), packed],
-    'scene.json': [strToU8(sceneText(document, picture ? 'drawing.png' : undefined)), packed],
+    'scene.json': [strToU8(sceneText(document, picture ? 'drawing.png' : labels ? 'drawing' : undefined)), packed],
     ...(document.drawing ? { drawing: [document.drawing.bytes, packed] } : {}),
     ...(picture ? { 'drawing.png': [picture, stored] } : {}),
-  });
-}
-
-/** Unpacks what a project may hold and nothing else; sizes are checked before memory is spent. */
-function unpack(bytes: Uint8Array): Record<string, Uint8Array> {
-  let total = 0;
-  return unzipSync(bytes, {
-    filter(file) {
-      if (!entries.includes(file.name)) return false;
-      total += file.originalSize;
-      if (total > maxBytes) throw new ProjectError('The project is larger than 256 MB.');
-      return true;
-    },
+    ...(labels ? { 'labels.png': [labels, stored] } : {}),
   });
 }
 
@@ -94,15 +93,24 @@ function drawingOf(head: ProjectHead, files: Record<string, Uint8Array>): Drawin
   };
 }
 
-/** Reads what writeProject wrote. Throws ProjectError. The engine still has to accept the scene. */
+function segmentationOf(head: ProjectHead, files: Record<string, Uint8Array>): Segmentation | null {
+  const labels = files['labels.png'];
+  return head.segmentation && labels ? { ...head.segmentation, labels } : null;
+}
+
+/**
+ * Reads what writeProject or the command line wrote. Throws ProjectError. The engine still has to
+ * accept the scene and the segmentation.
+ */
 export function readProject(bytes: Uint8Array): Document {
   try {
-    const files = unpack(bytes);
+    const files = unpackArchive(bytes, (name) => entries.includes(name), maxBytes);
     const head = parseHead(files['project.json']);
     const scene = sceneContent(strFromU8(files['scene.json'] ?? new Uint8Array()));
     return {
       name: String(head.name),
       drawing: drawingOf(head, files),
+      segmentation: segmentationOf(head, files),
       settings: soundSettings(head.settings),
       ...scene,
       parts: scene.parts.map((part) => {
@@ -112,6 +120,7 @@ export function readProject(bytes: Uint8Array): Document {
     };
   } catch (error) {
     if (error instanceof ProjectError) throw error;
+    if (error instanceof ArchiveTooLarge) throw new ProjectError('The project is larger than 256 MB.');
     throw new ProjectError('The project file is damaged.');
   }
 }

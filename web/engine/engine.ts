@@ -1,7 +1,10 @@
 import * as Comlink from 'comlink';
 import type { EngineEndpoint } from './engine_worker';
-import type { BuiltRelief, Failure, Files, ExportFormat, MapKind, PictureImport, SvgImport, Texture } from './messages';
-import type { BuildRequest } from './relief_service';
+import type {
+  BuiltRelief, ExportFormat, Failure, Files, FlatDrawing, LayersImport, MapKind, OutputFile, Progress,
+  SegmentationRequest, Surface, SvgImport, Texture, TintedLabels, Understanding,
+} from './messages';
+import type { BuildRequest, SurfaceRequest } from './relief_service';
 
 /** The worker is gone: it was stopped on purpose, or it crashed and another took its place. */
 export class EngineStopped extends Error {
@@ -57,14 +60,32 @@ export class Engine {
     return this.call(async (remote) => await remote.importSvg(bytes));
   }
 
-  importPicture(picture: Texture): Promise<PictureImport | Failure> {
-    return this.call(async (remote) => await remote.importPicture(picture));
+  openDrawing(drawing: FlatDrawing): Promise<object | Failure> {
+    return this.call(async (remote) => await remote.openDrawing(drawing));
   }
 
-  build(
-    request: BuildRequest,
-    progress: (stage: string, done: number) => void,
-  ): Promise<BuiltRelief | Failure> {
+  /** `width` and `height` are those of the drawing. */
+  label(request: SegmentationRequest, width: number, height: number): Promise<TintedLabels | Failure> {
+    return this.call(async (remote) => await remote.label(request, width, height));
+  }
+
+  understand(request: SegmentationRequest): Promise<Understanding | Failure> {
+    return this.call(async (remote) => await remote.understand(request));
+  }
+
+  checkSegmentation(request: SegmentationRequest): Promise<object | Failure> {
+    return this.call(async (remote) => await remote.checkSegmentation(request));
+  }
+
+  importLayers(files: OutputFile[]): Promise<LayersImport | Failure> {
+    return this.call(async (remote) => await remote.importLayers(files));
+  }
+
+  surface(request: SurfaceRequest): Promise<Surface | Failure> {
+    return this.call(async (remote) => await remote.surface(request));
+  }
+
+  build(request: BuildRequest, progress: Progress): Promise<BuiltRelief | Failure> {
     return this.call(async (remote) => await remote.build(request, Comlink.proxy(progress)));
   }
 

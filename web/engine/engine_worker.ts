@@ -1,14 +1,19 @@
 import * as Comlink from 'comlink';
-import { type BuiltRelief, type Failure, isFailure, type Texture } from './messages';
-import { type BuildRequest, ReliefService } from './relief_service';
+import {
+  type BuiltRelief, type Failure, type FlatDrawing, isFailure, type OutputFile, type Progress, type SegmentationRequest,
+  type Surface, type TintedLabels,
+} from './messages';
+import { type BuildRequest, ReliefService, type SurfaceRequest } from './relief_service';
+import { tintOf } from './tint';
 
-/** Every array of a result, to be handed over instead of copied. */
-function arraysOf(built: BuiltRelief): ArrayBuffer[] {
-  const { surface, overlays } = built;
-  return [
-    surface.positions, surface.normals, surface.uvs, surface.triangles,
-    overlays.joins, overlays.equal, overlays.above, overlays.ramps,
-  ].map((array) => array.buffer);
+/** Every array of a surface, to be handed over instead of copied. */
+function arraysOf(surface: Surface): ArrayBuffer[] {
+  return [surface.positions, surface.normals, surface.uvs, surface.triangles].map((array) => array.buffer);
+}
+
+function arraysOfRelief({ surface, overlays }: BuiltRelief): ArrayBuffer[] {
+  const lines = [overlays.joins, overlays.equal, overlays.above, overlays.ramps].map((array) => array.buffer);
+  return [...arraysOf(surface), ...lines];
 }
 
 let service: Promise<ReliefService> | undefined;
@@ -26,21 +31,42 @@ const endpoint = {
   async importSvg(bytes: Uint8Array) {
     return (await started()).importSvg(bytes);
   },
-  async importPicture(picture: Texture) {
-    return (await started()).importPicture(picture);
+  async openDrawing(drawing: FlatDrawing) {
+    const opened = (await started()).openDrawing(drawing);
+    if (isFailure(opened)) return opened;
+    return {};
+  },
+  async label(request: SegmentationRequest, width: number, height: number): Promise<TintedLabels | Failure> {
+    const labelled = (await started()).label(request);
+    if (isFailure(labelled)) return labelled;
+    const tint = await createImageBitmap(tintOf(labelled.labels, width, height));
+    return Comlink.transfer({ tint, parts: labelled.parts }, [tint]);
+  },
+  async understand(request: SegmentationRequest) {
+    return (await started()).understand(request);
+  },
+  async checkSegmentation(request: SegmentationRequest) {
+    return (await started()).checkSegmentation(request);
   },
   async build(
     request: BuildRequest,
-    progress: (stage: string, done: number) => void,
+    progress: Progress,
   ): Promise<BuiltRelief | Failure> {
     let last = 0;
-    const built = (await started()).build(request, (stage, done) => {
+    const built = (await started()).build(request, (stage, done, energy) => {
       const now = performance.now();
       if (now - last < 50) return;
       last = now;
-      progress(stage, done);
+      progress(stage, done, energy);
     });
-    return isFailure(built) ? built : Comlink.transfer(built, arraysOf(built));
+    return isFailure(built) ? built : Comlink.transfer(built, arraysOfRelief(built));
+  },
+  async importLayers(files: OutputFile[]) {
+    return (await started()).importLayers(files);
+  },
+  async surface(request: SurfaceRequest): Promise<Surface | Failure> {
+    const surface = (await started()).surface(request);
+    return isFailure(surface) ? surface : Comlink.transfer(surface, arraysOf(surface));
   },
   async encode(...arguments_: Parameters<ReliefService['encode']>) {
     return (await started()).encode(...arguments_);

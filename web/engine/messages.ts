@@ -2,6 +2,8 @@
 
 export type Method = 'approximate' | 'nonlinear';
 export type Visibility = 'relief' | 'orbit' | 'all';
+/** The heights, or one of the two that they are the sum of. */
+export type Field = 'relief' | 'inflation' | 'shift';
 export type ExportFormat = 'glb' | 'obj' | 'ply' | 'stl';
 export type MapKind = 'normal' | 'depth' | 'part';
 
@@ -40,6 +42,8 @@ export interface Report {
   maxViolation: number;
   overlapWorst: number;
   converged: boolean;
+  /** Of the non-linear method, scene units; else 0. */
+  energy: number;
   times: Record<string, number>;
   warnings: string[];
 }
@@ -76,11 +80,15 @@ export interface SvgImport {
   warnings: string[];
 }
 
-/** A flat drawing whose parts were guessed. */
-export interface PictureImport {
+/** A drawing of painted layers. */
+export interface LayersImport {
   /** Text of a scene file; its canvas is the picture. */
   scene: string;
+  /** The parts were guessed. */
+  proposed: boolean;
   warnings: string[];
+  /** The picture that the layers make, a PNG file. */
+  drawing: Uint8Array<ArrayBuffer>;
 }
 
 export interface OutputFile {
@@ -103,6 +111,43 @@ export interface BuiltRelief {
   surface: Surface;
   overlays: Overlays;
 }
+
+/** A flat drawing: a PNG file, which the core decodes as the command line does, or its pixels. */
+export type FlatDrawing = { png: Uint8Array } | { pixels: Texture };
+
+/** Strokes and corrections with what was known before them. */
+export interface SegmentationRequest {
+  /** Text of a project.json. */
+  project: string;
+  /** Its labels.png; empty where nothing was known. */
+  labels: Uint8Array;
+}
+
+export interface Labelled {
+  /** The label of every pixel, 0 where there is no part. */
+  labels: Uint16Array<ArrayBuffer>;
+  parts: { label: number; id: string }[];
+  notes: string[];
+}
+
+/** The labels as the page shows them. */
+export interface TintedLabels {
+  tint: ImageBitmap;
+  parts: { label: number; id: string }[];
+}
+
+/** All that follows from strokes and corrections. */
+export interface Understanding {
+  /** Text of a project.json. */
+  project: string;
+  /** Text of a scene file; its canvas is the drawing. */
+  scene: string;
+  /** A PNG file. */
+  labels: Uint8Array<ArrayBuffer>;
+  warnings: string[];
+}
+/** A stage and how much of it is done, in [0, 1]; the non-linear method's energy once it has one. */
+export type Progress = (stage: string, done: number, energy?: number) => void;
 
 export function isFailure(value: object): value is Failure {
   return 'error' in value;

@@ -1,32 +1,46 @@
-import createRelievo, { type Reconstruction, type RelievoModule } from '#relievo';
+import createRelievo, { type Reconstruction, type RelievoModule, type Segmenter } from '#relievo';
 import {
   type BuildOptions,
   type BuiltRelief,
   type ExportFormat,
+  type Field,
   type Failure,
   type Files,
+  type FlatDrawing,
+  type LayersImport,
+  type OutputFile,
+  type Progress,
+  type Surface,
   isFailure,
+  type Labelled,
   type MapKind,
-  type PictureImport,
+  type SegmentationRequest,
   type SvgImport,
   type Texture,
+  type Understanding,
   type Visibility,
 } from './messages';
 
-export interface BuildRequest {
-  scene: string;
-  options: BuildOptions;
+export interface SurfaceRequest {
   visibility: Visibility;
   /** Departure of the surface from the true one, px. */
   tolerance: number;
+  field: Field;
+}
+
+export interface BuildRequest extends SurfaceRequest {
+  scene: string;
+  options: BuildOptions;
 }
 
 /** The engine as one instance of the module: what runs in the worker, and in tests under Node. */
 export class ReliefService {
   private readonly reconstruction: Reconstruction;
+  private readonly segmenter: Segmenter;
 
   private constructor(private readonly module: RelievoModule) {
     this.reconstruction = new module.Reconstruction();
+    this.segmenter = new module.Segmenter();
   }
 
   static async start(compiled: WebAssembly.Module): Promise<ReliefService> {
@@ -43,17 +57,41 @@ export class ReliefService {
     return this.module.importSvg(bytes);
   }
 
-  importPicture({ rgba, width, height }: Texture): PictureImport | Failure {
-    return this.module.importPicture(rgba, width, height);
+  /** Takes a flat drawing to scribble on. */
+  openDrawing(drawing: FlatDrawing): object | Failure {
+    if ('png' in drawing) return this.segmenter.openPng(drawing.png);
+    const { rgba, width, height } = drawing.pixels;
+    return this.segmenter.openPixels(rgba, width, height);
   }
 
-  build(request: BuildRequest, progress: (stage: string, done: number) => void): BuiltRelief | Failure {
+  label({ project, labels }: SegmentationRequest): Labelled | Failure {
+    return this.segmenter.label(project, labels);
+  }
+
+  understand({ project, labels }: SegmentationRequest): Understanding | Failure {
+    return this.segmenter.propose(project, labels);
+  }
+
+  checkSegmentation({ project, labels }: SegmentationRequest): object | Failure {
+    return this.module.checkSegmentation(project, labels);
+  }
+
+  importLayers(files: OutputFile[]): LayersImport | Failure {
+    return this.module.importLayers(files);
+  }
+
+  build(request: BuildRequest, progress: Progress): BuiltRelief | Failure {
     const report = this.reconstruction.build(request.scene, request.options, progress);
     if (isFailure(report)) return report;
-    const surface = this.reconstruction.surface(request.visibility, request.tolerance);
+    const surface = this.surface(request);
     if (isFailure(surface)) return surface;
     const overlays = this.reconstruction.overlays();
     return isFailure(overlays) ? overlays : { report, surface, overlays };
+  }
+
+  /** The surface of the last build again, by another field or tolerance. */
+  surface({ visibility, tolerance, field }: SurfaceRequest): Surface | Failure {
+    return this.reconstruction.surface(visibility, tolerance, field);
   }
 
   encode(format: ExportFormat, name: string, sizeMm: number, texture: Texture | null): Files | Failure {

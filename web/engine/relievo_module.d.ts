@@ -1,11 +1,13 @@
 /** The module that Emscripten makes of bindings/wasm. */
 declare module '#relievo' {
-  import type { Failure, Files, Overlays, PictureImport, Report, SvgImport, Surface } from './messages';
-  import type { BuildOptions, ExportFormat, MapKind, Visibility } from './messages';
+  import type {
+    Failure, Files, Labelled, LayersImport, OutputFile, Overlays, Report, SvgImport, Surface, Understanding,
+  } from './messages';
+  import type { BuildOptions, ExportFormat, Field, MapKind, Progress, Visibility } from './messages';
 
   export interface Reconstruction {
-    build(scene: string, options: BuildOptions, progress: (stage: string, done: number) => void): Report | Failure;
-    surface(visibility: Visibility, tolerance: number): Surface | Failure;
+    build(scene: string, options: BuildOptions, progress: Progress): Report | Failure;
+    surface(visibility: Visibility, tolerance: number, field: Field): Surface | Failure;
     overlays(): Overlays | Failure;
     setTexture(rgba: Uint8Array, width: number, height: number): void;
     encode(format: ExportFormat, name: string, sizeMm: number): Files | Failure;
@@ -13,10 +15,20 @@ declare module '#relievo' {
     delete(): void;
   }
 
+  export interface Segmenter {
+    openPng(file: Uint8Array): object | Failure;
+    openPixels(rgba: Uint8Array, width: number, height: number): object | Failure;
+    label(project: string, last: Uint8Array): Labelled | Failure;
+    propose(project: string, last: Uint8Array): Understanding | Failure;
+    delete(): void;
+  }
+
   export interface RelievoModule {
     importSvg(bytes: Uint8Array): SvgImport | Failure;
-    importPicture(rgba: Uint8Array, width: number, height: number): PictureImport | Failure;
+    checkSegmentation(project: string, labels: Uint8Array): object | Failure;
+    importLayers(files: OutputFile[]): LayersImport | Failure;
     Reconstruction: new () => Reconstruction;
+    Segmenter: new () => Segmenter;
   }
 
   export default function createRelievo(options: {

@@ -1,6 +1,5 @@
 import type { Document, Part, Point } from '../document/document';
-import { changePart, partAt } from '../document/editing';
-import { contains } from '../document/outline';
+import { changePart, partAt, partBelow } from '../document/editing';
 import { marks } from '../view/colors';
 import { type Handle, handleAt, handlesOf, slide } from './handles';
 import type { Modifiers, Tool, ToolHost } from './tool';
@@ -26,7 +25,7 @@ export class SelectTool implements Tool {
       this.gesture = { kind: 'slide', handle, before: document };
       return;
     }
-    const part = this.partBelow(point, keys.alt);
+    const part = partBelow(document, point, selected, keys.alt);
     this.host.select(part?.id ?? null);
     if (part && !document.drawing) this.gesture = { kind: 'move', part, from: point, before: document };
   }
@@ -62,14 +61,6 @@ export class SelectTool implements Tool {
       context.strokeStyle = handle.kind === 'join' ? marks.join : handle.end === 'first' ? '#3a9d4a' : '#d6402f';
       context.stroke();
     }
-  }
-
-  /** The foremost part at a point; below the selected one where that is wanted. */
-  private partBelow(point: Point, deeper: boolean): Part | undefined {
-    const { document, selected } = this.host;
-    const stack = document.parts.filter((part) => contains(part.outline, point)).reverse();
-    const at = stack.findIndex((part) => part.id === selected);
-    return deeper && at >= 0 ? stack[(at + 1) % stack.length] : stack[0];
   }
 
   private shift(gesture: Gesture & { kind: 'move' }, point: Point): void {

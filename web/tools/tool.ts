@@ -1,4 +1,5 @@
 import type { Document, Point } from '../document/document';
+import type { Refusal } from '../document/reshape';
 
 /** What a tool may see and do. Lengths in canvas px. */
 export interface ToolHost {
@@ -9,6 +10,8 @@ export interface ToolHost {
   edit(label: string, next: Document, gesture?: string): void;
   select(id: string | null): void;
   hover(id: string | null): void;
+  /** Says why nothing was changed. */
+  refuse(reason: Refusal): void;
 }
 
 export interface Modifiers {
@@ -24,6 +27,8 @@ export interface Tool {
   up(point: Point, keys: Modifiers): void;
   /** Escape, or a second finger: as if the gesture had not begun. */
   cancel(): void;
+  /** A key while the tool is in hand and the page has the focus; whether it means something. */
+  key?(name: string, keys: Modifiers): boolean;
   /** What the hand is about to do. `pixel`: a CSS px in canvas px. */
   draw(context: CanvasRenderingContext2D, pixel: number): void;
 }

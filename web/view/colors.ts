@@ -1,3 +1,5 @@
+import { labelColor } from '../engine/label_colors';
+
 /** The paper's colours of annotations, and the page's own. */
 export const marks = {
   join: '#2f6fed',
@@ -12,4 +14,9 @@ export const marks = {
 export function rampColor(alpha: number): string {
   const t = Math.min(1, Math.max(0, alpha));
   return `hsl(${Math.round(130 * (1 - t))} 75% 42%)`;
+}
+
+/** The colour of a part that was found in a flat drawing, as in the tint. */
+export function inkOf(label: number): string {
+  return `rgb(${labelColor(label).join(' ')})`;
 }

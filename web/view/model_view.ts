@@ -1,136 +1,106 @@
-import * as THREE from 'three';
-import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import * as Comlink from 'comlink';
 import type { Surface } from '../engine/messages';
-import { marks } from './colors';
+import type { ModelRenderer, ModelShading, Pose } from './model_renderer';
+import type { Painted } from './painted_drawing';
 import type { Viewport } from './viewport';
 
-export type ModelShading = 'drawing' | 'clay' | 'normals';
+type Frame = Pose['frame'];
 
-/** The relief in three dimensions. Draws when something changed, never by itself. */
+/**
+ * The relief in three dimensions, drawn by a worker: a page whose graphics are slow stays free for
+ * the hand.
+ */
 export class ModelView {
-  private readonly renderer: THREE.WebGLRenderer;
-  private readonly scene = new THREE.Scene();
-  private readonly camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -10, 10);
-  private readonly controls: OrbitControls;
-  private readonly light = new THREE.DirectionalLight(0xffffff, 2.3);
-  private readonly model = new THREE.Group();
-  private readonly materials = {
-    drawing: new THREE.MeshStandardMaterial({ roughness: 0.92, side: THREE.DoubleSide }),
-    clay: new THREE.MeshStandardMaterial({ color: 0xcbbfae, roughness: 0.75, side: THREE.DoubleSide }),
-    normals: new THREE.MeshNormalMaterial({ side: THREE.DoubleSide }),
-  };
-  private readonly picker = new THREE.Raycaster();
-  private shading: ModelShading = 'drawing';
-  private highlighted: string | null = null;
-  private frame = 0;
+  private readonly worker = new Worker(new URL('./model_worker.ts', import.meta.url), { type: 'module' });
+  private readonly renderer: Promise<Comlink.Remote<ModelRenderer>>;
+  private pose: Pose = { yaw: -0.42, pitch: 0.16, target: [0, 0, 0], frame: [-1, 1, 1, -1] };
+  private zoomed = 1;
+  private painting: Promise<void> = Promise.resolve();
   private size: [number, number] = [1, 1];
   private canvasSize: [number, number] = [1000, 800];
 
-  constructor(private readonly canvas: HTMLCanvasElement) {
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
-    this.scene.add(this.model, this.light, this.light.target, new THREE.HemisphereLight(0xffffff, 0xcfc8bd, 1.85));
-    this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.addEventListener('change', () => this.redraw());
-    this.controls.mouseButtons = { LEFT: THREE.MOUSE.ROTATE, MIDDLE: THREE.MOUSE.PAN, RIGHT: null };
+  constructor(canvas: HTMLCanvasElement) {
+    const offscreen = canvas.transferControlToOffscreen();
+    const Renderer = Comlink.wrap<typeof ModelRenderer>(this.worker);
+    this.renderer = new Renderer(Comlink.transfer(offscreen, [offscreen]));
     this.aimLight(-0.45, 0.6);
-    this.turn(-0.42, 0.16);
+  }
+
+  dispose(): void {
+    this.worker.terminate();
   }
 
   resize(width: number, height: number): void {
     this.size = [Math.max(1, width), Math.max(1, height)];
-    this.renderer.setSize(this.size[0], this.size[1], false);
+    this.tell((renderer) => renderer.resize(width, height, Math.min(2, window.devicePixelRatio)));
     this.frameModel();
   }
 
   /** The camera turned to the right and up, radians, from the front view. */
   turn(yaw: number, pitch: number): void {
-    const distance = 5;
-    this.camera.position
-      .set(Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), Math.cos(yaw) * Math.cos(pitch))
-      .multiplyScalar(distance)
-      .add(this.controls.target);
-    this.controls.update();
-    this.redraw();
+    const most = Math.PI / 2 - 1e-3;
+    this.look({ ...this.pose, yaw, pitch: Math.min(most, Math.max(-most, pitch)) });
   }
 
   get angles(): { yaw: number; pitch: number } {
-    return { yaw: this.controls.getAzimuthalAngle(), pitch: Math.PI / 2 - this.controls.getPolarAngle() };
+    return this.pose;
+  }
+
+  /** Moves what is seen, CSS px. */
+  pan(dx: number, dy: number): void {
+    const [left, right] = this.pose.frame;
+    const unit = (right - left) / this.size[0];
+    const { yaw, pitch, target } = this.pose;
+    const across = [Math.cos(yaw), 0, -Math.sin(yaw)] as const;
+    const up = [-Math.sin(yaw) * Math.sin(pitch), Math.cos(pitch), -Math.cos(yaw) * Math.sin(pitch)] as const;
+    const moved = (k: 0 | 1 | 2): number => target[k] - unit * dx * across[k] + unit * dy * up[k];
+    this.look({ ...this.pose, target: [moved(0), moved(1), moved(2)] });
+  }
+
+  zoom(factor: number): void {
+    this.zoomed = Math.min(20, Math.max(0.3, this.zoomed * factor));
+    this.look({ ...this.pose, frame: this.wholeFrame() });
   }
 
   /** Light from the right and from above, each in [-1, 1]. */
   aimLight(right: number, up: number): void {
-    const z = Math.sqrt(Math.max(0.05, 1 - Math.min(0.95, right * right + up * up)));
-    this.light.position.set(right, up, z);
-    this.redraw();
+    this.tell((renderer) => renderer.aimLight(right, up));
   }
 
   show(surface: Surface | null, width: number, height: number): void {
-    this.clear();
     if (width !== this.canvasSize[0] || height !== this.canvasSize[1]) {
       this.canvasSize = [width, height];
       this.frameModel();
     }
-    if (surface) for (const mesh of this.meshes(surface)) this.model.add(mesh);
-    const scale = 2 / Math.max(width, height);
-    this.model.scale.setScalar(scale);
-    this.model.position.set((-scale * width) / 2, (-scale * height) / 2, 0);
-    this.redraw();
+    this.tell((renderer) => renderer.show(surface, width, height));
   }
 
-  setPicture(picture: TexImageSource | null): void {
-    this.materials.drawing.map?.dispose();
-    if (picture) {
-      const texture = new THREE.Texture(picture);
-      texture.colorSpace = THREE.SRGBColorSpace;
-      texture.flipY = false;
-      texture.anisotropy = 4;
-      texture.generateMipmaps = true;
-      texture.needsUpdate = true;
-      this.materials.drawing.map = texture;
-    } else this.materials.drawing.map = null;
-    this.materials.drawing.needsUpdate = true;
-    this.redraw();
+  /** What lies on the model: a picture, or the parts painted flat; nothing without a document. */
+  paint(document: Painted | null, picture: ImageBitmap | null): void {
+    this.painting = this.painting.then(async () => {
+      const copy = picture && (await createImageBitmap(picture));
+      const content = document && { width: document.width, height: document.height, parts: document.parts, joins: document.joins };
+      await (await this.renderer).paint(content, copy && Comlink.transfer(copy, [copy]));
+    });
   }
 
   setShading(shading: ModelShading): void {
-    this.shading = shading;
-    this.highlight(this.highlighted);
+    this.tell((renderer) => renderer.setShading(shading));
   }
 
   highlight(part: string | null): void {
-    this.highlighted = part;
-    for (const mesh of this.model.children as THREE.Mesh[]) {
-      const lit = mesh.name === part && this.shading !== 'normals';
-      const usual = this.materials[this.shading];
-      const shared = Object.values<THREE.Material>(this.materials).includes(mesh.material as THREE.Material);
-      if (!shared) (mesh.material as THREE.Material).dispose();
-      mesh.material = lit ? this.litMaterial(usual as THREE.MeshStandardMaterial) : usual;
-    }
-    this.redraw();
+    this.tell((renderer) => renderer.highlight(part));
   }
 
   /** The part under a point of the pane, CSS px. */
-  pick(x: number, y: number): string | null {
-    const pointer = new THREE.Vector2((2 * x) / this.size[0] - 1, 1 - (2 * y) / this.size[1]);
-    this.picker.setFromCamera(pointer, this.camera);
-    return this.picker.intersectObject(this.model)[0]?.object.name ?? null;
+  async pick(x: number, y: number): Promise<string | null> {
+    return (await this.renderer).pick((2 * x) / this.size[0] - 1, 1 - (2 * y) / this.size[1]);
   }
 
   /** All of the model in front, as it was at first. */
   frameModel(): void {
-    const [width, height] = this.canvasSize;
-    const longest = Math.max(width, height);
-    const half = [(1.12 * width) / longest, (1.12 * height) / longest] as const;
-    const aspect = this.size[0] / this.size[1];
-    const up = Math.max(half[1], half[0] / aspect);
-    this.camera.left = -up * aspect;
-    this.camera.right = up * aspect;
-    this.camera.top = up;
-    this.camera.bottom = -up;
-    this.camera.zoom = 1;
-    this.camera.updateProjectionMatrix();
-    this.redraw();
+    this.zoomed = 1;
+    this.look({ ...this.pose, target: [0, 0, 0], frame: this.wholeFrame() });
   }
 
   /** The model exactly over a page that is seen through a viewport of the same pane. */
@@ -139,64 +109,42 @@ export class ModelView {
     const scale = 2 / Math.max(width, height);
     const across = (screen: number): number => scale * ((screen - view.x) / view.scale - width / 2);
     const up = (screen: number): number => scale * (height / 2 - (screen - view.y) / view.scale);
-    this.camera.left = across(0);
-    this.camera.right = across(this.size[0]);
-    this.camera.top = up(0);
-    this.camera.bottom = up(this.size[1]);
-    this.camera.zoom = 1;
-    this.camera.updateProjectionMatrix();
-    this.redraw();
+    const frame: Frame = [across(0), across(this.size[0]), up(0), up(this.size[1])];
+    this.look({ ...this.pose, target: [0, 0, 0], frame });
   }
 
-  picture(): Promise<Blob> {
-    this.render();
-    return new Promise((resolve, reject) =>
-      this.canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('no picture'))), 'image/png'),
-    );
+  /** Resolves when everything up to now can be seen. */
+  async drawn(): Promise<void> {
+    await this.painting;
+    await (await this.renderer).drawn();
   }
 
-  private litMaterial(usual: THREE.MeshStandardMaterial): THREE.MeshStandardMaterial {
-    const lit = usual.clone();
-    lit.emissive = new THREE.Color(marks.select);
-    lit.emissiveIntensity = 0.13;
-    return lit;
+  /** The view as a PNG file. */
+  async picture(): Promise<Blob> {
+    return (await this.renderer).picture();
   }
 
-  private meshes(surface: Surface): THREE.Mesh[] {
-    const attribute = (array: Float32Array<ArrayBuffer>, size: number) => new THREE.BufferAttribute(array, size);
-    const positions = attribute(surface.positions, 3);
-    const normals = attribute(surface.normals, 3);
-    const uvs = attribute(surface.uvs, 2);
-    const corners = new THREE.BufferAttribute(surface.triangles, 1);
-    return surface.parts.map((part) => {
-      const geometry = new THREE.BufferGeometry();
-      geometry.setAttribute('position', positions);
-      geometry.setAttribute('normal', normals);
-      geometry.setAttribute('uv', uvs);
-      geometry.setIndex(corners);
-      geometry.setDrawRange(3 * part.firstTriangle, 3 * part.triangleCount);
-      const mesh = new THREE.Mesh(geometry, this.materials[this.shading]);
-      mesh.name = part.id;
-      if (part.id === this.highlighted && this.shading !== 'normals')
-        mesh.material = this.litMaterial(mesh.material as THREE.MeshStandardMaterial);
-      return mesh;
-    });
+  /** The view as pixels on a ground of one colour, its longest side `side` px at most. */
+  async snapshot(side: number, ground: string): Promise<ImageData> {
+    return (await this.renderer).snapshot(side, ground);
   }
 
-  private clear(): void {
-    for (const mesh of [...this.model.children] as THREE.Mesh[]) {
-      mesh.geometry.dispose();
-      this.model.remove(mesh);
-    }
+  private wholeFrame(): Frame {
+    const [width, height] = this.canvasSize;
+    const longest = Math.max(width, height);
+    const half = [(1.12 * width) / longest, (1.12 * height) / longest] as const;
+    const aspect = this.size[0] / this.size[1];
+    const up = Math.max(half[1], half[0] / aspect) / this.zoomed;
+    return [-up * aspect, up * aspect, up, -up];
   }
 
-  private redraw(): void {
-    if (this.frame === 0) this.frame = requestAnimationFrame(() => this.render());
+  private look(pose: Pose): void {
+    this.pose = pose;
+    this.tell((renderer) => renderer.look(pose));
   }
 
-  private render(): void {
-    cancelAnimationFrame(this.frame);
-    this.frame = 0;
-    this.renderer.render(this.scene, this.camera);
+  /** Calls arrive in the order in which they are made. */
+  private tell(call: (renderer: Comlink.Remote<ModelRenderer>) => Promise<unknown>): void {
+    void this.renderer.then(call);
   }
 }

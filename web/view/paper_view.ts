@@ -1,4 +1,5 @@
 import type { Document, Part, Ring } from '../document/document';
+import { hiddenOutline } from '../document/hidden';
 import type { Overlays } from '../engine/messages';
 import { marks, rampColor } from './colors';
 import type { Viewport } from './viewport';
@@ -18,7 +19,10 @@ export interface PaperContent {
   preview(context: CanvasRenderingContext2D, pixel: number): void;
 }
 
-export function tracePart(context: CanvasRenderingContext2D, outline: readonly Ring[]): void {
+/** Either kind of canvas. */
+type Context = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
+
+export function tracePart(context: Context, outline: readonly Ring[]): void {
   context.beginPath();
   for (const ring of outline) {
     ring.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
@@ -26,7 +30,7 @@ export function tracePart(context: CanvasRenderingContext2D, outline: readonly R
   }
 }
 
-export function traceLine(context: CanvasRenderingContext2D, line: Ring): void {
+export function traceLine(context: Context, line: Ring): void {
   context.beginPath();
   line.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
 }
@@ -35,7 +39,7 @@ export function traceLine(context: CanvasRenderingContext2D, line: Ring): void {
  * Parts as a flat drawing: what stands for a drawing where there is none. No ink runs along joins,
  * where two parts are one surface.
  */
-export function paintParts(context: CanvasRenderingContext2D, document: Document, pen: number): void {
+export function paintParts(context: Context, document: Pick<Document, 'parts' | 'joins'>, pen: number): void {
   context.lineJoin = 'round';
   for (const part of document.parts) {
     const color = part.color ?? '#d9d4c7';
@@ -117,6 +121,21 @@ function drawPart(context: CanvasRenderingContext2D, part: Part, color: string, 
   context.stroke();
 }
 
+/** Dashes where the outline of a part lies behind others. */
+export function dashHidden(context: CanvasRenderingContext2D, parts: readonly Part[], id: string, pixel: number): void {
+  context.lineCap = 'butt';
+  for (const [dash, color, width] of [[[], '#fff', 3.2], [[5 * pixel, 4 * pixel], marks.select, 2]] as const) {
+    context.setLineDash([...dash]);
+    context.strokeStyle = color;
+    context.lineWidth = width * pixel;
+    for (const line of hiddenOutline(parts, id)) {
+      traceLine(context, line);
+      context.stroke();
+    }
+  }
+  context.setLineDash([]);
+}
+
 /** Draws everything anew. `ratio`: device px a CSS px. */
 export function drawPaper(
   context: CanvasRenderingContext2D,
@@ -137,6 +156,7 @@ export function drawPaper(
     else if (part.id === content.selected) drawPart(context, part, marks.select, true, pixel);
     else if (part.id === content.hovered) drawPart(context, part, marks.select, false, pixel);
   }
+  if (content.selected !== null) dashHidden(context, document.parts, content.selected, pixel);
   if (content.showMarks && content.overlays) drawMarks(context, content.overlays, pixel);
   content.preview(context, pixel);
 }

@@ -1,18 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
+#include "io/archive/archive_entry.h"
 #include "io/files/bytes.h"
 #include "kernel/base/result.h"
 
 namespace relievo {
-
-struct ArchiveEntry {
-  std::string name;  ///< path inside the archive, segments separated by '/'
-  Bytes bytes;
-};
 
 /// What an archive may ask for; checked from its directory, before anything is unpacked.
 struct ArchiveLimits {
@@ -27,8 +22,5 @@ bool is_archive(ByteView bytes);
 /// The files of a zip archive in the order of its directory; folders are passed over. Errors:
 /// bad_input (damaged, encrypted, a name twice or one that leads out of the archive), limit.
 Result<std::vector<ArchiveEntry>> unpack_archive(ByteView bytes, const ArchiveLimits& limits = {});
-
-/// The entry with a name, or null.
-const ArchiveEntry* find_entry(const std::vector<ArchiveEntry>& entries, const std::string& name);
 
 }  // namespace relievo

@@ -1,6 +1,5 @@
 #include "io/layered/read_layer_folder.h"
 
-#include <algorithm>
 #include <cctype>
 #include <string>
 #include <utility>
@@ -8,6 +7,7 @@
 #include "io/files/in_file.h"
 #include "io/files/paths.h"
 #include "io/files/read_file.h"
+#include "io/layered/layer_names.h"
 #include "io/layered/layer_table.h"
 #include "io/layered/packed_layers.h"
 
@@ -15,31 +15,6 @@ namespace relievo {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Compares names so that numbers in them count as numbers: leg2 before leg10.
-bool natural_less(const std::string& p, const std::string& q) {
-  const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
-  size_t i = 0;
-  size_t j = 0;
-  while (i < p.size() && j < q.size()) {
-    if (!is_digit(p[i]) || !is_digit(q[j])) {
-      if (p[i] != q[j]) return p[i] < q[j];
-      ++i, ++j;
-      continue;
-    }
-    const auto number = [&](const std::string& text, size_t& at) {
-      while (at + 1 < text.size() && text[at] == '0' && is_digit(text[at + 1])) ++at;
-      const size_t start = at;
-      while (at < text.size() && is_digit(text[at])) ++at;
-      return text.substr(start, at - start);
-    };
-    const std::string a = number(p, i);
-    const std::string b = number(q, j);
-    if (a.size() != b.size()) return a.size() < b.size();
-    if (a != b) return a < b;
-  }
-  return p.size() - i != q.size() - j ? p.size() - i < q.size() - j : p < q;
-}
 
 bool is_png_name(const fs::path& path) {
   std::string extension = path.extension().string();
@@ -57,18 +32,8 @@ Result<std::vector<LayerRow>> rows_by_name(const fs::path& folder) {
     return Error{ErrorCode::bad_input,
                  "holds no layers: neither a layers.tsv that lists them nor PNG files",
                  folder.string()};
-  if (names.size() > max_layers)
-    return Error{ErrorCode::limit, "has more than " + std::to_string(max_layers) + " layers",
-                 folder.string()};
-  std::sort(names.begin(), names.end(), natural_less);
-  std::vector<LayerRow> rows;
-  for (const std::string& name : names) {
-    LayerRow row;
-    row.file = name;
-    row.layer.name = fs::path(name).stem().string();
-    rows.push_back(std::move(row));
-  }
-  return rows;
+  auto rows = rows_of_names(std::move(names));
+  return rows ? rows : in_file(rows.error(), folder.string());
 }
 
 Result<std::vector<LayerRow>> rows_of(const fs::path& folder, std::vector<fs::path>& files) {

@@ -1,6 +1,9 @@
 #pragma once
 
-#include "io/archive/zip_archive.h"
+#include <string>
+#include <vector>
+
+#include "io/archive/archive_entry.h"
 #include "io/image/image_limits.h"
 #include "io/layered/layer_pile.h"
 

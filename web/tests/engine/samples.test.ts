@@ -1,39 +1,20 @@
-import { execFileSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import validator from 'gltf-validator';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { isFailure, type BuildOptions, type Failure } from '../../engine/messages';
-import { ReliefService } from '../../engine/relief_service';
+import { type BuildOptions, isFailure } from '../../engine/messages';
+import type { ReliefService } from '../../engine/relief_service';
+import { must, relievo, root, shown, startService, usual } from './native';
 
-const root = fileURLToPath(new URL('../../..', import.meta.url));
-const program = process.env['RELIEVO'] ?? join(root, 'build/dev/apps/cli/relievo');
 const samples = ['bunny', 'elephant', 'farmer', 'lamb', 'unicorn', 'wolf'];
 
-const options: BuildOptions = {
-  method: 'approximate',
-  vertices: 20000,
-  edge: 0,
-  rho: 0.25,
-  alpha0: 0.1,
-  lambdaBnd: 0.01,
-  literal: false,
-  glue: true,
-};
 const quiet = (): void => undefined;
-
-function must<T extends object>(value: T | Failure): T {
-  if (isFailure(value)) throw new Error(`${value.error.where}: ${value.error.message}`);
-  return value;
-}
 
 let service: ReliefService;
 
 beforeAll(async () => {
-  const bytes = readFileSync(join(root, 'build/wasm/bindings/wasm/relievo.wasm'));
-  service = await ReliefService.start(await WebAssembly.compile(bytes));
+  service = await startService();
 });
 
 function importSample(name: string): string {
@@ -43,21 +24,20 @@ function importSample(name: string): string {
 function build(scene: string, changed: Partial<BuildOptions> = {}) {
   return must(
     service.build(
-      { scene, options: { ...options, ...changed }, visibility: 'orbit', tolerance: 0.25 },
+      { scene, options: { ...usual, ...changed }, ...shown },
       quiet,
     ),
   );
 }
 
 describe('the engine and the command line', () => {
-  if (!existsSync(program)) throw new Error(`${program} is not built; set RELIEVO to another`);
   const folder = mkdtempSync(join(tmpdir(), 'relievo-'));
 
   /** What the command line makes of the same scene. */
   function native(name: string, scene: string, ...more: string[]): void {
     const file = join(folder, `${name}.json`);
     writeFileSync(file, scene);
-    execFileSync(program, ['build', file, '-q', '--vertices', '20000', ...more]);
+    relievo('build', file, '-q', '--vertices', '20000', ...more);
   }
 
   it.each(samples)('make the same bytes of %s', (name) => {
@@ -68,6 +48,21 @@ describe('the engine and the command line', () => {
     expect(Buffer.from(file!.bytes).equals(readFileSync(join(folder, `${name}.glb`)))).toBe(true);
     const map = must(service.map('normal', 2048, false)).bytes;
     expect(Buffer.from(map).equals(readFileSync(join(folder, `${name}.png`)))).toBe(true);
+  });
+
+  it('make the same bytes after edits that went on from the build before', () => {
+    const scene = importSample('wolf');
+    const edited = scene.replace(/"c": ?[0-9.]+/g, '"c": 3.1');
+    expect(edited).not.toBe(scene);
+    native('edited', edited, '-o', join(folder, 'edited.glb'), '--depth-map', join(folder, 'edited.png'));
+    build(scene);
+    const { report } = build(edited);
+    expect(report.times['mesh']).toBeUndefined();
+    expect(report.times['order']).toBeGreaterThan(0);
+    const map = must(service.map('depth', 2048, false)).bytes;
+    expect(Buffer.from(map).equals(readFileSync(join(folder, 'edited.png')))).toBe(true);
+    const [file] = must(service.encode('glb', 'edited', 100, null)).files;
+    expect(Buffer.from(file!.bytes).equals(readFileSync(join(folder, 'edited.glb')))).toBe(true);
   });
 
   it('make the same bytes in every format, and by the non-linear method', () => {
@@ -121,7 +116,7 @@ describe('the engine', () => {
   it('names the culprit of a scene that it refuses, and goes on', () => {
     const scene = importSample('lamb');
     const broken = scene.replace(/"c": [0-9.]+/, '"c": -1');
-    const refused = service.build({ scene: broken, options, visibility: 'orbit', tolerance: 1 }, quiet);
+    const refused = service.build({ scene: broken, options: usual, ...shown }, quiet);
     expect(isFailure(refused) && refused.error.code).toBe('bad_input');
     expect(isFailure(refused) && refused.error.where).toBe('parts[0].c');
     build(scene, { vertices: 2000 });

@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { unzipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { pictures, settled } from './browser.ts';
 
@@ -33,21 +34,35 @@ export function save(page: Page, name: string): Promise<Buffer> {
   return downloaded(page, () => page.click('#save'), name);
 }
 
-/** A click or a drag over a page of 1000 x 800 that fits its pane; spots are its px. */
-export async function gesture(page: Page, spots: Spot[]): Promise<void> {
+/** How a page of a size that fits its pane lies on the screen: its scale, and where its px are. */
+export async function pageView(page: Page, [width, height]: Spot = [1000, 800]): Promise<{ scale: number; at(spot: Spot): Spot }> {
   const box = await page.locator('.paper canvas').first().boundingBox();
-  if (!box || spots.length === 0) throw new Error('no page to draw on');
-  const [left, margin] = [90, 24];
+  if (!box) throw new Error('no page to draw on');
+  const [left, margin] = [(page.viewportSize()?.width ?? 0) <= 900 ? 24 : 90, 24];
   const room = box.width - left - margin;
-  const scale = Math.min(room / 1000, (box.height - 2 * margin) / 800);
-  const at = ([x, y]: Spot): Spot => [
-    box.x + left + (room - scale * 1000) / 2 + scale * x,
-    box.y + (box.height - scale * 800) / 2 + scale * y,
-  ];
-  await page.mouse.move(...at(spots[0] as Spot));
+  const scale = Math.min(room / width, (box.height - 2 * margin) / height);
+  const origin = [box.x + left + (room - scale * width) / 2, box.y + (box.height - scale * height) / 2] as const;
+  return { scale, at: ([x, y]) => [origin[0] + scale * x, origin[1] + scale * y] };
+}
+
+/** A click or a drag over such a page; spots are its px. */
+export async function gesture(page: Page, spots: Spot[], size: Spot = [1000, 800]): Promise<void> {
+  const [first, ...others] = spots;
+  if (!first) throw new Error('nowhere to go');
+  const { at } = await pageView(page, size);
+  await page.mouse.move(...at(first));
   await page.mouse.down();
-  for (const spot of spots.slice(1)) await page.mouse.move(...at(spot), { steps: 3 });
+  for (const spot of others) await page.mouse.move(...at(spot), { steps: 3 });
   await page.mouse.up();
+}
+
+/** The outer outline of a part, as a saved project has it. */
+export async function outlineOf(page: Page, name: string): Promise<Spot[]> {
+  const project = unzipSync(await save(page, 'outline.relievo'));
+  const scene = JSON.parse(new TextDecoder().decode(project['scene.json'])) as {
+    parts: { id: string; outline: Spot[][] }[];
+  };
+  return scene.parts.find((part) => part.id === name)?.outline[0] ?? [];
 }
 
 export function oval(x: number, y: number, rx: number, ry: number): Spot[] {

@@ -1,7 +1,5 @@
-import { unzipSync } from 'fflate';
-import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
-import { choosePart, gesture, names, oval, sample, save, type Spot } from './actions.ts';
+import { choosePart, gesture, names, outlineOf, oval, sample, save } from './actions.ts';
 import { closeStage, openStage, picture, settled, type Stage } from './browser.ts';
 
 let stage: Stage;
@@ -36,14 +34,6 @@ it('orders, joins and hollows parts by keyboard, and undo leads back to the same
   expect((await save(page, 'redone.relievo')).equals(after)).toBe(true);
   expect(stage.troubles).toEqual([]);
 });
-
-async function outlineOf(page: Page, name: string): Promise<Spot[]> {
-  const project = unzipSync(await save(page, 'outline.relievo'));
-  const scene = JSON.parse(new TextDecoder().decode(project['scene.json'])) as {
-    parts: { id: string; outline: Spot[][] }[];
-  };
-  return scene.parts.find((part) => part.id === name)?.outline[0] ?? [];
-}
 
 it('sets a soft range with two clicks', async () => {
   const { page } = stage;

@@ -6,12 +6,10 @@ import {
 } from '../../document/editing';
 import { area, contains, longestRunInside, nearestPlace } from '../../document/outline';
 import { record, redo, startHistory, undo } from '../../document/history';
+import { pushOutline } from '../../document/reshape';
 import { sceneText } from '../../document/scene_text';
 import { randomNumbers } from './random';
-
-function box(x: number, y: number, width: number, height: number): Point[] {
-  return [[x, y], [x + width, y], [x + width, y + height], [x, y + height]];
-}
+import { box } from './shapes';
 
 /** A body with a head and an arm that reach into it. */
 function figure(): Document {
@@ -100,6 +98,13 @@ it('measures areas with the sign of the turn on the screen', () => {
   expect(area(box(0, 0, 3, 2).reverse())).toBe(-6);
 });
 
+function pushedAnywhere(document: Document, id: string, spot: Point, share: number): Document {
+  const part = document.parts[partIndex(document, id)];
+  if (!part) return document;
+  const next = pushOutline(document, id, nearestPlace(part.outline, spot), 20 + 80 * share, [60 * share - 30, 20 * share]);
+  return 'document' in next ? next.document : document;
+}
+
 /** Any edit at all. */
 function anyEdit(document: Document, random: () => number): Document {
   const pick = (): string => document.parts[Math.floor(random() * document.parts.length)]?.id ?? '';
@@ -114,6 +119,7 @@ function anyEdit(document: Document, random: () => number): Document {
     () => addRange(document, pick(), spot(), spot()),
     () => renamePart(document, pick(), `name ${Math.floor(9 * random())}`),
     () => changeSettings(document, { rho: random() }),
+    () => pushedAnywhere(document, pick(), spot(), random()),
   ];
   return edits[Math.floor(random() * edits.length)]!();
 }

@@ -1,0 +1,61 @@
+#include "bindings/wasm/import_layers.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bindings/wasm/js_values.h"
+#include "io/image/png_encode.h"
+#include "io/layered/layer_names.h"
+#include "io/layered/packed_layers.h"
+#include "io/layered/read_ora.h"
+#include "io/scene/write_scene.h"
+
+namespace relievo::wasm {
+namespace {
+
+using emscripten::val;
+
+/// More pixels are too much for the memory of a page.
+const ImageLimits page_limits = {4096 * 4096, 32'767};
+
+std::vector<ArchiveEntry> to_entries(const val& files) {
+  std::vector<ArchiveEntry> entries;
+  const int count = files["length"].as<int>();
+  for (int i = 0; i < count; ++i)
+    entries.push_back({files[i]["name"].as<std::string>(), to_bytes(files[i]["bytes"])});
+  return entries;
+}
+
+Result<OraDrawing> read_pictures(const std::vector<ArchiveEntry>& entries) {
+  std::vector<std::string> names;
+  for (const ArchiveEntry& entry : entries) names.push_back(entry.name);
+  auto rows = rows_of_names(std::move(names));
+  if (!rows) return rows.error();
+  std::vector<PackedLayer> layers;
+  for (LayerRow& row : *rows)
+    layers.push_back({std::move(row.layer), row.file, find_entry(entries, row.file)->bytes});
+  auto content = unpack_layers(layers, {}, page_limits);
+  if (!content) return content.error();
+  return OraDrawing{std::move(*content), {}};
+}
+
+}  // namespace
+
+val import_layers(const val& files) {
+  const std::vector<ArchiveEntry> entries = to_entries(files);
+  const auto read = is_ora(entries) ? read_ora(entries, page_limits) : read_pictures(entries);
+  if (!read) return failure(read.error());
+  const auto scene = write_scene(read->content.scene);
+  if (!scene) return failure(scene.error());
+  const auto picture = encode_png(read->content.drawing.rgba);
+  if (!picture) return failure(picture.error());
+  val result = val::object();
+  result.set("scene", *scene);
+  result.set("proposed", read->content.proposed);
+  result.set("warnings", to_js(read->warnings));
+  result.set("drawing", to_js(*picture));
+  return result;
+}
+
+}  // namespace relievo::wasm

@@ -1,0 +1,159 @@
+#include "bindings/wasm/segmenter.h"
+
+#include <utility>
+#include <vector>
+
+#include "bindings/wasm/js_values.h"
+#include "io/files/in_file.h"
+#include "io/image/png_decode.h"
+#include "io/image/png_encode.h"
+#include "io/project/project_json.h"
+#include "io/project/record_proposal.h"
+#include "io/scene/write_scene.h"
+#include "relief/drawing/find_basins.h"
+#include "relief/drawing/label_basins.h"
+#include "relief/pipeline/keep_labels.h"
+#include "relief/pipeline/propose_scene.h"
+
+namespace relievo::wasm {
+namespace {
+
+using emscripten::val;
+
+const Error nothing_open = {ErrorCode::usage, "no drawing has been opened yet", ""};
+
+Result<Project> read_project(const std::string& text) {
+  auto project = read_project_json(text);
+  if (!project) return in_file(project.error(), "project.json");
+  if (!project->segmentation)
+    return Error{ErrorCode::bad_input, "has no segmentation", "project.json"};
+  return project;
+}
+
+KnownParts known_parts(const SegmentationRecord& record, const Image16& labels) {
+  KnownParts known{labels, {}};
+  for (const PartRecord& part : record.parts) known.label_of[part.id] = part.label;
+  return known;
+}
+
+/// Scribbled parts keep their names, whatever their labels.
+void name_scribbled(const Segmentation& found, const KeptLabels& kept, Corrections& corrections) {
+  for (size_t k = 0; k < found.parts.size(); ++k)
+    if (!found.parts[k].proposed) corrections.parts[kept.label_of[k]].id = found.parts[k].id;
+}
+
+val parts_of(const Segmentation& found, const KeptLabels& kept) {
+  val list = val::array();
+  for (size_t k = 0; k < found.parts.size(); ++k) {
+    val part = val::object();
+    part.set("label", kept.label_of[k]);
+    part.set("id", found.parts[k].id);
+    list.set(k, part);
+  }
+  return list;
+}
+
+}  // namespace
+
+/// A project with the labels that its strokes make.
+struct Segmenter::Labelled {
+  Project project;
+  Segmentation found;
+  KeptLabels kept;
+};
+
+val Segmenter::open_png(const val& file) {
+  const auto rgba = decode_png(to_bytes(file));
+  return rgba ? open(*rgba) : failure(rgba.error());
+}
+
+val Segmenter::open_pixels(const val& rgba, int width, int height) {
+  Image8 image;
+  image.width = width;
+  image.height = height;
+  image.channels = 4;
+  image.pixels = to_bytes(rgba);
+  return open(image);
+}
+
+val Segmenter::open(const Image8& rgba) {
+  auto basins = find_basins(Drawing{rgba});
+  if (!basins) return failure(basins.error());
+  basins_ = std::move(*basins);
+  return val::object();
+}
+
+Status Segmenter::remember(const val& last) {
+  Bytes file = to_bytes(last);
+  if (file == last_file_) return Done{};
+  Image16 labels;
+  if (!file.empty()) {
+    auto decoded = decode_png_values(file);
+    if (!decoded) return in_file(decoded.error(), "labels.png");
+    labels = std::move(*decoded);
+  }
+  last_labels_ = std::move(labels);
+  last_file_ = std::move(file);
+  return Done{};
+}
+
+Result<Segmenter::Labelled> Segmenter::read(const std::string& project, const val& last) {
+  if (basins_.basins.empty()) return nothing_open;
+  auto known = read_project(project);
+  if (!known) return known.error();
+  if (Status status = remember(last); !status) return status.error();
+  auto found = label_basins(basins_, known->segmentation->scribbles);
+  if (!found) return found.error();
+  KeptLabels kept = keep_labels(*found, known_parts(*known->segmentation, last_labels_));
+  return Labelled{std::move(*known), std::move(*found), std::move(kept)};
+}
+
+val Segmenter::label(const std::string& project, const val& last) {
+  const auto labelled = read(project, last);
+  if (!labelled) return failure(labelled.error());
+  val result = val::object();
+  result.set("labels", to_js(labelled->kept.labels.pixels));
+  result.set("parts", parts_of(labelled->found, labelled->kept));
+  result.set("notes", to_js(labelled->found.notes));
+  return result;
+}
+
+val Segmenter::propose(const std::string& text, const val& last) {
+  auto labelled = read(text, last);
+  if (!labelled) return failure(labelled.error());
+  const ProposalOptions options;
+  SegmentationRecord& before = *labelled->project.segmentation;
+  name_scribbled(labelled->found, labelled->kept, before.corrections);
+  const Corrections corrections =
+      corrections_of(labelled->kept.labels, before.corrections, options.min_pixels);
+  const auto proposal = propose_scene(labelled->kept.labels, corrections, options);
+  if (!proposal) return failure(proposal.error());
+  const auto scene = write_scene(proposal->scene);
+  if (!scene) return failure(scene.error());
+  const auto labels = encode_png(labelled->kept.labels);
+  if (!labels) return failure(labels.error());
+  SegmentationRecord record =
+      record_proposal(proposal->regions, proposal->completion, proposal->stacking,
+                      proposal->joining, proposal->scene);
+  record.scribbles = std::move(before.scribbles);
+  record.corrections = corrections;
+  before = std::move(record);
+  std::vector<std::string> warnings = labelled->found.notes;
+  warnings.insert(warnings.end(), proposal->warnings.begin(), proposal->warnings.end());
+  val result = val::object();
+  result.set("project", write_project_json(labelled->project));
+  result.set("scene", *scene);
+  result.set("labels", to_js(*labels));
+  result.set("warnings", to_js(warnings));
+  return result;
+}
+
+val check_segmentation(const std::string& project, const val& labels) {
+  const auto read = read_project(project);
+  if (!read) return failure(read.error());
+  const auto decoded = decode_png_values(to_bytes(labels));
+  if (!decoded) return failure(in_file(decoded.error(), "labels.png"));
+  return val::object();
+}
+
+}  // namespace relievo::wasm

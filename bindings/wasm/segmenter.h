@@ -1,0 +1,48 @@
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <string>
+
+#include "io/files/bytes.h"
+#include "io/project/project.h"
+#include "relief/drawing/basins.h"
+
+namespace relievo::wasm {
+
+/// A flat drawing on which a person scribbles. Keeps what only the drawing decides, so that a
+/// changed stroke costs little. `project` is the text of a project.json with the segmentation as it
+/// was before, but for its strokes and corrections; `last` the labels.png from then, empty where
+/// there is none. Every call returns a plain object, {error} where it failed (see failure).
+class Segmenter {
+ public:
+  /// {}: takes a PNG file as the drawing.
+  emscripten::val open_png(const emscripten::val& file);
+
+  /// {}: takes pixels, 4 bytes each, straight alpha.
+  emscripten::val open_pixels(const emscripten::val& rgba, int width, int height);
+
+  /// {labels, parts: [{label, id}], notes}: the label of every pixel under the strokes. See
+  /// label_basins and keep_labels.
+  emscripten::val label(const std::string& project, const emscripten::val& last);
+
+  /// {project, scene, labels, warnings}: all that follows from strokes and corrections, as texts of
+  /// a project.json and a scene file and as a labels.png. See propose_scene.
+  emscripten::val propose(const std::string& project, const emscripten::val& last);
+
+ private:
+  struct Labelled;
+
+  emscripten::val open(const Image8& rgba);
+  Result<Labelled> read(const std::string& project, const emscripten::val& last);
+  Status remember(const emscripten::val& last);
+
+  Basins basins_;
+  Bytes last_file_;
+  Image16 last_labels_;  ///< of last_file_
+};
+
+/// {}, or why the text of a project.json or its labels.png cannot be used.
+emscripten::val check_segmentation(const std::string& project, const emscripten::val& labels);
+
+}  // namespace relievo::wasm

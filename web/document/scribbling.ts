@@ -1,0 +1,162 @@
+import type { Document, Part, Point, Ring } from './document';
+import { contains, distance } from './outline';
+import { sceneContent } from './scene_text';
+import { emptySegmentation, freshLabel, labelOf, recordFrom, type Scribbles, type Segmentation, type Stroke } from './segmentation';
+
+/** Every verb of scribbling: a document in, a document out. Strokes stay editable for ever. */
+
+/** Whether strokes can say what the parts are: on a flat drawing, unless others were given to it. */
+export function canScribble(document: Document): boolean {
+  return document.drawing?.kind === 'image' && (document.segmentation !== null || document.parts.length === 0);
+}
+
+export function segmentationOf(document: Document): Segmentation {
+  return document.segmentation ?? emptySegmentation();
+}
+
+export function scribblesOf(document: Document): Scribbles {
+  return segmentationOf(document).scribbles;
+}
+
+/** The label of a stroke's part; undefined where it is for the background. */
+export function labelOfStroke(document: Document, { part }: Pick<Stroke, 'part'>): number | undefined {
+  return part === undefined ? undefined : labelOf(segmentationOf(document), part);
+}
+
+/** The stroke at a point, the last one first. */
+export function strokeAt(scribbles: Scribbles, point: Point, reach: number): Stroke | undefined {
+  return [...scribbles.strokes].reverse().find((stroke) => distanceTo(stroke.points, point) < reach + stroke.width / 2);
+}
+
+function distanceTo(line: Ring, point: Point): number {
+  let least = Infinity;
+  line.forEach((a, i) => {
+    const b = line[i + 1] ?? a;
+    const dx = b[0] - a[0];
+    const dy = b[1] - a[1];
+    const length2 = dx * dx + dy * dy;
+    const t = length2 === 0 ? 0 : Math.min(1, Math.max(0, ((point[0] - a[0]) * dx + (point[1] - a[1]) * dy) / length2));
+    least = Math.min(least, distance(point, [a[0] + t * dx, a[1] + t * dy]));
+  });
+  return least;
+}
+
+function visiblePart(document: Document, point: Point): Part | undefined {
+  return [...document.parts].reverse().find((part) => contains(part.outline, point));
+}
+
+/** The part without strokes of which a line covers most, or null. */
+function guessedPartUnder(document: Document, line: Ring): string | null {
+  const { strokes } = scribblesOf(document);
+  const counts = new Map<string, number>();
+  for (const point of line) {
+    const id = visiblePart(document, point)?.id;
+    if (id !== undefined) counts.set(id, (counts.get(id) ?? 0) + 1);
+  }
+  const known = segmentationOf(document).parts;
+  const free = [...counts].filter(
+    ([id]) => known.some((part) => part.id === id) && !strokes.some((stroke) => stroke.part === id),
+  );
+  return free.sort((a, b) => b[1] - a[1])[0]?.[0] ?? null;
+}
+
+function freshName(document: Document): string {
+  const taken = new Set([...document.parts, ...segmentationOf(document).parts].map((part) => part.id));
+  let label = freshLabel(segmentationOf(document));
+  while (taken.has(`part-${label}`)) label++;
+  return `part-${label}`;
+}
+
+/**
+ * The part that a stroke is for where the person does not say: that of the stroke at which it
+ * begins, or the guessed one that it covers, or a new one.
+ */
+export function partOfStroke(document: Document, line: Ring, reach: number): string {
+  const begun = strokeAt(scribblesOf(document), line[0] as Point, reach);
+  return begun?.part ?? guessedPartUnder(document, line) ?? freshName(document);
+}
+
+function withScribbles(document: Document, strokes: readonly Stroke[]): Document {
+  const segmentation = segmentationOf(document);
+  const parts = [...new Set(strokes.flatMap((stroke) => stroke.part ?? []))];
+  return { ...document, segmentation: { ...segmentation, scribbles: { parts, strokes } } };
+}
+
+/** With another stroke; its part is known by its name from now on. */
+export function addStroke(document: Document, stroke: Stroke): Document {
+  const added = withScribbles(document, [...scribblesOf(document).strokes, stroke]);
+  const segmentation = segmentationOf(added);
+  const { part } = stroke;
+  if (part === undefined || segmentation.parts.some(({ id }) => id === part)) return added;
+  const record = { label: freshLabel(segmentation), id: part, completion: 'whole' };
+  return { ...added, segmentation: { ...segmentation, parts: [...segmentation.parts, record] } };
+}
+
+/** Without the strokes that a line touches; the same document where there are none. */
+export function eraseStrokes(document: Document, line: Ring, reach: number): Document {
+  const { strokes } = scribblesOf(document);
+  const kept = strokes.filter((stroke) => !line.some((point) => distanceTo(stroke.points, point) < reach + stroke.width / 2));
+  return kept.length === strokes.length ? document : withScribbles(document, kept);
+}
+
+/** Without all strokes of a part, or without those of a kind for the background. */
+export function clearStrokes(document: Document, of: { part: string } | { kind: 'outside' | 'hole' }): Document {
+  const { strokes } = scribblesOf(document);
+  const goes = (stroke: Stroke): boolean => ('part' in of ? stroke.part === of.part : stroke.kind === of.kind);
+  return strokes.some(goes) ? withScribbles(document, strokes.filter((stroke) => !goes(stroke))) : document;
+}
+
+/** What the engine makes of strokes and corrections. */
+export interface Understood {
+  /** Text of a project.json with the record. */
+  readonly project: string;
+  /** Text of a scene file. */
+  readonly scene: string;
+  /** A PNG file. */
+  readonly labels: Uint8Array;
+}
+
+/** Puts the parts that were drawn by hand between those that they lay between. */
+function withDrawn(document: Document, drawn: ReadonlySet<string>, parts: readonly Part[]): Part[] {
+  const result = [...parts];
+  let at = 0;
+  for (const part of document.parts) {
+    if (drawn.has(part.id)) result.splice(at++, 0, part);
+    else {
+      const place = result.findIndex((other) => other.id === part.id);
+      if (place >= at) at = place + 1;
+    }
+  }
+  return result;
+}
+
+/** The document as it is understood now. Parts that were removed stay away, drawn ones stay. */
+export function adopt(document: Document, understood: Understood): Document {
+  const before = segmentationOf(document);
+  const there = new Set(document.parts.map((part) => part.id));
+  const named = new Set(before.parts.map((part) => part.id));
+  const scribbled = new Set(before.scribbles.parts);
+  const removed = new Set(
+    before.parts.filter(({ id }) => document.segmentation !== null && !there.has(id) && !scribbled.has(id)).map((part) => part.label),
+  );
+  const drawn = new Set(document.parts.filter((part) => !named.has(part.id)).map((part) => part.id));
+  const record = recordFrom(understood.project);
+  const scene = sceneContent(understood.scene);
+  const gone = new Set(record.parts.filter((part) => removed.has(part.label)).map((part) => part.id));
+  const parts = withDrawn(document, drawn, scene.parts.filter((part) => !gone.has(part.id)));
+  const place = new Map(parts.map((part, i) => [part.id, i] as const));
+  type Pair = { readonly upper: string; readonly lower: string };
+  const sound = ({ upper, lower }: Pair): boolean => (place.get(upper) ?? -1) > (place.get(lower) ?? Infinity);
+  const both = <T extends Pair>(found: readonly T[], old: readonly T[]): T[] => [
+    ...found.filter(sound),
+    ...old.filter((pair) => (drawn.has(pair.upper) || drawn.has(pair.lower)) && sound(pair)),
+  ];
+  return {
+    ...document,
+    parts,
+    joins: both(scene.joins, document.joins),
+    relations: both(scene.relations, document.relations),
+    robin: both(scene.robin, document.robin),
+    segmentation: { ...record, labels: understood.labels },
+  };
+}

@@ -1,0 +1,44 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { beforeAll, expect, it } from 'vitest';
+import type { Surface } from '../../engine/messages';
+import type { ReliefService } from '../../engine/relief_service';
+import { must, root, shown, startService, usual } from './native';
+
+let service: ReliefService;
+beforeAll(async () => {
+  service = await startService();
+});
+
+const options = { ...usual, method: 'nonlinear', vertices: 3000 } as const;
+
+function heights(surface: Surface): Float32Array {
+  return surface.positions.filter((_, i) => i % 3 === 2);
+}
+
+it('tells the energy while the non-linear method runs, which ends at the energy of the report', () => {
+  const { scene } = must(service.importSvg(readFileSync(join(root, 'examples/lamb.svg'))));
+  const energies: number[] = [];
+  const { report } = must(
+    service.build({ scene, options, ...shown }, (_stage, _done, energy) => {
+      if (energy !== undefined) energies.push(energy);
+    }),
+  );
+  expect(energies.length).toBeGreaterThan(3);
+  for (const energy of energies) expect(energy).toBeGreaterThan(0);
+  expect(energies.at(-1)! / report.energy).toBeCloseTo(1, 3);
+});
+
+it('shows the heights as the sum of inflation and shift', () => {
+  // The rim is cut by the heights, so that without a tolerance all fields have the same vertices.
+  const at = { ...shown, tolerance: 1e6 };
+  const { scene } = must(service.importSvg(readFileSync(join(root, 'examples/wolf.svg'))));
+  const { surface } = must(service.build({ scene, options: { ...options, method: 'approximate' }, ...at }, () => undefined));
+  const h = heights(surface);
+  const f = heights(must(service.surface({ ...at, field: 'inflation' })));
+  const g = heights(must(service.surface({ ...at, field: 'shift' })));
+  expect([f.length, g.length]).toEqual([h.length, h.length]);
+  // The field g stands on an inflation of 1 px.
+  const gaps = h.map((height, i) => Math.abs(height - (f[i]! + g[i]! - 1)));
+  expect(gaps.filter((gap) => gap < 1e-3).length).toBeGreaterThan(0.99 * h.length);
+});

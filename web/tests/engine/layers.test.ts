@@ -1,0 +1,74 @@
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { strToU8, zipSync } from 'fflate';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { isFailure, type OutputFile } from '../../engine/messages';
+import type { ReliefService } from '../../engine/relief_service';
+import { must, relievo, shown, startService, usual } from './native';
+import { disc } from './pictures';
+
+let service: ReliefService;
+beforeAll(async () => {
+  service = await startService();
+});
+
+const folder = mkdtempSync(join(tmpdir(), 'relievo-'));
+const body = disc(200, 80, [200, 80, 60]);
+const head = disc(100, 45, [60, 120, 190]);
+
+const stack = `<?xml version="1.0"?><image version="0.0.3" w="320" h="240"><stack>
+  <layer name="part:head" src="data/2.png" x="170" y="10"/>
+  <layer name="shadow" src="data/2.png" x="0" y="0" visibility="hidden"/>
+  <layer name="part:body" src="data/1.png" x="40" y="30"/></stack></image>`;
+
+const ora: OutputFile[] = [
+  { name: 'mimetype', bytes: strToU8('image/openraster') },
+  { name: 'stack.xml', bytes: strToU8(stack) },
+  { name: 'data/1.png', bytes: body },
+  { name: 'data/2.png', bytes: head },
+];
+
+/** That the page's model and map of imported layers are those of the command line. */
+function expectSameModel(files: OutputFile[], input: string): void {
+  const [model, map] = [join(folder, 'layers.stl'), join(folder, 'depth.png')];
+  relievo('build', input, '-q', '--vertices', '20000', '-o', model, '--depth-map', map);
+  const { scene } = must(service.importLayers(files));
+  must(service.build({ scene, options: usual, ...shown }, () => undefined));
+  const [stl] = must(service.encode('stl', 'layers', 100, null)).files;
+  expect(Buffer.from(stl!.bytes).equals(readFileSync(model))).toBe(true);
+  const depth = must(service.map('depth', 2048, false)).bytes;
+  expect(Buffer.from(depth).equals(readFileSync(map))).toBe(true);
+}
+
+describe('layers', () => {
+  it('of an OpenRaster file make the model that the command line makes', () => {
+    const file = join(folder, 'figure.ora');
+    writeFileSync(file, zipSync(Object.fromEntries(ora.map(({ name, bytes }) => [name, bytes])), { level: 0 }));
+    const { scene, proposed, warnings, drawing } = must(service.importLayers(ora));
+    const { parts, canvas } = JSON.parse(scene) as { parts: { id: string }[]; canvas: object };
+    expect(parts.map((part) => part.id)).toEqual(['body', 'head']);
+    expect(canvas).toEqual({ width: 320, height: 240 });
+    expect([proposed, warnings]).toEqual([false, []]);
+    expect(Buffer.from(drawing.subarray(1, 4)).toString()).toBe('PNG');
+    expectSameModel(ora, file);
+  });
+
+  it('that are pictures of their own come in the natural order of their names', () => {
+    const files = [
+      { name: 'part10.png', bytes: disc(120, 55, [60, 120, 190]) },
+      { name: 'part9.png', bytes: disc(240, 100, [200, 80, 60]) },
+    ];
+    const { scene } = must(service.importLayers(files));
+    const { parts } = JSON.parse(scene) as { parts: { id: string }[] };
+    expect(parts.map((part) => part.id)).toEqual(['part9', 'part10']);
+  });
+
+  it('that are damaged, missing or too large are refused by name', () => {
+    const damaged = ora.map((file) => (file.name === 'data/1.png' ? { ...file, bytes: file.bytes.slice(0, 90) } : file));
+    const refused = [damaged, ora.slice(0, 3), ora.map((file) => ({ ...file, bytes: file.name === 'stack.xml' ? strToU8(stack.replace('w="320"', 'w="32000"').replace('h="240"', 'h="32000"')) : file.bytes }))];
+    const answers = refused.map((files) => service.importLayers(files));
+    const wheres = answers.map((answer) => (isFailure(answer) ? `${answer.error.code} ${answer.error.where}` : 'accepted'));
+    expect(wheres).toEqual(['bad_input data/1.png', 'bad_input stack.xml', 'limit stack.xml']);
+  });
+});

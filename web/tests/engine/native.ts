@@ -1,0 +1,38 @@
+import { execFileSync } from 'node:child_process';
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { type BuildOptions, type Failure, isFailure } from '../../engine/messages';
+import { ReliefService } from '../../engine/relief_service';
+
+export const root = fileURLToPath(new URL('../../..', import.meta.url));
+
+export const usual: BuildOptions = {
+  method: 'approximate',
+  vertices: 20000,
+  edge: 0,
+  rho: 0.25,
+  alpha0: 0.1,
+  lambdaBnd: 0.01,
+  literal: false,
+  glue: true,
+};
+
+export const shown = { visibility: 'orbit', tolerance: 0.25, field: 'relief' } as const;
+
+export function must<T extends object>(value: T | Failure): T {
+  if (isFailure(value)) throw new Error(`${value.error.where}: ${value.error.message}`);
+  return value;
+}
+
+export async function startService(): Promise<ReliefService> {
+  const bytes = readFileSync(join(root, 'build/wasm/bindings/wasm/relievo.wasm'));
+  return ReliefService.start(await WebAssembly.compile(bytes));
+}
+
+/** Runs the command line; the tests need it built. */
+export function relievo(...words: string[]): void {
+  const program = process.env['RELIEVO'] ?? join(root, 'build/dev/apps/cli/relievo');
+  if (!existsSync(program)) throw new Error(`${program} is not built; set RELIEVO to another`);
+  execFileSync(program, words);
+}

@@ -1,0 +1,188 @@
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { unzipSync } from 'fflate';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { type Document, emptyDocument, type Point } from '../../document/document';
+import { noteCorrections } from '../../document/corrections';
+import { addJoin, addPart, bringBefore, changePart, joinParts, removeJoin, removePart, renamePart } from '../../document/editing';
+import { readProject, writeProject } from '../../document/project_file';
+import { sceneText } from '../../document/scene_text';
+import { addStroke, adopt, clearStrokes, partOfStroke, segmentationOf } from '../../document/scribbling';
+import { recordText } from '../../document/segmentation';
+import { type BuildOptions, type Failure, isFailure } from '../../engine/messages';
+import { ReliefService } from '../../engine/relief_service';
+
+const root = fileURLToPath(new URL('../../..', import.meta.url));
+const program = process.env['RELIEVO'] ?? join(root, 'build/dev/apps/cli/relievo');
+const bear = readFileSync(join(root, 'examples/bear.png'));
+
+const options: BuildOptions = {
+  method: 'approximate', vertices: 20000, edge: 0, rho: 0.25, alpha0: 0.1, lambdaBnd: 0.01, literal: false, glue: true,
+};
+
+function must<T extends object>(value: T | Failure): T {
+  if (isFailure(value)) throw new Error(`${value.error.where}: ${value.error.message}`);
+  return value;
+}
+
+let service: ReliefService;
+
+beforeAll(async () => {
+  if (!existsSync(program)) throw new Error(`${program} is not built; set RELIEVO to another`);
+  const bytes = readFileSync(join(root, 'build/wasm/bindings/wasm/relievo.wasm'));
+  service = await ReliefService.start(await WebAssembly.compile(bytes));
+  must(service.openDrawing({ png: bear }));
+});
+
+function blank(): Document {
+  const drawing = { name: 'bear.png', kind: 'image' as const, mime: 'image/png', bytes: new Uint8Array(bear) };
+  return { ...emptyDocument(), name: 'bear', width: 900, height: 1000, drawing };
+}
+
+function requestOf(document: Document) {
+  const segmentation = segmentationOf(document);
+  return { project: recordText(segmentation), labels: segmentation.labels };
+}
+
+function understood(document: Document): Document {
+  return adopt(document, must(service.understand(requestOf(document))));
+}
+
+/** A stroke as the tool makes it. */
+function scribbled(document: Document, ...points: Point[]): Document {
+  const part = partOfStroke(document, points, 10);
+  return understood(addStroke(document, { kind: 'hard', part, width: 10, points }));
+}
+
+function edited(document: Document, next: Document): Document {
+  return noteCorrections(document, next);
+}
+
+/** What the command line makes of the drawing by itself. */
+function native(...more: string[]): Buffer {
+  const file = join(mkdtempSync(join(tmpdir(), 'relievo-')), 'bear.relievo');
+  execFileSync(program, ['segment', join(root, 'examples/bear.png'), '-q', ...more, '-o', file]);
+  return readFileSync(file);
+}
+
+describe('a flat drawing', () => {
+  it('is understood as by the command line, to the last number', () => {
+    const own = understood(blank());
+    const theirs = readProject(native());
+    expect(own.parts).toEqual(theirs.parts);
+    expect(own.joins).toEqual(theirs.joins);
+    expect(own.robin).toEqual(theirs.robin);
+    expect(Buffer.from(own.segmentation!.labels).equals(Buffer.from(theirs.segmentation!.labels))).toBe(true);
+    const arrows = (document: Document): unknown[] =>
+      document.segmentation!.order.map(({ confidence, ...arrow }) => ({ ...arrow, confidence: confidence.toFixed(12) }));
+    expect(arrows(own)).toEqual(arrows(theirs));
+  });
+
+  it('is scribbled on as by the command line', () => {
+    const { scribbles } = scribbled(blank(), [450, 700], [470, 760]).segmentation!;
+    const file = join(mkdtempSync(join(tmpdir(), 'relievo-')), 'strokes.json');
+    writeFileSync(file, JSON.stringify({ format: 'relievo-scribbles', version: 1, ...scribbles }));
+    const theirs = readProject(native('--scribbles', file));
+    const own = understood({ ...blank(), segmentation: { ...segmentationOf(blank()), scribbles } });
+    const shapes = (document: Document): unknown[] => document.parts.map(({ outline }) => outline);
+    expect(shapes(own)).toEqual(shapes(theirs));
+    expect(theirs.segmentation!.scribbles).toEqual(scribbles);
+  });
+
+  it('is one part under one stroke, and two under two', () => {
+    const guessed = understood(blank());
+    const body = scribbled(guessed, [450, 700], [470, 760]);
+    expect(body.parts.length).toBe(guessed.parts.length);
+    const both = scribbled(body, [380, 650], [370, 700]);
+    expect(both.parts.length).toBe(guessed.parts.length + 1);
+    const merged = scribbled(guessed, [270, 560], [300, 600], [450, 640]);
+    expect(merged.parts.length).toBe(guessed.parts.length - 1);
+    const [stroke] = both.segmentation!.scribbles.strokes;
+    const without = understood(clearStrokes(both, { part: both.segmentation!.scribbles.parts[1]! }));
+    expect(without.segmentation!.scribbles.strokes).toEqual([stroke]);
+    expect(without.parts).toEqual(body.parts);
+  });
+
+  it('keeps what a person said of its parts through more strokes', () => {
+    const guessed = understood(blank());
+    const [back, second, third] = guessed.parts.map((part) => part.id) as [string, string, string];
+    let document = edited(guessed, changePart(guessed, back, { c: 1.25, d: -0.5 }));
+    document = edited(document, renamePart(document, second, 'Pfote'));
+    document = edited(document, bringBefore(document, back, third));
+    const gone = document.parts[document.parts.length - 1]!.id;
+    document = edited(document, removePart(document, gone));
+    const after = scribbled(document, [450, 700], [470, 760]);
+    const ids = after.parts.map((part) => part.id);
+    expect(after.parts.find((part) => part.id === back)).toMatchObject({ c: 1.25, d: -0.5 });
+    expect(ids).toContain('Pfote');
+    expect(ids.indexOf(back)).toBeGreaterThan(ids.indexOf(third));
+    expect(ids).not.toContain(gone);
+    const again = scribbled(after, [450, 300], [400, 250]);
+    expect(again.parts.find((part) => part.id === back)).toMatchObject({ c: 1.25, d: -0.5 });
+    expect(again.parts.map((part) => part.id)).not.toContain(gone);
+  });
+
+  it('keeps joins that a person made, moved or took away, and what was drawn by hand', () => {
+    const guessed = understood(blank());
+    const { upper, lower, line } = guessed.joins[0]!;
+    const separate = edited(guessed, removeJoin(guessed, upper, lower));
+    const drawn = edited(separate, addPart(separate, 'hat', [[380, 60], [520, 60], [450, 140]]));
+    const joined = edited(drawn, joinParts(drawn, 'hat', drawn.parts[drawn.parts.length - 2]!.id));
+    const after = scribbled(joined, [450, 700], [470, 760]);
+    expect(after.joins.some((join) => join.upper === upper && join.lower === lower)).toBe(false);
+    expect(after.parts.find((part) => part.id === 'hat')).toEqual(drawn.parts.find((part) => part.id === 'hat'));
+    const shifted = edited(guessed, addJoin(guessed, { upper, lower, line: line.slice(2, -2) }));
+    const moved = scribbled(shifted, [450, 700], [470, 760]);
+    expect(moved.joins.find((join) => join.upper === upper && join.lower === lower)?.line).toEqual(line.slice(2, -2));
+  });
+});
+
+describe('a project of a flat drawing', () => {
+  it('opens, is edited and saved without losing anything', () => {
+    const bytes = native();
+    const opened = readProject(bytes);
+    expect(isFailure(service.checkSegmentation(requestOf(opened)))).toBe(false);
+    const saved = unzipSync(writeProject(opened, null));
+    const came = unzipSync(bytes);
+    for (const name of ['drawing', 'labels.png'])
+      expect(Buffer.from(saved[name]!).equals(Buffer.from(came[name]!))).toBe(true);
+    const record = (files: typeof came): unknown =>
+      (JSON.parse(Buffer.from(files['project.json']!).toString()) as { segmentation: unknown }).segmentation;
+    expect(record(saved)).toEqual(record(came));
+    expect(readProject(writeProject(opened, null))).toEqual(opened);
+  });
+
+  it('builds as in the editor, by the command line, and can be proposed anew there', () => {
+    let document = scribbled(readProject(native()), [380, 650], [370, 700]);
+    document = edited(document, changePart(document, document.parts[1]!.id, { c: 3.5 }));
+    const folder = mkdtempSync(join(tmpdir(), 'relievo-'));
+    const [file, model, anew] = ['a.relievo', 'a.glb', 'b.relievo'].map((name) => join(folder, name)) as [string, string, string];
+    writeFileSync(file, writeProject(document, null));
+    execFileSync(program, ['build', file, '-q', '--vertices', '20000', '-o', model, '-o', join(folder, 'a.stl')]);
+    must(service.build({ scene: sceneText(document), options, visibility: 'orbit', tolerance: 0.25, field: 'relief' }, () => undefined));
+    const [stl] = must(service.encode('stl', 'a', 100, null)).files;
+    expect(Buffer.from(stl!.bytes).equals(readFileSync(join(folder, 'a.stl')))).toBe(true);
+    execFileSync(program, ['segment', file, '-q', '-o', anew]);
+    const proposed = readProject(readFileSync(anew));
+    expect(proposed.parts.map(({ id, c }) => ({ id, c }))).toEqual(document.parts.map(({ id, c }) => ({ id, c })));
+    expect(proposed.segmentation!.scribbles).toEqual(document.segmentation!.scribbles);
+  });
+
+  it('is refused by the key where its segmentation is not sound', () => {
+    const { project, labels } = requestOf(understood(blank()));
+    const broken: Record<string, string> = {
+      'segmentation.scribbles.surprise': project.replace('"scribbles":{', '"scribbles":{"surprise":1,'),
+      'segmentation.parts[0].label': project.replace('"label":', '"label":-'),
+      'segmentation.corrections.robin': project.replace('"robin":[]', '"robin":"<script>"'),
+    };
+    for (const [where, text] of Object.entries(broken)) {
+      const checked = service.checkSegmentation({ project: text, labels });
+      expect(isFailure(checked) && checked.error.where).toContain(where);
+    }
+    const damaged = service.checkSegmentation({ project, labels: labels.slice(0, 100) });
+    expect(isFailure(damaged) && damaged.error.where).toContain('labels.png');
+  });
+});

@@ -1,0 +1,56 @@
+import { strToU8, zipSync } from 'fflate';
+import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
+import { disc } from '../engine/pictures.ts';
+import { names } from './actions.ts';
+import { closeStage, openStage, picture, settled, type Stage } from './browser.ts';
+
+let stage: Stage;
+beforeAll(async () => {
+  stage = await openStage();
+});
+beforeEach(async () => {
+  await stage.page.goto(stage.url);
+});
+afterAll(() => closeStage(stage));
+
+const body = disc(400, 170, [214, 120, 70]);
+const head = disc(220, 100, [90, 140, 190]);
+
+function oraOf(stack: string): Buffer {
+  const entries = { mimetype: strToU8('image/openraster'), 'stack.xml': strToU8(stack), 'data/1.png': body, 'data/2.png': head };
+  return Buffer.from(zipSync(entries, { level: 0 }));
+}
+
+const layers = '<layer name="part:head" src="data/2.png" x="300" y="20"/><layer name="part:body" src="data/1.png" x="60" y="90"/>';
+
+it('opens the layers of an OpenRaster file as parts, painted as they were', async () => {
+  const { page } = stage;
+  const buffer = oraOf(`<image w="600" h="520"><stack>${layers}</stack></image>`);
+  await page.setInputFiles('input[type=file]', { name: 'figure.ora', mimeType: 'image/openraster', buffer });
+  await settled(page);
+  expect(await names(page)).toEqual(['head', 'body']);
+  await picture(page, 'ora');
+  expect(stage.troubles).toEqual([]);
+});
+
+it('opens several pictures as the layers of one drawing, dropped or chosen', async () => {
+  const { page } = stage;
+  const files = [['2 head.png', head], ['10 hat.png', disc(150, 60, [120, 60, 120])], ['1 body.png', body]] as const;
+  await page.setInputFiles('input[type=file]', files.map(([name, bytes]) => ({ name, mimeType: 'image/png', buffer: Buffer.from(bytes) })));
+  await settled(page);
+  await picture(page, 'layers');
+  expect((await names(page)).length).toBeGreaterThan(0);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('refuses archives that are damaged or run away, in words', async () => {
+  const { page } = stage;
+  const broken = oraOf('<image w="600" h="520"><stack><layer src="data/9.png"/></stack></image>');
+  const entity = oraOf('<!DOCTYPE a [<!ENTITY b SYSTEM "http://198.51.100.1/">]><image w="600" h="520"><stack>&b;</stack></image>');
+  const cut = oraOf(`<image w="600" h="520"><stack>${layers}</stack></image>`).subarray(0, 900);
+  for (const [name, buffer] of [['broken.ora', broken], ['entity.ora', entity], ['cut.ora', cut]] as const) {
+    await page.setInputFiles('input[type=file]', { name, mimeType: '', buffer });
+    await page.waitForFunction((file) => document.querySelector('[role=status]')?.textContent?.includes(file), name);
+  }
+  expect(stage.troubles).toEqual([]);
+});

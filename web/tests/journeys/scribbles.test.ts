@@ -1,0 +1,254 @@
+import { execFileSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { strToU8, unzipSync, zipSync } from 'fflate';
+import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
+import { choosePart, downloaded, gesture, names, pageView, save, type Spot } from './actions.ts';
+import { closeStage, openStage, picture, pictures, reopen, settled, type Stage } from './browser.ts';
+
+const root = fileURLToPath(new URL('../../..', import.meta.url));
+const program = process.env['RELIEVO'] ?? join(root, 'build/dev/apps/cli/relievo');
+const bear: Spot = [900, 1000];
+
+let stage: Stage;
+beforeAll(async () => {
+  stage = await openStage();
+});
+beforeEach(async () => {
+  await stage.page.goto(stage.url);
+});
+afterAll(() => closeStage(stage));
+
+async function openBear(): Promise<void> {
+  const { page } = stage;
+  await page.setInputFiles('input[type=file]', join(root, 'examples/bear.png'));
+  await page.waitForSelector('.parts li');
+  await settled(page);
+}
+
+/** Waits until every stroke is understood. */
+async function understood(): Promise<void> {
+  await stage.page.waitForSelector('.scribble-bar[data-pending=false]');
+}
+
+async function scribble(...spots: Spot[]): Promise<void> {
+  await gesture(stage.page, spots, bear);
+  await understood();
+}
+
+interface Head {
+  segmentation: { scribbles: { parts: string[]; strokes: { kind: string; part?: string }[] } };
+}
+
+function headOf(project: Buffer): Head {
+  return JSON.parse(Buffer.from(unzipSync(project)['project.json']!).toString()) as Head;
+}
+
+interface Scene {
+  parts: { id: string }[];
+}
+
+function sceneOf(project: Buffer): Scene {
+  return JSON.parse(Buffer.from(unzipSync(project)['scene.json']!).toString()) as Scene;
+}
+
+it('makes a model of a flat drawing with scribbles, which stay editable in the saved project', async () => {
+  const { page } = stage;
+  await openBear();
+  await picture(page, 'scribble-guessed');
+  const guessed = await names(page);
+  const untouched = await save(page, 'bear-guessed.relievo');
+
+  await scribble([430, 620], [470, 700]);
+  await scribble([360, 660], [350, 740]);
+  expect((await names(page)).length).toBe(guessed.length + 1);
+  await scribble([280, 170], [270, 130]);
+  await page.click('[data-brush=outside]');
+  await scribble([60, 60], [120, 120]);
+  await settled(page);
+  await picture(page, 'scribble-bear');
+
+  await choosePart(page, (await names(page))[0]!);
+  await page.keyboard.press('Home');
+  await page.keyboard.press('h');
+  await settled(page);
+  const project = await save(page, 'bear.relievo');
+  const { scribbles } = headOf(project).segmentation;
+  expect(scribbles.strokes.map(({ kind }) => kind)).toEqual(['hard', 'hard', 'hard', 'outside']);
+  expect(Buffer.from(unzipSync(project)['drawing']!).equals(readFileSync(join(root, 'examples/bear.png')))).toBe(true);
+
+  const steps = await undoAll();
+  expect(await page.locator('.parts li').count()).toBe(0);
+  await redo(1);
+  expect((await save(page, 'bear-undone.relievo')).equals(untouched)).toBe(true);
+  await redo(steps - 1);
+  await settled(page);
+  expect((await save(page, 'bear-redone.relievo')).equals(project)).toBe(true);
+  expect(stage.troubles).toEqual([]);
+});
+
+async function undoAll(): Promise<number> {
+  const { page } = stage;
+  let steps = 0;
+  for (; await page.locator('#undo').isEnabled(); steps++) await page.keyboard.press('Control+z');
+  return steps;
+}
+
+async function redo(steps: number): Promise<void> {
+  for (let i = 0; i < steps; i++) await stage.page.keyboard.press('Control+Shift+z');
+}
+
+it('opens a saved project again, goes on with its strokes, and builds as the command line does', async () => {
+  await openBear();
+  await scribble([430, 620], [470, 700]);
+  await scribble([360, 660], [350, 740]);
+  const before = await save(stage.page, 'bear-kept.relievo');
+  await stage.page.waitForSelector('.saved.yes');
+  await reopen(stage);
+  const { page } = stage;
+  await page.click('#go-on');
+  await settled(page);
+  expect((await save(page, 'bear-recovered.relievo')).equals(before)).toBe(true);
+  await page.click('.brand');
+  await page.setInputFiles('input[type=file]', join(pictures, 'bear-kept.relievo'));
+  await settled(page);
+  expect((await save(page, 'bear-opened.relievo')).equals(before)).toBe(true);
+
+  await page.keyboard.press('7');
+  const parts = (await names(page)).length;
+  await page.waitForSelector('.stroke-list li');
+  await picture(page, 'scribble-opened');
+  expect(await page.locator('.stroke-list li').count()).toBe(2);
+  await page.click('[data-brush=erase]');
+  await scribble([340, 700], [370, 700]);
+  expect(await page.locator('.stroke-list li').count()).toBe(1);
+  expect((await names(page)).length).toBe(parts - 1);
+  await settled(page);
+
+  const project = await save(page, 'bear-erased.relievo');
+  expect(headOf(project).segmentation.scribbles.strokes.length).toBe(1);
+  await page.click('#export');
+  const glb = await downloaded(page, () => page.click('[data-export=glb]'), 'bear.glb');
+  const native = join(pictures, 'bear-native.glb');
+  execFileSync(program, ['build', join(pictures, 'bear-erased.relievo'), '-q', '--vertices', '20000', '-o', native]);
+  expect(glb.equals(readFileSync(native))).toBe(true);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('tints the parts while the pen is down, within 150 ms a megapixel, and forgets a stroke on Escape', async () => {
+  const { page } = stage;
+  await openBear();
+  const count = (await names(page)).length;
+  const times: number[] = [];
+  const { at } = await pageView(page, bear);
+  const spots = ([[430, 620], [450, 660], [470, 700], [490, 730], [500, 760]] satisfies Spot[]).map(at);
+  await page.mouse.move(...spots[0]!);
+  await page.mouse.down();
+  for (const spot of spots.slice(1)) {
+    await page.mouse.move(...spot, { steps: 4 });
+    await page.waitForTimeout(250);
+    times.push(Number(await page.locator('.scribble-bar').getAttribute('data-tint-ms')));
+  }
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await picture(page, 'scribble-pen-down-dark');
+  await page.emulateMedia({ colorScheme: 'light' });
+  await picture(page, 'scribble-pen-down');
+  console.log(`scribble to tint at 0.9 megapixels: ${times.join(', ')} ms`);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await understood();
+  expect((await names(page)).length).toBe(count);
+  expect(await page.locator('.stroke-list li').count()).toBe(0);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('opens and saves a project of the command line without losing what it holds', async () => {
+  const { page } = stage;
+  const file = join(pictures, 'bear-segmented.relievo');
+  execFileSync(program, ['segment', join(root, 'examples/bear.png'), '-q', '-o', file]);
+  await page.setInputFiles('input[type=file]', file);
+  await settled(page);
+  await choosePart(page, (await names(page))[2]!);
+  await page.keyboard.press('PageUp');
+  await settled(page);
+  const saved = unzipSync(await save(page, 'bear-corrected.relievo'));
+  const came = unzipSync(readFileSync(file));
+  for (const name of ['drawing', 'labels.png']) expect(Buffer.from(saved[name]!).equals(Buffer.from(came[name]!))).toBe(true);
+  const { corrections } = (JSON.parse(Buffer.from(saved['project.json']!).toString()) as { segmentation: { corrections: { order: unknown[] } } }).segmentation;
+  expect(corrections.order.length).toBe(1);
+  execFileSync(program, ['check', join(pictures, 'bear-corrected.relievo')]);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('needs no pointer: arrows move the brush, Enter sets it down and lifts it', async () => {
+  const { page } = stage;
+  await openBear();
+  const { keyboard } = page;
+  for (let i = 0; i < 5; i++) await keyboard.press('Shift+ArrowDown');
+  await keyboard.press('Enter');
+  for (let i = 0; i < 4; i++) await keyboard.press('ArrowDown');
+  await picture(page, 'scribble-keys');
+  await keyboard.press('Enter');
+  await understood();
+  expect(await page.locator('.stroke-list li').count()).toBe(1);
+  await page.locator('[data-brush=auto]').focus();
+  await keyboard.press('ArrowLeft');
+  expect(await page.locator('[data-brush=erase]').getAttribute('aria-pressed')).toBe('true');
+  await page.locator('.stroke-list [aria-label^=Remove]').focus();
+  await keyboard.press('Enter');
+  await page.waitForFunction(() => document.querySelectorAll('.stroke-list li').length === 0);
+  await understood();
+  await keyboard.press('?');
+  await picture(page, 'scribble-keys-panel');
+  expect(stage.troubles).toEqual([]);
+});
+
+it('completes what a new order hides, as a part of the same step', async () => {
+  const { page } = stage;
+  await openBear();
+  const before = sceneOf(await save(page, 'bear-before.relievo'));
+  await choosePart(page, (await names(page)).at(-1)!);
+  await page.keyboard.press('Home');
+  await page.waitForTimeout(2000);
+  await settled(page);
+  await picture(page, 'scribble-reordered');
+  const after = sceneOf(await save(page, 'bear-after.relievo'));
+  const front = after.parts.at(-1)!.id;
+  expect(front).toBe(before.parts[0]!.id);
+  const outline = (scene: Scene, id: string): string => JSON.stringify(scene.parts.find((part) => part.id === id));
+  expect(outline(after, front)).not.toBe(outline(before, front));
+  await page.keyboard.press('Control+z');
+  expect(sceneOf(await save(page, 'bear-back.relievo'))).toEqual(before);
+  await page.keyboard.press('Control+Shift+z');
+  await page.waitForTimeout(2000);
+  expect(sceneOf(await save(page, 'bear-forth.relievo'))).toEqual(after);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('runs nothing of a hostile segmentation, and says what is wrong with it', async () => {
+  const { page } = stage;
+  await page.evaluate(() => Object.assign(window, { ran: 0 }));
+  const file = join(pictures, 'hostile.relievo');
+  execFileSync(program, ['segment', join(root, 'examples/bear.png'), '-q', '-o', file]);
+  const entries = unzipSync(readFileSync(file));
+  const text = Buffer.from(entries['project.json']!).toString();
+  const script = '<img src=x onerror=\\"window.ran=1\\">';
+  const renamed = (json: string): string => json.replaceAll('"part-1"', `"${script}"`);
+  const stroke = `{"kind":"hard","part":"${script}","width":9,"points":[[450,700],[460,720]]}`;
+  const scribbled = renamed(text).replace(/"scribbles":\s*\{[^}]*\}/, `"scribbles":{"parts":["${script}"],"strokes":[${stroke}]}`);
+  const pack = (json: string, scene: string): Buffer =>
+    Buffer.from(zipSync({ ...entries, 'project.json': strToU8(json), 'scene.json': strToU8(scene) }));
+  const scene = renamed(Buffer.from(entries['scene.json']!).toString());
+  writeFileSync(file, pack(scribbled, scene));
+  await page.setInputFiles('input[type=file]', file);
+  await settled(page);
+  await page.keyboard.press('7');
+  await page.waitForSelector('.stroke-list li');
+  expect(await page.locator('.stroke-list .chip').first().innerText()).toContain('<img src=x');
+  const bad = text.replace('"scribbles": {', '"scribbles": {"__proto__":{"ran":1},');
+  await page.setInputFiles('input[type=file]', { name: 'bad.relievo', mimeType: '', buffer: pack(bad, scene) });
+  await page.waitForFunction(() => document.querySelector('[role=status]')?.textContent?.includes('segmentation.scribbles'));
+  expect(await page.evaluate(() => (window as unknown as { ran: number }).ran)).toBe(0);
+  expect(stage.troubles).toEqual([]);
+});

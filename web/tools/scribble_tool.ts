@@ -1,0 +1,149 @@
+import type { Document, Point } from '../document/document';
+import { simplify } from '../document/outline';
+import { addStroke, canScribble, eraseStrokes, labelOfStroke, partOfStroke, scribblesOf } from '../document/scribbling';
+import type { Stroke, StrokeKind } from '../document/segmentation';
+import { inkOf, marks } from '../view/colors';
+import type { Modifiers, Tool, ToolHost } from './tool';
+
+/** What the brush says: by itself, for one part, for the background, or nothing any more. */
+export type BrushKind = 'auto' | 'part' | 'outside' | 'hole' | 'erase';
+
+export interface Brush {
+  readonly kind: BrushKind;
+  /** Of 'part': whose strokes it makes. */
+  readonly part: string | null;
+  /** CSS px. */
+  readonly width: number;
+}
+
+/** What the tool needs besides: a brush, and someone who understands strokes. */
+export interface ScribbleHost {
+  readonly brush: Brush;
+  /** The document with strokes that wait to be understood. */
+  readonly pending: Document;
+  readonly tint: ImageBitmap | null;
+  /** Shows what a document would be, until the next or `done`. */
+  show(document: Document): void;
+  /** Nothing is being drawn any more. */
+  drop(): void;
+  /** Makes a change of strokes a step of the document. */
+  wish(label: string, change: (document: Document) => Document): void;
+  refuse(): void;
+}
+
+/** How far an arrow key moves the brush, as shares of the reach of a hand: usually, with Shift. */
+const steps = [0.5, 3] as const;
+
+/** A stroke says what belongs together; strokes of one colour are one part. */
+export class ScribbleTool implements Tool {
+  readonly cursor = 'crosshair';
+  private points: Point[] = [];
+  private part: string | undefined;
+  private kind: StrokeKind | 'erase' = 'hard';
+  private at: Point | null = null;
+
+  constructor(private readonly host: ToolHost, private readonly scribbles: ScribbleHost) {}
+
+  down(point: Point, keys: Modifiers): void {
+    if (!canScribble(this.host.document)) {
+      this.scribbles.refuse();
+      return;
+    }
+    const { brush } = this.scribbles;
+    this.kind = keys.alt || brush.kind === 'erase' ? 'erase' : brush.kind === 'auto' || brush.kind === 'part' ? 'hard' : brush.kind;
+    this.points = [point];
+    this.part = this.kind === 'hard' && brush.kind === 'part' && brush.part !== null ? brush.part : undefined;
+    this.show();
+  }
+
+  move(point: Point, pressed: boolean): void {
+    this.at = point;
+    if (!pressed || this.points.length === 0) return;
+    const last = this.points[this.points.length - 1] as Point;
+    if (Math.hypot(point[0] - last[0], point[1] - last[1]) < this.host.reach / 6) return;
+    this.points.push(point);
+    this.show();
+  }
+
+  up(): void {
+    if (this.points.length === 0) return;
+    const change = this.change(simplify(this.points, this.host.reach / 12));
+    const label = this.kind === 'erase' ? 'erase' : 'scribble';
+    this.points = [];
+    this.scribbles.wish(label, change);
+  }
+
+  cancel(): void {
+    if (this.points.length === 0) return;
+    this.points = [];
+    this.scribbles.drop();
+  }
+
+  /** Arrows move the brush, Enter sets it down and lifts it. */
+  key(name: string, keys: Modifiers): boolean {
+    const { width, height } = this.host.document;
+    const [x, y] = this.at ?? [width / 2, height / 2];
+    if (name === 'Enter') {
+      this.at = [x, y];
+      if (this.points.length > 0) this.up();
+      else this.down([x, y], keys);
+      return true;
+    }
+    const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[name];
+    if (!way) return false;
+    const step = this.host.reach * steps[keys.shift ? 1 : 0];
+    const within = (value: number, most: number): number => Math.min(most, Math.max(0, value));
+    this.move([within(x + step * (way[0] as number), width), within(y + step * (way[1] as number), height)], true);
+    return true;
+  }
+
+  draw(context: CanvasRenderingContext2D, pixel: number): void {
+    const { pending, tint, brush } = this.scribbles;
+    const { width, height } = pending;
+    if (tint) context.drawImage(tint, 0, 0, width, height);
+    const shown = this.points.length > 0 && this.kind !== 'erase' ? this.change(this.points)(pending) : pending;
+    context.lineCap = context.lineJoin = 'round';
+    for (const stroke of scribblesOf(shown).strokes) this.drawStroke(context, shown, stroke, pixel);
+    if (!this.at) return;
+    context.beginPath();
+    context.arc(this.at[0], this.at[1], (brush.width / 2) * pixel, 0, 2 * Math.PI);
+    context.strokeStyle = brush.kind === 'erase' ? marks.culprit : marks.ink;
+    context.lineWidth = 1.5 * pixel;
+    context.stroke();
+  }
+
+  private show(): void {
+    this.scribbles.show(this.change(this.points)(this.scribbles.pending));
+  }
+
+  /** What the stroke does to a document, whichever is there when it comes to be understood. */
+  private change(points: readonly Point[]): (document: Document) => Document {
+    const { kind, part } = this;
+    const { reach } = this.host;
+    const width = Math.max(1, (this.scribbles.brush.width * reach) / 12);
+    const line = points.map(([x, y]): Point => [Math.round(10 * x) / 10, Math.round(10 * y) / 10]);
+    if (kind === 'erase') return (document) => eraseStrokes(document, line, width / 2);
+    if (kind !== 'hard') return (document) => addStroke(document, { kind, width, points: line });
+    return (document) =>
+      addStroke(document, { kind, part: part ?? partOfStroke(document, line, reach / 2), width, points: line });
+  }
+
+  private drawStroke(context: CanvasRenderingContext2D, document: Document, stroke: Stroke, pixel: number): void {
+    const label = labelOfStroke(document, stroke);
+    const first = stroke.points[0] as Point;
+    context.beginPath();
+    context.moveTo(...first);
+    for (const point of stroke.points) context.lineTo(...point);
+    const width = Math.max(stroke.width, 3 * pixel);
+    for (const [color, extra, dash] of [
+      ['#fff', 3 * pixel, []],
+      [label === undefined ? marks.ink : inkOf(label), 0, stroke.kind === 'hole' ? [width, 2 * width] : []],
+    ] as const) {
+      context.strokeStyle = color;
+      context.lineWidth = width + extra;
+      context.setLineDash([...dash]);
+      context.stroke();
+    }
+    context.setLineDash([]);
+  }
+}

@@ -1,0 +1,186 @@
+import * as THREE from 'three';
+import type { Surface } from '../engine/messages';
+import { marks } from './colors';
+import { bledTexture, type Painted } from './painted_drawing';
+
+export type ModelShading = 'drawing' | 'clay' | 'normals';
+
+/** From where and how large the model is seen, in units in which its longest side is 2. */
+export interface Pose {
+  /** To the right and up from the front view, radians. */
+  readonly yaw: number;
+  readonly pitch: number;
+  readonly target: readonly [number, number, number];
+  /** Left, right, top and bottom of what the camera sees, from the target. */
+  readonly frame: readonly [number, number, number, number];
+}
+
+/** The relief in three dimensions. Draws when something changed, never by itself. */
+export class ModelRenderer {
+  private readonly renderer: THREE.WebGLRenderer;
+  private readonly scene = new THREE.Scene();
+  private readonly camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -10, 10);
+  private readonly light = new THREE.DirectionalLight(0xffffff, 2.3);
+  private readonly model = new THREE.Group();
+  private readonly materials = {
+    drawing: new THREE.MeshStandardMaterial({ roughness: 0.92, side: THREE.DoubleSide }),
+    clay: new THREE.MeshStandardMaterial({ color: 0xcbbfae, roughness: 0.75, side: THREE.DoubleSide }),
+    normals: new THREE.MeshNormalMaterial({ side: THREE.DoubleSide }),
+  };
+  private readonly picker = new THREE.Raycaster();
+  private shading: ModelShading = 'drawing';
+  private highlighted: string | null = null;
+  private frame = 0;
+
+  constructor(private readonly canvas: OffscreenCanvas) {
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+    this.scene.add(this.model, this.light, this.light.target, new THREE.HemisphereLight(0xffffff, 0xcfc8bd, 1.85));
+  }
+
+  resize(width: number, height: number, ratio: number): void {
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(Math.max(1, width), Math.max(1, height), false);
+    this.redraw();
+  }
+
+  look({ yaw, pitch, target, frame }: Pose): void {
+    const distance = 5;
+    const at = new THREE.Vector3(...target);
+    this.camera.position
+      .set(Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), Math.cos(yaw) * Math.cos(pitch))
+      .multiplyScalar(distance)
+      .add(at);
+    this.camera.lookAt(at);
+    [this.camera.left, this.camera.right, this.camera.top, this.camera.bottom] = frame;
+    this.camera.updateProjectionMatrix();
+    this.redraw();
+  }
+
+  /** Light from the right and from above, each in [-1, 1]. */
+  aimLight(right: number, up: number): void {
+    const z = Math.sqrt(Math.max(0.05, 1 - Math.min(0.95, right * right + up * up)));
+    this.light.position.set(right, up, z);
+    this.redraw();
+  }
+
+  show(surface: Surface | null, width: number, height: number): void {
+    this.clear();
+    if (surface) for (const mesh of this.meshes(surface)) this.model.add(mesh);
+    const scale = 2 / Math.max(width, height);
+    this.model.scale.setScalar(scale);
+    this.model.position.set((-scale * width) / 2, (-scale * height) / 2, 0);
+    this.redraw();
+  }
+
+  /** The texture: a picture, or the parts painted flat; none without a document. */
+  paint(document: Painted | null, picture: ImageBitmap | null): void {
+    const { drawing } = this.materials;
+    drawing.map?.dispose();
+    drawing.map = document && this.textureOf(bledTexture(document, picture));
+    drawing.needsUpdate = true;
+    this.redraw();
+  }
+
+  setShading(shading: ModelShading): void {
+    this.shading = shading;
+    this.highlight(this.highlighted);
+  }
+
+  highlight(part: string | null): void {
+    this.highlighted = part;
+    for (const mesh of this.model.children as THREE.Mesh[]) {
+      const lit = mesh.name === part && this.shading !== 'normals';
+      const usual = this.materials[this.shading];
+      const shared = Object.values<THREE.Material>(this.materials).includes(mesh.material as THREE.Material);
+      if (!shared) (mesh.material as THREE.Material).dispose();
+      mesh.material = lit ? this.litMaterial(usual as THREE.MeshStandardMaterial) : usual;
+    }
+    this.redraw();
+  }
+
+  /** The part at a place of the view, right and up in [-1, 1]. */
+  pick(right: number, up: number): string | null {
+    this.camera.updateMatrixWorld();
+    this.picker.setFromCamera(new THREE.Vector2(right, up), this.camera);
+    return this.picker.intersectObject(this.model)[0]?.object.name ?? null;
+  }
+
+  /** Draws at once what was changed. */
+  drawn(): void {
+    this.render();
+  }
+
+  /** The view as a PNG file. */
+  picture(): Promise<Blob> {
+    this.render();
+    return this.canvas.convertToBlob({ type: 'image/png' });
+  }
+
+  /** The view as pixels on a ground of one colour, its longest side `side` px at most. */
+  snapshot(side: number, ground: string): ImageData {
+    this.render();
+    const scale = Math.min(1, side / Math.max(this.canvas.width, this.canvas.height));
+    const [width, height] = [Math.round(scale * this.canvas.width), Math.round(scale * this.canvas.height)];
+    const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+    if (!context) throw new Error('this browser has no canvas');
+    context.fillStyle = ground;
+    context.fillRect(0, 0, width, height);
+    context.drawImage(this.canvas, 0, 0, width, height);
+    return context.getImageData(0, 0, width, height);
+  }
+
+  private textureOf(source: OffscreenCanvas): THREE.Texture {
+    const texture = new THREE.Texture(source);
+    texture.colorSpace = THREE.SRGBColorSpace;
+    texture.flipY = false;
+    texture.anisotropy = 4;
+    texture.generateMipmaps = true;
+    texture.needsUpdate = true;
+    return texture;
+  }
+
+  private litMaterial(usual: THREE.MeshStandardMaterial): THREE.MeshStandardMaterial {
+    const lit = usual.clone();
+    lit.emissive = new THREE.Color(marks.select);
+    lit.emissiveIntensity = 0.13;
+    return lit;
+  }
+
+  private meshes(surface: Surface): THREE.Mesh[] {
+    const attribute = (array: Float32Array<ArrayBuffer>, size: number) => new THREE.BufferAttribute(array, size);
+    const positions = attribute(surface.positions, 3);
+    const normals = attribute(surface.normals, 3);
+    const uvs = attribute(surface.uvs, 2);
+    const corners = new THREE.BufferAttribute(surface.triangles, 1);
+    return surface.parts.map((part) => {
+      const geometry = new THREE.BufferGeometry();
+      geometry.setAttribute('position', positions);
+      geometry.setAttribute('normal', normals);
+      geometry.setAttribute('uv', uvs);
+      geometry.setIndex(corners);
+      geometry.setDrawRange(3 * part.firstTriangle, 3 * part.triangleCount);
+      const mesh = new THREE.Mesh(geometry, this.materials[this.shading]);
+      mesh.name = part.id;
+      if (part.id === this.highlighted && this.shading !== 'normals')
+        mesh.material = this.litMaterial(mesh.material as THREE.MeshStandardMaterial);
+      return mesh;
+    });
+  }
+
+  private clear(): void {
+    for (const mesh of [...this.model.children] as THREE.Mesh[]) {
+      mesh.geometry.dispose();
+      this.model.remove(mesh);
+    }
+  }
+
+  private redraw(): void {
+    if (this.frame === 0) this.frame = requestAnimationFrame(() => this.render());
+  }
+
+  private render(): void {
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
+    this.renderer.render(this.scene, this.camera);
+  }
+}

@@ -1,0 +1,4 @@
+import * as Comlink from 'comlink';
+import { ModelRenderer } from './model_renderer';
+
+Comlink.expose(ModelRenderer);
