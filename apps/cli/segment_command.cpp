@@ -22,6 +22,7 @@
 #include "io/scribbles/scribble_image.h"
 #include "io/svg/paintable_svg.h"
 #include "io/svg/render_svg.h"
+#include "relief/drawing/label_colours.h"
 #include "relief/drawing/segment_drawing.h"
 #include "relief/pipeline/keep_labels.h"
 #include "relief/pipeline/propose_scene.h"
@@ -287,7 +288,9 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
   const auto loaded = load(segment, context);
   if (!loaded) return loaded.error();
   const Stopwatch watch;
-  const auto proposal = propose_scene(loaded->labels, loaded->corrections, {}, context);
+  ProposalOptions options;
+  options.joining.colours = label_colours(loaded->pixels, loaded->labels);
+  const auto proposal = propose_scene(loaded->labels, loaded->corrections, options, context);
   if (!proposal) return proposal.error();
   const auto files = files_of(segment, *loaded, *proposal, watch.milliseconds());
   if (!files) return files.error();

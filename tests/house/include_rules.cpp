@@ -57,10 +57,10 @@ const Names model_views = {"model/model_texture.h", "model/relief_maps.h"};
 /// The verbs of the stages, for the pipeline alone.
 const Names stage_verbs = {
     "completion/clip_to_order.h", "completion/complete_parts.h", "drawing/find_basins.h",
-    "drawing/label_basins.h",     "drawing/segment_drawing.h",   "inflation/inflate.h",
-    "joining/join_parts.h",       "joint/solve_jointly.h",       "layers/layer_parts.h",
-    "model/assemble_model.h",     "model/relief_maps.h",         "ordering/order_depth.h",
-    "stacking/stack_parts.h"};
+    "drawing/label_basins.h",     "drawing/label_colours.h",     "drawing/segment_drawing.h",
+    "inflation/inflate.h",        "joining/join_parts.h",        "joint/solve_jointly.h",
+    "layers/layer_parts.h",       "model/assemble_model.h",      "model/relief_maps.h",
+    "ordering/order_depth.h",     "stacking/stack_parts.h"};
 
 struct Place {
   std::string top;     ///< kernel, relief, io, render, apps, tests, benchmarks

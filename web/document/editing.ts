@@ -175,6 +175,13 @@ export function removeJoin(document: Document, upper: string, lower: string): Do
   };
 }
 
+/** Joins two parts, or separates them where they are joined. */
+export function toggleJoin(document: Document, a: string, b: string): Document {
+  const { upper, lower } = ordered(document, a, b);
+  const joined = document.joins.some((join) => join.upper === upper && join.lower === lower);
+  return joined ? removeJoin(document, upper, lower) : joinParts(document, a, b);
+}
+
 /** What holds between two parts everywhere; null: the default. */
 export function relate(document: Document, a: string, b: string, kind: RelationKind | null): Document {
   if (a === b) return document;

@@ -1,6 +1,7 @@
 #include "relief/joining/join_parts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 
@@ -12,6 +13,9 @@ namespace {
 
 using Pair = std::pair<int, int>;
 
+/// Colours that differ by less, of 255 a channel, may be shades; by more, they are others.
+constexpr double same_colour = 40;
+constexpr double other_colour = 100;
 constexpr double line_step = 3;  ///< between the points of a join's line, px
 /// A root's arc on the outline is at most so many times as long as its pixel sides.
 constexpr double max_stretch = 1.5;
@@ -119,7 +123,21 @@ class Proposer {
     const double share = length / static_cast<double>(root.ring->size());
     if (share < options_.min_root || root.count < static_cast<size_t>(options_.min_root_sides))
       return;
-    lay_join(part, root, std::min(1.0, 0.5 + share));
+    lay_join(part, root, colour_trust(part, root.lower) * std::min(1.0, 0.5 + share));
+  }
+
+  /// From 1 for parts of one colour to one half for those of clearly different ones.
+  double colour_trust(int part, int lower) const {
+    const size_t a = regions_.labels[part];
+    const size_t b = regions_.labels[lower];
+    if (std::max(a, b) >= options_.colours.size()) return 1;
+    double squares = 0;
+    for (size_t c = 0; c < 3; ++c) {
+      const double difference = options_.colours[a][c] - options_.colours[b][c];
+      squares += difference * difference;
+    }
+    const double change = (std::sqrt(squares) - same_colour) / (other_colour - same_colour);
+    return 1 - 0.5 * std::clamp(change, 0.0, 1.0);
   }
 
   void lay_join(int part, const Root& root, double confidence) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "relief/completion/part_regions.h"
@@ -13,6 +14,8 @@ struct JoiningOptions {
   int min_root_sides = 8;       ///< and so many pixel sides
   double shortest_ramp = 0.08;  ///< share of the root beside each end of the join
   double longest_ramp = 0.3;
+  /// Per label, the mean colour of what is seen, 0 to 255 a channel; none where unknown.
+  std::vector<std::array<double, 3>> colours;
 };
 
 /// Proposes how every part connects with those behind it that it touches:
@@ -20,6 +23,7 @@ struct JoiningOptions {
 ///    root), the rest of it goes elsewhere, and the root is no small part of the outline. The join
 ///    is the middle of that run; the ramps beside it are as long as the run exceeds its chord, so
 ///    that they end where a limb leaves the lower part, and become Robin ranges;
+///    A clear change of colour halves the confidence, since hats are not grown on, but sleeves are;
 ///  - equal: the outline does not touch the background: an eye, a button, a spot;
 ///  - above: everything else.
 /// `outlines` are those of the parts in the scene. O(sides).

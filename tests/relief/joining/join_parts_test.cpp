@@ -17,7 +17,8 @@ struct Drawing {
 };
 
 /// Joins with the painted order: part k is in front of part k - 1, and completed.
-Joining join(const Drawing& drawing, const JoiningCorrections& corrections = {}) {
+Joining join(const Drawing& drawing, const JoiningCorrections& corrections = {},
+             const JoiningOptions& options = {}) {
   const PartRegions regions = find_regions(painted(drawing.width, drawing.height, drawing.shapes));
   Stacking stacking;
   std::vector<Outline> outlines;
@@ -27,7 +28,7 @@ Joining join(const Drawing& drawing, const JoiningCorrections& corrections = {})
     const Image16 alone = painted(drawing.width, drawing.height, {drawing.shapes[part]});
     outlines.push_back(outline_of(find_regions(alone).visible[0]));
   }
-  return join_parts(regions, stacking, outlines, corrections);
+  return join_parts(regions, stacking, outlines, corrections, options);
 }
 
 Drawing leg_on_body() { return {220, 200, {box(20, 20, 200, 100), box(90, 60, 130, 180)}}; }
@@ -47,6 +48,19 @@ TEST(JoinParts, TheRootOfALimbIsJoined) {
     EXPECT_NEAR(range.from.x, range.to.x, 1.5);
   }
   EXPECT_NEAR(std::abs(joining.robin[0].to.x - joining.robin[1].to.x), 40, 2);
+}
+
+TEST(JoinParts, AnotherColourHalvesTheConfidence) {
+  const auto confidence = [](std::array<double, 3> leg) {
+    JoiningOptions options;
+    options.colours = {{255, 255, 255}, {200, 150, 120}, leg};
+    return join(leg_on_body(), {}, options).joins.at(0).confidence;
+  };
+  const double plain = join(leg_on_body()).joins.at(0).confidence;
+  EXPECT_EQ(confidence({200, 150, 120}), plain);
+  EXPECT_EQ(confidence({180, 130, 110}), plain) << "a shade";
+  EXPECT_NEAR(confidence({130, 150, 120}), 0.75 * plain, 1e-12);
+  EXPECT_NEAR(confidence({20, 20, 200}), 0.5 * plain, 1e-12);
 }
 
 TEST(JoinParts, AnEnclosedFeatureIsEqual) {
