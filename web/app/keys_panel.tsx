@@ -1,7 +1,7 @@
 import { type MessageKey, t } from './catalogue';
 
 const rows: readonly [string, MessageKey][] = [
-  ['1 … 7, O', 'keyTools'],
+  ['1 … 8', 'keyTools'],
   [', . arrows', 'keyGrip'],
   ['Page Up, Page Down, Home, End', 'keyOrder'],
   ['J', 'keyJoin'],

@@ -12,7 +12,7 @@ export const tools: readonly { name: ToolName; key: string; label: MessageKey; h
   { name: 'range', key: '5', label: 'range', hint: 'hintRange' },
   { name: 'hand', key: '6', label: 'hand', hint: 'hintHand' },
   { name: 'scribble', key: '7', label: 'scribble', hint: 'hintScribble' },
-  { name: 'outline', key: 'o', label: 'outline', hint: 'hintOutline' },
+  { name: 'outline', key: '8', label: 'outline', hint: 'hintOutline' },
 ];
 
 /** One tab stop; arrows go from tool to tool. */
@@ -42,7 +42,7 @@ export function Toolbar({ editor }: { editor: Editor }) {
           onClick={() => editor.set({ tool: entry.name, notice: '' })}
         >
           <Icon name={entry.name} />
-          <kbd>{entry.key.toUpperCase()}</kbd>
+          <kbd>{entry.key}</kbd>
         </button>
       ))}
     </div>

@@ -1,8 +1,6 @@
-import { execFileSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { unzipSync } from 'fflate';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { type Document, emptyDocument, type Point } from '../../document/document';
@@ -12,28 +10,17 @@ import { readProject, writeProject } from '../../document/project_file';
 import { sceneText } from '../../document/scene_text';
 import { addStroke, adopt, clearStrokes, partOfStroke, segmentationOf } from '../../document/scribbling';
 import { recordText } from '../../document/segmentation';
-import { type BuildOptions, type Failure, isFailure } from '../../engine/messages';
-import { ReliefService } from '../../engine/relief_service';
+import { isFailure } from '../../engine/messages';
+import type { ReliefService } from '../../engine/relief_service';
+import { relievo, root } from '../support/command_line';
+import { must, shown, startService, usual } from './service';
 
-const root = fileURLToPath(new URL('../../..', import.meta.url));
-const program = process.env['RELIEVO'] ?? join(root, 'build/dev/apps/cli/relievo');
 const bear = readFileSync(join(root, 'examples/bear.png'));
-
-const options: BuildOptions = {
-  method: 'approximate', vertices: 20000, edge: 0, rho: 0.25, alpha0: 0.1, lambdaBnd: 0.01, literal: false, glue: true,
-};
-
-function must<T extends object>(value: T | Failure): T {
-  if (isFailure(value)) throw new Error(`${value.error.where}: ${value.error.message}`);
-  return value;
-}
 
 let service: ReliefService;
 
 beforeAll(async () => {
-  if (!existsSync(program)) throw new Error(`${program} is not built; set RELIEVO to another`);
-  const bytes = readFileSync(join(root, 'build/wasm/bindings/wasm/relievo.wasm'));
-  service = await ReliefService.start(await WebAssembly.compile(bytes));
+  service = await startService();
   must(service.openDrawing({ png: bear }));
 });
 
@@ -64,7 +51,7 @@ function edited(document: Document, next: Document): Document {
 /** What the command line makes of the drawing by itself. */
 function native(...more: string[]): Buffer {
   const file = join(mkdtempSync(join(tmpdir(), 'relievo-')), 'bear.relievo');
-  execFileSync(program, ['segment', join(root, 'examples/bear.png'), '-q', ...more, '-o', file]);
+  relievo('segment', join(root, 'examples/bear.png'), '-q', ...more, '-o', file);
   return readFileSync(file);
 }
 
@@ -192,11 +179,11 @@ describe('a project of a flat drawing', () => {
     const folder = mkdtempSync(join(tmpdir(), 'relievo-'));
     const [file, model, anew] = ['a.relievo', 'a.glb', 'b.relievo'].map((name) => join(folder, name)) as [string, string, string];
     writeFileSync(file, writeProject(document, null));
-    execFileSync(program, ['build', file, '-q', '--vertices', '20000', '-o', model, '-o', join(folder, 'a.stl')]);
-    must(service.build({ scene: sceneText(document), options, visibility: 'orbit', tolerance: 0.25, field: 'relief' }, () => undefined));
+    relievo('build', file, '-q', '--vertices', '20000', '-o', model, '-o', join(folder, 'a.stl'));
+    must(service.build({ scene: sceneText(document), options: usual, ...shown }, () => undefined));
     const [stl] = must(service.encode('stl', 'a', 100, null)).files;
     expect(Buffer.from(stl!.bytes).equals(readFileSync(join(folder, 'a.stl')))).toBe(true);
-    execFileSync(program, ['segment', file, '-q', '-o', anew]);
+    relievo('segment', file, '-q', '-o', anew);
     const proposed = readProject(readFileSync(anew));
     expect(proposed.parts.map(({ id, c }) => ({ id, c }))).toEqual(document.parts.map(({ id, c }) => ({ id, c })));
     expect(proposed.segmentation!.scribbles).toEqual(document.segmentation!.scribbles);

@@ -18,7 +18,7 @@ it('pushes an outline at its grips, draws a stretch of it anew, and undoes both'
   const before = await save(page, 'outline-before.relievo');
   const first = await outlineOf(page, 'part');
   const right = farthest(first, [1, 0]);
-  await page.keyboard.press('o');
+  await page.keyboard.press('8');
   // Grips begin at the first point of an outline.
   const grip = first[0]!;
   await gesture(page, [grip, [grip[0] + 40, grip[1] - 5], [grip[0] + 80, grip[1] - 10]]);
@@ -49,7 +49,7 @@ it('shows hidden outlines dashed, and extends a part below another', async () =>
   const { page } = stage;
   await sample(page, 'elephant');
   await choosePart(page, 'body');
-  await page.keyboard.press('o');
+  await page.keyboard.press('8');
   await page.waitForTimeout(200);
   await picture(page, 'outline-hidden');
   await page.emulateMedia({ colorScheme: 'dark' });
@@ -72,7 +72,7 @@ it('refuses an outline that would cross itself, in words, and moves grips by key
   await page.click('#empty');
   await gesture(page, oval(500, 420, 220, 60));
   await settled(page);
-  await page.keyboard.press('o');
+  await page.keyboard.press('8');
   const first = await outlineOf(page, 'part');
   await gesture(page, [first[0]!]);
   await page.locator('.paper canvas').first().focus();

@@ -1,24 +1,14 @@
-import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { strToU8, unzipSync, zipSync } from 'fflate';
-import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
+import { relievo, root } from '../support/command_line.ts';
 import { choosePart, downloaded, gesture, names, pageView, save, type Spot } from './actions.ts';
-import { closeStage, openStage, picture, pictures, reopen, settled, type Stage } from './browser.ts';
+import { picture, pictures, reopen, settled, stageOfFile } from './browser.ts';
 
-const root = fileURLToPath(new URL('../../..', import.meta.url));
-const program = process.env['RELIEVO'] ?? join(root, 'build/dev/apps/cli/relievo');
 const bear: Spot = [900, 1000];
 
-let stage: Stage;
-beforeAll(async () => {
-  stage = await openStage();
-});
-beforeEach(async () => {
-  await stage.page.goto(stage.url);
-});
-afterAll(() => closeStage(stage));
+const stage = stageOfFile({ anew: true });
 
 async function openBear(): Promise<void> {
   const { page } = stage;
@@ -137,7 +127,7 @@ it('opens a saved project again, goes on with its strokes, and builds as the com
   await page.click('#export');
   const glb = await downloaded(page, () => page.click('[data-export=glb]'), 'bear.glb');
   const native = join(pictures, 'bear-native.glb');
-  execFileSync(program, ['build', join(pictures, 'bear-erased.relievo'), '-q', '--vertices', '20000', '-o', native]);
+  relievo('build', join(pictures, 'bear-erased.relievo'), '-q', '--vertices', '20000', '-o', native);
   expect(glb.equals(readFileSync(native))).toBe(true);
   expect(stage.troubles).toEqual([]);
 });
@@ -172,7 +162,7 @@ it('tints the parts while the pen is down, and forgets a stroke on Escape', asyn
 it('opens and saves a project of the command line without losing what it holds', async () => {
   const { page } = stage;
   const file = join(pictures, 'bear-segmented.relievo');
-  execFileSync(program, ['segment', join(root, 'examples/bear.png'), '-q', '-o', file]);
+  relievo('segment', join(root, 'examples/bear.png'), '-q', '-o', file);
   await page.setInputFiles('input[type=file]', file);
   await settled(page);
   await choosePart(page, (await names(page))[2]!);
@@ -183,7 +173,7 @@ it('opens and saves a project of the command line without losing what it holds',
   for (const name of ['drawing', 'labels.png']) expect(Buffer.from(saved[name]!).equals(Buffer.from(came[name]!))).toBe(true);
   const { corrections } = (JSON.parse(Buffer.from(saved['project.json']!).toString()) as { segmentation: { corrections: { order: unknown[] } } }).segmentation;
   expect(corrections.order.length).toBe(1);
-  execFileSync(program, ['check', join(pictures, 'bear-corrected.relievo')]);
+  relievo('check', join(pictures, 'bear-corrected.relievo'));
   expect(stage.troubles).toEqual([]);
 });
 
@@ -236,7 +226,7 @@ it('runs nothing of a hostile segmentation, and says what is wrong with it', asy
   const { page } = stage;
   await page.evaluate(() => Object.assign(window, { ran: 0 }));
   const file = join(pictures, 'hostile.relievo');
-  execFileSync(program, ['segment', join(root, 'examples/bear.png'), '-q', '-o', file]);
+  relievo('segment', join(root, 'examples/bear.png'), '-q', '-o', file);
   const entries = unzipSync(readFileSync(file));
   const text = Buffer.from(entries['project.json']!).toString();
   const script = '<img src=x onerror=\\"window.ran=1\\">';
