@@ -22,7 +22,7 @@ export default defineConfig({
   build: { outDir: at('../build/web'), emptyOutDir: true, assetsInlineLimit: 0, chunkSizeWarningLimit: 900 },
   test: {
     projects: [
-      { extends: true, test: { name: 'unit', include: ['tests/unit/**/*.test.ts'] } },
+      { extends: true, test: { name: 'unit', include: ['tests/unit/**/*.test.ts'], testTimeout: 60_000 } },
       {
         extends: true,
         test: { name: 'engine', include: ['tests/engine/**/*.test.ts'], testTimeout: 60_000 },

@@ -10,7 +10,7 @@ import type { BuildControl } from './build_control';
 import { t } from './catalogue';
 import type { Editor } from './editor';
 import { documentOfLayers, entriesOfOra } from './layered_drawing';
-import { decodePicture, flatDrawing, pictureOf, pngOf, textureOf } from './pictures';
+import { flatDrawing, pictureOf, pngOf, textureOf } from './pictures';
 import type { SegmentControl } from './segment_control';
 
 const imageTypes = ['image/png', 'image/jpeg', 'image/webp'];
@@ -185,9 +185,8 @@ export class Files {
 
   /** The canvas of a flat drawing is its pixels. */
   private async openImage(name: string, bytes: Uint8Array, mime: string): Promise<void> {
-    const picture = await decodePicture(bytes, mime);
+    const { drawing, picture } = await flatDrawing({ name, kind: 'image', mime, bytes });
     const { width, height } = picture;
-    const drawing = await flatDrawing({ name, kind: 'image', mime, bytes }, picture);
     const next: Document = { ...emptyDocument(), name: baseName(name), width, height, drawing };
     this.editor.openDocument(next, picture);
     this.editor.set({ tool: 'draw', notice: t('guessing') });

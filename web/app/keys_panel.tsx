@@ -19,6 +19,7 @@ const rows: readonly [string, MessageKey][] = [
   ['Ctrl O, Ctrl S, Ctrl E', 'keyFile'],
   ['Esc', 'keyEscape'],
   ['[ ]', 'keyBrush'],
+  ['Shift', 'keyExtend'],
   ['Alt', 'keyErase'],
   ['Arrows, Enter', 'keyScribble'],
 ];

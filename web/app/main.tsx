@@ -80,7 +80,7 @@ async function main(): Promise<void> {
   const full = new Engine(compiled);
   const control = new BuildControl(editor, new Engine(compiled), full);
   const { autosave, kept } = await openStorage();
-  const segments = new SegmentControl(editor, { labels: new Engine(compiled), thoughts: new Engine(compiled) });
+  const segments = new SegmentControl(editor, () => new Engine(compiled));
   const files = new Files(editor, full, { control, segments }, autosave);
   const choose = chooser(files);
   let paper: PaperControl | null = null;

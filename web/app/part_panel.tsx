@@ -1,7 +1,7 @@
 import type { Part, RelationKind } from '../document/document';
 import { partIndex } from '../document/document';
 import {
-  changePart, joinParts, movePart, neighbours, ordered, relate, removeJoin, removePart, removeRanges, renamePart,
+  changePart, movePart, neighbours, ordered, relate, removePart, removeRanges, renamePart, toggleJoin,
 } from '../document/editing';
 import { t } from './catalogue';
 import type { Editor } from './editor';
@@ -19,15 +19,10 @@ function Neighbour({ editor, part, other }: { editor: Editor; part: Part; other:
   const relation = document.relations.find((entry) => same(entry) && !entry.range)?.relation ?? '';
   const setRelation = (value: string): void =>
     editor.edit('relation', relate(document, part.id, other.id, value === '' ? null : (value as RelationKind)));
-  const toggleJoin = (): void =>
-    editor.edit(
-      'join',
-      joined ? removeJoin(document, pair.upper, pair.lower) : joinParts(document, part.id, other.id),
-    );
   return (
     <li class="neighbour" onPointerEnter={() => editor.set({ hovered: other.id })} onPointerLeave={() => editor.set({ hovered: null })}>
       <span class="name" title={other.id}>{other.id}</span>
-      <button type="button" class="chip" aria-pressed={joined} onClick={toggleJoin}>
+      <button type="button" class="chip" aria-pressed={joined} onClick={() => editor.edit('join', toggleJoin(document, part.id, other.id))}>
         {joined ? t('unjoin') : t('joinPair')}
       </button>
       <select aria-label={`${t('touches')}: ${other.id}`} value={relation} onChange={(event) => setRelation(event.currentTarget.value)}>

@@ -3,6 +3,8 @@ import type { Texture } from '../engine/messages';
 import { canvasOf, painted, vectorSide } from '../view/painted_drawing';
 
 const maxPixels = 4096 * 4096;
+/** Of a flat drawing, so that labels follow the pen. */
+const flatPixels = 2048 * 2048;
 const stripHeight = 256;
 
 /** Paints all of a canvas, a strip at a time, so that the page stays free for the hand. */
@@ -55,18 +57,18 @@ export async function pictureOf(drawing: DrawingSource, width: number, height: n
 
 /**
  * A flat drawing as it is segmented and kept: the file as it came, or its picture as a PNG file
- * where the command line could not read that, or where it was made smaller.
+ * where the command line could not read that, or where it is too large to scribble on.
  */
-export async function flatDrawing(drawing: DrawingSource, picture: ImageBitmap): Promise<DrawingSource> {
-  const size = await createImageBitmap(new Blob([drawing.bytes as Uint8Array<ArrayBuffer>], { type: drawing.mime }));
-  const whole = size.width === picture.width && size.height === picture.height;
-  size.close();
-  if (whole && (drawing.mime === 'image/png' || drawing.mime === 'image/jpeg')) return drawing;
-  const [canvas, context] = canvasOf(picture.width, picture.height);
-  context.drawImage(picture, 0, 0);
-  const blob = await canvas.convertToBlob({ type: 'image/png' });
-  const bytes = new Uint8Array(await blob.arrayBuffer());
-  return { name: drawing.name.replace(/\.[^.]*$/, '') + '.png', kind: 'image', mime: 'image/png', bytes };
+export async function flatDrawing(source: DrawingSource): Promise<{ drawing: DrawingSource; picture: ImageBitmap }> {
+  const whole = await createImageBitmap(new Blob([source.bytes as Uint8Array<ArrayBuffer>], { type: source.mime }));
+  const scale = Math.min(1, Math.sqrt(flatPixels / (whole.width * whole.height)));
+  if (scale === 1 && ['image/png', 'image/jpeg'].includes(source.mime)) return { drawing: source, picture: whole };
+  const [canvas, context] = canvasOf(scale * whole.width, scale * whole.height);
+  context.drawImage(whole, 0, 0, canvas.width, canvas.height);
+  whole.close();
+  const bytes = new Uint8Array(await (await canvas.convertToBlob({ type: 'image/png' })).arrayBuffer());
+  const name = `${source.name.replace(/\.[^.]*$/, '')}.png`;
+  return { drawing: { name, kind: 'image', mime: 'image/png', bytes }, picture: canvas.transferToImageBitmap() };
 }
 
 /** A picture at another size. */

@@ -14,6 +14,7 @@ const rest = 300;
 
 /** A change of strokes that waits to be understood. */
 interface Wish {
+  readonly drawing: DrawingSource | null;
   readonly label: string;
   change(document: Document): Document;
 }
@@ -32,7 +33,15 @@ class DrawingReader {
   private opened: DrawingSource | null = null;
   private opening: Promise<object | Failure> = Promise.resolve({});
 
-  constructor(private readonly editor: Editor, readonly engine: Engine) {}
+  private made: Engine | null = null;
+
+  constructor(private readonly editor: Editor, private readonly make: () => Engine) {}
+
+  /** The worker, which is started when it is needed first. */
+  get engine(): Engine {
+    this.made ??= this.make();
+    return this.made;
+  }
 
   async ask<T extends object>(document: Document, question: (engine: Engine) => Promise<T | Failure>): Promise<T | Failure> {
     const { drawing } = document;
@@ -76,9 +85,9 @@ export class SegmentControl {
   private reordered: Document | null = null;
   private tinted: { drawing: DrawingSource; scribbles: Scribbles; corrections: Corrections } | null = null;
 
-  constructor(private readonly editor: Editor, engines: { labels: Engine; thoughts: Engine }) {
-    this.labeller = new DrawingReader(editor, engines.labels);
-    this.thinker = new DrawingReader(editor, engines.thoughts);
+  constructor(private readonly editor: Editor, start: () => Engine) {
+    this.labeller = new DrawingReader(editor, start);
+    this.thinker = new DrawingReader(editor, start);
     editor.subscribe(() => {
       this.followOrder();
       this.followStrokes();
@@ -105,7 +114,7 @@ export class SegmentControl {
 
   /** Has a change of strokes understood and makes it, strokes and all, one step. */
   wish(label: string, change: (document: Document) => Document): void {
-    this.wishes.push({ label, change });
+    this.wishes.push({ drawing: this.editor.document.drawing, label, change });
     this.showPending();
     if (!this.working) void this.work();
   }
@@ -201,6 +210,10 @@ export class SegmentControl {
   /** Tries again where the document has changed meanwhile. */
   private async grant(wish: Wish): Promise<void> {
     const { document } = this.editor;
+    if (document.drawing !== wish.drawing) {
+      this.forgetWishes();
+      return;
+    }
     try {
       const changed = wish.change(document);
       const understood =

@@ -25,6 +25,9 @@ export function SettingsPanel({ editor }: { editor: Editor }) {
       </label>
       <Slider label={t('vertices')} value={settings.vertices} min={2000} max={100000} step={1000} onInput={(vertices) => set({ vertices }, 'vertices')} />
       <Slider label={t('softness')} value={settings.rho} min={0.05} max={0.5} step={0.01} onInput={(rho) => set({ rho }, 'rho')} />
+      <label class="check" title={t('literalHelp')}>
+        <input type="checkbox" checked={settings.literal} onChange={() => set({ literal: !settings.literal }, 'literal')} /> {t('literal')}
+      </label>
       {settings.method === 'nonlinear' && (
         <Slider
           label={t('lambdaBnd')}

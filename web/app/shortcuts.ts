@@ -1,5 +1,5 @@
 import { partIndex } from '../document/document';
-import { changePart, joinParts, movePart, neighbours, ordered, removeJoin, removePart } from '../document/editing';
+import { changePart, movePart, neighbours, removePart, toggleJoin } from '../document/editing';
 import type { Editor, Shading } from './editor';
 import { nextField } from './field_switch';
 import type { Files } from './files';
@@ -23,18 +23,14 @@ interface Scope {
 
 const nextShading: Record<Shading, Shading> = { drawing: 'clay', clay: 'normals', normals: 'drawing' };
 
-function toggleJoin(editor: Editor, id: string): void {
+/** Separates a part from the one that it is joined to, or joins it to the foremost one behind. */
+function toggleOwnJoin(editor: Editor, id: string): void {
   const { document } = editor;
   const index = partIndex(document, id);
   const own = document.joins.find((join) => join.upper === id) ?? document.joins.find((join) => join.lower === id);
-  if (own) {
-    editor.edit('join', removeJoin(document, own.upper, own.lower));
-    return;
-  }
-  const lower = neighbours(document, id).find((part) => partIndex(document, part.id) < index);
-  if (!lower) return;
-  const pair = ordered(document, id, lower.id);
-  editor.edit('join', joinParts(document, pair.upper, pair.lower));
+  const behind = neighbours(document, id).find((part) => partIndex(document, part.id) < index);
+  const other = own ? (own.upper === id ? own.lower : own.upper) : behind?.id;
+  if (other !== undefined) editor.edit('join', toggleJoin(document, id, other));
 }
 
 function resizeBrush(editor: Editor, factor: number): void {
@@ -57,7 +53,7 @@ function partKeys(editor: Editor, id: string): Record<string, () => void> {
     End: moveTo(0),
     Delete: remove,
     Backspace: remove,
-    j: () => toggleJoin(editor, id),
+    j: () => toggleOwnJoin(editor, id),
     h: () => part && editor.edit('reverse', changePart(document, id, { d: -part.d })),
   };
 }

@@ -8,6 +8,7 @@ const steps: readonly { text: MessageKey; beside: 'model' | 'side' | 'tools' | '
   { text: 'tour2', beside: 'side' },
   { text: 'tour3', beside: 'tools' },
   { text: 'tour4', beside: 'tools' },
+  { text: 'tourOutline', beside: 'tools' },
   { text: 'tour5', beside: 'paper' },
   { text: 'tourScribble', beside: 'tools' },
 ];

@@ -78,7 +78,7 @@ function scribbleHostOf(editor: Editor, segments: SegmentControl): ScribbleHost 
   };
 }
 
-function TopBar({ editor, files, choose }: { editor: Editor; files: Files; choose(): void }) {
+function TopBar({ editor, files, segments, choose }: Pick<WorkspaceProps, 'editor' | 'files' | 'segments' | 'choose'>) {
   const { history, panel, saved } = useStore(editor);
   const toggle = (name: 'keys' | 'export' | 'settings'): void => editor.set({ panel: panel === name ? 'none' : name });
   const savedText = { yes: t('saved'), no: t('notSaved'), failed: t('saveFailed') }[saved];
@@ -88,7 +88,7 @@ function TopBar({ editor, files, choose }: { editor: Editor; files: Files; choos
       <span class="document-name">{history.document.name}</span>
       <span class={`saved ${saved}`} title={savedText}><span class="hidden">{savedText}</span></span>
       <span class="gap" />
-      <button type="button" class="bare" id="undo" disabled={history.done.length === 0} title={`${t('undo')} (Ctrl Z)`} aria-label={t('undo')} onClick={() => editor.undo()}><Icon name="undo" /></button>
+      <button type="button" class="bare" id="undo" disabled={history.done.length === 0} title={`${t('undo')} (Ctrl Z)`} aria-label={t('undo')} onClick={() => segments.forgetWishes() || editor.undo()}><Icon name="undo" /></button>
       <button type="button" class="bare" id="redo" disabled={history.undone.length === 0} title={`${t('redo')} (Ctrl ⇧ Z)`} aria-label={t('redo')} onClick={() => editor.redo()}><Icon name="redo" /></button>
       <span class="gap" />
       <button type="button" onClick={() => editor.set({ tourStep: 0 })}>{t('tour')}</button>
@@ -148,7 +148,7 @@ export function Workspace({ editor, files, segments, held, attachPaper, choose, 
   };
   return (
     <div class="workspace">
-      <TopBar editor={editor} files={files} choose={choose} />
+      <TopBar editor={editor} files={files} segments={segments} choose={choose} />
       <Toolbar editor={editor} />
       <PaperPane editor={editor} tool={() => hands[editor.state.tool]} attach={attach} />
       <ScribbleBar editor={editor} />

@@ -71,7 +71,8 @@ export function changePart(document: Document, id: string, values: Partial<Pick<
 /** Renames a part wherever it is spoken of; nothing where the name is empty or taken. */
 export function renamePart(document: Document, id: string, name: string): Document {
   const wanted = name.trim();
-  if (wanted === '' || wanted === id || partIndex(document, wanted) >= 0) return document;
+  const isTaken = partIndex(document, wanted) >= 0 || document.segmentation?.parts.some((part) => part.id === wanted);
+  if (wanted === '' || wanted === id || isTaken) return document;
   const rename = <T extends { upper: string; lower: string }>(pair: T): T => ({
     ...pair,
     upper: pair.upper === id ? wanted : pair.upper,
@@ -172,6 +173,13 @@ export function removeJoin(document: Document, upper: string, lower: string): Do
     ...document,
     joins: document.joins.filter((join) => join.upper !== upper || join.lower !== lower),
   };
+}
+
+/** Joins two parts, or separates them where they are joined. */
+export function toggleJoin(document: Document, a: string, b: string): Document {
+  const { upper, lower } = ordered(document, a, b);
+  const joined = document.joins.some((join) => join.upper === upper && join.lower === lower);
+  return joined ? removeJoin(document, upper, lower) : joinParts(document, a, b);
 }
 
 /** What holds between two parts everywhere; null: the default. */

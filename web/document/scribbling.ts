@@ -45,6 +45,12 @@ function visiblePart(document: Document, point: Point): Part | undefined {
   return [...document.parts].reverse().find((part) => contains(part.outline, point));
 }
 
+/** The part of the drawing that is seen at a point; undefined where it is none or drawn by hand. */
+export function foundPartAt(document: Document, point: Point): string | undefined {
+  const id = visiblePart(document, point)?.id;
+  return id !== undefined && labelOf(segmentationOf(document), id) !== undefined ? id : undefined;
+}
+
 /** The part without strokes of which a line covers most, or null. */
 function guessedPartUnder(document: Document, line: Ring): string | null {
   const { strokes } = scribblesOf(document);

@@ -2,7 +2,7 @@ import type { Point } from '../document/document';
 import { addOpenPart, addPart, movePart } from '../document/editing';
 import { area, distance, simplify, smooth } from '../document/outline';
 import { marks } from '../view/colors';
-import { traceLine } from '../view/paper_view';
+import { strokeLine } from '../view/paper_view';
 import type { Modifiers, Tool, ToolHost } from './tool';
 
 /** Ends so near to each other, as a share of the stroke's length, are one. */
@@ -44,18 +44,11 @@ export class DrawTool implements Tool {
 
   draw(context: CanvasRenderingContext2D, pixel: number): void {
     if (this.stroke.length < 2) return;
-    context.lineJoin = context.lineCap = 'round';
-    traceLine(context, this.stroke);
-    context.strokeStyle = marks.ink;
-    context.lineWidth = 3 * pixel;
-    context.stroke();
+    strokeLine(context, this.stroke, marks.ink, 3 * pixel);
     const first = this.stroke[0] as Point;
     const last = this.stroke[this.stroke.length - 1] as Point;
-    traceLine(context, [last, first]);
     context.setLineDash([6 * pixel, 6 * pixel]);
-    context.strokeStyle = this.isClosed(this.stroke) ? marks.ink : marks.join;
-    context.lineWidth = 2 * pixel;
-    context.stroke();
+    strokeLine(context, [last, first], this.isClosed(this.stroke) ? marks.ink : marks.join, 2 * pixel);
     context.setLineDash([]);
   }
 

@@ -1,13 +1,14 @@
-import type { Point } from '../document/document';
+import type { Join, Point } from '../document/document';
 import { addJoin, joinOfLine, partAt } from '../document/editing';
 import { distance } from '../document/outline';
+import { suggestedJoins, suggestionAt } from '../document/suggestions';
 import { marks } from '../view/colors';
-import { traceLine } from '../view/paper_view';
+import { strokeLine } from '../view/paper_view';
 import type { Tool, ToolHost } from './tool';
 
-/** A line across the root of a part joins it to the part below. */
+/** A line across the root of a part joins it to the part below; so does a click on a suggestion. */
 export class JoinTool implements Tool {
-  readonly cursor = 'crosshair';
+  cursor = 'crosshair';
   private line: Point[] = [];
 
   constructor(private readonly host: ToolHost) {}
@@ -18,11 +19,16 @@ export class JoinTool implements Tool {
 
   move(point: Point, pressed: boolean): void {
     if (pressed) this.line.push(point);
-    else this.host.hover(partAt(this.host.document, point)?.id ?? null);
+    else {
+      const { document, reach } = this.host;
+      const suggestion = suggestionAt(document, point, reach);
+      this.cursor = suggestion ? 'pointer' : 'crosshair';
+      this.host.hover(suggestion?.upper ?? partAt(document, point)?.id ?? null);
+    }
   }
 
   up(): void {
-    const join = this.proposed();
+    const join = this.proposed() ?? this.clicked();
     this.line = [];
     if (!join) return;
     this.host.edit('join', addJoin(this.host.document, join));
@@ -34,18 +40,29 @@ export class JoinTool implements Tool {
   }
 
   draw(context: CanvasRenderingContext2D, pixel: number): void {
-    if (this.line.length < 2) return;
-    traceLine(context, this.line);
-    context.strokeStyle = 'rgb(47 111 237 / 45%)';
-    context.lineWidth = 2 * pixel;
-    context.stroke();
+    if (this.line.length < 2) {
+      this.drawSuggestions(context, pixel);
+      return;
+    }
+    strokeLine(context, this.line, 'rgb(47 111 237 / 45%)', 2 * pixel);
     const join = this.proposed();
-    if (!join) return;
-    traceLine(context, join.line);
-    context.strokeStyle = marks.join;
-    context.lineWidth = 5 * pixel;
-    context.lineCap = 'round';
-    context.stroke();
+    if (join) strokeLine(context, join.line, marks.join, 5 * pixel);
+  }
+
+  private drawSuggestions(context: CanvasRenderingContext2D, pixel: number): void {
+    context.setLineDash([7 * pixel, 6 * pixel]);
+    for (const { line } of suggestedJoins(this.host.document)) {
+      strokeLine(context, line, 'rgb(255 255 255 / 70%)', 6 * pixel);
+      strokeLine(context, line, 'rgb(47 111 237 / 60%)', 3 * pixel);
+    }
+    context.setLineDash([]);
+  }
+
+  private clicked(): Join | null {
+    const { document, reach } = this.host;
+    const [first] = this.line;
+    const stayed = first && this.line.every((point) => distance(point, first) < reach / 2);
+    return stayed ? suggestionAt(document, first, reach) : null;
   }
 
   private proposed() {

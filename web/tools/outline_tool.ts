@@ -3,7 +3,7 @@ import { partAt, partBelow } from '../document/editing';
 import { distance, nearestPlace, type OutlinePlace, simplify, smooth } from '../document/outline';
 import { grips, pushOutline, type Refusal, redrawOutline, type Reshaped } from '../document/reshape';
 import { marks } from '../view/colors';
-import { dashHidden, traceLine } from '../view/paper_view';
+import { dashHidden, drawDot, strokeLine } from '../view/paper_view';
 import type { Modifiers, Tool, ToolHost } from './tool';
 
 /** Distance between grips and how far a push is felt, as multiples of the hand's reach. */
@@ -94,17 +94,13 @@ export class OutlineTool implements Tool {
     const part = this.part();
     if (!part) return;
     dashHidden(context, this.host.document.parts, part.id, pixel);
-    if (gesture.kind === 'redraw') this.drawStroke(context, gesture.stroke, pixel);
+    if (gesture.kind === 'redraw') strokeLine(context, gesture.stroke, marks.ink, 3 * pixel);
     const all = this.grips(part);
     const focused = this.nearest(all, this.focus);
     for (const grip of all) {
-      context.beginPath();
-      context.arc(grip.point[0], grip.point[1], (gesture.kind === 'none' ? 4.5 : 3) * pixel, 0, 2 * Math.PI);
-      context.fillStyle = grip === focused && gesture.kind === 'none' ? marks.select : '#fff';
-      context.fill();
-      context.lineWidth = 2 * pixel;
-      context.strokeStyle = marks.select;
-      context.stroke();
+      const idle = gesture.kind === 'none';
+      const fill = grip === focused && idle ? marks.select : '#fff';
+      drawDot(context, grip.point, { radius: idle ? 4.5 : 3, fill, rim: marks.select, width: 2 }, pixel);
     }
   }
 
@@ -152,13 +148,5 @@ export class OutlineTool implements Tool {
   private take(next: Reshaped, gesture?: string): void {
     if ('refused' in next) this.host.refuse(next.refused);
     else this.host.edit('outline', next.document, gesture);
-  }
-
-  private drawStroke(context: CanvasRenderingContext2D, stroke: readonly Point[], pixel: number): void {
-    traceLine(context, stroke);
-    context.lineJoin = context.lineCap = 'round';
-    context.strokeStyle = marks.ink;
-    context.lineWidth = 3 * pixel;
-    context.stroke();
   }
 }

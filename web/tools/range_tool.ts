@@ -2,6 +2,7 @@ import { type Part, partIndex, type Point } from '../document/document';
 import { addRange } from '../document/editing';
 import { arcBetween, nearestPlace, type OutlinePlace } from '../document/outline';
 import { rampColor } from '../view/colors';
+import { drawDot, strokeLine } from '../view/paper_view';
 import type { Tool, ToolHost } from './tool';
 
 /** Two clicks on an outline: soft where the first is, firm at the second, as in the paper. */
@@ -39,16 +40,8 @@ export class RangeTool implements Tool {
   draw(context: CanvasRenderingContext2D, pixel: number): void {
     const place = this.at?.place;
     if (this.from && place) this.drawArc(context, arcBetween(this.from.part.outline, this.from.place, place), pixel);
-    for (const [end, color] of [[this.from?.place, '#3a9d4a'], [place, this.from ? '#d6402f' : '#3a9d4a']] as const) {
-      if (!end) continue;
-      context.beginPath();
-      context.arc(end.point[0], end.point[1], 6 * pixel, 0, 2 * Math.PI);
-      context.fillStyle = color;
-      context.fill();
-      context.strokeStyle = '#fff';
-      context.lineWidth = 2 * pixel;
-      context.stroke();
-    }
+    for (const [end, fill] of [[this.from?.place, '#3a9d4a'], [place, this.from ? '#d6402f' : '#3a9d4a']] as const)
+      if (end) drawDot(context, end.point, { radius: 6, fill, rim: '#fff', width: 2 }, pixel);
   }
 
   /** A place on an outline within reach: of the given part, of the selected one, or of any. */
@@ -69,14 +62,7 @@ export class RangeTool implements Tool {
   }
 
   private drawArc(context: CanvasRenderingContext2D, arc: readonly Point[], pixel: number): void {
-    context.lineWidth = 5 * pixel;
-    context.lineCap = 'round';
-    for (let i = 0; i + 1 < arc.length; i++) {
-      context.beginPath();
-      context.moveTo(...(arc[i] as Point));
-      context.lineTo(...(arc[i + 1] as Point));
-      context.strokeStyle = rampColor(i / arc.length);
-      context.stroke();
-    }
+    for (let i = 0; i + 1 < arc.length; i++)
+      strokeLine(context, arc.slice(i, i + 2), rampColor(i / arc.length), 5 * pixel);
   }
 }

@@ -1,6 +1,6 @@
 import type { Document, Point } from '../document/document';
 import { simplify } from '../document/outline';
-import { addStroke, canScribble, eraseStrokes, labelOfStroke, partOfStroke, scribblesOf } from '../document/scribbling';
+import { addStroke, canScribble, eraseStrokes, foundPartAt, labelOfStroke, partOfStroke, scribblesOf } from '../document/scribbling';
 import type { Stroke, StrokeKind } from '../document/segmentation';
 import { inkOf, marks } from '../view/colors';
 import type { Modifiers, Tool, ToolHost } from './tool';
@@ -52,7 +52,7 @@ export class ScribbleTool implements Tool {
     const { brush } = this.scribbles;
     this.kind = keys.alt || brush.kind === 'erase' ? 'erase' : brush.kind === 'auto' || brush.kind === 'part' ? 'hard' : brush.kind;
     this.points = [point];
-    this.part = this.kind === 'hard' && brush.kind === 'part' && brush.part !== null ? brush.part : undefined;
+    this.part = keys.shift ? foundPartAt(this.scribbles.pending, point) : brush.kind === 'part' ? brush.part ?? undefined : undefined;
     this.show();
   }
 

@@ -1,6 +1,7 @@
 import type { Document, Part, Point } from '../document/document';
 import { changePart, partAt, partBelow } from '../document/editing';
 import { marks } from '../view/colors';
+import { drawDot } from '../view/paper_view';
 import { type Handle, handleAt, handlesOf, slide } from './handles';
 import type { Modifiers, Tool, ToolHost } from './tool';
 
@@ -53,13 +54,8 @@ export class SelectTool implements Tool {
   draw(context: CanvasRenderingContext2D, pixel: number): void {
     const { document, selected } = this.host;
     for (const handle of handlesOf(document, selected)) {
-      context.beginPath();
-      context.arc(handle.point[0], handle.point[1], 5.5 * pixel, 0, 2 * Math.PI);
-      context.fillStyle = '#fff';
-      context.fill();
-      context.lineWidth = 2.5 * pixel;
-      context.strokeStyle = handle.kind === 'join' ? marks.join : handle.end === 'first' ? '#3a9d4a' : '#d6402f';
-      context.stroke();
+      const rim = handle.kind === 'join' ? marks.join : handle.end === 'first' ? '#3a9d4a' : '#d6402f';
+      drawDot(context, handle.point, { radius: 5.5, fill: '#fff', rim, width: 2.5 }, pixel);
     }
   }
 

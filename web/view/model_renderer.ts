@@ -34,6 +34,7 @@ export class ModelRenderer {
 
   constructor(private readonly canvas: OffscreenCanvas) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+    canvas.addEventListener('webglcontextrestored', () => this.redraw());
     this.scene.add(this.model, this.light, this.light.target, new THREE.HemisphereLight(0xffffff, 0xcfc8bd, 1.85));
   }
 

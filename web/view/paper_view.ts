@@ -1,4 +1,4 @@
-import type { Document, Part, Ring } from '../document/document';
+import type { Document, Part, Point, Ring } from '../document/document';
 import { hiddenOutline } from '../document/hidden';
 import type { Overlays } from '../engine/messages';
 import { marks, rampColor } from './colors';
@@ -33,6 +33,33 @@ export function tracePart(context: Context, outline: readonly Ring[]): void {
 export function traceLine(context: Context, line: Ring): void {
   context.beginPath();
   line.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
+}
+
+/** Draws a line with round ends and corners, its width in canvas px. */
+export function strokeLine(context: CanvasRenderingContext2D, line: Ring, color: string, width: number): void {
+  traceLine(context, line);
+  context.lineJoin = context.lineCap = 'round';
+  context.strokeStyle = color;
+  context.lineWidth = width;
+  context.stroke();
+}
+
+interface Dot {
+  readonly radius: number;
+  readonly fill: string;
+  readonly rim: string;
+  readonly width: number;
+}
+
+/** Draws a round mark; lengths in CSS px. */
+export function drawDot(context: CanvasRenderingContext2D, [x, y]: Point, { radius, fill, rim, width }: Dot, pixel: number): void {
+  context.beginPath();
+  context.arc(x, y, radius * pixel, 0, 2 * Math.PI);
+  context.fillStyle = fill;
+  context.fill();
+  context.lineWidth = width * pixel;
+  context.strokeStyle = rim;
+  context.stroke();
 }
 
 /**

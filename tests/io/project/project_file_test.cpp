@@ -5,6 +5,7 @@
 #include <random>
 
 #include "io/archive/pack_archive.h"
+#include "io/archive/zip_archive.h"
 #include "io/image/png_encode.h"
 #include "io/project/project_json.h"
 #include "io/scene/write_scene.h"

@@ -3,7 +3,8 @@ import { join } from 'node:path';
 import { beforeAll, expect, it } from 'vitest';
 import type { Surface } from '../../engine/messages';
 import type { ReliefService } from '../../engine/relief_service';
-import { must, root, shown, startService, usual } from './native';
+import { root } from '../support/command_line';
+import { must, shown, startService, usual } from './service';
 
 let service: ReliefService;
 beforeAll(async () => {

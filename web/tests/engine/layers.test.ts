@@ -5,8 +5,9 @@ import { strToU8, zipSync } from 'fflate';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { isFailure, type OutputFile } from '../../engine/messages';
 import type { ReliefService } from '../../engine/relief_service';
-import { must, relievo, shown, startService, usual } from './native';
-import { disc } from './pictures';
+import { relievo } from '../support/command_line';
+import { disc } from '../support/pictures';
+import { must, shown, startService, usual } from './service';
 
 let service: ReliefService;
 beforeAll(async () => {

@@ -5,7 +5,8 @@ import validator from 'gltf-validator';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { type BuildOptions, isFailure } from '../../engine/messages';
 import type { ReliefService } from '../../engine/relief_service';
-import { must, relievo, root, shown, startService, usual } from './native';
+import { relievo, root } from '../support/command_line';
+import { must, shown, startService, usual } from './service';
 
 const samples = ['bunny', 'elephant', 'farmer', 'lamb', 'unicorn', 'wolf'];
 

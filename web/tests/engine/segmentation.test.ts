@@ -140,6 +140,37 @@ describe('a flat drawing', () => {
   });
 });
 
+/** White paper with a black line of this width through the points. */
+function inked(width: number, height: number, pen: number, lines: Point[][]) {
+  const rgba = new Uint8Array(4 * width * height).fill(255);
+  for (const line of lines)
+    for (let i = 0; i + 1 < line.length; i++) {
+      const [[ax, ay], [bx, by]] = [line[i]!, line[i + 1]!];
+      const steps = Math.ceil(Math.hypot(bx - ax, by - ay));
+      for (let k = 0; k <= steps; k++)
+        for (let dy = 0; dy < pen; dy++)
+          for (let dx = 0; dx < pen; dx++) {
+            const x = Math.round(ax + ((bx - ax) * k) / steps) + dx;
+            const y = Math.round(ay + ((by - ay) * k) / steps) + dy;
+            rgba.fill(20, 4 * (y * width + x), 4 * (y * width + x) + 3);
+          }
+    }
+  return { rgba, width, height };
+}
+
+it('takes strokes where it can guess nothing', () => {
+  const comb: Point[][] = Array.from({ length: 9 }, (_, i): Point[] => [[60 + 40 * i, 60], [60 + 40 * i, 330]]);
+  must(service.openDrawing({ pixels: inked(440, 400, 4, comb) }));
+  const paper: Document = { ...blank(), width: 440, height: 400 };
+  const guess = service.understand(requestOf(paper));
+  expect(isFailure(guess) && guess.error.code).toBe('bad_input');
+  const points: Point[] = [[75, 100], [75, 300]];
+  const first = addStroke(paper, { kind: 'hard', part: partOfStroke(paper, points, 5), width: 12, points });
+  const found = understood(addStroke(first, { kind: 'outside', width: 12, points: [[20, 20], [420, 20]] }));
+  expect(found.parts.map((part) => part.id)).toEqual(['part-1']);
+  must(service.openDrawing({ png: bear }));
+});
+
 describe('a project of a flat drawing', () => {
   it('opens, is edited and saved without losing anything', () => {
     const bytes = native();

@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { type BrowserContext, chromium, type Page } from 'playwright-core';
 import { preview, type PreviewServer } from 'vite';
+import { afterAll, beforeAll, beforeEach } from 'vitest';
 
 const web = fileURLToPath(new URL('../..', import.meta.url));
 
@@ -78,6 +79,19 @@ export async function closeStage(stage: Stage): Promise<void> {
   await stage.context.close();
   await stage.server.close();
   rmSync(stage.profile, { recursive: true, force: true });
+}
+
+/** One stage for the tests of a file; `anew`: each begins at the first screen. */
+export function stageOfFile({ anew }: { anew: boolean }): Stage {
+  const stage = {} as Stage;
+  beforeAll(async () => {
+    Object.assign(stage, await openStage());
+  });
+  beforeEach(async () => {
+    if (anew) await stage.page.goto(stage.url);
+  });
+  afterAll(() => closeStage(stage));
+  return stage;
 }
 
 /** Waits until the full relief of the present document is on the screen. */

@@ -1,12 +1,8 @@
-import { afterAll, beforeAll, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 import { gesture, names, oval, type Spot } from './actions.ts';
-import { closeStage, openStage, picture, settled, type Stage } from './browser.ts';
+import { picture, settled, stageOfFile } from './browser.ts';
 
-let stage: Stage;
-beforeAll(async () => {
-  stage = await openStage();
-});
-afterAll(() => closeStage(stage));
+const stage = stageOfFile({ anew: false });
 
 const leg: Spot[] = [
   [420, 480], [415, 560], [410, 650], [415, 700], [450, 720], [490, 700], [500, 650], [500, 560], [495, 480],

@@ -1,15 +1,8 @@
-import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 import { choosePart, gesture, names, outlineOf, oval, sample, save } from './actions.ts';
-import { closeStage, openStage, picture, settled, type Stage } from './browser.ts';
+import { picture, settled, stageOfFile } from './browser.ts';
 
-let stage: Stage;
-beforeAll(async () => {
-  stage = await openStage();
-});
-beforeEach(async () => {
-  await stage.page.goto(stage.url);
-});
-afterAll(() => closeStage(stage));
+const stage = stageOfFile({ anew: true });
 
 it('orders, joins and hollows parts by keyboard, and undo leads back to the same bytes', async () => {
   const { page } = stage;
@@ -65,6 +58,24 @@ it('joins with a line across the root', async () => {
   await settled(page);
   await picture(page, 'joined');
   expect(await page.locator('.parts li').first().locator('.joined').count()).toBe(1);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('joins with a click on a suggestion', async () => {
+  const { page } = stage;
+  await page.click('#empty');
+  await gesture(page, oval(400, 400, 200, 150));
+  await gesture(page, oval(640, 400, 130, 60));
+  await settled(page);
+  await page.keyboard.press('3');
+  await page.keyboard.press('Escape');
+  await page.waitForTimeout(200);
+  await picture(page, 'suggested');
+  const part = await outlineOf(page, 'part 2');
+  const root = part.reduce((a, b) => (a[0] < b[0] ? a : b));
+  await gesture(page, [root]);
+  await settled(page);
+  expect(await page.locator('.parts li .joined').count()).toBe(1);
   expect(stage.troubles).toEqual([]);
 });
 

@@ -1,16 +1,9 @@
 import type { CDPSession } from 'playwright-core';
-import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 import { gesture, names, oval, pageView, sample, type Spot } from './actions.ts';
-import { closeStage, openStage, picture, settled, type Stage } from './browser.ts';
+import { picture, settled, stageOfFile } from './browser.ts';
 
-let stage: Stage;
-beforeAll(async () => {
-  stage = await openStage();
-});
-beforeEach(async () => {
-  await stage.page.goto(stage.url);
-});
-afterAll(() => closeStage(stage));
+const stage = stageOfFile({ anew: true });
 
 /** Where the page's paper begins on the screen: its leftmost and topmost pixel of paper. */
 async function paperBox(): Promise<{ left: number; top: number; width: number }> {

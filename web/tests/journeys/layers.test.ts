@@ -1,17 +1,10 @@
 import { strToU8, zipSync } from 'fflate';
-import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
-import { disc } from '../engine/pictures.ts';
+import { expect, it } from 'vitest';
+import { disc } from '../support/pictures.ts';
 import { names } from './actions.ts';
-import { closeStage, openStage, picture, settled, type Stage } from './browser.ts';
+import { picture, settled, stageOfFile } from './browser.ts';
 
-let stage: Stage;
-beforeAll(async () => {
-  stage = await openStage();
-});
-beforeEach(async () => {
-  await stage.page.goto(stage.url);
-});
-afterAll(() => closeStage(stage));
+const stage = stageOfFile({ anew: true });
 
 const body = disc(400, 170, [214, 120, 70]);
 const head = disc(220, 100, [90, 140, 190]);

@@ -1,15 +1,8 @@
-import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 import { sample } from './actions.ts';
-import { closeStage, openStage, picture, settled, type Stage } from './browser.ts';
+import { picture, settled, stageOfFile } from './browser.ts';
 
-let stage: Stage;
-beforeAll(async () => {
-  stage = await openStage();
-});
-beforeEach(async () => {
-  await stage.page.goto(stage.url);
-});
-afterAll(() => closeStage(stage));
+const stage = stageOfFile({ anew: true });
 
 async function chooseNonlinear(): Promise<void> {
   const { page } = stage;

@@ -1,16 +1,9 @@
-import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 import { grips } from '../../document/reshape.ts';
 import { choosePart, gesture, outlineOf, oval, pageView, sample, save, type Spot } from './actions.ts';
-import { closeStage, openStage, picture, settled, type Stage } from './browser.ts';
+import { picture, settled, stageOfFile } from './browser.ts';
 
-let stage: Stage;
-beforeAll(async () => {
-  stage = await openStage();
-});
-beforeEach(async () => {
-  await stage.page.goto(stage.url);
-});
-afterAll(() => closeStage(stage));
+const stage = stageOfFile({ anew: true });
 
 /** The points of a ring that are farthest out in a direction. */
 function farthest(ring: Spot[], [x, y]: Spot): Spot {

@@ -1,24 +1,13 @@
-import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { unzipSync } from 'fflate';
 import validator from 'gltf-validator';
-import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
+import { relievo } from '../support/command_line.ts';
 import { choosePart, downloaded, sample, save } from './actions.ts';
-import { closeStage, openStage, picture, pictures, reopen, settled, type Stage } from './browser.ts';
+import { picture, pictures, reopen, settled, stageOfFile } from './browser.ts';
 
-const root = fileURLToPath(new URL('../../..', import.meta.url));
-const program = process.env['RELIEVO'] ?? join(root, 'build/dev/apps/cli/relievo');
-
-let stage: Stage;
-beforeAll(async () => {
-  stage = await openStage();
-});
-beforeEach(async () => {
-  await stage.page.goto(stage.url);
-});
-afterAll(() => closeStage(stage));
+const stage = stageOfFile({ anew: true });
 
 it('keeps the work when the browser is ended, and a saved project opens again', async () => {
   await sample(stage.page, 'farmer');
@@ -50,7 +39,7 @@ it('exports the model that the command line makes of the saved project, and all 
   expect(report.issues).toMatchObject({ numErrors: 0, numWarnings: 0 });
   for (const name of ['scene.json', 'drawing.png']) writeFileSync(join(pictures, name), project[name]!);
   const native = join(pictures, 'native.glb');
-  execFileSync(program, ['build', join(pictures, 'scene.json'), '-q', '--vertices', '20000', '-o', native]);
+  relievo('build', join(pictures, 'scene.json'), '-q', '--vertices', '20000', '-o', native);
   expect(glb.equals(readFileSync(native))).toBe(true);
   const firstBytes: Record<string, string> = { obj: 'PK', ply: 'ply', stl: '', normal: '\x89PNG', depth: '\x89PNG', part: '\x89PNG', picture: '\x89PNG' };
   for (const [kind, first] of Object.entries(firstBytes)) {

@@ -2,16 +2,12 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { brotliCompressSync } from 'node:zlib';
-import { afterAll, beforeAll, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 import { choosePart, sample } from './actions.ts';
-import { closeStage, openStage, settled, type Stage } from './browser.ts';
+import { settled, stageOfFile } from './browser.ts';
 import { mainThreadTasks } from './trace.ts';
 
-let stage: Stage;
-beforeAll(async () => {
-  stage = await openStage();
-});
-afterAll(() => closeStage(stage));
+const stage = stageOfFile({ anew: false });
 
 /** Longest task that a hand does not feel, ms of processor time. */
 const longest = 100;

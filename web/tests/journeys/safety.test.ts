@@ -1,16 +1,14 @@
 import { strToU8, zipSync } from 'fflate';
-import { afterAll, beforeAll, expect, it } from 'vitest';
-import { closeStage, openStage, picture, settled, type Stage } from './browser.ts';
+import { beforeAll, expect, it } from 'vitest';
+import { picture, settled, stageOfFile } from './browser.ts';
 
-let stage: Stage;
+const stage = stageOfFile({ anew: false });
 beforeAll(async () => {
-  stage = await openStage();
   await stage.page.addInitScript(() => {
     Object.assign(window, { ran: 0 });
   });
   await stage.page.goto(stage.url);
 });
-afterAll(() => closeStage(stage));
 
 const part = '<g data-relievo="part" id="a"><path fill="#c96" d="M100 100H700V600H100Z"/></g>';
 const script = 'window.ran=1';

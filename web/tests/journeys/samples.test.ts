@@ -1,11 +1,7 @@
-import { afterAll, beforeAll, expect, it } from 'vitest';
-import { closeStage, openStage, picture, settled, type Stage } from './browser.ts';
+import { expect, it } from 'vitest';
+import { picture, settled, stageOfFile } from './browser.ts';
 
-let stage: Stage;
-beforeAll(async () => {
-  stage = await openStage();
-});
-afterAll(() => closeStage(stage));
+const stage = stageOfFile({ anew: false });
 
 it('shows a sample in three dimensions soon after a click', async () => {
   const { page } = stage;

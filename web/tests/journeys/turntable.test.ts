@@ -1,13 +1,9 @@
 import { decode, decodeFrames } from 'modern-gif';
-import { afterAll, beforeAll, expect, it } from 'vitest';
+import { expect, it } from 'vitest';
 import { downloaded, sample } from './actions.ts';
-import { closeStage, openStage, picture, type Stage } from './browser.ts';
+import { picture, stageOfFile } from './browser.ts';
 
-let stage: Stage;
-beforeAll(async () => {
-  stage = await openStage();
-});
-afterAll(() => closeStage(stage));
+const stage = stageOfFile({ anew: false });
 
 /** Share of the pixels that differ clearly. */
 function difference(a: Uint8ClampedArray, b: Uint8ClampedArray): number {

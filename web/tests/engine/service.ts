@@ -1,11 +1,8 @@
-import { execFileSync } from 'node:child_process';
-import { existsSync, readFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { fileURLToPath } from 'node:url';
 import { type BuildOptions, type Failure, isFailure } from '../../engine/messages';
 import { ReliefService } from '../../engine/relief_service';
-
-export const root = fileURLToPath(new URL('../../..', import.meta.url));
+import { root } from '../support/command_line';
 
 export const usual: BuildOptions = {
   method: 'approximate',
@@ -28,11 +25,4 @@ export function must<T extends object>(value: T | Failure): T {
 export async function startService(): Promise<ReliefService> {
   const bytes = readFileSync(join(root, 'build/wasm/bindings/wasm/relievo.wasm'));
   return ReliefService.start(await WebAssembly.compile(bytes));
-}
-
-/** Runs the command line; the tests need it built. */
-export function relievo(...words: string[]): void {
-  const program = process.env['RELIEVO'] ?? join(root, 'build/dev/apps/cli/relievo');
-  if (!existsSync(program)) throw new Error(`${program} is not built; set RELIEVO to another`);
-  execFileSync(program, words);
 }

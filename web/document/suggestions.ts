@@ -1,0 +1,61 @@
+import type { Document, Join, Part, Point, Ring } from './document';
+import { boxOf, contains, distance, longestRunInside, mix, perimeter, pointAt } from './outline';
+
+/** So many places of an outline are looked at. */
+const samples = 96;
+/** A root takes such a share of an outline; less is a touch, more an eye or a spot. */
+const leastRoot = 0.08;
+const mostRoot = 0.6;
+
+/** Documents never change. */
+const found = new WeakMap<Document, readonly Join[]>();
+
+function boxesMeet(a: Part, b: Part): boolean {
+  const [p, q] = [boxOf(a.outline), boxOf(b.outline)];
+  return ([0, 1] as const).every((k) => p.max[k] >= q.min[k] && q.max[k] >= p.min[k]);
+}
+
+/** The share of a ring inside a part where that is one run; 0 where it is none or several. */
+function rootShare(ring: Ring, lower: Part): number {
+  const length = perimeter(ring);
+  const inside = Array.from({ length: samples }, (_, i) => contains(lower.outline, pointAt(ring, (i * length) / samples)));
+  const starts = inside.filter((now, i) => now && !inside.at(i - 1)).length;
+  return starts === 1 ? inside.filter(Boolean).length / samples : 0;
+}
+
+/** The part behind in which most of a root lies. */
+function lowerOf(upper: Part, behind: readonly Part[]): Part | null {
+  const [outer] = upper.outline;
+  if (!outer || upper.outline.length > 1) return null;
+  const shares = behind.map((lower) => (boxesMeet(upper, lower) ? rootShare(outer, lower) : 0));
+  const best = Math.max(0, ...shares);
+  return best >= leastRoot && best <= mostRoot ? (behind[shares.lastIndexOf(best)] as Part) : null;
+}
+
+function findJoins({ parts, joins, relations }: Document): Join[] {
+  return parts.flatMap((upper, index) => {
+    if (joins.some((join) => join.upper === upper.id)) return [];
+    const lower = lowerOf(upper, parts.slice(0, index));
+    const settled = relations.some((relation) => relation.upper === upper.id && relation.lower === lower?.id);
+    const line = lower && !settled ? longestRunInside(upper, lower) : null;
+    return lower && line ? [{ upper: upper.id, lower: lower.id, line }] : [];
+  });
+}
+
+/**
+ * Joins that a person may want: of parts that have none, whose outline dips into another part just
+ * once, as a limb's root does, and of which nothing else is said.
+ */
+export function suggestedJoins(document: Document): readonly Join[] {
+  const joins = found.get(document) ?? findJoins(document);
+  found.set(document, joins);
+  return joins;
+}
+
+/** The suggestion whose line passes a point within `reach` px, or null. */
+export function suggestionAt(document: Document, point: Point, reach: number): Join | null {
+  const gap = (join: Join): number =>
+    Math.min(...join.line.flatMap((p, i) => [distance(p, point), distance(mix(p, join.line[i + 1] ?? p, 0.5), point)]));
+  const near = suggestedJoins(document).filter((join) => gap(join) < reach);
+  return near.sort((a, b) => gap(a) - gap(b))[0] ?? null;
+}
