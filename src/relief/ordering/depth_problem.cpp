@@ -1,5 +1,6 @@
 #include "relief/ordering/depth_problem.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "kernel/base/piece_timer.h"
@@ -85,7 +86,8 @@ SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const 
   BoundQpSolution solution = solve_bound_qp(system.qp, system.factor, options, context);
   ordering.h = heights_of(problem, root_height, solution.z, metric.scale);
   ordering.equalities = static_cast<int>(ordering.h.size() - variables.bounded.size());
-  ordering.inequalities = static_cast<int>(problem.forest.gaps.size());
+  ordering.inequalities =
+      static_cast<int>(std::count(system.qp.bounded.begin(), system.qp.bounded.end(), 1));
   ordering.report = solution.report;
   ordering.report.energy += 0.5 * rest.dot(force);
   system.closed = std::move(solution.active);
