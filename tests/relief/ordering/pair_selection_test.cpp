@@ -20,14 +20,13 @@ std::vector<double> heights(DepthSystem& system, const ShiftMetric& metric,
   return ordering.h;
 }
 
-/// Pairs of which the upper part's number leaves the remainder when divided by three.
-std::vector<DepthPair> without_every_third(const LayeredMesh& mesh, int remainder) {
+/// The pairs of the mesh without those of the parts from `front` on.
+std::vector<DepthPair> pairs_behind(const LayeredMesh& mesh, int front) {
   std::vector<DepthPair> pairs = mesh.constraints;
-  pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                             [&](const DepthPair& pair) {
-                               return mesh.node_part[pair.upper] % 3 == remainder;
-                             }),
-              pairs.end());
+  pairs.erase(
+      std::remove_if(pairs.begin(), pairs.end(),
+                     [&](const DepthPair& pair) { return mesh.node_part[pair.upper] >= front; }),
+      pairs.end());
   return pairs;
 }
 
@@ -40,8 +39,8 @@ TEST(PairSelection, GivesTheHeightsOfASystemBuiltForThePairs) {
   };
   DepthSystem system = build(mesh.constraints);
   const std::vector<double> all = heights(system, metric, f);
-  for (const int remainder : {0, 1, 2}) {
-    const std::vector<DepthPair> pairs = without_every_third(mesh, remainder);
+  for (const int front : {11, 7, 3}) {
+    const std::vector<DepthPair> pairs = pairs_behind(mesh, front);
     ASSERT_LT(pairs.size(), mesh.constraints.size());
     ASSERT_TRUE(select_pairs(mesh.node_part, pairs, system));
     DepthSystem fresh = build(pairs);
@@ -57,7 +56,7 @@ TEST(PairSelection, GivesTheHeightsOfASystemBuiltForThePairs) {
 TEST(PairSelection, RefusesPairsThatTheSystemDoesNotHave) {
   const LayeredMesh mesh = testing::scattered_discs(12, 25);
   const ShiftMetric metric = make_shift_metric(mesh, epsilon);
-  const std::vector<DepthPair> some = without_every_third(mesh, 1);
+  const std::vector<DepthPair> some = pairs_behind(mesh, 7);
   DepthSystem system =
       make_depth_system(make_depth_problem(mesh.node_part, some), metric, {}, {}, {});
   const std::vector<uint8_t> bounded = system.qp.bounded;
