@@ -68,7 +68,7 @@ DepthSystem make_depth_system(const DepthProblem& problem, const ShiftMetric& me
   if (context.cancelled()) return system;
   const PieceTimer analysing(context, "analyse");
   system.factor.analyse(system.qp.K, Refactorisation::incremental,
-                        order_of_variables(problem.variables, elimination));
+                        order_of_variables(problem.variables, elimination), context);
   return system;
 }
 

@@ -152,6 +152,7 @@ Status ReliefSession::update_inflation(const Request& request) {
     poisson_.emplace(mesh, discretisation_,
                      use_ == Use::many ? Refactorisation::incremental : Refactorisation::complete,
                      context);
+    if (context.cancelled()) return interrupted_error();
     return Done{};
   });
   if (!status) return status;
