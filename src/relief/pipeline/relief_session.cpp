@@ -38,7 +38,7 @@ Guess coarse_guess(const Scene& scene, ReliefOptions options, const RunContext& 
   layers.edge_length *= std::sqrt(static_cast<double>(coarsening));
   layers.vertex_budget /= coarsening;
   if (layers.edge_length == 0 && layers.vertex_budget < smallest_coarse_mesh) return {};
-  options.ordering.max_rounds = 0;
+  if (options.method == Method::nonlinear) options.ordering.max_rounds = 0;
   options.joint.snapshots.clear();
   options.joint.tolerance = std::max(options.joint.tolerance, coarse_tolerance);
   ReliefSession session(ReliefSession::Use::guess);
@@ -88,7 +88,6 @@ Status ReliefSession::update_surface(const Request& request) {
 void ReliefSession::begin_like(const Scene& scene) {
   std::vector<DepthContact> contacts = std::move(ordering_system_.contacts);
   ordering_system_ = {};
-  ordering_system_.keep_rounds = use_ == Use::many;
   const auto number = [&](int& part) {
     const auto same = [&](const Part& other) { return other.id == part_ids_[part]; };
     const auto found = std::find_if(scene.parts.begin(), scene.parts.end(), same);
@@ -153,6 +152,7 @@ Status ReliefSession::update_inflation(const Request& request) {
     poisson_.emplace(mesh, discretisation_,
                      use_ == Use::many ? Refactorisation::incremental : Refactorisation::complete,
                      context);
+    if (context.cancelled()) return interrupted_error();
     return Done{};
   });
   if (!status) return status;
