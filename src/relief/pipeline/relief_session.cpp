@@ -203,8 +203,8 @@ Status ReliefSession::update_jointly(const Request& request) {
     JointOptions joint = options.joint;
     joint.epsilon = options.ordering.epsilon;
     joint.max_rounds = options.ordering.max_rounds;
-    auto solution =
-        solve_jointly(relief_.layers, scene, {inflation_, &joint_memory_}, joint, context);
+    auto solution = solve_jointly({relief_.layers, discretisation_, inflation_, scene}, joint,
+                                  joint_memory_, context);
     if (!solution) return solution.error();
     joint_memory_ = std::move(solution->memory);
     relief_.inflation = std::move(solution->inflation);
