@@ -1,7 +1,6 @@
 #include "relief/joint/joint_iteration.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 #include <span>
 
@@ -18,7 +17,7 @@ using Eigen::VectorXd;
 constexpr double growth_limit = 3;
 
 /// The residual at which crossings are looked for.
-static const double rough = getenv("ROUGH")?atof(getenv("ROUGH")):1e-2;
+constexpr double rough = 1e-2;
 
 /// In the order in which they are tried where u may have either sign somewhere.
 constexpr Softness softnesses[] = {

@@ -74,13 +74,15 @@ class JointRounds {
     model_.lambda_shift = options.lambda_shift;
     run_.state = first_state(model_, input.inflation);
     u_start_ = run_.state.u;
-    recall(input.mesh, model_, known, run_.state);
+    likely_ = likely_pairs(input.mesh, stacked_, known.contacts);
+    recall(input.mesh, model_, with_likely(input.mesh.constraints), known.marks, run_.state);
   }
 
   /// Leaves the solution for these pairs in `solution` and its heights in `ordering`; in a round
   /// that is not the last, rough heights where they cross.
   Status solve(const std::vector<DepthPair>& pairs, Ordering& ordering, JointSolution& solution) {
-    const DepthProblem problem = make_depth_problem(input_.mesh.node_part, pairs);
+    pairs_ = with_likely(pairs);
+    const DepthProblem problem = make_depth_problem(input_.mesh.node_part, pairs_);
     run_.report.round = ordering.rounds;
     run_.crosses = [&](const std::vector<double>& h) {
       return ordering.rounds < options_.max_rounds && crosses(h);
@@ -102,7 +104,7 @@ class JointRounds {
 
   JointMemory memory() const {
     if (run_.report.status != JointStatus::solved) return {};
-    return remember(input_.mesh, model_, u_start_, run_.state);
+    return remember(input_.mesh, model_, pairs_, u_start_, run_.state);
   }
 
   /// With the energy at the end.
@@ -114,6 +116,11 @@ class JointRounds {
   }
 
  private:
+  std::vector<DepthPair> with_likely(std::vector<DepthPair> pairs) const {
+    pairs.insert(pairs.end(), likely_.begin(), likely_.end());
+    return pairs;
+  }
+
   /// Iterates; where u comes out with the wrong sign, as obtuse faces allow, holds it at 0 and
   /// goes on.
   Status iterate(const DepthProblem& problem) {
@@ -157,6 +164,8 @@ class JointRounds {
   const RunContext& context_;
   JointModel model_;
   std::vector<FacePair> stacked_;
+  std::vector<DepthPair> likely_;  ///< that will be found to cross, from the beginning
+  std::vector<DepthPair> pairs_;   ///< of the round
   std::optional<InflationResponse> response_;
   VectorXd u_start_;
   JointRun run_;

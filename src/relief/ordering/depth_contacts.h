@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "kernel/geometry/point.h"
@@ -15,6 +16,8 @@ struct DepthContact {
   int upper = -1;
   Point2 position;  ///< px
   bool closed = false;
+
+  std::pair<int, int> group() const { return {lower, upper}; }
 };
 
 /// The contacts of a solved system. O(gaps).

@@ -99,9 +99,12 @@ void ReliefSession::begin_like(const Scene& scene) {
     number(contact.upper);
   }
   ordering_system_.contacts = std::move(contacts);
-  for (JointMark& mark : joint_memory_) number(mark.part);
-  std::stable_sort(joint_memory_.begin(), joint_memory_.end(),
-                   [](const JointMark& a, const JointMark& b) { return a.part < b.part; });
+  for (JointMark& mark : joint_memory_.marks) number(mark.part);
+  for (InnerContact& contact : joint_memory_.contacts) {
+    number(contact.lower);
+    number(contact.upper);
+  }
+  sort_memory(joint_memory_);
   part_ids_.clear();
   for (const Part& part : scene.parts) part_ids_.push_back(part.id);
 }
