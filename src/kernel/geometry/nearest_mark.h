@@ -20,9 +20,9 @@ auto mark_key(const Mark& mark) {
 /// stacked above each other on the canvas.
 template <class Mark>
 const Mark* nearest_mark(const std::vector<Mark>& marks, const Mark& place) {
-  const auto at = std::lower_bound(
-      marks.begin(), marks.end(), place,
-      [](const Mark& a, const Mark& b) { return mark_key(a) < mark_key(b); });
+  const auto at =
+      std::lower_bound(marks.begin(), marks.end(), place,
+                       [](const Mark& a, const Mark& b) { return mark_key(a) < mark_key(b); });
   double least = std::numeric_limits<double>::infinity();
   const Mark* best = nullptr;
   const auto look = [&](const Mark& mark) {

@@ -61,8 +61,7 @@ ContactStep::ContactStep(const JointModel& model, const DepthProblem& problem,
   T_ = with_soft_columns(problem.variables.T, soft, direction_);
   qp_.K = galerkin_lower(model.lambda_shift * model.metric.A, T_);
   own_stiffness_ = qp_.K.diagonal().tail(softs);
-  factor_.analyse(qp_.K, Refactorisation::incremental,
-                  order_of_unknowns(model, problem, soft));
+  factor_.analyse(qp_.K, Refactorisation::incremental, order_of_unknowns(model, problem, soft));
 }
 
 Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunContext& context) {

@@ -31,7 +31,8 @@ struct JointRun {
 /// Iterates contact and inflation under one set of pairs until they agree, from the run's state,
 /// and leaves it there. Where that does not converge, begins again with other softnesses. Appends
 /// the steps to the report and sets its status and residual; where nothing converges, leaves the
-/// state as it was. Ends early where heights cross. Fails only when cancelled, or where the contact has no solution.
+/// state as it was. Ends early where heights cross. Fails only when cancelled, or where the contact
+/// has no solution.
 Status iterate_jointly(const InflationResponse& response, const DepthProblem& problem,
                        const JointOptions& options, const RunContext& context, JointRun& run);
 

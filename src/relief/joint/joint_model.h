@@ -15,17 +15,17 @@ namespace relievo {
 struct JointModel {
   double lambda_bnd = 1;
   double lambda_shift = 1;
-  ShiftMetric metric;          ///< A = L + epsilon M of the shift
-  SparseMatrix L;              ///< #N x #N
-  Eigen::VectorXd mass;        ///< #N
-  Eigen::VectorXd load;        ///< #N, M c
+  ShiftMetric metric;            ///< A = L + epsilon M of the shift
+  SparseMatrix L;                ///< #N x #N
+  Eigen::VectorXd mass;          ///< #N
+  Eigen::VectorXd load;          ///< #N, M c
   std::vector<int> elimination;  ///< nodes in an order in which matrices on them fill in little
-  std::vector<int> sign;       ///< #N, of u: 1, -1, or 0 where both occur
-  std::vector<int> place;      ///< #N: row of the node in `inner`, -1 on outlines and B
-  std::vector<int> inner;      ///< nodes whose u is free, ascending
-  std::vector<int> bound;      ///< nodes of B, ascending
-  Eigen::VectorXd held;        ///< #N, u where it is neither free nor on B; 0 elsewhere
-  Eigen::VectorXd bound_mass;  ///< #B, lengths of outline that they stand for
+  std::vector<int> sign;         ///< #N, of u: 1, -1, or 0 where both occur
+  std::vector<int> place;        ///< #N: row of the node in `inner`, -1 on outlines and B
+  std::vector<int> inner;        ///< nodes whose u is free, ascending
+  std::vector<int> bound;        ///< nodes of B, ascending
+  Eigen::VectorXd held;          ///< #N, u where it is neither free nor on B; 0 elsewhere
+  Eigen::VectorXd bound_mass;    ///< #B, lengths of outline that they stand for
 };
 
 /// B are the nodes under Robin ranges that a pair glues to another part. The others under ranges

@@ -150,8 +150,8 @@ class JointRounds {
 
   /// The exact depth order for an inflation.
   Status order(const DepthProblem& problem, const Inflation& inflation, Ordering& ordering) {
-    DepthSystem system = make_depth_system(problem, model_.metric, model_.elimination,
-                                           std::move(factor_), context_);
+    DepthSystem system =
+        make_depth_system(problem, model_.metric, model_.elimination, std::move(factor_), context_);
     system.closed = closed_gaps(problem, run_.state.h);
     const SolveStatus status =
         solve_heights(system, model_.metric, inflated_heights(inflation.u), ordering, context_);

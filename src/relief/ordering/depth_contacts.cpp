@@ -29,10 +29,9 @@ std::vector<DepthContact> contacts_of(const LayeredMesh& mesh, const DepthSystem
 
 std::vector<uint8_t> gaps_like(const LayeredMesh& mesh, const DepthProblem& problem,
                                std::vector<DepthContact> contacts) {
-  std::sort(contacts.begin(), contacts.end(),
-            [](const DepthContact& a, const DepthContact& b) {
-              return std::pair(mark_key(a), a.closed) < std::pair(mark_key(b), b.closed);
-            });
+  std::sort(contacts.begin(), contacts.end(), [](const DepthContact& a, const DepthContact& b) {
+    return std::pair(mark_key(a), a.closed) < std::pair(mark_key(b), b.closed);
+  });
   std::vector<uint8_t> closed(problem.variables.bounded.size(), 0);
   for (const DepthGap& gap : problem.forest.gaps) {
     const DepthContact* contact = nearest_mark(contacts, contact_at(mesh, gap, false));
