@@ -1,23 +1,12 @@
 #include "relief/ordering/depth_contacts.h"
 
 #include <algorithm>
-#include <limits>
-#include <tuple>
 #include <utility>
+
+#include "kernel/geometry/nearest_mark.h"
 
 namespace relievo {
 namespace {
-
-auto kind(const DepthContact& contact) {
-  return std::tie(contact.lower, contact.upper, contact.inside);
-}
-
-auto key(const DepthContact& contact) {
-  return std::tuple_cat(kind(contact),
-                        std::tie(contact.position.x, contact.position.y, contact.closed));
-}
-
-bool by_key(const DepthContact& a, const DepthContact& b) { return key(a) < key(b); }
 
 bool inside(NodeRole role) { return role == NodeRole::interior || role == NodeRole::seam; }
 
@@ -45,36 +34,17 @@ std::vector<DepthContact> contacts_of(const LayeredMesh& mesh, const StackedNode
   return contacts;
 }
 
-ContactGuess::ContactGuess(std::vector<DepthContact> contacts) : contacts_(std::move(contacts)) {
-  std::sort(contacts_.begin(), contacts_.end(), by_key);
-}
-
-bool ContactGuess::is_closed(const DepthContact& place) const {
-  const auto at = std::lower_bound(contacts_.begin(), contacts_.end(), place, by_key);
-  double least = std::numeric_limits<double>::infinity();
-  bool closed = false;
-  const auto look = [&](const DepthContact& contact) {
-    if (kind(contact) != kind(place)) return false;
-    const Point2 offset = contact.position - place.position;
-    if (offset.x * offset.x >= least) return false;
-    if (dot(offset, offset) < least) {
-      least = dot(offset, offset);
-      closed = contact.closed;
-    }
-    return true;
-  };
-  for (auto right = at; right != contacts_.end() && look(*right);) ++right;
-  for (auto left = at; left != contacts_.begin() && look(*(left - 1));) --left;
-  return closed;
-}
-
-std::vector<uint8_t> ContactGuess::closed_gaps(const LayeredMesh& mesh,
-                                               const DepthProblem& problem) const {
+std::vector<uint8_t> gaps_like(const LayeredMesh& mesh, const DepthProblem& problem,
+                               std::vector<DepthContact> contacts) {
+  std::sort(contacts.begin(), contacts.end(), [](const DepthContact& a, const DepthContact& b) {
+    return std::pair(mark_key(a), a.closed) < std::pair(mark_key(b), b.closed);
+  });
   std::vector<uint8_t> closed(problem.variables.bounded.size(), 0);
   for (const DepthGap& gap : problem.forest.gaps) {
     const int lower = gap.sign > 0 ? gap.parent : gap.child;
     const int upper = gap.sign > 0 ? gap.child : gap.parent;
-    closed[problem.variables.variable[gap.child]] = is_closed(contact_at(mesh, lower, upper));
+    const DepthContact* contact = nearest_mark(contacts, contact_at(mesh, lower, upper));
+    closed[problem.variables.variable[gap.child]] = contact != nullptr && contact->closed;
   }
   return closed;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "kernel/geometry/point.h"
@@ -17,6 +18,8 @@ struct DepthContact {
   bool inside = false;  ///< both nodes, not on an outline nor on the edge of a flap
   Point2 position;      ///< px
   bool closed = false;  ///< the nodes have the same height, or cross
+
+  std::tuple<int, int, bool> group() const { return {lower, upper, inside}; }
 };
 
 /// The contacts of heights h, #N: the inequalities of the mesh and, inside parts, the closed pairs
@@ -25,20 +28,10 @@ struct DepthContact {
 std::vector<DepthContact> contacts_of(const LayeredMesh& mesh, const StackedNodes& stacked,
                                       const std::vector<double>& h);
 
-/// Contacts of one mesh, as the first guess of those on another mesh of a similar scene. A place is
-/// like the nearest contact of the same parts, of its kind, and open where there is none. Look-ups
-/// take O(log contacts) where contacts are not stacked above each other on the canvas.
-class ContactGuess {
- public:
-  explicit ContactGuess(std::vector<DepthContact> contacts);
-
-  /// Gaps that are closed, one flag per variable.
-  std::vector<uint8_t> closed_gaps(const LayeredMesh& mesh, const DepthProblem& problem) const;
-
- private:
-  bool is_closed(const DepthContact& place) const;
-
-  std::vector<DepthContact> contacts_;  ///< sorted
-};
+/// A first guess for a problem on another mesh of a similar scene, one flag per variable: each gap
+/// is as the nearest contact of the same parts, of its kind, open where there is none. O(gaps log
+/// contacts) where contacts are not stacked above each other on the canvas.
+std::vector<uint8_t> gaps_like(const LayeredMesh& mesh, const DepthProblem& problem,
+                               std::vector<DepthContact> contacts);
 
 }  // namespace relievo

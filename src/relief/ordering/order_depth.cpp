@@ -60,8 +60,7 @@ class HeightsUnderPairs {
                                    const std::vector<double>& last_h) const {
     if (!last_h.empty()) return closed_gaps(problem, last_h);
     if (!system_.h.empty()) return closed_gaps(problem, system_.h);
-    if (!system_.contacts.empty())
-      return ContactGuess(system_.contacts).closed_gaps(input_.mesh, problem);
+    if (!system_.contacts.empty()) return gaps_like(input_.mesh, problem, system_.contacts);
     return options_.start_active ? problem.variables.bounded : std::vector<uint8_t>();
   }
 

@@ -12,9 +12,6 @@
 namespace relievo {
 namespace {
 
-/// Crossings shallower than this are round-off; scene units.
-constexpr double crossing_tolerance = 1e-9;
-
 double worst_violation(const std::vector<DepthPair>& pairs, const std::vector<double>& h) {
   double worst = 0;
   for (const DepthPair& pair : pairs) {

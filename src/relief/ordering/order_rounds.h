@@ -14,6 +14,9 @@
 
 namespace relievo {
 
+/// Crossings shallower than this are round-off; scene units.
+constexpr double crossing_tolerance = 1e-9;
+
 /// Finds heights under the given pairs: writes h, the counts and the report of an ordering that
 /// holds the heights of the last round, if any.
 using HeightSolver = std::function<Status(const std::vector<DepthPair>& pairs, Ordering& ordering)>;

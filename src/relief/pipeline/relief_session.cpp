@@ -98,9 +98,12 @@ void ReliefSession::begin_like(const Scene& scene) {
     number(contact.upper);
   }
   ordering_system_.contacts = std::move(contacts);
-  for (JointMark& mark : joint_memory_) number(mark.part);
-  std::stable_sort(joint_memory_.begin(), joint_memory_.end(),
-                   [](const JointMark& a, const JointMark& b) { return a.part < b.part; });
+  for (JointMark& mark : joint_memory_.marks) number(mark.part);
+  for (InnerContact& contact : joint_memory_.contacts) {
+    number(contact.lower);
+    number(contact.upper);
+  }
+  sort_memory(joint_memory_);
   part_ids_.clear();
   for (const Part& part : scene.parts) part_ids_.push_back(part.id);
 }
@@ -203,8 +206,8 @@ Status ReliefSession::update_jointly(const Request& request) {
     JointOptions joint = options.joint;
     joint.epsilon = options.ordering.epsilon;
     joint.max_rounds = options.ordering.max_rounds;
-    auto solution =
-        solve_jointly(relief_.layers, scene, {inflation_, &joint_memory_}, joint, context);
+    auto solution = solve_jointly({relief_.layers, discretisation_, inflation_, scene}, joint,
+                                  joint_memory_, context);
     if (!solution) return solution.error();
     joint_memory_ = std::move(solution->memory);
     relief_.inflation = std::move(solution->inflation);
