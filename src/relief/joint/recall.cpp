@@ -105,11 +105,10 @@ JointMemory remember(const LayeredMesh& mesh, const JointModel& model,
   return memory;
 }
 
-std::vector<DepthPair> likely_pairs(const LayeredMesh& mesh, const std::vector<FacePair>& stacked,
+std::vector<DepthPair> likely_pairs(const LayeredMesh& mesh, const StackedNodes& stacked,
                                     const std::vector<InnerContact>& contacts) {
   if (contacts.empty()) return {};
-  const std::vector<double> level(mesh.node_vertex.size(), 0);
-  std::vector<DepthPair> pairs = crossed_nodes(mesh, stacked, level, -1);
+  std::vector<DepthPair> pairs = stacked.pairs;
   const auto apart = [&](const DepthPair& pair) {
     const InnerContact place = contact_of(mesh, pair);
     const InnerContact* contact = nearest_mark(contacts, place);

@@ -6,7 +6,7 @@
 #include "relief/joint/joint_memory.h"
 #include "relief/joint/joint_model.h"
 #include "relief/layers/layered_mesh.h"
-#include "relief/ordering/overlap.h"
+#include "relief/ordering/stacked_nodes.h"
 
 namespace relievo {
 
@@ -16,9 +16,9 @@ JointMemory remember(const LayeredMesh& mesh, const JointModel& model,
                      const std::vector<DepthPair>& pairs, const Eigen::VectorXd& u_start,
                      const JointState& state);
 
-/// Pairs of inner nodes that lie where those parts touched; sorted, each once. O(stacked faces log
-/// contacts) where contacts are not stacked above each other on the canvas.
-std::vector<DepthPair> likely_pairs(const LayeredMesh& mesh, const std::vector<FacePair>& stacked,
+/// Those of the stacked pairs that lie where their parts touched, in their order. O(stacked pairs
+/// log contacts) where contacts are not stacked above each other on the canvas.
+std::vector<DepthPair> likely_pairs(const LayeredMesh& mesh, const StackedNodes& stacked,
                                     const std::vector<InnerContact>& contacts);
 
 /// Puts what is known of the nearest node of the same part into `state`, whose u is that of the

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "relief/joint/recall.h"
 #include "relief/ordering/order_rounds.h"
 #include "relief/ordering/overlap.h"
+#include "relief/ordering/stacked_nodes.h"
 
 namespace relievo {
 namespace {
@@ -69,19 +71,24 @@ class JointRounds {
         options_(options),
         context_(context),
         model_(make_joint_model(input, options.epsilon)),
-        stacked_(stacked_faces(input.mesh, input.scene)) {
+        stacked_(stacked_nodes(input.mesh, stacked_faces(input.mesh, input.scene))),
+        likely_(likely_pairs(input.mesh, stacked_, known.contacts)) {
     model_.lambda_bnd = options.lambda_bnd;
     model_.lambda_shift = options.lambda_shift;
     run_.state = first_state(model_, input.inflation);
     u_start_ = run_.state.u;
-    likely_ = likely_pairs(input.mesh, stacked_, known.contacts);
-    recall(input.mesh, model_, with_likely(input.mesh.constraints), known.marks, run_.state);
+    std::vector<DepthPair> pairs = input.mesh.constraints;
+    pairs.insert(pairs.end(), likely_.begin(), likely_.end());
+    recall(input.mesh, model_, pairs, known.marks, run_.state);
   }
+
+  /// Pairs that were found to cross before are compared from the beginning.
+  RoundPlan plan() const { return {stacked_, likely_, 0, options_.max_rounds}; }
 
   /// Leaves the solution for these pairs in `solution` and its heights in `ordering`; in a round
   /// that is not the last, rough heights where they cross.
   Status solve(const std::vector<DepthPair>& pairs, Ordering& ordering, JointSolution& solution) {
-    pairs_ = with_likely(pairs);
+    pairs_ = pairs;
     const DepthProblem problem = make_depth_problem(input_.mesh.node_part, pairs_);
     run_.report.round = ordering.rounds;
     run_.crosses = [&](const std::vector<double>& h) {
@@ -116,11 +123,6 @@ class JointRounds {
   }
 
  private:
-  std::vector<DepthPair> with_likely(std::vector<DepthPair> pairs) const {
-    pairs.insert(pairs.end(), likely_.begin(), likely_.end());
-    return pairs;
-  }
-
   /// Iterates; where u comes out with the wrong sign, as obtuse faces allow, holds it at 0 and
   /// goes on.
   Status iterate(const DepthProblem& problem) {
@@ -141,7 +143,8 @@ class JointRounds {
 
   bool crosses(const std::vector<double>& h) const {
     const double tolerance = crossing_tolerance / model_.metric.scale;
-    return !crossed_nodes(input_.mesh, stacked_, h, tolerance).empty();
+    const std::vector<uint8_t> flags = crossed(stacked_, h, tolerance);
+    return std::find(flags.begin(), flags.end(), uint8_t{1}) != flags.end();
   }
 
   Inflation inflation_of(const VectorXd& u) const {
@@ -163,8 +166,8 @@ class JointRounds {
   const JointOptions& options_;
   const RunContext& context_;
   JointModel model_;
-  std::vector<FacePair> stacked_;
-  std::vector<DepthPair> likely_;  ///< that will be found to cross, from the beginning
+  StackedNodes stacked_;
+  std::vector<DepthPair> likely_;  ///< that will be found to cross
   std::vector<DepthPair> pairs_;   ///< of the round
   std::optional<InflationResponse> response_;
   VectorXd u_start_;
@@ -185,12 +188,14 @@ Result<JointSolution> solve_jointly(const OrderingInput& input, const JointOptio
   const auto solve = [&](const std::vector<DepthPair>& pairs, Ordering& ordering) {
     return rounds.solve(pairs, ordering, solution);
   };
-  Result<Ordering> ordering = order_in_rounds(input.mesh, input.scene, input.discretisation.scale,
-                                              options.max_rounds, solve);
+  RoundPlan plan = rounds.plan();
+  Result<Ordering> ordering = order_in_rounds(input.mesh, input.discretisation.scale, plan, solve);
   if (!ordering) return ordering.error();
-  finish_ordering({input.mesh, input.discretisation, solution.inflation, input.scene}, *ordering);
+  const std::vector<FacePair>& faces = plan.stacked.faces;
+  finish_ordering({input.mesh, input.discretisation, solution.inflation, input.scene}, faces,
+                  *ordering);
   for (JointSnapshot& snapshot : solution.snapshots)
-    finish_ordering({input.mesh, input.discretisation, snapshot.inflation, input.scene},
+    finish_ordering({input.mesh, input.discretisation, snapshot.inflation, input.scene}, faces,
                     snapshot.ordering);
   solution.ordering = std::move(*ordering);
   solution.report = rounds.report(solution.ordering);

@@ -80,13 +80,6 @@ Result<Ordering> order_in_rounds(const LayeredMesh& mesh, double scale, RoundPla
   return ordering;
 }
 
-Result<Ordering> order_in_rounds(const LayeredMesh& mesh, const Scene& scene, double scale,
-                                 int max_rounds, const HeightSolver& solve) {
-  const StackedNodes stacked = stacked_nodes(mesh, stacked_faces(mesh, scene));
-  RoundPlan plan{stacked, {}, 0, max_rounds};
-  return order_in_rounds(mesh, scale, plan, solve);
-}
-
 void finish_ordering(const OrderingInput& input, const std::vector<FacePair>& stacked,
                      Ordering& ordering) {
   const Eigen::VectorXd f = inflated_heights(input.inflation.u);

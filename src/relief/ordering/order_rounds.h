@@ -40,10 +40,6 @@ Status check_solved(SolveStatus status);
 Result<Ordering> order_in_rounds(const LayeredMesh& mesh, double scale, RoundPlan& plan,
                                  const HeightSolver& solve);
 
-/// The same from the pairs of the mesh alone, without margin.
-Result<Ordering> order_in_rounds(const LayeredMesh& mesh, const Scene& scene, double scale,
-                                 int max_rounds, const HeightSolver& solve);
-
 /// Fills in g = h - f, its gradients and the samples of the overlap of `stacked` faces.
 void finish_ordering(const OrderingInput& input, const std::vector<FacePair>& stacked,
                      Ordering& ordering);
