@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
     relievo::set_worker_count(std::atoi(threads));
   relievo::benchmarks::register_stages(extent);
   relievo::benchmarks::register_references(extent);
+  relievo::benchmarks::register_joint(extent);
   relievo::benchmarks::register_edits();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

@@ -9,6 +9,7 @@ struct Extent {
 
 void register_stages(const Extent& extent);
 void register_references(const Extent& extent);
+void register_joint(const Extent& extent);
 void register_edits();
 
 }  // namespace relievo::benchmarks

@@ -78,7 +78,7 @@ def edits(results):
             _, drawing, edit = name.split("/")
             changes = int(run["changes"])
             rows.append([drawing, edit.replace("_", " "), f"{run['cpu_time']:.3g}",
-                         "other pairs" if changes < 0 else str(changes),
+                         "other mesh" if changes < 0 else str(changes),
                          f"{run['iterations']:.0f}"])
     return table(["drawing", "edit", "ms", "gaps that open or close", "iterations"], rows)
 

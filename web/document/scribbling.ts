@@ -136,6 +136,11 @@ function withDrawn(document: Document, drawn: ReadonlySet<string>, parts: readon
   return result;
 }
 
+/** `old` where it says the same, so that nothing is built anew. */
+function unlessSame<T>(found: T, old: T): T {
+  return JSON.stringify(found) === JSON.stringify(old) ? old : found;
+}
+
 /** The document as it is understood now. Parts that were removed stay away, drawn ones stay. */
 export function adopt(document: Document, understood: Understood): Document {
   const before = segmentationOf(document);
@@ -153,16 +158,16 @@ export function adopt(document: Document, understood: Understood): Document {
   const place = new Map(parts.map((part, i) => [part.id, i] as const));
   type Pair = { readonly upper: string; readonly lower: string };
   const sound = ({ upper, lower }: Pair): boolean => (place.get(upper) ?? -1) > (place.get(lower) ?? Infinity);
-  const both = <T extends Pair>(found: readonly T[], old: readonly T[]): T[] => [
+  const both = <T extends Pair>(found: readonly T[], old: readonly T[]): readonly T[] => [
     ...found.filter(sound),
     ...old.filter((pair) => (drawn.has(pair.upper) || drawn.has(pair.lower)) && sound(pair)),
   ];
   return {
     ...document,
-    parts,
-    joins: both(scene.joins, document.joins),
-    relations: both(scene.relations, document.relations),
-    robin: both(scene.robin, document.robin),
+    parts: unlessSame<readonly Part[]>(parts, document.parts),
+    joins: unlessSame(both(scene.joins, document.joins), document.joins),
+    relations: unlessSame(both(scene.relations, document.relations), document.relations),
+    robin: unlessSame(both(scene.robin, document.robin), document.robin),
     segmentation: { ...record, labels: understood.labels },
   };
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <vector>
 
 namespace relievo {
@@ -82,20 +81,6 @@ Image8 box_blur(const Image8& image, int radius) {
   assert(radius >= 0 && radius <= 2000);
   if (radius == 0 || image.empty()) return image;
   return blur_columns(blur_rows(image, radius), radius);
-}
-
-Image8 gaussian_blur(const Image8& image, double sigma) {
-  assert(sigma >= 0 && sigma <= 1000);
-  // Three boxes of side s have variance (s^2 - 1) / 4; sides are odd, so two sizes mix.
-  const double ideal = std::sqrt(4 * sigma * sigma + 1);
-  const int low = std::max(0, static_cast<int>((ideal - 1) / 2));
-  const auto variance = [](int r) { return r * (r + 1) / 3.0; };
-  const double missing = sigma * sigma - 3 * variance(low);
-  const double step = variance(low + 1) - variance(low);
-  const int wider = std::clamp(static_cast<int>(std::lround(missing / step)), 0, 3);
-  Image8 result = image;
-  for (int pass = 0; pass < 3; ++pass) result = box_blur(result, low + (pass < wider ? 1 : 0));
-  return result;
 }
 
 Image8 shrink(const Image8& image, int factor) {

@@ -8,11 +8,6 @@ namespace relievo {
 /// outwards. Each channel by itself. Precondition: 0 <= radius <= 2000. O(values).
 Image8 box_blur(const Image8& image, int radius);
 
-/// Approximates a Gaussian of standard deviation `sigma` px by three box blurs (Wells 1986); below
-/// 2 px, where whole boxes are coarse, its variance is off by up to 1/3 px^2. Precondition: 0 <=
-/// sigma <= 1000. O(values).
-Image8 gaussian_blur(const Image8& image, double sigma);
-
 /// Means over blocks of `factor` x `factor` pixels; the blocks at the right and bottom border may
 /// be smaller. Precondition: factor >= 1. O(values).
 Image8 shrink(const Image8& image, int factor);

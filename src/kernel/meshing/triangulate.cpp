@@ -2,8 +2,11 @@
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
 
 #include <algorithm>
 #include <array>
@@ -20,6 +23,8 @@ using FaceBase = CGAL::Triangulation_face_base_with_info_2<int, Kernel, Constrai
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
+
+constexpr int steps_between_looks = 4096;
 
 struct CornerFace {
   std::array<int, 3> corners;
@@ -70,24 +75,49 @@ PlanarTriangulation numbered_triangles(const Triangulation& cdt) {
   return out;
 }
 
-}  // namespace
-
-Result<PlanarTriangulation> triangulate(const std::vector<Point2>& points,
-                                        const std::vector<std::array<int, 2>>& edges) {
+/// Inserts the points along a curve that fills the plane; a vertex for each, null where another
+/// point lies there already or `context` was cancelled before.
+std::vector<Triangulation::Vertex_handle> insert_points(const std::vector<Point2>& points,
+                                                        Triangulation& cdt,
+                                                        const RunContext& context) {
   std::vector<std::pair<Kernel::Point_2, int>> numbered;
   numbered.reserve(points.size());
   for (size_t i = 0; i < points.size(); ++i)
     numbered.emplace_back(Kernel::Point_2(points[i].x, points[i].y), static_cast<int>(i));
-  Triangulation cdt;
-  cdt.insert(numbered.begin(), numbered.end());
+  using Position = CGAL::First_of_pair_property_map<std::pair<Kernel::Point_2, int>>;
+  CGAL::spatial_sort(numbered.begin(), numbered.end(),
+                     CGAL::Spatial_sort_traits_adapter_2<Kernel, Position>());
   std::vector<Triangulation::Vertex_handle> handles(points.size());
-  for (auto v = cdt.finite_vertices_begin(); v != cdt.finite_vertices_end(); ++v)
-    handles[v->info()] = v;
+  Triangulation::Face_handle near;
+  int steps = 0;
+  for (const auto& [position, number] : numbered) {
+    if (++steps % steps_between_looks == 0 && context.cancelled()) break;
+    const size_t before = cdt.number_of_vertices();
+    const Triangulation::Vertex_handle vertex = cdt.insert(position, near);
+    near = vertex->face();
+    if (cdt.number_of_vertices() == before) continue;
+    vertex->info() = number;
+    handles[number] = vertex;
+  }
+  return handles;
+}
+
+}  // namespace
+
+Result<PlanarTriangulation> triangulate(const std::vector<Point2>& points,
+                                        const std::vector<std::array<int, 2>>& edges,
+                                        const RunContext& context) {
+  Triangulation cdt;
+  std::vector<Triangulation::Vertex_handle> handles = insert_points(points, cdt, context);
+  int steps = 0;
   for (const auto& [a, b] : edges) {
-    if (handles[a] == nullptr || handles[b] == nullptr)
-      return Error{ErrorCode::internal, "two points of the triangulation coincide", ""};
+    if (++steps % steps_between_looks == 0 && context.cancelled()) break;
+    if (handles[a] == nullptr || handles[b] == nullptr) break;
     cdt.insert_constraint(handles[a], handles[b]);
   }
+  if (context.cancelled()) return interrupted_error();
+  if (std::count(handles.begin(), handles.end(), nullptr) > 0)
+    return Error{ErrorCode::internal, "two points of the triangulation coincide", ""};
   if (cdt.number_of_vertices() != points.size())
     return Error{ErrorCode::internal, "constraints of the triangulation cross", ""};
 

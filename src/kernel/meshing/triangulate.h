@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kernel/base/result.h"
+#include "kernel/base/run_context.h"
 #include "kernel/geometry/point.h"
 
 namespace relievo {
@@ -17,8 +18,9 @@ struct PlanarTriangulation {
 
 /// Constrained Delaunay triangulation. Preconditions: points are distinct, edges do not cross and
 /// contain no points other than their ends. Triangles are sorted, so that the result depends on
-/// the input only. O(n log n).
+/// the input only. Fails with interrupted where `context` is cancelled. O(n log n).
 Result<PlanarTriangulation> triangulate(const std::vector<Point2>& points,
-                                        const std::vector<std::array<int, 2>>& edges);
+                                        const std::vector<std::array<int, 2>>& edges,
+                                        const RunContext& context = {});
 
 }  // namespace relievo

@@ -140,7 +140,8 @@ RELIEVO_INLINE bool eliminate_column(const Front& front, int first, int column) 
 }
 
 template <class Pack, int Packs>
-RELIEVO_INLINE bool eliminate(const Front& front) {
+RELIEVO_INLINE bool eliminate(const Front& front, const std::atomic<bool>* stop) {
+  const auto stopped = [&] { return stop != nullptr && stop->load(std::memory_order_relaxed); };
   for (int block = 0; block < front.columns; block += block_columns) {
     const int block_end = std::min(block + block_columns, front.columns);
     for (int j = block; j < block_end; j += tile_columns) {
@@ -152,6 +153,7 @@ RELIEVO_INLINE bool eliminate(const Front& front) {
     for (int j = block_end; j < front.columns; j += tile_columns)
       subtract_columns<Pack, Packs>(front, j, std::min(tile_columns, front.columns - j), block,
                                     block_end);
+    if (stopped()) return false;
     for (int j = front.columns; j < front.rows; j += tile_columns)
       subtract_columns<Pack, Packs>(front, j, std::min(tile_columns, front.rows - j), block,
                                     block_end);
@@ -200,13 +202,17 @@ RELIEVO_INLINE void solve_backward(const Front& front, double* x) {
   }
 }
 
-bool eliminate_portable(const Front& front) { return eliminate<Pack2, 2>(front); }
+bool eliminate_portable(const Front& front, const std::atomic<bool>* stop) {
+  return eliminate<Pack2, 2>(front, stop);
+}
 void forward_portable(const Front& front, double* x) { solve_forward<Pack2>(front, x); }
 void backward_portable(const Front& front, double* x) { solve_backward<Pack2>(front, x); }
 
 #ifdef RELIEVO_WIDE_KERNELS
 #define RELIEVO_WIDE [[gnu::target("avx2")]]
-RELIEVO_WIDE bool eliminate_wide(const Front& front) { return eliminate<Pack4, 2>(front); }
+RELIEVO_WIDE bool eliminate_wide(const Front& front, const std::atomic<bool>* stop) {
+  return eliminate<Pack4, 2>(front, stop);
+}
 RELIEVO_WIDE void forward_wide(const Front& front, double* x) { solve_forward<Pack4>(front, x); }
 RELIEVO_WIDE void backward_wide(const Front& front, double* x) { solve_backward<Pack4>(front, x); }
 #endif

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 
 namespace relievo {
@@ -33,8 +34,8 @@ struct Front {
 /// whatever the instruction set, so that all sets give the same bits.
 struct FrontalKernels {
   /// panel := its columns of the Cholesky factor, update -= what they contribute to the rest.
-  /// False when a pivot is not positive.
-  bool (*eliminate)(const Front& front);
+  /// False when a pivot is not positive, or as soon as `stop`, which may be null, is set.
+  bool (*eliminate)(const Front& front, const std::atomic<bool>* stop);
   /// Solves with the factor's columns: x (the front's rows) := L^-1 x on the columns, and what they
   /// contribute is subtracted from the rows below. x is padded like a column.
   void (*solve_forward)(const Front& front, double* x);

@@ -53,12 +53,13 @@ struct SparseCholesky::Implementation {
                  target);
   }
 
-  /// Computes a front if it is out of date; false where a pivot is not positive.
-  bool update_front(int s, const double* entries) const {
+  /// Computes a front if it is out of date; false where a pivot is not positive, or when
+  /// `context` is cancelled.
+  bool update_front(int s, const double* entries, const RunContext& context) const {
     if (outdated[s] == 0) return true;
     const Front target = memory.front(s);
     assemble(s, target, entries);
-    return best_kernels().eliminate(target);
+    return best_kernels().eliminate(target, context.cancel);
   }
 
   /// Computes the fronts that are out of date and those that depend on them.
@@ -69,7 +70,7 @@ struct SparseCholesky::Implementation {
     const FrontTasks& tasks = memory.layout.tasks;
     std::atomic<bool> sound{true};
     const auto update = [&](int s) {
-      if (context.cancelled() || !update_front(s, entries)) sound = false;
+      if (context.cancelled() || !update_front(s, entries, context)) sound = false;
       return sound.load(std::memory_order_relaxed);
     };
     run_tasks(static_cast<int>(tasks.tasks.size()), [&](int t) {
@@ -105,19 +106,23 @@ SparseCholesky::~SparseCholesky() = default;
 SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
 SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 
-void SparseCholesky::analyse(const SparseMatrix& A, Refactorisation refactorisation,
-                             std::span<const int> order) {
+bool SparseCholesky::analyse(const SparseMatrix& A, Refactorisation refactorisation,
+                             std::span<const int> order, const RunContext& context) {
   assert(A.isCompressed());
   assert(order.empty() || static_cast<Index>(order.size()) == A.rows());
   Implementation& self = *implementation_;
   self.incremental = refactorisation == Refactorisation::incremental;
   self.values.clear();
+  self.memory.layout = {};
   const SymmetricGraph graph = make_symmetric_graph(A);
   const std::vector<int> chosen =
       order.empty() ? fill_reducing_order(A) : std::vector<int>(order.begin(), order.end());
-  self.memory.layout = lay_out(A, graph, make_supernodes(graph, chosen),
-                               self.incremental ? Updates::kept : Updates::stacked);
+  Supernodes fronts = make_supernodes(graph, chosen, context);
+  if (context.cancelled()) return false;
+  self.memory.layout =
+      lay_out(A, graph, std::move(fronts), self.incremental ? Updates::kept : Updates::stacked);
   self.memory.make_room();
+  return true;
 }
 
 Index SparseCholesky::factor_entries() const {

@@ -29,9 +29,9 @@ class SparseCholesky {
   /// Lays out the factor for the pattern of A, where there is room in the memory of the last one.
   /// `order` says in which order to eliminate the rows (all of them, each once); where it is empty,
   /// one that fills in little is chosen. Near-linear in the entries of A and the row indices of the
-  /// fronts.
-  void analyse(const SparseMatrix& A, Refactorisation refactorisation = Refactorisation::complete,
-               std::span<const int> order = {});
+  /// fronts. False where `context` is cancelled: then nothing is analysed.
+  bool analyse(const SparseMatrix& A, Refactorisation refactorisation = Refactorisation::complete,
+               std::span<const int> order = {}, const RunContext& context = {});
 
   /// Entries of the lower triangle of the factor, stored zeros included.
   Eigen::Index factor_entries() const;

@@ -138,7 +138,8 @@ void collect_rows(const SymmetricGraph& graph, Supernodes& fronts) {
 
 }  // namespace
 
-Supernodes make_supernodes(const SymmetricGraph& graph, const std::vector<int>& order) {
+Supernodes make_supernodes(const SymmetricGraph& graph, const std::vector<int>& order,
+                           const RunContext& context) {
   const std::vector<int> tree = elimination_tree(graph, order);
   const std::vector<int> post = postorder(tree);
   const std::vector<int> position = positions_in(post);
@@ -147,10 +148,12 @@ Supernodes make_supernodes(const SymmetricGraph& graph, const std::vector<int>& 
   for (const int j : post) parent.push_back(tree[j] < 0 ? -1 : position[tree[j]]);
   Supernodes result;
   result.order = renumbered(order, post);
+  if (context.cancelled()) return result;
 
   std::vector<int> group_of;
   std::vector<Group> groups =
       maximal_supernodes(parent, column_counts(graph, result.order, parent), group_of);
+  if (context.cancelled()) return result;
   merge_into_parents(groups);
   result.order = renumbered(result.order, gather_columns(groups, group_of, result));
   collect_rows(graph, result);

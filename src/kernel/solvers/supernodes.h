@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "kernel/base/run_context.h"
 #include "kernel/solvers/symmetric_graph.h"
 
 namespace relievo {
@@ -25,7 +26,9 @@ struct Supernodes {
 /// Groups the columns of the factor of a matrix that is eliminated in a postorder of the given
 /// order. Maximal supernodes are merged with their parents as long as the
 /// zeros this stores remain few [Davis, Direct Methods for Sparse Linear Systems, 2006;
-/// Ashcraft and Grimes 1989]. Near-linear in the entries and the rows of the fronts.
-Supernodes make_supernodes(const SymmetricGraph& graph, const std::vector<int>& order);
+/// Ashcraft and Grimes 1989]. Near-linear in the entries and the rows of the fronts. Of no
+/// use where `context` is cancelled.
+Supernodes make_supernodes(const SymmetricGraph& graph, const std::vector<int>& order,
+                           const RunContext& context = {});
 
 }  // namespace relievo

@@ -23,12 +23,13 @@ PoissonSystem::PoissonSystem(const LayeredMesh& mesh, const Discretisation& disc
   for (const int n : discretisation.elimination)
     if (unknown_[n] >= 0) order.push_back(unknown_[n]);
   const PieceTimer analysing(context, "analyse");
-  factor_.analyse(L_, refactorisation, order);
+  factor_.analyse(L_, refactorisation, order, context);
 }
 
 std::optional<VectorXd> PoissonSystem::solve(const std::vector<uint8_t>& fixed,
                                              const VectorXd& spring, const VectorXd& load,
                                              const RunContext& context) {
+  if (context.cancelled()) return std::nullopt;
   const auto unknowns = static_cast<Index>(node_.size());
   VectorXd b(unknowns);
   std::vector<uint8_t> held(node_.size());

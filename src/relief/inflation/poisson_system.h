@@ -18,7 +18,8 @@ namespace relievo {
 class PoissonSystem {
  public:
   /// Unknowns are the nodes that are not on outlines, in the discretisation's order. Systems that
-  /// are to be solved with several boundary conditions are best incremental.
+  /// are to be solved with several boundary conditions are best incremental. Where `context` is
+  /// cancelled the system is of no use.
   PoissonSystem(const LayeredMesh& mesh, const Discretisation& discretisation,
                 Refactorisation refactorisation, const RunContext& context);
 

@@ -26,6 +26,24 @@ SparseMatrix with_soft_columns(const SparseMatrix& T, const std::vector<SoftNode
   return wide;
 }
 
+/// The variables of the problem and the soft nodes' f in the order of elimination.
+std::vector<int> order_of_unknowns(const JointModel& model, const DepthProblem& problem,
+                                   const std::vector<SoftNode>& soft) {
+  const std::vector<int>& variable = problem.variables.variable;
+  const int heights = static_cast<int>(problem.variables.bounded.size());
+  std::vector<int> soft_at(model.elimination.size(), -1);
+  for (size_t i = 0; i < soft.size(); ++i) soft_at[soft[i].node] = heights + static_cast<int>(i);
+  std::vector<uint8_t> seen(problem.variables.bounded.size(), 0);
+  std::vector<int> order;
+  order.reserve(seen.size() + soft.size());
+  for (const int n : model.elimination) {
+    if (seen[variable[n]] == 0) order.push_back(variable[n]);
+    seen[variable[n]] = 1;
+    if (soft_at[n] >= 0) order.push_back(soft_at[n]);
+  }
+  return order;
+}
+
 }  // namespace
 
 ContactStep::ContactStep(const JointModel& model, const DepthProblem& problem,
@@ -43,7 +61,7 @@ ContactStep::ContactStep(const JointModel& model, const DepthProblem& problem,
   T_ = with_soft_columns(problem.variables.T, soft, direction_);
   qp_.K = galerkin_lower(model.lambda_shift * model.metric.A, T_);
   own_stiffness_ = qp_.K.diagonal().tail(softs);
-  factor_.analyse(qp_.K, Refactorisation::incremental);
+  factor_.analyse(qp_.K, Refactorisation::incremental, order_of_unknowns(model, problem, soft));
 }
 
 Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunContext& context) {

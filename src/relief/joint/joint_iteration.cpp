@@ -16,6 +16,9 @@ using Eigen::VectorXd;
 /// The accelerator forgets its past when the residual has grown by so much.
 constexpr double growth_limit = 3;
 
+/// The residual at which crossings are looked for.
+constexpr double rough = 1e-2;
+
 /// In the order in which they are tried where u may have either sign somewhere.
 constexpr Softness softnesses[] = {
     {false, 0.1, 0.05}, {false, 0.1, 0.1}, {false, 0.5, 0.1}, {true, 0.1, 0.1}, {false, 0.1, 0.2}};
@@ -45,6 +48,8 @@ Status iterate(JointMap& map, const JointOptions& options, const RunContext& con
   JointReport& report = run.report;
   AndersonMixer mixer(options.anderson_depth);
   double least = std::numeric_limits<double>::infinity();
+  bool asked = false;
+  run.crossed = false;
   Stopwatch watch;
   for (int i = 0; i < options.max_iterations; ++i) {
     context.report("nonlinear", static_cast<double>(i) / options.max_iterations);
@@ -65,6 +70,14 @@ Status iterate(JointMap& map, const JointOptions& options, const RunContext& con
       state = std::move(next);
       report.status = JointStatus::solved;
       return Done{};
+    }
+    if (step.residual <= rough && !asked) {
+      asked = true;
+      run.crossed = run.crosses && run.crosses(next.h);
+      if (run.crossed) {
+        state = std::move(next);
+        return Done{};
+      }
     }
     if (step.residual > growth_limit * least) {
       mixer.restart();
@@ -87,7 +100,7 @@ Status iterate_jointly(const InflationResponse& response, const DepthProblem& pr
     run.state = start;
     JointMap map(response.model(), response, problem, softness, start.h);
     if (Status status = iterate(map, options, context, run); !status) return status;
-    if (run.report.status == JointStatus::solved) return Done{};
+    if (run.crossed || run.report.status == JointStatus::solved) return Done{};
   }
   run.state = start;
   return Done{};

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "kernel/base/result.h"
 #include "kernel/base/run_context.h"
 #include "relief/joint/joint_map.h"
@@ -19,12 +22,17 @@ struct JointRun {
   JointState state;
   JointReport report;
   std::vector<KeptState> kept;  ///< those that the options ask for
+  /// Asked once the residual is below `rough`, with the heights: whether the pairs do not suffice,
+  /// so that there is no use in going on.
+  std::function<bool(const std::vector<double>& h)> crosses;
+  bool crossed = false;  ///< its answer
 };
 
 /// Iterates contact and inflation under one set of pairs until they agree, from the run's state,
 /// and leaves it there. Where that does not converge, begins again with other softnesses. Appends
 /// the steps to the report and sets its status and residual; where nothing converges, leaves the
-/// state as it was. Fails only when cancelled, or where the contact has no solution.
+/// state as it was. Ends early where heights cross. Fails only when cancelled, or where the contact
+/// has no solution.
 Status iterate_jointly(const InflationResponse& response, const DepthProblem& problem,
                        const JointOptions& options, const RunContext& context, JointRun& run);
 

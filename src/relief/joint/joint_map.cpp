@@ -22,16 +22,23 @@ constexpr double contact_stiffness = 0.3;
 
 double signed_root(double u) { return SmoothRoot().f(u); }
 
-std::vector<int> contact_nodes(const JointModel& model, const DepthProblem& problem) {
+/// One flag per variable: whether it is that of a pair.
+std::vector<uint8_t> pressed_variables(const DepthProblem& problem) {
   const std::vector<int>& variable = problem.variables.variable;
   std::vector<uint8_t> pressed(problem.variables.bounded.size(), 0);
   for (size_t n = 0; n < variable.size(); ++n)
     if (problem.forest.representative[n] != static_cast<int>(n)) pressed[variable[n]] = 1;
   for (const DepthGap& gap : problem.forest.gaps)
     pressed[variable[gap.parent]] = pressed[variable[gap.child]] = 1;
+  return pressed;
+}
+
+/// The inner nodes that are in pairs, or those that are not.
+std::vector<int> inner_nodes(const JointModel& model, const DepthProblem& problem, bool in_pairs) {
+  const std::vector<uint8_t> pressed = pressed_variables(problem);
   std::vector<int> nodes;
   for (const int n : model.inner)
-    if (pressed[variable[n]] != 0) nodes.push_back(n);
+    if ((pressed[problem.variables.variable[n]] != 0) == in_pairs) nodes.push_back(n);
   return nodes;
 }
 
@@ -52,7 +59,8 @@ JointMap::JointMap(const JointModel& model, const InflationResponse& response,
     : model_(model),
       response_(response),
       smooth_root_(softness.width),
-      nodes_(contact_nodes(model, problem)),
+      nodes_(inner_nodes(model, problem, true)),
+      apart_(inner_nodes(model, problem, false)),
       soft_(soft_nodes(model, nodes_, softness.all)),
       contact_step_(model, problem, soft_, last_h),
       bounds_(model.bound_mass.size()),
@@ -103,11 +111,17 @@ SolveStatus JointMap::apply(JointState& state, JointStep& step, const RunContext
   state.u = inflated.u;
   state.slope = inflated.slope;
   state.h = std::move(contact.h);
+  add_inflation(state);
   step.factorisations = contact.factorisations;
   step.energy.inflation = inflated.energy;
   step.energy.boundary = model_.lambda_bnd * model_.bound_mass.dot(f_bound.cwiseAbs2());
   step.energy.shift = contact.shift_energy;
   return SolveStatus::solved;
+}
+
+/// The contact knows no inflation where parts do not press.
+void JointMap::add_inflation(JointState& state) const {
+  for (const int n : apart_) state.h[n] += signed_root(state.u[n]) / model_.metric.scale;
 }
 
 Springs JointMap::springs(const JointState& state) const {

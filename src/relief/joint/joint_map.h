@@ -18,7 +18,7 @@ struct JointState {
   Eigen::VectorXd u;      ///< #N, its root is f; on B too
   Eigen::VectorXd slope;  ///< #B, as in Inflated
   Eigen::VectorXd load;   ///< #N, with which the depth pairs change u
-  std::vector<double> h;  ///< #N, px; empty at first
+  std::vector<double> h;  ///< #N, px, obeys the pairs; empty at first
 };
 
 /// Which contact nodes answer within the contact already, and how much.
@@ -50,6 +50,7 @@ class JointMap {
   Springs springs(const JointState& state) const;
   void bound_spring(const JointState& state, Eigen::Index i, Springs& springs) const;
   void mixed_spring(const JointState& state, Eigen::Index i, Springs& springs) const;
+  void add_inflation(JointState& state) const;
   Eigen::VectorXd next_load(const Eigen::VectorXd& f, const JointState& state,
                             const Contact& contact) const;
   Eigen::VectorXd compliance_of_soft_nodes(double share) const;
@@ -63,6 +64,7 @@ class JointMap {
   SmoothRoot sharp_root_;
   SmoothRoot smooth_root_;      ///< where u may have either sign
   std::vector<int> nodes_;      ///< on which pairs press, off B
+  std::vector<int> apart_;      ///< on which none do, off B
   std::vector<SoftNode> soft_;  ///< B, then those of nodes_ that are soft
   ContactStep contact_step_;
   Eigen::Index bounds_;         ///< #B

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "kernel/geometry/point.h"
@@ -14,10 +15,28 @@ struct JointMark {
   double slope = 0;  ///< on B: of the inflation energy, per length of outline
   double load = 0;   ///< per root of the node's mass
   double h = 0;      ///< px
+
+  int group() const { return part; }
+};
+
+/// Where two parts touched inside of their outlines.
+struct InnerContact {
+  int lower = -1;  ///< parts
+  int upper = -1;
+  Point2 position;   ///< px
+  double reach = 0;  ///< px, the longest edge there
+
+  std::pair<int, int> group() const { return {lower, upper}; }
 };
 
 /// Where an iteration ended, for another to begin from, on the same mesh or one of a similar
-/// scene. Sorted by part and position.
-using JointMemory = std::vector<JointMark>;
+/// scene. Both are sorted by group and position.
+struct JointMemory {
+  std::vector<JointMark> marks;
+  std::vector<InnerContact> contacts;
+};
+
+/// After a change of the parts' numbers.
+void sort_memory(JointMemory& memory);
 
 }  // namespace relievo

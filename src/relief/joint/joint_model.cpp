@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "kernel/operators/laplacian.h"
 #include "relief/inflation/poisson_terms.h"
 #include "relief/layers/joined_surface.h"
 
@@ -43,22 +42,22 @@ void number_inner(JointModel& model) {
 
 }  // namespace
 
-JointModel make_joint_model(const LayeredMesh& mesh, const Scene& scene, const Inflation& start,
-                            double epsilon) {
+JointModel make_joint_model(const OrderingInput& input, double epsilon) {
+  const LayeredMesh& mesh = input.mesh;
+  const Discretisation& discretisation = input.discretisation;
   JointModel model;
-  model.metric = make_shift_metric(mesh, epsilon);
+  model.metric = make_shift_metric(discretisation, epsilon);
+  model.L = discretisation.L;
+  model.mass = discretisation.mass;
+  model.elimination = discretisation.elimination;
   const std::vector<Point2> positions = node_positions(mesh, model.metric.scale);
-  const FlatMesh flat{positions, mesh.faces};
-  model.mass = lumped_mass(flat);
-  model.L = model.metric.A;
-  model.L.diagonal() -= epsilon * model.mass;
-  model.load = inflation_load(flat, mesh, scene);
-  model.sign = surface_signs(mesh, scene);
+  model.load = inflation_load({positions, mesh.faces}, mesh, input.scene);
+  model.sign = surface_signs(mesh, discretisation.surface, input.scene);
   collect_bound(mesh, model);
-  hold_rest_of_ranges(mesh, start, model);
+  hold_rest_of_ranges(mesh, input.inflation, model);
   for (size_t n = 0; n < mesh.node_role.size(); ++n) {
     const bool bound = mesh.node_role[n] == NodeRole::ramp;
-    if (!bound && mesh.node_role[n] != NodeRole::outline && start.u[n] != 0)
+    if (!bound && mesh.node_role[n] != NodeRole::outline && input.inflation.u[n] != 0)
       model.inner.push_back(static_cast<int>(n));
   }
   number_inner(model);

@@ -6,9 +6,8 @@
 #include "kernel/base/sparse_matrix.h"
 #include "relief/inflation/inflation.h"
 #include "relief/joint/joint_solution.h"
-#include "relief/layers/layered_mesh.h"
+#include "relief/ordering/order_depth.h"
 #include "relief/ordering/shift_metric.h"
-#include "relief/scene/scene.h"
 
 namespace relievo {
 
@@ -16,22 +15,22 @@ namespace relievo {
 struct JointModel {
   double lambda_bnd = 1;
   double lambda_shift = 1;
-  ShiftMetric metric;          ///< A = L + epsilon M of the shift
-  SparseMatrix L;              ///< #N x #N
-  Eigen::VectorXd mass;        ///< #N
-  Eigen::VectorXd load;        ///< #N, M c
-  std::vector<int> sign;       ///< #N, of u: 1, -1, or 0 where both occur
-  std::vector<int> place;      ///< #N: row of the node in `inner`, -1 on outlines and B
-  std::vector<int> inner;      ///< nodes whose u is free, ascending
-  std::vector<int> bound;      ///< nodes of B, ascending
-  Eigen::VectorXd held;        ///< #N, u where it is neither free nor on B; 0 elsewhere
-  Eigen::VectorXd bound_mass;  ///< #B, lengths of outline that they stand for
+  ShiftMetric metric;            ///< A = L + epsilon M of the shift
+  SparseMatrix L;                ///< #N x #N
+  Eigen::VectorXd mass;          ///< #N
+  Eigen::VectorXd load;          ///< #N, M c
+  std::vector<int> elimination;  ///< nodes in an order in which matrices on them fill in little
+  std::vector<int> sign;         ///< #N, of u: 1, -1, or 0 where both occur
+  std::vector<int> place;        ///< #N: row of the node in `inner`, -1 on outlines and B
+  std::vector<int> inner;        ///< nodes whose u is free, ascending
+  std::vector<int> bound;        ///< nodes of B, ascending
+  Eigen::VectorXd held;          ///< #N, u where it is neither free nor on B; 0 elsewhere
+  Eigen::VectorXd bound_mass;    ///< #B, lengths of outline that they stand for
 };
 
 /// B are the nodes under Robin ranges that a pair glues to another part. The others under ranges
-/// keep the u of `start`, and so do free nodes where it is 0. O(N + F).
-JointModel make_joint_model(const LayeredMesh& mesh, const Scene& scene, const Inflation& start,
-                            double epsilon);
+/// keep the u of the input, and so do free nodes where it is 0. O(N + F).
+JointModel make_joint_model(const OrderingInput& input, double epsilon);
 
 /// Holds the nodes where u has not the sign of its surface at 0 from now on; false where there are
 /// none. O(N).

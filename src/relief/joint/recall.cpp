@@ -2,20 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <tuple>
+
+#include "kernel/geometry/nearest_mark.h"
 
 namespace relievo {
 namespace {
 
-auto key(const JointMark& mark) { return std::tie(mark.part, mark.position.x, mark.position.y); }
+using Eigen::VectorXd;
 
-bool less(const JointMark& a, const JointMark& b) { return key(a) < key(b); }
+template <class Mark>
+void sort_marks(std::vector<Mark>& marks) {
+  std::stable_sort(marks.begin(), marks.end(),
+                   [](const Mark& a, const Mark& b) { return mark_key(a) < mark_key(b); });
+}
 
 /// The nodes of pairs and of B, ascending.
-std::vector<int> pressed_nodes(const LayeredMesh& mesh, const JointModel& model) {
+std::vector<int> pressed_nodes(const JointModel& model, const std::vector<DepthPair>& pairs) {
   std::vector<int> nodes = model.bound;
-  for (const DepthPair& pair : mesh.constraints) {
+  for (const DepthPair& pair : pairs) {
     nodes.push_back(pair.lower);
     nodes.push_back(pair.upper);
   }
@@ -38,49 +42,91 @@ JointMark place_of(const LayeredMesh& mesh, int node) {
   return mark;
 }
 
-/// The nearest mark of the same part, or null.
-const JointMark* nearest(const JointMemory& memory, const JointMark& place) {
-  const auto at = std::lower_bound(memory.begin(), memory.end(), place, less);
-  double least = std::numeric_limits<double>::infinity();
-  const JointMark* best = nullptr;
-  const auto look = [&](const JointMark& mark) {
-    const Point2 offset = mark.position - place.position;
-    if (mark.part != place.part || offset.x * offset.x >= least) return false;
-    if (dot(offset, offset) < least) {
-      least = dot(offset, offset);
-      best = &mark;
+InnerContact contact_of(const LayeredMesh& mesh, const DepthPair& pair) {
+  InnerContact contact;
+  contact.lower = mesh.node_part[pair.lower];
+  contact.upper = mesh.node_part[pair.upper];
+  contact.position = mesh.vertices[mesh.node_vertex[pair.lower]];
+  return contact;
+}
+
+/// The longest edge at each node, px.
+std::vector<double> longest_edges(const LayeredMesh& mesh) {
+  std::vector<double> longest(mesh.node_vertex.size(), 0);
+  for (const auto& face : mesh.faces)
+    for (int k = 0; k < 3; ++k) {
+      const int a = face[k];
+      const int b = face[(k + 1) % 3];
+      const Point2 edge = mesh.vertices[mesh.node_vertex[b]] - mesh.vertices[mesh.node_vertex[a]];
+      const double length = std::sqrt(dot(edge, edge));
+      longest[a] = std::max(longest[a], length);
+      longest[b] = std::max(longest[b], length);
     }
-    return true;
-  };
-  for (auto right = at; right != memory.end() && look(*right);) ++right;
-  for (auto left = at; left != memory.begin() && look(*(left - 1));) --left;
-  return best;
+  return longest;
+}
+
+/// The pairs that were added to those of the mesh, where the parts touch.
+std::vector<InnerContact> inner_contacts(const LayeredMesh& mesh,
+                                         const std::vector<DepthPair>& pairs,
+                                         const std::vector<double>& h) {
+  std::vector<InnerContact> contacts;
+  if (pairs.size() == mesh.constraints.size()) return contacts;
+  const std::vector<double> reach = longest_edges(mesh);
+  for (size_t i = mesh.constraints.size(); i < pairs.size(); ++i) {
+    if (h[pairs[i].upper] > h[pairs[i].lower]) continue;
+    contacts.push_back(contact_of(mesh, pairs[i]));
+    contacts.back().reach = reach[pairs[i].lower];
+  }
+  return contacts;
 }
 
 }  // namespace
 
+void sort_memory(JointMemory& memory) {
+  sort_marks(memory.marks);
+  sort_marks(memory.contacts);
+}
+
 JointMemory remember(const LayeredMesh& mesh, const JointModel& model,
-                     const Eigen::VectorXd& u_start, const JointState& state) {
+                     const std::vector<DepthPair>& pairs, const VectorXd& u_start,
+                     const JointState& state) {
   JointMemory memory;
-  for (const int n : pressed_nodes(mesh, model)) {
+  for (const int n : pressed_nodes(model, pairs)) {
     JointMark mark = place_of(mesh, n);
     mark.rise = state.u[n] - u_start[n];
     mark.load = state.load[n] / std::sqrt(model.mass[n]);
     mark.h = state.h[n];
     const Eigen::Index i = place_in_bound(model, n);
     if (i >= 0) mark.slope = state.slope[i] / model.bound_mass[i];
-    memory.push_back(mark);
+    memory.marks.push_back(mark);
   }
-  std::stable_sort(memory.begin(), memory.end(), less);
+  memory.contacts = inner_contacts(mesh, pairs, state.h);
+  sort_memory(memory);
   return memory;
 }
 
-void recall(const LayeredMesh& mesh, const JointModel& model, const JointMemory& memory,
-            JointState& state) {
-  if (memory.empty()) return;
+std::vector<DepthPair> likely_pairs(const LayeredMesh& mesh, const std::vector<FacePair>& stacked,
+                                    const std::vector<InnerContact>& contacts) {
+  if (contacts.empty()) return {};
+  const std::vector<double> level(mesh.node_vertex.size(), 0);
+  std::vector<DepthPair> pairs = crossed_nodes(mesh, stacked, level, -1);
+  const auto apart = [&](const DepthPair& pair) {
+    const InnerContact place = contact_of(mesh, pair);
+    const InnerContact* contact = nearest_mark(contacts, place);
+    if (contact == nullptr) return true;
+    const Point2 offset = contact->position - place.position;
+    return dot(offset, offset) > contact->reach * contact->reach;
+  };
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), apart), pairs.end());
+  return pairs;
+}
+
+void recall(const LayeredMesh& mesh, const JointModel& model, const std::vector<DepthPair>& pairs,
+            const std::vector<JointMark>& marks, JointState& state) {
+  if (marks.empty()) return;
   state.h.assign(mesh.node_vertex.size(), 0);
-  for (const int n : pressed_nodes(mesh, model)) {
-    const JointMark* mark = nearest(memory, place_of(mesh, n));
+  for (const int n : pressed_nodes(model, pairs)) {
+    const JointMark* mark = nearest_mark(marks, place_of(mesh, n));
     if (mark == nullptr) continue;
     state.h[n] = mark->h;
     const Eigen::Index i = place_in_bound(model, n);

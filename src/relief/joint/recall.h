@@ -1,21 +1,30 @@
 #pragma once
 
+#include <vector>
+
 #include "relief/joint/joint_map.h"
 #include "relief/joint/joint_memory.h"
 #include "relief/joint/joint_model.h"
 #include "relief/layers/layered_mesh.h"
+#include "relief/ordering/overlap.h"
 
 namespace relievo {
 
-/// What `state` knows of the nodes of the mesh's pairs and of B. u_start: #N, scene units.
-/// O(pairs log pairs).
+/// What `state` knows of the nodes of the pairs, those of the mesh first, and of B. u_start: #N,
+/// scene units. O(pairs log pairs + F).
 JointMemory remember(const LayeredMesh& mesh, const JointModel& model,
-                     const Eigen::VectorXd& u_start, const JointState& state);
+                     const std::vector<DepthPair>& pairs, const Eigen::VectorXd& u_start,
+                     const JointState& state);
+
+/// Pairs of inner nodes that lie where those parts touched; sorted, each once. O(stacked faces log
+/// contacts) where contacts are not stacked above each other on the canvas.
+std::vector<DepthPair> likely_pairs(const LayeredMesh& mesh, const std::vector<FacePair>& stacked,
+                                    const std::vector<InnerContact>& contacts);
 
 /// Puts what is known of the nearest node of the same part into `state`, whose u is that of the
-/// start; leaves parts that are not known as they are. O(pairs log marks) where marks are not
-/// stacked above each other on the canvas.
-void recall(const LayeredMesh& mesh, const JointModel& model, const JointMemory& memory,
-            JointState& state);
+/// start, at the nodes of the pairs and B; leaves parts that are not known as they are.
+/// O(pairs log marks) where marks are not stacked above each other on the canvas.
+void recall(const LayeredMesh& mesh, const JointModel& model, const std::vector<DepthPair>& pairs,
+            const std::vector<JointMark>& marks, JointState& state);
 
 }  // namespace relievo

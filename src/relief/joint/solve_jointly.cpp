@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "relief/discretisation/discretise.h"
 #include "relief/inflation/poisson_terms.h"
 #include "relief/joint/inflation_response.h"
 #include "relief/joint/joint_iteration.h"
 #include "relief/joint/joint_model.h"
 #include "relief/joint/recall.h"
 #include "relief/ordering/order_rounds.h"
+#include "relief/ordering/overlap.h"
 
 namespace relievo {
 namespace {
@@ -57,46 +60,43 @@ VectorXd in_scene_units(const std::vector<double>& values, double factor) {
   return result;
 }
 
-/// Iterates; where u comes out with the wrong sign, as obtuse faces allow, holds it at 0 and goes
-/// on.
-Status iterate_with_signs(const DepthProblem& problem, const JointOptions& options,
-                          const RunContext& context, JointModel& model, JointRun& run) {
-  JointState& state = run.state;
-  for (int i = 0;; ++i) {
-    const InflationResponse response(model);
-    if (!response.sound())
-      return Error{ErrorCode::internal, "the inflation has no finite solution", ""};
-    if (Status status = iterate_jointly(response, problem, options, context, run); !status)
-      return status;
-    if (i == sign_rounds || !hold_wrong_signs(state.u, model)) break;
-  }
-  for (Eigen::Index n = 0; n < state.u.size(); ++n)
-    if (model.sign[n] * state.u[n] < 0) state.u[n] = 0;
-  return Done{};
-}
-
 /// Solves round after round, each under more pairs and from where the last one ended.
 class JointRounds {
  public:
-  JointRounds(const LayeredMesh& mesh, const JointOptions& options, const RunContext& context,
-              JointModel model, const JointStart& start)
-      : mesh_(mesh), options_(options), context_(context), model_(std::move(model)) {
-    run_.state = first_state(model_, start.inflation);
+  JointRounds(const OrderingInput& input, const JointOptions& options, const JointMemory& known,
+              const RunContext& context)
+      : input_(input),
+        options_(options),
+        context_(context),
+        model_(make_joint_model(input, options.epsilon)),
+        stacked_(stacked_faces(input.mesh, input.scene)) {
+    model_.lambda_bnd = options.lambda_bnd;
+    model_.lambda_shift = options.lambda_shift;
+    run_.state = first_state(model_, input.inflation);
     u_start_ = run_.state.u;
-    if (start.memory != nullptr) recall(mesh, model_, *start.memory, run_.state);
+    likely_ = likely_pairs(input.mesh, stacked_, known.contacts);
+    recall(input.mesh, model_, with_likely(input.mesh.constraints), known.marks, run_.state);
   }
 
-  /// Leaves the solution for these pairs in `solution` and its heights in `ordering`.
+  /// Leaves the solution for these pairs in `solution` and its heights in `ordering`; in a round
+  /// that is not the last, rough heights where they cross.
   Status solve(const std::vector<DepthPair>& pairs, Ordering& ordering, JointSolution& solution) {
-    const DepthProblem problem = make_depth_problem(mesh_.node_part, pairs);
+    pairs_ = with_likely(pairs);
+    const DepthProblem problem = make_depth_problem(input_.mesh.node_part, pairs_);
     run_.report.round = ordering.rounds;
-    if (Status status = iterate_with_signs(problem, options_, context_, model_, run_); !status)
-      return status;
+    run_.crosses = [&](const std::vector<double>& h) {
+      return ordering.rounds < options_.max_rounds && crosses(h);
+    };
+    if (Status status = iterate(problem); !status) return status;
     for (const KeptState& kept : std::exchange(run_.kept, {})) {
       JointSnapshot snapshot{kept.step, inflation_of(kept.u), {}};
       const Status status = order(problem, snapshot.inflation, snapshot.ordering);
       if (!status) return status;
       solution.snapshots.push_back(std::move(snapshot));
+    }
+    if (run_.crossed) {
+      ordering.h = run_.state.h;
+      return Done{};
     }
     solution.inflation = inflation_of(run_.state.u);
     return order(problem, solution.inflation, ordering);
@@ -104,7 +104,7 @@ class JointRounds {
 
   JointMemory memory() const {
     if (run_.report.status != JointStatus::solved) return {};
-    return remember(mesh_, model_, u_start_, run_.state);
+    return remember(input_.mesh, model_, pairs_, u_start_, run_.state);
   }
 
   /// With the energy at the end.
@@ -116,21 +116,57 @@ class JointRounds {
   }
 
  private:
+  std::vector<DepthPair> with_likely(std::vector<DepthPair> pairs) const {
+    pairs.insert(pairs.end(), likely_.begin(), likely_.end());
+    return pairs;
+  }
+
+  /// Iterates; where u comes out with the wrong sign, as obtuse faces allow, holds it at 0 and
+  /// goes on.
+  Status iterate(const DepthProblem& problem) {
+    VectorXd& u = run_.state.u;
+    for (int i = 0;; ++i) {
+      if (!response_) response_.emplace(model_);
+      if (!response_->sound())
+        return Error{ErrorCode::internal, "the inflation has no finite solution", ""};
+      const Status status = iterate_jointly(*response_, problem, options_, context_, run_);
+      if (!status || run_.crossed) return status;
+      if (i == sign_rounds || !hold_wrong_signs(u, model_)) break;
+      response_.reset();
+    }
+    for (Eigen::Index n = 0; n < u.size(); ++n)
+      if (model_.sign[n] * u[n] < 0) u[n] = 0;
+    return Done{};
+  }
+
+  bool crosses(const std::vector<double>& h) const {
+    const double tolerance = crossing_tolerance / model_.metric.scale;
+    return !crossed_nodes(input_.mesh, stacked_, h, tolerance).empty();
+  }
+
   Inflation inflation_of(const VectorXd& u) const {
-    return make_inflation(mesh_, u, model_.metric.scale);
+    return make_inflation(input_.discretisation.gradients, u, model_.metric.scale);
   }
 
   /// The exact depth order for an inflation.
   Status order(const DepthProblem& problem, const Inflation& inflation, Ordering& ordering) {
-    return check_solved(solve_heights(problem, model_.metric, inflated_heights(inflation.u),
-                                      closed_gaps(problem, run_.state.h), factor_, ordering,
-                                      context_));
+    DepthSystem system =
+        make_depth_system(problem, model_.metric, model_.elimination, std::move(factor_), context_);
+    system.closed = closed_gaps(problem, run_.state.h);
+    const SolveStatus status =
+        solve_heights(system, model_.metric, inflated_heights(inflation.u), ordering, context_);
+    factor_ = std::move(system.factor);
+    return check_solved(status);
   }
 
-  const LayeredMesh& mesh_;
+  const OrderingInput& input_;
   const JointOptions& options_;
   const RunContext& context_;
   JointModel model_;
+  std::vector<FacePair> stacked_;
+  std::vector<DepthPair> likely_;  ///< that will be found to cross, from the beginning
+  std::vector<DepthPair> pairs_;   ///< of the round
+  std::optional<InflationResponse> response_;
   VectorXd u_start_;
   JointRun run_;
   SparseCholesky factor_;
@@ -138,32 +174,37 @@ class JointRounds {
 
 }  // namespace
 
-Result<JointSolution> solve_jointly(const LayeredMesh& mesh, const Scene& scene,
-                                    const JointStart& start, const JointOptions& options,
-                                    const RunContext& context) {
-  assert(start.inflation.u.size() == mesh.node_vertex.size());
-  assert(static_cast<int>(scene.parts.size()) == mesh.part_count);
+Result<JointSolution> solve_jointly(const OrderingInput& input, const JointOptions& options,
+                                    const JointMemory& known, const RunContext& context) {
+  assert(input.inflation.u.size() == input.mesh.node_vertex.size());
+  assert(static_cast<int>(input.scene.parts.size()) == input.mesh.part_count);
   if (Status status = check_options(options); !status) return status.error();
-  JointModel model = make_joint_model(mesh, scene, start.inflation, options.epsilon);
-  model.lambda_bnd = options.lambda_bnd;
-  model.lambda_shift = options.lambda_shift;
-  const double scale = model.metric.scale;
-  JointRounds rounds(mesh, options, context, std::move(model), start);
+  JointRounds rounds(input, options, known, context);
 
   JointSolution solution;
   const auto solve = [&](const std::vector<DepthPair>& pairs, Ordering& ordering) {
     return rounds.solve(pairs, ordering, solution);
   };
-  Result<Ordering> ordering = order_in_rounds(mesh, scene, scale, options.max_rounds, solve);
+  Result<Ordering> ordering = order_in_rounds(input.mesh, input.scene, input.discretisation.scale,
+                                              options.max_rounds, solve);
   if (!ordering) return ordering.error();
-  finish_ordering(mesh, scene, solution.inflation, *ordering);
+  finish_ordering({input.mesh, input.discretisation, solution.inflation, input.scene}, *ordering);
   for (JointSnapshot& snapshot : solution.snapshots)
-    finish_ordering(mesh, scene, snapshot.inflation, snapshot.ordering);
+    finish_ordering({input.mesh, input.discretisation, snapshot.inflation, input.scene},
+                    snapshot.ordering);
   solution.ordering = std::move(*ordering);
   solution.report = rounds.report(solution.ordering);
   solution.memory = rounds.memory();
   context.report("nonlinear", 1);
   return solution;
+}
+
+Result<JointSolution> solve_jointly(const LayeredMesh& mesh, const Scene& scene,
+                                    const Inflation& start, const JointOptions& options,
+                                    const RunContext& context) {
+  const Discretisation discretisation = discretise(mesh, context);
+  if (context.cancelled()) return interrupted_error();
+  return solve_jointly({mesh, discretisation, start, scene}, options, {}, context);
 }
 
 }  // namespace relievo

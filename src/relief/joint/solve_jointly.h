@@ -7,6 +7,7 @@
 #include "relief/inflation/inflation.h"
 #include "relief/joint/joint_solution.h"
 #include "relief/layers/layered_mesh.h"
+#include "relief/ordering/order_depth.h"
 #include "relief/scene/scene.h"
 
 namespace relievo {
@@ -19,28 +20,23 @@ struct JointOptions {
   double lambda_shift = 1;   ///< weight of the shift against the inflation, > 0
   double epsilon = 1e-4;     ///< weight of the pull to g = 0, in scene units
   int max_rounds = 3;        ///< cutting-plane rounds for interior overlap
-  double tolerance = 1e-8;   ///< on the residual of the iteration
+  double tolerance = 1e-6;   ///< on the residual of the iteration
   int max_iterations = 150;  ///< of one attempt
   int anderson_depth = 16;
   std::vector<int> snapshots;  ///< after which steps the surface is kept, ascending, from 1
 };
 
-/// What an iteration begins from.
-struct JointStart {
-  /// Any inflation of the mesh.
-  JointStart(const Inflation& any, const JointMemory* known = nullptr)
-      : inflation(any), memory(known) {}
-
-  const Inflation& inflation;
-  const JointMemory* memory;  ///< of a similar problem, or null
-};
-
 /// Inflates and shifts all parts at once [P eq 3-6]: minimises
 ///   (M^-1 L u - c)' M (M^-1 L u - c) + lambda_bnd int_B f^2 ds + lambda_shift g'(L + epsilon M) g
 /// over u and g, f = sgn(u) sqrt|u|, where the heights f + g obey the depth pairs, u = 0 on
-/// outlines, and B are the outlines under Robin ranges.
+/// outlines, and B are the outlines under Robin ranges. Begins from the inflation of the input,
+/// any of the mesh, and from what is known of a similar problem.
+Result<JointSolution> solve_jointly(const OrderingInput& input, const JointOptions& options,
+                                    const JointMemory& known, const RunContext& context = {});
+
+/// The same with operators for one use.
 Result<JointSolution> solve_jointly(const LayeredMesh& mesh, const Scene& scene,
-                                    const JointStart& start, const JointOptions& options,
+                                    const Inflation& start, const JointOptions& options,
                                     const RunContext& context = {});
 
 }  // namespace relievo

@@ -47,12 +47,13 @@ void drop_unused_points(SplicedCurves& spliced) {
 }
 
 Result<JoinedSheets> join_on(const Scene& scene, const SampledOutlines& sampled,
-                             SplicedCurves spliced, BaseMesh base) {
+                             SplicedCurves spliced, BaseMesh base, const RunContext& context) {
   JoinedSheets joined;
   joined.base = std::move(base);
   joined.loops = {spliced.loops, sampled.curve_part};
   const Cover cover = cover_triangles(joined.base.mesh, joined.loops.vertices, joined.loops.part);
   joined.sheets = make_sheets(joined.base, cover);
+  if (context.cancelled()) return interrupted_error();
   const auto paths = join_paths(scene, spliced, locate_runs(spliced, sampled.joins));
   if (!paths) return paths.error();
   auto connection =
@@ -98,9 +99,8 @@ std::vector<LoopRun> runs_of_relations(const JoinedSheets& joined, const Scene& 
 
 Result<JoinedSheets> join_sheets(const Scene& scene, const LayerOptions& options,
                                  const RunContext& context) {
-  const auto spacing = mesh_spacing(scene, options);
+  const auto spacing = mesh_spacing(scene, options, context);
   if (!spacing) return spacing.error();
-  if (context.cancelled()) return interrupted_error();
   context.report("mesh", 0.1);
   const auto sampled = sample_outlines(scene, *spacing);
   if (!sampled) return sampled.error();
@@ -114,12 +114,12 @@ Result<JoinedSheets> join_sheets(const Scene& scene, const LayerOptions& options
   const SizeField field = size_field_for(*sampled, *spacing, options);
   const std::vector<Point2> inner = inner_points(field, points, edges);
   points.insert(points.end(), inner.begin(), inner.end());
-  auto mesh = triangulate(points, edges);
-  if (!mesh) return mesh.error();
   if (context.cancelled()) return interrupted_error();
+  auto mesh = triangulate(points, edges, context);
+  if (!mesh) return mesh.error();
   context.report("mesh", 0.7);
   auto joined = join_on(scene, *sampled, std::move(*spliced),
-                        make_base_mesh(std::move(points), std::move(*mesh)));
+                        make_base_mesh(std::move(points), std::move(*mesh)), context);
   if (!joined) return joined.error();
   joined->edge_length = *spacing;
   return joined;

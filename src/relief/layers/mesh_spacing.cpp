@@ -75,12 +75,14 @@ Status check_size(const Scene& scene, double spacing, const LayerOptions& option
 }
 
 /// The spacing at which the joined mesh has about the wanted number of nodes.
-Result<double> choose_spacing(const Scene& scene, const LayerOptions& options) {
+Result<double> choose_spacing(const Scene& scene, const LayerOptions& options,
+                              const RunContext& context) {
   const auto [length, area] = measure_outlines(scene);
   const double budget = options.vertex_budget;
   // Twice the plain counts: sheets repeat the outlines of others, and grading thins the inside.
   double spacing = (length + std::sqrt(length * length + 0.3 * budget * area)) / budget;
   for (int round = 0; round < 5; ++round) {
+    if (context.cancelled()) return interrupted_error();
     const auto estimate = estimate_nodes(scene, spacing, options);
     if (!estimate) return estimate.error();
     const double along = estimate->along;
@@ -94,14 +96,16 @@ Result<double> choose_spacing(const Scene& scene, const LayerOptions& options) {
 
 }  // namespace
 
-Result<double> mesh_spacing(const Scene& scene, const LayerOptions& options) {
+Result<double> mesh_spacing(const Scene& scene, const LayerOptions& options,
+                            const RunContext& context) {
   double spacing = options.edge_length;
   if (spacing <= 0) {
-    const auto chosen = choose_spacing(scene, options);
+    const auto chosen = choose_spacing(scene, options, context);
     if (!chosen) return chosen.error();
     spacing = *chosen;
   }
   if (Status status = check_size(scene, spacing, options); !status) return status.error();
+  if (context.cancelled()) return interrupted_error();
   return spacing;
 }
 

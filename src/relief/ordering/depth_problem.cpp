@@ -1,5 +1,6 @@
 #include "relief/ordering/depth_problem.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "kernel/base/piece_timer.h"
@@ -67,7 +68,7 @@ DepthSystem make_depth_system(const DepthProblem& problem, const ShiftMetric& me
   if (context.cancelled()) return system;
   const PieceTimer analysing(context, "analyse");
   system.factor.analyse(system.qp.K, Refactorisation::incremental,
-                        order_of_variables(problem.variables, elimination));
+                        order_of_variables(problem.variables, elimination), context);
   return system;
 }
 
@@ -85,7 +86,8 @@ SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const 
   BoundQpSolution solution = solve_bound_qp(system.qp, system.factor, options, context);
   ordering.h = heights_of(problem, root_height, solution.z, metric.scale);
   ordering.equalities = static_cast<int>(ordering.h.size() - variables.bounded.size());
-  ordering.inequalities = static_cast<int>(problem.forest.gaps.size());
+  ordering.inequalities =
+      static_cast<int>(std::count(system.qp.bounded.begin(), system.qp.bounded.end(), 1));
   ordering.report = solution.report;
   ordering.report.energy += 0.5 * rest.dot(force);
   system.closed = std::move(solution.active);

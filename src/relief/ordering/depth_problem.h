@@ -39,7 +39,7 @@ std::vector<double> heights_of(const DepthProblem& problem, const Eigen::VectorX
 /// A depth problem as a quadratic program with the factor of its matrix K = T'A T.
 struct DepthSystem {
   DepthProblem problem;
-  BoundQp qp;                   ///< b is that of the last solution
+  BoundQp qp;                   ///< b is that of the last solution; gaps without a bound are free
   SparseCholesky factor;        ///< analysed incrementally
   std::vector<uint8_t> closed;  ///< gaps to begin with closed, then those of the solution; or empty
 };

@@ -1,23 +1,28 @@
 #include "relief/ordering/order_depth.h"
 
-#include <algorithm>
 #include <cassert>
 #include <utility>
 
 #include "kernel/base/piece_timer.h"
 #include "relief/discretisation/discretise.h"
 #include "relief/ordering/order_rounds.h"
+#include "relief/ordering/pair_selection.h"
 
 namespace relievo {
 namespace {
 
-using Round = OrderingSystem::Round;
+/// Where crossing nodes are added, so many rings around them are too: small changes then need no
+/// others.
+constexpr int margin = 2;
+/// Stacked nodes are all compared where they are at most one of so many nodes: then one matrix does
+/// for all rounds and edits. Gaps in deeper stacks would make it too dense, as they couple sheets.
+constexpr size_t affordable_share = 2;
 
-/// Solves one round after the other with the system's rounds.
-class RoundSolver {
+/// Solves with the system, which is made anew where it cannot serve.
+class HeightsUnderPairs {
  public:
-  RoundSolver(const OrderingInput& input, const OrderingOptions& options, OrderingSystem& system,
-              const RunContext& context)
+  HeightsUnderPairs(const OrderingInput& input, const OrderingOptions& options,
+                    OrderingSystem& system, const RunContext& context)
       : input_(input),
         options_(options),
         system_(system),
@@ -26,30 +31,28 @@ class RoundSolver {
 
   Status solve(const std::vector<DepthPair>& pairs, Ordering& ordering) {
     context_.report("order", ordering.rounds / (options_.max_rounds + 1.0));
-    Round& round = round_for(pairs, ordering);
+    if (!serves(pairs)) make_system(pairs, ordering);
+    system_.pairs = pairs;
     if (context_.cancelled()) {  // it may be half made
-      system_.rounds.clear();
+      system_.pairs.clear();
       return interrupted_error();
     }
-    return check_solved(solve_heights(round.system, system_.metric, f_, ordering, context_));
+    return check_solved(solve_heights(system_.system, system_.metric, f_, ordering, context_));
   }
 
  private:
-  Round& round_for(const std::vector<DepthPair>& pairs, const Ordering& ordering) {
-    std::vector<Round>& rounds = system_.rounds;
-    const size_t number = system_.keep_rounds ? static_cast<size_t>(ordering.rounds) : 0;
-    if (number < rounds.size() && rounds[number].pairs == pairs) return rounds[number];
-    SparseCholesky factor;
-    if (number < rounds.size()) factor = std::move(rounds[number].system.factor);
-    rounds.resize(number);
+  bool serves(const std::vector<DepthPair>& pairs) {
+    if (system_.pairs.empty()) return false;
+    return system_.pairs == pairs || select_pairs(input_.mesh.node_part, pairs, system_.system);
+  }
+
+  void make_system(const std::vector<DepthPair>& pairs, const Ordering& ordering) {
     PieceTimer sorting(context_, "assemble");
     const DepthProblem problem = make_depth_problem(input_.mesh.node_part, pairs);
     sorting.stop();
-    rounds.push_back(
-        {pairs, make_depth_system(problem, system_.metric, input_.discretisation.elimination,
-                                  std::move(factor), context_)});
-    rounds.back().system.closed = first_guess(problem, ordering.h);
-    return rounds.back();
+    system_.system = make_depth_system(problem, system_.metric, input_.discretisation.elimination,
+                                       std::move(system_.system.factor), context_);
+    system_.system.closed = first_guess(problem, ordering.h);
   }
 
   /// The gaps to start from; `last_h` are the heights of the last round, if any.
@@ -68,6 +71,25 @@ class RoundSolver {
   Eigen::VectorXd f_;
 };
 
+/// Brings what does not depend on the inflation up to date.
+void prepare(const OrderingInput& input, const OrderingOptions& options, OrderingSystem& system,
+             const RunContext& context) {
+  if (system.epsilon != options.epsilon) {
+    const PieceTimer assembling(context, "assemble");
+    system.pairs.clear();
+    system.metric = make_shift_metric(input.discretisation, options.epsilon);
+    system.epsilon = options.epsilon;
+  }
+  std::vector<FacePair> faces = stacked_faces(input.mesh, input.scene);
+  if (faces != system.stacked.faces) system.stacked = stacked_nodes(input.mesh, std::move(faces));
+}
+
+/// The stacked nodes that are compared from the first round on.
+std::vector<DepthPair> pairs_inside(const OrderingSystem& system, size_t nodes) {
+  const std::vector<DepthPair>& all = system.stacked.pairs;
+  return all.size() <= nodes / affordable_share ? all : system.inside;
+}
+
 }  // namespace
 
 Result<Ordering> order_depth(const OrderingInput& input, const OrderingOptions& options,
@@ -76,24 +98,19 @@ Result<Ordering> order_depth(const OrderingInput& input, const OrderingOptions& 
   assert(input.inflation.u.size() == mesh.node_vertex.size());
   assert(static_cast<int>(input.scene.parts.size()) == mesh.part_count);
   if (Status status = check_options(options); !status) return status.error();
-  if (system.epsilon != options.epsilon) {
-    const PieceTimer assembling(context, "assemble");
-    system.rounds.clear();
-    system.metric = make_shift_metric(input.discretisation, options.epsilon);
-    system.epsilon = options.epsilon;
-  }
-  RoundSolver solver(input, options, system, context);
+  prepare(input, options, system, context);
+  RoundPlan plan{system.stacked, {}, margin, options.max_rounds};
+  if (options.max_rounds > 0) plan.inside = pairs_inside(system, mesh.node_vertex.size());
+  HeightsUnderPairs heights(input, options, system, context);
   const auto solve = [&](const std::vector<DepthPair>& pairs, Ordering& ordering) {
-    return solver.solve(pairs, ordering);
+    return heights.solve(pairs, ordering);
   };
-  Result<Ordering> ordering =
-      order_in_rounds(mesh, input.scene, system.metric.scale, options.max_rounds, solve);
+  Result<Ordering> ordering = order_in_rounds(mesh, system.metric.scale, plan, solve);
   if (!ordering) return ordering;
-  finish_ordering(input, *ordering);
-  if (system.keep_rounds)
-    system.rounds.resize(std::min(system.rounds.size(), static_cast<size_t>(ordering->rounds) + 1));
+  finish_ordering(input, system.stacked.faces, *ordering);
+  system.inside = std::move(plan.inside);
   system.h = ordering->h;
-  system.contacts = contacts_of(mesh, system.rounds.back().system);
+  system.contacts = contacts_of(mesh, system.stacked, ordering->h);
   context.report("order", 1);
   return ordering;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 #include "relief/layers/joined_surface.h"
 #include "relief/ordering/overlap.h"
@@ -10,9 +12,6 @@
 namespace relievo {
 namespace {
 
-/// Crossings shallower than this are round-off; scene units.
-constexpr double crossing_tolerance = 1e-9;
-
 double worst_violation(const std::vector<DepthPair>& pairs, const std::vector<double>& h) {
   double worst = 0;
   for (const DepthPair& pair : pairs) {
@@ -20,6 +19,20 @@ double worst_violation(const std::vector<DepthPair>& pairs, const std::vector<do
     worst = std::max(worst, pair.equal ? std::abs(violation) : violation);
   }
   return worst;
+}
+
+/// Clears the flags that are set in `known`; whether any are left.
+bool exclude(const std::vector<uint8_t>& known, std::vector<uint8_t>& flags) {
+  bool any = false;
+  for (size_t i = 0; i < flags.size(); ++i) {
+    flags[i] &= static_cast<uint8_t>(known[i] == 0);
+    any = any || flags[i] != 0;
+  }
+  return any;
+}
+
+void include(const std::vector<uint8_t>& added, std::vector<uint8_t>& flags) {
+  for (size_t i = 0; i < flags.size(); ++i) flags[i] |= added[i];
 }
 
 }  // namespace
@@ -46,35 +59,44 @@ Status check_solved(SolveStatus status) {
   return Error{ErrorCode::internal, "the depth order has no finite solution", ""};
 }
 
-Result<Ordering> order_in_rounds(const LayeredMesh& mesh, const Scene& scene, double scale,
-                                 int max_rounds, const HeightSolver& solve) {
-  const std::vector<FacePair> stacked = stacked_faces(mesh, scene);
-  std::vector<DepthPair> pairs = mesh.constraints;
+Result<Ordering> order_in_rounds(const LayeredMesh& mesh, double scale, RoundPlan& plan,
+                                 const HeightSolver& solve) {
+  std::vector<uint8_t> chosen = flags_of(plan.stacked, plan.inside);
+  std::vector<DepthPair> pairs;
   Ordering ordering;
   for (;;) {
+    plan.inside = flagged(plan.stacked, chosen);
+    pairs = mesh.constraints;
+    pairs.insert(pairs.end(), plan.inside.begin(), plan.inside.end());
+    ordering.interior_pairs = static_cast<int>(plan.inside.size());
     if (Status status = solve(pairs, ordering); !status) return status.error();
-    if (ordering.rounds == max_rounds) break;
-    const std::vector<DepthPair> crossed =
-        crossed_nodes(mesh, stacked, ordering.h, crossing_tolerance / scale);
-    if (crossed.empty()) break;
+    if (ordering.rounds == plan.max_rounds) break;
+    std::vector<uint8_t> added = crossed(plan.stacked, ordering.h, crossing_tolerance / scale);
+    if (!exclude(chosen, added)) break;
     ++ordering.rounds;
-    ordering.interior_pairs += static_cast<int>(crossed.size());
-    pairs.insert(pairs.end(), crossed.begin(), crossed.end());
+    include(grown(plan.stacked, std::move(added), plan.margin), chosen);
   }
   ordering.max_violation = worst_violation(pairs, ordering.h);
   return ordering;
 }
 
-void finish_ordering(const OrderingInput& input, Ordering& ordering) {
+Result<Ordering> order_in_rounds(const LayeredMesh& mesh, const Scene& scene, double scale,
+                                 int max_rounds, const HeightSolver& solve) {
+  const StackedNodes stacked = stacked_nodes(mesh, stacked_faces(mesh, scene));
+  RoundPlan plan{stacked, {}, 0, max_rounds};
+  return order_in_rounds(mesh, scale, plan, solve);
+}
+
+void finish_ordering(const OrderingInput& input, const std::vector<FacePair>& stacked,
+                     Ordering& ordering) {
   const Eigen::VectorXd f = inflated_heights(input.inflation.u);
   ordering.g.clear();
   ordering.g.reserve(ordering.h.size());
   for (size_t n = 0; n < ordering.h.size(); ++n)
     ordering.g.push_back(ordering.h[n] - f[static_cast<Eigen::Index>(n)]);
   ordering.grad_g = node_gradients(input.discretisation.gradients, ordering.g);
-  const OverlapSamples samples =
-      sample_overlap(input.mesh, stacked_faces(input.mesh, input.scene), input.inflation.u,
-                     ordering.g, crossing_tolerance / input.discretisation.scale);
+  const OverlapSamples samples = sample_overlap(input.mesh, stacked, input.inflation.u, ordering.g,
+                                                crossing_tolerance / input.discretisation.scale);
   ordering.overlap_samples = samples.count;
   ordering.overlap_worst = samples.worst;
 }
@@ -85,7 +107,7 @@ void finish_ordering(const LayeredMesh& mesh, const Scene& scene, const Inflatio
   discretisation.scale = scene_scale(mesh);
   const std::vector<Point2> positions = node_positions(mesh);
   discretisation.gradients = gradient_stencils({positions, mesh.faces});
-  finish_ordering({mesh, discretisation, inflation, scene}, ordering);
+  finish_ordering({mesh, discretisation, inflation, scene}, stacked_faces(mesh, scene), ordering);
 }
 
 }  // namespace relievo

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
-#include <tuple>
 
 namespace relievo {
 namespace {
@@ -24,8 +22,6 @@ std::vector<std::pair<int, int>> free_parts(const Scene& scene) {
   std::sort(parts.begin(), parts.end());
   return parts;
 }
-
-bool on_outline(NodeRole role) { return role == NodeRole::outline || role == NodeRole::ramp; }
 
 bool share_node(const Face& a, const Face& b) {
   return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
@@ -59,26 +55,6 @@ std::vector<FacePair> stacked_faces(const LayeredMesh& mesh, const Scene& scene)
       if (lower >= mesh.stack_begin[t]) pairs.push_back({lower, upper});
     }
   return pairs;
-}
-
-std::vector<DepthPair> crossed_nodes(const LayeredMesh& mesh, const std::vector<FacePair>& pairs,
-                                     const std::vector<double>& h, double tolerance) {
-  std::vector<DepthPair> crossed;
-  for (const FacePair& pair : pairs)
-    for (int k = 0; k < 3; ++k) {
-      const int lower = mesh.faces[pair.lower][k];
-      const int upper = mesh.faces[pair.upper][k];
-      if (on_outline(mesh.node_role[lower]) || on_outline(mesh.node_role[upper])) continue;
-      if (h[lower] - h[upper] > tolerance) crossed.push_back({lower, upper, false});
-    }
-  const auto key = [](const DepthPair& pair) { return std::tie(pair.lower, pair.upper); };
-  std::sort(crossed.begin(), crossed.end(),
-            [&](const DepthPair& a, const DepthPair& b) { return key(a) < key(b); });
-  crossed.erase(
-      std::unique(crossed.begin(), crossed.end(),
-                  [&](const DepthPair& a, const DepthPair& b) { return key(a) == key(b); }),
-      crossed.end());
-  return crossed;
 }
 
 OverlapSamples sample_overlap(const LayeredMesh& mesh, const std::vector<FacePair>& pairs,

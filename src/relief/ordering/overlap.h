@@ -11,17 +11,13 @@ namespace relievo {
 struct FacePair {
   int lower = -1;
   int upper = -1;
+  friend bool operator==(const FacePair&, const FacePair&) = default;
 };
 
 /// Each face with the next one below it in the stack. A face whose part has d < 0 is meant to lie
 /// below what it covers and has none; lower faces to which a relation "free" without a range was
 /// given are passed over. O(F) but for such relations.
 std::vector<FacePair> stacked_faces(const LayeredMesh& mesh, const Scene& scene);
-
-/// Nodes of stacked faces, outlines excepted, where the upper one lies below the lower one by more
-/// than `tolerance`; sorted, each once. h, #N, in px like the tolerance. O(pairs).
-std::vector<DepthPair> crossed_nodes(const LayeredMesh& mesh, const std::vector<FacePair>& pairs,
-                                     const std::vector<double>& h, double tolerance);
 
 /// How far upper faces dip below lower ones between the base vertices.
 struct OverlapSamples {

@@ -38,7 +38,7 @@ Guess coarse_guess(const Scene& scene, ReliefOptions options, const RunContext& 
   layers.edge_length *= std::sqrt(static_cast<double>(coarsening));
   layers.vertex_budget /= coarsening;
   if (layers.edge_length == 0 && layers.vertex_budget < smallest_coarse_mesh) return {};
-  options.ordering.max_rounds = 0;
+  if (options.method == Method::nonlinear) options.ordering.max_rounds = 0;
   options.joint.snapshots.clear();
   options.joint.tolerance = std::max(options.joint.tolerance, coarse_tolerance);
   ReliefSession session(ReliefSession::Use::guess);
@@ -88,7 +88,6 @@ Status ReliefSession::update_surface(const Request& request) {
 void ReliefSession::begin_like(const Scene& scene) {
   std::vector<DepthContact> contacts = std::move(ordering_system_.contacts);
   ordering_system_ = {};
-  ordering_system_.keep_rounds = use_ == Use::many;
   const auto number = [&](int& part) {
     const auto same = [&](const Part& other) { return other.id == part_ids_[part]; };
     const auto found = std::find_if(scene.parts.begin(), scene.parts.end(), same);
@@ -99,9 +98,12 @@ void ReliefSession::begin_like(const Scene& scene) {
     number(contact.upper);
   }
   ordering_system_.contacts = std::move(contacts);
-  for (JointMark& mark : joint_memory_) number(mark.part);
-  std::stable_sort(joint_memory_.begin(), joint_memory_.end(),
-                   [](const JointMark& a, const JointMark& b) { return a.part < b.part; });
+  for (JointMark& mark : joint_memory_.marks) number(mark.part);
+  for (InnerContact& contact : joint_memory_.contacts) {
+    number(contact.lower);
+    number(contact.upper);
+  }
+  sort_memory(joint_memory_);
   part_ids_.clear();
   for (const Part& part : scene.parts) part_ids_.push_back(part.id);
 }
@@ -153,6 +155,7 @@ Status ReliefSession::update_inflation(const Request& request) {
     poisson_.emplace(mesh, discretisation_,
                      use_ == Use::many ? Refactorisation::incremental : Refactorisation::complete,
                      context);
+    if (context.cancelled()) return interrupted_error();
     return Done{};
   });
   if (!status) return status;
@@ -203,8 +206,8 @@ Status ReliefSession::update_jointly(const Request& request) {
     JointOptions joint = options.joint;
     joint.epsilon = options.ordering.epsilon;
     joint.max_rounds = options.ordering.max_rounds;
-    auto solution =
-        solve_jointly(relief_.layers, scene, {inflation_, &joint_memory_}, joint, context);
+    auto solution = solve_jointly({relief_.layers, discretisation_, inflation_, scene}, joint,
+                                  joint_memory_, context);
     if (!solution) return solution.error();
     joint_memory_ = std::move(solution->memory);
     relief_.inflation = std::move(solution->inflation);

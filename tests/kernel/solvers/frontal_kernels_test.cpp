@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <atomic>
 #include <cmath>
 #include <vector>
 
@@ -57,7 +58,7 @@ TEST(FrontalKernels, EliminateLikeDenseCholesky) {
     for (const auto& [n, k] : shapes) {
       const MatrixXd A = positive_definite(n);
       const OwnedFront front(A, k);
-      ASSERT_TRUE(kernels->eliminate(front.get())) << n << " " << k;
+      ASSERT_TRUE(kernels->eliminate(front.get(), nullptr)) << n << " " << k;
       const MatrixXd L = A.llt().matrixL();
       MatrixXd rest = L;
       rest.leftCols(k).setZero();
@@ -71,7 +72,7 @@ TEST(FrontalKernels, SolveWithTheColumnsOfTheFactor) {
   for (const FrontalKernels* kernels : {&portable_kernels(), &best_kernels()})
     for (const auto& [n, k] : shapes) {
       const OwnedFront front(positive_definite(n), k);
-      ASSERT_TRUE(kernels->eliminate(front.get()));
+      ASSERT_TRUE(kernels->eliminate(front.get(), nullptr));
       MatrixXd L = front.lower();
       L.rightCols(n - k).setZero();
       L.bottomRightCorner(n - k, n - k).setIdentity();
@@ -91,8 +92,8 @@ TEST(FrontalKernels, GiveTheSameBitsOnEveryProcessor) {
   for (const auto& [n, k] : shapes) {
     const OwnedFront one(positive_definite(n), k);
     const OwnedFront other(positive_definite(n), k);
-    ASSERT_TRUE(portable_kernels().eliminate(one.get()));
-    ASSERT_TRUE(best_kernels().eliminate(other.get()));
+    ASSERT_TRUE(portable_kernels().eliminate(one.get(), nullptr));
+    ASSERT_TRUE(best_kernels().eliminate(other.get(), nullptr));
     EXPECT_EQ(one.lower(), other.lower()) << n << " " << k;
     VectorXd x = VectorXd::Zero(padded(n));
     x.head(n).setLinSpaced(-3, 1);
@@ -110,8 +111,17 @@ TEST(FrontalKernels, RefuseAPivotThatIsNotPositive) {
     for (const double pivot : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
       MatrixXd A = positive_definite(9);
       A(6, 6) = pivot;
-      EXPECT_FALSE(kernels->eliminate(OwnedFront(A, 7).get())) << pivot;
-      EXPECT_TRUE(kernels->eliminate(OwnedFront(A, 6).get())) << pivot;
+      EXPECT_FALSE(kernels->eliminate(OwnedFront(A, 7).get(), nullptr)) << pivot;
+      EXPECT_TRUE(kernels->eliminate(OwnedFront(A, 6).get(), nullptr)) << pivot;
+    }
+}
+
+TEST(FrontalKernels, StopWhereTheyAreTold) {
+  const MatrixXd A = positive_definite(200);
+  for (const FrontalKernels* kernels : {&portable_kernels(), &best_kernels()})
+    for (const bool told : {false, true}) {
+      const std::atomic<bool> stop = told;
+      EXPECT_EQ(kernels->eliminate(OwnedFront(A, 150).get(), &stop), !told);
     }
 }
 

@@ -201,6 +201,9 @@ TEST(SparseCholesky, StopsWhenCancelled) {
   const std::atomic<bool> cancel = true;
   EXPECT_FALSE(factor.factorise(A, {}, RunContext{&cancel}));
   EXPECT_TRUE(factor.factorise(A));
+  EXPECT_FALSE(factor.analyse(A, Refactorisation::complete, {}, RunContext{&cancel}));
+  ASSERT_TRUE(factor.analyse(A));
+  EXPECT_TRUE(factor.factorise(A));
 }
 
 TEST(SparseCholesky, GivesTheSameBitsWithAnyNumberOfThreads) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "support/augmented_lagrangian.h"
 #include "support/ipopt_joint.h"
 #include "support/joint_case.h"
 #include "support/lbfgs.h"
@@ -95,78 +96,13 @@ TEST(JointReferences, IpoptFindsNothingBetterWithSoftBounds) {
   EXPECT_GE(comparison.converged, 15);
 }
 
-/// The augmented Lagrangian of the program over x = (f at the unknowns, g), as a function for a
-/// descent method [P §4].
-class AugmentedLagrangian {
- public:
-  AugmentedLagrangian(const JointProgram& program, double penalty)
-      : program_(program),
-        multipliers_(VectorXd::Zero(static_cast<Eigen::Index>(program.pairs.size()))),
-        penalty_(penalty) {}
-
-  JointPoint point(const VectorXd& x) const {
-    const auto unknowns = static_cast<Eigen::Index>(program_.node.size());
-    JointPoint at{x.head(unknowns), x.tail(x.size() - unknowns)};
-    for (int i = 0; i < unknowns; ++i)
-      at.p[i] = on_bound(program_, i) ? std::abs(at.p[i]) : at.p[i] * at.p[i];
-    return at;
-  }
-
-  double operator()(const VectorXd& x, VectorXd& slope) const {
-    const JointPoint at = point(x);
-    JointPoint d = gradient(program_, at);
-    VectorXd pressure = VectorXd::Zero(d.g.size());
-    const double value = energy(program_, at) + penalty_energy(at, pressure);
-    for (int i = 0; i < d.p.size(); ++i) {
-      const int n = program_.node[i];
-      const double chain = on_bound(program_, i) ? std::copysign(1.0, x[i]) : 2 * x[i];
-      d.p[i] = chain * d.p[i] + program_.sign[n] * std::copysign(1.0, x[i]) * pressure[n];
-    }
-    slope.resize(x.size());
-    slope << d.p, d.g + pressure;
-    return value;
-  }
-
-  void update(const VectorXd& x) {
-    const VectorXd h = heights(program_, point(x));
-    for (Eigen::Index k = 0; k < multipliers_.size(); ++k) multipliers_[k] = push(k, h);
-  }
-
- private:
-  double push(Eigen::Index k, const VectorXd& h) const {
-    const DepthPair& pair = program_.pairs[k];
-    const double push = multipliers_[k] + penalty_ * (h[pair.lower] - h[pair.upper]);
-    return pair.equal ? push : std::max(push, 0.0);
-  }
-
-  double penalty_energy(const JointPoint& at, VectorXd& pressure) const {
-    const VectorXd h = heights(program_, at);
-    double sum = 0;
-    for (Eigen::Index k = 0; k < multipliers_.size(); ++k) {
-      const double now = push(k, h);
-      sum += (now * now - multipliers_[k] * multipliers_[k]) / (2 * penalty_);
-      pressure[program_.pairs[k].lower] += now;
-      pressure[program_.pairs[k].upper] -= now;
-    }
-    return sum;
-  }
-
-  const JointProgram& program_;
-  VectorXd multipliers_;
-  double penalty_;
-};
-
 TEST(JointReferences, DescentOnTheAugmentedLagrangianComesToTheSameEnergy) {
   const JointCase test = joint_case(body_and_leg(), 300, 100);
   const Relief& start = test.approximate;
   const JointSolution ours = solve(test);
   const JointProgram program =
       make_joint_program(start.layers, test.scene, test.options.joint, ours.inflation);
-  const JointPoint first = point_of(program, start.inflation, start.ordering);
-  VectorXd x(first.p.size() + first.g.size());
-  x << first.p, first.g;
-  for (int i = 0; i < first.p.size(); ++i)
-    x[i] = on_bound(program, i) ? x[i] + 0.01 : std::sqrt(x[i]) + 1e-3;
+  VectorXd x = descent_start(program, point_of(program, start.inflation, start.ordering));
   AugmentedLagrangian lagrangian(program, 30);
   for (int outer = 0; outer < 25; ++outer) {
     x = minimise_by_lbfgs(lagrangian, x, 3000);

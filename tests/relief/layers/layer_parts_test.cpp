@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstdio>
 #include <set>
 
@@ -176,6 +177,24 @@ TEST(LayerParts, JoinOutsideTheLowerPartIsRefused) {
   ASSERT_FALSE(mesh.ok());
   EXPECT_EQ(mesh.error().code, ErrorCode::bad_input);
   EXPECT_NE(mesh.error().where.find("joins[0]"), std::string::npos);
+}
+
+TEST(LayerParts, StopsAfterEachReportWhenCancelled) {
+  const Scene scene = body_and_leg();
+  int reports = 0;
+  RunContext counting;
+  counting.progress = [&](const char*, double) { ++reports; };
+  ASSERT_TRUE(layer_parts(scene, {}, counting).ok());
+  ASSERT_GT(reports, 1);
+  for (int stop_after = 0; stop_after <= reports; ++stop_after) {
+    std::atomic<bool> cancel = stop_after == 0;
+    int left = stop_after;
+    RunContext context{&cancel};
+    context.progress = [&](const char*, double) { cancel = --left <= 0; };
+    const auto mesh = layer_parts(scene, {}, context);
+    ASSERT_FALSE(mesh.ok()) << stop_after;
+    EXPECT_EQ(mesh.error().code, ErrorCode::interrupted);
+  }
 }
 
 }  // namespace

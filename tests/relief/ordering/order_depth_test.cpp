@@ -185,7 +185,7 @@ TEST(OrderDepth, LiftsAFlatPartOverTheOneItCovers) {
   EXPECT_GT(crossing.overlap_samples, 1000);
   EXPECT_GT(crossing.overlap_worst, 20);
   const Ordering ordering = ordered(mesh, inflation, scene);
-  EXPECT_GE(ordering.rounds, 1);
+  EXPECT_EQ(ordering.rounds, 0);
   EXPECT_GT(ordering.interior_pairs, 100);
   EXPECT_EQ(ordering.max_violation, 0);
   EXPECT_LT(ordering.overlap_worst, 0.5);
@@ -196,6 +196,20 @@ TEST(OrderDepth, LiftsAFlatPartOverTheOneItCovers) {
       EXPECT_GE(ordering.h[shield], ordering.h[ball]);
     }
   }
+}
+
+TEST(OrderDepth, AddsWhatCrossesInDeepStacksInRounds) {
+  const testing::Cover shield = in_box({40, 40}, {360, 360});
+  LayeredMesh mesh = stack_parts(testing::grid_mesh(40, 40, 10),
+                                 {in_disc({200, 200}, 110), shield, shield, shield, shield});
+  add_outline_pairs(mesh);
+  Scene scene = scene_of(mesh);
+  for (int p = 1; p < mesh.part_count; ++p) scene.parts[p].c = 0.05 - 0.002 * p;
+  const Ordering ordering = ordered(mesh, inflated(mesh, scene), scene);
+  EXPECT_GE(ordering.rounds, 1);
+  EXPECT_GT(ordering.interior_pairs, 100);
+  EXPECT_EQ(ordering.max_violation, 0);
+  EXPECT_LT(ordering.overlap_worst, 0.5);
 }
 
 TEST(OrderDepth, LetsFreePartsCross) {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "relief/discretisation/discretise.h"
 #include "relief/layers/layer_parts.h"
 #include "relief/ordering/order_depth.h"
@@ -55,6 +57,38 @@ TEST(OperationCounts, ACoarserMeshSavesHalfOfTheFactorisations) {
     EXPECT_LE(ordering.report.factorisations, 10) << seed;
   }
   EXPECT_LE(2 * from_coarse, 1.2 * cold);
+}
+
+TEST(OperationCounts, EditsOfNumbersKeepEveryPattern) {
+  const auto analyses = [](const ReliefSession& session) {
+    const std::vector<StageTime>& times = session.relief().times;
+    return std::count_if(times.begin(), times.end(),
+                         [](const StageTime& time) { return time.stage == "analyse"; });
+  };
+  for (const uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
+    Scene scene = random_scene(seed);
+    ReliefOptions options;
+    options.layers.vertex_budget = 8000;
+    ReliefSession session;
+    ASSERT_TRUE(session.update(scene, options));
+    EXPECT_GT(analyses(session), 0);
+    const auto expect_few = [&](const char* edit, int most) {
+      ASSERT_TRUE(session.update(scene, options));
+      EXPECT_EQ(analyses(session), 0) << seed << " " << edit;
+      EXPECT_EQ(session.relief().ordering.rounds, 0) << seed << " " << edit;
+      EXPECT_LE(session.relief().ordering.report.factorisations, most) << seed << " " << edit;
+    };
+    scene.parts.back().c *= 1.1;
+    expect_few("c", 4);
+    scene.parts.back().d *= 0.9;
+    expect_few("d", 4);
+    options.inflation.alpha0 *= 1.5;
+    expect_few("alpha0", 4);
+    options.inflation.rho *= 1.2;
+    expect_few("rho", 4);
+    scene.parts.front().c *= 2;
+    expect_few("twice c", 6);
+  }
 }
 
 }  // namespace

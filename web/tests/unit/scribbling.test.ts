@@ -160,6 +160,14 @@ describe('a new understanding', () => {
     expect(next.segmentation!.parts.map((part) => part.id)).toContain('arm');
   });
 
+  it('that is the same as before leaves the same parts, so that nothing is built anew', () => {
+    const before = flat();
+    const stroke = { kind: 'outside' as const, width: 9, points: [[900, 20] as Point] };
+    const next = adopt(before, understoodAsIs(addStroke(before, stroke)));
+    for (const key of ['parts', 'joins', 'relations', 'robin'] as const) expect(next[key]).toBe(before[key]);
+    expect(next.segmentation!.scribbles.strokes.length).toBe(1);
+  });
+
   it('brings in the part of a new stroke', () => {
     const stroke = { kind: 'hard' as const, part: 'part-4', width: 9, points: [[700, 700] as Point] };
     const next = adopt(flat(), understoodAsIs(addStroke(flat(), stroke)));

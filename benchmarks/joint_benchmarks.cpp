@@ -1,0 +1,134 @@
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <ctime>
+#include <string>
+
+#include "benchmarks/characters.h"
+#include "benchmarks/suites.h"
+#include "relief/pipeline/relief_session.h"
+#include "support/augmented_lagrangian.h"
+#include "support/lbfgs.h"
+
+namespace relievo::benchmarks {
+namespace {
+
+using benchmark::State;
+using Eigen::VectorXd;
+
+constexpr int largest_for_descent = 2000;
+/// The descent may stop where its energy is that of the solution but for this share.
+constexpr double descent_accuracy = 1e-3;
+constexpr int descent_rounds = 40;
+constexpr int descent_steps = 3000;
+constexpr double penalty = 30;
+
+double processor_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// What a mesh with an eighth of the vertices tells.
+JointMemory coarse_memory(const std::string& name, int vertices, const JointOptions& options) {
+  ReliefOptions coarse = options_for(vertices / 8);
+  coarse.method = Method::nonlinear;
+  coarse.joint = options;
+  coarse.ordering.max_rounds = 0;
+  ReliefSession session(ReliefSession::Use::guess);
+  return session.update(scene_of(name), coarse) ? session.joint_memory() : JointMemory();
+}
+
+/// Operators, inflation and order from the coarse guess, ms.
+double approximate_ms(const std::string& name, const Surface& surface) {
+  const double start = processor_ms();
+  const Discretisation operators = discretise(surface.mesh);
+  OrderingSystem system;
+  system.contacts = surface.coarse;
+  PoissonSystem poisson(surface.mesh, operators, Refactorisation::complete, {});
+  const auto inflated =
+      inflate({surface.mesh, operators, scene_of(name)}, InflationOptions(), poisson);
+  benchmark::DoNotOptimize(
+      order_depth({surface.mesh, operators, *inflated, scene_of(name)}, {}, system));
+  return processor_ms() - start;
+}
+
+/// The same by the non-linear method.
+Result<JointSolution> solve(const std::string& name, const Surface& surface,
+                            const JointOptions& options, const JointMemory& known) {
+  const Scene& scene = scene_of(name);
+  const Discretisation operators = discretise(surface.mesh);
+  PoissonSystem poisson(surface.mesh, operators, Refactorisation::complete, {});
+  const auto inflated = inflate({surface.mesh, operators, scene}, InflationOptions(), poisson);
+  return solve_jointly({surface.mesh, operators, *inflated, scene}, options, known);
+}
+
+void nonlinear(State& state, const std::string& name, int vertices, double lambda_bnd) {
+  const Surface& surface = surface_of(name, vertices);
+  JointOptions options;
+  options.lambda_bnd = lambda_bnd;
+  const JointMemory known = coarse_memory(name, vertices, options);
+  const double approximate = approximate_ms(name, surface);
+  for (auto _ : state) {
+    const double start = processor_ms();
+    const auto solution = solve(name, surface, options, known);
+    state.counters["ratio"] = (processor_ms() - start) / approximate;
+    if (!solution || solution->report.status != JointStatus::solved)
+      state.SkipWithError("not solved");
+    else
+      state.counters["steps"] = static_cast<double>(solution->report.steps.size());
+  }
+}
+
+/// The paper's way: L-BFGS on the augmented Lagrangian, until its energy is near enough.
+void descent(State& state, const std::string& name, int vertices, double lambda_bnd) {
+  const Surface& surface = surface_of(name, vertices);
+  JointOptions options;
+  options.lambda_bnd = lambda_bnd;
+  options.max_rounds = 0;
+  const double start = processor_ms();
+  const auto ours = solve(name, surface, options, {});
+  const double own = processor_ms() - start;
+  if (!ours) return state.SkipWithError("not solved");
+  const testing::JointProgram program =
+      testing::make_joint_program(surface.mesh, scene_of(name), options, ours->inflation);
+  const Ordering ordering = *order_depth(surface.mesh, surface.inflation, scene_of(name), {});
+  for (auto _ : state) {
+    const double begin = processor_ms();
+    VectorXd x =
+        testing::descent_start(program, testing::point_of(program, surface.inflation, ordering));
+    testing::AugmentedLagrangian lagrangian(program, penalty);
+    double error = 1;
+    for (int round = 0; round < descent_rounds && error > descent_accuracy; ++round) {
+      x = testing::minimise_by_lbfgs(lagrangian, x, descent_steps);
+      lagrangian.update(x);
+      const double energy = testing::energy(program, lagrangian.point(x));
+      error = std::abs(energy / ours->report.energy.total() - 1);
+    }
+    state.counters["ratio"] = (processor_ms() - begin) / own;
+    state.counters["error"] = error;
+    state.counters["violation"] = testing::violation(program, lagrangian.point(x));
+  }
+}
+
+template <class Run>
+void add(const char* what, Run run, const std::string& name, int vertices, double lambda_bnd) {
+  const std::string title = std::string(what) + (lambda_bnd > 1 ? "_100/" : "_0.01/") + name + "/" +
+                            std::to_string(vertices);
+  benchmark::RegisterBenchmark(title.c_str(),
+                               [=](State& state) { run(state, name, vertices, lambda_bnd); })
+      ->Unit(benchmark::kMillisecond)
+      ->MeasureProcessCPUTime()
+      ->UseRealTime()
+      ->Iterations(1);
+}
+
+}  // namespace
+
+void register_joint(const Extent& extent) {
+  for (const double lambda_bnd : {100.0, 0.01}) {
+    for (const Character& character : characters())
+      add("nonlinear", nonlinear, character.name, 40000, lambda_bnd);
+    if (extent.largest >= 160000) add("nonlinear", nonlinear, "wolf", 160000, lambda_bnd);
+  }
+  for (int vertices = 500; vertices <= largest_for_descent; vertices *= 2)
+    add("descent", descent, "wolf", vertices, 100);
+}
+
+}  // namespace relievo::benchmarks

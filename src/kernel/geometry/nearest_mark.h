@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+#include "kernel/geometry/point.h"
+
+namespace relievo {
+
+/// A place on the canvas that is only compared with those of its group.
+template <class Mark>
+auto mark_key(const Mark& mark) {
+  return std::tuple(mark.group(), mark.position.x, mark.position.y);
+}
+
+/// The mark nearest to `place` of those in its group, the first of them that the search meets, or
+/// null where the group is empty. `marks` rise by mark_key. O(log marks) where marks are not
+/// stacked above each other on the canvas.
+template <class Mark>
+const Mark* nearest_mark(const std::vector<Mark>& marks, const Mark& place) {
+  const auto at =
+      std::lower_bound(marks.begin(), marks.end(), place,
+                       [](const Mark& a, const Mark& b) { return mark_key(a) < mark_key(b); });
+  double least = std::numeric_limits<double>::infinity();
+  const Mark* best = nullptr;
+  const auto look = [&](const Mark& mark) {
+    const Point2 offset = mark.position - place.position;
+    if (mark.group() != place.group() || offset.x * offset.x >= least) return false;
+    if (dot(offset, offset) < least) {
+      least = dot(offset, offset);
+      best = &mark;
+    }
+    return true;
+  };
+  for (auto right = at; right != marks.end() && look(*right);) ++right;
+  for (auto left = at; left != marks.begin() && look(*(left - 1));) --left;
+  return best;
+}
+
+}  // namespace relievo
