@@ -25,7 +25,7 @@ export default defineConfig({
       { extends: true, test: { name: 'unit', include: ['tests/unit/**/*.test.ts'], testTimeout: 60_000 } },
       {
         extends: true,
-        test: { name: 'engine', include: ['tests/engine/**/*.test.ts'], testTimeout: 60_000 },
+        test: { name: 'engine', include: ['tests/engine/**/*.test.ts'], testTimeout: 180_000 },
       },
       {
         extends: true,

@@ -95,7 +95,7 @@ export class BuildControl {
   /** Shows another field of what is built already. */
   private async followField(): Promise<void> {
     const { field } = this.editor.state;
-    if (field === this.asked || this.builtFull === null || this.isStale(this.builtFull)) return;
+    if (field === this.asked || !this.isUpToDate()) return;
     this.asked = field;
     try {
       const surface = await this.full.surface(surfaceFor(field, false));
@@ -106,13 +106,18 @@ export class BuildControl {
     }
   }
 
+  private isUpToDate(): boolean {
+    return this.builtFull !== null && !this.isStale(this.builtFull);
+  }
+
   private isStale(document: Document): boolean {
     return shapeOf(document).some((value, i) => value !== this.shape[i]);
   }
 
   private follow(): void {
     const { document, state } = this.editor;
-    const shape = shapeOf(document);
+    // What is opened again has lost its relief.
+    const shape = [...shapeOf(document), state.opened];
     if (shape.length === this.shape.length && shape.every((value, i) => value === this.shape[i])) return;
     this.shape = shape;
     clearTimeout(this.timer);
@@ -137,7 +142,7 @@ export class BuildControl {
     while (this.draftWanted) {
       const document = this.draftWanted;
       this.draftWanted = null;
-      await this.build(this.draft, document, 'draft');
+      if (!this.isUpToDate()) await this.build(this.draft, document, 'draft');
     }
     this.drafting = false;
   }
@@ -156,9 +161,7 @@ export class BuildControl {
       const document = this.fullWanted;
       this.fullWanted = null;
       this.fullBegun = performance.now();
-      if (!(await this.build(this.full, document, 'full'))) continue;
-      this.builtFull = document;
-      await this.followField();
+      if (await this.build(this.full, document, 'full')) await this.followField();
     }
   }
 
@@ -187,8 +190,13 @@ export class BuildControl {
   private accept(document: Document, relief: BuiltRelief, phase: 'draft' | 'full'): boolean {
     if (phase === 'full' && this.isStale(document)) return false;
     const { build } = this.editor.state;
-    // The full build may have begun already.
+    // The full build may have begun already, or be through where it had little to do.
     const goesOn = phase === 'draft' && build.phase === 'full';
+    if (phase === 'draft' && this.isUpToDate()) {
+      this.editor.set({ build: { ...build, phase: 'idle' } });
+      return true;
+    }
+    if (phase === 'full') this.builtFull = document;
     this.editor.set({ relief, culprit: null, build: goesOn ? { ...build, error: null } : { phase: 'idle', progress: 1, error: null } });
     return true;
   }

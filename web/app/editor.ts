@@ -36,6 +36,8 @@ export interface EditorState {
   peeking: boolean;
   build: BuildState;
   relief: BuiltRelief | null;
+  /** Counts the documents that were opened. */
+  opened: number;
   /** The picture of the drawing, premultiplied; null on an empty page. */
   picture: ImageBitmap | null;
   saved: 'yes' | 'no' | 'failed';
@@ -65,6 +67,7 @@ function firstState(): EditorState {
     peeking: false,
     build: { phase: 'idle', progress: 0, error: null },
     relief: null,
+    opened: 0,
     picture: null,
     saved: 'yes',
     notice: '',
@@ -110,6 +113,7 @@ export class Editor extends Store<EditorState> {
     this.set({
       history: startHistory(document),
       open: true,
+      opened: this.state.opened + 1,
       selected: null,
       hovered: null,
       culprit: null,

@@ -68,9 +68,8 @@ describe('the engine and the command line', () => {
 
   it('make the same bytes in every format, and by the non-linear method', () => {
     const scene = importSample('lamb');
-    const nonlinear = ['--method', 'nonlinear'];
-    for (const format of ['obj', 'ply', 'stl'])
-      native('lamb', scene, ...nonlinear, '-o', join(folder, `lamb.${format}`));
+    const outputs = ['obj', 'ply', 'stl'].flatMap((format) => ['-o', join(folder, `lamb.${format}`)]);
+    native('lamb', scene, '--method', 'nonlinear', ...outputs);
     build(scene, { method: 'nonlinear' });
     for (const format of ['obj', 'ply', 'stl'] as const) {
       const [file] = must(service.encode(format, 'lamb', 100, null)).files;
