@@ -35,6 +35,7 @@ const Names stage_structs = {
     "completion/completion.h",
     "completion/part_regions.h",
     "corrections/corrections.h",
+    "drawing/basins.h",
     "drawing/drawing.h",
     "discretisation/discretisation.h",
     "discretisation/discretise.h",
