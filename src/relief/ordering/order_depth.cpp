@@ -34,7 +34,7 @@ class HeightsUnderPairs {
     if (!serves(pairs)) make_system(pairs, ordering);
     system_.pairs = pairs;
     if (context_.cancelled()) {  // it may be half made
-      system_.pairs.clear();
+      system_.pairs.reset();
       return interrupted_error();
     }
     return check_solved(solve_heights(system_.system, system_.metric, f_, ordering, context_));
@@ -42,7 +42,7 @@ class HeightsUnderPairs {
 
  private:
   bool serves(const std::vector<DepthPair>& pairs) {
-    if (system_.pairs.empty()) return false;
+    if (!system_.pairs) return false;
     return system_.pairs == pairs || select_pairs(input_.mesh.node_part, pairs, system_.system);
   }
 
@@ -76,7 +76,7 @@ void prepare(const OrderingInput& input, const OrderingOptions& options, Orderin
              const RunContext& context) {
   if (system.epsilon != options.epsilon) {
     const PieceTimer assembling(context, "assemble");
-    system.pairs.clear();
+    system.pairs.reset();
     system.metric = make_shift_metric(input.discretisation, options.epsilon);
     system.epsilon = options.epsilon;
   }

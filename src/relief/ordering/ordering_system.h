@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "relief/layers/layered_mesh.h"
@@ -14,8 +15,8 @@ struct OrderingSystem {
   double epsilon = 0;  ///< that of the metric; 0: there is none yet
   ShiftMetric metric;
   StackedNodes stacked;
-  std::vector<DepthPair> inside;  ///< stacked nodes that were compared last, sorted
-  std::vector<DepthPair> pairs;   ///< that `system` is for now; empty: there is none
+  std::vector<DepthPair> inside;                ///< stacked nodes that were compared last, sorted
+  std::optional<std::vector<DepthPair>> pairs;  ///< that `system` is for now, if there is one
   DepthSystem system;
   /// Where a first solve begins: heights on this mesh, or else contacts on another, or else as the
   /// options say.

@@ -79,15 +79,15 @@ TEST(OperationCounts, EditsOfNumbersKeepEveryPattern) {
       EXPECT_LE(session.relief().ordering.report.factorisations, most) << seed << " " << edit;
     };
     scene.parts.back().c *= 1.1;
-    expect_few("c", 4);
+    expect_few("c", 6);
     scene.parts.back().d *= 0.9;
-    expect_few("d", 4);
+    expect_few("d", 6);
     options.inflation.alpha0 *= 1.5;
-    expect_few("alpha0", 4);
+    expect_few("alpha0", 6);
     options.inflation.rho *= 1.2;
-    expect_few("rho", 4);
+    expect_few("rho", 6);
     scene.parts.front().c *= 2;
-    expect_few("twice c", 6);
+    expect_few("twice c", 8);
   }
 }
 
