@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 constexpr double growth_limit = 3;
 
 /// The residual at which crossings are looked for.
-constexpr double rough = 1e-2;
+constexpr double rough = 1e-3;
 
 /// In the order in which they are tried where u may have either sign somewhere.
 constexpr Softness softnesses[] = {
