@@ -12,6 +12,7 @@
 #include "io/scene/write_scene.h"
 #include "relief/drawing/find_basins.h"
 #include "relief/drawing/label_basins.h"
+#include "relief/drawing/label_colours.h"
 #include "relief/pipeline/keep_labels.h"
 #include "relief/pipeline/propose_scene.h"
 
@@ -79,6 +80,7 @@ val Segmenter::open_pixels(const val& rgba, int width, int height) {
 val Segmenter::open(const Image8& rgba) {
   auto basins = find_basins(Drawing{rgba});
   if (!basins) return failure(basins.error());
+  rgba_ = rgba;
   basins_ = std::move(*basins);
   return val::object();
 }
@@ -121,7 +123,8 @@ val Segmenter::label(const std::string& project, const val& last) {
 val Segmenter::propose(const std::string& text, const val& last) {
   auto labelled = read(text, last);
   if (!labelled) return failure(labelled.error());
-  const ProposalOptions options;
+  ProposalOptions options;
+  options.joining.colours = label_colours(rgba_, labelled->kept.labels);
   SegmentationRecord& before = *labelled->project.segmentation;
   name_scribbled(labelled->found, labelled->kept, before.corrections);
   const Corrections corrections =

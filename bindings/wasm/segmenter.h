@@ -37,6 +37,7 @@ class Segmenter {
   Result<Labelled> read(const std::string& project, const emscripten::val& last);
   Status remember(const emscripten::val& last);
 
+  Image8 rgba_;  ///< the drawing
   Basins basins_;
   Bytes last_file_;
   Image16 last_labels_;  ///< of last_file_

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "kernel/geometry/point.h"
@@ -12,5 +13,8 @@ struct Inflation {
   std::vector<double> u;       ///< #N, px^2, negative under parts with d < 0
   std::vector<Point2> grad_u;  ///< #N, gradient of u at the node, px, canvas axes (y down)
 };
+
+/// sgn(u) sqrt|u|.
+inline double signed_root(double u) { return std::copysign(std::sqrt(std::abs(u)), u); }
 
 }  // namespace relievo

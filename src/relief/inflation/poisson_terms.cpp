@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "kernel/operators/laplacian.h"
-#include "relief/layers/joined_surface.h"
 
 namespace relievo {
 
@@ -30,10 +29,6 @@ std::vector<int> surface_signs(const LayeredMesh& mesh, const std::vector<int>& 
   return signs;
 }
 
-std::vector<int> surface_signs(const LayeredMesh& mesh, const Scene& scene) {
-  return surface_signs(mesh, joined_surfaces(mesh), scene);
-}
-
 SparseMatrix lower_block(const SparseMatrix& A, const std::vector<int>& place, int size) {
   SparseMatrix block(size, size);
   block.reserve(A.nonZeros() / 2 + size);
@@ -56,11 +51,6 @@ Inflation make_inflation(const GradientStencils& gradients, const Eigen::VectorX
   for (const double value : u) inflation.u.push_back(value / (scale * scale));
   inflation.grad_u = node_gradients(gradients, inflation.u);
   return inflation;
-}
-
-Inflation make_inflation(const LayeredMesh& mesh, const Eigen::VectorXd& u, double scale) {
-  const std::vector<Point2> positions = node_positions(mesh);
-  return make_inflation(gradient_stencils({positions, mesh.faces}), u, scale);
 }
 
 }  // namespace relievo

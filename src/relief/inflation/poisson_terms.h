@@ -20,17 +20,11 @@ Eigen::VectorXd inflation_load(const FlatMesh& flat, const LayeredMesh& mesh, co
 std::vector<int> surface_signs(const LayeredMesh& mesh, const std::vector<int>& surface,
                                const Scene& scene);
 
-/// The same, finding the surfaces. Near-linear.
-std::vector<int> surface_signs(const LayeredMesh& mesh, const Scene& scene);
-
 /// The lower triangle of the rows and columns n of A with place[n] >= 0, moved there. `place` rises
 /// along the nodes and has `size` entries that are not negative. O(entries).
 SparseMatrix lower_block(const SparseMatrix& A, const std::vector<int>& place, int size);
 
 /// u in px^2 and its gradients, from u in units of 1 / `scale` px. O(entries of the stencils).
 Inflation make_inflation(const GradientStencils& gradients, const Eigen::VectorXd& u, double scale);
-
-/// The same with stencils for one use. O(N + F).
-Inflation make_inflation(const LayeredMesh& mesh, const Eigen::VectorXd& u, double scale);
 
 }  // namespace relievo

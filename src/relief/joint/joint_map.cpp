@@ -20,8 +20,6 @@ constexpr double softest = 0.2;
 /// A typical resistance of the contact against f on B.
 constexpr double contact_stiffness = 0.3;
 
-double signed_root(double u) { return SmoothRoot().f(u); }
-
 /// One flag per variable: whether it is that of a pair.
 std::vector<uint8_t> pressed_variables(const DepthProblem& problem) {
   const std::vector<int>& variable = problem.variables.variable;

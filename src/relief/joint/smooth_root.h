@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "relief/inflation/inflation.h"
+
 namespace relievo {
 
 /// f = sgn(u) sqrt|u| and its inverse, in scene units. The slope of the root has no bound at 0;
@@ -12,7 +14,7 @@ class SmoothRoot {
   explicit SmoothRoot(double width = 0) : w4_(width * width * width * width) {}
 
   double f(double u) const {
-    if (w4_ == 0) return std::copysign(std::sqrt(std::abs(u)), u);
+    if (w4_ == 0) return signed_root(u);
     return u / std::sqrt(std::sqrt(u * u + w4_));
   }
 

@@ -20,9 +20,6 @@ struct SurfaceSample {
   Point2 grad_g;  ///< canvas axes (y down)
 };
 
-/// f = sgn(u) sqrt|u|.
-inline double signed_root(double u) { return u < 0 ? -std::sqrt(-u) : std::sqrt(u); }
-
 /// Height towards the viewer, px.
 inline double height(const SurfaceSample& s) { return s.g + signed_root(s.u); }
 

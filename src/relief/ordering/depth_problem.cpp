@@ -94,14 +94,4 @@ SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const 
   return solution.report.status;
 }
 
-SolveStatus solve_heights(const DepthProblem& problem, const ShiftMetric& metric, const VectorXd& f,
-                          const std::vector<uint8_t>& start_active, SparseCholesky& factor,
-                          Ordering& ordering, const RunContext& context) {
-  DepthSystem system = make_depth_system(problem, metric, {}, std::move(factor), context);
-  system.closed = start_active;
-  const SolveStatus status = solve_heights(system, metric, f, ordering, context);
-  factor = std::move(system.factor);
-  return status;
-}
-
 }  // namespace relievo

@@ -59,10 +59,4 @@ DepthSystem make_depth_system(const DepthProblem& problem, const ShiftMetric& me
 SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const Eigen::VectorXd& f,
                           Ordering& ordering, const RunContext& context);
 
-/// The same with a system for one use that begins with the gaps in `start_active` closed (empty:
-/// none). `factor` is used for its memory.
-SolveStatus solve_heights(const DepthProblem& problem, const ShiftMetric& metric,
-                          const Eigen::VectorXd& f, const std::vector<uint8_t>& start_active,
-                          SparseCholesky& factor, Ordering& ordering, const RunContext& context);
-
 }  // namespace relievo

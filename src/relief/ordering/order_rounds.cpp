@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "relief/layers/joined_surface.h"
 #include "relief/ordering/overlap.h"
 #include "relief/ordering/shift_metric.h"
 
@@ -92,15 +91,6 @@ void finish_ordering(const OrderingInput& input, const std::vector<FacePair>& st
                                                 crossing_tolerance / input.discretisation.scale);
   ordering.overlap_samples = samples.count;
   ordering.overlap_worst = samples.worst;
-}
-
-void finish_ordering(const LayeredMesh& mesh, const Scene& scene, const Inflation& inflation,
-                     Ordering& ordering) {
-  Discretisation discretisation;
-  discretisation.scale = scene_scale(mesh);
-  const std::vector<Point2> positions = node_positions(mesh);
-  discretisation.gradients = gradient_stencils({positions, mesh.faces});
-  finish_ordering({mesh, discretisation, inflation, scene}, stacked_faces(mesh, scene), ordering);
 }
 
 }  // namespace relievo

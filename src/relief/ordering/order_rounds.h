@@ -44,8 +44,4 @@ Result<Ordering> order_in_rounds(const LayeredMesh& mesh, double scale, RoundPla
 void finish_ordering(const OrderingInput& input, const std::vector<FacePair>& stacked,
                      Ordering& ordering);
 
-/// The same with operators for one use.
-void finish_ordering(const LayeredMesh& mesh, const Scene& scene, const Inflation& inflation,
-                     Ordering& ordering);
-
 }  // namespace relievo

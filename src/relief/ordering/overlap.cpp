@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+
+#include "relief/inflation/inflation.h"
 
 namespace relievo {
 namespace {
@@ -35,7 +36,7 @@ double height_at(const Face& face, const std::array<int, 3>& fifths, const std::
     u_here += 0.2 * fifths[k] * u[face[k]];
     g_here += 0.2 * fifths[k] * g[face[k]];
   }
-  return g_here + std::copysign(std::sqrt(std::abs(u_here)), u_here);
+  return g_here + signed_root(u_here);
 }
 
 }  // namespace

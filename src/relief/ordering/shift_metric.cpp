@@ -1,9 +1,6 @@
 #include "relief/ordering/shift_metric.h"
 
-#include <cmath>
-
-#include "kernel/operators/laplacian.h"
-#include "relief/layers/joined_surface.h"
+#include "relief/inflation/inflation.h"
 
 namespace relievo {
 
@@ -13,19 +10,9 @@ ShiftMetric make_shift_metric(const Discretisation& discretisation, double epsil
   return metric;
 }
 
-ShiftMetric make_shift_metric(const LayeredMesh& mesh, double epsilon) {
-  ShiftMetric metric;
-  metric.scale = scene_scale(mesh);
-  const std::vector<Point2> positions = node_positions(mesh, metric.scale);
-  const FlatMesh flat{positions, mesh.faces};
-  metric.A = stiffness_matrix(flat);
-  metric.A.diagonal() += epsilon * lumped_mass(flat);
-  return metric;
-}
-
 Eigen::VectorXd inflated_heights(const std::vector<double>& u) {
   Eigen::VectorXd f(static_cast<Eigen::Index>(u.size()));
-  for (Eigen::Index n = 0; n < f.size(); ++n) f[n] = std::copysign(std::sqrt(std::abs(u[n])), u[n]);
+  for (Eigen::Index n = 0; n < f.size(); ++n) f[n] = signed_root(u[n]);
   return f;
 }
 

@@ -5,7 +5,6 @@
 
 #include "kernel/base/sparse_matrix.h"
 #include "relief/discretisation/discretisation.h"
-#include "relief/layers/layered_mesh.h"
 
 namespace relievo {
 
@@ -17,9 +16,6 @@ struct ShiftMetric {
 
 /// O(entries of L).
 ShiftMetric make_shift_metric(const Discretisation& discretisation, double epsilon);
-
-/// The same with matrices for one use. O(N + F).
-ShiftMetric make_shift_metric(const LayeredMesh& mesh, double epsilon);
 
 /// f = sgn(u) sqrt|u| at each node, in the root of the unit of u.
 Eigen::VectorXd inflated_heights(const std::vector<double>& u);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "relief/discretisation/discretise.h"
 #include "relief/inflation/inflate.h"
 #include "support/stacked_parts.h"
 
@@ -33,7 +34,7 @@ std::vector<DepthPair> pairs_behind(const LayeredMesh& mesh, int front) {
 TEST(PairSelection, GivesTheHeightsOfASystemBuiltForThePairs) {
   const LayeredMesh mesh = testing::scattered_discs(12, 25);
   const Eigen::VectorXd f = inflated_heights(inflate(mesh, testing::scene_of(mesh), {})->u);
-  const ShiftMetric metric = make_shift_metric(mesh, epsilon);
+  const ShiftMetric metric = make_shift_metric(discretise(mesh), epsilon);
   const auto build = [&](const std::vector<DepthPair>& pairs) {
     return make_depth_system(make_depth_problem(mesh.node_part, pairs), metric, {}, {}, {});
   };
@@ -55,7 +56,7 @@ TEST(PairSelection, GivesTheHeightsOfASystemBuiltForThePairs) {
 
 TEST(PairSelection, RefusesPairsThatTheSystemDoesNotHave) {
   const LayeredMesh mesh = testing::scattered_discs(12, 25);
-  const ShiftMetric metric = make_shift_metric(mesh, epsilon);
+  const ShiftMetric metric = make_shift_metric(discretise(mesh), epsilon);
   const std::vector<DepthPair> some = pairs_behind(mesh, 7);
   DepthSystem system =
       make_depth_system(make_depth_problem(mesh.node_part, some), metric, {}, {}, {});
