@@ -50,3 +50,19 @@ convert "$work/inflation.png" "$work/shift.png" "$work/relief.png" +append "$to/
 convert "$work/steps.png" -resize 50% "$to/wolf-convergence.png"
 convert "$work/approximate.png" "$work/nonlinear-100.png" "$work/nonlinear-0.01.png" +append \
   "$to/joint-ends.png"
+
+# Approximate and non-linear side by side, a row for each of the drawings.
+for name in wolf bunny farmer unicorn elephant lamb; do
+  look="--yaw -20 --pitch 8 --clay --size 300"
+  # shellcheck disable=SC2086
+  "$relievo" render "examples/$name.svg" $look -o "$work/$name-approximate.png" > /dev/null
+  for lambda in 100 0.01; do
+    # shellcheck disable=SC2086
+    "$relievo" render "examples/$name.svg" $look --method nonlinear --lambda-bnd "$lambda" \
+      -o "$work/$name-$lambda.png" > /dev/null
+  done
+  convert "$work/$name-approximate.png" "$work/$name-100.png" "$work/$name-0.01.png" +append \
+    "$work/$name-row.png"
+done
+convert "$work/wolf-row.png" "$work/unicorn-row.png" "$work/elephant-row.png" "$work/lamb-row.png" \
+  "$work/bunny-row.png" "$work/farmer-row.png" -append -colors 128 "$to/fidelity.png"

@@ -83,6 +83,26 @@ def edits(results):
     return table(["drawing", "edit", "ms", "gaps that open or close", "iterations"], rows)
 
 
+def jointly(results):
+    rows = []
+    for bound in ("100", "0.01"):
+        for drawing, vertices in sizes(results, f"nonlinear_{bound}"):
+            run = results[f"nonlinear_{bound}/{drawing}/{vertices}"]
+            rows.append([drawing, vertices, bound, f"{run['steps']:.0f}", f"{run['cpu_time']:.3g}",
+                         f"{run['ratio']:.2g}"])
+    return table(["drawing", "vertices", "λ_bnd", "steps", "ms", "non-linear / approximate"], rows)
+
+
+def descents(results):
+    rows = []
+    for drawing, vertices in sizes(results, "descent_100"):
+        run = results[f"descent_100/{drawing}/{vertices}"]
+        rows.append([drawing, vertices, f"{run['cpu_time'] / 1000:.3g}", f"{run['ratio']:.2g}",
+                     f"{run['error']:.2g}", f"{run['violation']:.1g}"])
+    return table(["drawing", "vertices", "s", "descent / own", "error of the energy",
+                  "violation"], rows)
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
@@ -90,7 +110,9 @@ def main():
     page = PAGE.read_text()
     before, rest = page.split(BEGIN)
     _, after = rest.split(END)
-    parts = [("Stages, ms", stages), ("References", references), ("Edits at 40,000 vertices", edits)]
+    parts = [("Stages, ms", stages), ("References", references), ("Edits at 40,000 vertices", edits),
+             ("Non-linear, operators and inflation included", jointly),
+             ("L-BFGS on an augmented Lagrangian, λ_bnd = 100", descents)]
     body = "\n".join(f"### {title}\n\n{make(results)}" for title, make in parts)
     PAGE.write_text(before + BEGIN + "\n" + body + "\n" + END + after)
 
