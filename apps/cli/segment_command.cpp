@@ -121,9 +121,7 @@ Status find_labels(SegmentInput& input, const RunContext& context) {
   auto found = segment_drawing(Drawing{input.pixels}, input.scribbles, {}, context);
   if (!found) return found.error();
   KeptLabels kept = keep_labels(*found, {std::move(input.labels), std::move(input.label_of)});
-  for (size_t k = 0; k < found->parts.size(); ++k)
-    if (!found->parts[k].proposed)
-      input.corrections.parts[kept.label_of[k]].id = found->parts[k].id;
+  name_scribbled(*found, kept, input.corrections);
   input.corrections = corrections_of(kept.labels, input.corrections, ProposalOptions().min_pixels);
   for (Bridge& bridge : found->bridges) input.bridges.push_back(std::move(bridge.points));
   input.labels = std::move(kept.labels);

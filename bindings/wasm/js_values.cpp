@@ -46,6 +46,15 @@ Bytes to_bytes(const val& array) {
   return emscripten::convertJSArrayToNumberVector<uint8_t>(array);
 }
 
+Image8 to_image(const val& rgba, int width, int height) {
+  Image8 image;
+  image.width = width;
+  image.height = height;
+  image.channels = 4;
+  image.pixels = to_bytes(rgba);
+  return image;
+}
+
 val to_js(const Bytes& bytes) { return copy("Uint8Array", bytes); }
 val to_js(const std::vector<float>& numbers) { return copy("Float32Array", numbers); }
 val to_js(const std::vector<uint16_t>& numbers) { return copy("Uint16Array", numbers); }

@@ -8,6 +8,7 @@
 
 #include "io/files/bytes.h"
 #include "kernel/base/result.h"
+#include "kernel/image/image.h"
 
 namespace relievo::wasm {
 
@@ -16,6 +17,9 @@ emscripten::val failure(const Error& error);
 
 /// The content of a Uint8Array.
 Bytes to_bytes(const emscripten::val& array);
+
+/// A picture from its pixels, 4 bytes each, straight alpha.
+Image8 to_image(const emscripten::val& rgba, int width, int height);
 
 /// Copies that the page owns.
 emscripten::val to_js(const Bytes& bytes);

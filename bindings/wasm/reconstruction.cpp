@@ -190,10 +190,14 @@ val Reconstruction::surface(const std::string& visibility, double tolerance,
   ModelOptions options;
   options.visibility = visibility_named(visibility);
   options.rim_tolerance = tolerance;
-  Relief shown;
-  shown.inflation = relief.inflation;
-  shown.ordering = relief.ordering;
-  keep_field(shown, field_named(field));
+  const Field wanted = field_named(field);
+  Relief one_field;
+  if (wanted != Field::relief) {
+    one_field.inflation = relief.inflation;
+    one_field.ordering = relief.ordering;
+    keep_field(one_field, wanted);
+  }
+  const Relief& shown = wanted == Field::relief ? relief : one_field;
   const auto model =
       assemble_model(relief.layers, shown.inflation, shown.ordering, scene_, options);
   return model ? to_js(*model) : failure(model.error());
@@ -213,10 +217,7 @@ val Reconstruction::overlays() const {
 void Reconstruction::set_texture(const val& rgba, int width, int height) {
   texture_.rgba = Image8();
   if (width < 1 || height < 1) return;
-  texture_.rgba.width = width;
-  texture_.rgba.height = height;
-  texture_.rgba.channels = 4;
-  texture_.rgba.pixels = to_bytes(rgba);
+  texture_.rgba = to_image(rgba, width, height);
 }
 
 val Reconstruction::encode(const std::string& format, const std::string& name, double size_mm) {

@@ -37,12 +37,6 @@ KnownParts known_parts(const SegmentationRecord& record, const Image16& labels) 
   return known;
 }
 
-/// Scribbled parts keep their names, whatever their labels.
-void name_scribbled(const Segmentation& found, const KeptLabels& kept, Corrections& corrections) {
-  for (size_t k = 0; k < found.parts.size(); ++k)
-    if (!found.parts[k].proposed) corrections.parts[kept.label_of[k]].id = found.parts[k].id;
-}
-
 val parts_of(const Segmentation& found, const KeptLabels& kept) {
   val list = val::array();
   for (size_t k = 0; k < found.parts.size(); ++k) {
@@ -64,23 +58,19 @@ struct Segmenter::Labelled {
 };
 
 val Segmenter::open_png(const val& file) {
-  const auto rgba = decode_png(to_bytes(file));
-  return rgba ? open(*rgba) : failure(rgba.error());
+  auto rgba = decode_png(to_bytes(file));
+  return rgba ? open(std::move(*rgba)) : failure(rgba.error());
 }
 
 val Segmenter::open_pixels(const val& rgba, int width, int height) {
-  Image8 image;
-  image.width = width;
-  image.height = height;
-  image.channels = 4;
-  image.pixels = to_bytes(rgba);
-  return open(image);
+  return open(to_image(rgba, width, height));
 }
 
-val Segmenter::open(const Image8& rgba) {
-  auto basins = find_basins(Drawing{rgba});
+val Segmenter::open(Image8 rgba) {
+  Drawing drawing{std::move(rgba)};
+  auto basins = find_basins(drawing);
   if (!basins) return failure(basins.error());
-  rgba_ = rgba;
+  drawing_ = std::move(drawing);
   basins_ = std::move(*basins);
   return val::object();
 }
@@ -124,7 +114,7 @@ val Segmenter::propose(const std::string& text, const val& last) {
   auto labelled = read(text, last);
   if (!labelled) return failure(labelled.error());
   ProposalOptions options;
-  options.joining.colours = label_colours(rgba_, labelled->kept.labels);
+  options.joining.colours = label_colours(drawing_.rgba, labelled->kept.labels);
   SegmentationRecord& before = *labelled->project.segmentation;
   name_scribbled(labelled->found, labelled->kept, before.corrections);
   const Corrections corrections =

@@ -7,6 +7,7 @@
 #include "io/files/bytes.h"
 #include "io/project/project.h"
 #include "relief/drawing/basins.h"
+#include "relief/drawing/drawing.h"
 
 namespace relievo::wasm {
 
@@ -33,11 +34,11 @@ class Segmenter {
  private:
   struct Labelled;
 
-  emscripten::val open(const Image8& rgba);
+  emscripten::val open(Image8 rgba);
   Result<Labelled> read(const std::string& project, const emscripten::val& last);
   Status remember(const emscripten::val& last);
 
-  Image8 rgba_;  ///< the drawing
+  Drawing drawing_;
   Basins basins_;
   Bytes last_file_;
   Image16 last_labels_;  ///< of last_file_

@@ -18,12 +18,9 @@ PoissonSystem::PoissonSystem(const LayeredMesh& mesh, const Discretisation& disc
   }
   L_ = lower_block(discretisation.L, unknown_, static_cast<int>(node_.size()));
   A_ = L_;
-  std::vector<int> order;
-  order.reserve(node_.size());
-  for (const int n : discretisation.elimination)
-    if (unknown_[n] >= 0) order.push_back(unknown_[n]);
   const PieceTimer analysing(context, "analyse");
-  factor_.analyse(L_, refactorisation, order, context);
+  factor_.analyse(L_, refactorisation, order_of_places(discretisation.elimination, unknown_),
+                  context);
 }
 
 std::optional<VectorXd> PoissonSystem::solve(const std::vector<uint8_t>& fixed,

@@ -44,6 +44,14 @@ SparseMatrix lower_block(const SparseMatrix& A, const std::vector<int>& place, i
   return block;
 }
 
+std::vector<int> order_of_places(const std::vector<int>& order, const std::vector<int>& place) {
+  std::vector<int> places;
+  places.reserve(order.size());
+  for (const int n : order)
+    if (place[n] >= 0) places.push_back(place[n]);
+  return places;
+}
+
 Inflation make_inflation(const GradientStencils& gradients, const Eigen::VectorXd& u,
                          double scale) {
   Inflation inflation;

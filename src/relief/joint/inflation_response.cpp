@@ -6,21 +6,9 @@ namespace relievo {
 
 using Eigen::VectorXd;
 
-namespace {
-
-std::vector<int> order_of_inner(const JointModel& model) {
-  std::vector<int> order;
-  order.reserve(model.inner.size());
-  for (const int n : model.elimination)
-    if (model.place[n] >= 0) order.push_back(model.place[n]);
-  return order;
-}
-
-}  // namespace
-
 InflationResponse::InflationResponse(const JointModel& model) : model_(model) {
   const SparseMatrix A = lower_block(model.L, model.place, static_cast<int>(model.inner.size()));
-  factor_.analyse(A, Refactorisation::complete, order_of_inner(model));
+  factor_.analyse(A, Refactorisation::complete, order_of_places(model.elimination, model.place));
   sound_ = factor_.factorise(A);
 }
 

@@ -93,6 +93,13 @@ KeptLabels keep_labels(const Segmentation& segmentation, const KnownParts& known
   return kept;
 }
 
+void name_scribbled(const Segmentation& segmentation, const KeptLabels& kept,
+                    Corrections& corrections) {
+  for (size_t k = 0; k < segmentation.parts.size(); ++k)
+    if (!segmentation.parts[k].proposed)
+      corrections.parts[kept.label_of[k]].id = segmentation.parts[k].id;
+}
+
 Corrections corrections_of(const Image16& labels, const Corrections& corrections, int min_pixels) {
   const std::set<int> present = present_labels(labels, min_pixels);
   const auto absent = [&](int label) { return present.count(label) == 0; };

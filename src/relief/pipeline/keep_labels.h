@@ -26,6 +26,10 @@ struct KeptLabels {
 /// others get new labels, above those that are known. Linear in pixels.
 KeptLabels keep_labels(const Segmentation& segmentation, const KnownParts& known);
 
+/// Scribbled parts are called by their ids, whatever their labels.
+void name_scribbled(const Segmentation& segmentation, const KeptLabels& kept,
+                    Corrections& corrections);
+
 /// The corrections of parts that have at least `min_pixels` pixels, and of pairs of such.
 Corrections corrections_of(const Image16& labels, const Corrections& corrections, int min_pixels);
 
