@@ -1,5 +1,5 @@
 import { Engine, EngineStopped } from '../engine/engine';
-import { type BuiltRelief, type EngineError, isFailure } from '../engine/messages';
+import { type BuiltRelief, type EngineError, isFailure, told } from '../engine/messages';
 import type { Document } from '../document/document';
 import { sceneText } from '../document/scene_text';
 import { t } from './catalogue';
@@ -206,7 +206,7 @@ export class BuildControl {
     this.editor.set({
       culprit: culpritOf(error, document),
       build: { phase: 'idle', progress: 0, error },
-      notice: error.where ? `${error.where}: ${error.message}` : error.message,
+      notice: told(error),
     });
     return false;
   }

@@ -13,6 +13,10 @@ import { documentOfLayers, entriesOfOra } from './layered_drawing';
 import { flatDrawing, pictureOf, pngOf, textureOf } from './pictures';
 import type { SegmentControl } from './segment_control';
 
+function whyOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
 const imageTypes = ['image/png', 'image/jpeg', 'image/webp'];
 
 function baseName(name: string): string {
@@ -146,8 +150,7 @@ export class Files {
     try {
       await work();
     } catch (error) {
-      const why = error instanceof Error ? error.message : String(error);
-      this.editor.set({ notice: t('notReadable', { name, why }) });
+      this.editor.set({ notice: t('notReadable', { name, why: whyOf(error) }) });
     }
   }
 
@@ -157,7 +160,7 @@ export class Files {
       await this.controls.control.settle();
       await work();
     } catch (error) {
-      this.editor.set({ notice: `${t('failed')}: ${error instanceof Error ? error.message : String(error)}` });
+      this.editor.set({ notice: `${t('failed')}: ${whyOf(error)}` });
     }
   }
 

@@ -2,7 +2,7 @@ import { ArchiveTooLarge, unpackArchive } from '../document/archive';
 import { type Document, emptyDocument } from '../document/document';
 import { sceneContent } from '../document/scene_text';
 import type { Engine } from '../engine/engine';
-import { isFailure, type OutputFile } from '../engine/messages';
+import { isFailure, type OutputFile, told } from '../engine/messages';
 import { t } from './catalogue';
 
 const maxBytes = 256 * 1024 * 1024;
@@ -25,10 +25,7 @@ export async function documentOfLayers(
   files: OutputFile[],
 ): Promise<{ document: Document; notice: string }> {
   const imported = await engine.importLayers(files);
-  if (isFailure(imported)) {
-    const { where, message } = imported.error;
-    throw new Error(where ? `${where}: ${message}` : message);
-  }
+  if (isFailure(imported)) throw new Error(told(imported.error));
   const words = imported.proposed ? [t('proposedParts')] : [];
   return {
     document: {

@@ -1,4 +1,5 @@
 import { useEffect, useRef } from 'preact/hooks';
+import { told } from '../engine/messages';
 import { ModelView } from '../view/model_view';
 import { listenToOrbit } from '../view/orbit';
 import { t } from './catalogue';
@@ -123,7 +124,7 @@ export function ModelPane({ editor, attach, lightHeld, stop }: ModelPaneProps) {
       )}
       {build.error && (
         <p class="trouble" role="alert">
-          <strong>{t('failed')}.</strong> {build.error.where && `${build.error.where}: `}{build.error.message}.{' '}
+          <strong>{t('failed')}.</strong> {told(build.error)}.{' '}
           {relief && t('kept')}
         </p>
       )}

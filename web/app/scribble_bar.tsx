@@ -13,7 +13,7 @@ const kinds: readonly { kind: BrushKind; label: MessageKey; hint: MessageKey }[]
   { kind: 'erase', label: 'brushErase', hint: 'hintBrushErase' },
 ];
 
-export const brushWidths = { least: 4, most: 60, usual: 12 } as const;
+export const brushWidths = { least: 4, most: 60 } as const;
 
 /** The strokes of each part and of the background: how many, and a way to be rid of them. */
 export function StrokeList({ editor, segments }: { editor: Editor; segments: SegmentControl }) {

@@ -3,7 +3,7 @@ import { type Corrections, recordText, type Scribbles } from '../document/segmen
 import { adopt, canScribble, segmentationOf } from '../document/scribbling';
 import { type Engine, EngineStopped } from '../engine/engine';
 import {
-  type EngineError, type Failure, type FlatDrawing, isFailure, type SegmentationRequest, type Understanding,
+  type Failure, type FlatDrawing, isFailure, type SegmentationRequest, told, type Understanding,
 } from '../engine/messages';
 import { t } from './catalogue';
 import type { Editor } from './editor';
@@ -22,10 +22,6 @@ interface Wish {
 function requestOf(document: Document): SegmentationRequest {
   const segmentation = segmentationOf(document);
   return { project: recordText(segmentation), labels: segmentation.labels };
-}
-
-function told(error: EngineError): string {
-  return error.where ? `${error.where}: ${error.message}` : error.message;
 }
 
 /** A worker that is asked about one drawing after another, and shown each once. */
@@ -69,9 +65,9 @@ class DrawingReader {
 }
 
 /**
- * Understands flat drawings in workers of its own: one for labels, which must not wait. While strokes are in hand, their labels are
- * shown as a tint at once; what follows from them - hidden shapes, order, joins - becomes one
- * change of the document, strokes included, when it is known.
+ * Understands flat drawings in workers of its own: one for labels, which must not wait. While
+ * strokes are in hand, their labels are shown as a tint at once; what follows from them - hidden
+ * shapes, order, joins - becomes one change of the document, strokes included, when it is known.
  */
 export class SegmentControl {
   private readonly labeller: DrawingReader;

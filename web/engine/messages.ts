@@ -149,6 +149,11 @@ export interface Understanding {
 /** A stage and how much of it is done, in [0, 1]; the non-linear method's energy once it has one. */
 export type Progress = (stage: string, done: number, energy?: number) => void;
 
+/** An error in words: where it is, and what. */
+export function told({ where, message }: EngineError): string {
+  return where ? `${where}: ${message}` : message;
+}
+
 export function isFailure(value: object): value is Failure {
   return 'error' in value;
 }
