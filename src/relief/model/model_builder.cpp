@@ -36,7 +36,8 @@ void ModelBuilder::reserve(size_t vertices, size_t triangles) {
 Model ModelBuilder::build() && {
   model_.width = scene_.width;
   model_.height = scene_.height;
-  for (const Part& part : scene_.parts) model_.parts.push_back({part.id, part.c, part.d, 0, 0});
+  for (const Part& part : scene_.parts)
+    model_.parts.push_back({part.id, part.c, part.d, part.flat, 0, 0});
   for (const int part : triangle_part_) ++model_.parts[part].triangle_count;
   std::vector<int> next(model_.parts.size(), 0);
   for (size_t p = 1; p < model_.parts.size(); ++p) {
