@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "kernel/solvers/local_relaxation.h"
+
 namespace relievo {
 namespace {
 
@@ -44,7 +46,8 @@ class ActiveSetSolver {
   }
 
  private:
-  /// Flips all wrong bounds at a time; iteration_limit also where that does not get on.
+  /// Guesses anew around all wrong bounds at a time, or flips them where that did not reduce their
+  /// number; iteration_limit also where that does not get on.
   SolveStatus pivot_blocks() {
     size_t fewest = problem_.bounded.size() + 1;
     int tries = block_tries;
@@ -55,10 +58,12 @@ class ActiveSetSolver {
       if (wrong.size() < fewest) {
         fewest = wrong.size();
         tries = block_tries;
-      } else if (--tries < 0) {
+        guess_around(wrong);
+      } else if (--tries >= 0) {
+        flip(wrong);
+      } else {
         break;
       }
-      for (const int i : wrong) flip(i);
     }
     return SolveStatus::iteration_limit;
   }
@@ -138,7 +143,16 @@ class ActiveSetSolver {
     return end - z;
   }
 
-  void flip(int i) { solution_.active[i] = solution_.active[i] == 0; }
+  void flip(const std::vector<int>& bounds) {
+    for (const int i : bounds) solution_.active[i] = solution_.active[i] == 0;
+  }
+
+  void guess_around(const std::vector<int>& wrong) {
+    const ActiveGuess guess =
+        relax_around(wrong, {problem_.K, problem_.bounded, solution_.z, solution_.mu});
+    for (size_t i = 0; i < guess.unknowns.size(); ++i)
+      solution_.active[guess.unknowns[i]] = guess.active[i];
+  }
 
   /// Minimises with the active bounds at 0; accurate enough to judge most guesses.
   bool solve_free() {

@@ -34,14 +34,15 @@ struct BoundQpSolution {
 };
 
 /// Primal-dual active set: every iteration fixes the guessed active bounds to 0 (their rows and
-/// columns become the identity, so the pattern never changes), solves for the rest and lets all
-/// bounds with the wrong sign change sides (block pivoting, Judice and Pires 1994). Where their
-/// number does not fall four times in a row, a safeguard takes over that lowers the energy in every
-/// iteration, moving along projected directions from face to face (as More and Toraldo 1991 do,
-/// with exact solutions on the faces); both together end after finitely many iterations. Refines
-/// iteratively, so that the residuals of the report stay near round-off. `factor` must have
-/// analysed the pattern of K, best incrementally, and holds the last factor afterwards. Watches
-/// `context` between factorisations, of which every iteration takes one.
+/// columns become the identity, so the pattern never changes), solves for the rest and guesses anew
+/// around all bounds with the wrong sign, by local relaxation; where their number did not fall,
+/// they change sides instead (block pivoting, Judice and Pires 1994). Where it does not fall four
+/// times in a row, a safeguard takes over that lowers the energy in every iteration, moving along
+/// projected directions from face to face (as More and Toraldo 1991 do, with exact solutions on the
+/// faces); both together end after finitely many iterations. Refines iteratively, so that the
+/// residuals of the report stay near round-off. `factor` must have analysed the pattern of K, best
+/// incrementally, and holds the last factor afterwards. Watches `context` between factorisations,
+/// of which every iteration takes one.
 BoundQpSolution solve_bound_qp(const BoundQp& problem, SparseCholesky& factor,
                                const BoundQpOptions& options = {}, const RunContext& context = {});
 
