@@ -7,6 +7,7 @@
 #include "benchmarks/characters.h"
 #include "benchmarks/suites.h"
 #include "io/mesh/glb_encode.h"
+#include "kernel/base/workers.h"
 #include "relief/model/assemble_model.h"
 #include "relief/pipeline/relief_session.h"
 
@@ -72,9 +73,14 @@ void solve(State& state, const std::string& name, int vertices) {
     const Discretisation operators = discretise(surface.mesh);
     OrderingSystem system;
     system.contacts = surface.coarse;
-    PoissonSystem poisson(surface.mesh, operators, Refactorisation::complete, {});
-    const auto inflated = inflate({surface.mesh, operators, scene}, InflationOptions(), poisson);
-    benchmark::DoNotOptimize(order_depth({surface.mesh, operators, *inflated, scene}, {}, system));
+    const InflationInput input{surface.mesh, operators, scene};
+    Inflation inflation;
+    run_tasks(2, [&](int task) {
+      if (task == 1) return prepare_ordering(input, {}, system);
+      PoissonSystem poisson(surface.mesh, operators, Refactorisation::complete, {});
+      inflation = *inflate(input, {}, poisson);
+    });
+    benchmark::DoNotOptimize(order_depth({surface.mesh, operators, inflation, scene}, {}, system));
   }
 }
 

@@ -18,61 +18,35 @@ constexpr int margin = 2;
 /// for all rounds and edits. Gaps in deeper stacks would make it too dense, as they couple sheets.
 constexpr size_t affordable_share = 2;
 
-/// Solves with the system, which is made anew where it cannot serve.
-class HeightsUnderPairs {
- public:
-  HeightsUnderPairs(const OrderingInput& input, const OrderingOptions& options,
-                    OrderingSystem& system, const RunContext& context)
-      : input_(input),
-        options_(options),
-        system_(system),
-        context_(context),
-        f_(inflated_heights(input.inflation.u)) {}
-
-  Status solve(const std::vector<DepthPair>& pairs, Ordering& ordering) {
-    context_.report("order", ordering.rounds / (options_.max_rounds + 1.0));
-    if (!serves(pairs)) make_system(pairs, ordering);
-    system_.pairs = pairs;
-    if (context_.cancelled()) {  // it may be half made
-      system_.pairs.reset();
-      return interrupted_error();
-    }
-    return check_solved(solve_heights(system_.system, system_.metric, f_, ordering, context_));
-  }
-
- private:
-  bool serves(const std::vector<DepthPair>& pairs) {
-    if (!system_.pairs) return false;
-    return system_.pairs == pairs || select_pairs(input_.mesh.node_part, pairs, system_.system);
-  }
-
-  void make_system(const std::vector<DepthPair>& pairs, const Ordering& ordering) {
-    PieceTimer sorting(context_, "assemble");
-    const DepthProblem problem = make_depth_problem(input_.mesh.node_part, pairs);
+/// Makes the system one for these pairs, anew where it cannot serve.
+void bring_up_to_date(const InflationInput& surface, const std::vector<DepthPair>& pairs,
+                      OrderingSystem& system, const RunContext& context) {
+  const std::vector<int>& node_part = surface.mesh.node_part;
+  const bool serves =
+      system.pairs && (*system.pairs == pairs || select_pairs(node_part, pairs, system.system));
+  if (!serves) {
+    PieceTimer sorting(context, "assemble");
+    const DepthProblem problem = make_depth_problem(node_part, pairs);
     sorting.stop();
-    system_.system = make_depth_system(problem, system_.metric, input_.discretisation.elimination,
-                                       std::move(system_.system.factor), context_);
-    system_.system.closed = first_guess(problem, ordering.h);
+    system.system = make_depth_system(problem, system.metric, surface.discretisation.elimination,
+                                      std::move(system.system.factor), context);
   }
+  system.pairs = pairs;
+  if (context.cancelled()) system.pairs.reset();  // it may be half made
+}
 
-  /// The gaps to start from; `last_h` are the heights of the last round, if any.
-  std::vector<uint8_t> first_guess(const DepthProblem& problem,
-                                   const std::vector<double>& last_h) const {
-    if (!last_h.empty()) return closed_gaps(problem, last_h);
-    if (!system_.h.empty()) return closed_gaps(problem, system_.h);
-    if (!system_.contacts.empty()) return gaps_like(input_.mesh, problem, system_.contacts);
-    return options_.start_active ? problem.variables.bounded : std::vector<uint8_t>();
-  }
-
-  const OrderingInput& input_;
-  const OrderingOptions& options_;
-  OrderingSystem& system_;
-  const RunContext& context_;
-  Eigen::VectorXd f_;
-};
+/// The gaps to start from; `last_h` are the heights of the last round, if any.
+std::vector<uint8_t> first_guess(const LayeredMesh& mesh, const OrderingOptions& options,
+                                 const OrderingSystem& system, const std::vector<double>& last_h) {
+  const DepthProblem& problem = system.system.problem;
+  if (!last_h.empty()) return closed_gaps(problem, last_h);
+  if (!system.h.empty()) return closed_gaps(problem, system.h);
+  if (!system.contacts.empty()) return gaps_like(mesh, problem, system.contacts);
+  return options.start_active ? problem.variables.bounded : std::vector<uint8_t>();
+}
 
 /// Brings what does not depend on the inflation up to date.
-void prepare(const OrderingInput& input, const OrderingOptions& options, OrderingSystem& system,
+void prepare(const InflationInput& input, const OrderingOptions& options, OrderingSystem& system,
              const RunContext& context) {
   if (system.epsilon != options.epsilon) {
     const PieceTimer assembling(context, "assemble");
@@ -84,26 +58,43 @@ void prepare(const OrderingInput& input, const OrderingOptions& options, Orderin
   if (faces != system.stacked.faces) system.stacked = stacked_nodes(input.mesh, std::move(faces));
 }
 
-/// The stacked nodes that are compared from the first round on.
-std::vector<DepthPair> pairs_inside(const OrderingSystem& system, size_t nodes) {
+/// With the stacked nodes that are compared from the first round on.
+RoundPlan plan_rounds(const OrderingOptions& options, const OrderingSystem& system) {
+  RoundPlan plan{system.stacked, {}, margin, options.max_rounds};
+  if (options.max_rounds == 0) return plan;
   const std::vector<DepthPair>& all = system.stacked.pairs;
-  return all.size() <= nodes / affordable_share ? all : system.inside;
+  const size_t nodes = static_cast<size_t>(system.metric.A.rows());
+  plan.inside = all.size() <= nodes / affordable_share ? all : system.inside;
+  return plan;
 }
 
 }  // namespace
 
+void prepare_ordering(const InflationInput& surface, const OrderingOptions& options,
+                      OrderingSystem& system, const RunContext& context) {
+  if (!check_options(options)) return;
+  prepare(surface, options, system, context);
+  bring_up_to_date(surface, first_pairs(surface.mesh, plan_rounds(options, system)), system,
+                   context);
+}
+
 Result<Ordering> order_depth(const OrderingInput& input, const OrderingOptions& options,
                              OrderingSystem& system, const RunContext& context) {
   const LayeredMesh& mesh = input.mesh;
+  const InflationInput surface{mesh, input.discretisation, input.scene};
   assert(input.inflation.u.size() == mesh.node_vertex.size());
   assert(static_cast<int>(input.scene.parts.size()) == mesh.part_count);
   if (Status status = check_options(options); !status) return status.error();
-  prepare(input, options, system, context);
-  RoundPlan plan{system.stacked, {}, margin, options.max_rounds};
-  if (options.max_rounds > 0) plan.inside = pairs_inside(system, mesh.node_vertex.size());
-  HeightsUnderPairs heights(input, options, system, context);
-  const auto solve = [&](const std::vector<DepthPair>& pairs, Ordering& ordering) {
-    return heights.solve(pairs, ordering);
+  prepare(surface, options, system, context);
+  RoundPlan plan = plan_rounds(options, system);
+  const Eigen::VectorXd f = inflated_heights(input.inflation.u);
+  const auto solve = [&](const std::vector<DepthPair>& pairs, Ordering& ordering) -> Status {
+    context.report("order", ordering.rounds / (options.max_rounds + 1.0));
+    bring_up_to_date(surface, pairs, system, context);
+    if (context.cancelled()) return interrupted_error();
+    if (system.system.closed.empty())
+      system.system.closed = first_guess(mesh, options, system, ordering.h);
+    return check_solved(solve_heights(system.system, system.metric, f, ordering, context));
   };
   Result<Ordering> ordering = order_in_rounds(mesh, system.metric.scale, plan, solve);
   if (!ordering) return ordering;

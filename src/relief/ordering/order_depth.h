@@ -3,7 +3,7 @@
 #include "kernel/base/result.h"
 #include "kernel/base/run_context.h"
 #include "relief/discretisation/discretisation.h"
-#include "relief/inflation/inflation.h"
+#include "relief/inflation/inflate.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/ordering.h"
 #include "relief/ordering/ordering_system.h"
@@ -24,6 +24,11 @@ struct OrderingInput {
   const Inflation& inflation;
   const Scene& scene;
 };
+
+/// Does the part of order_depth that the inflation does not enter, its matrix and the analysis of
+/// it, so that both can go on at the same time. Not needed, and of no effect on the result.
+void prepare_ordering(const InflationInput& surface, const OrderingOptions& options,
+                      OrderingSystem& system, const RunContext& context = {});
 
 /// Shifts the parts so that all depth pairs hold, by the least Dirichlet energy of g. `system` is
 /// a new one or was used for the same discretisation before: then the solver begins from what it

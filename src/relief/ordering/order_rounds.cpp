@@ -58,6 +58,13 @@ Status check_solved(SolveStatus status) {
   return Error{ErrorCode::internal, "the depth order has no finite solution", ""};
 }
 
+std::vector<DepthPair> first_pairs(const LayeredMesh& mesh, const RoundPlan& plan) {
+  std::vector<DepthPair> pairs = mesh.constraints;
+  const std::vector<DepthPair> inside = flagged(plan.stacked, flags_of(plan.stacked, plan.inside));
+  pairs.insert(pairs.end(), inside.begin(), inside.end());
+  return pairs;
+}
+
 Result<Ordering> order_in_rounds(const LayeredMesh& mesh, double scale, RoundPlan& plan,
                                  const HeightSolver& solve) {
   std::vector<uint8_t> chosen = flags_of(plan.stacked, plan.inside);

@@ -34,6 +34,9 @@ Status check_options(const OrderingOptions& options);
 /// The error, if any, that a status of the solver stands for.
 Status check_solved(SolveStatus status);
 
+/// The pairs of the first round. O(N).
+std::vector<DepthPair> first_pairs(const LayeredMesh& mesh, const RoundPlan& plan);
+
 /// Solves under the pairs of the mesh and those of the plan, adds stacked nodes that cross and
 /// repeats at most `max_rounds` times. More pairs than necessary do not change the minimum, for
 /// without them nothing crosses either. `scale`: scene units per px.

@@ -81,7 +81,16 @@ Relief ReliefSession::take() && { return std::move(relief_); }
 
 Status ReliefSession::update_surface(const Request& request) {
   if (Status status = update_layers(request); !status) return status;
-  return update_inflation(request);
+  if (Status status = update_discretisation(request); !status) return status;
+  Status status = Done{};
+  run_tasks(request.options.method == Method::approximate ? 2 : 1, [&](int task) {
+    if (task == 0)
+      status = update_inflation(request);
+    else
+      prepare_ordering({relief_.layers, discretisation_, request.scene}, request.options.ordering,
+                       ordering_system_, RunContext{request.context.cancel, {}, {}, {}});
+  });
+  return status;
 }
 
 /// A new mesh: the order begins from what touched on the last one.
@@ -136,22 +145,23 @@ Status ReliefSession::update_layers(const Request& request) {
   return status;
 }
 
+Status ReliefSession::update_discretisation(const Request& request) {
+  return discretisation_state_.refresh(Key().add(sheets_state_.version()), [&]() -> Status {
+    discretisation_ = discretise(relief_.layers, request.context);
+    if (request.context.cancelled()) return interrupted_error();
+    begin_like(request.scene);
+    return Done{};
+  });
+}
+
 Status ReliefSession::update_inflation(const Request& request) {
   const Scene& scene = request.scene;
   const ReliefOptions& options = request.options;
   const RunContext& context = request.context;
   StageClock& clock = request.clock;
   const LayeredMesh& mesh = relief_.layers;
-  Status status =
-      discretisation_state_.refresh(Key().add(sheets_state_.version()), [&]() -> Status {
-        discretisation_ = discretise(mesh, context);
-        if (context.cancelled()) return interrupted_error();
-        begin_like(scene);
-        return Done{};
-      });
-  if (!status) return status;
   Key roles = Key().add(discretisation_state_.version()).add(mesh.node_role);
-  status = poisson_state_.refresh(std::move(roles), [&]() -> Status {
+  Status status = poisson_state_.refresh(std::move(roles), [&]() -> Status {
     poisson_.emplace(mesh, discretisation_,
                      use_ == Use::many ? Refactorisation::incremental : Refactorisation::complete,
                      context);

@@ -79,6 +79,7 @@ class ReliefSession {
 
   Status update_surface(const Request& request);
   Status update_layers(const Request& request);
+  Status update_discretisation(const Request& request);
   Status update_inflation(const Request& request);
   Status update_ordering(const Request& request);
   Status update_jointly(const Request& request);
