@@ -48,6 +48,7 @@ TEST_P(SampleRelief, IsOptimalAndInOrder) {
   const DrawnRelief drawn = relief_of(path(), options());
   const Ordering& ordering = drawn.relief.ordering;
   EXPECT_EQ(ordering.report.status, SolveStatus::solved);
+  EXPECT_LE(ordering.report.iterations, 6);
   EXPECT_LE(ordering.report.stationarity, 1e-12);
   EXPECT_EQ(ordering.report.primal, 0);
   EXPECT_LE(ordering.report.dual, 1e-12);

@@ -82,14 +82,16 @@ Relief ReliefSession::take() && { return std::move(relief_); }
 Status ReliefSession::update_surface(const Request& request) {
   if (Status status = update_layers(request); !status) return status;
   if (Status status = update_discretisation(request); !status) return status;
+  const RunContext beside = request.clock.listen_beside(request.context);
   Status status = Done{};
   run_tasks(request.options.method == Method::approximate ? 2 : 1, [&](int task) {
     if (task == 0)
       status = update_inflation(request);
     else
       prepare_ordering({relief_.layers, discretisation_, request.scene}, request.options.ordering,
-                       ordering_system_, RunContext{request.context.cancel, {}, {}, {}});
+                       ordering_system_, beside);
   });
+  request.clock.take_beside();
   return status;
 }
 

@@ -8,8 +8,8 @@
 
 namespace relievo {
 
-/// Wall time of a stage, or of a piece of work inside one. They do not overlap; a name may occur
-/// several times.
+/// Wall time of a stage, or of a piece of work inside one. A name may occur several times. They do
+/// not overlap, but for pieces of the order that are done beside the inflation.
 struct StageTime {
   std::string stage;  ///< "mesh", "assemble", "analyse", "inflate", "order" or "nonlinear"
   double milliseconds = 0;
@@ -29,6 +29,20 @@ class StageClock {
     return context;
   }
 
+  /// The same for work on another thread; take_beside() adds its pieces when it has ended.
+  RunContext listen_beside(RunContext context) {
+    context.progress = {};
+    context.timed = [this](const char* piece, double milliseconds) {
+      beside_.push_back({piece, milliseconds});
+    };
+    return context;
+  }
+
+  void take_beside() {
+    times_.insert(times_.end(), beside_.begin(), beside_.end());
+    beside_.clear();
+  }
+
   void finish(const char* stage) {
     const auto now = Clock::now();
     const std::chrono::duration<double, std::milli> elapsed = now - last_;
@@ -41,6 +55,7 @@ class StageClock {
   using Clock = std::chrono::steady_clock;
 
   std::vector<StageTime>& times_;
+  std::vector<StageTime> beside_;
   Clock::time_point last_ = Clock::now();
   double pieces_ = 0;
 };

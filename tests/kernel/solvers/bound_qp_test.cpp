@@ -124,6 +124,41 @@ TEST(BoundQp, NeedsOneFactorisationFromTheRightStart) {
   }));
 }
 
+/// A membrane of n x n nodes above 0, pulled up in the middle and pressed down around it; it
+/// touches in the corners.
+BoundQp membrane(int n) {
+  BoundQp problem;
+  problem.K.resize(n * n, n * n);
+  problem.b.resize(n * n);
+  problem.bounded.assign(static_cast<size_t>(n) * n, 1);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < n * n; ++i) {
+    const double x = (i % n + 0.5) / n - 0.5;
+    const double y = (i / n + 0.5) / n - 0.5;  // NOLINT(bugprone-integer-division)
+    problem.b[i] = (std::hypot(x, y) < 0.2 ? 8.0 : -1.0) / (n * n);
+    entries.emplace_back(i, i, 4);
+    if (i % n > 0) entries.emplace_back(i, i - 1, -1);
+    if (i >= n) entries.emplace_back(i, i - n, -1);
+  }
+  for (Eigen::Triplet<double>& e : entries)
+    e = {std::max(e.row(), e.col()), std::min(e.row(), e.col()), e.value()};
+  problem.K.setFromTriplets(entries.begin(), entries.end());
+  return problem;
+}
+
+TEST(BoundQp, TakesFewStepsToTheBorderOfAContact) {
+  for (const int n : {50, 100, 200}) {
+    const BoundQp problem = membrane(n);
+    SparseCholesky factor;
+    factor.analyse(problem.K, Refactorisation::incremental);
+    const BoundQpSolution solution = solve_bound_qp(problem, factor);
+    EXPECT_EQ(solution.report.status, SolveStatus::solved);
+    EXPECT_GT(solution.report.active, n * n / 20);
+    EXPECT_LE(solution.report.iterations, 6) << n;
+    EXPECT_EQ(solution.report.safeguard_steps, 0) << n;
+  }
+}
+
 TEST(BoundQp, AgreesWithIpopt) {
   EXPECT_TRUE(rc::check([] {
     const BoundQp problem = random_problem(*rc::gen::inRange(1, 30));
