@@ -8,8 +8,9 @@ import type { Engine } from '../engine/engine';
 import { type ExportFormat, isFailure, type MapKind, type OutputFile } from '../engine/messages';
 import type { BuildControl } from './build_control';
 import { t } from './catalogue';
+import type { GivenFiles } from './dropped_files';
 import type { Editor } from './editor';
-import { documentOfLayers, entriesOfOra } from './layered_drawing';
+import { documentOfLayers, entriesOfOra, layersAmong, readLayers } from './layered_drawing';
 import { flatDrawing, pictureOf, pngOf, textureOf } from './pictures';
 import type { SegmentControl } from './segment_control';
 
@@ -53,11 +54,11 @@ export class Files {
   }
 
   /** Opens a file, or pictures that are the layers of one drawing. */
-  async openAll(all: readonly File[]): Promise<void> {
-    const [first] = all;
-    if (!first) return;
-    if (all.length > 1 && all.every((file) => file.type === 'image/png')) await this.openPictures(all);
-    else await this.open(first);
+  async openAll({ name, files }: GivenFiles): Promise<void> {
+    const [first] = files;
+    const layers = layersAmong(files);
+    if (layers) await this.opening(name, async () => this.openLayers(name, await readLayers(layers)));
+    else if (first) await this.open(first.file);
   }
 
   /** Opens whatever a file is; tells why where it cannot be. */
@@ -131,14 +132,6 @@ export class Files {
       this.editor.set({ notice: '' });
     });
   };
-
-  private async openPictures(all: readonly File[]): Promise<void> {
-    const name = (all[0] as File).name;
-    await this.opening(name, async () => {
-      const read = async (file: File) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) });
-      await this.openLayers(name, await Promise.all(all.map(read)));
-    });
-  }
 
   private async openLayers(name: string, entries: OutputFile[]): Promise<void> {
     const { document: next, notice } = await documentOfLayers(this.engine, baseName(name), entries);

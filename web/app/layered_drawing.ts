@@ -4,6 +4,7 @@ import { sceneContent } from '../document/scene_text';
 import type { Engine } from '../engine/engine';
 import { isFailure, type OutputFile, told } from '../engine/messages';
 import { t } from './catalogue';
+import type { PlacedFile } from './dropped_files';
 
 const maxBytes = 256 * 1024 * 1024;
 
@@ -16,6 +17,19 @@ export function entriesOfOra(bytes: Uint8Array): OutputFile[] {
   } catch (error) {
     throw new Error(t(error instanceof ArchiveTooLarge ? 'tooLarge' : 'damagedFile'));
   }
+}
+
+/** The pictures, with their table of order where there is one, that are the layers of one drawing; null where they are not. */
+export function layersAmong(files: readonly PlacedFile[]): readonly PlacedFile[] | null {
+  const table = files.find(({ path }) => path === 'layers.tsv');
+  const pictures = files.filter(({ file }) => file.type === 'image/png');
+  if (table && pictures.length > 0) return [table, ...pictures];
+  return pictures.length > 1 ? pictures : null;
+}
+
+export async function readLayers(files: readonly PlacedFile[]): Promise<OutputFile[]> {
+  if (files.reduce((sum, { file }) => sum + file.size, 0) > maxBytes) throw new Error(t('tooLarge'));
+  return Promise.all(files.map(async ({ path, file }) => ({ name: path, bytes: new Uint8Array(await file.arrayBuffer()) })));
 }
 
 /** A document of painted layers, and what is to be said of it. Its drawing is the picture that they make. */
