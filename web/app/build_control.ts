@@ -1,11 +1,14 @@
 import { Engine, EngineStopped } from '../engine/engine';
-import { type BuiltRelief, type EngineError, isFailure, told } from '../engine/messages';
+import { type BuiltRelief, type EngineError, isFailure, type Texture, told } from '../engine/messages';
 import type { Document } from '../document/document';
 import { sceneText } from '../document/scene_text';
 import { t } from './catalogue';
 import type { Editor, Field } from './editor';
+import { textureOf } from './pictures';
 
 const draftVertices = 3000;
+/** Longest side of the picture that colours of hidden surfaces come from. */
+const hiddenSide = 512;
 /** The full mesh follows when nothing has changed for so long, ms. */
 const rest = 160;
 /** A build that has become useless may go on for so long: the next one goes on from it. ms. */
@@ -15,9 +18,10 @@ function surfaceFor(field: Field, draft: boolean) {
   return { visibility: 'orbit' as const, tolerance: draft ? 1 : 0.25, field };
 }
 
-function requestFor(document: Document, field: Field, draft: boolean) {
+function requestFor(document: Document, drawing: Texture, field: Field, draft: boolean) {
   const { settings } = document;
   return {
+    drawing,
     scene: sceneText(document),
     options: {
       method: draft ? ('approximate' as const) : settings.method,
@@ -31,6 +35,20 @@ function requestFor(document: Document, field: Field, draft: boolean) {
     },
     ...surfaceFor(field, draft),
   };
+}
+
+/** The drawing as small as the engine needs it for what is hidden, made anew where it has changed. */
+class SmallDrawing {
+  private of: readonly unknown[] = [];
+  private small: Texture | null = null;
+
+  take(document: Document, picture: ImageBitmap | null): Texture {
+    const of = picture ? [picture] : [document.parts, document.joins];
+    if (this.small && of.every((value, i) => value === this.of[i])) return this.small;
+    this.of = of;
+    this.small = textureOf(document, picture, hiddenSide);
+    return this.small;
+  }
 }
 
 /** What of a document changes its relief. */
@@ -64,6 +82,7 @@ export class BuildControl {
   private fullWanted: Document | null = null;
   private fullRun: Promise<void> | null = null;
   private fullBegun = 0;
+  private readonly smallDrawing = new SmallDrawing();
   /** The field that the full engine was asked for last. */
   private asked: Field = 'relief';
 
@@ -170,7 +189,8 @@ export class BuildControl {
     const { field } = this.editor.state;
     if (phase === 'full') this.asked = field;
     try {
-      const built = await engine.build(requestFor(document, field, phase === 'draft'), (_stage, done, energy) => {
+      const drawing = this.smallDrawing.take(document, this.editor.state.picture);
+      const built = await engine.build(requestFor(document, drawing, field, phase === 'draft'), (_stage, done, energy) => {
         if (phase === 'full') this.advance(done, energy);
       });
       return isFailure(built) ? this.refuse(document, built.error) : this.accept(document, built, phase);

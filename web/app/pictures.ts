@@ -79,9 +79,9 @@ export function pixelsOf(picture: ImageBitmap, width: number, height: number): T
   return { rgba: new Uint8Array(data.buffer as ArrayBuffer), width: canvas.width, height: canvas.height };
 }
 
-/** What exported files embed. */
-export function textureOf(document: Document, picture: ImageBitmap | null): Texture {
-  const context = painted(document, picture);
+/** What exported files embed; `side`: px of the longest side, where it is to be smaller. */
+export function textureOf(document: Document, picture: ImageBitmap | null, side?: number): Texture {
+  const context = painted(document, picture, side);
   const { width, height } = context.canvas;
   const { data } = context.getImageData(0, 0, width, height);
   return { rgba: new Uint8Array(data.buffer as ArrayBuffer), width, height };

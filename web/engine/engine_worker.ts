@@ -8,7 +8,7 @@ import { tintOf } from './tint';
 
 /** Every array of a surface, to be handed over instead of copied. */
 function arraysOf(surface: Surface): ArrayBuffer[] {
-  return [surface.positions, surface.normals, surface.uvs, surface.triangles].map((array) => array.buffer);
+  return [surface.positions, surface.normals, surface.uvs, surface.triangles, surface.colors].map((array) => array.buffer);
 }
 
 function arraysOfRelief({ surface, overlays }: BuiltRelief): ArrayBuffer[] {

@@ -52,6 +52,8 @@ export interface PartRun {
   id: string;
   firstTriangle: number;
   triangleCount: number;
+  /** The last so many of them lie behind other parts and have colours of their own. */
+  hiddenCount: number;
 }
 
 /** A surface in px of the canvas: X right, Y up, Z to the viewer. */
@@ -60,6 +62,8 @@ export interface Surface {
   normals: Float32Array<ArrayBuffer>;
   uvs: Float32Array<ArrayBuffer>;
   triangles: Uint32Array<ArrayBuffer>;
+  /** sRGB, three bytes a vertex, of what is hidden. */
+  colors: Uint8Array<ArrayBuffer>;
   parts: PartRun[];
 }
 
