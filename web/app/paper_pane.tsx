@@ -77,8 +77,8 @@ export class PaperControl {
 
   /** Draws where something that the canvas shows has changed. */
   follow(): void {
-    const { history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool, tint, pending, brush } = this.editor.state;
-    const shown = [history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool, tint, pending, brush];
+    const { history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool, tint, gap, pending, brush } = this.editor.state;
+    const shown = [history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool, tint, gap, pending, brush];
     if (shown.every((value, i) => value === this.shown[i])) return;
     this.shown = shown;
     this.redraw();

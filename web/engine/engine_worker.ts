@@ -40,7 +40,7 @@ const endpoint = {
     const labelled = (await started()).label(request);
     if (isFailure(labelled)) return labelled;
     const tint = await createImageBitmap(tintOf(labelled.labels, width, height));
-    return Comlink.transfer({ tint, parts: labelled.parts }, [tint]);
+    return Comlink.transfer({ tint, bridges: labelled.bridges }, [tint]);
   },
   async understand(request: SegmentationRequest) {
     return (await started()).understand(request);

@@ -131,13 +131,15 @@ export interface Labelled {
   /** The label of every pixel, 0 where there is no part. */
   labels: Uint16Array<ArrayBuffer>;
   parts: { label: number; id: string }[];
+  /** Gaps in the lines that were closed: x and y by turns, and the labels on both sides. */
+  bridges: { points: Float32Array<ArrayBuffer>; left: number; right: number }[];
   notes: string[];
 }
 
 /** The labels as the page shows them. */
 export interface TintedLabels {
   tint: ImageBitmap;
-  parts: { label: number; id: string }[];
+  bridges: Labelled['bridges'];
 }
 
 /** All that follows from strokes and corrections. */

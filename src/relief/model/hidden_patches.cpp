@@ -105,6 +105,10 @@ Image8 depths(const Image16& front, const PixelBox& box, uint16_t part, int most
   return depth;
 }
 
+float on_paper(int colour, int alpha) {
+  return static_cast<float>(colour * alpha + 255 * (255 - alpha)) / 255;
+}
+
 /// What is seen of a part, with the weights of pull_push; nothing where it is not seen.
 std::optional<ImageF> seen_of(const Image16& front, const Image8& drawing, const PixelBox& box,
                               uint16_t part) {
@@ -116,8 +120,7 @@ std::optional<ImageF> seen_of(const Image16& front, const Image8& drawing, const
     for (int x = 0; x < depth.width; ++x) {
       if (depth.at(x, y) < deepest) continue;
       const uint8_t* rgba = &drawing.at(box.x0 + x, box.y0 + y);
-      for (int c = 0; c < 3; ++c)
-        seen.at(x, y, c) = static_cast<float>((rgba[c] * rgba[3] + 255 * (255 - rgba[3])) / 255);
+      for (int c = 0; c < 3; ++c) seen.at(x, y, c) = on_paper(rgba[c], rgba[3]);
       seen.at(x, y, 3) = 1;
     }
   return seen;
