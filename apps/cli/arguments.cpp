@@ -113,6 +113,8 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
       ->check(CLI::IsMember({"relief", "inflation", "shift"}));
   app.add_option("--c", relief.c, "Inflation of all parts: 4 a hemisphere, 2 round limbs")
       ->check(CLI::Range(min_inflation, max_inflation));
+  app.add_option("--flat", relief.flat, "Profile of all parts: 0 round (the default), 1 a flat top")
+      ->check(CLI::Range(0.0, 1.0));
   InflationOptions& inflation = relief.options.inflation;
   auto* rho =
       app.add_option("--rho", inflation.rho, "Softness of ramps beside joins (default 0.25)")

@@ -21,7 +21,8 @@ struct CommonArguments {
 /// How a drawing is reconstructed.
 struct ReliefArguments {
   ReliefOptions options;
-  std::optional<double> c;  ///< in place of every part's own
+  std::optional<double> c;     ///< in place of every part's own
+  std::optional<double> flat;  ///< likewise
   Visibility visibility = Visibility::relief;
   Field field = Field::relief;
 };

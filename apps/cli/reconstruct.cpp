@@ -10,6 +10,8 @@ Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
                            const RunContext& context) {
   if (arguments.c)
     for (Part& part : scene.parts) part.c = *arguments.c;
+  if (arguments.flat)
+    for (Part& part : scene.parts) part.flat = *arguments.flat;
   auto relief = build_relief(scene, arguments.options, context);
   if (relief) keep_field(*relief, arguments.field);
   return relief;

@@ -29,6 +29,7 @@ Json parts(const Scene& scene, const LayeredMesh& mesh) {
     list.push_back({{"id", scene.parts[i].id},
                     {"c", scene.parts[i].c},
                     {"d", scene.parts[i].d},
+                    {"flat", scene.parts[i].flat},
                     {"faces", faces[i]}});
   return list;
 }

@@ -32,6 +32,23 @@ VectorXd signs_by_flooding(const LayeredMesh& mesh, const Scene& scene) {
   return sign;
 }
 
+/// As documented for flat parts; half-widths in scene units.
+double source_density(const Part& part) {
+  const double k = 8 * part.flat;
+  const double profile = k > 0 ? k * k / (2 * (1 - 1 / std::cosh(k))) : 1;
+  return part.c * part.d * std::abs(part.d) * profile;
+}
+
+double source_screening(const Part& part, double scale) {
+  double area = 0;
+  double length = 0;
+  for (const Ring& ring : part.outline) {
+    area += signed_area(ring) * scale * scale;
+    length += perimeter(ring) * scale;
+  }
+  return std::pow(8 * part.flat * length / area, 2);
+}
+
 /// Half the derivative of the inflation energy with respect to u.
 VectorXd inflation_force(const JointProgram& program, const VectorXd& u) {
   VectorXd weighted = program.L * u - program.load;
@@ -57,9 +74,13 @@ JointProgram make_joint_program(const LayeredMesh& mesh, const Scene& scene,
   program.A = program.L;
   program.A.diagonal() += options.epsilon * program.mass;
   std::vector<double> density;
-  for (const int part : mesh.face_part)
-    density.push_back(scene.parts[part].c * scene.parts[part].d * std::abs(scene.parts[part].d));
+  std::vector<double> screening;
+  for (const int part : mesh.face_part) {
+    density.push_back(source_density(scene.parts[part]));
+    screening.push_back(source_screening(scene.parts[part], program.scale));
+  }
   program.load = load_vector(flat, density);
+  program.L.diagonal() += load_vector(flat, screening);
   program.sign = signs_by_flooding(mesh, scene);
   program.bound_mass = VectorXd::Zero(program.mass.size());
   std::set<int> glued;

@@ -72,6 +72,7 @@ Part part_of(const RasterLayer& layer, Region region) {
   part.outline = std::move(region);
   part.c = layer.c.value_or(part.c);
   part.d = layer.d.value_or(part.d);
+  part.flat = layer.flat.value_or(part.flat);
   return part;
 }
 

@@ -29,6 +29,7 @@ struct RasterLayer {
   LayerRole role = LayerRole::proposed;
   std::optional<double> c;  ///< of its part
   std::optional<double> d;
+  std::optional<double> flat;
   Image8 rgba;  ///< 8-bit sRGB with straight alpha
 };
 

@@ -94,6 +94,8 @@ Status read_numbers(const Row& row, LayerRow& result) {
   if (!c) return c.error();
   const auto d = row.number("d", -max_inflation, max_inflation);
   if (!d) return d.error();
+  const auto flat = row.number("flat", 0, 1);
+  if (!flat) return flat.error();
   result.order = order->value_or(static_cast<double>(row.line()));
   RasterLayer& layer = result.layer;
   layer.x = static_cast<int>(std::lround(x->value_or(0)));
@@ -101,6 +103,7 @@ Status read_numbers(const Row& row, LayerRow& result) {
   layer.opacity = opacity->value_or(1);
   layer.c = *c;
   layer.d = *d;
+  layer.flat = *flat;
   return Done{};
 }
 

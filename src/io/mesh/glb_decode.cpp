@@ -177,6 +177,7 @@ void append_part(const Glb& glb, const Json& node, const GlbLimits& limits, Mode
   if (const auto extras = node.find("extras"); extras != node.end()) {
     if (extras->contains("c")) part.c = number((*extras)["c"], "c");
     if (extras->contains("d")) part.d = number((*extras)["d"], "d");
+    if (extras->contains("flat")) part.flat = number((*extras)["flat"], "flat");
   }
   part.first_triangle = static_cast<int>(model.triangles.size());
   const Json& mesh = element(glb.json, "meshes", natural_member(node, "mesh"));

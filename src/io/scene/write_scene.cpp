@@ -38,9 +38,10 @@ class Writer {
   explicit Writer(const Scene& scene) : scene_(scene) {}
 
   std::string part(const Part& part) const {
+    const std::string flat = part.flat != 0 ? ", \"flat\": " + number(part.flat) : "";
     return "{ \"id\": " + quoted(part.id) + ", \"c\": " + number(part.c) +
-           ", \"d\": " + number(part.d) + ", \"outline\": " + lines(part.outline, "    ", points) +
-           " }";
+           ", \"d\": " + number(part.d) + flat +
+           ", \"outline\": " + lines(part.outline, "    ", points) + " }";
   }
 
   std::string join(const Join& join) const {

@@ -46,8 +46,8 @@ Status set_number(double& value, const std::string& text, const char* name,
   if (text.empty()) return Done{};
   SvgScanner scanner(trimmed_svg(text));
   const auto number = scanner.number();
-  if (!number || !scanner.at_end() || !std::isfinite(*number) || *number == 0) {
-    return Error{ErrorCode::bad_input, std::string(name) + " must be a number other than 0", part};
+  if (!number || !scanner.at_end() || !std::isfinite(*number)) {
+    return Error{ErrorCode::bad_input, std::string(name) + " must be a number", part};
   }
   value = *number;
   return Done{};
@@ -56,8 +56,15 @@ Status set_number(double& value, const std::string& text, const char* name,
 Status set_values(Part& part, const SvgAnnotation& annotation) {
   if (const Status s = set_number(part.c, annotation.c, "data-c", part.id); !s) return s;
   if (const Status s = set_number(part.d, annotation.d, "data-d", part.id); !s) return s;
-  if (part.c < 0) {
+  if (const Status s = set_number(part.flat, annotation.flat, "data-flat", part.id); !s) return s;
+  if (part.c <= 0) {
     return Error{ErrorCode::bad_input, "data-c must be positive", part.id};
+  }
+  if (part.d == 0) {
+    return Error{ErrorCode::bad_input, "data-d must be a number other than 0", part.id};
+  }
+  if (part.flat < 0 || part.flat > 1) {
+    return Error{ErrorCode::bad_input, "data-flat must lie between 0 and 1", part.id};
   }
   return Done{};
 }

@@ -24,6 +24,7 @@ struct SvgAnnotation {
   SvgMark mark = SvgMark::none;
   std::string c;
   std::string d;
+  std::string flat;
   std::string relation;
   std::string upper;
   std::string lower;

@@ -14,6 +14,7 @@ SvgAnnotation annotation_of(const pugi::xml_node& element) {
   if (mark == "join") a.mark = SvgMark::join;
   a.c = element.attribute("data-c").value();
   a.d = element.attribute("data-d").value();
+  a.flat = element.attribute("data-flat").value();
   a.relation = element.attribute("data-relation").value();
   a.upper = element.attribute("data-upper").value();
   a.lower = element.attribute("data-lower").value();

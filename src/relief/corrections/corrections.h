@@ -21,6 +21,7 @@ struct PartCorrection {
   std::optional<Outline> outline;  ///< the completed part, canvas px
   std::optional<double> c;
   std::optional<double> d;
+  std::optional<double> flat;
 };
 
 /// Everything that the user says about a segmented drawing; never overruled. Parts are named by

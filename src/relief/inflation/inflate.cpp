@@ -82,9 +82,9 @@ Result<Inflation> inflate(const InflationInput& input, const InflationOptions& o
   const Boundary boundary = boundary_conditions(mesh, options);
   if (Status status = check_held(input, boundary); !status) return status.error();
 
-  const std::vector<Point2> positions = node_positions(mesh, discretisation.scale);
-  const VectorXd load = inflation_load({positions, mesh.faces}, mesh, scene);
-  std::optional<VectorXd> u = system.solve(boundary.fixed, boundary.spring, load, context);
+  const InflationTerms terms = inflation_terms(mesh, scene, discretisation.scale);
+  std::optional<VectorXd> u =
+      system.solve(boundary.fixed, boundary.spring + terms.screening, terms.load, context);
   if (context.cancelled()) return interrupted_error();
   if (!u) return Error{ErrorCode::internal, "the inflation has no finite solution", ""};
   restore_sign(input, *u);

@@ -3,18 +3,57 @@
 #include <cmath>
 #include <cstdint>
 
+#include "kernel/geometry/polygon.h"
 #include "kernel/operators/laplacian.h"
+#include "relief/layers/joined_surface.h"
 
 namespace relievo {
 
-Eigen::VectorXd inflation_load(const FlatMesh& flat, const LayeredMesh& mesh, const Scene& scene) {
-  std::vector<double> density;
-  density.reserve(mesh.faces.size());
-  for (const int part : mesh.face_part) {
-    const double d = scene.parts[part].d;
-    density.push_back(scene.parts[part].c * d * std::abs(d));
+namespace {
+
+/// k of a part with flat = 1.
+constexpr double flattest = 8;
+/// Below, the profile is round to all digits that count.
+constexpr double roundest = 1e-3;
+
+/// -div grad u + screening u = density within a part.
+struct Source {
+  double density = 0;
+  double screening = 0;
+};
+
+Source source_of(const Part& part, double scale) {
+  Source source{part.c * part.d * std::abs(part.d), 0};
+  double area = 0;
+  double length = 0;
+  for (const Ring& ring : part.outline) {
+    area += signed_area(ring);
+    length += perimeter(ring);
   }
-  return load_vector(flat, density);
+  const double k = flattest * part.flat;
+  if (k < roundest || area == 0) return source;
+  const double decay = k * length / (scale * std::abs(area));
+  source.screening = decay * decay;
+  source.density *= k * k / (2 - 2 / std::cosh(k));
+  return source;
+}
+
+}  // namespace
+
+InflationTerms inflation_terms(const LayeredMesh& mesh, const Scene& scene, double scale) {
+  std::vector<Source> sources;
+  for (const Part& part : scene.parts) sources.push_back(source_of(part, scale));
+  std::vector<double> density;
+  std::vector<double> screening;
+  density.reserve(mesh.faces.size());
+  screening.reserve(mesh.faces.size());
+  for (const int part : mesh.face_part) {
+    density.push_back(sources[part].density);
+    screening.push_back(sources[part].screening);
+  }
+  const std::vector<Point2> positions = node_positions(mesh, scale);
+  return {load_vector({positions, mesh.faces}, density),
+          load_vector({positions, mesh.faces}, screening)};
 }
 
 std::vector<int> surface_signs(const LayeredMesh& mesh, const std::vector<int>& surface,

@@ -12,8 +12,17 @@
 
 namespace relievo {
 
-/// Integral of c d|d| against each node's hat function, in the unit of `flat`, #N. O(N + F).
-Eigen::VectorXd inflation_load(const FlatMesh& flat, const LayeredMesh& mesh, const Scene& scene);
+/// The right-hand side and the zeroth-order term of L u + screening u = load.
+struct InflationTerms {
+  Eigen::VectorXd load;       ///< #N, integral of c d|d| against each node's hat function
+  Eigen::VectorXd screening;  ///< #N, diagonal; 0 where parts are not flat
+};
+
+/// Both in units of 1 / `scale` px. A flat part has the source and the screening of
+///   -div grad u + (k/w)^2 u = c d|d| k^2 / (2 - 2 / cosh k),   k = 8 flat,
+/// w = area / perimeter of its outline: a strip, whose half-width w is, keeps its height, and u is
+/// even but for a border of width w/k. O(N + F + points).
+InflationTerms inflation_terms(const LayeredMesh& mesh, const Scene& scene, double scale);
 
 /// The sign that u has by the maximum principle, #N: 1 or -1 where all parts of the node's surface
 /// have d of that sign, 0 where they differ. `surface` is the one of each node, #N. O(N + F).

@@ -50,8 +50,9 @@ JointModel make_joint_model(const OrderingInput& input, double epsilon) {
   model.L = discretisation.L;
   model.mass = discretisation.mass;
   model.elimination = discretisation.elimination;
-  const std::vector<Point2> positions = node_positions(mesh, model.metric.scale);
-  model.load = inflation_load({positions, mesh.faces}, mesh, input.scene);
+  InflationTerms terms = inflation_terms(mesh, input.scene, model.metric.scale);
+  model.load = std::move(terms.load);
+  model.L.diagonal() += terms.screening;
   model.sign = surface_signs(mesh, discretisation.surface, input.scene);
   collect_bound(mesh, model);
   hold_rest_of_ranges(mesh, input.inflation, model);

@@ -16,7 +16,7 @@ struct JointModel {
   double lambda_bnd = 1;
   double lambda_shift = 1;
   ShiftMetric metric;            ///< A = L + epsilon M of the shift
-  SparseMatrix L;                ///< #N x #N
+  SparseMatrix L;                ///< #N x #N, with the screening of flat parts
   Eigen::VectorXd mass;          ///< #N
   Eigen::VectorXd load;          ///< #N, M c
   std::vector<int> elimination;  ///< nodes in an order in which matrices on them fill in little

@@ -14,6 +14,7 @@ struct ModelPart {
   std::string id;
   double c = 4;
   double d = 1;
+  double flat = 0;
   int first_triangle = 0;
   int triangle_count = 0;
   int hidden_count = 0;  ///< the last so many of them lie behind another part in the front view

@@ -36,7 +36,8 @@ void ModelBuilder::reserve(size_t vertices, size_t triangles) {
 Model ModelBuilder::build() && {
   model_.width = scene_.width;
   model_.height = scene_.height;
-  for (const Part& part : scene_.parts) model_.parts.push_back({part.id, part.c, part.d, 0, 0});
+  for (const Part& part : scene_.parts)
+    model_.parts.push_back({part.id, part.c, part.d, part.flat, 0, 0});
   for (const TriangleRun run : run_) {
     ++model_.parts[run.part].triangle_count;
     if (run.hidden) ++model_.parts[run.part].hidden_count;

@@ -42,7 +42,7 @@ Key boundary_key(const LayeredMesh& mesh) {
 
 Key inflation_key(const Scene& scene, const InflationOptions& options) {
   Key key;
-  for (const Part& part : scene.parts) key.add(part.c).add(part.d);
+  for (const Part& part : scene.parts) key.add(part.c).add(part.d).add(part.flat);
   return key.add(options.alpha0).add(options.rho).add(options.units);
 }
 

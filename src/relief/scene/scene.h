@@ -21,6 +21,7 @@ struct Part {
   Outline outline;  ///< canvas px, non-zero rule, at least one ring with area
   double c = 4;     ///< amount of inflation (4: a disc becomes a hemisphere) [P eq 1]
   double d = 1;     ///< depth scale, not 0; negative inflates away from the viewer [P eq 8]
+  double flat = 0;  ///< profile, 0 (semi-elliptical) to 1 (a flat top with round edges)
 };
 
 /// An interconnection line [P Fig. 3, blue]: along it the upper part is seamlessly one surface

@@ -63,6 +63,8 @@ Status check_part(const Part& part, const std::string& where) {
     return bad(where + ".c", "must be a number from 0.001 to 1000");
   if (!(std::abs(part.d) >= min_inflation && std::abs(part.d) <= max_inflation))
     return bad(where + ".d", "must be a number with a magnitude from 0.001 to 1000");
+  if (!(part.flat >= 0 && part.flat <= 1))
+    return bad(where + ".flat", "must be a number from 0 to 1");
   return check_outline(part.outline, where + ".outline");
 }
 

@@ -41,7 +41,7 @@ TEST(WriteScene, KeepsEveryBitOfEveryNumber) {
     Ring ring;
     for (int i = 0; i < 50; ++i) ring.push_back({rough_number(random), rough_number(random)});
     if (p == 0) ring.push_back({-0.0, std::numeric_limits<double>::denorm_min()});
-    scene.parts.push_back({"p" + std::to_string(p), {ring}, 4.0 / 3, -1.0 / 3});
+    scene.parts.push_back({"p" + std::to_string(p), {ring}, 4.0 / 3, -1.0 / 3, 1.0 / 7});
     orient_by_nesting(scene.parts.back().outline);
   }
   const auto text = write_scene(scene);
@@ -52,6 +52,7 @@ TEST(WriteScene, KeepsEveryBitOfEveryNumber) {
   for (size_t p = 0; p < scene.parts.size(); ++p) {
     EXPECT_TRUE(same_bits(back->parts[p].c, scene.parts[p].c));
     EXPECT_TRUE(same_bits(back->parts[p].d, scene.parts[p].d));
+    EXPECT_TRUE(same_bits(back->parts[p].flat, scene.parts[p].flat));
     const Ring& expected = scene.parts[p].outline[0];
     const Ring& read = back->parts[p].outline[0];
     ASSERT_EQ(read.size(), expected.size());

@@ -109,8 +109,9 @@ TEST(AnnotatedParts, ASingleLayerOrLayersOfManyPartsSayNothing) {
 }
 
 TEST(AnnotatedParts, UnsoundValuesAreNamed) {
-  for (const char* attribute : {"data-c='x'", "data-c='-1'", "data-d='0'", "data-c='1e999'",
-                                "data-d='2px'", "data-relation='over'"}) {
+  for (const char* attribute :
+       {"data-c='x'", "data-c='-1'", "data-d='0'", "data-c='1e999'", "data-d='2px'",
+        "data-flat='1.1'", "data-flat='-1'", "data-relation='over'"}) {
     const Error error = error_of(
         std::string("<rect id='p' data-relievo='part' width='9' height='9' ") + attribute + "/>");
     EXPECT_EQ(error.code, ErrorCode::bad_input) << attribute;

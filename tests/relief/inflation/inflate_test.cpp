@@ -91,6 +91,50 @@ TEST(Inflate, ConvergesWithSecondOrderOnADisc) {
   }
 }
 
+/// A disc with the outline that its width is measured by.
+Scene flat_disc_scene(const LayeredMesh& mesh, double flat) {
+  Scene scene = scene_of(mesh);
+  Ring ring;
+  for (int i = 0; i < 4096; ++i)
+    ring.push_back({radius * std::cos(2 * std::numbers::pi * i / 4096),
+                    radius * std::sin(2 * std::numbers::pi * i / 4096)});
+  scene.parts[0].outline = {ring};
+  scene.parts[0].flat = flat;
+  return scene;
+}
+
+/// The u of a flat disc, whose half-width by area and perimeter is radius / 2.
+double flat_disc_u(double flat, double r) {
+  const double k = 8 * flat;
+  const double level = radius * radius / (2 * (1 - 1 / std::cosh(k)));
+  return level * (1 - std::cyl_bessel_i(0, 2 * k * r / radius) / std::cyl_bessel_i(0, 2 * k));
+}
+
+TEST(Inflate, ConvergesWithSecondOrderOnAFlatDisc) {
+  for (const double flat : {0.1, 0.4, 1.0}) {
+    double coarse = 0;
+    for (const int rings : {24, 48, 96}) {
+      const LayeredMesh mesh = disc(rings);
+      const std::vector<double> u = solved(mesh, flat_disc_scene(mesh, flat)).u;
+      double error = 0;
+      for (size_t n = 0; n < u.size(); ++n)
+        error = std::max(error, std::abs(u[n] - flat_disc_u(flat, norm(position(mesh, n)))));
+      if (coarse > 0) {
+        EXPECT_GE(std::log2(coarse / error), 1.8) << flat << " " << rings;
+      }
+      coarse = error;
+    }
+  }
+}
+
+TEST(Inflate, ABarelyFlatDiscIsRound) {
+  const LayeredMesh mesh = disc(24);
+  const std::vector<double> round = solved(mesh, flat_disc_scene(mesh, 0)).u;
+  const std::vector<double> almost = solved(mesh, flat_disc_scene(mesh, 2e-4)).u;
+  for (size_t n = 0; n < round.size(); ++n)
+    EXPECT_NEAR(almost[n], round[n], 1e-5 * radius * radius);
+}
+
 TEST(Inflate, ConvergesWithSecondOrderOnASoftRim) {
   const double rho = 0.25;
   const double ramp_length = 100;

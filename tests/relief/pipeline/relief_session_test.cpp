@@ -29,7 +29,7 @@ void edit(Random& random, Scene& scene, ReliefOptions& options) {
   Part& part = scene.parts[random.integer(0, count - 1)];
   const int upper = random.integer(1, count - 1);
   const int lower = random.integer(0, upper - 1);
-  switch (random.integer(0, 7)) {
+  switch (random.integer(0, 8)) {
     case 0:
       part.c *= random.uniform(0.5, 2);
       return;
@@ -50,6 +50,9 @@ void edit(Random& random, Scene& scene, ReliefOptions& options) {
       if (!scene.relations.empty()) scene.relations.pop_back();
       return;
     case 6:
+      part.flat = random.uniform(0, 1);
+      return;
+    case 7:
       if (!scene.joins.empty()) scene.joins.pop_back();
       return;
     default:
