@@ -1,10 +1,10 @@
 import { Engine, EngineStopped } from '../engine/engine';
-import { type BuiltRelief, type EngineError, isFailure, type Texture, told } from '../engine/messages';
+import { type BuiltRelief, type EngineError, isFailure, told } from '../engine/messages';
 import type { Document } from '../document/document';
 import { sceneText } from '../document/scene_text';
 import { t } from './catalogue';
 import type { Editor, Field } from './editor';
-import { textureOf } from './pictures';
+import { smallPicture } from './pictures';
 
 const draftVertices = 3000;
 /** Longest side of the picture that colours of hidden surfaces come from. */
@@ -18,10 +18,9 @@ function surfaceFor(field: Field, draft: boolean) {
   return { visibility: 'orbit' as const, tolerance: draft ? 1 : 0.25, field };
 }
 
-function requestFor(document: Document, drawing: Texture, field: Field, draft: boolean) {
+function requestFor(document: Document, field: Field, draft: boolean) {
   const { settings } = document;
   return {
-    drawing,
     scene: sceneText(document),
     options: {
       method: draft ? ('approximate' as const) : settings.method,
@@ -40,13 +39,13 @@ function requestFor(document: Document, drawing: Texture, field: Field, draft: b
 /** The drawing as small as the engine needs it for what is hidden, made anew where it has changed. */
 class SmallDrawing {
   private of: readonly unknown[] = [];
-  private small: Texture | null = null;
+  private small: Promise<ImageBitmap> | null = null;
 
-  take(document: Document, picture: ImageBitmap | null): Texture {
+  take(document: Document, picture: ImageBitmap | null): Promise<ImageBitmap> {
     const of = picture ? [picture] : [document.parts, document.joins];
     if (this.small && of.every((value, i) => value === this.of[i])) return this.small;
     this.of = of;
-    this.small = textureOf(document, picture, hiddenSide);
+    this.small = smallPicture(document, picture, hiddenSide);
     return this.small;
   }
 }
@@ -189,8 +188,8 @@ export class BuildControl {
     const { field } = this.editor.state;
     if (phase === 'full') this.asked = field;
     try {
-      const drawing = this.smallDrawing.take(document, this.editor.state.picture);
-      const built = await engine.build(requestFor(document, drawing, field, phase === 'draft'), (_stage, done, energy) => {
+      const drawing = await this.smallDrawing.take(document, this.editor.state.picture);
+      const built = await engine.build(requestFor(document, field, phase === 'draft'), drawing, (_stage, done, energy) => {
         if (phase === 'full') this.advance(done, energy);
       });
       return isFailure(built) ? this.refuse(document, built.error) : this.accept(document, built, phase);

@@ -1,4 +1,3 @@
-import { ArchiveTooLarge, unpackArchive } from '../document/archive';
 import { type Document, emptyDocument } from '../document/document';
 import { sceneContent } from '../document/scene_text';
 import type { Engine } from '../engine/engine';
@@ -7,17 +6,6 @@ import { t } from './catalogue';
 import type { PlacedFile } from './dropped_files';
 
 const maxBytes = 256 * 1024 * 1024;
-
-/** What an OpenRaster archive holds besides previews of itself. */
-export function entriesOfOra(bytes: Uint8Array): OutputFile[] {
-  const wanted = (name: string): boolean => name === 'mimetype' || name === 'stack.xml' || /^data\/.*\.png$/i.test(name);
-  try {
-    const entries = unpackArchive(bytes, wanted, maxBytes) as Record<string, Uint8Array<ArrayBuffer>>;
-    return Object.entries(entries).map(([name, content]) => ({ name, bytes: content }));
-  } catch (error) {
-    throw new Error(t(error instanceof ArchiveTooLarge ? 'tooLarge' : 'damagedFile'));
-  }
-}
 
 /** The pictures, with their table of order where there is one, that are the layers of one drawing; null where they are not. */
 export function layersAmong(files: readonly PlacedFile[]): readonly PlacedFile[] | null {

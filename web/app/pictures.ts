@@ -79,9 +79,17 @@ export function pixelsOf(picture: ImageBitmap, width: number, height: number): T
   return { rgba: new Uint8Array(data.buffer as ArrayBuffer), width: canvas.width, height: canvas.height };
 }
 
-/** What exported files embed; `side`: px of the longest side, where it is to be smaller. */
-export function textureOf(document: Document, picture: ImageBitmap | null, side?: number): Texture {
-  const context = painted(document, picture, side);
+/** The drawing at a smaller size, `side` px at most. The browser scales pictures beside the page's own thread. */
+export async function smallPicture(document: Document, picture: ImageBitmap | null, side: number): Promise<ImageBitmap> {
+  if (!picture) return painted(document, null, side).canvas.transferToImageBitmap();
+  const scale = Math.min(1, side / Math.max(picture.width, picture.height));
+  const [resizeWidth, resizeHeight] = [picture.width, picture.height].map((length) => Math.max(1, Math.round(scale * length))) as [number, number];
+  return createImageBitmap(picture, { resizeWidth, resizeHeight, resizeQuality: 'medium' });
+}
+
+/** What exported files embed. */
+export function textureOf(document: Document, picture: ImageBitmap | null): Texture {
+  const context = painted(document, picture);
   const { width, height } = context.canvas;
   const { data } = context.getImageData(0, 0, width, height);
   return { rgba: new Uint8Array(data.buffer as ArrayBuffer), width, height };

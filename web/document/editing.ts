@@ -61,7 +61,7 @@ export function removePart(document: Document, id: string): Document {
   };
 }
 
-export function changePart(document: Document, id: string, values: Partial<Pick<Part, 'c' | 'd' | 'outline'>>): Document {
+export function changePart(document: Document, id: string, values: Partial<Pick<Part, 'c' | 'd' | 'flat' | 'outline'>>): Document {
   return {
     ...document,
     parts: document.parts.map((part) => (part.id === id ? { ...part, ...values } : part)),

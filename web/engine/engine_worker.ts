@@ -1,7 +1,7 @@
 import * as Comlink from 'comlink';
 import {
   type BuiltRelief, type Failure, type FlatDrawing, isFailure, type OutputFile, type Progress, type SegmentationRequest,
-  type Surface, type TintedLabels,
+  type Surface, type Texture, type TintedLabels,
 } from './messages';
 import { type BuildRequest, ReliefService, type SurfaceRequest } from './relief_service';
 import { tintOf } from './tint';
@@ -14,6 +14,15 @@ function arraysOf(surface: Surface): ArrayBuffer[] {
 function arraysOfRelief({ surface, overlays }: BuiltRelief): ArrayBuffer[] {
   const lines = [overlays.joins, overlays.equal, overlays.above, overlays.ramps].map((array) => array.buffer);
   return [...arraysOf(surface), ...lines];
+}
+
+function pixelsOf(picture: ImageBitmap): Texture {
+  const { width, height } = picture;
+  const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+  if (!context) throw new Error('this browser has no canvas');
+  context.drawImage(picture, 0, 0);
+  const { data } = context.getImageData(0, 0, width, height);
+  return { rgba: new Uint8Array(data.buffer as ArrayBuffer), width, height };
 }
 
 let service: Promise<ReliefService> | undefined;
@@ -49,11 +58,12 @@ const endpoint = {
     return (await started()).checkSegmentation(request);
   },
   async build(
-    request: BuildRequest,
+    request: Omit<BuildRequest, 'drawing'>,
+    drawing: ImageBitmap,
     progress: Progress,
   ): Promise<BuiltRelief | Failure> {
     let last = 0;
-    const built = (await started()).build(request, (stage, done, energy) => {
+    const built = (await started()).build({ ...request, drawing: pixelsOf(drawing) }, (stage, done, energy) => {
       const now = performance.now();
       if (now - last < 50) return;
       last = now;

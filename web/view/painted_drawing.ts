@@ -14,13 +14,13 @@ export function canvasOf(width: number, height: number): [OffscreenCanvas, Offsc
   return [canvas, context];
 }
 
-/** The drawing, or the parts painted flat where there is none, as pixels: the longest side `side` of them, or as many as the picture has. */
-export function painted(document: Painted, picture: ImageBitmap | null, side?: number): OffscreenCanvasRenderingContext2D {
-  const { width, height } = picture ?? document;
-  const wanted = side ?? (picture ? Math.max(width, height) : vectorSide);
-  const scale = wanted / Math.max(width, height);
-  const [canvas, context] = canvasOf(scale * width, scale * height);
-  if (picture) context.drawImage(picture, 0, 0, canvas.width, canvas.height);
+/** The drawing, or the parts painted flat where there is none, `side` px long, as pixels. */
+export function painted(document: Painted, picture: ImageBitmap | null, side = vectorSide): OffscreenCanvasRenderingContext2D {
+  const scale = side / Math.max(document.width, document.height);
+  const [canvas, context] = picture
+    ? canvasOf(picture.width, picture.height)
+    : canvasOf(scale * document.width, scale * document.height);
+  if (picture) context.drawImage(picture, 0, 0);
   else {
     context.scale(canvas.width / document.width, canvas.height / document.height);
     paintParts(context, document, document.width / 350);

@@ -114,6 +114,7 @@ function anyEdit(document: Document, random: () => number): Document {
     () => removePart(document, pick()),
     () => movePart(document, pick(), Math.floor(6 * random())),
     () => changePart(document, pick(), { c: 1 + random() }),
+    () => changePart(document, pick(), { flat: random() }),
     () => joinParts(document, pick(), pick()),
     () => relate(document, pick(), pick(), 'equal'),
     () => addRange(document, pick(), spot(), spot()),
