@@ -17,6 +17,8 @@ async function paintInStrips(context: OffscreenCanvasRenderingContext2D, image: 
     context.clip();
     context.drawImage(image, 0, 0, width, height);
     context.restore();
+    // A canvas paints when it is looked at.
+    context.getImageData(0, y, 1, 1);
     await new Promise((resolve) => setTimeout(resolve));
   }
 }
