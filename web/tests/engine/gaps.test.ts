@@ -9,18 +9,11 @@ import { adopt, segmentationOf } from '../../document/scribbling';
 import { recordText } from '../../document/segmentation';
 import type { ReliefService } from '../../engine/relief_service';
 import { relievo } from '../support/command_line';
-import { pngOf } from '../support/pictures';
+import { openRing, openRingSize } from '../support/pictures';
 import { must, startService } from './service';
 
-const [width, height] = [400, 320];
-
-/** A body, and beside it a smaller ring that is open to the right. */
-const ink = (x: number, y: number): boolean => {
-  const body = Math.abs(Math.hypot(x - 140, y - 160) - 110) < 3;
-  const ring = Math.abs(Math.hypot(x - 310, y - 160) - 60) < 3 && !(x > 310 && Math.abs(y - 160) < 11);
-  return body || ring;
-};
-const png = pngOf(width, height, (x, y) => (ink(x + 0.5, y + 0.5) ? [0, 0, 0, 255] : [255, 255, 255, 255]));
+const [width, height] = openRingSize;
+const png = openRing();
 
 let service: ReliefService;
 beforeAll(async () => {
