@@ -19,7 +19,7 @@ namespace {
 /// What a build has made so far.
 struct Products {
   std::vector<OutputFile> files;
-  std::optional<Model> model;
+  std::optional<DrawnModel> drawn;
 };
 
 Status add(Products& products, const std::string& name, Result<Bytes> bytes) {
@@ -31,11 +31,11 @@ Status add(Products& products, const std::string& name, Result<Bytes> bytes) {
 Status add_models(Products& products, const BuildArguments& build, const SceneInput& input,
                   const Relief& relief, const RunContext& context) {
   if (build.models.empty() && build.preview.empty()) return Done{};
-  auto model = make_model(relief, input.scene, build.relief, context);
-  if (!model) return model.error();
-  products.model = std::move(*model);
+  auto drawn = make_model(relief, input, build.relief, context);
+  if (!drawn) return drawn.error();
+  const auto& [model, drawing] = products.drawn.emplace(std::move(*drawn));
   for (const std::string& name : build.models) {
-    auto files = encode_model(*products.model, input.drawing, name, build.size_mm);
+    auto files = encode_model(model, drawing, name, build.size_mm);
     if (!files) return files.error();
     std::move(files->begin(), files->end(), std::back_inserter(products.files));
     if (context.cancelled()) return interrupted_error();
@@ -43,8 +43,7 @@ Status add_models(Products& products, const BuildArguments& build, const SceneIn
   if (build.preview.empty()) return Done{};
   RenderArguments picture;
   picture.size = build.preview_size;
-  return add(products, build.preview,
-             draw_picture(*products.model, input.drawing, picture, context));
+  return add(products, build.preview, draw_picture(model, drawing, picture, context));
 }
 
 Result<ReliefMaps> make_maps(const BuildArguments& build, const Scene& scene, const Relief& relief,
@@ -145,7 +144,7 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
       {build.common.input,
        input->scene,
        *relief,
-       products.model ? &*products.model : nullptr,
+       products.drawn ? &products.drawn->model : nullptr,
        {{"read", read_time}, {"export", exporting.milliseconds()}, {"total", total.milliseconds()}},
        all_warnings(*input, *relief)});
   if (!build.report.empty()) products.files.push_back({build.report, to_bytes(report)});

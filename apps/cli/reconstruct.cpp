@@ -1,5 +1,9 @@
 #include "apps/cli/reconstruct.h"
 
+#include <utility>
+
+#include "relief/model/dress_hidden.h"
+
 namespace relievo::cli {
 
 Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
@@ -13,11 +17,14 @@ Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
   return relief;
 }
 
-Result<Model> make_model(const Relief& relief, const Scene& scene, const ReliefArguments& arguments,
-                         const RunContext& context) {
+Result<DrawnModel> make_model(const Relief& relief, const SceneInput& input,
+                              const ReliefArguments& arguments, const RunContext& context) {
   ModelOptions options;
   options.visibility = arguments.visibility;
-  return assemble_model(relief.layers, relief.inflation, relief.ordering, scene, options, context);
+  auto model = assemble_model(relief.layers, relief.inflation, relief.ordering, input.scene,
+                              options, context);
+  if (!model) return model.error();
+  return dress_hidden(std::move(*model), input.drawing);
 }
 
 }  // namespace relievo::cli

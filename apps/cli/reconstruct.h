@@ -4,6 +4,7 @@
 #include "apps/cli/inputs.h"
 #include "kernel/base/result.h"
 #include "kernel/base/run_context.h"
+#include "relief/model/drawn_model.h"
 
 namespace relievo::cli {
 
@@ -12,8 +13,9 @@ namespace relievo::cli {
 Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
                            const RunContext& context);
 
-/// The surface of a relief that the chosen visibility keeps.
-Result<Model> make_model(const Relief& relief, const Scene& scene, const ReliefArguments& arguments,
-                         const RunContext& context);
+/// The surface of a relief that the chosen visibility keeps, with the drawing on it; what is hidden
+/// has colours of its own.
+Result<DrawnModel> make_model(const Relief& relief, const SceneInput& input,
+                              const ReliefArguments& arguments, const RunContext& context);
 
 }  // namespace relievo::cli

@@ -29,9 +29,9 @@ Result<Subject> build_model(const InputFile& input, const RenderArguments& rende
   print_warnings(loaded->warnings, render.common.quiet);
   const auto relief = reconstruct(loaded->scene, render.relief, context);
   if (!relief) return relief.error();
-  auto model = make_model(*relief, loaded->scene, render.relief, context);
-  if (!model) return model.error();
-  return Subject{{std::move(*model), std::move(loaded->drawing)}, std::move(loaded->files)};
+  auto drawn = make_model(*relief, *loaded, render.relief, context);
+  if (!drawn) return drawn.error();
+  return Subject{std::move(*drawn), std::move(loaded->files)};
 }
 
 }  // namespace

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "bindings/wasm/js_values.h"
+#include "io/files/in_file.h"
 #include "io/image/png_encode.h"
 #include "io/layered/layer_names.h"
+#include "io/layered/layer_table.h"
 #include "io/layered/packed_layers.h"
 #include "io/layered/read_ora.h"
 #include "io/scene/write_scene.h"
@@ -18,6 +20,7 @@ using emscripten::val;
 
 /// More pixels are too much for the memory of a page.
 const ImageLimits page_limits = {4096 * 4096, 32'767};
+const char* const table_name = "layers.tsv";
 
 std::vector<ArchiveEntry> to_entries(const val& files) {
   std::vector<ArchiveEntry> entries;
@@ -27,14 +30,28 @@ std::vector<ArchiveEntry> to_entries(const val& files) {
   return entries;
 }
 
-Result<OraDrawing> read_pictures(const std::vector<ArchiveEntry>& entries) {
+Result<std::vector<LayerRow>> rows_of(const std::vector<ArchiveEntry>& entries) {
+  if (const ArchiveEntry* table = find_entry(entries, table_name)) {
+    auto rows =
+        read_layer_table({reinterpret_cast<const char*>(table->bytes.data()), table->bytes.size()});
+    return rows ? rows : in_file(rows.error(), table_name);
+  }
   std::vector<std::string> names;
   for (const ArchiveEntry& entry : entries) names.push_back(entry.name);
-  auto rows = rows_of_names(std::move(names));
+  return rows_of_names(std::move(names));
+}
+
+Result<OraDrawing> read_pictures(const std::vector<ArchiveEntry>& entries) {
+  auto rows = rows_of(entries);
   if (!rows) return rows.error();
   std::vector<PackedLayer> layers;
-  for (LayerRow& row : *rows)
-    layers.push_back({std::move(row.layer), row.file, find_entry(entries, row.file)->bytes});
+  for (LayerRow& row : *rows) {
+    const ArchiveEntry* picture = find_entry(entries, row.file);
+    if (picture == nullptr)
+      return Error{ErrorCode::file, "is in the table of layers, but was not opened with it",
+                   row.file};
+    layers.push_back({std::move(row.layer), row.file, picture->bytes});
+  }
   auto content = unpack_layers(layers, {}, page_limits);
   if (!content) return content.error();
   return OraDrawing{std::move(*content), {}};

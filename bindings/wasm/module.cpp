@@ -49,6 +49,7 @@ EMSCRIPTEN_BINDINGS(relievo) {
       .function("build", &Reconstruction::build)
       .function("surface", &Reconstruction::surface)
       .function("overlays", &Reconstruction::overlays)
+      .function("setShown", &Reconstruction::set_shown)
       .function("setTexture", &Reconstruction::set_texture)
       .function("encode", &Reconstruction::encode)
       .function("map", &Reconstruction::map);

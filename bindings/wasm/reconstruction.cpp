@@ -11,6 +11,8 @@
 #include "io/mesh/stl_encode.h"
 #include "io/scene/read_scene.h"
 #include "kernel/image/image_size.h"
+#include "relief/model/assemble_model.h"
+#include "relief/model/hidden_patches.h"
 #include "relief/pipeline/keep_field.h"
 
 namespace relievo::wasm {
@@ -85,19 +87,24 @@ std::vector<float> flatten(const std::vector<Point2>& points) {
   return flat;
 }
 
-val runs(const std::vector<ModelPart>& parts) {
+val runs(const std::vector<ModelPart>& parts, const HiddenPatches& hidden) {
+  std::vector<int> dressed(parts.size(), 0);
+  for (const HiddenPatch& patch : hidden.patches)
+    dressed[patch.part] = parts[patch.part].hidden_count;
   val list = val::array();
   for (size_t i = 0; i < parts.size(); ++i) {
     val run = val::object();
     run.set("id", parts[i].id);
     run.set("firstTriangle", parts[i].first_triangle);
     run.set("triangleCount", parts[i].triangle_count);
+    run.set("hiddenCount", dressed[i]);
     list.set(i, run);
   }
   return list;
 }
 
-val to_js(const Model& model) {
+val to_js(const Model& model, const Drawing& drawing) {
+  const HiddenPatches hidden = hidden_patches(model, drawing);
   std::vector<uint32_t> corners;
   corners.reserve(3 * model.triangles.size());
   for (const std::array<int, 3>& triangle : model.triangles)
@@ -107,7 +114,8 @@ val to_js(const Model& model) {
   surface.set("normals", wasm::to_js(flatten(model.normals)));
   surface.set("uvs", wasm::to_js(flatten(model.uvs)));
   surface.set("triangles", wasm::to_js(corners));
-  surface.set("parts", runs(model.parts));
+  surface.set("colors", wasm::to_js(hidden_colours(model, hidden)));
+  surface.set("parts", runs(model.parts, hidden));
   return surface;
 }
 
@@ -200,7 +208,7 @@ val Reconstruction::surface(const std::string& visibility, double tolerance,
   const Relief& shown = wanted == Field::relief ? relief : one_field;
   const auto model =
       assemble_model(relief.layers, shown.inflation, shown.ordering, scene_, options);
-  return model ? to_js(*model) : failure(model.error());
+  return model ? to_js(*model, shown_) : failure(model.error());
 }
 
 val Reconstruction::overlays() const {
@@ -215,9 +223,11 @@ val Reconstruction::overlays() const {
 }
 
 void Reconstruction::set_texture(const val& rgba, int width, int height) {
-  texture_.rgba = Image8();
-  if (width < 1 || height < 1) return;
-  texture_.rgba = to_image(rgba, width, height);
+  texture_.rgba = width < 1 || height < 1 ? Image8() : to_image(rgba, width, height);
+}
+
+void Reconstruction::set_shown(const val& rgba, int width, int height) {
+  shown_.rgba = width < 1 || height < 1 ? Image8() : to_image(rgba, width, height);
 }
 
 val Reconstruction::encode(const std::string& format, const std::string& name, double size_mm) {

@@ -23,13 +23,16 @@ class Reconstruction {
   emscripten::val build(const std::string& scene, const emscripten::val& options,
                         const emscripten::val& progress);
 
-  /// {positions, normals, uvs, triangles, parts: [{id, firstTriangle, triangleCount}]}, see Model;
-  /// `tolerance` is its rim's, px. `field`: "relief", "inflation" or "shift", see keep_field.
+  /// {positions, normals, uvs, triangles, colors, parts: [{id, firstTriangle, triangleCount,
+  /// hiddenCount}]}, see Model and hidden_colours; `tolerance` is its rim's, px. `field`: "relief", "inflation" or "shift", see keep_field.
   emscripten::val surface(const std::string& visibility, double tolerance,
                           const std::string& field) const;
 
   /// {joins, equal, above, ramps}, see Overlays.
   emscripten::val overlays() const;
+
+  /// Pixels of the drawing, however small, for the colours of surfaces to come; likewise.
+  void set_shown(const emscripten::val& rgba, int width, int height);
 
   /// Pixels of the drawing for files to come: 4 bytes a pixel, straight alpha. None where the
   /// array is empty.
@@ -56,6 +59,7 @@ class Reconstruction {
   ReliefSession session_;
   State state_ = State::none;
   Drawing texture_;
+  Drawing shown_;
 };
 
 }  // namespace relievo::wasm

@@ -48,6 +48,22 @@ val parts_of(const Segmentation& found, const KeptLabels& kept) {
   return list;
 }
 
+val bridges_of(const Segmentation& found, const KeptLabels& kept) {
+  const auto label = [&kept](uint16_t k) { return k == 0 ? 0 : int{kept.label_of[k - 1]}; };
+  val list = val::array();
+  for (size_t k = 0; k < found.bridges.size(); ++k) {
+    std::vector<float> points;
+    for (const Point2 p : found.bridges[k].points)
+      for (const double x : {p.x, p.y}) points.push_back(static_cast<float>(x));
+    val bridge = val::object();
+    bridge.set("points", to_js(points));
+    bridge.set("left", label(found.bridges[k].label_a));
+    bridge.set("right", label(found.bridges[k].label_b));
+    list.set(k, bridge);
+  }
+  return list;
+}
+
 }  // namespace
 
 /// A project with the labels that its strokes make.
@@ -106,6 +122,7 @@ val Segmenter::label(const std::string& project, const val& last) {
   val result = val::object();
   result.set("labels", to_js(labelled->kept.labels.pixels));
   result.set("parts", parts_of(labelled->found, labelled->kept));
+  result.set("bridges", bridges_of(labelled->found, labelled->kept));
   result.set("notes", to_js(labelled->found.notes));
   return result;
 }

@@ -23,8 +23,9 @@ class Segmenter {
   /// {}: takes pixels, 4 bytes each, straight alpha.
   emscripten::val open_pixels(const emscripten::val& rgba, int width, int height);
 
-  /// {labels, parts: [{label, id}], notes}: the label of every pixel under the strokes. See
-  /// label_basins and keep_labels.
+  /// {labels, parts: [{label, id}], bridges: [{points, left, right}], notes}: the label of every
+  /// pixel under the strokes, and the gaps in lines that are closed, with the labels beside them.
+  /// See label_basins, keep_labels and Bridge.
   emscripten::val label(const std::string& project, const emscripten::val& last);
 
   /// {project, scene, labels, warnings}: all that follows from strokes and corrections, as texts of

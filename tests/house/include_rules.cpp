@@ -46,6 +46,7 @@ const Names stage_structs = {
     "joint/joint_solution.h",
     "layers/joined_surface.h",
     "layers/layered_mesh.h",
+    "model/drawn_model.h",
     "model/model.h",
     "ordering/ordering.h",
     "scene/scene.h",
@@ -53,7 +54,8 @@ const Names stage_structs = {
 };
 
 /// Besides, files and pictures may use what the last stage derives from a model.
-const Names model_views = {"model/model_texture.h", "model/relief_maps.h"};
+const Names model_views = {"model/dress_hidden.h", "model/hidden_patches.h",
+                           "model/model_texture.h", "model/relief_maps.h"};
 
 /// The verbs of the stages, for the pipeline alone.
 const Names stage_verbs = {

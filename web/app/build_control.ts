@@ -4,8 +4,11 @@ import type { Document } from '../document/document';
 import { sceneText } from '../document/scene_text';
 import { t } from './catalogue';
 import type { Editor, Field } from './editor';
+import { smallPicture } from './pictures';
 
 const draftVertices = 3000;
+/** Longest side of the picture that colours of hidden surfaces come from. */
+const hiddenSide = 512;
 /** The full mesh follows when nothing has changed for so long, ms. */
 const rest = 160;
 /** A build that has become useless may go on for so long: the next one goes on from it. ms. */
@@ -31,6 +34,20 @@ function requestFor(document: Document, field: Field, draft: boolean) {
     },
     ...surfaceFor(field, draft),
   };
+}
+
+/** The drawing as small as the engine needs it for what is hidden, made anew where it has changed. */
+class SmallDrawing {
+  private of: readonly unknown[] = [];
+  private small: Promise<ImageBitmap> | null = null;
+
+  take(document: Document, picture: ImageBitmap | null): Promise<ImageBitmap> {
+    const of = picture ? [picture] : [document.parts, document.joins];
+    if (this.small && of.every((value, i) => value === this.of[i])) return this.small;
+    this.of = of;
+    this.small = smallPicture(document, picture, hiddenSide);
+    return this.small;
+  }
 }
 
 /** What of a document changes its relief. */
@@ -64,6 +81,7 @@ export class BuildControl {
   private fullWanted: Document | null = null;
   private fullRun: Promise<void> | null = null;
   private fullBegun = 0;
+  private readonly smallDrawing = new SmallDrawing();
   /** The field that the full engine was asked for last. */
   private asked: Field = 'relief';
 
@@ -170,7 +188,8 @@ export class BuildControl {
     const { field } = this.editor.state;
     if (phase === 'full') this.asked = field;
     try {
-      const built = await engine.build(requestFor(document, field, phase === 'draft'), (_stage, done, energy) => {
+      const drawing = await this.smallDrawing.take(document, this.editor.state.picture);
+      const built = await engine.build(requestFor(document, field, phase === 'draft'), drawing, (_stage, done, energy) => {
         if (phase === 'full') this.advance(done, energy);
       });
       return isFailure(built) ? this.refuse(document, built.error) : this.accept(document, built, phase);

@@ -1,6 +1,7 @@
-import type { BuiltRelief, EngineError, TintedLabels } from '../engine/messages';
+import type { BuiltRelief, EngineError } from '../engine/messages';
 import { noteCorrections } from '../document/corrections';
 import { type Document, emptyDocument } from '../document/document';
+import type { Gap } from '../document/gaps';
 import { amend, type History, record, redo, startHistory, undo } from '../document/history';
 import type { Brush } from '../tools/scribble_tool';
 import { Store } from './store';
@@ -46,8 +47,10 @@ export interface EditorState {
   panel: 'none' | 'keys' | 'export' | 'settings';
   tourStep: number | null;
   brush: Brush;
-  /** The labels of the strokes that are shown, and how long they took. */
-  tint: (TintedLabels & { ms: number }) | null;
+  /** The labels of the strokes that are shown, the gaps that are closed, and how long they took. */
+  tint: { tint: ImageBitmap; gaps: readonly Gap[]; ms: number } | null;
+  /** The closed gap that is looked at. */
+  gap: Gap | null;
   /** With strokes that wait to be understood. */
   pending: Document | null;
 }
@@ -73,8 +76,9 @@ function firstState(): EditorState {
     notice: '',
     panel: 'none',
     tourStep: null,
-    brush: { kind: 'auto', part: null, width: 12 },
+    brush: { kind: 'auto', part: null, width: 12, soft: false },
     tint: null,
+    gap: null,
     pending: null,
   };
 }
@@ -120,6 +124,7 @@ export class Editor extends Store<EditorState> {
       relief: null,
       picture,
       tint: null,
+      gap: null,
       pending: null,
       build: { phase: 'idle', progress: 0, error: null },
     });

@@ -1,15 +1,16 @@
-import { zipSync } from 'fflate';
 import type { Autosave } from '../document/autosave';
 import { type Document, emptyDocument } from '../document/document';
-import { isOwnPicture, readProject, writeProject } from '../document/project_file';
+import { isOwnPicture } from '../document/segmentation';
 import { sceneContent } from '../document/scene_text';
 import { adopt } from '../document/scribbling';
 import type { Engine } from '../engine/engine';
 import { type ExportFormat, isFailure, type MapKind, type OutputFile } from '../engine/messages';
+import { packProject, unpackOra, unpackProject, zipped } from './archives';
 import type { BuildControl } from './build_control';
 import { t } from './catalogue';
+import type { GivenFiles } from './dropped_files';
 import type { Editor } from './editor';
-import { documentOfLayers, entriesOfOra } from './layered_drawing';
+import { documentOfLayers, layersAmong, readLayers } from './layered_drawing';
 import { flatDrawing, pictureOf, pngOf, textureOf } from './pictures';
 import type { SegmentControl } from './segment_control';
 
@@ -21,10 +22,6 @@ const imageTypes = ['image/png', 'image/jpeg', 'image/webp'];
 
 function baseName(name: string): string {
   return name.replace(/\.[^.]*$/, '') || 'untitled';
-}
-
-function zipped(files: readonly OutputFile[]): Uint8Array<ArrayBuffer> {
-  return zipSync(Object.fromEntries(files.map(({ name, bytes }) => [name, bytes])));
 }
 
 /** Hands a file to the person. */
@@ -53,11 +50,11 @@ export class Files {
   }
 
   /** Opens a file, or pictures that are the layers of one drawing. */
-  async openAll(all: readonly File[]): Promise<void> {
-    const [first] = all;
-    if (!first) return;
-    if (all.length > 1 && all.every((file) => file.type === 'image/png')) await this.openPictures(all);
-    else await this.open(first);
+  async openAll({ name, files }: GivenFiles): Promise<void> {
+    const [first] = files;
+    const layers = layersAmong(files);
+    if (layers) await this.opening(name, async () => this.openLayers(name, await readLayers(layers)));
+    else if (first) await this.open(first.file);
   }
 
   /** Opens whatever a file is; tells why where it cannot be. */
@@ -66,14 +63,14 @@ export class Files {
       const bytes = new Uint8Array(await file.arrayBuffer());
       if (file.name.endsWith('.relievo')) await this.openProject(bytes);
       else if (file.type === 'image/svg+xml' || file.name.endsWith('.svg')) await this.openSvg(file.name, bytes);
-      else if (file.name.endsWith('.ora')) await this.openLayers(file.name, entriesOfOra(bytes));
+      else if (file.name.endsWith('.ora')) await this.openLayers(file.name, await unpackOra(bytes));
       else if (imageTypes.includes(file.type)) await this.openImage(file.name, bytes, file.type);
       else throw new Error(t('unknownFile'));
     });
   }
 
   private async openProject(bytes: Uint8Array): Promise<void> {
-    const project = readProject(bytes);
+    const project = await unpackProject(bytes);
     await this.controls.segments.check(project);
     await this.show(project);
   }
@@ -94,7 +91,7 @@ export class Files {
   saveProject = async (): Promise<void> => {
     await this.controls.segments.settle();
     const { document: doc, state } = this.editor;
-    const bytes = writeProject(doc, isOwnPicture(doc) ? null : await pngOf(doc, state.picture));
+    const bytes = await packProject(doc, isOwnPicture(doc.segmentation) ? null : await pngOf(doc, state.picture));
     download({ name: `${doc.name}.relievo`, bytes });
   };
 
@@ -106,7 +103,7 @@ export class Files {
       if (isFailure(files)) throw new Error(files.error.message);
       const [only, ...others] = files.files;
       if (only && others.length === 0) download(only);
-      else download({ name: `${doc.name}-${format}.zip`, bytes: zipped(files.files) });
+      else download({ name: `${doc.name}-${format}.zip`, bytes: await zipped(files.files) });
     });
   };
 
@@ -131,14 +128,6 @@ export class Files {
       this.editor.set({ notice: '' });
     });
   };
-
-  private async openPictures(all: readonly File[]): Promise<void> {
-    const name = (all[0] as File).name;
-    await this.opening(name, async () => {
-      const read = async (file: File) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) });
-      await this.openLayers(name, await Promise.all(all.map(read)));
-    });
-  }
 
   private async openLayers(name: string, entries: OutputFile[]): Promise<void> {
     const { document: next, notice } = await documentOfLayers(this.engine, baseName(name), entries);

@@ -1,21 +1,23 @@
-import { ArchiveTooLarge, unpackArchive } from '../document/archive';
 import { type Document, emptyDocument } from '../document/document';
 import { sceneContent } from '../document/scene_text';
 import type { Engine } from '../engine/engine';
 import { isFailure, type OutputFile, told } from '../engine/messages';
 import { t } from './catalogue';
+import type { PlacedFile } from './dropped_files';
 
 const maxBytes = 256 * 1024 * 1024;
 
-/** What an OpenRaster archive holds besides previews of itself. */
-export function entriesOfOra(bytes: Uint8Array): OutputFile[] {
-  const wanted = (name: string): boolean => name === 'mimetype' || name === 'stack.xml' || /^data\/.*\.png$/i.test(name);
-  try {
-    const entries = unpackArchive(bytes, wanted, maxBytes) as Record<string, Uint8Array<ArrayBuffer>>;
-    return Object.entries(entries).map(([name, content]) => ({ name, bytes: content }));
-  } catch (error) {
-    throw new Error(t(error instanceof ArchiveTooLarge ? 'tooLarge' : 'damagedFile'));
-  }
+/** The pictures, with their table of order where there is one, that are the layers of one drawing; null where they are not. */
+export function layersAmong(files: readonly PlacedFile[]): readonly PlacedFile[] | null {
+  const table = files.find(({ path }) => path === 'layers.tsv');
+  const pictures = files.filter(({ file }) => file.type === 'image/png');
+  if (table && pictures.length > 0) return [table, ...pictures];
+  return pictures.length > 1 ? pictures : null;
+}
+
+export async function readLayers(files: readonly PlacedFile[]): Promise<OutputFile[]> {
+  if (files.reduce((sum, { file }) => sum + file.size, 0) > maxBytes) throw new Error(t('tooLarge'));
+  return Promise.all(files.map(async ({ path, file }) => ({ name: path, bytes: new Uint8Array(await file.arrayBuffer()) })));
 }
 
 /** A document of painted layers, and what is to be said of it. Its drawing is the picture that they make. */

@@ -5,6 +5,7 @@ import type { Document } from '../document/document';
 import { compileCore, Engine } from '../engine/engine';
 import { BuildControl } from './build_control';
 import { language } from './catalogue';
+import { filesOf, givenFiles } from './dropped_files';
 import { Editor } from './editor';
 import { Files } from './files';
 import type { PaperControl } from './paper_pane';
@@ -41,20 +42,22 @@ function Page({ editor, files, segments, held, kept, attachPaper, choose, stop }
 function chooser(files: Files): () => void {
   const input = document.createElement('input');
   input.type = 'file';
-  input.accept = '.svg,.ora,.png,.jpg,.jpeg,.webp,.relievo';
+  input.accept = '.svg,.ora,.png,.jpg,.jpeg,.webp,.relievo,.tsv';
   input.multiple = true;
   input.hidden = true;
   input.addEventListener('change', () => {
-    void files.openAll([...(input.files ?? [])]);
+    void files.openAll(givenFiles([...(input.files ?? [])]));
     input.value = '';
   });
   document.body.append(input);
   return () => input.click();
 }
 
-/** Files may be dropped or pasted anywhere. */
+/** Files and folders may be dropped or pasted anywhere. */
 function listenToDrops(files: Files): void {
-  const open = (data: DataTransfer | null): void => void files.openAll([...(data?.files ?? [])]);
+  const open = (data: DataTransfer | null): void => {
+    if (data) void filesOf(data).then((given) => files.openAll(given));
+  };
   window.addEventListener('dragover', (event) => event.preventDefault());
   window.addEventListener('drop', (event) => {
     event.preventDefault();

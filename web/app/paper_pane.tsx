@@ -6,6 +6,7 @@ import { fitted, panned, toCanvas, type Viewport, zoomed } from '../view/viewpor
 import { t } from './catalogue';
 import type { Editor } from './editor';
 import { PeekOverlay } from './peek_overlay';
+import { useStore } from './store';
 
 /** What the toolbar covers, CSS px; on narrow screens it lies below. */
 const toolbarRoom = 90;
@@ -77,8 +78,8 @@ export class PaperControl {
 
   /** Draws where something that the canvas shows has changed. */
   follow(): void {
-    const { history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool, tint, pending, brush } = this.editor.state;
-    const shown = [history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool, tint, pending, brush];
+    const { history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool, tint, gap, pending, brush } = this.editor.state;
+    const shown = [history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool, tint, gap, pending, brush];
     if (shown.every((value, i) => value === this.shown[i])) return;
     this.shown = shown;
     this.redraw();
@@ -184,6 +185,13 @@ export class PaperControl {
   }
 }
 
+/** What to do with an empty page. */
+function EmptyCue({ editor }: { editor: Editor }) {
+  const { document } = useStore(editor).history;
+  if (document.parts.length > 0 || document.drawing) return null;
+  return <p class="empty-cue">{t('emptyCue')}</p>;
+}
+
 interface PaperPaneProps {
   editor: Editor;
   tool(): Tool;
@@ -215,6 +223,7 @@ export function PaperPane({ editor, tool, attach }: PaperPaneProps) {
   return (
     <section class="pane paper" aria-label={t('paper')}>
       <canvas ref={canvas} tabIndex={0} aria-label={t('paper')} />
+      <EmptyCue editor={editor} />
       <PeekOverlay editor={editor} view={() => control.current?.view ?? null} />
     </section>
   );

@@ -47,7 +47,7 @@ export function PartPanel({ editor }: { editor: Editor }) {
   const index = selected === null ? -1 : partIndex(document, selected);
   const part = document.parts[index];
   if (!part) return null;
-  const set = (values: { c?: number; d?: number }, gesture: string): void =>
+  const set = (values: { c?: number; d?: number; flat?: number }, gesture: string): void =>
     editor.edit(gesture, changePart(document, part.id, values), `${gesture} ${part.id}`);
   const rename = (name: string): void => {
     const renamed = renamePart(document, part.id, name);
@@ -70,6 +70,7 @@ export function PartPanel({ editor }: { editor: Editor }) {
       </div>
       <Slider label={t('inflation')} value={part.c} min={0.25} max={8} step={0.05} onInput={(c) => set({ c }, 'c')} />
       <Slider label={t('depth')} value={Math.abs(part.d)} min={0.1} max={2.5} step={0.05} onInput={(d) => set({ d: Math.sign(part.d) * d }, 'd')} />
+      <Slider label={t('profile')} value={part.flat ?? 0} min={0} max={1} step={0.05} onInput={(flat) => set({ flat }, 'profile')} />
       <label class="check">
         <input type="checkbox" checked={part.d < 0} onChange={() => set({ d: -part.d }, 'reverse')} /> {t('reverse')}
       </label>

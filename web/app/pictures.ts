@@ -17,6 +17,8 @@ async function paintInStrips(context: OffscreenCanvasRenderingContext2D, image: 
     context.clip();
     context.drawImage(image, 0, 0, width, height);
     context.restore();
+    // A canvas paints when it is looked at.
+    context.getImageData(0, y, 1, 1);
     await new Promise((resolve) => setTimeout(resolve));
   }
 }
@@ -77,6 +79,14 @@ export function pixelsOf(picture: ImageBitmap, width: number, height: number): T
   context.drawImage(picture, 0, 0, canvas.width, canvas.height);
   const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
   return { rgba: new Uint8Array(data.buffer as ArrayBuffer), width: canvas.width, height: canvas.height };
+}
+
+/** The drawing at a smaller size, `side` px at most. The browser scales pictures beside the page's own thread. */
+export async function smallPicture(document: Document, picture: ImageBitmap | null, side: number): Promise<ImageBitmap> {
+  if (!picture) return painted(document, null, side).canvas.transferToImageBitmap();
+  const scale = Math.min(1, side / Math.max(picture.width, picture.height));
+  const [resizeWidth, resizeHeight] = [picture.width, picture.height].map((length) => Math.max(1, Math.round(scale * length))) as [number, number];
+  return createImageBitmap(picture, { resizeWidth, resizeHeight, resizeQuality: 'medium' });
 }
 
 /** What exported files embed. */

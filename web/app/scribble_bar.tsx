@@ -11,6 +11,7 @@ const kinds: readonly { kind: BrushKind; label: MessageKey; hint: MessageKey }[]
   { kind: 'outside', label: 'brushOutside', hint: 'hintBrushOutside' },
   { kind: 'hole', label: 'brushHole', hint: 'hintBrushHole' },
   { kind: 'erase', label: 'brushErase', hint: 'hintBrushErase' },
+  { kind: 'move', label: 'brushMove', hint: 'hintBrushMove' },
 ];
 
 export const brushWidths = { least: 4, most: 60 } as const;
@@ -84,6 +85,9 @@ export function ScribbleBar({ editor }: { editor: Editor }) {
           {t(label)}
         </button>
       ))}
+      <label class="check" title={t('hintBrushSoft')}>
+        <input type="checkbox" id="soft" checked={brush.soft} onChange={() => editor.set({ brush: { ...brush, soft: !brush.soft } })} /> {t('brushSoft')}
+      </label>
       <label class="brush-width" title={t('brushWidth')}>
         <span class="hidden">{t('brushWidth')}</span>
         <input

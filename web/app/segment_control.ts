@@ -1,9 +1,11 @@
-import { type Document, type DrawingSource } from '../document/document';
+import type { Document, DrawingSource, Point } from '../document/document';
+import type { Gap } from '../document/gaps';
 import { type Corrections, recordText, type Scribbles } from '../document/segmentation';
 import { adopt, canScribble, segmentationOf } from '../document/scribbling';
 import { type Engine, EngineStopped } from '../engine/engine';
 import {
-  type Failure, type FlatDrawing, isFailure, type SegmentationRequest, told, type Understanding,
+  type Failure, type FlatDrawing, isFailure, type SegmentationRequest, type TintedLabels, told,
+  type Understanding,
 } from '../engine/messages';
 import { t } from './catalogue';
 import type { Editor } from './editor';
@@ -22,6 +24,14 @@ interface Wish {
 function requestOf(document: Document): SegmentationRequest {
   const segmentation = segmentationOf(document);
   return { project: recordText(segmentation), labels: segmentation.labels };
+}
+
+function gapsOf({ bridges }: TintedLabels): Gap[] {
+  return bridges.map(({ points, left, right }) => ({
+    points: Array.from({ length: points.length / 2 }, (_, i): Point => [points[2 * i] as number, points[2 * i + 1] as number]),
+    left,
+    right,
+  }));
 }
 
 /** A worker that is asked about one drawing after another, and shown each once. */
@@ -189,7 +199,7 @@ export class SegmentControl {
         );
         if (document.drawing !== this.editor.document.drawing) continue;
         if (isFailure(labelled)) this.editor.set({ tint: null });
-        else this.editor.set({ tint: { ...labelled, ms: performance.now() - begun } });
+        else this.editor.set({ tint: { tint: labelled.tint, gaps: gapsOf(labelled), ms: performance.now() - begun } });
       } catch (error) {
         if (!(error instanceof EngineStopped)) throw error;
       }

@@ -1,5 +1,6 @@
 import { useMemo, useRef } from 'preact/hooks';
 import type { Document } from '../document/document';
+import { openQuestions } from '../document/gaps';
 import { DrawTool } from '../tools/draw_tool';
 import { JoinTool } from '../tools/join_tool';
 import { OutlineTool } from '../tools/outline_tool';
@@ -14,6 +15,7 @@ import { t } from './catalogue';
 import type { Editor, ToolName } from './editor';
 import { ExportPanel } from './export_panel';
 import type { Files } from './files';
+import { GapBar } from './gap_bar';
 import { Icon } from './icons';
 import { KeysPanel } from './keys_panel';
 import { ModelPane } from './model_pane';
@@ -71,6 +73,13 @@ function scribbleHostOf(editor: Editor, segments: SegmentControl): ScribbleHost 
     get tint() {
       return editor.state.tint?.tint ?? null;
     },
+    get gaps() {
+      return openQuestions(segments.pending, editor.state.tint?.gaps ?? []);
+    },
+    get gap() {
+      return editor.state.gap;
+    },
+    chooseGap: (gap) => editor.set({ gap }),
     show: (document) => segments.show(document),
     drop: () => segments.show(segments.pending),
     wish: (label, change) => segments.wish(label, change),
@@ -152,6 +161,7 @@ export function Workspace({ editor, files, segments, held, attachPaper, choose, 
       <Toolbar editor={editor} />
       <PaperPane editor={editor} tool={() => hands[editor.state.tool]} attach={attach} />
       <ScribbleBar editor={editor} />
+      <GapBar editor={editor} segments={segments} />
       <ModelPane editor={editor} attach={(view) => (model.current = view)} lightHeld={() => held.light} stop={stop} />
       <aside class="side">
         <h2>{t('parts')}</h2>

@@ -15,6 +15,8 @@ export interface Part {
   readonly c: number;
   /** Depth scale, not 0; negative inflates away from the viewer. */
   readonly d: number;
+  /** Profile from 0, the usual semi-ellipse, to 1, a flat top with round edges. */
+  readonly flat?: number;
   /** CSS colour where there is no drawing. */
   readonly color?: string;
 }

@@ -61,10 +61,45 @@ export function removePart(document: Document, id: string): Document {
   };
 }
 
-export function changePart(document: Document, id: string, values: Partial<Pick<Part, 'c' | 'd' | 'outline'>>): Document {
+export function changePart(document: Document, id: string, values: Partial<Pick<Part, 'c' | 'd' | 'flat' | 'outline'>>): Document {
   return {
     ...document,
     parts: document.parts.map((part) => (part.id === id ? { ...part, ...values } : part)),
+  };
+}
+
+/** Whether a part can be moved: it was drawn here and shows no place of a drawing. */
+export function isMovable(document: Document, id: string): boolean {
+  const part = document.parts[partIndex(document, id)];
+  return part !== undefined && (part.color !== undefined || document.drawing === null);
+}
+
+/** The join where its middle still lies in a part behind, which then is its lower one. */
+function rejoined(document: Document, join: Join): Join[] {
+  const middle = join.line[Math.floor(join.line.length / 2)] as Point;
+  const old = document.parts[partIndex(document, join.lower)] as Part;
+  const lower = contains(old.outline, middle) ? old : partUnder(document, middle, partIndex(document, join.upper));
+  return lower ? [{ ...join, lower: lower.id }] : [];
+}
+
+function onePerPair(joins: readonly Join[]): Join[] {
+  return joins.filter((join, i) => joins.findIndex(({ upper, lower }) => upper === join.upper && lower === join.lower) === i);
+}
+
+/** Shifts a part with all that lies on its outline. Joins whose roots lie in nothing any more go. */
+export function shiftPart(document: Document, id: string, [dx, dy]: Point): Document {
+  const part = document.parts[partIndex(document, id)];
+  if (!part || (dx === 0 && dy === 0)) return document;
+  const moved = ([x, y]: Point): Point => [x + dx, y + dy];
+  const placed = changePart(document, id, { outline: part.outline.map((ring) => ring.map(moved)) });
+  const joins = placed.joins.map((join) => (join.upper === id ? { ...join, line: join.line.map(moved) } : join));
+  return {
+    ...placed,
+    joins: onePerPair(joins.flatMap((join) => (join.upper === id || join.lower === id ? rejoined(placed, join) : [join]))),
+    relations: placed.relations.map((relation) =>
+      relation.upper === id && relation.range ? { ...relation, range: [moved(relation.range[0]), moved(relation.range[1])] as const } : relation,
+    ),
+    robin: placed.robin.map((range) => (range.upper === id ? { ...range, from: moved(range.from), to: moved(range.to) } : range)),
   };
 }
 

@@ -2,7 +2,7 @@ import { strFromU8, strToU8, zipSync } from 'fflate';
 import { ArchiveTooLarge, unpackArchive } from './archive';
 import { defaultSettings, type Document, type DrawingSource, type Settings } from './document';
 import { sceneContent, sceneText } from './scene_text';
-import { recordOf, type Segmentation, type SegmentationRecord } from './segmentation';
+import { isOwnPicture, recordOf, type Segmentation, type SegmentationRecord } from './segmentation';
 
 /** A project that cannot be opened, in words for a person. */
 export class ProjectError extends Error {}
@@ -22,18 +22,13 @@ interface ProjectHead {
   segmentation?: SegmentationRecord;
 }
 
-/** Whether the drawing itself is the picture that covers the canvas: what was segmented does. */
-export function isOwnPicture(document: Document): boolean {
-  return document.segmentation !== null && document.segmentation.labels.length > 0;
-}
-
 /**
  * The project as a zip: scene.json is a scene file whose drawing is the picture beside it, the
  * artist's own file lies in `drawing`, untouched. The same document gives the same bytes. `picture`
  * is not there where the drawing itself is the picture.
  */
 export function writeProject(document: Document, picture: Uint8Array | null): Uint8Array<ArrayBuffer> {
-  const labels = isOwnPicture(document) ? document.segmentation?.labels : undefined;
+  const labels = isOwnPicture(document.segmentation) ? document.segmentation?.labels : undefined;
   const head: ProjectHead = {
     format: 'relievo-project',
     version,

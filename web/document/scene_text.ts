@@ -18,7 +18,7 @@ export function sceneText(document: Document, drawing?: string): string {
     version: 1,
     canvas: { width: document.width, height: document.height },
     ...(drawing === undefined ? {} : { drawing }),
-    parts: document.parts.map(({ id, outline, c, d }) => ({ id, outline, c, d })),
+    parts: document.parts.map(({ id, outline, c, d, flat }) => ({ id, outline, c, d, ...(flat ? { flat } : {}) })),
     joins: [...document.joins],
     relations: [...document.relations],
     robin: [...document.robin],

@@ -23,9 +23,13 @@ export function labelOfStroke(document: Document, { part }: Pick<Stroke, 'part'>
   return part === undefined ? undefined : labelOf(segmentationOf(document), part);
 }
 
-/** The stroke at a point, the last one first. */
+/** The strokes at a point, the last one first. */
+export function strokesNear(scribbles: Scribbles, point: Point, reach: number): Stroke[] {
+  return scribbles.strokes.filter((stroke) => distanceTo(stroke.points, point) < reach + stroke.width / 2).reverse();
+}
+
 export function strokeAt(scribbles: Scribbles, point: Point, reach: number): Stroke | undefined {
-  return [...scribbles.strokes].reverse().find((stroke) => distanceTo(stroke.points, point) < reach + stroke.width / 2);
+  return strokesNear(scribbles, point, reach)[0];
 }
 
 function distanceTo(line: Ring, point: Point): number {
@@ -82,7 +86,7 @@ export function partOfStroke(document: Document, line: Ring, reach: number): str
   return begun?.part ?? guessedPartUnder(document, line) ?? freshName(document);
 }
 
-function withScribbles(document: Document, strokes: readonly Stroke[]): Document {
+export function withScribbles(document: Document, strokes: readonly Stroke[]): Document {
   const segmentation = segmentationOf(document);
   const parts = [...new Set(strokes.flatMap((stroke) => stroke.part ?? []))];
   return { ...document, segmentation: { ...segmentation, scribbles: { parts, strokes } } };
@@ -96,6 +100,26 @@ export function addStroke(document: Document, stroke: Stroke): Document {
   if (part === undefined || segmentation.parts.some(({ id }) => id === part)) return added;
   const record = { label: freshLabel(segmentation), id: part, completion: 'whole' };
   return { ...added, segmentation: { ...segmentation, parts: [...segmentation.parts, record] } };
+}
+
+function isSameStroke(a: Stroke, b: Stroke): boolean {
+  return a.kind === b.kind && a.width === b.width && JSON.stringify(a.points) === JSON.stringify(b.points);
+}
+
+/** Without one stroke. */
+export function clearStroke(document: Document, stroke: Stroke): Document {
+  const { strokes } = scribblesOf(document);
+  const kept = strokes.filter((other) => !isSameStroke(other, stroke));
+  return kept.length === strokes.length ? document : withScribbles(document, kept);
+}
+
+/** With a stroke at another place; the same document where it is not there. */
+export function moveStroke(document: Document, moved: Stroke, [dx, dy]: Point): Document {
+  const { strokes } = scribblesOf(document);
+  const at = strokes.findIndex((stroke) => isSameStroke(stroke, moved));
+  if (at < 0 || (dx === 0 && dy === 0)) return document;
+  const points = moved.points.map(([x, y]): Point => [Math.round(10 * (x + dx)) / 10, Math.round(10 * (y + dy)) / 10]);
+  return withScribbles(document, strokes.map((stroke, i) => (i === at ? { ...stroke, points } : stroke)));
 }
 
 /** Without the strokes that a line touches; the same document where there are none. */

@@ -37,6 +37,7 @@ export interface PartCorrection {
   readonly outline?: readonly Ring[];
   readonly c?: number;
   readonly d?: number;
+  readonly flat?: number;
 }
 
 /** What a person said, never overruled. */
@@ -78,6 +79,11 @@ export function emptySegmentation(): Segmentation {
     corrections: { parts: [], order: [], joins: [], no_joins: [], relations: [], robin: [] },
     labels: new Uint8Array(),
   };
+}
+
+/** Whether the drawing itself is the picture that covers the canvas: what was segmented does. */
+export function isOwnPicture(segmentation: Segmentation | null): boolean {
+  return segmentation !== null && segmentation.labels.length > 0;
 }
 
 /** The record, keys in the order of the file. */

@@ -85,8 +85,9 @@ export class Engine {
     return this.call(async (remote) => await remote.surface(request));
   }
 
-  build(request: BuildRequest, progress: Progress): Promise<BuiltRelief | Failure> {
-    return this.call(async (remote) => await remote.build(request, Comlink.proxy(progress)));
+  /** `drawing`: see BuildRequest. */
+  build(request: Omit<BuildRequest, 'drawing'>, drawing: ImageBitmap, progress: Progress): Promise<BuiltRelief | Failure> {
+    return this.call(async (remote) => await remote.build(request, drawing, Comlink.proxy(progress)));
   }
 
   encode(format: ExportFormat, name: string, sizeMm: number, texture: Texture | null): Promise<Files | Failure> {

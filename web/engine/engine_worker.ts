@@ -1,19 +1,28 @@
 import * as Comlink from 'comlink';
 import {
   type BuiltRelief, type Failure, type FlatDrawing, isFailure, type OutputFile, type Progress, type SegmentationRequest,
-  type Surface, type TintedLabels,
+  type Surface, type Texture, type TintedLabels,
 } from './messages';
 import { type BuildRequest, ReliefService, type SurfaceRequest } from './relief_service';
 import { tintOf } from './tint';
 
 /** Every array of a surface, to be handed over instead of copied. */
 function arraysOf(surface: Surface): ArrayBuffer[] {
-  return [surface.positions, surface.normals, surface.uvs, surface.triangles].map((array) => array.buffer);
+  return [surface.positions, surface.normals, surface.uvs, surface.triangles, surface.colors].map((array) => array.buffer);
 }
 
 function arraysOfRelief({ surface, overlays }: BuiltRelief): ArrayBuffer[] {
   const lines = [overlays.joins, overlays.equal, overlays.above, overlays.ramps].map((array) => array.buffer);
   return [...arraysOf(surface), ...lines];
+}
+
+function pixelsOf(picture: ImageBitmap): Texture {
+  const { width, height } = picture;
+  const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+  if (!context) throw new Error('this browser has no canvas');
+  context.drawImage(picture, 0, 0);
+  const { data } = context.getImageData(0, 0, width, height);
+  return { rgba: new Uint8Array(data.buffer as ArrayBuffer), width, height };
 }
 
 let service: Promise<ReliefService> | undefined;
@@ -40,7 +49,7 @@ const endpoint = {
     const labelled = (await started()).label(request);
     if (isFailure(labelled)) return labelled;
     const tint = await createImageBitmap(tintOf(labelled.labels, width, height));
-    return Comlink.transfer({ tint, parts: labelled.parts }, [tint]);
+    return Comlink.transfer({ tint, bridges: labelled.bridges }, [tint]);
   },
   async understand(request: SegmentationRequest) {
     return (await started()).understand(request);
@@ -49,11 +58,12 @@ const endpoint = {
     return (await started()).checkSegmentation(request);
   },
   async build(
-    request: BuildRequest,
+    request: Omit<BuildRequest, 'drawing'>,
+    drawing: ImageBitmap,
     progress: Progress,
   ): Promise<BuiltRelief | Failure> {
     let last = 0;
-    const built = (await started()).build(request, (stage, done, energy) => {
+    const built = (await started()).build({ ...request, drawing: pixelsOf(drawing) }, (stage, done, energy) => {
       const now = performance.now();
       if (now - last < 50) return;
       last = now;

@@ -52,6 +52,8 @@ export interface PartRun {
   id: string;
   firstTriangle: number;
   triangleCount: number;
+  /** The last so many of them lie behind other parts and have colours of their own. */
+  hiddenCount: number;
 }
 
 /** A surface in px of the canvas: X right, Y up, Z to the viewer. */
@@ -60,6 +62,8 @@ export interface Surface {
   normals: Float32Array<ArrayBuffer>;
   uvs: Float32Array<ArrayBuffer>;
   triangles: Uint32Array<ArrayBuffer>;
+  /** sRGB, three bytes a vertex, of what is hidden. */
+  colors: Uint8Array<ArrayBuffer>;
   parts: PartRun[];
 }
 
@@ -127,13 +131,15 @@ export interface Labelled {
   /** The label of every pixel, 0 where there is no part. */
   labels: Uint16Array<ArrayBuffer>;
   parts: { label: number; id: string }[];
+  /** Gaps in the lines that were closed: x and y by turns, and the labels on both sides. */
+  bridges: { points: Float32Array<ArrayBuffer>; left: number; right: number }[];
   notes: string[];
 }
 
 /** The labels as the page shows them. */
 export interface TintedLabels {
   tint: ImageBitmap;
-  parts: { label: number; id: string }[];
+  bridges: Labelled['bridges'];
 }
 
 /** All that follows from strokes and corrections. */

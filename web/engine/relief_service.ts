@@ -29,9 +29,13 @@ export interface SurfaceRequest {
 }
 
 export interface BuildRequest extends SurfaceRequest {
+  /** The drawing, small, which tells the colours of what is hidden; null: all white. */
+  drawing: Texture | null;
   scene: string;
   options: BuildOptions;
 }
+
+const noTexture: Texture = { rgba: new Uint8Array(), width: 0, height: 0 };
 
 /** The engine as one instance of the module: what runs in the worker, and in tests under Node. */
 export class ReliefService {
@@ -83,6 +87,8 @@ export class ReliefService {
   build(request: BuildRequest, progress: Progress): BuiltRelief | Failure {
     const report = this.reconstruction.build(request.scene, request.options, progress);
     if (isFailure(report)) return report;
+    const { rgba, width, height } = request.drawing ?? noTexture;
+    this.reconstruction.setShown(rgba, width, height);
     const surface = this.surface(request);
     if (isFailure(surface)) return surface;
     const overlays = this.reconstruction.overlays();
@@ -95,7 +101,7 @@ export class ReliefService {
   }
 
   encode(format: ExportFormat, name: string, sizeMm: number, texture: Texture | null): Files | Failure {
-    const drawn = texture ?? { rgba: new Uint8Array(), width: 0, height: 0 };
+    const drawn = texture ?? noTexture;
     this.reconstruction.setTexture(drawn.rgba, drawn.width, drawn.height);
     return this.reconstruction.encode(format, name, sizeMm);
   }

@@ -9,6 +9,7 @@ declare module '#relievo' {
     build(scene: string, options: BuildOptions, progress: Progress): Report | Failure;
     surface(visibility: Visibility, tolerance: number, field: Field): Surface | Failure;
     overlays(): Overlays | Failure;
+    setShown(rgba: Uint8Array, width: number, height: number): void;
     setTexture(rgba: Uint8Array, width: number, height: number): void;
     encode(format: ExportFormat, name: string, sizeMm: number): Files | Failure;
     map(kind: MapKind, side: number, greenDown: boolean): { bytes: Uint8Array } | Failure;

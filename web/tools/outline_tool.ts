@@ -4,7 +4,7 @@ import { distance, nearestPlace, type OutlinePlace, simplify, smooth } from '../
 import { grips, pushOutline, type Refusal, redrawOutline, type Reshaped } from '../document/reshape';
 import { marks } from '../view/colors';
 import { dashHidden, drawDot, strokeLine } from '../view/paper_view';
-import type { Modifiers, Tool, ToolHost } from './tool';
+import { arrows, type Modifiers, type Tool, type ToolHost } from './tool';
 
 /** Distance between grips and how far a push is felt, as multiples of the hand's reach. */
 const spacing = 4;
@@ -78,11 +78,11 @@ export class OutlineTool implements Tool {
       this.focus = (all[(at + turn + all.length) % all.length] as OutlinePlace).point;
       return true;
     }
-    const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[name];
+    const step = arrows[name];
     const place = this.nearest(all, this.focus);
     if (!step || !place) return false;
     const size = keys.shift ? 10 : 1;
-    const by: Point = [size * (step[0] as number), size * (step[1] as number)];
+    const by: Point = [size * step[0], size * step[1]];
     const { document, reach } = this.host;
     this.take(pushOutline(document, part.id, place, feeling * reach, by), `outline keys ${part.id}`);
     this.focus = [place.point[0] + by[0], place.point[1] + by[1]];

@@ -1,12 +1,15 @@
 import type { Document, Point } from '../document/document';
-import { simplify } from '../document/outline';
+import { type Gap, gapAt, sameGap } from '../document/gaps';
+import { distance, simplify } from '../document/outline';
 import { addStroke, canScribble, eraseStrokes, foundPartAt, labelOfStroke, partOfStroke, scribblesOf } from '../document/scribbling';
 import type { Stroke, StrokeKind } from '../document/segmentation';
 import { inkOf, marks } from '../view/colors';
-import type { Modifiers, Tool, ToolHost } from './tool';
+import { strokeLine } from '../view/paper_view';
+import { StrokeMover } from './stroke_mover';
+import { arrows, type Modifiers, type Tool, type ToolHost } from './tool';
 
-/** What the brush says: by itself, for one part, for the background, or nothing any more. */
-export type BrushKind = 'auto' | 'part' | 'outside' | 'hole' | 'erase';
+/** What the brush says: by itself, for one part, for the background, or nothing any more; or it moves strokes. */
+export type BrushKind = 'auto' | 'part' | 'outside' | 'hole' | 'erase' | 'move';
 
 export interface Brush {
   readonly kind: BrushKind;
@@ -14,6 +17,8 @@ export interface Brush {
   readonly part: string | null;
   /** CSS px. */
   readonly width: number;
+  /** Whether lines may overrule strokes for parts. */
+  readonly soft: boolean;
 }
 
 /** What the tool needs besides: a brush, and someone who understands strokes. */
@@ -22,6 +27,10 @@ export interface ScribbleHost {
   /** The document with strokes that wait to be understood. */
   readonly pending: Document;
   readonly tint: ImageBitmap | null;
+  /** Closed gaps of which nothing has been said, and the one that is chosen. */
+  readonly gaps: readonly Gap[];
+  readonly gap: Gap | null;
+  chooseGap(gap: Gap): void;
   /** Shows what a document would be, until the next or `done`. */
   show(document: Document): void;
   /** Nothing is being drawn any more. */
@@ -34,15 +43,26 @@ export interface ScribbleHost {
 /** How far an arrow key moves the brush, as shares of the reach of a hand: usually, with Shift. */
 const steps = [0.5, 3] as const;
 
+/** Soft strokes are dotted, holes dashed. */
+function dashOf({ kind }: Stroke, width: number): number[] {
+  return kind === 'hole' ? [width, 2 * width] : kind === 'soft' ? [0, 1.4 * width] : [];
+}
+
 /** A stroke says what belongs together; strokes of one colour are one part. */
 export class ScribbleTool implements Tool {
-  readonly cursor = 'crosshair';
   private points: Point[] = [];
   private part: string | undefined;
   private kind: StrokeKind | 'erase' = 'hard';
   private at: Point | null = null;
+  private readonly mover: StrokeMover;
 
-  constructor(private readonly host: ToolHost, private readonly scribbles: ScribbleHost) {}
+  constructor(private readonly host: ToolHost, private readonly scribbles: ScribbleHost) {
+    this.mover = new StrokeMover(host, scribbles);
+  }
+
+  get cursor(): string {
+    return this.moves ? 'move' : 'crosshair';
+  }
 
   down(point: Point, keys: Modifiers): void {
     if (!canScribble(this.host.document)) {
@@ -50,7 +70,11 @@ export class ScribbleTool implements Tool {
       return;
     }
     const { brush } = this.scribbles;
-    this.kind = keys.alt || brush.kind === 'erase' ? 'erase' : brush.kind === 'auto' || brush.kind === 'part' ? 'hard' : brush.kind;
+    if (this.moves) {
+      this.mover.down(point);
+      return;
+    }
+    this.kind = keys.alt ? 'erase' : this.strokeKind(brush);
     this.points = [point];
     this.part = keys.shift ? foundPartAt(this.scribbles.pending, point) : brush.kind === 'part' ? brush.part ?? undefined : undefined;
     this.show();
@@ -58,6 +82,10 @@ export class ScribbleTool implements Tool {
 
   move(point: Point, pressed: boolean): void {
     this.at = point;
+    if (this.moves) {
+      if (pressed) this.mover.move(point);
+      return;
+    }
     if (!pressed || this.points.length === 0) return;
     const last = this.points[this.points.length - 1] as Point;
     if (Math.hypot(point[0] - last[0], point[1] - last[1]) < this.host.reach / 6) return;
@@ -66,7 +94,8 @@ export class ScribbleTool implements Tool {
   }
 
   up(): void {
-    if (this.points.length === 0) return;
+    this.mover.up();
+    if (this.points.length === 0 || this.choseGap()) return;
     const change = this.change(simplify(this.points, this.host.reach / 12));
     const label = this.kind === 'erase' ? 'erase' : 'scribble';
     this.points = [];
@@ -74,6 +103,7 @@ export class ScribbleTool implements Tool {
   }
 
   cancel(): void {
+    this.mover.cancel();
     if (this.points.length === 0) return;
     this.points = [];
     this.scribbles.drop();
@@ -81,6 +111,7 @@ export class ScribbleTool implements Tool {
 
   /** Arrows move the brush, Enter sets it down and lifts it. */
   key(name: string, keys: Modifiers): boolean {
+    if (this.moves) return this.mover.key(name, keys.shift);
     const { width, height } = this.host.document;
     const [x, y] = this.at ?? [width / 2, height / 2];
     if (name === 'Enter') {
@@ -89,11 +120,11 @@ export class ScribbleTool implements Tool {
       else this.down([x, y], keys);
       return true;
     }
-    const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[name];
+    const way = arrows[name];
     if (!way) return false;
     const step = this.host.reach * steps[keys.shift ? 1 : 0];
     const within = (value: number, most: number): number => Math.min(most, Math.max(0, value));
-    this.move([within(x + step * (way[0] as number), width), within(y + step * (way[1] as number), height)], true);
+    this.move([within(x + step * way[0], width), within(y + step * way[1], height)], true);
     return true;
   }
 
@@ -101,15 +132,49 @@ export class ScribbleTool implements Tool {
     const { pending, tint, brush } = this.scribbles;
     const { width, height } = pending;
     if (tint) context.drawImage(tint, 0, 0, width, height);
-    const shown = this.points.length > 0 && this.kind !== 'erase' ? this.change(this.points)(pending) : pending;
+    const drawn = this.points.length > 0 && this.kind !== 'erase' ? this.change(this.points)(pending) : pending;
+    const shown = this.mover.moved(drawn);
     context.lineCap = context.lineJoin = 'round';
     for (const stroke of scribblesOf(shown).strokes) this.drawStroke(context, shown, stroke, pixel);
-    if (!this.at) return;
+    this.drawGaps(context, pixel);
+    const chosen = this.moves && this.mover.shown;
+    if (chosen) strokeLine(context, chosen.points, marks.select, 2.5 * pixel);
+    if (!this.at || this.moves) return;
     context.beginPath();
     context.arc(this.at[0], this.at[1], (brush.width / 2) * pixel, 0, 2 * Math.PI);
     context.strokeStyle = brush.kind === 'erase' ? marks.culprit : marks.ink;
     context.lineWidth = 1.5 * pixel;
     context.stroke();
+  }
+
+  private get moves(): boolean {
+    return this.scribbles.brush.kind === 'move';
+  }
+
+  private strokeKind({ kind, soft }: Brush): StrokeKind | 'erase' {
+    if (kind === 'outside' || kind === 'hole' || kind === 'erase') return kind;
+    return soft ? 'soft' : 'hard';
+  }
+
+  /** A click on a closed gap asks about it instead of making a dot. */
+  private choseGap(): boolean {
+    const [first] = this.points;
+    const { reach } = this.host;
+    const stayed = first && this.kind !== 'erase' && this.points.every((point) => distance(point, first) < reach / 2);
+    const gap = stayed && gapAt(this.scribbles.gaps, first, reach);
+    if (!gap) return false;
+    this.cancel();
+    this.scribbles.chooseGap(gap);
+    return true;
+  }
+
+  private drawGaps(context: CanvasRenderingContext2D, pixel: number): void {
+    const { gaps, gap } = this.scribbles;
+    for (const one of gaps) {
+      const chosen = sameGap([one], gap) !== undefined;
+      strokeLine(context, one.points, 'rgb(255 255 255 / 85%)', (chosen ? 9 : 6) * pixel);
+      strokeLine(context, one.points, marks.gap, (chosen ? 5 : 3) * pixel);
+    }
   }
 
   private show(): void {
@@ -123,7 +188,7 @@ export class ScribbleTool implements Tool {
     const width = Math.max(1, (this.scribbles.brush.width * reach) / 12);
     const line = points.map(([x, y]): Point => [Math.round(10 * x) / 10, Math.round(10 * y) / 10]);
     if (kind === 'erase') return (document) => eraseStrokes(document, line, width / 2);
-    if (kind !== 'hard') return (document) => addStroke(document, { kind, width, points: line });
+    if (kind === 'outside' || kind === 'hole') return (document) => addStroke(document, { kind, width, points: line });
     return (document) =>
       addStroke(document, { kind, part: part ?? partOfStroke(document, line, reach / 2), width, points: line });
   }
@@ -137,7 +202,7 @@ export class ScribbleTool implements Tool {
     const width = Math.max(stroke.width, 3 * pixel);
     for (const [color, extra, dash] of [
       ['#fff', 3 * pixel, []],
-      [label === undefined ? marks.ink : inkOf(label), 0, stroke.kind === 'hole' ? [width, 2 * width] : []],
+      [label === undefined ? marks.ink : inkOf(label), 0, dashOf(stroke, width)],
     ] as const) {
       context.strokeStyle = color;
       context.lineWidth = width + extra;

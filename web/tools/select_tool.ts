@@ -1,16 +1,16 @@
 import type { Document, Part, Point } from '../document/document';
-import { changePart, partAt, partBelow } from '../document/editing';
+import { isMovable, partAt, partBelow, shiftPart } from '../document/editing';
 import { marks } from '../view/colors';
 import { drawDot } from '../view/paper_view';
 import { type Handle, handleAt, handlesOf, slide } from './handles';
-import type { Modifiers, Tool, ToolHost } from './tool';
+import { arrows, type Modifiers, type Tool, type ToolHost } from './tool';
 
 type Gesture =
   | { kind: 'none' }
   | { kind: 'slide'; handle: Handle; before: Document }
   | { kind: 'move'; part: Part; from: Point; before: Document };
 
-/** Chooses parts, slides the ends of joins and ranges, moves parts where there is no drawing. */
+/** Chooses parts, slides the ends of joins and ranges, moves parts that were drawn by hand. */
 export class SelectTool implements Tool {
   cursor = 'default';
   private gesture: Gesture = { kind: 'none' };
@@ -28,7 +28,7 @@ export class SelectTool implements Tool {
     }
     const part = partBelow(document, point, selected, keys.alt);
     this.host.select(part?.id ?? null);
-    if (part && !document.drawing) this.gesture = { kind: 'move', part, from: point, before: document };
+    if (part && isMovable(document, part.id)) this.gesture = { kind: 'move', part, from: point, before: document };
   }
 
   move(point: Point, pressed: boolean): void {
@@ -51,6 +51,16 @@ export class SelectTool implements Tool {
     this.gesture = { kind: 'none' };
   }
 
+  /** Arrows move the chosen part where it can be moved. */
+  key(name: string, keys: Modifiers): boolean {
+    const { document, selected } = this.host;
+    const way = arrows[name];
+    if (!way || selected === null || !isMovable(document, selected)) return false;
+    const size = keys.shift ? 10 : 1;
+    this.host.edit('move', shiftPart(document, selected, [size * way[0], size * way[1]]), `move keys ${selected}`);
+    return true;
+  }
+
   draw(context: CanvasRenderingContext2D, pixel: number): void {
     const { document, selected } = this.host;
     for (const handle of handlesOf(document, selected)) {
@@ -59,13 +69,7 @@ export class SelectTool implements Tool {
     }
   }
 
-  private shift(gesture: Gesture & { kind: 'move' }, point: Point): void {
-    const dx = point[0] - gesture.from[0];
-    const dy = point[1] - gesture.from[1];
-    const moved = ([x, y]: Point): Point => [x + dx, y + dy];
-    const { before, part } = gesture;
-    const placed = changePart(before, part.id, { outline: part.outline.map((ring) => ring.map(moved)) });
-    const joins = placed.joins.map((join) => (join.upper === part.id ? { ...join, line: join.line.map(moved) } : join));
-    this.host.edit('move', { ...placed, joins }, `move ${this.count}`);
+  private shift({ before, part, from }: Gesture & { kind: 'move' }, [x, y]: Point): void {
+    this.host.edit('move', shiftPart(before, part.id, [x - from[0], y - from[1]]), `move ${this.count}`);
   }
 }

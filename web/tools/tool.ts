@@ -19,6 +19,9 @@ export interface Modifiers {
   readonly alt: boolean;
 }
 
+/** What arrow keys mean, in px of the page. */
+export const arrows: Readonly<Record<string, Point>> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+
 /** A small state machine between pointer and document. Points are in canvas px. */
 export interface Tool {
   readonly cursor: string;

@@ -15,6 +15,13 @@ export interface Pose {
   readonly frame: readonly [number, number, number, number];
 }
 
+/** Bytes of sRGB in linear light, as colours of vertices are taken to be. */
+function linearOf(bytes: Uint8Array): Float32Array<ArrayBuffer> {
+  const color = new THREE.Color();
+  const levels = Float32Array.from({ length: 256 }, (_, i) => color.setRGB(i / 255, 0, 0, THREE.SRGBColorSpace).r);
+  return Float32Array.from(bytes, (byte) => levels[byte] as number);
+}
+
 /** The relief in three dimensions. Draws when something changed, never by itself. */
 export class ModelRenderer {
   private readonly renderer: THREE.WebGLRenderer;
@@ -24,6 +31,8 @@ export class ModelRenderer {
   private readonly model = new THREE.Group();
   private readonly materials = {
     drawing: new THREE.MeshStandardMaterial({ roughness: 0.92, side: THREE.DoubleSide }),
+    /** Of what the drawing does not show. */
+    hidden: new THREE.MeshStandardMaterial({ roughness: 0.92, side: THREE.DoubleSide, vertexColors: true }),
     clay: new THREE.MeshStandardMaterial({ color: 0xcbbfae, roughness: 0.75, side: THREE.DoubleSide }),
     normals: new THREE.MeshNormalMaterial({ side: THREE.DoubleSide }),
   };
@@ -91,7 +100,7 @@ export class ModelRenderer {
     this.highlighted = part;
     for (const mesh of this.model.children as THREE.Mesh[]) {
       const lit = mesh.name === part && this.shading !== 'normals';
-      const usual = this.materials[this.shading];
+      const usual = this.usualMaterial(mesh);
       const shared = Object.values<THREE.Material>(this.materials).includes(mesh.material as THREE.Material);
       if (!shared) (mesh.material as THREE.Material).dispose();
       mesh.material = lit ? this.litMaterial(usual as THREE.MeshStandardMaterial) : usual;
@@ -149,23 +158,34 @@ export class ModelRenderer {
 
   private meshes(surface: Surface): THREE.Mesh[] {
     const attribute = (array: Float32Array<ArrayBuffer>, size: number) => new THREE.BufferAttribute(array, size);
-    const positions = attribute(surface.positions, 3);
-    const normals = attribute(surface.normals, 3);
-    const uvs = attribute(surface.uvs, 2);
+    const attributes = {
+      position: attribute(surface.positions, 3),
+      normal: attribute(surface.normals, 3),
+      uv: attribute(surface.uvs, 2),
+      color: attribute(linearOf(surface.colors), 3),
+    };
     const corners = new THREE.BufferAttribute(surface.triangles, 1);
-    return surface.parts.map((part) => {
+    const mesh = (part: string, hidden: boolean, first: number, count: number): THREE.Mesh => {
       const geometry = new THREE.BufferGeometry();
-      geometry.setAttribute('position', positions);
-      geometry.setAttribute('normal', normals);
-      geometry.setAttribute('uv', uvs);
+      for (const [name, values] of Object.entries(attributes)) geometry.setAttribute(name, values);
       geometry.setIndex(corners);
-      geometry.setDrawRange(3 * part.firstTriangle, 3 * part.triangleCount);
-      const mesh = new THREE.Mesh(geometry, this.materials[this.shading]);
-      mesh.name = part.id;
-      if (part.id === this.highlighted && this.shading !== 'normals')
-        mesh.material = this.litMaterial(mesh.material as THREE.MeshStandardMaterial);
-      return mesh;
+      geometry.setDrawRange(3 * first, 3 * count);
+      const made = new THREE.Mesh(geometry);
+      made.name = part;
+      made.userData['hidden'] = hidden;
+      const usual = this.usualMaterial(made);
+      const lit = part === this.highlighted && this.shading !== 'normals';
+      made.material = lit ? this.litMaterial(usual as THREE.MeshStandardMaterial) : usual;
+      return made;
+    };
+    return surface.parts.flatMap(({ id, firstTriangle, triangleCount, hiddenCount }) => {
+      const seen = triangleCount - hiddenCount;
+      return [mesh(id, false, firstTriangle, seen), mesh(id, true, firstTriangle + seen, hiddenCount)];
     });
+  }
+
+  private usualMaterial({ userData }: THREE.Mesh): THREE.Material {
+    return this.materials[this.shading === 'drawing' && userData['hidden'] ? 'hidden' : this.shading];
   }
 
   private clear(): void {

@@ -14,9 +14,9 @@ export function canvasOf(width: number, height: number): [OffscreenCanvas, Offsc
   return [canvas, context];
 }
 
-/** The drawing, or the parts painted flat where there is none, as pixels. */
-export function painted(document: Painted, picture: ImageBitmap | null): OffscreenCanvasRenderingContext2D {
-  const scale = vectorSide / Math.max(document.width, document.height);
+/** The drawing, or the parts painted flat where there is none, `side` px long, as pixels. */
+export function painted(document: Painted, picture: ImageBitmap | null, side = vectorSide): OffscreenCanvasRenderingContext2D {
+  const scale = side / Math.max(document.width, document.height);
   const [canvas, context] = picture
     ? canvasOf(picture.width, picture.height)
     : canvasOf(scale * document.width, scale * document.height);

@@ -1,9 +1,11 @@
 #include "io/layered/layer_table.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <map>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "kernel/base/text_rules.h"
@@ -30,11 +32,13 @@ Fields split(std::string_view text, char separator) {
   }
 }
 
+/// A decimal number and nothing else. The browser's library has no std::from_chars for it.
 std::optional<double> parse_number(std::string_view text) {
-  double value = 0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (code != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    return std::nullopt;
+  if (text.find_first_not_of("0123456789+-.eE") != std::string_view::npos) return std::nullopt;
+  const std::string digits(text);
+  char* end = nullptr;
+  const double value = std::strtod(digits.c_str(), &end);
+  if (end != digits.c_str() + digits.size() || !std::isfinite(value)) return std::nullopt;
   return value;
 }
 

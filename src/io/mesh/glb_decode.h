@@ -5,8 +5,7 @@
 #include "io/files/bytes.h"
 #include "io/image/image_limits.h"
 #include "kernel/base/result.h"
-#include "relief/drawing/drawing.h"
-#include "relief/model/model.h"
+#include "relief/model/drawn_model.h"
 
 namespace relievo {
 
@@ -15,12 +14,6 @@ struct GlbLimits {
   int64_t max_triangles = 40'000'000;
   int64_t max_json_bytes = int64_t{64} << 20;
   ImageLimits image;
-};
-
-/// A model with its drawing, which is empty where the file has no texture.
-struct DrawnModel {
-  Model model;
-  Drawing drawing;
 };
 
 /// Reads a GLB file of the kind that encode_glb writes: untransformed nodes with indexed triangles

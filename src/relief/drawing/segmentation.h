@@ -20,8 +20,8 @@ struct SegmentedPart {
 /// A gap in the lines that was closed: a piece of the boundary between two labels without a line.
 struct Bridge {
   std::vector<Point2> points;  ///< polyline, drawing px
-  uint16_t label_a = 0;        ///< on one side, smaller than label_b
-  uint16_t label_b = 0;
+  uint16_t label_a = 0;        ///< to its left as seen along it, smaller than label_b
+  uint16_t label_b = 0;        ///< to its right
 };
 
 /// A drawing divided into its visible parts. Labels meet on the middle of lines.

@@ -18,6 +18,8 @@ constexpr double min_rim_tolerance = 1e-6;
 constexpr int most_rim_levels = 8;
 /// Heights count as equal within this fraction of the canvas.
 constexpr double weld_fraction = 1e-9;
+/// What lies less than this fraction of the canvas below another part counts as seen.
+constexpr double hidden_fraction = 0.004;
 
 Status check_options(const ModelOptions& options) {
   if (!(options.rim_tolerance >= min_rim_tolerance && std::isfinite(options.rim_tolerance)))
@@ -76,9 +78,11 @@ Result<Model> assemble_model(const LayeredMesh& mesh, const Inflation& inflation
                   mesh.faces.size() + 2 * cuts->t.size());
   add_corner_vertices(mesh, inflation, ordering, sheets, builder);
   add_cut_vertices(surface, inflation, ordering, builder);
-  if (Status status = cut_faces(surface, context, builder); !status.ok()) return status.error();
+  const double longest = std::max(scene.width, scene.height);
+  if (Status s = cut_faces(surface, hidden_fraction * longest, context, builder); !s)
+    return s.error();
   context.report("model", 0.8);
-  close_open_edges(surface, weld_fraction * std::max(scene.width, scene.height), builder);
+  close_open_edges(surface, weld_fraction * longest, builder);
   context.report("model", 1);
   return std::move(builder).build();
 }

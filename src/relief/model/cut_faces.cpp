@@ -29,13 +29,13 @@ RisingCorners rising_corners(const CutSurface& surface, int face) {
 
 class FaceCutter {
  public:
-  FaceCutter(const CutSurface& surface, ModelBuilder& builder)
-      : surface_(surface), builder_(builder) {}
+  FaceCutter(const CutSurface& surface, double hidden_depth, ModelBuilder& builder)
+      : surface_(surface), builder_(builder), hidden_depth_(hidden_depth) {}
 
   void cut(int face) {
     if (whole(face)) {
       const int* v = &surface_.sheets.vertex[3 * face];
-      builder_.add_triangle(surface_.mesh.face_part[face], v[0], v[2], v[1]);
+      builder_.add_triangle(run_of(face), v[0], v[2], v[1]);
       return;
     }
     const RisingCorners rising = rising_corners(surface_, face);
@@ -46,10 +46,24 @@ class FaceCutter {
     append(face, low, middle, right_);
     right_.pop_back();
     append(face, middle, high, right_);
-    zip(surface_.mesh.face_part[face], rising.even);
+    zip(run_of(face), rising.even);
   }
 
  private:
+  /// Where two surfaces all but touch, the lower one goes on looking like the drawing, so that it
+  /// makes no difference which of them a viewer shows.
+  TriangleRun run_of(int face) const {
+    const LayeredMesh& mesh = surface_.mesh;
+    const int front = mesh.stack_begin[mesh.face_triangle[face] + 1] - 1;
+    double depth = 0;
+    for (int k = 0; k < 3 && front != face; ++k) depth = std::max(depth, z(front, k) - z(face, k));
+    return {mesh.face_part[face], depth > hidden_depth_};
+  }
+
+  double z(int face, int corner) const {
+    return builder_.position(surface_.sheets.vertex[3 * face + corner]).z;
+  }
+
   bool whole(int face) const {
     const std::vector<int>& begin = surface_.cuts.begin;
     const int* edge = &surface_.sheets.edge[3 * face];
@@ -62,28 +76,29 @@ class FaceCutter {
 
   /// Joins both chains from the lowest corner to the highest, always advancing to the lower of
   /// the two next points, so that every cross edge lies within the range of an edge piece.
-  void zip(int part, bool even) {
+  void zip(TriangleRun run, bool even) {
     size_t i = 0;
     size_t j = 0;
     while (i + 1 < left_.size() || j + 1 < right_.size()) {
       const bool advance_left = j + 1 == right_.size() ||
                                 (i + 1 < left_.size() && left_[i + 1].level <= right_[j + 1].level);
       const int next = advance_left ? left_[i + 1].vertex : right_[j + 1].vertex;
-      add_triangle(part, even, left_[i].vertex, right_[j].vertex, next);
+      add_triangle(run, even, left_[i].vertex, right_[j].vertex, next);
       ++(advance_left ? i : j);
     }
   }
 
-  void add_triangle(int part, bool even, int left, int right, int next) {
+  void add_triangle(TriangleRun run, bool even, int left, int right, int next) {
     if (left == right || next == left || next == right) return;
     if (even)
-      builder_.add_triangle(part, left, next, right);
+      builder_.add_triangle(run, left, next, right);
     else
-      builder_.add_triangle(part, left, right, next);
+      builder_.add_triangle(run, left, right, next);
   }
 
   const CutSurface& surface_;
   ModelBuilder& builder_;
+  double hidden_depth_;
   std::vector<EdgePoint> left_;   ///< from the lowest corner straight to the highest
   std::vector<EdgePoint> right_;  ///< the same by way of the middle one
 };
@@ -109,8 +124,9 @@ void append_edge_points(const CutSurface& surface, FaceEdge edge, bool backwards
   points.push_back(end_point(backwards ? 1 : 2, 1));
 }
 
-Status cut_faces(const CutSurface& surface, const RunContext& context, ModelBuilder& builder) {
-  FaceCutter cutter(surface, builder);
+Status cut_faces(const CutSurface& surface, double hidden_depth, const RunContext& context,
+                 ModelBuilder& builder) {
+  FaceCutter cutter(surface, hidden_depth, builder);
   const int faces = static_cast<int>(surface.mesh.faces.size());
   for (int f = 0; f < faces; ++f) {
     if (f % 4096 == 0 && context.cancelled()) return interrupted_error();

@@ -29,7 +29,9 @@ void append_edge_points(const CutSurface& surface, FaceEdge edge, bool backwards
                         std::vector<EdgePoint>& points);
 
 /// Triangulates the kept faces between their cut edges. The strips between successive levels
-/// keep every triangle within the tolerance of the cuts; no vertex is added inside a face.
-Status cut_faces(const CutSurface& surface, const RunContext& context, ModelBuilder& builder);
+/// keep every triangle within the tolerance of the cuts; no vertex is added inside a face. Faces
+/// count as hidden where they lie more than `hidden_depth` px below the front one.
+Status cut_faces(const CutSurface& surface, double hidden_depth, const RunContext& context,
+                 ModelBuilder& builder);
 
 }  // namespace relievo

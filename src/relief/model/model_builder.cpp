@@ -20,9 +20,9 @@ int ModelBuilder::copy_vertex(int vertex, Point3 normal) {
   return static_cast<int>(model_.positions.size()) - 1;
 }
 
-void ModelBuilder::add_triangle(int part, int a, int b, int c) {
+void ModelBuilder::add_triangle(TriangleRun run, int a, int b, int c) {
   model_.triangles.push_back({a, b, c});
-  triangle_part_.push_back(part);
+  run_.push_back(run);
 }
 
 void ModelBuilder::reserve(size_t vertices, size_t triangles) {
@@ -30,7 +30,7 @@ void ModelBuilder::reserve(size_t vertices, size_t triangles) {
   model_.normals.reserve(vertices);
   model_.uvs.reserve(vertices);
   model_.triangles.reserve(triangles);
-  triangle_part_.reserve(triangles);
+  run_.reserve(triangles);
 }
 
 Model ModelBuilder::build() && {
@@ -38,15 +38,21 @@ Model ModelBuilder::build() && {
   model_.height = scene_.height;
   for (const Part& part : scene_.parts)
     model_.parts.push_back({part.id, part.c, part.d, part.flat, 0, 0});
-  for (const int part : triangle_part_) ++model_.parts[part].triangle_count;
-  std::vector<int> next(model_.parts.size(), 0);
-  for (size_t p = 1; p < model_.parts.size(); ++p) {
-    const ModelPart& before = model_.parts[p - 1];
-    next[p] = model_.parts[p].first_triangle = before.first_triangle + before.triangle_count;
+  for (const TriangleRun run : run_) {
+    ++model_.parts[run.part].triangle_count;
+    if (run.hidden) ++model_.parts[run.part].hidden_count;
+  }
+  std::vector<std::array<int, 2>> next(model_.parts.size());
+  int first = 0;
+  for (size_t p = 0; p < model_.parts.size(); ++p) {
+    ModelPart& part = model_.parts[p];
+    part.first_triangle = first;
+    next[p] = {first, first + part.triangle_count - part.hidden_count};
+    first += part.triangle_count;
   }
   std::vector<std::array<int, 3>> grouped(model_.triangles.size());
   for (size_t t = 0; t < grouped.size(); ++t)
-    grouped[next[triangle_part_[t]]++] = model_.triangles[t];
+    grouped[next[run_[t].part][run_[t].hidden ? 1 : 0]++] = model_.triangles[t];
   model_.triangles = std::move(grouped);
   return std::move(model_);
 }

@@ -7,7 +7,13 @@
 
 namespace relievo {
 
-/// Collects vertices and triangles in any order of parts; `build` groups them by part.
+/// The triangles of a part that the front view shows, or those that lie behind another one.
+struct TriangleRun {
+  int part = 0;
+  bool hidden = false;
+};
+
+/// Collects vertices and triangles in any order of runs; `build` groups them.
 class ModelBuilder {
  public:
   explicit ModelBuilder(const Scene& scene) : scene_(scene) {}
@@ -18,8 +24,8 @@ class ModelBuilder {
   /// Adds a vertex at the place of another.
   int copy_vertex(int vertex, Point3 normal);
 
-  /// Adds a triangle that is counter-clockwise seen from outside.
-  void add_triangle(int part, int a, int b, int c);
+  /// Adds a triangle that is counter-clockwise seen from outside. `run`: of its part.
+  void add_triangle(TriangleRun run, int a, int b, int c);
 
   const Point3& position(int vertex) const { return model_.positions[vertex]; }
   const Point3& normal(int vertex) const { return model_.normals[vertex]; }
@@ -27,13 +33,13 @@ class ModelBuilder {
   void set_height(int vertex, double z) { model_.positions[vertex].z = z; }
   void reserve(size_t vertices, size_t triangles);
 
-  /// The model; triangles of a part keep the order in which they were added. O(triangles).
+  /// The model; triangles of a run keep the order in which they were added. O(triangles).
   Model build() &&;
 
  private:
   const Scene& scene_;
   Model model_;
-  std::vector<int> triangle_part_;
+  std::vector<TriangleRun> run_;  ///< of every triangle
 };
 
 }  // namespace relievo

@@ -8,32 +8,12 @@
 #include <limits>
 #include <vector>
 
+#include "relief/model/fill_triangle.h"
+
 namespace relievo {
 namespace {
 
 using Mask = Image<uint8_t>;
-
-/// Pixels whose centre lies in the triangle with the given corners, in texture pixels.
-void fill_triangle(Mask& mask, const std::array<Point2, 3>& corners) {
-  const auto [a, b, c] = corners;
-  const double area = cross(b - a, c - a);
-  if (area == 0) return;
-  const auto pixel = [](double v, int size) {
-    return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(size)));
-  };
-  const int x0 = pixel(std::floor(std::min({a.x, b.x, c.x})), mask.width);
-  const int x1 = pixel(std::ceil(std::max({a.x, b.x, c.x})), mask.width);
-  const int y0 = pixel(std::floor(std::min({a.y, b.y, c.y})), mask.height);
-  const int y1 = pixel(std::ceil(std::max({a.y, b.y, c.y})), mask.height);
-  const double sign = area > 0 ? 1 : -1;
-  for (int y = y0; y < y1; ++y)
-    for (int x = x0; x < x1; ++x) {
-      const Point2 p{x + 0.5, y + 0.5};
-      if (sign * cross(b - a, p - a) >= 0 && sign * cross(c - b, p - b) >= 0 &&
-          sign * cross(a - c, p - c) >= 0)
-        mask.at(x, y) = 1;
-    }
-}
 
 Mask cover(const Model& model, int width, int height) {
   Mask mask(width, height, 1);
@@ -43,7 +23,7 @@ Mask cover(const Model& model, int width, int height) {
       const Point2 uv = model.uvs[triangle[k]];
       corners[k] = {uv.x * width, uv.y * height};
     }
-    fill_triangle(mask, corners);
+    for_each_pixel_inside(corners, {width, height}, [&mask](int x, int y) { mask.at(x, y) = 1; });
   }
   return mask;
 }

@@ -198,7 +198,7 @@ class WallBuilder {
 
   void add_triangle(int a, int b, int c) {
     if (same_place(a, b) || same_place(b, c) || same_place(c, a)) return;
-    builder_.add_triangle(part_, a, b, c);
+    builder_.add_triangle({part_, false}, a, b, c);
   }
 
   const CutSurface& surface_;

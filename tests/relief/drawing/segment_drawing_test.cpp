@@ -143,7 +143,9 @@ TEST(SegmentDrawing, GapsAreClosedUntilTheyAreNoGapsAnyMore) {
     EXPECT_EQ(s->bridges.size(), gap > 6 ? 1U : 0U) << gap;
     for (const Bridge& bridge : s->bridges) {
       EXPECT_EQ(bridge.label_a, 0);
-      EXPECT_NEAR(distance(bridge.points.front(), bridge.points.back()), gap, 16);
+      const auto [from, to] = std::pair{bridge.points.front(), bridge.points.back()};
+      EXPECT_NEAR(distance(from, to), gap, 16);
+      EXPECT_GT(cross(to - from, Point2{160, 160} - from), 0) << "the inside lies to the right";
     }
   }
   EXPECT_GE(closed_up_to, 60) << "a tenth of the outline";

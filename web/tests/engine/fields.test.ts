@@ -43,3 +43,22 @@ it('shows the heights as the sum of inflation and shift', () => {
   const gaps = h.map((height, i) => Math.abs(height - (f[i]! + g[i]! - 1)));
   expect(gaps.filter((gap) => gap < 1e-3).length).toBeGreaterThan(0.99 * h.length);
 });
+
+it('gives what is hidden the colour of its own part', () => {
+  const square = (x: number, y: number, side: number) => [[x, y], [x + side, y], [x + side, y + side], [x, y + side]];
+  const scene = JSON.stringify({
+    format: 'relievo-scene', version: 1, canvas: { width: 200, height: 200 },
+    parts: [{ id: 'back', outline: [square(30, 30, 140)] }, { id: 'front', outline: [square(80, 80, 60)] }],
+    relations: [{ upper: 'front', lower: 'back', relation: 'above' }],
+  });
+  const inFront = (i: number): boolean => [i % 200, Math.floor(i / 200)].every((at) => at >= 80 && at < 140);
+  const rgba = Uint8Array.from({ length: 4 * 200 * 200 }, (_, k) => (k % 4 === 3 || (k % 4 === 0) === inFront(k >> 2) ? 255 : 0));
+  const drawing = { rgba, width: 200, height: 200 };
+  const { surface } = must(service.build({ ...shown, scene, options: { ...options, method: 'approximate' }, drawing }, () => undefined));
+  const [back, front] = surface.parts;
+  expect([back!.hiddenCount > 100, front!.hiddenCount]).toEqual([true, 0]);
+  const last = back!.firstTriangle + back!.triangleCount;
+  const hidden = surface.triangles.slice(3 * (last - back!.hiddenCount), 3 * last);
+  const colors = new Set([...hidden].map((v) => surface.colors.slice(3 * v, 3 * v + 3).join(' ')));
+  expect([...colors]).toEqual(['0 255 255']);
+});

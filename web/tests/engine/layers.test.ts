@@ -65,6 +65,23 @@ describe('layers', () => {
     expect(parts.map((part) => part.id)).toEqual(['part9', 'part10']);
   });
 
+  it('come in the order of a table among them, as on the command line', () => {
+    const table = 'order_back_to_front\tfile\tname\tx\ty\n2\ta.png\thead\t170.0\t10\n1\tb.png\tbody\t40\t30\n';
+    const files = [
+      { name: 'layers.tsv', bytes: strToU8(table) as Uint8Array<ArrayBuffer> },
+      { name: 'a.png', bytes: head },
+      { name: 'b.png', bytes: body },
+    ];
+    const layers = mkdtempSync(join(folder, 'table-'));
+    for (const { name, bytes } of files) writeFileSync(join(layers, name), bytes);
+    const { parts } = JSON.parse(must(service.importLayers(files)).scene) as { parts: { id: string }[] };
+    expect(parts.map((part) => part.id)).toEqual(['body', 'head']);
+    expectSameModel(files, layers);
+    const refused = [files.slice(0, 2), files.map((file) => (file.name === 'layers.tsv' ? { ...file, bytes: strToU8(table.replace('170.0', '0x10')) as Uint8Array<ArrayBuffer> } : file))];
+    const wheres = refused.map((some) => service.importLayers(some)).map((answer) => (isFailure(answer) ? `${answer.error.code} ${answer.error.where}` : 'accepted'));
+    expect(wheres).toEqual(['file b.png', 'bad_input layers.tsv: line 2']);
+  });
+
   it('that are damaged, missing or too large are refused by name', () => {
     const damaged = ora.map((file) => (file.name === 'data/1.png' ? { ...file, bytes: file.bytes.slice(0, 90) } : file));
     const refused = [damaged, ora.slice(0, 3), ora.map((file) => ({ ...file, bytes: file.name === 'stack.xml' ? strToU8(stack.replace('w="320"', 'w="32000"').replace('h="240"', 'h="32000"')) : file.bytes }))];

@@ -175,7 +175,7 @@ describe('a project of a flat drawing', () => {
 
   it('builds as in the editor, by the command line, and can be proposed anew there', () => {
     let document = scribbled(readProject(native()), [380, 650], [370, 700]);
-    document = edited(document, changePart(document, document.parts[1]!.id, { c: 3.5 }));
+    document = edited(document, changePart(document, document.parts[1]!.id, { c: 3.5, flat: 0.7 }));
     const folder = mkdtempSync(join(tmpdir(), 'relievo-'));
     const [file, model, anew] = ['a.relievo', 'a.glb', 'b.relievo'].map((name) => join(folder, name)) as [string, string, string];
     writeFileSync(file, writeProject(document, null));
@@ -185,7 +185,8 @@ describe('a project of a flat drawing', () => {
     expect(Buffer.from(stl!.bytes).equals(readFileSync(join(folder, 'a.stl')))).toBe(true);
     relievo('segment', file, '-q', '-o', anew);
     const proposed = readProject(readFileSync(anew));
-    expect(proposed.parts.map(({ id, c }) => ({ id, c }))).toEqual(document.parts.map(({ id, c }) => ({ id, c })));
+    const said = ({ parts }: Document): unknown => parts.map(({ id, c, flat = 0 }) => ({ id, c, flat }));
+    expect(said(proposed)).toEqual(said(document));
     expect(proposed.segmentation!.scribbles).toEqual(document.segmentation!.scribbles);
   });
 

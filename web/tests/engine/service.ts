@@ -15,7 +15,7 @@ export const usual: BuildOptions = {
   glue: true,
 };
 
-export const shown = { visibility: 'orbit', tolerance: 0.25, field: 'relief' } as const;
+export const shown = { drawing: null, visibility: 'orbit', tolerance: 0.25, field: 'relief' } as const;
 
 export function must<T extends object>(value: T | Failure): T {
   if (isFailure(value)) throw new Error(`${value.error.where}: ${value.error.message}`);

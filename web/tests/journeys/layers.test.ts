@@ -1,3 +1,5 @@
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
 import { expect, it } from 'vitest';
 import { disc } from '../support/pictures.ts';
@@ -33,6 +35,24 @@ it('opens several pictures as the layers of one drawing, dropped or chosen', asy
   await settled(page);
   await picture(page, 'layers');
   expect((await names(page)).length).toBeGreaterThan(0);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('takes a folder that is dropped, with its table of order', async () => {
+  const { page, context, profile } = stage;
+  const folder = join(profile, 'walrus');
+  mkdirSync(folder, { recursive: true });
+  writeFileSync(join(folder, 'layers.tsv'), 'order_back_to_front\tfile\tname\tx\ty\n2\ta.png\thead\t300\t20\n1\tb.png\tbody\t60\t90\n');
+  writeFileSync(join(folder, 'a.png'), head);
+  writeFileSync(join(folder, 'b.png'), body);
+  writeFileSync(join(folder, 'notes.txt'), 'of the artist');
+  const session = await context.newCDPSession(page);
+  const data = { items: [], files: [folder], dragOperationsMask: 1 };
+  for (const type of ['dragEnter', 'dragOver', 'drop'] as const)
+    await session.send('Input.dispatchDragEvent', { type, x: 400, y: 300, data });
+  await settled(page);
+  expect(await names(page)).toEqual(['head', 'body']);
+  expect(await page.locator('.document-name').innerText()).toBe('walrus');
   expect(stage.troubles).toEqual([]);
 });
 

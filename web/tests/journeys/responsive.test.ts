@@ -1,11 +1,14 @@
-import { readdirSync, readFileSync } from 'node:fs';
+import { readdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { brotliCompressSync } from 'node:zlib';
 import { expect, it } from 'vitest';
-import { choosePart, sample } from './actions.ts';
-import { settled, stageOfFile } from './browser.ts';
-import { mainThreadTasks } from './trace.ts';
+import { root } from '../support/command_line.ts';
+import { pngOf } from '../support/pictures.ts';
+import { randomNumbers } from '../unit/random.ts';
+import { choosePart, pageView, sample, save } from './actions.ts';
+import { pictures, settled, stageOfFile } from './browser.ts';
+import { longestOfWorkers, mainThreadTasks } from './trace.ts';
 
 const stage = stageOfFile({ anew: false });
 
@@ -39,10 +42,70 @@ const deeds: Record<string, () => Promise<void>> = {
   },
 };
 
+/** A ring on grainy paper: a file that does not compress any more. */
+function grainyDrawing(): Uint8Array {
+  const random = randomNumbers(5);
+  return pngOf(2000, 1400, (x, y) => {
+    const ink = Math.abs(Math.hypot(x - 1000, y - 700) - 500) < 6;
+    const grain = (): number => (ink ? 10 : 244) + Math.floor(11 * random());
+    return [grain(), grain(), grain(), 255];
+  });
+}
+
 it.each(Object.keys(deeds))('keeps the page free for the hand while %s', async (name) => {
   const tasks = await mainThreadTasks(stage.page, deeds[name] as () => Promise<void>);
   expect(tasks.length).toBeGreaterThan(10);
   console.info(`${name}: longest task ${Math.max(...tasks).toFixed(0)} ms of processor time`);
+  expect(Math.max(...tasks)).toBeLessThan(longest);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('needs little time of the processor for a coarse relief, for the full one and for a tint', async () => {
+  const { page } = stage;
+  const slider = page.locator('.slider input').first();
+  await choosePart(page, 'body');
+  await slider.fill('3');
+  await settled(page);
+  const [full, coarse] = await longestOfWorkers(page, async () => {
+    await slider.fill('5');
+    await settled(page);
+  });
+  await page.setInputFiles('input[type=file]', join(root, 'examples/bear.png'));
+  await page.waitForSelector('.scribble-bar[data-tint-ms]');
+  await settled(page);
+  const { at } = await pageView(page, [900, 1000]);
+  await page.mouse.move(...at([430, 620]));
+  await page.mouse.down();
+  const [tint] = await longestOfWorkers(page, async () => {
+    for (const x of [440, 460, 480]) {
+      await page.mouse.move(...at([x, 660]));
+      await page.waitForTimeout(300);
+    }
+  });
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  console.info(`full relief ${full?.toFixed(0)}, coarse one ${coarse?.toFixed(0)}, tint ${tint?.toFixed(0)} ms of processor time`);
+  expect(Math.min(full!, coarse!, tint!)).toBeGreaterThan(1);
+  expect(full).toBeLessThan(1000);
+  expect(coarse).toBeLessThan(150);
+  expect(tint).toBeLessThan(150);
+});
+
+it('keeps the page free for the hand while a large drawing is opened, saved and opened again', async () => {
+  const { page } = stage;
+  const drawing = join(pictures, 'grain.png');
+  writeFileSync(drawing, grainyDrawing());
+  const tasks = await mainThreadTasks(page, async () => {
+    await page.setInputFiles('input[type=file]', drawing);
+    await page.waitForSelector('.scribble-bar[data-tint-ms]');
+    await settled(page);
+    await save(page, 'grain.relievo');
+    await page.setInputFiles('input[type=file]', join(pictures, 'grain.relievo'));
+    await page.waitForSelector('[data-tool=select][aria-pressed=true]');
+    await settled(page);
+  });
+  for (const name of ['grain.png', 'grain.relievo']) expect(statSync(join(pictures, name)).size).toBeGreaterThan(3_000_000);
+  console.info(`large drawing: longest task ${Math.max(...tasks).toFixed(0)} ms of processor time`);
   expect(Math.max(...tasks)).toBeLessThan(longest);
   expect(stage.troubles).toEqual([]);
 });

@@ -23,20 +23,28 @@ async function collect(session: CDPSession, act: () => Promise<void>): Promise<T
   return events;
 }
 
-/**
- * Processor time of every task on the page's main thread, ms. Unlike wall time it does not grow when
- * the machine has other things to do.
- */
-export async function mainThreadTasks(page: Page, act: () => Promise<void>): Promise<number[]> {
+/** Processor time of every task, ms, by thread, of threads with a name. Unlike wall time it does not grow when the machine has other things to do. */
+async function tasksByThread(page: Page, name: string, act: () => Promise<void>): Promise<number[][]> {
   const session = await page.context().newCDPSession(page);
   const events = await collect(session, act);
   await session.detach();
-  const main = new Set(
+  const threads = new Map(
     events
-      .filter((event) => event.name === 'thread_name' && event.args?.name === 'CrRendererMain')
-      .map(({ pid, tid }) => `${pid} ${tid}`),
+      .filter((event) => event.name === 'thread_name' && event.args?.name === name)
+      .map(({ pid, tid }) => [`${pid} ${tid}`, [] as number[]]),
   );
-  return events
-    .filter(({ name, pid, tid, tdur }) => name.endsWith('RunTask') && tdur !== undefined && main.has(`${pid} ${tid}`))
-    .map(({ tdur }) => (tdur as number) / 1000);
+  for (const { name: what, pid, tid, tdur } of events)
+    if (what.endsWith('RunTask') && tdur !== undefined) threads.get(`${pid} ${tid}`)?.push(tdur / 1000);
+  return [...threads.values()];
+}
+
+/** Processor time of every task on the page's main thread, ms. */
+export async function mainThreadTasks(page: Page, act: () => Promise<void>): Promise<number[]> {
+  return (await tasksByThread(page, 'CrRendererMain', act)).flat();
+}
+
+/** Processor time of the longest task of each worker, ms, the longest first. */
+export async function longestOfWorkers(page: Page, act: () => Promise<void>): Promise<number[]> {
+  const workers = await tasksByThread(page, 'DedicatedWorker thread', act);
+  return workers.map((tasks) => Math.max(0, ...tasks)).sort((a, b) => b - a);
 }

@@ -34,3 +34,14 @@ export function disc(size: number, radius: number, color: readonly [number, numb
     return [...color, Math.round(255 * Math.min(1, Math.max(0, inside)))];
   });
 }
+
+export const openRingSize = [400, 320] as const;
+
+/** Ink on white: a body, and beside it a smaller ring that has a gap to the right. */
+export function openRing(): Uint8Array<ArrayBuffer> {
+  const ink = (x: number, y: number): boolean => {
+    const body = Math.abs(Math.hypot(x - 140, y - 160) - 110) < 3;
+    return body || (Math.abs(Math.hypot(x - 310, y - 160) - 60) < 3 && !(x > 310 && Math.abs(y - 160) < 11));
+  };
+  return pngOf(...openRingSize, (x, y) => (ink(x + 0.5, y + 0.5) ? [0, 0, 0, 255] : [255, 255, 255, 255]));
+}

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { type Document, emptyDocument, partIndex, type Point } from '../../document/document';
 import {
   addJoin, addOpenPart, addPart, addRange, bringBefore, changePart, changeSettings, joinOfLine, joinParts, movePart,
-  neighbours, relate, removePart, renamePart,
+  isMovable, neighbours, relate, removePart, renamePart, shiftPart,
 } from '../../document/editing';
 import { area, contains, longestRunInside, nearestPlace } from '../../document/outline';
 import { record, redo, startHistory, undo } from '../../document/history';
@@ -114,6 +114,7 @@ function anyEdit(document: Document, random: () => number): Document {
     () => removePart(document, pick()),
     () => movePart(document, pick(), Math.floor(6 * random())),
     () => changePart(document, pick(), { c: 1 + random() }),
+    () => changePart(document, pick(), { flat: random() }),
     () => joinParts(document, pick(), pick()),
     () => relate(document, pick(), pick(), 'equal'),
     () => addRange(document, pick(), spot(), spot()),
@@ -155,5 +156,35 @@ describe('history', () => {
     history = record(history, 'c', changePart(history.document, 'head', { c: 1 }), 'c head');
     expect(history.done.length).toBe(2);
     expect(undo(undo(history)).document).toEqual(figure());
+  });
+});
+
+describe('moving parts', () => {
+  it('takes along what lies on the outline, and comes back to where it was', () => {
+    let document = joinParts(figure(), 'head', 'body');
+    document = addRange(document, 'head', [270, 250], [200, 250]);
+    document = { ...document, relations: [{ upper: 'head', lower: 'body', relation: 'equal', range: [[200, 250], [270, 240]] }] };
+    const moved = shiftPart(document, 'head', [7, 20]);
+    const { outline } = moved.parts[partIndex(moved, 'head')]!;
+    const range = moved.robin[0]!;
+    for (const point of [...moved.joins[0]!.line, range.from, range.to, ...moved.relations[0]!.range!])
+      expect(nearestPlace(outline, point).distance).toBeLessThan(1e-9);
+    expectSound(moved);
+    expect(shiftPart(moved, 'head', [-7, -20])).toEqual(document);
+  });
+
+  it('leaves joins behind whose roots lie in nothing any more', () => {
+    const document = joinParts(figure(), 'head', 'body');
+    expect(shiftPart(document, 'head', [-150, -110]).joins).toEqual([]);
+    expect(shiftPart(document, 'body', [300, 300]).joins).toEqual([]);
+  });
+
+  it('is for parts that were drawn by hand', () => {
+    const drawing = { name: 'a.svg', kind: 'svg' as const, mime: 'image/svg+xml', bytes: new Uint8Array() };
+    const [body, head] = figure().parts;
+    const { color: _color, ...found } = body!;
+    const document = { ...figure(), drawing, parts: [found, head!] };
+    expect([isMovable(document, 'body'), isMovable(document, 'head'), isMovable(document, 'tail')]).toEqual([false, true, false]);
+    expect(isMovable({ ...document, drawing: null }, 'body')).toBe(true);
   });
 });

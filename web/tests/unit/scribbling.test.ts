@@ -100,10 +100,11 @@ describe('what a person changes', () => {
     let document = edited(flat(), (before) => changePart(before, 'arm', { c: 1 }));
     document = edited(document, (before) => changePart(before, 'arm', { c: 2 }));
     document = edited(document, (before) => changePart(before, 'arm', { d: -1 }));
+    document = edited(document, (before) => changePart(before, 'arm', { flat: 0.5 }));
     document = edited(document, (before) => changePart(before, 'body', { outline: [box(0, 0, 9, 9)] }));
     expect(corrections(document).parts).toEqual([
       { label: 1, outline: [box(0, 0, 9, 9)] },
-      { label: 3, c: 2, d: -1 },
+      { label: 3, c: 2, d: -1, flat: 0.5 },
     ]);
   });
 

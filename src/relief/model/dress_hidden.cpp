@@ -1,0 +1,146 @@
+#include "relief/model/dress_hidden.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "relief/model/hidden_patches.h"
+
+namespace relievo {
+namespace {
+
+/// Between the drawing and the patches, so that none shows at the rim of the other.
+constexpr int gap = 8;
+
+/// Where the left upper pixel of a patch lies in the picture.
+struct PatchPlace {
+  int x = 0;
+  int y = 0;
+};
+
+/// Patches on shelves below the drawing, the high ones first; `height` grows to that of all.
+std::vector<PatchPlace> place_patches(const std::vector<HiddenPatch>& patches, int width,
+                                      int& height) {
+  std::vector<int> order(patches.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&patches](int a, int b) {
+    return patches[a].rgb.height > patches[b].rgb.height;
+  });
+  std::vector<PatchPlace> places(patches.size());
+  int x = width;
+  int top = height;
+  for (const int k : order) {
+    const Image8& rgb = patches[k].rgb;
+    if (x + rgb.width > width) {
+      x = 0;
+      top = height + gap;
+      height = top + rgb.height;
+    }
+    places[k] = {x, top};
+    x += rgb.width + gap;
+  }
+  return places;
+}
+
+void paste_patch(const Image8& rgb, PatchPlace place, Image8& rgba) {
+  for (int y = 0; y < rgb.height; ++y)
+    for (int x = 0; x < rgb.width; ++x) {
+      for (int c = 0; c < 3; ++c) rgba.at(place.x + x, place.y + y, c) = rgb.at(x, y, c);
+      rgba.at(place.x + x, place.y + y, 3) = 255;
+    }
+}
+
+/// Has the hidden triangles of parts refer to vertices of their own, on their patches.
+class PatchDresser {
+ public:
+  /// `drawing`: the size of the one that patches are pieces of. The model's texture coordinates
+  /// are on the picture, `uvs` on the drawing.
+  PatchDresser(Model& model, ImageSize drawing, ImageSize picture, const std::vector<Point2>& uvs)
+      : model_(model),
+        drawing_(drawing),
+        picture_(picture),
+        uvs_(uvs),
+        taken_(uvs.size(), 0),
+        copy_(uvs.size(), -1) {}
+
+  /// Keeps the vertices of a part's triangles but the last `but` as they are.
+  void keep(const ModelPart& part, int but) {
+    for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count - but; ++t)
+      for (const int v : model_.triangles[t]) taken_[v] = 1;
+  }
+
+  void dress(const HiddenPatch& patch, PatchPlace place) {
+    const ModelPart& part = model_.parts[patch.part];
+    const int end = part.first_triangle + part.triangle_count;
+    std::vector<int> used;
+    for (int t = end - part.hidden_count; t < end; ++t)
+      for (int& v : model_.triangles[t]) {
+        if (copy_[v] < 0) {
+          used.push_back(v);
+          copy_[v] = own_vertex(v);
+          model_.uvs[copy_[v]] = on_patch(uvs_[v], patch, place);
+        }
+        v = copy_[v];
+      }
+    for (const int v : used) copy_[v] = -1;
+  }
+
+ private:
+  Point2 on_patch(Point2 uv, const HiddenPatch& patch, PatchPlace place) const {
+    return {(uv.x * drawing_.width - patch.x + place.x) / picture_.width,
+            (uv.y * drawing_.height - patch.y + place.y) / picture_.height};
+  }
+
+  /// The vertex itself where nothing else needs it, else a copy.
+  int own_vertex(int vertex) {
+    if (taken_[vertex] == 0) {
+      taken_[vertex] = 1;
+      return vertex;
+    }
+    const Point3 position = model_.positions[vertex];
+    const Point3 normal = model_.normals[vertex];
+    model_.positions.push_back(position);
+    model_.normals.push_back(normal);
+    model_.uvs.emplace_back();
+    return static_cast<int>(model_.positions.size()) - 1;
+  }
+
+  Model& model_;
+  ImageSize drawing_;
+  ImageSize picture_;
+  const std::vector<Point2>& uvs_;
+  std::vector<uint8_t> taken_;  ///< of every vertex on the drawing
+  std::vector<int> copy_;       ///< likewise, for the present part
+};
+
+/// `share`: of the picture's height that is the drawing.
+void dress_parts(const HiddenPatches& found, const std::vector<PatchPlace>& places,
+                 ImageSize picture, double share, Model& model) {
+  const std::vector<Point2> uvs = model.uvs;
+  for (Point2& uv : model.uvs) uv.y *= share;
+  PatchDresser dresser(model, found.drawing, picture, uvs);
+  std::vector<int> dressed(model.parts.size(), 0);
+  for (const HiddenPatch& patch : found.patches)
+    dressed[patch.part] = model.parts[patch.part].hidden_count;
+  for (size_t p = 0; p < model.parts.size(); ++p) dresser.keep(model.parts[p], dressed[p]);
+  for (size_t k = 0; k < places.size(); ++k) dresser.dress(found.patches[k], places[k]);
+}
+
+}  // namespace
+
+DrawnModel dress_hidden(Model model, Drawing drawing) {
+  const HiddenPatches found = hidden_patches(model, drawing);
+  if (!found.patches.empty()) {
+    Image8& rgba = drawing.rgba;
+    const double drawn = rgba.height;
+    const std::vector<PatchPlace> places = place_patches(found.patches, rgba.width, rgba.height);
+    rgba.pixels.resize(static_cast<size_t>(rgba.width) * rgba.height * 4, 0);
+    for (size_t k = 0; k < places.size(); ++k) paste_patch(found.patches[k].rgb, places[k], rgba);
+    dress_parts(found, places, {rgba.width, rgba.height}, drawn / rgba.height, model);
+  }
+  return {std::move(model), std::move(drawing)};
+}
+
+}  // namespace relievo

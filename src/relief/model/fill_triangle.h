@@ -1,0 +1,35 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "kernel/geometry/point.h"
+#include "kernel/image/image_size.h"
+
+namespace relievo {
+
+/// Visits (x, y) of every pixel of an image whose centre lies in a triangle, given in its pixels.
+template <class Visit>
+void for_each_pixel_inside(const std::array<Point2, 3>& corners, ImageSize size, Visit visit) {
+  const auto [a, b, c] = corners;
+  const double area = cross(b - a, c - a);
+  if (area == 0) return;
+  const auto pixel = [](double v, int most) {
+    return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(most)));
+  };
+  const int x0 = pixel(std::floor(std::min({a.x, b.x, c.x})), size.width);
+  const int x1 = pixel(std::ceil(std::max({a.x, b.x, c.x})), size.width);
+  const int y0 = pixel(std::floor(std::min({a.y, b.y, c.y})), size.height);
+  const int y1 = pixel(std::ceil(std::max({a.y, b.y, c.y})), size.height);
+  const double sign = area > 0 ? 1 : -1;
+  for (int y = y0; y < y1; ++y)
+    for (int x = x0; x < x1; ++x) {
+      const Point2 p{x + 0.5, y + 0.5};
+      if (sign * cross(b - a, p - a) >= 0 && sign * cross(c - b, p - b) >= 0 &&
+          sign * cross(a - c, p - c) >= 0)
+        visit(x, y);
+    }
+}
+
+}  // namespace relievo

@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "kernel/geometry/polygon.h"
+#include "relief/model/assemble_model.h"
+#include "relief/model/dress_hidden.h"
+#include "relief/model/hidden_patches.h"
+#include "support/analytic_discs.h"
+#include "support/model_checks.h"
+
+namespace relievo {
+namespace {
+
+constexpr int width = 240;
+constexpr int height = 180;
+const Disc back{{90, 90}, 60};
+const Disc front{{120, 90}, 40, 1, 60};
+
+Model assemble(const DiscRelief& relief, Visibility visibility) {
+  ModelOptions options;
+  options.visibility = visibility;
+  auto model =
+      assemble_model(relief.mesh, relief.inflation, relief.ordering, relief.scene, options);
+  EXPECT_TRUE(model.ok()) << to_string(model.error());
+  return model.ok() ? std::move(*model) : Model{};
+}
+
+/// The discs as the front view shows them: the back one blue, the other red, both inked in black.
+Drawing drawn_discs() {
+  Drawing drawing{Image8(width, height, 4)};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (const Disc& disc : {back, front}) {
+        const double r = distance({x + 0.5, y + 0.5}, disc.centre);
+        if (r > disc.radius + 1) continue;
+        uint8_t* rgba = &drawing.rgba.at(x, y);
+        const bool ink = r > disc.radius - 2;
+        const bool blue = disc.radius == back.radius;
+        rgba[0] = !ink && !blue ? 220 : 0;
+        rgba[1] = 0;
+        rgba[2] = !ink && blue ? 200 : 0;
+        rgba[3] = 255;
+      }
+  return drawing;
+}
+
+/// The pixel of a picture at texture coordinates.
+const uint8_t* pixel_at(const Drawing& drawing, Point2 uv) {
+  const Image8& rgba = drawing.rgba;
+  return &rgba.at(static_cast<int>(uv.x * rgba.width), static_cast<int>(uv.y * rgba.height));
+}
+
+std::vector<std::array<int, 3>> hidden_triangles(const Model& model, int part) {
+  const ModelPart& run = model.parts[part];
+  const auto end = model.triangles.begin() + run.first_triangle + run.triangle_count;
+  return {end - run.hidden_count, end};
+}
+
+TEST(Hidden, IsWhatLiesBehindAnotherPart) {
+  // The front disc inside the back one, well above it.
+  const DiscRelief relief = make_discs({back, {{90, 90}, 30, 1, 80}}, width, height, 6);
+  const Model model = assemble(relief, Visibility::orbit);
+  const double covered = std::abs(signed_area(relief.scene.parts[1].outline[0]));
+  EXPECT_NEAR(front_area(model, hidden_triangles(model, 0)), covered, 1e-9 * covered);
+  EXPECT_EQ(model.parts[1].hidden_count, 0);
+}
+
+TEST(Hidden, NothingWhereOnlyTheFrontIsKept) {
+  const DiscRelief relief = make_discs({back, front}, width, height, 6);
+  const Model model = assemble(relief, Visibility::relief);
+  const Drawing drawing = drawn_discs();
+  const DrawnModel dressed = dress_hidden(model, drawing);
+  EXPECT_TRUE(dressed.model.uvs == model.uvs);
+  EXPECT_EQ(dressed.drawing.rgba.pixels, drawing.rgba.pixels);
+}
+
+TEST(Hidden, WhatTouchesGoesOnWithTheDrawing) {
+  // Over its middle the back disc is nearly flat: the front one lies less than 1 px above it.
+  const DiscRelief relief = make_discs({back, {{90, 90}, 6, 0.01, 60.2}}, width, height, 3);
+  EXPECT_EQ(assemble(relief, Visibility::orbit).parts[0].hidden_count, 0);
+}
+
+TEST(Hidden, HasTheColourOfItsOwnPartWithoutItsInk) {
+  const Model model = assemble(make_discs({back, front}, width, height, 6), Visibility::orbit);
+  const auto found = hidden_patches(model, drawn_discs());
+  ASSERT_EQ(found.patches.size(), 1U);
+  EXPECT_EQ(found.patches[0].part, 0);
+  const std::vector<uint8_t> colours = hidden_colours(model, found);
+  for (const auto& triangle : hidden_triangles(model, 0))
+    for (const int v : triangle) {
+      EXPECT_EQ(colours[3 * v], 0);
+      EXPECT_EQ(colours[3 * v + 2], 200);
+    }
+}
+
+TEST(Hidden, DressedModelShowsItAndElseTheDrawing) {
+  const Model model = assemble(make_discs({back, front}, width, height, 6), Visibility::orbit);
+  const Drawing drawing = drawn_discs();
+  const auto [dressed, picture] = dress_hidden(model, drawing);
+  ASSERT_EQ(dressed.triangles.size(), model.triangles.size());
+  for (size_t t = 0; t < model.triangles.size(); ++t)
+    for (size_t k = 0; k < 3; ++k)
+      EXPECT_TRUE(dressed.positions[dressed.triangles[t][k]] ==
+                  model.positions[model.triangles[t][k]]);
+  for (const auto& triangle : hidden_triangles(dressed, 0))
+    for (const int v : triangle) {
+      EXPECT_EQ(pixel_at(picture, dressed.uvs[v])[2], 200);
+      EXPECT_EQ(pixel_at(picture, dressed.uvs[v])[0], 0);
+    }
+  const int seen = dressed.parts[0].triangle_count - dressed.parts[0].hidden_count;
+  for (int t = 0; t < seen; ++t)
+    for (const int v : dressed.triangles[t]) {
+      const Point2 uv = dressed.uvs[v];
+      EXPECT_NEAR(uv.x * width, dressed.positions[v].x, 1e-9);
+      EXPECT_NEAR(uv.y * picture.rgba.height, height - dressed.positions[v].y, 1e-9);
+    }
+}
+
+}  // namespace
+}  // namespace relievo

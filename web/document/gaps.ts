@@ -1,0 +1,134 @@
+import type { Document, Point, Ring } from './document';
+import { area, distance, mix } from './outline';
+import { addStroke, scribblesOf, segmentationOf, strokesNear, withScribbles } from './scribbling';
+import type { Stroke } from './segmentation';
+
+/** A gap in the lines of a flat drawing that was closed. Labels as seen along it; 0 is background. */
+export interface Gap {
+  readonly points: Ring;
+  readonly left: number;
+  readonly right: number;
+}
+
+/** What lies beside a gap: a part by its id, the background, or something unknown. */
+type Side = { part: string } | 'background' | 'unknown';
+
+function sideOf(document: Document, label: number): Side {
+  if (label === 0) return 'background';
+  const found = segmentationOf(document).parts.find((part) => part.label === label);
+  return found ? { part: found.id } : 'unknown';
+}
+
+/** The middle of a gap and the px to its right. */
+interface Crossing {
+  readonly length: number;
+  readonly along: Point;
+  at(along: number, right: number): Point;
+}
+
+function lengthOf(line: Ring): number {
+  return line.reduce((sum, point, i) => (i === 0 ? 0 : sum + distance(line[i - 1] as Point, point)), 0);
+}
+
+function crossingOf({ points }: Gap): Crossing {
+  const [first, last] = [points[0] as Point, points[points.length - 1] as Point];
+  const half = lengthOf(points) / 2;
+  let middle = mix(first, last, 0.5);
+  let walked = 0;
+  points.forEach((point, i) => {
+    const before = points[i - 1];
+    if (!before) return;
+    const step = distance(before, point);
+    if (walked <= half && half <= walked + step && step > 0) middle = mix(before, point, (half - walked) / step);
+    walked += step;
+  });
+  const chord = Math.max(1e-6, distance(first, last));
+  const along: Point = [(last[0] - first[0]) / chord, (last[1] - first[1]) / chord];
+  return {
+    length: 2 * half,
+    along,
+    at: (s, right) => [middle[0] + s * along[0] - right * along[1], middle[1] + s * along[1] + right * along[0]],
+  };
+}
+
+/** How far beside a gap strokes about it lie, px. */
+function beside({ length }: Crossing): number {
+  return Math.min(12, Math.max(3, 0.35 * length));
+}
+
+function strokeFor(side: Side, width: number, points: readonly Point[]): Stroke | null {
+  if (side === 'unknown') return null;
+  const line = points.map(([x, y]): Point => [Math.round(10 * x) / 10, Math.round(10 * y) / 10]);
+  return side === 'background' ? { kind: 'outside', width, points: line } : { kind: 'hard', part: side.part, width, points: line };
+}
+
+/** Whether strokes of both sides say already that the gap is none. */
+function isKept(document: Document, gap: Gap): boolean {
+  const crossing = crossingOf(gap);
+  const reach = 0.6 * beside(crossing);
+  return ([[gap.left, -1], [gap.right, 1]] as const).every(([label, way]) => {
+    const side = sideOf(document, label);
+    return strokesNear(scribblesOf(document), crossing.at(0, way * beside(crossing)), reach).some((stroke) =>
+      typeof side === 'object' ? stroke.part === side.part : stroke.kind === 'outside' || stroke.kind === 'hole',
+    );
+  });
+}
+
+/** The gaps of which nobody has said yet whether they are to be closed. */
+export function openQuestions(document: Document, gaps: readonly Gap[]): readonly Gap[] {
+  return gaps.filter((gap) => [gap.left, gap.right].every((label) => sideOf(document, label) !== 'unknown') && !isKept(document, gap));
+}
+
+/** Says that a gap is closed for ever: strokes on both of its sides. */
+export function keepGap(document: Document, gap: Gap): Document {
+  const crossing = crossingOf(gap);
+  const [off, half] = [beside(crossing), crossing.length / 4];
+  const strokes = ([[gap.left, -1], [gap.right, 1]] as const).map(([label, way]) =>
+    strokeFor(sideOf(document, label), Math.min(3, off), [crossing.at(-half, way * off), crossing.at(half, way * off)]),
+  );
+  return strokes.reduce((next, stroke) => (stroke ? addStroke(next, stroke) : next), document);
+}
+
+function sizeOf(document: Document, id: string): number {
+  const [ring] = document.parts.find((part) => part.id === id)?.outline ?? [];
+  return ring ? Math.abs(area(ring)) : 0;
+}
+
+/** Gives the strokes of a part to another one. */
+function handOver(document: Document, from: string, to: string): Document {
+  const { strokes } = scribblesOf(document);
+  return withScribbles(document, strokes.map((stroke) => (stroke.part === from ? { ...stroke, part: to } : stroke)));
+}
+
+/**
+ * Says that a gap is open: what lies on both sides is one, the background where it lies on one of
+ * them. Of two parts that which has strokes stays, or else the larger one.
+ */
+export function openGap(document: Document, gap: Gap): Document {
+  const sides = [sideOf(document, gap.left), sideOf(document, gap.right)];
+  const crossing = crossingOf(gap);
+  const half = Math.min(20, Math.max(5, 0.6 * crossing.length));
+  const across = [crossing.at(0, -half), crossing.at(0, half)];
+  const width = Math.min(6, Math.max(2, crossing.length / 3));
+  const parts = sides.flatMap((side) => (typeof side === 'object' ? [side.part] : []));
+  const [a, b] = parts;
+  if (sides.includes('unknown') || a === undefined) return document;
+  if (b === undefined) return addStroke(document, strokeFor('background', width, across) as Stroke);
+  const { strokes } = scribblesOf(document);
+  const weight = (id: string): number => (strokes.some((stroke) => stroke.part === id) ? 1e12 : 0) + sizeOf(document, id);
+  const [stays, goes] = weight(a) >= weight(b) ? [a, b] : [b, a];
+  return addStroke(handOver(document, goes, stays), strokeFor({ part: stays }, width, across) as Stroke);
+}
+
+/** The gap that passes a point within reach, px. */
+export function gapAt(gaps: readonly Gap[], point: Point, reach: number): Gap | undefined {
+  const off = ({ points }: Gap): number =>
+    Math.min(...points.flatMap((p, i) => [distance(p, point), distance(mix(p, points[i + 1] ?? p, 0.5), point)]));
+  return gaps.filter((gap) => off(gap) < reach).sort((p, q) => off(p) - off(q))[0];
+}
+
+/** The same gap among those that were found anew, or undefined. */
+export function sameGap(gaps: readonly Gap[], gap: Gap | null): Gap | undefined {
+  const middle = gap && crossingOf(gap).at(0, 0);
+  return middle ? gaps.find((other) => distance(crossingOf(other).at(0, 0), middle) < 4) : undefined;
+}

@@ -1,0 +1,77 @@
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { type Document, emptyDocument, type Point } from '../../document/document';
+import { type Gap, keepGap, openGap, openQuestions } from '../../document/gaps';
+import { readProject, writeProject } from '../../document/project_file';
+import { adopt, segmentationOf } from '../../document/scribbling';
+import { recordText } from '../../document/segmentation';
+import type { ReliefService } from '../../engine/relief_service';
+import { relievo } from '../support/command_line';
+import { openRing, openRingSize } from '../support/pictures';
+import { must, startService } from './service';
+
+const [width, height] = openRingSize;
+const png = openRing();
+
+let service: ReliefService;
+beforeAll(async () => {
+  service = await startService();
+  must(service.openDrawing({ png }));
+});
+
+function requestOf(document: Document) {
+  const segmentation = segmentationOf(document);
+  return { project: recordText(segmentation), labels: segmentation.labels };
+}
+
+function understood(document: Document): Document {
+  return adopt(document, must(service.understand(requestOf(document))));
+}
+
+function guessed(): Document {
+  return understood({ ...emptyDocument(), name: 'ring', width, height, drawing: { name: 'ring.png', kind: 'image', mime: 'image/png', bytes: png } });
+}
+
+function gapsOf(document: Document): readonly Gap[] {
+  const gaps = must(service.label(requestOf(document))).bridges.map(({ points, left, right }) => ({
+    points: Array.from({ length: points.length / 2 }, (_, i): Point => [points[2 * i]!, points[2 * i + 1]!]), left, right,
+  }));
+  return openQuestions(document, gaps);
+}
+
+/** What the command line makes of the saved project when it proposes again. */
+function native(document: Document): Document {
+  const [saved, again] = ['saved.relievo', 'again.relievo'].map((name) => join(mkdtempSync(join(tmpdir(), 'relievo-')), name));
+  writeFileSync(saved!, writeProject(document, null));
+  relievo('segment', saved!, '-q', '-o', again!);
+  return readProject(new Uint8Array(readFileSync(again!)));
+}
+
+describe('a gap in a line', () => {
+  it('is found where it was closed, with the part to its right', () => {
+    const document = guessed();
+    const gaps = gapsOf(document);
+    expect([document.parts.length, gaps.length]).toEqual([2, 1]);
+    for (const [x, y] of gaps[0]!.points) expect(Math.hypot(x - 370, y - 160)).toBeLessThan(24);
+    expect(gaps[0]!.left).toBe(0);
+  });
+
+  it('that is opened lets its area out, for the command line too', () => {
+    const document = guessed();
+    const opened = understood(openGap(document, gapsOf(document)[0]!));
+    expect(opened.parts.map((part) => part.id)).toEqual([document.parts.find((part) => Math.abs(part.outline[0]![0]![0] - 140) < 120)!.id]);
+    expect(gapsOf(opened)).toEqual([]);
+    expect(native(opened).parts).toEqual(opened.parts);
+  });
+
+  it('that is kept closed changes no part and is asked about no more', () => {
+    const document = guessed();
+    const kept = understood(keepGap(document, gapsOf(document)[0]!));
+    expect(kept.parts.map((part) => part.id)).toEqual(document.parts.map((part) => part.id));
+    expect(kept.segmentation!.labels).toEqual(document.segmentation!.labels);
+    expect(gapsOf(kept)).toEqual([]);
+    expect(native(kept).parts).toEqual(kept.parts);
+  });
+});
