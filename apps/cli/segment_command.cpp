@@ -49,7 +49,9 @@ Result<SegmentInput> from_project(const InputFile& file) {
   input.labels = std::move(record.labels);
   input.scribbles = std::move(record.scribbles);
   input.corrections = std::move(record.corrections);
-  for (const PartRecord& part : record.parts) input.label_of[part.id] = part.label;
+  input.name = std::move(project->name);
+  for (const PartRecord& part : record.parts) input.edited.label_of[part.id] = part.label;
+  input.edited.scene = std::move(project->scene);
   return input;
 }
 
@@ -120,7 +122,7 @@ Result<Scribbles> load_scribbles(const std::string& name, const Image8& pixels) 
 Status find_labels(SegmentInput& input, const RunContext& context) {
   auto found = segment_drawing(Drawing{input.pixels}, input.scribbles, {}, context);
   if (!found) return found.error();
-  KeptLabels kept = keep_labels(*found, {std::move(input.labels), std::move(input.label_of)});
+  KeptLabels kept = keep_labels(*found, {std::move(input.labels), input.edited.label_of});
   name_scribbled(*found, kept, input.corrections);
   input.corrections = corrections_of(kept.labels, input.corrections, ProposalOptions().min_pixels);
   for (Bridge& bridge : found->bridges) input.bridges.push_back(std::move(bridge.points));
@@ -240,20 +242,20 @@ Result<Files> scene_files(const SegmentArguments& segment, const SegmentInput& i
 }
 
 Result<Files> project_files(const SegmentArguments& segment, const SegmentInput& input,
-                            const Proposal& proposal) {
-  auto bytes = encode_project(project_of(input, proposal));
+                            const Proposal& proposal, const Scene& scene) {
+  auto bytes = encode_project(project_of(input, proposal, scene));
   if (!bytes) return bytes.error();
   return Files{{segment.output, std::move(*bytes)}};
 }
 
 /// Every file that the command writes.
 Result<Files> files_of(const SegmentArguments& segment, const SegmentInput& input,
-                       const Proposal& proposal, double milliseconds) {
-  auto files = is_project_name(segment.output) ? project_files(segment, input, proposal)
-                                               : scene_files(segment, input, proposal.scene);
+                       const Proposal& proposal, const Scene& scene, double milliseconds) {
+  auto files = is_project_name(segment.output) ? project_files(segment, input, proposal, scene)
+                                               : scene_files(segment, input, scene);
   if (!files) return files.error();
   if (!segment.overlay.empty()) {
-    auto overlay = overlay_png(proposal.scene, input);
+    auto overlay = overlay_png(scene, input);
     if (!overlay) return overlay.error();
     files->push_back({segment.overlay, std::move(*overlay)});
   }
@@ -263,10 +265,25 @@ Result<Files> files_of(const SegmentArguments& segment, const SegmentInput& inpu
   return files;
 }
 
-std::string summary(const Proposal& proposal) {
-  return std::to_string(proposal.scene.parts.size()) + " parts, " +
-         std::to_string(proposal.scene.joins.size()) + " joins, " +
-         std::to_string(proposal.scene.relations.size()) + " relations";
+std::string summary(const Scene& scene) {
+  return std::to_string(scene.parts.size()) + " parts, " + std::to_string(scene.joins.size()) +
+         " joins, " + std::to_string(scene.relations.size()) + " relations";
+}
+
+/// The proposed scene with the parts that were removed and drawn by hand in the project.
+Result<Scene> edited_scene(SegmentInput& input, Proposal& proposal) {
+  if (input.edited.scene.parts.empty() && input.edited.label_of.empty()) return proposal.scene;
+  const std::vector<std::string>& scribbled = input.scribbles.parts;
+  input.edited.scribbled.insert(scribbled.begin(), scribbled.end());
+  avoid_drawn_names(input.edited, proposal.scene);
+  std::vector<PartLabel> labels;
+  for (const int part : proposal.stacking.back_to_front)
+    labels.push_back(proposal.regions.labels[part]);
+  Scene scene = keep_edits(proposal.scene, labels, input.edited);
+  if (scene.parts.empty())
+    return Error{ErrorCode::bad_input, "has no parts left: all were removed in the project", ""};
+  if (Status status = validate(scene); !status) return status.error();
+  return scene;
 }
 
 }  // namespace
@@ -283,19 +300,21 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
   Progress progress(quiet);
   RunContext context{interruption.flag()};
   progress.watch(context);
-  const auto loaded = load(segment, context);
+  auto loaded = load(segment, context);
   if (!loaded) return loaded.error();
   const Stopwatch watch;
   ProposalOptions options;
   options.joining.colours = label_colours(loaded->pixels, loaded->labels);
-  const auto proposal = propose_scene(loaded->labels, loaded->corrections, options, context);
+  auto proposal = propose_scene(loaded->labels, loaded->corrections, options, context);
   if (!proposal) return proposal.error();
-  const auto files = files_of(segment, *loaded, *proposal, watch.milliseconds());
+  const auto scene = edited_scene(*loaded, *proposal);
+  if (!scene) return scene.error();
+  const auto files = files_of(segment, *loaded, *proposal, *scene, watch.milliseconds());
   if (!files) return files.error();
   if (Status status = save(*files, inputs, interruption); !status) return status;
   print_warnings(loaded->notes, quiet);
   print_warnings(proposal->warnings, quiet);
-  print_note(summary(*proposal), quiet);
+  print_note(summary(*scene), quiet);
   for (const OutputFile& file : *files) print_result(file.path.string(), quiet);
   return Done{};
 }

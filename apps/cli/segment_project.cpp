@@ -18,12 +18,13 @@ SegmentationRecord record_of(const SegmentInput& input, const Proposal& proposal
 
 }  // namespace
 
-Project project_of(const SegmentInput& input, const Proposal& proposal) {
+Project project_of(const SegmentInput& input, const Proposal& proposal, const Scene& scene) {
   Project project;
-  project.name = std::filesystem::path(input.drawing.name).stem().string();
+  project.name =
+      input.name.empty() ? std::filesystem::path(input.drawing.name).stem().string() : input.name;
   project.drawing = input.drawing;
   project.segmentation = record_of(input, proposal);
-  project.scene = proposal.scene;
+  project.scene = scene;
   project.scene.drawing = "drawing";
   return project;
 }

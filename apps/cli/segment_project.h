@@ -1,10 +1,10 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
 #include "io/project/project.h"
+#include "relief/pipeline/keep_edits.h"
 #include "relief/pipeline/propose_scene.h"
 
 namespace relievo::cli {
@@ -16,13 +16,15 @@ struct SegmentInput {
   Image8 pixels;             ///< of the drawing, RGBA
   Image16 labels;
   Scribbles scribbles;
-  std::map<std::string, PartLabel> label_of;  ///< ids that parts have in a project
+  std::string name;    ///< of the project; empty where there was none
+  EditedScene edited;  ///< of the project
   Corrections corrections;
   std::vector<std::vector<Point2>> bridges;  ///< gaps in the lines that were closed, px
   std::vector<std::string> notes;            ///< what a person should know
 };
 
-/// The project that keeps the drawing, what the user said and what was proposed.
-Project project_of(const SegmentInput& input, const Proposal& proposal);
+/// The project that keeps the drawing, what the user said and what was proposed; `scene` is the
+/// result.
+Project project_of(const SegmentInput& input, const Proposal& proposal, const Scene& scene);
 
 }  // namespace relievo::cli

@@ -80,6 +80,51 @@ TEST_F(SegmentDrawing, StrokesOnAProjectLeaveWhatWasSaidOfItsParts) {
   EXPECT_NE(inflations["belly"], 2.5) << "another part lies where that was said";
 }
 
+TEST_F(SegmentDrawing, PartsRemovedAndDrawnInTheEditorStaySo) {
+  ASSERT_EQ(relievo({"segment", "figure.png", "-o", "figure.relievo"}).exit_code, 0);
+  auto project = decode_project(to_bytes(read("figure.relievo")));
+  ASSERT_TRUE(project.ok());
+  // As the editor writes it: the record names all parts that were found, the scene has those that
+  // there are.
+  Scene& scene = project->scene;
+  ASSERT_EQ(scene.parts.size(), 2U);
+  const std::string removed = scene.parts[1].id;
+  const std::string left = scene.parts[0].id;
+  const Outline nose = {{{110, 180}, {130, 180}, {130, 200}, {110, 200}}};
+  scene.parts = {scene.parts[0], {"nose", nose, 3, 1}};
+  scene.joins.clear();
+  scene.robin.clear();
+  scene.relations = {{1, 0, RelationKind::equal, std::nullopt}};
+  project->name = "my figure";
+  const Bytes edited = *encode_project(*project);
+  write("edited.relievo", {edited.begin(), edited.end()});
+
+  ASSERT_EQ(relievo({"segment", "edited.relievo", "-o", "again.relievo"}).exit_code, 0);
+  const auto again = decode_project(to_bytes(read("again.relievo")));
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->name, "my figure");
+  ASSERT_EQ(again->scene.parts.size(), 2U);
+  EXPECT_EQ(again->scene.parts[0].id, left);
+  EXPECT_EQ(again->scene.parts[1].id, "nose");
+  EXPECT_EQ(again->scene.parts[1].outline[0].size(), 4U);
+  ASSERT_EQ(again->scene.relations.size(), 1U);
+  EXPECT_EQ(again->scene.relations[0].kind, RelationKind::equal);
+  EXPECT_EQ(again->segmentation->parts.size(), 2U) << "so that it is known what was removed";
+  // Once more from its own result, and with strokes on the part that was removed.
+  ASSERT_EQ(relievo({"segment", "again.relievo", "-o", "third.relievo"}).exit_code, 0);
+  EXPECT_EQ(read("third.relievo"), read("again.relievo"));
+  const int y =
+      again->segmentation->labels.at(120, 90) == again->segmentation->parts[1].label ? 90 : 220;
+  write("strokes.json", R"({"format": "relievo-scribbles", "version": 1, "parts": [")" + removed +
+                            R"("], "strokes": [{"kind": "hard", "part": ")" + removed +
+                            R"(", "width": 4, "points": [[110, )" + std::to_string(y) +
+                            R"(], [130, )" + std::to_string(y) + "]]}]}");
+  const Outcome back =
+      relievo({"segment", "again.relievo", "--scribbles", "strokes.json", "-o", "back.relievo"});
+  ASSERT_EQ(back.exit_code, 0) << back.err;
+  EXPECT_EQ(decode_project(to_bytes(read("back.relievo")))->scene.parts.size(), 3U);
+}
+
 TEST_F(SegmentDrawing, AScribblePictureDoesTheSame) {
   Image8 strokes(240, 300, 4, 0);
   for (int y = 78; y < 84; ++y)

@@ -3,6 +3,7 @@
 #include "io/image/gif_decode.h"
 #include "io/image/jpeg_decode.h"
 #include "io/image/png_decode.h"
+#include "io/image/png_defects.h"
 
 namespace relievo {
 
@@ -10,6 +11,7 @@ Result<Image8> decode_image(ByteView bytes, const ImageLimits& limits) {
   if (is_png(bytes)) return decode_png(bytes, limits);
   if (is_jpeg(bytes)) return decode_jpeg(bytes, limits);
   if (is_gif(bytes)) return decode_gif(bytes, limits);
+  if (is_nearly_png(bytes)) return decode_png(bytes, limits);  // which tells what is wrong
   return Error{ErrorCode::bad_input, "the file is neither a PNG nor a JPEG nor a GIF image", ""};
 }
 

@@ -8,8 +8,10 @@
 namespace relievo {
 namespace {
 
-constexpr int unknowns = 5;           ///< centre, logarithms of the half axes, angle
-constexpr double circle_prior = 1.5;  ///< standard deviation of log(a / b)
+constexpr int unknowns = 5;  ///< centre, logarithms of the half axes, angle
+/// Axes up to one to two are equally likely; beyond, log(a / b) deviates normally.
+constexpr double usual_elongation = std::numbers::ln2;
+constexpr double elongation_deviation = 1;
 /// Neighbouring points of a contour err together; so many count as one.
 constexpr double correlated_points = 4;
 constexpr int max_steps = 25;
@@ -28,14 +30,22 @@ struct Frame {
     const Point2 d = p - ellipse.centre;
     const double u = (c * d.x + s * d.y) / ellipse.a;
     const double v = (c * d.y - s * d.x) / ellipse.b;
-    const double r = std::sqrt(u * u + v * v);
-    return r > 1e-9 ? norm(d) * (1 - 1 / r) : -std::min(ellipse.a, ellipse.b);
+    const double r = std::hypot(u, v);
+    const double steepness = std::hypot(u / ellipse.a, v / ellipse.b);
+    return r > 1e-9 ? (r - 1) * r / steepness : -std::min(ellipse.a, ellipse.b);
   }
 
   Ellipse ellipse;
   double c;
   double s;
 };
+
+/// The preference for round ellipses, in standard deviations.
+double elongation_residual(const Parameters& p) {
+  const double elongation = p[2] - p[3];
+  return (elongation - std::clamp(elongation, -usual_elongation, usual_elongation)) /
+         elongation_deviation;
+}
 
 Eigen::VectorXd residuals(const Parameters& p, const EllipseEvidence& evidence) {
   const Frame ellipse(ellipse_of(p));
@@ -49,7 +59,7 @@ Eigen::VectorXd residuals(const Parameters& p, const EllipseEvidence& evidence) 
     r[on + i] = weight * std::max(0.0, ellipse.distance(evidence.within[i]));
   for (Eigen::Index i = 0; i < without; ++i)
     r[on + within + i] = weight * std::min(0.0, ellipse.distance(evidence.without[i]));
-  r[on + within + without] = (p[2] - p[3]) / circle_prior;
+  r[on + within + without] = elongation_residual(p);
   return r;
 }
 
@@ -120,7 +130,7 @@ Fit descend(Parameters p, const EllipseEvidence& evidence) {
 
 }  // namespace
 
-double radial_distance(const Ellipse& ellipse, Point2 p) { return Frame(ellipse).distance(p); }
+double first_order_distance(const Ellipse& ellipse, Point2 p) { return Frame(ellipse).distance(p); }
 
 std::optional<Ellipse> fit_ellipse(const EllipseEvidence& evidence) {
   if (evidence.on.size() < 6) return std::nullopt;

@@ -22,13 +22,16 @@ struct EllipseEvidence {
   double noise = 0.7;           ///< standard deviation of `on`, px
 };
 
-/// Distance of p from the ellipse along the ray from its centre, px; negative inside.
-double radial_distance(const Ellipse& ellipse, Point2 p);
+/// Distance of p from the ellipse to first order, px; negative inside: with r the distance from the
+/// centre in half axes, (r - 1) / |grad r| (P. D. Sampson, Fitting conic sections to "very
+/// scattered" data, 1982).
+double first_order_distance(const Ellipse& ellipse, Point2 p);
 
-/// The most likely ellipse: least squares of the radial distances of `on` and of what of `within`
-/// lies outside and of `without` inside, with a weak preference for circles where the evidence
-/// leaves the shape open. Nothing where there are fewer than 6 points on it. Levenberg-Marquardt
-/// from the moments of all points; O(points) a step, from two starts, at most 25 steps each.
+/// The most likely ellipse: least squares of the distances of `on` and of what of `within` lies
+/// outside and of `without` inside, with a preference for axes not longer than two to one where
+/// the evidence leaves the shape open. Nothing where there are fewer than 6 points on it.
+/// Levenberg-Marquardt from the moments of all points; O(points) a step, from two starts, at most
+/// 25 steps each.
 std::optional<Ellipse> fit_ellipse(const EllipseEvidence& evidence);
 
 /// The ellipse as a ring of positive area.

@@ -9,7 +9,8 @@ namespace relievo {
 namespace {
 
 constexpr double max_disagreement = 0.04;
-constexpr double shaped_share = 0.5;
+/// A boundary that belongs to the contour fits so much better than a contour needs to.
+constexpr double shaped_share = 0.4;
 /// Besides, so many pixels per pixel side of the boundary are noise.
 constexpr double boundary_noise = 0.25;
 

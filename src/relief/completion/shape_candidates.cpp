@@ -13,6 +13,8 @@ namespace relievo {
 namespace {
 
 constexpr size_t ellipse_samples = 100;  ///< about so many points of the contour are used
+constexpr size_t violations = 50;        ///< and of those that a first fit violates
+constexpr double violation = 0.5;        ///< px
 constexpr int ellipse_points = 180;
 constexpr double ellipse_noise = 0.8;          ///< px
 constexpr double ellipse_noise_share = 0.012;  ///< of the part's size
@@ -40,14 +42,17 @@ std::vector<Point2> ring_points(const HiddenPart& hidden, uint8_t hidden_ones) {
   return points;
 }
 
-/// Where occluders end at the background.
+/// Where occluders end at what cannot hide the part, so that it would be seen beyond.
 std::vector<Point2> occluder_borders(const HiddenPart& hidden) {
+  const auto hides = [&](int other) { return other >= 0 && hidden.hides[other] != 0; };
   std::vector<Point2> points;
   for (int other = 0; other < hidden.regions.count(); ++other) {
-    if (hidden.hides[other] == 0) continue;
+    if (!hides(other)) continue;
     for (const LabelRing& ring : hidden.regions.rings[other])
-      for (size_t i = 0; i < ring.size(); ++i)
-        if (ring.beyond[i] == 0) points.push_back(ring.sides[i]);
+      for (size_t i = 0; i < ring.size(); ++i) {
+        const int beyond = hidden.regions.part_of(ring.beyond[i]);
+        if (beyond != hidden.part && !hides(beyond)) points.push_back(ring.sides[i]);
+      }
   }
   return points;
 }
@@ -59,10 +64,38 @@ std::vector<Point2> thinned(const std::vector<Point2>& points, size_t about) {
   return few;
 }
 
+/// Adds some of the points to the list.
+void add_thinned(const std::vector<Point2>& points, std::vector<Point2>& list) {
+  for (const Point2 p : thinned(points, violations)) list.push_back(p);
+}
+
+/// The ellipse on which `on` lies, which contains `within` and keeps off `without`. Fitted to some
+/// of the points first, then to some of those that the first fit violates as well.
+std::optional<Ellipse> fit_to_boundaries(const std::vector<Point2>& on,
+                                         const std::vector<Point2>& within,
+                                         const std::vector<Point2>& without) {
+  EllipseEvidence evidence;
+  evidence.on = thinned(on, ellipse_samples);
+  evidence.within = thinned(within, ellipse_samples);
+  evidence.without = thinned(without, ellipse_samples);
+  const auto first = fit_ellipse(evidence);
+  if (!first) return std::nullopt;
+  std::vector<Point2> left_out;
+  std::vector<Point2> covered;
+  for (const Point2 p : within)
+    if (first_order_distance(*first, p) > violation) left_out.push_back(p);
+  for (const Point2 p : without)
+    if (first_order_distance(*first, p) < -violation) covered.push_back(p);
+  if (left_out.empty() && covered.empty()) return first;
+  add_thinned(left_out, evidence.within);
+  add_thinned(covered, evidence.without);
+  return fit_ellipse(evidence);
+}
+
 double rms_distance(const Ellipse& ellipse, const std::vector<Point2>& points) {
   double sum = 0;
   for (const Point2 p : points) {
-    const double d = radial_distance(ellipse, p);
+    const double d = first_order_distance(ellipse, p);
     sum += d * d;
   }
   return std::sqrt(sum / static_cast<double>(std::max<size_t>(points.size(), 1)));
@@ -126,11 +159,7 @@ double contour_tolerance(const HiddenPart& hidden) {
 
 std::optional<Mask> ellipse_shape(const HiddenPart& hidden, double tolerance) {
   const std::vector<Point2> on = ring_points(hidden, 0);
-  EllipseEvidence evidence;
-  evidence.on = thinned(on, ellipse_samples);
-  evidence.within = thinned(ring_points(hidden, 1), ellipse_samples);
-  evidence.without = thinned(occluder_borders(hidden), ellipse_samples);
-  const auto ellipse = fit_ellipse(evidence);
+  const auto ellipse = fit_to_boundaries(on, ring_points(hidden, 1), occluder_borders(hidden));
   if (!ellipse) return std::nullopt;
   if (rms_distance(*ellipse, on) > tolerance) return std::nullopt;
   return fill_outline({ring_of(*ellipse, ellipse_points)}, hidden.regions.map.width,

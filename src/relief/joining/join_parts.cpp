@@ -123,7 +123,13 @@ class Proposer {
     const double share = length / static_cast<double>(root.ring->size());
     if (share < options_.min_root || root.count < static_cast<size_t>(options_.min_root_sides))
       return;
+    if (is_far_larger(part, root.lower)) return;
     lay_join(part, root, colour_trust(part, root.lower) * std::min(1.0, 0.5 + share));
+  }
+
+  bool is_far_larger(int part, int lower) const {
+    const auto seen = [&](int k) { return static_cast<double>(pixel_count(regions_.visible[k])); };
+    return seen(part) > options_.max_size_ratio * seen(lower);
   }
 
   /// From 1 for parts of one colour to one half for those of clearly different ones.

@@ -12,6 +12,7 @@ namespace relievo {
 struct JoiningOptions {
   double min_root = 0.1;        ///< a root takes at least this share of the upper part's outline
   int min_root_sides = 8;       ///< and so many pixel sides
+  double max_size_ratio = 10;   ///< of what is seen of the upper part to what is of the lower
   double shortest_ramp = 0.08;  ///< share of the root beside each end of the join
   double longest_ramp = 0.3;
   /// Per label, the mean colour of what is seen, 0 to 255 a channel; none where unknown.
@@ -20,7 +21,8 @@ struct JoiningOptions {
 
 /// Proposes how every part connects with those behind it that it touches:
 ///  - join: the outline of the part has exactly one run that borders on parts behind it (its
-///    root), the rest of it goes elsewhere, and the root is no small part of the outline. The join
+///    root), the rest of it goes elsewhere, the root is no small part of the outline, and the part
+///    is not many times larger than the lower one, as a body over a far arm is. The join
 ///    is the middle of that run; the ramps beside it are as long as the run exceeds its chord, so
 ///    that they end where a limb leaves the lower part, and become Robin ranges;
 ///    A clear change of colour halves the confidence, since hats are not grown on, but sleeves are;

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "io/files/read_file.h"
+#include "io/image/decode_image.h"
 #include "io/image/png_decode.h"
 #include "io/support/reference_png.h"
 
@@ -41,6 +44,36 @@ TEST_F(PngSuite, SoundFilesOpenAndDamagedOnesAreRefused) {
       EXPECT_FALSE(image.error().message.empty());
     }
   }
+}
+
+TEST_F(PngSuite, EveryDamagedFileIsRefusedWithItsReason) {
+  const std::map<std::string, std::string> reasons = {
+      {"xs1n0g01", "byte 1 of its signature is wrong"},
+      {"xs2n0g01", "byte 2 of its signature is wrong"},
+      {"xs4n0g01", "byte 4 of its signature is wrong"},
+      {"xs7n0g01", "byte 7 of its signature is wrong"},
+      {"xcrn0g04", "the line ends in its signature were changed"},
+      {"xlfn0g04", "the line ends in its signature were changed"},
+      {"xhdn0g08", "the checksum of its header (IHDR) is wrong"},
+      {"xc1n0g08", "there is no colour type 1"},
+      {"xc9n2c08", "there is no colour type 9"},
+      {"xd0n2c08", "colour type 2 has no bit depth of 0"},
+      {"xd3n2c08", "colour type 2 has no bit depth of 3"},
+      {"xd9n2c08", "colour type 2 has no bit depth of 99"},
+      {"xdtn0g01", "it has no pixels (IDAT)"},
+      {"xcsn0g01", "the checksum of its pixels (IDAT) is wrong"}};
+  size_t refused = 0;
+  for (const fs::path& path : files_) {
+    if (path.filename().string()[0] != 'x') continue;
+    ++refused;
+    const auto reason = reasons.find(path.stem().string());
+    ASSERT_NE(reason, reasons.end()) << path;
+    const Result<Image8> image = decode_image(*read_file(path));
+    ASSERT_FALSE(image.ok()) << path;
+    EXPECT_NE(image.error().message.find(reason->second), std::string::npos)
+        << path << ": " << image.error().message;
+  }
+  EXPECT_EQ(refused, reasons.size());
 }
 
 TEST_F(PngSuite, EverySoundFileHasItsGoldenPixels) {

@@ -42,6 +42,32 @@ TEST(Png, RgbaRoundTrip) {
   EXPECT_EQ(decoded->pixels, image.pixels);
 }
 
+TEST(Png, DamageIsToldInWords) {
+  const Bytes sound = *encode_png(pattern(5, 4, 4));
+  const auto reason = [&](size_t at, uint8_t value) {
+    Bytes bytes = sound;
+    bytes[at] = value;
+    const Result<Image8> image = decode_image(bytes);
+    return image.ok() ? std::string() : image.error().message;
+  };
+  const auto tells = [](const std::string& message, const char* words) {
+    return message.find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(tells(reason(2, 'n'), "byte 3 of its signature is wrong"));
+  EXPECT_TRUE(tells(reason(4, '\n'), "line ends"));
+  EXPECT_TRUE(tells(reason(30, static_cast<uint8_t>(~sound[30])), "checksum of its header (IHDR)"));
+  const auto header = [](uint8_t depth, uint8_t type) {
+    Bytes bytes = png_header(5, 4);
+    bytes[24] = depth;
+    bytes[25] = type;
+    bytes.resize(29);
+    append_big_endian(bytes, static_cast<uint32_t>(crc32(0, &bytes[12], 17)));
+    return decode_image(bytes).error().message;
+  };
+  EXPECT_TRUE(tells(header(8, 5), "there is no colour type 5"));
+  EXPECT_TRUE(tells(header(16, 3), "colour type 3 has no bit depth of 16"));
+}
+
 TEST(Png, ValuesAreReadAsTheyAre) {
   Image16 deep(9, 7, 1);
   for (size_t i = 0; i < deep.pixels.size(); ++i) deep.pixels[i] = static_cast<uint16_t>(i * 997);

@@ -29,7 +29,7 @@ TEST(Ellipse, IsFoundFromTwoThirdsOfItsContour) {
   const auto found = fit_ellipse(evidence);
   ASSERT_TRUE(found);
   for (const Point2 p : arc(truth, 0, 6.28, 60))
-    EXPECT_LT(std::abs(radial_distance(*found, p)), 0.5);
+    EXPECT_LT(std::abs(first_order_distance(*found, p)), 0.5);
 }
 
 TEST(Ellipse, IsFoundFromTwoSidesAndWhatItContains) {
@@ -43,6 +43,34 @@ TEST(Ellipse, IsFoundFromTwoSidesAndWhatItContains) {
   const auto found = fit_ellipse(evidence);
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->a * found->b, truth.a * truth.b, 0.1 * truth.a * truth.b);
+}
+
+TEST(Ellipse, LimbIsAsLongAsItsSidesBendOnAGridOfPixels) {
+  // The middle half of a limb, rounded to pixels: distances along rays from its centre would weigh
+  // the far points, and their rounding, too much and make it short.
+  for (const double slope : {0.1, 0.5, 0.8}) {
+    const Ellipse truth{{200, 200}, 120, 30, slope};
+    EllipseEvidence evidence;
+    for (const double side : {0.0, M_PI})
+      for (const Point2 p : arc(truth, side + M_PI / 3, side + 2 * M_PI / 3, 100))
+        evidence.on.push_back({std::round(p.x), std::round(p.y)});
+    const auto found = fit_ellipse(evidence);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(std::max(found->a, found->b), truth.a, 0.15 * truth.a) << slope;
+    EXPECT_NEAR(std::min(found->a, found->b), truth.b, 0.03 * truth.b) << slope;
+  }
+}
+
+TEST(Ellipse, DistanceIsExactToFirstOrder) {
+  const Ellipse ellipse{{50, 60}, 40, 10, 0.3};
+  for (const double t : {0.0, 0.4, 1.0, 2.0, 3.0}) {
+    const Point2 on = arc(ellipse, t, t + 1, 2)[0];
+    const Point2 after = arc(ellipse, t + 1e-5, t + 1, 2)[0];
+    const Point2 along = (1 / distance(on, after)) * (after - on);
+    const Point2 outward{along.y, -along.x};
+    for (const double offset : {-0.2, 0.2})
+      EXPECT_NEAR(first_order_distance(ellipse, on + offset * outward), offset, 0.04) << t;
+  }
 }
 
 TEST(Ellipse, NeedsSixPoints) {
@@ -60,7 +88,8 @@ TEST(Ellipse, KeepsOutWhatItShouldNotContain) {
   const auto bounded = fit_ellipse(evidence);
   ASSERT_TRUE(free && bounded);
   double worst = 0;
-  for (const Point2 p : evidence.without) worst = std::max(worst, -radial_distance(*bounded, p));
+  for (const Point2 p : evidence.without)
+    worst = std::max(worst, -first_order_distance(*bounded, p));
   EXPECT_LT(worst, 3);
 }
 

@@ -50,6 +50,16 @@ TEST(JoinParts, TheRootOfALimbIsJoined) {
   EXPECT_NEAR(std::abs(joining.robin[0].to.x - joining.robin[1].to.x), 40, 2);
 }
 
+TEST(JoinParts, BodyOverAFarArmIsNotJoined) {
+  const Joining thin = join({400, 300, {box(20, 80, 60, 220), box(50, 10, 350, 290)}});
+  EXPECT_TRUE(thin.joins.empty());
+  ASSERT_EQ(thin.relations.size(), 1U);
+  EXPECT_EQ(thin.relations[0].relation.kind, RelationKind::above);
+  // Of a lower part that is not much smaller the upper one may be the continuation.
+  const Joining wide = join({400, 300, {box(5, 20, 60, 280), box(50, 10, 350, 290)}});
+  EXPECT_EQ(wide.joins.size(), 1U);
+}
+
 TEST(JoinParts, AnotherColourHalvesTheConfidence) {
   const auto confidence = [](std::array<double, 3> leg) {
     JoiningOptions options;

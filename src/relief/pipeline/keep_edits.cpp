@@ -1,0 +1,139 @@
+#include "relief/pipeline/keep_edits.h"
+
+#include <algorithm>
+
+namespace relievo {
+namespace {
+
+constexpr int nowhere = -1;
+
+bool is_drawn(const EditedScene& edited, const Part& part) {
+  return edited.label_of.count(part.id) == 0;
+}
+
+std::set<PartLabel> removed_labels(const EditedScene& edited) {
+  std::set<std::string> there = edited.scribbled;
+  for (const Part& part : edited.scene.parts) there.insert(part.id);
+  std::set<PartLabel> removed;
+  for (const auto& [id, label] : edited.label_of)
+    if (there.count(id) == 0) removed.insert(label);
+  return removed;
+}
+
+/// Where a part of the merged scene comes from: an index in one of the two scenes.
+struct Source {
+  int proposed = nowhere;
+  int drawn = nowhere;
+};
+
+/// Merges the parts of a proposal and those of an edited scene that were drawn by hand.
+class Merger {
+ public:
+  Merger(const Scene& proposed, const std::vector<PartLabel>& labels, const EditedScene& edited)
+      : proposed_(proposed), edited_(edited) {
+    const std::set<PartLabel> removed = removed_labels(edited);
+    std::map<PartLabel, int> proposed_of;
+    for (size_t k = 0; k < labels.size(); ++k) {
+      if (removed.count(labels[k]) > 0) continue;
+      sources_.push_back({static_cast<int>(k), nowhere});
+      proposed_of[labels[k]] = static_cast<int>(k);
+    }
+    insert_drawn(proposed_of);
+    number_parts(proposed_of);
+  }
+
+  Scene scene() const {
+    Scene merged = proposed_;
+    merged.parts.clear();
+    for (const Source& source : sources_)
+      merged.parts.push_back(source.drawn == nowhere ? proposed_.parts[source.proposed]
+                                                     : edited_.scene.parts[source.drawn]);
+    merged.joins = connections(proposed_.joins, edited_.scene.joins);
+    merged.relations = connections(proposed_.relations, edited_.scene.relations);
+    merged.robin = connections(proposed_.robin, edited_.scene.robin);
+    return merged;
+  }
+
+ private:
+  /// Each drawn part comes right after those below which it does not lie.
+  void insert_drawn(const std::map<PartLabel, int>& proposed_of) {
+    size_t at = 0;
+    for (size_t k = 0; k < edited_.scene.parts.size(); ++k) {
+      const Part& part = edited_.scene.parts[k];
+      if (is_drawn(edited_, part)) {
+        sources_.insert(sources_.begin() + static_cast<std::ptrdiff_t>(at++),
+                        {nowhere, static_cast<int>(k)});
+        continue;
+      }
+      const auto found = proposed_of.find(edited_.label_of.at(part.id));
+      if (found == proposed_of.end()) continue;
+      const auto same = [&](const Source& source) { return source.proposed == found->second; };
+      const auto place = std::find_if(sources_.begin(), sources_.end(), same) - sources_.begin();
+      at = std::max(at, static_cast<size_t>(place) + 1);
+    }
+  }
+
+  void number_parts(const std::map<PartLabel, int>& proposed_of) {
+    of_proposed_.assign(proposed_.parts.size(), nowhere);
+    of_edited_.assign(edited_.scene.parts.size(), nowhere);
+    for (size_t place = 0; place < sources_.size(); ++place) {
+      const Source& source = sources_[place];
+      (source.drawn == nowhere ? of_proposed_[source.proposed] : of_edited_[source.drawn]) =
+          static_cast<int>(place);
+    }
+    for (size_t k = 0; k < edited_.scene.parts.size(); ++k) {
+      const auto label = edited_.label_of.find(edited_.scene.parts[k].id);
+      if (label == edited_.label_of.end()) continue;
+      const auto found = proposed_of.find(label->second);
+      if (found != proposed_of.end()) of_edited_[k] = of_proposed_[found->second];
+    }
+  }
+
+  /// Those that were proposed, and those of drawn parts.
+  template <class Item>
+  std::vector<Item> connections(const std::vector<Item>& proposed,
+                                const std::vector<Item>& edited) const {
+    std::vector<Item> kept;
+    const auto keep = [&](Item item, const std::vector<int>& place_of) {
+      item.upper = place_of[item.upper];
+      item.lower = place_of[item.lower];
+      if (item.lower != nowhere && item.upper > item.lower) kept.push_back(std::move(item));
+    };
+    for (const Item& item : proposed) keep(item, of_proposed_);
+    const std::vector<Part>& parts = edited_.scene.parts;
+    for (const Item& item : edited)
+      if (is_drawn(edited_, parts[item.upper]) || is_drawn(edited_, parts[item.lower]))
+        keep(item, of_edited_);
+    return kept;
+  }
+
+  const Scene& proposed_;
+  const EditedScene& edited_;
+  std::vector<Source> sources_;   ///< back to front
+  std::vector<int> of_proposed_;  ///< places in the merged scene
+  std::vector<int> of_edited_;
+};
+
+}  // namespace
+
+void avoid_drawn_names(const EditedScene& edited, Scene& proposed) {
+  std::set<std::string> taken;
+  for (const Part& part : proposed.parts) taken.insert(part.id);
+  std::set<std::string> drawn;
+  for (const Part& part : edited.scene.parts)
+    if (is_drawn(edited, part)) drawn.insert(part.id);
+  for (Part& part : proposed.parts) {
+    if (drawn.count(part.id) == 0) continue;
+    const std::string stem = part.id;
+    for (int number = 2; taken.count(part.id) + drawn.count(part.id) > 0; ++number)
+      part.id = stem + "-" + std::to_string(number);
+    taken.insert(part.id);
+  }
+}
+
+Scene keep_edits(const Scene& proposed, const std::vector<PartLabel>& labels,
+                 const EditedScene& edited) {
+  return Merger(proposed, labels, edited).scene();
+}
+
+}  // namespace relievo
