@@ -206,10 +206,12 @@ std::vector<Point2> node_gradients(const GradientStencils& stencils,
   assert(values.size() + 1 == stencils.begin.size());
   std::vector<Point2> gradients(values.size());
   run_ranges(static_cast<int>(values.size()), [&](int first, int last) {
-    for (int n = first; n < last; ++n)
+    for (int n = first; n < last; ++n) {
+      Point2 gradient{0, 0};
       for (size_t i = stencils.begin[n]; i < stencils.begin[n + 1]; ++i)
-        gradients[n] =
-            gradients[n] + (values[stencils.neighbour[i]] - values[n]) * stencils.weight[i];
+        gradient = gradient + (values[stencils.neighbour[i]] - values[n]) * stencils.weight[i];
+      gradients[n] = gradient;
+    }
   });
   return gradients;
 }

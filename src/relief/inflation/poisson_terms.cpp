@@ -1,5 +1,6 @@
 #include "relief/inflation/poisson_terms.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -52,8 +53,13 @@ InflationTerms inflation_terms(const LayeredMesh& mesh, const Scene& scene, doub
     screening.push_back(sources[part].screening);
   }
   const std::vector<Point2> positions = node_positions(mesh, scale);
-  return {load_vector({positions, mesh.faces}, density),
-          load_vector({positions, mesh.faces}, screening)};
+  InflationTerms terms;
+  terms.load = load_vector({positions, mesh.faces}, density);
+  const bool round = std::all_of(sources.begin(), sources.end(),
+                                 [](const Source& source) { return source.screening == 0; });
+  terms.screening = round ? Eigen::VectorXd::Zero(terms.load.size())
+                          : load_vector({positions, mesh.faces}, screening);
+  return terms;
 }
 
 std::vector<int> surface_signs(const LayeredMesh& mesh, const std::vector<int>& surface,

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "kernel/base/workers.h"
 #include "relief/ordering/overlap.h"
 #include "relief/ordering/shift_metric.h"
 
@@ -93,9 +94,14 @@ void finish_ordering(const OrderingInput& input, const std::vector<FacePair>& st
   ordering.g.reserve(ordering.h.size());
   for (size_t n = 0; n < ordering.h.size(); ++n)
     ordering.g.push_back(ordering.h[n] - f[static_cast<Eigen::Index>(n)]);
-  ordering.grad_g = node_gradients(input.discretisation.gradients, ordering.g);
-  const OverlapSamples samples = sample_overlap(input.mesh, stacked, input.inflation.u, ordering.g,
-                                                crossing_tolerance / input.discretisation.scale);
+  OverlapSamples samples;
+  run_tasks(2, [&](int task) {
+    if (task == 0)
+      ordering.grad_g = node_gradients(input.discretisation.gradients, ordering.g);
+    else
+      samples = sample_overlap(input.mesh, stacked, input.inflation.u, ordering.g,
+                               crossing_tolerance / input.discretisation.scale);
+  });
   ordering.overlap_samples = samples.count;
   ordering.overlap_worst = samples.worst;
 }
