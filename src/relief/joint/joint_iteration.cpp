@@ -14,7 +14,7 @@ namespace {
 using Eigen::VectorXd;
 
 /// The accelerator forgets its past when the residual has grown by so much.
-constexpr double growth_limit = 3;
+constexpr double growth_limit = 100;
 
 /// The residual at which crossings are looked for.
 constexpr double rough = 1e-3;

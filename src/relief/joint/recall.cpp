@@ -28,13 +28,6 @@ std::vector<int> pressed_nodes(const JointModel& model, const std::vector<DepthP
   return nodes;
 }
 
-/// Place of a node in B, -1 where it is not on it.
-Eigen::Index place_in_bound(const JointModel& model, int node) {
-  const auto at = std::lower_bound(model.bound.begin(), model.bound.end(), node);
-  if (at == model.bound.end() || *at != node) return -1;
-  return at - model.bound.begin();
-}
-
 JointMark place_of(const LayeredMesh& mesh, int node) {
   JointMark mark;
   mark.part = mesh.node_part[node];
@@ -94,10 +87,8 @@ JointMemory remember(const LayeredMesh& mesh, const JointModel& model,
   for (const int n : pressed_nodes(model, pairs)) {
     JointMark mark = place_of(mesh, n);
     mark.rise = state.u[n] - u_start[n];
-    mark.load = state.load[n] / std::sqrt(model.mass[n]);
+    mark.load = state.load[n];
     mark.h = state.h[n];
-    const Eigen::Index i = place_in_bound(model, n);
-    if (i >= 0) mark.slope = state.slope[i] / model.bound_mass[i];
     memory.marks.push_back(mark);
   }
   memory.contacts = inner_contacts(mesh, pairs, state.h);
@@ -123,17 +114,21 @@ std::vector<DepthPair> likely_pairs(const LayeredMesh& mesh, const StackedNodes&
 void recall(const LayeredMesh& mesh, const JointModel& model, const std::vector<DepthPair>& pairs,
             const std::vector<JointMark>& marks, JointState& state) {
   if (marks.empty()) return;
+  const std::vector<int> nodes = pressed_nodes(model, pairs);
+  std::vector<const JointMark*> nearest;
+  VectorXd shared = VectorXd::Zero(static_cast<Eigen::Index>(marks.size()));
+  for (const int n : nodes) {
+    nearest.push_back(nearest_mark(marks, place_of(mesh, n)));
+    if (nearest.back() != nullptr) shared[nearest.back() - marks.data()] += model.mass[n];
+  }
   state.h.assign(mesh.node_vertex.size(), 0);
-  for (const int n : pressed_nodes(model, pairs)) {
-    const JointMark* mark = nearest_mark(marks, place_of(mesh, n));
-    if (mark == nullptr) continue;
-    state.h[n] = mark->h;
-    const Eigen::Index i = place_in_bound(model, n);
-    if (i < 0 && model.place[n] < 0) continue;
-    const double u = state.u[n] + mark->rise;
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    if (nearest[i] == nullptr) continue;
+    const int n = nodes[i];
+    state.h[n] = nearest[i]->h;
+    const double u = state.u[n] + nearest[i]->rise;
     state.u[n] = model.sign[n] * u < 0 ? 0 : u;
-    if (model.sign[n] == 0) state.load[n] = mark->load * std::sqrt(model.mass[n]);
-    if (i >= 0) state.slope[i] = mark->slope * model.bound_mass[i];
+    state.load[n] = nearest[i]->load * model.mass[n] / shared[nearest[i] - marks.data()];
   }
 }
 

@@ -52,7 +52,6 @@ JointState first_state(const JointModel& model, const Inflation& start) {
   const double area = model.metric.scale * model.metric.scale;
   for (Eigen::Index n = 0; n < state.u.size(); ++n) state.u[n] = area * start.u[n];
   state.load = VectorXd::Zero(state.u.size());
-  state.slope = VectorXd::Zero(static_cast<Eigen::Index>(model.bound.size()));
   return state;
 }
 
@@ -72,7 +71,8 @@ class JointRounds {
         context_(context),
         model_(make_joint_model(input, options.epsilon)),
         stacked_(stacked_nodes(input.mesh, stacked_faces(input.mesh, input.scene))),
-        likely_(likely_pairs(input.mesh, stacked_, known.contacts)) {
+        likely_(likely_pairs(input.mesh, stacked_, known.contacts)),
+        recalled_(!known.marks.empty()) {
     model_.lambda_bnd = options.lambda_bnd;
     model_.lambda_shift = options.lambda_shift;
     run_.state = first_state(model_, input.inflation);
@@ -131,6 +131,7 @@ class JointRounds {
       if (!response_) response_.emplace(model_);
       if (!response_->sound())
         return Error{ErrorCode::internal, "the inflation has no finite solution", ""};
+      if (std::exchange(recalled_, false)) inflate_recalled();
       const Status status = iterate_jointly(*response_, problem, options_, context_, run_);
       if (!status || run_.crossed) return status;
       if (i == sign_rounds || !hold_wrong_signs(u, model_)) break;
@@ -139,6 +140,14 @@ class JointRounds {
     for (Eigen::Index n = 0; n < u.size(); ++n)
       if (model_.sign[n] * u[n] < 0) u[n] = 0;
     return Done{};
+  }
+
+  /// What was recalled are values node by node: u becomes the inflation under the loads.
+  void inflate_recalled() {
+    VectorXd u_bound(static_cast<Eigen::Index>(model_.bound.size()));
+    for (size_t i = 0; i < model_.bound.size(); ++i)
+      u_bound[static_cast<Eigen::Index>(i)] = run_.state.u[model_.bound[i]];
+    run_.state.u = response_->inflate(response_->excess(run_.state.load), u_bound);
   }
 
   bool crosses(const std::vector<double>& h) const {
@@ -168,6 +177,7 @@ class JointRounds {
   JointModel model_;
   StackedNodes stacked_;
   std::vector<DepthPair> likely_;  ///< that will be found to cross
+  bool recalled_;                  ///< whether `u` holds what is known of another mesh
   std::vector<DepthPair> pairs_;   ///< of the round
   std::optional<InflationResponse> response_;
   VectorXd u_start_;
