@@ -6,11 +6,20 @@ namespace relievo {
 
 using Eigen::VectorXd;
 
+namespace {
+
+/// The order of the solution is found again, exactly.
+constexpr double contact_tolerance = 1e-11;
+
+}  // namespace
+
 ContactStep::ContactStep(const JointModel& model, const DepthProblem& problem,
-                         const std::vector<int>& soft, const std::vector<double>& last_h)
-    : model_(model), problem_(problem), matrix_(make_soft_matrix(model, problem, soft)) {
+                         const std::vector<int>& soft, const std::vector<uint8_t>& closed)
+    : model_(model),
+      problem_(problem),
+      matrix_(make_soft_matrix(model, problem, soft)),
+      active_(closed) {
   qp_.bounded = problem.variables.bounded;
-  if (!last_h.empty()) active_ = closed_gaps(problem, last_h);
   qp_.bounded.resize(qp_.bounded.size() + soft.size(), 0);
   active_.resize(qp_.bounded.size(), 0);
   qp_.K = std::move(matrix_.K);
@@ -26,6 +35,7 @@ Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunC
   set_springs(matrix_, springs.stiffness / model_.lambda_shift, qp_.K);
   BoundQpOptions options;
   options.start_active = active_;
+  options.tolerance = contact_tolerance;
   const BoundQpSolution solution = solve_bound_qp(qp_, factor_, options, context);
   active_ = solution.active;
 
@@ -39,6 +49,11 @@ Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunC
   const double scale = model_.metric.scale;
   contact.h = heights_of(problem_, root_height / scale, solution.z, scale);
   return contact;
+}
+
+std::optional<DepthSystem> ContactStep::release() && {
+  if (matrix_.direction.size() > 0) return std::nullopt;
+  return DepthSystem{problem_, std::move(qp_), std::move(factor_), std::move(active_)};
 }
 
 }  // namespace relievo

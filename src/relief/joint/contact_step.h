@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "kernel/base/run_context.h"
@@ -33,11 +34,16 @@ struct Contact {
 /// next; without soft nodes that is the depth order.
 class ContactStep {
  public:
+  /// closed: gaps of the problem that are closed in the first guess.
   ContactStep(const JointModel& model, const DepthProblem& problem, const std::vector<int>& soft,
-              const std::vector<double>& last_h);
+              const std::vector<uint8_t>& closed);
 
   /// f: #N in scene units, what is fixed of it. Factorises what the active set changes.
   Contact solve(const Eigen::VectorXd& f, const Springs& springs, const RunContext& context);
+
+  /// The depth order's program with the last factor and active set, taken from here; nothing where
+  /// there are soft nodes.
+  std::optional<DepthSystem> release() &&;
 
  private:
   const JointModel& model_;

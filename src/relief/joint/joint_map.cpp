@@ -46,14 +46,14 @@ std::vector<int> soft_nodes(const JointModel& model, std::vector<int> contact, b
 
 JointMap::JointMap(const JointModel& model, const InflationResponse& response,
                    const DepthProblem& problem, const Softness& softness,
-                   const std::vector<double>& last_h)
+                   const std::vector<uint8_t>& closed)
     : model_(model),
       response_(response),
       smooth_root_(softness.width),
       nodes_(inner_nodes(model, problem, true)),
       apart_(inner_nodes(model, problem, false)),
       soft_(soft_nodes(model, nodes_, softness.all)),
-      contact_step_(model, problem, soft_, last_h),
+      contact_step_(model, problem, soft_, closed),
       bound_step_(model, problem),
       bounds_(model.bound_mass.size()),
       compliance_(compliance_of_soft_nodes(softness.share)) {}

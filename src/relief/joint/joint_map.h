@@ -1,6 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "kernel/base/run_context.h"
@@ -34,8 +37,9 @@ struct Softness {
 /// loads of soft nodes, all scaled to the unit of u.
 class JointMap {
  public:
+  /// closed: gaps of the problem that are closed in the first guess.
   JointMap(const JointModel& model, const InflationResponse& response, const DepthProblem& problem,
-           const Softness& softness, const std::vector<double>& last_h);
+           const Softness& softness, const std::vector<uint8_t>& closed);
 
   Eigen::VectorXd pack(const JointState& state) const;
 
@@ -45,6 +49,9 @@ class JointMap {
 
   /// One step: leaves F in `state` and says what it cost.
   SolveStatus apply(JointState& state, JointStep& step, const RunContext& context);
+
+  /// As that of the contact.
+  std::optional<DepthSystem> release() && { return std::move(contact_step_).release(); }
 
  private:
   Eigen::VectorXd fixed_f(const JointState& state) const;

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "kernel/geometry/point.h"
+#include "relief/ordering/depth_contacts.h"
 
 namespace relievo {
 
@@ -18,24 +18,14 @@ struct JointMark {
   int group() const { return part; }
 };
 
-/// Where two parts touched inside of their outlines.
-struct InnerContact {
-  int lower = -1;  ///< parts
-  int upper = -1;
-  Point2 position;   ///< px
-  double reach = 0;  ///< px, the longest edge there
-
-  std::pair<int, int> group() const { return {lower, upper}; }
-};
-
 /// Where an iteration ended, for another to begin from, on the same mesh or one of a similar
-/// scene. Both are sorted by group and position.
+/// scene.
 struct JointMemory {
-  std::vector<JointMark> marks;
-  std::vector<InnerContact> contacts;
+  std::vector<JointMark> marks;  ///< by group and position
+  std::vector<DepthContact> contacts;
 };
 
 /// After a change of the parts' numbers.
-void sort_memory(JointMemory& memory);
+void sort_marks(std::vector<JointMark>& marks);
 
 }  // namespace relievo

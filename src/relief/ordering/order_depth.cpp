@@ -11,13 +11,6 @@
 namespace relievo {
 namespace {
 
-/// Where crossing nodes are added, so many rings around them are too: small changes then need no
-/// others.
-constexpr int margin = 2;
-/// Stacked nodes are all compared where they are at most one of so many nodes: then one matrix does
-/// for all rounds and edits. Gaps in deeper stacks would make it too dense, as they couple sheets.
-constexpr size_t affordable_share = 2;
-
 /// Solves with the system, which is made anew where it cannot serve.
 class HeightsUnderPairs {
  public:
@@ -84,12 +77,6 @@ void prepare(const OrderingInput& input, const OrderingOptions& options, Orderin
   if (faces != system.stacked.faces) system.stacked = stacked_nodes(input.mesh, std::move(faces));
 }
 
-/// The stacked nodes that are compared from the first round on.
-std::vector<DepthPair> pairs_inside(const OrderingSystem& system, size_t nodes) {
-  const std::vector<DepthPair>& all = system.stacked.pairs;
-  return all.size() <= nodes / affordable_share ? all : system.inside;
-}
-
 }  // namespace
 
 Result<Ordering> order_depth(const OrderingInput& input, const OrderingOptions& options,
@@ -99,8 +86,8 @@ Result<Ordering> order_depth(const OrderingInput& input, const OrderingOptions& 
   assert(static_cast<int>(input.scene.parts.size()) == mesh.part_count);
   if (Status status = check_options(options); !status) return status.error();
   prepare(input, options, system, context);
-  RoundPlan plan{system.stacked, {}, margin, options.max_rounds};
-  if (options.max_rounds > 0) plan.inside = pairs_inside(system, mesh.node_vertex.size());
+  RoundPlan plan =
+      plan_rounds(system.stacked, system.inside, mesh.node_vertex.size(), options.max_rounds);
   HeightsUnderPairs heights(input, options, system, context);
   const auto solve = [&](const std::vector<DepthPair>& pairs, Ordering& ordering) {
     return heights.solve(pairs, ordering);
