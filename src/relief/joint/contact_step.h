@@ -2,20 +2,16 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "kernel/base/run_context.h"
 #include "kernel/solvers/bound_qp.h"
 #include "relief/joint/joint_model.h"
+#include "relief/joint/soft_matrix.h"
 #include "relief/ordering/depth_problem.h"
 
 namespace relievo {
-
-/// A node whose f is unknown in the contact.
-struct SoftNode {
-  int node = -1;
-  int sign = 0;  ///< the unknown's sign: 1, -1, or 0 for any
-};
 
 /// What keeps the unknown f of the soft nodes: 1/2 stiffness f^2 - pull f, in scene units.
 struct Springs {
@@ -34,22 +30,26 @@ struct Contact {
 };
 
 /// Minimises lambda_shift / 2 g'A g and the springs over g and the soft nodes' f under the depth
-/// pairs. A bound-constrained program whose pattern and start are kept from one step to the next.
+/// pairs. A bound-constrained program whose pattern, factor and start are kept from one step to the
+/// next; without soft nodes that is the depth order.
 class ContactStep {
  public:
-  ContactStep(const JointModel& model, const DepthProblem& problem,
-              const std::vector<SoftNode>& soft, const std::vector<double>& last_h);
+  /// closed: gaps of the problem that are closed in the first guess.
+  ContactStep(const JointModel& model, const DepthProblem& problem, const std::vector<int>& soft,
+              const std::vector<uint8_t>& closed);
 
-  /// f: #N in scene units, what is fixed of it. At least one factorisation.
+  /// f: #N in scene units, what is fixed of it. Factorises what the active set changes.
   Contact solve(const Eigen::VectorXd& f, const Springs& springs, const RunContext& context);
+
+  /// The depth order's program with the last factor and active set, taken from here; nothing where
+  /// there are soft nodes.
+  std::optional<DepthSystem> release() &&;
 
  private:
   const JointModel& model_;
   const DepthProblem& problem_;
-  SparseMatrix T_;  ///< (h, soft f) -> g + fixed f
+  SoftMatrix matrix_;
   BoundQp qp_;
-  Eigen::VectorXd own_stiffness_;  ///< diagonal of K at the soft nodes without the springs
-  Eigen::VectorXd direction_;      ///< of soft nodes: f = direction * unknown
   std::vector<uint8_t> active_;
   SparseCholesky factor_;
 };

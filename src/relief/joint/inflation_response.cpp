@@ -21,18 +21,22 @@ VectorXd InflationResponse::solve_poisson(const VectorXd& load) const {
   return solution;
 }
 
-Inflated InflationResponse::solve(const VectorXd& load, const VectorXd& u_bound) const {
-  const VectorXd excess = solve_poisson(load);
-  const VectorXd weighted = model_.mass.cwiseProduct(excess);
+Excess InflationResponse::excess(const VectorXd& load) const {
+  Excess excess;
+  excess.s = solve_poisson(load);
+  excess.energy = excess.s.dot(model_.mass.cwiseProduct(excess.s));
+  const VectorXd gradient = model_.L * excess.s;
+  excess.slope.resize(static_cast<Eigen::Index>(model_.bound.size()));
+  for (Eigen::Index i = 0; i < excess.slope.size(); ++i)
+    excess.slope[i] = gradient[model_.bound[i]];
+  return excess;
+}
+
+VectorXd InflationResponse::inflate(const Excess& excess, const VectorXd& u_bound) const {
   VectorXd known = model_.held;
   for (Eigen::Index i = 0; i < u_bound.size(); ++i) known[model_.bound[i]] = u_bound[i];
-  Inflated inflated;
-  inflated.u = solve_poisson(model_.load + weighted - model_.L * known) + known;
-  const VectorXd gradient = model_.L * excess;
-  inflated.slope.resize(u_bound.size());
-  for (Eigen::Index i = 0; i < u_bound.size(); ++i) inflated.slope[i] = gradient[model_.bound[i]];
-  inflated.energy = excess.dot(weighted);
-  return inflated;
+  const VectorXd load = model_.load + model_.mass.cwiseProduct(excess.s) - model_.L * known;
+  return solve_poisson(load) + known;
 }
 
 VectorXd InflationResponse::compliance(const VectorXd& load) const {

@@ -7,11 +7,11 @@
 
 namespace relievo {
 
-/// The inflation under given loads.
-struct Inflated {
-  Eigen::VectorXd u;      ///< #N
+/// How far the inflation exceeds c under a load.
+struct Excess {
+  Eigen::VectorXd s;      ///< #N, M^-1 L u - c
   Eigen::VectorXd slope;  ///< #B, derivative of the inflation energy / 2 with respect to u there
-  double energy = 0;      ///< of the excess over c
+  double energy = 0;
 };
 
 /// Minimises the inflation energy minus twice a linear load over u off B: two Poisson solves with
@@ -25,8 +25,11 @@ class InflationResponse {
 
   const JointModel& model() const { return model_; }
 
-  /// load: #N, read at inner nodes; u_bound: #B.
-  Inflated solve(const Eigen::VectorXd& load, const Eigen::VectorXd& u_bound) const;
+  /// load: #N, read at inner nodes.
+  Excess excess(const Eigen::VectorXd& load) const;
+
+  /// The u (#N) that has this excess and, on B, u_bound (#B).
+  Eigen::VectorXd inflate(const Excess& excess, const Eigen::VectorXd& u_bound) const;
 
   /// How u answers to a load alone. #N
   Eigen::VectorXd compliance(const Eigen::VectorXd& load) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "kernel/base/stopwatch.h"
 #include "kernel/solvers/anderson.h"
@@ -14,7 +15,7 @@ namespace {
 using Eigen::VectorXd;
 
 /// The accelerator forgets its past when the residual has grown by so much.
-constexpr double growth_limit = 3;
+constexpr double growth_limit = 100;
 
 /// The residual at which crossings are looked for.
 constexpr double rough = 1e-3;
@@ -96,11 +97,14 @@ Status iterate(JointMap& map, const JointOptions& options, const RunContext& con
 Status iterate_jointly(const InflationResponse& response, const DepthProblem& problem,
                        const JointOptions& options, const RunContext& context, JointRun& run) {
   const JointState start = run.state;
+  run.order.reset();
   for (const Softness& softness : softnesses_of(response.model())) {
     run.state = start;
-    JointMap map(response.model(), response, problem, softness, start.h);
+    JointMap map(response.model(), response, problem, softness, run.closed);
     if (Status status = iterate(map, options, context, run); !status) return status;
-    if (run.crossed || run.report.status == JointStatus::solved) return Done{};
+    if (!run.crossed && run.report.status != JointStatus::solved) continue;
+    run.order = std::move(map).release();
+    return Done{};
   }
   run.state = start;
   return Done{};

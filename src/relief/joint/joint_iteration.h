@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "kernel/base/result.h"
@@ -20,12 +22,15 @@ struct KeptState {
 /// An iteration that may go on under other pairs.
 struct JointRun {
   JointState state;
+  std::vector<uint8_t> closed;  ///< gaps of the problem that are closed in the first guess
   JointReport report;
   std::vector<KeptState> kept;  ///< those that the options ask for
   /// Asked once the residual is below `rough`, with the heights: whether the pairs do not suffice,
   /// so that there is no use in going on.
   std::function<bool(const std::vector<double>& h)> crosses;
   bool crossed = false;  ///< its answer
+  /// The depth order under the pairs as the contact has left it, where it was that.
+  std::optional<DepthSystem> order;
 };
 
 /// Iterates contact and inflation under one set of pairs until they agree, from the run's state,

@@ -11,14 +11,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// |f| is taken at least so large where B should leave 0.
-constexpr double smallest_f = 1e-3;
 /// |u| is taken at least so large for the resistance of a soft node.
 constexpr double smallest_u = 1e-3;
 /// A spring on B is kept at least so stiff, relative to lambda_bnd alone.
 constexpr double softest = 0.2;
-/// A typical resistance of the contact against f on B.
-constexpr double contact_stiffness = 0.3;
 
 /// One flag per variable: whether it is that of a pair.
 std::vector<uint8_t> pressed_variables(const DepthProblem& problem) {
@@ -40,44 +36,38 @@ std::vector<int> inner_nodes(const JointModel& model, const DepthProblem& proble
   return nodes;
 }
 
-std::vector<SoftNode> soft_nodes(const JointModel& model, const std::vector<int>& contact,
-                                 bool all) {
-  std::vector<SoftNode> soft;
-  for (const int n : model.bound) soft.push_back({n, model.sign[n]});
-  for (const int n : contact)
-    if (all || model.sign[n] == 0) soft.push_back({n, 0});
-  return soft;
+std::vector<int> soft_nodes(const JointModel& model, std::vector<int> contact, bool all) {
+  const auto firm = [&](int n) { return !all && model.sign[n] != 0; };
+  contact.erase(std::remove_if(contact.begin(), contact.end(), firm), contact.end());
+  return contact;
 }
 
 }  // namespace
 
 JointMap::JointMap(const JointModel& model, const InflationResponse& response,
                    const DepthProblem& problem, const Softness& softness,
-                   const std::vector<double>& last_h)
+                   const std::vector<uint8_t>& closed)
     : model_(model),
       response_(response),
       smooth_root_(softness.width),
       nodes_(inner_nodes(model, problem, true)),
       apart_(inner_nodes(model, problem, false)),
       soft_(soft_nodes(model, nodes_, softness.all)),
-      contact_step_(model, problem, soft_, last_h),
+      contact_step_(model, problem, soft_, closed),
+      bound_step_(model, problem),
       bounds_(model.bound_mass.size()),
-      stiffness_((model.lambda_bnd * model.bound_mass).array() + contact_stiffness),
       compliance_(compliance_of_soft_nodes(softness.share)) {}
 
 VectorXd JointMap::pack(const JointState& state) const {
   const auto contacts = static_cast<Index>(nodes_.size());
-  VectorXd x(contacts + 2 * bounds_ + compliance_.size());
+  VectorXd x(contacts + bounds_ + compliance_.size());
   for (Index i = 0; i < contacts; ++i) {
     const double u = state.u[nodes_[i]];
     x[i] = model_.sign[nodes_[i]] * u < 0 ? 0 : u;
   }
-  for (Index i = 0; i < bounds_; ++i) {
-    x[contacts + i] = signed_root(state.u[model_.bound[i]]);
-    x[contacts + bounds_ + i] = state.slope[i] / stiffness_[i];
-  }
+  x.segment(contacts, bounds_) = f_on_bound(state);
   for (Index i = 0; i < compliance_.size(); ++i)
-    x[contacts + 2 * bounds_ + i] = state.load[soft_[bounds_ + i].node] * compliance_[i];
+    x[contacts + bounds_ + i] = state.load[soft_[i]] * compliance_[i];
   return x;
 }
 
@@ -90,31 +80,64 @@ void JointMap::unpack(const VectorXd& x, JointState& state) const {
     state.u[n] = sign != 0 && sign * x[i] < sign * least ? least : x[i];
   }
   for (Index i = 0; i < bounds_; ++i) {
-    const double f = soft_[i].sign * x[contacts + i] < 0 ? 0 : x[contacts + i];
-    state.u[model_.bound[i]] = f * std::abs(f);
-    state.slope[i] = x[contacts + bounds_ + i] * stiffness_[i];
+    const int n = model_.bound[i];
+    const double f = x[contacts + i];
+    state.u[n] = model_.sign[n] * f < 0 ? 0 : f * std::abs(f);
   }
   for (Index i = 0; i < compliance_.size(); ++i)
-    state.load[soft_[bounds_ + i].node] = x[contacts + 2 * bounds_ + i] / compliance_[i];
+    state.load[soft_[i]] = x[contacts + bounds_ + i] / compliance_[i];
 }
 
 SolveStatus JointMap::apply(JointState& state, JointStep& step, const RunContext& context) {
-  VectorXd f = model_.held.unaryExpr(&signed_root);
-  for (const int n : nodes_) f[n] = root(n).f(state.u[n]);
+  const VectorXd f = fixed_f(state);
   Contact contact = contact_step_.solve(f, springs(state), context);
   if (contact.status != SolveStatus::solved) return contact.status;
-  const VectorXd f_bound = contact.soft.head(bounds_);
-  state.load = next_load(f, state, contact);
-  const Inflated inflated = response_.solve(state.load, f_bound.cwiseProduct(f_bound.cwiseAbs()));
-  state.u = inflated.u;
-  state.slope = inflated.slope;
+  VectorXd load = next_load(f, state, contact);
+  const Excess excess = response_.excess(load);
+  const VectorXd f_bound = next_f_on_bound(state, contact, excess.slope, context);
+  if (f_bound.size() != bounds_) return SolveStatus::interrupted;
+  state.load = std::move(load);
+  state.u = response_.inflate(excess, f_bound.cwiseProduct(f_bound.cwiseAbs()));
   state.h = std::move(contact.h);
   add_inflation(state);
   step.factorisations = contact.factorisations;
-  step.energy.inflation = inflated.energy;
+  step.energy.inflation = excess.energy;
   step.energy.boundary = model_.lambda_bnd * model_.bound_mass.dot(f_bound.cwiseAbs2());
   step.energy.shift = contact.shift_energy;
   return SolveStatus::solved;
+}
+
+VectorXd JointMap::f_on_bound(const JointState& state) const {
+  VectorXd f(bounds_);
+  for (Index i = 0; i < bounds_; ++i) f[i] = signed_root(state.u[model_.bound[i]]);
+  return f;
+}
+
+VectorXd JointMap::fixed_f(const JointState& state) const {
+  VectorXd f = model_.held.unaryExpr(&signed_root);
+  for (const int n : nodes_) f[n] = root(n).f(state.u[n]);
+  const VectorXd f_bound = f_on_bound(state);
+  for (Index i = 0; i < bounds_; ++i) f[model_.bound[i]] = f_bound[i];
+  return f;
+}
+
+/// The slope of the energy / 2 with respect to f on B: its own, that of the inflation, and the
+/// force of the contact against it. Springs stand for the curvature of the first two; where that
+/// would be too soft or negative, for stiffer ones.
+VectorXd JointMap::next_f_on_bound(const JointState& state, const Contact& contact,
+                                   const VectorXd& slope, const RunContext& context) {
+  const VectorXd f = f_on_bound(state);
+  VectorXd total(bounds_);
+  VectorXd springs(bounds_);
+  for (Index i = 0; i < bounds_; ++i) {
+    const int n = model_.bound[i];
+    const double own = model_.lambda_bnd * model_.bound_mass[i];
+    total[i] = own * f[i] + 2 * std::abs(f[i]) * slope[i] - contact.force[n];
+    const bool sunk = f[i] < 0 || (f[i] == 0 && model_.sign[n] < 0);
+    const double resistance = own + 2 * (sunk ? -slope[i] : slope[i]);
+    springs[i] = resistance >= softest * own ? resistance : own + 2 * std::abs(slope[i]);
+  }
+  return bound_step_.next(f, total, springs, context);
 }
 
 /// The contact knows no inflation where parts do not press.
@@ -122,37 +145,20 @@ void JointMap::add_inflation(JointState& state) const {
   for (const int n : apart_) state.h[n] += signed_root(state.u[n]) / model_.metric.scale;
 }
 
+/// For a change of f at a soft node: the inflation holds it with the load times du/df, and the
+/// load grows with u as the compliance says.
 Springs JointMap::springs(const JointState& state) const {
-  Springs springs{VectorXd(soft_.size()), VectorXd::Zero(soft_.size())};
-  for (Index i = 0; i < bounds_; ++i) bound_spring(state, i, springs);
-  for (Index i = bounds_; i < springs.pull.size(); ++i) mixed_spring(state, i, springs);
+  Springs springs{VectorXd(compliance_.size()), VectorXd(compliance_.size())};
+  for (Index i = 0; i < compliance_.size(); ++i) {
+    const int n = soft_[i];
+    const double u = state.u[n];
+    const double step = 1 / root(n).slope(u);
+    const double growth = std::max(step * step, 4 * smallest_u) / compliance_[i];
+    const double own = 2 * (u < 0 ? -state.load[n] : state.load[n]);
+    springs.stiffness[i] = std::max(growth + own, 0.5 * growth);
+    springs.pull[i] = -step * state.load[n];
+  }
   return springs;
-}
-
-/// The inflation's resistance to f on B as a spring with the right force at the present f; where
-/// it would be too soft, a stiffer one that pulls towards it.
-void JointMap::bound_spring(const JointState& state, Index i, Springs& springs) const {
-  const double f = signed_root(state.u[model_.bound[i]]);
-  const bool sunk = f < 0 || (f == 0 && soft_[i].sign < 0);
-  const double own = model_.lambda_bnd * model_.bound_mass[i];
-  const double resistance = own + 2 * (sunk ? -state.slope[i] : state.slope[i]);
-  springs.stiffness[i] = resistance;
-  if (resistance >= softest * own) return;
-  springs.stiffness[i] = own + 2 * std::abs(state.slope[i]);
-  const double size = resistance < 0 ? std::max(std::abs(f), smallest_f) : std::abs(f);
-  springs.pull[i] = (springs.stiffness[i] - resistance) * (sunk ? -size : size);
-}
-
-/// The same for a change of f at a soft node: the inflation holds it with the load times du/df,
-/// and the load grows with u as the compliance says.
-void JointMap::mixed_spring(const JointState& state, Index i, Springs& springs) const {
-  const int n = soft_[i].node;
-  const double u = state.u[n];
-  const double step = 1 / root(n).slope(u);
-  const double growth = std::max(step * step, 4 * smallest_u) / compliance_[i - bounds_];
-  const double own = 2 * (u < 0 ? -state.load[n] : state.load[n]);
-  springs.stiffness[i] = std::max(growth + own, 0.5 * growth);
-  springs.pull[i] = -step * state.load[n];
 }
 
 /// A force on f is a load on u by the slope of the root; at soft nodes, whose f may pass 0, the
@@ -162,8 +168,8 @@ VectorXd JointMap::next_load(const VectorXd& f, const JointState& state,
   VectorXd load = VectorXd::Zero(f.size());
   for (const int n : nodes_) load[n] = contact.force[n] * root(n).slope(state.u[n]);
   for (Index i = 0; i < compliance_.size(); ++i) {
-    const int n = soft_[bounds_ + i].node;
-    const double next = root(n).u(f[n] + contact.soft[bounds_ + i]);
+    const int n = soft_[i];
+    const double next = root(n).u(f[n] + contact.soft[i]);
     load[n] = state.load[n] + (next - state.u[n]) / compliance_[i];
   }
   return load;
@@ -171,14 +177,13 @@ VectorXd JointMap::next_load(const VectorXd& f, const JointState& state,
 
 /// How far u gives way at each of them when all are loaded alike.
 VectorXd JointMap::compliance_of_soft_nodes(double share) const {
-  const Index count = static_cast<Index>(soft_.size()) - bounds_;
+  const auto count = static_cast<Index>(soft_.size());
   VectorXd compliance(count);
   if (count == 0) return compliance;
   VectorXd load = VectorXd::Zero(model_.load.size());
-  for (Index i = 0; i < count; ++i) load[soft_[bounds_ + i].node] = 1;
+  for (Index i = 0; i < count; ++i) load[soft_[i]] = 1;
   const VectorXd u = response_.compliance(load);
-  for (Index i = 0; i < count; ++i)
-    compliance[i] = share * std::max(1e-12, u[soft_[bounds_ + i].node]);
+  for (Index i = 0; i < count; ++i) compliance[i] = share * std::max(1e-12, u[soft_[i]]);
   return compliance;
 }
 

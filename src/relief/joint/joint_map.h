@@ -1,9 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "kernel/base/run_context.h"
+#include "relief/joint/bound_step.h"
 #include "relief/joint/contact_step.h"
 #include "relief/joint/inflation_response.h"
 #include "relief/joint/joint_model.h"
@@ -16,7 +20,6 @@ namespace relievo {
 /// Where the iteration stands; scene units.
 struct JointState {
   Eigen::VectorXd u;      ///< #N, its root is f; on B too
-  Eigen::VectorXd slope;  ///< #B, as in Inflated
   Eigen::VectorXd load;   ///< #N, with which the depth pairs change u
   std::vector<double> h;  ///< #N, px, obeys the pairs; empty at first
 };
@@ -28,14 +31,15 @@ struct Softness {
   double width = 0;  ///< of the root where u may have either sign, scene units
 };
 
-/// The fixed-point problem x = F(x) of the joint formulation. F solves the contact for the present
-/// inflation and then the inflation under the forces of the contact; x holds u at the nodes on
-/// which depth pairs press, f and the slope of the inflation energy on B, and the loads of soft
-/// nodes, all scaled to the unit of u.
+/// The fixed-point problem x = F(x) of the joint formulation. F orders the parts for the present
+/// inflation, moves f on B against the slope of the energy, and then solves the inflation under
+/// the forces of the contact. x holds u at the nodes on which depth pairs press, f on B, and the
+/// loads of soft nodes, all scaled to the unit of u.
 class JointMap {
  public:
+  /// closed: gaps of the problem that are closed in the first guess.
   JointMap(const JointModel& model, const InflationResponse& response, const DepthProblem& problem,
-           const Softness& softness, const std::vector<double>& last_h);
+           const Softness& softness, const std::vector<uint8_t>& closed);
 
   Eigen::VectorXd pack(const JointState& state) const;
 
@@ -46,13 +50,18 @@ class JointMap {
   /// One step: leaves F in `state` and says what it cost.
   SolveStatus apply(JointState& state, JointStep& step, const RunContext& context);
 
+  /// As that of the contact.
+  std::optional<DepthSystem> release() && { return std::move(contact_step_).release(); }
+
  private:
+  Eigen::VectorXd fixed_f(const JointState& state) const;
+  Eigen::VectorXd f_on_bound(const JointState& state) const;
   Springs springs(const JointState& state) const;
-  void bound_spring(const JointState& state, Eigen::Index i, Springs& springs) const;
-  void mixed_spring(const JointState& state, Eigen::Index i, Springs& springs) const;
-  void add_inflation(JointState& state) const;
   Eigen::VectorXd next_load(const Eigen::VectorXd& f, const JointState& state,
                             const Contact& contact) const;
+  Eigen::VectorXd next_f_on_bound(const JointState& state, const Contact& contact,
+                                  const Eigen::VectorXd& slope, const RunContext& context);
+  void add_inflation(JointState& state) const;
   Eigen::VectorXd compliance_of_soft_nodes(double share) const;
 
   const SmoothRoot& root(int node) const {
@@ -62,14 +71,14 @@ class JointMap {
   const JointModel& model_;
   const InflationResponse& response_;
   SmoothRoot sharp_root_;
-  SmoothRoot smooth_root_;      ///< where u may have either sign
-  std::vector<int> nodes_;      ///< on which pairs press, off B
-  std::vector<int> apart_;      ///< on which none do, off B
-  std::vector<SoftNode> soft_;  ///< B, then those of nodes_ that are soft
+  SmoothRoot smooth_root_;  ///< where u may have either sign
+  std::vector<int> nodes_;  ///< on which pairs press, off B
+  std::vector<int> apart_;  ///< on which none do, off B
+  std::vector<int> soft_;   ///< those of nodes_ whose f is unknown in the contact
   ContactStep contact_step_;
+  BoundStep bound_step_;
   Eigen::Index bounds_;         ///< #B
-  Eigen::VectorXd stiffness_;   ///< #B, makes slopes comparable to u
-  Eigen::VectorXd compliance_;  ///< of the soft nodes behind B: change of u for a change of load
+  Eigen::VectorXd compliance_;  ///< of the soft nodes: change of u for a change of load
 };
 
 }  // namespace relievo

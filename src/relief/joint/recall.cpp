@@ -1,7 +1,6 @@
 #include "relief/joint/recall.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "kernel/geometry/nearest_mark.h"
 
@@ -9,12 +8,6 @@ namespace relievo {
 namespace {
 
 using Eigen::VectorXd;
-
-template <class Mark>
-void sort_marks(std::vector<Mark>& marks) {
-  std::stable_sort(marks.begin(), marks.end(),
-                   [](const Mark& a, const Mark& b) { return mark_key(a) < mark_key(b); });
-}
 
 /// The nodes of pairs and of B, ascending.
 std::vector<int> pressed_nodes(const JointModel& model, const std::vector<DepthPair>& pairs) {
@@ -28,13 +21,6 @@ std::vector<int> pressed_nodes(const JointModel& model, const std::vector<DepthP
   return nodes;
 }
 
-/// Place of a node in B, -1 where it is not on it.
-Eigen::Index place_in_bound(const JointModel& model, int node) {
-  const auto at = std::lower_bound(model.bound.begin(), model.bound.end(), node);
-  if (at == model.bound.end() || *at != node) return -1;
-  return at - model.bound.begin();
-}
-
 JointMark place_of(const LayeredMesh& mesh, int node) {
   JointMark mark;
   mark.part = mesh.node_part[node];
@@ -42,98 +28,44 @@ JointMark place_of(const LayeredMesh& mesh, int node) {
   return mark;
 }
 
-InnerContact contact_of(const LayeredMesh& mesh, const DepthPair& pair) {
-  InnerContact contact;
-  contact.lower = mesh.node_part[pair.lower];
-  contact.upper = mesh.node_part[pair.upper];
-  contact.position = mesh.vertices[mesh.node_vertex[pair.lower]];
-  return contact;
-}
-
-/// The longest edge at each node, px.
-std::vector<double> longest_edges(const LayeredMesh& mesh) {
-  std::vector<double> longest(mesh.node_vertex.size(), 0);
-  for (const auto& face : mesh.faces)
-    for (int k = 0; k < 3; ++k) {
-      const int a = face[k];
-      const int b = face[(k + 1) % 3];
-      const Point2 edge = mesh.vertices[mesh.node_vertex[b]] - mesh.vertices[mesh.node_vertex[a]];
-      const double length = std::sqrt(dot(edge, edge));
-      longest[a] = std::max(longest[a], length);
-      longest[b] = std::max(longest[b], length);
-    }
-  return longest;
-}
-
-/// The pairs that were added to those of the mesh, where the parts touch.
-std::vector<InnerContact> inner_contacts(const LayeredMesh& mesh,
-                                         const std::vector<DepthPair>& pairs,
-                                         const std::vector<double>& h) {
-  std::vector<InnerContact> contacts;
-  if (pairs.size() == mesh.constraints.size()) return contacts;
-  const std::vector<double> reach = longest_edges(mesh);
-  for (size_t i = mesh.constraints.size(); i < pairs.size(); ++i) {
-    if (h[pairs[i].upper] > h[pairs[i].lower]) continue;
-    contacts.push_back(contact_of(mesh, pairs[i]));
-    contacts.back().reach = reach[pairs[i].lower];
-  }
-  return contacts;
-}
-
 }  // namespace
 
-void sort_memory(JointMemory& memory) {
-  sort_marks(memory.marks);
-  sort_marks(memory.contacts);
+void sort_marks(std::vector<JointMark>& marks) {
+  std::stable_sort(marks.begin(), marks.end(), [](const JointMark& a, const JointMark& b) {
+    return mark_key(a) < mark_key(b);
+  });
 }
 
-JointMemory remember(const LayeredMesh& mesh, const JointModel& model,
-                     const std::vector<DepthPair>& pairs, const VectorXd& u_start,
-                     const JointState& state) {
-  JointMemory memory;
+std::vector<JointMark> remember(const LayeredMesh& mesh, const JointModel& model,
+                                const std::vector<DepthPair>& pairs, const VectorXd& u_start,
+                                const JointState& state) {
+  std::vector<JointMark> marks;
   for (const int n : pressed_nodes(model, pairs)) {
     JointMark mark = place_of(mesh, n);
     mark.rise = state.u[n] - u_start[n];
-    mark.load = state.load[n] / std::sqrt(model.mass[n]);
-    mark.h = state.h[n];
-    const Eigen::Index i = place_in_bound(model, n);
-    if (i >= 0) mark.slope = state.slope[i] / model.bound_mass[i];
-    memory.marks.push_back(mark);
+    mark.load = state.load[n];
+    marks.push_back(mark);
   }
-  memory.contacts = inner_contacts(mesh, pairs, state.h);
-  sort_memory(memory);
-  return memory;
-}
-
-std::vector<DepthPair> likely_pairs(const LayeredMesh& mesh, const StackedNodes& stacked,
-                                    const std::vector<InnerContact>& contacts) {
-  if (contacts.empty()) return {};
-  std::vector<DepthPair> pairs = stacked.pairs;
-  const auto apart = [&](const DepthPair& pair) {
-    const InnerContact place = contact_of(mesh, pair);
-    const InnerContact* contact = nearest_mark(contacts, place);
-    if (contact == nullptr) return true;
-    const Point2 offset = contact->position - place.position;
-    return dot(offset, offset) > contact->reach * contact->reach;
-  };
-  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), apart), pairs.end());
-  return pairs;
+  sort_marks(marks);
+  return marks;
 }
 
 void recall(const LayeredMesh& mesh, const JointModel& model, const std::vector<DepthPair>& pairs,
             const std::vector<JointMark>& marks, JointState& state) {
   if (marks.empty()) return;
-  state.h.assign(mesh.node_vertex.size(), 0);
-  for (const int n : pressed_nodes(model, pairs)) {
-    const JointMark* mark = nearest_mark(marks, place_of(mesh, n));
-    if (mark == nullptr) continue;
-    state.h[n] = mark->h;
-    const Eigen::Index i = place_in_bound(model, n);
-    if (i < 0 && model.place[n] < 0) continue;
-    const double u = state.u[n] + mark->rise;
+  const std::vector<int> nodes = pressed_nodes(model, pairs);
+  std::vector<const JointMark*> nearest;
+  VectorXd shared = VectorXd::Zero(static_cast<Eigen::Index>(marks.size()));
+  for (const int n : nodes) {
+    nearest.push_back(nearest_mark(marks, place_of(mesh, n)));
+    if (nearest.back() != nullptr) shared[nearest.back() - marks.data()] += model.mass[n];
+  }
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    if (nearest[i] == nullptr) continue;
+    const int n = nodes[i];
+    const double u = state.u[n] + nearest[i]->rise;
     state.u[n] = model.sign[n] * u < 0 ? 0 : u;
-    if (model.sign[n] == 0) state.load[n] = mark->load * std::sqrt(model.mass[n]);
-    if (i >= 0) state.slope[i] = mark->slope * model.bound_mass[i];
+    state.load[n] = nearest[i]->load * model.mass[n] / shared[nearest[i] - marks.data()];
   }
 }
 

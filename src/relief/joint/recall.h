@@ -6,24 +6,18 @@
 #include "relief/joint/joint_memory.h"
 #include "relief/joint/joint_model.h"
 #include "relief/layers/layered_mesh.h"
-#include "relief/ordering/stacked_nodes.h"
 
 namespace relievo {
 
-/// What `state` knows of the nodes of the pairs, those of the mesh first, and of B. u_start: #N,
-/// scene units. O(pairs log pairs + F).
-JointMemory remember(const LayeredMesh& mesh, const JointModel& model,
-                     const std::vector<DepthPair>& pairs, const Eigen::VectorXd& u_start,
-                     const JointState& state);
-
-/// Those of the stacked pairs that lie where their parts touched, in their order. O(stacked pairs
-/// log contacts) where contacts are not stacked above each other on the canvas.
-std::vector<DepthPair> likely_pairs(const LayeredMesh& mesh, const StackedNodes& stacked,
-                                    const std::vector<InnerContact>& contacts);
+/// What `state` knows of the nodes of the pairs and of B. u_start: #N, scene units.
+/// O(pairs log pairs).
+std::vector<JointMark> remember(const LayeredMesh& mesh, const JointModel& model,
+                                const std::vector<DepthPair>& pairs, const Eigen::VectorXd& u_start,
+                                const JointState& state);
 
 /// Puts what is known of the nearest node of the same part into `state`, whose u is that of the
-/// start, at the nodes of the pairs and B; leaves parts that are not known as they are.
-/// O(pairs log marks) where marks are not stacked above each other on the canvas.
+/// start, at the nodes of the pairs and B, which share its load; leaves parts that are not known as
+/// they are. O(pairs log marks) where marks are not stacked above each other on the canvas.
 void recall(const LayeredMesh& mesh, const JointModel& model, const std::vector<DepthPair>& pairs,
             const std::vector<JointMark>& marks, JointState& state);
 

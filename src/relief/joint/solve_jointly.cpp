@@ -52,7 +52,6 @@ JointState first_state(const JointModel& model, const Inflation& start) {
   const double area = model.metric.scale * model.metric.scale;
   for (Eigen::Index n = 0; n < state.u.size(); ++n) state.u[n] = area * start.u[n];
   state.load = VectorXd::Zero(state.u.size());
-  state.slope = VectorXd::Zero(static_cast<Eigen::Index>(model.bound.size()));
   return state;
 }
 
@@ -68,28 +67,32 @@ class JointRounds {
   JointRounds(const OrderingInput& input, const JointOptions& options, const JointMemory& known,
               const RunContext& context)
       : input_(input),
+        known_(known),
         options_(options),
         context_(context),
         model_(make_joint_model(input, options.epsilon)),
         stacked_(stacked_nodes(input.mesh, stacked_faces(input.mesh, input.scene))),
-        likely_(likely_pairs(input.mesh, stacked_, known.contacts)) {
+        plan_(plan_rounds(stacked_, pairs_like(input.mesh, stacked_, known.contacts),
+                          input.mesh.node_vertex.size(), options.max_rounds)),
+        recalled_(!known.marks.empty()) {
     model_.lambda_bnd = options.lambda_bnd;
     model_.lambda_shift = options.lambda_shift;
     run_.state = first_state(model_, input.inflation);
     u_start_ = run_.state.u;
     std::vector<DepthPair> pairs = input.mesh.constraints;
-    pairs.insert(pairs.end(), likely_.begin(), likely_.end());
+    pairs.insert(pairs.end(), plan_.inside.begin(), plan_.inside.end());
     recall(input.mesh, model_, pairs, known.marks, run_.state);
   }
 
-  /// Pairs that were found to cross before are compared from the beginning.
-  RoundPlan plan() const { return {stacked_, likely_, 0, options_.max_rounds}; }
+  const RoundPlan& plan() const { return plan_; }
 
   /// Leaves the solution for these pairs in `solution` and its heights in `ordering`; in a round
   /// that is not the last, rough heights where they cross.
   Status solve(const std::vector<DepthPair>& pairs, Ordering& ordering, JointSolution& solution) {
     pairs_ = pairs;
     const DepthProblem problem = make_depth_problem(input_.mesh.node_part, pairs_);
+    run_.closed = run_.state.h.empty() ? gaps_like(input_.mesh, problem, known_.contacts)
+                                       : closed_gaps(problem, run_.state.h);
     run_.report.round = ordering.rounds;
     run_.crosses = [&](const std::vector<double>& h) {
       return ordering.rounds < options_.max_rounds && crosses(h);
@@ -111,7 +114,8 @@ class JointRounds {
 
   JointMemory memory() const {
     if (run_.report.status != JointStatus::solved) return {};
-    return remember(input_.mesh, model_, pairs_, u_start_, run_.state);
+    return {remember(input_.mesh, model_, pairs_, u_start_, run_.state),
+            contacts_of(input_.mesh, stacked_, run_.state.h)};
   }
 
   /// With the energy at the end.
@@ -131,6 +135,7 @@ class JointRounds {
       if (!response_) response_.emplace(model_);
       if (!response_->sound())
         return Error{ErrorCode::internal, "the inflation has no finite solution", ""};
+      if (std::exchange(recalled_, false)) inflate_recalled();
       const Status status = iterate_jointly(*response_, problem, options_, context_, run_);
       if (!status || run_.crossed) return status;
       if (i == sign_rounds || !hold_wrong_signs(u, model_)) break;
@@ -139,6 +144,14 @@ class JointRounds {
     for (Eigen::Index n = 0; n < u.size(); ++n)
       if (model_.sign[n] * u[n] < 0) u[n] = 0;
     return Done{};
+  }
+
+  /// What was recalled are values node by node: u becomes the inflation under the loads.
+  void inflate_recalled() {
+    VectorXd u_bound(static_cast<Eigen::Index>(model_.bound.size()));
+    for (size_t i = 0; i < model_.bound.size(); ++i)
+      u_bound[static_cast<Eigen::Index>(i)] = run_.state.u[model_.bound[i]];
+    run_.state.u = response_->inflate(response_->excess(run_.state.load), u_bound);
   }
 
   bool crosses(const std::vector<double>& h) const {
@@ -153,26 +166,28 @@ class JointRounds {
 
   /// The exact depth order for an inflation.
   Status order(const DepthProblem& problem, const Inflation& inflation, Ordering& ordering) {
-    DepthSystem system =
-        make_depth_system(problem, model_.metric, model_.elimination, std::move(factor_), context_);
-    system.closed = closed_gaps(problem, run_.state.h);
-    const SolveStatus status =
-        solve_heights(system, model_.metric, inflated_heights(inflation.u), ordering, context_);
-    factor_ = std::move(system.factor);
+    if (!run_.order) {
+      run_.order =
+          make_depth_system(problem, model_.metric, model_.elimination, SparseCholesky(), context_);
+      run_.order->closed = run_.closed;
+    }
+    const SolveStatus status = solve_heights(*run_.order, model_.metric,
+                                             inflated_heights(inflation.u), ordering, context_);
     return check_solved(status);
   }
 
   const OrderingInput& input_;
+  const JointMemory& known_;
   const JointOptions& options_;
   const RunContext& context_;
   JointModel model_;
   StackedNodes stacked_;
-  std::vector<DepthPair> likely_;  ///< that will be found to cross
-  std::vector<DepthPair> pairs_;   ///< of the round
+  RoundPlan plan_;                ///< refers to `stacked_`
+  bool recalled_;                 ///< whether `u` holds what is known of another mesh
+  std::vector<DepthPair> pairs_;  ///< of the round
   std::optional<InflationResponse> response_;
   VectorXd u_start_;
   JointRun run_;
-  SparseCholesky factor_;
 };
 
 }  // namespace

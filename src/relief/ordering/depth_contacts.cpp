@@ -16,6 +16,17 @@ DepthContact contact_at(const LayeredMesh& mesh, int lower, int upper) {
           mesh.vertices[mesh.node_vertex[lower]], false};
 }
 
+void sort_contacts(std::vector<DepthContact>& contacts) {
+  std::sort(contacts.begin(), contacts.end(), [](const DepthContact& a, const DepthContact& b) {
+    return std::pair(mark_key(a), a.closed) < std::pair(mark_key(b), b.closed);
+  });
+}
+
+bool closed_nearby(const std::vector<DepthContact>& contacts, const DepthContact& place) {
+  const DepthContact* contact = nearest_mark(contacts, place);
+  return contact != nullptr && contact->closed;
+}
+
 }  // namespace
 
 std::vector<DepthContact> contacts_of(const LayeredMesh& mesh, const StackedNodes& stacked,
@@ -36,17 +47,24 @@ std::vector<DepthContact> contacts_of(const LayeredMesh& mesh, const StackedNode
 
 std::vector<uint8_t> gaps_like(const LayeredMesh& mesh, const DepthProblem& problem,
                                std::vector<DepthContact> contacts) {
-  std::sort(contacts.begin(), contacts.end(), [](const DepthContact& a, const DepthContact& b) {
-    return std::pair(mark_key(a), a.closed) < std::pair(mark_key(b), b.closed);
-  });
+  sort_contacts(contacts);
   std::vector<uint8_t> closed(problem.variables.bounded.size(), 0);
   for (const DepthGap& gap : problem.forest.gaps) {
     const int lower = gap.sign > 0 ? gap.parent : gap.child;
     const int upper = gap.sign > 0 ? gap.child : gap.parent;
-    const DepthContact* contact = nearest_mark(contacts, contact_at(mesh, lower, upper));
-    closed[problem.variables.variable[gap.child]] = contact != nullptr && contact->closed;
+    closed[problem.variables.variable[gap.child]] =
+        closed_nearby(contacts, contact_at(mesh, lower, upper));
   }
   return closed;
+}
+
+std::vector<DepthPair> pairs_like(const LayeredMesh& mesh, const StackedNodes& stacked,
+                                  std::vector<DepthContact> contacts) {
+  sort_contacts(contacts);
+  std::vector<DepthPair> pairs;
+  for (const DepthPair& pair : stacked.pairs)
+    if (closed_nearby(contacts, contact_at(mesh, pair.lower, pair.upper))) pairs.push_back(pair);
+  return pairs;
 }
 
 }  // namespace relievo

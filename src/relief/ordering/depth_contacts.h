@@ -34,4 +34,9 @@ std::vector<DepthContact> contacts_of(const LayeredMesh& mesh, const StackedNode
 std::vector<uint8_t> gaps_like(const LayeredMesh& mesh, const DepthProblem& problem,
                                std::vector<DepthContact> contacts);
 
+/// Those of the stacked pairs whose nearest contact of the same parts is closed, in their order.
+/// O(pairs log contacts) where contacts are not stacked above each other on the canvas.
+std::vector<DepthPair> pairs_like(const LayeredMesh& mesh, const StackedNodes& stacked,
+                                  std::vector<DepthContact> contacts);
+
 }  // namespace relievo

@@ -11,13 +11,6 @@
 namespace relievo {
 namespace {
 
-/// Where crossing nodes are added, so many rings around them are too: small changes then need no
-/// others.
-constexpr int margin = 2;
-/// Stacked nodes are all compared where they are at most one of so many nodes: then one matrix does
-/// for all rounds and edits. Gaps in deeper stacks would make it too dense, as they couple sheets.
-constexpr size_t affordable_share = 2;
-
 /// Makes the system one for these pairs, anew where it cannot serve.
 void bring_up_to_date(const InflationInput& surface, const std::vector<DepthPair>& pairs,
                       OrderingSystem& system, const RunContext& context) {
@@ -58,14 +51,9 @@ void prepare(const InflationInput& input, const OrderingOptions& options, Orderi
   if (faces != system.stacked.faces) system.stacked = stacked_nodes(input.mesh, std::move(faces));
 }
 
-/// With the stacked nodes that are compared from the first round on.
-RoundPlan plan_rounds(const OrderingOptions& options, const OrderingSystem& system) {
-  RoundPlan plan{system.stacked, {}, margin, options.max_rounds};
-  if (options.max_rounds == 0) return plan;
-  const std::vector<DepthPair>& all = system.stacked.pairs;
-  const size_t nodes = static_cast<size_t>(system.metric.A.rows());
-  plan.inside = all.size() <= nodes / affordable_share ? all : system.inside;
-  return plan;
+RoundPlan plan_for(const OrderingSystem& system, const LayeredMesh& mesh,
+                   const OrderingOptions& options) {
+  return plan_rounds(system.stacked, system.inside, mesh.node_vertex.size(), options.max_rounds);
 }
 
 }  // namespace
@@ -74,8 +62,8 @@ void prepare_ordering(const InflationInput& surface, const OrderingOptions& opti
                       OrderingSystem& system, const RunContext& context) {
   if (!check_options(options)) return;
   prepare(surface, options, system, context);
-  bring_up_to_date(surface, first_pairs(surface.mesh, plan_rounds(options, system)), system,
-                   context);
+  bring_up_to_date(surface, first_pairs(surface.mesh, plan_for(system, surface.mesh, options)),
+                   system, context);
 }
 
 Result<Ordering> order_depth(const OrderingInput& input, const OrderingOptions& options,
@@ -86,7 +74,7 @@ Result<Ordering> order_depth(const OrderingInput& input, const OrderingOptions& 
   assert(static_cast<int>(input.scene.parts.size()) == mesh.part_count);
   if (Status status = check_options(options); !status) return status.error();
   prepare(surface, options, system, context);
-  RoundPlan plan = plan_rounds(options, system);
+  RoundPlan plan = plan_for(system, mesh, options);
   const Eigen::VectorXd f = inflated_heights(input.inflation.u);
   const auto solve = [&](const std::vector<DepthPair>& pairs, Ordering& ordering) -> Status {
     context.report("order", ordering.rounds / (options.max_rounds + 1.0));

@@ -12,6 +12,13 @@
 namespace relievo {
 namespace {
 
+/// Where crossing nodes are added, so many rings around them are too: small changes then need no
+/// others.
+constexpr int margin = 2;
+/// Stacked nodes are all compared where they are at most one of so many nodes: then one matrix does
+/// for all rounds and edits. Gaps in deeper stacks would make it too dense, as they couple sheets.
+constexpr size_t affordable_share = 2;
+
 double worst_violation(const std::vector<DepthPair>& pairs, const std::vector<double>& h) {
   double worst = 0;
   for (const DepthPair& pair : pairs) {
@@ -36,6 +43,14 @@ void include(const std::vector<uint8_t>& added, std::vector<uint8_t>& flags) {
 }
 
 }  // namespace
+
+RoundPlan plan_rounds(const StackedNodes& stacked, const std::vector<DepthPair>& known,
+                      size_t nodes, int max_rounds) {
+  RoundPlan plan{stacked, {}, margin, max_rounds};
+  if (max_rounds == 0) return plan;
+  plan.inside = stacked.pairs.size() <= nodes / affordable_share ? stacked.pairs : known;
+  return plan;
+}
 
 Status check_options(const OrderingOptions& options) {
   if (!(options.epsilon > 0 && std::isfinite(options.epsilon)))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -28,6 +29,11 @@ struct RoundPlan {
   int margin = 0;                 ///< rings of pairs around crossing ones that are added with them
   int max_rounds = 0;
 };
+
+/// Compares all stacked nodes from the first round on where that is affordable, else `known` ones;
+/// none where there is only one round.
+RoundPlan plan_rounds(const StackedNodes& stacked, const std::vector<DepthPair>& known,
+                      size_t nodes, int max_rounds);
 
 Status check_options(const OrderingOptions& options);
 

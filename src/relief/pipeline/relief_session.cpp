@@ -38,7 +38,6 @@ Guess coarse_guess(const Scene& scene, ReliefOptions options, const RunContext& 
   layers.edge_length *= std::sqrt(static_cast<double>(coarsening));
   layers.vertex_budget /= coarsening;
   if (layers.edge_length == 0 && layers.vertex_budget < smallest_coarse_mesh) return {};
-  if (options.method == Method::nonlinear) options.ordering.max_rounds = 0;
   options.joint.snapshots.clear();
   options.joint.tolerance = std::max(options.joint.tolerance, coarse_tolerance);
   ReliefSession session(ReliefSession::Use::guess);
@@ -110,11 +109,11 @@ void ReliefSession::begin_like(const Scene& scene) {
   }
   ordering_system_.contacts = std::move(contacts);
   for (JointMark& mark : joint_memory_.marks) number(mark.part);
-  for (InnerContact& contact : joint_memory_.contacts) {
+  for (DepthContact& contact : joint_memory_.contacts) {
     number(contact.lower);
     number(contact.upper);
   }
-  sort_memory(joint_memory_);
+  sort_marks(joint_memory_.marks);
   part_ids_.clear();
   for (const Part& part : scene.parts) part_ids_.push_back(part.id);
 }
