@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { choosePart, gesture, names, outlineOf, oval, sample, save, pageView } from './actions.ts';
+import { choosePart, gesture, names, outlineOf, oval, pageView, sample, save } from './actions.ts';
 import { picture, settled, stageOfFile } from './browser.ts';
 
 const stage = stageOfFile({ anew: true });
