@@ -24,7 +24,8 @@ class Reconstruction {
                         const emscripten::val& progress);
 
   /// {positions, normals, uvs, triangles, colors, parts: [{id, firstTriangle, triangleCount,
-  /// hiddenCount}]}, see Model and hidden_colours; `tolerance` is its rim's, px. `field`: "relief", "inflation" or "shift", see keep_field.
+  /// hiddenCount}]}, see Model and hidden_colours; `tolerance` is its rim's, px. `field`: "relief",
+  /// "inflation" or "shift", see keep_field.
   emscripten::val surface(const std::string& visibility, double tolerance,
                           const std::string& field) const;
 

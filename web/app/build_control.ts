@@ -189,6 +189,7 @@ export class BuildControl {
     if (phase === 'full') this.asked = field;
     try {
       const drawing = await this.smallDrawing.take(document, this.editor.state.picture);
+      if (phase === 'full' && this.isStale(document)) return false;
       const built = await engine.build(requestFor(document, field, phase === 'draft'), drawing, (_stage, done, energy) => {
         if (phase === 'full') this.advance(done, energy);
       });

@@ -54,6 +54,8 @@ export class ScribbleTool implements Tool {
   private part: string | undefined;
   private kind: StrokeKind | 'erase' = 'hard';
   private at: Point | null = null;
+  /** The closed gap on which the stroke begins. */
+  private asked: Gap | undefined;
   private readonly mover: StrokeMover;
 
   constructor(private readonly host: ToolHost, private readonly scribbles: ScribbleHost) {
@@ -75,6 +77,8 @@ export class ScribbleTool implements Tool {
       return;
     }
     this.kind = keys.alt ? 'erase' : this.strokeKind(brush);
+    // The gaps change as soon as the stroke is shown.
+    this.asked = this.kind === 'erase' ? undefined : gapAt(this.scribbles.gaps, point, this.host.reach);
     this.points = [point];
     this.part = keys.shift ? foundPartAt(this.scribbles.pending, point) : brush.kind === 'part' ? brush.part ?? undefined : undefined;
     this.show();
@@ -158,13 +162,11 @@ export class ScribbleTool implements Tool {
 
   /** A click on a closed gap asks about it instead of making a dot. */
   private choseGap(): boolean {
+    const { asked } = this;
     const [first] = this.points;
-    const { reach } = this.host;
-    const stayed = first && this.kind !== 'erase' && this.points.every((point) => distance(point, first) < reach / 2);
-    const gap = stayed && gapAt(this.scribbles.gaps, first, reach);
-    if (!gap) return false;
+    if (!asked || !this.points.every((point) => distance(point, first as Point) < this.host.reach / 2)) return false;
     this.cancel();
-    this.scribbles.chooseGap(gap);
+    this.scribbles.chooseGap(asked);
     return true;
   }
 

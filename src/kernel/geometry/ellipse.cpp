@@ -30,8 +30,8 @@ struct Frame {
     const Point2 d = p - ellipse.centre;
     const double u = (c * d.x + s * d.y) / ellipse.a;
     const double v = (c * d.y - s * d.x) / ellipse.b;
-    const double r = std::hypot(u, v);
-    const double steepness = std::hypot(u / ellipse.a, v / ellipse.b);
+    const double r = norm(Point2{u, v});
+    const double steepness = norm(Point2{u / ellipse.a, v / ellipse.b});
     return r > 1e-9 ? (r - 1) * r / steepness : -std::min(ellipse.a, ellipse.b);
   }
 

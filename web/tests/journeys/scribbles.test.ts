@@ -190,7 +190,7 @@ it('needs no pointer: arrows move the brush, Enter sets it down and lifts it', a
   expect(await page.locator('.stroke-list li').count()).toBe(1);
   await page.locator('[data-brush=auto]').focus();
   await keyboard.press('ArrowLeft');
-  expect(await page.locator('[data-brush=erase]').getAttribute('aria-pressed')).toBe('true');
+  expect(await page.locator('[data-brush=move]').getAttribute('aria-pressed')).toBe('true');
   await page.locator('.stroke-list [aria-label^=Remove]').focus();
   await keyboard.press('Enter');
   await page.waitForFunction(() => document.querySelectorAll('.stroke-list li').length === 0);
