@@ -73,12 +73,11 @@ void solve(State& state, const std::string& name, int vertices) {
     const Discretisation operators = discretise(surface.mesh);
     OrderingSystem system;
     system.contacts = surface.coarse;
-    const InflationInput input{surface.mesh, operators, scene};
     Inflation inflation;
     run_tasks(2, [&](int task) {
-      if (task == 1) return prepare_ordering(input, {}, system);
+      if (task == 1) return prepare_ordering({surface.mesh, operators, scene}, {}, system);
       PoissonSystem poisson(surface.mesh, operators, Refactorisation::complete, {});
-      inflation = *inflate(input, {}, poisson);
+      inflation = *inflate({surface.mesh, operators, scene}, {}, poisson);
     });
     benchmark::DoNotOptimize(order_depth({surface.mesh, operators, inflation, scene}, {}, system));
   }

@@ -12,7 +12,7 @@ namespace relievo {
 namespace {
 
 /// Makes the system one for these pairs, anew where it cannot serve.
-void bring_up_to_date(const InflationInput& surface, const std::vector<DepthPair>& pairs,
+void bring_up_to_date(const SurfaceInput& surface, const std::vector<DepthPair>& pairs,
                       OrderingSystem& system, const RunContext& context) {
   const std::vector<int>& node_part = surface.mesh.node_part;
   const bool serves =
@@ -39,7 +39,7 @@ std::vector<uint8_t> first_guess(const LayeredMesh& mesh, const OrderingOptions&
 }
 
 /// Brings what does not depend on the inflation up to date.
-void prepare(const InflationInput& input, const OrderingOptions& options, OrderingSystem& system,
+void prepare(const SurfaceInput& input, const OrderingOptions& options, OrderingSystem& system,
              const RunContext& context) {
   if (system.epsilon != options.epsilon) {
     const PieceTimer assembling(context, "assemble");
@@ -58,7 +58,7 @@ RoundPlan plan_for(const OrderingSystem& system, const LayeredMesh& mesh,
 
 }  // namespace
 
-void prepare_ordering(const InflationInput& surface, const OrderingOptions& options,
+void prepare_ordering(const SurfaceInput& surface, const OrderingOptions& options,
                       OrderingSystem& system, const RunContext& context) {
   if (!check_options(options)) return;
   prepare(surface, options, system, context);
@@ -69,7 +69,7 @@ void prepare_ordering(const InflationInput& surface, const OrderingOptions& opti
 Result<Ordering> order_depth(const OrderingInput& input, const OrderingOptions& options,
                              OrderingSystem& system, const RunContext& context) {
   const LayeredMesh& mesh = input.mesh;
-  const InflationInput surface{mesh, input.discretisation, input.scene};
+  const SurfaceInput surface{mesh, input.discretisation, input.scene};
   assert(input.inflation.u.size() == mesh.node_vertex.size());
   assert(static_cast<int>(input.scene.parts.size()) == mesh.part_count);
   if (Status status = check_options(options); !status) return status.error();

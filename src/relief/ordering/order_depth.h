@@ -3,7 +3,7 @@
 #include "kernel/base/result.h"
 #include "kernel/base/run_context.h"
 #include "relief/discretisation/discretisation.h"
-#include "relief/inflation/inflate.h"
+#include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/ordering.h"
 #include "relief/ordering/ordering_system.h"
@@ -17,6 +17,13 @@ struct OrderingOptions {
   bool start_active = false;  ///< first guess of the active set: all gaps closed, or none
 };
 
+/// The joined surface before it is inflated.
+struct SurfaceInput {
+  const LayeredMesh& mesh;
+  const Discretisation& discretisation;
+  const Scene& scene;
+};
+
 /// The joined surface and what was computed of it.
 struct OrderingInput {
   const LayeredMesh& mesh;
@@ -27,7 +34,7 @@ struct OrderingInput {
 
 /// Does the part of order_depth that the inflation does not enter, its matrix and the analysis of
 /// it, so that both can go on at the same time. Not needed, and of no effect on the result.
-void prepare_ordering(const InflationInput& surface, const OrderingOptions& options,
+void prepare_ordering(const SurfaceInput& surface, const OrderingOptions& options,
                       OrderingSystem& system, const RunContext& context = {});
 
 /// Shifts the parts so that all depth pairs hold, by the least Dirichlet energy of g. `system` is
