@@ -4,7 +4,6 @@
 #include <cstddef>
 
 #include "relief/completion/completion.h"
-#include "relief/drawing/scribbles.h"
 
 namespace relievo {
 
@@ -21,12 +20,6 @@ inline constexpr std::array<Spelling<CompletionKind>, 5> completion_names = {
      {"continuation", CompletionKind::continuation},
      {"membrane", CompletionKind::membrane},
      {"given", CompletionKind::given}}};
-
-inline constexpr std::array<Spelling<ScribbleKind>, 4> scribble_names = {
-    {{"soft", ScribbleKind::soft},
-     {"hard", ScribbleKind::hard},
-     {"outside", ScribbleKind::outside},
-     {"hole", ScribbleKind::hole}}};
 
 /// The name of a value.
 template <class Value, size_t size>

@@ -6,6 +6,7 @@
 #include "io/project/project_names.h"
 #include "io/scene/annotation_reader.h"
 #include "io/scene/json_parse.h"
+#include "io/scribbles/scribbles_json.h"
 
 namespace relievo {
 namespace {
@@ -118,32 +119,10 @@ class ProjectReader final : public AnnotationReader {
   }
 
   Scribbles scribbles(const Json& json, const JsonPath& path) {
-    Scribbles scribbles;
-    if (!keys(json, path, {"parts", "strokes"}, {})) return scribbles;
-    list(json, path, "parts", scribbles.parts, &ProjectReader::text_of);
-    scribble_parts_ = scribbles.parts;
-    list(json, path, "strokes", scribbles.strokes, &ProjectReader::stroke);
+    ScribblesReader reader({});
+    Scribbles scribbles = reader.object(json, path);
+    if (reader.error()) fail(*reader.error());
     return scribbles;
-  }
-
-  std::string text_of(const Json& json, const JsonPath& path) { return text(json, path); }
-
-  Scribble stroke(const Json& json, const JsonPath& path) {
-    Scribble stroke;
-    if (!keys(json, path, {"kind", "width", "points"}, {"part"})) return stroke;
-    stroke.kind = one_of(scribble_names, json["kind"], path.member("kind"));
-    stroke.width = number(json["width"], path.member("width"));
-    if (!error() && !(stroke.width > 0)) fail(path.member("width"), "must be positive");
-    stroke.points = points(json["points"], path.member("points"));
-    if (!error() && stroke.points.empty()) fail(path.member("points"), "has no points");
-    if (stroke.kind != ScribbleKind::soft && stroke.kind != ScribbleKind::hard) return stroke;
-    const std::string id =
-        json.contains("part") ? text(json["part"], path.member("part")) : std::string();
-    const auto found = std::find(scribble_parts_.begin(), scribble_parts_.end(), id);
-    stroke.part = static_cast<int>(found - scribble_parts_.begin());
-    if (found == scribble_parts_.end())
-      fail(path.member("part"), "is not among the scribbles' parts");
-    return stroke;
   }
 
   Corrections corrections(const Json& json, const JsonPath& path) {
@@ -181,8 +160,6 @@ class ProjectReader final : public AnnotationReader {
     pair(json, path, pair_record);
     return {pair_record.upper, pair_record.lower};
   }
-
-  std::vector<std::string> scribble_parts_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "io/project/project_json.h"
 #include "io/project/project_names.h"
+#include "io/scribbles/scribbles_json.h"
 
 namespace relievo {
 namespace {
@@ -23,14 +24,8 @@ Ordered pair_of(const Item& item) {
 
 Ordered json_of(const Scribbles& scribbles) {
   Ordered strokes = Ordered::array();
-  for (const Scribble& stroke : scribbles.strokes) {
-    Ordered item = {{"kind", spelling(scribble_names, stroke.kind)}};
-    if (stroke.kind == ScribbleKind::soft || stroke.kind == ScribbleKind::hard)
-      item["part"] = scribbles.parts[stroke.part];
-    item["width"] = stroke.width;
-    item["points"] = json_of(stroke.points);
-    strokes.push_back(std::move(item));
-  }
+  for (const Scribble& stroke : scribbles.strokes)
+    strokes.push_back(stroke_json(stroke, scribbles));
   return {{"parts", scribbles.parts}, {"strokes", std::move(strokes)}};
 }
 

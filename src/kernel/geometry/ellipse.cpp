@@ -30,9 +30,11 @@ struct Frame {
     const Point2 d = p - ellipse.centre;
     const double u = (c * d.x + s * d.y) / ellipse.a;
     const double v = (c * d.y - s * d.x) / ellipse.b;
-    const double r = norm(Point2{u, v});
-    const double steepness = norm(Point2{u / ellipse.a, v / ellipse.b});
-    return r > 1e-9 ? (r - 1) * r / steepness : -std::min(ellipse.a, ellipse.b);
+    const double r2 = u * u + v * v;
+    if (r2 < 1e-18) return -std::min(ellipse.a, ellipse.b);
+    // |grad r| = s / r
+    const double s2 = u * u / (ellipse.a * ellipse.a) + v * v / (ellipse.b * ellipse.b);
+    return (r2 - std::sqrt(r2)) / std::sqrt(s2);
   }
 
   Ellipse ellipse;

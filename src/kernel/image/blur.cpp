@@ -7,28 +7,37 @@
 namespace relievo {
 namespace {
 
-/// Sums of at most 4001 bytes times this, shifted by 24 bits, are their means for one window.
+/// Sums of at most 4001 bytes times this, shifted by 24 bits, are their means for one window; they
+/// fit in 32 bits.
 constexpr int reciprocal_bits = 24;
 
-uint8_t mean(uint32_t sum, uint64_t reciprocal) {
-  return static_cast<uint8_t>((sum * reciprocal + (uint64_t{1} << (reciprocal_bits - 1))) >>
+uint8_t mean(uint32_t sum, uint32_t reciprocal) {
+  return static_cast<uint8_t>((sum * reciprocal + (uint32_t{1} << (reciprocal_bits - 1))) >>
                               reciprocal_bits);
 }
 
-uint64_t reciprocal_of(int window) {
-  return ((uint64_t{1} << reciprocal_bits) + window / 2) / static_cast<uint64_t>(window);
+uint32_t reciprocal_of(int window) {
+  return ((uint32_t{1} << reciprocal_bits) + static_cast<uint32_t>(window) / 2) /
+         static_cast<uint32_t>(window);
 }
 
 void blur_row(const uint8_t* in, uint8_t* out, int width, int step, int radius) {
-  const uint64_t reciprocal = reciprocal_of(2 * radius + 1);
+  const uint32_t reciprocal = reciprocal_of(2 * radius + 1);
   const auto clamped = [&](int x) { return in[std::clamp(x, 0, width - 1) * step]; };
   uint32_t sum = 0;
   for (int x = -radius; x <= radius; ++x) sum += clamped(x);
-  for (int x = 0; x < width; ++x) {
-    out[x * step] = mean(sum, reciprocal);
-    sum += clamped(x + radius + 1);
-    sum -= clamped(x - radius);
-  }
+  const auto blur = [&](int begin, int end, const auto& value) {
+    for (int x = begin; x < end; ++x) {
+      out[x * step] = mean(sum, reciprocal);
+      sum += value(x + radius + 1);
+      sum -= value(x - radius);
+    }
+  };
+  const int first = std::min(radius, width);
+  const int last = std::max(first, width - radius - 1);
+  blur(0, first, clamped);
+  blur(first, last, [&](int x) { return in[x * step]; });
+  blur(last, width, clamped);
 }
 
 Image8 blur_rows(const Image8& image, int radius) {
@@ -40,7 +49,7 @@ Image8 blur_rows(const Image8& image, int radius) {
 }
 
 Image8 blur_columns(const Image8& image, int radius) {
-  const uint64_t reciprocal = reciprocal_of(2 * radius + 1);
+  const uint32_t reciprocal = reciprocal_of(2 * radius + 1);
   const size_t n = static_cast<size_t>(image.width) * image.channels;
   const auto row = [&](int y) { return &image.at(0, std::clamp(y, 0, image.height - 1)); };
   Image8 result(image.width, image.height, image.channels);

@@ -7,7 +7,7 @@
 namespace relievo {
 namespace {
 
-/// Larger than any side, small enough that its square plus another fits.
+/// Larger than any side, small enough that the sum of two squares of sides fits.
 constexpr int far_away = 1 << 15;
 
 /// Distance to the nearest pixel of the mask in the same column.
@@ -33,11 +33,11 @@ class RowEnvelope {
   explicit RowEnvelope(int width) : apex_(width), start_(width), squares_(width) {}
 
   void replace_by_distances(int32_t* row, int width) {
-    for (int i = 0; i < width; ++i) squares_[i] = int64_t{row[i]} * row[i];
+    for (int i = 0; i < width; ++i) squares_[i] = row[i] < far_away ? row[i] * row[i] : 0;
     collect(row, width);
     if (last_ < 0) return std::fill(row, row + width, no_distance);
     for (int x = width - 1, q = last_; x >= 0; --x) {
-      row[x] = static_cast<int32_t>(height(x, apex_[q]));
+      row[x] = height(x, apex_[q]);
       if (x == start_[q]) --q;
     }
   }
@@ -48,27 +48,28 @@ class RowEnvelope {
     for (int x = 0; x < width; ++x) {
       if (row[x] >= far_away) continue;
       while (last_ >= 0 && height(start_[last_], apex_[last_]) > height(start_[last_], x)) --last_;
-      const int64_t start = last_ < 0 ? 0 : 1 + crossing(apex_[last_], x);
+      const int start = last_ < 0 ? 0 : 1 + crossing(apex_[last_], x);
       if (start >= width) continue;
       ++last_;
       apex_[last_] = x;
-      start_[last_] = static_cast<int>(start);
+      start_[last_] = start;
     }
   }
 
-  int64_t height(int64_t x, int apex) const { return (x - apex) * (x - apex) + squares_[apex]; }
+  int32_t height(int32_t x, int32_t apex) const { return (x - apex) * (x - apex) + squares_[apex]; }
 
   /// Last x at which the parabola of i is not above that of j > i.
-  int64_t crossing(int64_t i, int64_t j) const {
-    const int64_t numerator =
-        j * j - i * i + squares_[static_cast<size_t>(j)] - squares_[static_cast<size_t>(i)];
-    const int64_t denominator = 2 * (j - i);
-    return numerator >= 0 ? numerator / denominator : -1;
+  int32_t crossing(int32_t i, int32_t j) const {
+    const int64_t numerator = int64_t{j} * j - int64_t{i} * i + squares_[j] - squares_[i];
+    if (numerator < 0) return -1;
+    // Less than two squares of sides; a division of 32 bits is several times faster.
+    return static_cast<int32_t>(static_cast<uint32_t>(numerator) /
+                                static_cast<uint32_t>(2 * (j - i)));
   }
 
   std::vector<int> apex_;
   std::vector<int> start_;
-  std::vector<int64_t> squares_;
+  std::vector<int32_t> squares_;
   int last_ = -1;
 };
 

@@ -62,7 +62,7 @@ void transpose_block(const Image8& image, Image8& result, int x0, int y0, int bl
 }
 
 Image8 transpose(const Image8& image) {
-  constexpr int block = 32;
+  constexpr int block = 64;
   Image8 result(image.height, image.width, image.channels);
   const auto each_block = [&](auto transpose_one) {
     for (int y = 0; y < image.height; y += block)

@@ -49,25 +49,75 @@ class HeightQueues {
 /// Steps of distance that the descending order tells apart, per px.
 constexpr float level_steps = 8;
 
-/// Pixels of positive distance, highest first, by counting sort; raster order within a level.
-std::vector<int32_t> descending(const Image<int32_t>& squared, std::vector<int32_t>& level) {
-  const size_t n = squared.pixels.size();
-  level.assign(n, 0);
-  int32_t top = 0;
-  const auto cap = static_cast<float>(squared.width + squared.height);
-  for (size_t i = 0; i < n; ++i) {
-    const float distance = std::min(cap, std::sqrt(static_cast<float>(squared.pixels[i])));
-    level[i] = static_cast<int32_t>(distance * level_steps);
-    top = std::max(top, level[i]);
+/// Distances and labels side by side, in a frame of pixels at distance 0, so that a visit touches
+/// little memory and needs no test for the border.
+class FramedGrid {
+ public:
+  struct Pixel {
+    int32_t squared = 0;
+    int32_t label = 0;  ///< 0 where not yet visited
+  };
+
+  explicit FramedGrid(const Image<int32_t>& squared)
+      : width_(squared.width),
+        height_(squared.height),
+        stride_(squared.width + 2),
+        cap_(static_cast<float>(squared.width + squared.height)),
+        pixels_(static_cast<size_t>(stride_) * (squared.height + 2)) {
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width_; ++x) pixels_[index(x, y)].squared = squared.at(x, y);
   }
-  std::vector<int32_t> begin(static_cast<size_t>(top) + 2, 0);
-  for (const int32_t l : level) ++begin[top - l + 1];
-  for (size_t k = 1; k < begin.size(); ++k) begin[k] += begin[k - 1];
-  std::vector<int32_t> order(begin[top]);
-  for (size_t i = 0; i < n; ++i)
-    if (level[i] > 0) order[begin[top - level[i]]++] = static_cast<int32_t>(i);
-  return order;
-}
+
+  Pixel& operator[](int32_t i) { return pixels_[i]; }
+  int32_t level(int32_t i) const { return level_of(pixels_[i].squared); }
+  /// The four pixels that share a side with a pixel of the inside.
+  std::array<int32_t, 4> sides(int32_t i) const { return {i - stride_, i - 1, i + 1, i + stride_}; }
+
+  /// Says that a pixel is visited soon, since the order jumps about in memory.
+  void prefetch(int32_t i) const {
+    for (const int32_t j : sides(i)) __builtin_prefetch(&pixels_[j]);
+  }
+
+  /// Pixels of positive distance, highest first, by counting sort; raster order within a level.
+  std::vector<int32_t> descending() const {
+    std::vector<int32_t> level(pixels_.size());
+    int32_t top = 0;
+    for (size_t i = 0; i < pixels_.size(); ++i) {
+      level[i] = level_of(pixels_[i].squared);
+      top = std::max(top, level[i]);
+    }
+    std::vector<int32_t> begin(static_cast<size_t>(top) + 2, 0);
+    for (const int32_t l : level) ++begin[top - l + 1];
+    for (size_t k = 1; k < begin.size(); ++k) begin[k] += begin[k - 1];
+    std::vector<int32_t> order(begin[top]);
+    for (size_t i = 0; i < level.size(); ++i)
+      if (level[i] > 0) order[begin[top - level[i]]++] = static_cast<int32_t>(i);
+    return order;
+  }
+
+  /// The labels with other numbers.
+  Image<int32_t> labels(const std::vector<int32_t>& numbers) const {
+    Image<int32_t> label(width_, height_, 1);
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width_; ++x) label.at(x, y) = numbers[pixels_[index(x, y)].label];
+    return label;
+  }
+
+ private:
+  size_t index(int x, int y) const { return static_cast<size_t>(y + 1) * stride_ + x + 1; }
+  int32_t level_of(int32_t squared) const {
+    return static_cast<int32_t>(std::min(cap_, std::sqrt(static_cast<float>(squared))) *
+                                level_steps);
+  }
+
+  int width_;
+  int height_;
+  int32_t stride_;
+  float cap_;
+  std::vector<Pixel> pixels_;
+};
+
+constexpr size_t ahead = 12;  ///< visits between asking for a pixel and needing it
 
 /// Peaks found so far; a set is an older peak, its smallest member, and those that it absorbed.
 class Peaks {
@@ -139,26 +189,29 @@ void flood_from_seeds(const Image8& height, Image<int32_t>& label) {
 
 PeakBasins peak_basins(const Image<int32_t>& squared_distance, const BasinOptions& options) {
   assert(squared_distance.channels == 1);
-  PeakBasins basins{Image<int32_t>(squared_distance.width, squared_distance.height, 1), {}};
-  std::vector<int32_t>& label = basins.label.pixels;
-  std::vector<int32_t> level;
+  FramedGrid grid(squared_distance);
   Peaks peaks(options);
-  for (const int32_t i : descending(squared_distance, level)) {
-    int32_t uphill = -1;
+  const std::vector<int32_t> order = grid.descending();
+  for (size_t k = 0; k < order.size(); ++k) {
+    const int32_t i = order[k];
+    if (k + ahead < order.size()) grid.prefetch(order[k + ahead]);
+    FramedGrid::Pixel uphill;
     bool alike = true;
-    for_sides(i, basins.label.width, basins.label.height, [&](int32_t j) {
-      if (label[j] == 0) return;
-      if (uphill >= 0 && label[j] != label[uphill]) alike = false;
-      if (uphill < 0 || squared_distance.pixels[j] > squared_distance.pixels[uphill]) uphill = j;
-    });
-    label[i] = uphill >= 0 ? label[uphill] : peaks.add(level[i]);
+    for (const int32_t j : grid.sides(i)) {
+      const FramedGrid::Pixel side = grid[j];
+      if (side.label == 0) continue;
+      alike = alike && (uphill.label == 0 || side.label == uphill.label);
+      if (uphill.label == 0 || side.squared > uphill.squared) uphill = side;
+    }
+    const int32_t label = uphill.label != 0 ? uphill.label : peaks.add(grid.level(i));
+    grid[i].label = label;
     if (alike) continue;
-    for_sides(i, basins.label.width, basins.label.height, [&](int32_t j) {
-      if (label[j] != 0 && label[j] != label[i]) peaks.meet(label[i], label[j], level[i]);
-    });
+    for (const int32_t j : grid.sides(i))
+      if (const int32_t other = grid[j].label; other != 0 && other != label)
+        peaks.meet(label, other, grid.level(i));
   }
-  const std::vector<int32_t> numbers = peaks.number(basins.peaks);
-  for (int32_t& l : label) l = numbers[l];
+  PeakBasins basins;
+  basins.label = grid.labels(peaks.number(basins.peaks));
   return basins;
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <vector>
 
@@ -80,25 +81,32 @@ Quadratic fit_light(const Image8& cells, int channel) {
   return light;
 }
 
-void divide_by(Image8& rgb, int channel, const Quadratic& light) {
-  std::vector<float> u(static_cast<size_t>(rgb.width));
-  for (int x = 0; x < rgb.width; ++x) u[x] = static_cast<float>(position(x, rgb.width));
-  std::vector<float> scale(u.size());
-  for (int y = 0; y < rgb.height; ++y) {
-    const double v = position(y, rgb.height);
-    const auto constant = static_cast<float>(light[0] + light[2] * v + light[5] * v * v);
-    const auto linear = static_cast<float>(light[1] + light[4] * v);
-    const auto square = static_cast<float>(light[3]);
-    for (size_t x = 0; x < u.size(); ++x)
-      scale[x] = 255 / std::max(darkest_paper, constant + (linear + square * u[x]) * u[x]);
-    uint8_t* value = &rgb.at(0, y, channel);
-    for (size_t x = 0; x < u.size(); ++x, value += 3)
-      *value = static_cast<uint8_t>(std::min(255.0F, *value * scale[x] + 0.5F));
-  }
-}
-
 bool is_white(const Quadratic& light) {
   return light[0] > 250 && light.tail<5>().cwiseAbs().maxCoeff() < 3;
+}
+
+/// What one row of a channel is multiplied with, into every third value.
+void scale_of_row(const Quadratic& light, double v, const std::vector<float>& u, float* scale) {
+  const auto constant = static_cast<float>(light[0] + light[2] * v + light[5] * v * v);
+  const auto linear = static_cast<float>(light[1] + light[4] * v);
+  const auto square = static_cast<float>(light[3]);
+  for (size_t x = 0; x < u.size(); ++x)
+    scale[3 * x] = 255 / std::max(darkest_paper, constant + (linear + square * u[x]) * u[x]);
+}
+
+/// Divides the channels by the light on them; white light changes nothing.
+void divide_by(Image8& rgb, const std::array<Quadratic, 3>& lights) {
+  std::vector<float> u(static_cast<size_t>(rgb.width));
+  for (int x = 0; x < rgb.width; ++x) u[x] = static_cast<float>(position(x, rgb.width));
+  std::vector<float> scale(3 * u.size(), 1.0F);
+  for (int y = 0; y < rgb.height; ++y) {
+    for (size_t c = 0; c < 3; ++c)
+      if (!is_white(lights[c])) scale_of_row(lights[c], position(y, rgb.height), u, &scale[c]);
+    uint8_t* value = &rgb.at(0, y);
+    for (size_t i = 0; i < scale.size(); ++i)
+      value[i] =
+          static_cast<uint8_t>(static_cast<int>(std::min(255.0F, value[i] * scale[i] + 0.5F)));
+  }
 }
 
 }  // namespace
@@ -110,8 +118,9 @@ Image8 remove_paper(const Image8& rgba) {
   if (rgb.empty() || transparent) return rgb;
   const int factor = (std::max(rgb.width, rgb.height) + fit_side - 1) / fit_side;
   const Image8 cells = shrink(rgb, factor);
-  for (int c = 0; c < 3; ++c)
-    if (const Quadratic light = fit_light(cells, c); !is_white(light)) divide_by(rgb, c, light);
+  std::array<Quadratic, 3> lights;
+  for (int c = 0; c < 3; ++c) lights[c] = fit_light(cells, c);
+  if (!std::all_of(lights.begin(), lights.end(), is_white)) divide_by(rgb, lights);
   return rgb;
 }
 

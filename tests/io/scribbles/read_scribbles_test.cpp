@@ -47,11 +47,13 @@ TEST(Scribbles, MistakesAreNamedWithTheirPlace) {
   refuse("\"hard\"", "\"loud\"", "strokes[0].kind");
   refuse("\"part\":\"head\"", "\"part\":\"tail\"", "strokes[0].part");
   refuse("\"width\":2.5", "\"width\":0", "strokes[1].width");
-  refuse("[7.0,8.0]", "[7.0]", "strokes[1].points");
+  refuse("[7.0,8.0]", "[7.0]", "strokes[1].points[0]");
+  refuse("[7.0,8.0]", "[7.0,8e6]", "strokes[1].points[0]");
+  refuse("\"width\":2.5", "\"width\":2e6", "strokes[1].width");
   refuse("[[0.0,0.0]]", "[]", "strokes[2].points");
   refuse("\"kind\":\"hole\"", "\"kind\":\"hole\",\"part\":\"head\"", "strokes[3].part");
   refuse("\"kind\":\"outside\"", "\"kind\":\"outside\",\"colour\":1", "strokes[2].colour");
-  refuse("[\"head\"", "[\"body \\\"1\\\"\"", "parts");
+  refuse("[\"head\"", "[\"body \\\"1\\\"\"", "parts[1]");
 }
 
 TEST(Scribbles, LimitsAreTheCallers) {

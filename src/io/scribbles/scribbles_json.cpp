@@ -1,0 +1,116 @@
+#include "io/scribbles/scribbles_json.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace relievo {
+namespace {
+
+/// In the order of ScribbleKind.
+constexpr std::array<const char*, 4> kind_names = {"soft", "hard", "outside", "hole"};
+
+const char* name_of(ScribbleKind kind) { return kind_names[static_cast<size_t>(kind)]; }
+
+bool is_for_part(ScribbleKind kind) {
+  return kind == ScribbleKind::soft || kind == ScribbleKind::hard;
+}
+
+}  // namespace
+
+Scribbles ScribblesReader::file(const Json& json) {
+  const JsonPath root;
+  if (!json.is_object() || json.value("format", Json()) != "relievo-scribbles")
+    fail(root.member("format"), "is not a scribble file");
+  else if (json.value("version", Json()) != 1)
+    fail(root.member("version"), "this program reads version 1 only");
+  else if (keys(json, root, {"format", "version", "parts", "strokes"}, {}))
+    return lists(json, root);
+  return {};
+}
+
+Scribbles ScribblesReader::object(const Json& json, const JsonPath& path) {
+  return keys(json, path, {"parts", "strokes"}, {}) ? lists(json, path) : Scribbles();
+}
+
+Scribbles ScribblesReader::lists(const Json& json, const JsonPath& path) {
+  scribbles_ = {};
+  read_parts(json["parts"], path.member("parts"));
+  read_strokes(json["strokes"], path.member("strokes"));
+  return std::move(scribbles_);
+}
+
+void ScribblesReader::read_parts(const Json& json, const JsonPath& path) {
+  if (!is_list(json, path, "ids")) return;
+  std::vector<std::string>& parts = scribbles_.parts;
+  for (size_t k = 0; k < json.size() && !error(); ++k) {
+    std::string id = text(json[k], path.element(k));
+    if (!error() && id.empty()) fail(path.element(k), "is empty");
+    if (std::find(parts.begin(), parts.end(), id) != parts.end())
+      fail(path.element(k), "has the id \"" + id + "\" a second time");
+    parts.push_back(std::move(id));
+  }
+}
+
+void ScribblesReader::read_strokes(const Json& json, const JsonPath& path) {
+  if (error() || !is_list(json, path, "strokes")) return;
+  if (json.size() > max_strokes_) return fail(path, "are too many", ErrorCode::limit);
+  for (size_t k = 0; k < json.size() && !error(); ++k)
+    scribbles_.strokes.push_back(stroke(json[k], path.element(k)));
+}
+
+Scribble ScribblesReader::stroke(const Json& json, const JsonPath& path) {
+  Scribble stroke;
+  if (!keys(json, path, {"kind", "width", "points"}, {"part"})) return stroke;
+  stroke.kind = kind(json["kind"], path.member("kind"));
+  if (is_for_part(stroke.kind) != json.contains("part"))
+    fail(path.member("part"),
+         is_for_part(stroke.kind) ? "is missing" : "belongs to soft and hard strokes");
+  if (error()) return stroke;
+  if (is_for_part(stroke.kind)) stroke.part = part(json["part"], path.member("part"));
+  stroke.width = width(json["width"], path.member("width"));
+  stroke.points = line(json["points"], path.member("points"));
+  return stroke;
+}
+
+ScribbleKind ScribblesReader::kind(const Json& json, const JsonPath& path) {
+  for (const ScribbleKind kind :
+       {ScribbleKind::soft, ScribbleKind::hard, ScribbleKind::outside, ScribbleKind::hole})
+    if (json == name_of(kind)) return kind;
+  fail(path, "must be \"soft\", \"hard\", \"outside\" or \"hole\"");
+  return ScribbleKind::hard;
+}
+
+int ScribblesReader::part(const Json& json, const JsonPath& path) {
+  const auto found = std::find(scribbles_.parts.begin(), scribbles_.parts.end(), text(json, path));
+  if (!error() && found == scribbles_.parts.end()) fail(path, "is not one of the parts");
+  return error() ? 0 : static_cast<int>(found - scribbles_.parts.begin());
+}
+
+double ScribblesReader::width(const Json& json, const JsonPath& path) {
+  const double value = number(json, path);
+  if (!(value > 0 && value < max_coordinate))
+    fail(path, "must be positive, and less than a million px");
+  return value;
+}
+
+std::vector<Point2> ScribblesReader::line(const Json& json, const JsonPath& path) {
+  std::vector<Point2> list = points(json, path);
+  if (!error() && list.empty()) fail(path, "has no points");
+  for (size_t k = 0; k < list.size(); ++k)
+    if (!(std::max(std::abs(list[k].x), std::abs(list[k].y)) < max_coordinate))
+      fail(path.element(k), "lies farther than a million px away");
+  return list;
+}
+
+nlohmann::ordered_json stroke_json(const Scribble& stroke, const Scribbles& scribbles) {
+  nlohmann::ordered_json json;
+  json["kind"] = name_of(stroke.kind);
+  if (is_for_part(stroke.kind)) json["part"] = scribbles.parts[stroke.part];
+  json["width"] = stroke.width;
+  json["points"] = nlohmann::ordered_json::array();
+  for (const Point2 p : stroke.points) json["points"].push_back({p.x, p.y});
+  return json;
+}
+
+}  // namespace relievo

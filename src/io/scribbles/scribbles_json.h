@@ -1,0 +1,41 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "io/scene/json_reader.h"
+#include "io/scribbles/read_scribbles.h"
+
+namespace relievo {
+
+/// Reads strokes as scribble files and project files have them: the lists `parts` and `strokes` of
+/// an object. Strokes of parts name one of `parts`, the others none; coordinates and widths are
+/// bounded, so that what follows need not mind.
+class ScribblesReader final : public JsonReader {
+ public:
+  explicit ScribblesReader(const ScribbleLimits& limits)
+      : JsonReader(limits.max_points), max_strokes_(limits.max_strokes) {}
+
+  /// A whole scribble file.
+  Scribbles file(const Json& json);
+
+  /// The object that a project has.
+  Scribbles object(const Json& json, const JsonPath& path);
+
+ private:
+  Scribbles lists(const Json& json, const JsonPath& path);
+  void read_parts(const Json& json, const JsonPath& path);
+  void read_strokes(const Json& json, const JsonPath& path);
+  Scribble stroke(const Json& json, const JsonPath& path);
+  ScribbleKind kind(const Json& json, const JsonPath& path);
+  int part(const Json& json, const JsonPath& path);
+  double width(const Json& json, const JsonPath& path);
+  std::vector<Point2> line(const Json& json, const JsonPath& path);
+
+  size_t max_strokes_;
+  Scribbles scribbles_;
+};
+
+/// A stroke as these files have it.
+nlohmann::ordered_json stroke_json(const Scribble& stroke, const Scribbles& scribbles);
+
+}  // namespace relievo
