@@ -70,8 +70,7 @@ std::vector<Point2> JsonReader::points(const Json& json, const JsonPath& path) {
   if (!is_list(json, path, "points [[x, y], ...]")) return list;
   point_count_ += json.size();
   if (point_count_ > max_points_) {
-    fail(path, "there are more than " + std::to_string(max_points_) + " points",
-         ErrorCode::limit);
+    fail(path, "there are more than " + std::to_string(max_points_) + " points", ErrorCode::limit);
     return list;
   }
   list.reserve(json.size());
