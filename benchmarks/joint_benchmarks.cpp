@@ -30,7 +30,6 @@ JointMemory coarse_memory(const std::string& name, int vertices, const JointOpti
   ReliefOptions coarse = options_for(vertices / 8);
   coarse.method = Method::nonlinear;
   coarse.joint = options;
-  coarse.ordering.max_rounds = 0;
   ReliefSession session(ReliefSession::Use::guess);
   return session.update(scene_of(name), coarse) ? session.joint_memory() : JointMemory();
 }

@@ -33,9 +33,9 @@ void BoundStep::renew_springs(const VectorXd& stiffness) {
   set_springs(matrix_, stiffness, qp_.K);
 }
 
-VectorXd BoundStep::next(const VectorXd& f, const VectorXd& slope, const VectorXd& springs,
-                         const RunContext& context) {
-  if (f.size() == 0) return f;
+SolveStatus BoundStep::move(const VectorXd& slope, const VectorXd& springs,
+                            const RunContext& context, VectorXd& f) {
+  if (f.size() == 0) return SolveStatus::solved;
   renew_springs(springs / model_.lambda_shift);
   VectorXd z = VectorXd::Zero(matrix_.T.cols());
   z.tail(f.size()) = matrix_.direction.cwiseProduct(f);
@@ -45,9 +45,9 @@ VectorXd BoundStep::next(const VectorXd& f, const VectorXd& slope, const VectorX
   options.start_active = active_;
   options.tolerance = step_tolerance;
   const BoundQpSolution solution = solve_bound_qp(qp_, factor_, options, context);
-  if (solution.report.status != SolveStatus::solved) return {};
   active_ = solution.active;
-  return matrix_.direction.cwiseProduct(solution.z.tail(f.size()));
+  f = matrix_.direction.cwiseProduct(solution.z.tail(f.size()));
+  return solution.report.status;
 }
 
 }  // namespace relievo

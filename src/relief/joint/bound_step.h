@@ -20,11 +20,11 @@ class BoundStep {
  public:
   BoundStep(const JointModel& model, const DepthProblem& problem);
 
-  /// The next f, #B: where u has one sign, f does not pass 0. `slope`: #B, of the energy / 2 with
-  /// respect to f; `springs`: #B, what else resists f, positive. Factorises when the springs are no
-  /// longer those of the last factor. Empty when cancelled.
-  Eigen::VectorXd next(const Eigen::VectorXd& f, const Eigen::VectorXd& slope,
-                       const Eigen::VectorXd& springs, const RunContext& context);
+  /// Takes f (#B) to the next one; where u has one sign, it does not pass 0. `slope`: #B, of the
+  /// energy / 2 with respect to f; `springs`: #B, what else resists f, positive. Factorises when
+  /// the springs are no longer those of the last factor.
+  SolveStatus move(const Eigen::VectorXd& slope, const Eigen::VectorXd& springs,
+                   const RunContext& context, Eigen::VectorXd& f);
 
  private:
   void renew_springs(const Eigen::VectorXd& stiffness);

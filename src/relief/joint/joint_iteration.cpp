@@ -16,6 +16,8 @@ using Eigen::VectorXd;
 
 /// The accelerator forgets its past when the residual has grown by so much.
 constexpr double growth_limit = 100;
+/// The same where u may have either sign.
+constexpr double mixed_growth_limit = 3;
 
 /// The residual at which crossings are looked for.
 constexpr double rough = 1e-3;
@@ -27,8 +29,12 @@ constexpr Softness softnesses[] = {
 /// The same where it has one sign on every surface.
 constexpr Softness pure_softnesses[] = {{false}, {true, 0.1}};
 
+bool is_mixed(const JointModel& model) {
+  return std::count(model.sign.begin(), model.sign.end(), 0) > 0;
+}
+
 std::span<const Softness> softnesses_of(const JointModel& model) {
-  if (std::count(model.sign.begin(), model.sign.end(), 0) > 0) return softnesses;
+  if (is_mixed(model)) return softnesses;
   return pure_softnesses;
 }
 
@@ -43,7 +49,7 @@ bool is_kept(size_t step, const JointOptions& options) {
                             static_cast<int>(step));
 }
 
-Status iterate(JointMap& map, const JointOptions& options, const RunContext& context,
+Status iterate(JointMap& map, double growth, const JointOptions& options, const RunContext& context,
                JointRun& run) {
   JointState& state = run.state;
   JointReport& report = run.report;
@@ -80,7 +86,7 @@ Status iterate(JointMap& map, const JointOptions& options, const RunContext& con
         return Done{};
       }
     }
-    if (step.residual > growth_limit * least) {
+    if (step.residual > growth * least) {
       mixer.restart();
       least = step.residual;
     }
@@ -96,12 +102,13 @@ Status iterate(JointMap& map, const JointOptions& options, const RunContext& con
 
 Status iterate_jointly(const InflationResponse& response, const DepthProblem& problem,
                        const JointOptions& options, const RunContext& context, JointRun& run) {
+  const double growth = is_mixed(response.model()) ? mixed_growth_limit : growth_limit;
   const JointState start = run.state;
   run.order.reset();
   for (const Softness& softness : softnesses_of(response.model())) {
     run.state = start;
     JointMap map(response.model(), response, problem, softness, run.closed);
-    if (Status status = iterate(map, options, context, run); !status) return status;
+    if (Status status = iterate(map, growth, options, context, run); !status) return status;
     if (!run.crossed && run.report.status != JointStatus::solved) continue;
     run.order = std::move(map).release();
     return Done{};

@@ -94,8 +94,9 @@ SolveStatus JointMap::apply(JointState& state, JointStep& step, const RunContext
   if (contact.status != SolveStatus::solved) return contact.status;
   VectorXd load = next_load(f, state, contact);
   const Excess excess = response_.excess(load);
-  const VectorXd f_bound = next_f_on_bound(state, contact, excess.slope, context);
-  if (f_bound.size() != bounds_) return SolveStatus::interrupted;
+  VectorXd f_bound = f_on_bound(state);
+  const SolveStatus moved = move_bound(contact, excess.slope, context, f_bound);
+  if (moved != SolveStatus::solved) return moved;
   state.load = std::move(load);
   state.u = response_.inflate(excess, f_bound.cwiseProduct(f_bound.cwiseAbs()));
   state.h = std::move(contact.h);
@@ -124,9 +125,8 @@ VectorXd JointMap::fixed_f(const JointState& state) const {
 /// The slope of the energy / 2 with respect to f on B: its own, that of the inflation, and the
 /// force of the contact against it. Springs stand for the curvature of the first two; where that
 /// would be too soft or negative, for stiffer ones.
-VectorXd JointMap::next_f_on_bound(const JointState& state, const Contact& contact,
-                                   const VectorXd& slope, const RunContext& context) {
-  const VectorXd f = f_on_bound(state);
+SolveStatus JointMap::move_bound(const Contact& contact, const VectorXd& slope,
+                                 const RunContext& context, VectorXd& f) {
   VectorXd total(bounds_);
   VectorXd springs(bounds_);
   for (Index i = 0; i < bounds_; ++i) {
@@ -137,7 +137,7 @@ VectorXd JointMap::next_f_on_bound(const JointState& state, const Contact& conta
     const double resistance = own + 2 * (sunk ? -slope[i] : slope[i]);
     springs[i] = resistance >= softest * own ? resistance : own + 2 * std::abs(slope[i]);
   }
-  return bound_step_.next(f, total, springs, context);
+  return bound_step_.move(total, springs, context, f);
 }
 
 /// The contact knows no inflation where parts do not press.

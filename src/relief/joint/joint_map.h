@@ -59,8 +59,8 @@ class JointMap {
   Springs springs(const JointState& state) const;
   Eigen::VectorXd next_load(const Eigen::VectorXd& f, const JointState& state,
                             const Contact& contact) const;
-  Eigen::VectorXd next_f_on_bound(const JointState& state, const Contact& contact,
-                                  const Eigen::VectorXd& slope, const RunContext& context);
+  SolveStatus move_bound(const Contact& contact, const Eigen::VectorXd& slope,
+                         const RunContext& context, Eigen::VectorXd& f);
   void add_inflation(JointState& state) const;
   Eigen::VectorXd compliance_of_soft_nodes(double share) const;
 

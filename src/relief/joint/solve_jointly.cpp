@@ -61,6 +61,16 @@ VectorXd in_scene_units(const std::vector<double>& values, double factor) {
   return result;
 }
 
+/// Where u may have either sign, only what touched is compared at first: the step at soft nodes is
+/// tuned to how far they give way together, so that nodes on which nothing presses slow it down.
+RoundPlan first_plan(const JointModel& model, const OrderingInput& input,
+                     const StackedNodes& stacked, const JointMemory& known, int max_rounds) {
+  std::vector<DepthPair> touching = pairs_like(input.mesh, stacked, known.contacts);
+  if (std::count(model.sign.begin(), model.sign.end(), 0) > 0)
+    return {stacked, std::move(touching), 0, max_rounds};
+  return plan_rounds(stacked, touching, input.mesh.node_vertex.size(), max_rounds);
+}
+
 /// Solves round after round, each under more pairs and from where the last one ended.
 class JointRounds {
  public:
@@ -72,8 +82,7 @@ class JointRounds {
         context_(context),
         model_(make_joint_model(input, options.epsilon)),
         stacked_(stacked_nodes(input.mesh, stacked_faces(input.mesh, input.scene))),
-        plan_(plan_rounds(stacked_, pairs_like(input.mesh, stacked_, known.contacts),
-                          input.mesh.node_vertex.size(), options.max_rounds)),
+        plan_(first_plan(model_, input, stacked_, known, options.max_rounds)),
         recalled_(!known.marks.empty()) {
     model_.lambda_bnd = options.lambda_bnd;
     model_.lambda_shift = options.lambda_shift;
