@@ -17,7 +17,7 @@ constexpr double step_tolerance = 1e-9;
 BoundStep::BoundStep(const JointModel& model, const DepthProblem& problem)
     : model_(model), matrix_(make_soft_matrix(model, problem, model.bound)) {
   if (model.bound.empty()) return;
-  qp_.K = std::move(matrix_.K);
+  qp_.K.swap(matrix_.K);
   qp_.bounded.assign(static_cast<size_t>(matrix_.T.cols()), 0);
   for (size_t i = 0; i < model.bound.size(); ++i)
     qp_.bounded[matrix_.heights() + i] = model.sign[model.bound[i]] != 0;

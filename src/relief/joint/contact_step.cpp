@@ -22,7 +22,7 @@ ContactStep::ContactStep(const JointModel& model, const DepthProblem& problem,
   qp_.bounded = problem.variables.bounded;
   qp_.bounded.resize(qp_.bounded.size() + soft.size(), 0);
   active_.resize(qp_.bounded.size(), 0);
-  qp_.K = std::move(matrix_.K);
+  qp_.K.swap(matrix_.K);
   factor_.analyse(qp_.K, Refactorisation::incremental, matrix_.elimination);
 }
 
