@@ -20,7 +20,7 @@ struct JointOptions {
   double lambda_shift = 1;   ///< weight of the shift against the inflation, > 0
   double epsilon = 1e-4;     ///< weight of the pull to g = 0, in scene units
   int max_rounds = 3;        ///< cutting-plane rounds for interior overlap
-  double tolerance = 1e-7;   ///< on the residual of the iteration
+  double tolerance = 1e-6;   ///< on the residual of the iteration
   int max_iterations = 150;  ///< of one attempt
   int anderson_depth = 16;
   std::vector<int> snapshots;  ///< after which steps the surface is kept, ascending, from 1
