@@ -74,7 +74,7 @@ Json times(const ReportInput& input) {
     sums[stage] = 0.0;
   for (const std::vector<StageTime>* list : {&input.relief.times, &input.times})
     for (const StageTime& time : *list)
-      sums[time.stage] = sums.value(time.stage, 0.0) + time.milliseconds;
+      if (!time.beside) sums[time.stage] = sums.value(time.stage, 0.0) + time.milliseconds;
   return sums;
 }
 

@@ -38,6 +38,7 @@ ReliefOptions to_options(const val& options) {
 val times(const std::vector<StageTime>& list) {
   val sums = val::object();
   for (const StageTime& time : list) {
+    if (time.beside) continue;
     const val before = sums[time.stage];
     sums.set(time.stage, (before.isUndefined() ? 0 : before.as<double>()) + time.milliseconds);
   }

@@ -8,11 +8,12 @@
 
 namespace relievo {
 
-/// Wall time of a stage, or of a piece of work inside one. A name may occur several times. They do
-/// not overlap, but for pieces of the order that are done beside the inflation.
+/// Wall time of a stage, or of a piece of work inside one. A name may occur several times. Only what
+/// is done beside others overlaps them.
 struct StageTime {
   std::string stage;  ///< "mesh", "assemble", "analyse", "inflate", "order" or "nonlinear"
   double milliseconds = 0;
+  bool beside = false;  ///< on another thread than the stage that it counts to
 };
 
 /// Fills a list of wall times. The time of a stage is without the pieces that it reported.
@@ -23,7 +24,7 @@ class StageClock {
   /// `context` with the pieces' times going to the list.
   RunContext listen(RunContext context) {
     context.timed = [this](const char* piece, double milliseconds) {
-      times_.push_back({piece, milliseconds});
+      times_.push_back({piece, milliseconds, false});
       pieces_ += milliseconds;
     };
     return context;
@@ -33,7 +34,7 @@ class StageClock {
   RunContext listen_beside(RunContext context) {
     context.progress = {};
     context.timed = [this](const char* piece, double milliseconds) {
-      beside_.push_back({piece, milliseconds});
+      beside_.push_back({piece, milliseconds, true});
     };
     return context;
   }
@@ -46,7 +47,7 @@ class StageClock {
   void finish(const char* stage) {
     const auto now = Clock::now();
     const std::chrono::duration<double, std::milli> elapsed = now - last_;
-    times_.push_back({stage, elapsed.count() - pieces_});
+    times_.push_back({stage, elapsed.count() - pieces_, false});
     last_ = now;
     pieces_ = 0;
   }
