@@ -8,8 +8,8 @@
 
 namespace relievo {
 
-/// Wall time of a stage, or of a piece of work inside one. A name may occur several times. Only what
-/// is done beside others overlaps them.
+/// Wall time of a stage, or of a piece of work inside one. A name may occur several times. Only
+/// what is done beside others overlaps them.
 struct StageTime {
   std::string stage;  ///< "mesh", "assemble", "analyse", "inflate", "order" or "nonlinear"
   double milliseconds = 0;
