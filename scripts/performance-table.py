@@ -131,7 +131,7 @@ def main():
              ("Edits at 40,000 vertices", edits(results, threaded)),
              ("Non-linear, operators and inflation included", jointly(results)),
              ("L-BFGS on an augmented Lagrangian, λ_bnd = 100", descents(results))]
-    body = "\n".join(f"### {title}\n\n{text}" for title, text in parts)
+    body = "\n".join(f"### {title}\n\n{text}" for title, text in parts if text.count("\n") > 2)
     PAGE.write_text(before + BEGIN + "\n" + body + "\n" + END + after)
 
 
