@@ -3,11 +3,13 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "relief/model/surface_sample.h"
 
@@ -224,6 +226,19 @@ void set_linear_heights(DiscRelief& relief, LinearField u, LinearField g) {
     relief.ordering.grad_g[n] = g.slope;
     relief.ordering.h[n] = relief.ordering.g[n] + signed_root(relief.inflation.u[n]);
   }
+}
+
+Model assemble(const DiscRelief& relief, const ModelOptions& options) {
+  auto model =
+      assemble_model(relief.mesh, relief.inflation, relief.ordering, relief.scene, options);
+  EXPECT_TRUE(model.ok()) << to_string(model.error());
+  return model.ok() ? std::move(*model) : Model{};
+}
+
+Model assemble(const DiscRelief& relief, Visibility visibility) {
+  ModelOptions options;
+  options.visibility = visibility;
+  return assemble(relief, options);
 }
 
 }  // namespace relievo

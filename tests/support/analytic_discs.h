@@ -4,6 +4,7 @@
 
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
+#include "relief/model/assemble_model.h"
 #include "relief/ordering/ordering.h"
 #include "relief/scene/scene.h"
 
@@ -41,5 +42,9 @@ struct LinearField {
   Point2 slope;
 };
 void set_linear_heights(DiscRelief& relief, LinearField u, LinearField g);
+
+/// The model of the discs; a failure fails the test and gives an empty one.
+Model assemble(const DiscRelief& relief, const ModelOptions& options);
+Model assemble(const DiscRelief& relief, Visibility visibility = Visibility::relief);
 
 }  // namespace relievo

@@ -44,21 +44,19 @@ Source source_of(const Part& part, double scale) {
 InflationTerms inflation_terms(const LayeredMesh& mesh, const Scene& scene, double scale) {
   std::vector<Source> sources;
   for (const Part& part : scene.parts) sources.push_back(source_of(part, scale));
-  std::vector<double> density;
-  std::vector<double> screening;
-  density.reserve(mesh.faces.size());
-  screening.reserve(mesh.faces.size());
-  for (const int part : mesh.face_part) {
-    density.push_back(sources[part].density);
-    screening.push_back(sources[part].screening);
-  }
   const std::vector<Point2> positions = node_positions(mesh, scale);
-  InflationTerms terms;
-  terms.load = load_vector({positions, mesh.faces}, density);
+  const auto integrated = [&](double Source::*term) {
+    std::vector<double> density;
+    density.reserve(mesh.faces.size());
+    for (const int part : mesh.face_part) density.push_back(sources[part].*term);
+    return load_vector({positions, mesh.faces}, density);
+  };
   const bool round = std::all_of(sources.begin(), sources.end(),
                                  [](const Source& source) { return source.screening == 0; });
-  terms.screening = round ? Eigen::VectorXd::Zero(terms.load.size())
-                          : load_vector({positions, mesh.faces}, screening);
+  InflationTerms terms;
+  terms.load = integrated(&Source::density);
+  terms.screening =
+      round ? Eigen::VectorXd::Zero(terms.load.size()) : integrated(&Source::screening);
   return terms;
 }
 

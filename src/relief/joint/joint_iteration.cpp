@@ -29,10 +29,6 @@ constexpr Softness softnesses[] = {
 /// The same where it has one sign on every surface.
 constexpr Softness pure_softnesses[] = {{false}, {true, 0.1}};
 
-bool is_mixed(const JointModel& model) {
-  return std::count(model.sign.begin(), model.sign.end(), 0) > 0;
-}
-
 std::span<const Softness> softnesses_of(const JointModel& model) {
   if (is_mixed(model)) return softnesses;
   return pure_softnesses;

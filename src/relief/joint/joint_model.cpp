@@ -65,6 +65,10 @@ JointModel make_joint_model(const OrderingInput& input, double epsilon) {
   return model;
 }
 
+bool is_mixed(const JointModel& model) {
+  return std::count(model.sign.begin(), model.sign.end(), 0) > 0;
+}
+
 bool hold_wrong_signs(const Eigen::VectorXd& u, JointModel& model) {
   const size_t before = model.inner.size();
   const auto wrong = [&](int n) { return model.sign[n] * u[n] < 0; };

@@ -32,6 +32,9 @@ struct JointModel {
 /// keep the u of the input, and so do free nodes where it is 0. O(N + F).
 JointModel make_joint_model(const OrderingInput& input, double epsilon);
 
+/// Whether u may have either sign somewhere. O(N).
+bool is_mixed(const JointModel& model);
+
 /// Holds the nodes where u has not the sign of its surface at 0 from now on; false where there are
 /// none. O(N).
 bool hold_wrong_signs(const Eigen::VectorXd& u, JointModel& model);

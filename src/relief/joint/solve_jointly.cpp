@@ -66,8 +66,7 @@ VectorXd in_scene_units(const std::vector<double>& values, double factor) {
 RoundPlan first_plan(const JointModel& model, const OrderingInput& input,
                      const StackedNodes& stacked, const JointMemory& known, int max_rounds) {
   std::vector<DepthPair> touching = pairs_like(input.mesh, stacked, known.contacts);
-  if (std::count(model.sign.begin(), model.sign.end(), 0) > 0)
-    return {stacked, std::move(touching), 0, max_rounds};
+  if (is_mixed(model)) return {stacked, std::move(touching), 0, max_rounds};
   return plan_rounds(stacked, touching, input.mesh.node_vertex.size(), max_rounds);
 }
 
@@ -88,9 +87,7 @@ class JointRounds {
     model_.lambda_shift = options.lambda_shift;
     run_.state = first_state(model_, input.inflation);
     u_start_ = run_.state.u;
-    std::vector<DepthPair> pairs = input.mesh.constraints;
-    pairs.insert(pairs.end(), plan_.inside.begin(), plan_.inside.end());
-    recall(input.mesh, model_, pairs, known.marks, run_.state);
+    recall(input.mesh, model_, first_pairs(input.mesh, plan_), known.marks, run_.state);
   }
 
   const RoundPlan& plan() const { return plan_; }

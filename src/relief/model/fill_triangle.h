@@ -6,8 +6,19 @@
 
 #include "kernel/geometry/point.h"
 #include "kernel/image/image_size.h"
+#include "relief/model/model.h"
 
 namespace relievo {
+
+/// The corners of a model's triangle on its drawing, in pixels of an image of the drawing.
+inline std::array<Point2, 3> corners_on_image(const Model& model, size_t triangle, ImageSize size) {
+  std::array<Point2, 3> corners;
+  for (size_t k = 0; k < 3; ++k) {
+    const Point2 uv = model.uvs[model.triangles[triangle][k]];
+    corners[k] = {uv.x * size.width, uv.y * size.height};
+  }
+  return corners;
+}
 
 /// Visits (x, y) of every pixel of an image whose centre lies in a triangle, given in its pixels.
 template <class Visit>

@@ -1,7 +1,6 @@
 #include "relief/model/hidden_patches.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -53,16 +52,10 @@ Image16 front_parts(const Model& model, ImageSize size) {
   Image16 front(size.width, size.height, 1);
   for (size_t p = 0; p < model.parts.size(); ++p) {
     const Runs runs = runs_of(model.parts[p]);
-    for (int t = runs.begin; t < runs.seen_end; ++t) {
-      std::array<Point2, 3> corners;
-      for (size_t k = 0; k < 3; ++k) {
-        const Point2 uv = model.uvs[model.triangles[t][k]];
-        corners[k] = {uv.x * size.width, uv.y * size.height};
-      }
-      for_each_pixel_inside(corners, size, [&front, p](int x, int y) {
+    for (int t = runs.begin; t < runs.seen_end; ++t)
+      for_each_pixel_inside(corners_on_image(model, t, size), size, [&front, p](int x, int y) {
         front.at(x, y) = static_cast<uint16_t>(p + 1);
       });
-    }
   }
   return front;
 }

@@ -15,16 +15,11 @@ namespace {
 
 using Mask = Image<uint8_t>;
 
-Mask cover(const Model& model, int width, int height) {
-  Mask mask(width, height, 1);
-  for (const std::array<int, 3>& triangle : model.triangles) {
-    std::array<Point2, 3> corners;
-    for (size_t k = 0; k < 3; ++k) {
-      const Point2 uv = model.uvs[triangle[k]];
-      corners[k] = {uv.x * width, uv.y * height};
-    }
-    for_each_pixel_inside(corners, {width, height}, [&mask](int x, int y) { mask.at(x, y) = 1; });
-  }
+Mask cover(const Model& model, ImageSize size) {
+  Mask mask(size.width, size.height, 1);
+  for (size_t t = 0; t < model.triangles.size(); ++t)
+    for_each_pixel_inside(corners_on_image(model, t, size), size,
+                          [&mask](int x, int y) { mask.at(x, y) = 1; });
   return mask;
 }
 
@@ -100,7 +95,7 @@ uint8_t on_paper(int colour, int alpha) {
 Image8 model_texture(const Model& model, const Drawing& drawing) {
   const Image8& rgba = drawing.rgba;
   if (rgba.empty()) return {};
-  const Mask near = near_background(cover(model, rgba.width, rgba.height));
+  const Mask near = near_background(cover(model, {rgba.width, rgba.height}));
   Image8 texture(rgba.width, rgba.height, 3, 255);
   Spread known(rgba.width, rgba.height);
   for (int y = 0; y < rgba.height; ++y)

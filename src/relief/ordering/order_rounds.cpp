@@ -28,6 +28,13 @@ double worst_violation(const std::vector<DepthPair>& pairs, const std::vector<do
   return worst;
 }
 
+/// The pairs of the mesh and those of stacked nodes.
+std::vector<DepthPair> with_inside(const LayeredMesh& mesh, const std::vector<DepthPair>& inside) {
+  std::vector<DepthPair> pairs = mesh.constraints;
+  pairs.insert(pairs.end(), inside.begin(), inside.end());
+  return pairs;
+}
+
 /// Clears the flags that are set in `known`; whether any are left.
 bool exclude(const std::vector<uint8_t>& known, std::vector<uint8_t>& flags) {
   bool any = false;
@@ -75,10 +82,7 @@ Status check_solved(SolveStatus status) {
 }
 
 std::vector<DepthPair> first_pairs(const LayeredMesh& mesh, const RoundPlan& plan) {
-  std::vector<DepthPair> pairs = mesh.constraints;
-  const std::vector<DepthPair> inside = flagged(plan.stacked, flags_of(plan.stacked, plan.inside));
-  pairs.insert(pairs.end(), inside.begin(), inside.end());
-  return pairs;
+  return with_inside(mesh, flagged(plan.stacked, flags_of(plan.stacked, plan.inside)));
 }
 
 Result<Ordering> order_in_rounds(const LayeredMesh& mesh, double scale, RoundPlan& plan,
@@ -88,8 +92,7 @@ Result<Ordering> order_in_rounds(const LayeredMesh& mesh, double scale, RoundPla
   Ordering ordering;
   for (;;) {
     plan.inside = flagged(plan.stacked, chosen);
-    pairs = mesh.constraints;
-    pairs.insert(pairs.end(), plan.inside.begin(), plan.inside.end());
+    pairs = with_inside(mesh, plan.inside);
     ordering.interior_pairs = static_cast<int>(plan.inside.size());
     if (Status status = solve(pairs, ordering); !status) return status.error();
     if (ordering.rounds == plan.max_rounds) break;

@@ -14,19 +14,6 @@ namespace {
 
 const Disc ball{{100, 90}, 60};
 
-Model assemble(const DiscRelief& relief, ModelOptions options) {
-  auto model =
-      assemble_model(relief.mesh, relief.inflation, relief.ordering, relief.scene, options);
-  EXPECT_TRUE(model.ok()) << to_string(model.error());
-  return model.ok() ? std::move(*model) : Model{};
-}
-
-Model assemble(const DiscRelief& relief, Visibility visibility = Visibility::relief) {
-  ModelOptions options;
-  options.visibility = visibility;
-  return assemble(relief, options);
-}
-
 /// One disc whose right half is a second part on the same surface, as after a join.
 DiscRelief joined_halves() {
   DiscRelief relief = make_discs({ball}, 200, 180, 6);

@@ -17,15 +17,6 @@ constexpr int height = 180;
 const Disc back{{90, 90}, 60};
 const Disc front{{120, 90}, 40, 1, 60};
 
-Model assemble(const DiscRelief& relief, Visibility visibility) {
-  ModelOptions options;
-  options.visibility = visibility;
-  auto model =
-      assemble_model(relief.mesh, relief.inflation, relief.ordering, relief.scene, options);
-  EXPECT_TRUE(model.ok()) << to_string(model.error());
-  return model.ok() ? std::move(*model) : Model{};
-}
-
 /// The discs as the front view shows them: the back one blue, the other red, both inked in black.
 Drawing drawn_discs() {
   Drawing drawing{Image8(width, height, 4)};

@@ -10,15 +10,6 @@
 namespace relievo {
 namespace {
 
-Model assemble(const DiscRelief& relief, Visibility visibility = Visibility::relief) {
-  ModelOptions options;
-  options.visibility = visibility;
-  auto model =
-      assemble_model(relief.mesh, relief.inflation, relief.ordering, relief.scene, options);
-  EXPECT_TRUE(model.ok()) << to_string(model.error());
-  return model.ok() ? std::move(*model) : Model{};
-}
-
 void expect_open_at_silhouette_only(const DiscRelief& relief, const Model& model) {
   const SilhouetteCensus census = count_silhouette(model, relief.mesh);
   EXPECT_EQ(census.elsewhere, 0);
