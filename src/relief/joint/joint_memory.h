@@ -11,9 +11,9 @@ namespace relievo {
 struct JointMark {
   int part = -1;
   Point2 position;  ///< px
-  double rise = 0;  ///< u beyond that of the start, scene units
-  double load = 0;  ///< with which the pairs change u, scene units
-  double h = 0;     ///< px
+  bool on_outline = false;  ///< or on B
+  double rise = 0;          ///< u beyond that of the start, scene units
+  double load = 0;          ///< with which the pairs change u, scene units
 
   int group() const { return part; }
 };
