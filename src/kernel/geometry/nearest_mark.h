@@ -15,9 +15,9 @@ auto mark_key(const Mark& mark) {
   return std::tuple(mark.group(), mark.position.x, mark.position.y);
 }
 
-/// The mark nearest to `place` of those in its group that `accept` takes, the first of them that the
-/// search meets, or null where there is none. `marks` rise by mark_key. O(log marks) where marks are
-/// not stacked above each other on the canvas and most near ones are accepted.
+/// The mark nearest to `place` of those in its group that `accept` takes, the first of them that
+/// the search meets, or null where there is none. `marks` rise by mark_key. O(log marks) where
+/// marks are not stacked above each other on the canvas and most near ones are accepted.
 template <class Mark, class Accept>
 const Mark* nearest_mark(const std::vector<Mark>& marks, const Mark& place, const Accept& accept) {
   const auto at =

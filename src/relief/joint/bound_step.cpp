@@ -67,6 +67,10 @@ void BoundStep::renew_springs(const VectorXd& springs) {
   qp_.K.diagonal() = own_diagonal_ + springs;
 }
 
+VectorXd BoundStep::even_stiffness() const {
+  return model_.lambda_shift * multiply_symmetric(qp_.K, VectorXd::Ones(qp_.K.rows()));
+}
+
 SolveStatus BoundStep::move(const VectorXd& slope, const VectorXd& springs,
                             const RunContext& context, VectorXd& f) {
   if (f.size() == 0) return SolveStatus::solved;

@@ -21,6 +21,12 @@ class BoundStep {
   BoundStep(const JointModel& model, const DepthProblem& problem)
       : model_(model), problem_(problem) {}
 
+  /// #B, -1 where u is negative on the surface, else 1. Precondition: a move was made.
+  const Eigen::VectorXd& direction() const { return direction_; }
+
+  /// How the slope grows when |f| grows by 1 all along B, #B. Precondition: a move was made.
+  Eigen::VectorXd even_stiffness() const;
+
   /// Takes f (#B) to the next one; where u has one sign, it does not pass 0. `slope`: #B, of the
   /// energy / 2 with respect to f; `springs`: #B, what else resists f, positive. The first call
   /// factorises the matrix of the heights; the others take O(#B^2), or O(#B^3) where the springs

@@ -10,7 +10,7 @@ namespace relievo {
 /// What an iteration knew of one node where parts press on each other, or on B.
 struct JointMark {
   int part = -1;
-  Point2 position;  ///< px
+  Point2 position;          ///< px
   bool on_outline = false;  ///< or on B
   double rise = 0;          ///< u beyond that of the start, scene units
   double load = 0;          ///< with which the pairs change u, scene units
