@@ -40,24 +40,26 @@ Discretisation discretise(const LayeredMesh& mesh, const RunContext& context) {
   const FlatMesh flat{in_units, mesh.faces};
   result.surface = joined_surfaces(mesh);
   if (context.cancelled()) return result;
-  Stopwatch all;
+  const Stopwatch all;
   double analysing = 0;
   const std::array<std::function<void()>, 3> work = {
       [&] {
-        Stopwatch own;
+        const Stopwatch own;
         result.elimination = elimination_order(mesh, context);
-        analysing = own.lap();
+        analysing = own.milliseconds();
       },
       [&] {
         result.L = stiffness_matrix(flat);
         result.mass = lumped_mass(flat);
       },
-      [&] { result.gradients = gradient_stencils({in_px, mesh.faces}); },
+      [&] {
+        result.gradients = gradient_stencils({in_px, mesh.faces});
+      },
   };
   run_tasks(3, [&](int i) { work[i](); });
   if (!context.timed) return result;
   context.timed("analyse", analysing);
-  context.timed("assemble", all.lap() - analysing);
+  context.timed("assemble", all.milliseconds() - analysing);
   return result;
 }
 
