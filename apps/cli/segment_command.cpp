@@ -50,6 +50,7 @@ Result<SegmentInput> from_project(const InputFile& file) {
   input.scribbles = std::move(record.scribbles);
   input.corrections = std::move(record.corrections);
   input.name = std::move(project->name);
+  input.other_keys = std::move(project->other_keys);
   for (const PartRecord& part : record.parts) input.edited.label_of[part.id] = part.label;
   input.edited.scene = std::move(project->scene);
   return input;

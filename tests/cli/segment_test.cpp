@@ -1,6 +1,7 @@
 #include "cli/cli_test.h"
 #include "io/image/decode_image.h"
 #include "io/image/png_encode.h"
+#include "io/project/project_file.h"
 #include "support/label_maps.h"
 
 namespace relievo {
@@ -54,6 +55,19 @@ TEST_F(Segment, AProjectBuildsAndSegmentsToTheSameAgain) {
   const Outcome check = relievo({"check", "fox.relievo"});
   EXPECT_EQ(check.exit_code, 0) << check.err;
   EXPECT_NE(check.out.find("2 parts"), std::string::npos);
+}
+
+TEST_F(Segment, KeepsWhatTheEditorPutIntoAProject) {
+  ASSERT_EQ(
+      relievo({"segment", "fox.png", "--labels", "labels.png", "-o", "fox.relievo"}).exit_code, 0);
+  auto project = decode_project(to_bytes(read("fox.relievo")));
+  ASSERT_TRUE(project.ok());
+  const std::map<std::string, std::string> kept = {{"colors", R"({"part-1":"#ff8000"})"},
+                                                   {"settings", R"({"vertices":9000})"}};
+  project->other_keys = kept;
+  write("edited.relievo", std::string(to_text(*encode_project(*project))));
+  ASSERT_EQ(relievo({"segment", "edited.relievo", "-o", "again.relievo"}).exit_code, 0);
+  EXPECT_EQ(decode_project(to_bytes(read("again.relievo")))->other_keys, kept);
 }
 
 /// A part of a scene file, from its id to the end of its line.
