@@ -131,11 +131,11 @@ TEST_F(FlatDrawings, SleepingCat) {
 }
 
 TEST_F(FlatDrawings, PhotographsAndScansNeedOneStrokeAPart) {
-  for (const auto& [name, strokes] :
-       std::map<std::string, std::string>{{"F01_kid_man/texture.png", "F01_kid_man"},
-                                          {"F02_kid_bug/texture.png", "F02_kid_bug"},
-                                          {"F04_gopher_dandy_pencil.png", "F04_gopher_dandy"},
-                                          {"F05_gopher_pirate_pencil.png", "F05_gopher_pirate"}}) {
+  for (const auto& [name, strokes] : std::map<std::string, std::string>{
+           {"F01_kid_man/texture.png", "F01_kid_man"},
+           {"F02_kid_bug/texture.png", "F02_kid_bug"},
+           {"F04_gopher_dandy_pencil.png", "F04_gopher_dandy_pencil"},
+           {"F05_gopher_pirate_pencil.png", "F05_gopher_pirate_pencil"}}) {
     const Result<Segmentation> s = segment(name, strokes);
     ASSERT_TRUE(s.ok()) << name << ": " << to_string(s.error());
     EXPECT_TRUE(s->notes.empty()) << s->notes[0];
