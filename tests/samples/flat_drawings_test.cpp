@@ -115,6 +115,21 @@ TEST_F(FlatDrawings, Pig) {
   expect_parts(*s, {{10, 10, ""}, {200, 120, "body"}, {250, 150, "body"}, {60, 110, "head"}});
 }
 
+/// Four dots tell the ground between the legs from a belly, which has the same lines.
+TEST_F(FlatDrawings, PigWithDotsOnTheGround) {
+  const Result<Segmentation> s = segment("F09_pig_lear.gif", "F09_pig_lear_ground");
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  EXPECT_LE(s->parts.size(), 6U);
+  expect_parts(*s, {{10, 10, ""},
+                    {105, 205, ""},
+                    {140, 200, ""},
+                    {180, 205, ""},
+                    {222, 195, ""},
+                    {200, 120, "body"},
+                    {95, 185, "body"},
+                    {248, 205, "body"}});
+}
+
 TEST_F(FlatDrawings, Cat) {
   const Result<Segmentation> s = segment("F10_cat_carrot.png");
   ASSERT_TRUE(s.ok()) << to_string(s.error());
