@@ -123,37 +123,74 @@ Image8 filter_squares(const Image8& image, int radius) {
   return SquareFilter<Pick>(image, radius).run();
 }
 
-using Ring8 = std::array<uint8_t, 8>;  ///< neighbours clockwise from the one above, 0 or 1
-
-Ring8 neighbours(const Image8& mask, int x, int y) {
-  static constexpr int dx[] = {0, 1, 1, 1, 0, -1, -1, -1};
-  static constexpr int dy[] = {-1, -1, 0, 1, 1, 1, 0, -1};
-  Ring8 ring = {};
-  for (int k = 0; k < 8; ++k) {
-    const int nx = x + dx[k];
-    const int ny = y + dy[k];
-    const bool inside = nx >= 0 && ny >= 0 && nx < mask.width && ny < mask.height;
-    ring[k] = inside && mask.at(nx, ny) != 0 ? 1 : 0;
-  }
-  return ring;
-}
-
-/// Whether a pixel with these neighbours can go in the given half of a round.
-bool is_removable(const Ring8& p, int half) {
+/// Whether a pixel with these neighbours, bits clockwise from the one above, can go in the given
+/// half of a round.
+bool is_removable(uint32_t neighbours, int half) {
+  const auto has = [&](int k) { return ((neighbours >> (k % 8)) & 1U) != 0; };
   int count = 0;
   int entries = 0;
   for (int k = 0; k < 8; ++k) {
-    count += p[k];
-    entries += p[k] == 0 && p[(k + 1) % 8] == 1 ? 1 : 0;
+    count += has(k) ? 1 : 0;
+    entries += !has(k) && has(k + 1) ? 1 : 0;
   }
   if (count < 2 || count > 6 || entries != 1) return false;
-  const uint8_t up = p[0];
-  const uint8_t right = p[2];
-  const uint8_t down = p[4];
-  const uint8_t left = p[6];
-  return half == 0 ? (up & right & down) == 0 && (right & down & left) == 0
-                   : (up & right & left) == 0 && (up & down & left) == 0;
+  const bool up = has(0);
+  const bool right = has(2);
+  const bool down = has(4);
+  const bool left = has(6);
+  return half == 0 ? !(up && right && down) && !(right && down && left)
+                   : !(up && right && left) && !(up && down && left);
 }
+
+/// A mask in a frame of pixels that are not in it.
+class FramedMask {
+ public:
+  explicit FramedMask(const Image8& mask)
+      : width_(mask.width),
+        stride_(mask.width + 2),
+        pixels_(static_cast<size_t>(stride_) * (mask.height + 2), 0),
+        around_({-stride_, 1 - stride_, 1, 1 + stride_, stride_, stride_ - 1, -1, -1 - stride_}) {
+    for (int y = 0; y < mask.height; ++y)
+      for (int x = 0; x < mask.width; ++x)
+        if (mask.at(x, y) != 0) {
+          members_.push_back((y + 1) * stride_ + x + 1);
+          pixels_[members_.back()] = 1;
+        }
+  }
+
+  /// Removes the members whose neighbours are in the table, all at once. Whether there were any.
+  bool remove(const std::array<bool, 256>& table) {
+    std::vector<int> gone;
+    for (const int i : members_)
+      if (table[neighbours(i)]) gone.push_back(i);
+    for (const int i : gone) pixels_[i] = 0;
+    members_.erase(
+        std::remove_if(members_.begin(), members_.end(), [&](int i) { return pixels_[i] == 0; }),
+        members_.end());
+    return !gone.empty();
+  }
+
+  /// 255 on the members.
+  Image8 image(int height) const {
+    Image8 result(width_, height, 1);
+    for (const int i : members_) result.at(i % stride_ - 1, i / stride_ - 1) = 255;
+    return result;
+  }
+
+ private:
+  uint32_t neighbours(int i) const {
+    uint32_t bits = 0;
+    for (size_t k = 0; k < around_.size(); ++k)
+      bits |= static_cast<uint32_t>(pixels_[i + around_[k]]) << k;
+    return bits;
+  }
+
+  int width_;
+  int stride_;
+  std::vector<uint8_t> pixels_;
+  std::array<int, 8> around_;
+  std::vector<int> members_;
+};
 
 }  // namespace
 
@@ -169,29 +206,15 @@ Image8 close_gaps(const Image8& image, int radius) {
 
 Image8 thin(const Image8& mask) {
   assert(mask.channels == 1);
-  Image8 result = mask;
-  std::vector<std::pair<int, int>> left;
-  for (int y = 0; y < mask.height; ++y)
-    for (int x = 0; x < mask.width; ++x) {
-      if (mask.at(x, y) == 0) continue;
-      result.at(x, y) = 255;
-      left.emplace_back(x, y);
-    }
-  std::vector<std::pair<int, int>> gone;
+  std::array<std::array<bool, 256>, 2> removable = {};
+  for (uint32_t bits = 0; bits < 256; ++bits)
+    for (int half = 0; half < 2; ++half) removable[half][bits] = is_removable(bits, half);
+  FramedMask framed(mask);
   for (bool changed = true; changed;) {
-    changed = false;
-    for (int half = 0; half < 2; ++half) {
-      gone.clear();
-      for (const auto& [x, y] : left)
-        if (is_removable(neighbours(result, x, y), half)) gone.emplace_back(x, y);
-      for (const auto& [x, y] : gone) result.at(x, y) = 0;
-      changed = changed || !gone.empty();
-      left.erase(std::remove_if(left.begin(), left.end(),
-                                [&](const auto& p) { return result.at(p.first, p.second) == 0; }),
-                 left.end());
-    }
+    changed = framed.remove(removable[0]);
+    changed = framed.remove(removable[1]) || changed;
   }
-  return result;
+  return framed.image(mask.height);
 }
 
 }  // namespace relievo
