@@ -93,7 +93,10 @@ TEST_F(FlatDrawings, Frog) {
                     {340, 300, "body"},
                     {270, 380, "thigh"},
                     {120, 450, "far leg"},
-                    {620, 350, "far arm"}});
+                    {620, 350, "far arm"},
+                    {380, 400, "near arm"},
+                    {400, 485, "near arm"}});
+  EXPECT_FALSE(s->bridges.empty());
 }
 
 TEST_F(FlatDrawings, Snowman) {

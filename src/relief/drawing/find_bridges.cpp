@@ -6,6 +6,7 @@
 #include "kernel/base/cyclic_runs.h"
 #include "kernel/geometry/simplify_line.h"
 #include "kernel/image/label_rings.h"
+#include "relief/drawing/line_map.h"
 
 namespace relievo {
 namespace {
@@ -19,7 +20,7 @@ bool is_far_from_lines(const Image8& barrier, int x, int y) {
        ++v)
     for (int u = std::max(0, x - line_margin); u <= std::min(barrier.width - 1, x + line_margin);
          ++u)
-      if (barrier.at(u, v) != 0) return false;
+      if (barrier.at(u, v) == LineMap::line || barrier.at(u, v) == LineMap::edge) return false;
   return true;
 }
 
