@@ -22,6 +22,7 @@
 #include "io/scribbles/scribble_image.h"
 #include "io/svg/paintable_svg.h"
 #include "io/svg/render_svg.h"
+#include "kernel/image/lay_over.h"
 #include "relief/drawing/label_colours.h"
 #include "relief/drawing/segment_drawing.h"
 #include "relief/pipeline/keep_labels.h"
@@ -192,10 +193,6 @@ Status check_copy(const fs::path& copy, const Bytes& drawing) {
 
 bool is_project_name(const std::string& name) { return fs::path(name).extension() == ".relievo"; }
 
-uint8_t over(uint8_t above, uint8_t below, uint8_t alpha) {
-  return static_cast<uint8_t>((above * alpha + below * (255 - alpha) + 127) / 255);
-}
-
 /// The drawing on white, enlarged, with the overlay on it.
 Image8 composed(const Image8& drawing, const Image8& overlay) {
   Image8 picture(overlay.width, overlay.height, 3);
@@ -204,8 +201,8 @@ Image8 composed(const Image8& drawing, const Image8& overlay) {
       const int sx = std::min(drawing.width - 1, x * drawing.width / overlay.width);
       const int sy = std::min(drawing.height - 1, y * drawing.height / overlay.height);
       for (int c = 0; c < 3; ++c) {
-        const uint8_t paper = over(drawing.at(sx, sy, c), 255, drawing.at(sx, sy, 3));
-        picture.at(x, y, c) = over(overlay.at(x, y, c), paper, overlay.at(x, y, 3));
+        const uint8_t paper = on_paper(drawing.at(sx, sy, c), drawing.at(sx, sy, 3));
+        picture.at(x, y, c) = lay_over(overlay.at(x, y, c), paper, overlay.at(x, y, 3));
       }
     }
   return picture;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernel/image/blur.h"
+#include "kernel/image/lay_over.h"
 
 namespace relievo {
 namespace {
@@ -55,10 +56,9 @@ Image8 lay_on_white(const Image8& rgba, bool invert) {
   Image8 rgb(rgba.width, rgba.height, 3);
   const uint8_t* in = rgba.pixels.data();
   for (uint8_t* out = rgb.pixels.data(); out != rgb.pixels.data() + rgb.pixels.size(); in += 4) {
-    const uint32_t alpha = in[3];
+    const int alpha = in[3];
     for (int c = 0; c < 3; ++c) {
-      const auto value = static_cast<uint8_t>(in[c] ^ flip);
-      *out++ = static_cast<uint8_t>((value * alpha + 255 * (255 - alpha) + 127) / 255);
+      *out++ = on_paper(in[c] ^ flip, alpha);
     }
   }
   return rgb;
