@@ -12,6 +12,8 @@ using Eigen::VectorXd;
 
 constexpr int block_tries = 3;
 constexpr int max_refinements = 4;
+/// Residuals within this share of the tolerance need no attention.
+constexpr double negligible = 0.1;
 
 double max_norm(const VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
 
@@ -24,15 +26,17 @@ class ActiveSetSolver {
         context_(context),
         scale_(std::max(1.0, max_norm(problem.b))),
         tolerance_(options.tolerance * scale_),
-        max_iterations_(options.max_iterations) {
+        max_iterations_(options.max_iterations),
+        same_matrix_(options.same_matrix) {
     const auto n = static_cast<size_t>(problem.b.size());
     assert(problem.bounded.size() == n);
+    assert(factor.graph().size() == problem.b.size());
     assert(options.start_active.empty() || options.start_active.size() == n);
     solution_.active.assign(n, 0);
     for (size_t i = 0; i < options.start_active.size(); ++i)
       solution_.active[i] = options.start_active[i] != 0 && problem.bounded[i] != 0;
     solution_.z = VectorXd::Zero(problem.b.size());
-    solution_.mu = solution_.z;
+    solution_.mu = VectorXd::Zero(problem.b.size());
   }
 
   BoundQpSolution run() {
@@ -40,7 +44,7 @@ class ActiveSetSolver {
     if (status == SolveStatus::iteration_limit) status = descend();
     if (context_.cancelled()) status = SolveStatus::interrupted;
     solution_.report.status = status;
-    snap_to_bounds();
+    if (snap_to_bounds()) solution_.mu = gradient();
     finish_report();
     return std::move(solution_);
   }
@@ -93,6 +97,10 @@ class ActiveSetSolver {
   /// The bounds that are on the wrong side; that there are none is decided on refined values.
   std::vector<int> refined_wrong_bounds() {
     std::vector<int> wrong = wrong_bounds();
+    if (wrong.empty() && rough_) {
+      solve_directly();
+      wrong = wrong_bounds();
+    }
     if (!wrong.empty()) return wrong;
     refine();
     return wrong_bounds();
@@ -148,8 +156,8 @@ class ActiveSetSolver {
   }
 
   void guess_around(const std::vector<int>& wrong) {
-    const ActiveGuess guess =
-        relax_around(wrong, {problem_.K, problem_.bounded, solution_.z, solution_.mu});
+    const ActiveGuess guess = relax_around(
+        wrong, {problem_.K, factor_.graph(), problem_.bounded, solution_.z, solution_.mu});
     for (size_t i = 0; i < guess.unknowns.size(); ++i)
       solution_.active[guess.unknowns[i]] = guess.active[i];
   }
@@ -159,19 +167,46 @@ class ActiveSetSolver {
     if (context_.cancelled()) return false;
     ++solution_.report.iterations;
     ++solution_.report.factorisations;
-    if (!factor_.refactorise(problem_.K, solution_.active, context_)) return false;
+    if (!factorise()) return false;
+    if (solution_.report.iterations == 1)
+      solve_directly();
+    else
+      solve_change();
+    return solution_.mu.allFinite();
+  }
+
+  /// By the same operations wherever the iterations came from.
+  void solve_directly() {
     VectorXd free_b = problem_.b;
     clear_active(free_b);
     solution_.z = factor_.solve(free_b);
     clear_active(solution_.z);
     solution_.mu = gradient();
-    return solution_.mu.allFinite();
+    rough_ = false;
+  }
+
+  /// From the last point on: where little has changed, most of the solve meets zeros.
+  void solve_change() {
+    clear_active(solution_.z);
+    solution_.mu = gradient();
+    VectorXd residual = free_residual();
+    for (double& value : residual)
+      if (std::abs(value) <= negligible * tolerance_) value = 0;
+    solution_.z += factor_.solve(residual);
+    solution_.mu = gradient();
+    rough_ = true;
+  }
+
+  bool factorise() {
+    if (same_matrix_) return factor_.refactorise_fixed(problem_.K, solution_.active, context_);
+    same_matrix_ = true;
+    return factor_.refactorise(problem_.K, solution_.active, context_);
   }
 
   /// Iterative refinement, as long as it reduces the residual.
   void refine() {
     double error = max_norm(free_residual());
-    for (int i = 0; i < max_refinements && error > 0.1 * tolerance_; ++i) {
+    for (int i = 0; i < max_refinements && error > negligible * tolerance_; ++i) {
       const VectorXd z = solution_.z;
       const VectorXd mu = solution_.mu;
       solution_.z += factor_.solve(free_residual());
@@ -211,18 +246,22 @@ class ActiveSetSolver {
   }
 
   /// Bounds that round-off left barely on the wrong side become active, so that z >= 0 exactly.
-  void snap_to_bounds() {
+  /// Whether there are any.
+  bool snap_to_bounds() {
+    bool moved = false;
     for (Eigen::Index i = 0; i < solution_.z.size(); ++i) {
       if (problem_.bounded[i] == 0 || solution_.z[i] > 0) continue;
       if (solution_.z[i] < -tolerance_) continue;
+      moved = moved || solution_.z[i] < 0;
       solution_.z[i] = 0;
       solution_.active[i] = 1;
     }
+    return moved;
   }
 
   void finish_report() {
     BoundQpReport& report = solution_.report;
-    const VectorXd residual = gradient();
+    const VectorXd residual = solution_.mu;
     for (Eigen::Index i = 0; i < residual.size(); ++i) {
       const bool active = solution_.active[i] != 0;
       const double z = solution_.z[i];
@@ -245,6 +284,8 @@ class ActiveSetSolver {
   double scale_;
   double tolerance_;
   int max_iterations_;
+  bool same_matrix_;
+  bool rough_ = false;  ///< z is what a sequence of changes has left
   BoundQpSolution solution_;
 };
 

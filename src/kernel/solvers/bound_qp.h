@@ -20,6 +20,7 @@ struct BoundQp {
 
 struct BoundQpOptions {
   std::vector<uint8_t> start_active;  ///< n: bounds first taken to hold with equality; empty: none
+  bool same_matrix = false;           ///< K is the one that the factor was last computed of
   int max_iterations = 500;
   /// A bound changes sides when z or mu is below -tolerance * max(1, |b|).
   double tolerance = 1e-13;
@@ -40,7 +41,7 @@ struct BoundQpSolution {
 /// times in a row, a safeguard takes over that lowers the energy in every iteration, moving along
 /// projected directions from face to face (as More and Toraldo 1991 do, with exact solutions on the
 /// faces); both together end after finitely many iterations. Refines iteratively, so that the
-/// residuals of the report stay near round-off. `factor` must have analysed the pattern of K, best
+/// residuals of the report stay near round-off. `factor` must have analysed the pattern of K
 /// incrementally, and holds the last factor afterwards. Watches `context` between factorisations,
 /// of which every iteration takes one.
 BoundQpSolution solve_bound_qp(const BoundQp& problem, SparseCholesky& factor,

@@ -161,44 +161,102 @@ RELIEVO_INLINE bool eliminate(const Front& front, const std::atomic<bool>* stop)
   return true;
 }
 
-template <class Pack>
-RELIEVO_INLINE void solve_forward(const Front& front, double* x) {
-  const int end = padded(front.rows);
-  for (int c = 0; c < front.columns; ++c) {
-    const double* L = front.panel + c * front.stride();
+/// The columns [block, block + count) of one pack of rows.
+struct ColumnBlock {
+  const double* L;  ///< first column
+  Index stride;
+  int block;
+  int count;
+};
+
+/// The triangle of a block: its values are what the rows below lose.
+RELIEVO_INLINE void solve_block_forward(const ColumnBlock& columns, double* x) {
+  const double* L = columns.L;
+  for (int c = columns.block; c < columns.block + columns.count; ++c, L += columns.stride) {
     const double value = x[c] / L[c];
-    subtract_multiple<Pack>(x, L, value, c / pack_rows * pack_rows, end);
+    for (int row = c + 1; row < columns.block + pack_rows; ++row) x[row] -= L[row] * value;
     x[c] = value;
   }
 }
 
-/// Sums of a b over the rows [begin, end), one for each row of a pack.
+/// x -= L value for the rows [begin, end) and a whole block.
 template <class Pack>
-RELIEVO_INLINE void sum_products(const double* a, const double* b, int begin, int end,
+RELIEVO_INLINE void subtract_block(const ColumnBlock& columns, double* x, int begin, int end) {
+  double value[pack_rows];
+  std::memcpy(value, x + columns.block, sizeof value);
+  for (int row = begin; row < end; row += lanes<Pack>) {
+    Pack entry;
+    load(x + row, entry);
+    for (int k = 0; k < pack_rows; ++k) {
+      Pack left;
+      load(columns.L + k * columns.stride + row, left);
+      entry -= left * value[k];
+    }
+    store(entry, x + row);
+  }
+}
+
+template <class Pack>
+RELIEVO_INLINE void solve_forward(const Front& front, double* x) {
+  const int end = padded(front.rows);
+  for (int block = 0; block < front.columns; block += pack_rows) {
+    const int count = std::min(pack_rows, front.columns - block);
+    const ColumnBlock columns{front.panel + block * front.stride(), front.stride(), block, count};
+    solve_block_forward(columns, x);
+    if (count == pack_rows) {
+      subtract_block<Pack>(columns, x, block + pack_rows, end);
+      continue;
+    }
+    for (int k = 0; k < count; ++k)
+      subtract_multiple<Pack>(x, columns.L + k * columns.stride, x[block + k], block + pack_rows,
+                              end);
+  }
+}
+
+/// Sums of L x over the rows [begin, end) for `Columns` columns: their chains of additions go on
+/// side by side.
+template <class Pack, int Columns>
+RELIEVO_INLINE void sum_products(const ColumnBlock& columns, const double* x, int begin, int end,
                                  double* sums) {
   constexpr int parts = pack_rows / lanes<Pack>;
-  Pack sum[parts] = {};
+  Pack sum[Columns][parts] = {};
   for (int row = begin; row < end; row += pack_rows)
     for (int r = 0; r < parts; ++r) {
-      Pack left;
       Pack right;
-      load(a + row + r * lanes<Pack>, left);
-      load(b + row + r * lanes<Pack>, right);
-      sum[r] += left * right;
+      load(x + row + r * lanes<Pack>, right);
+      for (int k = 0; k < Columns; ++k) {
+        Pack left;
+        load(columns.L + k * columns.stride + row + r * lanes<Pack>, left);
+        sum[k][r] += left * right;
+      }
     }
-  std::memcpy(sums, sum, sizeof sum);
+  for (int k = 0; k < Columns; ++k) {
+    double part[pack_rows];
+    std::memcpy(part, sum[k], sizeof part);
+    sums[k] = (part[0] + part[1]) + (part[2] + part[3]);
+  }
 }
 
 template <class Pack>
 RELIEVO_INLINE void solve_backward(const Front& front, double* x) {
   const int end = padded(front.rows);
-  for (int c = front.columns - 1; c >= 0; --c) {
-    const double* L = front.panel + c * front.stride();
-    const double right = x[c];
-    x[c] = 0;
-    double sum[pack_rows];
-    sum_products<Pack>(L, x, c / pack_rows * pack_rows, end, sum);
-    x[c] = (right - ((sum[0] + sum[1]) + (sum[2] + sum[3]))) / L[c];
+  for (int block = (front.columns - 1) / pack_rows * pack_rows; block >= 0; block -= pack_rows) {
+    const int count = std::min(pack_rows, front.columns - block);
+    const ColumnBlock columns{front.panel + block * front.stride(), front.stride(), block, count};
+    double sums[pack_rows];
+    if (count == pack_rows)
+      sum_products<Pack, pack_rows>(columns, x, block + pack_rows, end, sums);
+    else
+      for (int k = 0; k < count; ++k)
+        sum_products<Pack, 1>({columns.L + k * columns.stride, columns.stride, block + k, 1}, x,
+                              block + pack_rows, end, sums + k);
+    for (int k = count - 1; k >= 0; --k) {
+      const double* L = columns.L + k * columns.stride;
+      double sum = sums[k];
+      for (int row = block + k + 1; row < std::min(block + pack_rows, front.rows); ++row)
+        sum += L[row] * x[row];
+      x[block + k] = (x[block + k] - sum) / L[block + k];
+    }
   }
 }
 

@@ -19,54 +19,42 @@ struct Patch {
   std::vector<double> diagonal;
 };
 
-/// Flags everything that shares an entry with what is flagged.
-void add_ring(const SparseMatrix& K, std::vector<uint8_t>& flags) {
-  const std::vector<uint8_t> inner = flags;
-  for (int j = 0; j < K.outerSize(); ++j)
-    for (SparseMatrix::InnerIterator e(K, j); e; ++e) {
-      const auto i = static_cast<size_t>(e.row());
-      if (inner[j] != 0) flags[i] = 1;
-      if (inner[i] != 0) flags[j] = 1;
-    }
-}
-
-/// Calls visit(i, j, value) for the entries below the diagonal, numbered within the patch.
-template <class Visit>
-void for_each_entry(const SparseMatrix& K, const std::vector<int>& unknowns,
-                    const std::vector<int>& place, const Visit& visit) {
-  for (size_t p = 0; p < unknowns.size(); ++p)
-    for (SparseMatrix::InnerIterator e(K, unknowns[p]); e; ++e)
-      if (place[e.row()] >= 0 && e.row() != unknowns[p])
-        visit(place[e.row()], static_cast<int>(p), e.value());
-}
-
-Patch patch_around(const std::vector<int>& seeds, const SparseMatrix& K) {
-  std::vector<uint8_t> flags(static_cast<size_t>(K.rows()), 0);
-  for (const int i : seeds) flags[i] = 1;
-  for (int ring = 0; ring < rings; ++ring) add_ring(K, flags);
-  Patch patch;
-  std::vector<int> place(flags.size(), -1);
-  for (size_t i = 0; i < flags.size(); ++i) {
-    if (flags[i] == 0) continue;
-    place[i] = static_cast<int>(patch.unknowns.size());
-    patch.unknowns.push_back(static_cast<int>(i));
-    patch.diagonal.push_back(K.valuePtr()[K.outerIndexPtr()[i]]);
+/// All within a few steps of the seeds, ascending; `place` of them is 0, of the others -1.
+std::vector<int> unknowns_around(const std::vector<int>& seeds, const SymmetricGraph& graph,
+                                 std::vector<int>& place) {
+  std::vector<int> unknowns;
+  const auto add = [&](int i) {
+    if (place[i] < 0) unknowns.push_back(i);
+    place[i] = 0;
+  };
+  for (const int i : seeds) add(i);
+  size_t first = 0;
+  for (int ring = 0; ring < rings; ++ring) {
+    const size_t last = unknowns.size();
+    for (; first < last; ++first)
+      for (int p = graph.begin[unknowns[first]]; p < graph.begin[unknowns[first] + 1]; ++p)
+        add(graph.neighbour[p]);
   }
-  patch.begin.assign(patch.unknowns.size() + 1, 0);
-  for_each_entry(K, patch.unknowns, place, [&](int i, int j, double) {
-    ++patch.begin[i + 1];
-    ++patch.begin[j + 1];
-  });
-  for (size_t p = 0; p + 1 < patch.begin.size(); ++p) patch.begin[p + 1] += patch.begin[p];
-  patch.neighbour.resize(static_cast<size_t>(patch.begin.back()));
-  patch.entry.resize(patch.neighbour.size());
-  std::vector<int> next(patch.begin.begin(), patch.begin.end() - 1);
-  for_each_entry(K, patch.unknowns, place, [&](int i, int j, double value) {
-    patch.neighbour[next[i]] = j;
-    patch.entry[next[i]++] = value;
-    patch.neighbour[next[j]] = i;
-    patch.entry[next[j]++] = value;
-  });
+  std::sort(unknowns.begin(), unknowns.end());
+  return unknowns;
+}
+
+Patch patch_around(const std::vector<int>& seeds, const SparseMatrix& K,
+                   const SymmetricGraph& graph) {
+  Patch patch;
+  std::vector<int> place(static_cast<size_t>(graph.size()), -1);
+  patch.unknowns = unknowns_around(seeds, graph, place);
+  for (size_t p = 0; p < patch.unknowns.size(); ++p) place[patch.unknowns[p]] = static_cast<int>(p);
+  patch.begin = {0};
+  for (const int i : patch.unknowns) {
+    patch.diagonal.push_back(K.valuePtr()[K.outerIndexPtr()[i]]);
+    for (int p = graph.begin[i]; p < graph.begin[i + 1]; ++p) {
+      if (place[graph.neighbour[p]] < 0) continue;
+      patch.neighbour.push_back(place[graph.neighbour[p]]);
+      patch.entry.push_back(K.valuePtr()[graph.source[p]]);
+    }
+    patch.begin.push_back(static_cast<int>(patch.neighbour.size()));
+  }
   return patch;
 }
 
@@ -124,7 +112,7 @@ class Relaxation {
 }  // namespace
 
 ActiveGuess relax_around(const std::vector<int>& seeds, const BoundQpPoint& point) {
-  const Patch patch = patch_around(seeds, point.K);
+  const Patch patch = patch_around(seeds, point.K, point.graph);
   Relaxation relaxation(patch, point);
   for (int i = 0; i < sweeps; ++i) relaxation.sweep_to_and_fro();
   return relaxation.guess();

@@ -38,8 +38,10 @@ void add_update(const Front& child, const int* rows, const Front& parent) {
 struct SparseCholesky::Implementation {
   FactorMemory memory;
   bool incremental = false;
-  std::vector<double> values;     ///< of the last factorisation, fixed rows replaced
-  std::vector<uint8_t> outdated;  ///< #S
+  SymmetricGraph graph;             ///< if incremental
+  std::vector<double> values;       ///< of the last factorisation, fixed rows replaced
+  std::vector<uint8_t> last_fixed;  ///< #n, of the last factorisation
+  std::vector<uint8_t> outdated;    ///< #S
 
   /// Sums the matrix's entries and the children's updates.
   void assemble(int s, const Front& target, const double* entries) const {
@@ -85,19 +87,42 @@ struct SparseCholesky::Implementation {
   /// the fronts that hold entries which differ from the last ones.
   void take_values(const SparseMatrix& A, std::span<const uint8_t> fixed) {
     assert(A.isCompressed());
-    const std::vector<int>& front_of = memory.layout.front_of;
-    const int* row = A.innerIndexPtr();
-    const double* value = A.valuePtr();
-    for (int j = 0; j < A.outerSize(); ++j) {
-      const bool column_fixed = !fixed.empty() && fixed[j] != 0;
-      for (int e = A.outerIndexPtr()[j]; e < A.outerIndexPtr()[j + 1]; ++e) {
-        const bool replaced = column_fixed || (!fixed.empty() && fixed[row[e]] != 0);
-        const double next = !replaced ? value[e] : row[e] == j ? 1 : 0;
-        if (next == values[e]) continue;
-        values[e] = next;
-        if (row[e] >= j) outdated[std::min(front_of[j], front_of[row[e]])] = 1;
-      }
+    last_fixed.assign(fixed.begin(), fixed.end());
+    last_fixed.resize(static_cast<size_t>(A.rows()), 0);
+    for (int j = 0; j < A.outerSize(); ++j)
+      for (int e = A.outerIndexPtr()[j]; e < A.outerIndexPtr()[j + 1]; ++e)
+        if (A.innerIndexPtr()[e] >= j) take_value(A, A.innerIndexPtr()[e], j, e);
+  }
+
+  /// The same where nothing but `fixed` differs.
+  void take_fixed(const SparseMatrix& A, std::span<const uint8_t> fixed) {
+    std::vector<int> changed;
+    for (int j = 0; j < A.outerSize(); ++j)
+      if (last_fixed[j] != fixed[j]) changed.push_back(j);
+    for (const int j : changed) last_fixed[j] = fixed[j];
+    for (const int j : changed) {
+      const int* row = A.innerIndexPtr();
+      const int diagonal = static_cast<int>(
+          std::lower_bound(row + A.outerIndexPtr()[j], row + A.outerIndexPtr()[j + 1], j) - row);
+      assert(row[diagonal] == j);
+      take_value(A, j, j, diagonal);
+      for (int p = graph.begin[j]; p < graph.begin[j + 1]; ++p)
+        take_value(A, graph.neighbour[p], j, graph.source[p]);
     }
+  }
+
+  /// Entry e of the matrix, at (i, j) or (j, i).
+  void take_value(const SparseMatrix& A, int i, int j, int e) {
+    const double next = last_fixed[i] == 0 && last_fixed[j] == 0 ? A.valuePtr()[e] : i == j ? 1 : 0;
+    if (next == values[e]) return;
+    values[e] = next;
+    outdated[std::min(memory.layout.front_of[i], memory.layout.front_of[j])] = 1;
+  }
+
+  bool factorise_changed(const RunContext& context) {
+    const bool sound = factorise_outdated(values.data(), context);
+    if (!sound || !incremental) values.clear();
+    return sound;
   }
 };
 
@@ -114,7 +139,8 @@ bool SparseCholesky::analyse(const SparseMatrix& A, Refactorisation refactorisat
   self.incremental = refactorisation == Refactorisation::incremental;
   self.values.clear();
   self.memory.layout = {};
-  const SymmetricGraph graph = make_symmetric_graph(A);
+  self.graph = {};
+  SymmetricGraph graph = make_symmetric_graph(A);
   const std::vector<int> chosen =
       order.empty() ? fill_reducing_order(A) : std::vector<int>(order.begin(), order.end());
   Supernodes fronts = make_supernodes(graph, chosen, context);
@@ -122,6 +148,7 @@ bool SparseCholesky::analyse(const SparseMatrix& A, Refactorisation refactorisat
   self.memory.layout =
       lay_out(A, graph, std::move(fronts), self.incremental ? Updates::kept : Updates::stacked);
   self.memory.make_room();
+  if (self.incremental) self.graph = std::move(graph);
   return true;
 }
 
@@ -142,9 +169,7 @@ bool SparseCholesky::factorise(const SparseMatrix& A, std::span<const uint8_t> f
   self.outdated.assign(self.memory.layout.fronts.parent.size(), 0);
   self.take_values(A, fixed);
   self.outdated.assign(self.outdated.size(), 1);
-  const bool sound = self.factorise_outdated(self.values.data(), context);
-  if (!self.incremental || !sound) self.values.clear();
-  return sound;
+  return self.factorise_changed(context);
 }
 
 bool SparseCholesky::refactorise(const SparseMatrix& A, std::span<const uint8_t> fixed,
@@ -154,10 +179,20 @@ bool SparseCholesky::refactorise(const SparseMatrix& A, std::span<const uint8_t>
   assert(self.values.size() == static_cast<size_t>(A.outerIndexPtr()[A.outerSize()]));
   self.outdated.assign(self.outdated.size(), 0);
   self.take_values(A, fixed);
-  const bool sound = self.factorise_outdated(self.values.data(), context);
-  if (!sound) self.values.clear();
-  return sound;
+  return self.factorise_changed(context);
 }
+
+bool SparseCholesky::refactorise_fixed(const SparseMatrix& A, std::span<const uint8_t> fixed,
+                                       const RunContext& context) {
+  Implementation& self = *implementation_;
+  if (self.values.empty()) return factorise(A, fixed, context);
+  assert(static_cast<Index>(fixed.size()) == A.rows());
+  self.outdated.assign(self.outdated.size(), 0);
+  self.take_fixed(A, fixed);
+  return self.factorise_changed(context);
+}
+
+const SymmetricGraph& SparseCholesky::graph() const { return implementation_->graph; }
 
 VectorXd SparseCholesky::solve(const VectorXd& b) const {
   const FactorMemory& memory = implementation_->memory;

@@ -7,6 +7,7 @@
 
 #include "kernel/base/run_context.h"
 #include "kernel/base/sparse_matrix.h"
+#include "kernel/solvers/symmetric_graph.h"
 
 namespace relievo {
 
@@ -46,6 +47,15 @@ class SparseCholesky {
   /// what depends on entries that are not as in the last factorisation.
   bool refactorise(const SparseMatrix& A, std::span<const uint8_t> fixed = {},
                    const RunContext& context = {});
+
+  /// The same where only `fixed`, #rows flags, differs from the last factorisation. Looks at the
+  /// entries of rows that change, and at no others. Precondition: the rest of A is as it was, with
+  /// the whole diagonal.
+  bool refactorise_fixed(const SparseMatrix& A, std::span<const uint8_t> fixed,
+                         const RunContext& context = {});
+
+  /// The entries of the analysed pattern; nothing but after an incremental analysis.
+  const SymmetricGraph& graph() const;
 
   /// Solves A x = b with the last factorised A, b having #rows entries.
   /// Precondition: the last factorisation returned true.

@@ -18,6 +18,7 @@ class ForwardSolve {
   /// A front in a task that ends before column `end`: what belongs to columns from there on is
   /// added to `above`.
   void solve_below(int s, int end, double* above) {
+    if (is_zero(s)) return;
     const Front source = gather(s);
     const int* row = factor_.rows(s);
     int i = source.columns;
@@ -27,12 +28,19 @@ class ForwardSolve {
   }
 
   void solve_top(int s) {
+    if (is_zero(s)) return;
     const Front source = gather(s);
     const int* row = factor_.rows(s);
     for (int i = source.columns; i < source.rows; ++i) y_[row[i]] += x_[i];
   }
 
  private:
+  /// Whether nothing has come to the front's columns, as where the right-hand side is local.
+  bool is_zero(int s) const {
+    const std::vector<int>& begin = factor_.layout.fronts.column_begin;
+    return (y_.segment(begin[s], begin[s + 1] - begin[s]).array() == 0).all();
+  }
+
   /// Solves the columns; leaves what they contribute to the rows below in x.
   Front gather(int s) {
     const Front source = factor_.front(s);

@@ -83,7 +83,8 @@ SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const 
   system.qp.b = variables.T.transpose() * force;
   BoundQpOptions options;
   options.start_active = system.closed;
-  BoundQpSolution solution = solve_bound_qp(system.qp, system.factor, options, context);
+  options.same_matrix = system.factorised;
+  const BoundQpSolution solution = solve_bound_qp(system.qp, system.factor, options, context);
   ordering.h = heights_of(problem, root_height, solution.z, metric.scale);
   ordering.equalities = static_cast<int>(ordering.h.size() - variables.bounded.size());
   ordering.inequalities =
@@ -91,6 +92,7 @@ SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const 
   ordering.report = solution.report;
   ordering.report.energy += 0.5 * rest.dot(force);
   system.closed = std::move(solution.active);
+  system.factorised = solution.report.factorisations > 0;
   return solution.report.status;
 }
 

@@ -42,6 +42,7 @@ struct DepthSystem {
   BoundQp qp;                   ///< b is that of the last solution; gaps without a bound are free
   SparseCholesky factor;        ///< analysed incrementally
   std::vector<uint8_t> closed;  ///< gaps to begin with closed, then those of the solution; or empty
+  bool factorised = false;      ///< the factor is one of K
 };
 
 /// The variables in the order in which their first nodes come in `elimination`. O(N).

@@ -67,7 +67,7 @@ VectorXd enumerate_active_sets(const BoundQp& problem) {
 
 BoundQpSolution solve(const BoundQp& problem, const BoundQpOptions& options = {}) {
   SparseCholesky factor;
-  factor.analyse(problem.K);
+  factor.analyse(problem.K, Refactorisation::incremental);
   return solve_bound_qp(problem, factor, options);
 }
 
@@ -159,6 +159,30 @@ TEST(BoundQp, TakesFewStepsToTheBorderOfAContact) {
   }
 }
 
+TEST(BoundQp, EndsAtTheSameBitsWhereverItBegins) {
+  BoundQp problem = membrane(60);
+  SparseCholesky factor;
+  factor.analyse(problem.K, Refactorisation::incremental);
+  const BoundQpSolution cold = solve_bound_qp(problem, factor);
+  EXPECT_GT(cold.report.iterations, 2);
+  BoundQpOptions options;
+  options.same_matrix = true;
+  for (const int left_out : {0, 1, 40}) {
+    options.start_active = cold.active;
+    for (int left = left_out, i = 0; left > 0; ++i)
+      if (cold.active[i] != 0) {
+        options.start_active[i] = 0;
+        --left;
+      }
+    const BoundQpSolution warm = solve_bound_qp(problem, factor, options);
+    EXPECT_EQ(warm.report.iterations == 1, left_out == 0);
+    EXPECT_EQ(warm.active, cold.active);
+    EXPECT_EQ(warm.z, cold.z);
+  }
+  problem.b *= 0.7;
+  EXPECT_EQ(solve_bound_qp(problem, factor, options).z, solve(problem).z);
+}
+
 TEST(BoundQp, AgreesWithIpopt) {
   EXPECT_TRUE(rc::check([] {
     const BoundQp problem = random_problem(*rc::gen::inRange(1, 30));
@@ -232,7 +256,7 @@ TEST(BoundQp, StopsWhenCancelled) {
   std::atomic<bool> cancel = true;
   const BoundQp problem = small_problem();
   SparseCholesky factor;
-  factor.analyse(problem.K);
+  factor.analyse(problem.K, Refactorisation::incremental);
   const BoundQpSolution solution = solve_bound_qp(problem, factor, {}, RunContext{&cancel, {}});
   EXPECT_EQ(solution.report.status, SolveStatus::interrupted);
   EXPECT_EQ(solution.report.factorisations, 0);

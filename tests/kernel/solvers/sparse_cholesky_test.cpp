@@ -150,6 +150,8 @@ TEST(SparseCholesky, RefactorisesWithTheSameBits) {
       SparseCholesky changing;
       changing.analyse(lower, kind);
       ASSERT_TRUE(changing.factorise(lower)) << name;
+      SparseCholesky changing_fixed;
+      changing_fixed.analyse(lower, kind);
       for (const size_t step : {2, 3, 3, 50, 1000, 1}) {
         std::vector<uint8_t> fixed(static_cast<size_t>(lower.rows()), 0);
         for (size_t i = step / 2; i < fixed.size(); i += step) fixed[i] = 1;
@@ -158,8 +160,27 @@ TEST(SparseCholesky, RefactorisesWithTheSameBits) {
         ASSERT_TRUE(fresh.factorise(lower, fixed)) << name;
         ASSERT_TRUE(changing.refactorise(lower, fixed)) << name;
         EXPECT_EQ(changing.solve(b), fresh.solve(b)) << name << " " << step;
+        ASSERT_TRUE(changing_fixed.refactorise_fixed(lower, fixed)) << name;
+        EXPECT_EQ(changing_fixed.solve(b), fresh.solve(b)) << name << " " << step;
       }
     }
+}
+
+/// Whole subtrees have nothing to do with it, and are passed over.
+TEST(SparseCholesky, SolvesForALocalRightHandSideAsForAnyOther) {
+  for (const auto& [name, lower] : testing::telling_matrices()) {
+    SparseCholesky factor;
+    factor.analyse(lower);
+    ASSERT_TRUE(factor.factorise(lower)) << name;
+    const VectorXd b = VectorXd::LinSpaced(lower.rows(), -1, 3);
+    for (const Eigen::Index i : {Eigen::Index{0}, lower.rows() / 3, lower.rows() - 1}) {
+      VectorXd local = VectorXd::Zero(lower.rows());
+      local[i] = 1;
+      const VectorXd x = factor.solve(local);
+      EXPECT_NEAR(b.dot(x), factor.solve(b)[i], 1e-10 * (1 + x.cwiseAbs().sum())) << name;
+      EXPECT_LE((multiply_symmetric(lower, x) - local).cwiseAbs().maxCoeff(), 1e-10) << name;
+    }
+  }
 }
 
 TEST(SparseCholesky, RefactorisesChangedValuesWithTheSameBits) {
