@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "cli/cli_test.h"
 #include "io/image/decode_image.h"
 #include "io/image/png_encode.h"
@@ -55,6 +57,21 @@ TEST_F(Segment, AProjectBuildsAndSegmentsToTheSameAgain) {
   const Outcome check = relievo({"check", "fox.relievo"});
   EXPECT_EQ(check.exit_code, 0) << check.err;
   EXPECT_NE(check.out.find("2 parts"), std::string::npos);
+}
+
+TEST_F(Segment, ShowsWhiteLinesOnGrey) {
+  Image8 ring(120, 120, 4, 255);
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 120; ++x)
+      ring.at(x, y, 3) = std::abs(std::hypot(x - 60, y - 60) - 40) < 3 ? 255 : 0;
+  write("ring.png", std::string(to_text(*encode_png(ring))));
+  ASSERT_EQ(
+      relievo({"segment", "ring.png", "-o", "ring.relievo", "--overlay", "seen.png"}).exit_code, 0);
+  const auto overlay = decode_image(to_bytes(read("seen.png")));
+  ASSERT_TRUE(overlay.ok());
+  EXPECT_LT(overlay->at(2, 2), 128);
+  // Just outside of the middle of the line, which is the part's outline.
+  EXPECT_GT(overlay->at(60 * overlay->width / 120, 18 * overlay->height / 120), 200);
 }
 
 TEST_F(Segment, KeepsWhatTheEditorPutIntoAProject) {

@@ -9,6 +9,7 @@
 
 #include "kernel/image/blur.h"
 #include "kernel/image/lay_over.h"
+#include "kernel/image/light_lines.h"
 
 namespace relievo {
 namespace {
@@ -17,19 +18,6 @@ constexpr int fit_side = 48;          ///< cells along the longer side that the 
 constexpr int fit_rounds = 12;        ///< of reweighting at most; weights settle in about eight
 constexpr double dark_weight = 0.02;  ///< of cells below the fit, which may be ink or paint
 constexpr float darkest_paper = 40;   ///< light below which nothing is divided out
-
-/// Whether the opaque pixels are light and few: lines meant for a dark ground.
-bool is_light_on_nothing(const Image8& rgba) {
-  int64_t opaque = 0;
-  int64_t light = 0;
-  for (size_t i = 0; i < rgba.pixels.size(); i += 4) {
-    if (rgba.pixels[i + 3] < 128) continue;
-    ++opaque;
-    light += std::min({rgba.pixels[i], rgba.pixels[i + 1], rgba.pixels[i + 2]}) > 200 ? 1 : 0;
-  }
-  const auto pixels = static_cast<int64_t>(rgba.pixels.size() / 4);
-  return opaque < pixels / 4 && light > opaque * 9 / 10;
-}
 
 uint8_t least_alpha(const Image8& rgba) {
   uint8_t least = 255;
@@ -156,8 +144,7 @@ Image8 remove_paper(const Image8& rgba) {
   assert(rgba.channels == 4);
   const uint8_t alpha = least_alpha(rgba);
   const bool transparent = alpha < 128;
-  Image8 rgb = alpha == 255 ? drop_alpha(rgba)
-                            : lay_on_white(rgba, transparent && is_light_on_nothing(rgba));
+  Image8 rgb = alpha == 255 ? drop_alpha(rgba) : lay_on_white(rgba, is_light_on_nothing(rgba));
   if (rgb.empty() || transparent) return rgb;
   const int factor = (std::max(rgb.width, rgb.height) + fit_side - 1) / fit_side;
   const Image8 cells = shrink(rgb, factor);
