@@ -9,8 +9,8 @@
 #include "apps/cli/pictures.h"
 #include "apps/cli/reconstruct.h"
 #include "apps/cli/report.h"
-#include "apps/cli/stopwatch.h"
 #include "io/maps/encode_maps.h"
+#include "kernel/base/stopwatch.h"
 #include "kernel/image/image_size.h"
 
 namespace relievo::cli {

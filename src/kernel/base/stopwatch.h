@@ -7,16 +7,21 @@ namespace relievo {
 /// Measures wall time.
 class Stopwatch {
  public:
-  /// Milliseconds since the last lap, or since construction.
+  /// Since the last lap, or since construction.
+  double milliseconds() const {
+    return std::chrono::duration<double, std::milli>(Clock::now() - last_).count();
+  }
+
+  /// The same, and begins a new lap.
   double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const std::chrono::duration<double, std::milli> elapsed = now - last_;
-    last_ = now;
-    return elapsed.count();
+    const double elapsed = milliseconds();
+    last_ = Clock::now();
+    return elapsed;
   }
 
  private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
 };
 
 }  // namespace relievo

@@ -10,20 +10,20 @@
 namespace relievo {
 namespace {
 
-/// Cuts are tried between so many bins of equal width in each direction.
-constexpr int bins = 128;
-constexpr int directions = 4;
 /// Groups of no more vertices are not parted.
 constexpr int smallest_group = 8;
-/// Diagonal cuts gain little in smaller groups.
-constexpr int group_for_diagonals = 512;
+/// In smaller groups diagonal cuts and narrow bins gain little.
+constexpr int large_group = 512;
+/// Cuts are tried between bins of equal width in each direction: at most so many.
+constexpr int most_bins = 128;
+constexpr int most_directions = 4;
 /// A cut that leaves more than this share on one side is taken where there is no other.
 constexpr double worst_balance = 0.8;
 /// Cost of a separator: its weight times 1 + premium (larger share - 1/2)^2.
 constexpr double premium = 8;
 
-using Coordinates = std::array<double, directions>;
-using Bins = std::array<uint8_t, directions>;
+using Coordinates = std::array<double, most_directions>;
+using Bins = std::array<uint8_t, most_directions>;
 
 Coordinates coordinates(Point2 p) { return {p.x, p.y, p.x + p.y, p.x - p.y}; }
 
@@ -59,10 +59,20 @@ struct Cut {
   int bin = 0;  ///< the last one before the cut
 };
 
+/// The cuts that are tried on a group.
+struct Trials {
+  int bins;
+  int directions;
+};
+
+Trials trials_of(int vertices) {
+  return vertices < large_group ? Trials{24, 2} : Trials{most_bins, most_directions};
+}
+
 /// Weights by bin: of the vertices there, and the change of the separator of a cut behind it.
 struct BinWeights {
-  std::array<int, bins> here{};
-  std::array<int, bins> separator{};
+  std::array<int, most_bins> here;
+  std::array<int, most_bins> separator;
 };
 
 class Dissection {
@@ -89,52 +99,55 @@ class Dissection {
     if (last - first <= smallest_group || context_.cancelled()) return;
     const int group = ++groups_;
     for (int i = first; i < last; ++i) group_[vertices_[i]] = group;
-    fill_bins(first, last);
-    const Cut cut = best_cut(first, last, group);
+    const Trials trials = trials_of(last - first);
+    fill_bins(first, last, trials);
+    const Cut cut = best_cut(first, last, group, trials);
     if (cut.direction < 0) return;
     const auto [middle, separator] = split(first, last, group, cut);
     part(first, middle);
     part(middle, separator);
   }
 
-  void fill_bins(int first, int last) {
+  void fill_bins(int first, int last, const Trials& trials) {
     Coordinates low = coordinates(positions_[vertices_[first]]);
     Coordinates high = low;
     for (int i = first; i < last; ++i) {
       const Coordinates here = coordinates(positions_[vertices_[i]]);
-      for (int d = 0; d < directions; ++d) {
+      for (int d = 0; d < trials.directions; ++d) {
         low[d] = std::min(low[d], here[d]);
         high[d] = std::max(high[d], here[d]);
       }
     }
     Coordinates scale{};
-    for (int d = 0; d < directions; ++d)
-      if (high[d] > low[d]) scale[d] = bins / (high[d] - low[d]);
+    for (int d = 0; d < trials.directions; ++d)
+      if (high[d] > low[d]) scale[d] = trials.bins / (high[d] - low[d]);
     for (int i = first; i < last; ++i) {
       const Coordinates here = coordinates(positions_[vertices_[i]]);
-      for (int d = 0; d < directions; ++d)
+      for (int d = 0; d < trials.directions; ++d)
         bin_[vertices_[i]][d] =
-            static_cast<uint8_t>(std::min(bins - 1.0, (here[d] - low[d]) * scale[d]));
+            static_cast<uint8_t>(std::min(trials.bins - 1.0, (here[d] - low[d]) * scale[d]));
     }
   }
 
-  Cut best_cut(int first, int last, int group) const {
-    const int tried = last - first < group_for_diagonals ? 2 : directions;
-    std::array<BinWeights, directions> by_bin{};
+  Cut best_cut(int first, int last, int group, const Trials& trials) {
+    for (int d = 0; d < trials.directions; ++d) {
+      std::fill_n(by_bin_[d].here.begin(), trials.bins, 0);
+      std::fill_n(by_bin_[d].separator.begin(), trials.bins, 0);
+    }
     int total = 0;
     for (int i = first; i < last; ++i) {
       const int v = vertices_[i];
       total += weights_[v];
       const Bins reach = farthest_bins(v, group);
-      for (int d = 0; d < tried; ++d) {
-        by_bin[d].here[bin_[v][d]] += weights_[v];
-        by_bin[d].separator[bin_[v][d]] += weights_[v];
-        by_bin[d].separator[reach[d]] -= weights_[v];
+      for (int d = 0; d < trials.directions; ++d) {
+        by_bin_[d].here[bin_[v][d]] += weights_[v];
+        by_bin_[d].separator[bin_[v][d]] += weights_[v];
+        by_bin_[d].separator[reach[d]] -= weights_[v];
       }
     }
     Cut best;
     double least = std::numeric_limits<double>::infinity();
-    for (int d = 0; d < tried; ++d) try_direction(by_bin[d], d, total, least, best);
+    for (int d = 0; d < trials.directions; ++d) try_direction(d, trials.bins, total, least, best);
     return best;
   }
 
@@ -144,13 +157,13 @@ class Dissection {
     for (int e = graph_.begin[v]; e < graph_.begin[v + 1]; ++e) {
       const int other = graph_.neighbour[e];
       if (group_[other] != group) continue;
-      for (int d = 0; d < directions; ++d) reach[d] = std::max(reach[d], bin_[other][d]);
+      for (int d = 0; d < most_directions; ++d) reach[d] = std::max(reach[d], bin_[other][d]);
     }
     return reach;
   }
 
-  static void try_direction(const BinWeights& weights, int direction, int total, double& least,
-                            Cut& best) {
+  void try_direction(int direction, int bins, int total, double& least, Cut& best) const {
+    const BinWeights& weights = by_bin_[direction];
     int before = 0;
     int separator = 0;
     for (int b = 0; b + 1 < bins; ++b) {
@@ -158,7 +171,7 @@ class Dissection {
       separator += weights.separator[b];
       const int left = before - separator;
       const int right = total - before;
-      if (left <= 0 || right <= 0) continue;
+      if (left <= 0 || right <= 0 || separator >= least) continue;
       const double share = static_cast<double>(std::max(left, right)) / total;
       const double excess = std::max(0.0, share - 0.5);
       double cost = separator * (1 + premium * excess * excess);
@@ -206,6 +219,7 @@ class Dissection {
   std::vector<int> separator_;
   std::vector<int> group_;
   std::vector<Bins> bin_;
+  std::array<BinWeights, most_directions> by_bin_{};
   int groups_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
@@ -15,58 +16,89 @@ namespace {
 
 /// Neighbours a quadratic fit needs at least; five would merely interpolate.
 constexpr size_t enough_neighbours = 6;
+/// Of a node on average, with room to spare.
+constexpr size_t usual_neighbours = 9;
 /// Stencils are made in up to so many pieces, each with a look-up as large as the mesh.
 constexpr int most_pieces = 16;
 constexpr int least_nodes = 4096;
 
-/// Least squares fit of a x + b y + c x^2 + d x y + e y^2, samples weighted by 1 / distance^2.
+/// Least squares fit of a x + b y + c x^2 + d x y + e y^2, samples weighted by 1 / distance^2: what
+/// it says of a and b, c, d and e being eliminated.
 class QuadraticFit {
  public:
   /// `reach` is the longest of the offsets.
   explicit QuadraticFit(double reach) : per_reach_(1 / reach) {}
 
   void add(Point2 offset) {
-    const Sample sample = sample_at(offset);
-    for (int j = 0; j < 5; ++j) {
-      const double weighted = sample.weight * sample.basis[j];
-      for (int i = j; i < 5; ++i) normal_(i, j) += weighted * sample.basis[i];
-    }
+    const Sample s = sample_at(offset);
+    const double xx = s.weight * s.xx;
+    const double yy = s.weight * s.yy;
+    linear_ += Eigen::Vector3d(xx, s.weight * s.xy, yy);
+    cubic_ += Eigen::Vector4d(xx * s.x, xx * s.y, yy * s.x, yy * s.y);
+    quartic_[0] += xx * s.xx;
+    quartic_[1] += xx * s.xy;
+    quartic_[2] += xx * s.yy;
+    quartic_[3] += yy * s.xy;
+    quartic_[4] += yy * s.yy;
   }
 
   /// Solves for the gradient at the origin; false where the samples do not determine it.
   bool solve() {
-    const Eigen::LDLT<Eigen::Matrix<double, 5, 5>> ldlt(normal_);
-    const Vector pivots = ldlt.vectorD();
-    if (!(pivots.minCoeff() > flatness * pivots.maxCoeff())) return false;
-    for (int k = 0; k < 2; ++k) rows_[k] = ldlt.solve(Vector::Unit(k));
+    Eigen::Matrix3d quadratic;        // lower triangle
+    quadratic << quartic_[0], 0, 0,   //
+        quartic_[1], quartic_[2], 0,  //
+        quartic_[2], quartic_[3], quartic_[4];
+    Eigen::Matrix<double, 3, 2> mixed;
+    mixed << cubic_[0], cubic_[1],  //
+        cubic_[1], cubic_[2],       //
+        cubic_[2], cubic_[3];
+    const Eigen::LLT<Eigen::Matrix3d> llt(quadratic);
+    if (llt.info() != Eigen::Success) return false;
+    eliminated_ = llt.solve(mixed);
+    const Eigen::Matrix2d rest = mixed.transpose() * eliminated_;
+    const double xx = linear_[0] - rest(0, 0);
+    const double xy = linear_[1] - rest(1, 0);
+    const double yy = linear_[2] - rest(1, 1);
+    const double determinant = xx * yy - xy * xy;
+    const double trace = xx + yy;
+    const Eigen::Vector3d roots = llt.matrixLLT().diagonal();
+    const double most = std::max(trace, roots.cwiseAbs2().maxCoeff());
+    const double least = std::min(determinant / trace, roots.cwiseAbs2().minCoeff());
+    if (!(trace > 0 && least > flatness * most)) return false;
+    inverse_ = {yy / determinant, -xy / determinant, xx / determinant};
     return true;
   }
 
   /// By how much the gradient grows with the value at a sample. After solve().
   Point2 weight_of(Point2 offset) const {
-    const Sample sample = sample_at(offset);
-    Point2 sum;
-    for (int j = 0; j < 5; ++j) sum = sum + sample.basis[j] * Point2{rows_[0][j], rows_[1][j]};
-    return (sample.weight * per_reach_) * sum;
+    const Sample s = sample_at(offset);
+    const Eigen::Vector2d rest =
+        Eigen::Vector2d(s.x, s.y) - eliminated_.transpose() * Eigen::Vector3d(s.xx, s.xy, s.yy);
+    const double scale = s.weight * per_reach_;
+    return {scale * (inverse_[0] * rest[0] + inverse_[1] * rest[1]),
+            scale * (inverse_[1] * rest[0] + inverse_[2] * rest[1])};
   }
 
  private:
-  using Vector = Eigen::Matrix<double, 5, 1>;
   struct Sample {
     double weight;
-    double basis[5];
+    double x, y, xx, xy, yy;
   };
 
   Sample sample_at(Point2 offset) const {
     const double x = offset.x * per_reach_;
     const double y = offset.y * per_reach_;
-    return {1 / (x * x + y * y), {x, y, x * x, x * y, y * y}};
+    return {1 / (x * x + y * y), x, y, x * x, x * y, y * y};
   }
 
   static constexpr double flatness = 1e-4;
   double per_reach_;
-  Eigen::Matrix<double, 5, 5> normal_ = Eigen::Matrix<double, 5, 5>::Zero();  // lower triangle
-  Vector rows_[2];  // of the inverse of normal_
+  // Sums of the weighted products: of the linear terms, of those with the quadratic ones, of these.
+  Eigen::Vector3d linear_ = Eigen::Vector3d::Zero();  ///< xx xy yy
+  Eigen::Vector4d cubic_ = Eigen::Vector4d::Zero();   ///< xxx xxy xyy yyy
+  std::array<double, 5> quartic_{};                   ///< xxxx xxxy xxyy xyyy yyyy
+  Eigen::Matrix<double, 3, 2> eliminated_;
+  std::array<double, 3> inverse_{};  ///< of what is left for the linear terms: xx xy yy
 };
 
 /// Collects the nodes around one node after the other.
@@ -163,6 +195,9 @@ GradientStencils stencils_of_range(const FlatMesh& mesh, const NodeCorners& corn
                                    int last) {
   Neighbourhoods neighbourhoods(mesh, corners);
   GradientStencils stencils;
+  stencils.begin.reserve(static_cast<size_t>(last - first) + 1);
+  stencils.neighbour.reserve(usual_neighbours * static_cast<size_t>(last - first));
+  stencils.weight.reserve(stencils.neighbour.capacity());
   stencils.begin.push_back(0);
   for (int n = first; n < last; ++n) {
     if (!append_fit(mesh, n, neighbourhoods.around(n), stencils))
@@ -190,7 +225,12 @@ GradientStencils gradient_stencils(const FlatMesh& mesh) {
   std::vector<GradientStencils> parts(static_cast<size_t>(pieces));
   const auto at = [&](int p) { return static_cast<int>(int64_t{nodes} * p / pieces); };
   run_tasks(pieces, [&](int p) { parts[p] = stencils_of_range(mesh, corners, at(p), at(p + 1)); });
+  size_t entries = 0;
+  for (const GradientStencils& part : parts) entries += part.neighbour.size();
   GradientStencils all;
+  all.begin.reserve(mesh.positions.size() + 1);
+  all.neighbour.reserve(entries);
+  all.weight.reserve(entries);
   all.begin.push_back(0);
   for (const GradientStencils& part : parts) {
     const size_t before = all.neighbour.size();

@@ -1,6 +1,11 @@
 #pragma once
 
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
 #include <Eigen/Core>
+#include <cstdint>
 #include <memory>
 #include <new>
 
@@ -9,6 +14,18 @@
 
 namespace relievo {
 
+/// Asks for huge pages where they fit: there are few to clear then, which takes a tenth of the
+/// time.
+inline void prefer_huge_pages([[maybe_unused]] double* begin, [[maybe_unused]] size_t bytes) {
+#ifdef __linux__
+  constexpr uintptr_t huge_page = uintptr_t{1} << 21;
+  const auto address = reinterpret_cast<uintptr_t>(begin);
+  const uintptr_t first = (address + huge_page - 1) / huge_page * huge_page;
+  if (first + huge_page > address + bytes) return;
+  madvise(reinterpret_cast<void*>(first), address + bytes - first, MADV_HUGEPAGE);
+#endif
+}
+
 /// Doubles at the start of a cache line, where packs of rows are read fastest.
 class AlignedArray {
  public:
@@ -16,8 +33,9 @@ class AlignedArray {
   void make_room(Eigen::Index size) {
     if (data_ != nullptr && size <= capacity_) return;
     data_.reset();
-    data_.reset(static_cast<double*>(
-        ::operator new(static_cast<size_t>(size) * sizeof(double), alignment)));
+    const size_t bytes = static_cast<size_t>(size) * sizeof(double);
+    data_.reset(static_cast<double*>(::operator new(bytes, alignment)));
+    prefer_huge_pages(data(), bytes);
     capacity_ = size;
   }
   double* data() const { return data_.get(); }

@@ -83,8 +83,9 @@ void merge_into_parents(std::vector<Group>& groups) {
   }
 }
 
-/// Sets the columns and parents of the fronts: those groups that were not merged away, in their
-/// order, which is a postorder still. Returns the former column of each column.
+/// Sets the columns, the numbers of rows and the parents of the fronts: those groups that were not
+/// merged away, in their order, which is a postorder still. Returns the former column of each
+/// column.
 std::vector<int> gather_columns(const std::vector<Group>& groups, const std::vector<int>& group_of,
                                 Supernodes& result) {
   std::vector<int> top(groups.size());
@@ -92,10 +93,12 @@ std::vector<int> gather_columns(const std::vector<Group>& groups, const std::vec
   for (int g = static_cast<int>(groups.size()) - 1; g >= 0; --g)
     top[g] = groups[g].merged_into < 0 ? g : top[groups[g].merged_into];
   result.column_begin = {0};
+  result.row_begin = {0};
   for (size_t g = 0; g < groups.size(); ++g) {
     if (groups[g].merged_into >= 0) continue;
     front_of[g] = static_cast<int>(result.column_begin.size()) - 1;
     result.column_begin.push_back(result.column_begin.back() + groups[g].columns);
+    result.row_begin.push_back(result.row_begin.back() + groups[g].rows);
   }
   for (const Group& group : groups)
     if (group.merged_into < 0)
@@ -108,31 +111,28 @@ std::vector<int> gather_columns(const std::vector<Group>& groups, const std::vec
   return former;
 }
 
-/// Rows of a front: its columns, and those below that the matrix or its children bring.
+/// Row i is one of all fronts on the ways up the tree from its neighbours before it. Taken one
+/// after the other, rows come to each front in order.
 void collect_rows(const SymmetricGraph& graph, Supernodes& fronts) {
   const std::vector<int> position = positions_in(fronts.order);
-  std::vector<std::vector<int>> children(fronts.parent.size());
-  std::vector<int> seen(fronts.order.size(), -1);
-  fronts.row_begin = {0};
-  for (int s = 0; s < fronts.size(); ++s) {
-    const int end = fronts.column_begin[s + 1];
-    const auto add = [&](int row) {
-      if (row < end || seen[row] == s) return;
-      seen[row] = s;
-      fronts.row.push_back(row);
+  std::vector<int> front_of(fronts.order.size());
+  for (int s = 0; s < fronts.size(); ++s)
+    std::fill_n(front_of.begin() + fronts.column_begin[s], fronts.columns(s), s);
+  fronts.row.resize(static_cast<size_t>(fronts.row_begin.back()));
+  std::vector<Eigen::Index> next(fronts.row_begin.begin(), fronts.row_begin.end() - 1);
+  std::vector<int> last_row(fronts.parent.size(), -1);
+  for (int i = 0; i < static_cast<int>(fronts.order.size()); ++i) {
+    const auto add_to = [&](int s) {
+      fronts.row[next[s]++] = i;
+      last_row[s] = i;
     };
-    for (int j = fronts.column_begin[s]; j < end; ++j) fronts.row.push_back(j);
-    const auto below = static_cast<std::ptrdiff_t>(fronts.row.size());
-    for (int j = fronts.column_begin[s]; j < end; ++j)
-      for (int p = graph.begin[fronts.order[j]]; p < graph.begin[fronts.order[j] + 1]; ++p)
-        add(position[graph.neighbour[p]]);
-    for (const int child : children[s])
-      for (Eigen::Index r = fronts.row_begin[child] + fronts.columns(child);
-           r < fronts.row_begin[child + 1]; ++r)
-        add(fronts.row[r]);
-    std::sort(fronts.row.begin() + below, fronts.row.end());
-    fronts.row_begin.push_back(static_cast<Eigen::Index>(fronts.row.size()));
-    if (fronts.parent[s] >= 0) children[fronts.parent[s]].push_back(s);
+    add_to(front_of[i]);
+    const int row = fronts.order[i];
+    for (int p = graph.begin[row]; p < graph.begin[row + 1]; ++p) {
+      const int j = position[graph.neighbour[p]];
+      if (j > i) continue;
+      for (int s = front_of[j]; last_row[s] != i; s = fronts.parent[s]) add_to(s);
+    }
   }
 }
 

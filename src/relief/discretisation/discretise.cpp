@@ -3,7 +3,7 @@
 #include <array>
 #include <functional>
 
-#include "kernel/base/piece_timer.h"
+#include "kernel/base/stopwatch.h"
 #include "kernel/base/workers.h"
 #include "kernel/operators/dissection.h"
 #include "kernel/operators/laplacian.h"
@@ -39,23 +39,27 @@ Discretisation discretise(const LayeredMesh& mesh, const RunContext& context) {
   const std::vector<Point2> in_units = node_positions(mesh, result.scale);
   const FlatMesh flat{in_units, mesh.faces};
   result.surface = joined_surfaces(mesh);
-  const auto timed = [&](const char* piece, const std::function<void()>& work) {
-    if (context.cancelled()) return;
-    const PieceTimer timer(context, piece);
-    work();
+  if (context.cancelled()) return result;
+  const Stopwatch all;
+  double analysing = 0;
+  const std::array<std::function<void()>, 3> work = {
+      [&] {
+        const Stopwatch own;
+        result.elimination = elimination_order(mesh, context);
+        analysing = own.milliseconds();
+      },
+      [&] {
+        result.L = stiffness_matrix(flat);
+        result.mass = lumped_mass(flat);
+      },
+      [&] {
+        result.gradients = gradient_stencils({in_px, mesh.faces});
+      },
   };
-  timed("assemble", [&] {
-    const std::array<std::function<void()>, 2> work = {
-        [&] {
-          result.gradients = gradient_stencils({in_px, mesh.faces});
-        },
-        [&] {
-          result.L = stiffness_matrix(flat);
-          result.mass = lumped_mass(flat);
-        }};
-    run_tasks(2, [&](int i) { work[i](); });
-  });
-  timed("analyse", [&] { result.elimination = elimination_order(mesh, context); });
+  run_tasks(3, [&](int i) { work[i](); });
+  if (!context.timed) return result;
+  context.timed("analyse", analysing);
+  context.timed("assemble", all.milliseconds() - analysing);
   return result;
 }
 
