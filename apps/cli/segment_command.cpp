@@ -22,6 +22,8 @@
 #include "io/svg/paintable_svg.h"
 #include "io/svg/render_svg.h"
 #include "kernel/base/stopwatch.h"
+#include "kernel/image/lay_over.h"
+#include "kernel/image/light_lines.h"
 #include "relief/drawing/label_colours.h"
 #include "relief/drawing/segment_drawing.h"
 #include "relief/pipeline/keep_labels.h"
@@ -50,6 +52,7 @@ Result<SegmentInput> from_project(const InputFile& file) {
   input.scribbles = std::move(record.scribbles);
   input.corrections = std::move(record.corrections);
   input.name = std::move(project->name);
+  input.other_keys = std::move(project->other_keys);
   for (const PartRecord& part : record.parts) input.edited.label_of[part.id] = part.label;
   input.edited.scene = std::move(project->scene);
   return input;
@@ -191,20 +194,17 @@ Status check_copy(const fs::path& copy, const Bytes& drawing) {
 
 bool is_project_name(const std::string& name) { return fs::path(name).extension() == ".relievo"; }
 
-uint8_t over(uint8_t above, uint8_t below, uint8_t alpha) {
-  return static_cast<uint8_t>((above * alpha + below * (255 - alpha) + 127) / 255);
-}
-
-/// The drawing on white, enlarged, with the overlay on it.
+/// The drawing, on white or where its lines are white on grey, enlarged, with the overlay on it.
 Image8 composed(const Image8& drawing, const Image8& overlay) {
+  const int ground = is_light_on_nothing(drawing) ? 96 : 255;
   Image8 picture(overlay.width, overlay.height, 3);
   for (int y = 0; y < overlay.height; ++y)
     for (int x = 0; x < overlay.width; ++x) {
       const int sx = std::min(drawing.width - 1, x * drawing.width / overlay.width);
       const int sy = std::min(drawing.height - 1, y * drawing.height / overlay.height);
       for (int c = 0; c < 3; ++c) {
-        const uint8_t paper = over(drawing.at(sx, sy, c), 255, drawing.at(sx, sy, 3));
-        picture.at(x, y, c) = over(overlay.at(x, y, c), paper, overlay.at(x, y, 3));
+        const uint8_t seen = lay_over(drawing.at(sx, sy, c), ground, drawing.at(sx, sy, 3));
+        picture.at(x, y, c) = lay_over(overlay.at(x, y, c), seen, overlay.at(x, y, 3));
       }
     }
   return picture;

@@ -26,6 +26,7 @@ Project project_of(const SegmentInput& input, const Proposal& proposal, const Sc
   project.segmentation = record_of(input, proposal);
   project.scene = scene;
   project.scene.drawing = "drawing";
+  project.other_keys = input.other_keys;
   return project;
 }
 

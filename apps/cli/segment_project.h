@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,9 @@ struct SegmentInput {
   Image8 pixels;             ///< of the drawing, RGBA
   Image16 labels;
   Scribbles scribbles;
-  std::string name;    ///< of the project; empty where there was none
-  EditedScene edited;  ///< of the project
+  std::string name;                               ///< of the project; empty where there was none
+  EditedScene edited;                             ///< of the project
+  std::map<std::string, std::string> other_keys;  ///< of the project, which come along
   Corrections corrections;
   std::vector<std::vector<Point2>> bridges;  ///< gaps in the lines that were closed, px
   std::vector<std::string> notes;            ///< what a person should know

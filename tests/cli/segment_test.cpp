@@ -1,6 +1,9 @@
+#include <cmath>
+
 #include "cli/cli_test.h"
 #include "io/image/decode_image.h"
 #include "io/image/png_encode.h"
+#include "io/project/project_file.h"
 #include "support/label_maps.h"
 
 namespace relievo {
@@ -54,6 +57,34 @@ TEST_F(Segment, AProjectBuildsAndSegmentsToTheSameAgain) {
   const Outcome check = relievo({"check", "fox.relievo"});
   EXPECT_EQ(check.exit_code, 0) << check.err;
   EXPECT_NE(check.out.find("2 parts"), std::string::npos);
+}
+
+TEST_F(Segment, ShowsWhiteLinesOnGrey) {
+  Image8 ring(120, 120, 4, 255);
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 120; ++x)
+      ring.at(x, y, 3) = std::abs(std::hypot(x - 60, y - 60) - 40) < 3 ? 255 : 0;
+  write("ring.png", std::string(to_text(*encode_png(ring))));
+  ASSERT_EQ(
+      relievo({"segment", "ring.png", "-o", "ring.relievo", "--overlay", "seen.png"}).exit_code, 0);
+  const auto overlay = decode_image(to_bytes(read("seen.png")));
+  ASSERT_TRUE(overlay.ok());
+  EXPECT_LT(overlay->at(2, 2), 128);
+  // Just outside of the middle of the line, which is the part's outline.
+  EXPECT_GT(overlay->at(60 * overlay->width / 120, 18 * overlay->height / 120), 200);
+}
+
+TEST_F(Segment, KeepsWhatTheEditorPutIntoAProject) {
+  ASSERT_EQ(
+      relievo({"segment", "fox.png", "--labels", "labels.png", "-o", "fox.relievo"}).exit_code, 0);
+  auto project = decode_project(to_bytes(read("fox.relievo")));
+  ASSERT_TRUE(project.ok());
+  const std::map<std::string, std::string> kept = {{"colors", R"({"part-1":"#ff8000"})"},
+                                                   {"settings", R"({"vertices":9000})"}};
+  project->other_keys = kept;
+  write("edited.relievo", std::string(to_text(*encode_project(*project))));
+  ASSERT_EQ(relievo({"segment", "edited.relievo", "-o", "again.relievo"}).exit_code, 0);
+  EXPECT_EQ(decode_project(to_bytes(read("again.relievo")))->other_keys, kept);
 }
 
 /// A part of a scene file, from its id to the end of its line.

@@ -93,7 +93,10 @@ TEST_F(FlatDrawings, Frog) {
                     {340, 300, "body"},
                     {270, 380, "thigh"},
                     {120, 450, "far leg"},
-                    {620, 350, "far arm"}});
+                    {620, 350, "far arm"},
+                    {380, 400, "near arm"},
+                    {400, 485, "near arm"}});
+  EXPECT_FALSE(s->bridges.empty());
 }
 
 TEST_F(FlatDrawings, Snowman) {
@@ -115,6 +118,21 @@ TEST_F(FlatDrawings, Pig) {
   expect_parts(*s, {{10, 10, ""}, {200, 120, "body"}, {250, 150, "body"}, {60, 110, "head"}});
 }
 
+/// Four dots tell the ground between the legs from a belly, which has the same lines.
+TEST_F(FlatDrawings, PigWithDotsOnTheGround) {
+  const Result<Segmentation> s = segment("F09_pig_lear.gif", "F09_pig_lear_ground");
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  EXPECT_LE(s->parts.size(), 6U);
+  expect_parts(*s, {{10, 10, ""},
+                    {105, 205, ""},
+                    {140, 200, ""},
+                    {180, 205, ""},
+                    {222, 195, ""},
+                    {200, 120, "body"},
+                    {95, 185, "body"},
+                    {248, 205, "body"}});
+}
+
 TEST_F(FlatDrawings, Cat) {
   const Result<Segmentation> s = segment("F10_cat_carrot.png");
   ASSERT_TRUE(s.ok()) << to_string(s.error());
@@ -131,11 +149,11 @@ TEST_F(FlatDrawings, SleepingCat) {
 }
 
 TEST_F(FlatDrawings, PhotographsAndScansNeedOneStrokeAPart) {
-  for (const auto& [name, strokes] :
-       std::map<std::string, std::string>{{"F01_kid_man/texture.png", "F01_kid_man"},
-                                          {"F02_kid_bug/texture.png", "F02_kid_bug"},
-                                          {"F04_gopher_dandy_pencil.png", "F04_gopher_dandy"},
-                                          {"F05_gopher_pirate_pencil.png", "F05_gopher_pirate"}}) {
+  for (const auto& [name, strokes] : std::map<std::string, std::string>{
+           {"F01_kid_man/texture.png", "F01_kid_man"},
+           {"F02_kid_bug/texture.png", "F02_kid_bug"},
+           {"F04_gopher_dandy_pencil.png", "F04_gopher_dandy_pencil"},
+           {"F05_gopher_pirate_pencil.png", "F05_gopher_pirate_pencil"}}) {
     const Result<Segmentation> s = segment(name, strokes);
     ASSERT_TRUE(s.ok()) << name << ": " << to_string(s.error());
     EXPECT_TRUE(s->notes.empty()) << s->notes[0];

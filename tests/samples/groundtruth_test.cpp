@@ -227,7 +227,10 @@ TEST_F(GroundTruth, ReliefsHaveTheTrueDepth) {
                   mean(error), cost);
     }
     EXPECT_NEAR(unexplained, 1 - plain.correlation * plain.correlation, 1e-6);
-    EXPECT_GE(is_turned(character) ? tilted.correlation : plain.correlation, 0.9);
+    // A drawing tells depth up to a scale, an offset and a slope; where the body does not lean, up
+    // to a scale and an offset.
+    EXPECT_GE(tilted.correlation, 0.92);
+    EXPECT_GE(plain.correlation, is_turned(character) ? 0.78 : 0.93);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,6 +54,8 @@ struct Project {
   std::optional<SegmentationRecord> segmentation;  ///< of a flat drawing
   Scene scene;    ///< the result; its drawing names the entry that covers the canvas
   Bytes picture;  ///< that entry, a PNG or JPEG file; empty where it is the drawing itself
+  /// What project.json holds besides, by key, as JSON: the settings and colours of the web editor.
+  std::map<std::string, std::string> other_keys;
 };
 
 }  // namespace relievo

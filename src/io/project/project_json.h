@@ -15,7 +15,7 @@ constexpr int project_version = 1;
 /// own.
 std::string write_project_json(const Project& project);
 
-/// Reads what write_project_json wrote; what the web editor keeps there as well is passed over.
+/// Reads what write_project_json wrote; keys that only the web editor understands are kept as text.
 /// Errors: `bad_input` with the path of the key, `limit`.
 Result<Project> read_project_json(std::string_view json);
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,7 @@ namespace relievo {
 namespace {
 
 constexpr size_t max_points = 1'000'000;
+constexpr std::array own_keys = {"format", "version", "name", "drawing", "segmentation"};
 
 /// Reads the values of project.json.
 class ProjectReader final : public AnnotationReader {
@@ -35,6 +37,9 @@ class ProjectReader final : public AnnotationReader {
       project.drawing = drawing(json["drawing"], root.member("drawing"));
     if (json.contains("segmentation"))
       project.segmentation = segmentation(json["segmentation"], root.member("segmentation"));
+    for (const auto& [key, value] : json.items())
+      if (std::find(own_keys.begin(), own_keys.end(), key) == own_keys.end())
+        project.other_keys[key] = value.dump();
     return project;
   }
 

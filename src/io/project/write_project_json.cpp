@@ -115,6 +115,7 @@ std::string write_project_json(const Project& project) {
     json["drawing"] = {{"name", project.drawing.name},
                        {"kind", project.drawing.kind},
                        {"mime", project.drawing.mime}};
+  for (const auto& [key, value] : project.other_keys) json[key] = Ordered::parse(value);
   if (project.segmentation) json["segmentation"] = json_of(*project.segmentation);
   return json.dump(1, ' ', false, Ordered::error_handler_t::replace) + "\n";
 }

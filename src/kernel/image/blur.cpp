@@ -7,81 +7,155 @@
 namespace relievo {
 namespace {
 
-/// Sums of at most 4001 bytes times this, shifted by 24 bits, are their means for one window; they
-/// fit in 32 bits.
-constexpr int reciprocal_bits = 24;
+/// The rounded mean of at most 15 bytes from their sum: with an error of the reciprocal of up to
+/// 15 / 2^16, sums below 255.5 * 15 give the exact quotient.
+class MeanOfFew {
+ public:
+  using Sum = uint16_t;
+  static constexpr int most = 15;
 
-uint8_t mean(uint32_t sum, uint32_t reciprocal) {
-  return static_cast<uint8_t>((sum * reciprocal + (uint32_t{1} << (reciprocal_bits - 1))) >>
-                              reciprocal_bits);
-}
+  explicit MeanOfFew(int count)
+      : half_(static_cast<Sum>(count / 2)), reciprocal_(static_cast<Sum>(65536 / count + 1)) {}
+  uint8_t operator()(Sum sum) const {
+    return static_cast<uint8_t>((uint32_t{static_cast<Sum>(sum + half_)} * reciprocal_) >> 16);
+  }
 
-uint32_t reciprocal_of(int window) {
-  return ((uint32_t{1} << reciprocal_bits) + static_cast<uint32_t>(window) / 2) /
-         static_cast<uint32_t>(window);
-}
+ private:
+  Sum half_;
+  Sum reciprocal_;
+};
 
-void blur_row(const uint8_t* in, uint8_t* out, int width, int step, int radius) {
-  const uint32_t reciprocal = reciprocal_of(2 * radius + 1);
-  const auto clamped = [&](int x) { return in[std::clamp(x, 0, width - 1) * step]; };
-  uint32_t sum = 0;
-  for (int x = -radius; x <= radius; ++x) sum += clamped(x);
-  const auto blur = [&](int begin, int end, const auto& value) {
-    for (int x = begin; x < end; ++x) {
-      out[x * step] = mean(sum, reciprocal);
-      sum += value(x + radius + 1);
-      sum -= value(x - radius);
+/// Sums of at most 4001 bytes times the reciprocal of their number, of 24 bits, fit in 32.
+class MeanOfMany {
+ public:
+  using Sum = uint32_t;
+
+  explicit MeanOfMany(int count)
+      : reciprocal_(((Sum{1} << 24) + static_cast<Sum>(count) / 2) / static_cast<Sum>(count)) {}
+  uint8_t operator()(Sum sum) const {
+    return static_cast<uint8_t>((sum * reciprocal_ + (Sum{1} << 23)) >> 24);
+  }
+
+ private:
+  Sum reciprocal_;
+};
+
+/// Means of `window` values of a row, `step` apart. Sums over a power of two of values come from
+/// those over half as many; the window is put together from the ones in its binary number.
+template <class Mean>
+class RowBlur {
+ public:
+  RowBlur(size_t n, size_t step, int radius)
+      : n_(n),
+        step_(step),
+        radius_(static_cast<size_t>(radius)),
+        padded_(n + 2 * radius_ * step),
+        wider_(padded_.size()),
+        window_(n) {}
+
+  void run(const uint8_t* in, uint8_t* out) {
+    pad(in);
+    std::fill(window_.begin(), window_.end(), 0);
+    const size_t window = 2 * radius_ + 1;
+    size_t size = padded_.size();
+    for (size_t covered = 1, at = 0; covered <= window; covered *= 2) {
+      if ((window & covered) != 0) {
+        add_to_window(at * step_);
+        at += covered;
+      }
+      if (2 * covered > window) break;
+      size -= covered * step_;
+      widen(covered * step_, size);
     }
-  };
-  const int first = std::min(radius, width);
-  const int last = std::max(first, width - radius - 1);
-  blur(0, first, clamped);
-  blur(first, last, [&](int x) { return in[x * step]; });
-  blur(last, width, clamped);
+    const Mean mean(static_cast<int>(window));
+    for (size_t i = 0; i < n_; ++i) out[i] = mean(window_[i]);
+  }
+
+ private:
+  using Sum = typename Mean::Sum;
+
+  /// Beyond its ends the row goes on as it ends.
+  void pad(const uint8_t* in) {
+    const size_t margin = radius_ * step_;
+    for (size_t i = 0; i < n_; ++i) padded_[margin + i] = in[i];
+    for (size_t i = 0; i < margin; ++i) {
+      padded_[i] = in[i % step_];
+      padded_[margin + n_ + i] = in[n_ - step_ + i % step_];
+    }
+  }
+  void add_to_window(size_t offset) {
+    for (size_t i = 0; i < n_; ++i) window_[i] = static_cast<Sum>(window_[i] + padded_[offset + i]);
+  }
+  void widen(size_t offset, size_t size) {
+    for (size_t i = 0; i < size; ++i)
+      wider_[i] = static_cast<Sum>(padded_[i] + padded_[i + offset]);
+    std::swap(padded_, wider_);
+  }
+
+  size_t n_;
+  size_t step_;
+  size_t radius_;
+  std::vector<Sum> padded_;
+  std::vector<Sum> wider_;
+  std::vector<Sum> window_;
+};
+
+/// The rows of an image, each blurred when it is first asked for; as many are kept as a window
+/// and the row after it need.
+template <class Mean>
+class BlurredRows {
+ public:
+  BlurredRows(const Image8& image, int radius)
+      : image_(image),
+        kept_(std::min(image.height, 2 * radius + 2)),
+        rows_(image.width, kept_, image.channels),
+        blur_(static_cast<size_t>(image.width) * image.channels, image.channels, radius) {}
+
+  /// Rows must be asked for in ascending order, or be among the last ones.
+  const uint8_t* operator[](int y) {
+    y = std::clamp(y, 0, image_.height - 1);
+    for (; done_ <= y; ++done_) blur_.run(&image_.at(0, done_), &rows_.at(0, done_ % kept_));
+    return &rows_.at(0, y % kept_);
+  }
+
+ private:
+  const Image8& image_;
+  int kept_;
+  int done_ = 0;
+  Image8 rows_;
+  RowBlur<Mean> blur_;
+};
+
+/// Sums of every value of a row of blocks over its columns.
+void sum_columns(const Image8& image, int y0, int y1, std::vector<uint32_t>& sums) {
+  std::fill(sums.begin(), sums.end(), 0);
+  for (int y = y0; y < y1; ++y) {
+    const uint8_t* row = &image.at(0, y);
+    for (size_t i = 0; i < sums.size(); ++i) sums[i] += row[i];
+  }
 }
 
-Image8 blur_rows(const Image8& image, int radius) {
+template <class Mean>
+Image8 blur(const Image8& image, int radius) {
+  using Sum = typename Mean::Sum;
+  const Mean mean(2 * radius + 1);
+  BlurredRows<Mean> rows(image, radius);
+  std::vector<Sum> sums(static_cast<size_t>(image.width) * image.channels, 0);
+  for (int y = -radius; y <= radius; ++y) {
+    const uint8_t* row = rows[y];
+    for (size_t i = 0; i < sums.size(); ++i) sums[i] = static_cast<Sum>(sums[i] + row[i]);
+  }
   Image8 result(image.width, image.height, image.channels);
-  for (int y = 0; y < image.height; ++y)
-    for (int c = 0; c < image.channels; ++c)
-      blur_row(&image.at(0, y, c), &result.at(0, y, c), image.width, image.channels, radius);
-  return result;
-}
-
-Image8 blur_columns(const Image8& image, int radius) {
-  const uint32_t reciprocal = reciprocal_of(2 * radius + 1);
-  const size_t n = static_cast<size_t>(image.width) * image.channels;
-  const auto row = [&](int y) { return &image.at(0, std::clamp(y, 0, image.height - 1)); };
-  Image8 result(image.width, image.height, image.channels);
-  std::vector<uint32_t> sums(n, 0);
-  for (int y = -radius; y <= radius; ++y)
-    for (size_t i = 0; i < n; ++i) sums[i] += row(y)[i];
   for (int y = 0; y < image.height; ++y) {
     uint8_t* out = &result.at(0, y);
-    const uint8_t* enters = row(y + radius + 1);
-    const uint8_t* leaves = row(y - radius);
-    for (size_t i = 0; i < n; ++i) {
-      out[i] = mean(sums[i], reciprocal);
-      sums[i] += enters[i];
-      sums[i] -= leaves[i];
+    const uint8_t* enters = rows[y + radius + 1];
+    const uint8_t* leaves = rows[y - radius];
+    for (size_t i = 0; i < sums.size(); ++i) {
+      out[i] = mean(sums[i]);
+      sums[i] = static_cast<Sum>(sums[i] + enters[i] - leaves[i]);
     }
   }
   return result;
-}
-
-/// Mean of one channel over a block that the image may cut off.
-uint8_t block_mean(const Image8& image, int x, int y, int side, int channel) {
-  const int width = std::min(side, image.width - x);
-  const int height = std::min(side, image.height - y);
-  uint64_t sum = 0;
-  for (int v = y; v < y + height; ++v) {
-    const uint8_t* in = &image.at(x, v, channel);
-    uint32_t row = 0;
-    for (int u = 0; u < width; ++u) row += in[static_cast<ptrdiff_t>(u) * image.channels];
-    sum += row;
-  }
-  const uint64_t count = static_cast<uint64_t>(width) * height;
-  return static_cast<uint8_t>((sum + count / 2) / count);
 }
 
 }  // namespace
@@ -89,7 +163,8 @@ uint8_t block_mean(const Image8& image, int x, int y, int side, int channel) {
 Image8 box_blur(const Image8& image, int radius) {
   assert(radius >= 0 && radius <= 2000);
   if (radius == 0 || image.empty()) return image;
-  return blur_columns(blur_rows(image, radius), radius);
+  return 2 * radius + 1 <= MeanOfFew::most ? blur<MeanOfFew>(image, radius)
+                                           : blur<MeanOfMany>(image, radius);
 }
 
 Image8 shrink(const Image8& image, int factor) {
@@ -97,11 +172,22 @@ Image8 shrink(const Image8& image, int factor) {
   if (factor == 1 || image.empty()) return image;
   const int w = (image.width + factor - 1) / factor;
   const int h = (image.height + factor - 1) / factor;
-  Image8 result(w, h, image.channels);
-  for (int y = 0; y < h; ++y)
-    for (int x = 0; x < w; ++x)
-      for (int c = 0; c < image.channels; ++c)
-        result.at(x, y, c) = block_mean(image, x * factor, y * factor, factor, c);
+  const int channels = image.channels;
+  Image8 result(w, h, channels);
+  std::vector<uint32_t> sums(static_cast<size_t>(image.width) * channels);
+  for (int y = 0; y < h; ++y) {
+    const int rows = std::min(factor, image.height - y * factor);
+    sum_columns(image, y * factor, y * factor + rows, sums);
+    for (int x = 0; x < w; ++x) {
+      const int columns = std::min(factor, image.width - x * factor);
+      const uint64_t count = static_cast<uint64_t>(rows) * columns;
+      for (int c = 0; c < channels; ++c) {
+        uint64_t sum = 0;
+        for (int u = 0; u < columns; ++u) sum += sums[(x * factor + u) * channels + c];
+        result.at(x, y, c) = static_cast<uint8_t>((sum + count / 2) / count);
+      }
+    }
+  }
   return result;
 }
 

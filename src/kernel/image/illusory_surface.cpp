@@ -55,7 +55,8 @@ void refine(const Level& coarse, Level& fine) {
       if (fine.fixed.at(x, y) == 0) fine.value.at(x, y) = coarse.value.at(x / 2, y / 2);
 }
 
-float neighbour_mean(const ImageF& value, int x, int y) {
+/// The mean of the cells beside one that may lie at the rim of the grid.
+float mean_at_rim(const ImageF& value, int x, int y) {
   float sum = 0;
   int count = 0;
   const auto add = [&](int nx, int ny) {
@@ -70,15 +71,25 @@ float neighbour_mean(const ImageF& value, int x, int y) {
   return count > 0 ? sum / static_cast<float>(count) : value.at(x, y);
 }
 
+/// Every second open cell of a row from x = first on.
+void relax_row(Level& level, int y, int first) {
+  const int w = level.value.width;
+  const bool inside = y > 0 && y + 1 < level.value.height;
+  float* row = &level.value.at(0, y);
+  const uint8_t* fixed = &level.fixed.at(0, y);
+  for (int x = first; x < w; x += 2) {
+    if (fixed[x] != 0) continue;
+    const float mean = inside && x > 0 && x + 1 < w
+                           ? (row[x - 1] + row[x + 1] + row[x - w] + row[x + w]) / 4
+                           : mean_at_rim(level.value, x, y);
+    row[x] += relaxation * (mean - row[x]);
+  }
+}
+
 /// Successive over-relaxation, red cells before black ones.
 void relax(Level& level, int count) {
   for (int sweep = 0; sweep < 2 * count; ++sweep)
-    for (int y = 0; y < level.value.height; ++y)
-      for (int x = (y + sweep) % 2; x < level.value.width; x += 2) {
-        if (level.fixed.at(x, y) != 0) continue;
-        float& value = level.value.at(x, y);
-        value += relaxation * (neighbour_mean(level.value, x, y) - value);
-      }
+    for (int y = 0; y < level.value.height; ++y) relax_row(level, y, (y + sweep) % 2);
 }
 
 }  // namespace

@@ -24,9 +24,11 @@ class Tracer {
   std::vector<LabelRing> trace() {
     std::vector<LabelRing> rings;
     for (int y = 0; y < labels_.height; ++y)
-      for (int x = 0; x < labels_.width; ++x)
+      for (int x = 0; x < labels_.width; ++x) {
+        if (is_inside(x, y)) continue;
         for (int side = 0; side < 4; ++side)
           if (starts_ring({x, y, side})) rings.push_back(ring({x, y, side}));
+      }
     return rings;
   }
 
@@ -37,6 +39,14 @@ class Tracer {
   }
   uint16_t beyond(const Side& s) const {
     return label(s.x + normal_x[s.side], s.y + normal_y[s.side]);
+  }
+  /// Whether no ring runs along the pixel.
+  bool is_inside(int x, int y) const {
+    const uint16_t* p = &labels_.at(x, y);
+    if (*p == 0) return true;
+    if (x == 0 || y == 0 || x + 1 == labels_.width || y + 1 == labels_.height) return false;
+    const int w = labels_.width;
+    return p[-1] == *p && p[1] == *p && p[-w] == *p && p[w] == *p;
   }
   bool starts_ring(const Side& s) const {
     const uint16_t own = labels_.at(s.x, s.y);

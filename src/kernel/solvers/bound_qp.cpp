@@ -187,14 +187,25 @@ class ActiveSetSolver {
 
   /// From the last point on: where little has changed, most of the solve meets zeros.
   void solve_change() {
-    clear_active(solution_.z);
-    solution_.mu = gradient();
+    for (int i = 0; i < solution_.z.size(); ++i)
+      if (solution_.active[i] != 0 && solution_.z[i] != 0) move_to_bound(i);
     VectorXd residual = free_residual();
     for (double& value : residual)
       if (std::abs(value) <= negligible * tolerance_) value = 0;
     solution_.z += factor_.solve(residual);
     solution_.mu = gradient();
     rough_ = true;
+  }
+
+  /// z_i := 0; mu stays the gradient.
+  void move_to_bound(int i) {
+    const SymmetricGraph& graph = factor_.graph();
+    const double* K = problem_.K.valuePtr();
+    const double step = -solution_.z[i];
+    solution_.z[i] = 0;
+    solution_.mu[i] += step * K[problem_.K.outerIndexPtr()[i]];
+    for (int p = graph.begin[i]; p < graph.begin[i + 1]; ++p)
+      solution_.mu[graph.neighbour[p]] += step * K[graph.source[p]];
   }
 
   bool factorise() {

@@ -1,23 +1,50 @@
 #include "relief/drawing/basin_graph.h"
 
 #include <algorithm>
+#include <array>
 
 #include "relief/drawing/line_map.h"
 
 namespace relievo {
 namespace {
 
+/// Adds pixels [begin, end), which lie in one row and basin.
+void add_run(const Image8& rgba, const Image8& rgb, const Image8& barrier, size_t begin, size_t end,
+             Basin& basin) {
+  uint32_t coloured = 0;
+  uint32_t transparent = 0;
+  std::array<uint32_t, 3> sum = {};
+  for (size_t i = begin; i < end; ++i) {
+    const uint32_t counts = barrier.pixels[i] == 0 ? 1 : 0;
+    coloured += counts;
+    transparent += counts & (rgba.pixels[4 * i + 3] < 128 ? 1U : 0U);
+    for (size_t c = 0; c < 3; ++c) sum[c] += counts * rgb.pixels[3 * i + c];
+  }
+  basin.area += static_cast<int64_t>(end - begin);
+  basin.coloured += coloured;
+  basin.transparent += transparent;
+  for (size_t c = 0; c < 3; ++c) basin.colour_sum[c] += sum[c];
+}
+
 void measure_areas(const Image8& rgba, const Image8& rgb, Basins& basins) {
   const int w = basins.index.width;
-  const int h = basins.index.height;
-  for (size_t i = 0; i < basins.index.pixels.size(); ++i) {
-    Basin& basin = basins.basins[basins.index.pixels[i]];
-    ++basin.area;
-    if (basins.barrier.pixels[i] != 0) continue;
-    ++basin.coloured;
-    basin.transparent += rgba.pixels[4 * i + 3] < 128 ? 1 : 0;
-    for (size_t c = 0; c < 3; ++c) basin.colour_sum[c] += rgb.pixels[3 * i + c];
+  for (int y = 0; y < basins.index.height; ++y) {
+    const int32_t* row = &basins.index.at(0, y);
+    const size_t first = static_cast<size_t>(y) * w;
+    for (int begin = 0, end = 0; begin < w; begin = end) {
+      while (end < w && row[end] == row[begin]) ++end;
+      Basin& basin = basins.basins[row[begin]];
+      add_run(rgba, rgb, basins.barrier, first + begin, first + end, basin);
+      basin.box.add(Point2{begin * 1.0, y * 1.0});
+      basin.box.add(Point2{end * 1.0, y + 1.0});
+    }
   }
+}
+
+/// Counts the pixels off the lines at the edges of the picture.
+void measure_edges(Basins& basins) {
+  const int w = basins.index.width;
+  const int h = basins.index.height;
   const auto count_at_edge = [&](int x, int y, size_t edge) {
     if (basins.barrier.at(x, y) == 0) ++basins.basins[basins.index.at(x, y)].at_edge[edge];
   };
@@ -31,26 +58,17 @@ void measure_areas(const Image8& rgba, const Image8& rgb, Basins& basins) {
   }
 }
 
-void measure_boxes(Basins& basins) {
-  const int w = basins.index.width;
-  for (int y = 0; y < basins.index.height; ++y) {
-    const int32_t* row = &basins.index.at(0, y);
-    for (int begin = 0, end = 0; begin < w; begin = end) {
-      while (end < w && row[end] == row[begin]) ++end;
-      basins.basins[row[begin]].box.add(Point2{static_cast<double>(begin), static_cast<double>(y)});
-      basins.basins[row[begin]].box.add(Point2{end * 1.0, y + 1.0});
-    }
-  }
-}
-
 /// Collects the pairs of neighbouring pixels that lie in different basins.
 class PairCollector {
  public:
   explicit PairCollector(const Basins& basins)
       : basins_(basins), unit_(white_cost(basins.index.width, basins.index.height)) {}
 
-  void add(size_t i, size_t j) {
-    if (basins_.index.pixels[i] != basins_.index.pixels[j]) add_pair(i, j);
+  /// Pairs of a pixel with the one to its right, unless the row ends there, and with the one below.
+  void add(size_t i, bool with_right, bool with_below) {
+    const int32_t* own = &basins_.index.pixels[i];
+    if (with_right && own[1] != *own) add_pair(i, i + 1);
+    if (with_below && own[basins_.index.width] != *own) add_pair(i, i + basins_.index.width);
   }
 
   std::vector<BasinBorder> borders() {
@@ -77,7 +95,10 @@ class PairCollector {
     const int32_t b = basins_.index.pixels[j];
     const uint8_t p = basins_.barrier.pixels[i];
     const uint8_t q = basins_.barrier.pixels[j];
-    const bool line = p == LineMap::line || q == LineMap::line;
+    const auto parts = [](uint8_t barrier) {
+      return barrier == LineMap::line || barrier == LineMap::bridge;
+    };
+    const bool line = parts(p) || parts(q);
     const bool edge = !line && (p == LineMap::edge || q == LineMap::edge);
     const int64_t white = 255 - std::max(basins_.ink.pixels[i], basins_.ink.pixels[j]);
     pairs_.push_back({std::min(a, b), std::max(a, b), 1, line ? 1 : 0, edge ? 1 : 0,
@@ -93,19 +114,16 @@ class PairCollector {
 
 std::vector<BasinBorder> borders_within(const Basins& basins, int x0, int y0, int x1, int y1) {
   PairCollector pairs(basins);
-  const auto w = static_cast<size_t>(basins.index.width);
-  for (int y = y0; y < y1; ++y)
-    for (int x = x0; x < x1; ++x) {
-      const size_t i = static_cast<size_t>(y) * w + x;
-      if (x + 1 < x1) pairs.add(i, i + 1);
-      if (y + 1 < y1) pairs.add(i, i + w);
-    }
+  for (int y = y0; y < y1; ++y) {
+    const size_t row = static_cast<size_t>(y) * basins.index.width;
+    for (int x = x0; x < x1; ++x) pairs.add(row + x, x + 1 < x1, y + 1 < y1);
+  }
   return pairs.borders();
 }
 
 void measure_basins(const Image8& rgba, const Image8& rgb, Basins& basins) {
   measure_areas(rgba, rgb, basins);
-  measure_boxes(basins);
+  measure_edges(basins);
   basins.borders = borders_within(basins, 0, 0, basins.index.width, basins.index.height);
 }
 

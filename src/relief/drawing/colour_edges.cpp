@@ -1,7 +1,7 @@
 #include "relief/drawing/colour_edges.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <vector>
 
 #include "kernel/image/blur.h"
 #include "kernel/image/morphology.h"
@@ -20,24 +20,48 @@ struct Steps {
   Image8 along_x;
 };
 
-int largest_difference(const uint8_t* a, const uint8_t* b) {
-  return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
-}
+/// The largest difference of a channel between the pixels of two rows of `width`, by pixel.
+class RowDifference {
+ public:
+  explicit RowDifference(int width) : all_(3 * static_cast<size_t>(width) + 2), largest_(width) {}
+
+  const std::vector<uint8_t>& between(const uint8_t* a, const uint8_t* b) {
+    const size_t n = 3 * largest_.size();
+    for (size_t i = 0; i < n; ++i) {
+      const uint8_t high = a[i] > b[i] ? a[i] : b[i];
+      const uint8_t low = a[i] > b[i] ? b[i] : a[i];
+      all_[i] = static_cast<uint8_t>(high - low);
+    }
+    for (size_t x = 0; x < largest_.size(); ++x)
+      largest_[x] = std::max({all_[3 * x], all_[3 * x + 1], all_[3 * x + 2]});
+    return largest_;
+  }
+
+ private:
+  std::vector<uint8_t> all_;
+  std::vector<uint8_t> largest_;
+};
 
 /// Steps where `excluded` is 0.
 Steps measure_steps(const Image8& rgb, const Image8& excluded) {
   Steps steps{Image8(rgb.width, rgb.height, 1), Image8(rgb.width, rgb.height, 1)};
-  const ptrdiff_t row = ptrdiff_t{3} * rgb.width;
+  const int inside = rgb.width - 2;
+  if (inside <= 0) return steps;
+  RowDifference differences_x(inside);
+  RowDifference differences_y(inside);
   for (int y = 1; y + 1 < rgb.height; ++y) {
-    const size_t begin = static_cast<size_t>(y) * rgb.width;
-    for (size_t i = begin + 1; i + 1 < begin + rgb.width; ++i) {
-      if (excluded.pixels[i] != 0) continue;
-      const uint8_t* p = &rgb.pixels[3 * i];
-      const int dx = largest_difference(p + 3, p - 3);
-      const int dy = largest_difference(p + row, p - row);
-      const int size = std::max(dx, dy) + std::min(dx, dy) / 2;
-      steps.size.pixels[i] = static_cast<uint8_t>(std::min(255, size));
-      steps.along_x.pixels[i] = dx >= dy ? 1 : 0;
+    const std::vector<uint8_t>& along_x = differences_x.between(&rgb.at(2, y), &rgb.at(0, y));
+    const std::vector<uint8_t>& along_y =
+        differences_y.between(&rgb.at(1, y + 1), &rgb.at(1, y - 1));
+    const uint8_t* skip = &excluded.at(1, y);
+    uint8_t* size = &steps.size.at(1, y);
+    uint8_t* is_x = &steps.along_x.at(1, y);
+    for (int x = 0; x < inside; ++x) {
+      const int dx = along_x[x];
+      const int dy = along_y[x];
+      const int sum = dx > dy ? dx + dy / 2 : dy + dx / 2;
+      size[x] = static_cast<uint8_t>(skip[x] != 0 ? 0 : std::min(255, sum));
+      is_x[x] = dx >= dy ? 1 : 0;
     }
   }
   return steps;

@@ -5,9 +5,11 @@
 
 #include "kernel/image/blur.h"
 #include "kernel/image/distance_transform.h"
+#include "kernel/image/peak_basins.h"
 #include "kernel/image/watershed.h"
 #include "relief/drawing/basin_graph.h"
 #include "relief/drawing/line_map.h"
+#include "relief/drawing/open_roots.h"
 #include "relief/drawing/propose_regions.h"
 #include "relief/drawing/remove_paper.h"
 
@@ -52,6 +54,7 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   if (std::count(map.barrier.pixels.begin(), map.barrier.pixels.end(), LineMap::none) ==
       static_cast<ptrdiff_t>(map.barrier.pixels.size()))
     return Error{ErrorCode::bad_input, "the drawing is blank: no line or edge was found in it", ""};
+  for (const OpenRoot& root : find_open_roots(map)) close_root(root, map.barrier);
   if (!go_on(context, 0.5)) return interrupted_error();
   Basins basins;
   basins.index = watershed(map, basins.basins);

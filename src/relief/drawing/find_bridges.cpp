@@ -6,13 +6,23 @@
 #include "kernel/base/cyclic_runs.h"
 #include "kernel/geometry/simplify_line.h"
 #include "kernel/image/label_rings.h"
-#include "kernel/image/morphology.h"
+#include "relief/drawing/line_map.h"
 
 namespace relievo {
 namespace {
 
 constexpr double tolerance = 1;  ///< px that a bridge may depart from the sides of pixels
 constexpr int line_margin = 1;   ///< px by which a boundary may leave the line it runs along
+
+/// Whether no pixel within the margin of this one, which lies in the image, is on a line or edge.
+bool is_far_from_lines(const Image8& barrier, int x, int y) {
+  for (int v = std::max(0, y - line_margin); v <= std::min(barrier.height - 1, y + line_margin);
+       ++v)
+    for (int u = std::max(0, x - line_margin); u <= std::min(barrier.width - 1, x + line_margin);
+         ++u)
+      if (barrier.at(u, v) == LineMap::line || barrier.at(u, v) == LineMap::edge) return false;
+  return true;
+}
 
 /// Whether the pixels on both sides of the pixel side with this middle are open, in the image.
 bool is_open(const Image8& barrier, Point2 side) {
@@ -22,7 +32,7 @@ bool is_open(const Image8& barrier, Point2 side) {
   const int other_x = horizontal ? x : x - 1;
   const int other_y = horizontal ? y - 1 : y;
   if (other_x < 0 || other_y < 0 || x >= barrier.width || y >= barrier.height) return false;
-  return barrier.at(x, y) == 0 && barrier.at(other_x, other_y) == 0;
+  return is_far_from_lines(barrier, x, y) && is_far_from_lines(barrier, other_x, other_y);
 }
 
 std::vector<uint8_t> open_sides(const LabelRing& ring, const Image8& barrier) {
@@ -41,10 +51,9 @@ Bridge bridge_of(const LabelRing& ring, size_t first, size_t count) {
 
 std::vector<Bridge> find_bridges(const Image16& labels, const Image8& barrier, double line_width) {
   const auto shortest = static_cast<size_t>(std::max(3.0, line_width));
-  const Image8 near_line = max_filter(barrier, line_margin);
   std::vector<Bridge> bridges;
   for (const LabelRing& ring : trace_label_rings(labels)) {
-    const std::vector<uint8_t> open = open_sides(ring, near_line);
+    const std::vector<uint8_t> open = open_sides(ring, barrier);
     const auto go_on = [&](size_t i, size_t j) {
       return open[i] == open[j] && ring.beyond[i] == ring.beyond[j];
     };

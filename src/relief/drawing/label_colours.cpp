@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "kernel/image/lay_over.h"
+
 namespace relievo {
 namespace {
 
@@ -14,8 +16,7 @@ struct ColourSum {
   double pixels = 0;
 
   void add(const uint8_t* rgba) {
-    const double alpha = rgba[3] / 255.0;
-    for (size_t c = 0; c < 3; ++c) sum[c] += alpha * rgba[c] + 255 * (1 - alpha);
+    for (size_t c = 0; c < 3; ++c) sum[c] += on_paper(rgba[c], rgba[3]);
     ++pixels;
   }
 };

@@ -98,6 +98,17 @@ int grain_contrast(const std::array<int64_t, 256>& counts, int line) {
   return 0;
 }
 
+/// A histogram. Pixels in turn count in one of four, since additions to one number wait for each
+/// other.
+std::array<int64_t, 256> count_values(const Image8& image) {
+  std::array<std::array<int64_t, 256>, 4> turns = {};
+  for (size_t i = 0; i < image.pixels.size(); ++i) ++turns[i % 4][image.pixels[i]];
+  std::array<int64_t, 256> counts = {};
+  for (const auto& turn : turns)
+    for (size_t v = 0; v < counts.size(); ++v) counts[v] += turn[v];
+  return counts;
+}
+
 /// Contrasts that a line certainly has somewhere, and that it has at least.
 struct LineThresholds {
   int sure = 0;
@@ -107,8 +118,7 @@ struct LineThresholds {
 /// From the contrasts above the grain. On paper, a line may get as faint as the grain allows; among
 /// paint it must stay darker than the strokes that fill areas.
 LineThresholds line_thresholds(const Image8& ink, bool painted) {
-  std::array<int64_t, 256> counts = {};
-  for (const uint8_t value : ink.pixels) ++counts[value];
+  const std::array<int64_t, 256> counts = count_values(ink);
   std::array<int64_t, 256> above_grain = counts;
   std::fill(above_grain.begin(), above_grain.begin() + faintest_line / 2, 0);
   const int typical = otsu_threshold(above_grain);
@@ -142,8 +152,10 @@ LineMap find_lines(const Image8& rgb) {
   const LineThresholds thresholds = line_thresholds(map.ink, map.painted);
   map.barrier = connected_above(map.ink, thresholds.possible, thresholds.sure);
   map.line_width = typical_width(map.barrier);
-  for (uint8_t& value : map.ink.pixels)
-    value = static_cast<uint8_t>(std::min(255, 128 * value / thresholds.sure));
+  std::array<uint8_t, 256> full = {};
+  for (int v = 0; v < 256; ++v)
+    full[v] = static_cast<uint8_t>(std::min(255, 128 * v / thresholds.sure));
+  for (uint8_t& value : map.ink.pixels) value = full[value];
   add_colour_edges(rgb, map);
   return map;
 }

@@ -6,10 +6,10 @@ namespace relievo {
 
 /// What separates the areas of a drawing.
 struct LineMap {
-  enum Barrier : uint8_t { none = 0, line = 1, edge = 2 };
+  enum Barrier : uint8_t { none = 0, line = 1, edge = 2, bridge = 3 };
 
-  Image8 ink;             ///< how much darker a pixel is than what lies around it, 255 = full
-  Image8 barrier;         ///< [Barrier] lines, and edges between colours where there is no line
+  Image8 ink;      ///< how much darker a pixel is than what lies around it, 255 = full
+  Image8 barrier;  ///< [Barrier] lines, edges between colours where there is no line, closed roots
   double line_width = 1;  ///< typical width of a line, px
   bool painted = false;   ///< whether colours fill areas, rather than lines bounding white ones
 };

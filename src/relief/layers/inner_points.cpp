@@ -1,7 +1,9 @@
 #include "relief/layers/inner_points.h"
 
 #include <algorithm>
+#include <cstdint>
 
+#include "kernel/base/workers.h"
 #include "kernel/geometry/ring_measure.h"
 #include "kernel/meshing/segment_grid.h"
 
@@ -42,16 +44,22 @@ std::vector<Point2> inner_points(const SizeField& field, const std::vector<Point
   SegmentGrid grid(box, edges.size());
   grid.build(edges.size(),
              [&](size_t e) { return std::pair(points[edges[e][0]], points[edges[e][1]]); });
+  const std::vector<Point2> lattice = lattice_points(field);
+  std::vector<uint8_t> clear(lattice.size(), 1);
+  run_ranges(static_cast<int>(lattice.size()), [&](int first, int last) {
+    for (int i = first; i < last; ++i) {
+      const Point2 p = lattice[i];
+      const double clearance = relative_clearance * field.size_at(p);
+      grid.for_cells(p, p, clearance, [&](size_t cell) {
+        for (const int* e = grid.begin(cell); clear[i] != 0 && e != grid.end(cell); ++e)
+          clear[i] =
+              distance_to_segment(p, points[edges[*e][0]], points[edges[*e][1]]) >= clearance;
+      });
+    }
+  });
   std::vector<Point2> kept;
-  for (const Point2 p : lattice_points(field)) {
-    const double clearance = relative_clearance * field.size_at(p);
-    bool clear = true;
-    grid.for_cells(p, p, clearance, [&](size_t cell) {
-      for (const int* e = grid.begin(cell); clear && e != grid.end(cell); ++e)
-        clear = distance_to_segment(p, points[edges[*e][0]], points[edges[*e][1]]) >= clearance;
-    });
-    if (clear) kept.push_back(p);
-  }
+  for (size_t i = 0; i < lattice.size(); ++i)
+    if (clear[i] != 0) kept.push_back(lattice[i]);
   return kept;
 }
 

@@ -8,6 +8,7 @@
 
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/blur.h"
+#include "kernel/image/lay_over.h"
 #include "kernel/image/pull_push.h"
 #include "relief/model/fill_triangle.h"
 
@@ -96,10 +97,6 @@ Image8 depths(const Image16& front, const PixelBox& box, uint16_t part, int most
   for (int y = height - 1; y >= 0; --y)
     for (int x = width - 1; x >= 0; --x) relax(x, y, 1);
   return depth;
-}
-
-float on_paper(int colour, int alpha) {
-  return static_cast<float>(colour * alpha + 255 * (255 - alpha)) / 255;
 }
 
 /// What is seen of a part, with the weights of pull_push; nothing where it is not seen.

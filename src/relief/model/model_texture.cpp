@@ -8,6 +8,8 @@
 #include <limits>
 #include <vector>
 
+#include "kernel/image/lay_over.h"
+#include "kernel/image/morphology.h"
 #include "relief/model/fill_triangle.h"
 
 namespace relievo {
@@ -68,26 +70,10 @@ class Spread {
 constexpr int silhouette_band = 2;
 
 /// Pixels that are not covered, or at most the band away from one that is not, in Chebyshev
-/// distance: along rows, then along columns.
-Mask near_background(const Mask& covered) {
-  Mask along_rows(covered.width, covered.height, 1);
-  Mask near(covered.width, covered.height, 1);
-  for (int y = 0; y < covered.height; ++y)
-    for (int x = 0; x < covered.width; ++x) {
-      if (covered.at(x, y) != 0) continue;
-      const int end = std::min(x + silhouette_band, covered.width - 1);
-      for (int i = std::max(x - silhouette_band, 0); i <= end; ++i) along_rows.at(i, y) = 1;
-    }
-  for (int y = 0; y < covered.height; ++y) {
-    const int end = std::min(y + silhouette_band, covered.height - 1);
-    for (int i = std::max(y - silhouette_band, 0); i <= end; ++i)
-      for (int x = 0; x < covered.width; ++x) near.at(x, i) |= along_rows.at(x, y);
-  }
-  return near;
-}
-
-uint8_t on_paper(int colour, int alpha) {
-  return static_cast<uint8_t>((colour * alpha + 255 * (255 - alpha) + 127) / 255);
+/// distance.
+Mask near_background(Mask covered) {
+  for (uint8_t& value : covered.pixels) value = value == 0 ? 1 : 0;
+  return max_filter(covered, silhouette_band);
 }
 
 }  // namespace

@@ -78,6 +78,15 @@ TEST(ProjectFile, KeepsEverything) {
   EXPECT_EQ(again.segmentation->order[1].kept, false);
 }
 
+TEST(ProjectFile, KeepsKeysThatOnlyTheEditorUnderstands) {
+  Project project = everything();
+  project.other_keys = {{"colors", R"({"body":"#ff8000"})"},
+                        {"settings", R"({"deep":[1,null,{"é":0.25}]})"}};
+  const Project again = reread(project);
+  EXPECT_EQ(again.other_keys, project.other_keys);
+  EXPECT_EQ(*encode_project(again), *encode_project(project));
+}
+
 TEST(ProjectFile, GivesTheSameBytesWhateverTheTimeZone) {
   const auto here = encode_project(everything());
   setenv("TZ", "Asia/Tokyo", 1);

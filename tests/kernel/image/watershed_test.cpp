@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <queue>
 #include <vector>
 
-#include "kernel/image/distance_transform.h"
 #include "support/random_image.h"
 
 namespace relievo {
@@ -78,46 +76,6 @@ TEST(Watershed, FlatGroundIsSharedInTheMiddle) {
       EXPECT_EQ(label.at(x, y), 1);
       EXPECT_EQ(label.at(40 - x, y), 2);
     }
-}
-
-/// Walls everywhere but in two discs whose gap is `gap` px wide.
-Image8 two_discs(int gap) {
-  Image8 wall(140, 80, 1, 1);
-  for (int y = 0; y < 80; ++y)
-    for (int x = 0; x < 140; ++x) {
-      const bool in_disc = std::hypot(x - 40, y - 40) < 30 || std::hypot(x - 100, y - 40) < 25;
-      if (in_disc || (x > 40 && x < 100 && 2 * std::abs(y - 40) < gap)) wall.at(x, y) = 0;
-    }
-  return wall;
-}
-
-TEST(PeakBasins, DiscsJoinedByAGapStayApart) {
-  const PeakBasins basins = peak_basins(squared_distance_to(two_discs(12)));
-  ASSERT_EQ(basins.peaks.size(), 3U);
-  EXPECT_NEAR(basins.peaks[1], 30, 1);
-  EXPECT_NEAR(basins.peaks[2], 25, 1);
-  EXPECT_EQ(basins.label.at(40, 40), 1);
-  EXPECT_EQ(basins.label.at(100, 40), 2);
-  EXPECT_EQ(basins.label.at(5, 5), 0);
-}
-
-TEST(PeakBasins, OptionsSayWhichPeaksStand) {
-  const Image<int32_t> distance = squared_distance_to(two_discs(40));
-  EXPECT_EQ(peak_basins(distance, {1.5, 1}).peaks.size(), 3U);
-  EXPECT_EQ(peak_basins(distance, {8, 1}).peaks.size(), 2U);
-  EXPECT_EQ(peak_basins(distance, {1.5, 0.7}).peaks.size(), 2U);
-}
-
-TEST(PeakBasins, TurningTheImageTurnsTheBasins) {
-  const Image8 wall = two_discs(12);
-  const PeakBasins upright = peak_basins(squared_distance_to(wall));
-  const PeakBasins turned_basins = peak_basins(squared_distance_to(turned(wall)));
-  const Image<int32_t> expected = turned(upright.label);
-  int different = 0;
-  for (size_t i = 0; i < expected.pixels.size(); ++i)
-    different += expected.pixels[i] != turned_basins.label.pixels[i] ? 1 : 0;
-  // Only pixels at equal distance on the pass between the basins may change sides.
-  EXPECT_LE(different, 30);
 }
 
 }  // namespace

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "kernel/geometry/point.h"
+#include "kernel/image/image.h"
+
+namespace relievo {
+
+/// A loose end of a stroke that, followed from there, first passes the end of another line: the
+/// side on which that line ends lies behind the stroke.
+struct StrokeEnd {
+  Point2 at;          ///< px
+  Point2 inwards;     ///< unit vector from the end along the stroke
+  double length = 0;  ///< px along the stroke to where the other line ends
+  int behind = 0;     ///< the side that lies behind: 1 on the right of `inwards`, -1 on the left
+};
+
+/// Finds them in thinned lines (0 off the lines), in raster order. Strokes are followed for up to
+/// `longest` px. O(pixels + ends * longest).
+std::vector<StrokeEnd> find_stroke_ends(const Image8& thinned, double line_width, double longest);
+
+}  // namespace relievo

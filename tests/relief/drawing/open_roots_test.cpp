@@ -1,0 +1,115 @@
+#include "relief/drawing/open_roots.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "relief/drawing/remove_paper.h"
+#include "relief/drawing/segment_drawing.h"
+#include "support/ink_drawing.h"
+
+namespace relievo {
+namespace {
+
+constexpr Point2 middle = {250, 250};
+constexpr double body = 120;     ///< radius, px
+constexpr double shoulder = 50;  ///< where the arm's lines end inside, px from the middle
+constexpr double hand = 225;     ///< where it is closed outside
+
+/// A round body, and across its outline an arm that is open at the shoulder.
+struct Arm {
+  double turn;        ///< its direction, turns
+  double half_width;  ///< px
+  double pen = 4;
+
+  Point2 along() const {
+    return {std::cos(2 * std::numbers::pi * turn), std::sin(2 * std::numbers::pi * turn)};
+  }
+  /// A point of the arm, px from the middle and to the right of its middle line.
+  Point2 at(double distance, double aside) const {
+    const Point2 d = along();
+    return middle + distance * d + aside * Point2{-d.y, d.x};
+  }
+  InkDrawing ink() const {
+    const double hidden = std::asin(half_width / body) / (2 * std::numbers::pi);
+    InkDrawing ink(500, 500);
+    ink.arc(middle, body, turn + hidden, turn + 1 - hidden, pen);
+    ink.line(at(shoulder, -half_width), at(hand, -half_width), pen);
+    ink.line(at(shoulder, half_width), at(hand, half_width), pen);
+    return ink.line(at(hand, -half_width), at(hand, half_width), pen);
+  }
+};
+
+std::vector<OpenRoot> roots_of(const InkDrawing& ink) {
+  return find_open_roots(find_lines(remove_paper(ink.drawing().rgba)));
+}
+
+TEST(OpenRoots, AnArmThatIsOpenAtTheShoulderIsAPart) {
+  for (const double pen : {3.0, 5.0, 8.0})
+    for (const double half_width : {15.0, 25.0})
+      for (int k = 0; k < 7; ++k) {
+        const Arm arm{k / 7.0 + 0.03, half_width, pen};
+        const Result<Segmentation> s = segment_drawing(arm.ink().drawing());
+        ASSERT_TRUE(s.ok()) << to_string(s.error());
+        const auto label = [&](Point2 p) {
+          return s->labels.at(static_cast<int>(p.x), static_cast<int>(p.y));
+        };
+        EXPECT_EQ(s->parts.size(), 2U) << pen << ", " << half_width << ", " << k;
+        EXPECT_EQ(label(arm.at(190, 0)), label(arm.at(shoulder + 12, 0)));
+        EXPECT_NE(label(arm.at(190, 0)), label(arm.at(shoulder - 12, 0)));
+        EXPECT_EQ(label(arm.at(-60, 0)), label(arm.at(shoulder - 12, 0)));
+        // The closed gap is said, so that a person can object.
+        ASSERT_EQ(s->bridges.size(), 1U);
+        for (const Point2 p : s->bridges[0].points) {
+          EXPECT_NEAR(dot(p - middle, arm.along()), shoulder, pen + 3);
+          EXPECT_LT(std::abs(cross(p - middle, arm.along())), half_width + 2);
+        }
+      }
+}
+
+TEST(OpenRoots, LieBetweenTheEndsOfTheLines) {
+  const Arm arm{0.1, 20};
+  const std::vector<OpenRoot> roots = roots_of(arm.ink());
+  ASSERT_EQ(roots.size(), 1U);
+  const auto [a, b] = roots[0];
+  EXPECT_LT(std::min(distance(a, arm.at(shoulder, 20)), distance(b, arm.at(shoulder, 20))), 4);
+  EXPECT_LT(std::min(distance(a, arm.at(shoulder, -20)), distance(b, arm.at(shoulder, -20))), 4);
+}
+
+TEST(OpenRoots, StrokesOverrule) {
+  const Arm arm{0.2, 20};
+  const Point2 from = arm.at(0, 0);
+  const Point2 to = arm.at(190, 0);
+  const Result<Segmentation> s =
+      segment_drawing(arm.ink().drawing(), {{"all"}, {{ScribbleKind::hard, 0, {from, to}, 5}}});
+  ASSERT_TRUE(s.ok());
+  EXPECT_EQ(s->parts.size(), 1U);
+}
+
+TEST(OpenRoots, HatchingHidesNothing) {
+  InkDrawing ink(500, 500);
+  ink.circle(middle, body);
+  for (const double x : {210.0, 250.0, 290.0})
+    ink.line({x, middle.y - std::sqrt(body * body - (x - 250) * (x - 250))}, {x, 230});
+  EXPECT_TRUE(roots_of(ink).empty());
+}
+
+TEST(OpenRoots, WhiskersHideNothing) {
+  InkDrawing ink(500, 500);
+  ink.circle(middle, body);
+  for (const double y : {220.0, 250.0, 280.0}) ink.line({310, y}, {440, y});
+  EXPECT_TRUE(roots_of(ink).empty());
+}
+
+TEST(OpenRoots, ALineBetweenTheEndsPartsThem) {
+  const Arm arm{0.1, 25};
+  InkDrawing ink = arm.ink();
+  EXPECT_EQ(roots_of(ink).size(), 1U);
+  ink.line(arm.at(shoulder - 30, 0), arm.at(shoulder + 30, 0));
+  EXPECT_TRUE(roots_of(ink).empty());
+}
+
+}  // namespace
+}  // namespace relievo
