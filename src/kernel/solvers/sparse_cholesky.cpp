@@ -9,6 +9,7 @@
 
 #include "kernel/base/workers.h"
 #include "kernel/solvers/factor_memory.h"
+#include "kernel/solvers/schur_complement.h"
 #include "kernel/solvers/triangular_solves.h"
 
 namespace relievo {
@@ -204,6 +205,10 @@ VectorXd SparseCholesky::solve(const VectorXd& b) const {
   VectorXd solution(b.size());
   for (Index i = 0; i < y.size(); ++i) solution[order[i]] = y[i];
   return solution;
+}
+
+Eigen::MatrixXd SparseCholesky::schur_complement(std::span<const int> rows) const {
+  return relievo::schur_complement(implementation_->memory, rows);
 }
 
 VectorXd multiply_symmetric(const SparseMatrix& lower, const VectorXd& x) {

@@ -61,6 +61,11 @@ class SparseCholesky {
   /// Precondition: the last factorisation returned true.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
+  /// What is left of the last factorised A on `rows` once all others are eliminated: #rows x #rows,
+  /// symmetric. Preconditions: the last factorisation returned true, and `rows` were the last in
+  /// the order of the analysis. At most cubic in #rows.
+  Eigen::MatrixXd schur_complement(std::span<const int> rows) const;
+
  private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;

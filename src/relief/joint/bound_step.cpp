@@ -1,7 +1,12 @@
 #include "relief/joint/bound_step.h"
 
+#include <numeric>
+
+#include "relief/joint/soft_matrix.h"
+
 namespace relievo {
 
+using Eigen::Index;
 using Eigen::VectorXd;
 
 namespace {
@@ -12,41 +17,77 @@ constexpr double tolerated_change = 0.1;
 /// It only leads the way.
 constexpr double step_tolerance = 1e-9;
 
-}  // namespace
-
-BoundStep::BoundStep(const JointModel& model, const DepthProblem& problem)
-    : model_(model), matrix_(make_soft_matrix(model, problem, model.bound)) {
-  if (model.bound.empty()) return;
-  qp_.K.swap(matrix_.K);
-  qp_.bounded.assign(static_cast<size_t>(matrix_.T.cols()), 0);
-  for (size_t i = 0; i < model.bound.size(); ++i)
-    qp_.bounded[matrix_.heights() + i] = model.sign[model.bound[i]] != 0;
-  factor_.analyse(qp_.K, Refactorisation::incremental, matrix_.elimination);
+/// The heights as ever, the soft nodes behind them.
+std::vector<int> heights_first(const SoftMatrix& matrix) {
+  std::vector<int> order;
+  for (const int i : matrix.elimination)
+    if (i < matrix.heights()) order.push_back(i);
+  for (Index i = matrix.heights(); i < matrix.T.cols(); ++i) order.push_back(static_cast<int>(i));
+  return order;
 }
 
-void BoundStep::renew_springs(const VectorXd& stiffness) {
-  if (springs_.size() > 0) {
-    const auto change = (stiffness - springs_).cwiseAbs().array();
-    if ((change <= tolerated_change * (matrix_.own_stiffness + springs_).array()).all()) return;
+SparseMatrix lower_triangle(const Eigen::MatrixXd& A) {
+  const auto size = static_cast<int>(A.rows());
+  SparseMatrix lower(size, size);
+  lower.reserve(A.rows() * (A.rows() + 1) / 2);
+  for (int j = 0; j < size; ++j) {
+    lower.startVec(j);
+    for (int i = j; i < size; ++i) lower.insertBack(i, j) = A(i, j);
   }
-  springs_ = stiffness;
-  set_springs(matrix_, stiffness, qp_.K);
+  lower.finalize();
+  return lower;
+}
+
+}  // namespace
+
+SolveStatus BoundStep::eliminate_heights(const VectorXd& springs, const RunContext& context) {
+  SoftMatrix matrix = make_soft_matrix(model_, problem_, model_.bound);
+  direction_ = matrix.direction;
+  own_stiffness_ = matrix.own_stiffness;
+  set_springs(matrix, springs, matrix.K);
+  SparseCholesky factor;
+  if (!factor.analyse(matrix.K, Refactorisation::complete, heights_first(matrix), context))
+    return SolveStatus::interrupted;
+  if (!factor.factorise(matrix.K, {}, context))
+    return context.cancelled() ? SolveStatus::interrupted : SolveStatus::not_positive_definite;
+  std::vector<int> soft(model_.bound.size());
+  std::iota(soft.begin(), soft.end(), static_cast<int>(matrix.heights()));
+  qp_.K = lower_triangle(factor.schur_complement(soft));
+  own_diagonal_ = qp_.K.diagonal() - springs;
+  springs_ = springs;
+  for (const int n : model_.bound) qp_.bounded.push_back(model_.sign[n] != 0);
+  factor_.analyse(qp_.K, Refactorisation::incremental);
+  return SolveStatus::solved;
+}
+
+void BoundStep::renew_springs(const VectorXd& springs) {
+  const auto change = (springs - springs_).cwiseAbs().array();
+  if ((change <= tolerated_change * (own_stiffness_ + springs_).array()).all()) return;
+  springs_ = springs;
+  qp_.K.diagonal() = own_diagonal_ + springs;
+}
+
+VectorXd BoundStep::even_stiffness() const {
+  return model_.lambda_shift * multiply_symmetric(qp_.K, VectorXd::Ones(qp_.K.rows()));
 }
 
 SolveStatus BoundStep::move(const VectorXd& slope, const VectorXd& springs,
                             const RunContext& context, VectorXd& f) {
   if (f.size() == 0) return SolveStatus::solved;
-  renew_springs(springs / model_.lambda_shift);
-  VectorXd z = VectorXd::Zero(matrix_.T.cols());
-  z.tail(f.size()) = matrix_.direction.cwiseProduct(f);
-  qp_.b = multiply_symmetric(qp_.K, z);
-  qp_.b.tail(f.size()) -= matrix_.direction.cwiseProduct(slope) / model_.lambda_shift;
+  const VectorXd scaled = springs / model_.lambda_shift;
+  if (springs_.size() == 0) {
+    const SolveStatus status = eliminate_heights(scaled, context);
+    if (status != SolveStatus::solved) return status;
+  }
+  renew_springs(scaled);
+  const VectorXd z = direction_.cwiseProduct(f);
+  qp_.b = multiply_symmetric(qp_.K, z) - direction_.cwiseProduct(slope) / model_.lambda_shift;
   BoundQpOptions options;
   options.start_active = active_;
   options.tolerance = step_tolerance;
   const BoundQpSolution solution = solve_bound_qp(qp_, factor_, options, context);
   active_ = solution.active;
-  f = matrix_.direction.cwiseProduct(solution.z.tail(f.size()));
+  f = direction_.cwiseProduct(solution.z);
   return solution.report.status;
 }
 

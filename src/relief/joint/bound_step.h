@@ -8,31 +8,43 @@
 #include "kernel/solvers/bound_qp.h"
 #include "kernel/solvers/sparse_cholesky.h"
 #include "relief/joint/joint_model.h"
-#include "relief/joint/soft_matrix.h"
 #include "relief/ordering/depth_problem.h"
 
 namespace relievo {
 
 /// Steps of f on B against the slope of the energy, by the stiffness that f would have if nothing
 /// but equalities held the heights: like that of the energy itself it grows with the wave number
-/// along B, whether a part lies on another beside B or not.
+/// along B, whether a part lies on another beside B or not. The heights are eliminated once; what
+/// is left is a small dense matrix.
 class BoundStep {
  public:
-  BoundStep(const JointModel& model, const DepthProblem& problem);
+  BoundStep(const JointModel& model, const DepthProblem& problem)
+      : model_(model), problem_(problem) {}
+
+  /// #B, -1 where u is negative on the surface, else 1. Precondition: a move was made.
+  const Eigen::VectorXd& direction() const { return direction_; }
+
+  /// How the slope grows when |f| grows by 1 all along B, #B. Precondition: a move was made.
+  Eigen::VectorXd even_stiffness() const;
 
   /// Takes f (#B) to the next one; where u has one sign, it does not pass 0. `slope`: #B, of the
-  /// energy / 2 with respect to f; `springs`: #B, what else resists f, positive. Factorises when
-  /// the springs are no longer those of the last factor.
+  /// energy / 2 with respect to f; `springs`: #B, what else resists f, positive. The first call
+  /// factorises the matrix of the heights; the others take O(#B^2), or O(#B^3) where the springs
+  /// are no longer those of the last one.
   SolveStatus move(const Eigen::VectorXd& slope, const Eigen::VectorXd& springs,
                    const RunContext& context, Eigen::VectorXd& f);
 
  private:
-  void renew_springs(const Eigen::VectorXd& stiffness);
+  SolveStatus eliminate_heights(const Eigen::VectorXd& springs, const RunContext& context);
+  void renew_springs(const Eigen::VectorXd& springs);
 
   const JointModel& model_;
-  SoftMatrix matrix_;
-  BoundQp qp_;
-  Eigen::VectorXd springs_;  ///< in K, in units of lambda_shift; empty at first
+  const DepthProblem& problem_;
+  Eigen::VectorXd direction_;      ///< #B, f = direction * unknown
+  Eigen::VectorXd own_stiffness_;  ///< #B, the diagonal before the heights are eliminated
+  Eigen::VectorXd own_diagonal_;   ///< #B, that of K without springs
+  Eigen::VectorXd springs_;        ///< in K, in units of lambda_shift; empty at first
+  BoundQp qp_;                     ///< K is #B x #B, all entries of the lower triangle
   std::vector<uint8_t> active_;
   SparseCholesky factor_;
 };

@@ -32,9 +32,18 @@ Excess InflationResponse::excess(const VectorXd& load) const {
   return excess;
 }
 
+VectorXd InflationResponse::with_bound(VectorXd u, const VectorXd& u_bound) const {
+  for (Eigen::Index i = 0; i < u_bound.size(); ++i) u[model_.bound[i]] = u_bound[i];
+  return u;
+}
+
+VectorXd InflationResponse::extension(const VectorXd& u_bound) const {
+  const VectorXd known = with_bound(VectorXd::Zero(model_.held.size()), u_bound);
+  return solve_poisson(-(model_.L * known)) + known;
+}
+
 VectorXd InflationResponse::inflate(const Excess& excess, const VectorXd& u_bound) const {
-  VectorXd known = model_.held;
-  for (Eigen::Index i = 0; i < u_bound.size(); ++i) known[model_.bound[i]] = u_bound[i];
+  const VectorXd known = with_bound(model_.held, u_bound);
   const VectorXd load = model_.load + model_.mass.cwiseProduct(excess.s) - model_.L * known;
   return solve_poisson(load) + known;
 }

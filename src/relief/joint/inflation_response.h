@@ -31,10 +31,14 @@ class InflationResponse {
   /// The u (#N) that has this excess and, on B, u_bound (#B).
   Eigen::VectorXd inflate(const Excess& excess, const Eigen::VectorXd& u_bound) const;
 
+  /// How u answers to a change on B (#B) alone. #N
+  Eigen::VectorXd extension(const Eigen::VectorXd& u_bound) const;
+
   /// How u answers to a load alone. #N
   Eigen::VectorXd compliance(const Eigen::VectorXd& load) const;
 
  private:
+  Eigen::VectorXd with_bound(Eigen::VectorXd u, const Eigen::VectorXd& u_bound) const;
   Eigen::VectorXd solve_poisson(const Eigen::VectorXd& load) const;
 
   const JointModel& model_;

@@ -19,7 +19,7 @@ constexpr double growth_limit = 100;
 /// The same where u may have either sign.
 constexpr double mixed_growth_limit = 3;
 
-/// The residual at which crossings are looked for.
+/// The residual at which crossings are looked for, and below which a start is good enough.
 constexpr double rough = 1e-3;
 
 /// In the order in which they are tried where u may have either sign somewhere.
@@ -82,12 +82,14 @@ Status iterate(JointMap& map, double growth, const JointOptions& options, const 
         return Done{};
       }
     }
+    if (i == 0 && step.residual > rough)
+      if (Status status = check_solved(map.stiffen(state, context)); !status) return status;
     if (step.residual > growth * least) {
       mixer.restart();
       least = step.residual;
     }
     least = std::min(least, step.residual);
-    map.unpack(mixer.next(x, F_x), state);
+    map.unpack(mixer.next(F_x, map.measured(F_x - x)), state);
     state.h = std::move(next.h);
   }
   report.status = JointStatus::iteration_limit;

@@ -15,6 +15,10 @@ using Eigen::VectorXd;
 constexpr double smallest_u = 1e-3;
 /// A spring on B is kept at least so stiff, relative to lambda_bnd alone.
 constexpr double softest = 0.2;
+/// Of a residual that is smooth.
+constexpr Index smooth_samples = 1000;
+/// Of the largest f on B, to see how its slope changes.
+constexpr double relative_rise = 1e-4;
 
 /// One flag per variable: whether it is that of a pair.
 std::vector<uint8_t> pressed_variables(const DepthProblem& problem) {
@@ -56,6 +60,7 @@ JointMap::JointMap(const JointModel& model, const InflationResponse& response,
       contact_step_(model, problem, soft_, closed),
       bound_step_(model, problem),
       bounds_(model.bound_mass.size()),
+      stiffening_(VectorXd::Zero(bounds_)),
       compliance_(compliance_of_soft_nodes(softness.share)) {}
 
 VectorXd JointMap::pack(const JointState& state) const {
@@ -88,6 +93,17 @@ void JointMap::unpack(const VectorXd& x, JointState& state) const {
     state.load[soft_[i]] = x[contacts + bounds_ + i] / compliance_[i];
 }
 
+VectorXd JointMap::measured(const VectorXd& residual) const {
+  const auto contacts = static_cast<Index>(nodes_.size());
+  const Index stride = 1 + contacts / smooth_samples;
+  const Index samples = (contacts + stride - 1) / stride;
+  const Index rest = residual.size() - contacts;
+  VectorXd result(samples + rest);
+  for (Index i = 0; i < samples; ++i) result[i] = residual[i * stride];
+  result.tail(rest) = residual.tail(rest);
+  return result;
+}
+
 SolveStatus JointMap::apply(JointState& state, JointStep& step, const RunContext& context) {
   const VectorXd f = fixed_f(state);
   Contact contact = contact_step_.solve(f, springs(state), context);
@@ -95,7 +111,9 @@ SolveStatus JointMap::apply(JointState& state, JointStep& step, const RunContext
   VectorXd load = next_load(f, state, contact);
   const Excess excess = response_.excess(load);
   VectorXd f_bound = f_on_bound(state);
-  const SolveStatus moved = move_bound(contact, excess.slope, context, f_bound);
+  slope_ = slope_on_bound(f_bound, contact, excess);
+  const SolveStatus moved =
+      bound_step_.move(slope_, springs_on_bound(f_bound, excess), context, f_bound);
   if (moved != SolveStatus::solved) return moved;
   state.load = std::move(load);
   state.u = response_.inflate(excess, f_bound.cwiseProduct(f_bound.cwiseAbs()));
@@ -123,21 +141,48 @@ VectorXd JointMap::fixed_f(const JointState& state) const {
 }
 
 /// The slope of the energy / 2 with respect to f on B: its own, that of the inflation, and the
-/// force of the contact against it. Springs stand for the curvature of the first two; where that
-/// would be too soft or negative, for stiffer ones.
-SolveStatus JointMap::move_bound(const Contact& contact, const VectorXd& slope,
-                                 const RunContext& context, VectorXd& f) {
-  VectorXd total(bounds_);
-  VectorXd springs(bounds_);
+/// force of the contact against it.
+VectorXd JointMap::slope_on_bound(const VectorXd& f, const Contact& contact,
+                                  const Excess& excess) const {
+  VectorXd slope(bounds_);
+  for (Index i = 0; i < bounds_; ++i) {
+    const double own = model_.lambda_bnd * model_.bound_mass[i];
+    slope[i] = own * f[i] + 2 * std::abs(f[i]) * excess.slope[i] - contact.force[model_.bound[i]];
+  }
+  return slope;
+}
+
+/// They stand for the curvature of the first two; where that would be too soft or negative, for
+/// stiffer ones.
+VectorXd JointMap::springs_on_bound(const VectorXd& f, const Excess& excess) const {
+  VectorXd springs = stiffening_;
   for (Index i = 0; i < bounds_; ++i) {
     const int n = model_.bound[i];
+    const double slope = excess.slope[i];
     const double own = model_.lambda_bnd * model_.bound_mass[i];
-    total[i] = own * f[i] + 2 * std::abs(f[i]) * slope[i] - contact.force[n];
     const bool sunk = f[i] < 0 || (f[i] == 0 && model_.sign[n] < 0);
-    const double resistance = own + 2 * (sunk ? -slope[i] : slope[i]);
-    springs[i] = resistance >= softest * own ? resistance : own + 2 * std::abs(slope[i]);
+    const double resistance = own + 2 * (sunk ? -slope : slope);
+    springs[i] += resistance >= softest * own ? resistance : own + 2 * std::abs(slope);
   }
-  return bound_step_.move(total, springs, context, f);
+  return springs;
+}
+
+SolveStatus JointMap::stiffen(const JointState& state, const RunContext& context) {
+  if (bounds_ == 0) return SolveStatus::solved;
+  const VectorXd f_before = f_on_bound(state);
+  const double rise = relative_rise * f_before.lpNorm<Eigen::Infinity>();
+  const VectorXd f_after = f_before + rise * bound_step_.direction();
+  JointState risen = state;
+  risen.u += response_.extension(f_after.cwiseProduct(f_after.cwiseAbs()) -
+                                 f_before.cwiseProduct(f_before.cwiseAbs()));
+  const VectorXd f = fixed_f(risen);
+  const Contact contact = contact_step_.solve(f, springs(risen), context);
+  if (contact.status != SolveStatus::solved) return contact.status;
+  const Excess excess = response_.excess(next_load(f, risen, contact));
+  const VectorXd change = slope_on_bound(f_after, contact, excess) - slope_;
+  const VectorXd answer = bound_step_.direction().cwiseProduct(change) / rise;
+  stiffening_ += (answer - bound_step_.even_stiffness()).cwiseMax(0);
+  return SolveStatus::solved;
 }
 
 /// The contact knows no inflation where parts do not press.

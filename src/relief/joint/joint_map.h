@@ -47,8 +47,17 @@ class JointMap {
   /// tenth: only its root has a meaning.
   void unpack(const Eigen::VectorXd& x, JointState& state) const;
 
+  /// Enough of a residual F - x to mix by: all of it on B and at soft nodes, a thousand samples of
+  /// the others, where it is smooth.
+  Eigen::VectorXd measured(const Eigen::VectorXd& residual) const;
+
   /// One step: leaves F in `state` and says what it cost.
   SolveStatus apply(JointState& state, JointStep& step, const RunContext& context);
+
+  /// Measures at `state`, where the last step began, how the slope of the energy on B answers when
+  /// |f| rises all along B. Where the stiffness of the steps answers less, springs make up for it
+  /// from now on. Costs little more than a step.
+  SolveStatus stiffen(const JointState& state, const RunContext& context);
 
   /// As that of the contact.
   std::optional<DepthSystem> release() && { return std::move(contact_step_).release(); }
@@ -59,8 +68,9 @@ class JointMap {
   Springs springs(const JointState& state) const;
   Eigen::VectorXd next_load(const Eigen::VectorXd& f, const JointState& state,
                             const Contact& contact) const;
-  SolveStatus move_bound(const Contact& contact, const Eigen::VectorXd& slope,
-                         const RunContext& context, Eigen::VectorXd& f);
+  Eigen::VectorXd slope_on_bound(const Eigen::VectorXd& f, const Contact& contact,
+                                 const Excess& excess) const;
+  Eigen::VectorXd springs_on_bound(const Eigen::VectorXd& f, const Excess& excess) const;
   void add_inflation(JointState& state) const;
   Eigen::VectorXd compliance_of_soft_nodes(double share) const;
 
@@ -77,7 +87,9 @@ class JointMap {
   std::vector<int> soft_;   ///< those of nodes_ whose f is unknown in the contact
   ContactStep contact_step_;
   BoundStep bound_step_;
-  Eigen::Index bounds_;         ///< #B
+  Eigen::Index bounds_;    ///< #B
+  Eigen::VectorXd slope_;  ///< #B, of the energy / 2 with respect to f, where the last step began
+  Eigen::VectorXd stiffening_;  ///< #B, springs beyond those of the energy
   Eigen::VectorXd compliance_;  ///< of the soft nodes: change of u for a change of load
 };
 

@@ -10,10 +10,10 @@ namespace relievo {
 /// What an iteration knew of one node where parts press on each other, or on B.
 struct JointMark {
   int part = -1;
-  Point2 position;  ///< px
-  double rise = 0;  ///< u beyond that of the start, scene units
-  double load = 0;  ///< with which the pairs change u, scene units
-  double h = 0;     ///< px
+  Point2 position;          ///< px
+  bool on_outline = false;  ///< or on B
+  double rise = 0;          ///< u beyond that of the start, scene units
+  double load = 0;          ///< with which the pairs change u, scene units
 
   int group() const { return part; }
 };

@@ -1,6 +1,8 @@
 #include "relief/joint/recall.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "kernel/geometry/nearest_mark.h"
 
@@ -28,6 +30,32 @@ JointMark place_of(const LayeredMesh& mesh, int node) {
   return mark;
 }
 
+/// The rise between the two marks on outlines that are next to `place`, one on either side of it;
+/// nothing where the part has none.
+std::optional<double> rise_at(const std::vector<JointMark>& marks, const JointMark& place) {
+  const auto on_outline = [](const JointMark& mark) { return mark.on_outline; };
+  const JointMark* near = nearest_mark(marks, place, on_outline);
+  if (near == nullptr) return std::nullopt;
+  const Point2 offset = place.position - near->position;
+  const double distance = std::sqrt(dot(offset, offset));
+  if (distance == 0) return near->rise;
+  const JointMark* beyond = nearest_mark(marks, place, [&](const JointMark& mark) {
+    return mark.on_outline && dot(mark.position - place.position, offset) > 0;
+  });
+  if (beyond == nullptr) return near->rise;
+  const Point2 rest = beyond->position - place.position;
+  const double share = distance / (distance + std::sqrt(dot(rest, rest)));
+  return near->rise + share * (beyond->rise - near->rise);
+}
+
+void recall_bound(const LayeredMesh& mesh, const JointModel& model,
+                  const std::vector<JointMark>& marks, JointState& state) {
+  for (const int n : model.bound) {
+    const double u = state.u[n] + rise_at(marks, place_of(mesh, n)).value_or(0);
+    state.u[n] = model.sign[n] * u < 0 ? 0 : u;
+  }
+}
+
 }  // namespace
 
 void sort_marks(std::vector<JointMark>& marks) {
@@ -42,6 +70,7 @@ std::vector<JointMark> remember(const LayeredMesh& mesh, const JointModel& model
   std::vector<JointMark> marks;
   for (const int n : pressed_nodes(model, pairs)) {
     JointMark mark = place_of(mesh, n);
+    mark.on_outline = model.place[n] < 0;
     mark.rise = state.u[n] - u_start[n];
     mark.load = state.load[n];
     marks.push_back(mark);
@@ -53,6 +82,7 @@ std::vector<JointMark> remember(const LayeredMesh& mesh, const JointModel& model
 void recall(const LayeredMesh& mesh, const JointModel& model, const std::vector<DepthPair>& pairs,
             const std::vector<JointMark>& marks, JointState& state) {
   if (marks.empty()) return;
+  recall_bound(mesh, model, marks, state);
   const std::vector<int> nodes = pressed_nodes(model, pairs);
   std::vector<const JointMark*> nearest;
   VectorXd shared = VectorXd::Zero(static_cast<Eigen::Index>(marks.size()));
@@ -63,8 +93,6 @@ void recall(const LayeredMesh& mesh, const JointModel& model, const std::vector<
   for (size_t i = 0; i < nodes.size(); ++i) {
     if (nearest[i] == nullptr) continue;
     const int n = nodes[i];
-    const double u = state.u[n] + nearest[i]->rise;
-    state.u[n] = model.sign[n] * u < 0 ? 0 : u;
     state.load[n] = nearest[i]->load * model.mass[n] / shared[nearest[i] - marks.data()];
   }
 }

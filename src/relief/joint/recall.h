@@ -15,9 +15,10 @@ std::vector<JointMark> remember(const LayeredMesh& mesh, const JointModel& model
                                 const std::vector<DepthPair>& pairs, const Eigen::VectorXd& u_start,
                                 const JointState& state);
 
-/// Puts what is known of the nearest node of the same part into `state`, whose u is that of the
-/// start, at the nodes of the pairs and B, which share its load; leaves parts that are not known as
-/// they are. O(pairs log marks) where marks are not stacked above each other on the canvas.
+/// Puts what is known of near nodes of the same part into `state`, whose u is that of the start: u
+/// on B, and the loads of the nodes of the pairs and B, which share that of the nearest mark.
+/// Leaves parts that are not known as they are. O(pairs log marks) where marks are not stacked
+/// above each other on the canvas.
 void recall(const LayeredMesh& mesh, const JointModel& model, const std::vector<DepthPair>& pairs,
             const std::vector<JointMark>& marks, JointState& state);
 

@@ -215,6 +215,28 @@ TEST(SparseCholesky, StartsAfreshAfterAFailure) {
   EXPECT_EQ(factor.solve(b), x);
 }
 
+TEST(SparseCholesky, LeavesTheSchurComplementOnTheLastRows) {
+  const SparseMatrix A = shifted_laplacian(0.5);
+  const auto n = static_cast<int>(A.rows());
+  std::vector<int> rows;
+  for (int i = n - 1; i >= 0; i -= 7) rows.push_back(i);
+  std::vector<int> order;
+  for (int i = 0; i < n; ++i)
+    if (std::count(rows.begin(), rows.end(), i) == 0) order.push_back(i);
+  order.insert(order.end(), rows.begin(), rows.end());
+  SparseCholesky factor;
+  factor.analyse(lower_of(A), Refactorisation::complete, order);
+  ASSERT_TRUE(factor.factorise(lower_of(A)));
+  const Eigen::MatrixXd S = factor.schur_complement(rows);
+  const Eigen::MatrixXd inverse = Eigen::MatrixXd(A).inverse();
+  Eigen::MatrixXd block(rows.size(), rows.size());
+  for (size_t i = 0; i < rows.size(); ++i)
+    for (size_t j = 0; j < rows.size(); ++j)
+      block(static_cast<int>(i), static_cast<int>(j)) = inverse(rows[i], rows[j]);
+  EXPECT_LE((S * block - Eigen::MatrixXd::Identity(S.rows(), S.cols())).norm(), 1e-10);
+  EXPECT_EQ(S, S.transpose());
+}
+
 TEST(SparseCholesky, StopsWhenCancelled) {
   const SparseMatrix A = testing::grid_laplacian(30, 20, 0.01);
   SparseCholesky factor;
