@@ -5,7 +5,6 @@
 #endif
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <memory>
 #include <new>
 
@@ -14,15 +13,13 @@
 
 namespace relievo {
 
-/// Asks for huge pages where they fit: there are few to clear then, which takes a tenth of the
-/// time.
+/// Asks for huge pages where they fit, of which there are few to provide.
 inline void prefer_huge_pages([[maybe_unused]] double* begin, [[maybe_unused]] size_t bytes) {
 #ifdef __linux__
-  constexpr uintptr_t huge_page = uintptr_t{1} << 21;
-  const auto address = reinterpret_cast<uintptr_t>(begin);
-  const uintptr_t first = (address + huge_page - 1) / huge_page * huge_page;
-  if (first + huge_page > address + bytes) return;
-  madvise(reinterpret_cast<void*>(first), address + bytes - first, MADV_HUGEPAGE);
+  constexpr size_t huge_page = size_t{1} << 21;
+  void* first = begin;
+  if (std::align(huge_page, huge_page, first, bytes) != nullptr)
+    madvise(first, bytes, MADV_HUGEPAGE);
 #endif
 }
 
