@@ -33,9 +33,9 @@ def wall_ms(results, name):
     return "" if run is None else f"{run['real_time']:.3g}"
 
 
-def ratio(results, name, baseline):
+def ratio(results, name, baseline, time="cpu_time"):
     run, other = results.get(name), results.get(baseline)
-    return "" if run is None or other is None else f"{run['cpu_time'] / other['cpu_time']:.3g}"
+    return "" if run is None or other is None else f"{run[time] / other[time]:.3g}"
 
 
 def count(results, name, counter):
@@ -79,10 +79,14 @@ def references(results):
 
 def walls(results):
     columns = ["mesh", "discretise", "inflate", "order", "solve", "build", "model"]
-    rows = [[drawing, vertices] + [wall_ms(results, f"{stage}/{drawing}/{vertices}")
-                                   for stage in columns]
-            for drawing, vertices in sizes(results, "solve")]
-    return table(["drawing", "vertices"] + columns, rows)
+    rows = []
+    for drawing, vertices in sizes(results, "solve"):
+        name = f"{drawing}/{vertices}"
+        rows.append([drawing, vertices] + [wall_ms(results, f"{stage}/{name}") for stage in columns] +
+                    [ratio(results, f"solve/{name}", f"cholmod/{name}", "real_time"),
+                     ratio(results, f"multipliers/{name}", f"solve/{name}", "real_time")])
+    return table(["drawing", "vertices"] + columns + ["solve / CHOLMOD", "multipliers / solve"],
+                 rows)
 
 
 def edits(results, threaded):
