@@ -62,8 +62,14 @@ export async function openStage(): Promise<Stage> {
   const page = context.pages()[0] ?? (await context.newPage());
   const stage = { server, context, page, url, profile, troubles: [] };
   watch(stage);
-  await page.goto(url);
+  await openPage(stage);
   return stage;
+}
+
+/** Opens the page and waits for its first screen: before that nothing listens to drops or keys. */
+async function openPage(stage: Stage): Promise<void> {
+  await stage.page.goto(stage.url);
+  await stage.page.locator('button:visible').first().waitFor();
 }
 
 /** Ends the browser without a word and opens it again with the same storage. */
@@ -72,7 +78,7 @@ export async function reopen(stage: Stage): Promise<void> {
   stage.context = await openContext(stage.profile);
   watch(stage);
   stage.page = stage.context.pages()[0] ?? (await stage.context.newPage());
-  await stage.page.goto(stage.url);
+  await openPage(stage);
 }
 
 export async function closeStage(stage: Stage): Promise<void> {
@@ -88,7 +94,7 @@ export function stageOfFile({ anew }: { anew: boolean }): Stage {
     Object.assign(stage, await openStage());
   });
   beforeEach(async () => {
-    if (anew) await stage.page.goto(stage.url);
+    if (anew) await openPage(stage);
   });
   afterAll(() => closeStage(stage));
   return stage;
