@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/image/pixel_ring.h"
+
 namespace relievo {
 namespace {
 
@@ -123,21 +125,14 @@ Image8 filter_squares(const Image8& image, int radius) {
   return SquareFilter<Pick>(image, radius).run();
 }
 
-/// Whether a pixel with these neighbours, bits clockwise from the one above, can go in the given
-/// half of a round.
-bool is_removable(uint32_t neighbours, int half) {
-  const auto has = [&](int k) { return ((neighbours >> (k % 8)) & 1U) != 0; };
-  int count = 0;
-  int entries = 0;
-  for (int k = 0; k < 8; ++k) {
-    count += has(k) ? 1 : 0;
-    entries += !has(k) && has(k + 1) ? 1 : 0;
-  }
-  if (count < 2 || count > 6 || entries != 1) return false;
-  const bool up = has(0);
-  const bool right = has(2);
-  const bool down = has(4);
-  const bool left = has(6);
+/// Whether a pixel with this ring of neighbours can go in the given half of a round.
+bool is_removable(uint32_t ring, int half) {
+  const RingCount count = count_ring(ring);
+  if (count.pixels < 2 || count.pixels > 6 || count.runs != 1) return false;
+  const bool up = has_pixel(ring, 0);
+  const bool right = has_pixel(ring, 2);
+  const bool down = has_pixel(ring, 4);
+  const bool left = has_pixel(ring, 6);
   return half == 0 ? !(up && right && down) && !(right && down && left)
                    : !(up && right && left) && !(up && down && left);
 }
@@ -148,8 +143,7 @@ class FramedMask {
   explicit FramedMask(const Image8& mask)
       : width_(mask.width),
         stride_(mask.width + 2),
-        pixels_(static_cast<size_t>(stride_) * (mask.height + 2), 0),
-        around_({-stride_, 1 - stride_, 1, 1 + stride_, stride_, stride_ - 1, -1, -1 - stride_}) {
+        pixels_(static_cast<size_t>(stride_) * (mask.height + 2), 0) {
     for (int y = 0; y < mask.height; ++y)
       for (int x = 0; x < mask.width; ++x)
         if (mask.at(x, y) != 0) {
@@ -162,7 +156,7 @@ class FramedMask {
   bool remove(const std::array<bool, 256>& table) {
     std::vector<int> gone;
     for (const int i : members_)
-      if (table[neighbours(i)]) gone.push_back(i);
+      if (table[ring_around(&pixels_[i], stride_)]) gone.push_back(i);
     for (const int i : gone) pixels_[i] = 0;
     members_.erase(
         std::remove_if(members_.begin(), members_.end(), [&](int i) { return pixels_[i] == 0; }),
@@ -178,17 +172,9 @@ class FramedMask {
   }
 
  private:
-  uint32_t neighbours(int i) const {
-    uint32_t bits = 0;
-    for (size_t k = 0; k < around_.size(); ++k)
-      bits |= static_cast<uint32_t>(pixels_[i + around_[k]]) << k;
-    return bits;
-  }
-
   int width_;
   int stride_;
   std::vector<uint8_t> pixels_;
-  std::array<int, 8> around_;
   std::vector<int> members_;
 };
 

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernel/solvers/symmetric_graph.h"
+
 namespace relievo {
 namespace {
 
@@ -61,12 +63,11 @@ MatrixXd schur_complement(const FactorMemory& factor, std::span<const int> rows)
   const std::vector<int> places = places_of(factor, rows);
   const auto size = static_cast<Index>(rows.size());
   const MatrixXd S = product_of(factor, places, size);
-  std::vector<int> column_of(places.size(), -1);
-  for (size_t c = 0; c < places.size(); ++c) column_of[factor.layout.fronts.order[c]] = places[c];
+  const std::vector<int> position = positions_in(factor.layout.fronts.order);
   MatrixXd result(size, size);
   for (Index j = 0; j < size; ++j)
     for (Index i = 0; i < size; ++i) {
-      const auto [low, high] = std::minmax(column_of[rows[i]], column_of[rows[j]]);
+      const auto [low, high] = std::minmax(places[position[rows[i]]], places[position[rows[j]]]);
       result(i, j) = S(high, low);
     }
   return result;

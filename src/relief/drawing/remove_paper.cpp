@@ -45,9 +45,7 @@ Image8 lay_on_white(const Image8& rgba, bool invert) {
   const uint8_t* in = rgba.pixels.data();
   for (uint8_t* out = rgb.pixels.data(); out != rgb.pixels.data() + rgb.pixels.size(); in += 4) {
     const int alpha = in[3];
-    for (int c = 0; c < 3; ++c) {
-      *out++ = on_paper(in[c] ^ flip, alpha);
-    }
+    for (int c = 0; c < 3; ++c) *out++ = on_paper(in[c] ^ flip, alpha);
   }
   return rgb;
 }

@@ -1,11 +1,12 @@
 #include "relief/drawing/stroke_ends.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <utility>
+
+#include "kernel/image/pixel_ring.h"
 
 namespace relievo {
 namespace {
@@ -139,17 +140,8 @@ class StrokeWalk {
 
 /// Whether a stroke ends at a pixel inside the picture: all of its neighbours lie together.
 bool is_end(const Image8& thinned, int i) {
-  const int w = thinned.width;
-  const std::array<int, 8> around = {-w, 1 - w, 1, 1 + w, w, w - 1, -1, -1 - w};
-  int count = 0;
-  int entries = 0;
-  for (size_t k = 0; k < around.size(); ++k) {
-    const bool here = thinned.pixels[i + around[k]] != 0;
-    const bool after = thinned.pixels[i + around[(k + 1) % around.size()]] != 0;
-    count += here ? 1 : 0;
-    entries += !here && after ? 1 : 0;
-  }
-  return entries == 1 && count <= 2;
+  const RingCount count = count_ring(ring_around(&thinned.pixels[i], thinned.width));
+  return count.runs == 1 && count.pixels <= 2;
 }
 
 }  // namespace
