@@ -32,9 +32,11 @@ class ActiveSetSolver {
     assert(problem.bounded.size() == n);
     assert(factor.graph().size() == problem.b.size());
     assert(options.start_active.empty() || options.start_active.size() == n);
-    solution_.active.assign(n, 0);
+    assert(problem.fixed.empty() || problem.fixed.size() == n);
+    solution_.active = problem.fixed;
+    solution_.active.resize(n, 0);
     for (size_t i = 0; i < options.start_active.size(); ++i)
-      solution_.active[i] = options.start_active[i] != 0 && problem.bounded[i] != 0;
+      if (problem.bounded[i] != 0) solution_.active[i] = options.start_active[i];
     solution_.z = VectorXd::Zero(problem.b.size());
     solution_.mu = VectorXd::Zero(problem.b.size());
   }
@@ -119,7 +121,7 @@ class ActiveSetSolver {
 
   void activate_zeros(const VectorXd& z) {
     for (Eigen::Index i = 0; i < z.size(); ++i)
-      solution_.active[i] = problem_.bounded[i] != 0 && z[i] == 0;
+      if (problem_.bounded[i] != 0) solution_.active[i] = z[i] == 0;
   }
 
   /// The lowest point along the negative gradient of the bounds that pull.
@@ -156,8 +158,8 @@ class ActiveSetSolver {
   }
 
   void guess_around(const std::vector<int>& wrong) {
-    const ActiveGuess guess = relax_around(
-        wrong, {problem_.K, factor_.graph(), problem_.bounded, solution_.z, solution_.mu});
+    const ActiveGuess guess = relax_around(wrong, {problem_.K, factor_.graph(), problem_.bounded,
+                                                   problem_.fixed, solution_.z, solution_.mu});
     for (size_t i = 0; i < guess.unknowns.size(); ++i)
       solution_.active[guess.unknowns[i]] = guess.active[i];
   }
@@ -277,10 +279,10 @@ class ActiveSetSolver {
       const bool active = solution_.active[i] != 0;
       const double z = solution_.z[i];
       solution_.mu[i] = active ? residual[i] : 0;
-      report.active += active;
       report.stationarity =
           std::max(report.stationarity, std::abs(residual[i] - solution_.mu[i]) / scale_);
       if (problem_.bounded[i] == 0) continue;
+      report.active += active;
       report.primal = std::max(report.primal, -z / scale_);
       report.dual = std::max(report.dual, -solution_.mu[i] / scale_);
       report.complementarity =

@@ -17,9 +17,8 @@ struct Edge {
   auto key() const { return std::tie(group, lower, upper); }
 };
 
-std::vector<Edge> inequalities(const std::vector<DepthPair>& pairs, DisjointSets& equal) {
-  DisjointSets linked = equal;
-  for (const DepthPair& pair : pairs) linked.unite(pair.lower, pair.upper);
+std::vector<Edge> inequalities(const std::vector<DepthPair>& pairs, DisjointSets& linked,
+                               DisjointSets& equal) {
   std::vector<Edge> edges;
   for (const DepthPair& pair : pairs) {
     const int lower = equal.find(pair.lower);
@@ -87,8 +86,8 @@ void append_gaps(const Group& tree, std::vector<DepthGap>& gaps) {
   if (tree.graph.size == 0) return;
   std::vector<std::vector<DepthGap>> from(tree.graph.size);
   for (const auto& [lower, upper] : tree.graph.edges) {
-    from[lower].push_back({lower, upper, 1});
-    from[upper].push_back({upper, lower, -1});
+    from[lower].push_back({lower, upper, 1, false});
+    from[upper].push_back({upper, lower, -1, false});
   }
   std::vector<uint8_t> reached(tree.graph.size, 0);
   std::vector<int> queue = {tree_centre(tree.graph)};
@@ -98,7 +97,7 @@ void append_gaps(const Group& tree, std::vector<DepthGap>& gaps) {
       if (reached[gap.child] != 0) continue;
       reached[gap.child] = 1;
       queue.push_back(gap.child);
-      gaps.push_back({tree.items[gap.parent], tree.items[gap.child], gap.sign});
+      gaps.push_back({tree.items[gap.parent], tree.items[gap.child], gap.sign, false});
     }
 }
 
@@ -109,7 +108,9 @@ DepthForest build_depth_forest(const std::vector<int>& node_part,
   DisjointSets equal(static_cast<int>(node_part.size()));
   for (const DepthPair& pair : pairs)
     if (pair.equal) equal.unite(pair.lower, pair.upper);
-  const std::vector<Edge> edges = inequalities(pairs, equal);
+  DisjointSets linked(static_cast<int>(node_part.size()));
+  for (const DepthPair& pair : pairs) linked.unite(pair.lower, pair.upper);
+  const std::vector<Edge> edges = inequalities(pairs, linked, equal);
 
   DepthForest forest;
   for (size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
@@ -124,8 +125,10 @@ DepthForest build_depth_forest(const std::vector<int>& node_part,
     if (group.graph.size > 0 && !group.graph.is_tree()) group.graph = chain(group, node_part);
     append_gaps(group, forest.gaps);
   }
-  for (size_t n = 0; n < node_part.size(); ++n)
-    forest.representative.push_back(equal.find(static_cast<int>(n)));
+  for (int n = 0; n < equal.size(); ++n) {
+    forest.group.push_back(linked.find(n));
+    if (equal.find(n) != n) forest.gaps.push_back({equal.find(n), n, 1, true});
+  }
   return forest;
 }
 
