@@ -14,6 +14,8 @@ constexpr int block_tries = 3;
 constexpr int max_refinements = 4;
 /// Residuals within this share of the tolerance need no attention.
 constexpr double negligible = 0.1;
+/// So few wrong bounds are likely to be the last ones: the next solve is one to end with.
+constexpr size_t few = 8;
 
 double max_norm(const VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
 
@@ -61,6 +63,7 @@ class ActiveSetSolver {
       if (!solve_free()) return SolveStatus::not_positive_definite;
       const std::vector<int> wrong = refined_wrong_bounds();
       if (wrong.empty()) return SolveStatus::solved;
+      few_wrong_ = wrong.size() <= few;
       if (wrong.size() < fewest) {
         fewest = wrong.size();
         tries = block_tries;
@@ -170,7 +173,7 @@ class ActiveSetSolver {
     ++solution_.report.iterations;
     ++solution_.report.factorisations;
     if (!factorise()) return false;
-    if (solution_.report.iterations == 1)
+    if (solution_.report.iterations == 1 || few_wrong_)
       solve_directly();
     else
       solve_change();
@@ -298,7 +301,8 @@ class ActiveSetSolver {
   double tolerance_;
   int max_iterations_;
   bool same_matrix_;
-  bool rough_ = false;  ///< z is what a sequence of changes has left
+  bool few_wrong_ = false;  ///< after the last step
+  bool rough_ = false;      ///< z is what a sequence of changes has left
   BoundQpSolution solution_;
 };
 
