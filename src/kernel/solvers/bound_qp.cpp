@@ -184,7 +184,7 @@ class ActiveSetSolver {
   void solve_directly() {
     VectorXd free_b = problem_.b;
     clear_active(free_b);
-    solution_.z = factor_.solve(free_b);
+    solution_.z = factor_.solve(free_b, sweep_);
     clear_active(solution_.z);
     solution_.mu = gradient();
     rough_ = false;
@@ -303,6 +303,7 @@ class ActiveSetSolver {
   bool same_matrix_;
   bool few_wrong_ = false;  ///< after the last step
   bool rough_ = false;      ///< z is what a sequence of changes has left
+  ForwardSweep sweep_;      ///< of the last direct solve
   BoundQpSolution solution_;
 };
 

@@ -43,6 +43,8 @@ struct SparseCholesky::Implementation {
   std::vector<double> values;       ///< of the last factorisation, fixed rows replaced
   std::vector<uint8_t> last_fixed;  ///< #n, of the last factorisation
   std::vector<uint8_t> outdated;    ///< #S
+  uint64_t factorisations = 0;
+  std::vector<uint64_t> version;  ///< of each task: the last factorisation that changed it
 
   /// Sums the matrix's entries and the children's updates.
   void assemble(int s, const Front& target, const double* entries) const {
@@ -71,13 +73,18 @@ struct SparseCholesky::Implementation {
     for (int s = 0; s < fronts.size(); ++s)
       if (outdated[s] != 0 && fronts.parent[s] >= 0) outdated[fronts.parent[s]] = 1;
     const FrontTasks& tasks = memory.layout.tasks;
+    ++factorisations;
+    version.resize(tasks.tasks.size(), factorisations);
     std::atomic<bool> sound{true};
     const auto update = [&](int s) {
       if (context.cancelled() || !update_front(s, entries, context)) sound = false;
       return sound.load(std::memory_order_relaxed);
     };
     run_tasks(static_cast<int>(tasks.tasks.size()), [&](int t) {
-      for (int s = tasks.tasks[t].first; s < tasks.tasks[t].last; ++s)
+      const auto [first, last] = tasks.tasks[t];
+      if (std::find(&outdated[first], &outdated[last], 1) != &outdated[last])
+        version[t] = factorisations;
+      for (int s = first; s < last; ++s)
         if (!update(s)) return;
     });
     for (size_t i = 0; i < tasks.top.size() && sound; ++i) update(tasks.top[i]);
@@ -120,6 +127,20 @@ struct SparseCholesky::Implementation {
     outdated[std::min(memory.layout.front_of[i], memory.layout.front_of[j])] = 1;
   }
 
+  VectorXd by_elimination(const VectorXd& b) const {
+    const std::vector<int>& order = memory.layout.fronts.order;
+    VectorXd y(b.size());
+    for (Index i = 0; i < y.size(); ++i) y[i] = b[order[i]];
+    return y;
+  }
+
+  VectorXd by_row(const VectorXd& y) const {
+    const std::vector<int>& order = memory.layout.fronts.order;
+    VectorXd x(y.size());
+    for (Index i = 0; i < y.size(); ++i) x[order[i]] = y[i];
+    return x;
+  }
+
   bool factorise_changed(const RunContext& context) {
     const bool sound = factorise_outdated(values.data(), context);
     if (!sound || !incremental) values.clear();
@@ -141,6 +162,7 @@ bool SparseCholesky::analyse(const SparseMatrix& A, Refactorisation refactorisat
   self.values.clear();
   self.memory.layout = {};
   self.graph = {};
+  self.version.clear();
   SymmetricGraph graph = make_symmetric_graph(A);
   const std::vector<int> chosen =
       order.empty() ? fill_reducing_order(A) : std::vector<int>(order.begin(), order.end());
@@ -196,15 +218,17 @@ bool SparseCholesky::refactorise_fixed(const SparseMatrix& A, std::span<const ui
 const SymmetricGraph& SparseCholesky::graph() const { return implementation_->graph; }
 
 VectorXd SparseCholesky::solve(const VectorXd& b) const {
-  const FactorMemory& memory = implementation_->memory;
-  const std::vector<int>& order = memory.layout.fronts.order;
-  VectorXd y(b.size());
-  for (Index i = 0; i < y.size(); ++i) y[i] = b[order[i]];
-  solve_forward(memory, y);
-  solve_backward(memory, y);
-  VectorXd solution(b.size());
-  for (Index i = 0; i < y.size(); ++i) solution[order[i]] = y[i];
-  return solution;
+  VectorXd y = implementation_->by_elimination(b);
+  solve_forward(implementation_->memory, y);
+  solve_backward(implementation_->memory, y);
+  return implementation_->by_row(y);
+}
+
+VectorXd SparseCholesky::solve(const VectorXd& b, ForwardSweep& last) const {
+  VectorXd y = implementation_->by_elimination(b);
+  solve_forward(implementation_->memory, implementation_->version, last, y);
+  solve_backward(implementation_->memory, y);
+  return implementation_->by_row(y);
 }
 
 Eigen::MatrixXd SparseCholesky::schur_complement(std::span<const int> rows) const {

@@ -7,6 +7,7 @@
 
 #include "kernel/base/run_context.h"
 #include "kernel/base/sparse_matrix.h"
+#include "kernel/solvers/forward_sweep.h"
 #include "kernel/solvers/symmetric_graph.h"
 
 namespace relievo {
@@ -60,6 +61,10 @@ class SparseCholesky {
   /// Solves A x = b with the last factorised A, b having #rows entries.
   /// Precondition: the last factorisation returned true.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+
+  /// The same with the same bits, where `last` is empty or was left by such a solve with this
+  /// factor since it was analysed: where neither b nor A have changed, half of it is not repeated.
+  Eigen::VectorXd solve(const Eigen::VectorXd& b, ForwardSweep& last) const;
 
   /// What is left of the last factorised A on `rows` once all others are eliminated: #rows x #rows,
   /// symmetric. Preconditions: the last factorisation returned true, and `rows` were the last in

@@ -65,26 +65,69 @@ void solve_front_backward(const FactorMemory& factor, int s, VectorXd& y, Vector
   for (int i = 0; i < source.columns; ++i) y[row[i]] = x[i];
 }
 
-}  // namespace
+/// The columns of a task.
+struct ColumnRange {
+  int begin = 0;
+  int end = 0;
+  auto of(VectorXd& y) const { return y.segment(begin, end - begin); }
+  auto of(const VectorXd& y) const { return y.segment(begin, end - begin); }
+};
 
-void solve_forward(const FactorMemory& factor, VectorXd& y) {
+ColumnRange columns_of(const FactorMemory& factor, int t) {
+  const auto [first, last] = factor.layout.tasks.tasks[t];
+  const std::vector<int>& begin = factor.layout.fronts.column_begin;
+  return {begin[first], begin[last]};
+}
+
+void solve_task(const FactorMemory& factor, int t, VectorXd& y, Eigen::MatrixXd& above) {
+  ForwardSolve solve(factor, y);
+  const auto [first, last] = factor.layout.tasks.tasks[t];
+  const int end = columns_of(factor, t).end;
+  for (int s = first; s < last; ++s) solve.solve_below(s, end, above.col(t).data());
+}
+
+/// The fronts above the tasks, after them.
+void solve_top(const FactorMemory& factor, const Eigen::MatrixXd& above, VectorXd& y) {
   const FrontTasks& tasks = factor.layout.tasks;
-  const int count = static_cast<int>(tasks.tasks.size());
-  Eigen::MatrixXd above = Eigen::MatrixXd::Zero(tasks.top_columns, count);
-  run_tasks(count, [&](int t) {
-    ForwardSolve solve(factor, y);
-    const auto [first, last] = tasks.tasks[t];
-    const int end = factor.layout.fronts.column_begin[last];
-    for (int s = first; s < last; ++s) solve.solve_below(s, end, above.col(t).data());
-  });
   VectorXd sum = VectorXd::Zero(tasks.top_columns);
-  for (int t = 0; t < count; ++t) sum += above.col(t);
+  for (Eigen::Index t = 0; t < above.cols(); ++t) sum += above.col(t);
   ForwardSolve solve(factor, y);
   for (const int s : tasks.top)
     for (int c = factor.layout.fronts.column_begin[s]; c < factor.layout.fronts.column_begin[s + 1];
          ++c)
       y[c] += sum[tasks.top_place[c]];
   for (const int s : tasks.top) solve.solve_top(s);
+}
+
+}  // namespace
+
+void solve_forward(const FactorMemory& factor, VectorXd& y) {
+  const FrontTasks& tasks = factor.layout.tasks;
+  const int count = static_cast<int>(tasks.tasks.size());
+  Eigen::MatrixXd above = Eigen::MatrixXd::Zero(tasks.top_columns, count);
+  run_tasks(count, [&](int t) { solve_task(factor, t, y, above); });
+  solve_top(factor, above, y);
+}
+
+void solve_forward(const FactorMemory& factor, const std::vector<uint64_t>& version,
+                   ForwardSweep& last, VectorXd& y) {
+  const FrontTasks& tasks = factor.layout.tasks;
+  const int count = static_cast<int>(tasks.tasks.size());
+  const bool known = last.version.size() == version.size() && last.b.size() == y.size();
+  if (!known) last = {std::vector<uint64_t>(version.size(), 0), y, y, {}};
+  if (!known) last.above.resize(tasks.top_columns, count);
+  run_tasks(count, [&](int t) {
+    const ColumnRange columns = columns_of(factor, t);
+    if (last.version[t] != version[t] || columns.of(last.b) != columns.of(y)) {
+      columns.of(last.b) = columns.of(y);
+      last.above.col(t).setZero();
+      solve_task(factor, t, y, last.above);
+      columns.of(last.y) = columns.of(y);
+      last.version[t] = version[t];
+    }
+    columns.of(y) = columns.of(last.y);
+  });
+  solve_top(factor, last.above, y);
 }
 
 void solve_backward(const FactorMemory& factor, VectorXd& y) {

@@ -213,17 +213,19 @@ TEST(BoundQp, AgreesWithIpopt) {
 }
 
 TEST(BoundQp, EndsWhereBlockPivotingCycles) {
-  // Some of these ill-conditioned problems make the flips of all wrong bounds repeat themselves.
+  // Many of these ill-conditioned problems make the flips of all wrong bounds repeat themselves,
+  // and no local relaxation helps.
   int safeguarded = 0;
-  for (int seed = 0; seed < 1500; ++seed) {
-    const int n = 3 + seed % 5;
+  for (int seed = 0; seed < 100; ++seed) {
+    const int n = 15 + seed % 45;
     uint32_t state = 77u + static_cast<uint32_t>(seed);
     const auto next = [&state] {
       state = state * 1664525u + 1013904223u;
       return static_cast<int>(state >> 16) % 9 - 4;
     };
-    MatrixXd F(n, n);
-    for (int i = 0; i < n * n; ++i) F(i / n, i % n) = next();
+    const int rank = n / 2;
+    MatrixXd F(n, rank);
+    for (int i = 0; i < n * rank; ++i) F(i / rank, i % rank) = next();
     BoundQp problem;
     const MatrixXd K = F * F.transpose() + 1e-3 * MatrixXd::Identity(n, n);
     problem.K = MatrixXd(K.triangularView<Eigen::Lower>()).sparseView(0, -1);
@@ -232,12 +234,14 @@ TEST(BoundQp, EndsWhereBlockPivotingCycles) {
     problem.bounded.assign(static_cast<size_t>(n), 1);
     const BoundQpSolution solution = solve(problem);
     ASSERT_EQ(solution.report.status, SolveStatus::solved);
-    const VectorXd expected = enumerate_active_sets(problem);
-    ASSERT_LE((solution.z - expected).lpNorm<Eigen::Infinity>(),
-              1e-7 * std::max(1.0, expected.lpNorm<Eigen::Infinity>()));
+    const VectorXd gradient = K * solution.z - problem.b;
+    ASSERT_GE(solution.z.minCoeff(), 0);
+    ASSERT_GE(gradient.minCoeff(), -1e-9);
+    ASSERT_LE(gradient.cwiseProduct(solution.z).lpNorm<Eigen::Infinity>(),
+              1e-9 * std::max(1.0, solution.z.maxCoeff()));
     safeguarded += solution.report.safeguard_steps > 0;
   }
-  EXPECT_GT(safeguarded, 0);
+  EXPECT_GT(safeguarded, 10);
 }
 
 BoundQp small_problem() {

@@ -166,6 +166,28 @@ TEST(SparseCholesky, RefactorisesWithTheSameBits) {
     }
 }
 
+/// What other right-hand sides and other values leave as it was need not be solved again.
+TEST(SparseCholesky, RepeatsSweepsWithTheSameBits) {
+  for (const auto& [name, lower] : testing::telling_matrices()) {
+    const auto n = static_cast<size_t>(lower.rows());
+    VectorXd b = VectorXd::LinSpaced(lower.rows(), -1, 3);
+    SparseCholesky factor;
+    factor.analyse(lower, Refactorisation::incremental);
+    std::vector<uint8_t> fixed(n, 0);
+    ASSERT_TRUE(factor.factorise(lower, fixed)) << name;
+    ForwardSweep sweep;
+    for (const size_t row : {n / 2, size_t{0}, n - 1, n / 3}) {
+      EXPECT_EQ(factor.solve(b, sweep), factor.solve(b)) << name;
+      EXPECT_EQ(factor.solve(b, sweep), factor.solve(b)) << name;
+      fixed[row] ^= 1;
+      ASSERT_TRUE(factor.refactorise_fixed(lower, fixed)) << name;
+      EXPECT_EQ(factor.solve(b, sweep), factor.solve(b)) << name;
+      b[static_cast<Eigen::Index>(n - 1 - row)] += 1;
+      EXPECT_EQ(factor.solve(b, sweep), factor.solve(b)) << name;
+    }
+  }
+}
+
 /// Whole subtrees have nothing to do with it, and are passed over.
 TEST(SparseCholesky, SolvesForALocalRightHandSideAsForAnyOther) {
   for (const auto& [name, lower] : testing::telling_matrices()) {
