@@ -213,6 +213,7 @@ Part scene_part(const Corrections& corrections, PartLabel label, Outline outline
   result.c = said.c.value_or(std::round(inflation * 100) / 100);
   result.d = said.d.value_or(1);
   result.flat = said.flat.value_or(0);
+  result.lean = said.lean.value_or(Point2{});
   return result;
 }
 
