@@ -1,6 +1,10 @@
 #include "support/shift_cost.h"
 
+#include <Eigen/Dense>
 #include <array>
+#include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "kernel/operators/gradient.h"
@@ -11,23 +15,48 @@ namespace {
 
 using Eigen::VectorXd;
 
+/// Where two parts are next to each other in the stack, or one part's faces.
+struct Overlap {
+  double area = 0;
+  Point2 moment;
+
+  void add(const std::array<Point2, 3>& p) {
+    const double piece = cross(p[1] - p[0], p[2] - p[0]) / 2;
+    area += piece;
+    moment = moment + piece / 3 * (p[0] + p[1] + p[2]);
+  }
+};
+
 /// The cost of the values at the corners of one face.
 class FaceCosts {
  public:
   explicit FaceCosts(const ShiftCost& cost)
-      : cost_(cost),
-        positions_(node_positions(cost.mesh, scene_scale(cost.mesh))),
-        middle_(static_cast<size_t>(cost.mesh.part_count)) {
-    std::vector<double> sum(middle_.size(), 0);
-    for (size_t f = 0; f < cost.mesh.faces.size(); ++f) {
-      const std::array<Point2, 3> p = corners(f);
-      const int part = cost.mesh.face_part[f];
-      const double weight = cross(p[1] - p[0], p[2] - p[0]);
-      middle_[part] = middle_[part] + weight / 3 * (p[0] + p[1] + p[2]);
-      sum[part] += weight;
+      : cost_(cost), positions_(node_positions(cost.mesh, scene_scale(cost.mesh))) {
+    // Rows of a least squares problem: mean differences of r, weighted by the roots of areas.
+    std::map<std::pair<int, int>, Overlap> overlaps;
+    const LayeredMesh& mesh = cost.mesh;
+    for (size_t t = 0; t < mesh.triangles.size(); ++t)
+      for (int f = mesh.stack_begin[t]; f < mesh.stack_begin[t + 1]; ++f) {
+        overlaps[{-1, mesh.face_part[f]}].add(corners(static_cast<size_t>(f)));
+        if (f > mesh.stack_begin[t])
+          overlaps[{mesh.face_part[f - 1], mesh.face_part[f]}].add(corners(static_cast<size_t>(f)));
+      }
+    Eigen::MatrixXd rows =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(overlaps.size()), mesh.part_count);
+    VectorXd wanted(rows.rows());
+    Eigen::Index row = 0;
+    for (const auto& [parts, overlap] : overlaps) {
+      const auto [lower, upper] = parts;
+      const double weight = std::sqrt(lower < 0 ? 1e-6 * overlap.area : overlap.area);
+      Point2 slope = cost.scene.parts[upper].lean;
+      rows(row, upper) = weight;
+      if (lower >= 0) {
+        rows(row, lower) = -weight;
+        slope = slope - cost.scene.parts[lower].lean;
+      }
+      wanted[row++] = -weight * dot(slope, 1 / overlap.area * overlap.moment);
     }
-    for (size_t part = 0; part < sum.size(); ++part)
-      if (sum[part] > 0) middle_[part] = 1 / sum[part] * middle_[part];
+    constants_ = rows.completeOrthogonalDecomposition().solve(wanted);
   }
 
   double at(size_t face, const std::array<double, 3>& g) const {
@@ -39,7 +68,7 @@ class FaceCosts {
     const double area = cross(p[1] - p[0], p[2] - p[0]) / 2;
     double sum = area * dot(slope, slope) / 2;
     for (int k = 0; k < 3; ++k) {
-      const double off = g[k] - dot(lean, p[k] - middle_[part]);
+      const double off = g[k] - dot(lean, p[k]) - constants_[part];
       sum += cost_.epsilon * area / 3 * off * off / 2;
     }
     return sum;
@@ -53,7 +82,7 @@ class FaceCosts {
 
   const ShiftCost& cost_;
   std::vector<Point2> positions_;
-  std::vector<Point2> middle_;
+  VectorXd constants_;  ///< of each part's r
 };
 
 std::array<double, 3> values_at(const std::array<int, 3>& nodes, const VectorXd& g) {
