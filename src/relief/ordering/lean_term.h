@@ -11,8 +11,8 @@ namespace relievo {
 /// 1/2 g'A g - g'pull + constant, in scene units, is
 ///   1/2 sum over parts of integral |grad g - t|^2 + epsilon |g - r|^2,
 /// t the lean of the part, r = t . x + const, masses lumped. The constants are those by which the r
-/// of parts that cover each other differ least on average where they do, and add up to nothing:
-/// what lies loose on a part that leans goes along.
+/// of parts that cover each other differ least on average where they do, with mean 0 over such
+/// parts: what lies loose on a part that leans goes along.
 struct LeanTerm {
   Eigen::VectorXd pull;  ///< #N, 0 where no part leans
   double constant = 0;
