@@ -115,6 +115,14 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
       ->check(CLI::Range(min_inflation, max_inflation));
   app.add_option("--flat", relief.flat, "Profile of all parts: 0 round (the default), 1 a flat top")
       ->check(CLI::Range(0.0, 1.0));
+  app.add_option_function<std::vector<double>>(
+         "--lean",
+         [&relief](const std::vector<double>& lean) {
+           relief.lean = {lean[0], lean[1]};
+         },
+         "Slope of all parts: how much nearer they come per px to the right and downwards")
+      ->expected(2)
+      ->check(CLI::Range(-max_lean, max_lean));
   InflationOptions& inflation = relief.options.inflation;
   auto* rho =
       app.add_option("--rho", inflation.rho, "Softness of ramps beside joins (default 0.25)")

@@ -23,6 +23,7 @@ struct ReliefArguments {
   ReliefOptions options;
   std::optional<double> c;     ///< in place of every part's own
   std::optional<double> flat;  ///< likewise
+  std::optional<Point2> lean;  ///< likewise
   Visibility visibility = Visibility::relief;
   Field field = Field::relief;
 };

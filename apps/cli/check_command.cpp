@@ -20,12 +20,13 @@ std::string count(size_t number, const std::string& what) {
 }
 
 std::string part_table(const Scene& scene) {
-  Table table({"part", "c", "d", "rings", "points", "size in px"});
+  Table table({"part", "c", "d", "flat", "lean", "rings", "points", "size in px"});
   for (const Part& part : scene.parts) {
     size_t points = 0;
     for (const Ring& ring : part.outline) points += ring.size();
     const Box2 box = bounding_box(part.outline);
-    table.add({part.id, number(part.c), number(part.d), std::to_string(part.outline.size()),
+    table.add({part.id, number(part.c), number(part.d), number(part.flat),
+               number(part.lean.x) + " " + number(part.lean.y), std::to_string(part.outline.size()),
                std::to_string(points),
                number(box.max.x - box.min.x) + " x " + number(box.max.y - box.min.y)});
   }

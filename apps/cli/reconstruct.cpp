@@ -12,6 +12,8 @@ Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
     for (Part& part : scene.parts) part.c = *arguments.c;
   if (arguments.flat)
     for (Part& part : scene.parts) part.flat = *arguments.flat;
+  if (arguments.lean)
+    for (Part& part : scene.parts) part.lean = *arguments.lean;
   auto relief = build_relief(scene, arguments.options, context);
   if (relief) keep_field(*relief, arguments.field);
   return relief;

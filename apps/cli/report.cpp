@@ -30,6 +30,7 @@ Json parts(const Scene& scene, const LayeredMesh& mesh) {
                     {"c", scene.parts[i].c},
                     {"d", scene.parts[i].d},
                     {"flat", scene.parts[i].flat},
+                    {"lean", {scene.parts[i].lean.x, scene.parts[i].lean.y}},
                     {"faces", faces[i]}});
   return list;
 }

@@ -266,8 +266,11 @@ Result<Files> files_of(const SegmentArguments& segment, const SegmentInput& inpu
 }
 
 std::string summary(const Scene& scene) {
+  const auto leaning = std::count_if(scene.parts.begin(), scene.parts.end(),
+                                     [](const Part& part) { return part.lean != Point2{}; });
   return std::to_string(scene.parts.size()) + " parts, " + std::to_string(scene.joins.size()) +
-         " joins, " + std::to_string(scene.relations.size()) + " relations";
+         " joins, " + std::to_string(scene.relations.size()) + " relations" +
+         (leaning > 0 ? ", " + std::to_string(leaning) + " leaning" : "");
 }
 
 /// The proposed scene with the parts that were removed and drawn by hand in the project.

@@ -71,6 +71,15 @@ class ReportWriter {
     return list;
   }
 
+  Json leans() const {
+    Json list = Json::array();
+    for (const ProposedLean& lean : proposal_.joining.leans)
+      list.push_back({{"part", id(lean.part)},
+                      {"lean", {lean.lean.x, lean.lean.y}},
+                      {"confidence", lean.confidence}});
+    return list;
+  }
+
  private:
   const std::string& id(int part) const {
     return proposal_.scene.parts[proposal_.stacking.rank[part]].id;
@@ -91,6 +100,7 @@ std::string write_segment_report(const std::string& input, const Proposal& propo
   report["order"] = writer.order();
   report["joins"] = writer.joins();
   report["relations"] = writer.relations();
+  report["leans"] = writer.leans();
   report["timings_ms"] = {{"propose", milliseconds}};
   report["warnings"] = proposal.warnings;
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -199,6 +199,7 @@ TEST_F(Build, OptionsReachTheirStages) {
        std::vector<std::vector<std::string>>{{"--vertices", "6000"},
                                              {"--edge", "9"},
                                              {"--vertices", "3000", "--c", "1"},
+                                             {"--vertices", "3000", "--lean", "-0.2", "0"},
                                              {"--vertices", "3000", "--size", "50"},
                                              {"--vertices", "3000", "--rho", "0.5"},
                                              {"--vertices", "3000", "--alpha0", "0.8"},

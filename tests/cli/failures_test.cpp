@@ -28,6 +28,8 @@ TEST_F(Failures, UsageIsTwo) {
   expect_failure(with(build, {"--rho", "nan"}), 2, "rho");
   expect_failure(with(build, {"--alpha0", "2"}), 2, "alpha0");
   expect_failure(with(build, {"--c", "0"}), 2, "c");
+  expect_failure(with(build, {"--lean", "0.5"}), 2, "lean");
+  expect_failure(with(build, {"--lean", "0.5", "2.5"}), 2, "lean");
   expect_failure(with(build, {"--preset", "paper", "--rho", "0.5"}), 2, "rho");
   expect_failure(with(build, {"--method", "magic"}), 2, "method");
   expect_failure(with(build, {"--lambda-bnd", "0"}), 2, "lambda-bnd");

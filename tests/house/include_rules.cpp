@@ -52,9 +52,9 @@ const Names model_views = {"model/dress_hidden.h", "model/hidden_patches.h",
 const Names stage_verbs = {
     "completion/clip_to_order.h", "completion/complete_parts.h", "drawing/find_basins.h",
     "drawing/label_basins.h",     "drawing/label_colours.h",     "drawing/segment_drawing.h",
-    "inflation/inflate.h",        "joining/join_parts.h",        "joint/solve_jointly.h",
-    "layers/layer_parts.h",       "model/assemble_model.h",      "model/relief_maps.h",
-    "ordering/order_depth.h",     "stacking/stack_parts.h"};
+    "inflation/inflate.h",        "joining/join_parts.h",        "joining/propose_leans.h",
+    "joint/solve_jointly.h",      "layers/layer_parts.h",        "model/assemble_model.h",
+    "model/relief_maps.h",        "ordering/order_depth.h",      "stacking/stack_parts.h"};
 
 struct Place {
   std::string top;     ///< kernel, relief, io, render, apps, tests, benchmarks

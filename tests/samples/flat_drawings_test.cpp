@@ -166,6 +166,30 @@ TEST_F(FlatDrawings, PhotographsAndScansNeedOneStrokeAPart) {
   }
 }
 
+/// Of all figures only the snowman is turned with one arm in front of him and one behind: to the
+/// left, so that his right side is nearer.
+TEST_F(FlatDrawings, OnlyTheTurnedSnowmanLeans) {
+  for (const auto& [name, strokes] : std::map<std::string, std::string>{
+           {"F01_kid_man/texture.png", "F01_kid_man"},
+           {"F02_kid_bug/texture.png", "F02_kid_bug"},
+           {"F04_gopher_dandy_pencil.png", "F04_gopher_dandy_pencil"},
+           {"F05_gopher_pirate_pencil.png", "F05_gopher_pirate_pencil"},
+           {"F06_chicken_tuxpaint.png", ""},
+           {"F07_frog_tuxpaint.png", ""},
+           {"F08_snowman_stamp.png", ""},
+           {"F09_pig_lear.gif", ""},
+           {"F10_cat_carrot.png", ""},
+           {"F12_sleeping_cat_openclipart.svg", ""}}) {
+    const Result<Segmentation> s = strokes.empty() ? segment(name) : segment(name, strokes);
+    ASSERT_TRUE(s.ok()) << name << ": " << to_string(s.error());
+    const Result<Proposal> proposal = propose_scene(s->labels);
+    ASSERT_TRUE(proposal.ok()) << name << ": " << to_string(proposal.error());
+    const std::vector<ProposedLean>& leans = proposal->joining.leans;
+    EXPECT_EQ(!leans.empty(), name == "F08_snowman_stamp.png") << name;
+    for (const ProposedLean& proposed : leans) EXPECT_GT(proposed.lean.x, 0.1) << name;
+  }
+}
+
 /// The strokes of a real drawing bound the figure that another person cut out of it.
 TEST_F(FlatDrawings, SilhouettesAgreeWithMasks) {
   for (const auto& [name, strokes] : std::map<std::string, std::string>{

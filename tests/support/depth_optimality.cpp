@@ -7,7 +7,6 @@
 #include <map>
 
 #include "kernel/base/disjoint_sets.h"
-#include "kernel/operators/laplacian.h"
 #include "relief/layers/joined_surface.h"
 
 namespace relievo::testing {
@@ -67,19 +66,16 @@ double imbalance_of(const Cluster& cluster, const Eigen::VectorXd& force) {
 
 }  // namespace
 
-DepthOptimality check_depth_optimality(const LayeredMesh& mesh, const Inflation& inflation,
+DepthOptimality check_depth_optimality(const ShiftCost& cost, const Inflation& inflation,
                                        const std::vector<DepthPair>& pairs,
-                                       const std::vector<double>& h, double epsilon) {
-  const double scale = scene_scale(mesh);
-  const std::vector<Point2> positions = node_positions(mesh, scale);
-  const FlatMesh flat{positions, mesh.faces};
+                                       const std::vector<double>& h) {
+  const double scale = scene_scale(cost.mesh);
   Eigen::VectorXd g(static_cast<Eigen::Index>(h.size()));
   for (size_t n = 0; n < h.size(); ++n) {
     const double u = inflation.u[n];
     g[static_cast<Eigen::Index>(n)] = scale * (h[n] - std::copysign(std::sqrt(std::abs(u)), u));
   }
-  const Eigen::VectorXd force =
-      stiffness_matrix(flat) * g + epsilon * lumped_mass(flat).cwiseProduct(g);
+  const Eigen::VectorXd force = cost.slope(g);
   DepthOptimality result;
   for (const DepthPair& pair : pairs) {
     const double violation = scale * (h[pair.lower] - h[pair.upper]);

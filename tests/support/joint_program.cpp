@@ -7,6 +7,7 @@
 #include "kernel/operators/laplacian.h"
 #include "relief/layers/joined_surface.h"
 #include "support/enforced_pairs.h"
+#include "support/shift_cost.h"
 
 namespace relievo::testing {
 
@@ -73,6 +74,10 @@ JointProgram make_joint_program(const LayeredMesh& mesh, const Scene& scene,
   program.mass = lumped_mass(flat);
   program.A = program.L;
   program.A.diagonal() += options.epsilon * program.mass;
+  const ShiftCost cost{mesh, scene, options.epsilon};
+  const VectorXd still = VectorXd::Zero(program.mass.size());
+  program.pull = -cost.slope(still);
+  program.lean_constant = cost(still);
   std::vector<double> density;
   std::vector<double> screening;
   for (const int part : mesh.face_part) {
@@ -131,7 +136,8 @@ VectorXd squares(const JointProgram& program, const VectorXd& p) {
 
 double energy(const JointProgram& program, const JointPoint& point) {
   const VectorXd excess = program.L * squares(program, point.p) - program.load;
-  double sum = program.lambda_shift * point.g.dot(program.A * point.g);
+  const double shift = point.g.dot(program.A * point.g) / 2 - point.g.dot(program.pull);
+  double sum = 2 * program.lambda_shift * (shift + program.lean_constant);
   for (int i = 0; i < point.p.size(); ++i) {
     const int n = program.node[i];
     sum += on_bound(program, i)
@@ -143,7 +149,8 @@ double energy(const JointProgram& program, const JointPoint& point) {
 
 JointPoint gradient(const JointProgram& program, const JointPoint& point) {
   const VectorXd force = inflation_force(program, squares(program, point.p));
-  JointPoint gradient{VectorXd(point.p.size()), 2 * program.lambda_shift * (program.A * point.g)};
+  JointPoint gradient{VectorXd(point.p.size()),
+                      2 * program.lambda_shift * (program.A * point.g - program.pull)};
   for (int i = 0; i < point.p.size(); ++i) {
     const int n = program.node[i];
     gradient.p[i] = 2 * program.sign[n] * force[n];

@@ -23,6 +23,8 @@ struct JointProgram {
   Eigen::SparseMatrix<double> A;  ///< L + epsilon M
   Eigen::VectorXd mass;
   Eigen::VectorXd load;
+  Eigen::VectorXd pull;          ///< #N, of leaning parts on the shift
+  double lean_constant = 0;      ///< of the shift's cost
   Eigen::VectorXd sign;          ///< #N, of u
   Eigen::VectorXd bound_mass;    ///< #N, 0 off B
   Eigen::VectorXd held;          ///< #N, u where it is held, 0 elsewhere

@@ -9,10 +9,11 @@
 
 namespace relievo::testing {
 
-/// A few parts on a small grid with arbitrary heights and arbitrary pairs: equalities, cycles and
+/// A few parts on a small grid with arbitrary heights, leans and pairs: equalities, cycles and
 /// diamonds among them.
 struct RandomDepth {
   LayeredMesh mesh;
+  Scene scene;
   Inflation inflation;
 };
 
@@ -28,7 +29,10 @@ inline RandomDepth random_depth() {
     const double bottom = top + *rc::gen::inRange(1, rows + 1);
     parts.push_back(in_box({left, top}, {right, bottom}));
   }
-  RandomDepth random{stack_parts(grid_mesh(columns, rows, 1), parts), {}};
+  RandomDepth random{stack_parts(grid_mesh(columns, rows, 1), parts), {}, {}};
+  random.scene = scene_of(random.mesh);
+  for (Part& part : random.scene.parts)
+    part.lean = {0.25 * *rc::gen::inRange(-3, 4), 0.25 * *rc::gen::inRange(-3, 4)};
   std::vector<std::vector<int>> at_vertex(random.mesh.vertices.size());
   for (size_t n = 0; n < random.mesh.node_vertex.size(); ++n) {
     random.inflation.u.push_back(0.25 * *rc::gen::inRange(-8, 17));

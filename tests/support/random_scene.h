@@ -84,4 +84,11 @@ inline Scene random_scene(uint64_t seed) {
   return scene;
 }
 
+/// The scene with every part leaning somehow.
+inline Scene leaning(Scene scene, uint64_t seed) {
+  Random random(seed);
+  for (Part& part : scene.parts) part.lean = {random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4)};
+  return scene;
+}
+
 }  // namespace relievo::testing

@@ -89,7 +89,8 @@ Model split_hemisphere(double radius) {
       std::stable_partition(model.triangles.begin(), model.triangles.end(), is_left);
   const int left = static_cast<int>(first_right - model.triangles.begin());
   const int all = static_cast<int>(model.triangles.size());
-  model.parts = {{"left half", 4, 1, 0, 0, left}, {"right half", 2, 0.5, 0.25, left, all - left}};
+  model.parts = {{"left half", 4, 1, 0, {}, 0, left},
+                 {"right half", 2, 0.5, 0.25, {0.5, -0.125}, left, all - left}};
   return model;
 }
 

@@ -1,7 +1,7 @@
 import type { Part, RelationKind } from '../document/document';
 import { partIndex } from '../document/document';
 import {
-  changePart, movePart, neighbours, ordered, relate, removePart, removeRanges, renamePart, toggleJoin,
+  changePart, movePart, neighbours, ordered, type PartValues, relate, removePart, removeRanges, renamePart, toggleJoin,
 } from '../document/editing';
 import { t } from './catalogue';
 import type { Editor } from './editor';
@@ -47,7 +47,8 @@ export function PartPanel({ editor }: { editor: Editor }) {
   const index = selected === null ? -1 : partIndex(document, selected);
   const part = document.parts[index];
   if (!part) return null;
-  const set = (values: { c?: number; d?: number; flat?: number }, gesture: string): void =>
+  const [leanRight, leanDown] = part.lean ?? [0, 0];
+  const set = (values: PartValues, gesture: string): void =>
     editor.edit(gesture, changePart(document, part.id, values), `${gesture} ${part.id}`);
   const rename = (name: string): void => {
     const renamed = renamePart(document, part.id, name);
@@ -71,6 +72,8 @@ export function PartPanel({ editor }: { editor: Editor }) {
       <Slider label={t('inflation')} value={part.c} min={0.25} max={8} step={0.05} onInput={(c) => set({ c }, 'c')} />
       <Slider label={t('depth')} value={Math.abs(part.d)} min={0.1} max={2.5} step={0.05} onInput={(d) => set({ d: Math.sign(part.d) * d }, 'd')} />
       <Slider label={t('profile')} value={part.flat ?? 0} min={0} max={1} step={0.05} onInput={(flat) => set({ flat }, 'profile')} />
+      <Slider label={t('leanRight')} value={leanRight} min={-1} max={1} step={0.05} onInput={(x) => set({ lean: [x, leanDown] }, 'lean')} />
+      <Slider label={t('leanDown')} value={leanDown} min={-1} max={1} step={0.05} onInput={(y) => set({ lean: [leanRight, y] }, 'lean')} />
       <label class="check">
         <input type="checkbox" checked={part.d < 0} onChange={() => set({ d: -part.d }, 'reverse')} /> {t('reverse')}
       </label>

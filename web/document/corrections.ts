@@ -65,11 +65,12 @@ class Notes {
     const before = this.before.parts.find((other) => other.id === part.id);
     const label = labelOf(this.segmentation, part.id);
     if (!before || label === undefined || before === part) return;
-    const { c, d, flat = 0, outline } = part;
+    const { c, d, flat = 0, lean, outline } = part;
     const change = {
       ...(before.c === c ? {} : { c }),
       ...(before.d === d ? {} : { d }),
       ...((before.flat ?? 0) === flat ? {} : { flat }),
+      ...(before.lean === lean || !lean ? {} : { lean }),
       ...(before.outline === outline ? {} : { outline }),
     };
     if (Object.keys(change).length > 0) this.set({ parts: corrected(this.corrections.parts, { label, ...change }) });

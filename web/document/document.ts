@@ -17,6 +17,8 @@ export interface Part {
   readonly d: number;
   /** Profile from 0, the usual semi-ellipse, to 1, a flat top with round edges. */
   readonly flat?: number;
+  /** How much nearer it comes per px to the right and downwards. */
+  readonly lean?: Point;
   /** CSS colour where there is no drawing. */
   readonly color?: string;
 }

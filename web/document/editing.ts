@@ -61,7 +61,10 @@ export function removePart(document: Document, id: string): Document {
   };
 }
 
-export function changePart(document: Document, id: string, values: Partial<Pick<Part, 'c' | 'd' | 'flat' | 'outline'>>): Document {
+/** What can be said of a part. */
+export type PartValues = Partial<Pick<Part, 'c' | 'd' | 'flat' | 'lean' | 'outline'>>;
+
+export function changePart(document: Document, id: string, values: PartValues): Document {
   return {
     ...document,
     parts: document.parts.map((part) => (part.id === id ? { ...part, ...values } : part)),

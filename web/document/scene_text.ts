@@ -18,7 +18,9 @@ export function sceneText(document: Document, drawing?: string): string {
     version: 1,
     canvas: { width: document.width, height: document.height },
     ...(drawing === undefined ? {} : { drawing }),
-    parts: document.parts.map(({ id, outline, c, d, flat }) => ({ id, outline, c, d, ...(flat ? { flat } : {}) })),
+    parts: document.parts.map(({ id, outline, c, d, flat, lean }) => ({
+      id, outline, c, d, ...(flat ? { flat } : {}), ...(lean?.some((slope) => slope !== 0) ? { lean } : {}),
+    })),
     joins: [...document.joins],
     relations: [...document.relations],
     robin: [...document.robin],

@@ -38,6 +38,7 @@ export interface PartCorrection {
   readonly c?: number;
   readonly d?: number;
   readonly flat?: number;
+  readonly lean?: Point;
 }
 
 /** What a person said, never overruled. */

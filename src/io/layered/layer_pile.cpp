@@ -73,6 +73,7 @@ Part part_of(const RasterLayer& layer, Region region) {
   part.c = layer.c.value_or(part.c);
   part.d = layer.d.value_or(part.d);
   part.flat = layer.flat.value_or(part.flat);
+  part.lean = layer.lean.value_or(part.lean);
   return part;
 }
 

@@ -30,6 +30,7 @@ struct RasterLayer {
   std::optional<double> c;  ///< of its part
   std::optional<double> d;
   std::optional<double> flat;
+  std::optional<Point2> lean;
   Image8 rgba;  ///< 8-bit sRGB with straight alpha
 };
 

@@ -65,6 +65,21 @@ class Row {
     return value;
   }
 
+  /// Two numbers with a space between them.
+  Result<std::optional<Point2>> pair(const char* column, double low, double high) const {
+    const std::string_view field = text(column);
+    if (field.empty()) return std::optional<Point2>();
+    const Fields words = split(field, ' ');
+    std::vector<double> numbers;
+    for (const std::string_view word : words)
+      if (const auto value = parse_number(word); value && *value >= low && *value <= high)
+        numbers.push_back(*value);
+    if (words.size() != 2 || numbers.size() != 2)
+      return line_error(line_, std::string(column) + " is not two numbers that can be used here: " +
+                                   std::string(field.substr(0, 40)));
+    return std::optional(Point2{numbers[0], numbers[1]});
+  }
+
   size_t line() const { return line_; }
 
  private:
@@ -96,6 +111,8 @@ Status read_numbers(const Row& row, LayerRow& result) {
   if (!d) return d.error();
   const auto flat = row.number("flat", 0, 1);
   if (!flat) return flat.error();
+  const auto lean = row.pair("lean", -max_lean, max_lean);
+  if (!lean) return lean.error();
   result.order = order->value_or(static_cast<double>(row.line()));
   RasterLayer& layer = result.layer;
   layer.x = static_cast<int>(std::lround(x->value_or(0)));
@@ -104,6 +121,7 @@ Status read_numbers(const Row& row, LayerRow& result) {
   layer.c = *c;
   layer.d = *d;
   layer.flat = *flat;
+  layer.lean = *lean;
   return Done{};
 }
 

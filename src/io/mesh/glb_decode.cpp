@@ -67,6 +67,11 @@ double number(const Json& value, const char* key) {
   return value.get<double>();
 }
 
+Point2 pair(const Json& value, const char* key) {
+  if (!value.is_array() || value.size() != 2) refuse("not two numbers", key);
+  return {number(value[0], key), number(value[1], key)};
+}
+
 const Json& element(const Json& object, const char* key, size_t index) {
   const Json& list = member(object, key);
   if (!list.is_array() || index >= list.size()) refuse("an index is out of range", key);
@@ -178,6 +183,7 @@ void append_part(const Glb& glb, const Json& node, const GlbLimits& limits, Mode
     if (extras->contains("c")) part.c = number((*extras)["c"], "c");
     if (extras->contains("d")) part.d = number((*extras)["d"], "d");
     if (extras->contains("flat")) part.flat = number((*extras)["flat"], "flat");
+    if (extras->contains("lean")) part.lean = pair((*extras)["lean"], "lean");
   }
   part.first_triangle = static_cast<int>(model.triangles.size());
   const Json& mesh = element(glb.json, "meshes", natural_member(node, "mesh"));

@@ -160,6 +160,7 @@ void add_nodes(Asset& asset, const Model& model, const Placement& placement) {
         {{"name", part.id}, {"primitives", Json::array({std::move(primitive)})}});
     Json extras = {{"part", part.id}, {"order", order}, {"c", part.c}, {"d", part.d}};
     if (part.flat != 0) extras["flat"] = part.flat;
+    if (part.lean != Point2{}) extras["lean"] = {part.lean.x, part.lean.y};
     asset.json["nodes"].push_back({{"name", part.id}, {"mesh", i}, {"extras", std::move(extras)}});
     asset.json["scenes"][0]["nodes"].push_back(i);
   }

@@ -148,11 +148,12 @@ class ProjectReader final : public AnnotationReader {
 
   std::pair<PartLabel, PartCorrection> part_correction(const Json& json, const JsonPath& path) {
     PartCorrection correction;
-    if (!keys(json, path, {"label"}, {"id", "outline", "c", "d", "flat"})) return {};
+    if (!keys(json, path, {"label"}, {"id", "outline", "c", "d", "flat", "lean"})) return {};
     if (json.contains("id")) correction.id = text(json["id"], path.member("id"));
     if (json.contains("c")) correction.c = number(json["c"], path.member("c"));
     if (json.contains("d")) correction.d = number(json["d"], path.member("d"));
     if (json.contains("flat")) correction.flat = number(json["flat"], path.member("flat"));
+    if (json.contains("lean")) correction.lean = point(json["lean"], path.member("lean"));
     if (json.contains("outline"))
       correction.outline = outline(json["outline"], path.member("outline"));
     return {label(json["label"], path.member("label")), std::move(correction)};

@@ -35,6 +35,7 @@ Ordered json_of(PartLabel label, const PartCorrection& correction) {
   if (correction.c) item["c"] = *correction.c;
   if (correction.d) item["d"] = *correction.d;
   if (correction.flat) item["flat"] = *correction.flat;
+  if (correction.lean) item["lean"] = json_of(*correction.lean);
   if (!correction.outline) return item;
   item["outline"] = Ordered::array();
   for (const Ring& ring : *correction.outline) item["outline"].push_back(json_of(ring));

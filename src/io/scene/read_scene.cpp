@@ -85,11 +85,12 @@ class SceneReader final : public AnnotationReader {
 
   Part part(const Json& json, const Path& path) {
     Part part;
-    if (!keys(json, path, {"id", "outline"}, {"c", "d", "flat"})) return part;
+    if (!keys(json, path, {"id", "outline"}, {"c", "d", "flat", "lean"})) return part;
     part.id = text(json["id"], path.member("id"));
     if (json.contains("c")) part.c = number(json["c"], path.member("c"));
     if (json.contains("d")) part.d = number(json["d"], path.member("d"));
     if (json.contains("flat")) part.flat = number(json["flat"], path.member("flat"));
+    if (json.contains("lean")) part.lean = point(json["lean"], path.member("lean"));
     part.outline = outline(json["outline"], path.member("outline"));
     return part;
   }

@@ -39,8 +39,9 @@ class Writer {
 
   std::string part(const Part& part) const {
     const std::string flat = part.flat != 0 ? ", \"flat\": " + number(part.flat) : "";
+    const std::string lean = part.lean != Point2{} ? ", \"lean\": " + point(part.lean) : "";
     return "{ \"id\": " + quoted(part.id) + ", \"c\": " + number(part.c) +
-           ", \"d\": " + number(part.d) + flat +
+           ", \"d\": " + number(part.d) + flat + lean +
            ", \"outline\": " + lines(part.outline, "    ", points) + " }";
   }
 

@@ -53,10 +53,24 @@ Status set_number(double& value, const std::string& text, const char* name,
   return Done{};
 }
 
+/// Likewise two numbers.
+Status set_lean(Point2& lean, const std::string& text, const std::string& part) {
+  if (text.empty()) return Done{};
+  SvgScanner scanner(trimmed_svg(text));
+  const auto x = scanner.number();
+  scanner.skip_separator();
+  const auto y = scanner.number();
+  if (!x || !y || !scanner.at_end() || !(std::abs(*x) <= max_lean && std::abs(*y) <= max_lean))
+    return Error{ErrorCode::bad_input, "data-lean must be two numbers from -2 to 2", part};
+  lean = {*x, *y};
+  return Done{};
+}
+
 Status set_values(Part& part, const SvgAnnotation& annotation) {
   if (const Status s = set_number(part.c, annotation.c, "data-c", part.id); !s) return s;
   if (const Status s = set_number(part.d, annotation.d, "data-d", part.id); !s) return s;
   if (const Status s = set_number(part.flat, annotation.flat, "data-flat", part.id); !s) return s;
+  if (const Status s = set_lean(part.lean, annotation.lean, part.id); !s) return s;
   if (part.c <= 0) {
     return Error{ErrorCode::bad_input, "data-c must be positive", part.id};
   }

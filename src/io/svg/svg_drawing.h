@@ -25,6 +25,7 @@ struct SvgAnnotation {
   std::string c;
   std::string d;
   std::string flat;
+  std::string lean;
   std::string relation;
   std::string upper;
   std::string lower;
@@ -34,7 +35,9 @@ struct SvgAnnotation {
   }
 
   /// Whether it sets what only a part has.
-  bool has_part_values() const { return !c.empty() || !d.empty() || !relation.empty(); }
+  bool has_part_values() const {
+    return !c.empty() || !d.empty() || !flat.empty() || !lean.empty() || !relation.empty();
+  }
 };
 
 /// A <g>, or a single annotated shape as the group of itself.

@@ -15,6 +15,7 @@ SvgAnnotation annotation_of(const pugi::xml_node& element) {
   a.c = element.attribute("data-c").value();
   a.d = element.attribute("data-d").value();
   a.flat = element.attribute("data-flat").value();
+  a.lean = element.attribute("data-lean").value();
   a.relation = element.attribute("data-relation").value();
   a.upper = element.attribute("data-upper").value();
   a.lower = element.attribute("data-lower").value();

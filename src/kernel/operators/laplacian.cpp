@@ -107,6 +107,18 @@ Eigen::VectorXd load_vector(const FlatMesh& mesh, std::span<const double> densit
   return load;
 }
 
+Eigen::VectorXd divergence_load(const FlatMesh& mesh, std::span<const Point2> field) {
+  assert(field.size() == mesh.triangles.size());
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.positions.size()));
+  for (size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const Point2 next = mesh.positions[mesh.triangles[t][(k + 1) % 3]];
+      const Point2 last = mesh.positions[mesh.triangles[t][(k + 2) % 3]];
+      load[mesh.triangles[t][k]] += 0.5 * cross(last - next, field[t]);
+    }
+  return load;
+}
+
 SparseMatrix galerkin_lower(const SparseMatrix& A, const SparseMatrix& T) {
   assert(A.rows() == T.rows());
   const Eigen::SparseMatrix<double, Eigen::RowMajor, int> T_by_rows = T;

@@ -20,6 +20,10 @@ Eigen::VectorXd lumped_mass(const FlatMesh& mesh);
 /// the hat function of each node, #N. `density` has #F entries. O(N + F).
 Eigen::VectorXd load_vector(const FlatMesh& mesh, std::span<const double> density);
 
+/// The integral of field . gradient of each node's hat function, #N: L f where the field is the
+/// gradient of f. `field` is constant on each triangle and has #F entries. O(N + F).
+Eigen::VectorXd divergence_load(const FlatMesh& mesh, std::span<const Point2> field);
+
 /// The lower triangle of T' A T on the pattern that A and T imply, zeros included. A is symmetric
 /// with both triangles stored (#N x #N), T is #N x #M with few entries a row.
 /// O(sum over the entries A_ij of the products of the lengths of rows i and j of T).

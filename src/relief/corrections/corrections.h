@@ -22,6 +22,7 @@ struct PartCorrection {
   std::optional<double> c;
   std::optional<double> d;
   std::optional<double> flat;
+  std::optional<Point2> lean;
 };
 
 /// Everything that the user says about a segmented drawing; never overruled. Parts are named by

@@ -20,11 +20,19 @@ struct ProposedRelation {
   bool user = false;
 };
 
+/// A proposed lean of a part.
+struct ProposedLean {
+  int part = -1;
+  Point2 lean;
+  double confidence = 0;  ///< in [0, 1]
+};
+
 /// How the parts connect. Indices are those of the parts in the order of their labels.
 struct Joining {
   std::vector<ProposedJoin> joins;
   std::vector<ProposedRelation> relations;
   std::vector<RobinRange> robin;
+  std::vector<ProposedLean> leans;  ///< of parts of which the user said none
 };
 
 /// What the user said about how parts connect, by part index. It replaces every proposal for the

@@ -30,9 +30,10 @@ ContactStep::ContactStep(const JointModel& model, const DepthProblem& problem,
 
 Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunContext& context) {
   const Eigen::Index softs = springs.pull.size();
+  const LeanTerm& lean = model_.metric.lean;
   const VectorXd root_height = root_heights(problem_, f);
   const VectorXd rest = f - problem_.variables.T * root_height;
-  qp_.b = matrix_.T.transpose() * (model_.metric.A * rest);
+  qp_.b = matrix_.T.transpose() * (model_.metric.A * rest + lean.pull);
   qp_.b.tail(softs) += matrix_.direction.cwiseProduct(springs.pull) / model_.lambda_shift;
   set_springs(matrix_, springs.stiffness / model_.lambda_shift, qp_.K);
   BoundQpOptions options;
@@ -46,8 +47,8 @@ Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunC
   contact.factorisations = solution.report.factorisations;
   contact.soft = matrix_.direction.cwiseProduct(solution.z.tail(softs));
   const VectorXd g = matrix_.T * solution.z - rest;
-  contact.force = model_.lambda_shift * (model_.metric.A * g);
-  contact.shift_energy = g.dot(contact.force);
+  contact.force = model_.lambda_shift * (model_.metric.A * g - lean.pull);
+  contact.shift_energy = g.dot(contact.force) + model_.lambda_shift * lean.rest(g);
   const double scale = model_.metric.scale;
   contact.h = heights_of(problem_, root_height / scale, solution.z, scale);
   return contact;

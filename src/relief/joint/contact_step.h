@@ -24,14 +24,14 @@ struct Contact {
   SolveStatus status = SolveStatus::solved;
   int factorisations = 0;
   Eigen::VectorXd soft;     ///< one per soft node: what is added to its f
-  Eigen::VectorXd force;    ///< #N, lambda_shift A g: what the depth pairs press with
-  double shift_energy = 0;  ///< lambda_shift g'A g
+  Eigen::VectorXd force;    ///< #N, lambda_shift (A g - pull): what the depth pairs press with
+  double shift_energy = 0;  ///< twice lambda_shift times the cost of g
   std::vector<double> h;    ///< #N, px
 };
 
-/// Minimises lambda_shift / 2 g'A g and the springs over g and the soft nodes' f under the depth
-/// pairs. A bound-constrained program whose pattern, factor and start are kept from one step to the
-/// next; without soft nodes that is the depth order.
+/// Minimises lambda_shift times the cost of g and the springs over g and the soft nodes' f under
+/// the depth pairs. A bound-constrained program whose pattern, factor and start are kept from one
+/// step to the next; without soft nodes that is the depth order.
 class ContactStep {
  public:
   /// closed: gaps of the problem that are closed in the first guess.

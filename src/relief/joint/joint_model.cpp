@@ -47,6 +47,7 @@ JointModel make_joint_model(const OrderingInput& input, double epsilon) {
   const Discretisation& discretisation = input.discretisation;
   JointModel model;
   model.metric = make_shift_metric(discretisation, epsilon);
+  model.metric.lean = lean_term(mesh, input.scene, model.metric.scale, epsilon);
   model.L = discretisation.L;
   model.mass = discretisation.mass;
   model.elimination = discretisation.elimination;
@@ -86,7 +87,8 @@ JointEnergy joint_energy(const JointModel& model, const Eigen::VectorXd& u,
   for (size_t i = 0; i < model.bound.size(); ++i)
     energy.boundary += model.lambda_bnd * model.bound_mass[static_cast<Eigen::Index>(i)] *
                        std::abs(u[model.bound[i]]);
-  energy.shift = model.lambda_shift * g.dot(model.metric.A * g);
+  const LeanTerm& lean = model.metric.lean;
+  energy.shift = model.lambda_shift * (g.dot(model.metric.A * g - lean.pull) + lean.rest(g));
   return energy;
 }
 

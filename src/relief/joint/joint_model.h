@@ -15,7 +15,7 @@ namespace relievo {
 struct JointModel {
   double lambda_bnd = 1;
   double lambda_shift = 1;
-  ShiftMetric metric;            ///< A = L + epsilon M of the shift
+  ShiftMetric metric;            ///< of the shift
   SparseMatrix L;                ///< #N x #N, with the screening of flat parts
   Eigen::VectorXd mass;          ///< #N
   Eigen::VectorXd load;          ///< #N, M c

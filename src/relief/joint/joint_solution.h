@@ -12,7 +12,8 @@ namespace relievo {
 struct JointEnergy {
   double inflation = 0;  ///< (M^-1 L u - c)' M (M^-1 L u - c) over all nodes that are not held
   double boundary = 0;   ///< lambda_bnd times the line integral of f^2 over B
-  double shift = 0;      ///< lambda_shift g'(L + epsilon M) g
+  double shift = 0;      ///< lambda_shift times twice the cost of g, which is g'(L + epsilon M) g
+                         ///< where no part leans
   double total() const { return inflation + boundary + shift; }
 };
 

@@ -29,8 +29,9 @@ struct JointOptions {
 /// Inflates and shifts all parts at once [P eq 3-6]: minimises
 ///   (M^-1 L u - c)' M (M^-1 L u - c) + lambda_bnd int_B f^2 ds + lambda_shift g'(L + epsilon M) g
 /// over u and g, f = sgn(u) sqrt|u|, where the heights f + g obey the depth pairs, u = 0 on
-/// outlines, and B are the outlines under Robin ranges. Begins from the inflation of the input,
-/// any of the mesh, and from what is known of a similar problem.
+/// outlines, and B are the outlines under Robin ranges; the last term with the leans of parts as in
+/// the depth order. Begins from the inflation of the input, any of the mesh, and from what is known
+/// of a similar problem.
 Result<JointSolution> solve_jointly(const OrderingInput& input, const JointOptions& options,
                                     const JointMemory& known, const RunContext& context = {});
 

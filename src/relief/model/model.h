@@ -15,6 +15,7 @@ struct ModelPart {
   double c = 4;
   double d = 1;
   double flat = 0;
+  Point2 lean{};
   int first_triangle = 0;
   int triangle_count = 0;
   int hidden_count = 0;  ///< the last so many of them lie behind another part in the front view

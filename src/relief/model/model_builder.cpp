@@ -37,7 +37,7 @@ Model ModelBuilder::build() && {
   model_.width = scene_.width;
   model_.height = scene_.height;
   for (const Part& part : scene_.parts)
-    model_.parts.push_back({part.id, part.c, part.d, part.flat, 0, 0});
+    model_.parts.push_back({part.id, part.c, part.d, part.flat, part.lean, 0, 0});
   for (const TriangleRun run : run_) {
     ++model_.parts[run.part].triangle_count;
     if (run.hidden) ++model_.parts[run.part].hidden_count;

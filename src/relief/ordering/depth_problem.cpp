@@ -69,7 +69,7 @@ SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const 
   const GapVariables& variables = problem.variables;
   const VectorXd root_height = root_heights(problem, f);
   const VectorXd rest = metric.scale * (f - variables.T * root_height);
-  const VectorXd force = metric.A * rest;
+  const VectorXd force = metric.A * rest + metric.lean.pull;
   system.qp.b = variables.T.transpose() * force;
   BoundQpOptions options;
   options.start_active = system.closed;
@@ -79,7 +79,7 @@ SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const 
   ordering.equalities = count(variables.fixed);
   ordering.inequalities = count(variables.bounded);
   ordering.report = solution.report;
-  ordering.report.energy += 0.5 * rest.dot(force);
+  ordering.report.energy += 0.5 * (rest.dot(force) + metric.lean.rest(-rest));
   system.closed = std::move(solution.active);
   system.factorised = solution.report.factorisations > 0;
   return solution.report.status;

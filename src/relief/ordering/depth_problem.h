@@ -51,8 +51,8 @@ DepthSystem make_depth_system(const DepthProblem& problem, const ShiftMetric& me
                               const std::vector<int>& elimination, SparseCholesky factor,
                               const RunContext& context);
 
-/// Minimises 1/2 (h - f)'A (h - f) under the pairs, f in px. Writes h, the counts and the report
-/// of `ordering`. One factorisation per iteration, of what changes.
+/// Minimises the metric's cost of h - f under the pairs, f in px. Writes h, the counts and the
+/// report of `ordering`. One factorisation per iteration, of what changes.
 SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const Eigen::VectorXd& f,
                           Ordering& ordering, const RunContext& context);
 

@@ -37,7 +37,8 @@ struct OrderingInput {
 void prepare_ordering(const SurfaceInput& surface, const OrderingOptions& options,
                       OrderingSystem& system, const RunContext& context = {});
 
-/// Shifts the parts so that all depth pairs hold, by the least Dirichlet energy of g. `system` is
+/// Shifts the parts so that all depth pairs hold, by the least Dirichlet energy of g, or of what
+/// distinguishes it from the leans of parts (ShiftMetric). `system` is
 /// a new one or was used for the same discretisation before: then the solver begins from what it
 /// found, and computes again only what is different. Its minimum is the same.
 Result<Ordering> order_depth(const OrderingInput& input, const OrderingOptions& options,

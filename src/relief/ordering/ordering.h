@@ -20,7 +20,7 @@ struct Ordering {
   double max_violation = 0;  ///< worst h[lower] - h[upper] over all pairs, px, 0 if none
   int overlap_samples = 0;   ///< interior samples where an upper part dips below a lower one
   double overlap_worst = 0;  ///< and the deepest of them, px
-  /// Of the last solve; its energy is 1/2 (h - f)'(L + epsilon M)(h - f) in scene units.
+  /// Of the last solve; its energy is the cost of g (ShiftMetric), in scene units.
   BoundQpReport report;
 };
 

@@ -5,8 +5,9 @@
 namespace relievo {
 
 ShiftMetric make_shift_metric(const Discretisation& discretisation, double epsilon) {
-  ShiftMetric metric{discretisation.scale, discretisation.L};
+  ShiftMetric metric{discretisation.scale, discretisation.L, {}};
   metric.A.diagonal() += epsilon * discretisation.mass;
+  metric.lean.pull = Eigen::VectorXd::Zero(discretisation.mass.size());
   return metric;
 }
 

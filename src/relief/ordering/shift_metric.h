@@ -5,16 +5,18 @@
 
 #include "kernel/base/sparse_matrix.h"
 #include "relief/discretisation/discretisation.h"
+#include "relief/ordering/lean_term.h"
 
 namespace relievo {
 
-/// What a shift g costs: 1/2 g'A g in scene units [P eq 10].
+/// What a shift g costs: 1/2 g'A g in scene units [P eq 10], and what leaning parts add to it.
 struct ShiftMetric {
   double scale = 1;  ///< scene units per px
   SparseMatrix A;    ///< L + epsilon M, both triangles
+  LeanTerm lean;
 };
 
-/// O(entries of L).
+/// That of parts which do not lean. O(entries of L).
 ShiftMetric make_shift_metric(const Discretisation& discretisation, double epsilon);
 
 /// f = sgn(u) sqrt|u| at each node, in the root of the unit of u.

@@ -8,6 +8,7 @@
 #include "kernel/image/fill_outline.h"
 #include "kernel/image/mask_outline.h"
 #include "relief/completion/clip_to_order.h"
+#include "relief/joining/propose_leans.h"
 
 namespace relievo {
 namespace {
@@ -203,8 +204,27 @@ std::vector<Outline> scene_outlines(const Corrections& corrections, const PartRe
   return outlines;
 }
 
-Part scene_part(const Corrections& corrections, PartLabel label, Outline outline,
-                double inflation) {
+/// Those of parts of which the user said none.
+std::vector<ProposedLean> leans_without(const Corrections& corrections, const PartRegions& regions,
+                                        std::vector<ProposedLean> leans) {
+  const auto is_said = [&](const ProposedLean& proposed) {
+    const auto found = corrections.parts.find(regions.labels[proposed.part]);
+    return found != corrections.parts.end() && found->second.lean;
+  };
+  leans.erase(std::remove_if(leans.begin(), leans.end(), is_said), leans.end());
+  return leans;
+}
+
+/// What was proposed for a part that leans.
+Point2 proposed_lean(const Proposal& proposal, int part) {
+  for (const ProposedLean& proposed : proposal.joining.leans)
+    if (proposed.part == part)
+      return {std::round(proposed.lean.x * 100) / 100, std::round(proposed.lean.y * 100) / 100};
+  return {};
+}
+
+Part scene_part(const Corrections& corrections, PartLabel label, Outline outline, double inflation,
+                Point2 lean) {
   const auto found = corrections.parts.find(label);
   const PartCorrection said = found == corrections.parts.end() ? PartCorrection{} : found->second;
   Part result;
@@ -213,6 +233,7 @@ Part scene_part(const Corrections& corrections, PartLabel label, Outline outline
   result.c = said.c.value_or(std::round(inflation * 100) / 100);
   result.d = said.d.value_or(1);
   result.flat = said.flat.value_or(0);
+  result.lean = said.lean.value_or(lean);
   return result;
 }
 
@@ -225,7 +246,8 @@ Scene scene_of(const Corrections& corrections, const Proposal& proposal, const C
   for (const int part : proposal.stacking.back_to_front)
     scene.parts.push_back(scene_part(
         corrections, proposal.regions.labels[part], outlines[part],
-        round_inflation(clipped.parts[part].shape) * feature_inflation(proposal, clipped, part)));
+        round_inflation(clipped.parts[part].shape) * feature_inflation(proposal, clipped, part),
+        proposed_lean(proposal, part)));
   const auto renumbered = [&](auto item) {
     item.upper = rank[item.upper];
     item.lower = rank[item.lower];
@@ -284,6 +306,9 @@ Result<Proposal> propose_scene(const Image16& labels, const Corrections& correct
   proposal.joining =
       join_parts(proposal.regions, proposal.stacking, outlines,
                  LabelResolver(proposal.regions).joining(corrections.joining), options.joining);
+  proposal.joining.leans =
+      leans_without(corrections, proposal.regions,
+                    propose_leans(proposal.regions, proposal.stacking, *clipped, proposal.joining));
   proposal.scene = scene_of(corrections, proposal, *clipped, outlines);
   if (Status s = validate(proposal.scene); !s) return s.error();
   return proposal;

@@ -40,6 +40,7 @@ class StageState {
 /// sets, and computes again only what depends on what has changed:
 ///
 /// - c, d: a solve of the inflation, and of the order from its active set;
+/// - lean: the solve of the order alone, likewise;
 /// - alpha0, rho: besides, the factor of the inflation where they act;
 /// - a relation: the constraints, and the order, with a new pattern where nodes merge or part;
 /// - an outline, a join, the order of parts, the resolution: everything.

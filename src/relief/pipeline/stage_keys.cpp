@@ -50,7 +50,7 @@ Key ordering_key(const LayeredMesh& mesh, const Scene& scene, const OrderingOpti
   Key key;
   for (const DepthPair& pair : mesh.constraints)
     key.add(pair.lower).add(pair.upper).add(pair.equal);
-  for (const Part& part : scene.parts) key.add(part.d < 0);
+  for (const Part& part : scene.parts) key.add(part.d < 0).add(part.lean);
   for (const Relation& relation : scene.relations)
     key.add(relation.upper).add(relation.lower).add(relation.kind).add(relation.range.has_value());
   return key.add(options.epsilon).add(options.max_rounds).add(options.start_active);

@@ -13,6 +13,7 @@ namespace relievo {
 constexpr double max_coordinate = 1e6;  ///< bound of every coordinate and canvas side, px
 constexpr double min_inflation = 1e-3;  ///< bounds of c and |d|
 constexpr double max_inflation = 1e3;
+constexpr double max_lean = 2;   ///< bound of both numbers of a lean
 constexpr double max_rho = 1e3;  ///< bound of rho
 
 /// A semantically meaningful region of the drawing, completed where occluded [P §3].
@@ -22,6 +23,7 @@ struct Part {
   double c = 4;     ///< amount of inflation (4: a disc becomes a hemisphere) [P eq 1]
   double d = 1;     ///< depth scale, not 0; negative inflates away from the viewer [P eq 8]
   double flat = 0;  ///< profile, 0 (semi-elliptical) to 1 (a flat top with round edges)
+  Point2 lean{};    ///< how much nearer it comes per px to the right (x) and downwards (y)
 };
 
 /// An interconnection line [P Fig. 3, blue]: along it the upper part is seamlessly one surface

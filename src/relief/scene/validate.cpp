@@ -65,6 +65,8 @@ Status check_part(const Part& part, const std::string& where) {
     return bad(where + ".d", "must be a number with a magnitude from 0.001 to 1000");
   if (!(part.flat >= 0 && part.flat <= 1))
     return bad(where + ".flat", "must be a number from 0 to 1");
+  if (!(std::abs(part.lean.x) <= max_lean && std::abs(part.lean.y) <= max_lean))
+    return bad(where + ".lean", "must be two numbers from -2 to 2");
   return check_outline(part.outline, where + ".outline");
 }
 

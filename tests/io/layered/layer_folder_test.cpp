@@ -88,18 +88,24 @@ TEST(LayerTable, RefusesWhatItCannotRead) {
   EXPECT_NE(where("file\tx\na.png\tone").find("line 2: x"), std::string::npos);
   EXPECT_NE(where("file\topacity\na.png\t2").find("line 2: opacity"), std::string::npos);
   EXPECT_NE(where("file\tx\na.png\tnan").find("line 2: x"), std::string::npos);
+  EXPECT_NE(where("file\tlean\na.png\t0.5").find("line 2: lean"), std::string::npos);
+  EXPECT_NE(where("file\tlean\na.png\t0.5 3").find("line 2: lean"), std::string::npos);
+  EXPECT_NE(where("file\tlean\na.png\t0.5 0 0").find("line 2: lean"), std::string::npos);
   EXPECT_NE(where("file\trole\na.png\tlimb").find("role"), std::string::npos);
   EXPECT_NE(where("file\n\n\n").find("no layer"), std::string::npos);
   EXPECT_NE(where("file\nC:\\a.png\n").find("line 2"), std::string::npos);
 }
 
 TEST(LayerTable, OnePartMakesTheOthersTexture) {
-  const auto rows = read_layer_table("file\trole\tc\r\na.png\t\t\r\nb.png\tpart\t2\r\n");
+  const auto rows =
+      read_layer_table("file\trole\tc\tlean\r\na.png\t\t\r\nb.png\tpart\t2\t0.5 -0.25\r\n");
   ASSERT_TRUE(rows);
   EXPECT_EQ((*rows)[0].layer.role, LayerRole::texture);
   EXPECT_EQ((*rows)[1].layer.role, LayerRole::part);
   EXPECT_EQ((*rows)[1].layer.c, 2);
   EXPECT_FALSE((*rows)[0].layer.c);
+  EXPECT_EQ((*rows)[1].layer.lean, (Point2{0.5, -0.25}));
+  EXPECT_FALSE((*rows)[0].layer.lean);
 }
 
 }  // namespace

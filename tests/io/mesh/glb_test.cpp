@@ -57,8 +57,12 @@ TEST(Glb, PartsAreNodesWithTheirNamesAndValues) {
   ASSERT_EQ(glb.json["nodes"].size(), 2U);
   EXPECT_EQ(glb.json["scenes"][0]["nodes"], Json({0, 1}));
   EXPECT_EQ(glb.json["nodes"][0]["name"], "left half");
-  EXPECT_EQ(glb.json["nodes"][1]["extras"],
-            Json({{"part", "right half"}, {"order", 1}, {"c", 2.0}, {"d", 0.5}, {"flat", 0.25}}));
+  EXPECT_EQ(glb.json["nodes"][1]["extras"], Json({{"part", "right half"},
+                                                  {"order", 1},
+                                                  {"c", 2.0},
+                                                  {"d", 0.5},
+                                                  {"flat", 0.25},
+                                                  {"lean", {0.5, -0.125}}}));
   EXPECT_EQ(glb.json["asset"]["version"], "2.0");
   EXPECT_EQ(glb.json["asset"]["generator"].get<std::string>().rfind("relievo ", 0), 0U);
   EXPECT_EQ(glb.json["materials"][0]["doubleSided"], true);
@@ -135,7 +139,7 @@ TEST(Glb, TextureIsEmbeddedUprightAndOpaque) {
 
 TEST(Glb, PartsWithoutFacesAreLeftOut) {
   Model model = hemisphere(5, 4);
-  model.parts.insert(model.parts.begin(), ModelPart{"hidden", 4, 1, 0, 0, 0});
+  model.parts.insert(model.parts.begin(), ModelPart{"hidden", 4, 1, 0, {}, 0, 0});
   const ParsedGlb glb(*encode_glb(model, nullptr));
   ASSERT_EQ(glb.json["nodes"].size(), 1U);
   EXPECT_EQ(glb.json["nodes"][0]["extras"]["order"], 1);
@@ -175,6 +179,7 @@ TEST(Glb, ReadsWhatItWrites) {
   EXPECT_EQ(read->model.parts[1].id, "right half");
   EXPECT_EQ(read->model.parts[1].d, 0.5);
   EXPECT_EQ(read->model.parts[1].flat, 0.25);
+  EXPECT_EQ(read->model.parts[1].lean, (Point2{0.5, -0.125}));
   EXPECT_EQ(read->model.parts[1].first_triangle, model.parts[1].first_triangle);
 }
 

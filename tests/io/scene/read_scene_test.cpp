@@ -19,6 +19,8 @@ TEST(ReadScene, ReadsEveryKey) {
   EXPECT_EQ(scene->parts[0].d, 1);
   EXPECT_EQ(scene->parts[1].c, 2);
   EXPECT_EQ(scene->parts[1].d, -0.5);
+  EXPECT_EQ(scene->parts[0].lean, (Point2{0, 0}));
+  EXPECT_EQ(scene->parts[1].lean, (Point2{0.5, -0.25}));
   ASSERT_EQ(scene->joins.size(), 1U);
   EXPECT_EQ(scene->joins[0].upper, 1);
   EXPECT_EQ(scene->joins[0].lower, 0);
@@ -99,6 +101,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"\"id\": \"leg\"", "\"id\": \"\"", "parts[1].id", "1 to 200 bytes"},
         Refusal{"\"id\": \"leg\"", "\"id\": \"l\\u001b[0m\"", "parts[1].id", "control"},
         Refusal{"\"id\": \"leg\"", "\"id\": null", "parts[1].id", "text in quotes"},
+        Refusal{"[0.5, -0.25]", "0.5", "parts[1].lean", "[x, y]"},
+        Refusal{"[0.5, -0.25]", "[0.5, -3]", "parts[1].lean", "-2 to 2"},
         Refusal{"[20,99]", "[20,\"99\"]", "parts[1].outline[0][1][1]", "must be a number"},
         Refusal{"[20,99]", "[20]", "parts[1].outline[0][1]", "point [x, y]"},
         Refusal{"[20,99]", "[20,99,0]", "parts[1].outline[0][1]", "point [x, y]"},

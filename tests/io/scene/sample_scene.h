@@ -12,7 +12,8 @@ inline std::string sample_scene() {
     "drawing": "art/figure.png",
     "parts": [
       { "id": "body", "outline": [ [[10,10],[90,10],[90,90],[10,90]], [[40,40],[60,40],[60,60],[40,60]] ] },
-      { "id": "leg", "outline": [ [[20,70],[20,99],[35,99],[35,70]] ], "c": 2, "d": -0.5, "flat": 0.25 }
+      { "id": "leg", "outline": [ [[20,70],[20,99],[35,99],[35,70]] ], "c": 2, "d": -0.5, "flat": 0.25,
+        "lean": [0.5, -0.25] }
     ],
     "joins": [ { "upper": "leg", "lower": "body", "line": [[20,70],[35,70]] } ],
     "relations": [

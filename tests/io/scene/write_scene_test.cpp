@@ -41,7 +41,8 @@ TEST(WriteScene, KeepsEveryBitOfEveryNumber) {
     Ring ring;
     for (int i = 0; i < 50; ++i) ring.push_back({rough_number(random), rough_number(random)});
     if (p == 0) ring.push_back({-0.0, std::numeric_limits<double>::denorm_min()});
-    scene.parts.push_back({"p" + std::to_string(p), {ring}, 4.0 / 3, -1.0 / 3, 1.0 / 7});
+    scene.parts.push_back(
+        {"p" + std::to_string(p), {ring}, 4.0 / 3, -1.0 / 3, 1.0 / 7, {1.0 / 9, -0.7}});
     orient_by_nesting(scene.parts.back().outline);
   }
   const auto text = write_scene(scene);
@@ -53,6 +54,8 @@ TEST(WriteScene, KeepsEveryBitOfEveryNumber) {
     EXPECT_TRUE(same_bits(back->parts[p].c, scene.parts[p].c));
     EXPECT_TRUE(same_bits(back->parts[p].d, scene.parts[p].d));
     EXPECT_TRUE(same_bits(back->parts[p].flat, scene.parts[p].flat));
+    EXPECT_TRUE(same_bits(back->parts[p].lean.x, scene.parts[p].lean.x));
+    EXPECT_TRUE(same_bits(back->parts[p].lean.y, scene.parts[p].lean.y));
     const Ring& expected = scene.parts[p].outline[0];
     const Ring& read = back->parts[p].outline[0];
     ASSERT_EQ(read.size(), expected.size());

@@ -27,13 +27,14 @@ Error error_of(const std::string& content) {
 }
 
 TEST(AnnotatedParts, AGroupIsTheUnionOfItsFilledShapes) {
-  const SvgImport import = import_of(svg_file(
-      std::string(body) +
-      "<g id='leg' data-relievo='part' data-c='2' data-d='-0.5' transform='translate(300 0)'>"
-      "<rect x='0' y='100' width='200' height='50'/><g><rect x='50' y='50' width='50' "
-      "height='200'/>"
-      "</g><path d='M0 0L900 900' fill='none' stroke='red'/>"
-      "<rect data-relievo='texture' width='999' height='999'/></g>"));
+  const SvgImport import = import_of(
+      svg_file(std::string(body) +
+               "<g id='leg' data-relievo='part' data-c='2' data-d='-0.5' data-lean=' .25, -1' "
+               "transform='translate(300 0)'>"
+               "<rect x='0' y='100' width='200' height='50'/><g><rect x='50' y='50' width='50' "
+               "height='200'/>"
+               "</g><path d='M0 0L900 900' fill='none' stroke='red'/>"
+               "<rect data-relievo='texture' width='999' height='999'/></g>"));
   EXPECT_FALSE(import.proposed);
   ASSERT_EQ(ids(import.scene), (Names{"body", "leg"}));
   const Part& leg = import.scene.parts[1];
@@ -42,6 +43,7 @@ TEST(AnnotatedParts, AGroupIsTheUnionOfItsFilledShapes) {
   EXPECT_GT(signed_area(leg.outline[0]), 0);
   EXPECT_EQ(leg.c, 2);
   EXPECT_EQ(leg.d, -0.5);
+  EXPECT_EQ(leg.lean, (Point2{0.25, -1}));
   EXPECT_EQ(import.scene.parts[0].c, 4);
 }
 
@@ -111,7 +113,8 @@ TEST(AnnotatedParts, ASingleLayerOrLayersOfManyPartsSayNothing) {
 TEST(AnnotatedParts, UnsoundValuesAreNamed) {
   for (const char* attribute :
        {"data-c='x'", "data-c='-1'", "data-d='0'", "data-c='1e999'", "data-d='2px'",
-        "data-flat='1.1'", "data-flat='-1'", "data-relation='over'"}) {
+        "data-flat='1.1'", "data-flat='-1'", "data-lean='0.1'", "data-lean='0.1 2.5'",
+        "data-lean='0.1 0 0'", "data-lean='x 0'", "data-relation='over'"}) {
     const Error error = error_of(
         std::string("<rect id='p' data-relievo='part' width='9' height='9' ") + attribute + "/>");
     EXPECT_EQ(error.code, ErrorCode::bad_input) << attribute;

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <cmath>
 #include <numeric>
 
+#include "kernel/operators/gradient.h"
 #include "support/structured_meshes.h"
 
 namespace relievo {
@@ -81,6 +83,26 @@ TEST(Load, IntegratesADensityPerTriangle) {
   const std::vector<double> areas = triangle_areas(mesh.flat());
   const double integral = std::inner_product(density.begin(), density.end(), areas.begin(), 0.0);
   EXPECT_NEAR(load_vector(mesh.flat(), density).sum(), integral, 1e-10);
+}
+
+TEST(Divergence, OfAGradientIsTheLaplacian) {
+  const PlanarMesh mesh = irregular_mesh();
+  VectorXd values = sampled(mesh, 1, -2, 0.7);
+  for (Eigen::Index v = 0; v < values.size(); ++v) values[v] *= values[v];
+  const std::vector<Point2> slopes =
+      face_gradients(mesh.flat(), {values.data(), mesh.vertices.size()});
+  const VectorXd force = stiffness_matrix(mesh.flat()) * values;
+  EXPECT_LE((divergence_load(mesh.flat(), slopes) - force).lpNorm<Eigen::Infinity>(), 1e-12);
+}
+
+TEST(Divergence, OfAnyFieldAddsUpToNothing) {
+  const PlanarMesh mesh = irregular_mesh();
+  std::vector<Point2> field;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
+    field.push_back({std::sin(t), std::cos(3 * t)});
+  const VectorXd load = divergence_load(mesh.flat(), field);
+  EXPECT_NEAR(load.sum(), 0, 1e-12);
+  EXPECT_GT(load.lpNorm<Eigen::Infinity>(), 0.1);
 }
 
 TEST(Galerkin, EqualsTheDenseProduct) {

@@ -22,7 +22,7 @@ VectorXd random_vector(Random& random, Eigen::Index size) {
 }
 
 TEST(JointProgram, DerivativesAgreeWithDifferences) {
-  const JointCase test = joint_case(body_and_leg(), 600, 3);
+  const JointCase test = joint_case(leaning(body_and_leg(), 1), 600, 3);
   const Relief& relief = test.approximate;
   const JointProgram program =
       make_joint_program(relief.layers, test.scene, test.options.joint, relief.inflation);
@@ -42,6 +42,7 @@ TEST(JointProgram, DerivativesAgreeWithDifferences) {
 
 TEST(JointProgram, AgreesWithTheReportedEnergy) {
   Scene scene = body_and_leg();
+  scene.parts[0].lean = {0.3, -0.1};
   scene.parts[1].flat = 0.3;
   const JointCase test = joint_case(scene, 1500, 1);
   const JointSolution solution = solve(test);
@@ -64,7 +65,8 @@ struct Comparison {
 Comparison compare_with_ipopt(double lambda_bnd, int scenes) {
   Comparison comparison;
   for (uint64_t seed = 1; comparison.scenes < scenes; ++seed) {
-    const JointCase test = joint_case(random_scene(seed), 300, lambda_bnd);
+    const Scene scene = seed % 2 == 0 ? leaning(random_scene(seed), seed) : random_scene(seed);
+    const JointCase test = joint_case(scene, 300, lambda_bnd);
     const Relief& start = test.approximate;
     if (start.layers.ramp_nodes.empty() || !has_pure_surfaces(start.layers, test.scene)) continue;
     ++comparison.scenes;

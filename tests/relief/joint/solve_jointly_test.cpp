@@ -45,7 +45,7 @@ class RandomScenes : public ::testing::TestWithParam<double> {};
 TEST_P(RandomScenes, EndAtPointsWhereAllForcesBalance) {
   int pure = 0;
   for (uint64_t seed = 1; seed <= 40; ++seed) {
-    JointCase test = joint_case(random_scene(seed), 2000, GetParam());
+    JointCase test = joint_case(leaning(random_scene(seed), seed), 2000, GetParam());
     test.options.joint.tolerance = 1e-7;
     const LayeredMesh& mesh = test.approximate.layers;
     const JointSolution solution = solve(test);
@@ -53,8 +53,8 @@ TEST_P(RandomScenes, EndAtPointsWhereAllForcesBalance) {
     EXPECT_LE(solution.ordering.max_violation, 1e-9) << seed;
     EXPECT_LE(solution.ordering.report.stationarity, 1e-11) << seed;
     const DepthOptimality order =
-        check_depth_optimality(mesh, solution.inflation, enforced_pairs(mesh), solution.ordering.h,
-                               test.options.joint.epsilon);
+        check_depth_optimality({mesh, test.scene, test.options.joint.epsilon}, solution.inflation,
+                               enforced_pairs(mesh), solution.ordering.h);
     EXPECT_LE(order.imbalance, 1e-10) << seed;
     if (!has_pure_surfaces(mesh, test.scene)) continue;
     ++pure;

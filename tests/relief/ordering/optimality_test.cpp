@@ -16,7 +16,6 @@ namespace {
 using testing::check_depth_optimality;
 using testing::enforced_pairs;
 using testing::RandomDepth;
-using testing::scene_of;
 
 OrderingOptions only_given_pairs() {
   OrderingOptions options;
@@ -25,8 +24,7 @@ OrderingOptions only_given_pairs() {
 }
 
 Ordering ordered(const RandomDepth& random, const OrderingOptions& options) {
-  const Result<Ordering> result =
-      order_depth(random.mesh, random.inflation, scene_of(random.mesh), options);
+  const Result<Ordering> result = order_depth(random.mesh, random.inflation, random.scene, options);
   RC_ASSERT(result.ok());
   return *result;
 }
@@ -40,8 +38,9 @@ void check_random_part_graph() {
   RC_ASSERT(ordering.report.primal == 0);
   RC_ASSERT(ordering.report.dual <= 1e-12);
   RC_ASSERT(ordering.report.complementarity == 0);
-  const testing::DepthOptimality optimality = check_depth_optimality(
-      random.mesh, random.inflation, enforced_pairs(random.mesh), ordering.h, options.epsilon);
+  const testing::DepthOptimality optimality =
+      check_depth_optimality({random.mesh, random.scene, options.epsilon}, random.inflation,
+                             enforced_pairs(random.mesh), ordering.h);
   RC_ASSERT(optimality.violation == 0);
   RC_ASSERT(optimality.imbalance <= 1e-12);
 }
@@ -59,8 +58,9 @@ TEST(Optimality, TheCheckNoticesWrongHeights) {
     const OrderingOptions options = only_given_pairs();
     Ordering ordering = ordered(random, options);
     ordering.h[*rc::gen::inRange<size_t>(0, ordering.h.size())] += *rc::gen::element(-1e-3, 1e-3);
-    const testing::DepthOptimality optimality = check_depth_optimality(
-        random.mesh, random.inflation, enforced_pairs(random.mesh), ordering.h, options.epsilon);
+    const testing::DepthOptimality optimality =
+        check_depth_optimality({random.mesh, random.scene, options.epsilon}, random.inflation,
+                               enforced_pairs(random.mesh), ordering.h);
     RC_ASSERT(optimality.violation > 1e-6 || optimality.imbalance > 1e-6);
   }));
 }
@@ -89,7 +89,8 @@ testing::LinearlyConstrainedQp stated_directly(const RandomDepth& random, double
     const double u = random.inflation.u[n];
     f[n] = scale * std::copysign(std::sqrt(std::abs(u)), u);
   }
-  qp.b = A * f;
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(f.size());
+  qp.b = A * f - testing::ShiftCost{random.mesh, random.scene, epsilon}.slope(still);
   const std::vector<DepthPair> pairs = enforced_pairs(random.mesh);
   const int rows = static_cast<int>(pairs.size());
   qp.C.resize(rows, A.rows());

@@ -88,6 +88,37 @@ TEST_P(Invariance, Rotation) {
   EXPECT_LT(difference(scene, mapped(scene, map), map, 1, GetParam()), 1.0);
 }
 
+TEST_P(Invariance, LeansTurnAndGrowWithTheDrawing) {
+  const double a = 0.4;
+  const auto turned = [&](Point2 d) {
+    return Point2{d.x * std::cos(a) - d.y * std::sin(a), d.x * std::sin(a) + d.y * std::cos(a)};
+  };
+  Scene scene = body_and_leg();
+  scene.parts[0].lean = {0.3, -0.1};
+  scene.parts[1].lean = {-0.2, 0.15};
+  for (const double scale : {0.5, 2.0}) {
+    const auto map = [&](Point2 p) {
+      return scale * (Point2{200, 200} + turned(p - Point2{200, 200}));
+    };
+    Scene other = mapped(scene, map);
+    other.width *= scale;
+    other.height *= scale;
+    for (Part& part : other.parts) part.lean = turned(part.lean);
+    EXPECT_LT(difference(scene, other, map, scale, GetParam()), 1.0);
+    other.parts[0].lean = scene.parts[0].lean;
+    EXPECT_GT(difference(scene, other, map, scale, GetParam()), 5.0);
+  }
+}
+
+TEST_P(Invariance, NamesOfLeaningParts) {
+  Scene scene = body_and_leg();
+  scene.parts[0].lean = {0.3, -0.1};
+  Scene other = scene;
+  other.parts[0].id = "leg";
+  other.parts[1].id = "body";
+  EXPECT_EQ(build(scene, GetParam()).ordering.h, build(other, GetParam()).ordering.h);
+}
+
 TEST_P(Invariance, OrderOfPartsThatDoNotOverlap) {
   Scene scene = body_and_leg();
   scene.parts.push_back(part("ball", circle({50, 330}, 30)));

@@ -82,6 +82,8 @@ TEST(OperationCounts, EditsOfNumbersKeepEveryPattern) {
     expect_few("c", 6);
     scene.parts.back().d *= 0.9;
     expect_few("d", 6);
+    scene.parts.front().lean = {0.1, 0.05};
+    expect_few("lean", 6);
     options.inflation.alpha0 *= 1.5;
     expect_few("alpha0", 6);
     options.inflation.rho *= 1.2;

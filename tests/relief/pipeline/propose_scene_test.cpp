@@ -72,6 +72,26 @@ TEST(ProposeScene, TheUserIsNotOverruled) {
   EXPECT_EQ(proposal.completion.parts[0].kind, CompletionKind::given);
 }
 
+TEST(ProposeScene, LeansOfTheUserStayAlsoWhereTheyAreNone) {
+  const Image16 turned = painted(
+      300, 300,
+      {oval(95, 140, 15, 50, 0.2), oval(150, 150, 70, 100, 0), oval(205, 140, 15, 50, -0.2)});
+  Corrections corrections;
+  corrections.order = {{2, 1}, {3, 2}};
+  const auto lean_of_body = [&] {
+    const Proposal proposal = propose(turned, corrections);
+    for (const Part& part : proposal.scene.parts)
+      if (part.id == "part-2") return std::pair(part.lean, proposal.joining.leans.size());
+    return std::pair(Point2{9, 9}, size_t{9});
+  };
+  EXPECT_GT(lean_of_body().first.x, 0.1);
+  EXPECT_EQ(lean_of_body().second, 1U);
+  for (const Point2 said : {Point2{0, 0}, Point2{-0.5, 0.25}}) {
+    corrections.parts[2].lean = said;
+    EXPECT_EQ(lean_of_body(), std::pair(said, size_t{0}));
+  }
+}
+
 TEST(ProposeScene, AJoinOfTheUserPutsItsPartInFront) {
   Corrections corrections;
   corrections.joining.joins = {{1, 2, {{90, 124}, {130, 124}}}};

@@ -29,7 +29,7 @@ void edit(Random& random, Scene& scene, ReliefOptions& options) {
   Part& part = scene.parts[random.integer(0, count - 1)];
   const int upper = random.integer(1, count - 1);
   const int lower = random.integer(0, upper - 1);
-  switch (random.integer(0, 8)) {
+  switch (random.integer(0, 9)) {
     case 0:
       part.c *= random.uniform(0.5, 2);
       return;
@@ -53,6 +53,9 @@ void edit(Random& random, Scene& scene, ReliefOptions& options) {
       part.flat = random.uniform(0, 1);
       return;
     case 7:
+      part.lean = {random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)};
+      return;
+    case 8:
       if (!scene.joins.empty()) scene.joins.pop_back();
       return;
     default:
@@ -122,6 +125,11 @@ TEST(ReliefSession, ComputesOnlyWhatDependsOnTheEdit) {
   ASSERT_TRUE(session.update(scene, options));
   EXPECT_EQ(stages(session), (std::multiset<std::string>{"inflate", "order"}));
   EXPECT_LE(session.relief().ordering.report.factorisations, 2);
+
+  scene.parts[0].lean = {0.2, -0.1};
+  ASSERT_TRUE(session.update(scene, options));
+  EXPECT_EQ(stages(session), (std::multiset<std::string>{"order"}));
+  EXPECT_LE(session.relief().ordering.report.factorisations, 4);
 
   scene.relations.push_back({2, 0, RelationKind::above, std::nullopt});
   ASSERT_TRUE(session.update(scene, options));

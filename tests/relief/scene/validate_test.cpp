@@ -50,10 +50,17 @@ TEST(Validate, RefusesWhatIsNotFinite) {
   EXPECT_EQ(culprit([](Scene& s) { s.parts[1].outline[0][3].y = nan; }), "parts[1].outline[0][3]");
   EXPECT_EQ(culprit([](Scene& s) { s.parts[1].c = nan; }), "parts[1].c");
   EXPECT_EQ(culprit([](Scene& s) { s.parts[1].d = infinity; }), "parts[1].d");
+  EXPECT_EQ(culprit([](Scene& s) { s.parts[1].lean.x = nan; }), "parts[1].lean");
   EXPECT_EQ(culprit([](Scene& s) { s.joins[0].line[1].x = nan; }), "joins[0].line[1]");
   EXPECT_EQ(culprit([](Scene& s) { s.robin[0].from.x = nan; }), "robin[0].from");
   EXPECT_EQ(culprit([](Scene& s) { s.robin[0].alpha0 = nan; }), "robin[0].alpha0");
   EXPECT_EQ(culprit([](Scene& s) { s.robin[0].rho = nan; }), "robin[0].rho");
+}
+
+TEST(Validate, RefusesLeansThatAreTooSteep) {
+  EXPECT_EQ(culprit([](Scene& s) { s.parts[0].lean = {2, -2}; }), "accepted");
+  EXPECT_EQ(culprit([](Scene& s) { s.parts[0].lean = {2.01, 0}; }), "parts[0].lean");
+  EXPECT_EQ(culprit([](Scene& s) { s.parts[0].lean = {0, -2.01}; }), "parts[0].lean");
 }
 
 TEST(Validate, RefusesIndicesWithoutPart) {

@@ -115,6 +115,7 @@ function anyEdit(document: Document, random: () => number): Document {
     () => movePart(document, pick(), Math.floor(6 * random())),
     () => changePart(document, pick(), { c: 1 + random() }),
     () => changePart(document, pick(), { flat: random() }),
+    () => changePart(document, pick(), { lean: [random(), -random()] }),
     () => joinParts(document, pick(), pick()),
     () => relate(document, pick(), pick(), 'equal'),
     () => addRange(document, pick(), spot(), spot()),

@@ -101,10 +101,11 @@ describe('what a person changes', () => {
     document = edited(document, (before) => changePart(before, 'arm', { c: 2 }));
     document = edited(document, (before) => changePart(before, 'arm', { d: -1 }));
     document = edited(document, (before) => changePart(before, 'arm', { flat: 0.5 }));
+    document = edited(document, (before) => changePart(before, 'arm', { lean: [0, 0] }));
     document = edited(document, (before) => changePart(before, 'body', { outline: [box(0, 0, 9, 9)] }));
     expect(corrections(document).parts).toEqual([
       { label: 1, outline: [box(0, 0, 9, 9)] },
-      { label: 3, c: 2, d: -1, flat: 0.5 },
+      { label: 3, c: 2, d: -1, flat: 0.5, lean: [0, 0] },
     ]);
   });
 
