@@ -59,6 +59,25 @@ class Fans {
   std::vector<size_t> pending_;
 };
 
+/// Whether the faces at one node follow each other all around it, each sharing an edge with the
+/// next. `spokes` is memory to use.
+bool is_closed_fan(const Sheets& sheets, const Corner* first, const Corner* last,
+                   std::vector<std::pair<int, int>>& spokes) {
+  spokes.clear();
+  for (const Corner* corner = first; corner != last; ++corner) {
+    const std::array<int, 3>& face = sheets.faces[*corner / 3];
+    spokes.push_back({face[(*corner % 3 + 1) % 3], face[(*corner % 3 + 2) % 3]});
+  }
+  size_t at = 0;
+  for (size_t passed = 1; passed <= spokes.size(); ++passed) {
+    const int shared = spokes[at].second;
+    at = 0;
+    while (at < spokes.size() && spokes[at].first != shared) ++at;
+    if (at == 0 || at == spokes.size()) return at == 0 && passed == spokes.size();
+  }
+  return false;
+}
+
 }  // namespace
 
 int BaseMesh::triangle_left_of(int a, int b) const {
@@ -138,7 +157,10 @@ std::vector<DepthPair> split_fans(const BaseMesh& base, Sheets& sheets) {
     int node;
   };
   std::vector<Move> moves;
+  std::vector<std::pair<int, int>> spokes;
   for (size_t n = 0; n < count; ++n) {
+    if (is_closed_fan(sheets, corners.data() + begin[n], corners.data() + begin[n + 1], spokes))
+      continue;
     const std::vector<int> group =
         fans.groups(corners.data() + begin[n], corners.data() + begin[n + 1]);
     const int groups = group.empty() ? 0 : *std::max_element(group.begin(), group.end()) + 1;
