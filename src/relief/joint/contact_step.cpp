@@ -36,8 +36,11 @@ Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunC
   BoundQpOptions options;
   options.start_active = active_;
   options.tolerance = contact_tolerance;
+  options.start = std::move(last_);
+  options.same_matrix = options.start.size() > 0 && softs == 0;
   const BoundQpSolution solution = solve_bound_qp(qp_, factor_, options, context);
   active_ = solution.active;
+  last_ = solution.z;
 
   Contact contact;
   contact.status = solution.report.status;

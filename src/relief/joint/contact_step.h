@@ -51,6 +51,7 @@ class ContactStep {
   SoftMatrix matrix_;
   BoundQp qp_;
   std::vector<uint8_t> active_;
+  Eigen::VectorXd last_;  ///< solution; empty at first
   SparseCholesky factor_;
 };
 
