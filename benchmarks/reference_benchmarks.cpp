@@ -57,10 +57,9 @@ void interior_point(State& state, const std::string& name, int vertices) {
   Program program = program_of(surface);
   BoundQpOptions cold;
   const BoundQpSolution exact = solve_bound_qp(program.system.qp, program.system.factor, cold);
-  const std::vector<int> order =
-      order_of_variables(program.system.problem.variables, surface.discretisation.elimination);
   for (auto _ : state) {
-    const ReferenceSolution solution = solve_by_interior_point(program.system.qp, order);
+    const ReferenceSolution solution =
+        solve_by_interior_point(program.system.qp, surface.discretisation.elimination);
     if (!solution.solved) state.SkipWithError("not solved");
     state.counters["iterations"] = solution.iterations;
     state.counters["difference"] = difference(solution.x, exact.z);

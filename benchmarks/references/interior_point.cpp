@@ -33,7 +33,9 @@ class InteriorPoint {
   ReferenceSolution run() {
     ReferenceSolution result;
     while (result.iterations < max_iterations && !result.solved) {
-      const VectorXd residual = multiply_symmetric(program_.K, point_.z) - program_.b - point_.s;
+      VectorXd residual = multiply_symmetric(program_.K, point_.z) - program_.b - point_.s;
+      for (size_t i = 0; i < program_.fixed.size(); ++i)
+        if (program_.fixed[i] != 0) residual[static_cast<Index>(i)] = 0;
       const double gap = bounds_ > 0 ? point_.z.dot(point_.s) / bounds_ : 0;
       result.solved = residual.lpNorm<Eigen::Infinity>() <= tolerance && gap <= tolerance;
       if (result.solved || !factorise()) break;
@@ -53,7 +55,7 @@ class InteriorPoint {
       A_.valuePtr()[diagonal] = program_.K.valuePtr()[diagonal];
       if (bounded(i)) A_.valuePtr()[diagonal] += point_.s[i] / point_.z[i];
     }
-    return factor_.factorise(A_);
+    return factor_.factorise(A_, program_.fixed);
   }
 
   /// The Newton step to z s = target.

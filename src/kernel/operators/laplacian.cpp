@@ -42,7 +42,7 @@ class ColumnBuilder {
   }
 
   void finish_column() {
-    std::sort(rows_.begin(), rows_.end());
+    if (!std::is_sorted(rows_.begin(), rows_.end())) std::sort(rows_.begin(), rows_.end());
     const int begin = matrix_.outerIndexPtr()[column_];
     const int end = begin + static_cast<int>(rows_.size());
     if (end > matrix_.data().size()) matrix_.resizeNonZeros(2 * Eigen::Index{end});

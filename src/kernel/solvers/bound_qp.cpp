@@ -14,6 +14,8 @@ constexpr int block_tries = 3;
 constexpr int max_refinements = 4;
 /// Residuals within this share of the tolerance need no attention.
 constexpr double negligible = 0.1;
+/// So few wrong bounds are likely to be the last ones: the next solve is one to end with.
+constexpr size_t few = 8;
 
 double max_norm(const VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
 
@@ -33,9 +35,11 @@ class ActiveSetSolver {
     assert(problem.bounded.size() == n);
     assert(factor.graph().size() == problem.b.size());
     assert(options.start_active.empty() || options.start_active.size() == n);
-    solution_.active.assign(n, 0);
+    assert(problem.fixed.empty() || problem.fixed.size() == n);
+    solution_.active = problem.fixed;
+    solution_.active.resize(n, 0);
     for (size_t i = 0; i < options.start_active.size(); ++i)
-      solution_.active[i] = options.start_active[i] != 0 && problem.bounded[i] != 0;
+      if (problem.bounded[i] != 0) solution_.active[i] = options.start_active[i];
     solution_.z = goes_on_ ? options.start : VectorXd::Zero(problem.b.size());
     solution_.mu = goes_on_ ? gradient() : solution_.z;
   }
@@ -60,6 +64,7 @@ class ActiveSetSolver {
       if (!solve_free()) return SolveStatus::not_positive_definite;
       const std::vector<int> wrong = refined_wrong_bounds();
       if (wrong.empty()) return SolveStatus::solved;
+      few_wrong_ = wrong.size() <= few;
       if (wrong.size() < fewest) {
         fewest = wrong.size();
         tries = block_tries;
@@ -120,7 +125,7 @@ class ActiveSetSolver {
 
   void activate_zeros(const VectorXd& z) {
     for (Eigen::Index i = 0; i < z.size(); ++i)
-      solution_.active[i] = problem_.bounded[i] != 0 && z[i] == 0;
+      if (problem_.bounded[i] != 0) solution_.active[i] = z[i] == 0;
   }
 
   /// The lowest point along the negative gradient of the bounds that pull.
@@ -157,8 +162,8 @@ class ActiveSetSolver {
   }
 
   void guess_around(const std::vector<int>& wrong) {
-    const ActiveGuess guess = relax_around(
-        wrong, {problem_.K, factor_.graph(), problem_.bounded, solution_.z, solution_.mu});
+    const ActiveGuess guess = relax_around(wrong, {problem_.K, factor_.graph(), problem_.bounded,
+                                                   problem_.fixed, solution_.z, solution_.mu});
     for (size_t i = 0; i < guess.unknowns.size(); ++i)
       solution_.active[guess.unknowns[i]] = guess.active[i];
   }
@@ -169,7 +174,7 @@ class ActiveSetSolver {
     ++solution_.report.iterations;
     ++solution_.report.factorisations;
     if (!factorise()) return false;
-    if (solution_.report.iterations == 1 && !goes_on_)
+    if (!goes_on_ && (solution_.report.iterations == 1 || few_wrong_))
       solve_directly();
     else
       solve_change();
@@ -278,10 +283,10 @@ class ActiveSetSolver {
       const bool active = solution_.active[i] != 0;
       const double z = solution_.z[i];
       solution_.mu[i] = active ? residual[i] : 0;
-      report.active += active;
       report.stationarity =
           std::max(report.stationarity, std::abs(residual[i] - solution_.mu[i]) / scale_);
       if (problem_.bounded[i] == 0) continue;
+      report.active += active;
       report.primal = std::max(report.primal, -z / scale_);
       report.dual = std::max(report.dual, -solution_.mu[i] / scale_);
       report.complementarity =
@@ -297,8 +302,9 @@ class ActiveSetSolver {
   double tolerance_;
   int max_iterations_;
   bool same_matrix_;
-  bool goes_on_;        ///< from a point that was given
-  bool rough_ = false;  ///< z is what a sequence of changes has left
+  bool goes_on_;            ///< from a point that was given
+  bool few_wrong_ = false;  ///< after the last step
+  bool rough_ = false;      ///< z is what a sequence of changes has left
   BoundQpSolution solution_;
 };
 

@@ -11,11 +11,13 @@
 
 namespace relievo {
 
-/// Minimise 1/2 z'Kz - b'z subject to z_i >= 0 where bounded[i]. K is positive definite.
+/// Minimise 1/2 z'Kz - b'z subject to z_i >= 0 where bounded[i] and z_i = 0 where fixed[i]. K is
+/// positive definite.
 struct BoundQp {
   SparseMatrix K;                ///< n x n, lower triangle with the whole diagonal
   Eigen::VectorXd b;             ///< n, finite
   std::vector<uint8_t> bounded;  ///< n, 0 or 1
+  std::vector<uint8_t> fixed;    ///< n, 0 or 1, not where bounded; empty: none
 };
 
 struct BoundQpOptions {
@@ -29,11 +31,11 @@ struct BoundQpOptions {
   double tolerance = 1e-13;
 };
 
-/// The minimiser, exactly 0 on active bounds and never negative on the others; K z - b = mu.
+/// The minimiser, exactly 0 where active and never negative on other bounds; K z - b = mu.
 struct BoundQpSolution {
   Eigen::VectorXd z;            ///< n
-  Eigen::VectorXd mu;           ///< n, multipliers: 0 but on active bounds
-  std::vector<uint8_t> active;  ///< n, 1 where the bound holds with equality
+  Eigen::VectorXd mu;           ///< n, multipliers: 0 but where active
+  std::vector<uint8_t> active;  ///< n, 1 where fixed and where the bound holds with equality
   BoundQpReport report;
 };
 

@@ -36,7 +36,7 @@ void place_panels(FrontLayout& layout) {
 }
 
 Index update_size(const Supernodes& fronts, int s) {
-  return static_cast<Index>(Front{fronts.rows(s), fronts.columns(s)}.update_size());
+  return Front{fronts.rows(s), fronts.columns(s)}.update_size();
 }
 
 void keep_update(FrontLayout& layout, int s) {

@@ -22,8 +22,7 @@ using Pack4 = double __attribute__((vector_size(32)));
 template <class Pack>
 constexpr int lanes = sizeof(Pack) / sizeof(double);
 
-/// Columns of a tile, and columns that are eliminated before the rest is updated.
-constexpr int tile_columns = 4;
+/// Columns that are eliminated before the rest is updated.
 constexpr int block_columns = 64;
 
 template <class Pack>
@@ -99,7 +98,7 @@ RELIEVO_INLINE void subtract_columns(const Front& front, int column, int count, 
   const double* A = front.panel + from * front.stride();
   const Product product{A, A + column, front.stride(), to - from};
   double* C = front.column(column);
-  const Index c_stride = column < front.columns ? front.stride() : front.update_stride();
+  const Index c_stride = column < front.columns ? front.stride() : front.tile_stride(column);
   const int row = column / pack_rows * pack_rows;
   const int end = padded(front.rows);
   switch (count) {

@@ -7,8 +7,11 @@ namespace {
 
 /// How far from the seeds unknowns may move.
 constexpr int rings = 4;
-/// In each direction.
-constexpr int sweeps = 5;
+/// In each direction, as long as they take no more than so many steps of one unknown; at least
+/// some.
+constexpr int most_sweeps = 30;
+constexpr int fewest_sweeps = 5;
+constexpr int affordable_steps = 20000;
 
 /// Unknowns with the rows and columns of K that are theirs.
 struct Patch {
@@ -19,12 +22,17 @@ struct Patch {
   std::vector<double> diagonal;
 };
 
-/// All within a few steps of the seeds, ascending; `place` of them is 0, of the others -1.
+/// In place of an index: not in the patch so far, and not to be in it however near it is.
+constexpr int unreached = -1;
+constexpr int held = -2;
+
+/// All within a few steps of the seeds, ascending; `place` of them becomes 0.
 std::vector<int> unknowns_around(const std::vector<int>& seeds, const SymmetricGraph& graph,
                                  std::vector<int>& place) {
   std::vector<int> unknowns;
   const auto add = [&](int i) {
-    if (place[i] < 0) unknowns.push_back(i);
+    if (place[i] != unreached) return;
+    unknowns.push_back(i);
     place[i] = 0;
   };
   for (const int i : seeds) add(i);
@@ -39,10 +47,13 @@ std::vector<int> unknowns_around(const std::vector<int>& seeds, const SymmetricG
   return unknowns;
 }
 
-Patch patch_around(const std::vector<int>& seeds, const SparseMatrix& K,
-                   const SymmetricGraph& graph) {
+Patch patch_around(const std::vector<int>& seeds, const BoundQpPoint& point) {
+  const SparseMatrix& K = point.K;
+  const SymmetricGraph& graph = point.graph;
   Patch patch;
-  std::vector<int> place(static_cast<size_t>(graph.size()), -1);
+  std::vector<int> place(static_cast<size_t>(graph.size()), unreached);
+  for (size_t i = 0; i < point.fixed.size(); ++i)
+    if (point.fixed[i] != 0) place[i] = held;
   patch.unknowns = unknowns_around(seeds, graph, place);
   for (size_t p = 0; p < patch.unknowns.size(); ++p) place[patch.unknowns[p]] = static_cast<int>(p);
   patch.begin = {0};
@@ -74,6 +85,10 @@ class Relaxation {
   void sweep_to_and_fro() {
     for (int p = 0; p < size(); ++p) relax(p);
     for (int p = size() - 1; p >= 0; --p) relax(p);
+  }
+
+  int affordable_sweeps() const {
+    return std::clamp(affordable_steps / std::max(1, 2 * size()), fewest_sweeps, most_sweeps);
   }
 
   ActiveGuess guess() const {
@@ -112,9 +127,9 @@ class Relaxation {
 }  // namespace
 
 ActiveGuess relax_around(const std::vector<int>& seeds, const BoundQpPoint& point) {
-  const Patch patch = patch_around(seeds, point.K, point.graph);
+  const Patch patch = patch_around(seeds, point);
   Relaxation relaxation(patch, point);
-  for (int i = 0; i < sweeps; ++i) relaxation.sweep_to_and_fro();
+  for (int i = relaxation.affordable_sweeps(); i > 0; --i) relaxation.sweep_to_and_fro();
   return relaxation.guess();
 }
 

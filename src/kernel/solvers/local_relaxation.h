@@ -14,6 +14,7 @@ struct BoundQpPoint {
   const SparseMatrix& K;                ///< n x n, lower triangle with the whole diagonal
   const SymmetricGraph& graph;          ///< of K
   const std::vector<uint8_t>& bounded;  ///< n: z_i >= 0
+  const std::vector<uint8_t>& fixed;    ///< n: z_i = 0, or empty
   const Eigen::VectorXd& z;             ///< n
   const Eigen::VectorXd& gradient;      ///< n
 };
@@ -25,10 +26,11 @@ struct ActiveGuess {
 };
 
 /// Guesses the active bounds around some unknowns, `seeds`: all within a few steps in the graph of
-/// K are relaxed by projected Gauss-Seidel sweeps to and fro, the others held. A step of a
-/// primal-dual active set moves the border of a contact by one gap where the sweeps move it as far
-/// as its neighbourhood tells; the combination is a truncated non-smooth Newton method (Graeser and
-/// Kornhuber 2009). O(n + sweeps * entries around the seeds).
+/// K that are not fixed are relaxed by projected Gauss-Seidel sweeps to and fro, the others held;
+/// by more sweeps the fewer they are. A step of a primal-dual active set moves the border of a
+/// contact by one gap where the sweeps move it as far as its neighbourhood tells; the combination
+/// is a truncated non-smooth Newton method (Graeser and Kornhuber 2009). O(n + sweeps * entries
+/// around the seeds).
 ActiveGuess relax_around(const std::vector<int>& seeds, const BoundQpPoint& point);
 
 }  // namespace relievo

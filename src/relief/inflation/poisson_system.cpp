@@ -1,5 +1,7 @@
 #include "relief/inflation/poisson_system.h"
 
+#include <utility>
+
 #include "kernel/base/piece_timer.h"
 #include "relief/inflation/poisson_terms.h"
 
@@ -30,14 +32,21 @@ std::optional<VectorXd> PoissonSystem::solve(const std::vector<uint8_t>& fixed,
   const auto unknowns = static_cast<Index>(node_.size());
   VectorXd b(unknowns);
   std::vector<uint8_t> held(node_.size());
+  bool same_springs = !held_.empty();
   for (Index i = 0; i < unknowns; ++i) {
     const int n = node_[i];
     held[i] = fixed[n];
     b[i] = held[i] != 0 ? 0 : load[n];
     const int diagonal = A_.outerIndexPtr()[i];  // first of the lower triangle's column
-    A_.valuePtr()[diagonal] = L_.valuePtr()[diagonal] + spring[n];
+    const double value = L_.valuePtr()[diagonal] + spring[n];
+    same_springs = same_springs && A_.valuePtr()[diagonal] == value;
+    A_.valuePtr()[diagonal] = value;
   }
-  if (!factor_.refactorise(A_, held, context)) return std::nullopt;
+  if (!same_springs || held != held_) {
+    held_.clear();
+    if (!factor_.refactorise(A_, held, context)) return std::nullopt;
+    held_ = std::move(held);
+  }
   const VectorXd x = factor_.solve(b);
   if (!x.allFinite()) return std::nullopt;
   VectorXd u = VectorXd::Zero(load.size());

@@ -36,6 +36,7 @@ class PoissonSystem {
   SparseMatrix L_;            ///< of the unknowns, lower triangle
   SparseMatrix A_;            ///< with the last springs
   SparseCholesky factor_;
+  std::vector<uint8_t> held_;  ///< of each unknown, in the factor; empty where there is none
 };
 
 }  // namespace relievo

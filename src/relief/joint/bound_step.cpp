@@ -48,7 +48,9 @@ SolveStatus BoundStep::eliminate_heights(const VectorXd& springs, const RunConte
   SparseCholesky factor;
   if (!factor.analyse(matrix.K, Refactorisation::complete, heights_first(matrix), context))
     return SolveStatus::interrupted;
-  if (!factor.factorise(matrix.K, {}, context))
+  std::vector<uint8_t> fixed = problem_.variables.fixed;
+  fixed.resize(static_cast<size_t>(matrix.T.cols()), 0);
+  if (!factor.factorise(matrix.K, fixed, context))
     return context.cancelled() ? SolveStatus::interrupted : SolveStatus::not_positive_definite;
   std::vector<int> soft(model_.bound.size());
   std::iota(soft.begin(), soft.end(), static_cast<int>(matrix.heights()));

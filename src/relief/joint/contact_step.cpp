@@ -20,7 +20,9 @@ ContactStep::ContactStep(const JointModel& model, const DepthProblem& problem,
       matrix_(make_soft_matrix(model, problem, soft)),
       active_(closed) {
   qp_.bounded = problem.variables.bounded;
+  qp_.fixed = problem.variables.fixed;
   qp_.bounded.resize(qp_.bounded.size() + soft.size(), 0);
+  qp_.fixed.resize(qp_.bounded.size(), 0);
   active_.resize(qp_.bounded.size(), 0);
   qp_.K.swap(matrix_.K);
   factor_.analyse(qp_.K, Refactorisation::incremental, matrix_.elimination);

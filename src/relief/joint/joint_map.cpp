@@ -20,23 +20,19 @@ constexpr Index smooth_samples = 1000;
 /// Of the largest f on B, to see how its slope changes.
 constexpr double relative_rise = 1e-4;
 
-/// One flag per variable: whether it is that of a pair.
-std::vector<uint8_t> pressed_variables(const DepthProblem& problem) {
-  const std::vector<int>& variable = problem.variables.variable;
-  std::vector<uint8_t> pressed(problem.variables.bounded.size(), 0);
-  for (size_t n = 0; n < variable.size(); ++n)
-    if (problem.forest.representative[n] != static_cast<int>(n)) pressed[variable[n]] = 1;
-  for (const DepthGap& gap : problem.forest.gaps)
-    pressed[variable[gap.parent]] = pressed[variable[gap.child]] = 1;
+/// #N: whether the node is in a pair.
+std::vector<uint8_t> pressed_nodes(const DepthProblem& problem) {
+  std::vector<uint8_t> pressed(problem.forest.group.size(), 0);
+  for (const DepthGap& gap : problem.forest.gaps) pressed[gap.parent] = pressed[gap.child] = 1;
   return pressed;
 }
 
 /// The inner nodes that are in pairs, or those that are not.
 std::vector<int> inner_nodes(const JointModel& model, const DepthProblem& problem, bool in_pairs) {
-  const std::vector<uint8_t> pressed = pressed_variables(problem);
+  const std::vector<uint8_t> pressed = pressed_nodes(problem);
   std::vector<int> nodes;
   for (const int n : model.inner)
-    if ((pressed[problem.variables.variable[n]] != 0) == in_pairs) nodes.push_back(n);
+    if ((pressed[n] != 0) == in_pairs) nodes.push_back(n);
   return nodes;
 }
 

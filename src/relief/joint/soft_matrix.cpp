@@ -26,19 +26,15 @@ SparseMatrix with_soft_columns(const SparseMatrix& T, const std::vector<int>& so
   return wide;
 }
 
-/// The variables of the problem and the soft nodes' f in the order of elimination.
-std::vector<int> order_of_unknowns(const JointModel& model, const DepthProblem& problem,
-                                   const std::vector<int>& soft) {
-  const std::vector<int>& variable = problem.variables.variable;
-  const int heights = static_cast<int>(problem.variables.bounded.size());
+/// The unknowns of the nodes and the soft ones' f in the order of elimination.
+std::vector<int> order_of_unknowns(const JointModel& model, const std::vector<int>& soft) {
+  const auto heights = static_cast<int>(model.elimination.size());
   std::vector<int> soft_at(model.elimination.size(), -1);
   for (size_t i = 0; i < soft.size(); ++i) soft_at[soft[i]] = heights + static_cast<int>(i);
-  std::vector<uint8_t> seen(problem.variables.bounded.size(), 0);
   std::vector<int> order;
-  order.reserve(seen.size() + soft.size());
+  order.reserve(model.elimination.size() + soft.size());
   for (const int n : model.elimination) {
-    if (seen[variable[n]] == 0) order.push_back(variable[n]);
-    seen[variable[n]] = 1;
+    order.push_back(n);
     if (soft_at[n] >= 0) order.push_back(soft_at[n]);
   }
   return order;
@@ -55,7 +51,7 @@ SoftMatrix make_soft_matrix(const JointModel& model, const DepthProblem& problem
   matrix.T = with_soft_columns(problem.variables.T, soft, matrix.direction);
   matrix.K = galerkin_lower(model.metric.A, matrix.T);
   matrix.own_stiffness = matrix.K.diagonal().tail(softs);
-  matrix.elimination = order_of_unknowns(model, problem, soft);
+  matrix.elimination = order_of_unknowns(model, soft);
   return matrix;
 }
 

@@ -7,11 +7,17 @@
 namespace relievo {
 namespace {
 
-/// A node at the vertex at hand, with every part whose faces use it there.
+/// A node at the vertex at hand.
 struct LocalNode {
   int node;
-  int rank;  // frontmost part
-  std::vector<int> parts;
+  int rank;  // frontmost part whose faces use it there
+};
+
+/// A part whose faces use a node at the vertex at hand.
+struct NodeUse {
+  int node;
+  int part;
+  friend bool operator==(const NodeUse&, const NodeUse&) = default;
 };
 
 /// A pair that may be kept, and how much it matters where not all can be.
@@ -51,7 +57,10 @@ class Collector {
   }
 
   std::vector<DepthPair> run() {
+    std::vector<int> nodes_at(base_.points.size(), 0);
+    for (const int vertex : sheets_.node_vertex) ++nodes_at[vertex];
     for (size_t v = 0; v < base_.points.size(); ++v) {
+      if (nodes_at[v] < 2) continue;
       gather(static_cast<int>(v));
       if (local_.size() < 2) continue;
       propose(static_cast<int>(v));
@@ -76,6 +85,7 @@ class Collector {
 
   void gather(int vertex) {
     local_.clear();
+    uses_.clear();
     for (int i = base_.corner_begin[vertex]; i < base_.corner_begin[vertex + 1]; ++i) {
       const int t = base_.corners[i] / 3;
       for (int f = sheets_.stack_begin[t]; f < sheets_.stack_begin[t + 1]; ++f)
@@ -89,10 +99,13 @@ class Collector {
   void note(int node, int part) {
     auto at = std::find_if(local_.begin(), local_.end(),
                            [&](const LocalNode& entry) { return entry.node == node; });
-    if (at == local_.end()) at = local_.insert(local_.end(), LocalNode{node, part, {}});
+    if (at == local_.end()) at = local_.insert(local_.end(), LocalNode{node, part});
     at->rank = std::max(at->rank, part);
-    if (std::find(at->parts.begin(), at->parts.end(), part) == at->parts.end())
-      at->parts.push_back(part);
+    if (!uses(node, part)) uses_.push_back({node, part});
+  }
+
+  bool uses(int node, int part) const {
+    return std::find(uses_.begin(), uses_.end(), NodeUse{node, part}) != uses_.end();
   }
 
   // A loop of an unjoined part is enclosed where every vertex lies inside some lower part; a
@@ -143,11 +156,8 @@ class Collector {
   }
 
   const Rule* rule_for(const LocalNode& lower, const LocalNode& upper, int vertex) const {
-    const auto uses = [](const LocalNode& entry, int part) {
-      return std::find(entry.parts.begin(), entry.parts.end(), part) != entry.parts.end();
-    };
     for (const Rule& rule : rules_)
-      if (uses(upper, rule.upper) && uses(lower, rule.lower) &&
+      if (uses(upper.node, rule.upper) && uses(lower.node, rule.lower) &&
           (!rule.limited || std::binary_search(rule.vertices.begin(), rule.vertices.end(), vertex)))
         return &rule;
     return nullptr;
@@ -212,6 +222,7 @@ class Collector {
   std::vector<int> glued_below_;  // per node, or -1
   std::vector<bool> enclosed_;    // per node
   std::vector<LocalNode> local_;
+  std::vector<NodeUse> uses_;
   std::vector<Candidate> candidates_;
   std::vector<DepthPair> pairs_;
 };

@@ -52,8 +52,7 @@ std::vector<uint8_t> gaps_like(const LayeredMesh& mesh, const DepthProblem& prob
   for (const DepthGap& gap : problem.forest.gaps) {
     const int lower = gap.sign > 0 ? gap.parent : gap.child;
     const int upper = gap.sign > 0 ? gap.child : gap.parent;
-    closed[problem.variables.variable[gap.child]] =
-        closed_nearby(contacts, contact_at(mesh, lower, upper));
+    closed[gap.child] = closed_nearby(contacts, contact_at(mesh, lower, upper));
   }
   return closed;
 }

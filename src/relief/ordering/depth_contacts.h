@@ -28,7 +28,7 @@ struct DepthContact {
 std::vector<DepthContact> contacts_of(const LayeredMesh& mesh, const StackedNodes& stacked,
                                       const std::vector<double>& h);
 
-/// A first guess for a problem on another mesh of a similar scene, one flag per variable: each gap
+/// A first guess for a problem on another mesh of a similar scene, one flag per node: each gap
 /// is as the nearest contact of the same parts, of its kind, open where there is none. O(gaps log
 /// contacts) where contacts are not stacked above each other on the canvas.
 std::vector<uint8_t> gaps_like(const LayeredMesh& mesh, const DepthProblem& problem,

@@ -1,6 +1,7 @@
 #include "relief/ordering/depth_forest.h"
 
 #include <algorithm>
+#include <span>
 #include <tuple>
 
 #include "kernel/base/disjoint_sets.h"
@@ -17,9 +18,8 @@ struct Edge {
   auto key() const { return std::tie(group, lower, upper); }
 };
 
-std::vector<Edge> inequalities(const std::vector<DepthPair>& pairs, DisjointSets& equal) {
-  DisjointSets linked = equal;
-  for (const DepthPair& pair : pairs) linked.unite(pair.lower, pair.upper);
+std::vector<Edge> inequalities(const std::vector<DepthPair>& pairs, DisjointSets& linked,
+                               DisjointSets& equal) {
   std::vector<Edge> edges;
   for (const DepthPair& pair : pairs) {
     const int lower = equal.find(pair.lower);
@@ -83,12 +83,30 @@ DepthGraph chain(const Group& group, const std::vector<int>& node_part) {
   return result;
 }
 
+/// The inequalities of a group as a tree that implies them; merges cycles in `equal`.
+Group tree_of(std::span<const Edge> edges, const std::vector<int>& node_part, DisjointSets& equal) {
+  std::vector<std::pair<int, int>> nodes;
+  for (const Edge& edge : edges) nodes.push_back({edge.lower, edge.upper});
+  Group group = make_group(std::move(nodes));
+  if (group.graph.is_tree()) return group;
+  group = merge_cycles(group, equal);
+  group.graph = transitive_reduction(group.graph);
+  if (group.graph.size > 0 && !group.graph.is_tree()) group.graph = chain(group, node_part);
+  return group;
+}
+
+/// Of two nodes the smaller is the root.
+DepthGap single_gap(const Edge& edge) {
+  if (edge.lower < edge.upper) return {edge.lower, edge.upper, 1, false};
+  return {edge.upper, edge.lower, -1, false};
+}
+
 void append_gaps(const Group& tree, std::vector<DepthGap>& gaps) {
   if (tree.graph.size == 0) return;
   std::vector<std::vector<DepthGap>> from(tree.graph.size);
   for (const auto& [lower, upper] : tree.graph.edges) {
-    from[lower].push_back({lower, upper, 1});
-    from[upper].push_back({upper, lower, -1});
+    from[lower].push_back({lower, upper, 1, false});
+    from[upper].push_back({upper, lower, -1, false});
   }
   std::vector<uint8_t> reached(tree.graph.size, 0);
   std::vector<int> queue = {tree_centre(tree.graph)};
@@ -98,7 +116,7 @@ void append_gaps(const Group& tree, std::vector<DepthGap>& gaps) {
       if (reached[gap.child] != 0) continue;
       reached[gap.child] = 1;
       queue.push_back(gap.child);
-      gaps.push_back({tree.items[gap.parent], tree.items[gap.child], gap.sign});
+      gaps.push_back({tree.items[gap.parent], tree.items[gap.child], gap.sign, false});
     }
 }
 
@@ -109,23 +127,22 @@ DepthForest build_depth_forest(const std::vector<int>& node_part,
   DisjointSets equal(static_cast<int>(node_part.size()));
   for (const DepthPair& pair : pairs)
     if (pair.equal) equal.unite(pair.lower, pair.upper);
-  const std::vector<Edge> edges = inequalities(pairs, equal);
+  DisjointSets linked(static_cast<int>(node_part.size()));
+  for (const DepthPair& pair : pairs) linked.unite(pair.lower, pair.upper);
+  const std::vector<Edge> edges = inequalities(pairs, linked, equal);
 
   DepthForest forest;
   for (size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    std::vector<std::pair<int, int>> in_group;
-    for (; end < edges.size() && edges[end].group == edges[begin].group; ++end)
-      in_group.push_back({edges[end].lower, edges[end].upper});
-    Group group = make_group(std::move(in_group));
-    if (!group.graph.is_tree()) {
-      group = merge_cycles(group, equal);
-      group.graph = transitive_reduction(group.graph);
-    }
-    if (group.graph.size > 0 && !group.graph.is_tree()) group.graph = chain(group, node_part);
-    append_gaps(group, forest.gaps);
+    while (end < edges.size() && edges[end].group == edges[begin].group) ++end;
+    if (end - begin == 1)
+      forest.gaps.push_back(single_gap(edges[begin]));
+    else
+      append_gaps(tree_of({&edges[begin], end - begin}, node_part, equal), forest.gaps);
   }
-  for (size_t n = 0; n < node_part.size(); ++n)
-    forest.representative.push_back(equal.find(static_cast<int>(n)));
+  for (int n = 0; n < equal.size(); ++n) {
+    forest.group.push_back(linked.find(n));
+    if (equal.find(n) != n) forest.gaps.push_back({equal.find(n), n, 1, true});
+  }
   return forest;
 }
 

@@ -7,22 +7,25 @@
 
 namespace relievo {
 
-/// h[child] = h[parent] + sign * gap with gap >= 0; parent and child are representatives.
+/// h[child] = h[parent] + sign * gap with gap >= 0, and gap = 0 where they are to be equal.
 struct DepthGap {
   int parent = -1;
   int child = -1;
   int sign = 1;
+  bool equal = false;
+  friend bool operator==(const DepthGap&, const DepthGap&) = default;
 };
 
-/// Depth pairs as merged nodes and a forest of gaps: any values for the roots and any gaps >= 0
-/// give heights that satisfy all pairs.
+/// Depth pairs as a forest of gaps: any values for the roots and any gaps as allowed give heights
+/// that satisfy all pairs.
 struct DepthForest {
-  std::vector<int> representative;  ///< #N: smallest node of the same height
-  std::vector<DepthGap> gaps;       ///< a parent comes before its children
+  std::vector<int> group;      ///< #N: smallest of the nodes that the node is linked to
+  std::vector<DepthGap> gaps;  ///< a parent comes before its children
 };
 
-/// Merges equalities and cycles (a <= b <= a), drops repeated and implied pairs and roots the rest
-/// in the middle of each tree. Where pairs of one base vertex still form an undirected cycle, their
+/// Nodes that are equal, or that a cycle makes equal (a <= b <= a), hang on the smallest of them.
+/// Among these, repeated and implied pairs are dropped and the rest is rooted in the middle of each
+/// tree. Where pairs of one base vertex still form an undirected cycle, their
 /// nodes are put in one chain that implies the pairs, in the order of parts as far as the pairs
 /// allow: stronger than asked for, but consistent. `node_part` has #N entries.
 /// O(N + P log P) for P pairs, and k^3 / 64 where k nodes of a vertex are linked in a cycle.

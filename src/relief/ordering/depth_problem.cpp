@@ -10,6 +10,14 @@ namespace relievo {
 
 using Eigen::VectorXd;
 
+namespace {
+
+int count(const std::vector<uint8_t>& flags) {
+  return static_cast<int>(std::count(flags.begin(), flags.end(), 1));
+}
+
+}  // namespace
+
 DepthProblem make_depth_problem(const std::vector<int>& node_part,
                                 const std::vector<DepthPair>& pairs) {
   DepthProblem problem;
@@ -19,42 +27,24 @@ DepthProblem make_depth_problem(const std::vector<int>& node_part,
 }
 
 VectorXd root_heights(const DepthProblem& problem, const VectorXd& f) {
-  const GapVariables& variables = problem.variables;
-  VectorXd heights = VectorXd::Zero(static_cast<Eigen::Index>(variables.bounded.size()));
-  for (size_t n = 0; n < problem.forest.representative.size(); ++n) {
-    const int v = variables.variable[n];
-    if (problem.forest.representative[n] == static_cast<int>(n) && variables.bounded[v] == 0)
-      heights[v] = f[static_cast<Eigen::Index>(n)];
-  }
+  VectorXd heights = f;
+  for (const DepthGap& gap : problem.forest.gaps) heights[gap.child] = 0;
   return heights;
 }
 
 std::vector<uint8_t> closed_gaps(const DepthProblem& problem, const std::vector<double>& h) {
   std::vector<uint8_t> closed(problem.variables.bounded.size(), 0);
   for (const DepthGap& gap : problem.forest.gaps)
-    closed[problem.variables.variable[gap.child]] = gap.sign * (h[gap.child] - h[gap.parent]) <= 0;
+    closed[gap.child] = gap.sign * (h[gap.child] - h[gap.parent]) <= 0;
   return closed;
 }
 
 std::vector<double> heights_of(const DepthProblem& problem, const VectorXd& root_height,
                                const VectorXd& unknowns, double scale) {
   VectorXd shifted = root_height;
-  for (Eigen::Index v = 0; v < shifted.size(); ++v)
-    if (problem.variables.bounded[v] == 0) shifted[v] += unknowns[v] / scale;
-  return heights_from_gaps(problem.forest, problem.variables, shifted, unknowns, 1 / scale);
-}
-
-std::vector<int> order_of_variables(const GapVariables& variables,
-                                    const std::vector<int>& elimination) {
-  std::vector<uint8_t> seen(variables.bounded.size(), 0);
-  std::vector<int> order;
-  order.reserve(seen.size());
-  for (const int n : elimination) {
-    const int v = variables.variable[n];
-    if (seen[v] == 0) order.push_back(v);
-    seen[v] = 1;
-  }
-  return order;
+  for (int n = 0; n < shifted.size(); ++n)
+    if (problem.variables.is_root(n)) shifted[n] += unknowns[n] / scale;
+  return heights_from_gaps(problem.forest, shifted, unknowns, 1 / scale);
 }
 
 DepthSystem make_depth_system(const DepthProblem& problem, const ShiftMetric& metric,
@@ -64,11 +54,11 @@ DepthSystem make_depth_system(const DepthProblem& problem, const ShiftMetric& me
   PieceTimer assembling(context, "assemble");
   system.qp.K = galerkin_lower(metric.A, problem.variables.T);
   system.qp.bounded = problem.variables.bounded;
+  system.qp.fixed = problem.variables.fixed;
   assembling.stop();
   if (context.cancelled()) return system;
   const PieceTimer analysing(context, "analyse");
-  system.factor.analyse(system.qp.K, Refactorisation::incremental,
-                        order_of_variables(problem.variables, elimination), context);
+  system.factor.analyse(system.qp.K, Refactorisation::incremental, elimination, context);
   return system;
 }
 
@@ -86,9 +76,8 @@ SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const 
   options.same_matrix = system.factorised;
   const BoundQpSolution solution = solve_bound_qp(system.qp, system.factor, options, context);
   ordering.h = heights_of(problem, root_height, solution.z, metric.scale);
-  ordering.equalities = static_cast<int>(ordering.h.size() - variables.bounded.size());
-  ordering.inequalities =
-      static_cast<int>(std::count(system.qp.bounded.begin(), system.qp.bounded.end(), 1));
+  ordering.equalities = count(variables.fixed);
+  ordering.inequalities = count(variables.bounded);
   ordering.report = solution.report;
   ordering.report.energy += 0.5 * rest.dot(force);
   system.closed = std::move(solution.active);

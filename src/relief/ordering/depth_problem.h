@@ -24,11 +24,11 @@ struct DepthProblem {
 DepthProblem make_depth_problem(const std::vector<int>& node_part,
                                 const std::vector<DepthPair>& pairs);
 
-/// f at the roots' variables and 0 at the gaps'. Counting from there keeps the unknowns small, and
+/// f at the roots and 0 at the gaps, #N. Counting from there keeps the unknowns small, and
 /// exactly 0 where nothing pushes.
 Eigen::VectorXd root_heights(const DepthProblem& problem, const Eigen::VectorXd& f);
 
-/// One per variable: 1 for the gaps that heights h leave closed.
+/// #N: 1 for the gaps that heights h leave closed.
 std::vector<uint8_t> closed_gaps(const DepthProblem& problem, const std::vector<double>& h);
 
 /// Heights in px from the heights of the roots (px) and the unknowns in scene units: the roots'
@@ -39,15 +39,11 @@ std::vector<double> heights_of(const DepthProblem& problem, const Eigen::VectorX
 /// A depth problem as a quadratic program with the factor of its matrix K = T'A T.
 struct DepthSystem {
   DepthProblem problem;
-  BoundQp qp;                   ///< b is that of the last solution; gaps without a bound are free
+  BoundQp qp;                   ///< b is that of the last solution
   SparseCholesky factor;        ///< analysed incrementally
   std::vector<uint8_t> closed;  ///< gaps to begin with closed, then those of the solution; or empty
   bool factorised = false;      ///< the factor is one of K
 };
-
-/// The variables in the order in which their first nodes come in `elimination`. O(N).
-std::vector<int> order_of_variables(const GapVariables& variables,
-                                    const std::vector<int>& elimination);
 
 /// `elimination` holds the nodes in an order that fills in little; where it is empty, one is
 /// chosen. Uses the memory of `factor`. Near-linear in the entries of K and of the fronts' rows.

@@ -1,92 +1,73 @@
 #include "relief/ordering/gap_variables.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <utility>
 
 namespace relievo {
 namespace {
 
-/// Rows of T for each variable: columns and signs of the gaps on the way to the root, and the root.
-/// Row v holds the steps begin[v] .. begin[v] + length[v] - 1, by ascending column.
-struct RootPaths {
-  std::vector<size_t> begin;
-  std::vector<int> length;
-  std::vector<std::pair<int, double>> steps;
+/// Where the entries of T are: those of column n are in the rows of n's group, ascending.
+struct GroupPattern {
+  std::vector<int> place;  ///< #N: of the node in its group
+  std::vector<int> size;   ///< #N: of the group, at its smallest node
 };
 
-RootPaths paths_to_roots(const DepthForest& forest, const std::vector<int>& variable,
-                         const std::vector<uint8_t>& bounded) {
-  RootPaths paths;
-  paths.begin.resize(bounded.size());
-  paths.length.assign(bounded.size(), 1);
-  paths.steps.reserve(bounded.size() + forest.gaps.size());
-  const auto append = [&](int v, double sign) {
-    paths.begin[v] = paths.steps.size();
-    paths.steps.push_back({v, sign});
-  };
-  for (size_t v = 0; v < bounded.size(); ++v)
-    if (bounded[v] == 0) append(static_cast<int>(v), 1);
-  for (const DepthGap& gap : forest.gaps) {
-    const int parent = variable[gap.parent];
-    const int child = variable[gap.child];
-    append(child, gap.sign);
-    for (int i = 0; i < paths.length[parent]; ++i) {
-      const auto step = paths.steps[paths.begin[parent] + i];
-      paths.steps.push_back(step);
-    }
-    paths.length[child] += paths.length[parent];
-    std::sort(paths.steps.begin() + static_cast<std::ptrdiff_t>(paths.begin[child]),
-              paths.steps.end());
-  }
-  return paths;
+GroupPattern pattern_of(const std::vector<int>& group) {
+  GroupPattern pattern;
+  pattern.size.assign(group.size(), 0);
+  pattern.place.reserve(group.size());
+  for (const int smallest : group) pattern.place.push_back(pattern.size[smallest]++);
+  return pattern;
 }
 
-SparseMatrix matrix_of_rows(const RootPaths& paths, const std::vector<int>& row_of_node) {
-  Eigen::SparseMatrix<double, Eigen::RowMajor, int> T(static_cast<int>(row_of_node.size()),
-                                                      static_cast<int>(paths.begin.size()));
-  T.reserve(static_cast<Eigen::Index>(row_of_node.size() + paths.steps.size()));
-  for (size_t n = 0; n < row_of_node.size(); ++n) {
-    const int v = row_of_node[n];
-    T.startVec(static_cast<int>(n));
-    for (size_t i = paths.begin[v]; i < paths.begin[v] + paths.length[v]; ++i)
-      T.insertBack(static_cast<int>(n), paths.steps[i].first) = paths.steps[i].second;
+/// T with all its entries 0.
+SparseMatrix empty_matrix(const std::vector<int>& group, const GroupPattern& pattern) {
+  const auto nodes = static_cast<int>(group.size());
+  SparseMatrix T(nodes, nodes);
+  int* begin = T.outerIndexPtr();
+  for (int n = 0; n < nodes; ++n) begin[n + 1] = begin[n] + pattern.size[group[n]];
+  T.resizeNonZeros(begin[nodes]);
+  for (int n = 0; n < nodes; ++n) {
+    // All columns of a group have the same rows: each node writes itself into the first one, and
+    // the others copy it once it is complete.
+    T.innerIndexPtr()[begin[group[n]] + pattern.place[n]] = n;
   }
-  T.finalize();
+  for (int n = 0; n < nodes; ++n)
+    for (int i = 0; i < pattern.size[group[n]]; ++i)
+      T.innerIndexPtr()[begin[n] + i] = T.innerIndexPtr()[begin[group[n]] + i];
+  T.coeffs().setZero();
   return T;
 }
 
 }  // namespace
 
 GapVariables make_gap_variables(const DepthForest& forest) {
+  const size_t nodes = forest.group.size();
   GapVariables result;
-  const size_t nodes = forest.representative.size();
-  result.variable.resize(nodes);
-  int count = 0;
-  for (size_t n = 0; n < nodes; ++n) {
-    const int representative = forest.representative[n];
-    const bool first = representative == static_cast<int>(n);
-    result.variable[n] = first ? count++ : result.variable[representative];
+  result.bounded.assign(nodes, 0);
+  result.fixed.assign(nodes, 0);
+  std::vector<int> parent(nodes, -1);
+  std::vector<double> sign(nodes, 1);
+  for (const DepthGap& gap : forest.gaps) {
+    (gap.equal ? result.fixed : result.bounded)[gap.child] = 1;
+    parent[gap.child] = gap.parent;
+    sign[gap.child] = gap.sign;
   }
-  result.bounded.assign(static_cast<size_t>(count), 0);
-  for (const DepthGap& gap : forest.gaps) result.bounded[result.variable[gap.child]] = 1;
-  result.T =
-      matrix_of_rows(paths_to_roots(forest, result.variable, result.bounded), result.variable);
+  const GroupPattern pattern = pattern_of(forest.group);
+  result.T = empty_matrix(forest.group, pattern);
+  for (size_t n = 0; n < nodes; ++n)
+    for (int on_way = static_cast<int>(n); on_way >= 0; on_way = parent[on_way])
+      result.T.valuePtr()[result.T.outerIndexPtr()[on_way] + pattern.place[n]] = sign[on_way];
   return result;
 }
 
-std::vector<double> heights_from_gaps(const DepthForest& forest, const GapVariables& variables,
-                                      const Eigen::VectorXd& root_height, const Eigen::VectorXd& z,
-                                      double unit) {
-  Eigen::VectorXd height = root_height;
+std::vector<double> heights_from_gaps(const DepthForest& forest, const Eigen::VectorXd& root_height,
+                                      const Eigen::VectorXd& z, double unit) {
+  std::vector<double> height(root_height.begin(), root_height.end());
   for (const DepthGap& gap : forest.gaps) {
-    const int child = variables.variable[gap.child];
-    height[child] = height[variables.variable[gap.parent]] + gap.sign * (z[child] * unit);
+    const double step = gap.equal ? 0 : gap.sign * (z[gap.child] * unit);
+    height[gap.child] = height[gap.parent] + step;
   }
-  std::vector<double> heights;
-  heights.reserve(variables.variable.size());
-  for (const int v : variables.variable) heights.push_back(height[v]);
-  return heights;
+  return height;
 }
 
 }  // namespace relievo

@@ -9,22 +9,23 @@
 
 namespace relievo {
 
-/// Heights as h = T z, where z holds the height of each root and each gap. One variable for each
-/// representative, in the order of nodes.
+/// Heights as h = T z, where z holds for each node its height if it is a root, and else its gap.
 struct GapVariables {
-  std::vector<int> variable;     ///< #N: variable of the node's representative
-  std::vector<uint8_t> bounded;  ///< #M: 1 for gaps, which are >= 0
-  SparseMatrix T;                ///< #N x #M, entries 1 and -1
+  std::vector<uint8_t> bounded;  ///< #N: 1 for gaps that are >= 0
+  std::vector<uint8_t> fixed;    ///< #N: 1 for gaps that are 0
+  SparseMatrix T;                ///< #N x #N, entries 1, -1 and 0
+
+  bool is_root(int node) const { return bounded[node] == 0 && fixed[node] == 0; }
 };
 
-/// O(N + entries of T); a row of T is as long as the node is deep in its tree.
+/// A row of T has an entry for each node of the row's group, so that the pattern does not depend on
+/// which of them is linked to which. O(N + entries of T).
 GapVariables make_gap_variables(const DepthForest& forest);
 
-/// Heights of the nodes from the heights of the roots (read at the roots' variables of
-/// `root_height`, #M) and the gaps `z` times `unit` (#M). Adds along the trees, so that no pair
-/// of the forest is violated, not even by round-off. O(N).
-std::vector<double> heights_from_gaps(const DepthForest& forest, const GapVariables& variables,
-                                      const Eigen::VectorXd& root_height, const Eigen::VectorXd& z,
-                                      double unit);
+/// Heights of the nodes from the heights of the roots (read at the roots in `root_height`, #N) and
+/// the gaps `z` times `unit` (#N). Adds along the trees, so that no pair of the forest is violated,
+/// not even by round-off. O(N).
+std::vector<double> heights_from_gaps(const DepthForest& forest, const Eigen::VectorXd& root_height,
+                                      const Eigen::VectorXd& z, double unit);
 
 }  // namespace relievo

@@ -16,7 +16,8 @@ void bring_up_to_date(const SurfaceInput& surface, const std::vector<DepthPair>&
                       OrderingSystem& system, const RunContext& context) {
   const std::vector<int>& node_part = surface.mesh.node_part;
   const bool serves =
-      system.pairs && (*system.pairs == pairs || select_pairs(node_part, pairs, system.system));
+      system.pairs &&
+      (*system.pairs == pairs || select_pairs(node_part, pairs, system.metric, system.system));
   if (!serves) {
     PieceTimer sorting(context, "assemble");
     const DepthProblem problem = make_depth_problem(node_part, pairs);

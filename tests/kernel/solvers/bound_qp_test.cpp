@@ -27,7 +27,9 @@ BoundQp random_problem(int n) {
   problem.b.resize(n);
   for (int i = 0; i < n; ++i) {
     problem.b[i] = *entry;
-    problem.bounded.push_back(*rc::gen::inRange(0, 4) > 0);
+    const int kind = *rc::gen::inRange(0, 9);
+    problem.bounded.push_back(kind > 2);
+    problem.fixed.push_back(kind == 0);
   }
   return problem;
 }
@@ -39,6 +41,7 @@ MatrixXd dense_K(const BoundQp& problem) {
 /// The best feasible point over all active sets.
 VectorXd enumerate_active_sets(const BoundQp& problem) {
   const int n = static_cast<int>(problem.b.size());
+  const auto is_fixed = [&](int i) { return !problem.fixed.empty() && problem.fixed[i] != 0; };
   VectorXd best = VectorXd::Zero(n);
   double lowest = 0;
   for (uint32_t set = 0; set < 1u << n; ++set) {
@@ -46,8 +49,11 @@ VectorXd enumerate_active_sets(const BoundQp& problem) {
     VectorXd b = problem.b;
     bool allowed = true;
     for (int i = 0; i < n; ++i) {
-      if ((set >> i & 1u) == 0) continue;
-      allowed = allowed && problem.bounded[i] != 0;
+      if ((set >> i & 1u) == 0) {
+        allowed = allowed && !is_fixed(i);
+        continue;
+      }
+      allowed = allowed && (problem.bounded[i] != 0 || is_fixed(i));
       K.row(i).setZero();
       K.col(i).setZero();
       K(i, i) = 1;
@@ -94,7 +100,9 @@ TEST(BoundQp, SatisfiesTheOptimalityConditionsExactly) {
     RC_ASSERT(solution.report.complementarity == 0);
     for (Eigen::Index i = 0; i < problem.b.size(); ++i) {
       RC_ASSERT(problem.bounded[i] == 0 || solution.z[i] >= 0);
-      RC_ASSERT((solution.active[i] != 0) == (problem.bounded[i] != 0 && solution.z[i] == 0));
+      const bool at_bound = problem.bounded[i] != 0 && solution.z[i] == 0;
+      RC_ASSERT((solution.active[i] != 0) == (at_bound || problem.fixed[i] != 0));
+      RC_ASSERT(problem.fixed[i] == 0 || solution.z[i] == 0);
       RC_ASSERT(solution.mu[i] == 0 || solution.active[i] != 0);
     }
   }));
@@ -196,6 +204,8 @@ TEST(BoundQp, AgreesWithIpopt) {
     for (int i = 0; i < n; ++i)
       if (problem.bounded[i] != 0) qp.lower[i] = 0;
     qp.upper = VectorXd::Constant(n, testing::unlimited);
+    for (int i = 0; i < n; ++i)
+      if (problem.fixed[i] != 0) qp.lower[i] = qp.upper[i] = 0;
     const auto expected = testing::solve_by_ipopt(qp);
     RC_ASSERT(expected.has_value());
     RC_ASSERT((solve(problem).z - *expected).lpNorm<Eigen::Infinity>() <= 1e-5);

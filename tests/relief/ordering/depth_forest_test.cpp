@@ -35,15 +35,24 @@ Closure closure_of(size_t nodes, const std::vector<DepthPair>& pairs) {
 }
 
 Closure closure_of(const DepthForest& forest) {
-  const size_t nodes = forest.representative.size();
+  const size_t nodes = forest.group.size();
   Closure holds(nodes, std::vector<bool>(nodes, false));
-  for (size_t n = 0; n < nodes; ++n) {
-    holds[n][forest.representative[n]] = true;
-    holds[forest.representative[n]][n] = true;
+  for (const DepthGap& gap : forest.gaps) {
+    if (gap.equal || gap.sign > 0) holds[gap.parent][gap.child] = true;
+    if (gap.equal || gap.sign < 0) holds[gap.child][gap.parent] = true;
   }
-  for (const DepthGap& gap : forest.gaps)
-    (gap.sign > 0 ? holds[gap.parent][gap.child] : holds[gap.child][gap.parent]) = true;
   return closed(holds);
+}
+
+/// The smallest node that each is linked to by pairs, in whichever direction they hold.
+std::vector<int> linked_groups(size_t nodes, std::vector<DepthPair> pairs) {
+  for (DepthPair& pair : pairs) pair.equal = true;
+  const Closure linked = closure_of(nodes, pairs);
+  std::vector<int> groups;
+  for (size_t n = 0; n < nodes; ++n)
+    groups.push_back(
+        static_cast<int>(std::find(linked[n].begin(), linked[n].end(), true) - linked[n].begin()));
+  return groups;
 }
 
 std::vector<DepthPair> random_pairs(int nodes, int count) {
@@ -78,11 +87,12 @@ TEST(DepthForest, ImpliesAllPairsAndIsStrongerOnlyAsAChain) {
     const DepthForest forest = build_depth_forest(part, pairs);
     const Closure asked = closure_of(part.size(), pairs);
     const Closure given = closure_of(forest);
+    const std::vector<int> groups = linked_groups(part.size(), pairs);
+    RC_ASSERT(forest.group == groups);
     for (size_t i = 0; i < part.size(); ++i)
       for (size_t j = 0; j < part.size(); ++j) {
         RC_ASSERT(!asked[i][j] || given[i][j]);
-        RC_ASSERT((forest.representative[i] == forest.representative[j]) ==
-                  (asked[i][j] && asked[j][i]));
+        RC_ASSERT((given[i][j] && given[j][i]) == (asked[i][j] && asked[j][i]));
       }
     RC_ASSERT(is_chain_where_stronger(asked, given));
   }));
@@ -96,8 +106,6 @@ TEST(DepthForest, ParentsComeBeforeChildrenAndEveryChildHasOne) {
     std::set<int> children;
     for (const DepthGap& gap : forest.gaps) {
       RC_ASSERT(children.count(gap.parent) == 0 || gap.parent != gap.child);
-      RC_ASSERT(forest.representative[gap.parent] == gap.parent);
-      RC_ASSERT(forest.representative[gap.child] == gap.child);
       RC_ASSERT(children.insert(gap.child).second);
     }
     std::set<int> placed;
@@ -114,7 +122,10 @@ TEST(DepthForest, DoesNotStrengthenTreesAndImpliedPairs) {
   const std::vector<int> part = {0, 1, 2, 1, 0, 1};
   const DepthForest forest = build_depth_forest(part, pairs);
   EXPECT_EQ(closure_of(forest), closure_of(part.size(), pairs));
-  EXPECT_EQ(forest.gaps.size(), 3u);
+  EXPECT_EQ(forest.gaps.size(), 4u);
+  EXPECT_EQ(std::count_if(forest.gaps.begin(), forest.gaps.end(),
+                          [](const DepthGap& gap) { return gap.equal; }),
+            1);
 }
 
 TEST(DepthForest, RootsAStarInItsMiddle) {
