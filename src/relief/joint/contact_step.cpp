@@ -11,6 +11,16 @@ namespace {
 /// The order of the solution is found again, exactly.
 constexpr double contact_tolerance = 1e-11;
 
+/// A g where gaps press with mu: exactly 0 where none do, so that solves pass over it. #N
+VectorXd forces_of_gaps(const DepthForest& forest, const VectorXd& mu) {
+  VectorXd force = VectorXd::Zero(mu.size());
+  for (const DepthGap& gap : forest.gaps) {
+    force[gap.child] += gap.sign * mu[gap.child];
+    force[gap.parent] -= gap.sign * mu[gap.child];
+  }
+  return force;
+}
+
 }  // namespace
 
 ContactStep::ContactStep(const JointModel& model, const DepthProblem& problem,
@@ -49,7 +59,8 @@ Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunC
   contact.factorisations = solution.report.factorisations;
   contact.soft = matrix_.direction.cwiseProduct(solution.z.tail(softs));
   const VectorXd g = matrix_.T * solution.z - rest;
-  contact.force = model_.lambda_shift * (model_.metric.A * g);
+  contact.force = softs > 0 ? model_.metric.A * g : forces_of_gaps(problem_.forest, solution.mu);
+  contact.force *= model_.lambda_shift;
   contact.shift_energy = g.dot(contact.force);
   const double scale = model_.metric.scale;
   contact.h = heights_of(problem_, root_height / scale, solution.z, scale);
