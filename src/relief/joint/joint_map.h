@@ -63,6 +63,15 @@ class JointMap {
   std::optional<DepthSystem> release() && { return std::move(contact_step_).release(); }
 
  private:
+  /// What follows from u and from f on B as they are.
+  struct Answer {
+    Contact contact;
+    Eigen::VectorXd load;   ///< #N, next
+    Excess excess;          ///< under it
+    Eigen::VectorXd slope;  ///< #B, of the energy / 2 with respect to f
+  };
+
+  Answer answer_to(const JointState& state, const RunContext& context);
   Eigen::VectorXd fixed_f(const JointState& state) const;
   Eigen::VectorXd f_on_bound(const JointState& state) const;
   Springs springs(const JointState& state) const;
