@@ -35,7 +35,10 @@ ContactStep::ContactStep(const JointModel& model, const DepthProblem& problem,
   qp_.fixed.resize(qp_.bounded.size(), 0);
   active_.resize(qp_.bounded.size(), 0);
   qp_.K.swap(matrix_.K);
-  factor_.analyse(qp_.K, Refactorisation::incremental, matrix_.elimination);
+}
+
+bool ContactStep::prepare(const RunContext& context) {
+  return factor_.analyse(qp_.K, Refactorisation::incremental, matrix_.elimination, context);
 }
 
 Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunContext& context) {

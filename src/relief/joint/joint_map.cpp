@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "kernel/base/workers.h"
+
 namespace relievo {
 namespace {
 
@@ -58,6 +60,18 @@ JointMap::JointMap(const JointModel& model, const InflationResponse& response,
       bounds_(model.bound_mass.size()),
       stiffening_(VectorXd::Zero(bounds_)),
       compliance_(compliance_of_soft_nodes(softness.share)) {}
+
+SolveStatus JointMap::prepare(const RunContext& context) {
+  bool contact_ready = false;
+  SolveStatus status = SolveStatus::solved;
+  run_tasks(2, [&](int task) {
+    if (task == 0)
+      status = bound_step_.prepare(context);
+    else
+      contact_ready = contact_step_.prepare(context);
+  });
+  return contact_ready ? status : SolveStatus::interrupted;
+}
 
 VectorXd JointMap::pack(const JointState& state) const {
   const auto contacts = static_cast<Index>(nodes_.size());

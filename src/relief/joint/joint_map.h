@@ -41,6 +41,9 @@ class JointMap {
   JointMap(const JointModel& model, const InflationResponse& response, const DepthProblem& problem,
            const Softness& softness, const std::vector<uint8_t>& closed);
 
+  /// Analyses the matrices of the steps, on two threads.
+  SolveStatus prepare(const RunContext& context);
+
   Eigen::VectorXd pack(const JointState& state) const;
 
   /// Puts x into the state. What would change sign, or shrink to a tenth at once, shrinks to a
@@ -51,7 +54,7 @@ class JointMap {
   /// the others, where it is smooth.
   Eigen::VectorXd measured(const Eigen::VectorXd& residual) const;
 
-  /// One step: leaves F in `state` and says what it cost.
+  /// One step: leaves F in `state` and says what it cost. Precondition: prepared.
   SolveStatus apply(JointState& state, JointStep& step, const RunContext& context);
 
   /// Measures at `state`, where the last step began, how the slope of the energy on B answers when
