@@ -1,10 +1,7 @@
 #include "relief/joint/bound_step.h"
 
-#include <algorithm>
 #include <numeric>
 
-#include "kernel/solvers/symmetric_graph.h"
-#include "relief/inflation/poisson_terms.h"
 #include "relief/joint/soft_matrix.h"
 
 namespace relievo {
@@ -20,54 +17,13 @@ constexpr double tolerated_change = 0.1;
 /// It only leads the way.
 constexpr double step_tolerance = 1e-9;
 
-/// Heights farther from B than so many edges, but at least one for so many nodes of B, are held:
-/// that stiffens long waves a little, and waves die away over their length.
-constexpr int nearest_rings = 8;
-constexpr int nodes_per_ring = 20;
-
-/// The unknowns that move with B. Those that are held have place -1, the others one that rises
-/// with their number.
-struct Surroundings {
-  std::vector<int> place;
-  int size = 0;
-};
-
-Surroundings surroundings(const SoftMatrix& matrix) {
-  const SymmetricGraph graph = make_symmetric_graph(matrix.K);
-  const auto heights = static_cast<int>(matrix.heights());
-  std::vector<int> near(matrix.own_stiffness.size());
-  std::iota(near.begin(), near.end(), heights);
-  Surroundings result{std::vector<int>(static_cast<size_t>(graph.size()), -1), 0};
-  for (const int i : near) result.place[i] = 0;
-  const int rings = std::max(nearest_rings, static_cast<int>(near.size()) / nodes_per_ring);
-  size_t first = 0;
-  for (int ring = 0; ring < rings; ++ring)
-    for (const size_t last = near.size(); first < last; ++first)
-      for (int p = graph.begin[near[first]]; p < graph.begin[near[first] + 1]; ++p) {
-        const int i = graph.neighbour[p];
-        if (result.place[i] < 0) near.push_back(i);
-        result.place[i] = 0;
-      }
-  for (int& place : result.place)
-    if (place == 0) place = result.size++;
-  return result;
-}
-
-/// Places in the order of the heights as ever, those of the soft nodes behind them.
-std::vector<int> heights_first(const SoftMatrix& matrix, const Surroundings& near) {
+/// The heights as ever, the soft nodes behind them.
+std::vector<int> heights_first(const SoftMatrix& matrix) {
   std::vector<int> order;
   for (const int i : matrix.elimination)
-    if (i < matrix.heights() && near.place[i] >= 0) order.push_back(near.place[i]);
-  for (Index i = matrix.heights(); i < matrix.T.cols(); ++i) order.push_back(near.place[i]);
+    if (i < matrix.heights()) order.push_back(i);
+  for (Index i = matrix.heights(); i < matrix.T.cols(); ++i) order.push_back(static_cast<int>(i));
   return order;
-}
-
-/// One flag per place: whether the problem fixes the unknown.
-std::vector<uint8_t> fixed_places(const DepthProblem& problem, const Surroundings& near) {
-  std::vector<uint8_t> fixed(static_cast<size_t>(near.size), 0);
-  for (size_t i = 0; i < problem.variables.fixed.size(); ++i)
-    if (near.place[i] >= 0) fixed[near.place[i]] = problem.variables.fixed[i];
-  return fixed;
 }
 
 SparseMatrix lower_triangle(const Eigen::MatrixXd& A) {
@@ -91,15 +47,15 @@ SolveStatus BoundStep::prepare(const RunContext& context) {
   own_stiffness_ = matrix.own_stiffness;
   springs_ = own_stiffness_;  // any that make the matrix definite
   set_springs(matrix, springs_, matrix.K);
-  const Surroundings near = surroundings(matrix);
-  const SparseMatrix K = lower_block(matrix.K, near.place, near.size);
   SparseCholesky factor;
-  if (!factor.analyse(K, Refactorisation::complete, heights_first(matrix, near), context))
+  if (!factor.analyse(matrix.K, Refactorisation::complete, heights_first(matrix), context))
     return SolveStatus::interrupted;
-  if (!factor.factorise(K, fixed_places(problem_, near), context))
+  std::vector<uint8_t> fixed = problem_.variables.fixed;
+  fixed.resize(static_cast<size_t>(matrix.T.cols()), 0);
+  if (!factor.factorise(matrix.K, fixed, context))
     return context.cancelled() ? SolveStatus::interrupted : SolveStatus::not_positive_definite;
   std::vector<int> soft(model_.bound.size());
-  std::iota(soft.begin(), soft.end(), near.size - static_cast<int>(soft.size()));
+  std::iota(soft.begin(), soft.end(), static_cast<int>(matrix.heights()));
   qp_.K = lower_triangle(factor.schur_complement(soft));
   own_diagonal_ = qp_.K.diagonal() - springs_;
   for (const int n : model_.bound) qp_.bounded.push_back(model_.sign[n] != 0);
