@@ -29,7 +29,8 @@ class ActiveSetSolver {
         scale_(std::max(1.0, max_norm(problem.b))),
         tolerance_(options.tolerance * scale_),
         max_iterations_(options.max_iterations),
-        same_matrix_(options.same_matrix) {
+        same_matrix_(options.same_matrix),
+        goes_on_(options.start.size() > 0) {
     const auto n = static_cast<size_t>(problem.b.size());
     assert(problem.bounded.size() == n);
     assert(factor.graph().size() == problem.b.size());
@@ -39,8 +40,8 @@ class ActiveSetSolver {
     solution_.active.resize(n, 0);
     for (size_t i = 0; i < options.start_active.size(); ++i)
       if (problem.bounded[i] != 0) solution_.active[i] = options.start_active[i];
-    solution_.z = VectorXd::Zero(problem.b.size());
-    solution_.mu = VectorXd::Zero(problem.b.size());
+    solution_.z = goes_on_ ? options.start : VectorXd::Zero(problem.b.size());
+    solution_.mu = goes_on_ ? gradient() : solution_.z;
   }
 
   BoundQpSolution run() {
@@ -102,7 +103,7 @@ class ActiveSetSolver {
   /// The bounds that are on the wrong side; that there are none is decided on refined values.
   std::vector<int> refined_wrong_bounds() {
     std::vector<int> wrong = wrong_bounds();
-    if (wrong.empty() && rough_) {
+    if (wrong.empty() && rough_ && !goes_on_) {
       solve_directly();
       wrong = wrong_bounds();
     }
@@ -173,7 +174,7 @@ class ActiveSetSolver {
     ++solution_.report.iterations;
     ++solution_.report.factorisations;
     if (!factorise()) return false;
-    if (solution_.report.iterations == 1 || few_wrong_)
+    if (!goes_on_ && (solution_.report.iterations == 1 || few_wrong_))
       solve_directly();
     else
       solve_change();
@@ -301,6 +302,7 @@ class ActiveSetSolver {
   double tolerance_;
   int max_iterations_;
   bool same_matrix_;
+  bool goes_on_;            ///< from a point that was given
   bool few_wrong_ = false;  ///< after the last step
   bool rough_ = false;      ///< z is what a sequence of changes has left
   ForwardSweep sweep_;      ///< of the last direct solve

@@ -23,6 +23,9 @@ struct BoundQp {
 struct BoundQpOptions {
   std::vector<uint8_t> start_active;  ///< n: bounds first taken to hold with equality; empty: none
   bool same_matrix = false;           ///< K is the one that the factor was last computed of
+  /// n, a point near the minimiser: only what is different from it is solved for. Empty: none; the
+  /// result then depends on the problem and its active set alone, to the last bit.
+  Eigen::VectorXd start;
   int max_iterations = 500;
   /// A bound changes sides when z or mu is below -tolerance * max(1, |b|).
   double tolerance = 1e-13;

@@ -40,11 +40,13 @@ SparseMatrix lower_triangle(const Eigen::MatrixXd& A) {
 
 }  // namespace
 
-SolveStatus BoundStep::eliminate_heights(const VectorXd& springs, const RunContext& context) {
+SolveStatus BoundStep::prepare(const RunContext& context) {
+  if (model_.bound.empty()) return SolveStatus::solved;
   SoftMatrix matrix = make_soft_matrix(model_, problem_, model_.bound);
   direction_ = matrix.direction;
   own_stiffness_ = matrix.own_stiffness;
-  set_springs(matrix, springs, matrix.K);
+  springs_ = own_stiffness_;  // any that make the matrix definite
+  set_springs(matrix, springs_, matrix.K);
   SparseCholesky factor;
   if (!factor.analyse(matrix.K, Refactorisation::complete, heights_first(matrix), context))
     return SolveStatus::interrupted;
@@ -55,8 +57,7 @@ SolveStatus BoundStep::eliminate_heights(const VectorXd& springs, const RunConte
   std::vector<int> soft(model_.bound.size());
   std::iota(soft.begin(), soft.end(), static_cast<int>(matrix.heights()));
   qp_.K = lower_triangle(factor.schur_complement(soft));
-  own_diagonal_ = qp_.K.diagonal() - springs;
-  springs_ = springs;
+  own_diagonal_ = qp_.K.diagonal() - springs_;
   for (const int n : model_.bound) qp_.bounded.push_back(model_.sign[n] != 0);
   factor_.analyse(qp_.K, Refactorisation::incremental);
   return SolveStatus::solved;
@@ -77,10 +78,6 @@ SolveStatus BoundStep::move(const VectorXd& slope, const VectorXd& springs,
                             const RunContext& context, VectorXd& f) {
   if (f.size() == 0) return SolveStatus::solved;
   const VectorXd scaled = springs / model_.lambda_shift;
-  if (springs_.size() == 0) {
-    const SolveStatus status = eliminate_heights(scaled, context);
-    if (status != SolveStatus::solved) return status;
-  }
   renew_springs(scaled);
   const VectorXd z = direction_.cwiseProduct(f);
   qp_.b = multiply_symmetric(qp_.K, z) - direction_.cwiseProduct(slope) / model_.lambda_shift;

@@ -21,21 +21,22 @@ class BoundStep {
   BoundStep(const JointModel& model, const DepthProblem& problem)
       : model_(model), problem_(problem) {}
 
-  /// #B, -1 where u is negative on the surface, else 1. Precondition: a move was made.
+  /// Eliminates the heights: one analysis and one factorisation.
+  SolveStatus prepare(const RunContext& context);
+
+  /// #B, -1 where u is negative on the surface, else 1. Precondition: prepared.
   const Eigen::VectorXd& direction() const { return direction_; }
 
   /// How the slope grows when |f| grows by 1 all along B, #B. Precondition: a move was made.
   Eigen::VectorXd even_stiffness() const;
 
   /// Takes f (#B) to the next one; where u has one sign, it does not pass 0. `slope`: #B, of the
-  /// energy / 2 with respect to f; `springs`: #B, what else resists f, positive. The first call
-  /// factorises the matrix of the heights; the others take O(#B^2), or O(#B^3) where the springs
-  /// are no longer those of the last one.
+  /// energy / 2 with respect to f; `springs`: #B, what else resists f, positive. O(#B^2), or
+  /// O(#B^3) where the springs are no longer those of the last call. Precondition: prepared.
   SolveStatus move(const Eigen::VectorXd& slope, const Eigen::VectorXd& springs,
                    const RunContext& context, Eigen::VectorXd& f);
 
  private:
-  SolveStatus eliminate_heights(const Eigen::VectorXd& springs, const RunContext& context);
   void renew_springs(const Eigen::VectorXd& springs);
 
   const JointModel& model_;
@@ -43,7 +44,7 @@ class BoundStep {
   Eigen::VectorXd direction_;      ///< #B, f = direction * unknown
   Eigen::VectorXd own_stiffness_;  ///< #B, the diagonal before the heights are eliminated
   Eigen::VectorXd own_diagonal_;   ///< #B, that of K without springs
-  Eigen::VectorXd springs_;        ///< in K, in units of lambda_shift; empty at first
+  Eigen::VectorXd springs_;        ///< in K, in units of lambda_shift
   BoundQp qp_;                     ///< K is #B x #B, all entries of the lower triangle
   std::vector<uint8_t> active_;
   SparseCholesky factor_;

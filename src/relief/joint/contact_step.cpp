@@ -11,6 +11,16 @@ namespace {
 /// The order of the solution is found again, exactly.
 constexpr double contact_tolerance = 1e-11;
 
+/// A g where gaps press with mu: exactly 0 where none do, so that solves pass over it. #N
+VectorXd forces_of_gaps(const DepthForest& forest, const VectorXd& mu) {
+  VectorXd force = VectorXd::Zero(mu.size());
+  for (const DepthGap& gap : forest.gaps) {
+    force[gap.child] += gap.sign * mu[gap.child];
+    force[gap.parent] -= gap.sign * mu[gap.child];
+  }
+  return force;
+}
+
 }  // namespace
 
 ContactStep::ContactStep(const JointModel& model, const DepthProblem& problem,
@@ -25,7 +35,10 @@ ContactStep::ContactStep(const JointModel& model, const DepthProblem& problem,
   qp_.fixed.resize(qp_.bounded.size(), 0);
   active_.resize(qp_.bounded.size(), 0);
   qp_.K.swap(matrix_.K);
-  factor_.analyse(qp_.K, Refactorisation::incremental, matrix_.elimination);
+}
+
+bool ContactStep::prepare(const RunContext& context) {
+  return factor_.analyse(qp_.K, Refactorisation::incremental, matrix_.elimination, context);
 }
 
 Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunContext& context) {
@@ -39,15 +52,20 @@ Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunC
   BoundQpOptions options;
   options.start_active = active_;
   options.tolerance = contact_tolerance;
+  options.start = std::move(last_);
+  options.same_matrix = options.start.size() > 0 && softs == 0;
   const BoundQpSolution solution = solve_bound_qp(qp_, factor_, options, context);
   active_ = solution.active;
+  last_ = solution.z;
 
   Contact contact;
   contact.status = solution.report.status;
   contact.factorisations = solution.report.factorisations;
   contact.soft = matrix_.direction.cwiseProduct(solution.z.tail(softs));
   const VectorXd g = matrix_.T * solution.z - rest;
-  contact.force = model_.lambda_shift * (model_.metric.A * g - lean.pull);
+  contact.force = softs > 0 ? VectorXd(model_.metric.A * g - lean.pull)
+                            : forces_of_gaps(problem_.forest, solution.mu);
+  contact.force *= model_.lambda_shift;
   contact.shift_energy = g.dot(contact.force) + model_.lambda_shift * lean.rest(g);
   const double scale = model_.metric.scale;
   contact.h = heights_of(problem_, root_height / scale, solution.z, scale);

@@ -38,7 +38,11 @@ class ContactStep {
   ContactStep(const JointModel& model, const DepthProblem& problem, const std::vector<int>& soft,
               const std::vector<uint8_t>& closed);
 
-  /// f: #N in scene units, what is fixed of it. Factorises what the active set changes.
+  /// Analyses the matrix; false where `context` is cancelled.
+  bool prepare(const RunContext& context);
+
+  /// f: #N in scene units, what is fixed of it. Precondition: prepared. Factorises what the active
+  /// set changes.
   Contact solve(const Eigen::VectorXd& f, const Springs& springs, const RunContext& context);
 
   /// The depth order's program with the last factor and active set, taken from here; nothing where
@@ -51,6 +55,7 @@ class ContactStep {
   SoftMatrix matrix_;
   BoundQp qp_;
   std::vector<uint8_t> active_;
+  Eigen::VectorXd last_;  ///< solution; empty at first
   SparseCholesky factor_;
 };
 

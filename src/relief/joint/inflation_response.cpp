@@ -6,7 +6,8 @@ namespace relievo {
 
 using Eigen::VectorXd;
 
-InflationResponse::InflationResponse(const JointModel& model) : model_(model) {
+InflationResponse::InflationResponse(const JointModel& model)
+    : model_(model), own_load_(model.load - model.L * model.held) {
   const SparseMatrix A = lower_block(model.L, model.place, static_cast<int>(model.inner.size()));
   factor_.analyse(A, Refactorisation::complete, order_of_places(model.elimination, model.place));
   sound_ = factor_.factorise(A);
@@ -25,10 +26,9 @@ Excess InflationResponse::excess(const VectorXd& load) const {
   Excess excess;
   excess.s = solve_poisson(load);
   excess.energy = excess.s.dot(model_.mass.cwiseProduct(excess.s));
-  const VectorXd gradient = model_.L * excess.s;
   excess.slope.resize(static_cast<Eigen::Index>(model_.bound.size()));
   for (Eigen::Index i = 0; i < excess.slope.size(); ++i)
-    excess.slope[i] = gradient[model_.bound[i]];
+    excess.slope[i] = model_.L.col(model_.bound[i]).dot(excess.s);
   return excess;
 }
 
@@ -37,15 +37,22 @@ VectorXd InflationResponse::with_bound(VectorXd u, const VectorXd& u_bound) cons
   return u;
 }
 
+/// load -= L u for a u on B alone.
+void InflationResponse::subtract_bound(const VectorXd& u_bound, VectorXd& load) const {
+  for (Eigen::Index i = 0; i < u_bound.size(); ++i)
+    load -= u_bound[i] * model_.L.col(model_.bound[i]);
+}
+
 VectorXd InflationResponse::extension(const VectorXd& u_bound) const {
-  const VectorXd known = with_bound(VectorXd::Zero(model_.held.size()), u_bound);
-  return solve_poisson(-(model_.L * known)) + known;
+  VectorXd load = VectorXd::Zero(model_.held.size());
+  subtract_bound(u_bound, load);
+  return with_bound(solve_poisson(load), u_bound);
 }
 
 VectorXd InflationResponse::inflate(const Excess& excess, const VectorXd& u_bound) const {
-  const VectorXd known = with_bound(model_.held, u_bound);
-  const VectorXd load = model_.load + model_.mass.cwiseProduct(excess.s) - model_.L * known;
-  return solve_poisson(load) + known;
+  VectorXd load = own_load_ + model_.mass.cwiseProduct(excess.s);
+  subtract_bound(u_bound, load);
+  return with_bound(solve_poisson(load) + model_.held, u_bound);
 }
 
 VectorXd InflationResponse::compliance(const VectorXd& load) const {

@@ -39,9 +39,11 @@ class InflationResponse {
 
  private:
   Eigen::VectorXd with_bound(Eigen::VectorXd u, const Eigen::VectorXd& u_bound) const;
+  void subtract_bound(const Eigen::VectorXd& u_bound, Eigen::VectorXd& load) const;
   Eigen::VectorXd solve_poisson(const Eigen::VectorXd& load) const;
 
   const JointModel& model_;
+  Eigen::VectorXd own_load_;  ///< #N, without B and the excess
   SparseCholesky factor_;
   bool sound_ = false;
 };

@@ -54,6 +54,7 @@ Status iterate(JointMap& map, double growth, const JointOptions& options, const 
   bool asked = false;
   run.crossed = false;
   Stopwatch watch;
+  if (Status status = check_solved(map.prepare(context)); !status) return status;
   for (int i = 0; i < options.max_iterations; ++i) {
     context.report("nonlinear", static_cast<double>(i) / options.max_iterations);
     const VectorXd x = map.pack(state);

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "kernel/base/workers.h"
+
 namespace relievo {
 namespace {
 
@@ -59,6 +61,18 @@ JointMap::JointMap(const JointModel& model, const InflationResponse& response,
       stiffening_(VectorXd::Zero(bounds_)),
       compliance_(compliance_of_soft_nodes(softness.share)) {}
 
+SolveStatus JointMap::prepare(const RunContext& context) {
+  bool contact_ready = false;
+  SolveStatus status = SolveStatus::solved;
+  run_tasks(2, [&](int task) {
+    if (task == 0)
+      status = bound_step_.prepare(context);
+    else
+      contact_ready = contact_step_.prepare(context);
+  });
+  return contact_ready ? status : SolveStatus::interrupted;
+}
+
 VectorXd JointMap::pack(const JointState& state) const {
   const auto contacts = static_cast<Index>(nodes_.size());
   VectorXd x(contacts + bounds_ + compliance_.size());
@@ -100,25 +114,34 @@ VectorXd JointMap::measured(const VectorXd& residual) const {
   return result;
 }
 
-SolveStatus JointMap::apply(JointState& state, JointStep& step, const RunContext& context) {
+JointMap::Answer JointMap::answer_to(const JointState& state, const RunContext& context) {
+  Answer answer;
   const VectorXd f = fixed_f(state);
-  Contact contact = contact_step_.solve(f, springs(state), context);
-  if (contact.status != SolveStatus::solved) return contact.status;
-  VectorXd load = next_load(f, state, contact);
-  const Excess excess = response_.excess(load);
+  answer.contact = contact_step_.solve(f, springs(state), context);
+  if (answer.contact.status != SolveStatus::solved) return answer;
+  answer.load = next_load(f, state, answer.contact);
+  answer.excess = response_.excess(answer.load);
+  answer.slope = slope_on_bound(f_on_bound(state), answer.contact, answer.excess);
+  return answer;
+}
+
+SolveStatus JointMap::apply(JointState& state, JointStep& step, const RunContext& context) {
+  Answer answer = answer_to(state, context);
+  if (answer.contact.status != SolveStatus::solved) return answer.contact.status;
+  const Excess& excess = answer.excess;
+  slope_ = answer.slope;
   VectorXd f_bound = f_on_bound(state);
-  slope_ = slope_on_bound(f_bound, contact, excess);
   const SolveStatus moved =
       bound_step_.move(slope_, springs_on_bound(f_bound, excess), context, f_bound);
   if (moved != SolveStatus::solved) return moved;
-  state.load = std::move(load);
+  state.load = std::move(answer.load);
   state.u = response_.inflate(excess, f_bound.cwiseProduct(f_bound.cwiseAbs()));
-  state.h = std::move(contact.h);
+  state.h = std::move(answer.contact.h);
   add_inflation(state);
-  step.factorisations = contact.factorisations;
+  step.factorisations = answer.contact.factorisations;
   step.energy.inflation = excess.energy;
   step.energy.boundary = model_.lambda_bnd * model_.bound_mass.dot(f_bound.cwiseAbs2());
-  step.energy.shift = contact.shift_energy;
+  step.energy.shift = answer.contact.shift_energy;
   return SolveStatus::solved;
 }
 
@@ -171,13 +194,10 @@ SolveStatus JointMap::stiffen(const JointState& state, const RunContext& context
   JointState risen = state;
   risen.u += response_.extension(f_after.cwiseProduct(f_after.cwiseAbs()) -
                                  f_before.cwiseProduct(f_before.cwiseAbs()));
-  const VectorXd f = fixed_f(risen);
-  const Contact contact = contact_step_.solve(f, springs(risen), context);
-  if (contact.status != SolveStatus::solved) return contact.status;
-  const Excess excess = response_.excess(next_load(f, risen, contact));
-  const VectorXd change = slope_on_bound(f_after, contact, excess) - slope_;
-  const VectorXd answer = bound_step_.direction().cwiseProduct(change) / rise;
-  stiffening_ += (answer - bound_step_.even_stiffness()).cwiseMax(0);
+  const Answer answer = answer_to(risen, context);
+  if (answer.contact.status != SolveStatus::solved) return answer.contact.status;
+  const VectorXd stiffness = bound_step_.direction().cwiseProduct(answer.slope - slope_) / rise;
+  stiffening_ += (stiffness - bound_step_.even_stiffness()).cwiseMax(0);
   return SolveStatus::solved;
 }
 

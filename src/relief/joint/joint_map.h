@@ -41,6 +41,9 @@ class JointMap {
   JointMap(const JointModel& model, const InflationResponse& response, const DepthProblem& problem,
            const Softness& softness, const std::vector<uint8_t>& closed);
 
+  /// Analyses the matrices of the steps, on two threads.
+  SolveStatus prepare(const RunContext& context);
+
   Eigen::VectorXd pack(const JointState& state) const;
 
   /// Puts x into the state. What would change sign, or shrink to a tenth at once, shrinks to a
@@ -51,7 +54,7 @@ class JointMap {
   /// the others, where it is smooth.
   Eigen::VectorXd measured(const Eigen::VectorXd& residual) const;
 
-  /// One step: leaves F in `state` and says what it cost.
+  /// One step: leaves F in `state` and says what it cost. Precondition: prepared.
   SolveStatus apply(JointState& state, JointStep& step, const RunContext& context);
 
   /// Measures at `state`, where the last step began, how the slope of the energy on B answers when
@@ -63,6 +66,15 @@ class JointMap {
   std::optional<DepthSystem> release() && { return std::move(contact_step_).release(); }
 
  private:
+  /// What follows from u and from f on B as they are.
+  struct Answer {
+    Contact contact;
+    Eigen::VectorXd load;   ///< #N, next
+    Excess excess;          ///< under it
+    Eigen::VectorXd slope;  ///< #B, of the energy / 2 with respect to f
+  };
+
+  Answer answer_to(const JointState& state, const RunContext& context);
   Eigen::VectorXd fixed_f(const JointState& state) const;
   Eigen::VectorXd f_on_bound(const JointState& state) const;
   Springs springs(const JointState& state) const;
