@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "kernel/solvers/local_relaxation.h"
 
@@ -21,7 +22,7 @@ double max_norm(const VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::
 
 class ActiveSetSolver {
  public:
-  ActiveSetSolver(const BoundQp& problem, SparseCholesky& factor, const BoundQpOptions& options,
+  ActiveSetSolver(const BoundQp& problem, SparseCholesky& factor, BoundQpOptions options,
                   const RunContext& context)
       : problem_(problem),
         factor_(factor),
@@ -40,7 +41,8 @@ class ActiveSetSolver {
     solution_.active.resize(n, 0);
     for (size_t i = 0; i < options.start_active.size(); ++i)
       if (problem.bounded[i] != 0) solution_.active[i] = options.start_active[i];
-    solution_.z = goes_on_ ? options.start : VectorXd::Zero(problem.b.size());
+    solution_.sweep = std::move(options.sweep);
+    solution_.z = goes_on_ ? std::move(options.start) : VectorXd::Zero(problem.b.size());
     solution_.mu = goes_on_ ? gradient() : solution_.z;
   }
 
@@ -185,7 +187,7 @@ class ActiveSetSolver {
   void solve_directly() {
     VectorXd free_b = problem_.b;
     clear_active(free_b);
-    solution_.z = factor_.solve(free_b, sweep_);
+    solution_.z = factor_.solve(free_b, solution_.sweep);
     clear_active(solution_.z);
     solution_.mu = gradient();
     rough_ = false;
@@ -305,15 +307,14 @@ class ActiveSetSolver {
   bool goes_on_;            ///< from a point that was given
   bool few_wrong_ = false;  ///< after the last step
   bool rough_ = false;      ///< z is what a sequence of changes has left
-  ForwardSweep sweep_;      ///< of the last direct solve
   BoundQpSolution solution_;
 };
 
 }  // namespace
 
 BoundQpSolution solve_bound_qp(const BoundQp& problem, SparseCholesky& factor,
-                               const BoundQpOptions& options, const RunContext& context) {
-  return ActiveSetSolver(problem, factor, options, context).run();
+                               BoundQpOptions options, const RunContext& context) {
+  return ActiveSetSolver(problem, factor, std::move(options), context).run();
 }
 
 }  // namespace relievo

@@ -26,6 +26,7 @@ struct BoundQpOptions {
   /// n, a point near the minimiser: only what is different from it is solved for. Empty: none; the
   /// result then depends on the problem and its active set alone, to the last bit.
   Eigen::VectorXd start;
+  ForwardSweep sweep;  ///< of the last solution with this factor, which may save repeating it
   int max_iterations = 500;
   /// A bound changes sides when z or mu is below -tolerance * max(1, |b|).
   double tolerance = 1e-13;
@@ -36,6 +37,7 @@ struct BoundQpSolution {
   Eigen::VectorXd z;            ///< n
   Eigen::VectorXd mu;           ///< n, multipliers: 0 but where active
   std::vector<uint8_t> active;  ///< n, 1 where fixed and where the bound holds with equality
+  ForwardSweep sweep;           ///< of the last direct solve
   BoundQpReport report;
 };
 
@@ -50,6 +52,6 @@ struct BoundQpSolution {
 /// incrementally, and holds the last factor afterwards. Watches `context` between factorisations,
 /// of which every iteration takes one.
 BoundQpSolution solve_bound_qp(const BoundQp& problem, SparseCholesky& factor,
-                               const BoundQpOptions& options = {}, const RunContext& context = {});
+                               BoundQpOptions options = {}, const RunContext& context = {});
 
 }  // namespace relievo

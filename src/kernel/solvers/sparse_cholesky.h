@@ -63,7 +63,7 @@ class SparseCholesky {
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
   /// The same with the same bits, where `last` is empty or was left by such a solve with this
-  /// factor since it was analysed: where neither b nor A have changed, half of it is not repeated.
+  /// factor: where neither b nor A have changed, half of it is not repeated.
   Eigen::VectorXd solve(const Eigen::VectorXd& b, ForwardSweep& last) const;
 
   /// What is left of the last factorised A on `rows` once all others are eliminated: #rows x #rows,

@@ -113,7 +113,8 @@ void solve_forward(const FactorMemory& factor, const std::vector<uint64_t>& vers
                    ForwardSweep& last, VectorXd& y) {
   const FrontTasks& tasks = factor.layout.tasks;
   const int count = static_cast<int>(tasks.tasks.size());
-  const bool known = last.version.size() == version.size() && last.b.size() == y.size();
+  const bool known = last.b.size() == y.size() && last.above.cols() == count &&
+                     last.above.rows() == tasks.top_columns;
   if (!known) last = {std::vector<uint64_t>(version.size(), 0), y, y, {}};
   if (!known) last.above.resize(tasks.top_columns, count);
   run_tasks(count, [&](int t) {

@@ -47,7 +47,7 @@ std::optional<VectorXd> PoissonSystem::solve(const std::vector<uint8_t>& fixed,
     if (!factor_.refactorise(A_, held, context)) return std::nullopt;
     held_ = std::move(held);
   }
-  const VectorXd x = factor_.solve(b);
+  const VectorXd x = factor_.solve(b, sweep_);
   if (!x.allFinite()) return std::nullopt;
   VectorXd u = VectorXd::Zero(load.size());
   for (Index i = 0; i < unknowns; ++i) u[node_[i]] = x[i];

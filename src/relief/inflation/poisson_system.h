@@ -37,6 +37,7 @@ class PoissonSystem {
   SparseMatrix A_;            ///< with the last springs
   SparseCholesky factor_;
   std::vector<uint8_t> held_;  ///< of each unknown, in the factor; empty where there is none
+  ForwardSweep sweep_;         ///< of the last solution
 };
 
 }  // namespace relievo

@@ -74,7 +74,7 @@ Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunC
 
 std::optional<DepthSystem> ContactStep::release() && {
   if (matrix_.direction.size() > 0) return std::nullopt;
-  return DepthSystem{problem_, std::move(qp_), std::move(factor_), std::move(active_)};
+  return DepthSystem{problem_, std::move(qp_), std::move(factor_), std::move(active_), false, {}};
 }
 
 }  // namespace relievo

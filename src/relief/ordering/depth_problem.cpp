@@ -50,7 +50,7 @@ std::vector<double> heights_of(const DepthProblem& problem, const VectorXd& root
 DepthSystem make_depth_system(const DepthProblem& problem, const ShiftMetric& metric,
                               const std::vector<int>& elimination, SparseCholesky factor,
                               const RunContext& context) {
-  DepthSystem system{problem, {}, std::move(factor), {}};
+  DepthSystem system{problem, {}, std::move(factor), {}, false, {}};
   PieceTimer assembling(context, "assemble");
   system.qp.K = galerkin_lower(metric.A, problem.variables.T);
   system.qp.bounded = problem.variables.bounded;
@@ -74,13 +74,15 @@ SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const 
   BoundQpOptions options;
   options.start_active = system.closed;
   options.same_matrix = system.factorised;
-  const BoundQpSolution solution = solve_bound_qp(system.qp, system.factor, options, context);
+  options.sweep = std::move(system.sweep);
+  BoundQpSolution solution = solve_bound_qp(system.qp, system.factor, std::move(options), context);
   ordering.h = heights_of(problem, root_height, solution.z, metric.scale);
   ordering.equalities = count(variables.fixed);
   ordering.inequalities = count(variables.bounded);
   ordering.report = solution.report;
   ordering.report.energy += 0.5 * (rest.dot(force) + metric.lean.rest(-rest));
   system.closed = std::move(solution.active);
+  system.sweep = std::move(solution.sweep);
   system.factorised = solution.report.factorisations > 0;
   return solution.report.status;
 }

@@ -43,6 +43,7 @@ struct DepthSystem {
   SparseCholesky factor;        ///< analysed incrementally
   std::vector<uint8_t> closed;  ///< gaps to begin with closed, then those of the solution; or empty
   bool factorised = false;      ///< the factor is one of K
+  ForwardSweep sweep;           ///< of the last solution with the factor, if any
 };
 
 /// `elimination` holds the nodes in an order that fills in little; where it is empty, one is
