@@ -11,7 +11,7 @@ namespace {
 /// The order of the solution is found again, exactly.
 constexpr double contact_tolerance = 1e-11;
 
-/// A g where gaps press with mu: exactly 0 where none do, so that solves pass over it. #N
+/// A g - pull where gaps press with mu: exactly 0 where none do, so that solves pass over it. #N
 VectorXd forces_of_gaps(const DepthForest& forest, const VectorXd& mu) {
   VectorXd force = VectorXd::Zero(mu.size());
   for (const DepthGap& gap : forest.gaps) {
@@ -54,7 +54,7 @@ Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunC
   options.tolerance = contact_tolerance;
   options.start = std::move(last_);
   options.same_matrix = options.start.size() > 0 && softs == 0;
-  const BoundQpSolution solution = solve_bound_qp(qp_, factor_, options, context);
+  const BoundQpSolution solution = solve_bound_qp(qp_, factor_, std::move(options), context);
   active_ = solution.active;
   last_ = solution.z;
 

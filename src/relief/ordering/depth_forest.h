@@ -19,15 +19,15 @@ struct DepthGap {
 /// Depth pairs as a forest of gaps: any values for the roots and any gaps as allowed give heights
 /// that satisfy all pairs.
 struct DepthForest {
-  std::vector<int> group;      ///< #N: smallest of the nodes that the node is linked to
+  std::vector<int> group;      ///< #N: smallest of the nodes that the node may be linked to
   std::vector<DepthGap> gaps;  ///< a parent comes before its children
 };
 
 /// Nodes that are equal, or that a cycle makes equal (a <= b <= a), hang on the smallest of them.
 /// Among these, repeated and implied pairs are dropped and the rest is rooted in the middle of each
-/// tree. Where pairs of one base vertex still form an undirected cycle, their
-/// nodes are put in one chain that implies the pairs, in the order of parts as far as the pairs
-/// allow: stronger than asked for, but consistent. `node_part` has #N entries.
+/// tree. Where pairs of one base vertex still form an undirected cycle, their nodes are put in one
+/// chain that implies the pairs, in the order of parts as far as the pairs allow: stronger than
+/// asked for, but consistent. Groups are what the pairs link. `node_part` has #N entries.
 /// O(N + P log P) for P pairs, and k^3 / 64 where k nodes of a vertex are linked in a cycle.
 DepthForest build_depth_forest(const std::vector<int>& node_part,
                                const std::vector<DepthPair>& pairs);

@@ -47,14 +47,22 @@ std::vector<double> heights_of(const DepthProblem& problem, const VectorXd& root
   return heights_from_gaps(problem.forest, shifted, unknowns, 1 / scale);
 }
 
-DepthSystem make_depth_system(const DepthProblem& problem, const ShiftMetric& metric,
-                              const std::vector<int>& elimination, SparseCholesky factor,
-                              const RunContext& context) {
-  DepthSystem system{problem, {}, std::move(factor), {}, false, {}};
-  PieceTimer assembling(context, "assemble");
+void set_problem(DepthProblem problem, const ShiftMetric& metric, DepthSystem& system) {
   system.qp.K = galerkin_lower(metric.A, problem.variables.T);
   system.qp.bounded = problem.variables.bounded;
   system.qp.fixed = problem.variables.fixed;
+  system.problem = std::move(problem);
+  system.closed.clear();
+  system.factorised = false;
+}
+
+DepthSystem make_depth_system(DepthProblem problem, const ShiftMetric& metric,
+                              const std::vector<int>& elimination, SparseCholesky factor,
+                              const RunContext& context) {
+  DepthSystem system;
+  system.factor = std::move(factor);
+  PieceTimer assembling(context, "assemble");
+  set_problem(std::move(problem), metric, system);
   assembling.stop();
   if (context.cancelled()) return system;
   const PieceTimer analysing(context, "analyse");

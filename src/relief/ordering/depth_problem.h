@@ -46,9 +46,13 @@ struct DepthSystem {
   ForwardSweep sweep;           ///< of the last solution with the factor, if any
 };
 
+/// Makes the problem that of the system, with the matrix for it; the factor is none of it, and no
+/// gap is known to be closed. O(products of galerkin_lower).
+void set_problem(DepthProblem problem, const ShiftMetric& metric, DepthSystem& system);
+
 /// `elimination` holds the nodes in an order that fills in little; where it is empty, one is
 /// chosen. Uses the memory of `factor`. Near-linear in the entries of K and of the fronts' rows.
-DepthSystem make_depth_system(const DepthProblem& problem, const ShiftMetric& metric,
+DepthSystem make_depth_system(DepthProblem problem, const ShiftMetric& metric,
                               const std::vector<int>& elimination, SparseCholesky factor,
                               const RunContext& context);
 

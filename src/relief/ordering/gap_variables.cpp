@@ -26,11 +26,9 @@ SparseMatrix empty_matrix(const std::vector<int>& group, const GroupPattern& pat
   int* begin = T.outerIndexPtr();
   for (int n = 0; n < nodes; ++n) begin[n + 1] = begin[n] + pattern.size[group[n]];
   T.resizeNonZeros(begin[nodes]);
-  for (int n = 0; n < nodes; ++n) {
-    // All columns of a group have the same rows: each node writes itself into the first one, and
-    // the others copy it once it is complete.
-    T.innerIndexPtr()[begin[group[n]] + pattern.place[n]] = n;
-  }
+  // All columns of a group have the same rows: each node writes itself into the first one, and the
+  // others copy it once it is complete.
+  for (int n = 0; n < nodes; ++n) T.innerIndexPtr()[begin[group[n]] + pattern.place[n]] = n;
   for (int n = 0; n < nodes; ++n)
     for (int i = 0; i < pattern.size[group[n]]; ++i)
       T.innerIndexPtr()[begin[n] + i] = T.innerIndexPtr()[begin[group[n]] + i];
@@ -63,10 +61,8 @@ GapVariables make_gap_variables(const DepthForest& forest) {
 std::vector<double> heights_from_gaps(const DepthForest& forest, const Eigen::VectorXd& root_height,
                                       const Eigen::VectorXd& z, double unit) {
   std::vector<double> height(root_height.begin(), root_height.end());
-  for (const DepthGap& gap : forest.gaps) {
-    const double step = gap.equal ? 0 : gap.sign * (z[gap.child] * unit);
-    height[gap.child] = height[gap.parent] + step;
-  }
+  for (const DepthGap& gap : forest.gaps)
+    height[gap.child] = height[gap.parent] + gap.sign * (z[gap.child] * unit);
   return height;
 }
 

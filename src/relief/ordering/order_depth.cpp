@@ -20,10 +20,11 @@ void bring_up_to_date(const SurfaceInput& surface, const std::vector<DepthPair>&
       (*system.pairs == pairs || select_pairs(node_part, pairs, system.metric, system.system));
   if (!serves) {
     PieceTimer sorting(context, "assemble");
-    const DepthProblem problem = make_depth_problem(node_part, pairs);
+    DepthProblem problem = make_depth_problem(node_part, pairs);
     sorting.stop();
-    system.system = make_depth_system(problem, system.metric, surface.discretisation.elimination,
-                                      std::move(system.system.factor), context);
+    system.system =
+        make_depth_system(std::move(problem), system.metric, surface.discretisation.elimination,
+                          std::move(system.system.factor), context);
   }
   system.pairs = pairs;
   if (context.cancelled()) system.pairs.reset();  // it may be half made

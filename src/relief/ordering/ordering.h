@@ -13,7 +13,7 @@ struct Ordering {
   std::vector<double> g;       ///< #N, shift h - f, px
   std::vector<Point2> grad_g;  ///< #N, gradient of g at the node, canvas axes (y down)
 
-  int equalities = 0;        ///< pairs merged
+  int equalities = 0;        ///< nodes held at the height of another
   int inequalities = 0;      ///< pairs kept as gaps
   int rounds = 0;            ///< cutting-plane rounds that added interior pairs
   int interior_pairs = 0;    ///< pairs they added

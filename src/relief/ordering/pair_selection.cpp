@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "kernel/operators/laplacian.h"
-
 namespace relievo {
 namespace {
 
@@ -18,17 +16,13 @@ bool is_within(const std::vector<int>& group, const std::vector<int>& wider) {
 
 bool select_pairs(const std::vector<int>& node_part, const std::vector<DepthPair>& pairs,
                   const ShiftMetric& metric, DepthSystem& system) {
-  DepthForest& last = system.problem.forest;
+  const DepthForest& last = system.problem.forest;
   DepthForest forest = build_depth_forest(node_part, pairs);
   if (!is_within(forest.group, last.group)) return false;
   if (forest.gaps == last.gaps) return true;
-  last.gaps = std::move(forest.gaps);
-  system.problem.variables = make_gap_variables(last);
-  system.qp.K = galerkin_lower(metric.A, system.problem.variables.T);
-  system.qp.bounded = system.problem.variables.bounded;
-  system.qp.fixed = system.problem.variables.fixed;
-  system.closed.clear();
-  system.factorised = false;
+  forest.group = last.group;
+  GapVariables variables = make_gap_variables(forest);
+  set_problem({std::move(forest), std::move(variables)}, metric, system);
   return true;
 }
 

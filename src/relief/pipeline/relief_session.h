@@ -42,7 +42,7 @@ class StageState {
 /// - c, d: a solve of the inflation, and of the order from its active set;
 /// - lean: the solve of the order alone, likewise;
 /// - alpha0, rho: besides, the factor of the inflation where they act;
-/// - a relation: the constraints, and the order, with a new pattern where nodes merge or part;
+/// - a relation: the constraints, and the order, with a new pattern where other nodes are linked;
 /// - an outline, a join, the order of parts, the resolution: everything.
 ///
 /// Where nothing is known of the order yet, it begins from that of a coarser mesh, and so does the
