@@ -12,6 +12,8 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr int block_tries = 3;
+/// How often wrong bounds may grow more numerous without counting as such a try.
+constexpr int max_leaps = 2;
 constexpr int max_refinements = 4;
 /// Residuals within this share of the tolerance need no attention.
 constexpr double negligible = 0.1;
@@ -62,6 +64,7 @@ class ActiveSetSolver {
   SolveStatus pivot_blocks() {
     size_t fewest = problem_.bounded.size() + 1;
     int tries = block_tries;
+    int leaps = max_leaps;
     while (solution_.report.iterations < max_iterations_) {
       if (!solve_free()) return SolveStatus::not_positive_definite;
       const std::vector<int> wrong = refined_wrong_bounds();
@@ -71,6 +74,9 @@ class ActiveSetSolver {
         fewest = wrong.size();
         tries = block_tries;
         guess_around(wrong);
+      } else if (wrong.size() > fewest && --leaps >= 0) {
+        fewest = wrong.size();
+        catch_deepest(wrong);
       } else if (--tries >= 0) {
         flip(wrong);
       } else {
@@ -161,6 +167,20 @@ class ActiveSetSolver {
 
   void flip(const std::vector<int>& bounds) {
     for (const int i : bounds) solution_.active[i] = solution_.active[i] == 0;
+  }
+
+  /// After a leap: what came loose with its last active bound has passed many others at once, of
+  /// which few will stop it. Those become active that are passed by more than all around them.
+  void catch_deepest(const std::vector<int>& wrong) {
+    const SymmetricGraph& graph = factor_.graph();
+    const auto deepest = [&](int i) {
+      const int* first = &graph.neighbour[graph.begin[i]];
+      return std::none_of(first, first + (graph.begin[i + 1] - graph.begin[i]), [&](int j) {
+        return problem_.bounded[j] != 0 &&
+               (solution_.z[j] < solution_.z[i] || (solution_.z[j] == solution_.z[i] && j < i));
+      });
+    };
+    for (const int i : wrong) solution_.active[i] = solution_.active[i] == 0 && deepest(i);
   }
 
   void guess_around(const std::vector<int>& wrong) {

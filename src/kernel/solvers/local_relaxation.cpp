@@ -9,9 +9,9 @@ namespace {
 constexpr int rings = 4;
 /// In each direction, as long as they take no more than so many steps of one unknown; at least
 /// some.
-constexpr int most_sweeps = 30;
-constexpr int fewest_sweeps = 5;
-constexpr int affordable_steps = 20000;
+constexpr int most_sweeps = 100;
+constexpr int fewest_sweeps = 10;
+constexpr int affordable_steps = 100000;
 
 /// Unknowns with the rows and columns of K that are theirs.
 struct Patch {

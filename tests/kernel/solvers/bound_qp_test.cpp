@@ -167,6 +167,42 @@ TEST(BoundQp, TakesFewStepsToTheBorderOfAContact) {
   }
 }
 
+/// A stiff string on a soft bed that lifts it to 1, in its first half above a floor at 0, in its
+/// second below a ceiling that is lowest, 0.2, over one of its nodes. The unknowns are its
+/// distances from these.
+BoundQp string_between(int n, int lowest, double bed) {
+  VectorXd side(n);
+  VectorXd limit(n);
+  MatrixXd K = MatrixXd::Identity(n, n) * bed;
+  for (int i = 0; i < n; ++i) {
+    side[i] = i < n / 2 ? 1 : -1;
+    limit[i] = i < n / 2 ? 0 : 0.2 + 0.002 * std::abs(i - lowest);
+    if (i + 1 == n) continue;
+    K(i, i) += 1;
+    K(i + 1, i + 1) += 1;
+    K(i, i + 1) = K(i + 1, i) = -1;
+  }
+  BoundQp problem;
+  problem.b = side.asDiagonal() * K * (VectorXd::Ones(n) - limit);
+  const MatrixXd signed_K = side.asDiagonal() * K * side.asDiagonal();
+  problem.K = MatrixXd(signed_K.triangularView<Eigen::Lower>()).sparseView();
+  problem.bounded.assign(static_cast<size_t>(n), 1);
+  return problem;
+}
+
+TEST(BoundQp, CatchesWhatComesLooseAtItsLastBound) {
+  const int n = 400;
+  const int lowest = 310;
+  BoundQpOptions options;
+  options.start_active.assign(n, 0);
+  options.start_active[0] = 1;
+  const BoundQpSolution solution = solve(string_between(n, lowest, 1e-8), options);
+  EXPECT_EQ(solution.report.status, SolveStatus::solved);
+  EXPECT_EQ(solution.report.iterations, 3);
+  EXPECT_EQ(solution.report.active, 1);
+  EXPECT_EQ(solution.active[lowest], 1);
+}
+
 TEST(BoundQp, EndsAtTheSameBitsWhereverItBegins) {
   BoundQp problem = membrane(60);
   SparseCholesky factor;
