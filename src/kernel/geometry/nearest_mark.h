@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -43,6 +45,31 @@ const Mark* nearest_mark(const std::vector<Mark>& marks, const Mark& place, cons
 template <class Mark>
 const Mark* nearest_mark(const std::vector<Mark>& marks, const Mark& place) {
   return nearest_mark(marks, place, [](const Mark&) { return true; });
+}
+
+/// Two marks with a place between them.
+template <class Mark>
+struct MarksBeside {
+  const Mark* near = nullptr;    ///< the nearest one
+  const Mark* beyond = nullptr;  ///< the nearest one on the other side of the place, `near` if none
+  double share = 0;              ///< of the way from `near` to `beyond`, 0 to 1
+};
+
+/// The marks next to `place` among those that `accept` takes, or nothing where there is none.
+template <class Mark, class Accept>
+std::optional<MarksBeside<Mark>> marks_beside(const std::vector<Mark>& marks, const Mark& place,
+                                              const Accept& accept) {
+  const Mark* near = nearest_mark(marks, place, accept);
+  if (near == nullptr) return std::nullopt;
+  const Point2 offset = place.position - near->position;
+  const double distance = std::sqrt(dot(offset, offset));
+  if (distance == 0) return MarksBeside<Mark>{near, near, 0};
+  const Mark* beyond = nearest_mark(marks, place, [&](const Mark& mark) {
+    return accept(mark) && dot(mark.position - place.position, offset) > 0;
+  });
+  if (beyond == nullptr) return MarksBeside<Mark>{near, near, 0};
+  const Point2 rest = beyond->position - place.position;
+  return MarksBeside<Mark>{near, beyond, distance / (distance + std::sqrt(dot(rest, rest)))};
 }
 
 }  // namespace relievo

@@ -7,11 +7,10 @@ namespace {
 
 /// How far from the seeds unknowns may move.
 constexpr int rings = 4;
-/// In each direction, as long as they take no more than so many steps of one unknown; at least
-/// some.
+/// In each direction, as long as they look at no more than so many entries of K; at least some.
 constexpr int most_sweeps = 100;
-constexpr int fewest_sweeps = 10;
-constexpr int affordable_steps = 100000;
+constexpr int fewest_sweeps = 5;
+constexpr int affordable_entries = 800000;
 
 /// Unknowns with the rows and columns of K that are theirs.
 struct Patch {
@@ -88,7 +87,8 @@ class Relaxation {
   }
 
   int affordable_sweeps() const {
-    return std::clamp(affordable_steps / std::max(1, 2 * size()), fewest_sweeps, most_sweeps);
+    const int entries = size() + static_cast<int>(patch_.entry.size());
+    return std::clamp(affordable_entries / std::max(1, 2 * entries), fewest_sweeps, most_sweeps);
   }
 
   ActiveGuess guess() const {

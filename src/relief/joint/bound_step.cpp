@@ -1,12 +1,17 @@
 #include "relief/joint/bound_step.h"
 
+#include <limits>
 #include <numeric>
 
+#include "kernel/solvers/symmetric_graph.h"
+#include "relief/inflation/poisson_terms.h"
+#include "relief/joint/bound_stiffness.h"
 #include "relief/joint/soft_matrix.h"
 
 namespace relievo {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 namespace {
@@ -17,16 +22,53 @@ constexpr double tolerated_change = 0.1;
 /// It only leads the way.
 constexpr double step_tolerance = 1e-9;
 
+/// Where long waves are known, heights farther from B than so many edges are held.
+constexpr int near_rings = 4;
+constexpr int all_rings = std::numeric_limits<int>::max();
+
+/// The unknowns that move with B, those of B last. The others have place -1.
+struct Surroundings {
+  std::vector<int> place;
+  int size = 0;
+};
+
+Surroundings surroundings(const SoftMatrix& matrix, int rings) {
+  const SymmetricGraph graph = make_symmetric_graph(matrix.K);
+  std::vector<int> near(matrix.own_stiffness.size());
+  std::iota(near.begin(), near.end(), static_cast<int>(matrix.heights()));
+  Surroundings result{std::vector<int>(static_cast<size_t>(graph.size()), -1), 0};
+  for (const int i : near) result.place[i] = 0;
+  size_t first = 0;
+  for (int ring = 0; ring < rings && first < near.size(); ++ring)
+    for (const size_t last = near.size(); first < last; ++first)
+      for (int p = graph.begin[near[first]]; p < graph.begin[near[first] + 1]; ++p) {
+        const int i = graph.neighbour[p];
+        if (result.place[i] < 0) near.push_back(i);
+        result.place[i] = 0;
+      }
+  for (int& place : result.place)
+    if (place == 0) place = result.size++;
+  return result;
+}
+
 /// The heights as ever, the soft nodes behind them.
-std::vector<int> heights_first(const SoftMatrix& matrix) {
+std::vector<int> heights_first(const SoftMatrix& matrix, const Surroundings& near) {
   std::vector<int> order;
   for (const int i : matrix.elimination)
-    if (i < matrix.heights()) order.push_back(i);
-  for (Index i = matrix.heights(); i < matrix.T.cols(); ++i) order.push_back(static_cast<int>(i));
+    if (i < matrix.heights() && near.place[i] >= 0) order.push_back(near.place[i]);
+  for (Index i = matrix.heights(); i < matrix.T.cols(); ++i) order.push_back(near.place[i]);
   return order;
 }
 
-SparseMatrix lower_triangle(const Eigen::MatrixXd& A) {
+/// One flag per place: whether the problem fixes the unknown.
+std::vector<uint8_t> fixed_places(const DepthProblem& problem, const Surroundings& near) {
+  std::vector<uint8_t> fixed(static_cast<size_t>(near.size), 0);
+  for (size_t i = 0; i < problem.variables.fixed.size(); ++i)
+    if (near.place[i] >= 0) fixed[near.place[i]] = problem.variables.fixed[i];
+  return fixed;
+}
+
+SparseMatrix lower_triangle(const MatrixXd& A) {
   const auto size = static_cast<int>(A.rows());
   SparseMatrix lower(size, size);
   lower.reserve(A.rows() * (A.rows() + 1) / 2);
@@ -40,32 +82,52 @@ SparseMatrix lower_triangle(const Eigen::MatrixXd& A) {
 
 }  // namespace
 
-SolveStatus BoundStep::prepare(const RunContext& context) {
-  if (model_.bound.empty()) return SolveStatus::solved;
+SolveStatus BoundStep::eliminate_heights(int rings, const RunContext& context, MatrixXd& K) const {
   SoftMatrix matrix = make_soft_matrix(model_, problem_, model_.bound);
-  direction_ = matrix.direction;
-  own_stiffness_ = matrix.own_stiffness;
-  springs_ = own_stiffness_;  // any that make the matrix definite
-  set_springs(matrix, springs_, matrix.K);
+  const VectorXd springs = matrix.own_stiffness;  // any that make the matrix definite
+  set_springs(matrix, springs, matrix.K);
+  const Surroundings near = surroundings(matrix, rings);
+  const SparseMatrix near_K = lower_block(matrix.K, near.place, near.size);
   SparseCholesky factor;
-  if (!factor.analyse(matrix.K, Refactorisation::complete, heights_first(matrix), context))
+  if (!factor.analyse(near_K, Refactorisation::complete, heights_first(matrix, near), context))
     return SolveStatus::interrupted;
-  std::vector<uint8_t> fixed = problem_.variables.fixed;
-  fixed.resize(static_cast<size_t>(matrix.T.cols()), 0);
-  if (!factor.factorise(matrix.K, fixed, context))
+  if (!factor.factorise(near_K, fixed_places(problem_, near), context))
     return context.cancelled() ? SolveStatus::interrupted : SolveStatus::not_positive_definite;
   std::vector<int> soft(model_.bound.size());
-  std::iota(soft.begin(), soft.end(), static_cast<int>(matrix.heights()));
-  qp_.K = lower_triangle(factor.schur_complement(soft));
-  own_diagonal_ = qp_.K.diagonal() - springs_;
+  std::iota(soft.begin(), soft.end(), near.size - static_cast<int>(soft.size()));
+  K = factor.schur_complement(soft);
+  K.diagonal() -= springs;
+  K = matrix.direction.asDiagonal() * K * matrix.direction.asDiagonal();
+  return SolveStatus::solved;
+}
+
+SolveStatus BoundStep::prepare(const BoundStiffness& known, const RunContext& context) {
+  if (model_.bound.empty()) return SolveStatus::solved;
+  const bool waves_known = !known.marks.empty();
+  MatrixXd K;
+  const SolveStatus status = eliminate_heights(waves_known ? near_rings : all_rings, context, K);
+  if (status != SolveStatus::solved) return status;
+  if (waves_known) K = with_known_waves(known, model_.bound_marks, K);
+  direction_.resize(K.rows());
+  for (Index i = 0; i < K.rows(); ++i) direction_[i] = model_.sign[model_.bound[i]] < 0 ? -1 : 1;
+  own_diagonal_ = K.diagonal();
+  springs_ = VectorXd::Zero(K.rows());
+  qp_.K = lower_triangle(direction_.asDiagonal() * K * direction_.asDiagonal());
   for (const int n : model_.bound) qp_.bounded.push_back(model_.sign[n] != 0);
   factor_.analyse(qp_.K, Refactorisation::incremental);
   return SolveStatus::solved;
 }
 
+BoundStiffness BoundStep::stiffness() const {
+  if (model_.bound.empty()) return {};
+  MatrixXd K = MatrixXd(qp_.K).selfadjointView<Eigen::Lower>();
+  K.diagonal() = own_diagonal_;
+  return {model_.bound_marks, direction_.asDiagonal() * K * direction_.asDiagonal()};
+}
+
 void BoundStep::renew_springs(const VectorXd& springs) {
   const auto change = (springs - springs_).cwiseAbs().array();
-  if ((change <= tolerated_change * (own_stiffness_ + springs_).array()).all()) return;
+  if ((change <= tolerated_change * (own_diagonal_ + springs_).array()).all()) return;
   springs_ = springs;
   qp_.K.diagonal() = own_diagonal_ + springs;
 }

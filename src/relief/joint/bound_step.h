@@ -14,15 +14,19 @@ namespace relievo {
 
 /// Steps of f on B against the slope of the energy, by the stiffness that f would have if nothing
 /// but equalities held the heights: like that of the energy itself it grows with the wave number
-/// along B, whether a part lies on another beside B or not. The heights are eliminated once; what
-/// is left is a small dense matrix.
+/// along B, whether a part lies on another beside B or not. It comes from what is known of a
+/// similar problem, or else from eliminating the heights once; either way it is a small dense
+/// matrix.
 class BoundStep {
  public:
   BoundStep(const JointModel& model, const DepthProblem& problem)
       : model_(model), problem_(problem) {}
 
-  /// Eliminates the heights: one analysis and one factorisation.
-  SolveStatus prepare(const RunContext& context);
+  /// Finds the stiffness. Where nothing is known, takes one analysis and one factorisation.
+  SolveStatus prepare(const BoundStiffness& known, const RunContext& context);
+
+  /// What was found. Precondition: prepared.
+  BoundStiffness stiffness() const;
 
   /// #B, -1 where u is negative on the surface, else 1. Precondition: prepared.
   const Eigen::VectorXd& direction() const { return direction_; }
@@ -37,15 +41,15 @@ class BoundStep {
                    const RunContext& context, Eigen::VectorXd& f);
 
  private:
+  SolveStatus eliminate_heights(int rings, const RunContext& context, Eigen::MatrixXd& K) const;
   void renew_springs(const Eigen::VectorXd& springs);
 
   const JointModel& model_;
   const DepthProblem& problem_;
-  Eigen::VectorXd direction_;      ///< #B, f = direction * unknown
-  Eigen::VectorXd own_stiffness_;  ///< #B, the diagonal before the heights are eliminated
-  Eigen::VectorXd own_diagonal_;   ///< #B, that of K without springs
-  Eigen::VectorXd springs_;        ///< in K, in units of lambda_shift
-  BoundQp qp_;                     ///< K is #B x #B, all entries of the lower triangle
+  Eigen::VectorXd direction_;     ///< #B, f = direction * unknown
+  Eigen::VectorXd own_diagonal_;  ///< #B, that of K without springs
+  Eigen::VectorXd springs_;       ///< in K, in units of lambda_shift
+  BoundQp qp_;                    ///< K is #B x #B, all entries of the lower triangle
   std::vector<uint8_t> active_;
   SparseCholesky factor_;
 };

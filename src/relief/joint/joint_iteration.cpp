@@ -54,7 +54,7 @@ Status iterate(JointMap& map, double growth, const JointOptions& options, const 
   bool asked = false;
   run.crossed = false;
   Stopwatch watch;
-  if (Status status = check_solved(map.prepare(context)); !status) return status;
+  if (Status status = check_solved(map.prepare(run.bound, context)); !status) return status;
   for (int i = 0; i < options.max_iterations; ++i) {
     context.report("nonlinear", static_cast<double>(i) / options.max_iterations);
     const VectorXd x = map.pack(state);
@@ -109,6 +109,7 @@ Status iterate_jointly(const InflationResponse& response, const DepthProblem& pr
     JointMap map(response.model(), response, problem, softness, run.closed);
     if (Status status = iterate(map, growth, options, context, run); !status) return status;
     if (!run.crossed && run.report.status != JointStatus::solved) continue;
+    run.bound = map.bound_stiffness();
     run.order = std::move(map).release();
     return Done{};
   }

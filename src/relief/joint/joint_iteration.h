@@ -31,6 +31,7 @@ struct JointRun {
   bool crossed = false;  ///< its answer
   /// The depth order under the pairs as the contact has left it, where it was that.
   std::optional<DepthSystem> order;
+  BoundStiffness bound;  ///< known of a similar problem at first, then of this one
 };
 
 /// Iterates contact and inflation under one set of pairs until they agree, from the run's state,

@@ -61,12 +61,12 @@ JointMap::JointMap(const JointModel& model, const InflationResponse& response,
       stiffening_(VectorXd::Zero(bounds_)),
       compliance_(compliance_of_soft_nodes(softness.share)) {}
 
-SolveStatus JointMap::prepare(const RunContext& context) {
+SolveStatus JointMap::prepare(const BoundStiffness& known, const RunContext& context) {
   bool contact_ready = false;
   SolveStatus status = SolveStatus::solved;
   run_tasks(2, [&](int task) {
     if (task == 0)
-      status = bound_step_.prepare(context);
+      status = bound_step_.prepare(known, context);
     else
       contact_ready = contact_step_.prepare(context);
   });

@@ -41,8 +41,9 @@ class JointMap {
   JointMap(const JointModel& model, const InflationResponse& response, const DepthProblem& problem,
            const Softness& softness, const std::vector<uint8_t>& closed);
 
-  /// Analyses the matrices of the steps, on two threads.
-  SolveStatus prepare(const RunContext& context);
+  /// Makes the matrices of the steps, on two threads. `known`: the stiffness of B in a similar
+  /// problem, or nothing.
+  SolveStatus prepare(const BoundStiffness& known, const RunContext& context);
 
   Eigen::VectorXd pack(const JointState& state) const;
 
@@ -61,6 +62,9 @@ class JointMap {
   /// |f| rises all along B. Where the stiffness of the steps answers less, springs make up for it
   /// from now on. Costs little more than a step.
   SolveStatus stiffen(const JointState& state, const RunContext& context);
+
+  /// That of f on B. Precondition: prepared.
+  BoundStiffness bound_stiffness() const { return bound_step_.stiffness(); }
 
   /// As that of the contact.
   std::optional<DepthSystem> release() && { return std::move(contact_step_).release(); }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "kernel/geometry/point.h"
+#include "relief/joint/bound_stiffness.h"
 #include "relief/ordering/depth_contacts.h"
 
 namespace relievo {
@@ -23,6 +24,7 @@ struct JointMark {
 struct JointMemory {
   std::vector<JointMark> marks;  ///< by group and position
   std::vector<DepthContact> contacts;
+  BoundStiffness bound;
 };
 
 /// After a change of the parts' numbers.

@@ -25,6 +25,11 @@ void collect_bound(const LayeredMesh& mesh, JointModel& model) {
     const auto at = std::lower_bound(model.bound.begin(), model.bound.end(), node.node);
     model.bound_mass[at - model.bound.begin()] += model.metric.scale * node.mass;
   }
+  for (size_t i = 0; i < model.bound.size(); ++i) {
+    const int n = model.bound[i];
+    const double length = model.bound_mass[static_cast<Eigen::Index>(i)] / model.metric.scale;
+    model.bound_marks.push_back({mesh.node_part[n], mesh.vertices[mesh.node_vertex[n]], length});
+  }
 }
 
 /// The other nodes under ranges stay as the start has them.

@@ -5,6 +5,7 @@
 
 #include "kernel/base/sparse_matrix.h"
 #include "relief/inflation/inflation.h"
+#include "relief/joint/bound_stiffness.h"
 #include "relief/joint/joint_solution.h"
 #include "relief/ordering/order_depth.h"
 #include "relief/ordering/shift_metric.h"
@@ -26,6 +27,7 @@ struct JointModel {
   std::vector<int> bound;        ///< nodes of B, ascending
   Eigen::VectorXd held;          ///< #N, u where it is neither free nor on B; 0 elsewhere
   Eigen::VectorXd bound_mass;    ///< #B, lengths of outline that they stand for
+  std::vector<BoundMark> bound_marks;  ///< #B, where they lie
 };
 
 /// B are the nodes under Robin ranges that a pair glues to another part. The others under ranges

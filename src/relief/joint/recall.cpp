@@ -34,18 +34,9 @@ JointMark place_of(const LayeredMesh& mesh, int node) {
 /// nothing where the part has none.
 std::optional<double> rise_at(const std::vector<JointMark>& marks, const JointMark& place) {
   const auto on_outline = [](const JointMark& mark) { return mark.on_outline; };
-  const JointMark* near = nearest_mark(marks, place, on_outline);
-  if (near == nullptr) return std::nullopt;
-  const Point2 offset = place.position - near->position;
-  const double distance = std::sqrt(dot(offset, offset));
-  if (distance == 0) return near->rise;
-  const JointMark* beyond = nearest_mark(marks, place, [&](const JointMark& mark) {
-    return mark.on_outline && dot(mark.position - place.position, offset) > 0;
-  });
-  if (beyond == nullptr) return near->rise;
-  const Point2 rest = beyond->position - place.position;
-  const double share = distance / (distance + std::sqrt(dot(rest, rest)));
-  return near->rise + share * (beyond->rise - near->rise);
+  const auto beside = marks_beside(marks, place, on_outline);
+  if (!beside) return std::nullopt;
+  return beside->near->rise + beside->share * (beside->beyond->rise - beside->near->rise);
 }
 
 void recall_bound(const LayeredMesh& mesh, const JointModel& model,

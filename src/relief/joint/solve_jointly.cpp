@@ -87,6 +87,7 @@ class JointRounds {
     model_.lambda_shift = options.lambda_shift;
     run_.state = first_state(model_, input.inflation);
     u_start_ = run_.state.u;
+    run_.bound = known.bound;
     recall(input.mesh, model_, first_pairs(input.mesh, plan_), known.marks, run_.state);
   }
 
@@ -121,7 +122,7 @@ class JointRounds {
   JointMemory memory() const {
     if (run_.report.status != JointStatus::solved) return {};
     return {remember(input_.mesh, model_, pairs_, u_start_, run_.state),
-            contacts_of(input_.mesh, stacked_, run_.state.h)};
+            contacts_of(input_.mesh, stacked_, run_.state.h), run_.bound};
   }
 
   /// With the energy at the end.

@@ -109,6 +109,7 @@ void ReliefSession::begin_like(const Scene& scene) {
   }
   ordering_system_.contacts = std::move(contacts);
   for (JointMark& mark : joint_memory_.marks) number(mark.part);
+  for (BoundMark& mark : joint_memory_.bound.marks) number(mark.part);
   for (DepthContact& contact : joint_memory_.contacts) {
     number(contact.lower);
     number(contact.upper);
