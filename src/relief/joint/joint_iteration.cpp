@@ -48,6 +48,7 @@ bool is_kept(size_t step, const JointOptions& options) {
 Status iterate(JointMap& map, double growth, const JointOptions& options, const RunContext& context,
                JointRun& run) {
   JointState& state = run.state;
+  if (!is_mixed(map.model())) map.follow(run.modes);
   JointReport& report = run.report;
   AndersonMixer mixer(options.anderson_depth);
   double least = std::numeric_limits<double>::infinity();
@@ -73,6 +74,7 @@ Status iterate(JointMap& map, double growth, const JointOptions& options, const 
     if (step.residual <= options.tolerance) {
       state = std::move(next);
       report.status = JointStatus::solved;
+      if (options.find_modes) return check_solved(map.find_modes(state, context, run.modes));
       return Done{};
     }
     if (step.residual <= rough && !asked) {

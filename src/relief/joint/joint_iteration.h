@@ -24,6 +24,7 @@ struct JointRun {
   JointState state;
   std::vector<uint8_t> closed;  ///< gaps of the problem that are closed in the first guess
   JointReport report;
+  BoundModes modes;             ///< that the steps follow; those found, where the options ask
   std::vector<KeptState> kept;  ///< those that the options ask for
   /// Asked once the residual is below `rough`, with the heights: whether the pairs do not suffice,
   /// so that there is no use in going on.

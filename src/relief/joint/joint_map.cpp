@@ -130,10 +130,12 @@ SolveStatus JointMap::apply(JointState& state, JointStep& step, const RunContext
   if (answer.contact.status != SolveStatus::solved) return answer.contact.status;
   const Excess& excess = answer.excess;
   slope_ = answer.slope;
-  VectorXd f_bound = f_on_bound(state);
+  const VectorXd f_before = f_on_bound(state);
+  VectorXd f_bound = f_before;
   const SolveStatus moved =
       bound_step_.move(slope_, springs_on_bound(f_bound, excess), context, f_bound);
   if (moved != SolveStatus::solved) return moved;
+  follow_modes(f_before, f_bound);
   state.load = std::move(answer.load);
   state.u = response_.inflate(excess, f_bound.cwiseProduct(f_bound.cwiseAbs()));
   state.h = std::move(answer.contact.h);
@@ -199,6 +201,108 @@ SolveStatus JointMap::stiffen(const JointState& state, const RunContext& context
   const VectorXd stiffness = bound_step_.direction().cwiseProduct(answer.slope - slope_) / rise;
   stiffening_ += (stiffness - bound_step_.even_stiffness()).cwiseMax(0);
   return SolveStatus::solved;
+}
+
+/// Lengthens a step. Where f would change its sign, it stays where the step has brought it.
+void JointMap::follow_modes(const VectorXd& before, VectorXd& f) {
+  if (modes_.empty()) return;
+  if (!std::exchange(scaled_, true)) scale_modes();
+  const VectorXd next = f + correction(modes_, bound_step_.stiffness_against(f - before));
+  for (Index i = 0; i < bounds_; ++i)
+    if (model_.sign[model_.bound[i]] == 0 || next[i] * bound_step_.direction()[i] > 0)
+      f[i] = next[i];
+}
+
+/// To length 1 on this mesh.
+void JointMap::scale_modes() {
+  for (Index k = 0; k < modes_.stiffness.size(); ++k) {
+    const VectorXd mode = modes_.values.col(k);
+    const double square = mode.dot(bound_step_.stiffness_against(mode));
+    modes_.values.col(k) *= square > 0 ? 1 / std::sqrt(square) : 0;
+  }
+}
+
+class JointMap::Prober {
+ public:
+  Prober(JointMap& map, const JointState& state, const RunContext& context)
+      : map_(map), state_(state), context_(context), f_(map.f_on_bound(state)) {}
+
+  SolveStatus start() {
+    const Answer answer = map_.answer_to(state_, context_);
+    slope_ = answer.slope;
+    springs_ = map_.springs_on_bound(f_, answer.excess);
+    rise_ = relative_rise * f_.lpNorm<Eigen::Infinity>();
+    return answer.contact.status;
+  }
+
+  /// Where a force at an end of B takes f, and where what K answers too much to that does.
+  SolveStatus probe(int end, BoundProbes& probes) {
+    VectorXd force = VectorXd::Zero(f_.size());
+    force[end] = map_.bound_step_.direction()[end];
+    VectorXd change;
+    SolveStatus status = yield_to(force, change);
+    if (status != SolveStatus::solved) return status;
+    status = measure(change, probes);
+    if (status != SolveStatus::solved) return status;
+    const VectorXd step = probes.steps.rightCols<1>();
+    status = yield_to(step - probes.slopes.rightCols<1>(), change);
+    if (status != SolveStatus::solved) return status;
+    const VectorXd first = probes.changes.rightCols<1>();
+    return measure(change - change.dot(step) / first.dot(step) * first, probes);
+  }
+
+ private:
+  /// change = K^-1 force
+  SolveStatus yield_to(const VectorXd& force, VectorXd& change) {
+    VectorXd f = f_;
+    const double size = rise_ / std::max(force.lpNorm<Eigen::Infinity>(), 1e-300);
+    const SolveStatus status = map_.bound_step_.move(-size * force, springs_, context_, f);
+    change = f - f_;
+    return status;
+  }
+
+  /// Of length 1 by K; nothing where that means nothing.
+  SolveStatus measure(VectorXd change, BoundProbes& probes) {
+    const double largest = change.lpNorm<Eigen::Infinity>();
+    if (!(largest > 0)) return SolveStatus::solved;
+    change *= rise_ / largest;
+    const VectorXd f = f_ + change;
+    JointState moved = state_;
+    moved.u +=
+        map_.response_.extension(f.cwiseProduct(f.cwiseAbs()) - f_.cwiseProduct(f_.cwiseAbs()));
+    const Answer answer = map_.answer_to(moved, context_);
+    if (answer.contact.status != SolveStatus::solved) return answer.contact.status;
+    append(change / rise_, probes.changes);
+    append(map_.bound_step_.stiffness_against(change / rise_), probes.steps);
+    append((answer.slope - slope_) / rise_, probes.slopes);
+    return SolveStatus::solved;
+  }
+
+  static void append(const VectorXd& column, Eigen::MatrixXd& A) {
+    A.conservativeResize(column.size(), A.cols() + 1);
+    A.rightCols<1>() = column;
+  }
+
+  JointMap& map_;
+  const JointState& state_;
+  const RunContext& context_;
+  VectorXd f_;
+  VectorXd slope_;
+  VectorXd springs_;
+  double rise_ = 0;
+};
+
+SolveStatus JointMap::find_modes(const JointState& state, const RunContext& context,
+                                 BoundModes& modes) {
+  modes = {};
+  if (bounds_ == 0 || !soft_.empty()) return SolveStatus::solved;
+  Prober prober(*this, state, context);
+  BoundProbes probes;
+  SolveStatus status = prober.start();
+  for (const int end : model_.bound_ends)
+    if (status == SolveStatus::solved) status = prober.probe(end, probes);
+  if (status == SolveStatus::solved) modes = modes_of(probes);
+  return status;
 }
 
 /// The contact knows no inflation where parts do not press.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernel/base/run_context.h"
+#include "relief/joint/bound_modes.h"
 #include "relief/joint/bound_step.h"
 #include "relief/joint/contact_step.h"
 #include "relief/joint/inflation_response.h"
@@ -41,6 +42,8 @@ class JointMap {
   JointMap(const JointModel& model, const InflationResponse& response, const DepthProblem& problem,
            const Softness& softness, const std::vector<uint8_t>& closed);
 
+  const JointModel& model() const { return model_; }
+
   /// Analyses the matrices of the steps, on two threads.
   SolveStatus prepare(const RunContext& context);
 
@@ -62,6 +65,13 @@ class JointMap {
   /// from now on. Costs little more than a step.
   SolveStatus stiffen(const JointState& state, const RunContext& context);
 
+  /// Steps on B follow these modes by their own stiffness from now on. Their lengths do not matter.
+  void follow(BoundModes modes) { modes_ = std::move(modes), scaled_ = false; }
+
+  /// Measures at `state` the modes near the ends of B. Costs two steps without new contacts for
+  /// each end; none are found where there are soft nodes. Precondition: a step was made.
+  SolveStatus find_modes(const JointState& state, const RunContext& context, BoundModes& modes);
+
   /// As that of the contact.
   std::optional<DepthSystem> release() && { return std::move(contact_step_).release(); }
 
@@ -74,6 +84,11 @@ class JointMap {
     Eigen::VectorXd slope;  ///< #B, of the energy / 2 with respect to f
   };
 
+  /// Changes of f on B that span the modes, measured one by one from a state.
+  class Prober;
+
+  void follow_modes(const Eigen::VectorXd& before, Eigen::VectorXd& f);
+  void scale_modes();
   Answer answer_to(const JointState& state, const RunContext& context);
   Eigen::VectorXd fixed_f(const JointState& state) const;
   Eigen::VectorXd f_on_bound(const JointState& state) const;
@@ -102,6 +117,8 @@ class JointMap {
   Eigen::Index bounds_;    ///< #B
   Eigen::VectorXd slope_;  ///< #B, of the energy / 2 with respect to f, where the last step began
   Eigen::VectorXd stiffening_;  ///< #B, springs beyond those of the energy
+  BoundModes modes_;
+  bool scaled_ = true;          ///< whether the modes are of length 1
   Eigen::VectorXd compliance_;  ///< of the soft nodes: change of u for a change of load
 };
 

@@ -88,6 +88,7 @@ class JointRounds {
     run_.state = first_state(model_, input.inflation);
     u_start_ = run_.state.u;
     recall(input.mesh, model_, first_pairs(input.mesh, plan_), known.marks, run_.state);
+    run_.modes = recall_modes(input.mesh, model_, known);
   }
 
   const RoundPlan& plan() const { return plan_; }
@@ -120,8 +121,11 @@ class JointRounds {
 
   JointMemory memory() const {
     if (run_.report.status != JointStatus::solved) return {};
-    return {remember(input_.mesh, model_, pairs_, u_start_, run_.state),
-            contacts_of(input_.mesh, stacked_, run_.state.h)};
+    JointMemory memory;
+    memory.marks = remember(input_.mesh, model_, pairs_, u_start_, run_.state);
+    memory.contacts = contacts_of(input_.mesh, stacked_, run_.state.h);
+    remember(input_.mesh, model_, run_.modes, memory);
+    return memory;
   }
 
   /// With the energy at the end.
