@@ -203,14 +203,13 @@ SolveStatus JointMap::stiffen(const JointState& state, const RunContext& context
   return SolveStatus::solved;
 }
 
-/// Lengthens a step. Where f would change its sign, it stays where the step has brought it.
+/// Lengthens a step. Where f is 0 or would change its sign, it stays where the step has brought it.
 void JointMap::follow_modes(const VectorXd& before, VectorXd& f) {
   if (modes_.empty()) return;
   if (!std::exchange(scaled_, true)) scale_modes();
   const VectorXd next = f + correction(modes_, bound_step_.stiffness_against(f - before));
   for (Index i = 0; i < bounds_; ++i)
-    if (model_.sign[model_.bound[i]] == 0 || next[i] * bound_step_.direction()[i] > 0)
-      f[i] = next[i];
+    if (model_.sign[model_.bound[i]] == 0 || next[i] * f[i] > 0) f[i] = next[i];
 }
 
 /// To length 1 on this mesh.
@@ -302,7 +301,7 @@ SolveStatus JointMap::find_modes(const JointState& state, const RunContext& cont
   for (const int end : model_.bound_ends)
     if (status == SolveStatus::solved) status = prober.probe(end, probes);
   if (status == SolveStatus::solved) modes = modes_of(probes);
-  return status;
+  return status == SolveStatus::interrupted ? status : SolveStatus::solved;
 }
 
 /// The contact knows no inflation where parts do not press.

@@ -69,7 +69,8 @@ class JointMap {
   void follow(BoundModes modes) { modes_ = std::move(modes), scaled_ = false; }
 
   /// Measures at `state` the modes near the ends of B. Costs two steps without new contacts for
-  /// each end; none are found where there are soft nodes. Precondition: a step was made.
+  /// each end. Finds none where there are soft nodes. Fails only when interrupted. Precondition: a
+  /// step was made.
   SolveStatus find_modes(const JointState& state, const RunContext& context, BoundModes& modes);
 
   /// As that of the contact.

@@ -5,7 +5,10 @@
 #include <atomic>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "relief/discretisation/discretise.h"
 #include "support/depth_optimality.h"
 #include "support/enforced_pairs.h"
 #include "support/joint_case.h"
@@ -150,6 +153,31 @@ TEST(SolveJointly, DoesNotDependOnTheStart) {
   const JointSolution other = solve(test);
   EXPECT_NEAR(other.report.energy.total(), usual.report.energy.total(),
               1e-9 * usual.report.energy.total());
+}
+
+/// What a mesh with an eighth of the vertices tells of the body and its leg.
+JointMemory coarse_memory(int vertices, double lambda_bnd) {
+  JointCase test = joint_case(body_and_leg(), vertices / 8, lambda_bnd);
+  test.options.joint.find_modes = true;
+  return solve(test).memory;
+}
+
+TEST(SolveJointly, FollowsModesThatACoarseMeshKnowsToTheSameSolution) {
+  const JointCase test = joint_case(body_and_leg(), 8000, 0.01);
+  const Relief& start = test.approximate;
+  const Discretisation discretisation = discretise(start.layers);
+  const OrderingInput input{start.layers, discretisation, start.inflation, test.scene};
+  JointMemory known = coarse_memory(8000, 0.01);
+  EXPECT_FALSE(known.mode_stiffness.empty());
+  const Result<JointSolution> with = solve_jointly(input, test.options.joint, known);
+  const std::vector<double> known_stiffness = std::exchange(known.mode_stiffness, {});
+  const Result<JointSolution> without = solve_jointly(input, test.options.joint, known);
+  ASSERT_TRUE(with.ok() && without.ok());
+  EXPECT_LT(with->report.steps.size(), without->report.steps.size());
+  EXPECT_NEAR(with->report.energy.total(), without->report.energy.total(),
+              1e-9 * without->report.energy.total());
+  EXPECT_EQ(with->memory.mode_stiffness, known_stiffness);
+  EXPECT_TRUE(without->memory.mode_stiffness.empty());
 }
 
 TEST(SolveJointly, RecordsEveryStep) {
