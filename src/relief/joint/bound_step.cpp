@@ -132,6 +132,11 @@ void BoundStep::renew_springs(const VectorXd& springs) {
   qp_.K.diagonal() = own_diagonal_ + springs;
 }
 
+VectorXd BoundStep::stiffness_against(const VectorXd& change) const {
+  const VectorXd K_z = multiply_symmetric(qp_.K, direction_.cwiseProduct(change));
+  return model_.lambda_shift * direction_.cwiseProduct(K_z);
+}
+
 VectorXd BoundStep::even_stiffness() const {
   return model_.lambda_shift * multiply_symmetric(qp_.K, VectorXd::Ones(qp_.K.rows()));
 }

@@ -31,6 +31,9 @@ class BoundStep {
   /// #B, -1 where u is negative on the surface, else 1. Precondition: prepared.
   const Eigen::VectorXd& direction() const { return direction_; }
 
+  /// How the slope grows for a change of f, #B. Precondition: a move was made.
+  Eigen::VectorXd stiffness_against(const Eigen::VectorXd& change) const;
+
   /// How the slope grows when |f| grows by 1 all along B, #B. Precondition: a move was made.
   Eigen::VectorXd even_stiffness() const;
 

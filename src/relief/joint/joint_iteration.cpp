@@ -73,7 +73,9 @@ Status iterate(JointMap& map, double growth, const JointOptions& options, const 
     if (step.residual <= options.tolerance) {
       state = std::move(next);
       report.status = JointStatus::solved;
-      return Done{};
+      run.bound = map.bound_stiffness();
+      if (!options.probe_ends) return Done{};
+      return check_solved(map.probe_ends(state, context, run.bound));
     }
     if (step.residual <= rough && !asked) {
       asked = true;
@@ -109,7 +111,6 @@ Status iterate_jointly(const InflationResponse& response, const DepthProblem& pr
     JointMap map(response.model(), response, problem, softness, run.closed);
     if (Status status = iterate(map, growth, options, context, run); !status) return status;
     if (!run.crossed && run.report.status != JointStatus::solved) continue;
-    run.bound = map.bound_stiffness();
     run.order = std::move(map).release();
     return Done{};
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kernel/base/workers.h"
+#include "relief/joint/bound_modes.h"
 
 namespace relievo {
 namespace {
@@ -199,6 +200,89 @@ SolveStatus JointMap::stiffen(const JointState& state, const RunContext& context
   const VectorXd stiffness = bound_step_.direction().cwiseProduct(answer.slope - slope_) / rise;
   stiffening_ += (stiffness - bound_step_.even_stiffness()).cwiseMax(0);
   return SolveStatus::solved;
+}
+
+class JointMap::Prober {
+ public:
+  Prober(JointMap& map, const JointState& state, const RunContext& context)
+      : map_(map), state_(state), context_(context), f_(map.f_on_bound(state)) {}
+
+  SolveStatus start() {
+    const Answer answer = map_.answer_to(state_, context_);
+    slope_ = answer.slope;
+    springs_ = map_.springs_on_bound(f_, answer.excess);
+    rise_ = relative_rise * f_.lpNorm<Eigen::Infinity>();
+    return answer.contact.status;
+  }
+
+  /// Where a force at an end of B takes f, and where what K answers too much to that does.
+  SolveStatus probe(int end, BoundProbes& probes) {
+    VectorXd force = VectorXd::Zero(f_.size());
+    force[end] = map_.bound_step_.direction()[end];
+    VectorXd change;
+    SolveStatus status = yield_to(force, change);
+    if (status != SolveStatus::solved) return status;
+    status = measure(change, probes);
+    if (status != SolveStatus::solved) return status;
+    const VectorXd step = probes.steps.rightCols<1>();
+    status = yield_to(step - probes.slopes.rightCols<1>(), change);
+    if (status != SolveStatus::solved) return status;
+    const VectorXd first = probes.changes.rightCols<1>();
+    return measure(change - change.dot(step) / first.dot(step) * first, probes);
+  }
+
+ private:
+  /// change = K^-1 force
+  SolveStatus yield_to(const VectorXd& force, VectorXd& change) {
+    VectorXd f = f_;
+    const double size = rise_ / std::max(force.lpNorm<Eigen::Infinity>(), 1e-300);
+    const SolveStatus status = map_.bound_step_.move(-size * force, springs_, context_, f);
+    change = f - f_;
+    return status;
+  }
+
+  /// Of length 1 by K; nothing where that means nothing.
+  SolveStatus measure(VectorXd change, BoundProbes& probes) {
+    const double largest = change.lpNorm<Eigen::Infinity>();
+    if (!(largest > 0)) return SolveStatus::solved;
+    change *= rise_ / largest;
+    const VectorXd f = f_ + change;
+    JointState moved = state_;
+    moved.u +=
+        map_.response_.extension(f.cwiseProduct(f.cwiseAbs()) - f_.cwiseProduct(f_.cwiseAbs()));
+    const Answer answer = map_.answer_to(moved, context_);
+    if (answer.contact.status != SolveStatus::solved) return answer.contact.status;
+    append(change / rise_, probes.changes);
+    append(map_.bound_step_.stiffness_against(change / rise_), probes.steps);
+    append((answer.slope - slope_) / rise_, probes.slopes);
+    return SolveStatus::solved;
+  }
+
+  static void append(const VectorXd& column, Eigen::MatrixXd& A) {
+    A.conservativeResize(column.size(), A.cols() + 1);
+    A.rightCols<1>() = column;
+  }
+
+  JointMap& map_;
+  const JointState& state_;
+  const RunContext& context_;
+  VectorXd f_;
+  VectorXd slope_;
+  VectorXd springs_;
+  double rise_ = 0;
+};
+
+SolveStatus JointMap::probe_ends(const JointState& state, const RunContext& context,
+                                 BoundStiffness& stiffness) {
+  if (bounds_ == 0 || !soft_.empty()) return SolveStatus::solved;
+  Prober prober(*this, state, context);
+  BoundProbes probes;
+  SolveStatus status = prober.start();
+  for (const int end : model_.bound_ends)
+    if (status == SolveStatus::solved) status = prober.probe(end, probes);
+  if (status == SolveStatus::solved)
+    stiffness.K += missing_stiffness(modes_of(probes)) / model_.lambda_shift;
+  return status == SolveStatus::interrupted ? status : SolveStatus::solved;
 }
 
 /// The contact knows no inflation where parts do not press.

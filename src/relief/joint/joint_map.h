@@ -66,6 +66,12 @@ class JointMap {
   /// That of f on B. Precondition: prepared.
   BoundStiffness bound_stiffness() const { return bound_step_.stiffness(); }
 
+  /// Corrects it by what is measured at `state` near the ends of B. Costs two steps without new
+  /// contacts for each end. Measures nothing where there are soft nodes. Fails only when
+  /// interrupted. Precondition: a step was made.
+  SolveStatus probe_ends(const JointState& state, const RunContext& context,
+                         BoundStiffness& stiffness);
+
   /// As that of the contact.
   std::optional<DepthSystem> release() && { return std::move(contact_step_).release(); }
 
@@ -77,6 +83,9 @@ class JointMap {
     Excess excess;          ///< under it
     Eigen::VectorXd slope;  ///< #B, of the energy / 2 with respect to f
   };
+
+  /// Changes of f on B that span the modes, measured one by one from a state.
+  class Prober;
 
   Answer answer_to(const JointState& state, const RunContext& context);
   Eigen::VectorXd fixed_f(const JointState& state) const;

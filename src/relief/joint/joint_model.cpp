@@ -32,6 +32,24 @@ void collect_bound(const LayeredMesh& mesh, JointModel& model) {
   }
 }
 
+/// Of the nodes of each range that are on B the one nearest to its flexible end, where f is large.
+void collect_ends(const LayeredMesh& mesh, JointModel& model) {
+  std::vector<const RampNode*> nearest(mesh.ramps.size(), nullptr);
+  for (const RampNode& node : mesh.ramp_nodes) {
+    if (!std::binary_search(model.bound.begin(), model.bound.end(), node.node)) continue;
+    const RampNode*& known = nearest[node.ramp];
+    if (known == nullptr || node.t < known->t) known = &node;
+  }
+  std::vector<int>& ends = model.bound_ends;
+  for (const RampNode* node : nearest) {
+    if (node == nullptr) continue;
+    const auto at = std::lower_bound(model.bound.begin(), model.bound.end(), node->node);
+    ends.push_back(static_cast<int>(at - model.bound.begin()));
+  }
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+}
+
 /// The other nodes under ranges stay as the start has them.
 void hold_rest_of_ranges(const LayeredMesh& mesh, const Inflation& start, JointModel& model) {
   const double area = model.metric.scale * model.metric.scale;
@@ -61,6 +79,7 @@ JointModel make_joint_model(const OrderingInput& input, double epsilon) {
   model.L.diagonal() += terms.screening;
   model.sign = surface_signs(mesh, discretisation.surface, input.scene);
   collect_bound(mesh, model);
+  collect_ends(mesh, model);
   hold_rest_of_ranges(mesh, input.inflation, model);
   for (size_t n = 0; n < mesh.node_role.size(); ++n) {
     const bool bound = mesh.node_role[n] == NodeRole::ramp;

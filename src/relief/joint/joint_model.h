@@ -25,6 +25,7 @@ struct JointModel {
   std::vector<int> place;        ///< #N: row of the node in `inner`, -1 on outlines and B
   std::vector<int> inner;        ///< nodes whose u is free, ascending
   std::vector<int> bound;        ///< nodes of B, ascending
+  std::vector<int> bound_ends;   ///< of each range the place in `bound` next to the join, ascending
   Eigen::VectorXd held;          ///< #N, u where it is neither free nor on B; 0 elsewhere
   Eigen::VectorXd bound_mass;    ///< #B, lengths of outline that they stand for
   std::vector<BoundMark> bound_marks;  ///< #B, where they lie

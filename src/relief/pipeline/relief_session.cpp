@@ -218,6 +218,7 @@ Status ReliefSession::update_jointly(const Request& request) {
     JointOptions joint = options.joint;
     joint.epsilon = options.ordering.epsilon;
     joint.max_rounds = options.ordering.max_rounds;
+    joint.probe_ends = use_ == Use::guess;
     auto solution = solve_jointly({relief_.layers, discretisation_, inflation_, scene}, joint,
                                   joint_memory_, context);
     if (!solution) return solution.error();

@@ -5,7 +5,10 @@
 #include <atomic>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "relief/discretisation/discretise.h"
 #include "support/depth_optimality.h"
 #include "support/enforced_pairs.h"
 #include "support/joint_case.h"
@@ -150,6 +153,26 @@ TEST(SolveJointly, DoesNotDependOnTheStart) {
   const JointSolution other = solve(test);
   EXPECT_NEAR(other.report.energy.total(), usual.report.energy.total(),
               1e-9 * usual.report.energy.total());
+}
+
+/// What a mesh with an eighth of the vertices tells of the body and its leg.
+JointMemory coarse_memory(int vertices, bool probe_ends) {
+  JointCase test = joint_case(body_and_leg(), vertices / 8, 0.01);
+  test.options.joint.probe_ends = probe_ends;
+  return solve(test).memory;
+}
+
+TEST(SolveJointly, TakesFewerStepsWhereACoarseMeshHasProbedTheEndsOfJoins) {
+  const JointCase test = joint_case(body_and_leg(), 8000, 0.01);
+  const Relief& start = test.approximate;
+  const Discretisation discretisation = discretise(start.layers);
+  const OrderingInput input{start.layers, discretisation, start.inflation, test.scene};
+  const auto probed = solve_jointly(input, test.options.joint, coarse_memory(8000, true));
+  const auto known = solve_jointly(input, test.options.joint, coarse_memory(8000, false));
+  ASSERT_TRUE(probed.ok() && known.ok());
+  EXPECT_LT(probed->report.steps.size(), known->report.steps.size());
+  EXPECT_NEAR(probed->report.energy.total(), known->report.energy.total(),
+              1e-9 * known->report.energy.total());
 }
 
 TEST(SolveJointly, RecordsEveryStep) {
