@@ -178,15 +178,15 @@ RELIEVO_INLINE void solve_block_forward(const ColumnBlock& columns, double* x) {
   }
 }
 
-/// x -= L value for the rows [begin, end) and a whole block.
-template <class Pack>
+/// x -= L value for the rows [begin, end) and the first columns of a block.
+template <class Pack, int Columns>
 RELIEVO_INLINE void subtract_block(const ColumnBlock& columns, double* x, int begin, int end) {
-  double value[pack_rows];
+  double value[Columns];
   std::memcpy(value, x + columns.block, sizeof value);
   for (int row = begin; row < end; row += lanes<Pack>) {
     Pack entry;
     load(x + row, entry);
-    for (int k = 0; k < pack_rows; ++k) {
+    for (int k = 0; k < Columns; ++k) {
       Pack left;
       load(columns.L + k * columns.stride + row, left);
       entry -= left * value[k];
@@ -202,15 +202,26 @@ RELIEVO_INLINE void solve_forward(const Front& front, double* x) {
     const int count = std::min(pack_rows, front.columns - block);
     const ColumnBlock columns{front.panel + block * front.stride(), front.stride(), block, count};
     solve_block_forward(columns, x);
-    if (count == pack_rows) {
-      subtract_block<Pack>(columns, x, block + pack_rows, end);
-      continue;
+    const int below = block + pack_rows;
+    switch (count) {
+      case 1:
+        subtract_block<Pack, 1>(columns, x, below, end);
+        break;
+      case 2:
+        subtract_block<Pack, 2>(columns, x, below, end);
+        break;
+      case 3:
+        subtract_block<Pack, 3>(columns, x, below, end);
+        break;
+      default:
+        subtract_block<Pack, pack_rows>(columns, x, below, end);
     }
-    for (int k = 0; k < count; ++k)
-      subtract_multiple<Pack>(x, columns.L + k * columns.stride, x[block + k], block + pack_rows,
-                              end);
   }
 }
+
+/// Doubles between what is read and what is asked for beforehand. Backward solves walk through the
+/// panels from their end, which processors do not foresee.
+constexpr Index asked_ahead = 1024;
 
 /// Sums of L x over the rows [begin, end) for `Columns` columns: their chains of additions go on
 /// side by side.
@@ -219,7 +230,9 @@ RELIEVO_INLINE void sum_products(const ColumnBlock& columns, const double* x, in
                                  double* sums) {
   constexpr int parts = pack_rows / lanes<Pack>;
   Pack sum[Columns][parts] = {};
-  for (int row = begin; row < end; row += pack_rows)
+  const double* before = columns.L - asked_ahead;
+  for (int row = begin; row < end; row += pack_rows) {
+    for (int k = 0; k < Columns; ++k) __builtin_prefetch(before + k * columns.stride + row);
     for (int r = 0; r < parts; ++r) {
       Pack right;
       load(x + row + r * lanes<Pack>, right);
@@ -229,6 +242,7 @@ RELIEVO_INLINE void sum_products(const ColumnBlock& columns, const double* x, in
         sum[k][r] += left * right;
       }
     }
+  }
   for (int k = 0; k < Columns; ++k) {
     double part[pack_rows];
     std::memcpy(part, sum[k], sizeof part);
@@ -242,13 +256,21 @@ RELIEVO_INLINE void solve_backward(const Front& front, double* x) {
   for (int block = (front.columns - 1) / pack_rows * pack_rows; block >= 0; block -= pack_rows) {
     const int count = std::min(pack_rows, front.columns - block);
     const ColumnBlock columns{front.panel + block * front.stride(), front.stride(), block, count};
+    const int below = block + pack_rows;
     double sums[pack_rows];
-    if (count == pack_rows)
-      sum_products<Pack, pack_rows>(columns, x, block + pack_rows, end, sums);
-    else
-      for (int k = 0; k < count; ++k)
-        sum_products<Pack, 1>({columns.L + k * columns.stride, columns.stride, block + k, 1}, x,
-                              block + pack_rows, end, sums + k);
+    switch (count) {
+      case 1:
+        sum_products<Pack, 1>(columns, x, below, end, sums);
+        break;
+      case 2:
+        sum_products<Pack, 2>(columns, x, below, end, sums);
+        break;
+      case 3:
+        sum_products<Pack, 3>(columns, x, below, end, sums);
+        break;
+      default:
+        sum_products<Pack, pack_rows>(columns, x, below, end, sums);
+    }
     for (int k = count - 1; k >= 0; --k) {
       const double* L = columns.L + k * columns.stride;
       double sum = sums[k];

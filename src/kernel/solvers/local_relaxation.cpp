@@ -10,7 +10,7 @@ constexpr int rings = 4;
 /// In each direction, as long as they look at no more than so many entries of K; at least some.
 constexpr int most_sweeps = 100;
 constexpr int fewest_sweeps = 5;
-constexpr int affordable_entries = 800000;
+constexpr int affordable_entries = 400000;
 
 /// Unknowns with the rows and columns of K that are theirs.
 struct Patch {
