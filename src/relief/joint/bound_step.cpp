@@ -103,16 +103,17 @@ SolveStatus BoundStep::eliminate_heights(int rings, const RunContext& context, M
 
 SolveStatus BoundStep::prepare(const BoundStiffness& known, const RunContext& context) {
   if (model_.bound.empty()) return SolveStatus::solved;
-  const bool waves_known = !known.marks.empty();
+  is_known_ = !known.marks.empty();
   MatrixXd K;
-  const SolveStatus status = eliminate_heights(waves_known ? near_rings : all_rings, context, K);
+  const SolveStatus status = eliminate_heights(is_known_ ? near_rings : all_rings, context, K);
   if (status != SolveStatus::solved) return status;
-  if (waves_known) K = with_known_waves(known, model_.bound_marks, K);
+  if (is_known_) K = with_known_waves(known, model_.bound_marks, K);
   direction_.resize(K.rows());
   for (Index i = 0; i < K.rows(); ++i) direction_[i] = model_.sign[model_.bound[i]] < 0 ? -1 : 1;
   own_diagonal_ = K.diagonal();
   springs_ = VectorXd::Zero(K.rows());
   qp_.K = lower_triangle(direction_.asDiagonal() * K * direction_.asDiagonal());
+  qp_.bounded.clear();
   for (const int n : model_.bound) qp_.bounded.push_back(model_.sign[n] != 0);
   factor_.analyse(qp_.K, Refactorisation::incremental);
   return SolveStatus::solved;
@@ -137,10 +138,6 @@ VectorXd BoundStep::stiffness_against(const VectorXd& change) const {
   return model_.lambda_shift * direction_.cwiseProduct(K_z);
 }
 
-VectorXd BoundStep::even_stiffness() const {
-  return model_.lambda_shift * multiply_symmetric(qp_.K, VectorXd::Ones(qp_.K.rows()));
-}
-
 SolveStatus BoundStep::move(const VectorXd& slope, const VectorXd& springs,
                             const RunContext& context, VectorXd& f) {
   if (f.size() == 0) return SolveStatus::solved;
@@ -152,6 +149,10 @@ SolveStatus BoundStep::move(const VectorXd& slope, const VectorXd& springs,
   options.start_active = active_;
   options.tolerance = step_tolerance;
   const BoundQpSolution solution = solve_bound_qp(qp_, factor_, options, context);
+  if (solution.report.status == SolveStatus::not_positive_definite && is_known_) {
+    const SolveStatus status = prepare({}, context);
+    return status == SolveStatus::solved ? move(slope, springs, context, f) : status;
+  }
   active_ = solution.active;
   f = direction_.cwiseProduct(solution.z);
   return solution.report.status;

@@ -25,6 +25,9 @@ class BoundStep {
   /// Finds the stiffness. Where nothing is known, takes one analysis and one factorisation.
   SolveStatus prepare(const BoundStiffness& known, const RunContext& context);
 
+  /// Whether it comes from what was known.
+  bool is_known() const { return is_known_; }
+
   /// What was found. Precondition: prepared.
   BoundStiffness stiffness() const;
 
@@ -34,12 +37,10 @@ class BoundStep {
   /// How the slope grows for a change of f, #B. Precondition: a move was made.
   Eigen::VectorXd stiffness_against(const Eigen::VectorXd& change) const;
 
-  /// How the slope grows when |f| grows by 1 all along B, #B. Precondition: a move was made.
-  Eigen::VectorXd even_stiffness() const;
-
   /// Takes f (#B) to the next one; where u has one sign, it does not pass 0. `slope`: #B, of the
   /// energy / 2 with respect to f; `springs`: #B, what else resists f, positive. O(#B^2), or
-  /// O(#B^3) where the springs are no longer those of the last call. Precondition: prepared.
+  /// O(#B^3) where the springs are no longer those of the last call. Where what was known of the
+  /// stiffness does not hold f, it is found anew. Precondition: prepared.
   SolveStatus move(const Eigen::VectorXd& slope, const Eigen::VectorXd& springs,
                    const RunContext& context, Eigen::VectorXd& f);
 
@@ -52,6 +53,7 @@ class BoundStep {
   Eigen::VectorXd direction_;     ///< #B, f = direction * unknown
   Eigen::VectorXd own_diagonal_;  ///< #B, that of K without springs
   Eigen::VectorXd springs_;       ///< in K, in units of lambda_shift
+  bool is_known_ = false;         ///< K comes from a similar problem
   BoundQp qp_;                    ///< K is #B x #B, all entries of the lower triangle
   std::vector<uint8_t> active_;
   SparseCholesky factor_;

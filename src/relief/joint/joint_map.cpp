@@ -188,7 +188,7 @@ VectorXd JointMap::springs_on_bound(const VectorXd& f, const Excess& excess) con
 }
 
 SolveStatus JointMap::stiffen(const JointState& state, const RunContext& context) {
-  if (bounds_ == 0) return SolveStatus::solved;
+  if (bounds_ == 0 || bound_step_.is_known()) return SolveStatus::solved;
   const VectorXd f_before = f_on_bound(state);
   const double rise = relative_rise * f_before.lpNorm<Eigen::Infinity>();
   const VectorXd f_after = f_before + rise * bound_step_.direction();
@@ -197,9 +197,17 @@ SolveStatus JointMap::stiffen(const JointState& state, const RunContext& context
                                  f_before.cwiseProduct(f_before.cwiseAbs()));
   const Answer answer = answer_to(risen, context);
   if (answer.contact.status != SolveStatus::solved) return answer.contact.status;
-  const VectorXd stiffness = bound_step_.direction().cwiseProduct(answer.slope - slope_) / rise;
-  stiffening_ += (stiffness - bound_step_.even_stiffness()).cwiseMax(0);
+  const VectorXd& direction = bound_step_.direction();
+  const VectorXd missing =
+      (answer.slope - slope_) / rise - bound_step_.stiffness_against(direction);
+  stiffening_ += direction.cwiseProduct(missing).cwiseMax(0);
   return SolveStatus::solved;
+}
+
+BoundStiffness JointMap::bound_stiffness() const {
+  BoundStiffness stiffness = bound_step_.stiffness();
+  if (bounds_ > 0) stiffness.K.diagonal() += stiffening_ / model_.lambda_shift;
+  return stiffness;
 }
 
 class JointMap::Prober {

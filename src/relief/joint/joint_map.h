@@ -60,11 +60,11 @@ class JointMap {
 
   /// Measures at `state`, where the last step began, how the slope of the energy on B answers when
   /// |f| rises all along B. Where the stiffness of the steps answers less, springs make up for it
-  /// from now on. Costs little more than a step.
+  /// from now on. Costs little more than a step. What comes from a similar problem has its springs.
   SolveStatus stiffen(const JointState& state, const RunContext& context);
 
   /// That of f on B. Precondition: prepared.
-  BoundStiffness bound_stiffness() const { return bound_step_.stiffness(); }
+  BoundStiffness bound_stiffness() const;
 
   /// Corrects it by what is measured at `state` near the ends of B. Costs two steps without new
   /// contacts for each end. Measures nothing where there are soft nodes. Fails only when

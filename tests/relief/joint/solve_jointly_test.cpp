@@ -162,6 +162,22 @@ JointMemory coarse_memory(int vertices, bool probe_ends) {
   return solve(test).memory;
 }
 
+TEST(SolveJointly, FindsTheStiffnessOfBAnewWhereWhatIsKnownDoesNotHold) {
+  const JointCase test = joint_case(body_and_leg(), 4000, 0.01);
+  const Relief& start = test.approximate;
+  const Discretisation discretisation = discretise(start.layers);
+  const OrderingInput input{start.layers, discretisation, start.inflation, test.scene};
+  const JointSolution exact = solve(test);
+  JointMemory known = exact.memory;
+  ASSERT_GT(known.bound.K.rows(), 10);
+  known.bound.K *= -1;
+  const auto solution = solve_jointly(input, test.options.joint, known);
+  ASSERT_TRUE(solution.ok());
+  EXPECT_EQ(solution->report.status, JointStatus::solved);
+  EXPECT_NEAR(solution->report.energy.total(), exact.report.energy.total(),
+              1e-9 * exact.report.energy.total());
+}
+
 TEST(SolveJointly, TakesFewerStepsWhereACoarseMeshHasProbedTheEndsOfJoins) {
   const JointCase test = joint_case(body_and_leg(), 8000, 0.01);
   const Relief& start = test.approximate;
