@@ -45,10 +45,27 @@ bool is_kept(size_t step, const JointOptions& options) {
                             static_cast<int>(step));
 }
 
+void record(JointStep step, const VectorXd& u, const JointOptions& options, JointRun& run) {
+  JointReport& report = run.report;
+  step.round = report.round;
+  report.steps.push_back(step);
+  report.residual = step.residual;
+  if (is_kept(report.steps.size(), options))
+    run.kept.push_back({static_cast<int>(report.steps.size()), u});
+}
+
+/// Where the iteration has converged: keeps what another may begin from.
+Status finish(JointMap& map, const JointOptions& options, const RunContext& context,
+              JointRun& run) {
+  run.report.status = JointStatus::solved;
+  run.bound = map.bound_stiffness();
+  if (!options.probe_ends) return Done{};
+  return check_solved(map.probe_ends(run.state, context, run.bound));
+}
+
 Status iterate(JointMap& map, double growth, const JointOptions& options, const RunContext& context,
                JointRun& run) {
   JointState& state = run.state;
-  JointReport& report = run.report;
   AndersonMixer mixer(options.anderson_depth);
   double least = std::numeric_limits<double>::infinity();
   bool asked = false;
@@ -62,20 +79,13 @@ Status iterate(JointMap& map, double growth, const JointOptions& options, const 
     JointStep step;
     if (Status status = check_solved(map.apply(next, step, context)); !status) return status;
     const VectorXd F_x = map.pack(next);
-    step.round = report.round;
     step.residual = relative_change(x, F_x, next.u);
     step.milliseconds = watch.lap();
-    report.steps.push_back(step);
-    report.residual = step.residual;
+    record(step, next.u, options, run);
     context.measure("energy", step.energy.total());
-    if (is_kept(report.steps.size(), options))
-      run.kept.push_back({static_cast<int>(report.steps.size()), next.u});
     if (step.residual <= options.tolerance) {
       state = std::move(next);
-      report.status = JointStatus::solved;
-      run.bound = map.bound_stiffness();
-      if (!options.probe_ends) return Done{};
-      return check_solved(map.probe_ends(state, context, run.bound));
+      return finish(map, options, context, run);
     }
     if (step.residual <= rough && !asked) {
       asked = true;
@@ -95,7 +105,7 @@ Status iterate(JointMap& map, double growth, const JointOptions& options, const 
     map.unpack(mixer.next(F_x, map.measured(F_x - x)), state);
     state.h = std::move(next.h);
   }
-  report.status = JointStatus::iteration_limit;
+  run.report.status = JointStatus::iteration_limit;
   return Done{};
 }
 
