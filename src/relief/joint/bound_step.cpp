@@ -87,11 +87,11 @@ SolveStatus BoundStep::eliminate_heights(int rings, const RunContext& context, M
   const VectorXd springs = matrix.own_stiffness;  // any that make the matrix definite
   set_springs(matrix, springs, matrix.K);
   const Surroundings near = surroundings(matrix, rings);
-  const SparseMatrix near_K = lower_block(matrix.K, near.place, near.size);
+  const SparseMatrix K_near = lower_block(matrix.K, near.place, near.size);
   SparseCholesky factor;
-  if (!factor.analyse(near_K, Refactorisation::complete, heights_first(matrix, near), context))
+  if (!factor.analyse(K_near, Refactorisation::complete, heights_first(matrix, near), context))
     return SolveStatus::interrupted;
-  if (!factor.factorise(near_K, fixed_places(problem_, near), context))
+  if (!factor.factorise(K_near, fixed_places(problem_, near), context))
     return context.cancelled() ? SolveStatus::interrupted : SolveStatus::not_positive_definite;
   std::vector<int> soft(model_.bound.size());
   std::iota(soft.begin(), soft.end(), near.size - static_cast<int>(soft.size()));

@@ -89,9 +89,9 @@ MatrixXd with_known_waves(const BoundStiffness& known, const std::vector<BoundMa
   SparseMatrix short_waves(P.rows(), P.rows());
   short_waves.setIdentity();
   short_waves -= SparseMatrix(P * R);
-  const MatrixXd known_R = known.K * R;
+  const MatrixXd K_R = known.K * R;
   const MatrixXd near_waves = near * short_waves;
-  MatrixXd K = R.transpose() * known_R;
+  MatrixXd K = R.transpose() * K_R;
   K += short_waves.transpose() * near_waves;
   return 0.5 * (K + K.transpose());
 }

@@ -184,8 +184,8 @@ BoundQp string_between(int n, int lowest, double bed) {
   }
   BoundQp problem;
   problem.b = side.asDiagonal() * K * (VectorXd::Ones(n) - limit);
-  const MatrixXd signed_K = side.asDiagonal() * K * side.asDiagonal();
-  problem.K = MatrixXd(signed_K.triangularView<Eigen::Lower>()).sparseView();
+  const MatrixXd K_signed = side.asDiagonal() * K * side.asDiagonal();
+  problem.K = MatrixXd(K_signed.triangularView<Eigen::Lower>()).sparseView();
   problem.bounded.assign(static_cast<size_t>(n), 1);
   return problem;
 }
