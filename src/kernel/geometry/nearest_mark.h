@@ -17,6 +17,13 @@ auto mark_key(const Mark& mark) {
   return std::tuple(mark.group(), mark.position.x, mark.position.y);
 }
 
+/// By mark_key; marks of one place keep their order.
+template <class Mark>
+void sort_marks(std::vector<Mark>& marks) {
+  std::stable_sort(marks.begin(), marks.end(),
+                   [](const Mark& a, const Mark& b) { return mark_key(a) < mark_key(b); });
+}
+
 /// The mark nearest to `place` of those in its group that `accept` takes, the first of them that
 /// the search meets, or null where there is none. `marks` rise by mark_key. O(log marks) where
 /// marks are not stacked above each other on the canvas and most near ones are accepted.

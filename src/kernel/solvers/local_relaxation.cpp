@@ -21,39 +21,12 @@ struct Patch {
   std::vector<double> diagonal;
 };
 
-/// In place of an index: not in the patch so far, and not to be in it however near it is.
-constexpr int unreached = -1;
-constexpr int held = -2;
-
-/// All within a few steps of the seeds, ascending; `place` of them becomes 0.
-std::vector<int> unknowns_around(const std::vector<int>& seeds, const SymmetricGraph& graph,
-                                 std::vector<int>& place) {
-  std::vector<int> unknowns;
-  const auto add = [&](int i) {
-    if (place[i] != unreached) return;
-    unknowns.push_back(i);
-    place[i] = 0;
-  };
-  for (const int i : seeds) add(i);
-  size_t first = 0;
-  for (int ring = 0; ring < rings; ++ring) {
-    const size_t last = unknowns.size();
-    for (; first < last; ++first)
-      for (int p = graph.begin[unknowns[first]]; p < graph.begin[unknowns[first] + 1]; ++p)
-        add(graph.neighbour[p]);
-  }
-  std::sort(unknowns.begin(), unknowns.end());
-  return unknowns;
-}
-
 Patch patch_around(const std::vector<int>& seeds, const BoundQpPoint& point) {
   const SparseMatrix& K = point.K;
   const SymmetricGraph& graph = point.graph;
   Patch patch;
-  std::vector<int> place(static_cast<size_t>(graph.size()), unreached);
-  for (size_t i = 0; i < point.fixed.size(); ++i)
-    if (point.fixed[i] != 0) place[i] = held;
-  patch.unknowns = unknowns_around(seeds, graph, place);
+  patch.unknowns = rows_around(graph, seeds, rings, point.fixed);
+  std::vector<int> place(static_cast<size_t>(graph.size()), -1);
   for (size_t p = 0; p < patch.unknowns.size(); ++p) place[patch.unknowns[p]] = static_cast<int>(p);
   patch.begin = {0};
   for (const int i : patch.unknowns) {

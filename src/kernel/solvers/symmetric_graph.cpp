@@ -1,5 +1,7 @@
 #include "kernel/solvers/symmetric_graph.h"
 
+#include <algorithm>
+
 namespace relievo {
 
 SymmetricGraph make_symmetric_graph(const SparseMatrix& lower) {
@@ -28,6 +30,28 @@ SymmetricGraph make_symmetric_graph(const SparseMatrix& lower) {
       link(j, i, source);
     }
   return graph;
+}
+
+std::vector<int> rows_around(const SymmetricGraph& graph, std::span<const int> seeds, int steps,
+                             std::span<const uint8_t> left_out) {
+  std::vector<uint8_t> passed(left_out.begin(), left_out.end());
+  passed.resize(static_cast<size_t>(graph.size()), 0);
+  std::vector<int> rows;
+  const auto add = [&](int i) {
+    if (passed[i] != 0) return;
+    rows.push_back(i);
+    passed[i] = 1;
+  };
+  for (const int i : seeds) add(i);
+  size_t first = 0;
+  for (int step = 0; step < steps && first < rows.size(); ++step) {
+    const size_t last = rows.size();
+    for (; first < last; ++first)
+      for (int p = graph.begin[rows[first]]; p < graph.begin[rows[first] + 1]; ++p)
+        add(graph.neighbour[p]);
+  }
+  std::sort(rows.begin(), rows.end());
+  return rows;
 }
 
 std::vector<int> positions_in(const std::vector<int>& order) {

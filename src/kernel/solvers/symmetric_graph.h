@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "kernel/base/sparse_matrix.h"
@@ -18,6 +20,11 @@ struct SymmetricGraph {
 
 /// Reads the strictly lower triangle of a compressed matrix. O(n + entries).
 SymmetricGraph make_symmetric_graph(const SparseMatrix& lower);
+
+/// Rows at most `steps` edges from the seeds, ascending. Those with left_out[i] != 0 (none, or #n
+/// flags) are not among them, and lead to no others. O(n + edges around the seeds).
+std::vector<int> rows_around(const SymmetricGraph& graph, std::span<const int> seeds, int steps,
+                             std::span<const uint8_t> left_out = {});
 
 /// Where each row comes in an order: the inverse of a permutation.
 std::vector<int> positions_in(const std::vector<int>& order);

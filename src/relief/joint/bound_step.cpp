@@ -34,20 +34,10 @@ struct Surroundings {
 
 Surroundings surroundings(const SoftMatrix& matrix, int rings) {
   const SymmetricGraph graph = make_symmetric_graph(matrix.K);
-  std::vector<int> near(matrix.own_stiffness.size());
-  std::iota(near.begin(), near.end(), static_cast<int>(matrix.heights()));
+  std::vector<int> bound(matrix.own_stiffness.size());
+  std::iota(bound.begin(), bound.end(), static_cast<int>(matrix.heights()));
   Surroundings result{std::vector<int>(static_cast<size_t>(graph.size()), -1), 0};
-  for (const int i : near) result.place[i] = 0;
-  size_t first = 0;
-  for (int ring = 0; ring < rings && first < near.size(); ++ring)
-    for (const size_t last = near.size(); first < last; ++first)
-      for (int p = graph.begin[near[first]]; p < graph.begin[near[first] + 1]; ++p) {
-        const int i = graph.neighbour[p];
-        if (result.place[i] < 0) near.push_back(i);
-        result.place[i] = 0;
-      }
-  for (int& place : result.place)
-    if (place == 0) place = result.size++;
+  for (const int i : rows_around(graph, bound, rings)) result.place[i] = result.size++;
   return result;
 }
 

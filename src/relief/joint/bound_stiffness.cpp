@@ -1,6 +1,5 @@
 #include "relief/joint/bound_stiffness.h"
 
-#include <algorithm>
 #include <cstddef>
 
 #include "kernel/base/sparse_matrix.h"
@@ -26,9 +25,7 @@ std::vector<IndexedMark> sorted_marks(const std::vector<BoundMark>& marks) {
   std::vector<IndexedMark> sorted;
   for (const BoundMark& mark : marks)
     sorted.push_back({mark.part, mark.position, static_cast<int>(sorted.size())});
-  std::stable_sort(sorted.begin(), sorted.end(), [](const IndexedMark& a, const IndexedMark& b) {
-    return mark_key(a) < mark_key(b);
-  });
+  sort_marks(sorted);
   return sorted;
 }
 

@@ -126,6 +126,16 @@ JointMap::Answer JointMap::answer_to(const JointState& state, const RunContext& 
   return answer;
 }
 
+JointMap::Answer JointMap::answer_to_change(const JointState& state, const VectorXd& change,
+                                            const RunContext& context) {
+  const VectorXd before = f_on_bound(state);
+  const VectorXd after = before + change;
+  JointState changed = state;
+  changed.u += response_.extension(after.cwiseProduct(after.cwiseAbs()) -
+                                   before.cwiseProduct(before.cwiseAbs()));
+  return answer_to(changed, context);
+}
+
 SolveStatus JointMap::apply(JointState& state, JointStep& step, const RunContext& context) {
   Answer answer = answer_to(state, context);
   if (answer.contact.status != SolveStatus::solved) return answer.contact.status;
@@ -189,15 +199,10 @@ VectorXd JointMap::springs_on_bound(const VectorXd& f, const Excess& excess) con
 
 SolveStatus JointMap::stiffen(const JointState& state, const RunContext& context) {
   if (bounds_ == 0 || bound_step_.is_known()) return SolveStatus::solved;
-  const VectorXd f_before = f_on_bound(state);
-  const double rise = relative_rise * f_before.lpNorm<Eigen::Infinity>();
-  const VectorXd f_after = f_before + rise * bound_step_.direction();
-  JointState risen = state;
-  risen.u += response_.extension(f_after.cwiseProduct(f_after.cwiseAbs()) -
-                                 f_before.cwiseProduct(f_before.cwiseAbs()));
-  const Answer answer = answer_to(risen, context);
-  if (answer.contact.status != SolveStatus::solved) return answer.contact.status;
   const VectorXd& direction = bound_step_.direction();
+  const double rise = relative_rise * f_on_bound(state).lpNorm<Eigen::Infinity>();
+  const Answer answer = answer_to_change(state, rise * direction, context);
+  if (answer.contact.status != SolveStatus::solved) return answer.contact.status;
   const VectorXd missing =
       (answer.slope - slope_) / rise - bound_step_.stiffness_against(direction);
   stiffening_ += direction.cwiseProduct(missing).cwiseMax(0);
@@ -254,11 +259,7 @@ class JointMap::Prober {
     const double largest = change.lpNorm<Eigen::Infinity>();
     if (!(largest > 0)) return SolveStatus::solved;
     change *= rise_ / largest;
-    const VectorXd f = f_ + change;
-    JointState moved = state_;
-    moved.u +=
-        map_.response_.extension(f.cwiseProduct(f.cwiseAbs()) - f_.cwiseProduct(f_.cwiseAbs()));
-    const Answer answer = map_.answer_to(moved, context_);
+    const Answer answer = map_.answer_to_change(state_, change, context_);
     if (answer.contact.status != SolveStatus::solved) return answer.contact.status;
     append(change / rise_, probes.changes);
     append(map_.bound_step_.stiffness_against(change / rise_), probes.steps);

@@ -88,6 +88,9 @@ class JointMap {
   class Prober;
 
   Answer answer_to(const JointState& state, const RunContext& context);
+  /// To another f on B, the inflation within it following.
+  Answer answer_to_change(const JointState& state, const Eigen::VectorXd& change,
+                          const RunContext& context);
   Eigen::VectorXd fixed_f(const JointState& state) const;
   Eigen::VectorXd f_on_bound(const JointState& state) const;
   Springs springs(const JointState& state) const;

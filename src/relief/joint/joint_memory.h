@@ -24,10 +24,7 @@ struct JointMark {
 struct JointMemory {
   std::vector<JointMark> marks;  ///< by group and position
   std::vector<DepthContact> contacts;
-  BoundStiffness bound;
+  BoundStiffness bound;  ///< as the iteration knew it
 };
-
-/// After a change of the parts' numbers.
-void sort_marks(std::vector<JointMark>& marks);
 
 }  // namespace relievo

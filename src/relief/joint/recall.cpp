@@ -1,7 +1,6 @@
 #include "relief/joint/recall.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "kernel/geometry/nearest_mark.h"
@@ -48,12 +47,6 @@ void recall_bound(const LayeredMesh& mesh, const JointModel& model,
 }
 
 }  // namespace
-
-void sort_marks(std::vector<JointMark>& marks) {
-  std::stable_sort(marks.begin(), marks.end(), [](const JointMark& a, const JointMark& b) {
-    return mark_key(a) < mark_key(b);
-  });
-}
 
 std::vector<JointMark> remember(const LayeredMesh& mesh, const JointModel& model,
                                 const std::vector<DepthPair>& pairs, const VectorXd& u_start,

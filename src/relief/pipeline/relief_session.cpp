@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernel/base/workers.h"
+#include "kernel/geometry/nearest_mark.h"
 #include "relief/discretisation/discretise.h"
 #include "relief/pipeline/stage_keys.h"
 

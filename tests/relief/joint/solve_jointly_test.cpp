@@ -5,8 +5,6 @@
 #include <atomic>
 #include <cmath>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "relief/discretisation/discretise.h"
 #include "support/depth_optimality.h"
@@ -162,16 +160,20 @@ JointMemory coarse_memory(int vertices, bool probe_ends) {
   return solve(test).memory;
 }
 
-TEST(SolveJointly, FindsTheStiffnessOfBAnewWhereWhatIsKnownDoesNotHold) {
-  const JointCase test = joint_case(body_and_leg(), 4000, 0.01);
+Result<JointSolution> solve_from(const JointMemory& known, const JointCase& test) {
   const Relief& start = test.approximate;
   const Discretisation discretisation = discretise(start.layers);
-  const OrderingInput input{start.layers, discretisation, start.inflation, test.scene};
+  return solve_jointly({start.layers, discretisation, start.inflation, test.scene},
+                       test.options.joint, known);
+}
+
+TEST(SolveJointly, FindsTheStiffnessOfBAnewWhereWhatIsKnownDoesNotHold) {
+  const JointCase test = joint_case(body_and_leg(), 4000, 0.01);
   const JointSolution exact = solve(test);
   JointMemory known = exact.memory;
   ASSERT_GT(known.bound.K.rows(), 10);
   known.bound.K *= -1;
-  const auto solution = solve_jointly(input, test.options.joint, known);
+  const auto solution = solve_from(known, test);
   ASSERT_TRUE(solution.ok());
   EXPECT_EQ(solution->report.status, JointStatus::solved);
   EXPECT_NEAR(solution->report.energy.total(), exact.report.energy.total(),
@@ -180,11 +182,8 @@ TEST(SolveJointly, FindsTheStiffnessOfBAnewWhereWhatIsKnownDoesNotHold) {
 
 TEST(SolveJointly, TakesFewerStepsWhereACoarseMeshHasProbedTheEndsOfJoins) {
   const JointCase test = joint_case(body_and_leg(), 8000, 0.01);
-  const Relief& start = test.approximate;
-  const Discretisation discretisation = discretise(start.layers);
-  const OrderingInput input{start.layers, discretisation, start.inflation, test.scene};
-  const auto probed = solve_jointly(input, test.options.joint, coarse_memory(8000, true));
-  const auto known = solve_jointly(input, test.options.joint, coarse_memory(8000, false));
+  const auto probed = solve_from(coarse_memory(8000, true), test);
+  const auto known = solve_from(coarse_memory(8000, false), test);
   ASSERT_TRUE(probed.ok() && known.ok());
   EXPECT_LT(probed->report.steps.size(), known->report.steps.size());
   EXPECT_NEAR(probed->report.energy.total(), known->report.energy.total(),
