@@ -61,18 +61,25 @@ JointMemory coarse_memory(const std::string& name, int vertices, const JointOpti
   return session.update(scene_of(name), coarse) ? session.joint_memory() : JointMemory();
 }
 
+/// The inflation, and beside it the matrix of the depth order.
+Inflation inflation_of(const SurfaceInput& surface, OrderingSystem& system) {
+  Inflation inflation;
+  run_tasks(2, [&](int task) {
+    if (task == 1) return prepare_ordering(surface, {}, system);
+    PoissonSystem poisson(surface.mesh, surface.discretisation, Refactorisation::complete, {});
+    inflation = *inflate({surface.mesh, surface.discretisation, surface.scene}, InflationOptions(),
+                         poisson);
+  });
+  return inflation;
+}
+
 /// Operators, inflation and order from the coarse guess.
 void approximate(const std::string& name, const Surface& surface) {
   const Scene& scene = scene_of(name);
   const Discretisation operators = discretise(surface.mesh);
   OrderingSystem system;
   system.contacts = surface.coarse;
-  Inflation inflation;
-  run_tasks(2, [&](int task) {
-    if (task == 1) return prepare_ordering({surface.mesh, operators, scene}, {}, system);
-    PoissonSystem poisson(surface.mesh, operators, Refactorisation::complete, {});
-    inflation = *inflate({surface.mesh, operators, scene}, InflationOptions(), poisson);
-  });
+  const Inflation inflation = inflation_of({surface.mesh, operators, scene}, system);
   benchmark::DoNotOptimize(order_depth({surface.mesh, operators, inflation, scene}, {}, system));
 }
 
@@ -81,9 +88,9 @@ Result<JointSolution> solve(const std::string& name, const Surface& surface,
                             const JointOptions& options, const JointMemory& known) {
   const Scene& scene = scene_of(name);
   const Discretisation operators = discretise(surface.mesh);
-  PoissonSystem poisson(surface.mesh, operators, Refactorisation::complete, {});
-  const auto inflated = inflate({surface.mesh, operators, scene}, InflationOptions(), poisson);
-  return solve_jointly({surface.mesh, operators, *inflated, scene}, options, known);
+  OrderingSystem system;
+  const Inflation inflation = inflation_of({surface.mesh, operators, scene}, system);
+  return solve_jointly({surface.mesh, operators, inflation, scene}, options, known, system);
 }
 
 void nonlinear(State& state, const std::string& name, int vertices, double lambda_bnd) {

@@ -23,58 +23,62 @@ VectorXd forces_of_gaps(const DepthForest& forest, const VectorXd& mu) {
 
 }  // namespace
 
-ContactStep::ContactStep(const JointModel& model, const DepthProblem& problem,
-                         const std::vector<int>& soft, const std::vector<uint8_t>& closed)
+ContactStep::ContactStep(const JointModel& model, DepthSystem& order, const std::vector<int>& soft)
     : model_(model),
-      problem_(problem),
-      matrix_(make_soft_matrix(model, problem, soft)),
-      active_(closed) {
-  qp_.bounded = problem.variables.bounded;
-  qp_.fixed = problem.variables.fixed;
-  qp_.bounded.resize(qp_.bounded.size() + soft.size(), 0);
-  qp_.fixed.resize(qp_.bounded.size(), 0);
-  active_.resize(qp_.bounded.size(), 0);
-  qp_.K.swap(matrix_.K);
+      problem_(order.problem),
+      has_soft_(!soft.empty()),
+      system_(has_soft_ ? own_ : order),
+      T_(has_soft_ ? matrix_.T : problem_.variables.T) {
+  if (!has_soft_) return;
+  matrix_ = make_soft_matrix(model, problem_, soft);
+  BoundQp& qp = own_.qp;
+  qp.bounded = problem_.variables.bounded;
+  qp.fixed = problem_.variables.fixed;
+  own_.closed = order.closed;
+  const auto unknowns = static_cast<size_t>(matrix_.T.cols());
+  for (std::vector<uint8_t>* flags : {&qp.bounded, &qp.fixed, &own_.closed})
+    flags->resize(unknowns, 0);
+  qp.K.swap(matrix_.K);
 }
 
 bool ContactStep::prepare(const RunContext& context) {
-  return factor_.analyse(qp_.K, Refactorisation::incremental, matrix_.elimination, context);
+  if (!has_soft_) return !context.cancelled();
+  return own_.factor.analyse(own_.qp.K, Refactorisation::incremental, matrix_.elimination, context);
 }
 
 Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunContext& context) {
+  BoundQp& qp = system_.qp;
   const Eigen::Index softs = springs.pull.size();
   const LeanTerm& lean = model_.metric.lean;
   const VectorXd root_height = root_heights(problem_, f);
   const VectorXd rest = f - problem_.variables.T * root_height;
-  qp_.b = matrix_.T.transpose() * (model_.metric.A * rest + lean.pull);
-  qp_.b.tail(softs) += matrix_.direction.cwiseProduct(springs.pull) / model_.lambda_shift;
-  set_springs(matrix_, springs.stiffness / model_.lambda_shift, qp_.K);
+  qp.b = T_.transpose() * (model_.metric.A * rest + lean.pull);
   BoundQpOptions options;
-  options.start_active = active_;
+  if (has_soft_) {
+    qp.b.tail(softs) += matrix_.direction.cwiseProduct(springs.pull) / model_.lambda_shift;
+    set_springs(matrix_, springs.stiffness / model_.lambda_shift, qp.K);
+  }
+  options.same_matrix = !has_soft_ && system_.factorised;
+  options.start_active = std::move(system_.closed);
   options.tolerance = contact_tolerance;
   options.start = std::move(last_);
-  options.same_matrix = options.start.size() > 0 && softs == 0;
-  const BoundQpSolution solution = solve_bound_qp(qp_, factor_, std::move(options), context);
-  active_ = solution.active;
-  last_ = solution.z;
+  BoundQpSolution solution = solve_bound_qp(qp, system_.factor, std::move(options), context);
+  system_.factorised = solution.report.factorisations > 0;
+  system_.closed = std::move(solution.active);
 
   Contact contact;
   contact.status = solution.report.status;
   contact.factorisations = solution.report.factorisations;
-  contact.soft = matrix_.direction.cwiseProduct(solution.z.tail(softs));
-  const VectorXd g = matrix_.T * solution.z - rest;
-  contact.force = softs > 0 ? VectorXd(model_.metric.A * g - lean.pull)
+  if (has_soft_) contact.soft = matrix_.direction.cwiseProduct(solution.z.tail(softs));
+  const VectorXd g = T_ * solution.z - rest;
+  contact.force = has_soft_ ? VectorXd(model_.metric.A * g - lean.pull)
                             : forces_of_gaps(problem_.forest, solution.mu);
   contact.force *= model_.lambda_shift;
   contact.shift_energy = g.dot(contact.force) + model_.lambda_shift * lean.rest(g);
   const double scale = model_.metric.scale;
   contact.h = heights_of(problem_, root_height / scale, solution.z, scale);
+  last_ = std::move(solution.z);
   return contact;
-}
-
-std::optional<DepthSystem> ContactStep::release() && {
-  if (matrix_.direction.size() > 0) return std::nullopt;
-  return DepthSystem{problem_, std::move(qp_), std::move(factor_), std::move(active_), false, {}};
 }
 
 }  // namespace relievo

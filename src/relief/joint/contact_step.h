@@ -1,8 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "kernel/base/run_context.h"
@@ -34,29 +32,26 @@ struct Contact {
 /// step to the next; without soft nodes that is the depth order.
 class ContactStep {
  public:
-  /// closed: gaps of the problem that are closed in the first guess.
-  ContactStep(const JointModel& model, const DepthProblem& problem, const std::vector<int>& soft,
-              const std::vector<uint8_t>& closed);
+  /// Begins with the gaps closed that are so in `order`. Without soft nodes, works with the program
+  /// and the factor there, which are left with the last active set.
+  ContactStep(const JointModel& model, DepthSystem& order, const std::vector<int>& soft);
 
-  /// Analyses the matrix; false where `context` is cancelled.
+  /// Analyses the matrix if it is not that of `order`; false where `context` is cancelled.
   bool prepare(const RunContext& context);
 
   /// f: #N in scene units, what is fixed of it. Precondition: prepared. Factorises what the active
   /// set changes.
   Contact solve(const Eigen::VectorXd& f, const Springs& springs, const RunContext& context);
 
-  /// The depth order's program with the last factor and active set, taken from here; nothing where
-  /// there are soft nodes.
-  std::optional<DepthSystem> release() &&;
-
  private:
   const JointModel& model_;
   const DepthProblem& problem_;
-  SoftMatrix matrix_;
-  BoundQp qp_;
-  std::vector<uint8_t> active_;
+  bool has_soft_;
+  SoftMatrix matrix_;  ///< if there are soft nodes
+  DepthSystem own_;    ///< likewise, its gaps and then the soft nodes; without a problem
+  DepthSystem& system_;
+  const SparseMatrix& T_;
   Eigen::VectorXd last_;  ///< solution; empty at first
-  SparseCholesky factor_;
 };
 
 }  // namespace relievo

@@ -71,7 +71,7 @@ Status iterate(JointMap& map, double growth, const JointOptions& options, const 
   bool asked = false;
   run.crossed = false;
   Stopwatch watch;
-  if (Status status = check_solved(map.prepare(run.bound, context)); !status) return status;
+  if (!map.prepare(context)) return interrupted_error();
   for (int i = 0; i < options.max_iterations; ++i) {
     context.report("nonlinear", static_cast<double>(i) / options.max_iterations);
     const VectorXd x = map.pack(state);
@@ -111,20 +111,21 @@ Status iterate(JointMap& map, double growth, const JointOptions& options, const 
 
 }  // namespace
 
-Status iterate_jointly(const InflationResponse& response, const DepthProblem& problem,
-                       const JointOptions& options, const RunContext& context, JointRun& run) {
-  const double growth = is_mixed(response.model()) ? mixed_growth_limit : growth_limit;
+Status iterate_jointly(const JointSystems& systems, const JointOptions& options,
+                       const RunContext& context, JointRun& run) {
+  const JointModel& model = systems.inflation.model();
+  const double growth = is_mixed(model) ? mixed_growth_limit : growth_limit;
   const JointState start = run.state;
-  run.order.reset();
-  for (const Softness& softness : softnesses_of(response.model())) {
+  const std::vector<uint8_t> closed = systems.order.closed;
+  for (const Softness& softness : softnesses_of(model)) {
     run.state = start;
-    JointMap map(response.model(), response, problem, softness, run.closed);
+    systems.order.closed = closed;
+    JointMap map(systems, softness);
     if (Status status = iterate(map, growth, options, context, run); !status) return status;
-    if (!run.crossed && run.report.status != JointStatus::solved) continue;
-    run.order = std::move(map).release();
-    return Done{};
+    if (run.crossed || run.report.status == JointStatus::solved) return Done{};
   }
   run.state = start;
+  systems.order.closed = closed;
   return Done{};
 }
 

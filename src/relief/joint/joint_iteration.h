@@ -1,8 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "kernel/base/result.h"
@@ -22,15 +20,12 @@ struct KeptState {
 /// An iteration that may go on under other pairs.
 struct JointRun {
   JointState state;
-  std::vector<uint8_t> closed;  ///< gaps of the problem that are closed in the first guess
   JointReport report;
   std::vector<KeptState> kept;  ///< those that the options ask for
   /// Asked once the residual is below `rough`, with the heights: whether the pairs do not suffice,
   /// so that there is no use in going on.
   std::function<bool(const std::vector<double>& h)> crosses;
   bool crossed = false;  ///< its answer
-  /// The depth order under the pairs as the contact has left it, where it was that.
-  std::optional<DepthSystem> order;
   BoundStiffness bound;  ///< known of a similar problem at first, then of this one
 };
 
@@ -39,7 +34,7 @@ struct JointRun {
 /// the steps to the report and sets its status and residual; where nothing converges, leaves the
 /// state as it was. Ends early where heights cross. Fails only when cancelled, or where the contact
 /// has no solution.
-Status iterate_jointly(const InflationResponse& response, const DepthProblem& problem,
-                       const JointOptions& options, const RunContext& context, JointRun& run);
+Status iterate_jointly(const JointSystems& systems, const JointOptions& options,
+                       const RunContext& context, JointRun& run);
 
 }  // namespace relievo

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "kernel/base/workers.h"
 #include "relief/joint/bound_modes.h"
 
 namespace relievo {
@@ -47,32 +46,18 @@ std::vector<int> soft_nodes(const JointModel& model, std::vector<int> contact, b
 
 }  // namespace
 
-JointMap::JointMap(const JointModel& model, const InflationResponse& response,
-                   const DepthProblem& problem, const Softness& softness,
-                   const std::vector<uint8_t>& closed)
-    : model_(model),
-      response_(response),
+JointMap::JointMap(const JointSystems& systems, const Softness& softness)
+    : model_(systems.inflation.model()),
+      response_(systems.inflation),
       smooth_root_(softness.width),
-      nodes_(inner_nodes(model, problem, true)),
-      apart_(inner_nodes(model, problem, false)),
-      soft_(soft_nodes(model, nodes_, softness.all)),
-      contact_step_(model, problem, soft_, closed),
-      bound_step_(model, problem),
-      bounds_(model.bound_mass.size()),
+      nodes_(inner_nodes(model_, systems.order.problem, true)),
+      apart_(inner_nodes(model_, systems.order.problem, false)),
+      soft_(soft_nodes(model_, nodes_, softness.all)),
+      contact_step_(model_, systems.order, soft_),
+      bound_step_(systems.bound),
+      bounds_(model_.bound_mass.size()),
       stiffening_(VectorXd::Zero(bounds_)),
       compliance_(compliance_of_soft_nodes(softness.share)) {}
-
-SolveStatus JointMap::prepare(const BoundStiffness& known, const RunContext& context) {
-  bool contact_ready = false;
-  SolveStatus status = SolveStatus::solved;
-  run_tasks(2, [&](int task) {
-    if (task == 0)
-      status = bound_step_.prepare(known, context);
-    else
-      contact_ready = contact_step_.prepare(context);
-  });
-  return contact_ready ? status : SolveStatus::interrupted;
-}
 
 VectorXd JointMap::pack(const JointState& state) const {
   const auto contacts = static_cast<Index>(nodes_.size());

@@ -2,8 +2,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include "kernel/base/run_context.h"
@@ -31,19 +29,25 @@ struct Softness {
   double width = 0;  ///< of the root where u may have either sign, scene units
 };
 
+/// What the steps of the iteration solve with.
+struct JointSystems {
+  const InflationResponse& inflation;
+  DepthSystem& order;  ///< under the pairs of the problem
+  BoundStep& bound;    ///< prepared
+};
+
 /// The fixed-point problem x = F(x) of the joint formulation. F orders the parts for the present
 /// inflation, moves f on B against the slope of the energy, and then solves the inflation under
 /// the forces of the contact. x holds u at the nodes on which depth pairs press, f on B, and the
 /// loads of soft nodes, all scaled to the unit of u.
 class JointMap {
  public:
-  /// closed: gaps of the problem that are closed in the first guess.
-  JointMap(const JointModel& model, const InflationResponse& response, const DepthProblem& problem,
-           const Softness& softness, const std::vector<uint8_t>& closed);
+  /// Begins with the gaps closed that are so in the order, and keeps what the steps learn in the
+  /// systems.
+  JointMap(const JointSystems& systems, const Softness& softness);
 
-  /// Makes the matrices of the steps, on two threads. `known`: the stiffness of B in a similar
-  /// problem, or nothing.
-  SolveStatus prepare(const BoundStiffness& known, const RunContext& context);
+  /// Makes what else the steps need; false where `context` is cancelled.
+  bool prepare(const RunContext& context) { return contact_step_.prepare(context); }
 
   Eigen::VectorXd pack(const JointState& state) const;
 
@@ -63,7 +67,7 @@ class JointMap {
   /// from now on. Costs little more than a step. What comes from a similar problem has its springs.
   SolveStatus stiffen(const JointState& state, const RunContext& context);
 
-  /// That of f on B. Precondition: prepared.
+  /// That of f on B.
   BoundStiffness bound_stiffness() const;
 
   /// Corrects it by what is measured at `state` near the ends of B. Costs two steps without new
@@ -71,9 +75,6 @@ class JointMap {
   /// interrupted. Precondition: a step was made.
   SolveStatus probe_ends(const JointState& state, const RunContext& context,
                          BoundStiffness& stiffness);
-
-  /// As that of the contact.
-  std::optional<DepthSystem> release() && { return std::move(contact_step_).release(); }
 
  private:
   /// What follows from u and from f on B as they are.
@@ -114,7 +115,7 @@ class JointMap {
   std::vector<int> apart_;  ///< on which none do, off B
   std::vector<int> soft_;   ///< those of nodes_ whose f is unknown in the contact
   ContactStep contact_step_;
-  BoundStep bound_step_;
+  BoundStep& bound_step_;
   Eigen::Index bounds_;    ///< #B
   Eigen::VectorXd slope_;  ///< #B, of the energy / 2 with respect to f, where the last step began
   Eigen::VectorXd stiffening_;  ///< #B, springs beyond those of the energy

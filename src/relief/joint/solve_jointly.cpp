@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "kernel/base/workers.h"
 #include "relief/discretisation/discretise.h"
 #include "relief/inflation/poisson_terms.h"
 #include "relief/joint/inflation_response.h"
@@ -14,8 +15,6 @@
 #include "relief/joint/joint_model.h"
 #include "relief/joint/recall.h"
 #include "relief/ordering/order_rounds.h"
-#include "relief/ordering/overlap.h"
-#include "relief/ordering/stacked_nodes.h"
 
 namespace relievo {
 namespace {
@@ -74,14 +73,14 @@ RoundPlan first_plan(const JointModel& model, const OrderingInput& input,
 class JointRounds {
  public:
   JointRounds(const OrderingInput& input, const JointOptions& options, const JointMemory& known,
-              const RunContext& context)
+              OrderingSystem& system, const RunContext& context)
       : input_(input),
         known_(known),
         options_(options),
+        system_(system),
         context_(context),
         model_(make_joint_model(input, options.epsilon)),
-        stacked_(stacked_nodes(input.mesh, stacked_faces(input.mesh, input.scene))),
-        plan_(first_plan(model_, input, stacked_, known, options.max_rounds)),
+        plan_(first_plan(model_, input, system.stacked, known, options.max_rounds)),
         recalled_(!known.marks.empty()) {
     model_.lambda_bnd = options.lambda_bnd;
     model_.lambda_shift = options.lambda_shift;
@@ -96,18 +95,20 @@ class JointRounds {
   /// Leaves the solution for these pairs in `solution` and its heights in `ordering`; in a round
   /// that is not the last, rough heights where they cross.
   Status solve(const std::vector<DepthPair>& pairs, Ordering& ordering, JointSolution& solution) {
-    pairs_ = pairs;
-    const DepthProblem problem = make_depth_problem(input_.mesh.node_part, pairs_);
-    run_.closed = run_.state.h.empty() ? gaps_like(input_.mesh, problem, known_.contacts)
-                                       : closed_gaps(problem, run_.state.h);
+    set_pairs({input_.mesh, input_.discretisation, input_.scene}, pairs, system_, context_);
+    if (context_.cancelled()) return interrupted_error();
+    DepthSystem& order_system = system_.system;
+    order_system.closed = run_.state.h.empty()
+                              ? gaps_like(input_.mesh, order_system.problem, known_.contacts)
+                              : closed_gaps(order_system.problem, run_.state.h);
     run_.report.round = ordering.rounds;
     run_.crosses = [&](const std::vector<double>& h) {
       return ordering.rounds < options_.max_rounds && crosses(h);
     };
-    if (Status status = iterate(problem); !status) return status;
+    if (Status status = iterate(); !status) return status;
     for (const KeptState& kept : std::exchange(run_.kept, {})) {
       JointSnapshot snapshot{kept.step, inflation_of(kept.u), {}};
-      const Status status = order(problem, snapshot.inflation, snapshot.ordering);
+      const Status status = order(snapshot.inflation, snapshot.ordering);
       if (!status) return status;
       solution.snapshots.push_back(std::move(snapshot));
     }
@@ -116,13 +117,13 @@ class JointRounds {
       return Done{};
     }
     solution.inflation = inflation_of(run_.state.u);
-    return order(problem, solution.inflation, ordering);
+    return order(solution.inflation, ordering);
   }
 
   JointMemory memory() const {
     if (run_.report.status != JointStatus::solved) return {};
-    return {remember(input_.mesh, model_, pairs_, u_start_, run_.state),
-            contacts_of(input_.mesh, stacked_, run_.state.h), run_.bound};
+    return {remember(input_.mesh, model_, *system_.pairs, u_start_, run_.state),
+            contacts_of(input_.mesh, system_.stacked, run_.state.h), run_.bound};
   }
 
   /// With the energy at the end.
@@ -136,14 +137,17 @@ class JointRounds {
  private:
   /// Iterates; where u comes out with the wrong sign, as obtuse faces allow, holds it at 0 and
   /// goes on.
-  Status iterate(const DepthProblem& problem) {
+  Status iterate() {
     VectorXd& u = run_.state.u;
+    BoundStep bound(model_, system_.system.problem);
+    if (Status status = prepare(bound); !status) return status;
     for (int i = 0;; ++i) {
       if (!response_) response_.emplace(model_);
       if (!response_->sound())
         return Error{ErrorCode::internal, "the inflation has no finite solution", ""};
       if (std::exchange(recalled_, false)) inflate_recalled();
-      const Status status = iterate_jointly(*response_, problem, options_, context_, run_);
+      const Status status =
+          iterate_jointly({*response_, system_.system, bound}, options_, context_, run_);
       if (!status || run_.crossed) return status;
       if (i == sign_rounds || !hold_wrong_signs(u, model_)) break;
       response_.reset();
@@ -151,6 +155,17 @@ class JointRounds {
     for (Eigen::Index n = 0; n < u.size(); ++n)
       if (model_.sign[n] * u[n] < 0) u[n] = 0;
     return Done{};
+  }
+
+  Status prepare(BoundStep& bound) {
+    SolveStatus status = SolveStatus::solved;
+    run_tasks(2, [&](int task) {
+      if (task == 0)
+        status = bound.prepare(run_.bound, context_);
+      else if (!response_)
+        response_.emplace(model_);
+    });
+    return check_solved(status);
   }
 
   /// What was recalled are values node by node: u becomes the inflation under the loads.
@@ -163,7 +178,7 @@ class JointRounds {
 
   bool crosses(const std::vector<double>& h) const {
     const double tolerance = crossing_tolerance / model_.metric.scale;
-    const std::vector<uint8_t> flags = crossed(stacked_, h, tolerance);
+    const std::vector<uint8_t> flags = crossed(system_.stacked, h, tolerance);
     return std::find(flags.begin(), flags.end(), uint8_t{1}) != flags.end();
   }
 
@@ -172,26 +187,19 @@ class JointRounds {
   }
 
   /// The exact depth order for an inflation.
-  Status order(const DepthProblem& problem, const Inflation& inflation, Ordering& ordering) {
-    if (!run_.order) {
-      run_.order =
-          make_depth_system(problem, model_.metric, model_.elimination, SparseCholesky(), context_);
-      run_.order->closed = run_.closed;
-    }
-    const SolveStatus status = solve_heights(*run_.order, model_.metric,
-                                             inflated_heights(inflation.u), ordering, context_);
-    return check_solved(status);
+  Status order(const Inflation& inflation, Ordering& ordering) {
+    return check_solved(solve_heights(system_.system, model_.metric, inflated_heights(inflation.u),
+                                      ordering, context_));
   }
 
   const OrderingInput& input_;
   const JointMemory& known_;
   const JointOptions& options_;
+  OrderingSystem& system_;
   const RunContext& context_;
   JointModel model_;
-  StackedNodes stacked_;
-  RoundPlan plan_;                ///< refers to `stacked_`
-  bool recalled_;                 ///< whether `u` holds what is known of another mesh
-  std::vector<DepthPair> pairs_;  ///< of the round
+  RoundPlan plan_;  ///< refers to what is stacked in the system
+  bool recalled_;   ///< whether `u` holds what is known of another mesh
   std::optional<InflationResponse> response_;
   VectorXd u_start_;
   JointRun run_;
@@ -200,11 +208,13 @@ class JointRounds {
 }  // namespace
 
 Result<JointSolution> solve_jointly(const OrderingInput& input, const JointOptions& options,
-                                    const JointMemory& known, const RunContext& context) {
+                                    const JointMemory& known, OrderingSystem& system,
+                                    const RunContext& context) {
   assert(input.inflation.u.size() == input.mesh.node_vertex.size());
   assert(static_cast<int>(input.scene.parts.size()) == input.mesh.part_count);
   if (Status status = check_options(options); !status) return status.error();
-  JointRounds rounds(input, options, known, context);
+  set_surface({input.mesh, input.discretisation, input.scene}, options.epsilon, system, context);
+  JointRounds rounds(input, options, known, system, context);
 
   JointSolution solution;
   const auto solve = [&](const std::vector<DepthPair>& pairs, Ordering& ordering) {
@@ -231,7 +241,8 @@ Result<JointSolution> solve_jointly(const LayeredMesh& mesh, const Scene& scene,
                                     const RunContext& context) {
   const Discretisation discretisation = discretise(mesh, context);
   if (context.cancelled()) return interrupted_error();
-  return solve_jointly({mesh, discretisation, start, scene}, options, {}, context);
+  OrderingSystem system;
+  return solve_jointly({mesh, discretisation, start, scene}, options, {}, system, context);
 }
 
 }  // namespace relievo

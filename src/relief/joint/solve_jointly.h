@@ -32,9 +32,10 @@ struct JointOptions {
 /// over u and g, f = sgn(u) sqrt|u|, where the heights f + g obey the depth pairs, u = 0 on
 /// outlines, and B are the outlines under Robin ranges; the last term with the leans of parts as in
 /// the depth order. Begins from the inflation of the input, any of the mesh, and from what is known
-/// of a similar problem.
+/// of a similar problem. `system` is as for order_depth, which may prepare it and go on with it.
 Result<JointSolution> solve_jointly(const OrderingInput& input, const JointOptions& options,
-                                    const JointMemory& known, const RunContext& context = {});
+                                    const JointMemory& known, OrderingSystem& system,
+                                    const RunContext& context = {});
 
 /// The same with operators for one use.
 Result<JointSolution> solve_jointly(const LayeredMesh& mesh, const Scene& scene,

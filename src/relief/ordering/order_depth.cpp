@@ -3,32 +3,11 @@
 #include <cassert>
 #include <utility>
 
-#include "kernel/base/piece_timer.h"
 #include "relief/discretisation/discretise.h"
 #include "relief/ordering/order_rounds.h"
-#include "relief/ordering/pair_selection.h"
 
 namespace relievo {
 namespace {
-
-/// Makes the system one for these pairs, anew where it cannot serve.
-void bring_up_to_date(const SurfaceInput& surface, const std::vector<DepthPair>& pairs,
-                      OrderingSystem& system, const RunContext& context) {
-  const std::vector<int>& node_part = surface.mesh.node_part;
-  const bool serves =
-      system.pairs &&
-      (*system.pairs == pairs || select_pairs(node_part, pairs, system.metric, system.system));
-  if (!serves) {
-    PieceTimer sorting(context, "assemble");
-    DepthProblem problem = make_depth_problem(node_part, pairs);
-    sorting.stop();
-    system.system =
-        make_depth_system(std::move(problem), system.metric, surface.discretisation.elimination,
-                          std::move(system.system.factor), context);
-  }
-  system.pairs = pairs;
-  if (context.cancelled()) system.pairs.reset();  // it may be half made
-}
 
 /// The gaps to start from; `last_h` are the heights of the last round, if any.
 std::vector<uint8_t> first_guess(const LayeredMesh& mesh, const OrderingOptions& options,
@@ -38,19 +17,6 @@ std::vector<uint8_t> first_guess(const LayeredMesh& mesh, const OrderingOptions&
   if (!system.h.empty()) return closed_gaps(problem, system.h);
   if (!system.contacts.empty()) return gaps_like(mesh, problem, system.contacts);
   return options.start_active ? problem.variables.bounded : std::vector<uint8_t>();
-}
-
-/// Brings what does not depend on the inflation up to date.
-void prepare(const SurfaceInput& input, const OrderingOptions& options, OrderingSystem& system,
-             const RunContext& context) {
-  if (system.epsilon != options.epsilon) {
-    const PieceTimer assembling(context, "assemble");
-    system.pairs.reset();
-    system.metric = make_shift_metric(input.discretisation, options.epsilon);
-    system.epsilon = options.epsilon;
-  }
-  std::vector<FacePair> faces = stacked_faces(input.mesh, input.scene);
-  if (faces != system.stacked.faces) system.stacked = stacked_nodes(input.mesh, std::move(faces));
 }
 
 RoundPlan plan_for(const OrderingSystem& system, const LayeredMesh& mesh,
@@ -63,9 +29,9 @@ RoundPlan plan_for(const OrderingSystem& system, const LayeredMesh& mesh,
 void prepare_ordering(const SurfaceInput& surface, const OrderingOptions& options,
                       OrderingSystem& system, const RunContext& context) {
   if (!check_options(options)) return;
-  prepare(surface, options, system, context);
-  bring_up_to_date(surface, first_pairs(surface.mesh, plan_for(system, surface.mesh, options)),
-                   system, context);
+  set_surface(surface, options.epsilon, system, context);
+  set_pairs(surface, first_pairs(surface.mesh, plan_for(system, surface.mesh, options)), system,
+            context);
 }
 
 Result<Ordering> order_depth(const OrderingInput& input, const OrderingOptions& options,
@@ -75,13 +41,13 @@ Result<Ordering> order_depth(const OrderingInput& input, const OrderingOptions& 
   assert(input.inflation.u.size() == mesh.node_vertex.size());
   assert(static_cast<int>(input.scene.parts.size()) == mesh.part_count);
   if (Status status = check_options(options); !status) return status.error();
-  prepare(surface, options, system, context);
+  set_surface(surface, options.epsilon, system, context);
   system.metric.lean = lean_term(mesh, input.scene, system.metric.scale, options.epsilon);
   RoundPlan plan = plan_for(system, mesh, options);
   const Eigen::VectorXd f = inflated_heights(input.inflation.u);
   const auto solve = [&](const std::vector<DepthPair>& pairs, Ordering& ordering) -> Status {
     context.report("order", ordering.rounds / (options.max_rounds + 1.0));
-    bring_up_to_date(surface, pairs, system, context);
+    set_pairs(surface, pairs, system, context);
     if (context.cancelled()) return interrupted_error();
     if (system.system.closed.empty())
       system.system.closed = first_guess(mesh, options, system, ordering.h);

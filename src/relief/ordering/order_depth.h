@@ -17,13 +17,6 @@ struct OrderingOptions {
   bool start_active = false;  ///< first guess of the active set: all gaps closed, or none
 };
 
-/// The joined surface before it is inflated.
-struct SurfaceInput {
-  const LayeredMesh& mesh;
-  const Discretisation& discretisation;
-  const Scene& scene;
-};
-
 /// The joined surface and what was computed of it.
 struct OrderingInput {
   const LayeredMesh& mesh;

@@ -3,12 +3,22 @@
 #include <optional>
 #include <vector>
 
+#include "kernel/base/run_context.h"
+#include "relief/discretisation/discretisation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/depth_contacts.h"
 #include "relief/ordering/depth_problem.h"
 #include "relief/ordering/stacked_nodes.h"
+#include "relief/scene/scene.h"
 
 namespace relievo {
+
+/// The joined surface before it is inflated.
+struct SurfaceInput {
+  const LayeredMesh& mesh;
+  const Discretisation& discretisation;
+  const Scene& scene;
+};
 
 /// What the ordering of one surface leaves behind for the next one on it.
 struct OrderingSystem {
@@ -23,5 +33,15 @@ struct OrderingSystem {
   std::vector<double> h;
   std::vector<DepthContact> contacts;
 };
+
+/// Brings the metric but for its leans, and what is stacked on the surface, up to date; where the
+/// metric changes, the system is for no pairs any more. O(N + F) where there is anything to do.
+void set_surface(const SurfaceInput& surface, double epsilon, OrderingSystem& system,
+                 const RunContext& context);
+
+/// Makes the system one for these pairs; anew where its pattern cannot serve, which takes
+/// make_depth_system. For none if `context` is cancelled.
+void set_pairs(const SurfaceInput& surface, const std::vector<DepthPair>& pairs,
+               OrderingSystem& system, const RunContext& context);
 
 }  // namespace relievo

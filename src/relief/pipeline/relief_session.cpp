@@ -84,7 +84,7 @@ Status ReliefSession::update_surface(const Request& request) {
   if (Status status = update_discretisation(request); !status) return status;
   const RunContext beside = request.clock.listen_beside(request.context);
   Status status = Done{};
-  run_tasks(request.options.method == Method::approximate ? 2 : 1, [&](int task) {
+  run_tasks(2, [&](int task) {
     if (task == 0)
       status = update_inflation(request);
     else
@@ -221,7 +221,7 @@ Status ReliefSession::update_jointly(const Request& request) {
     joint.max_rounds = options.ordering.max_rounds;
     joint.probe_ends = use_ == Use::guess;
     auto solution = solve_jointly({relief_.layers, discretisation_, inflation_, scene}, joint,
-                                  joint_memory_, context);
+                                  joint_memory_, ordering_system_, context);
     if (!solution) return solution.error();
     joint_memory_ = std::move(solution->memory);
     relief_.inflation = std::move(solution->inflation);

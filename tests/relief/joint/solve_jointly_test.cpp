@@ -163,8 +163,9 @@ JointMemory coarse_memory(int vertices, bool probe_ends) {
 Result<JointSolution> solve_from(const JointMemory& known, const JointCase& test) {
   const Relief& start = test.approximate;
   const Discretisation discretisation = discretise(start.layers);
+  OrderingSystem system;
   return solve_jointly({start.layers, discretisation, start.inflation, test.scene},
-                       test.options.joint, known);
+                       test.options.joint, known, system);
 }
 
 TEST(SolveJointly, FindsTheStiffnessOfBAnewWhereWhatIsKnownDoesNotHold) {

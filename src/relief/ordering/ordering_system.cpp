@@ -1,0 +1,40 @@
+#include "relief/ordering/ordering_system.h"
+
+#include <utility>
+
+#include "kernel/base/piece_timer.h"
+#include "relief/ordering/pair_selection.h"
+
+namespace relievo {
+
+void set_surface(const SurfaceInput& surface, double epsilon, OrderingSystem& system,
+                 const RunContext& context) {
+  if (system.epsilon != epsilon) {
+    const PieceTimer assembling(context, "assemble");
+    system.pairs.reset();
+    system.metric = make_shift_metric(surface.discretisation, epsilon);
+    system.epsilon = epsilon;
+  }
+  std::vector<FacePair> faces = stacked_faces(surface.mesh, surface.scene);
+  if (faces != system.stacked.faces) system.stacked = stacked_nodes(surface.mesh, std::move(faces));
+}
+
+void set_pairs(const SurfaceInput& surface, const std::vector<DepthPair>& pairs,
+               OrderingSystem& system, const RunContext& context) {
+  const std::vector<int>& node_part = surface.mesh.node_part;
+  const bool serves =
+      system.pairs &&
+      (*system.pairs == pairs || select_pairs(node_part, pairs, system.metric, system.system));
+  if (!serves) {
+    PieceTimer sorting(context, "assemble");
+    DepthProblem problem = make_depth_problem(node_part, pairs);
+    sorting.stop();
+    system.system =
+        make_depth_system(std::move(problem), system.metric, surface.discretisation.elimination,
+                          std::move(system.system.factor), context);
+  }
+  system.pairs = pairs;
+  if (context.cancelled()) system.pairs.reset();  // it may be half made
+}
+
+}  // namespace relievo
