@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/solvers/symmetric_product.h"
+
 namespace relievo::benchmarks {
 namespace {
 

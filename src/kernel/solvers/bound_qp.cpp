@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kernel/solvers/local_relaxation.h"
+#include "kernel/solvers/symmetric_product.h"
 
 namespace relievo {
 namespace {
@@ -45,7 +46,10 @@ class ActiveSetSolver {
       if (problem.bounded[i] != 0) solution_.active[i] = options.start_active[i];
     solution_.sweep = std::move(options.sweep);
     solution_.z = goes_on_ ? std::move(options.start) : VectorXd::Zero(problem.b.size());
-    solution_.mu = goes_on_ ? gradient() : solution_.z;
+    if (options.start_K_z.size() > 0)
+      solution_.mu = options.start_K_z - problem.b;
+    else
+      solution_.mu = goes_on_ ? gradient() : solution_.z;
   }
 
   BoundQpSolution run() {
@@ -111,8 +115,11 @@ class ActiveSetSolver {
   /// The bounds that are on the wrong side; that there are none is decided on refined values.
   std::vector<int> refined_wrong_bounds() {
     std::vector<int> wrong = wrong_bounds();
-    if (wrong.empty() && rough_ && !goes_on_) {
-      solve_directly();
+    if (wrong.empty() && rough_) {
+      if (goes_on_)
+        solution_.mu = gradient();
+      else
+        solve_directly();
       wrong = wrong_bounds();
     }
     if (!wrong.empty()) return wrong;
@@ -200,7 +207,7 @@ class ActiveSetSolver {
       solve_directly();
     else
       solve_change();
-    return solution_.mu.allFinite();
+    return solution_.z.allFinite();
   }
 
   /// By the same operations wherever the iterations came from.
@@ -213,16 +220,33 @@ class ActiveSetSolver {
     rough_ = false;
   }
 
-  /// From the last point on: where little has changed, most of the solve meets zeros.
+  /// From the last point on: where little has changed, most of the solve meets zeros. What it
+  /// leaves of the free residual is not looked at.
   void solve_change() {
     for (int i = 0; i < solution_.z.size(); ++i)
       if (solution_.active[i] != 0 && solution_.z[i] != 0) move_to_bound(i);
     VectorXd residual = free_residual();
     for (double& value : residual)
       if (std::abs(value) <= negligible * tolerance_) value = 0;
-    solution_.z += factor_.solve(residual);
-    solution_.mu = gradient();
+    const VectorXd step = factor_.solve(residual);
+    solution_.z += step;
+    for (int i = 0; i < step.size(); ++i) {
+      if (solution_.active[i] == 0)
+        solution_.mu[i] = 0;
+      else if (problem_.bounded[i] != 0)
+        solution_.mu[i] += row_times(i, step);
+    }
     rough_ = true;
+  }
+
+  /// Row i of K times v.
+  double row_times(int i, const VectorXd& v) const {
+    const SymmetricGraph& graph = factor_.graph();
+    const double* K = problem_.K.valuePtr();
+    double sum = K[problem_.K.outerIndexPtr()[i]] * v[i];
+    for (int p = graph.begin[i]; p < graph.begin[i + 1]; ++p)
+      sum += K[graph.source[p]] * v[graph.neighbour[p]];
+    return sum;
   }
 
   /// z_i := 0; mu stays the gradient.
@@ -300,21 +324,24 @@ class ActiveSetSolver {
 
   void finish_report() {
     BoundQpReport& report = solution_.report;
-    const VectorXd residual = solution_.mu;
-    for (Eigen::Index i = 0; i < residual.size(); ++i) {
-      const bool active = solution_.active[i] != 0;
-      const double z = solution_.z[i];
-      solution_.mu[i] = active ? residual[i] : 0;
-      report.stationarity =
-          std::max(report.stationarity, std::abs(residual[i] - solution_.mu[i]) / scale_);
+    VectorXd& mu = solution_.mu;
+    solution_.K_z = mu + problem_.b;
+    report.energy = 0.5 * solution_.z.dot(mu - problem_.b);
+    for (Eigen::Index i = 0; i < mu.size(); ++i) {
+      if (solution_.active[i] == 0) {
+        report.stationarity = std::max(report.stationarity, std::abs(mu[i]));
+        mu[i] = 0;
+      }
       if (problem_.bounded[i] == 0) continue;
-      report.active += active;
-      report.primal = std::max(report.primal, -z / scale_);
-      report.dual = std::max(report.dual, -solution_.mu[i] / scale_);
-      report.complementarity =
-          std::max(report.complementarity, std::abs(z * solution_.mu[i]) / scale_);
+      const double z = solution_.z[i];
+      report.active += solution_.active[i] != 0;
+      report.primal = std::max(report.primal, -z);
+      report.dual = std::max(report.dual, -mu[i]);
+      report.complementarity = std::max(report.complementarity, std::abs(z * mu[i]));
     }
-    report.energy = 0.5 * solution_.z.dot(residual - problem_.b);
+    for (double* worst :
+         {&report.stationarity, &report.primal, &report.dual, &report.complementarity})
+      *worst /= scale_;
   }
 
   const BoundQp& problem_;

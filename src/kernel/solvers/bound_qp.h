@@ -26,6 +26,7 @@ struct BoundQpOptions {
   /// n, a point near the minimiser: only what is different from it is solved for. Empty: none; the
   /// result then depends on the problem and its active set alone, to the last bit.
   Eigen::VectorXd start;
+  Eigen::VectorXd start_K_z;  ///< n, K start, if known; or empty
   ForwardSweep sweep;  ///< of the last solution with this factor, which may save repeating it
   int max_iterations = 500;
   /// A bound changes sides when z or mu is below -tolerance * max(1, |b|).
@@ -36,6 +37,7 @@ struct BoundQpOptions {
 struct BoundQpSolution {
   Eigen::VectorXd z;            ///< n
   Eigen::VectorXd mu;           ///< n, multipliers: 0 but where active
+  Eigen::VectorXd K_z;          ///< n, K z
   std::vector<uint8_t> active;  ///< n, 1 where fixed and where the bound holds with equality
   ForwardSweep sweep;           ///< of the last direct solve
   BoundQpReport report;

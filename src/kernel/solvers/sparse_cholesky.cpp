@@ -235,8 +235,4 @@ Eigen::MatrixXd SparseCholesky::schur_complement(std::span<const int> rows) cons
   return relievo::schur_complement(implementation_->memory, rows);
 }
 
-VectorXd multiply_symmetric(const SparseMatrix& lower, const VectorXd& x) {
-  return lower.selfadjointView<Eigen::Lower>() * x;
-}
-
 }  // namespace relievo

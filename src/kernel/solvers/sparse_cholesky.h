@@ -76,7 +76,4 @@ class SparseCholesky {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// y = A x for a symmetric A of which only the lower triangle is stored. O(entries).
-Eigen::VectorXd multiply_symmetric(const SparseMatrix& lower, const Eigen::VectorXd& x);
-
 }  // namespace relievo

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "kernel/solvers/symmetric_graph.h"
+#include "kernel/solvers/symmetric_product.h"
 #include "relief/inflation/poisson_terms.h"
 #include "relief/joint/bound_stiffness.h"
 #include "relief/joint/soft_matrix.h"

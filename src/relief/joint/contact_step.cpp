@@ -21,6 +21,16 @@ VectorXd forces_of_gaps(const DepthForest& forest, const VectorXd& mu) {
   return force;
 }
 
+/// A v, at the cost of the columns where v is not 0.
+VectorXd multiply_where_set(const SparseMatrix& A, const VectorXd& v) {
+  VectorXd product = VectorXd::Zero(A.rows());
+  for (int j = 0; j < A.outerSize(); ++j)
+    if (v[j] != 0)
+      for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry)
+        product[entry.row()] += entry.value() * v[j];
+  return product;
+}
+
 }  // namespace
 
 ContactStep::ContactStep(const JointModel& model, DepthSystem& order, const std::vector<int>& soft)
@@ -47,38 +57,56 @@ bool ContactStep::prepare(const RunContext& context) {
 }
 
 Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunContext& context) {
-  BoundQp& qp = system_.qp;
-  const Eigen::Index softs = springs.pull.size();
+  const double lambda = model_.lambda_shift;
   const LeanTerm& lean = model_.metric.lean;
-  const VectorXd root_height = root_heights(problem_, f);
-  const VectorXd rest = f - problem_.variables.T * root_height;
-  qp.b = T_.transpose() * (model_.metric.A * rest + lean.pull);
+  root_height_ = root_heights(problem_, f);
+  const VectorXd rest = f - problem_.variables.T * root_height_;
+  const VectorXd force = multiply_where_set(model_.metric.A, rest) + lean.pull;
+  BoundQpSolution solution = solve_program(force, springs, context);
+
+  Contact contact;
+  contact.status = solution.report.status;
+  contact.factorisations = solution.report.factorisations;
+  if (has_soft_) {
+    contact.soft = matrix_.direction.cwiseProduct(solution.z.tail(springs.pull.size()));
+    const VectorXd g = T_ * solution.z - rest;
+    contact.force = lambda * (model_.metric.A * g - lean.pull);
+    contact.shift_energy = g.dot(contact.force) + lambda * lean.rest(g);
+  } else {
+    contact.force = lambda * forces_of_gaps(problem_.forest, solution.mu);
+    contact.shift_energy =
+        lambda * (2 * solution.report.energy + rest.dot(force) + lean.rest(-rest));
+  }
+  last_ = std::move(solution.z);
+  last_K_z_ = std::move(solution.K_z);
+  return contact;
+}
+
+BoundQpSolution ContactStep::solve_program(const VectorXd& force, const Springs& springs,
+                                           const RunContext& context) {
+  BoundQp& qp = system_.qp;
+  qp.b = T_.transpose() * force;
   BoundQpOptions options;
   if (has_soft_) {
-    qp.b.tail(softs) += matrix_.direction.cwiseProduct(springs.pull) / model_.lambda_shift;
+    qp.b.tail(springs.pull.size()) +=
+        matrix_.direction.cwiseProduct(springs.pull) / model_.lambda_shift;
     set_springs(matrix_, springs.stiffness / model_.lambda_shift, qp.K);
+  } else {
+    options.same_matrix = system_.factorised;
+    options.start_K_z = std::move(last_K_z_);
   }
-  options.same_matrix = !has_soft_ && system_.factorised;
   options.start_active = std::move(system_.closed);
   options.tolerance = contact_tolerance;
   options.start = std::move(last_);
   BoundQpSolution solution = solve_bound_qp(qp, system_.factor, std::move(options), context);
   system_.factorised = solution.report.factorisations > 0;
   system_.closed = std::move(solution.active);
+  return solution;
+}
 
-  Contact contact;
-  contact.status = solution.report.status;
-  contact.factorisations = solution.report.factorisations;
-  if (has_soft_) contact.soft = matrix_.direction.cwiseProduct(solution.z.tail(softs));
-  const VectorXd g = T_ * solution.z - rest;
-  contact.force = has_soft_ ? VectorXd(model_.metric.A * g - lean.pull)
-                            : forces_of_gaps(problem_.forest, solution.mu);
-  contact.force *= model_.lambda_shift;
-  contact.shift_energy = g.dot(contact.force) + model_.lambda_shift * lean.rest(g);
+std::vector<double> ContactStep::heights() const {
   const double scale = model_.metric.scale;
-  contact.h = heights_of(problem_, root_height / scale, solution.z, scale);
-  last_ = std::move(solution.z);
-  return contact;
+  return heights_of(problem_, root_height_ / scale, last_, scale);
 }
 
 }  // namespace relievo

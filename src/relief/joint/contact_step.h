@@ -24,7 +24,6 @@ struct Contact {
   Eigen::VectorXd soft;     ///< one per soft node: what is added to its f
   Eigen::VectorXd force;    ///< #N, lambda_shift (A g - pull): what the depth pairs press with
   double shift_energy = 0;  ///< twice lambda_shift times the cost of g
-  std::vector<double> h;    ///< #N, px
 };
 
 /// Minimises lambda_shift times the cost of g and the springs over g and the soft nodes' f under
@@ -43,7 +42,14 @@ class ContactStep {
   /// set changes.
   Contact solve(const Eigen::VectorXd& f, const Springs& springs, const RunContext& context);
 
+  /// Of the last solution; px, #N.
+  std::vector<double> heights() const;
+
  private:
+  /// force: #N, what the heights of the roots would press with.
+  BoundQpSolution solve_program(const Eigen::VectorXd& force, const Springs& springs,
+                                const RunContext& context);
+
   const JointModel& model_;
   const DepthProblem& problem_;
   bool has_soft_;
@@ -51,7 +57,9 @@ class ContactStep {
   DepthSystem own_;    ///< likewise, its gaps and then the soft nodes; without a problem
   DepthSystem& system_;
   const SparseMatrix& T_;
-  Eigen::VectorXd last_;  ///< solution; empty at first
+  Eigen::VectorXd root_height_;  ///< #N, scene units, for the last f
+  Eigen::VectorXd last_;         ///< solution; empty at first
+  Eigen::VectorXd last_K_z_;
 };
 
 }  // namespace relievo

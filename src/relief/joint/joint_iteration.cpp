@@ -84,11 +84,13 @@ Status iterate(JointMap& map, double growth, const JointOptions& options, const 
     record(step, next.u, options, run);
     context.measure("energy", step.energy.total());
     if (step.residual <= options.tolerance) {
+      map.find_heights(next);
       state = std::move(next);
       return finish(map, options, context, run);
     }
     if (step.residual <= rough && !asked) {
       asked = true;
+      map.find_heights(next);
       run.crossed = run.crosses && run.crosses(next.h);
       if (run.crossed) {
         state = std::move(next);
@@ -103,7 +105,6 @@ Status iterate(JointMap& map, double growth, const JointOptions& options, const 
     }
     least = std::min(least, step.residual);
     map.unpack(mixer.next(F_x, map.measured(F_x - x)), state);
-    state.h = std::move(next.h);
   }
   run.report.status = JointStatus::iteration_limit;
   return Done{};

@@ -53,6 +53,7 @@ JointMap::JointMap(const JointSystems& systems, const Softness& softness)
       nodes_(inner_nodes(model_, systems.order.problem, true)),
       apart_(inner_nodes(model_, systems.order.problem, false)),
       soft_(soft_nodes(model_, nodes_, softness.all)),
+      held_f_(model_.held.unaryExpr(&signed_root)),
       contact_step_(model_, systems.order, soft_),
       bound_step_(systems.bound),
       bounds_(model_.bound_mass.size()),
@@ -132,8 +133,6 @@ SolveStatus JointMap::apply(JointState& state, JointStep& step, const RunContext
   if (moved != SolveStatus::solved) return moved;
   state.load = std::move(answer.load);
   state.u = response_.inflate(excess, f_bound.cwiseProduct(f_bound.cwiseAbs()));
-  state.h = std::move(answer.contact.h);
-  add_inflation(state);
   step.factorisations = answer.contact.factorisations;
   step.energy.inflation = excess.energy;
   step.energy.boundary = model_.lambda_bnd * model_.bound_mass.dot(f_bound.cwiseAbs2());
@@ -148,7 +147,7 @@ VectorXd JointMap::f_on_bound(const JointState& state) const {
 }
 
 VectorXd JointMap::fixed_f(const JointState& state) const {
-  VectorXd f = model_.held.unaryExpr(&signed_root);
+  VectorXd f = held_f_;
   for (const int n : nodes_) f[n] = root(n).f(state.u[n]);
   const VectorXd f_bound = f_on_bound(state);
   for (Index i = 0; i < bounds_; ++i) f[model_.bound[i]] = f_bound[i];
@@ -280,7 +279,8 @@ SolveStatus JointMap::probe_ends(const JointState& state, const RunContext& cont
 }
 
 /// The contact knows no inflation where parts do not press.
-void JointMap::add_inflation(JointState& state) const {
+void JointMap::find_heights(JointState& state) const {
+  state.h = contact_step_.heights();
   for (const int n : apart_) state.h[n] += signed_root(state.u[n]) / model_.metric.scale;
 }
 

@@ -19,7 +19,7 @@ namespace relievo {
 struct JointState {
   Eigen::VectorXd u;      ///< #N, its root is f; on B too
   Eigen::VectorXd load;   ///< #N, with which the depth pairs change u
-  std::vector<double> h;  ///< #N, px, obeys the pairs; empty at first
+  std::vector<double> h;  ///< #N, px, obeys the pairs; empty before the first end
 };
 
 /// Which contact nodes answer within the contact already, and how much.
@@ -59,8 +59,12 @@ class JointMap {
   /// the others, where it is smooth.
   Eigen::VectorXd measured(const Eigen::VectorXd& residual) const;
 
-  /// One step: leaves F in `state` and says what it cost. Precondition: prepared.
+  /// One step: leaves F in `state`, but for its heights, and says what it cost. Precondition:
+  /// prepared.
   SolveStatus apply(JointState& state, JointStep& step, const RunContext& context);
+
+  /// The heights of the last step, whose u is that of `state`.
+  void find_heights(JointState& state) const;
 
   /// Measures at `state`, where the last step began, how the slope of the energy on B answers when
   /// |f| rises all along B. Where the stiffness of the steps answers less, springs make up for it
@@ -100,7 +104,6 @@ class JointMap {
   Eigen::VectorXd slope_on_bound(const Eigen::VectorXd& f, const Contact& contact,
                                  const Excess& excess) const;
   Eigen::VectorXd springs_on_bound(const Eigen::VectorXd& f, const Excess& excess) const;
-  void add_inflation(JointState& state) const;
   Eigen::VectorXd compliance_of_soft_nodes(double share) const;
 
   const SmoothRoot& root(int node) const {
@@ -114,6 +117,7 @@ class JointMap {
   std::vector<int> nodes_;  ///< on which pairs press, off B
   std::vector<int> apart_;  ///< on which none do, off B
   std::vector<int> soft_;   ///< those of nodes_ whose f is unknown in the contact
+  Eigen::VectorXd held_f_;  ///< #N, f where it is neither free nor on B; 0 elsewhere
   ContactStep contact_step_;
   BoundStep& bound_step_;
   Eigen::Index bounds_;    ///< #B

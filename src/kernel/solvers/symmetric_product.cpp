@@ -1,0 +1,56 @@
+#include "kernel/solvers/symmetric_product.h"
+
+#include <algorithm>
+#include <array>
+
+#include "kernel/base/workers.h"
+
+namespace relievo {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Of columns, as many with any number of workers, so that sums are the same.
+constexpr int blocks = 4;
+/// Fewer entries are not worth a thread.
+constexpr Index fewest_entries = 50000;
+
+/// What the entries of columns [first, end) and those across the diagonal from them contribute to
+/// the rows from `first` on.
+VectorXd product_of_columns(const SparseMatrix& lower, int first, int end, const VectorXd& x) {
+  const int* begin = lower.outerIndexPtr();
+  const int* row = lower.innerIndexPtr();
+  const double* entry = lower.valuePtr();
+  VectorXd y = VectorXd::Zero(lower.rows() - first);
+  for (int j = first; j < end; ++j) {
+    double sum = 0;
+    for (int e = begin[j]; e < begin[j + 1]; ++e) {
+      sum += entry[e] * x[row[e]];
+      if (row[e] != j) y[row[e] - first] += entry[e] * x[j];
+    }
+    y[j - first] += sum;
+  }
+  return y;
+}
+
+}  // namespace
+
+VectorXd multiply_symmetric(const SparseMatrix& lower, const VectorXd& x) {
+  const auto columns = static_cast<int>(lower.cols());
+  if (lower.nonZeros() < fewest_entries) return product_of_columns(lower, 0, columns, x);
+  const int* begin = lower.outerIndexPtr();
+  const auto cut = [&](int block) {
+    const Index before = lower.nonZeros() * block / blocks;
+    return static_cast<int>(std::lower_bound(begin, begin + columns, before) - begin);
+  };
+  std::array<VectorXd, blocks> products;
+  run_tasks(blocks, [&](int block) {
+    products[block] = product_of_columns(lower, cut(block), cut(block + 1), x);
+  });
+  for (int block = 1; block < blocks; ++block)
+    products[0].tail(products[block].size()) += products[block];
+  return products[0];
+}
+
+}  // namespace relievo
