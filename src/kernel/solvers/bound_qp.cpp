@@ -46,8 +46,8 @@ class ActiveSetSolver {
       if (problem.bounded[i] != 0) solution_.active[i] = options.start_active[i];
     solution_.sweep = std::move(options.sweep);
     solution_.z = goes_on_ ? std::move(options.start) : VectorXd::Zero(problem.b.size());
-    if (options.start_K_z.size() > 0)
-      solution_.mu = options.start_K_z - problem.b;
+    if (options.start_gradient.size() > 0)
+      solution_.mu = std::move(options.start_gradient);
     else
       solution_.mu = goes_on_ ? gradient() : solution_.z;
   }
@@ -325,7 +325,7 @@ class ActiveSetSolver {
   void finish_report() {
     BoundQpReport& report = solution_.report;
     VectorXd& mu = solution_.mu;
-    solution_.K_z = mu + problem_.b;
+    solution_.gradient = mu;
     report.energy = 0.5 * solution_.z.dot(mu - problem_.b);
     for (Eigen::Index i = 0; i < mu.size(); ++i) {
       if (solution_.active[i] == 0) {

@@ -26,7 +26,7 @@ struct BoundQpOptions {
   /// n, a point near the minimiser: only what is different from it is solved for. Empty: none; the
   /// result then depends on the problem and its active set alone, to the last bit.
   Eigen::VectorXd start;
-  Eigen::VectorXd start_K_z;  ///< n, K start, if known; or empty
+  Eigen::VectorXd start_gradient;  ///< n, K start - b, if known; or empty
   ForwardSweep sweep;  ///< of the last solution with this factor, which may save repeating it
   int max_iterations = 500;
   /// A bound changes sides when z or mu is below -tolerance * max(1, |b|).
@@ -37,7 +37,7 @@ struct BoundQpOptions {
 struct BoundQpSolution {
   Eigen::VectorXd z;            ///< n
   Eigen::VectorXd mu;           ///< n, multipliers: 0 but where active
-  Eigen::VectorXd K_z;          ///< n, K z
+  Eigen::VectorXd gradient;     ///< n, K z - b; what differs from mu is round-off
   std::vector<uint8_t> active;  ///< n, 1 where fixed and where the bound holds with equality
   ForwardSweep sweep;           ///< of the last direct solve
   BoundQpReport report;

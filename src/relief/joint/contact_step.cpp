@@ -62,6 +62,7 @@ Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunC
   root_height_ = root_heights(problem_, f);
   const VectorXd rest = f - problem_.variables.T * root_height_;
   const VectorXd force = multiply_where_set(model_.metric.A, rest) + lean.pull;
+  if (!has_soft_ && last_.size() > 0) follow(f);
   BoundQpSolution solution = solve_program(force, springs, context);
 
   Contact contact;
@@ -78,8 +79,23 @@ Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunC
         lambda * (2 * solution.report.energy + rest.dot(force) + lean.rest(-rest));
   }
   last_ = std::move(solution.z);
-  last_K_z_ = std::move(solution.K_z);
+  last_gradient_ = std::move(solution.gradient);
+  last_f_ = f;
   return contact;
+}
+
+void ContactStep::follow(const VectorXd& f) {
+  const VectorXd change = f - last_f_;
+  VectorXd shift = VectorXd::Zero(f.size());
+  for (const DepthGap& gap : problem_.forest.gaps) {
+    const double opening = change[gap.child] - change[gap.parent];
+    shift[gap.child] = shift[gap.parent];
+    if (system_.closed[gap.child] != 0)
+      shift[gap.child] -= opening;
+    else
+      last_[gap.child] += gap.sign * opening;
+  }
+  last_gradient_ += T_.transpose() * multiply_where_set(model_.metric.A, shift);
 }
 
 BoundQpSolution ContactStep::solve_program(const VectorXd& force, const Springs& springs,
@@ -93,7 +109,7 @@ BoundQpSolution ContactStep::solve_program(const VectorXd& force, const Springs&
     set_springs(matrix_, springs.stiffness / model_.lambda_shift, qp.K);
   } else {
     options.same_matrix = system_.factorised;
-    options.start_K_z = std::move(last_K_z_);
+    options.start_gradient = std::move(last_gradient_);
   }
   options.start_active = std::move(system_.closed);
   options.tolerance = contact_tolerance;

@@ -46,6 +46,9 @@ class ContactStep {
   std::vector<double> heights() const;
 
  private:
+  /// Takes the last solution to where it would be if the same gaps stayed closed and only those
+  /// that are open gave way to f: what is left to solve for is next to closed ones.
+  void follow(const Eigen::VectorXd& f);
   /// force: #N, what the heights of the roots would press with.
   BoundQpSolution solve_program(const Eigen::VectorXd& force, const Springs& springs,
                                 const RunContext& context);
@@ -57,9 +60,10 @@ class ContactStep {
   DepthSystem own_;    ///< likewise, its gaps and then the soft nodes; without a problem
   DepthSystem& system_;
   const SparseMatrix& T_;
-  Eigen::VectorXd root_height_;  ///< #N, scene units, for the last f
-  Eigen::VectorXd last_;         ///< solution; empty at first
-  Eigen::VectorXd last_K_z_;
+  Eigen::VectorXd root_height_;    ///< #N, scene units, for the last f
+  Eigen::VectorXd last_;           ///< solution, or where to begin; empty at first
+  Eigen::VectorXd last_gradient_;  ///< there
+  Eigen::VectorXd last_f_;         ///< #N, that it is for
 };
 
 }  // namespace relievo
