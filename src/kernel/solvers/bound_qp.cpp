@@ -34,6 +34,7 @@ class ActiveSetSolver {
         tolerance_(options.tolerance * scale_),
         max_iterations_(options.max_iterations),
         same_matrix_(options.same_matrix),
+        refines_(options.refine || options.start.size() == 0),
         goes_on_(options.start.size() > 0) {
     const auto n = static_cast<size_t>(problem.b.size());
     assert(problem.bounded.size() == n);
@@ -42,8 +43,10 @@ class ActiveSetSolver {
     assert(problem.fixed.empty() || problem.fixed.size() == n);
     solution_.active = problem.fixed;
     solution_.active.resize(n, 0);
-    for (size_t i = 0; i < options.start_active.size(); ++i)
-      if (problem.bounded[i] != 0) solution_.active[i] = options.start_active[i];
+    for (size_t i = 0; i < n; ++i)
+      if (problem.bounded[i] != 0) bounds_.push_back(static_cast<int>(i));
+    if (!options.start_active.empty())
+      for (const int i : bounds_) solution_.active[i] = options.start_active[i];
     solution_.sweep = std::move(options.sweep);
     solution_.z = goes_on_ ? std::move(options.start) : VectorXd::Zero(problem.b.size());
     if (options.start_gradient.size() > 0)
@@ -57,7 +60,7 @@ class ActiveSetSolver {
     if (status == SolveStatus::iteration_limit) status = descend();
     if (context_.cancelled()) status = SolveStatus::interrupted;
     solution_.report.status = status;
-    if (snap_to_bounds()) solution_.mu = gradient();
+    snap_to_bounds();
     finish_report();
     return std::move(solution_);
   }
@@ -115,6 +118,7 @@ class ActiveSetSolver {
   /// The bounds that are on the wrong side; that there are none is decided on refined values.
   std::vector<int> refined_wrong_bounds() {
     std::vector<int> wrong = wrong_bounds();
+    if (!refines_) return wrong;
     if (wrong.empty() && rough_) {
       if (goes_on_)
         solution_.mu = gradient();
@@ -128,19 +132,16 @@ class ActiveSetSolver {
   }
 
   bool is_feasible() const {
-    for (Eigen::Index i = 0; i < solution_.z.size(); ++i)
-      if (problem_.bounded[i] != 0 && solution_.z[i] < -tolerance_) return false;
-    return true;
+    return std::none_of(bounds_.begin(), bounds_.end(),
+                        [&](int i) { return solution_.z[i] < -tolerance_; });
   }
 
   void project(VectorXd& z) const {
-    for (Eigen::Index i = 0; i < z.size(); ++i)
-      if (problem_.bounded[i] != 0) z[i] = std::max(z[i], 0.0);
+    for (const int i : bounds_) z[i] = std::max(z[i], 0.0);
   }
 
   void activate_zeros(const VectorXd& z) {
-    for (Eigen::Index i = 0; i < z.size(); ++i)
-      if (problem_.bounded[i] != 0) solution_.active[i] = z[i] == 0;
+    for (const int i : bounds_) solution_.active[i] = z[i] == 0;
   }
 
   /// The lowest point along the negative gradient of the bounds that pull.
@@ -223,19 +224,16 @@ class ActiveSetSolver {
   /// From the last point on: where little has changed, most of the solve meets zeros. What it
   /// leaves of the free residual is not looked at.
   void solve_change() {
-    for (int i = 0; i < solution_.z.size(); ++i)
+    for (const int i : bounds_)
       if (solution_.active[i] != 0 && solution_.z[i] != 0) move_to_bound(i);
     VectorXd residual = free_residual();
-    for (double& value : residual)
-      if (std::abs(value) <= negligible * tolerance_) value = 0;
+    const double least = negligible * tolerance_;
+    for (double& value : residual) value = std::abs(value) <= least ? 0 : value;
     const VectorXd step = factor_.solve(residual);
     solution_.z += step;
-    for (int i = 0; i < step.size(); ++i) {
-      if (solution_.active[i] == 0)
-        solution_.mu[i] = 0;
-      else if (problem_.bounded[i] != 0)
-        solution_.mu[i] += row_times(i, step);
-    }
+    solution_.mu += residual;
+    for (int i = 0; i < step.size(); ++i)
+      if (solution_.active[i] != 0) solution_.mu[i] += row_times(i, step);
     rough_ = true;
   }
 
@@ -288,8 +286,7 @@ class ActiveSetSolver {
   VectorXd gradient() const { return multiply_symmetric(problem_.K, solution_.z) - problem_.b; }
 
   void clear_active(VectorXd& v) const {
-    for (Eigen::Index i = 0; i < v.size(); ++i)
-      if (solution_.active[i] != 0) v[i] = 0;
+    for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = solution_.active[i] != 0 ? 0 : v[i];
   }
 
   VectorXd free_residual() const {
@@ -300,26 +297,20 @@ class ActiveSetSolver {
 
   std::vector<int> wrong_bounds() const {
     std::vector<int> wrong;
-    for (Eigen::Index i = 0; i < problem_.b.size(); ++i) {
-      if (problem_.bounded[i] == 0) continue;
+    for (const int i : bounds_) {
       const double value = solution_.active[i] != 0 ? solution_.mu[i] : solution_.z[i];
-      if (value < -tolerance_) wrong.push_back(static_cast<int>(i));
+      if (value < -tolerance_) wrong.push_back(i);
     }
     return wrong;
   }
 
   /// Bounds that round-off left barely on the wrong side become active, so that z >= 0 exactly.
-  /// Whether there are any.
-  bool snap_to_bounds() {
-    bool moved = false;
-    for (Eigen::Index i = 0; i < solution_.z.size(); ++i) {
-      if (problem_.bounded[i] == 0 || solution_.z[i] > 0) continue;
-      if (solution_.z[i] < -tolerance_) continue;
-      moved = moved || solution_.z[i] < 0;
-      solution_.z[i] = 0;
+  void snap_to_bounds() {
+    for (const int i : bounds_) {
+      if (solution_.z[i] > 0 || solution_.z[i] < -tolerance_) continue;
+      if (solution_.z[i] != 0) move_to_bound(i);
       solution_.active[i] = 1;
     }
-    return moved;
   }
 
   void finish_report() {
@@ -327,12 +318,9 @@ class ActiveSetSolver {
     VectorXd& mu = solution_.mu;
     solution_.gradient = mu;
     report.energy = 0.5 * solution_.z.dot(mu - problem_.b);
-    for (Eigen::Index i = 0; i < mu.size(); ++i) {
-      if (solution_.active[i] == 0) {
-        report.stationarity = std::max(report.stationarity, std::abs(mu[i]));
-        mu[i] = 0;
-      }
-      if (problem_.bounded[i] == 0) continue;
+    report.stationarity = max_norm(free_residual());
+    for (Eigen::Index i = 0; i < mu.size(); ++i) mu[i] = solution_.active[i] != 0 ? mu[i] : 0;
+    for (const int i : bounds_) {
       const double z = solution_.z[i];
       report.active += solution_.active[i] != 0;
       report.primal = std::max(report.primal, -z);
@@ -351,9 +339,11 @@ class ActiveSetSolver {
   double tolerance_;
   int max_iterations_;
   bool same_matrix_;
-  bool goes_on_;            ///< from a point that was given
-  bool few_wrong_ = false;  ///< after the last step
-  bool rough_ = false;      ///< z is what a sequence of changes has left
+  bool refines_;
+  bool goes_on_;             ///< from a point that was given
+  bool few_wrong_ = false;   ///< after the last step
+  bool rough_ = false;       ///< z is what a sequence of changes has left
+  std::vector<int> bounds_;  ///< unknowns that are bounded, ascending
   BoundQpSolution solution_;
 };
 

@@ -27,6 +27,9 @@ struct BoundQpOptions {
   /// result then depends on the problem and its active set alone, to the last bit.
   Eigen::VectorXd start;
   Eigen::VectorXd start_gradient;  ///< n, K start - b, if known; or empty
+  /// Whether the residual of the free unknowns is computed at the end, and refined. Where not, it
+  /// is taken to be what `start_gradient` says and 0 after a solve: round-off adds up.
+  bool refine = true;
   ForwardSweep sweep;  ///< of the last solution with this factor, which may save repeating it
   int max_iterations = 500;
   /// A bound changes sides when z or mu is below -tolerance * max(1, |b|).

@@ -110,6 +110,7 @@ BoundQpSolution ContactStep::solve_program(const VectorXd& force, const Springs&
   } else {
     options.same_matrix = system_.factorised;
     options.start_gradient = std::move(last_gradient_);
+    options.refine = false;
   }
   options.start_active = std::move(system_.closed);
   options.tolerance = contact_tolerance;
