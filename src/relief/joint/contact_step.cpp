@@ -39,12 +39,25 @@ ContactStep::ContactStep(const JointModel& model, DepthSystem& order, const std:
       has_soft_(!soft.empty()),
       system_(has_soft_ ? own_ : order),
       T_(has_soft_ ? matrix_.T : problem_.variables.T) {
-  if (!has_soft_) return;
-  matrix_ = make_soft_matrix(model, problem_, soft);
+  if (has_soft_)
+    soften(soft, order.closed);
+  else
+    begin_flat();
+}
+
+/// The solution where f is 0 and all gaps are closed; nothing but leans pulls at it.
+void ContactStep::begin_flat() {
+  last_f_ = VectorXd::Zero(model_.mass.size());
+  last_ = VectorXd::Zero(T_.cols());
+  last_gradient_ = -(T_.transpose() * model_.metric.lean.pull);
+}
+
+void ContactStep::soften(const std::vector<int>& soft, const std::vector<uint8_t>& closed) {
+  matrix_ = make_soft_matrix(model_, problem_, soft);
   BoundQp& qp = own_.qp;
   qp.bounded = problem_.variables.bounded;
   qp.fixed = problem_.variables.fixed;
-  own_.closed = order.closed;
+  own_.closed = closed;
   const auto unknowns = static_cast<size_t>(matrix_.T.cols());
   for (std::vector<uint8_t>* flags : {&qp.bounded, &qp.fixed, &own_.closed})
     flags->resize(unknowns, 0);
@@ -62,7 +75,7 @@ Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunC
   root_height_ = root_heights(problem_, f);
   const VectorXd rest = f - problem_.variables.T * root_height_;
   const VectorXd force = multiply_where_set(model_.metric.A, rest) + lean.pull;
-  if (!has_soft_ && last_.size() > 0) follow(f);
+  if (!has_soft_) follow(f);
   BoundQpSolution solution = solve_program(force, springs, context);
 
   Contact contact;
@@ -90,7 +103,7 @@ void ContactStep::follow(const VectorXd& f) {
   for (const DepthGap& gap : problem_.forest.gaps) {
     const double opening = change[gap.child] - change[gap.parent];
     shift[gap.child] = shift[gap.parent];
-    if (system_.closed[gap.child] != 0)
+    if (gap.equal || system_.closed[gap.child] != 0)
       shift[gap.child] -= opening;
     else
       last_[gap.child] += gap.sign * opening;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 #include "kernel/base/run_context.h"
@@ -46,6 +47,8 @@ class ContactStep {
   std::vector<double> heights() const;
 
  private:
+  void soften(const std::vector<int>& soft, const std::vector<uint8_t>& closed);
+  void begin_flat();
   /// Takes the last solution to where it would be if the same gaps stayed closed and only those
   /// that are open gave way to f: what is left to solve for is next to closed ones.
   void follow(const Eigen::VectorXd& f);
@@ -60,8 +63,8 @@ class ContactStep {
   DepthSystem own_;    ///< likewise, its gaps and then the soft nodes; without a problem
   DepthSystem& system_;
   const SparseMatrix& T_;
-  Eigen::VectorXd root_height_;    ///< #N, scene units, for the last f
-  Eigen::VectorXd last_;           ///< solution, or where to begin; empty at first
+  Eigen::VectorXd root_height_;  ///< #N, scene units, for the last f
+  Eigen::VectorXd last_;  ///< solution, or where to begin; at first empty with soft nodes
   Eigen::VectorXd last_gradient_;  ///< there
   Eigen::VectorXd last_f_;         ///< #N, that it is for
 };
