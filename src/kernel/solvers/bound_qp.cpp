@@ -192,10 +192,17 @@ class ActiveSetSolver {
   }
 
   void guess_around(const std::vector<int>& wrong) {
+    if (is_dense()) return flip(wrong);
     const ActiveGuess guess = relax_around(wrong, {problem_.K, factor_.graph(), problem_.bounded,
                                                    problem_.fixed, solution_.z, solution_.mu});
     for (size_t i = 0; i < guess.unknowns.size(); ++i)
       solution_.active[guess.unknowns[i]] = guess.active[i];
+  }
+
+  /// Whether nothing is far from anything: then a solve costs no more than relaxing.
+  bool is_dense() const {
+    const double size = static_cast<double>(problem_.b.size());
+    return static_cast<double>(factor_.graph().neighbour.size()) > 0.5 * size * size;
   }
 
   /// Minimises with the active bounds at 0; accurate enough to judge most guesses.

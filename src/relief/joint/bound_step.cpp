@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "kernel/solvers/symmetric_graph.h"
 #include "kernel/solvers/symmetric_product.h"
@@ -135,11 +136,14 @@ SolveStatus BoundStep::move(const VectorXd& slope, const VectorXd& springs,
   const VectorXd scaled = springs / model_.lambda_shift;
   renew_springs(scaled);
   const VectorXd z = direction_.cwiseProduct(f);
-  qp_.b = multiply_symmetric(qp_.K, z) - direction_.cwiseProduct(slope) / model_.lambda_shift;
   BoundQpOptions options;
+  options.start = z;
+  options.start_gradient = direction_.cwiseProduct(slope) / model_.lambda_shift;
   options.start_active = active_;
   options.tolerance = step_tolerance;
-  const BoundQpSolution solution = solve_bound_qp(qp_, factor_, options, context);
+  options.refine = false;
+  qp_.b = multiply_symmetric(qp_.K, z) - options.start_gradient;
+  const BoundQpSolution solution = solve_bound_qp(qp_, factor_, std::move(options), context);
   if (solution.report.status == SolveStatus::not_positive_definite && is_known_) {
     const SolveStatus status = prepare({}, context);
     return status == SolveStatus::solved ? move(slope, springs, context, f) : status;

@@ -63,8 +63,8 @@ class ContactStep {
   DepthSystem own_;    ///< likewise, its gaps and then the soft nodes; without a problem
   DepthSystem& system_;
   const SparseMatrix& T_;
-  Eigen::VectorXd root_height_;  ///< #N, scene units, for the last f
-  Eigen::VectorXd last_;  ///< solution, or where to begin; at first empty with soft nodes
+  Eigen::VectorXd root_height_;    ///< #N, scene units, for the last f
+  Eigen::VectorXd last_;           ///< solution, or where to begin; at first empty with soft nodes
   Eigen::VectorXd last_gradient_;  ///< there
   Eigen::VectorXd last_f_;         ///< #N, that it is for
 };
