@@ -4,12 +4,7 @@
 #include <atomic>
 #include <cstdint>
 
-#if !defined(__EMSCRIPTEN__) || defined(__EMSCRIPTEN_PTHREADS__)
-#define RELIEVO_THREADS
-#include <exception>
-#include <thread>
-#include <vector>
-#endif
+#include "kernel/base/thread_pool.h"
 
 namespace relievo {
 namespace {
@@ -19,27 +14,6 @@ constexpr int shortest_range = 4096;
 constexpr int ranges_per_worker = 4;
 
 std::atomic<int> chosen_count{0};
-
-#ifdef RELIEVO_THREADS
-void run_on_threads(int helpers, int count, const std::function<void(int)>& task) {
-  std::atomic<int> next{0};
-  std::atomic<bool> failed{false};
-  std::exception_ptr failure;
-  const auto take_tasks = [&] {
-    try {
-      for (int i = next.fetch_add(1); i < count; i = next.fetch_add(1)) task(i);
-    } catch (...) {
-      if (!failed.exchange(true)) failure = std::current_exception();
-      next = count;
-    }
-  };
-  std::vector<std::thread> threads;
-  for (int i = 0; i < helpers; ++i) threads.emplace_back(take_tasks);
-  take_tasks();
-  for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
-}
-#endif
 
 }  // namespace
 
@@ -57,17 +31,10 @@ void set_worker_count(int count) { chosen_count.store(count, std::memory_order_r
 
 void run_tasks(int count, const std::function<void(int)>& task) {
 #ifdef RELIEVO_THREADS
-  const int helpers = std::min(worker_count(), count) - 1;
-#else
-  const int helpers = 0;
+  static ThreadPool pool;
+  if (count > 1 && worker_count() > 1) return pool.run(count, task, worker_count());
 #endif
-  if (helpers <= 0) {
-    for (int i = 0; i < count; ++i) task(i);
-    return;
-  }
-#ifdef RELIEVO_THREADS
-  run_on_threads(helpers, count, task);
-#endif
+  for (int i = 0; i < count; ++i) task(i);
 }
 
 void run_ranges(int count, const std::function<void(int, int)>& work) {
