@@ -127,20 +127,6 @@ struct SparseCholesky::Implementation {
     outdated[std::min(memory.layout.front_of[i], memory.layout.front_of[j])] = 1;
   }
 
-  VectorXd by_elimination(const VectorXd& b) const {
-    const std::vector<int>& order = memory.layout.fronts.order;
-    VectorXd y(b.size());
-    for (Index i = 0; i < y.size(); ++i) y[i] = b[order[i]];
-    return y;
-  }
-
-  VectorXd by_row(const VectorXd& y) const {
-    const std::vector<int>& order = memory.layout.fronts.order;
-    VectorXd x(y.size());
-    for (Index i = 0; i < y.size(); ++i) x[order[i]] = y[i];
-    return x;
-  }
-
   bool factorise_changed(const RunContext& context) {
     const bool sound = factorise_outdated(values.data(), context);
     if (!sound || !incremental) values.clear();
@@ -218,17 +204,13 @@ bool SparseCholesky::refactorise_fixed(const SparseMatrix& A, std::span<const ui
 const SymmetricGraph& SparseCholesky::graph() const { return implementation_->graph; }
 
 VectorXd SparseCholesky::solve(const VectorXd& b) const {
-  VectorXd y = implementation_->by_elimination(b);
-  solve_forward(implementation_->memory, y);
-  solve_backward(implementation_->memory, y);
-  return implementation_->by_row(y);
+  const FactorMemory& factor = implementation_->memory;
+  return solve_backward(factor, solve_forward(factor, b));
 }
 
 VectorXd SparseCholesky::solve(const VectorXd& b, ForwardSweep& last) const {
-  VectorXd y = implementation_->by_elimination(b);
-  solve_forward(implementation_->memory, implementation_->version, last, y);
-  solve_backward(implementation_->memory, y);
-  return implementation_->by_row(y);
+  const FactorMemory& factor = implementation_->memory;
+  return solve_backward(factor, solve_forward(factor, b, implementation_->version, last));
 }
 
 Eigen::MatrixXd SparseCholesky::schur_complement(std::span<const int> rows) const {

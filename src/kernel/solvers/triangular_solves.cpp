@@ -79,7 +79,25 @@ ColumnRange columns_of(const FactorMemory& factor, int t) {
   return {begin[first], begin[last]};
 }
 
+ColumnRange columns_of_front(const FactorMemory& factor, int s) {
+  const std::vector<int>& begin = factor.layout.fronts.column_begin;
+  return {begin[s], begin[s + 1]};
+}
+
+/// Takes over some of b, which is by row.
+void take_columns(const FactorMemory& factor, ColumnRange columns, const VectorXd& b, VectorXd& y) {
+  const std::vector<int>& order = factor.layout.fronts.order;
+  for (int c = columns.begin; c < columns.end; ++c) y[c] = b[order[c]];
+}
+
+/// Hands some of y over to x, which is by row.
+void give_columns(const FactorMemory& factor, ColumnRange columns, const VectorXd& y, VectorXd& x) {
+  const std::vector<int>& order = factor.layout.fronts.order;
+  for (int c = columns.begin; c < columns.end; ++c) x[order[c]] = y[c];
+}
+
 void solve_task(const FactorMemory& factor, int t, VectorXd& y, Eigen::MatrixXd& above) {
+  above.col(t).setZero();
   ForwardSolve solve(factor, y);
   const auto [first, last] = factor.layout.tasks.tasks[t];
   const int end = columns_of(factor, t).end;
@@ -87,59 +105,78 @@ void solve_task(const FactorMemory& factor, int t, VectorXd& y, Eigen::MatrixXd&
 }
 
 /// The fronts above the tasks, after them.
-void solve_top(const FactorMemory& factor, const Eigen::MatrixXd& above, VectorXd& y) {
+void solve_top(const FactorMemory& factor, const VectorXd& b, const Eigen::MatrixXd& above,
+               VectorXd& y) {
   const FrontTasks& tasks = factor.layout.tasks;
   VectorXd sum = VectorXd::Zero(tasks.top_columns);
   for (Eigen::Index t = 0; t < above.cols(); ++t) sum += above.col(t);
   ForwardSolve solve(factor, y);
-  for (const int s : tasks.top)
-    for (int c = factor.layout.fronts.column_begin[s]; c < factor.layout.fronts.column_begin[s + 1];
-         ++c)
-      y[c] += sum[tasks.top_place[c]];
+  for (const int s : tasks.top) {
+    const ColumnRange columns = columns_of_front(factor, s);
+    take_columns(factor, columns, b, y);
+    columns.of(y) += sum.segment(tasks.top_place[columns.begin], columns.end - columns.begin);
+  }
   for (const int s : tasks.top) solve.solve_top(s);
 }
 
 }  // namespace
 
-void solve_forward(const FactorMemory& factor, VectorXd& y) {
+VectorXd solve_forward(const FactorMemory& factor, const VectorXd& b) {
   const FrontTasks& tasks = factor.layout.tasks;
   const int count = static_cast<int>(tasks.tasks.size());
-  Eigen::MatrixXd above = Eigen::MatrixXd::Zero(tasks.top_columns, count);
-  run_tasks(count, [&](int t) { solve_task(factor, t, y, above); });
-  solve_top(factor, above, y);
+  VectorXd y(b.size());
+  Eigen::MatrixXd above(tasks.top_columns, count);
+  run_tasks(count, [&](int t) {
+    take_columns(factor, columns_of(factor, t), b, y);
+    solve_task(factor, t, y, above);
+  });
+  solve_top(factor, b, above, y);
+  return y;
 }
 
-void solve_forward(const FactorMemory& factor, const std::vector<uint64_t>& version,
-                   ForwardSweep& last, VectorXd& y) {
+VectorXd solve_forward(const FactorMemory& factor, const VectorXd& b,
+                       const std::vector<uint64_t>& version, ForwardSweep& last) {
   const FrontTasks& tasks = factor.layout.tasks;
   const int count = static_cast<int>(tasks.tasks.size());
+  VectorXd y(b.size());
   const bool known = last.b.size() == y.size() && last.above.cols() == count &&
                      last.above.rows() == tasks.top_columns;
-  if (!known) last = {std::vector<uint64_t>(version.size(), 0), y, y, {}};
-  if (!known) last.above.resize(tasks.top_columns, count);
+  if (!known) {
+    last.version.assign(version.size(), 0);
+    last.b.resize(y.size());
+    last.y.resize(y.size());
+    last.above.resize(tasks.top_columns, count);
+  }
   run_tasks(count, [&](int t) {
     const ColumnRange columns = columns_of(factor, t);
+    take_columns(factor, columns, b, y);
     if (last.version[t] != version[t] || columns.of(last.b) != columns.of(y)) {
       columns.of(last.b) = columns.of(y);
-      last.above.col(t).setZero();
       solve_task(factor, t, y, last.above);
       columns.of(last.y) = columns.of(y);
       last.version[t] = version[t];
     }
     columns.of(y) = columns.of(last.y);
   });
-  solve_top(factor, last.above, y);
+  solve_top(factor, b, last.above, y);
+  return y;
 }
 
-void solve_backward(const FactorMemory& factor, VectorXd& y) {
+VectorXd solve_backward(const FactorMemory& factor, VectorXd y) {
   const FrontTasks& tasks = factor.layout.tasks;
+  VectorXd solution(y.size());
   VectorXd x = VectorXd::Zero(padded(factor.layout.most_rows));
-  for (size_t i = tasks.top.size(); i-- > 0;) solve_front_backward(factor, tasks.top[i], y, x);
+  for (size_t i = tasks.top.size(); i-- > 0;) {
+    solve_front_backward(factor, tasks.top[i], y, x);
+    give_columns(factor, columns_of_front(factor, tasks.top[i]), y, solution);
+  }
   run_tasks(static_cast<int>(tasks.tasks.size()), [&](int t) {
     VectorXd own = VectorXd::Zero(padded(factor.layout.most_rows));
     for (int s = tasks.tasks[t].last - 1; s >= tasks.tasks[t].first; --s)
       solve_front_backward(factor, s, y, own);
+    give_columns(factor, columns_of(factor, t), y, solution);
   });
+  return solution;
 }
 
 }  // namespace relievo

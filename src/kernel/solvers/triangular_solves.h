@@ -9,16 +9,16 @@
 
 namespace relievo {
 
-/// y := L^-1 y, in the order of elimination. The tasks' contributions to the columns above them
-/// are summed in the order of the tasks, so that threads change no bit.
-void solve_forward(const FactorMemory& factor, Eigen::VectorXd& y);
+/// L^-1 b, in the order of elimination; b is by row of the matrix. The tasks' contributions to the
+/// columns above them are summed in the order of the tasks, so that threads change no bit.
+Eigen::VectorXd solve_forward(const FactorMemory& factor, const Eigen::VectorXd& b);
 
 /// The same with the same bits; tasks whose version (one each) and right-hand side are those of
 /// `last` are not solved again. Leaves this sweep there.
-void solve_forward(const FactorMemory& factor, const std::vector<uint64_t>& version,
-                   ForwardSweep& last, Eigen::VectorXd& y);
+Eigen::VectorXd solve_forward(const FactorMemory& factor, const Eigen::VectorXd& b,
+                              const std::vector<uint64_t>& version, ForwardSweep& last);
 
-/// y := L^-T y, likewise.
-void solve_backward(const FactorMemory& factor, Eigen::VectorXd& y);
+/// L^-T y by row of the matrix, likewise.
+Eigen::VectorXd solve_backward(const FactorMemory& factor, Eigen::VectorXd y);
 
 }  // namespace relievo
