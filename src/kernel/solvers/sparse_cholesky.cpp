@@ -69,6 +69,7 @@ struct SparseCholesky::Implementation {
 
   /// Computes the fronts that are out of date and those that depend on them.
   bool factorise_outdated(const double* entries, const RunContext& context) {
+    if (std::find(outdated.begin(), outdated.end(), 1) == outdated.end()) return true;
     const Supernodes& fronts = memory.layout.fronts;
     for (int s = 0; s < fronts.size(); ++s)
       if (outdated[s] != 0 && fronts.parent[s] >= 0) outdated[fronts.parent[s]] = 1;
@@ -91,12 +92,28 @@ struct SparseCholesky::Implementation {
     return sound;
   }
 
-  /// Takes over the values of A, with fixed rows and columns as those of the identity, and marks
-  /// the fronts that hold entries which differ from the last ones.
-  void take_values(const SparseMatrix& A, std::span<const uint8_t> fixed) {
+  void take_flags(const SparseMatrix& A, std::span<const uint8_t> fixed) {
     assert(A.isCompressed());
     last_fixed.assign(fixed.begin(), fixed.end());
     last_fixed.resize(static_cast<size_t>(A.rows()), 0);
+  }
+
+  /// Takes over the values of A, with fixed rows and columns as those of the identity. All fronts
+  /// are out of date.
+  void take_values(const SparseMatrix& A, std::span<const uint8_t> fixed) {
+    take_flags(A, fixed);
+    values.resize(static_cast<size_t>(A.outerIndexPtr()[A.outerSize()]));
+    outdated.assign(memory.layout.fronts.parent.size(), 1);
+    run_ranges(static_cast<int>(A.outerSize()), [&](int first, int last) {
+      for (int j = first; j < last; ++j)
+        for (int e = A.outerIndexPtr()[j]; e < A.outerIndexPtr()[j + 1]; ++e)
+          values[e] = value_of(A, A.innerIndexPtr()[e], j, e);
+    });
+  }
+
+  /// The same, but only fronts that hold entries which differ from the last ones are out of date.
+  void take_changed_values(const SparseMatrix& A, std::span<const uint8_t> fixed) {
+    take_flags(A, fixed);
     for (int j = 0; j < A.outerSize(); ++j)
       for (int e = A.outerIndexPtr()[j]; e < A.outerIndexPtr()[j + 1]; ++e)
         if (A.innerIndexPtr()[e] >= j) take_value(A, A.innerIndexPtr()[e], j, e);
@@ -119,9 +136,14 @@ struct SparseCholesky::Implementation {
     }
   }
 
-  /// Entry e of the matrix, at (i, j) or (j, i).
+  /// Entry e of the matrix, at (i, j) or (j, i). Zeros have no sign, for the same bits ever after.
+  double value_of(const SparseMatrix& A, int i, int j, int e) const {
+    if (last_fixed[i] != 0 || last_fixed[j] != 0) return i == j ? 1 : 0;
+    return A.valuePtr()[e] == 0 ? 0 : A.valuePtr()[e];
+  }
+
   void take_value(const SparseMatrix& A, int i, int j, int e) {
-    const double next = last_fixed[i] == 0 && last_fixed[j] == 0 ? A.valuePtr()[e] : i == j ? 1 : 0;
+    const double next = value_of(A, i, j, e);
     if (next == values[e]) return;
     values[e] = next;
     outdated[std::min(memory.layout.front_of[i], memory.layout.front_of[j])] = 1;
@@ -174,10 +196,7 @@ bool SparseCholesky::factorise(const SparseMatrix& A, std::span<const uint8_t> f
   Implementation& self = *implementation_;
   assert(A.rows() == static_cast<Index>(self.memory.layout.fronts.order.size()));
   assert(fixed.empty() || static_cast<Index>(fixed.size()) == A.rows());
-  self.values.assign(static_cast<size_t>(A.outerIndexPtr()[A.outerSize()]), 0);
-  self.outdated.assign(self.memory.layout.fronts.parent.size(), 0);
   self.take_values(A, fixed);
-  self.outdated.assign(self.outdated.size(), 1);
   return self.factorise_changed(context);
 }
 
@@ -187,7 +206,7 @@ bool SparseCholesky::refactorise(const SparseMatrix& A, std::span<const uint8_t>
   if (self.values.empty()) return factorise(A, fixed, context);
   assert(self.values.size() == static_cast<size_t>(A.outerIndexPtr()[A.outerSize()]));
   self.outdated.assign(self.outdated.size(), 0);
-  self.take_values(A, fixed);
+  self.take_changed_values(A, fixed);
   return self.factorise_changed(context);
 }
 
