@@ -1,5 +1,7 @@
 #include "kernel/solvers/front_tasks.h"
 
+#include <algorithm>
+
 namespace relievo {
 namespace {
 
@@ -21,6 +23,19 @@ std::vector<double> work_of_fronts(const Supernodes& fronts) {
     work.push_back(sum);
   }
   return work;
+}
+
+/// Fronts, whose parents are among them, by the length of the longest way down from each.
+std::vector<std::vector<int>> levels_of(const std::vector<int>& top, const Supernodes& fronts) {
+  std::vector<std::vector<int>> levels;
+  std::vector<size_t> level(fronts.parent.size(), 0);
+  for (const int s : top) {
+    if (level[s] == levels.size()) levels.emplace_back();
+    levels[level[s]].push_back(s);
+    if (const int parent = fronts.parent[s]; parent >= 0)
+      level[parent] = std::max(level[parent], level[s] + 1);
+  }
+  return levels;
 }
 
 }  // namespace
@@ -52,6 +67,7 @@ FrontTasks split_into_tasks(const Supernodes& fronts) {
     if (root) gathered += subtree[s];
     open = !root || gathered < 0.5 * limit;
   }
+  result.top_levels = levels_of(result.top, fronts);
   return result;
 }
 

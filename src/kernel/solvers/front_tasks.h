@@ -16,7 +16,10 @@ struct FrontTask {
 struct FrontTasks {
   std::vector<FrontTask> tasks;  ///< ascending
   std::vector<int> top;          ///< fronts in no task, ascending
-  std::vector<int> top_place;    ///< #n: number of a top front's column among those, or -1
+  /// The same, each after those of its children that are among them: all of a level are
+  /// independent.
+  std::vector<std::vector<int>> top_levels;
+  std::vector<int> top_place;  ///< #n: number of a top front's column among those, or -1
   int top_columns = 0;
 };
 

@@ -22,9 +22,6 @@ using Pack4 = double __attribute__((vector_size(32)));
 template <class Pack>
 constexpr int lanes = sizeof(Pack) / sizeof(double);
 
-/// Columns that are eliminated before the rest is updated.
-constexpr int block_columns = 64;
-
 template <class Pack>
 RELIEVO_INLINE void load(const double* from, Pack& pack) {
   std::memcpy(&pack, from, sizeof pack);
@@ -91,41 +88,50 @@ RELIEVO_INLINE void subtract_strip(double* C, Index c_stride, Product product, i
   }
 }
 
-/// Subtracts what the panel's columns [from, to) contribute to `count` <= tile_columns columns.
+/// Subtracts what the panel's columns `from` contribute to `count` <= tile_columns columns on some
+/// rows.
 template <class Pack, int Packs>
-RELIEVO_INLINE void subtract_columns(const Front& front, int column, int count, int from, int to) {
-  if (from == to) return;
-  const double* A = front.panel + from * front.stride();
-  const Product product{A, A + column, front.stride(), to - from};
+RELIEVO_INLINE void subtract_columns(const Front& front, int column, int count, Range from,
+                                     Range rows) {
+  if (from.begin == from.end) return;
+  const double* A = front.panel + from.begin * front.stride();
+  const Product product{A, A + column, front.stride(), from.end - from.begin};
   double* C = front.column(column);
   const Index c_stride = column < front.columns ? front.stride() : front.tile_stride(column);
-  const int row = column / pack_rows * pack_rows;
-  const int end = padded(front.rows);
+  const int row = std::max(rows.begin, column / pack_rows * pack_rows);
   switch (count) {
     case 1:
-      return subtract_strip<Pack, Packs, 1>(C, c_stride, product, row, end);
+      return subtract_strip<Pack, Packs, 1>(C, c_stride, product, row, rows.end);
     case 2:
-      return subtract_strip<Pack, Packs, 2>(C, c_stride, product, row, end);
+      return subtract_strip<Pack, Packs, 2>(C, c_stride, product, row, rows.end);
     case 3:
-      return subtract_strip<Pack, Packs, 3>(C, c_stride, product, row, end);
+      return subtract_strip<Pack, Packs, 3>(C, c_stride, product, row, rows.end);
     default:
-      return subtract_strip<Pack, Packs, 4>(C, c_stride, product, row, end);
+      return subtract_strip<Pack, Packs, 4>(C, c_stride, product, row, rows.end);
   }
 }
 
-/// Eliminates one panel column after what the columns before `first` contribute was subtracted.
+/// Replaces the pivot of a column by its root, unless it is not positive.
+RELIEVO_INLINE bool take_root(double& pivot) {
+  if (!(pivot > 0 && pivot < HUGE_VAL)) return false;
+  pivot = std::sqrt(pivot);
+  return true;
+}
+
+/// Eliminates some rows of a panel column after what the columns before `first` contribute was
+/// subtracted. Its pivot comes first.
 template <class Pack>
-RELIEVO_INLINE bool eliminate_column(const Front& front, int first, int column) {
+RELIEVO_INLINE bool eliminate_column(const Front& front, int first, int column, Range rows) {
   double* x = front.panel + column * front.stride();
-  const int begin = column / pack_rows * pack_rows;
-  const int end = padded(front.rows);
+  const int begin = std::max(rows.begin, column / pack_rows * pack_rows);
+  const int end = rows.end;
   for (int c = first; c < column; ++c) {
     const double* other = front.panel + c * front.stride();
     subtract_multiple<Pack>(x, other, other[column], begin, end);
   }
-  const double pivot = x[column];
-  if (!(pivot > 0 && pivot < HUGE_VAL)) return false;
-  const double root = std::sqrt(pivot);
+  const bool has_pivot = begin <= column;
+  if (has_pivot && !take_root(x[column])) return false;
+  const double root = x[column];
   const double reciprocal = 1 / root;
   for (int row = begin; row < end; row += lanes<Pack>) {
     Pack entry;
@@ -133,31 +139,28 @@ RELIEVO_INLINE bool eliminate_column(const Front& front, int first, int column) 
     entry *= reciprocal;
     store(entry, x + row);
   }
+  if (!has_pivot) return true;
   x[column] = root;
   std::fill(x + begin, x + column, 0.0);
   return true;
 }
 
 template <class Pack, int Packs>
-RELIEVO_INLINE bool eliminate(const Front& front, const std::atomic<bool>* stop) {
-  const auto stopped = [&] { return stop != nullptr && stop->load(std::memory_order_relaxed); };
-  for (int block = 0; block < front.columns; block += block_columns) {
-    const int block_end = std::min(block + block_columns, front.columns);
-    for (int j = block; j < block_end; j += tile_columns) {
-      const int count = std::min(tile_columns, block_end - j);
-      subtract_columns<Pack, Packs>(front, j, count, block, j);
-      for (int c = j; c < j + count; ++c)
-        if (!eliminate_column<Pack>(front, j, c)) return false;
-    }
-    for (int j = block_end; j < front.columns; j += tile_columns)
-      subtract_columns<Pack, Packs>(front, j, std::min(tile_columns, front.columns - j), block,
-                                    block_end);
-    if (stopped()) return false;
-    for (int j = front.columns; j < front.rows; j += tile_columns)
-      subtract_columns<Pack, Packs>(front, j, std::min(tile_columns, front.rows - j), block,
-                                    block_end);
+RELIEVO_INLINE bool eliminate_rows(const Front& front, Range block, Range rows) {
+  for (int j = block.begin; j < block.end; j += tile_columns) {
+    const int count = std::min(tile_columns, block.end - j);
+    subtract_columns<Pack, Packs>(front, j, count, {block.begin, j}, rows);
+    for (int c = j; c < j + count; ++c)
+      if (!eliminate_column<Pack>(front, j, c, rows)) return false;
   }
   return true;
+}
+
+template <class Pack, int Packs>
+RELIEVO_INLINE void update_columns(const Front& front, Range block, Range columns) {
+  const Range rows{0, padded(front.rows)};
+  for (int j = columns.begin; j < columns.end; j += tile_columns)
+    subtract_columns<Pack, Packs>(front, j, std::min(tile_columns, columns.end - j), block, rows);
 }
 
 /// The columns [block, block + count) of one pack of rows.
@@ -281,22 +284,29 @@ RELIEVO_INLINE void solve_backward(const Front& front, double* x) {
   }
 }
 
-bool eliminate_portable(const Front& front, const std::atomic<bool>* stop) {
-  return eliminate<Pack2, 2>(front, stop);
+bool eliminate_portable(const Front& front, Range block, Range rows) {
+  return eliminate_rows<Pack2, 2>(front, block, rows);
+}
+void update_portable(const Front& front, Range block, Range columns) {
+  update_columns<Pack2, 2>(front, block, columns);
 }
 void forward_portable(const Front& front, double* x) { solve_forward<Pack2>(front, x); }
 void backward_portable(const Front& front, double* x) { solve_backward<Pack2>(front, x); }
 
 #ifdef RELIEVO_WIDE_KERNELS
 #define RELIEVO_WIDE [[gnu::target("avx2")]]
-RELIEVO_WIDE bool eliminate_wide(const Front& front, const std::atomic<bool>* stop) {
-  return eliminate<Pack4, 2>(front, stop);
+RELIEVO_WIDE bool eliminate_wide(const Front& front, Range block, Range rows) {
+  return eliminate_rows<Pack4, 2>(front, block, rows);
+}
+RELIEVO_WIDE void update_wide(const Front& front, Range block, Range columns) {
+  update_columns<Pack4, 2>(front, block, columns);
 }
 RELIEVO_WIDE void forward_wide(const Front& front, double* x) { solve_forward<Pack4>(front, x); }
 RELIEVO_WIDE void backward_wide(const Front& front, double* x) { solve_backward<Pack4>(front, x); }
 #endif
 
-constexpr FrontalKernels portable = {eliminate_portable, forward_portable, backward_portable};
+constexpr FrontalKernels portable = {eliminate_portable, update_portable, forward_portable,
+                                     backward_portable};
 
 }  // namespace
 
@@ -304,7 +314,7 @@ const FrontalKernels& portable_kernels() { return portable; }
 
 const FrontalKernels& best_kernels() {
 #ifdef RELIEVO_WIDE_KERNELS
-  static constexpr FrontalKernels wide = {eliminate_wide, forward_wide, backward_wide};
+  static constexpr FrontalKernels wide = {eliminate_wide, update_wide, forward_wide, backward_wide};
   static const bool has_wide = __builtin_cpu_supports("avx2") != 0;
   if (has_wide) return wide;
 #endif

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 
 namespace relievo {
@@ -47,12 +46,22 @@ struct Front {
   }
 };
 
+/// Rows or columns [begin, end).
+struct Range {
+  int begin = 0;
+  int end = 0;
+};
+
 /// Dense arithmetic on fronts. Every entry is computed by the same operations in the same order
 /// whatever the instruction set, so that all sets give the same bits.
 struct FrontalKernels {
-  /// panel := its columns of the Cholesky factor, update -= what they contribute to the rest.
-  /// False when a pivot is not positive, or as soon as `stop`, which may be null, is set.
-  bool (*eliminate)(const Front& front, const std::atomic<bool>* stop);
+  /// A block of the panel's columns := those of the Cholesky factor on some rows, whole packs. The
+  /// rows of the block's own columns come first, with or before the others. False when a pivot is
+  /// not positive.
+  bool (*eliminate_rows)(const Front& front, Range block, Range rows);
+  /// Subtracts what a block contributes to other columns, all of the panel or of the update: these
+  /// from the first of a tile on.
+  void (*update_columns)(const Front& front, Range block, Range columns);
   /// Solves with the factor's columns: x (the front's rows) := L^-1 x on the columns, and what they
   /// contribute is subtracted from the rows below. x is padded like a column.
   void (*solve_forward)(const Front& front, double* x);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernel/base/workers.h"
+#include "kernel/solvers/eliminate_front.h"
 #include "kernel/solvers/factor_memory.h"
 #include "kernel/solvers/schur_complement.h"
 #include "kernel/solvers/triangular_solves.h"
@@ -64,7 +65,7 @@ struct SparseCholesky::Implementation {
     if (outdated[s] == 0) return true;
     const Front target = memory.front(s);
     assemble(s, target, entries);
-    return best_kernels().eliminate(target, context.cancel);
+    return eliminate_front(best_kernels(), target, context.cancel);
   }
 
   /// Computes the fronts that are out of date and those that depend on them.
@@ -88,7 +89,8 @@ struct SparseCholesky::Implementation {
       for (int s = first; s < last; ++s)
         if (!update(s)) return;
     });
-    for (size_t i = 0; i < tasks.top.size() && sound; ++i) update(tasks.top[i]);
+    for (const std::vector<int>& level : tasks.top_levels)
+      run_tasks(sound ? static_cast<int>(level.size()) : 0, [&](int i) { update(level[i]); });
     return sound;
   }
 

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <vector>
 
+#include "kernel/base/workers.h"
+#include "kernel/solvers/eliminate_front.h"
+
 namespace relievo {
 namespace {
 
@@ -50,15 +53,15 @@ MatrixXd positive_definite(int n) {
 }
 
 const std::vector<std::pair<int, int>> shapes = {
-    {1, 1},  {2, 1},  {3, 3},  {4, 2},   {5, 5},   {7, 3},   {8, 4},     {9, 6},
-    {13, 1}, {16, 8}, {31, 7}, {64, 64}, {67, 65}, {90, 70}, {150, 130}, {201, 66}};
+    {1, 1},  {2, 1},  {3, 3},   {4, 2},   {5, 5},   {7, 3},     {8, 4},    {9, 6},    {13, 1},
+    {16, 8}, {31, 7}, {64, 64}, {67, 65}, {90, 70}, {150, 130}, {201, 66}, {301, 230}};
 
 TEST(FrontalKernels, EliminateLikeDenseCholesky) {
   for (const FrontalKernels* kernels : {&portable_kernels(), &best_kernels()})
     for (const auto& [n, k] : shapes) {
       const MatrixXd A = positive_definite(n);
       const OwnedFront front(A, k);
-      ASSERT_TRUE(kernels->eliminate(front.get(), nullptr)) << n << " " << k;
+      ASSERT_TRUE(eliminate_front(*kernels, front.get(), nullptr)) << n << " " << k;
       const MatrixXd L = A.llt().matrixL();
       MatrixXd rest = L;
       rest.leftCols(k).setZero();
@@ -72,7 +75,7 @@ TEST(FrontalKernels, SolveWithTheColumnsOfTheFactor) {
   for (const FrontalKernels* kernels : {&portable_kernels(), &best_kernels()})
     for (const auto& [n, k] : shapes) {
       const OwnedFront front(positive_definite(n), k);
-      ASSERT_TRUE(kernels->eliminate(front.get(), nullptr));
+      ASSERT_TRUE(eliminate_front(*kernels, front.get(), nullptr));
       MatrixXd L = front.lower();
       L.rightCols(n - k).setZero();
       L.bottomRightCorner(n - k, n - k).setIdentity();
@@ -92,8 +95,8 @@ TEST(FrontalKernels, GiveTheSameBitsOnEveryProcessor) {
   for (const auto& [n, k] : shapes) {
     const OwnedFront one(positive_definite(n), k);
     const OwnedFront other(positive_definite(n), k);
-    ASSERT_TRUE(portable_kernels().eliminate(one.get(), nullptr));
-    ASSERT_TRUE(best_kernels().eliminate(other.get(), nullptr));
+    ASSERT_TRUE(eliminate_front(portable_kernels(), one.get(), nullptr));
+    ASSERT_TRUE(eliminate_front(best_kernels(), other.get(), nullptr));
     EXPECT_EQ(one.lower(), other.lower()) << n << " " << k;
     VectorXd x = VectorXd::Zero(padded(n));
     x.head(n).setLinSpaced(-3, 1);
@@ -106,13 +109,26 @@ TEST(FrontalKernels, GiveTheSameBitsOnEveryProcessor) {
   }
 }
 
+TEST(FrontalKernels, GiveTheSameBitsWithAnyNumberOfThreads) {
+  for (const auto& [n, k] : shapes) {
+    const OwnedFront one(positive_definite(n), k);
+    const OwnedFront other(positive_definite(n), k);
+    set_worker_count(1);
+    ASSERT_TRUE(eliminate_front(best_kernels(), one.get(), nullptr));
+    set_worker_count(3);
+    ASSERT_TRUE(eliminate_front(best_kernels(), other.get(), nullptr));
+    set_worker_count(0);
+    EXPECT_EQ(one.lower(), other.lower()) << n << " " << k;
+  }
+}
+
 TEST(FrontalKernels, RefuseAPivotThatIsNotPositive) {
   for (const FrontalKernels* kernels : {&portable_kernels(), &best_kernels()})
     for (const double pivot : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
       MatrixXd A = positive_definite(9);
       A(6, 6) = pivot;
-      EXPECT_FALSE(kernels->eliminate(OwnedFront(A, 7).get(), nullptr)) << pivot;
-      EXPECT_TRUE(kernels->eliminate(OwnedFront(A, 6).get(), nullptr)) << pivot;
+      EXPECT_FALSE(eliminate_front(*kernels, OwnedFront(A, 7).get(), nullptr)) << pivot;
+      EXPECT_TRUE(eliminate_front(*kernels, OwnedFront(A, 6).get(), nullptr)) << pivot;
     }
 }
 
@@ -121,7 +137,7 @@ TEST(FrontalKernels, StopWhereTheyAreTold) {
   for (const FrontalKernels* kernels : {&portable_kernels(), &best_kernels()})
     for (const bool told : {false, true}) {
       const std::atomic<bool> stop = told;
-      EXPECT_EQ(kernels->eliminate(OwnedFront(A, 150).get(), &stop), !told);
+      EXPECT_EQ(eliminate_front(*kernels, OwnedFront(A, 150).get(), &stop), !told);
     }
 }
 
