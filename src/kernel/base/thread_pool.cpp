@@ -10,7 +10,7 @@ namespace relievo {
 namespace {
 
 /// How long a thread with nothing to do stays awake.
-constexpr std::chrono::microseconds patience{200};
+constexpr std::chrono::microseconds patience{100};
 
 }  // namespace
 

@@ -13,7 +13,7 @@ constexpr int block_columns = 64;
 /// Rows or columns that are one task.
 constexpr int piece_size = 32;
 /// Multiplications that are worth tasks.
-constexpr int64_t least_work = 150000;
+constexpr int64_t least_work = 400000;
 
 int pieces_of(Range range) {
   return std::max(0, range.end - range.begin + piece_size - 1) / piece_size;
