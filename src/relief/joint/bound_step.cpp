@@ -6,7 +6,6 @@
 
 #include "kernel/solvers/symmetric_graph.h"
 #include "kernel/solvers/symmetric_product.h"
-#include "relief/inflation/poisson_terms.h"
 #include "relief/joint/bound_stiffness.h"
 #include "relief/joint/soft_matrix.h"
 
@@ -28,36 +27,13 @@ constexpr double step_tolerance = 1e-9;
 constexpr int near_rings = 4;
 constexpr int all_rings = std::numeric_limits<int>::max();
 
-/// The unknowns that move with B, those of B last. The others have place -1.
-struct Surroundings {
-  std::vector<int> place;
-  int size = 0;
-};
-
-Surroundings surroundings(const SoftMatrix& matrix, int rings) {
-  const SymmetricGraph graph = make_symmetric_graph(matrix.K);
-  std::vector<int> bound(matrix.own_stiffness.size());
-  std::iota(bound.begin(), bound.end(), static_cast<int>(matrix.heights()));
-  Surroundings result{std::vector<int>(static_cast<size_t>(graph.size()), -1), 0};
-  for (const int i : rows_around(graph, bound, rings)) result.place[i] = result.size++;
-  return result;
-}
-
 /// The heights as ever, the soft nodes behind them.
-std::vector<int> heights_first(const SoftMatrix& matrix, const Surroundings& near) {
+std::vector<int> heights_first(const SoftMatrix& matrix) {
   std::vector<int> order;
   for (const int i : matrix.elimination)
-    if (i < matrix.heights() && near.place[i] >= 0) order.push_back(near.place[i]);
-  for (Index i = matrix.heights(); i < matrix.T.cols(); ++i) order.push_back(near.place[i]);
+    if (i < matrix.heights()) order.push_back(i);
+  for (Index i = matrix.heights(); i < matrix.T.cols(); ++i) order.push_back(static_cast<int>(i));
   return order;
-}
-
-/// One flag per place: whether the problem fixes the unknown.
-std::vector<uint8_t> fixed_places(const DepthProblem& problem, const Surroundings& near) {
-  std::vector<uint8_t> fixed(static_cast<size_t>(near.size), 0);
-  for (size_t i = 0; i < problem.variables.fixed.size(); ++i)
-    if (near.place[i] >= 0) fixed[near.place[i]] = problem.variables.fixed[i];
-  return fixed;
 }
 
 SparseMatrix lower_triangle(const MatrixXd& A) {
@@ -75,18 +51,20 @@ SparseMatrix lower_triangle(const MatrixXd& A) {
 }  // namespace
 
 SolveStatus BoundStep::eliminate_heights(int rings, const RunContext& context, MatrixXd& K) const {
-  SoftMatrix matrix = make_soft_matrix(model_, problem_, model_.bound);
+  const std::vector<int> near = rows_around(order_.factor.graph(), model_.bound, rings);
+  SoftMatrix matrix = make_soft_matrix(model_, order_.problem, near, model_.bound);
   const VectorXd springs = matrix.own_stiffness;  // any that make the matrix definite
   set_springs(matrix, springs, matrix.K);
-  const Surroundings near = surroundings(matrix, rings);
-  const SparseMatrix K_near = lower_block(matrix.K, near.place, near.size);
+  std::vector<uint8_t> fixed;
+  for (const int n : near) fixed.push_back(order_.problem.variables.fixed[n]);
+  fixed.resize(static_cast<size_t>(matrix.T.cols()), 0);
   SparseCholesky factor;
-  if (!factor.analyse(K_near, Refactorisation::complete, heights_first(matrix, near), context))
+  if (!factor.analyse(matrix.K, Refactorisation::complete, heights_first(matrix), context))
     return SolveStatus::interrupted;
-  if (!factor.factorise(K_near, fixed_places(problem_, near), context))
+  if (!factor.factorise(matrix.K, fixed, context))
     return context.cancelled() ? SolveStatus::interrupted : SolveStatus::not_positive_definite;
   std::vector<int> soft(model_.bound.size());
-  std::iota(soft.begin(), soft.end(), near.size - static_cast<int>(soft.size()));
+  std::iota(soft.begin(), soft.end(), static_cast<int>(matrix.heights()));
   K = factor.schur_complement(soft);
   K.diagonal() -= springs;
   K = matrix.direction.asDiagonal() * K * matrix.direction.asDiagonal();

@@ -19,8 +19,8 @@ namespace relievo {
 /// matrix.
 class BoundStep {
  public:
-  BoundStep(const JointModel& model, const DepthProblem& problem)
-      : model_(model), problem_(problem) {}
+  /// order: of the pairs, analysed.
+  BoundStep(const JointModel& model, const DepthSystem& order) : model_(model), order_(order) {}
 
   /// Finds the stiffness. Where nothing is known, takes one analysis and one factorisation.
   SolveStatus prepare(const BoundStiffness& known, const RunContext& context);
@@ -49,7 +49,7 @@ class BoundStep {
   void renew_springs(const Eigen::VectorXd& springs);
 
   const JointModel& model_;
-  const DepthProblem& problem_;
+  const DepthSystem& order_;
   Eigen::VectorXd direction_;     ///< #B, f = direction * unknown
   Eigen::VectorXd own_diagonal_;  ///< #B, that of K without springs
   Eigen::VectorXd springs_;       ///< in K, in units of lambda_shift

@@ -1,5 +1,6 @@
 #include "relief/joint/contact_step.h"
 
+#include <numeric>
 #include <utility>
 
 namespace relievo {
@@ -53,7 +54,9 @@ void ContactStep::begin_flat() {
 }
 
 void ContactStep::soften(const std::vector<int>& soft, const std::vector<uint8_t>& closed) {
-  matrix_ = make_soft_matrix(model_, problem_, soft);
+  std::vector<int> heights(model_.elimination.size());
+  std::iota(heights.begin(), heights.end(), 0);
+  matrix_ = make_soft_matrix(model_, problem_, heights, soft);
   BoundQp& qp = own_.qp;
   qp.bounded = problem_.variables.bounded;
   qp.fixed = problem_.variables.fixed;

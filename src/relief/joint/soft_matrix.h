@@ -9,9 +9,9 @@
 
 namespace relievo {
 
-/// The shift energy 1/2 g'A g over the unknowns of a depth problem and the f of some nodes, -f
-/// where u is negative on the surface: g = T z but for what is fixed, where z holds the former and
-/// then the latter. Z = #variables + #soft.
+/// The shift energy 1/2 g'A g over unknowns of a depth problem and the f of some nodes, -f where u
+/// is negative on the surface: g = T z but for what is fixed, where z holds the former and then the
+/// latter. Z = #heights + #soft.
 struct SoftMatrix {
   SparseMatrix T;                 ///< #N x #Z
   SparseMatrix K;                 ///< T'A T, lower triangle
@@ -22,9 +22,9 @@ struct SoftMatrix {
   Eigen::Index heights() const { return T.cols() - own_stiffness.size(); }
 };
 
-/// O(entries of A).
+/// heights: the nodes whose unknowns take part, ascending. O(N + entries of A at their groups).
 SoftMatrix make_soft_matrix(const JointModel& model, const DepthProblem& problem,
-                            const std::vector<int>& soft);
+                            const std::vector<int>& heights, const std::vector<int>& soft);
 
 /// Puts springs on f, one per soft node, in place of those that K has.
 void set_springs(const SoftMatrix& matrix, const Eigen::VectorXd& stiffness, SparseMatrix& K);

@@ -139,7 +139,7 @@ class JointRounds {
   /// goes on.
   Status iterate() {
     VectorXd& u = run_.state.u;
-    BoundStep bound(model_, system_.system.problem);
+    BoundStep bound(model_, system_.system);
     if (Status status = prepare(bound); !status) return status;
     for (int i = 0;; ++i) {
       if (!response_) response_.emplace(model_);
