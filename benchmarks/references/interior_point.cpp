@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/solvers/symmetric_product.h"
+#include "kernel/solvers/sparse_products.h"
 
 namespace relievo::benchmarks {
 namespace {

@@ -4,8 +4,9 @@
 #include <cassert>
 #include <utility>
 
+#include "kernel/base/workers.h"
 #include "kernel/solvers/local_relaxation.h"
-#include "kernel/solvers/symmetric_product.h"
+#include "kernel/solvers/sparse_products.h"
 
 namespace relievo {
 namespace {
@@ -233,15 +234,28 @@ class ActiveSetSolver {
   void solve_change() {
     for (const int i : bounds_)
       if (solution_.active[i] != 0 && solution_.z[i] != 0) move_to_bound(i);
-    VectorXd residual = free_residual();
-    const double least = negligible * tolerance_;
-    for (double& value : residual) value = std::abs(value) <= least ? 0 : value;
+    const VectorXd residual = large_free_residual();
     const VectorXd step = factor_.solve(residual);
-    solution_.z += step;
-    solution_.mu += residual;
-    for (int i = 0; i < step.size(); ++i)
-      if (solution_.active[i] != 0) solution_.mu[i] += row_times(i, step);
+    run_ranges(static_cast<int>(step.size()), [&](int first, int last) {
+      for (int i = first; i < last; ++i) {
+        solution_.z[i] += step[i];
+        solution_.mu[i] += solution_.active[i] != 0 ? row_times(i, step) : residual[i];
+      }
+    });
     rough_ = true;
+  }
+
+  /// The free residual but for what needs no attention.
+  VectorXd large_free_residual() const {
+    const double least = negligible * tolerance_;
+    VectorXd residual(solution_.mu.size());
+    run_ranges(static_cast<int>(residual.size()), [&](int first, int last) {
+      for (int i = first; i < last; ++i) {
+        const bool counts = solution_.active[i] == 0 && std::abs(solution_.mu[i]) > least;
+        residual[i] = counts ? -solution_.mu[i] : 0;
+      }
+    });
+    return residual;
   }
 
   /// Row i of K times v.

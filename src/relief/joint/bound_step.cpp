@@ -4,8 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "kernel/solvers/sparse_products.h"
 #include "kernel/solvers/symmetric_graph.h"
-#include "kernel/solvers/symmetric_product.h"
 #include "relief/joint/bound_stiffness.h"
 #include "relief/joint/soft_matrix.h"
 

@@ -47,26 +47,24 @@ class ContactStep {
   std::vector<double> heights() const;
 
  private:
-  void soften(const std::vector<int>& soft, const std::vector<uint8_t>& closed);
+  void soften(const std::vector<int>& soft);
   void begin_flat();
+  Contact solve_softly(const Eigen::VectorXd& f, const Springs& springs, const RunContext& context);
+  Contact solve_firmly(const Eigen::VectorXd& f, const RunContext& context);
   /// Takes the last solution to where it would be if the same gaps stayed closed and only those
-  /// that are open gave way to f: what is left to solve for is next to closed ones.
-  void follow(const Eigen::VectorXd& f);
-  /// force: #N, what the heights of the roots would press with.
-  BoundQpSolution solve_program(const Eigen::VectorXd& force, const Springs& springs,
-                                const RunContext& context);
+  /// that are open gave way to f: what is left to solve for is next to closed ones. Returns f
+  /// beyond the roots' heights, #N.
+  Eigen::VectorXd follow(const Eigen::VectorXd& f);
 
   const JointModel& model_;
+  DepthSystem& order_;
   const DepthProblem& problem_;
   bool has_soft_;
-  SoftMatrix matrix_;  ///< if there are soft nodes
-  DepthSystem own_;    ///< likewise, its gaps and then the soft nodes; without a problem
-  DepthSystem& system_;
-  const SparseMatrix& T_;
-  Eigen::VectorXd root_height_;    ///< #N, scene units, for the last f
-  Eigen::VectorXd last_;           ///< solution, or where to begin; at first empty with soft nodes
-  Eigen::VectorXd last_gradient_;  ///< there
-  Eigen::VectorXd last_f_;         ///< #N, that it is for
+  SoftMatrix matrix_;     ///< if there are soft nodes
+  DepthSystem own_;       ///< likewise, its gaps and then the soft nodes; without a problem
+  Eigen::VectorXd last_;  ///< solution, or where to begin; at first empty with soft nodes
+  Eigen::VectorXd last_gradient_;  ///< there, without soft nodes
+  Eigen::VectorXd last_f_;         ///< #N, scene units, that it is for
 };
 
 }  // namespace relievo

@@ -1,4 +1,4 @@
-#include "kernel/solvers/symmetric_product.h"
+#include "kernel/solvers/sparse_products.h"
 
 #include <algorithm>
 #include <array>
@@ -51,6 +51,14 @@ VectorXd multiply_symmetric(const SparseMatrix& lower, const VectorXd& x) {
   for (int block = 1; block < blocks; ++block)
     products[0].tail(products[block].size()) += products[block];
   return products[0];
+}
+
+VectorXd multiply_transposed(const SparseMatrix& A, const VectorXd& x) {
+  VectorXd product(A.cols());
+  run_ranges(static_cast<int>(A.cols()), [&](int first, int last) {
+    for (int j = first; j < last; ++j) product[j] = A.col(j).dot(x);
+  });
+  return product;
 }
 
 }  // namespace relievo

@@ -10,4 +10,7 @@ namespace relievo {
 /// workers where there are many.
 Eigen::VectorXd multiply_symmetric(const SparseMatrix& lower, const Eigen::VectorXd& x);
 
+/// A'x, or A x for a symmetric A of which both triangles are stored. O(entries), on all workers.
+Eigen::VectorXd multiply_transposed(const SparseMatrix& A, const Eigen::VectorXd& x);
+
 }  // namespace relievo
