@@ -120,6 +120,24 @@ TEST(BoundQp, FindsTheSameMinimiserFromAnyStart) {
   }));
 }
 
+TEST(BoundQp, GoesOnFromAnyPointWithItsGradient) {
+  EXPECT_TRUE(rc::check([] {
+    const BoundQp problem = random_problem(*rc::gen::inRange(1, 40));
+    const BoundQpSolution cold = solve(problem);
+    BoundQpOptions options;
+    options.start = cold.z;
+    for (Eigen::Index i = 0; i < options.start.size(); ++i)
+      if (problem.fixed[i] == 0) options.start[i] += *rc::gen::inRange(-2, 3);
+    options.start_gradient = dense_K(problem) * options.start - problem.b;
+    options.refine = *rc::gen::arbitrary<bool>();
+    const BoundQpSolution solution = solve(problem, options);
+    const VectorXd gradient = dense_K(problem) * solution.z - problem.b;
+    RC_ASSERT((solution.z - cold.z).lpNorm<Eigen::Infinity>() <= 1e-9);
+    RC_ASSERT((solution.gradient - gradient).lpNorm<Eigen::Infinity>() <= 1e-9);
+    RC_ASSERT((solution.mu - cold.mu).lpNorm<Eigen::Infinity>() <= 1e-9);
+  }));
+}
+
 TEST(BoundQp, NeedsOneFactorisationFromTheRightStart) {
   EXPECT_TRUE(rc::check([] {
     const BoundQp problem = random_problem(*rc::gen::inRange(1, 40));

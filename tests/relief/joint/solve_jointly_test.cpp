@@ -7,6 +7,7 @@
 #include <string>
 
 #include "relief/discretisation/discretise.h"
+#include "relief/inflation/inflate.h"
 #include "support/depth_optimality.h"
 #include "support/enforced_pairs.h"
 #include "support/joint_case.h"
@@ -166,6 +167,42 @@ Result<JointSolution> solve_from(const JointMemory& known, const JointCase& test
   OrderingSystem system;
   return solve_jointly({start.layers, discretisation, start.inflation, test.scene},
                        test.options.joint, known, system);
+}
+
+TEST(SolveJointly, HasTheSameBitsWhereTheOrderWasPrepared) {
+  const JointCase test = joint_case(body_and_leg(), 2000, 0.01);
+  const Relief& start = test.approximate;
+  const Discretisation discretisation = discretise(start.layers);
+  OrderingOptions options;
+  options.max_rounds = test.options.joint.max_rounds;
+  OrderingSystem system;
+  prepare_ordering({start.layers, discretisation, test.scene}, options, system);
+  const auto prepared = solve_jointly({start.layers, discretisation, start.inflation, test.scene},
+                                      test.options.joint, {}, system);
+  ASSERT_TRUE(prepared.ok());
+  const JointSolution solution = solve(test);
+  EXPECT_EQ(prepared->inflation.u, solution.inflation.u);
+  EXPECT_EQ(prepared->ordering.h, solution.ordering.h);
+}
+
+TEST(SolveJointly, GoesOnWithTheSystemOfAnotherInflation) {
+  JointCase test = joint_case(body_and_leg(), 2000, 0.01);
+  const LayeredMesh& mesh = test.approximate.layers;
+  const Discretisation discretisation = discretise(mesh);
+  OrderingSystem system;
+  JointMemory known;
+  for (const double c : {2.0, 3.0, 1.0}) {
+    test.scene.parts[1].c = c;
+    const Inflation start = *inflate(mesh, test.scene, {});
+    const auto warm =
+        solve_jointly({mesh, discretisation, start, test.scene}, test.options.joint, known, system);
+    const auto cold = solve_jointly(mesh, test.scene, start, test.options.joint);
+    ASSERT_TRUE(warm.ok() && cold.ok());
+    EXPECT_LE(warm->ordering.report.stationarity, 1e-11);
+    EXPECT_NEAR(warm->report.energy.total(), cold->report.energy.total(),
+                1e-9 * cold->report.energy.total());
+    known = warm->memory;
+  }
 }
 
 TEST(SolveJointly, FindsTheStiffnessOfBAnewWhereWhatIsKnownDoesNotHold) {
