@@ -239,7 +239,9 @@ class ActiveSetSolver {
     run_ranges(static_cast<int>(step.size()), [&](int first, int last) {
       for (int i = first; i < last; ++i) {
         solution_.z[i] += step[i];
-        solution_.mu[i] += solution_.active[i] != 0 ? row_times(i, step) : residual[i];
+        solution_.mu[i] += solution_.active[i] != 0
+                               ? multiply_row(problem_.K, factor_.graph(), i, step)
+                               : residual[i];
       }
     });
     rough_ = true;
@@ -256,16 +258,6 @@ class ActiveSetSolver {
       }
     });
     return residual;
-  }
-
-  /// Row i of K times v.
-  double row_times(int i, const VectorXd& v) const {
-    const SymmetricGraph& graph = factor_.graph();
-    const double* K = problem_.K.valuePtr();
-    double sum = K[problem_.K.outerIndexPtr()[i]] * v[i];
-    for (int p = graph.begin[i]; p < graph.begin[i + 1]; ++p)
-      sum += K[graph.source[p]] * v[graph.neighbour[p]];
-    return sum;
   }
 
   /// z_i := 0; mu stays the gradient.

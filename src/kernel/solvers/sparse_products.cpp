@@ -53,6 +53,14 @@ VectorXd multiply_symmetric(const SparseMatrix& lower, const VectorXd& x) {
   return products[0];
 }
 
+double multiply_row(const SparseMatrix& lower, const SymmetricGraph& graph, int i,
+                    const VectorXd& x) {
+  double sum = lower.valuePtr()[lower.outerIndexPtr()[i]] * x[i];
+  for (int p = graph.begin[i]; p < graph.begin[i + 1]; ++p)
+    sum += lower.valuePtr()[graph.source[p]] * x[graph.neighbour[p]];
+  return sum;
+}
+
 VectorXd multiply_transposed(const SparseMatrix& A, const VectorXd& x) {
   VectorXd product(A.cols());
   run_ranges(static_cast<int>(A.cols()), [&](int first, int last) {

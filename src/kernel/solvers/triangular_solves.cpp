@@ -162,19 +162,19 @@ VectorXd solve_forward(const FactorMemory& factor, const VectorXd& b,
   return y;
 }
 
-VectorXd solve_backward(const FactorMemory& factor, VectorXd y) {
+VectorXd solve_backward(const FactorMemory& factor, VectorXd y, std::span<const uint8_t> wanted) {
   const FrontTasks& tasks = factor.layout.tasks;
-  VectorXd solution(y.size());
+  VectorXd solution = VectorXd::Zero(y.size());
+  const auto solve = [&](int s, VectorXd& x) {
+    if (!wanted.empty() && wanted[s] == 0) return;
+    solve_front_backward(factor, s, y, x);
+    give_columns(factor, columns_of_front(factor, s), y, solution);
+  };
   VectorXd x = VectorXd::Zero(padded(factor.layout.most_rows));
-  for (size_t i = tasks.top.size(); i-- > 0;) {
-    solve_front_backward(factor, tasks.top[i], y, x);
-    give_columns(factor, columns_of_front(factor, tasks.top[i]), y, solution);
-  }
+  for (size_t i = tasks.top.size(); i-- > 0;) solve(tasks.top[i], x);
   run_tasks(static_cast<int>(tasks.tasks.size()), [&](int t) {
     VectorXd own = VectorXd::Zero(padded(factor.layout.most_rows));
-    for (int s = tasks.tasks[t].last - 1; s >= tasks.tasks[t].first; --s)
-      solve_front_backward(factor, s, y, own);
-    give_columns(factor, columns_of(factor, t), y, solution);
+    for (int s = tasks.tasks[t].last - 1; s >= tasks.tasks[t].first; --s) solve(s, own);
   });
   return solution;
 }

