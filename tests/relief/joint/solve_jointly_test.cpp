@@ -235,6 +235,7 @@ TEST(SolveJointly, RecordsEveryStep) {
   EXPECT_GT(steps.front().residual, steps.back().residual);
   EXPECT_EQ(steps.back().residual, solution.report.residual);
   EXPECT_GE(steps.front().factorisations, 1);
+  EXPECT_EQ(steps.back().factorisations, 0);
   EXPECT_NEAR(steps.back().energy.total(), solution.report.energy.total(),
               1e-6 * solution.report.energy.total());
 }
