@@ -23,8 +23,8 @@ struct BoundQp {
 struct BoundQpOptions {
   std::vector<uint8_t> start_active;  ///< n: bounds first taken to hold with equality; empty: none
   bool same_matrix = false;           ///< K is the one that the factor was last computed of
-  /// n, a point near the minimiser: only what is different from it is solved for. Empty: none; the
-  /// result then depends on the problem and its active set alone, to the last bit.
+  /// n, a point near the minimiser, 0 where fixed: only what is different from it is solved for.
+  /// Empty: none; the result then depends on the problem and its active set alone, to the last bit.
   Eigen::VectorXd start;
   Eigen::VectorXd start_gradient;  ///< n, K start - b, if known; or empty
   /// Whether the residual of the free unknowns is computed at the end, and refined. Where not, it

@@ -26,6 +26,12 @@ std::vector<int> fill_reducing_order(const SparseMatrix& A) {
   return {permutation.indices().begin(), permutation.indices().end()};
 }
 
+/// Of the fronts that are flagged, one flag each.
+void flag_ancestors(const Supernodes& fronts, std::vector<uint8_t>& flags) {
+  for (int s = 0; s < fronts.size(); ++s)
+    if (flags[s] != 0 && fronts.parent[s] >= 0) flags[fronts.parent[s]] = 1;
+}
+
 /// Adds the update of `child` to its parent; rows[i] is the parent's row of the child's row i.
 void add_update(const Front& child, const int* rows, const Front& parent) {
   for (int j = child.columns; j < child.rows; ++j) {
@@ -72,8 +78,7 @@ struct SparseCholesky::Implementation {
   bool factorise_outdated(const double* entries, const RunContext& context) {
     if (std::find(outdated.begin(), outdated.end(), 1) == outdated.end()) return true;
     const Supernodes& fronts = memory.layout.fronts;
-    for (int s = 0; s < fronts.size(); ++s)
-      if (outdated[s] != 0 && fronts.parent[s] >= 0) outdated[fronts.parent[s]] = 1;
+    flag_ancestors(fronts, outdated);
     const FrontTasks& tasks = memory.layout.tasks;
     ++factorisations;
     version.resize(tasks.tasks.size(), factorisations);
@@ -238,8 +243,7 @@ std::vector<uint8_t> SparseCholesky::fronts_of(std::span<const int> rows) const 
   const FrontLayout& layout = implementation_->memory.layout;
   std::vector<uint8_t> flags(layout.fronts.parent.size(), 0);
   for (const int row : rows) flags[layout.front_of[row]] = 1;
-  for (size_t s = 0; s < flags.size(); ++s)
-    if (flags[s] != 0 && layout.fronts.parent[s] >= 0) flags[layout.fronts.parent[s]] = 1;
+  flag_ancestors(layout.fronts, flags);
   return flags;
 }
 

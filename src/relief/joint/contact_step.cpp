@@ -104,7 +104,7 @@ Contact ContactStep::solve_softly(const VectorXd& f, const Springs& springs,
   const double lambda = model_.lambda_shift;
   const ShiftMetric& metric = model_.metric;
   const Eigen::Index softs = springs.pull.size();
-  const VectorXd rest = f - problem_.variables.T * root_heights(problem_, f);
+  const VectorXd rest = beyond_roots(problem_, f);
   own_.qp.b = multiply_transposed(matrix_.T, metric.A * rest + metric.lean.pull);
   own_.qp.b.tail(softs) += matrix_.direction.cwiseProduct(springs.pull) / lambda;
   set_springs(matrix_, springs.stiffness / lambda, own_.qp.K);
@@ -129,7 +129,7 @@ Contact ContactStep::solve_firmly(const VectorXd& f, const RunContext& context) 
   const LeanTerm& lean = model_.metric.lean;
   last_gradient_ = gradient_for(f);
   open_for(f);
-  const VectorXd rest = f - problem_.variables.T * root_heights(problem_, f);
+  const VectorXd rest = beyond_roots(problem_, f);
   const VectorXd force = multiply_transposed(model_.metric.A, rest) + lean.pull;
   order_.qp.b = multiply_transposed(problem_.variables.T, force);
   BoundQpOptions options;
@@ -155,10 +155,9 @@ Contact ContactStep::solve_firmly(const VectorXd& f, const RunContext& context) 
 /// is left to solve for is next to closed ones.
 VectorXd ContactStep::gradient_for(const VectorXd& f) const {
   VectorXd shift = VectorXd::Zero(f.size());
-  for (const auto& [parent, child, sign, equal] : problem_.forest.gaps) {
-    shift[child] = shift[parent];
-    if (equal || order_.closed[child] != 0)
-      shift[child] -= f[child] - last_f_[child] - (f[parent] - last_f_[parent]);
+  for (const DepthGap& gap : problem_.forest.gaps) {
+    shift[gap.child] = shift[gap.parent];
+    if (is_closed(gap)) shift[gap.child] -= rise_over_parent(gap, f);
   }
   const VectorXd force = multiply_where_set(model_.metric.A, shift);
   return last_gradient_ + multiply_transposed(problem_.variables.T, force);
@@ -166,9 +165,17 @@ VectorXd ContactStep::gradient_for(const VectorXd& f) const {
 
 /// Takes the last solution there.
 void ContactStep::open_for(const VectorXd& f) {
-  for (const auto& [parent, child, sign, equal] : problem_.forest.gaps)
-    if (!equal && order_.closed[child] == 0)
-      last_[child] += sign * (f[child] - last_f_[child] - (f[parent] - last_f_[parent]));
+  for (const DepthGap& gap : problem_.forest.gaps)
+    if (!is_closed(gap)) last_[gap.child] += gap.sign * rise_over_parent(gap, f);
+}
+
+bool ContactStep::is_closed(const DepthGap& gap) const {
+  return gap.equal || order_.closed[gap.child] != 0;
+}
+
+/// How much more f has risen at the child of a gap than at its parent.
+double ContactStep::rise_over_parent(const DepthGap& gap, const VectorXd& f) const {
+  return f[gap.child] - last_f_[gap.child] - (f[gap.parent] - last_f_[gap.parent]);
 }
 
 /// What presses if the same gaps stay closed and no others close; nothing where one of them would

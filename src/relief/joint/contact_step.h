@@ -61,6 +61,8 @@ class ContactStep {
   std::optional<Contact> solve_closed(const Eigen::VectorXd& f) const;
   Eigen::VectorXd gradient_for(const Eigen::VectorXd& f) const;
   void open_for(const Eigen::VectorXd& f);
+  bool is_closed(const DepthGap& gap) const;
+  double rise_over_parent(const DepthGap& gap, const Eigen::VectorXd& f) const;
   void settle(bool settled);
 
   const JointModel& model_;

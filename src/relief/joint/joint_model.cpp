@@ -65,12 +65,11 @@ void number_inner(JointModel& model) {
 
 }  // namespace
 
-JointModel make_joint_model(const OrderingInput& input, double epsilon) {
+JointModel make_joint_model(const OrderingInput& input, const ShiftMetric& metric) {
   const LayeredMesh& mesh = input.mesh;
   const Discretisation& discretisation = input.discretisation;
   JointModel model;
-  model.metric = make_shift_metric(discretisation, epsilon);
-  model.metric.lean = lean_term(mesh, input.scene, model.metric.scale, epsilon);
+  model.metric = metric;
   model.L = discretisation.L;
   model.mass = discretisation.mass;
   model.elimination = discretisation.elimination;

@@ -32,8 +32,8 @@ struct JointModel {
 };
 
 /// B are the nodes under Robin ranges that a pair glues to another part. The others under ranges
-/// keep the u of the input, and so do free nodes where it is 0. O(N + F).
-JointModel make_joint_model(const OrderingInput& input, double epsilon);
+/// keep the u of the input, and so do free nodes where it is 0. `metric`: with its leans. O(N + F).
+JointModel make_joint_model(const OrderingInput& input, const ShiftMetric& metric);
 
 /// Whether u may have either sign somewhere. O(N).
 bool is_mixed(const JointModel& model);

@@ -79,7 +79,7 @@ class JointRounds {
         options_(options),
         system_(system),
         context_(context),
-        model_(make_joint_model(input, options.epsilon)),
+        model_(make_joint_model(input, system.metric)),
         plan_(first_plan(model_, input, system.stacked, known, options.max_rounds)),
         recalled_(!known.marks.empty()) {
     model_.lambda_bnd = options.lambda_bnd;
@@ -214,6 +214,7 @@ Result<JointSolution> solve_jointly(const OrderingInput& input, const JointOptio
   assert(static_cast<int>(input.scene.parts.size()) == input.mesh.part_count);
   if (Status status = check_options(options); !status) return status.error();
   set_surface({input.mesh, input.discretisation, input.scene}, options.epsilon, system, context);
+  set_leans(input.mesh, input.scene, system);
   JointRounds rounds(input, options, known, system, context);
 
   JointSolution solution;

@@ -32,6 +32,10 @@ VectorXd root_heights(const DepthProblem& problem, const VectorXd& f) {
   return heights;
 }
 
+VectorXd beyond_roots(const DepthProblem& problem, const VectorXd& f) {
+  return f - problem.variables.T * root_heights(problem, f);
+}
+
 std::vector<uint8_t> closed_gaps(const DepthProblem& problem, const std::vector<double>& h) {
   std::vector<uint8_t> closed(problem.variables.bounded.size(), 0);
   for (const DepthGap& gap : problem.forest.gaps)
@@ -75,8 +79,7 @@ SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const 
   if (context.cancelled()) return SolveStatus::interrupted;
   const DepthProblem& problem = system.problem;
   const GapVariables& variables = problem.variables;
-  const VectorXd root_height = root_heights(problem, f);
-  const VectorXd rest = metric.scale * (f - variables.T * root_height);
+  const VectorXd rest = metric.scale * beyond_roots(problem, f);
   const VectorXd force = metric.A * rest + metric.lean.pull;
   system.qp.b = variables.T.transpose() * force;
   BoundQpOptions options;
@@ -84,7 +87,7 @@ SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const 
   options.same_matrix = system.factorised;
   options.sweep = std::move(system.sweep);
   BoundQpSolution solution = solve_bound_qp(system.qp, system.factor, std::move(options), context);
-  ordering.h = heights_of(problem, root_height, solution.z, metric.scale);
+  ordering.h = heights_of(problem, root_heights(problem, f), solution.z, metric.scale);
   ordering.equalities = count(variables.fixed);
   ordering.inequalities = count(variables.bounded);
   ordering.report = solution.report;

@@ -28,6 +28,9 @@ DepthProblem make_depth_problem(const std::vector<int>& node_part,
 /// exactly 0 where nothing pushes.
 Eigen::VectorXd root_heights(const DepthProblem& problem, const Eigen::VectorXd& f);
 
+/// f beyond the heights that those give all nodes while every gap is 0, #N.
+Eigen::VectorXd beyond_roots(const DepthProblem& problem, const Eigen::VectorXd& f);
+
 /// #N: 1 for the gaps that heights h leave closed.
 std::vector<uint8_t> closed_gaps(const DepthProblem& problem, const std::vector<double>& h);
 

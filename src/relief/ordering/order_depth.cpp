@@ -42,7 +42,7 @@ Result<Ordering> order_depth(const OrderingInput& input, const OrderingOptions& 
   assert(static_cast<int>(input.scene.parts.size()) == mesh.part_count);
   if (Status status = check_options(options); !status) return status.error();
   set_surface(surface, options.epsilon, system, context);
-  system.metric.lean = lean_term(mesh, input.scene, system.metric.scale, options.epsilon);
+  set_leans(mesh, input.scene, system);
   RoundPlan plan = plan_for(system, mesh, options);
   const Eigen::VectorXd f = inflated_heights(input.inflation.u);
   const auto solve = [&](const std::vector<DepthPair>& pairs, Ordering& ordering) -> Status {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "kernel/base/piece_timer.h"
+#include "relief/ordering/lean_term.h"
 #include "relief/ordering/pair_selection.h"
 
 namespace relievo {
@@ -17,6 +18,10 @@ void set_surface(const SurfaceInput& surface, double epsilon, OrderingSystem& sy
   }
   std::vector<FacePair> faces = stacked_faces(surface.mesh, surface.scene);
   if (faces != system.stacked.faces) system.stacked = stacked_nodes(surface.mesh, std::move(faces));
+}
+
+void set_leans(const LayeredMesh& mesh, const Scene& scene, OrderingSystem& system) {
+  system.metric.lean = lean_term(mesh, scene, system.metric.scale, system.epsilon);
 }
 
 void set_pairs(const SurfaceInput& surface, const std::vector<DepthPair>& pairs,

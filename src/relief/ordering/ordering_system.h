@@ -39,6 +39,9 @@ struct OrderingSystem {
 void set_surface(const SurfaceInput& surface, double epsilon, OrderingSystem& system,
                  const RunContext& context);
 
+/// Brings the leans of the metric up to date. Precondition: the surface was set. As lean_term.
+void set_leans(const LayeredMesh& mesh, const Scene& scene, OrderingSystem& system);
+
 /// Makes the system one for these pairs; anew where its pattern cannot serve, which takes
 /// make_depth_system. For none if `context` is cancelled.
 void set_pairs(const SurfaceInput& surface, const std::vector<DepthPair>& pairs,
