@@ -4,9 +4,11 @@ import { picture, settled, stageOfFile } from './browser.ts';
 
 const stage = stageOfFile({ anew: true });
 
+/** On a mesh that takes long enough for all that is looked at while it is solved. */
 async function chooseNonlinear(): Promise<void> {
   const { page } = stage;
   await page.click('#settings');
+  await page.locator('.sheet .slider input').first().fill('100000');
   await page.locator('.sheet select').first().selectOption('nonlinear');
   await page.click('#settings');
 }
