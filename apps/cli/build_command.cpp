@@ -111,8 +111,6 @@ ReliefArguments relief_arguments(const BuildArguments& build) {
   return relief;
 }
 
-Bytes to_bytes(const std::string& text) { return {text.begin(), text.end()}; }
-
 }  // namespace
 
 Status run_build(const BuildArguments& build, Interruption& interruption) {
@@ -147,7 +145,7 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
        products.drawn ? &products.drawn->model : nullptr,
        {{"read", read_time}, {"export", exporting.milliseconds()}, {"total", total.milliseconds()}},
        all_warnings(*input, *relief)});
-  if (!build.report.empty()) products.files.push_back({build.report, to_bytes(report)});
+  if (!build.report.empty()) products.files.push_back({build.report, bytes_of(report)});
   if (Status status = save(products.files, input->files, interruption); !status) return status;
   print_warnings(relief_warnings(*relief), build.common.quiet);
   print_note(summary(*relief), build.common.quiet);

@@ -221,8 +221,6 @@ Result<Bytes> overlay_png(const Scene& scene, const SegmentInput& input) {
   return encode_png(composed(drawing, overlay->rgba));
 }
 
-Bytes to_bytes(const std::string& text) { return {text.begin(), text.end()}; }
-
 using Files = std::vector<OutputFile>;
 
 /// The scene file, and a copy of the drawing where that lies elsewhere.
@@ -237,7 +235,7 @@ Result<Files> scene_files(const SegmentArguments& segment, const SegmentInput& i
   }
   const auto text = write_scene(scene);
   if (!text) return text.error();
-  files.push_back({segment.output, to_bytes(*text)});
+  files.push_back({segment.output, bytes_of(*text)});
   return files;
 }
 
@@ -260,7 +258,7 @@ Result<Files> files_of(const SegmentArguments& segment, const SegmentInput& inpu
     files->push_back({segment.overlay, std::move(*overlay)});
   }
   if (!segment.report.empty())
-    files->push_back({segment.report, to_bytes(write_segment_report(segment.common.input, proposal,
+    files->push_back({segment.report, bytes_of(write_segment_report(segment.common.input, proposal,
                                                                     milliseconds))});
   return files;
 }

@@ -8,15 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "io/image/damaged_image.h"
+
 namespace relievo {
 namespace {
 
 /// A code of 12 bits stands for at most 4096 pixels.
 constexpr int64_t most_pixels_per_byte = 2731;
-
-Error damaged(const std::string& reason) {
-  return {ErrorCode::bad_input, "the GIF file is damaged: " + reason, ""};
-}
 
 int read_bytes(GifFileType* gif, GifByteType* out, int count) {
   auto* rest = static_cast<ByteView*>(gif->UserData);
@@ -38,17 +36,18 @@ class GifReader {
   }
 
   Result<Image8> read(const ImageLimits& limits) {
-    if (gif_ == nullptr) return damaged(reason());
+    if (gif_ == nullptr) return damaged_image("GIF", reason());
     if (Status size = check_image_size(gif_->SWidth, gif_->SHeight, limits); !size)
       return size.error();
     if (int64_t{gif_->SWidth} * gif_->SHeight / most_pixels_per_byte > size_)
-      return damaged("it ends early");
+      return damaged_image("GIF", "it ends early");
     for (;;) {
       GifRecordType record = UNDEFINED_RECORD_TYPE;
-      if (DGifGetRecordType(gif_, &record) == GIF_ERROR) return damaged(reason());
-      if (record == TERMINATE_RECORD_TYPE) return damaged("it holds no picture");
+      if (DGifGetRecordType(gif_, &record) == GIF_ERROR) return damaged_image("GIF", reason());
+      if (record == TERMINATE_RECORD_TYPE) return damaged_image("GIF", "it holds no picture");
       if (record == IMAGE_DESC_RECORD_TYPE) return read_picture();
-      if (record == EXTENSION_RECORD_TYPE && !read_extension()) return damaged(reason());
+      if (record == EXTENSION_RECORD_TYPE && !read_extension())
+        return damaged_image("GIF", reason());
     }
   }
 
@@ -73,19 +72,20 @@ class GifReader {
   }
 
   Result<Image8> read_picture() {
-    if (DGifGetImageDesc(gif_) == GIF_ERROR) return damaged(reason());
+    if (DGifGetImageDesc(gif_) == GIF_ERROR) return damaged_image("GIF", reason());
     const GifImageDesc& at = gif_->Image;
     const ColorMapObject* colors = at.ColorMap != nullptr ? at.ColorMap : gif_->SColorMap;
-    if (colors == nullptr) return damaged("it has no colours");
+    if (colors == nullptr) return damaged_image("GIF", "it has no colours");
     if (at.Left < 0 || at.Top < 0 || at.Width <= 0 || at.Height <= 0 ||
         at.Left + at.Width > gif_->SWidth || at.Top + at.Height > gif_->SHeight)
-      return damaged("its picture lies outside its canvas");
+      return damaged_image("GIF", "its picture lies outside its canvas");
     Image8 image(gif_->SWidth, gif_->SHeight, 4);
     std::vector<GifPixelType> line(static_cast<size_t>(at.Width));
     for (const int y : row_order(at)) {
-      if (DGifGetLine(gif_, line.data(), at.Width) == GIF_ERROR) return damaged(reason());
+      if (DGifGetLine(gif_, line.data(), at.Width) == GIF_ERROR)
+        return damaged_image("GIF", reason());
       if (!paint(line, *colors, &image.at(at.Left, at.Top + y)))
-        return damaged("a pixel has no colour");
+        return damaged_image("GIF", "a pixel has no colour");
     }
     return image;
   }
@@ -127,7 +127,7 @@ bool is_gif(ByteView bytes) {
 }
 
 Result<Image8> decode_gif(ByteView bytes, const ImageLimits& limits) {
-  if (!is_gif(bytes)) return damaged("it does not begin with the GIF signature");
+  if (!is_gif(bytes)) return damaged_image("GIF", "it does not begin with the GIF signature");
   return GifReader(bytes).read(limits);
 }
 

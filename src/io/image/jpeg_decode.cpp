@@ -8,16 +8,13 @@
 #include <cstdio>
 #include <string>
 
+#include "io/image/damaged_image.h"
 #include "io/image/exif_orientation.h"
 
 namespace relievo {
 namespace {
 
 constexpr int max_scans = 100;
-
-Error damaged(const std::string& reason) {
-  return {ErrorCode::bad_input, "the JPEG file is damaged: " + reason, ""};
-}
 
 /// libjpeg reports failures by a jump, so what outlives one is kept here, outside the jumping
 /// calls.
@@ -119,17 +116,17 @@ bool is_jpeg(ByteView bytes) {
 }
 
 Result<Image8> decode_jpeg(ByteView bytes, const ImageLimits& limits) {
-  if (!is_jpeg(bytes)) return damaged("it does not begin with the JPEG signature");
+  if (!is_jpeg(bytes)) return damaged_image("JPEG", "it does not begin with the JPEG signature");
   JpegReader reader;
-  if (!read_header(reader, bytes)) return damaged(reader.message.data());
+  if (!read_header(reader, bytes)) return damaged_image("JPEG", reader.message.data());
   const Status size = check_image_size(reader.jpeg.image_width, reader.jpeg.image_height, limits);
   if (!size) return size.error();
-  if (too_short(reader, bytes.size())) return damaged("it ends early");
+  if (too_short(reader, bytes.size())) return damaged_image("JPEG", "it ends early");
   const int orientation = orientation_of(reader);
 
   Image8 image(static_cast<int>(reader.jpeg.image_width),
                static_cast<int>(reader.jpeg.image_height), 4);
-  if (!read_pixels(reader, image)) return damaged(reader.message.data());
+  if (!read_pixels(reader, image)) return damaged_image("JPEG", reader.message.data());
   if (is_cmyk(reader)) cmyk_to_rgba(image, reader.jpeg.saw_Adobe_marker == TRUE);
   return orientation == 1 ? image : upright(image, orientation);
 }

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string>
 
+#include "io/image/damaged_image.h"
 #include "io/image/png_defects.h"
 
 namespace relievo {
@@ -14,10 +15,6 @@ namespace {
 constexpr size_t header_end = 33;
 /// Deflate cannot pack its input tighter than this.
 constexpr uint64_t max_deflate_ratio = 1032;
-
-Error damaged(const std::string& reason) {
-  return {ErrorCode::bad_input, "the PNG file is damaged: " + reason, ""};
-}
 
 int64_t big_endian(const uint8_t* at) {
   return int64_t{at[0]} << 24 | int64_t{at[1]} << 16 | int64_t{at[2]} << 8 | int64_t{at[3]};
@@ -99,9 +96,10 @@ bool is_png(ByteView bytes) {
 }
 
 Result<ImageSize> png_size(ByteView bytes, const ImageLimits& limits) {
-  if (!is_png(bytes)) return damaged(signature_defect(bytes));
-  if (bytes.size() < header_end) return damaged("it ends early");
-  if (std::memcmp(bytes.data() + 12, "IHDR", 4) != 0) return damaged("it has no header");
+  if (!is_png(bytes)) return damaged_image("PNG", signature_defect(bytes));
+  if (bytes.size() < header_end) return damaged_image("PNG", "it ends early");
+  if (std::memcmp(bytes.data() + 12, "IHDR", 4) != 0)
+    return damaged_image("PNG", "it has no header");
   const int64_t width = big_endian(bytes.data() + 16);
   const int64_t height = big_endian(bytes.data() + 20);
   if (Status size = check_image_size(width, height, limits); !size) return size.error();
@@ -117,9 +115,10 @@ Status start(PngReader& reader, ByteView bytes, const ImageSize& size, const Ima
   reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, on_error, on_warning);
   if (reader.png != nullptr) reader.info = png_create_info_struct(reader.png);
   if (reader.info == nullptr) return Error{ErrorCode::internal, "libpng cannot be started", ""};
-  if (!read_header(reader, limits, samples)) return damaged(png_defect(bytes, reader.message));
+  if (!read_header(reader, limits, samples))
+    return damaged_image("PNG", png_defect(bytes, reader.message));
   const uint64_t packed = reader.packed_row_bytes * static_cast<uint64_t>(size.height);
-  if (packed / max_deflate_ratio > bytes.size()) return damaged("it ends early");
+  if (packed / max_deflate_ratio > bytes.size()) return damaged_image("PNG", "it ends early");
   return Done{};
 }
 
@@ -133,7 +132,8 @@ Result<Image8> decode_png(ByteView bytes, const ImageLimits& limits) {
   Image8 image(size->width, size->height, 4);
   std::vector<png_bytep> rows(static_cast<size_t>(size->height));
   for (int y = 0; y < image.height; ++y) rows[static_cast<size_t>(y)] = &image.at(0, y);
-  if (!read_pixels(reader, rows.data())) return damaged(png_defect(bytes, reader.message));
+  if (!read_pixels(reader, rows.data()))
+    return damaged_image("PNG", png_defect(bytes, reader.message));
   return image;
 }
 
@@ -151,7 +151,8 @@ Result<Image16> decode_png_values(ByteView bytes, const ImageLimits& limits) {
   Bytes samples(width * height * bytes_each);
   std::vector<png_bytep> rows(height);
   for (size_t y = 0; y < height; ++y) rows[y] = &samples[y * width * bytes_each];
-  if (!read_pixels(reader, rows.data())) return damaged(png_defect(bytes, reader.message));
+  if (!read_pixels(reader, rows.data()))
+    return damaged_image("PNG", png_defect(bytes, reader.message));
   Image16 image(size->width, size->height, 1);
   for (size_t i = 0; i < image.pixels.size(); ++i)
     image.pixels[i] = bytes_each == 1

@@ -26,12 +26,12 @@ struct PngLayout {
   int colour_type = PNG_COLOR_TYPE_RGBA;
 };
 
-[[noreturn]] void on_error(png_structp png, png_const_charp message) {
+[[noreturn]] void on_write_error(png_structp png, png_const_charp message) {
   static_cast<PngWriter*>(png_get_error_ptr(png))->message = message;
   png_longjmp(png, 1);
 }
 
-void on_warning(png_structp, png_const_charp) {}
+void on_write_warning(png_structp, png_const_charp) {}
 
 void on_write(png_structp png, png_bytep data, size_t count) {
   Bytes& bytes = static_cast<PngWriter*>(png_get_io_ptr(png))->bytes;
@@ -72,7 +72,8 @@ Result<Bytes> encode(const PngLayout& layout, std::vector<png_bytep> rows,
     notes.push_back(note);
   }
   PngWriter writer;
-  writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer, on_error, on_warning);
+  writer.png =
+      png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer, on_write_error, on_write_warning);
   if (writer.png != nullptr) writer.info = png_create_info_struct(writer.png);
   if (writer.info == nullptr || !write_all(writer, layout, notes, rows))
     return Error{ErrorCode::internal, "the image cannot be written as PNG: " + writer.message, ""};

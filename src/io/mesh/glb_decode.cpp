@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/image/decode_image.h"
+#include "io/mesh/glb_format.h"
 #include "io/mesh/placement.h"
 
 namespace relievo {
@@ -18,9 +19,6 @@ using Json = nlohmann::json;
 
 constexpr int max_json_depth = 64;
 constexpr double default_canvas = 1000;
-constexpr size_t component_u16 = 5123;
-constexpr size_t component_u32 = 5125;
-constexpr size_t component_f32 = 5126;
 
 /// Thrown within this file alone; decode_glb turns it into its result.
 struct Refused {

@@ -9,17 +9,15 @@
 
 #include "io/files/byte_writer.h"
 #include "io/image/png_encode.h"
+#include "io/mesh/glb_format.h"
 #include "io/mesh/placement.h"
 #include "relief/model/model_texture.h"
 
 namespace relievo {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-constexpr int component_u16 = 5123;
-constexpr int component_u32 = 5125;
-constexpr int component_f32 = 5126;
 constexpr int filter_linear = 9729;
 constexpr int filter_mipmapped = 9987;
 constexpr int wrap_clamp = 33071;
@@ -57,12 +55,13 @@ std::vector<Submesh> split_by_part(const Model& model) {
 
 /// The two chunks of the file while they are filled.
 struct Asset {
-  Json json;
+  OrderedJson json;
   Bytes binary;
 
   /// Closes the buffer view that began at `begin`; every view begins at a multiple of 4.
   int add_view(size_t begin, int stride, int target) {
-    Json view = {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", binary.size() - begin}};
+    OrderedJson view = {
+        {"buffer", 0}, {"byteOffset", begin}, {"byteLength", binary.size() - begin}};
     if (stride > 0) view["byteStride"] = stride;
     if (target > 0) view["target"] = target;
     json["bufferViews"].push_back(std::move(view));
@@ -70,7 +69,7 @@ struct Asset {
     return static_cast<int>(json["bufferViews"].size()) - 1;
   }
 
-  int add_accessor(Json accessor) {
+  int add_accessor(OrderedJson accessor) {
     json["accessors"].push_back(std::move(accessor));
     return static_cast<int>(json["accessors"].size()) - 1;
   }
@@ -84,11 +83,11 @@ std::vector<int> add_vectors(Asset& asset, const std::vector<Submesh>& submeshes
   const size_t view = asset.json["bufferViews"].size();
   std::vector<int> accessors;
   for (const Submesh& submesh : submeshes) {
-    Json accessor = {{"bufferView", view},
-                     {"byteOffset", asset.binary.size() - begin},
-                     {"componentType", component_f32},
-                     {"count", submesh.vertices.size()},
-                     {"type", "VEC" + std::to_string(N)}};
+    OrderedJson accessor = {{"bufferView", view},
+                            {"byteOffset", asset.binary.size() - begin},
+                            {"componentType", component_f32},
+                            {"count", submesh.vertices.size()},
+                            {"type", "VEC" + std::to_string(N)}};
     std::array<float, N> low = get(submesh.vertices.front());
     std::array<float, N> high = low;
     for (const int v : submesh.vertices) {
@@ -151,14 +150,14 @@ void add_nodes(Asset& asset, const Model& model, const Placement& placement) {
   for (size_t i = 0; i < submeshes.size(); ++i) {
     const int order = submeshes[i].part;
     const ModelPart& part = model.parts[order];
-    Json primitive = {
+    OrderedJson primitive = {
         {"attributes",
          {{"POSITION", positions[i]}, {"NORMAL", normals[i]}, {"TEXCOORD_0", uvs[i]}}},
         {"indices", indices[i]},
         {"material", 0}};
     asset.json["meshes"].push_back(
-        {{"name", part.id}, {"primitives", Json::array({std::move(primitive)})}});
-    Json extras = {{"part", part.id}, {"order", order}, {"c", part.c}, {"d", part.d}};
+        {{"name", part.id}, {"primitives", OrderedJson::array({std::move(primitive)})}});
+    OrderedJson extras = {{"part", part.id}, {"order", order}, {"c", part.c}, {"d", part.d}};
     if (part.flat != 0) extras["flat"] = part.flat;
     if (part.lean != Point2{}) extras["lean"] = {part.lean.x, part.lean.y};
     asset.json["nodes"].push_back({{"name", part.id}, {"mesh", i}, {"extras", std::move(extras)}});
@@ -172,44 +171,44 @@ Status add_texture(Asset& asset, const Model& model, const Drawing& drawing) {
   const size_t begin = asset.binary.size();
   asset.binary.insert(asset.binary.end(), png->begin(), png->end());
   const int view = asset.add_view(begin, 0, 0);
-  const Json image = {{"bufferView", view}, {"mimeType", "image/png"}};
-  const Json sampler = {{"magFilter", filter_linear},
-                        {"minFilter", filter_mipmapped},
-                        {"wrapS", wrap_clamp},
-                        {"wrapT", wrap_clamp}};
-  const Json texture = {{"sampler", 0}, {"source", 0}};
-  asset.json["images"] = Json::array({image});
-  asset.json["samplers"] = Json::array({sampler});
-  asset.json["textures"] = Json::array({texture});
+  const OrderedJson image = {{"bufferView", view}, {"mimeType", "image/png"}};
+  const OrderedJson sampler = {{"magFilter", filter_linear},
+                               {"minFilter", filter_mipmapped},
+                               {"wrapS", wrap_clamp},
+                               {"wrapT", wrap_clamp}};
+  const OrderedJson texture = {{"sampler", 0}, {"source", 0}};
+  asset.json["images"] = OrderedJson::array({image});
+  asset.json["samplers"] = OrderedJson::array({sampler});
+  asset.json["textures"] = OrderedJson::array({texture});
   asset.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
   return Done{};
 }
 
-Json skeleton(const Model& model, const Placement& placement) {
+OrderedJson skeleton(const Model& model, const Placement& placement) {
   const Point3 origin = placement.origin;
-  const Json extras = {{"canvas", Json::array({model.width, model.height})},
-                       {"origin", Json::array({origin.x, origin.y, origin.z})},
-                       {"scale", placement.scale}};
-  const Json scene = {{"nodes", Json::array()}, {"extras", extras}};
-  const Json reflectance = {{"baseColorFactor", Json::array({1, 1, 1, 1})},
-                            {"metallicFactor", 0},
-                            {"roughnessFactor", 0.9}};
-  const Json material = {
+  const OrderedJson extras = {{"canvas", OrderedJson::array({model.width, model.height})},
+                              {"origin", OrderedJson::array({origin.x, origin.y, origin.z})},
+                              {"scale", placement.scale}};
+  const OrderedJson scene = {{"nodes", OrderedJson::array()}, {"extras", extras}};
+  const OrderedJson reflectance = {{"baseColorFactor", OrderedJson::array({1, 1, 1, 1})},
+                                   {"metallicFactor", 0},
+                                   {"roughnessFactor", 0.9}};
+  const OrderedJson material = {
       {"name", "drawing"}, {"pbrMetallicRoughness", reflectance}, {"doubleSided", true}};
   return {{"asset", {{"version", "2.0"}, {"generator", "relievo " RELIEVO_VERSION}}},
           {"scene", 0},
-          {"scenes", Json::array({scene})},
-          {"nodes", Json::array()},
-          {"meshes", Json::array()},
-          {"materials", Json::array({material})},
-          {"accessors", Json::array()},
-          {"bufferViews", Json::array()}};
+          {"scenes", OrderedJson::array({scene})},
+          {"nodes", OrderedJson::array()},
+          {"meshes", OrderedJson::array()},
+          {"materials", OrderedJson::array({material})},
+          {"accessors", OrderedJson::array()},
+          {"bufferViews", OrderedJson::array()}};
 }
 
 Result<Bytes> pack(Asset& asset) {
-  const Json buffer = {{"byteLength", asset.binary.size()}};
-  asset.json["buffers"] = Json::array({buffer});
-  std::string text = asset.json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const OrderedJson buffer = {{"byteLength", asset.binary.size()}};
+  asset.json["buffers"] = OrderedJson::array({buffer});
+  std::string text = asset.json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
   text.resize((text.size() + 3) / 4 * 4, ' ');
   const uint64_t total = 28 + uint64_t{text.size()} + asset.binary.size();
   if (total > std::numeric_limits<uint32_t>::max())

@@ -13,7 +13,6 @@ namespace relievo {
 namespace {
 
 constexpr double wide_stroke = 0.02;
-constexpr double faint = 0.02;
 
 bool is_part_group(const SvgGroup& group, bool layers) {
   return group.annotation.mark == SvgMark::part || group.annotation.has_part_values() ||
@@ -28,8 +27,8 @@ int owner_of(const SvgDrawing& drawing, int group, bool layers) {
 }
 
 Region silhouette(const SvgShape& shape, const SvgDrawing& drawing) {
-  const bool filled = shape.fill && shape.fill->a > faint;
-  const bool stroked = shape.stroke && shape.stroke->a > faint;
+  const bool filled = shape.fill && shape.fill->a > faint_alpha;
+  const bool stroked = shape.stroke && shape.stroke->a > faint_alpha;
   const bool wide = shape.pen.width > wide_stroke * drawing.canvas().diagonal();
   const Region stroke = stroked && (filled || wide) ? stroke_of(shape, drawing) : Region();
   return filled ? unite(fill_of(shape, drawing), stroke) : stroke;

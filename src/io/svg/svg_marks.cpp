@@ -6,7 +6,6 @@ namespace relievo {
 namespace {
 
 constexpr double opaque = 0.5;
-constexpr double faint = 0.02;
 
 bool is_visible(const std::optional<Color>& paint, double least) {
   return paint && paint->a >= least;
@@ -47,7 +46,7 @@ std::vector<Mark> visible_marks(const SvgDrawing& drawing, double least) {
 
 std::vector<Mark> opaque_marks(const SvgDrawing& drawing) {
   std::vector<Mark> marks = visible_marks(drawing, opaque);
-  return marks.empty() ? visible_marks(drawing, faint) : marks;
+  return marks.empty() ? visible_marks(drawing, faint_alpha) : marks;
 }
 
 SvgMark inherited_mark(const SvgDrawing& drawing, int group) {

@@ -8,6 +8,9 @@
 
 namespace relievo {
 
+/// Paint with a lower alpha is not seen.
+constexpr double faint_alpha = 0.02;
+
 /// The shapes whose alpha is at least one half, or, where nothing is that opaque, whatever can be
 /// seen. A background over the whole canvas, joins and what is marked as texture or to be ignored
 /// are left out.

@@ -8,7 +8,7 @@ namespace relievo {
 namespace {
 
 /// Where a ring crosses the line through the centres of a row of pixels.
-struct Crossing {
+struct RowCrossing {
   double x = 0;
   int direction = 0;
 };
@@ -18,7 +18,7 @@ int first_centre(double v, int size) {
   return static_cast<int>(std::clamp(std::ceil(v - 0.5), 0.0, static_cast<double>(size)));
 }
 
-void add_crossings(Point2 a, Point2 b, int top, std::vector<std::vector<Crossing>>& rows) {
+void add_crossings(Point2 a, Point2 b, int top, std::vector<std::vector<RowCrossing>>& rows) {
   if (a.y == b.y) return;
   const int direction = a.y < b.y ? 1 : -1;
   if (direction < 0) std::swap(a, b);
@@ -31,8 +31,8 @@ void add_crossings(Point2 a, Point2 b, int top, std::vector<std::vector<Crossing
   }
 }
 
-void fill_row(std::vector<Crossing>& row, Mask& mask, int y) {
-  std::sort(row.begin(), row.end(), [](const Crossing& p, const Crossing& q) {
+void fill_row(std::vector<RowCrossing>& row, Mask& mask, int y) {
+  std::sort(row.begin(), row.end(), [](const RowCrossing& p, const RowCrossing& q) {
     return p.x < q.x || (p.x == q.x && p.direction < q.direction);
   });
   int winding = 0;
@@ -56,7 +56,7 @@ Mask fill_outline(const Outline& outline, int width, int height) {
   const int bottom = first_centre(box.max.y, height);
   if (right <= left || bottom <= top) return {};
   Mask mask = empty_mask(left, top, right, bottom);
-  std::vector<std::vector<Crossing>> rows(mask.inside.height);
+  std::vector<std::vector<RowCrossing>> rows(mask.inside.height);
   for (const Ring& ring : outline)
     for (size_t i = 0; i < ring.size(); ++i)
       add_crossings(ring[i], ring[(i + 1) % ring.size()], mask.top, rows);

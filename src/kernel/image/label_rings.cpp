@@ -16,9 +16,9 @@ struct Side {
 constexpr std::array<int, 4> normal_x = {0, 1, 0, -1};
 constexpr std::array<int, 4> normal_y = {-1, 0, 1, 0};
 
-class Tracer {
+class RingTracer {
  public:
-  explicit Tracer(const Image16& labels)
+  explicit RingTracer(const Image16& labels)
       : labels_(labels), visited_(labels.width, labels.height, 1) {}
 
   std::vector<LabelRing> trace() {
@@ -90,6 +90,8 @@ class Tracer {
 
 }  // namespace
 
-std::vector<LabelRing> trace_label_rings(const Image16& labels) { return Tracer(labels).trace(); }
+std::vector<LabelRing> trace_label_rings(const Image16& labels) {
+  return RingTracer(labels).trace();
+}
 
 }  // namespace relievo

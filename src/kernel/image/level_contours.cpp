@@ -9,7 +9,7 @@ namespace {
 
 /// Where a contour crosses the segment between two neighbouring samples: from (x, y) to the right
 /// (`upright` false) or downwards (true).
-struct Crossing {
+struct LevelCrossing {
   int x = 0;
   int y = 0;
   bool upright = false;
@@ -17,9 +17,9 @@ struct Crossing {
 
 /// Follows contours from cell to cell. Cell (x, y) has the samples (x, y) to (x + 1, y + 1);
 /// samples and cells beside the image count from -1.
-class Tracer {
+class LevelTracer {
  public:
-  Tracer(const ImageF& field, float level, float outside)
+  LevelTracer(const ImageF& field, float level, float outside)
       : field_(field),
         level_(level),
         outside_(outside),
@@ -43,7 +43,7 @@ class Tracer {
 
   char& seen(int x, int y) { return seen_[static_cast<size_t>(y) * (field_.width + 1) + x + 1]; }
 
-  Point2 position(const Crossing& at) const {
+  Point2 position(const LevelCrossing& at) const {
     const double a = sample(at.x, at.y);
     const double b = at.upright ? sample(at.x, at.y + 1) : sample(at.x + 1, at.y);
     const double t = (level_ - a) / (b - a);
@@ -55,8 +55,8 @@ class Tracer {
   /// left of it, upwards otherwise.
   Ring trace(int x, int y) {
     Ring ring;
-    const Crossing start{x, y, false};
-    Crossing at = start;
+    const LevelCrossing start{x, y, false};
+    LevelCrossing at = start;
     bool forward = is_inside(x, y);  // down, or to the left of an upright crossing
     do {
       if (!at.upright) seen(at.x, at.y) = 1;
@@ -67,13 +67,13 @@ class Tracer {
   }
 
   /// The other end of the contour's piece in the cell that it enters.
-  std::pair<Crossing, bool> next(const Crossing& at, bool forward) const {
+  std::pair<LevelCrossing, bool> next(const LevelCrossing& at, bool forward) const {
     if (!at.upright) return forward ? across(at.x, at.y, 0) : across(at.x, at.y - 1, 2);
     return forward ? across(at.x - 1, at.y, 1) : across(at.x, at.y, 3);
   }
 
   /// Sides of a cell: 0 top, 1 right, 2 bottom, 3 left; corner k begins side k clockwise.
-  std::pair<Crossing, bool> across(int x, int y, int side) const {
+  std::pair<LevelCrossing, bool> across(int x, int y, int side) const {
     const bool corner[4] = {is_inside(x, y), is_inside(x + 1, y), is_inside(x + 1, y + 1),
                             is_inside(x, y + 1)};
     const auto crossed = [&](int k) { return corner[k & 3] != corner[(k + 1) & 3]; };
@@ -92,7 +92,7 @@ class Tracer {
     return corner_inside != (centre >= level_);
   }
 
-  static std::pair<Crossing, bool> leave(int x, int y, int side) {
+  static std::pair<LevelCrossing, bool> leave(int x, int y, int side) {
     switch (side) {
       case 0:
         return {{x, y, false}, false};
@@ -115,7 +115,7 @@ class Tracer {
 
 Outline level_contours(const ImageF& field, float level, float outside) {
   assert(field.channels == 1 && outside < level);
-  return Tracer(field, level, outside).run();
+  return LevelTracer(field, level, outside).run();
 }
 
 }  // namespace relievo

@@ -8,7 +8,7 @@ namespace {
 /// Of all arithmetic, in one task.
 constexpr double largest_share = 1.0 / 16;
 /// Multiplications that are not worth a thread of their own.
-constexpr double least_work = 2e6;
+constexpr double least_shared_work = 2e6;
 
 /// Multiplications of the elimination of each front.
 std::vector<double> work_of_fronts(const Supernodes& fronts) {
@@ -46,7 +46,7 @@ FrontTasks split_into_tasks(const Supernodes& fronts) {
   for (const double work : subtree) total += work;
   for (int s = 0; s < fronts.size(); ++s)
     if (fronts.parent[s] >= 0) subtree[fronts.parent[s]] += subtree[s];
-  const double limit = total < least_work ? total : largest_share * total;
+  const double limit = total < least_shared_work ? total : largest_share * total;
 
   FrontTasks result;
   result.top_place.assign(fronts.order.size(), -1);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int sure_step = 44;      ///< change of a channel over two pixels that is an edge
 constexpr int possible_step = 22;  ///< where it continues one
-constexpr int line_margin = 4;     ///< px around lines, whose own flanks are no edges
+constexpr int flank_margin = 4;    ///< px around lines, whose own flanks are no edges
 
 /// The strongest change of any channel at every pixel of the inside, and whether it is along x.
 struct Steps {
@@ -86,7 +86,7 @@ Image8 crests(const Image8& size, const Image8& along_x) {
 
 void add_colour_edges(const Image8& rgb, LineMap& map) {
   const Image8 smooth = box_blur(rgb, map.painted ? 2 : 1);
-  const Image8 near_line = max_filter(map.barrier, line_margin);
+  const Image8 near_line = max_filter(map.barrier, flank_margin);
   const Steps steps = measure_steps(smooth, near_line);
   const Image8 edges = connected_above(crests(steps.size, steps.along_x), possible_step, sure_step);
   for (size_t i = 0; i < edges.pixels.size(); ++i) {

@@ -11,15 +11,15 @@
 namespace relievo {
 namespace {
 
-constexpr double tolerance = 1;  ///< px that a bridge may depart from the sides of pixels
-constexpr int line_margin = 1;   ///< px by which a boundary may leave the line it runs along
+constexpr double tolerance = 1;     ///< px that a bridge may depart from the sides of pixels
+constexpr int boundary_margin = 1;  ///< px by which a boundary may leave the line it runs along
 
 /// Whether no pixel within the margin of this one, which lies in the image, is on a line or edge.
 bool is_far_from_lines(const Image8& barrier, int x, int y) {
-  for (int v = std::max(0, y - line_margin); v <= std::min(barrier.height - 1, y + line_margin);
-       ++v)
-    for (int u = std::max(0, x - line_margin); u <= std::min(barrier.width - 1, x + line_margin);
-         ++u)
+  for (int v = std::max(0, y - boundary_margin);
+       v <= std::min(barrier.height - 1, y + boundary_margin); ++v)
+    for (int u = std::max(0, x - boundary_margin);
+         u <= std::min(barrier.width - 1, x + boundary_margin); ++u)
       if (barrier.at(u, v) == LineMap::line || barrier.at(u, v) == LineMap::edge) return false;
   return true;
 }

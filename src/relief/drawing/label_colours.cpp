@@ -8,7 +8,7 @@
 namespace relievo {
 namespace {
 
-constexpr int line_margin = 3;  ///< px
+constexpr int colour_margin = 3;  ///< px
 
 /// Sum of colours on white, and how many pixels it is of.
 struct ColourSum {
@@ -28,8 +28,8 @@ bool is_inside(const Image16& labels, int x, int y) {
   const auto same = [&](int u, int v) {
     return u < 0 || v < 0 || u >= labels.width || v >= labels.height || labels.at(u, v) == own;
   };
-  return same(x - line_margin, y) && same(x + line_margin, y) && same(x, y - line_margin) &&
-         same(x, y + line_margin);
+  return same(x - colour_margin, y) && same(x + colour_margin, y) && same(x, y - colour_margin) &&
+         same(x, y + colour_margin);
 }
 
 }  // namespace

@@ -80,11 +80,11 @@ std::vector<Point2> longest_inside(const std::vector<Point2>& line, const Outlin
   return share >= least_share ? best : std::vector<Point2>();
 }
 
-class Proposer {
+class JoinProposer {
  public:
-  Proposer(const PartRegions& regions, const Stacking& stacking,
-           const std::vector<Outline>& outlines, const JoiningCorrections& corrections,
-           const JoiningOptions& options)
+  JoinProposer(const PartRegions& regions, const Stacking& stacking,
+               const std::vector<Outline>& outlines, const JoiningCorrections& corrections,
+               const JoiningOptions& options)
       : regions_(regions), stacking_(stacking), outlines_(outlines), options_(options) {
     for (const Join& join : corrections.joins) add_user(join);
     for (const Pair& pair : corrections.no_joins) unjoined_.insert(pair);
@@ -196,7 +196,7 @@ class Proposer {
 Joining join_parts(const PartRegions& regions, const Stacking& stacking,
                    const std::vector<Outline>& outlines, const JoiningCorrections& corrections,
                    const JoiningOptions& options) {
-  return Proposer(regions, stacking, outlines, corrections, options).run();
+  return JoinProposer(regions, stacking, outlines, corrections, options).run();
 }
 
 }  // namespace relievo

@@ -71,7 +71,7 @@ struct Limb {
 };
 
 /// Two limbs on either side of the trunk, or the reasons why they are none.
-struct Pair {
+struct LimbPair {
   double alike = 0;     ///< smaller size over larger one
   double step = 0;      ///< difference of the roots' heights over the trunk's
   double distance = 0;  ///< of the roots over the trunk's width, positive where the near is right
@@ -84,10 +84,10 @@ struct Pair {
   }
 };
 
-class Proposer {
+class LeanProposer {
  public:
-  Proposer(const PartRegions& regions, const Stacking& stacking, const Completion& shapes,
-           const Joining& joining)
+  LeanProposer(const PartRegions& regions, const Stacking& stacking, const Completion& shapes,
+               const Joining& joining)
       : regions_(regions), stacking_(stacking), shapes_(shapes), joining_(joining) {
     for (int part = 0; part < regions.count(); ++part)
       around_.push_back(surroundings(regions, stacking, part));
@@ -103,7 +103,7 @@ class Proposer {
     for (size_t i = 0; i < near.size(); ++i) {
       const std::optional<size_t> other = counterpart(near[i], far);
       if (!other || counterpart(far[*other], near) != i) continue;
-      const Pair pair = compare(near[i], far[*other]);
+      const LimbPair pair = compare(near[i], far[*other]);
       const double sure = pair.confidence() * std::min(near[i].confidence, far[*other].confidence);
       sum += sure * std::copysign(lean_of_roots(std::abs(pair.distance)), pair.distance);
       weight += sure;
@@ -201,12 +201,12 @@ class Proposer {
     return limb;
   }
 
-  Pair compare(const Limb& near, const Limb& far) const {
-    Pair pair;
+  LimbPair compare(const Limb& near, const Limb& far) const {
+    LimbPair pair;
     pair.alike = std::min(near.size, far.size) / std::max(near.size, far.size);
     pair.step = std::abs(near.root.y - far.root.y) / trunk_.height;
     const Span span = span_at(shapes_, trunk_, (near.root.y + far.root.y) / 2);
-    if (!(span.to > span.from) || near.root.x == far.root.x) return Pair();
+    if (!(span.to > span.from) || near.root.x == far.root.x) return LimbPair();
     pair.distance = (near.root.x - far.root.x) / (span.to - span.from);
     pair.shift = std::abs((near.root.x + far.root.x - span.from - span.to) / 2) /
                  std::abs(near.root.x - far.root.x);
@@ -218,7 +218,7 @@ class Proposer {
     std::optional<size_t> best;
     double least = std::numeric_limits<double>::infinity();
     for (size_t i = 0; i < others.size(); ++i) {
-      const Pair pair = compare(limb, others[i]);
+      const LimbPair pair = compare(limb, others[i]);
       if (!pair.are_counterparts() || pair.cost() >= least) continue;
       least = pair.cost();
       best = i;
@@ -246,7 +246,7 @@ double lean_of_roots(double relative_distance) {
 std::vector<ProposedLean> propose_leans(const PartRegions& regions, const Stacking& stacking,
                                         const Completion& shapes, const Joining& joining) {
   if (regions.count() == 0) return {};
-  return Proposer(regions, stacking, shapes, joining).run();
+  return LeanProposer(regions, stacking, shapes, joining).run();
 }
 
 }  // namespace relievo

@@ -12,13 +12,13 @@ using Eigen::VectorXd;
 namespace {
 
 /// Modes with a relative stiffness between these are left to the mixing.
-constexpr double soft = 0.8;
-constexpr double stiff = 1.2;
+constexpr double soft_mode = 0.8;
+constexpr double stiff_mode = 1.2;
 /// One that is softer still is not trusted.
 constexpr double softest_mode = 0.05;
 
 bool is_slow(double stiffness) {
-  return stiffness > softest_mode && (stiffness < soft || stiffness > stiff);
+  return stiffness > softest_mode && (stiffness < soft_mode || stiffness > stiff_mode);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace relievo {
 namespace {
 
 constexpr double spread = std::numbers::pi / 6;
-constexpr double min_confidence = 0.01;
+constexpr double min_junction_confidence = 0.01;
 /// Sides beside a junction whose middles give the direction there, and how many next to it, which
 /// the width of drawn lines displaces, do not.
 constexpr int far_side = 14;
@@ -63,7 +63,7 @@ std::vector<JunctionCue> find_junction_cues(const PartRegions& regions) {
     for (const LabelRing& ring : regions.rings[part])
       for (const Change& change : changes(ring)) {
         const double confidence = std::exp(-turn(ring, change) / (spread * spread));
-        if (confidence < min_confidence) continue;
+        if (confidence < min_junction_confidence) continue;
         const size_t previous = (change.at + ring.size() - 1) % ring.size();
         for (const size_t i : {previous, change.at}) {
           const int lower = regions.part_of(ring.beyond[i]);

@@ -17,7 +17,7 @@ constexpr double contour_trust = 0.7;
 constexpr double bulge_trust = 0.8;
 /// Gains below a strip of this width along the common boundary say nothing, px.
 constexpr double strip_width = 1.5;
-constexpr double min_confidence = 0.02;
+constexpr double min_arrow_confidence = 0.02;
 
 /// Probabilities by cue that the first part of a pair is in front, and that the second one is.
 struct PairBelief {
@@ -87,7 +87,7 @@ std::vector<OrderArrow> guesses(const Beliefs& beliefs, const std::vector<UserAr
     arrows.push_back({upper, lower, 1, OrderSource::user, true});
   for (const auto& [pair, belief] : beliefs) {
     const OrderArrow arrow = arrow_of(pair, belief);
-    if (!is_said(user, pair) && arrow.confidence >= min_confidence) arrows.push_back(arrow);
+    if (!is_said(user, pair) && arrow.confidence >= min_arrow_confidence) arrows.push_back(arrow);
   }
   std::sort(arrows.begin(), arrows.end(), [](const OrderArrow& p, const OrderArrow& q) {
     return std::pair(p.upper, p.lower) < std::pair(q.upper, q.lower);

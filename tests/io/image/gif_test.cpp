@@ -22,8 +22,8 @@ struct GifOptions {
   int left = 0, top = 0;  ///< of the picture on a canvas that is 2 px larger
 };
 
-constexpr int width = 19;
-constexpr int height = 23;
+constexpr int gif_width = 19;
+constexpr int gif_height = 23;
 
 uint8_t index_at(int x, int y) { return static_cast<uint8_t>((3 * x + 5 * y) % 8); }
 
@@ -35,23 +35,24 @@ Bytes encode_gif(const GifOptions& options) {
   for (int k = 0; k < 8; ++k)
     colors->Colors[k] = {static_cast<uint8_t>(30 * k), static_cast<uint8_t>(200 - k), 7};
   EGifSetGifVersion(gif, true);
-  EGifPutScreenDesc(gif, width + 2, height + 2, 8, 0, colors);
+  EGifPutScreenDesc(gif, gif_width + 2, gif_height + 2, 8, 0, colors);
   const GraphicsControlBlock control = {DISPOSAL_UNSPECIFIED, false, 0, options.transparent};
   std::array<GifByteType, 4> block = {};
   EGifGCBToExtension(&control, block.data());
   EGifPutExtension(gif, GRAPHICS_EXT_FUNC_CODE, 4, block.data());
-  EGifPutImageDesc(gif, options.left, options.top, width, height, options.interlaced, nullptr);
+  EGifPutImageDesc(gif, options.left, options.top, gif_width, gif_height, options.interlaced,
+                   nullptr);
   std::vector<int> rows;
   const int passes[4][2] = {{0, 8}, {4, 8}, {2, 4}, {1, 2}};
   if (options.interlaced)
     for (const auto& pass : passes)
-      for (int y = pass[0]; y < height; y += pass[1]) rows.push_back(y);
+      for (int y = pass[0]; y < gif_height; y += pass[1]) rows.push_back(y);
   else
-    for (int y = 0; y < height; ++y) rows.push_back(y);
+    for (int y = 0; y < gif_height; ++y) rows.push_back(y);
   for (const int y : rows) {
-    std::array<GifPixelType, width> line = {};
-    for (int x = 0; x < width; ++x) line[x] = index_at(x, y);
-    EGifPutLine(gif, line.data(), width);
+    std::array<GifPixelType, gif_width> line = {};
+    for (int x = 0; x < gif_width; ++x) line[x] = index_at(x, y);
+    EGifPutLine(gif, line.data(), gif_width);
   }
   GifFreeMapObject(colors);
   EGifCloseFile(gif, &error);
@@ -62,11 +63,11 @@ TEST(Gif, PixelsComeBack) {
   for (const bool interlaced : {false, true}) {
     const Result<Image8> image = decode_image(encode_gif({interlaced, 3, 1, 2}));
     ASSERT_TRUE(image.ok()) << to_string(image.error());
-    ASSERT_EQ(image->width, width + 2);
-    ASSERT_EQ(image->height, height + 2);
+    ASSERT_EQ(image->width, gif_width + 2);
+    ASSERT_EQ(image->height, gif_height + 2);
     EXPECT_EQ(image->at(0, 5, 3), 0);
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) {
+    for (int y = 0; y < gif_height; ++y)
+      for (int x = 0; x < gif_width; ++x) {
         const uint8_t k = index_at(x, y);
         EXPECT_EQ(image->at(x + 1, y + 2, 0), 30 * k);
         EXPECT_EQ(image->at(x + 1, y + 2, 1), 200 - k);

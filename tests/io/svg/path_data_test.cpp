@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "kernel/geometry/polygon.h"
@@ -11,7 +12,7 @@
 namespace relievo {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// The end points of all segments but closes.
 std::vector<Point2> ends(const std::string& data) {

@@ -24,17 +24,18 @@ Names proposed(const std::string& content) {
   return names;
 }
 
-const std::string body = "<circle id='body' cx='500' cy='500' r='300' fill='#c84'/>";
+const std::string large_circle = "<circle id='body' cx='500' cy='500' r='300' fill='#c84'/>";
 
 TEST(ProposeParts, WhatStandsOutIsAPartAndWhatLiesInsideIsTexture) {
-  EXPECT_EQ(proposed(body + "<ellipse id='ear' cx='500' cy='220' rx='60' ry='120' fill='#a63'/>"
-                            "<circle id='spot' cx='560' cy='600' r='30' fill='#742'/>"),
-            (Names{"body", "ear"}));
+  EXPECT_EQ(
+      proposed(large_circle + "<ellipse id='ear' cx='500' cy='220' rx='60' ry='120' fill='#a63'/>"
+                              "<circle id='spot' cx='560' cy='600' r='30' fill='#742'/>"),
+      (Names{"body", "ear"}));
 }
 
 TEST(ProposeParts, ADarkTwinBehindIsOnePartWithItsFill) {
   const SvgImport import = import_of(svg_file(
-      "<circle id='line' cx='500' cy='500' r='310'/>" + body +
+      "<circle id='line' cx='500' cy='500' r='310'/>" + large_circle +
       "<circle id='line2' cx='640' cy='420' r='80'/><circle id='eye' cx='640' cy='420' r='72' "
       "fill='#fff'/><circle id='pupil' cx='650' cy='420' r='25'/>"));
   ASSERT_EQ(import.scene.parts.size(), 2u);
@@ -44,23 +45,25 @@ TEST(ProposeParts, ADarkTwinBehindIsOnePartWithItsFill) {
 }
 
 TEST(ProposeParts, ALineDrawnAroundAFillBelongsToIt) {
-  EXPECT_EQ(proposed(body + "<path fill-rule='evenodd' d='M190 500a310 310 0 0 0 620 0a310 310 0 0 "
-                            "0 -620 0zM200 500a300 300 0 0 0 600 0a300 300 0 0 0 -600 0z'/>"),
+  EXPECT_EQ(proposed(large_circle +
+                     "<path fill-rule='evenodd' d='M190 500a310 310 0 0 0 620 0a310 310 0 0 "
+                     "0 -620 0zM200 500a300 300 0 0 0 600 0a300 300 0 0 0 -600 0z'/>"),
             Names{"body"});
 }
 
 TEST(ProposeParts, BackgroundsAreNoPart) {
-  EXPECT_EQ(proposed("<rect id='page' width='1000' height='1000' fill='#eef'/>" + body),
+  EXPECT_EQ(proposed("<rect id='page' width='1000' height='1000' fill='#eef'/>" + large_circle),
             Names{"body"});
 }
 
 TEST(ProposeParts, TranslucentShadingIsTexture) {
-  EXPECT_EQ(proposed(body + "<circle cx='700' cy='500' r='200' opacity='.2'/>"), Names{"body"});
+  EXPECT_EQ(proposed(large_circle + "<circle cx='700' cy='500' r='200' opacity='.2'/>"),
+            Names{"body"});
 }
 
 TEST(ProposeParts, WideStrokesAreLimbsAndThinOnesExtendWhatTheyTouch) {
   const SvgImport import = import_of(
-      svg_file(body +
+      svg_file(large_circle +
                "<path id='arm' d='M700 600L950 900' fill='none' stroke='#c84' stroke-width='60'/>"
                "<path id='whisker' d='M300 500H100' fill='none' stroke='#000' stroke-width='4'/>"));
   ASSERT_EQ(import.scene.parts.size(), 2u);

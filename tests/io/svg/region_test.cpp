@@ -2,27 +2,28 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "io/svg/svg_region.h"
 
 namespace relievo {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 const Box2 canvas{{0, 0}, {100, 100}};
 
 Polyline box(double x, double y, double width, double height) {
   return {{{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}, true};
 }
 
-Region square(double x, double y, double side) {
+Region square_at(double x, double y, double side) {
   return fill_region({box(x, y, side, side)}, FillRule::nonzero, canvas);
 }
 
 TEST(Region, UnionRunsOutersPositiveAndHolesNegative) {
-  const Region frame =
-      unite({square(10, 10, 10), square(10, 30, 10), square(10, 20, 10), square(30, 10, 10),
-             square(30, 20, 10), square(30, 30, 10), square(20, 10, 10), square(20, 30, 10)});
+  const Region frame = unite({square_at(10, 10, 10), square_at(10, 30, 10), square_at(10, 20, 10),
+                              square_at(30, 10, 10), square_at(30, 20, 10), square_at(30, 30, 10),
+                              square_at(20, 10, 10), square_at(20, 30, 10)});
   ASSERT_EQ(frame.size(), 2u);
   EXPECT_NEAR(area(frame), 800, 1e-9);
   EXPECT_NEAR(std::max(signed_area(frame[0]), signed_area(frame[1])), 900, 1e-9);
@@ -31,8 +32,8 @@ TEST(Region, UnionRunsOutersPositiveAndHolesNegative) {
 }
 
 TEST(Region, OperationsObeyInclusionAndExclusion) {
-  const Region p = square(10, 10, 30);
-  const Region q = square(20, 25, 30);
+  const Region p = square_at(10, 10, 30);
+  const Region q = square_at(20, 25, 30);
   EXPECT_NEAR(area(intersect(p, q)), 20 * 15, 1e-9);
   EXPECT_NEAR(area(unite(p, q)) + area(intersect(p, q)), area(p) + area(q), 1e-9);
   EXPECT_NEAR(area(subtract(p, q)), area(p) - area(intersect(p, q)), 1e-9);
@@ -77,14 +78,14 @@ TEST(Region, FarStrokesAreCut) {
 }
 
 TEST(Region, GrowingIsMinkowski) {
-  EXPECT_NEAR(area(grow(square(40, 40, 20), 5)), 400 + 80 * 5 + pi * 25, 1.1);
-  EXPECT_NEAR(area(grow(square(40, 40, 20), -5)), 100, 1e-6);
-  EXPECT_TRUE(grow(square(40, 40, 20), -11).empty());
+  EXPECT_NEAR(area(grow(square_at(40, 40, 20), 5)), 400 + 80 * 5 + pi * 25, 1.1);
+  EXPECT_NEAR(area(grow(square_at(40, 40, 20), -5)), 100, 1e-6);
+  EXPECT_TRUE(grow(square_at(40, 40, 20), -11).empty());
 }
 
 TEST(Region, PiecesKeepTheirHoles) {
-  const Region ring = subtract(square(10, 10, 30), square(20, 20, 10));
-  const std::vector<Region> found = pieces(unite(ring, square(60, 60, 10)));
+  const Region ring = subtract(square_at(10, 10, 30), square_at(20, 20, 10));
+  const std::vector<Region> found = pieces(unite(ring, square_at(60, 60, 10)));
   ASSERT_EQ(found.size(), 2u);
   EXPECT_NEAR(area(found[0]), 800, 1e-9);
   EXPECT_EQ(found[0].size(), 2u);
@@ -92,8 +93,8 @@ TEST(Region, PiecesKeepTheirHoles) {
 }
 
 TEST(Region, TidyingDropsSpecksAndPinholes) {
-  const Region holed = subtract(square(10, 10, 30), square(20, 20, 1));
-  const Region clean = tidied(unite(holed, square(60, 60, 1)), 0.1, 4);
+  const Region holed = subtract(square_at(10, 10, 30), square_at(20, 20, 1));
+  const Region clean = tidied(unite(holed, square_at(60, 60, 1)), 0.1, 4);
   ASSERT_EQ(clean.size(), 1u);
   EXPECT_NEAR(area(clean), 900, 1e-9);
 }

@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "io/svg/svg_test_support.h"
 
 namespace relievo {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 double area_of(const std::string& content) { return area(fill_of_only_shape(content)); }
 

@@ -7,15 +7,15 @@
 namespace relievo {
 namespace {
 
-constexpr int width = 37;
-constexpr int height = 23;
+constexpr int columns = 37;
+constexpr int rows = 23;
 
 /// Two colours, known in a left and a right stripe.
 ImageF stripes(float left, float right) {
-  ImageF image(width, height, 2);
-  for (int y = 0; y < height; ++y)
-    for (const int x : {0, 1, width - 2, width - 1}) {
-      image.at(x, y, 0) = x < width / 2 ? left : right;
+  ImageF image(columns, rows, 2);
+  for (int y = 0; y < rows; ++y)
+    for (const int x : {0, 1, columns - 2, columns - 1}) {
+      image.at(x, y, 0) = x < columns / 2 ? left : right;
       image.at(x, y, 1) = 1;
     }
   return image;
@@ -29,15 +29,15 @@ TEST(PullPush, OneColourGoesOnEverywhere) {
 
 TEST(PullPush, KeepsWhatIsKnownAndStaysBetween) {
   const ImageF filled = pull_push(stripes(0, 100));
-  for (int y = 0; y < height; ++y) {
+  for (int y = 0; y < rows; ++y) {
     EXPECT_EQ(filled.at(1, y), 0);
-    EXPECT_EQ(filled.at(width - 2, y), 100);
-    for (int x = 0; x < width; ++x) {
+    EXPECT_EQ(filled.at(columns - 2, y), 100);
+    for (int x = 0; x < columns; ++x) {
       EXPECT_GE(filled.at(x, y), 0);
       EXPECT_LE(filled.at(x, y), 100);
     }
     EXPECT_LT(filled.at(6, y), 50);
-    EXPECT_GT(filled.at(width - 7, y), 50);
+    EXPECT_GT(filled.at(columns - 7, y), 50);
   }
 }
 

@@ -14,9 +14,9 @@ namespace relievo {
 namespace {
 
 constexpr Point2 middle = {250, 250};
-constexpr double body = 120;     ///< radius, px
-constexpr double shoulder = 50;  ///< where the arm's lines end inside, px from the middle
-constexpr double hand = 225;     ///< where it is closed outside
+constexpr double body_radius = 120;  ///< px
+constexpr double shoulder = 50;      ///< where the arm's lines end inside, px from the middle
+constexpr double hand = 225;         ///< where it is closed outside
 
 /// A round body, and across its outline an arm that is open at the shoulder.
 struct Arm {
@@ -33,9 +33,9 @@ struct Arm {
     return middle + distance * d + aside * Point2{-d.y, d.x};
   }
   InkDrawing ink() const {
-    const double hidden = std::asin(half_width / body) / (2 * std::numbers::pi);
+    const double hidden = std::asin(half_width / body_radius) / (2 * std::numbers::pi);
     InkDrawing ink(500, 500);
-    ink.arc(middle, body, turn + hidden, turn + 1 - hidden, pen);
+    ink.arc(middle, body_radius, turn + hidden, turn + 1 - hidden, pen);
     ink.line(at(shoulder, -half_width), at(hand, -half_width), pen);
     ink.line(at(shoulder, half_width), at(hand, half_width), pen);
     return ink.line(at(hand, -half_width), at(hand, half_width), pen);
@@ -90,15 +90,16 @@ TEST(OpenRoots, StrokesOverrule) {
 
 TEST(OpenRoots, HatchingHidesNothing) {
   InkDrawing ink(500, 500);
-  ink.circle(middle, body);
+  ink.circle(middle, body_radius);
   for (const double x : {210.0, 250.0, 290.0})
-    ink.line({x, middle.y - std::sqrt(body * body - (x - 250) * (x - 250))}, {x, 230});
+    ink.line({x, middle.y - std::sqrt(body_radius * body_radius - (x - 250) * (x - 250))},
+             {x, 230});
   EXPECT_TRUE(roots_of(ink).empty());
 }
 
 TEST(OpenRoots, WhiskersHideNothing) {
   InkDrawing ink(500, 500);
-  ink.circle(middle, body);
+  ink.circle(middle, body_radius);
   for (const double y : {220.0, 250.0, 280.0}) ink.line({310, y}, {440, y});
   EXPECT_TRUE(roots_of(ink).empty());
 }

@@ -12,18 +12,18 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr Index size = 40;
+constexpr Index bound_nodes = 40;
 
 /// As steps have it: tridiagonal, definite.
 MatrixXd step_matrix() {
-  MatrixXd K = 2.5 * MatrixXd::Identity(size, size);
-  for (Index i = 0; i + 1 < size; ++i) K(i, i + 1) = K(i + 1, i) = -1;
+  MatrixXd K = 2.5 * MatrixXd::Identity(bound_nodes, bound_nodes);
+  for (Index i = 0; i + 1 < bound_nodes; ++i) K(i, i + 1) = K(i + 1, i) = -1;
   return K;
 }
 
 /// Forces at some nodes, which the matrix of the steps answers too much or too little.
 MatrixXd forces_at(const std::vector<int>& nodes) {
-  MatrixXd forces = MatrixXd::Zero(size, static_cast<Index>(nodes.size()));
+  MatrixXd forces = MatrixXd::Zero(bound_nodes, static_cast<Index>(nodes.size()));
   for (size_t k = 0; k < nodes.size(); ++k) forces(nodes[k], static_cast<Index>(k)) = 1;
   return forces;
 }
@@ -62,7 +62,8 @@ TEST(BoundModes, LeaveOutWhatTheStepsKnowAndWhatHasNoMinimum) {
   const MatrixXd J = K - forces * softening.asDiagonal() * forces.transpose();
   EXPECT_EQ(modes_of(probes_of(K, J, forces)).stiffness.size(), 0);
   EXPECT_EQ(modes_of({}).stiffness.size(), 0);
-  EXPECT_EQ(missing_stiffness(modes_of(probes_of(K, J, forces))), MatrixXd::Zero(size, size));
+  EXPECT_EQ(missing_stiffness(modes_of(probes_of(K, J, forces))),
+            MatrixXd::Zero(bound_nodes, bound_nodes));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace relievo {
 namespace {
 
-const Disc ball{{100, 90}, 60, 1, 5, {0.1, -0.2}};
+const Disc tilted_ball{{100, 90}, 60, 1, 5, {0.1, -0.2}};
 
 ReliefMaps rasterize(const DiscRelief& relief, int width, int height) {
   auto maps =
@@ -32,7 +32,7 @@ Point2 canvas_point(const DiscRelief& relief, const ReliefMaps& maps, int x, int
 }
 
 TEST(ReliefMaps, HeightsAreThoseOfTheBallAtAnyResolution) {
-  const DiscRelief relief = make_discs({ball}, 200, 180, 3);
+  const DiscRelief relief = make_discs({tilted_ball}, 200, 180, 3);
   for (const int factor : {1, 4}) {
     const ReliefMaps maps = rasterize(relief, 200 * factor, 180 * factor);
     double squares = 0;
@@ -41,7 +41,7 @@ TEST(ReliefMaps, HeightsAreThoseOfTheBallAtAnyResolution) {
     for (int y = 0; y < maps.height.height; ++y)
       for (int x = 0; x < maps.height.width; ++x) {
         if (maps.part.at(x, y) < 0) continue;
-        const double exact = disc_height(ball, canvas_point(relief, maps, x, y));
+        const double exact = disc_height(tilted_ball, canvas_point(relief, maps, x, y));
         const double error = std::abs(maps.height.at(x, y) - exact);
         squares += error * error;
         worst = std::max(worst, error);
@@ -53,14 +53,15 @@ TEST(ReliefMaps, HeightsAreThoseOfTheBallAtAnyResolution) {
 }
 
 TEST(ReliefMaps, CoverExactlyTheDisc) {
-  const DiscRelief relief = make_discs({ball}, 200, 180, 3);
+  const DiscRelief relief = make_discs({tilted_ball}, 200, 180, 3);
   const ReliefMaps maps = rasterize(relief, 400, 360);
   int both = 0;
   int either = 0;
   for (int y = 0; y < 360; ++y)
     for (int x = 0; x < 400; ++x) {
       const bool covered = maps.part.at(x, y) >= 0;
-      const bool inside = distance(canvas_point(relief, maps, x, y), ball.centre) < ball.radius;
+      const bool inside =
+          distance(canvas_point(relief, maps, x, y), tilted_ball.centre) < tilted_ball.radius;
       EXPECT_EQ(covered, !std::isnan(maps.height.at(x, y)));
       both += covered && inside;
       either += covered || inside;
@@ -159,7 +160,7 @@ TEST(ReliefMaps, CentresOnEdgesAndVerticesBelongToOneTriangle) {
 }
 
 TEST(ReliefMaps, SameInputGivesTheSameBytes) {
-  const DiscRelief relief = make_discs({ball}, 200, 180, 6);
+  const DiscRelief relief = make_discs({tilted_ball}, 200, 180, 6);
   const ReliefMaps a = rasterize(relief, 100, 90);
   const ReliefMaps b = rasterize(relief, 100, 90);
   EXPECT_EQ(std::memcmp(a.height.pixels.data(), b.height.pixels.data(),
@@ -179,7 +180,7 @@ TEST(ReliefMaps, PartsBeyondTheCanvasAreClipped) {
 }
 
 TEST(ReliefMaps, RefusesSizesBeforeMemoryIsSpent) {
-  const DiscRelief relief = make_discs({ball}, 200, 180, 12);
+  const DiscRelief relief = make_discs({tilted_ball}, 200, 180, 12);
   EXPECT_EQ(refusal(relief, 0, 10), ErrorCode::usage);
   EXPECT_EQ(refusal(relief, 10, -1), ErrorCode::usage);
   EXPECT_EQ(refusal(relief, 32769, 1), ErrorCode::limit);
@@ -191,7 +192,7 @@ TEST(ReliefMaps, RefusesSizesBeforeMemoryIsSpent) {
 }
 
 TEST(ReliefMaps, RefusesVerticesOutOfReach) {
-  DiscRelief relief = make_discs({ball}, 200, 180, 12);
+  DiscRelief relief = make_discs({tilted_ball}, 200, 180, 12);
   relief.mesh.vertices[0].x = 1e12;
   EXPECT_EQ(refusal(relief, 200, 180), ErrorCode::limit);
 }

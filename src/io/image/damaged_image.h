@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "kernel/base/result.h"
+
+namespace relievo {
+
+/// format: "PNG", say. reason: what is wrong in the file.
+inline Error damaged_image(const std::string& format, const std::string& reason) {
+  return {ErrorCode::bad_input, "the " + format + " file is damaged: " + reason, ""};
+}
+
+}  // namespace relievo
