@@ -25,12 +25,13 @@ struct Surroundings {
 };
 
 /// Farther points, px, are beyond what regions can be computed from.
-constexpr double reach = 1e9;
+constexpr double farthest = 1e9;
 
 bool all_in_reach(const std::vector<Polyline>& lines) {
   return std::all_of(lines.begin(), lines.end(), [](const Polyline& line) {
-    return std::all_of(line.points.begin(), line.points.end(),
-                       [](Point2 p) { return std::abs(p.x) <= reach && std::abs(p.y) <= reach; });
+    return std::all_of(line.points.begin(), line.points.end(), [](Point2 p) {
+      return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest;
+    });
   });
 }
 
