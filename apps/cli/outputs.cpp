@@ -85,8 +85,6 @@ Result<Files> encode_model(const Model& model, const Drawing& drawing, const std
   return single(name, encode_glb(model, texture, size_mm));
 }
 
-Bytes bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
-
 Status save(const Files& files, const std::vector<fs::path>& inputs, Interruption& interruption) {
   const auto writing = interruption.hold_off();
   if (*interruption.flag()) return interrupted_error();

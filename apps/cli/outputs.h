@@ -25,9 +25,6 @@ Status check_outputs(const std::vector<std::filesystem::path>& paths,
 Result<std::vector<OutputFile>> encode_model(const Model& model, const Drawing& drawing,
                                              const std::string& name, double size_mm);
 
-/// A file's bytes, which are those of a text.
-Bytes bytes_of(const std::string& text);
-
 /// Writes all files or none, unless the work was stopped before. Errors: as write_files, and
 /// `interrupted`.
 Status save(const std::vector<OutputFile>& files, const std::vector<std::filesystem::path>& inputs,

@@ -21,8 +21,6 @@ constexpr ArchiveLimits limits = {64, uint64_t{512} << 20, 1000};
 /// Where the mimetype lies: behind a header of 30 bytes and its own name.
 constexpr size_t mimetype_offset = 38;
 
-Bytes bytes_of(std::string_view text) { return {text.begin(), text.end()}; }
-
 std::string_view text_of(const Bytes& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
