@@ -123,7 +123,6 @@ void descent(State& state, const std::string& name, int vertices, double lambda_
   const Surface& surface = surface_of(name, vertices);
   JointOptions options;
   options.lambda_bnd = lambda_bnd;
-  options.max_rounds = 0;
   const double start = processor_ms();
   const auto ours = solve(name, surface, options, {});
   const double own = processor_ms() - start;

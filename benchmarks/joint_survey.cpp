@@ -14,7 +14,7 @@ namespace relievo {
 namespace {
 
 struct Tally {
-  std::vector<int> steps;  ///< of the scenes that converged, all rounds together
+  std::vector<int> steps;  ///< of the scenes that converged
   int failed = 0;
 };
 
@@ -46,8 +46,8 @@ void survey(uint64_t seed, int vertices, double lambda_bnd, Tally (&tallies)[2])
   for (const JointStep& step : report.steps) milliseconds += step.milliseconds;
   if (solved) tallies[mixed].steps.push_back(steps);
   tallies[mixed].failed += solved ? 0 : 1;
-  std::printf("%d,%g,%d,%s,%d,%d,%.1e,%.1e,%.0f\n", static_cast<int>(seed), lambda_bnd, mixed,
-              solved ? "solved" : "not solved", steps, report.round, report.residual,
+  std::printf("%d,%g,%d,%s,%d,%.1e,%.1e,%.0f\n", static_cast<int>(seed), lambda_bnd, mixed,
+              solved ? "solved" : "not solved", steps, report.residual,
               relief->ordering.max_violation, milliseconds);
   std::fflush(stdout);
 }
@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: joint_survey VERTICES FIRST_SEED LAST_SEED LAMBDA_BND...\n");
     return 2;
   }
-  std::printf("seed,lambda_bnd,mixed,status,steps,rounds,residual,violation,ms\n");
+  std::printf("seed,lambda_bnd,mixed,status,steps,residual,violation,ms\n");
   for (int k = 4; k < argc; ++k) {
     relievo::Tally tallies[2];
     for (int seed = std::atoi(argv[2]); seed <= std::atoi(argv[3]); ++seed)

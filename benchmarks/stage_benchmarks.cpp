@@ -48,7 +48,6 @@ void order_from(State& state, const std::string& name, const Surface& surface,
         {surface.mesh, surface.discretisation, surface.inflation, scene_of(name)}, {}, system);
     const BoundQpReport& report = ordering->report;
     state.counters["iterations"] = report.iterations;
-    state.counters["rounds"] = ordering->rounds;
     state.counters["inequalities"] = ordering->inequalities;
     state.counters["active"] = report.active;
     state.counters["kkt"] =

@@ -55,8 +55,7 @@ Json energies(const JointEnergy& energy) {
 Json joint(const JointReport& report) {
   Json steps = Json::array();
   for (const JointStep& step : report.steps)
-    steps.push_back({{"round", step.round},
-                     {"energy", energies(step.energy)},
+    steps.push_back({{"energy", energies(step.energy)},
                      {"residual", step.residual},
                      {"factorisations", step.factorisations},
                      {"ms", step.milliseconds}});
@@ -98,8 +97,8 @@ std::string write_report(const ReportInput& input) {
   report["solver"] = solver(ordering.report);
   if (nonlinear) report["nonlinear"] = joint(input.relief.joint);
   report["max_violation"] = ordering.max_violation;
-  report["overlap_violation"] = {{"samples", ordering.overlap_samples},
-                                 {"worst", ordering.overlap_worst}};
+  report["overlap_violation"] = {{"samples", input.relief.overlap_samples},
+                                 {"worst", input.relief.overlap_worst}};
   if (input.model != nullptr)
     report["model"] = {{"vertices", input.model->positions.size()},
                        {"faces", input.model->triangles.size()}};

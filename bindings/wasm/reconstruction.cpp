@@ -52,9 +52,8 @@ val report(const Relief& relief) {
   what.set("equalities", relief.ordering.equalities);
   what.set("inequalities", relief.ordering.inequalities);
   what.set("active", relief.ordering.report.active);
-  what.set("rounds", relief.ordering.rounds);
   what.set("maxViolation", relief.ordering.max_violation);
-  what.set("overlapWorst", relief.ordering.overlap_worst);
+  what.set("overlapWorst", relief.overlap_worst);
   what.set("energy", relief.joint.energy.total());
   what.set("converged", relief.joint.status == JointStatus::solved);
   what.set("times", times(relief.times));

@@ -23,24 +23,34 @@ const std::map<std::string, Names> kernel_rules = {
 };
 
 /// The chain of stages; data flows from left to right.
-const std::vector<std::string> stages = {"drawing",   "scene",       "completion", "stacking",
-                                         "joining",   "corrections", "layers",     "discretisation",
-                                         "inflation", "ordering",    "joint",      "model"};
+const std::vector<std::string> stages = {
+    "drawing",        "scene",     "completion", "stacking", "joining", "corrections", "layers",
+    "discretisation", "inflation", "ordering",   "joint",    "hiding",  "model"};
 
 /// The joint stage unites these two and is made of their parts.
 const Names joint_folders = {"inflation", "ordering"};
 
 /// What a stage hands on: its struct and views of it. Everything else in its folder is its own.
 const Names stage_structs = {
-    "completion/completion.h",     "completion/part_regions.h",
-    "corrections/corrections.h",   "drawing/basins.h",
-    "drawing/drawing.h",           "discretisation/discretisation.h",
-    "discretisation/discretise.h", "drawing/scribbles.h",
-    "drawing/segmentation.h",      "inflation/inflation.h",
-    "joining/joining.h",           "joint/joint_solution.h",
-    "layers/joined_surface.h",     "layers/layered_mesh.h",
-    "model/drawn_model.h",         "model/model.h",
-    "ordering/ordering.h",         "scene/scene.h",
+    "completion/completion.h",
+    "completion/part_regions.h",
+    "corrections/corrections.h",
+    "drawing/basins.h",
+    "drawing/drawing.h",
+    "discretisation/discretisation.h",
+    "discretisation/discretise.h",
+    "drawing/scribbles.h",
+    "hiding/hidden_sheets.h",
+    "drawing/segmentation.h",
+    "inflation/inflation.h",
+    "joining/joining.h",
+    "joint/joint_solution.h",
+    "layers/joined_surface.h",
+    "layers/layered_mesh.h",
+    "model/drawn_model.h",
+    "model/model.h",
+    "ordering/ordering.h",
+    "scene/scene.h",
     "stacking/stacking.h",
 };
 
@@ -52,9 +62,10 @@ const Names model_views = {"model/dress_hidden.h", "model/hidden_patches.h",
 const Names stage_verbs = {
     "completion/clip_to_order.h", "completion/complete_parts.h", "drawing/find_basins.h",
     "drawing/label_basins.h",     "drawing/label_colours.h",     "drawing/segment_drawing.h",
-    "inflation/inflate.h",        "joining/join_parts.h",        "joining/propose_leans.h",
-    "joint/solve_jointly.h",      "layers/layer_parts.h",        "model/assemble_model.h",
-    "model/relief_maps.h",        "ordering/order_depth.h",      "stacking/stack_parts.h"};
+    "hiding/hide_sheets.h",       "inflation/inflate.h",         "joining/join_parts.h",
+    "joining/propose_leans.h",    "joint/solve_jointly.h",       "layers/layer_parts.h",
+    "model/assemble_model.h",     "model/relief_maps.h",         "ordering/order_depth.h",
+    "stacking/stack_parts.h"};
 
 struct Place {
   std::string top;     ///< kernel, relief, io, render, apps, tests, benchmarks

@@ -14,12 +14,10 @@ struct JointCase {
   Relief approximate;
 };
 
-/// Options without cutting-plane rounds, so that the pairs are those of the mesh.
 inline ReliefOptions joint_options(int vertices, double lambda_bnd) {
   ReliefOptions options;
   options.layers.vertex_budget = vertices;
-  options.ordering.max_rounds = 0;
-  options.joint.max_rounds = 0;
+  options.hidden = false;
   options.joint.lambda_bnd = lambda_bnd;
   return options;
 }

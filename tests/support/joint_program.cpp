@@ -1,6 +1,7 @@
 #include "support/joint_program.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -69,7 +70,17 @@ JointProgram make_joint_program(const LayeredMesh& mesh, const Scene& scene,
   program.lambda_bnd = options.lambda_bnd;
   program.lambda_shift = options.lambda_shift;
   const std::vector<Point2> positions = node_positions(mesh, program.scale);
-  const FlatMesh flat{positions, mesh.faces};
+  std::vector<std::array<int, 3>> faces;
+  std::vector<double> density;
+  std::vector<double> screening;
+  for (size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (mesh.is_flap(f)) continue;
+    const Part& part = scene.parts[mesh.source(f)];
+    faces.push_back(mesh.faces[f]);
+    density.push_back(source_density(part));
+    screening.push_back(source_screening(part, program.scale));
+  }
+  const FlatMesh flat{positions, faces};
   program.L = stiffness_matrix(flat);
   program.mass = lumped_mass(flat);
   program.A = program.L;
@@ -78,12 +89,6 @@ JointProgram make_joint_program(const LayeredMesh& mesh, const Scene& scene,
   const VectorXd still = VectorXd::Zero(program.mass.size());
   program.pull = -cost.slope(still);
   program.lean_constant = cost(still);
-  std::vector<double> density;
-  std::vector<double> screening;
-  for (const int part : mesh.face_part) {
-    density.push_back(source_density(scene.parts[part]));
-    screening.push_back(source_screening(scene.parts[part], program.scale));
-  }
   program.load = load_vector(flat, density);
   program.L.diagonal() += load_vector(flat, screening);
   program.sign = signs_by_flooding(mesh, scene);

@@ -94,7 +94,8 @@ std::array<double, 3> values_at(const std::array<int, 3>& nodes, const VectorXd&
 double ShiftCost::operator()(const VectorXd& g) const {
   const FaceCosts costs(*this);
   double sum = 0;
-  for (size_t f = 0; f < mesh.faces.size(); ++f) sum += costs.at(f, values_at(mesh.faces[f], g));
+  for (size_t f = 0; f < mesh.faces.size(); ++f)
+    if (!mesh.is_flap(f)) sum += costs.at(f, values_at(mesh.faces[f], g));
   return sum;
 }
 
@@ -102,6 +103,7 @@ VectorXd ShiftCost::slope(const VectorXd& g) const {
   const FaceCosts costs(*this);
   VectorXd slope = VectorXd::Zero(g.size());
   for (size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (mesh.is_flap(f)) continue;
     const std::array<double, 3> values = values_at(mesh.faces[f], g);
     for (int k = 0; k < 3; ++k) {
       std::array<double, 3> ahead = values;

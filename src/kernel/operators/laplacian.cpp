@@ -81,6 +81,7 @@ SparseMatrix stiffness_matrix(const FlatMesh& mesh) {
   const int n = static_cast<int>(mesh.positions.size());
   ColumnBuilder builder(n, n, n + 4 * static_cast<Eigen::Index>(mesh.triangles.size()));
   for (int node = 0; node < n; ++node) {
+    builder.add(node, 0);
     for (int i = corners.begin[node]; i < corners.begin[node + 1]; ++i) {
       const int t = corners.corner[i] / 3;
       const int next = (corners.corner[i] + 1) % 3;

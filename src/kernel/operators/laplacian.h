@@ -9,8 +9,8 @@
 namespace relievo {
 
 /// Stiffness matrix L of Delta = -div grad for linear elements: L_ij = -(cot a + cot b) / 2,
-/// constants in its kernel, positive semi-definite; both triangles are stored. #N x #N, does not
-/// change with the unit of length. [P eq 7] O(N + F).
+/// constants in its kernel, positive semi-definite; both triangles are stored,
+/// and the whole diagonal. #N x #N, does not change with the unit of length. [P eq 7] O(N + F).
 SparseMatrix stiffness_matrix(const FlatMesh& mesh);
 
 /// Lumped mass: a third of the areas around each node, #N. O(N + F).

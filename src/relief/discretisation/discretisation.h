@@ -12,10 +12,10 @@ namespace relievo {
 /// share.
 struct Discretisation {
   double scale = 1;              ///< scene units per px
-  SparseMatrix L;                ///< #N x #N, stiffness, both triangles
+  SparseMatrix L;                ///< #N x #N, stiffness, both triangles; without flaps
   std::vector<int> surface;      ///< #N, smallest node of the node's joined surface
-  Eigen::VectorXd mass;          ///< #N, lumped, scene units^2
-  GradientStencils gradients;    ///< at nodes, 1 / px
+  Eigen::VectorXd mass;          ///< #N, lumped, scene units^2; 0 inside flaps
+  GradientStencils gradients;    ///< at nodes, 1 / px; none inside flaps
   std::vector<int> elimination;  ///< nodes in an order in which matrices on them fill in little;
                                  ///< those at one base vertex are consecutive
 };

@@ -37,7 +37,8 @@ Discretisation discretise(const LayeredMesh& mesh, const RunContext& context) {
   result.scale = scene_scale(mesh);
   const std::vector<Point2> in_px = node_positions(mesh);
   const std::vector<Point2> in_units = node_positions(mesh, result.scale);
-  const FlatMesh flat{in_units, mesh.faces};
+  const std::vector<std::array<int, 3>> faces = shaping_faces(mesh);
+  const FlatMesh flat{in_units, faces};
   result.surface = joined_surfaces(mesh);
   if (context.cancelled()) return result;
   const Stopwatch all;
@@ -53,7 +54,7 @@ Discretisation discretise(const LayeredMesh& mesh, const RunContext& context) {
         result.mass = lumped_mass(flat);
       },
       [&] {
-        result.gradients = gradient_stencils({in_px, mesh.faces});
+        result.gradients = gradient_stencils({in_px, faces});
       },
   };
   run_tasks(3, [&](int i) { work[i](); });

@@ -7,7 +7,7 @@
 namespace relievo {
 
 /// Assembles the operators of the joined surface and orders its nodes for elimination. Reads the
-/// triangulation and the nodes of the mesh, not their roles nor the constraints. Where `context`
+/// triangulation, the nodes and the flaps of the mesh, not its roles nor the constraints. Where `context`
 /// is cancelled the result is of no use. O(N log N).
 Discretisation discretise(const LayeredMesh& mesh, const RunContext& context = {});
 

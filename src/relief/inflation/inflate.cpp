@@ -7,6 +7,7 @@
 
 #include "relief/discretisation/discretise.h"
 #include "relief/inflation/poisson_terms.h"
+#include "relief/inflation/raise_bumps.h"
 #include "relief/layers/joined_surface.h"
 
 namespace relievo {
@@ -17,14 +18,12 @@ using Eigen::VectorXd;
 /// Where 1 - alpha is smaller, the condition is u = 0.
 constexpr double stiffest = 1e-9;
 
-/// What holds u at each node: fixed to 0, or a spring to 0 (diagonal of B_beta, no unit).
-struct Boundary {
-  std::vector<uint8_t> fixed;
-  VectorXd spring;
-};
+/// alpha / (1 - alpha) is at least so much where a node is attached: nearer to the join the two
+/// nodes are as good as one.
+constexpr double softest = 1e-3;
 
-Boundary boundary_conditions(const LayeredMesh& mesh, const InflationOptions& options) {
-  Boundary boundary;
+PoissonBoundary boundary_conditions(const LayeredMesh& mesh, const InflationOptions& options) {
+  PoissonBoundary boundary;
   for (const NodeRole role : mesh.node_role) boundary.fixed.push_back(role == NodeRole::outline);
   boundary.spring = VectorXd::Zero(static_cast<Eigen::Index>(mesh.node_role.size()));
   for (const RampNode& node : mesh.ramp_nodes) {
@@ -33,15 +32,20 @@ Boundary boundary_conditions(const LayeredMesh& mesh, const InflationOptions& op
     const double rho = ramp.rho >= 0 ? ramp.rho : options.rho;
     const double length = options.units == RobinUnits::literal ? 1 : rho * ramp.length;
     const double slack = (1 - alpha0) * (1 - node.t);
-    if (slack <= stiffest || !(length > 0))
+    boundary.link.push_back(0);
+    if (slack <= stiffest || !(length > 0)) {
       boundary.fixed[node.node] = 1;
-    else
-      boundary.spring[node.node] += (1 - slack) / (slack * length) * node.mass;
+      continue;
+    }
+    const double ratio = (1 - slack) / slack;
+    boundary.spring[node.node] += ratio / length * node.mass;
+    const double hold = 1 / std::max(ratio, softest);
+    boundary.link.back() = hold * hold / length * node.mass;
   }
   return boundary;
 }
 
-Status check_held(const InflationInput& input, const Boundary& boundary) {
+Status check_held(const InflationInput& input, const PoissonBoundary& boundary) {
   const auto& [mesh, discretisation, scene] = input;
   std::vector<uint8_t> held(mesh.node_vertex.size(), 0);
   for (size_t n = 0; n < held.size(); ++n)
@@ -79,17 +83,19 @@ Result<Inflation> inflate(const InflationInput& input, const InflationOptions& o
   assert(static_cast<int>(scene.parts.size()) == mesh.part_count);
   if (Status status = check_options(options); !status) return status.error();
   context.report("inflate", 0);
-  const Boundary boundary = boundary_conditions(mesh, options);
+  PoissonBoundary boundary = boundary_conditions(mesh, options);
   if (Status status = check_held(input, boundary); !status) return status.error();
 
   const InflationTerms terms = inflation_terms(mesh, scene, discretisation.scale);
-  std::optional<VectorXd> u =
-      system.solve(boundary.fixed, boundary.spring + terms.screening, terms.load, context);
+  boundary.spring += terms.screening;
+  std::optional<VectorXd> u = system.solve(boundary, terms.load, context);
   if (context.cancelled()) return interrupted_error();
   if (!u) return Error{ErrorCode::internal, "the inflation has no finite solution", ""};
   restore_sign(input, *u);
+  Inflation inflation = make_inflation(discretisation.gradients, *u, discretisation.scale);
+  raise_bumps(input, options, inflation);
   context.report("inflate", 1);
-  return make_inflation(discretisation.gradients, *u, discretisation.scale);
+  return inflation;
 }
 
 Result<Inflation> inflate(const LayeredMesh& mesh, const Scene& scene,

@@ -16,8 +16,8 @@ enum class RobinUnits {
 };
 
 struct InflationOptions {
-  double alpha0 = 0.1;  ///< alpha beside a join's end, in [0, 1]; 1 gives the paper's pits
-  double rho = 0.25;    ///< length scale of a ramp / its length, > 0
+  double alpha0 = 0;  ///< alpha beside a join's end, in [0, 1]; 1 gives the paper's pits
+  double rho = 0.25;  ///< length scale of a ramp / its length, > 0
   RobinUnits units = RobinUnits::relative;
 };
 

@@ -17,11 +17,7 @@ constexpr double flattest = 8;
 /// Below, the profile is round to all digits that count.
 constexpr double roundest = 1e-3;
 
-/// -div grad u + screening u = density within a part.
-struct Source {
-  double density = 0;
-  double screening = 0;
-};
+}  // namespace
 
 Source source_of(const Part& part, double scale) {
   Source source{part.c * part.d * std::abs(part.d), 0};
@@ -39,8 +35,6 @@ Source source_of(const Part& part, double scale) {
   return source;
 }
 
-}  // namespace
-
 InflationTerms inflation_terms(const LayeredMesh& mesh, const Scene& scene, double scale) {
   std::vector<Source> sources;
   for (const Part& part : scene.parts) sources.push_back(source_of(part, scale));
@@ -48,7 +42,8 @@ InflationTerms inflation_terms(const LayeredMesh& mesh, const Scene& scene, doub
   const auto integrated = [&](double Source::*term) {
     std::vector<double> density;
     density.reserve(mesh.faces.size());
-    for (const int part : mesh.face_part) density.push_back(sources[part].*term);
+    for (size_t f = 0; f < mesh.faces.size(); ++f)
+      density.push_back(mesh.is_flap(f) ? 0 : sources[mesh.source(f)].*term);
     return load_vector({positions, mesh.faces}, density);
   };
   const bool round = std::all_of(sources.begin(), sources.end(),
@@ -65,7 +60,7 @@ std::vector<int> surface_signs(const LayeredMesh& mesh, const std::vector<int>& 
   std::vector<uint8_t> raised(mesh.node_vertex.size(), 0);
   std::vector<uint8_t> sunk(raised);
   for (size_t f = 0; f < mesh.faces.size(); ++f)
-    (scene.parts[mesh.face_part[f]].d > 0 ? raised : sunk)[surface[mesh.faces[f][0]]] = 1;
+    (scene.parts[mesh.source(f)].d > 0 ? raised : sunk)[surface[mesh.faces[f][0]]] = 1;
   std::vector<int> signs;
   signs.reserve(raised.size());
   for (const int s : surface) signs.push_back(raised[s] - sunk[s]);

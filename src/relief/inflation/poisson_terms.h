@@ -12,6 +12,15 @@
 
 namespace relievo {
 
+/// -div grad u + screening u = density within a part, in scene units.
+struct Source {
+  double density = 0;
+  double screening = 0;
+};
+
+/// That of c, d and flat. `scale`: scene units per px. O(points of the outline).
+Source source_of(const Part& part, double scale);
+
 /// The right-hand side and the zeroth-order term of L u + screening u = load.
 struct InflationTerms {
   Eigen::VectorXd load;       ///< #N, integral of c d|d| against each node's hat function

@@ -7,7 +7,7 @@
 
 #include "kernel/base/stopwatch.h"
 #include "kernel/solvers/anderson.h"
-#include "relief/ordering/order_rounds.h"
+#include "relief/ordering/finish_ordering.h"
 
 namespace relievo {
 namespace {
@@ -19,7 +19,7 @@ constexpr double growth_limit = 100;
 /// The same where u may have either sign.
 constexpr double mixed_growth_limit = 3;
 
-/// The residual at which crossings are looked for, and below which a start is good enough.
+/// The residual below which a start is good enough.
 constexpr double rough = 1e-3;
 
 /// In the order in which they are tried where u may have either sign somewhere.
@@ -47,7 +47,6 @@ bool is_kept(size_t step, const JointOptions& options) {
 
 void record(JointStep step, const VectorXd& u, const JointOptions& options, JointRun& run) {
   JointReport& report = run.report;
-  step.round = report.round;
   report.steps.push_back(step);
   report.residual = step.residual;
   if (is_kept(report.steps.size(), options))
@@ -68,8 +67,6 @@ Status iterate(JointMap& map, double growth, const JointOptions& options, const 
   JointState& state = run.state;
   AndersonMixer mixer(options.anderson_depth);
   double least = std::numeric_limits<double>::infinity();
-  bool asked = false;
-  run.crossed = false;
   Stopwatch watch;
   if (!map.prepare(context)) return interrupted_error();
   for (int i = 0; i < options.max_iterations; ++i) {
@@ -83,20 +80,11 @@ Status iterate(JointMap& map, double growth, const JointOptions& options, const 
     step.milliseconds = watch.lap();
     record(step, next.u, options, run);
     context.measure("energy", step.energy.total());
-    const bool ends = step.residual <= options.tolerance;
-    const bool asks = step.residual <= rough && !asked;
-    if (ends || asks)
+    if (step.residual <= options.tolerance) {
       if (Status status = check_solved(map.find_heights(next, context)); !status) return status;
-    if (ends && map.stands()) {
-      state = std::move(next);
-      return finish(map, options, context, run);
-    }
-    if (asks) {
-      asked = true;
-      run.crossed = run.crosses && run.crosses(next.h);
-      if (run.crossed) {
+      if (map.stands()) {
         state = std::move(next);
-        return Done{};
+        return finish(map, options, context, run);
       }
     }
     if (i == 0 && step.residual > rough)
@@ -125,7 +113,7 @@ Status iterate_jointly(const JointSystems& systems, const JointOptions& options,
     systems.order.closed = closed;
     JointMap map(systems, softness);
     if (Status status = iterate(map, growth, options, context, run); !status) return status;
-    if (run.crossed || run.report.status == JointStatus::solved) return Done{};
+    if (run.report.status == JointStatus::solved) return Done{};
   }
   run.state = start;
   systems.order.closed = closed;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "kernel/base/result.h"
@@ -17,22 +16,18 @@ struct KeptState {
   Eigen::VectorXd u;  ///< #N, scene units
 };
 
-/// An iteration that may go on under other pairs.
+/// An iteration and where it stands.
 struct JointRun {
   JointState state;
   JointReport report;
   std::vector<KeptState> kept;  ///< those that the options ask for
-  /// Asked once the residual is below `rough`, with the heights: whether the pairs do not suffice,
-  /// so that there is no use in going on.
-  std::function<bool(const std::vector<double>& h)> crosses;
-  bool crossed = false;  ///< its answer
-  BoundStiffness bound;  ///< known of a similar problem at first, then of this one
+  BoundStiffness bound;         ///< known of a similar problem at first, then of this one
 };
 
 /// Iterates contact and inflation under one set of pairs until they agree, from the run's state,
 /// and leaves it there. Where that does not converge, begins again with other softnesses. Appends
 /// the steps to the report and sets its status and residual; where nothing converges, leaves the
-/// state as it was. Ends early where heights cross. Fails only when cancelled, or where the contact
+/// state as it was. Fails only when cancelled, or where the contact
 /// has no solution.
 Status iterate_jointly(const JointSystems& systems, const JointOptions& options,
                        const RunContext& context, JointRun& run);

@@ -82,7 +82,8 @@ JointModel make_joint_model(const OrderingInput& input, const ShiftMetric& metri
   hold_rest_of_ranges(mesh, input.inflation, model);
   for (size_t n = 0; n < mesh.node_role.size(); ++n) {
     const bool bound = mesh.node_role[n] == NodeRole::ramp;
-    if (!bound && mesh.node_role[n] != NodeRole::outline && input.inflation.u[n] != 0)
+    const bool takes_part = model.mass[static_cast<Eigen::Index>(n)] > 0;
+    if (takes_part && !bound && mesh.node_role[n] != NodeRole::outline && input.inflation.u[n] != 0)
       model.inner.push_back(static_cast<int>(n));
   }
   number_inner(model);

@@ -19,7 +19,6 @@ struct JointEnergy {
 
 /// One step of the iteration.
 struct JointStep {
-  int round = 0;           ///< cutting-plane round, from 0
   JointEnergy energy;      ///< of the step; belongs to one point only in the limit
   double residual = 0;     ///< largest change of u, relative to the largest u
   int factorisations = 0;  ///< of the contact problem; 0 where its closed gaps stayed so
@@ -30,7 +29,6 @@ enum class JointStatus { solved, iteration_limit };
 
 struct JointReport {
   JointStatus status = JointStatus::solved;
-  int round = 0;  ///< of the last step
   std::vector<JointStep> steps;
   JointEnergy energy;  ///< of the solution
   double residual = 0;

@@ -10,11 +10,12 @@
 #include "kernel/base/workers.h"
 #include "relief/discretisation/discretise.h"
 #include "relief/inflation/poisson_terms.h"
+#include "relief/inflation/raise_bumps.h"
 #include "relief/joint/inflation_response.h"
 #include "relief/joint/joint_iteration.h"
 #include "relief/joint/joint_model.h"
 #include "relief/joint/recall.h"
-#include "relief/ordering/order_rounds.h"
+#include "relief/ordering/finish_ordering.h"
 
 namespace relievo {
 namespace {
@@ -41,7 +42,6 @@ Status check_options(const JointOptions& options) {
     return Error{ErrorCode::usage, "the depth must not be negative", "anderson_depth"};
   OrderingOptions ordering;
   ordering.epsilon = options.epsilon;
-  ordering.max_rounds = options.max_rounds;
   return check_options(ordering);
 }
 
@@ -60,19 +60,10 @@ VectorXd in_scene_units(const std::vector<double>& values, double factor) {
   return result;
 }
 
-/// Where u may have either sign, only what touched is compared at first: the step at soft nodes is
-/// tuned to how far they give way together, so that nodes on which nothing presses slow it down.
-RoundPlan first_plan(const JointModel& model, const OrderingInput& input,
-                     const StackedNodes& stacked, const JointMemory& known, int max_rounds) {
-  std::vector<DepthPair> touching = pairs_like(input.mesh, stacked, known.contacts);
-  if (is_mixed(model)) return {stacked, std::move(touching), 0, max_rounds};
-  return plan_rounds(stacked, touching, input.mesh.node_vertex.size(), max_rounds);
-}
-
-/// Solves round after round, each under more pairs and from where the last one ended.
-class JointRounds {
+/// The iteration with what it solves with.
+class JointSolver {
  public:
-  JointRounds(const OrderingInput& input, const JointOptions& options, const JointMemory& known,
+  JointSolver(const OrderingInput& input, const JointOptions& options, const JointMemory& known,
               OrderingSystem& system, const RunContext& context)
       : input_(input),
         known_(known),
@@ -80,31 +71,21 @@ class JointRounds {
         system_(system),
         context_(context),
         model_(make_joint_model(input, system.metric)),
-        plan_(first_plan(model_, input, system.stacked, known, options.max_rounds)),
         recalled_(!known.marks.empty()) {
     model_.lambda_bnd = options.lambda_bnd;
     model_.lambda_shift = options.lambda_shift;
     run_.state = first_state(model_, input.inflation);
     u_start_ = run_.state.u;
     run_.bound = known.bound;
-    recall(input.mesh, model_, first_pairs(input.mesh, plan_), known.marks, run_.state);
+    recall(input.mesh, model_, input.mesh.constraints, known.marks, run_.state);
   }
 
-  const RoundPlan& plan() const { return plan_; }
-
-  /// Leaves the solution for these pairs in `solution` and its heights in `ordering`; in a round
-  /// that is not the last, rough heights where they cross.
-  Status solve(const std::vector<DepthPair>& pairs, Ordering& ordering, JointSolution& solution) {
-    set_pairs({input_.mesh, input_.discretisation, input_.scene}, pairs, system_, context_);
+  /// Fills in inflation, ordering and snapshots.
+  Status solve(JointSolution& solution) {
+    set_pairs({input_.mesh, input_.discretisation, input_.scene}, system_, context_);
     if (context_.cancelled()) return interrupted_error();
     DepthSystem& order_system = system_.system;
-    order_system.closed = run_.state.h.empty()
-                              ? gaps_like(input_.mesh, order_system.problem, known_.contacts)
-                              : closed_gaps(order_system.problem, run_.state.h);
-    run_.report.round = ordering.rounds;
-    run_.crosses = [&](const std::vector<double>& h) {
-      return ordering.rounds < options_.max_rounds && crosses(h);
-    };
+    order_system.closed = gaps_like(input_.mesh, order_system.problem, known_.contacts);
     if (Status status = iterate(); !status) return status;
     for (const KeptState& kept : std::exchange(run_.kept, {})) {
       JointSnapshot snapshot{kept.step, inflation_of(kept.u), {}};
@@ -112,18 +93,14 @@ class JointRounds {
       if (!status) return status;
       solution.snapshots.push_back(std::move(snapshot));
     }
-    if (run_.crossed) {
-      ordering.h = run_.state.h;
-      return Done{};
-    }
     solution.inflation = inflation_of(run_.state.u);
-    return order(solution.inflation, ordering);
+    return order(solution.inflation, solution.ordering);
   }
 
   JointMemory memory() const {
     if (run_.report.status != JointStatus::solved) return {};
     return {remember(input_.mesh, model_, *system_.pairs, u_start_, run_.state),
-            contacts_of(input_.mesh, system_.stacked, run_.state.h), run_.bound};
+            contacts_of(input_.mesh, run_.state.h), run_.bound};
   }
 
   /// With the energy at the end.
@@ -148,7 +125,7 @@ class JointRounds {
       if (std::exchange(recalled_, false)) inflate_recalled();
       const Status status =
           iterate_jointly({*response_, system_.system, bound}, options_, context_, run_);
-      if (!status || run_.crossed) return status;
+      if (!status) return status;
       if (i == sign_rounds || !hold_wrong_signs(u, model_)) break;
       response_.reset();
     }
@@ -176,20 +153,19 @@ class JointRounds {
     run_.state.u = response_->inflate(response_->excess(run_.state.load), u_bound);
   }
 
-  bool crosses(const std::vector<double>& h) const {
-    const double tolerance = crossing_tolerance / model_.metric.scale;
-    const std::vector<uint8_t> flags = crossed(system_.stacked, h, tolerance);
-    return std::find(flags.begin(), flags.end(), uint8_t{1}) != flags.end();
-  }
-
   Inflation inflation_of(const VectorXd& u) const {
-    return make_inflation(input_.discretisation.gradients, u, model_.metric.scale);
+    Inflation inflation = make_inflation(input_.discretisation.gradients, u, model_.metric.scale);
+    raise_bumps({input_.mesh, input_.discretisation, input_.scene}, options_.bumps, inflation);
+    return inflation;
   }
 
   /// The exact depth order for an inflation.
   Status order(const Inflation& inflation, Ordering& ordering) {
-    return check_solved(solve_heights(system_.system, model_.metric, inflated_heights(inflation.u),
-                                      ordering, context_));
+    const SolveStatus solved = solve_heights(system_.system, model_.metric,
+                                             inflated_heights(inflation.u), ordering, context_);
+    if (Status status = check_solved(solved); !status) return status;
+    finish_ordering({input_.mesh, input_.discretisation, inflation, input_.scene}, ordering);
+    return Done{};
   }
 
   const OrderingInput& input_;
@@ -198,8 +174,7 @@ class JointRounds {
   OrderingSystem& system_;
   const RunContext& context_;
   JointModel model_;
-  RoundPlan plan_;  ///< refers to what is stacked in the system
-  bool recalled_;   ///< whether `u` holds what is known of another mesh
+  bool recalled_;  ///< whether `u` holds what is known of another mesh
   std::optional<InflationResponse> response_;
   VectorXd u_start_;
   JointRun run_;
@@ -215,24 +190,11 @@ Result<JointSolution> solve_jointly(const OrderingInput& input, const JointOptio
   if (Status status = check_options(options); !status) return status.error();
   set_surface({input.mesh, input.discretisation, input.scene}, options.epsilon, system, context);
   set_leans(input.mesh, input.scene, system);
-  JointRounds rounds(input, options, known, system, context);
-
+  JointSolver solver(input, options, known, system, context);
   JointSolution solution;
-  const auto solve = [&](const std::vector<DepthPair>& pairs, Ordering& ordering) {
-    return rounds.solve(pairs, ordering, solution);
-  };
-  RoundPlan plan = rounds.plan();
-  Result<Ordering> ordering = order_in_rounds(input.mesh, input.discretisation.scale, plan, solve);
-  if (!ordering) return ordering.error();
-  const std::vector<FacePair>& faces = plan.stacked.faces;
-  finish_ordering({input.mesh, input.discretisation, solution.inflation, input.scene}, faces,
-                  *ordering);
-  for (JointSnapshot& snapshot : solution.snapshots)
-    finish_ordering({input.mesh, input.discretisation, snapshot.inflation, input.scene}, faces,
-                    snapshot.ordering);
-  solution.ordering = std::move(*ordering);
-  solution.report = rounds.report(solution.ordering);
-  solution.memory = rounds.memory();
+  if (Status status = solver.solve(solution); !status) return status.error();
+  solution.report = solver.report(solution.ordering);
+  solution.memory = solver.memory();
   context.report("nonlinear", 1);
   return solution;
 }

@@ -4,7 +4,7 @@
 
 #include "kernel/base/result.h"
 #include "kernel/base/run_context.h"
-#include "relief/inflation/inflation.h"
+#include "relief/inflation/inflate.h"
 #include "relief/joint/joint_solution.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/order_depth.h"
@@ -19,7 +19,7 @@ struct JointOptions {
   double lambda_bnd = 0.01;  ///< pull of B to the drawing plane, in scene units
   double lambda_shift = 1;   ///< weight of the shift against the inflation, > 0
   double epsilon = 1e-4;     ///< weight of the pull to g = 0, in scene units
-  int max_rounds = 3;        ///< cutting-plane rounds for interior overlap
+  InflationOptions bumps;    ///< by which bumps are raised on the solution (raise_bumps)
   double tolerance = 1e-6;   ///< on the residual of the iteration
   int max_iterations = 150;  ///< of one attempt
   int anderson_depth = 16;

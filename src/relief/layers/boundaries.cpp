@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "relief/layers/bump_outlines.h"
+
 namespace relievo {
 namespace {
 
@@ -16,15 +18,21 @@ struct Step {
 class BoundaryFinder {
  public:
   BoundaryFinder(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
-                 const Connection& connection)
-      : base_(base), sheets_(sheets), loops_(loops), connection_(connection) {
+                 const Connection& connection, bool attach)
+      : base_(base), sheets_(sheets), loops_(loops), connection_(connection), attach_(attach) {
     find_roles();
   }
 
   void lay_automatic_ramps() {
     for (const Seam& seam : connection_.seams) {
-      if (seam.first_end_inside) lay_from(seam, seam.position, -1);
-      if (seam.last_end_inside) lay_from(seam, seam.position + seam.edges, 1);
+      if (seam.bump) {
+        out_.enclosed.push_back(1);
+        continue;
+      }
+      bool leaves = !seam.first_end_inside || !seam.last_end_inside;
+      if (seam.first_end_inside) leaves = lay_from(seam, seam.position, -1) || leaves;
+      if (seam.last_end_inside) leaves = lay_from(seam, seam.position + seam.edges, 1) || leaves;
+      out_.enclosed.push_back(!leaves);
     }
   }
 
@@ -63,7 +71,7 @@ class BoundaryFinder {
         }
       }
     for (const Seam& seam : connection_.seams)
-      for (int i = 0; i <= seam.edges; ++i) {
+      for (int i = seam.bump ? seam.edges + 1 : 0; i <= seam.edges; ++i) {
         if ((i == 0 && !seam.first_end_inside) || (i == seam.edges && !seam.last_end_inside))
           continue;
         const int edge = seam.position + std::min(i, seam.edges - 1);
@@ -116,8 +124,9 @@ class BoundaryFinder {
     return true;
   }
 
-  // Walks from a merged end until the exit, another seam, or all the way round.
-  void lay_from(const Seam& seam, int start, int direction) {
+  // Walks from a merged end until the exit, another seam, or all the way round. Whether there is an
+  // exit.
+  bool lay_from(const Seam& seam, int start, int direction) {
     const int n = static_cast<int>(loops_.vertices[seam.loop].size());
     std::vector<Step> steps;
     double s = 0;
@@ -136,6 +145,7 @@ class BoundaryFinder {
     if (!exit) length = std::min(0.5 * s, seam_length(seam));
     while (!steps.empty() && steps.back().s >= length) steps.pop_back();
     add_ramp({seam.upper, seam.lower, length, -1, -1}, steps, true);
+    return exit;
   }
 
   double seam_length(const Seam& seam) const {
@@ -151,7 +161,8 @@ class BoundaryFinder {
     for (const Step& step : steps) {
       if (ramp_of(step.node) >= 0) continue;
       set_ramp_of(step.node, number);
-      out_.ramp_nodes.push_back({step.node, number, step.s / ramp.length, step.mass});
+      const int below = attach_ && glued ? step.below : -1;
+      out_.ramp_nodes.push_back({step.node, number, below, step.s / ramp.length, step.mass});
       if (glued && step.below >= 0 && out_.role[step.below] != NodeRole::outline)
         out_.glued.push_back({step.below, step.node});
     }
@@ -196,6 +207,7 @@ class BoundaryFinder {
   const Sheets& sheets_;
   const Loops& loops_;
   const Connection& connection_;
+  bool attach_;
   Boundaries out_;
   std::vector<int> ramp_of_;  // per node
   std::vector<bool> dropped_;
@@ -216,12 +228,15 @@ int outline_node(const BaseMesh& base, const Sheets& sheets, int part, int a, in
 
 Boundaries find_boundaries(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
                            const Connection& connection, const Scene& scene,
-                           const std::vector<LoopRun>& robin_runs) {
-  BoundaryFinder finder(base, sheets, loops, connection);
+                           const std::vector<LoopRun>& robin_runs, bool attach) {
+  BoundaryFinder finder(base, sheets, loops, connection, attach);
   finder.lay_automatic_ramps();
   for (size_t r = 0; r < scene.robin.size(); ++r)
     finder.lay_given_ramp(scene.robin[r], robin_runs[r]);
-  return finder.result();
+  Boundaries boundaries = finder.result();
+  boundaries.bump_nodes =
+      find_bump_outlines({base, sheets, loops, connection}, scene, robin_runs, boundaries.ramps);
+  return boundaries;
 }
 
 }  // namespace relievo

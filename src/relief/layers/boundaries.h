@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "relief/layers/connect_sheets.h"
@@ -36,15 +37,18 @@ struct Boundaries {
   std::vector<RobinRamp> ramps;
   std::vector<RampNode> ramp_nodes;
   std::vector<GluedPair> glued;
+  std::vector<BumpNode> bump_nodes;
+  std::vector<uint8_t> enclosed;  ///< per seam: the upper outline does not leave the lower surface
 };
 
 /// Finds the role of every node and lays the Robin ranges: from each merged end of a seam along
 /// the upper outline to its exit, where that outline meets the rim of the lower surface, or for
 /// the length of the seam where there is no exit; and the ranges given by the scene, which
-/// replace automatic ones that they touch. Near-linear in the length of the outlines.
+/// replace automatic ones that they touch. Where `attach`, their nodes name those below them.
+/// Near-linear in the length of the outlines.
 Boundaries find_boundaries(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
                            const Connection& connection, const Scene& scene,
-                           const std::vector<LoopRun>& robin_runs);
+                           const std::vector<LoopRun>& robin_runs, bool attach);
 
 /// The node of `part` at `vertex` beside the loop edge ab, or -1 where that edge is not on the
 /// part's outline.

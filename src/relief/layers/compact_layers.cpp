@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "relief/layers/joined_surface.h"
+
 namespace relievo {
 namespace {
 
@@ -15,10 +17,13 @@ class Compactor {
     node_.assign(sheets.node_vertex.size(), -1);
   }
 
-  LayeredMesh run(const Boundaries& boundaries, const std::vector<DepthPair>& pairs) {
+  LayeredMesh run(const Boundaries& boundaries, const std::vector<uint8_t>& flaps,
+                  const std::vector<DepthPair>& pairs) {
+    out_.face_flap = flaps;
     copy_triangles();
     copy_nodes();
     copy_roles(boundaries, out_);
+    copy_bumps(boundaries, out_);
     copy_constraints(pairs, out_);
     return std::move(out_);
   }
@@ -31,15 +36,26 @@ class Compactor {
     mesh.ramps = boundaries.ramps;
     for (RampNode node : boundaries.ramp_nodes) {
       node.node = node_[node.node];
+      if (node.below >= 0) node.below = node_[node.below];
       if (node.node >= 0) mesh.ramp_nodes.push_back(node);
     }
   }
 
+  void copy_bumps(const Boundaries& boundaries, LayeredMesh& mesh) const {
+    for (BumpNode node : boundaries.bump_nodes) {
+      node.node = node_[node.node];
+      if (node.node >= 0) mesh.bump_nodes.push_back(node);
+    }
+    if (!mesh.bump_nodes.empty()) mesh.face_source = sheets_.face_source;
+  }
+
   void copy_constraints(const std::vector<DepthPair>& pairs, LayeredMesh& mesh) const {
+    const std::vector<uint8_t> seen = seen_nodes(mesh);
     for (DepthPair pair : pairs) {
       pair.lower = node_[pair.lower];
       pair.upper = node_[pair.upper];
-      if (pair.lower >= 0 && pair.upper >= 0) mesh.constraints.push_back(pair);
+      if (pair.lower >= 0 && pair.upper >= 0 && seen[pair.lower] != 0 && seen[pair.upper] != 0)
+        mesh.constraints.push_back(pair);
     }
   }
 
@@ -107,8 +123,8 @@ std::vector<int> frontmost_parts(const Sheets& sheets) {
 }
 
 LayeredMesh compact_layers(const BaseMesh& base, const Sheets& sheets, const Boundaries& boundaries,
-                           const std::vector<DepthPair>& pairs) {
-  return Compactor(base, sheets).run(boundaries, pairs);
+                           const std::vector<uint8_t>& flaps, const std::vector<DepthPair>& pairs) {
+  return Compactor(base, sheets).run(boundaries, flaps, pairs);
 }
 
 }  // namespace relievo

@@ -12,8 +12,9 @@ namespace relievo {
 std::vector<int> frontmost_parts(const Sheets& sheets);
 
 /// The finished mesh: everything renumbered without uncovered triangles, unused vertices and
-/// unused nodes. O(T + F).
+/// unused nodes, and with the pairs of nodes that are seen. `flaps` is empty or one flag per face.
+/// O(T + F).
 LayeredMesh compact_layers(const BaseMesh& base, const Sheets& sheets, const Boundaries& boundaries,
-                           const std::vector<DepthPair>& pairs);
+                           const std::vector<uint8_t>& flaps, const std::vector<DepthPair>& pairs);
 
 }  // namespace relievo

@@ -13,6 +13,10 @@ class Connector {
   Connector(const BaseMesh& base, int part_count, Sheets& sheets) : base_(base), sheets_(sheets) {
     out_.surface.resize(part_count);
     std::iota(out_.surface.begin(), out_.surface.end(), 0);
+    dropped_.assign(sheets.faces.size(), 0);
+    faces_of_.resize(part_count);
+    for (size_t f = 0; f < sheets.faces.size(); ++f)
+      faces_of_[sheets.face_part[f]].push_back(static_cast<int>(f));
   }
 
   Status connect(const JoinPath& join) {
@@ -29,12 +33,22 @@ class Connector {
       out_.warnings.push_back(join.name +
                               ": only the part of the join inside the lower part is used");
     follow(join, first, last);
-    reconnect(join, first, last);
+    if (is_bump(join))
+      replace_below(join, first, last);
+    else
+      reconnect(join, first, last);
     unite(join.upper, join.lower);
     return Done{};
   }
 
-  Connection result() { return std::move(out_); }
+  Connection result() {
+    const std::vector<int> number = drop_faces(dropped_, sheets_);
+    for (Seam& seam : out_.seams) {
+      for (int& face : seam.covered) face = number[face];
+      std::erase(seam.covered, -1);
+    }
+    return std::move(out_);
+  }
 
  private:
   // Per path edge the triangles on the side that the upper part covers and on the other.
@@ -57,12 +71,60 @@ class Connector {
   // Per path edge the frontmost face of the lower surface on the outer side, or -1.
   void find_surface(const JoinPath& join) {
     below_.assign(outer_.size(), -1);
-    for (size_t i = 0; i < outer_.size(); ++i) {
-      const int t = outer_[i];
-      if (t < 0) continue;
-      for (int f = sheets_.stack_begin[t]; f < sheets_.stack_begin[t + 1]; ++f)
-        if (sheets_.face_part[f] < upper_ && same_surface(sheets_.face_part[f], join.lower))
-          below_[i] = f;
+    for (size_t i = 0; i < outer_.size(); ++i) below_[i] = face_below(outer_[i], join);
+  }
+
+  // The frontmost face of the lower surface behind the upper part over a triangle, or -1.
+  int face_below(int t, const JoinPath& join) const {
+    if (t < 0) return -1;
+    int below = -1;
+    for (int f = sheets_.stack_begin[t]; f < sheets_.stack_begin[t + 1]; ++f)
+      if (sheets_.face_part[f] < upper_ && dropped_[f] == 0 &&
+          same_surface(sheets_.face_part[f], join.lower))
+        below = f;
+    return below;
+  }
+
+  // Whether the lower surface lies under all of the upper part and on around it. A part that was
+  // joined to other surfaces before, or to this one as no bump, is none.
+  bool is_bump(const JoinPath& join) const {
+    if (out_.surface[upper_] != upper_) return is_bump_already(join);
+    for (const int face : faces_of_[upper_]) {
+      const int t = sheets_.face_triangle[face];
+      if (face_below(t, join) < 0) return false;
+      for (const int next : base_.mesh.neighbours[t])
+        if (sheets_.face_of(next, upper_) < 0 && face_below(next, join) < 0) return false;
+    }
+    return true;
+  }
+
+  bool is_bump_already(const JoinPath& join) const {
+    return std::any_of(out_.seams.begin(), out_.seams.end(), [&](const Seam& seam) {
+      return seam.upper == upper_ && seam.bump && same_surface(upper_, join.lower);
+    });
+  }
+
+  static Seam seam_of(const JoinPath& join, int first, int last) {
+    Seam seam;
+    seam.upper = join.upper;
+    seam.lower = join.lower;
+    seam.loop = join.loop;
+    seam.position = join.position + first;
+    seam.edges = last - first;
+    return seam;
+  }
+
+  void replace_below(const JoinPath& join, int first, int last) {
+    Seam seam = seam_of(join, first, last);
+    seam.bump = true;
+    out_.seams.push_back(std::move(seam));
+    if (out_.surface[upper_] != upper_) return;
+    for (const int face : faces_of_[upper_]) {
+      const int below = face_below(sheets_.face_triangle[face], join);
+      sheets_.faces[face] = sheets_.faces[below];
+      sheets_.face_source[face] = sheets_.face_source[below];
+      sheets_.faces[below] = {-1, -1, -1};  // hangs together with nothing any more
+      dropped_[below] = 1;
     }
   }
 
@@ -149,11 +211,25 @@ class Connector {
         move_all(turn(below_[i], vertex, path_[i + 1], path_[i - 1], complete), vertex, node,
                  moves);
     }
-    Seam seam{join.upper, join.lower, join.loop, join.position + first, last - first, false, false};
+    Seam seam = seam_of(join, first, last);
+    seam.covered = covered_faces(first, last);
     seam.first_end_inside = merge_end(first, path_[first], path_[first + 1], moves);
     seam.last_end_inside = merge_end(last - 1, path_[last], path_[last - 1], moves);
     for (const auto& [corner, node] : moves) sheets_.faces[corner / 3][corner % 3] = node;
     out_.seams.push_back(seam);
+  }
+
+  // The faces that hang together with those below across path edges first to last, before the cut.
+  std::vector<int> covered_faces(int first, int last) const {
+    std::vector<int> faces;
+    for (int i = first; i < last; ++i) {
+      const auto& corners = base_.mesh.triangles[outer_[i]];
+      int opposite = 0;
+      while (corners[opposite] == path_[i] || corners[opposite] == path_[i + 1]) ++opposite;
+      const int face = face_across(base_, sheets_, below_[i], opposite);
+      if (face >= 0) faces.push_back(face);
+    }
+    return faces;
   }
 
   // Re-attaches the whole turn around an end; where the turn is not closed, the end lies on an
@@ -182,6 +258,8 @@ class Connector {
   const BaseMesh& base_;
   Sheets& sheets_;
   Connection out_;
+  std::vector<uint8_t> dropped_;            // per face: replaced by a bump's
+  std::vector<std::vector<int>> faces_of_;  // per part
   std::vector<int> path_;
   std::vector<int> inner_;
   std::vector<int> outer_;

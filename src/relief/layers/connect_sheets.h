@@ -27,6 +27,8 @@ struct Seam {
   int edges = 0;                  ///< it has edges + 1 vertices, ends included
   bool first_end_inside = false;  ///< the end was merged into the inside of the lower surface
   bool last_end_inside = false;
+  bool bump = false;         ///< the upper part lies on the lower surface with all of its outline
+  std::vector<int> covered;  ///< faces of the lower surface beside it, under the upper part
 };
 
 struct Connection {
@@ -37,7 +39,9 @@ struct Connection {
 
 /// Cuts the lower sheets open along the joins, back to front, and reconnects what the upper part
 /// does not cover to the upper part's nodes; the covered rest stays behind as a flap. Follows
-/// the surface that is really there, so a join may run over earlier seams. Fails with bad_input
+/// the surface that is really there, so a join may run over earlier seams. A part that lies on the
+/// lower surface with all of its outline is a bump: its faces take the place of those below, nodes
+/// and all, and nothing is cut. Fails with bad_input
 /// where a join does not run inside the lower part. O(length of the joins).
 Result<Connection> connect_sheets(const BaseMesh& base, const std::vector<JoinPath>& joins,
                                   int part_count, Sheets& sheets);

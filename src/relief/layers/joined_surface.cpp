@@ -20,6 +20,22 @@ std::vector<Point2> node_positions(const LayeredMesh& mesh, double scale) {
   return positions;
 }
 
+std::vector<uint8_t> seen_nodes(const LayeredMesh& mesh) {
+  std::vector<uint8_t> seen(mesh.node_vertex.size(), 0);
+  for (size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (mesh.stack_begin[t] < mesh.stack_begin[t + 1])
+      for (const int n : mesh.faces[mesh.stack_begin[t + 1] - 1]) seen[n] = 1;
+  return seen;
+}
+
+std::vector<std::array<int, 3>> shaping_faces(const LayeredMesh& mesh) {
+  std::vector<std::array<int, 3>> faces;
+  faces.reserve(mesh.faces.size());
+  for (size_t f = 0; f < mesh.faces.size(); ++f)
+    if (!mesh.is_flap(f)) faces.push_back(mesh.faces[f]);
+  return faces;
+}
+
 std::vector<int> joined_surfaces(const LayeredMesh& mesh) {
   const int nodes = static_cast<int>(mesh.node_vertex.size());
   DisjointSets surfaces(nodes);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "kernel/geometry/point.h"
@@ -14,6 +16,12 @@ double scene_scale(const LayeredMesh& mesh);
 
 /// Where each node lies, canvas px times `scale`, #N. With the faces it is the flat joined mesh.
 std::vector<Point2> node_positions(const LayeredMesh& mesh, double scale = 1);
+
+/// Whether each node is at a face that is in front of all others, #N. O(T + N).
+std::vector<uint8_t> seen_nodes(const LayeredMesh& mesh);
+
+/// The faces that shape the surface: all but flaps. O(F).
+std::vector<std::array<int, 3>> shaping_faces(const LayeredMesh& mesh);
 
 /// The joined surface of each node, #N, named by its smallest node. Near-linear.
 std::vector<int> joined_surfaces(const LayeredMesh& mesh);

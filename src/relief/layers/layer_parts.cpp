@@ -9,6 +9,7 @@
 
 #include "relief/layers/collect_constraints.h"
 #include "relief/layers/compact_layers.h"
+#include "relief/layers/flaps.h"
 #include "relief/layers/inner_points.h"
 #include "relief/layers/loop_runs.h"
 #include "relief/layers/mesh_spacing.h"
@@ -125,16 +126,20 @@ Result<JoinedSheets> join_sheets(const Scene& scene, const LayerOptions& options
   return joined;
 }
 
-Result<LayeredMesh> constrain_sheets(const JoinedSheets& joined, const Scene& scene, bool glue) {
+Result<LayeredMesh> constrain_sheets(const JoinedSheets& joined, const Scene& scene,
+                                     const LayerOptions& options) {
   const auto& [base, sheets, loops, connection] =
       std::tie(joined.base, joined.sheets, joined.loops, joined.connection);
   const Boundaries boundaries =
-      find_boundaries(base, sheets, loops, connection, scene, joined.robin);
+      find_boundaries(base, sheets, loops, connection, scene, joined.robin, options.attach);
+  std::vector<uint8_t> flaps;
+  if (options.attach) flaps = find_flaps(base, sheets, connection, boundaries);
   std::vector<DepthPair> pairs = joined.copies;
-  const std::vector<DepthPair> ordered = collect_constraints(
-      base, sheets, loops, connection, boundaries, scene, runs_of_relations(joined, scene), glue);
+  const std::vector<DepthPair> ordered =
+      collect_constraints(base, sheets, loops, connection, boundaries, scene,
+                          runs_of_relations(joined, scene), options.glue);
   pairs.insert(pairs.end(), ordered.begin(), ordered.end());
-  LayeredMesh layers = compact_layers(base, sheets, boundaries, pairs);
+  LayeredMesh layers = compact_layers(base, sheets, boundaries, flaps, pairs);
   if (Status status = check_covered(layers, scene, joined.edge_length); !status)
     return status.error();
   layers.warnings = joined.warnings;
@@ -147,7 +152,7 @@ Result<LayeredMesh> layer_parts(const Scene& scene, const LayerOptions& options,
                                 const RunContext& context) {
   const auto joined = join_sheets(scene, options, context);
   if (!joined) return joined.error();
-  return constrain_sheets(*joined, scene, options.glue);
+  return constrain_sheets(*joined, scene, options);
 }
 
 }  // namespace relievo

@@ -21,20 +21,25 @@ struct LayerOptions {
   /// Upper outlines beside a join follow the lower surface exactly ("glued"); otherwise they
   /// may rise above it.
   bool glue = true;
+  /// Outlines beside a join begin at the height of the lower surface, and what lies hidden under
+  /// a part that grows out of it shapes nothing; otherwise such outlines are only pulled to the
+  /// drawing plane less there, as in the paper.
+  bool attach = true;
   /// More nodes than this are refused before they are made.
   int max_nodes = 4000000;
 };
 
 /// Puts all parts on one triangulation and joins them. Of the scene it reads the outlines, the
 /// order and ids of the parts, the joins, and the ends of Robin and relation ranges; of the options
-/// all but `glue`. Fails with bad_input or contradiction naming the part or join, limit, or
-/// interrupted. Near-linear in the number of nodes.
+/// all but `glue` and `attach`. Fails with bad_input or contradiction naming the part or join,
+/// limit, or interrupted. Near-linear in the number of nodes.
 Result<JoinedSheets> join_sheets(const Scene& scene, const LayerOptions& options,
                                  const RunContext& context = {});
 
 /// Finds boundaries and constraint sets on the joined sheets of the scene. Near-linear in the
 /// number of nodes.
-Result<LayeredMesh> constrain_sheets(const JoinedSheets& joined, const Scene& scene, bool glue);
+Result<LayeredMesh> constrain_sheets(const JoinedSheets& joined, const Scene& scene,
+                                     const LayerOptions& options);
 
 /// Both: puts all parts on one triangulation, joins them and collects the constraint sets.
 Result<LayeredMesh> layer_parts(const Scene& scene, const LayerOptions& options,

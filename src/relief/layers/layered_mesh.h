@@ -31,8 +31,18 @@ struct RobinRamp {
 struct RampNode {
   int node = -1;
   int ramp = -1;
+  int below = -1;   ///< node of the lower surface there that it is attached to, or -1
   double t = 0;     ///< arc length from the flexible end / length of the range, in (0, 1)
   double mass = 0;  ///< lumped boundary mass: half the length of the adjacent outline edges, px
+};
+
+/// A node on the outline of a bump: a joined part whose outline does not leave the lower surface,
+/// and whose faces are the lower surface's there.
+struct BumpNode {
+  int node = -1;
+  int part = -1;  ///< of the bump
+  int ramp = -1;  ///< under which it lies, or -1
+  double t = 1;   ///< as of a ramp node; 0 on the join, 1 where it is neither on it nor on a ramp
 };
 
 /// h[lower] <= h[upper], or equal. Both nodes lie at the same base vertex. [P eq 11]
@@ -54,9 +64,15 @@ struct LayeredMesh {
 
   std::vector<int>
       stack_begin;  ///< #T+1: faces of triangle t are [stack_begin[t], stack_begin[t+1])
-  std::vector<int> face_triangle;         ///< #F base triangle of each face
-  std::vector<int> face_part;             ///< #F part of each face
+  std::vector<int> face_triangle;  ///< #F base triangle of each face
+  std::vector<int> face_part;      ///< #F part of each face
+  /// #F, the part that inflates each face: another one only where it is a bump on that. Empty where
+  /// there is no bump.
+  std::vector<int> face_source;
   std::vector<std::array<int, 3>> faces;  ///< #F nodes, corner k lies at corner k of the triangle
+  /// #F, 1 on what lies under a part that grows out of it: it follows the rest of its sheet and
+  /// shapes nothing. Empty where there is none.
+  std::vector<uint8_t> face_flap;
 
   std::vector<int> node_vertex;     ///< #N base vertex of each node
   std::vector<int> node_part;       ///< #N frontmost part that uses the node
@@ -64,11 +80,18 @@ struct LayeredMesh {
 
   std::vector<RobinRamp> ramps;
   std::vector<RampNode> ramp_nodes;
-  std::vector<DepthPair> constraints;
+  std::vector<BumpNode> bump_nodes;    ///< by part
+  std::vector<DepthPair> constraints;  ///< between nodes that are seen from the front
 
   int part_count = 0;
   double edge_length = 0;             ///< spacing of the outlines, px
   std::vector<std::string> warnings;  ///< what was repaired or left out, for a person
+
+  /// The part whose c, d, flat and lean hold on a face.
+  int source(size_t face) const {
+    return face_source.empty() ? face_part[face] : face_source[face];
+  }
+  bool is_flap(size_t face) const { return !face_flap.empty() && face_flap[face] != 0; }
 };
 
 }  // namespace relievo

@@ -108,6 +108,7 @@ Sheets make_sheets(const BaseMesh& base, const Cover& cover) {
   Sheets sheets;
   sheets.stack_begin = cover.stack_begin;
   sheets.face_part = cover.stack_part;
+  sheets.face_source = cover.stack_part;
   sheets.faces.resize(cover.stack_part.size());
   for (size_t t = 0; t + 1 < cover.stack_begin.size(); ++t)
     sheets.face_triangle.insert(sheets.face_triangle.end(),
@@ -132,6 +133,28 @@ Sheets make_sheets(const BaseMesh& base, const Cover& cover) {
     }
   }
   return sheets;
+}
+
+std::vector<int> drop_faces(const std::vector<uint8_t>& dropped, Sheets& sheets) {
+  std::vector<int> number(dropped.size(), -1);
+  int count = 0;
+  int triangle = 0;
+  for (size_t f = 0; f < dropped.size(); ++f) {
+    for (; triangle <= sheets.face_triangle[f]; ++triangle) sheets.stack_begin[triangle] = count;
+    if (dropped[f] != 0) continue;
+    sheets.face_part[count] = sheets.face_part[f];
+    sheets.face_source[count] = sheets.face_source[f];
+    sheets.face_triangle[count] = sheets.face_triangle[f];
+    sheets.faces[count] = sheets.faces[f];
+    number[f] = count++;
+  }
+  for (; triangle < static_cast<int>(sheets.stack_begin.size()); ++triangle)
+    sheets.stack_begin[triangle] = count;
+  sheets.face_part.resize(count);
+  sheets.face_source.resize(count);
+  sheets.face_triangle.resize(count);
+  sheets.faces.resize(count);
+  return number;
 }
 
 int face_across(const BaseMesh& base, const Sheets& sheets, int face, int k) {

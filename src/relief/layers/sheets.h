@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "kernel/meshing/triangulate.h"
@@ -30,6 +31,7 @@ BaseMesh make_base_mesh(std::vector<Point2> points, PlanarTriangulation mesh);
 struct Sheets {
   std::vector<int> stack_begin;           ///< #T+1
   std::vector<int> face_part;             ///< #F
+  std::vector<int> face_source;           ///< #F part that inflates it
   std::vector<int> face_triangle;         ///< #F
   std::vector<std::array<int, 3>> faces;  ///< #F nodes
   std::vector<int> node_vertex;           ///< #N
@@ -41,6 +43,10 @@ struct Sheets {
 
 /// One sheet per part, not yet joined: a node per covered vertex and part. O(F).
 Sheets make_sheets(const BaseMesh& base, const Cover& cover);
+
+/// Takes the flagged faces (#F) out of the stacks; the new number of each face, -1 where it is
+/// gone. O(F).
+std::vector<int> drop_faces(const std::vector<uint8_t>& dropped, Sheets& sheets);
 
 /// The face that shares both nodes of the edge opposite to corner k, or -1 at an open edge.
 int face_across(const BaseMesh& base, const Sheets& sheets, int face, int k);

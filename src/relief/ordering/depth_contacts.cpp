@@ -8,12 +8,9 @@
 namespace relievo {
 namespace {
 
-bool inside(NodeRole role) { return role == NodeRole::interior || role == NodeRole::seam; }
-
 DepthContact contact_at(const LayeredMesh& mesh, int lower, int upper) {
-  return {mesh.node_part[lower], mesh.node_part[upper],
-          inside(mesh.node_role[lower]) && inside(mesh.node_role[upper]),
-          mesh.vertices[mesh.node_vertex[lower]], false};
+  return {mesh.node_part[lower], mesh.node_part[upper], mesh.vertices[mesh.node_vertex[lower]],
+          false};
 }
 
 void sort_contacts(std::vector<DepthContact>& contacts) {
@@ -29,19 +26,13 @@ bool closed_nearby(const std::vector<DepthContact>& contacts, const DepthContact
 
 }  // namespace
 
-std::vector<DepthContact> contacts_of(const LayeredMesh& mesh, const StackedNodes& stacked,
-                                      const std::vector<double>& h) {
+std::vector<DepthContact> contacts_of(const LayeredMesh& mesh, const std::vector<double>& h) {
   std::vector<DepthContact> contacts;
-  const auto add = [&](const DepthPair& pair) {
+  for (const DepthPair& pair : mesh.constraints) {
+    if (pair.equal) continue;
     contacts.push_back(contact_at(mesh, pair.lower, pair.upper));
     contacts.back().closed = h[pair.upper] <= h[pair.lower];
-  };
-  for (const DepthPair& pair : mesh.constraints)
-    if (!pair.equal) add(pair);
-  std::vector<uint8_t> closed;
-  closed.reserve(stacked.pairs.size());
-  for (const DepthPair& pair : stacked.pairs) closed.push_back(h[pair.upper] <= h[pair.lower]);
-  for (const DepthPair& pair : flagged(stacked, grown(stacked, std::move(closed), 1))) add(pair);
+  }
   return contacts;
 }
 
@@ -55,15 +46,6 @@ std::vector<uint8_t> gaps_like(const LayeredMesh& mesh, const DepthProblem& prob
     closed[gap.child] = closed_nearby(contacts, contact_at(mesh, lower, upper));
   }
   return closed;
-}
-
-std::vector<DepthPair> pairs_like(const LayeredMesh& mesh, const StackedNodes& stacked,
-                                  std::vector<DepthContact> contacts) {
-  sort_contacts(contacts);
-  std::vector<DepthPair> pairs;
-  for (const DepthPair& pair : stacked.pairs)
-    if (closed_nearby(contacts, contact_at(mesh, pair.lower, pair.upper))) pairs.push_back(pair);
-  return pairs;
 }
 
 }  // namespace relievo

@@ -42,9 +42,9 @@ Cover cover_of(const LayeredMesh& mesh, const FlatMesh& flat, const std::vector<
     for (int f = mesh.stack_begin[t]; f < mesh.stack_begin[t + 1]; ++f) {
       Point2 centre;
       for (const int n : mesh.faces[f]) centre = centre + 1.0 / 3 * flat.positions[n];
-      cover.parts[mesh.face_part[f]].add(areas[f], centre);
+      cover.parts[mesh.source(f)].add(areas[f], centre);
       if (f > mesh.stack_begin[t])
-        cover.overlaps[{mesh.face_part[f - 1], mesh.face_part[f]}].add(areas[f], centre);
+        cover.overlaps[{mesh.source(f - 1), mesh.source(f)}].add(areas[f], centre);
     }
   return cover;
 }
@@ -88,13 +88,15 @@ LeanTerm lean_term(const LayeredMesh& mesh, const Scene& scene, double scale, do
   const VectorXd constants = constants_of(cover_of(mesh, flat, areas), scene);
   std::vector<Point2> leans;
   leans.reserve(mesh.faces.size());
-  for (const int part : mesh.face_part) leans.push_back(scene.parts[part].lean);
+  for (size_t f = 0; f < mesh.faces.size(); ++f)
+    leans.push_back(mesh.is_flap(f) ? Point2{} : scene.parts[mesh.source(f)].lean);
   LeanTerm term{divergence_load(flat, leans), 0};
   for (size_t f = 0; f < areas.size(); ++f) {
+    if (mesh.is_flap(f)) continue;
     term.constant += areas[f] * dot(leans[f], leans[f]) / 2;
     const double mass = epsilon * areas[f] / 3;
     for (const int n : mesh.faces[f]) {
-      const double target = dot(leans[f], positions[n]) + constants[mesh.face_part[f]];
+      const double target = dot(leans[f], positions[n]) + constants[mesh.source(f)];
       term.pull[n] += mass * target;
       term.constant += mass * target * target / 2;
     }

@@ -13,7 +13,6 @@ namespace relievo {
 
 struct OrderingOptions {
   double epsilon = 1e-4;      ///< weight of the pull to h = f, in scene units (box diagonal 2)
-  int max_rounds = 3;         ///< cutting-plane rounds for interior overlap
   bool start_active = false;  ///< first guess of the active set: all gaps closed, or none
 };
 
@@ -30,10 +29,10 @@ struct OrderingInput {
 void prepare_ordering(const SurfaceInput& surface, const OrderingOptions& options,
                       OrderingSystem& system, const RunContext& context = {});
 
-/// Shifts the parts so that all depth pairs hold, by the least Dirichlet energy of g, or of what
-/// distinguishes it from the leans of parts (ShiftMetric). `system` is
-/// a new one or was used for the same discretisation before: then the solver begins from what it
-/// found, and computes again only what is different. Its minimum is the same.
+/// Shifts the parts so that all depth pairs of the mesh hold, by the least Dirichlet energy of g,
+/// or of what distinguishes it from the leans of parts (ShiftMetric). `system` is a new one or was
+/// used for the same discretisation before: then the solver begins from what it found, and computes
+/// again only what is different. Its minimum is the same.
 Result<Ordering> order_depth(const OrderingInput& input, const OrderingOptions& options,
                              OrderingSystem& system, const RunContext& context = {});
 

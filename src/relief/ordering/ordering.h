@@ -15,11 +15,7 @@ struct Ordering {
 
   int equalities = 0;        ///< nodes held at the height of another
   int inequalities = 0;      ///< pairs kept as gaps
-  int rounds = 0;            ///< cutting-plane rounds that added interior pairs
-  int interior_pairs = 0;    ///< pairs they added
   double max_violation = 0;  ///< worst h[lower] - h[upper] over all pairs, px, 0 if none
-  int overlap_samples = 0;   ///< interior samples where an upper part dips below a lower one
-  double overlap_worst = 0;  ///< and the deepest of them, px
   /// Of the last solve; its energy is the cost of g (ShiftMetric), in scene units.
   BoundQpReport report;
 };

@@ -16,16 +16,14 @@ void set_surface(const SurfaceInput& surface, double epsilon, OrderingSystem& sy
     system.metric = make_shift_metric(surface.discretisation, epsilon);
     system.epsilon = epsilon;
   }
-  std::vector<FacePair> faces = stacked_faces(surface.mesh, surface.scene);
-  if (faces != system.stacked.faces) system.stacked = stacked_nodes(surface.mesh, std::move(faces));
 }
 
 void set_leans(const LayeredMesh& mesh, const Scene& scene, OrderingSystem& system) {
   system.metric.lean = lean_term(mesh, scene, system.metric.scale, system.epsilon);
 }
 
-void set_pairs(const SurfaceInput& surface, const std::vector<DepthPair>& pairs,
-               OrderingSystem& system, const RunContext& context) {
+void set_pairs(const SurfaceInput& surface, OrderingSystem& system, const RunContext& context) {
+  const std::vector<DepthPair>& pairs = surface.mesh.constraints;
   const std::vector<int>& node_part = surface.mesh.node_part;
   const bool serves =
       system.pairs &&

@@ -8,7 +8,6 @@
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/depth_contacts.h"
 #include "relief/ordering/depth_problem.h"
-#include "relief/ordering/stacked_nodes.h"
 #include "relief/scene/scene.h"
 
 namespace relievo {
@@ -24,8 +23,6 @@ struct SurfaceInput {
 struct OrderingSystem {
   double epsilon = 0;  ///< that of the metric; 0: there is none yet
   ShiftMetric metric;
-  StackedNodes stacked;
-  std::vector<DepthPair> inside;                ///< stacked nodes that were compared last, sorted
   std::optional<std::vector<DepthPair>> pairs;  ///< that `system` is for now, if there is one
   DepthSystem system;
   /// Where a first solve begins: heights on this mesh, or else contacts on another, or else as the
@@ -34,17 +31,16 @@ struct OrderingSystem {
   std::vector<DepthContact> contacts;
 };
 
-/// Brings the metric but for its leans, and what is stacked on the surface, up to date; where the
-/// metric changes, the system is for no pairs any more. O(N + F) where there is anything to do.
+/// Brings the metric but for its leans up to date; where it changes, the system is for no pairs any
+/// more. O(N + F) where there is anything to do.
 void set_surface(const SurfaceInput& surface, double epsilon, OrderingSystem& system,
                  const RunContext& context);
 
 /// Brings the leans of the metric up to date. Precondition: the surface was set. As lean_term.
 void set_leans(const LayeredMesh& mesh, const Scene& scene, OrderingSystem& system);
 
-/// Makes the system one for these pairs; anew where its pattern cannot serve, which takes
+/// Makes the system one for the mesh's pairs; anew where its pattern cannot serve, which takes
 /// make_depth_system. For none if `context` is cancelled.
-void set_pairs(const SurfaceInput& surface, const std::vector<DepthPair>& pairs,
-               OrderingSystem& system, const RunContext& context);
+void set_pairs(const SurfaceInput& surface, OrderingSystem& system, const RunContext& context);
 
 }  // namespace relievo

@@ -6,7 +6,9 @@ namespace relievo {
 
 ShiftMetric make_shift_metric(const Discretisation& discretisation, double epsilon) {
   ShiftMetric metric{discretisation.scale, discretisation.L, {}};
-  metric.A.diagonal() += epsilon * discretisation.mass;
+  // What takes no part stays where it is and is coupled to nothing.
+  metric.A.diagonal() +=
+      discretisation.mass.unaryExpr([&](double mass) { return mass > 0 ? epsilon * mass : 1.0; });
   metric.lean.pull = Eigen::VectorXd::Zero(discretisation.mass.size());
   return metric;
 }

@@ -17,6 +17,8 @@ struct Relief {
   LayeredMesh layers;
   Inflation inflation;
   Ordering ordering;
+  int overlap_samples = 0;               ///< faces that come out in front of the next one
+  double overlap_worst = 0;              ///< and by how much at most, px
   JointReport joint;                     ///< of the non-linear method; without steps otherwise
   std::vector<JointSnapshot> snapshots;  ///< likewise
   std::vector<StageTime> times;          ///< of the stages that ran

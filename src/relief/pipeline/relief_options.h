@@ -17,7 +17,9 @@ struct ReliefOptions {
   LayerOptions layers;
   InflationOptions inflation;
   OrderingOptions ordering;
-  JointOptions joint;  ///< of the non-linear method; epsilon and max_rounds are the ordering's
+  JointOptions joint;  ///< of the non-linear method; epsilon is the ordering's
+  /// Whether what is hidden from the front is wanted too: in models of whole sheets.
+  bool hidden = true;
 };
 
 }  // namespace relievo

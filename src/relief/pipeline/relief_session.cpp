@@ -6,6 +6,7 @@
 #include "kernel/base/workers.h"
 #include "kernel/geometry/nearest_mark.h"
 #include "relief/discretisation/discretise.h"
+#include "relief/hiding/hide_sheets.h"
 #include "relief/pipeline/stage_keys.h"
 
 namespace relievo {
@@ -73,6 +74,7 @@ Status ReliefSession::update(const Scene& scene, const ReliefOptions& options,
   }
   status = jointly ? update_jointly(request) : update_ordering(request);
   if (!status) return status;
+  if (status = update_hidden(request); !status) return status;
   relief_.times = std::move(times);
   return Done{};
 }
@@ -135,7 +137,7 @@ Status ReliefSession::update_layers(const Request& request) {
   if (!status) return status;
   Key key = layers_key(scene, options.layers);
   status = layers_state_.refresh(key.add(sheets_state_.version()), [&]() -> Status {
-    auto layers = constrain_sheets(sheets_, scene, options.layers.glue);
+    auto layers = constrain_sheets(sheets_, scene, options.layers);
     if (!layers) return layers.error();
     relief_.layers = std::move(*layers);
     clock.finish("mesh");
@@ -149,7 +151,8 @@ Status ReliefSession::update_layers(const Request& request) {
 }
 
 Status ReliefSession::update_discretisation(const Request& request) {
-  return discretisation_state_.refresh(Key().add(sheets_state_.version()), [&]() -> Status {
+  Key key = Key().add(sheets_state_.version()).add(relief_.layers.face_flap);
+  return discretisation_state_.refresh(std::move(key), [&]() -> Status {
     discretisation_ = discretise(relief_.layers, request.context);
     if (request.context.cancelled()) return interrupted_error();
     begin_like(request.scene);
@@ -164,6 +167,7 @@ Status ReliefSession::update_inflation(const Request& request) {
   StageClock& clock = request.clock;
   const LayeredMesh& mesh = relief_.layers;
   Key roles = Key().add(discretisation_state_.version()).add(mesh.node_role);
+  for (const RampNode& node : mesh.ramp_nodes) roles.add(node.node).add(node.below);
   Status status = poisson_state_.refresh(std::move(roles), [&]() -> Status {
     poisson_.emplace(mesh, discretisation_,
                      use_ == Use::many ? Refactorisation::incremental : Refactorisation::complete,
@@ -208,6 +212,23 @@ Status ReliefSession::update_ordering(const Request& request) {
   });
 }
 
+/// Hides in place: what is seen stays, and what was hidden once is so in models of what is seen.
+Status ReliefSession::update_hidden(const Request& request) {
+  if (!request.options.hidden) return Done{};
+  return hidden_state_.refresh(Key().add(heights_state_.version()), [&]() -> Status {
+    HiddenSheets sheets = hide_sheets(
+        {relief_.layers, discretisation_, request.scene, relief_.inflation, relief_.ordering},
+        request.context);
+    if (request.context.cancelled()) return interrupted_error();
+    relief_.inflation = std::move(sheets.inflation);
+    relief_.ordering = std::move(sheets.ordering);
+    relief_.overlap_samples = sheets.overlap_samples;
+    relief_.overlap_worst = sheets.overlap_worst;
+    request.clock.finish("hide");
+    return Done{};
+  });
+}
+
 Status ReliefSession::update_jointly(const Request& request) {
   const Scene& scene = request.scene;
   const ReliefOptions& options = request.options;
@@ -218,7 +239,7 @@ Status ReliefSession::update_jointly(const Request& request) {
   return heights_state_.refresh(std::move(key), [&]() -> Status {
     JointOptions joint = options.joint;
     joint.epsilon = options.ordering.epsilon;
-    joint.max_rounds = options.ordering.max_rounds;
+    joint.bumps = options.inflation;
     joint.probe_ends = use_ == Use::guess;
     auto solution = solve_jointly({relief_.layers, discretisation_, inflation_, scene}, joint,
                                   joint_memory_, ordering_system_, context);

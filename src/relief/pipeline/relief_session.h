@@ -84,6 +84,7 @@ class ReliefSession {
   Status update_inflation(const Request& request);
   Status update_ordering(const Request& request);
   Status update_jointly(const Request& request);
+  Status update_hidden(const Request& request);
   void begin_like(const Scene& scene);
 
   Use use_;
@@ -93,6 +94,7 @@ class ReliefSession {
   StageState poisson_state_;
   StageState inflation_state_;
   StageState heights_state_;
+  StageState hidden_state_;
   JoinedSheets sheets_;
   Discretisation discretisation_;
   std::optional<PoissonSystem> poisson_;

@@ -11,7 +11,7 @@ namespace relievo {
 /// Wall time of a stage, or of a piece of work inside one. A name may occur several times. Only
 /// what is done beside others overlaps them.
 struct StageTime {
-  std::string stage;  ///< "mesh", "assemble", "analyse", "inflate", "order" or "nonlinear"
+  std::string stage;  ///< "mesh", "assemble", "analyse", "inflate", "order", "nonlinear" or "hide"
   double milliseconds = 0;
   bool beside = false;  ///< on another thread than the stage that it counts to
 };

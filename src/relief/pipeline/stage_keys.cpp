@@ -20,7 +20,7 @@ Key sheets_key(const Scene& scene, const LayerOptions& options) {
 
 Key layers_key(const Scene& scene, const LayerOptions& options) {
   Key key;
-  key.add(options.glue).add(scene.relations.size());
+  key.add(options.glue).add(options.attach).add(scene.relations.size());
   for (const Relation& relation : scene.relations)
     key.add(relation.upper).add(relation.lower).add(relation.kind).add(relation.range.has_value());
   for (const RobinRange& range : scene.robin)
@@ -36,7 +36,8 @@ Key boundary_key(const LayeredMesh& mesh) {
   key.add(mesh.node_role).add(mesh.ramps.size());
   for (const RobinRamp& ramp : mesh.ramps) key.add(ramp.length).add(ramp.alpha0).add(ramp.rho);
   for (const RampNode& node : mesh.ramp_nodes)
-    key.add(node.node).add(node.ramp).add(node.t).add(node.mass);
+    key.add(node.node).add(node.ramp).add(node.below).add(node.t).add(node.mass);
+  for (const BumpNode& node : mesh.bump_nodes) key.add(node.node).add(node.ramp).add(node.t);
   return key;
 }
 
@@ -53,7 +54,7 @@ Key ordering_key(const LayeredMesh& mesh, const Scene& scene, const OrderingOpti
   for (const Part& part : scene.parts) key.add(part.d < 0).add(part.lean);
   for (const Relation& relation : scene.relations)
     key.add(relation.upper).add(relation.lower).add(relation.kind).add(relation.range.has_value());
-  return key.add(options.epsilon).add(options.max_rounds).add(options.start_active);
+  return key.add(options.epsilon).add(options.start_active);
 }
 
 Key joint_key(const JointOptions& options) {

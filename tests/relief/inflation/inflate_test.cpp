@@ -36,7 +36,7 @@ void soften_outline(LayeredMesh& mesh, double alpha, double rho, double ramp_len
   for (size_t n = 0; n < mesh.node_role.size(); ++n) {
     if (mesh.node_role[n] != NodeRole::outline) continue;
     mesh.node_role[n] = NodeRole::ramp;
-    mesh.ramp_nodes.push_back({static_cast<int>(n), 0, 0.0, edge});
+    mesh.ramp_nodes.push_back({static_cast<int>(n), 0, -1, 0.0, edge});
   }
 }
 

@@ -173,10 +173,8 @@ TEST(SolveJointly, HasTheSameBitsWhereTheOrderWasPrepared) {
   const JointCase test = joint_case(body_and_leg(), 2000, 0.01);
   const Relief& start = test.approximate;
   const Discretisation discretisation = discretise(start.layers);
-  OrderingOptions options;
-  options.max_rounds = test.options.joint.max_rounds;
   OrderingSystem system;
-  prepare_ordering({start.layers, discretisation, test.scene}, options, system);
+  prepare_ordering({start.layers, discretisation, test.scene}, {}, system);
   const auto prepared = solve_jointly({start.layers, discretisation, start.inflation, test.scene},
                                       test.options.joint, {}, system);
   ASSERT_TRUE(prepared.ok());
@@ -302,7 +300,6 @@ TEST(SolveJointly, RefusesOptionsThatMakeNoSense) {
   EXPECT_EQ(where([](JointOptions& o) { o.max_iterations = 0; }), "max_iterations");
   EXPECT_EQ(where([](JointOptions& o) { o.anderson_depth = -1; }), "anderson_depth");
   EXPECT_EQ(where([](JointOptions& o) { o.epsilon = 0; }), "epsilon");
-  EXPECT_EQ(where([](JointOptions& o) { o.max_rounds = -1; }), "max_rounds");
   EXPECT_EQ(where([](JointOptions& o) { o.snapshots = {3, 1}; }), "snapshots");
 }
 

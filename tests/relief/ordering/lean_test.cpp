@@ -18,9 +18,7 @@ using testing::ShiftCost;
 Ordering ordered(const LayeredMesh& mesh, const Scene& scene) {
   const Result<Inflation> inflation = inflate(mesh, scene, {});
   EXPECT_TRUE(inflation) << to_string(inflation.error());
-  OrderingOptions options;
-  options.max_rounds = 0;
-  const Result<Ordering> ordering = order_depth(mesh, *inflation, scene, options);
+  const Result<Ordering> ordering = order_depth(mesh, *inflation, scene, {});
   EXPECT_TRUE(ordering) << to_string(ordering.error());
   return *ordering;
 }

@@ -17,12 +17,6 @@ using testing::check_depth_optimality;
 using testing::enforced_pairs;
 using testing::RandomDepth;
 
-OrderingOptions only_given_pairs() {
-  OrderingOptions options;
-  options.max_rounds = 0;
-  return options;
-}
-
 Ordering ordered(const RandomDepth& random, const OrderingOptions& options) {
   const Result<Ordering> result = order_depth(random.mesh, random.inflation, random.scene, options);
   RC_ASSERT(result.ok());
@@ -31,7 +25,7 @@ Ordering ordered(const RandomDepth& random, const OrderingOptions& options) {
 
 void check_random_part_graph() {
   const RandomDepth random = testing::random_depth();
-  const OrderingOptions options = only_given_pairs();
+  const OrderingOptions options;
   const Ordering ordering = ordered(random, options);
   RC_ASSERT(ordering.max_violation == 0);
   RC_ASSERT(ordering.report.stationarity <= 1e-12);
@@ -55,7 +49,7 @@ TEST(Optimality, HoldsOnAThousandRandomPartGraphs) {
 TEST(Optimality, TheCheckNoticesWrongHeights) {
   EXPECT_TRUE(rc::check([] {
     const RandomDepth random = testing::random_depth();
-    const OrderingOptions options = only_given_pairs();
+    const OrderingOptions options;
     Ordering ordering = ordered(random, options);
     ordering.h[*rc::gen::inRange<size_t>(0, ordering.h.size())] += *rc::gen::element(-1e-3, 1e-3);
     const testing::DepthOptimality optimality =
@@ -68,7 +62,7 @@ TEST(Optimality, TheCheckNoticesWrongHeights) {
 TEST(Optimality, TheMinimiserDoesNotDependOnTheStart) {
   EXPECT_TRUE(rc::check([] {
     const RandomDepth random = testing::random_depth();
-    OrderingOptions options = only_given_pairs();
+    OrderingOptions options;
     const Ordering none = ordered(random, options);
     options.start_active = true;
     const Ordering all = ordered(random, options);
@@ -107,7 +101,7 @@ testing::LinearlyConstrainedQp stated_directly(const RandomDepth& random, double
 TEST(Optimality, IpoptFindsTheSameHeights) {
   EXPECT_TRUE(rc::check([] {
     const RandomDepth random = testing::random_depth();
-    OrderingOptions options = only_given_pairs();
+    OrderingOptions options;
     // An interior point method leaves heights that only a tiny epsilon determines vague.
     options.epsilon = 0.1;
     const Ordering ordering = ordered(random, options);

@@ -24,9 +24,7 @@ Ordering order_from(const Scene& scene, int vertices, const std::vector<DepthCon
   const Inflation inflation = *inflate({mesh, discretisation, scene}, {}, poisson);
   OrderingSystem system;
   system.contacts = contacts;
-  OrderingOptions options;
-  options.max_rounds = 0;
-  return *order_depth({mesh, discretisation, inflation, scene}, options, system);
+  return *order_depth({mesh, discretisation, inflation, scene}, {}, system);
 }
 
 TEST(OperationCounts, AColdOrderTakesAtMostTwentyFactorisations) {
@@ -75,7 +73,6 @@ TEST(OperationCounts, EditsOfNumbersKeepEveryPattern) {
     const auto expect_few = [&](const char* edit, int most) {
       ASSERT_TRUE(session.update(scene, options));
       EXPECT_EQ(analyses(session), 0) << seed << " " << edit;
-      EXPECT_EQ(session.relief().ordering.rounds, 0) << seed << " " << edit;
       EXPECT_LE(session.relief().ordering.report.factorisations, most) << seed << " " << edit;
     };
     scene.parts.back().c *= 1.1;
@@ -84,7 +81,7 @@ TEST(OperationCounts, EditsOfNumbersKeepEveryPattern) {
     expect_few("d", 6);
     scene.parts.front().lean = {0.1, 0.05};
     expect_few("lean", 6);
-    options.inflation.alpha0 *= 1.5;
+    options.inflation.alpha0 = 0.1;
     expect_few("alpha0", 6);
     options.inflation.rho *= 1.2;
     expect_few("rho", 6);

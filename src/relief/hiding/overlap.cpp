@@ -1,9 +1,9 @@
-#include "relief/ordering/overlap.h"
+#include "relief/hiding/overlap.h"
 
 #include <algorithm>
 #include <array>
-
-#include "relief/inflation/inflation.h"
+#include <limits>
+#include <utility>
 
 namespace relievo {
 namespace {
@@ -22,10 +22,6 @@ std::vector<std::pair<int, int>> free_parts(const Scene& scene) {
       parts.push_back({relation.upper, relation.lower});
   std::sort(parts.begin(), parts.end());
   return parts;
-}
-
-bool share_node(const Face& a, const Face& b) {
-  return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
 }
 
 double height_at(const Face& face, const std::array<int, 3>& fifths, const std::vector<double>& u,
@@ -49,31 +45,24 @@ std::vector<FacePair> stacked_faces(const LayeredMesh& mesh, const Scene& scene)
   };
   std::vector<FacePair> pairs;
   for (size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (int upper = mesh.stack_begin[t] + 1; upper < mesh.stack_begin[t + 1]; ++upper) {
-      if (scene.parts[mesh.face_part[upper]].d < 0) continue;
-      int lower = upper - 1;
-      while (lower >= mesh.stack_begin[t] && may_cross(upper, lower)) --lower;
-      if (lower >= mesh.stack_begin[t]) pairs.push_back({lower, upper});
+    for (int lower = mesh.stack_begin[t + 1] - 2; lower >= mesh.stack_begin[t]; --lower) {
+      int upper = lower + 1;
+      while (upper < mesh.stack_begin[t + 1] && may_cross(upper, lower)) ++upper;
+      if (upper < mesh.stack_begin[t + 1]) pairs.push_back({lower, upper});
     }
   return pairs;
 }
 
-OverlapSamples sample_overlap(const LayeredMesh& mesh, const std::vector<FacePair>& pairs,
-                              const std::vector<double>& u, const std::vector<double>& g,
-                              double tolerance) {
-  OverlapSamples result;
-  for (const FacePair& pair : pairs) {
-    const Face& lower = mesh.faces[pair.lower];
-    const Face& upper = mesh.faces[pair.upper];
-    if (share_node(lower, upper)) continue;
-    for (const auto& fifths : sample_fifths) {
-      const double dip = height_at(lower, fifths, u, g) - height_at(upper, fifths, u, g);
-      if (!(dip > tolerance)) continue;
-      ++result.count;
-      result.worst = std::max(result.worst, dip);
-    }
+Dip worst_dip(const LayeredMesh& mesh, const FacePair& pair, const Inflation& inflation,
+              const Ordering& ordering) {
+  Dip worst{-std::numeric_limits<double>::infinity(), {}};
+  for (const auto& [a, b, c] : sample_fifths) {
+    const std::array<int, 3> fifths = {a, b, c};
+    const double depth = height_at(mesh.faces[pair.lower], fifths, inflation.u, ordering.g) -
+                         height_at(mesh.faces[pair.upper], fifths, inflation.u, ordering.g);
+    if (depth > worst.depth) worst = {depth, {0.2 * a, 0.2 * b, 0.2 * c}};
   }
-  return result;
+  return worst;
 }
 
 }  // namespace relievo

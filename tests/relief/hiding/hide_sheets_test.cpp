@@ -1,0 +1,134 @@
+#include "relief/hiding/hide_sheets.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "relief/discretisation/discretise.h"
+#include "relief/hiding/overlap.h"
+#include "relief/inflation/inflate.h"
+#include "relief/layers/joined_surface.h"
+#include "relief/layers/layer_parts.h"
+#include "relief/ordering/order_depth.h"
+#include "support/random_limbs.h"
+#include "support/random_scene.h"
+#include "support/stacked_parts.h"
+
+namespace relievo {
+namespace {
+
+using testing::in_box;
+using testing::in_disc;
+
+/// A surface as it is seen, and with what is hidden.
+struct Hidden {
+  LayeredMesh mesh;
+  Scene scene;
+  Discretisation discretisation;
+  Inflation inflation;
+  Ordering ordering;
+  HiddenSheets sheets;
+};
+
+Hidden hide(LayeredMesh mesh, const Scene& scene) {
+  Hidden result{std::move(mesh), scene, {}, {}, {}, {}};
+  result.discretisation = discretise(result.mesh);
+  result.inflation = *inflate(result.mesh, scene, {});
+  result.ordering = *order_depth(result.mesh, result.inflation, scene, {});
+  result.sheets = hide_sheets(
+      {result.mesh, result.discretisation, result.scene, result.inflation, result.ordering});
+  return result;
+}
+
+/// Over the faces with a node that can be lowered.
+double worst_dip_of(const Hidden& hidden) {
+  double worst = -1e300;
+  const std::vector<uint8_t> seen = seen_nodes(hidden.mesh);
+  for (const FacePair& pair : stacked_faces(hidden.mesh, hidden.scene)) {
+    const std::array<int, 3>& nodes = hidden.mesh.faces[pair.lower];
+    if (std::all_of(nodes.begin(), nodes.end(), [&](int n) { return seen[n] != 0; })) continue;
+    worst = std::max(
+        worst, worst_dip(hidden.mesh, pair, hidden.sheets.inflation, hidden.sheets.ordering).depth);
+  }
+  return worst;
+}
+
+void expect_seen_unchanged(const Hidden& hidden) {
+  const std::vector<uint8_t> seen = seen_nodes(hidden.mesh);
+  for (size_t n = 0; n < seen.size(); ++n) {
+    if (seen[n] == 0) continue;
+    EXPECT_EQ(hidden.sheets.ordering.h[n], hidden.ordering.h[n]);
+    EXPECT_EQ(hidden.sheets.ordering.grad_g[n], hidden.ordering.grad_g[n]);
+    EXPECT_EQ(hidden.sheets.inflation.u[n], hidden.inflation.u[n]);
+  }
+}
+
+Hidden shields_over_ball(int shields) {
+  std::vector<testing::Cover> covers = {in_disc({200, 200}, 110)};
+  for (int i = 0; i < shields; ++i) covers.push_back(in_box({40, 40}, {360, 360}));
+  LayeredMesh mesh = stack_parts(testing::grid_mesh(40, 40, 10), covers);
+  Scene scene = testing::scene_of(mesh);
+  for (int p = 1; p < mesh.part_count; ++p) scene.parts[p].c = 0.05 - 0.002 * p;
+  return hide(std::move(mesh), scene);
+}
+
+TEST(HideSheets, LowersABallUnderAFlatShield) {
+  const Hidden hidden = shields_over_ball(1);
+  EXPECT_GT(hidden.ordering.h[0], -1);
+  EXPECT_LE(worst_dip_of(hidden), 0);
+  EXPECT_EQ(hidden.sheets.overlap_samples, 0);
+  expect_seen_unchanged(hidden);
+}
+
+TEST(HideSheets, LowersPilesOfSheets) {
+  const Hidden hidden = shields_over_ball(4);
+  EXPECT_LE(worst_dip_of(hidden), 0);
+  expect_seen_unchanged(hidden);
+}
+
+TEST(HideSheets, LetsFreePartsCross) {
+  LayeredMesh mesh = stack_parts(testing::grid_mesh(40, 40, 10),
+                                 {in_disc({200, 200}, 110), in_box({40, 40}, {360, 360})});
+  Scene scene = testing::scene_of(mesh);
+  scene.parts[1].c = 0.05;
+  scene.relations.push_back({1, 0, RelationKind::free, {}});
+  const Hidden hidden = hide(std::move(mesh), scene);
+  EXPECT_EQ(hidden.sheets.ordering.h, hidden.ordering.h);
+}
+
+TEST(HideSheets, HangsFlapsUpWhereTheyGoOn) {
+  LayerOptions options;
+  options.vertex_budget = 4000;
+  const Scene scene = testing::body_and_leg();
+  const Hidden hidden = hide(*layer_parts(scene, options), scene);
+  int flaps = 0;
+  for (size_t f = 0; f < hidden.mesh.faces.size(); ++f) {
+    if (!hidden.mesh.is_flap(f)) continue;
+    ++flaps;
+    EXPECT_EQ(hidden.mesh.face_part[f], 0);
+    for (const int n : hidden.mesh.faces[f]) {
+      const bool outline = hidden.mesh.node_role[n] == NodeRole::outline;
+      EXPECT_EQ(hidden.sheets.inflation.u[n] > 0, !outline);
+    }
+  }
+  EXPECT_GT(flaps, 50);
+  EXPECT_LE(worst_dip_of(hidden), 0);
+  expect_seen_unchanged(hidden);
+}
+
+TEST(HideSheets, LeavesNothingInFrontOnRandomScenes) {
+  LayerOptions options;
+  options.vertex_budget = 3000;
+  for (uint64_t seed = 1; seed <= 20; ++seed)
+    for (const Scene& scene : {testing::random_scene(seed), testing::random_limbs(seed)}) {
+      const Result<LayeredMesh> mesh = layer_parts(scene, options);
+      if (!mesh) continue;
+      const Hidden hidden = hide(*mesh, scene);
+      EXPECT_LE(worst_dip_of(hidden), 1e-3) << seed;
+      expect_seen_unchanged(hidden);
+    }
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,166 @@
+#include "support/seams.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <queue>
+#include <utility>
+
+namespace relievo::testing {
+namespace {
+
+/// The face across the edge of `face` opposite to its corner, or -1.
+int face_beyond(const LayeredMesh& mesh, int face, int corner) {
+  const int other = mesh.neighbours[mesh.face_triangle[face]][corner];
+  if (other < 0) return -1;
+  const int a = mesh.faces[face][(corner + 1) % 3];
+  const int b = mesh.faces[face][(corner + 2) % 3];
+  for (int f = mesh.stack_begin[other]; f < mesh.stack_begin[other + 1]; ++f) {
+    const std::array<int, 3>& nodes = mesh.faces[f];
+    for (int k = 0; k < 3; ++k)
+      if (nodes[k] == b && nodes[(k + 1) % 3] == a) return f;
+  }
+  return -1;
+}
+
+/// The normal times the area of each face, by node and side.
+Point3 area_vector(const LayeredMesh& mesh, const std::vector<double>& h, int face) {
+  std::array<Point3, 3> p;
+  for (int k = 0; k < 3; ++k) {
+    const int n = mesh.faces[face][k];
+    const Point2 q = mesh.vertices[mesh.node_vertex[n]];
+    p[k] = {q.x, q.y, h[n]};
+  }
+  return cross(p[1] - p[0], p[2] - p[0]);
+}
+
+double degrees_between(Point3 a, Point3 b) {
+  return std::atan2(std::sqrt(dot(cross(a, b), cross(a, b))), dot(a, b)) * 180 / M_PI;
+}
+
+using Edges = std::map<int, std::vector<int>>;
+
+/// Takes the chain that begins at `node` out of the edges.
+SeamChain take_chain(const LayeredMesh& mesh, int upper, int node, Edges& edges) {
+  SeamChain chain{upper, {node}, {0}};
+  for (auto at = edges.find(node); at != edges.end() && !at->second.empty();
+       at = edges.find(node)) {
+    const int next = at->second.back();
+    at->second.pop_back();
+    std::vector<int>& back = edges[next];
+    back.erase(std::find(back.begin(), back.end(), node));
+    const double step =
+        distance(mesh.vertices[mesh.node_vertex[node]], mesh.vertices[mesh.node_vertex[next]]);
+    chain.nodes.push_back(next);
+    chain.length.push_back(chain.length.back() + step);
+    node = next;
+  }
+  return chain;
+}
+
+/// How high water stands at most within half the radius around the middle, on what is seen from the
+/// front, if it runs off at the circle and at silhouettes.
+double deepest_water(const LayeredMesh& mesh, const std::vector<double>& h, Point2 middle,
+                     double radius) {
+  std::map<int, std::vector<int>> edges;
+  std::map<int, std::vector<int>> at_vertex;
+  std::map<int, bool> drains;
+  const auto away = [&](int n) { return distance(mesh.vertices[mesh.node_vertex[n]], middle); };
+  for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const int top = mesh.stack_begin[t + 1] - 1;
+    if (top < mesh.stack_begin[t]) continue;
+    for (int k = 0; k < 3; ++k) {
+      const int n = mesh.faces[top][k];
+      if (away(n) > radius) continue;
+      for (const int other : mesh.faces[top]) {
+        if (other == n) continue;
+        edges[n].push_back(other);
+        drains[n] = drains[n] || away(other) > radius;
+      }
+      for (const int side : {1, 2}) drains[n] = drains[n] || mesh.neighbours[t][(k + side) % 3] < 0;
+      at_vertex[mesh.node_vertex[n]].push_back(n);
+    }
+  }
+  for (const auto& [vertex, nodes] : at_vertex)
+    for (const int a : nodes)
+      for (const int b : nodes)
+        if (a != b) edges[a].push_back(b);
+  using Level = std::pair<double, int>;
+  std::priority_queue<Level, std::vector<Level>, std::greater<>> queue;
+  for (const auto& [n, out] : drains)
+    if (out) queue.push({h[n], n});
+  std::map<int, double> level;
+  double deepest = 0;
+  while (!queue.empty()) {
+    const auto [water, n] = queue.top();
+    queue.pop();
+    if (!level.insert({n, water}).second) continue;
+    if (away(n) <= 0.5 * radius) deepest = std::max(deepest, water - h[n]);
+    for (const int other : edges[n])
+      if (away(other) <= radius && level.count(other) == 0)
+        queue.push({std::max(water, h[other]), other});
+  }
+  return deepest;
+}
+
+}  // namespace
+
+std::vector<SeamChain> seam_chains(const LayeredMesh& mesh) {
+  std::map<int, Edges> edges_of;  // per upper part
+  for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f)
+    for (int k = 0; k < 3; ++k) {
+      const int other = face_beyond(mesh, f, k);
+      if (other < 0 || mesh.face_part[other] >= mesh.face_part[f]) continue;
+      const int a = mesh.faces[f][(k + 1) % 3];
+      const int b = mesh.faces[f][(k + 2) % 3];
+      edges_of[mesh.face_part[f]][a].push_back(b);
+      edges_of[mesh.face_part[f]][b].push_back(a);
+    }
+  std::vector<SeamChain> chains;
+  for (auto& [upper, edges] : edges_of) {
+    std::vector<int> starts;
+    for (const auto& [node, next] : edges)
+      if (next.size() == 1) starts.push_back(node);
+    for (const int start : starts)
+      if (!edges[start].empty()) chains.push_back(take_chain(mesh, upper, start, edges));
+  }
+  return chains;
+}
+
+std::vector<double> seam_angles(const LayeredMesh& mesh, const std::vector<double>& h,
+                                const SeamChain& chain) {
+  const double total = chain.length.back();
+  std::map<int, std::pair<Point3, Point3>> sides;
+  for (size_t i = 0; i < chain.nodes.size(); ++i)
+    if (chain.length[i] >= 0.25 * total && chain.length[i] <= 0.75 * total)
+      sides[chain.nodes[i]] = {};
+  std::map<int, int> hidden;
+  for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f)
+    for (const int n : mesh.faces[f]) {
+      const auto at = sides.find(n);
+      if (at == sides.end()) continue;
+      const bool above = mesh.face_part[f] >= chain.upper;
+      Point3& sum = above ? at->second.first : at->second.second;
+      sum = sum + area_vector(mesh, h, f);
+      if (f + 1 < mesh.stack_begin[mesh.face_triangle[f] + 1]) ++hidden[n];
+    }
+  std::vector<double> angles;
+  for (const auto& [node, pair] : sides)
+    if (hidden[node] == 0) angles.push_back(degrees_between(pair.first, pair.second));
+  std::sort(angles.begin(), angles.end());
+  return angles;
+}
+
+std::vector<double> pits(const LayeredMesh& mesh, const std::vector<double>& h,
+                         const SeamChain& chain) {
+  const double total = chain.length.back();
+  std::vector<double> result;
+  for (const int end : {chain.nodes.front(), chain.nodes.back()})
+    result.push_back(deepest_water(mesh, h, mesh.vertices[mesh.node_vertex[end]], 0.5 * total) /
+                     total);
+  return result;
+}
+
+}  // namespace relievo::testing
