@@ -6,7 +6,10 @@
 #include <functional>
 #include <map>
 #include <queue>
+#include <set>
 #include <utility>
+
+#include "relief/layers/joined_surface.h"
 
 namespace relievo::testing {
 namespace {
@@ -38,6 +41,27 @@ Point3 area_vector(const LayeredMesh& mesh, const std::vector<double>& h, int fa
 
 double degrees_between(Point3 a, Point3 b) {
   return std::atan2(std::sqrt(dot(cross(a, b), cross(a, b))), dot(a, b)) * 180 / M_PI;
+}
+
+/// The nodes of bumps' outlines that are not on joins.
+std::set<int> loose_rims(const LayeredMesh& mesh) {
+  std::set<int> rims;
+  for (const BumpNode& node : mesh.bump_nodes)
+    if (node.t > 0) rims.insert(node.node);
+  return rims;
+}
+
+/// Where outlines are seen.
+std::vector<Point2> creases(const LayeredMesh& mesh) {
+  const std::vector<uint8_t> seen = seen_nodes(mesh);
+  const std::set<int> rims = loose_rims(mesh);
+  std::vector<Point2> points;
+  for (size_t n = 0; n < seen.size(); ++n) {
+    const bool drawn = mesh.node_role[n] == NodeRole::outline ||
+                       mesh.node_role[n] == NodeRole::ramp || rims.count(static_cast<int>(n)) > 0;
+    if (seen[n] != 0 && drawn) points.push_back(mesh.vertices[mesh.node_vertex[n]]);
+  }
+  return points;
 }
 
 using Edges = std::map<int, std::vector<int>>;
@@ -109,12 +133,14 @@ double deepest_water(const LayeredMesh& mesh, const std::vector<double>& h, Poin
 
 std::vector<SeamChain> seam_chains(const LayeredMesh& mesh) {
   std::map<int, Edges> edges_of;  // per upper part
+  const std::set<int> rims = loose_rims(mesh);
   for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f)
     for (int k = 0; k < 3; ++k) {
       const int other = face_beyond(mesh, f, k);
       if (other < 0 || mesh.face_part[other] >= mesh.face_part[f]) continue;
       const int a = mesh.faces[f][(k + 1) % 3];
       const int b = mesh.faces[f][(k + 2) % 3];
+      if (rims.count(a) + rims.count(b) > 0) continue;
       edges_of[mesh.face_part[f]][a].push_back(b);
       edges_of[mesh.face_part[f]][b].push_back(a);
     }
@@ -146,9 +172,16 @@ std::vector<double> seam_angles(const LayeredMesh& mesh, const std::vector<doubl
       sum = sum + area_vector(mesh, h, f);
       if (f + 1 < mesh.stack_begin[mesh.face_triangle[f] + 1]) ++hidden[n];
     }
+  const std::vector<Point2> drawn = creases(mesh);
+  const auto is_smooth = [&](int node) {
+    const Point2 at = mesh.vertices[mesh.node_vertex[node]];
+    return std::none_of(drawn.begin(), drawn.end(),
+                        [&](Point2 p) { return distance(p, at) < 3 * mesh.edge_length; });
+  };
   std::vector<double> angles;
   for (const auto& [node, pair] : sides)
-    if (hidden[node] == 0) angles.push_back(degrees_between(pair.first, pair.second));
+    if (hidden[node] == 0 && is_smooth(node))
+      angles.push_back(degrees_between(pair.first, pair.second));
   std::sort(angles.begin(), angles.end());
   return angles;
 }
@@ -156,10 +189,12 @@ std::vector<double> seam_angles(const LayeredMesh& mesh, const std::vector<doubl
 std::vector<double> pits(const LayeredMesh& mesh, const std::vector<double>& h,
                          const SeamChain& chain) {
   const double total = chain.length.back();
+  const std::vector<uint8_t> seen = seen_nodes(mesh);
   std::vector<double> result;
-  for (const int end : {chain.nodes.front(), chain.nodes.back()})
-    result.push_back(deepest_water(mesh, h, mesh.vertices[mesh.node_vertex[end]], 0.5 * total) /
-                     total);
+  for (const int end : {chain.nodes.front(), chain.nodes.back()}) {
+    const Point2 at = mesh.vertices[mesh.node_vertex[end]];
+    result.push_back(seen[end] != 0 ? deepest_water(mesh, h, at, 0.5 * total) / total : 0);
+  }
   return result;
 }
 

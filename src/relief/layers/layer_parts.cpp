@@ -13,6 +13,7 @@
 #include "relief/layers/inner_points.h"
 #include "relief/layers/loop_runs.h"
 #include "relief/layers/mesh_spacing.h"
+#include "relief/layers/resting_pairs.h"
 
 namespace relievo {
 namespace {
@@ -140,6 +141,8 @@ Result<LayeredMesh> constrain_sheets(const JoinedSheets& joined, const Scene& sc
                           runs_of_relations(joined, scene), options.glue);
   pairs.insert(pairs.end(), ordered.begin(), ordered.end());
   LayeredMesh layers = compact_layers(base, sheets, boundaries, flaps, pairs);
+  const std::vector<DepthPair> resting = resting_pairs(layers, scene);
+  layers.constraints.insert(layers.constraints.end(), resting.begin(), resting.end());
   if (Status status = check_covered(layers, scene, joined.edge_length); !status)
     return status.error();
   layers.warnings = joined.warnings;

@@ -81,7 +81,9 @@ struct LayeredMesh {
   std::vector<RobinRamp> ramps;
   std::vector<RampNode> ramp_nodes;
   std::vector<BumpNode> bump_nodes;    ///< by part
-  std::vector<DepthPair> constraints;  ///< between nodes that are seen from the front
+  /// Between nodes that are seen from the front, and where a part that is seen may rest on what
+  /// lies directly below it.
+  std::vector<DepthPair> constraints;
 
   int part_count = 0;
   double edge_length = 0;             ///< spacing of the outlines, px

@@ -8,9 +8,12 @@
 namespace relievo {
 namespace {
 
+bool inside(NodeRole role) { return role == NodeRole::interior || role == NodeRole::seam; }
+
 DepthContact contact_at(const LayeredMesh& mesh, int lower, int upper) {
-  return {mesh.node_part[lower], mesh.node_part[upper], mesh.vertices[mesh.node_vertex[lower]],
-          false};
+  return {mesh.node_part[lower], mesh.node_part[upper],
+          inside(mesh.node_role[lower]) && inside(mesh.node_role[upper]),
+          mesh.vertices[mesh.node_vertex[lower]], false};
 }
 
 void sort_contacts(std::vector<DepthContact>& contacts) {

@@ -14,10 +14,11 @@ namespace relievo {
 struct DepthContact {
   int lower = -1;  ///< parts
   int upper = -1;
+  bool inside = false;  ///< both nodes, not on an outline
   Point2 position;      ///< px
   bool closed = false;  ///< the nodes have the same height, or cross
 
-  std::tuple<int, int> group() const { return {lower, upper}; }
+  std::tuple<int, int, bool> group() const { return {lower, upper, inside}; }
 };
 
 /// The contacts of heights h, #N, where the mesh has inequalities. Heights alone decide, not the
@@ -25,7 +26,7 @@ struct DepthContact {
 std::vector<DepthContact> contacts_of(const LayeredMesh& mesh, const std::vector<double>& h);
 
 /// A first guess for a problem on another mesh of a similar scene, one flag per node: each gap
-/// is as the nearest contact of the same parts, open where there is none. O(gaps log
+/// is as the nearest contact of the same parts and kind, open where there is none. O(gaps log
 /// contacts) where contacts are not stacked above each other on the canvas.
 std::vector<uint8_t> gaps_like(const LayeredMesh& mesh, const DepthProblem& problem,
                                std::vector<DepthContact> contacts);

@@ -23,6 +23,7 @@ Key layers_key(const Scene& scene, const LayerOptions& options) {
   key.add(options.glue).add(options.attach).add(scene.relations.size());
   for (const Relation& relation : scene.relations)
     key.add(relation.upper).add(relation.lower).add(relation.kind).add(relation.range.has_value());
+  for (const Part& part : scene.parts) key.add(part.d < 0);
   for (const RobinRange& range : scene.robin)
     key.add(range.alpha0.has_value())
         .add(range.alpha0.value_or(0))
