@@ -30,8 +30,8 @@ ReliefOptions to_options(const val& options) {
   relief.layers.glue = options["glue"].as<bool>();
   relief.inflation.rho = options["rho"].as<double>();
   relief.inflation.alpha0 = options["alpha0"].as<double>();
-  if (options["literal"].as<bool>()) relief.inflation.units = RobinUnits::literal;
   relief.joint.lambda_bnd = options["lambdaBnd"].as<double>();
+  relief.joint.lambda_shift = options["lambdaShift"].as<double>();
   return relief;
 }
 

@@ -31,8 +31,14 @@ TEST_F(Failures, UsageIsTwo) {
   expect_failure(with(build, {"--lean", "0.5"}), 2, "lean");
   expect_failure(with(build, {"--lean", "0.5", "2.5"}), 2, "lean");
   expect_failure(with(build, {"--preset", "paper", "--rho", "0.5"}), 2, "rho");
+  for (const char* value : {"--c", "--alpha0", "--flat"})
+    expect_failure(with(build, {"--preset", "paper", value, "0.5"}), 2, value);
+  expect_failure(with(build, {"--preset", "newspaper"}), 2, "preset");
   expect_failure(with(build, {"--method", "magic"}), 2, "method");
   expect_failure(with(build, {"--lambda-bnd", "0"}), 2, "lambda-bnd");
+  for (const char* value : {"0", "-1", "1e4", "nan"})
+    expect_failure(with(build, {"--lambda-shift", value}), 2, "lambda-shift");
+  expect_failure({"render", "scene.json", "-o", "a.png", "--lambda-shift", "0"}, 2, "lambda-shift");
   expect_failure(with(build, {"--visible", "some"}), 2, "visible");
   expect_failure(with(build, {"--keep-hidden", "--visible", "orbit"}), 2, "visible");
   expect_failure(with(build, {"--normal-y", "up"}), 2, "normal-y");

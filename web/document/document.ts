@@ -59,7 +59,7 @@ export interface Settings {
   readonly vertices: number;
   readonly rho: number;
   readonly lambdaBnd: number;
-  readonly literal: boolean;
+  readonly lambdaShift: number;
   readonly sizeMm: number;
 }
 
@@ -83,7 +83,7 @@ export const defaultSettings: Settings = {
   vertices: 20000,
   rho: 0.25,
   lambdaBnd: 0.01,
-  literal: false,
+  lambdaShift: 1,
   sizeMm: 100,
 };
 

@@ -16,8 +16,7 @@ export interface BuildOptions {
   rho: number;
   alpha0: number;
   lambdaBnd: number;
-  /** The paper's own units of the Robin coefficient. */
-  literal: boolean;
+  lambdaShift: number;
   glue: boolean;
 }
 
