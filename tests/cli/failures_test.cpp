@@ -83,6 +83,18 @@ TEST_F(Failures, BadInputIsThree) {
   expect_failure({"check", "far.json"}, 3, "far.json: parts[1].outline[0][1]");
 }
 
+TEST_F(Failures, ContradictionsAreFour) {
+  std::string scene = scene_text;
+  scene.replace(scene.rfind('}'), 1, R"(, "relations": [
+    { "upper": "leg", "lower": "body", "relation": "below", "range": [[220,180],[220,210]] },
+    { "upper": "leg", "lower": "body", "relation": "above", "range": [[220,190],[220,230]] } ] })");
+  write("twisted.json", scene);
+  expect_failure({"build", "twisted.json", "-o", "out.glb"}, 4, "relations[0]");
+  const Outcome check = relievo({"check", "twisted.json"});
+  EXPECT_EQ(check.exit_code, 4);
+  EXPECT_NE(check.err.find("relations[1]"), std::string::npos) << check.err;
+}
+
 TEST_F(Failures, HostileNamesDoNotSteerTheTerminal) {
   std::string scene = scene_text;
   scene.replace(scene.find("\"joins\""), 7, "\"\\u001b[31m\"");

@@ -4,7 +4,8 @@ import type { Segmentation } from './segmentation';
 
 export type Point = readonly [number, number];
 export type Ring = readonly Point[];
-export type RelationKind = 'equal' | 'above' | 'free';
+/** `below` has a range. */
+export type RelationKind = 'equal' | 'above' | 'free' | 'below';
 
 export interface Part {
   /** Unique name. */

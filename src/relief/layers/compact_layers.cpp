@@ -9,7 +9,8 @@ namespace {
 
 class Compactor {
  public:
-  Compactor(const BaseMesh& base, const Sheets& sheets) : base_(base), sheets_(sheets) {
+  Compactor(const BaseMesh& base, const Sheets& sheets, const LocalOrder& order)
+      : base_(base), sheets_(sheets), order_(order) {
     triangle_.assign(base.mesh.triangles.size(), -1);
     vertex_.assign(base.points.size(), -1);
     node_.assign(sheets.node_vertex.size(), -1);
@@ -61,7 +62,8 @@ class Compactor {
       }
       out_.neighbours.push_back(across);
       out_.triangles.push_back(base_.mesh.triangles[t]);
-      for (int f = sheets_.stack_begin[t]; f < sheets_.stack_begin[t + 1]; ++f) {
+      for (int i = sheets_.stack_begin[t]; i < sheets_.stack_begin[t + 1]; ++i) {
+        const int f = order_.is_usual() ? i : order_.faces[i];
         out_.faces.push_back(sheets_.faces[f]);
         out_.face_part.push_back(sheets_.face_part[f]);
         out_.face_triangle.push_back(triangle_[t]);
@@ -91,6 +93,7 @@ class Compactor {
 
   const BaseMesh& base_;
   const Sheets& sheets_;
+  const LocalOrder& order_;
   std::vector<int> triangle_;
   std::vector<int> vertex_;
   std::vector<int> node_;
@@ -107,8 +110,8 @@ std::vector<int> frontmost_parts(const Sheets& sheets) {
 }
 
 LayeredMesh compact_layers(const BaseMesh& base, const Sheets& sheets, const Boundaries& boundaries,
-                           const std::vector<DepthPair>& pairs) {
-  return Compactor(base, sheets).run(boundaries, pairs);
+                           const LocalOrder& order, const std::vector<DepthPair>& pairs) {
+  return Compactor(base, sheets, order).run(boundaries, pairs);
 }
 
 }  // namespace relievo

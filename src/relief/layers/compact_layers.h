@@ -4,6 +4,7 @@
 
 #include "relief/layers/boundaries.h"
 #include "relief/layers/layered_mesh.h"
+#include "relief/layers/local_order.h"
 #include "relief/layers/sheets.h"
 
 namespace relievo {
@@ -12,8 +13,8 @@ namespace relievo {
 std::vector<int> frontmost_parts(const Sheets& sheets);
 
 /// The finished mesh: everything renumbered without uncovered triangles, unused vertices and
-/// unused nodes. O(T + F).
+/// unused nodes, faces as they lie. O(T + F).
 LayeredMesh compact_layers(const BaseMesh& base, const Sheets& sheets, const Boundaries& boundaries,
-                           const std::vector<DepthPair>& pairs);
+                           const LocalOrder& order, const std::vector<DepthPair>& pairs);
 
 }  // namespace relievo

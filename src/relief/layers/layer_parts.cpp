@@ -130,11 +130,14 @@ Result<LayeredMesh> constrain_sheets(const JoinedSheets& joined, const Scene& sc
       std::tie(joined.base, joined.sheets, joined.loops, joined.connection);
   const Boundaries boundaries =
       find_boundaries(base, sheets, loops, connection, scene, joined.robin);
+  const std::vector<LoopRun> ranges = runs_of_relations(joined, scene);
+  const auto order = find_local_order(base, sheets, loops, scene, ranges);
+  if (!order) return order.error();
   std::vector<DepthPair> pairs = joined.copies;
-  const std::vector<DepthPair> ordered = collect_constraints(
-      base, sheets, loops, connection, boundaries, scene, runs_of_relations(joined, scene), glue);
+  const std::vector<DepthPair> ordered =
+      collect_constraints(base, sheets, loops, connection, boundaries, scene, ranges, *order, glue);
   pairs.insert(pairs.end(), ordered.begin(), ordered.end());
-  LayeredMesh layers = compact_layers(base, sheets, boundaries, pairs);
+  LayeredMesh layers = compact_layers(base, sheets, boundaries, *order, pairs);
   if (Status status = check_covered(layers, scene, joined.edge_length); !status)
     return status.error();
   layers.warnings = joined.warnings;

@@ -44,7 +44,8 @@ struct DepthPair {
 };
 
 /// All parts on one planar triangulation. A *face* is one part's copy of a base triangle; the
-/// faces of a base triangle are consecutive, back to front. A *node* is a vertex of the joined
+/// faces of a base triangle are consecutive, back to front (in the order of parts, but where
+/// relations "below" say otherwise). A *node* is a vertex of the joined
 /// mesh: one surface's copy of a base vertex. Lengths are in canvas px, y down.
 struct LayeredMesh {
   std::vector<Point2> vertices;               ///< #V base vertices
