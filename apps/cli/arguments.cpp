@@ -27,10 +27,12 @@ Examples:
   cat wolf.svg | relievo build - -o wolf.glb)";
 
 constexpr const char* check_help =
-    R"(Reads a drawing, tells what its parts and joins are and what is wrong. Writes nothing.
+    R"(Reads a drawing, tells what its parts and joins are and what is wrong. Writes nothing but the
+picture that is asked for.
 
-Example:
-  relievo check wolf.svg)";
+Examples:
+  relievo check wolf.svg
+  relievo check wolf.svg --overlay understood.png)";
 
 constexpr const char* render_help = R"(Makes a picture of a model, or of a drawing's relief.
 
@@ -235,6 +237,9 @@ void add_build(CLI::App& main, BuildArguments& build) {
 void add_check(CLI::App& main, CheckArguments& check) {
   CLI::App& app = *main.add_subcommand("check", check_help);
   add_common(app, check.common, input_help);
+  app.add_option("--overlay", check.overlay,
+                 "Parts, joins, relations and soft ranges, over the drawing (.png)")
+      ->check(extension({".png"}));
 }
 
 void add_segment(CLI::App& main, SegmentArguments& segment) {

@@ -48,6 +48,7 @@ struct BuildArguments {
 
 struct CheckArguments {
   CommonArguments common;
+  std::string overlay;  ///< file; empty: not wanted
 };
 
 struct RenderArguments {

@@ -17,7 +17,8 @@ Relation AnnotationReader::relation(const Json& json, const JsonPath& path) {
   relation.kind = relation_kind(json["relation"], path.member("relation"));
   if (!json.contains("range")) {
     if (relation.kind == RelationKind::below)
-      fail(path.member("range"), "\"below\" needs a range; where it holds everywhere, swap the parts");
+      fail(path.member("range"),
+           "\"below\" needs a range; where it holds everywhere, swap the parts");
     return relation;
   }
   const std::vector<Point2> ends = points(json["range"], path.member("range"));

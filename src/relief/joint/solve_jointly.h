@@ -15,7 +15,7 @@ namespace relievo {
 constexpr double min_lambda_bnd = 1e-6;  ///< bounds of lambda_bnd
 constexpr double max_lambda_bnd = 1e6;
 constexpr double min_lambda_shift = 1e-3;  ///< bounds of lambda_shift
-constexpr double max_lambda_shift = 100;  ///< above it the iteration need not converge
+constexpr double max_lambda_shift = 100;   ///< above it the iteration need not converge
 
 struct JointOptions {
   double lambda_bnd = 0.01;  ///< pull of B to the drawing plane, in scene units

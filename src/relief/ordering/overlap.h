@@ -14,9 +14,9 @@ struct FacePair {
   friend bool operator==(const FacePair&, const FacePair&) = default;
 };
 
-/// Each face with the next one below it in the stack, which need not be that of an earlier part. A face whose part has d < 0 is meant to lie
-/// below what it covers and has none; lower faces to which a relation "free" without a range was
-/// given are passed over. O(F) but for such relations.
+/// Each face with the next one below it in the stack, which need not be that of an earlier part. A
+/// face whose part has d < 0 is meant to lie below what it covers and has none; lower faces to
+/// which a relation "free" without a range was given are passed over. O(F) but for such relations.
 std::vector<FacePair> stacked_faces(const LayeredMesh& mesh, const Scene& scene);
 
 /// How far upper faces dip below lower ones between the base vertices.
