@@ -44,11 +44,11 @@ class Finder {
   void find_ranges(const std::vector<LoopRun>& runs) {
     for (size_t r = 0; r < runs.size(); ++r) {
       const Relation& relation = scene_.relations[r];
-      if (runs[r].loop < 0) continue;
-      Range range{static_cast<int>(r), relation.upper, relation.lower,
-                  run_vertices(loops_, runs[r])};
-      if (relation.kind == RelationKind::below) below_.push_back(std::move(range));
-      if (relation.kind == RelationKind::above) above_.push_back(std::move(range));
+      const bool below = relation.kind == RelationKind::below;
+      if (runs[r].loop < 0 || (!below && relation.kind != RelationKind::above)) continue;
+      (below ? below_ : above_)
+          .push_back(
+              {static_cast<int>(r), relation.upper, relation.lower, run_vertices(loops_, runs[r])});
     }
   }
 
