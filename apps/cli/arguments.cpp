@@ -1,6 +1,7 @@
 #include "apps/cli/arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
 
 #include "apps/cli/exit_code.h"
@@ -26,10 +27,12 @@ Examples:
   cat wolf.svg | relievo build - -o wolf.glb)";
 
 constexpr const char* check_help =
-    R"(Reads a drawing, tells what its parts and joins are and what is wrong. Writes nothing.
+    R"(Reads a drawing, tells what its parts and joins are and what is wrong. Writes nothing but the
+picture that is asked for.
 
-Example:
-  relievo check wolf.svg)";
+Examples:
+  relievo check wolf.svg
+  relievo check wolf.svg --overlay understood.png)";
 
 constexpr const char* render_help = R"(Makes a picture of a model, or of a drawing's relief.
 
@@ -62,6 +65,18 @@ Field field(const std::string& name) {
   return name == "shift" ? Field::shift : Field::relief;
 }
 
+/// A usage error where the number is not in the range: CLI::Range lets "nan" pass.
+CLI::Validator within(double least, double most) {
+  const CLI::Range range(least, most);
+  const auto check = [=](std::string& value) -> std::string {
+    double number = 0;
+    if (CLI::detail::lexical_cast(value, number) && std::isnan(number))
+      return value + " is no number";
+    return range(value);
+  };
+  return {check, range.get_description(), "range"};
+}
+
 void add_common(CLI::App& app, CommonArguments& common, const char* what) {
   app.add_option("INPUT", common.input, what)->required();
   app.add_flag("-q,--quiet", common.quiet, "Say nothing but errors");
@@ -89,14 +104,13 @@ void add_mesh_options(CLI::App& app, ReliefArguments& relief) {
       app.add_option("--vertices", layers.vertex_budget, "About so many vertices (default 40000)")
           ->check(CLI::Range(100, 10000000));
   app.add_option("--edge", layers.edge_length, "Spacing of the outlines in px, instead")
-      ->check(CLI::Range(0.01, 10000.0))
+      ->check(within(0.01, 10000.0))
       ->excludes(vertices);
   app.add_option("--max-vertices", layers.max_nodes, "Refuse to make more (default 4000000)")
       ->check(CLI::Range(100, 100000000));
 }
 
-void add_relief_options(CLI::App& app, ReliefArguments& relief) {
-  add_mesh_options(app, relief);
+void add_method_options(CLI::App& app, ReliefArguments& relief) {
   app.add_option_function<std::string>(
          "--method",
          [&relief](const std::string& name) {
@@ -104,17 +118,24 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
          },
          "approximate (the default) or nonlinear: inflation and depth order at once")
       ->check(CLI::IsMember({"approximate", "nonlinear"}));
-  app.add_option("--lambda-bnd", relief.options.joint.lambda_bnd,
+  JointOptions& joint = relief.options.joint;
+  app.add_option("--lambda-bnd", joint.lambda_bnd,
                  "Of nonlinear: how firmly outlines beside joins stay down (default 0.01: no pits)")
-      ->check(CLI::Range(min_lambda_bnd, max_lambda_bnd));
+      ->check(within(min_lambda_bnd, max_lambda_bnd));
+  app.add_option("--lambda-shift", joint.lambda_shift,
+                 "Of nonlinear: what a shift costs beside a change of the inflation (default 1)")
+      ->check(within(min_lambda_shift, max_lambda_shift));
   app.add_option_function<std::string>(
          "--field", [&relief](const std::string& name) { relief.field = field(name); },
          "relief (the default), or one of the two that it is the sum of: inflation, shift")
       ->check(CLI::IsMember({"relief", "inflation", "shift"}));
+}
+
+void add_shape_options(CLI::App& app, ReliefArguments& relief) {
   app.add_option("--c", relief.c, "Inflation of all parts: 4 a hemisphere, 2 round limbs")
-      ->check(CLI::Range(min_inflation, max_inflation));
+      ->check(within(min_inflation, max_inflation));
   app.add_option("--flat", relief.flat, "Profile of all parts: 0 round (the default), 1 a flat top")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(within(0.0, 1.0));
   app.add_option_function<std::vector<double>>(
          "--lean",
          [&relief](const std::vector<double>& lean) {
@@ -122,21 +143,25 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
          },
          "Slope of all parts: how much nearer they come per px to the right and downwards")
       ->expected(2)
-      ->check(CLI::Range(-max_lean, max_lean));
+      ->check(within(-max_lean, max_lean));
   InflationOptions& inflation = relief.options.inflation;
-  auto* rho =
-      app.add_option("--rho", inflation.rho, "Softness of ramps beside joins (default 0.25)")
-          ->check(CLI::Range(0.001, max_rho));
+  app.add_option("--rho", inflation.rho, "Softness of ramps beside joins (default 0.25)")
+      ->check(within(0.001, max_rho));
   app.add_option("--alpha0", inflation.alpha0, "How firmly ramps begin, 0 to 1 (default 0.1)")
-      ->check(CLI::Range(0.0, 1.0));
-  app.add_option_function<std::string>(
-         "--preset",
-         [&inflation](const std::string& name) {
-           if (name == "paper") inflation.units = RobinUnits::literal;
-         },
-         "paper: the published units; default: the same relief at any size")
-      ->check(CLI::IsMember({"default", "paper"}))
-      ->excludes(rho);
+      ->check(within(0.0, 1.0));
+}
+
+void add_relief_options(CLI::App& app, ReliefArguments& relief) {
+  add_mesh_options(app, relief);
+  add_method_options(app, relief);
+  add_shape_options(app, relief);
+  auto* preset = app.add_option_function<std::string>(
+      "--preset", [&relief](const std::string& name) { relief.as_in_paper = name == "paper"; },
+      "default: the parts' own values; paper: its c = 4 and d = 1 or -1 for all, round and "
+      "upright");
+  preset->check(CLI::IsMember({"default", "paper"}));
+  for (const char* value : {"--c", "--flat", "--lean", "--rho", "--alpha0"})
+    preset->excludes(app.get_option(value));
   app.add_flag_callback(
       "--no-glue", [&relief] { relief.options.layers.glue = false; },
       "Let outlines beside joins rise above the part below");
@@ -183,7 +208,7 @@ void add_build(CLI::App& main, BuildArguments& build) {
       ->expected(1)
       ->take_all();
   app.add_option("--size", build.size_mm, "Longest side in mm (default 100)")
-      ->check(CLI::Range(0.001, 1e6));
+      ->check(within(0.001, 1e6));
   const auto picture = extension({".png"});
   app.add_option("--normal-map", build.normal_map, "Normals (.png)")->check(picture);
   app.add_option_function<std::string>(
@@ -212,6 +237,9 @@ void add_build(CLI::App& main, BuildArguments& build) {
 void add_check(CLI::App& main, CheckArguments& check) {
   CLI::App& app = *main.add_subcommand("check", check_help);
   add_common(app, check.common, input_help);
+  app.add_option("--overlay", check.overlay,
+                 "Parts, joins, relations and soft ranges, over the drawing (.png)")
+      ->check(extension({".png"}));
 }
 
 void add_segment(CLI::App& main, SegmentArguments& segment) {
@@ -245,12 +273,12 @@ void add_render(CLI::App& main, RenderArguments& render) {
   app.add_option("--view", render.view, "front, three-quarter (the default), side or sheet")
       ->check(CLI::IsMember({"front", "three-quarter", "side", "sheet"}));
   app.add_option("--yaw", render.yaw, "Turn to the right in degrees, in place of the view's")
-      ->check(CLI::Range(-360.0, 360.0));
+      ->check(within(-360.0, 360.0));
   app.add_option("--pitch", render.pitch, "Look from above in degrees, in place of the view's")
-      ->check(CLI::Range(-90.0, 90.0));
+      ->check(within(-90.0, 90.0));
   app.add_option("--light", render.light, "Light from so many degrees to the right, and above")
       ->expected(2)
-      ->check(CLI::Range(-360.0, 360.0));
+      ->check(within(-360.0, 360.0));
   app.add_option("--size", render.size, "Longest side of a view in px (default 1200)")
       ->check(CLI::Range(16, 8192));
   app.add_flag("--clay", render.clay, "Without the colours of the drawing");

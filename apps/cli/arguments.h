@@ -24,6 +24,7 @@ struct ReliefArguments {
   std::optional<double> c;     ///< in place of every part's own
   std::optional<double> flat;  ///< likewise
   std::optional<Point2> lean;  ///< likewise
+  bool as_in_paper = false;    ///< c, d, profile and lean of all parts as the paper has them
   Visibility visibility = Visibility::relief;
   Field field = Field::relief;
 };
@@ -47,6 +48,7 @@ struct BuildArguments {
 
 struct CheckArguments {
   CommonArguments common;
+  std::string overlay;  ///< file; empty: not wanted
 };
 
 struct RenderArguments {

@@ -142,6 +142,7 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
       {build.common.input,
        input->scene,
        *relief,
+       build.relief.options.joint,
        products.drawn ? &products.drawn->model : nullptr,
        {{"read", read_time}, {"export", exporting.milliseconds()}, {"total", total.milliseconds()}},
        all_warnings(*input, *relief)});

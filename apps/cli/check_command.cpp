@@ -6,7 +6,11 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/inputs.h"
 #include "apps/cli/messages.h"
+#include "apps/cli/outputs.h"
+#include "apps/cli/overlay_picture.h"
 #include "apps/cli/table.h"
+#include "io/overlay/mesh_lines.h"
+#include "relief/inflation/inflate.h"
 #include "relief/layers/layer_parts.h"
 
 namespace relievo::cli {
@@ -64,14 +68,27 @@ std::string overlap_table(const Scene& scene, const LayeredMesh& mesh) {
   return table.text();
 }
 
+/// The picture of what the mesh has of the annotations.
+Status write_overlay(const CheckArguments& check, const SceneInput& input, const LayeredMesh& mesh,
+                     Interruption& interruption) {
+  const MeshLines lines = find_mesh_lines(mesh, InflationOptions().alpha0);
+  auto picture = draw_overlay(input.scene, {{}, lines}, input.drawing.rgba);
+  if (!picture) return picture.error();
+  return save({{check.overlay, std::move(*picture)}}, input.files, interruption);
+}
+
 }  // namespace
 
 Status run_check(const CheckArguments& check, Interruption& interruption) {
   const bool quiet = check.common.quiet;
+  if (!check.overlay.empty())
+    if (Status s = check_outputs({check.overlay}, {check.common.input}); !s) return s;
   const auto file = read_input(check.common.input);
   if (!file) return file.error();
   const auto input = load_scene(*file);
   if (!input) return input.error();
+  if (!check.overlay.empty())
+    if (Status s = check_outputs({check.overlay}, input->files); !s) return s;
   if (Status status = validate(input->scene); !status) return status;
   print_warnings(input->warnings, quiet);
   const Scene& scene = input->scene;
@@ -89,6 +106,10 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
   print_warnings(mesh->warnings, quiet);
   if (const std::string table = overlap_table(scene, *mesh); !table.empty())
     print_result("\n" + table, quiet);
+  if (!check.overlay.empty()) {
+    if (Status s = write_overlay(check, *input, *mesh, interruption); !s) return s;
+    print_result(check.overlay, quiet);
+  }
   print_note("nothing is wrong with " + check.common.input, quiet);
   return Done{};
 }

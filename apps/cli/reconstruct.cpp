@@ -5,9 +5,23 @@
 #include "relief/model/dress_hidden.h"
 
 namespace relievo::cli {
+namespace {
+
+/// What the paper used for all of its results [P section 4]; the sign of d is the drawing's.
+Part as_in_paper(Part part) {
+  part.c = 4;
+  part.d = part.d < 0 ? -1 : 1;
+  part.flat = 0;
+  part.lean = {};
+  return part;
+}
+
+}  // namespace
 
 Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
                            const RunContext& context) {
+  if (arguments.as_in_paper)
+    for (Part& part : scene.parts) part = as_in_paper(std::move(part));
   if (arguments.c)
     for (Part& part : scene.parts) part.c = *arguments.c;
   if (arguments.flat)

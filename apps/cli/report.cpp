@@ -52,7 +52,7 @@ Json energies(const JointEnergy& energy) {
           {"shift", energy.shift}};
 }
 
-Json joint(const JointReport& report) {
+Json joint(const JointReport& report, const JointOptions& options) {
   Json steps = Json::array();
   for (const JointStep& step : report.steps)
     steps.push_back({{"energy", energies(step.energy)},
@@ -60,6 +60,8 @@ Json joint(const JointReport& report) {
                      {"factorisations", step.factorisations},
                      {"ms", step.milliseconds}});
   return {{"status", report.status == JointStatus::solved ? "solved" : "iteration_limit"},
+          {"lambda_bnd", options.lambda_bnd},
+          {"lambda_shift", options.lambda_shift},
           {"iterations", report.steps.size()},
           {"residual", report.residual},
           {"energy", energies(report.energy)},
@@ -95,7 +97,7 @@ std::string write_report(const ReportInput& input) {
                            {"inequalities", ordering.inequalities},
                            {"active", ordering.report.active}};
   report["solver"] = solver(ordering.report);
-  if (nonlinear) report["nonlinear"] = joint(input.relief.joint);
+  if (nonlinear) report["nonlinear"] = joint(input.relief.joint, input.options);
   report["max_violation"] = ordering.max_violation;
   report["overlap_violation"] = {{"samples", input.relief.overlap_samples},
                                  {"worst", input.relief.overlap_worst}};

@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <cmath>
 
 #include "apps/cli/commands.h"
 #include "apps/cli/inputs.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
+#include "apps/cli/overlay_picture.h"
 #include "apps/cli/segment_project.h"
 #include "apps/cli/segment_report.h"
 #include "io/files/in_file.h"
@@ -14,16 +14,12 @@
 #include "io/image/gif_decode.h"
 #include "io/image/png_decode.h"
 #include "io/image/png_encode.h"
-#include "io/overlay/overlay_svg.h"
 #include "io/project/project_file.h"
 #include "io/scene/write_scene.h"
 #include "io/scribbles/read_scribbles.h"
 #include "io/scribbles/scribble_image.h"
 #include "io/svg/paintable_svg.h"
-#include "io/svg/render_svg.h"
 #include "kernel/base/stopwatch.h"
-#include "kernel/image/lay_over.h"
-#include "kernel/image/light_lines.h"
 #include "relief/drawing/label_colours.h"
 #include "relief/drawing/segment_drawing.h"
 #include "relief/pipeline/keep_labels.h"
@@ -34,8 +30,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The overlay is at least so large, so that lines of small drawings can be told apart, px.
-constexpr double overlay_side = 1200;
 /// Longest side of the picture that is made from a vector drawing, px.
 constexpr double vector_side = 1600;
 
@@ -194,33 +188,6 @@ Status check_copy(const fs::path& copy, const Bytes& drawing) {
 
 bool is_project_name(const std::string& name) { return fs::path(name).extension() == ".relievo"; }
 
-/// The drawing, on white or where its lines are white on grey, enlarged, with the overlay on it.
-Image8 composed(const Image8& drawing, const Image8& overlay) {
-  const int ground = is_light_on_nothing(drawing) ? 96 : 255;
-  Image8 picture(overlay.width, overlay.height, 3);
-  for (int y = 0; y < overlay.height; ++y)
-    for (int x = 0; x < overlay.width; ++x) {
-      const int sx = std::min(drawing.width - 1, x * drawing.width / overlay.width);
-      const int sy = std::min(drawing.height - 1, y * drawing.height / overlay.height);
-      for (int c = 0; c < 3; ++c) {
-        const uint8_t seen = lay_over(drawing.at(sx, sy, c), ground, drawing.at(sx, sy, 3));
-        picture.at(x, y, c) = lay_over(overlay.at(x, y, c), seen, overlay.at(x, y, 3));
-      }
-    }
-  return picture;
-}
-
-Result<Bytes> overlay_png(const Scene& scene, const SegmentInput& input) {
-  const Image8& drawing = input.pixels;
-  const double scale =
-      std::max(1.0, std::round(overlay_side / std::max(drawing.width, drawing.height)));
-  const auto overlay =
-      render_svg(overlay_svg(scene, {input.bridges}), static_cast<int>(drawing.width * scale),
-                 static_cast<int>(drawing.height * scale));
-  if (!overlay) return overlay.error();
-  return encode_png(composed(drawing, overlay->rgba));
-}
-
 using Files = std::vector<OutputFile>;
 
 /// The scene file, and a copy of the drawing where that lies elsewhere.
@@ -253,7 +220,7 @@ Result<Files> files_of(const SegmentArguments& segment, const SegmentInput& inpu
                                                : scene_files(segment, input, scene);
   if (!files) return files.error();
   if (!segment.overlay.empty()) {
-    auto overlay = overlay_png(scene, input);
+    auto overlay = draw_overlay(scene, {input.bridges, {}}, input.pixels);
     if (!overlay) return overlay.error();
     files->push_back({segment.overlay, std::move(*overlay)});
   }

@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "bindings/wasm/js_values.h"
-#include "bindings/wasm/overlays.h"
 #include "io/maps/encode_maps.h"
 #include "io/mesh/glb_encode.h"
 #include "io/mesh/obj_encode.h"
 #include "io/mesh/ply_encode.h"
 #include "io/mesh/stl_encode.h"
+#include "io/overlay/mesh_lines.h"
 #include "io/scene/read_scene.h"
 #include "kernel/image/image_size.h"
 #include "relief/model/assemble_model.h"
@@ -30,8 +30,8 @@ ReliefOptions to_options(const val& options) {
   relief.layers.glue = options["glue"].as<bool>();
   relief.inflation.rho = options["rho"].as<double>();
   relief.inflation.alpha0 = options["alpha0"].as<double>();
-  if (options["literal"].as<bool>()) relief.inflation.units = RobinUnits::literal;
   relief.joint.lambda_bnd = options["lambdaBnd"].as<double>();
+  relief.joint.lambda_shift = options["lambdaShift"].as<double>();
   return relief;
 }
 
@@ -213,11 +213,12 @@ val Reconstruction::surface(const std::string& visibility, double tolerance,
 
 val Reconstruction::overlays() const {
   if (state_ == State::none) return failure(nothing_built);
-  const Overlays found = find_overlays(session_.relief().layers, options_.inflation.alpha0);
+  const MeshLines found = find_mesh_lines(session_.relief().layers, options_.inflation.alpha0);
   val overlays = val::object();
   overlays.set("joins", wasm::to_js(found.joins));
   overlays.set("equal", wasm::to_js(found.equal));
   overlays.set("above", wasm::to_js(found.above));
+  overlays.set("below", wasm::to_js(found.below));
   overlays.set("ramps", wasm::to_js(found.ramps));
   return overlays;
 }

@@ -16,7 +16,7 @@ namespace relievo::wasm {
 class Reconstruction {
  public:
   /// `scene` is the text of a scene file. `options`: {method, vertices, edge, rho, alpha0,
-  /// lambdaBnd, literal, glue}, all there. `progress(stage, fraction, energy)`, the last
+  /// lambdaBnd, lambdaShift, glue}, all there. `progress(stage, fraction, energy)`, the last
   /// undefined but of the non-linear method. Returns {nodes, faces,
   /// equalities, inequalities, active, rounds, maxViolation, overlapWorst, converged, energy,
   /// times: {stage: ms}, warnings}.

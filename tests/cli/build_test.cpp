@@ -140,8 +140,9 @@ TEST_F(Build, ReportsWhatItDid) {
 }
 
 TEST_F(Build, NonlinearMethodRecordsItsSteps) {
-  const Outcome outcome = relievo(with_small(
-      {"build", "scene.json", "--json", "--method", "nonlinear", "--lambda-bnd", "100"}));
+  const Outcome outcome =
+      relievo(with_small({"build", "scene.json", "--json", "--method", "nonlinear", "--lambda-bnd",
+                          "100", "--lambda-shift", "2"}));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const Json report = Json::parse(outcome.out);
   EXPECT_EQ(report["method"], "nonlinear");
@@ -149,6 +150,8 @@ TEST_F(Build, NonlinearMethodRecordsItsSteps) {
   EXPECT_EQ(report["timings_ms"]["order"], 0);
   const Json& joint = report["nonlinear"];
   EXPECT_EQ(joint["status"], "solved");
+  EXPECT_EQ(joint["lambda_bnd"], 100);
+  EXPECT_EQ(joint["lambda_shift"], 2);
   EXPECT_EQ(joint["iterations"], joint["steps"].size());
   EXPECT_GE(joint["steps"].size(), 3U);
   EXPECT_NEAR(joint["energy"]["total"].get<double>(),
@@ -208,6 +211,26 @@ TEST_F(Build, OptionsReachTheirStages) {
                                              {"--vertices", "3000", "--visible", "orbit"},
                                              {"--vertices", "3000", "--keep-hidden"}})
     EXPECT_FALSE(glb(change) == plain) << change.back();
+}
+
+TEST_F(Build, PaperPresetIsThePapersValuesForAllParts) {
+  const auto depth = [&](const std::string& scene, const std::string& preset) {
+    write("other.json", scene);
+    const Outcome outcome = relievo(with_small(
+        {"build", "other.json", "--preset", preset, "--depth-map", "d.png", "--map-size", "200"}));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return read("d.png");
+  };
+  std::string own = scene_text;
+  ASSERT_NE(own.find("\"c\": 2"), std::string::npos);
+  std::string papers = own;
+  own.replace(own.find("\"c\": 2"), 6, R"("c": 2, "d": 1.5, "flat": 0.7, "lean": [0.2, 0.1])");
+  papers.replace(papers.find("\"c\": 2"), 6, "\"c\": 4");
+  EXPECT_EQ(depth(own, "paper"), depth(papers, "default"));
+  EXPECT_NE(depth(own, "default"), depth(papers, "default"));
+  own.replace(own.find("\"d\": 1.5"), 8, "\"d\": -2");
+  papers.replace(papers.find("\"c\": 4"), 6, R"("c": 4, "d": -1)");
+  EXPECT_EQ(depth(own, "paper"), depth(papers, "default"));
 }
 
 TEST_F(Build, NormalsPointDownOnRequest) {

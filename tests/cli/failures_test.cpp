@@ -31,8 +31,14 @@ TEST_F(Failures, UsageIsTwo) {
   expect_failure(with(build, {"--lean", "0.5"}), 2, "lean");
   expect_failure(with(build, {"--lean", "0.5", "2.5"}), 2, "lean");
   expect_failure(with(build, {"--preset", "paper", "--rho", "0.5"}), 2, "rho");
+  for (const char* value : {"--c", "--alpha0", "--flat"})
+    expect_failure(with(build, {"--preset", "paper", value, "0.5"}), 2, value);
+  expect_failure(with(build, {"--preset", "newspaper"}), 2, "preset");
   expect_failure(with(build, {"--method", "magic"}), 2, "method");
   expect_failure(with(build, {"--lambda-bnd", "0"}), 2, "lambda-bnd");
+  for (const char* value : {"0", "-1", "1e4", "nan"})
+    expect_failure(with(build, {"--lambda-shift", value}), 2, "lambda-shift");
+  expect_failure({"render", "scene.json", "-o", "a.png", "--lambda-shift", "0"}, 2, "lambda-shift");
   expect_failure(with(build, {"--visible", "some"}), 2, "visible");
   expect_failure(with(build, {"--keep-hidden", "--visible", "orbit"}), 2, "visible");
   expect_failure(with(build, {"--normal-y", "up"}), 2, "normal-y");
@@ -75,6 +81,18 @@ TEST_F(Failures, BadInputIsThree) {
   scene.replace(scene.find("[180,320]"), 9, "[180,1e7]");
   write("far.json", scene);
   expect_failure({"check", "far.json"}, 3, "far.json: parts[1].outline[0][1]");
+}
+
+TEST_F(Failures, ContradictionsAreFour) {
+  std::string scene = scene_text;
+  scene.replace(scene.rfind('}'), 1, R"(, "relations": [
+    { "upper": "leg", "lower": "body", "relation": "below", "range": [[220,180],[220,210]] },
+    { "upper": "leg", "lower": "body", "relation": "above", "range": [[220,190],[220,230]] } ] })");
+  write("twisted.json", scene);
+  expect_failure({"build", "twisted.json", "-o", "out.glb"}, 4, "relations[0]");
+  const Outcome check = relievo({"check", "twisted.json"});
+  EXPECT_EQ(check.exit_code, 4);
+  EXPECT_NE(check.err.find("relations[1]"), std::string::npos) << check.err;
 }
 
 TEST_F(Failures, HostileNamesDoNotSteerTheTerminal) {

@@ -25,6 +25,53 @@ TEST_F(Check, ReadsDrawings) {
   EXPECT_NE(outcome.out.find("head"), std::string::npos) << outcome.out;
 }
 
+TEST_F(Check, DrawsWhatItUnderstood) {
+  const Outcome outcome = relievo({"check", "scene.json", "--overlay", "seen.png"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("seen.png"), std::string::npos);
+  const auto picture = decode_image(to_bytes(read("seen.png")));
+  ASSERT_TRUE(picture);
+  ASSERT_EQ(picture->width, 1200);  // 3 px for each of the canvas
+  const auto channel = [&](int x, int y, int c) { return picture->at(3 * x, 3 * y, c); };
+  // The join is blue, the ranges that follow from it go from green to red.
+  EXPECT_GT(channel(200, 160, 2), channel(200, 160, 0) + 150);
+  for (const int x : {180, 220}) {
+    EXPECT_GT(channel(x, 166, 1), channel(x, 166, 0) + 50);
+    EXPECT_GT(channel(x, 214, 0), channel(x, 214, 1) + 50);
+  }
+  // The body's outline under the leg is magenta; nothing is drawn outside.
+  EXPECT_GT(std::min(channel(200, 220, 0), channel(200, 220, 2)), channel(200, 220, 1) + 100);
+  EXPECT_EQ(channel(50, 50, 1), 255);
+}
+
+TEST_F(Check, DrawsWhatLiesBehindInADarkerShade) {
+  std::string scene = scene_text;
+  scene.replace(scene.find("\"joins\""), std::string::npos, R"("relations": [
+    { "upper": "leg", "lower": "body", "relation": "below", "range": [[180,300],[220,300]] } ] })");
+  write("behind.json", scene);
+  ASSERT_EQ(relievo({"check", "behind.json", "--overlay", "seen.png"}).exit_code, 0);
+  const auto picture = decode_image(to_bytes(read("seen.png")));
+  ASSERT_TRUE(picture);
+  for (const Point2 p : {Point2{180, 190}, Point2{200, 160}, Point2{220, 190}, Point2{200, 220}}) {
+    const auto x = static_cast<int>(3 * p.x);
+    const auto y = static_cast<int>(3 * p.y);
+    EXPECT_NEAR(picture->at(x, y, 0), 0x70, 8) << p.x << " " << p.y;
+    EXPECT_NEAR(picture->at(x, y, 1), 0, 8);
+    EXPECT_NEAR(picture->at(x, y, 2), 0x60, 8);
+  }
+}
+
+TEST_F(Check, OverlayObeysTheRulesOfFiles) {
+  expect_failure({"check", "scene.json", "--overlay", "seen.jpg"}, 2, ".png");
+  expect_failure({"check", "scene.json", "--overlay", "nowhere/seen.png"}, 6, "folder");
+  std::filesystem::create_directory(folder_.path() / "layers");
+  Image8 layer(100, 80, 4);
+  for (int y = 20; y < 60; ++y)
+    for (int x = 10; x < 90; ++x) layer.at(x, y, 3) = 255;
+  write("layers/body.png", std::string(to_text(*encode_png(layer))));
+  expect_failure({"check", "layers", "--overlay", "layers/body.png"}, 2, "never overwritten");
+}
+
 TEST_F(Check, ReadsAFolderOfLayers) {
   std::filesystem::create_directory(folder_.path() / "layers");
   Image8 layer(100, 80, 4);

@@ -54,7 +54,7 @@ inline Manifoldness check_manifold(const LayeredMesh& mesh) {
 }
 
 /// What must hold of every layered mesh; empty if it does, else what does not.
-inline std::string inconsistency(const LayeredMesh& mesh) {
+inline std::string inconsistency(const LayeredMesh& mesh, bool in_order = true) {
   const size_t t_count = mesh.triangles.size();
   if (mesh.stack_begin.size() != t_count + 1) return "stack_begin has a wrong length";
   for (size_t t = 0; t < t_count; ++t) {
@@ -64,8 +64,10 @@ inline std::string inconsistency(const LayeredMesh& mesh) {
     if (mesh.stack_begin[t] >= mesh.stack_begin[t + 1]) return "a base triangle is not covered";
     for (int f = mesh.stack_begin[t]; f < mesh.stack_begin[t + 1]; ++f) {
       if (mesh.face_triangle[f] != static_cast<int>(t)) return "face_triangle is wrong";
-      if (f > mesh.stack_begin[t] && mesh.face_part[f] <= mesh.face_part[f - 1])
-        return "a stack is not in order";
+      for (int g = mesh.stack_begin[t]; g < f; ++g)
+        if (mesh.face_part[g] == mesh.face_part[f] ||
+            (in_order && mesh.face_part[g] > mesh.face_part[f]))
+          return "a stack is not in order";
       for (int k = 0; k < 3; ++k)
         if (mesh.node_vertex[mesh.faces[f][k]] != mesh.triangles[t][k])
           return "a face's node lies at another vertex";

@@ -29,7 +29,7 @@ function requestFor(document: Document, field: Field, draft: boolean) {
       rho: settings.rho,
       alpha0: 0.1,
       lambdaBnd: settings.lambdaBnd,
-      literal: settings.literal,
+      lambdaShift: settings.lambdaShift,
       glue: true,
     },
     ...surfaceFor(field, draft),
@@ -53,8 +53,8 @@ class SmallDrawing {
 /** What of a document changes its relief. */
 function shapeOf(document: Document): readonly unknown[] {
   const { width, height, parts, joins, relations, robin, settings } = document;
-  const { method, vertices, rho, lambdaBnd, literal } = settings;
-  return [width, height, parts, joins, relations, robin, method, vertices, rho, lambdaBnd, literal];
+  const { method, vertices, rho, lambdaBnd, lambdaShift } = settings;
+  return [width, height, parts, joins, relations, robin, method, vertices, rho, lambdaBnd, lambdaShift];
 }
 
 /** The id of the part that an error speaks of, or null. */

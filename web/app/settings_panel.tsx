@@ -4,6 +4,10 @@ import type { Editor } from './editor';
 import { Slider } from './slider';
 import { useStore } from './store';
 
+function tenTo(power: number): number {
+  return Number((10 ** power).toPrecision(3));
+}
+
 /** How the relief is made. */
 export function SettingsPanel({ editor }: { editor: Editor }) {
   const { history } = useStore(editor);
@@ -25,18 +29,11 @@ export function SettingsPanel({ editor }: { editor: Editor }) {
       </label>
       <Slider label={t('vertices')} value={settings.vertices} min={2000} max={100000} step={1000} onInput={(vertices) => set({ vertices }, 'vertices')} />
       <Slider label={t('softness')} value={settings.rho} min={0.05} max={0.5} step={0.01} onInput={(rho) => set({ rho }, 'rho')} />
-      <label class="check" title={t('literalHelp')}>
-        <input type="checkbox" checked={settings.literal} onChange={() => set({ literal: !settings.literal }, 'literal')} /> {t('literal')}
-      </label>
       {settings.method === 'nonlinear' && (
-        <Slider
-          label={t('lambdaBnd')}
-          value={Math.log10(settings.lambdaBnd)}
-          min={-3}
-          max={2}
-          step={0.1}
-          onInput={(power) => set({ lambdaBnd: Number((10 ** power).toPrecision(3)) }, 'lambda')}
-        />
+        <>
+          <Slider label={t('lambdaBnd')} value={Math.log10(settings.lambdaBnd)} min={-3} max={2} step={0.1} onInput={(power) => set({ lambdaBnd: tenTo(power) }, 'lambda')} />
+          <Slider label={t('lambdaShift')} value={Math.log10(settings.lambdaShift)} min={-2} max={2} step={0.1} onInput={(power) => set({ lambdaShift: tenTo(power) }, 'shift')} />
+        </>
       )}
     </div>
   );

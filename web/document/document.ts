@@ -4,7 +4,8 @@ import type { Segmentation } from './segmentation';
 
 export type Point = readonly [number, number];
 export type Ring = readonly Point[];
-export type RelationKind = 'equal' | 'above' | 'free';
+/** `below` has a range. */
+export type RelationKind = 'equal' | 'above' | 'free' | 'below';
 
 export interface Part {
   /** Unique name. */
@@ -59,7 +60,7 @@ export interface Settings {
   readonly vertices: number;
   readonly rho: number;
   readonly lambdaBnd: number;
-  readonly literal: boolean;
+  readonly lambdaShift: number;
   readonly sizeMm: number;
 }
 
@@ -83,7 +84,7 @@ export const defaultSettings: Settings = {
   vertices: 20000,
   rho: 0.25,
   lambdaBnd: 0.01,
-  literal: false,
+  lambdaShift: 1,
   sizeMm: 100,
 };
 

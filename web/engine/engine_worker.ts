@@ -12,7 +12,7 @@ function arraysOf(surface: Surface): ArrayBuffer[] {
 }
 
 function arraysOfRelief({ surface, overlays }: BuiltRelief): ArrayBuffer[] {
-  const lines = [overlays.joins, overlays.equal, overlays.above, overlays.ramps].map((array) => array.buffer);
+  const lines = [overlays.joins, overlays.equal, overlays.above, overlays.below, overlays.ramps].map((array) => array.buffer);
   return [...arraysOf(surface), ...lines];
 }
 

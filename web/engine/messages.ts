@@ -16,8 +16,7 @@ export interface BuildOptions {
   rho: number;
   alpha0: number;
   lambdaBnd: number;
-  /** The paper's own units of the Robin coefficient. */
-  literal: boolean;
+  lambdaShift: number;
   glue: boolean;
 }
 
@@ -72,6 +71,8 @@ export interface Overlays {
   joins: Float32Array<ArrayBuffer>;
   equal: Float32Array<ArrayBuffer>;
   above: Float32Array<ArrayBuffer>;
+  /** Held apart against the order of parts. */
+  below: Float32Array<ArrayBuffer>;
   ramps: Float32Array<ArrayBuffer>;
 }
 

@@ -5,6 +5,7 @@ export const marks = {
   join: '#2f6fed',
   equal: '#13b5c4',
   above: '#d4459e',
+  below: '#7a1f6a',
   gap: '#e5119b',
   culprit: '#e0392b',
   select: '#f28c28',

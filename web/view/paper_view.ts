@@ -100,6 +100,7 @@ function segments(context: CanvasRenderingContext2D, ends: Float32Array, color: 
 
 function drawMarks(context: CanvasRenderingContext2D, overlays: Overlays, pixel: number): void {
   segments(context, overlays.above, marks.above, 1.6 * pixel);
+  segments(context, overlays.below, marks.below, 1.6 * pixel);
   segments(context, overlays.equal, marks.equal, 2.4 * pixel);
   segments(context, overlays.joins, marks.join, 3.2 * pixel);
   const { ramps } = overlays;

@@ -13,6 +13,12 @@ namespace {
 /// Width of lines relative to the canvas' diagonal.
 constexpr double line_share = 0.002;
 constexpr int ramp_pieces = 12;
+constexpr int range_pieces = 200;
+
+constexpr const char* join_colour = "#0030ff";
+constexpr const char* equal_colour = "#00d0e0";
+constexpr const char* above_colour = "#e000c0";
+constexpr const char* below_colour = "#700060";
 
 std::string number(double value) { return shortest_text(std::round(value * 100) / 100); }
 
@@ -23,6 +29,15 @@ std::string mix(std::array<double, 3> a, std::array<double, 3> b, double t) {
   std::string text = "rgb(";
   for (int i = 0; i < 3; ++i) text += (i > 0 ? "," : "") + channel(a[i] + t * (b[i] - a[i]));
   return text + ")";
+}
+
+/// From soft to firm.
+std::string ramp_colour(double alpha) { return mix({0, 190, 0}, {230, 0, 0}, alpha); }
+
+/// x0 y0 x1 y1, px.
+std::string segment_data(const float* ends) {
+  return "M" + number(ends[0]) + " " + number(ends[1]) + "L" + number(ends[2]) + " " +
+         number(ends[3]);
 }
 
 std::string path_data(const std::vector<Point2>& points, bool closed) {
@@ -38,6 +53,46 @@ std::string outline_data(const Outline& outline) {
   return text;
 }
 
+const char* colour_of(RelationKind kind) {
+  if (kind == RelationKind::equal) return equal_colour;
+  return kind == RelationKind::below ? below_colour : above_colour;
+}
+
+/// A run along a ring.
+struct Way {
+  const Ring* ring = nullptr;
+  RingMeasure measure;
+  double from = 0;    ///< arc length
+  double length = 0;  ///< negative: against the ring's direction
+};
+
+/// Along the ring nearest to `from`: the shorter way, or the one in its direction. Precondition:
+/// the outline has a ring.
+Way way_along(const Outline& outline, Point2 from, Point2 to, bool shorter) {
+  Way way;
+  double best = 1e300;
+  for (const Ring& candidate : outline) {
+    const RingMeasure m = measure(candidate);
+    const double d = nearest_on_ring(candidate, m, from).distance;
+    if (d >= best) continue;
+    best = d;
+    way.ring = &candidate;
+    way.measure = m;
+  }
+  const double around = way.measure.length;
+  way.from = nearest_on_ring(*way.ring, way.measure, from).s;
+  way.length = nearest_on_ring(*way.ring, way.measure, to).s - way.from;
+  if (way.length < 0) way.length += around;
+  if (shorter && way.length > around / 2) way.length -= around;
+  return way;
+}
+
+/// The point after `i` of `pieces` equal pieces.
+Point2 point_on(const Way& way, int i, int pieces) {
+  const double s = way.from + way.length * i / pieces;
+  return point_at(*way.ring, way.measure, s + way.measure.length);
+}
+
 class Painter {
  public:
   explicit Painter(const Scene& scene)
@@ -48,9 +103,10 @@ class Painter {
             "\" height=\"" + number(scene_.height) + "\">\n";
     tints();
     outlines();
-    for (const Relation& relation : scene_.relations) paint_relation(relation);
-    for (const Join& join : scene_.joins) stroke(path_data(join.line, false), "#0030ff", 2.2, "");
-    for (const RobinRange& range : scene_.robin) paint_ramp(range);
+    if (marks.lines)
+      paint_lines(*marks.lines);
+    else
+      paint_annotations();
     for (const auto& bridge : marks.bridges) stroke(path_data(bridge, false), "#ff8000", 1.5, "");
     return text_ + "</svg>\n";
   }
@@ -72,48 +128,62 @@ class Painter {
     }
   }
 
-  /// The runs of the upper outline that lie inside the lower part.
-  void paint_relation(const Relation& relation) {
-    if (relation.kind == RelationKind::free) return;
-    const char* colour = relation.kind == RelationKind::equal ? "#00d0e0" : "#e000c0";
-    const Outline& lower = scene_.parts[relation.lower].outline;
-    for (const Ring& ring : scene_.parts[relation.upper].outline) {
-      std::vector<Point2> run;
-      for (size_t i = 0; i <= ring.size(); ++i) {
-        const Point2 p = ring[i % ring.size()];
-        if (contains(lower, p)) run.push_back(p);
-        if (run.size() > 1 && (i == ring.size() || !contains(lower, p)))
-          stroke(path_data(run, false), colour, 1.4, "");
-        if (!contains(lower, p)) run.clear();
-      }
+  void paint_annotations() {
+    for (const Relation& relation : scene_.relations) paint_relation(relation);
+    for (const Join& join : scene_.joins) stroke(path_data(join.line, false), join_colour, 2.2, "");
+    for (const RobinRange& range : scene_.robin) paint_ramp(range);
+  }
+
+  void paint_lines(const MeshLines& lines) {
+    paint_segments(lines.above, above_colour, 1.4);
+    paint_segments(lines.below, below_colour, 1.4);
+    paint_segments(lines.equal, equal_colour, 1.4);
+    paint_segments(lines.joins, join_colour, 2.2);
+    for (size_t i = 0; i + 5 < lines.ramps.size(); i += 6) {
+      const double alpha = 0.5 * (lines.ramps[i + 4] + lines.ramps[i + 5]);
+      stroke(segment_data(&lines.ramps[i]), ramp_colour(alpha), 2.2, "");
     }
   }
 
-  /// The shorter way along the nearest ring of the upper part.
+  void paint_segments(const std::vector<float>& ends, const char* colour, double width) {
+    std::string data;
+    for (size_t i = 0; i + 3 < ends.size(); i += 4) data += segment_data(&ends[i]);
+    if (!data.empty()) stroke(data, colour, width, "");
+  }
+
+  /// The runs of the upper outline that lie inside the lower part, of the range if there is one.
+  void paint_relation(const Relation& relation) {
+    if (relation.kind == RelationKind::free) return;
+    const Outline& upper = scene_.parts[relation.upper].outline;
+    if (relation.range) {
+      const Way way = way_along(upper, relation.range->first, relation.range->second, false);
+      std::vector<Point2> line;
+      for (int i = 0; i <= range_pieces; ++i) line.push_back(point_on(way, i, range_pieces));
+      return paint_inside(line, relation);
+    }
+    for (std::vector<Point2> line : upper) {
+      line.push_back(line.front());
+      paint_inside(line, relation);
+    }
+  }
+
+  void paint_inside(const std::vector<Point2>& line, const Relation& relation) {
+    const Outline& lower = scene_.parts[relation.lower].outline;
+    std::vector<Point2> run;
+    for (size_t i = 0; i <= line.size(); ++i) {
+      const bool inside = i < line.size() && contains(lower, line[i]);
+      if (inside) run.push_back(line[i]);
+      if (!inside && run.size() > 1)
+        stroke(path_data(run, false), colour_of(relation.kind), 1.4, "");
+      if (!inside) run.clear();
+    }
+  }
+
   void paint_ramp(const RobinRange& range) {
-    const Ring* ring = nullptr;
-    RingMeasure measure_of_ring;
-    double best = 1e300;
-    for (const Ring& candidate : scene_.parts[range.upper].outline) {
-      const RingMeasure m = measure(candidate);
-      const double d = nearest_on_ring(candidate, m, range.from).distance;
-      if (d >= best) continue;
-      best = d;
-      ring = &candidate;
-      measure_of_ring = m;
-    }
-    if (ring == nullptr) return;
-    const RingMeasure& m = measure_of_ring;
-    const double from = nearest_on_ring(*ring, m, range.from).s;
-    double way = nearest_on_ring(*ring, m, range.to).s - from;
-    if (way > m.length / 2) way -= m.length;
-    if (way < -m.length / 2) way += m.length;
-    for (int i = 0; i < ramp_pieces; ++i) {
-      const auto at = [&](double t) { return point_at(*ring, m, from + t * way + m.length); };
-      const double t = static_cast<double>(i) / ramp_pieces;
-      stroke(path_data({at(t), at(t + 1.0 / ramp_pieces)}, false), mix({0, 190, 0}, {230, 0, 0}, t),
-             2.2, "");
-    }
+    const Way way = way_along(scene_.parts[range.upper].outline, range.from, range.to, true);
+    for (int i = 0; i < ramp_pieces; ++i)
+      stroke(path_data({point_on(way, i, ramp_pieces), point_on(way, i + 1, ramp_pieces)}, false),
+             ramp_colour(static_cast<double>(i) / ramp_pieces), 2.2, "");
   }
 
   void stroke(const std::string& data, const std::string& colour, double width,

@@ -15,7 +15,12 @@ Relation AnnotationReader::relation(const Json& json, const JsonPath& path) {
   if (!keys(json, path, {"upper", "lower", "relation"}, {"range"})) return relation;
   pair(json, path, relation);
   relation.kind = relation_kind(json["relation"], path.member("relation"));
-  if (!json.contains("range")) return relation;
+  if (!json.contains("range")) {
+    if (relation.kind == RelationKind::below)
+      fail(path.member("range"),
+           "\"below\" needs a range; where it holds everywhere, swap the parts");
+    return relation;
+  }
   const std::vector<Point2> ends = points(json["range"], path.member("range"));
   if (ends.size() == 2)
     relation.range = {ends[0], ends[1]};

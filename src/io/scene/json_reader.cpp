@@ -90,7 +90,8 @@ Outline JsonReader::outline(const Json& json, const JsonPath& path) {
 RelationKind JsonReader::relation_kind(const Json& json, const JsonPath& path) {
   if (json == "equal") return RelationKind::equal;
   if (json == "free") return RelationKind::free;
-  if (json != "above") fail(path, "must be \"equal\", \"above\" or \"free\"");
+  if (json == "below") return RelationKind::below;
+  if (json != "above") fail(path, "must be \"equal\", \"above\", \"free\" or \"below\"");
   return RelationKind::above;
 }
 

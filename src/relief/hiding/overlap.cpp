@@ -14,7 +14,7 @@ using Face = std::array<int, 3>;
 constexpr std::array<std::array<int, 3>, 6> sample_fifths = {
     {{3, 1, 1}, {1, 3, 1}, {1, 1, 3}, {2, 2, 1}, {2, 1, 2}, {1, 2, 2}}};
 
-/// Pairs of parts (upper, lower) that may cross, sorted.
+/// Pairs of parts (the later one first) that may cross, sorted.
 std::vector<std::pair<int, int>> free_parts(const Scene& scene) {
   std::vector<std::pair<int, int>> parts;
   for (const Relation& relation : scene.relations)
@@ -41,7 +41,8 @@ std::vector<FacePair> stacked_faces(const LayeredMesh& mesh, const Scene& scene)
   const std::vector<std::pair<int, int>> crossable = free_parts(scene);
   const auto may_cross = [&](int upper, int lower) {
     return std::binary_search(crossable.begin(), crossable.end(),
-                              std::pair(mesh.face_part[upper], mesh.face_part[lower]));
+                              std::pair(std::max(mesh.face_part[upper], mesh.face_part[lower]),
+                                        std::min(mesh.face_part[upper], mesh.face_part[lower])));
   };
   std::vector<FacePair> pairs;
   for (size_t t = 0; t < mesh.triangles.size(); ++t)

@@ -30,7 +30,7 @@ PoissonBoundary boundary_conditions(const LayeredMesh& mesh, const InflationOpti
     const RobinRamp& ramp = mesh.ramps[node.ramp];
     const double alpha0 = ramp.alpha0 >= 0 ? ramp.alpha0 : options.alpha0;
     const double rho = ramp.rho >= 0 ? ramp.rho : options.rho;
-    const double length = options.units == RobinUnits::literal ? 1 : rho * ramp.length;
+    const double length = rho * ramp.length;
     const double slack = (1 - alpha0) * (1 - node.t);
     boundary.link.push_back(0);
     if (slack <= stiffest || !(length > 0)) {

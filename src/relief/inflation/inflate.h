@@ -10,15 +10,9 @@
 
 namespace relievo {
 
-enum class RobinUnits {
-  relative,  ///< beta = alpha / ((1 - alpha) * rho * range length): same picture at any size
-  literal,   ///< beta = alpha / (1 - alpha) per px, as printed in the paper
-};
-
 struct InflationOptions {
   double alpha0 = 0;  ///< alpha beside a join's end, in [0, 1]; 1 gives the paper's pits
   double rho = 0.25;  ///< length scale of a ramp / its length, > 0
-  RobinUnits units = RobinUnits::relative;
 };
 
 /// The joined surface and what was computed of it.

@@ -30,8 +30,8 @@ bool is_positive(double value) { return value > 0 && std::isfinite(value); }
 Status check_options(const JointOptions& options) {
   if (!(options.lambda_bnd >= min_lambda_bnd && options.lambda_bnd <= max_lambda_bnd))
     return Error{ErrorCode::usage, "lambda_bnd must lie between 1e-6 and 1e6", "lambda_bnd"};
-  if (!is_positive(options.lambda_shift))
-    return Error{ErrorCode::usage, "lambda_shift must be positive", "lambda_shift"};
+  if (!(options.lambda_shift >= min_lambda_shift && options.lambda_shift <= max_lambda_shift))
+    return Error{ErrorCode::usage, "lambda_shift must lie between 0.001 and 100", "lambda_shift"};
   if (!is_positive(options.tolerance))
     return Error{ErrorCode::usage, "the tolerance must be positive", "tolerance"};
   if (options.max_iterations < 1)

@@ -14,10 +14,12 @@ namespace relievo {
 
 constexpr double min_lambda_bnd = 1e-6;  ///< bounds of lambda_bnd
 constexpr double max_lambda_bnd = 1e6;
+constexpr double min_lambda_shift = 1e-3;  ///< bounds of lambda_shift
+constexpr double max_lambda_shift = 100;   ///< above it the iteration need not converge
 
 struct JointOptions {
   double lambda_bnd = 0.01;  ///< pull of B to the drawing plane, in scene units
-  double lambda_shift = 1;   ///< weight of the shift against the inflation, > 0
+  double lambda_shift = 1;   ///< weight of the shift against the inflation
   double epsilon = 1e-4;     ///< weight of the pull to g = 0, in scene units
   InflationOptions bumps;    ///< by which bumps are raised on the solution (raise_bumps)
   double tolerance = 1e-6;   ///< on the residual of the iteration

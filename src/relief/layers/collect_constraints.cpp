@@ -1,6 +1,7 @@
 #include "relief/layers/collect_constraints.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -25,14 +26,15 @@ struct Candidate {
   int lower;  // index into the local nodes
   int upper;
   bool equal;
+  bool swapped;  // h[upper] <= h[lower]
   bool upper_outline;
 };
 
 class Collector {
  public:
   Collector(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
-            const Connection& connection, const Boundaries& boundaries)
-      : base_(base), sheets_(sheets), boundaries_(boundaries) {
+            const Connection& connection, const Boundaries& boundaries, const LocalOrder& order)
+      : base_(base), sheets_(sheets), boundaries_(boundaries), order_(order) {
     find_enclosed(loops, connection);
   }
 
@@ -41,13 +43,15 @@ class Collector {
       const Relation& relation = scene.relations[r];
       Rule rule{relation.upper, relation.lower, relation.kind, relation.range.has_value(), {}};
       if (rule.limited && runs[r].loop >= 0) {
-        const std::vector<int>& loop = loops.vertices[runs[r].loop];
-        for (int i = 0; i <= runs[r].edges; ++i)
-          rule.vertices.push_back(loop[(runs[r].position + i) % loop.size()]);
+        rule.vertices = run_vertices(loops, runs[r]);
         std::sort(rule.vertices.begin(), rule.vertices.end());
       }
       rules_.push_back(std::move(rule));
     }
+    tie_common_ends();
+    // What is said of a range goes before what is said of everywhere.
+    std::stable_partition(rules_.begin(), rules_.end(),
+                          [](const Rule& rule) { return rule.limited; });
   }
 
   void set_glued(bool glue) {
@@ -77,6 +81,22 @@ class Collector {
     bool limited;
     std::vector<int> vertices;  // sorted; where it holds, if limited
   };
+
+  // Where "above" and "below" have a vertex in common, which they only have at their ends, both
+  // hold: the parts pass through each other there.
+  void tie_common_ends() {
+    std::vector<Rule> ties;
+    for (const Rule& a : rules_)
+      for (const Rule& b : rules_) {
+        if (a.kind != RelationKind::above || b.kind != RelationKind::below || !a.limited) continue;
+        if (a.upper != b.upper || a.lower != b.lower) continue;
+        Rule tie{a.upper, a.lower, RelationKind::equal, true, {}};
+        std::set_intersection(a.vertices.begin(), a.vertices.end(), b.vertices.begin(),
+                              b.vertices.end(), std::back_inserter(tie.vertices));
+        ties.push_back(std::move(tie));
+      }
+    rules_.insert(rules_.begin(), ties.begin(), ties.end());
+  }
 
   NodeRole role(int node) const { return boundaries_.role[node]; }
   bool on_outline(int node) const {
@@ -182,19 +202,32 @@ class Collector {
     const bool upper_outline = on_outline(upper.node);
     const bool flap = role(lower.node) == NodeRole::flap || role(upper.node) == NodeRole::flap;
     if (lower_outline == upper_outline && (lower_outline || !flap)) return;
+    const Rule* rule = rule_for(lower, upper, vertex);
+    if (rule != nullptr && rule->kind == RelationKind::free) return;
+    const Sense sense = sense_of(rule, lower, upper, vertex);
+    if (sense == Sense::mixed) return;
     const bool glued = glued_below_[upper.node] == lower.node;
-    bool equal = upper_outline && nearest && (glued || enclosed_[upper.node]);
-    if (const Rule* rule = rule_for(lower, upper, vertex)) {
-      if (rule->kind == RelationKind::free) return;
-      equal = rule->kind == RelationKind::equal && upper_outline && nearest;
-    }
-    candidates_.push_back({a, b, equal, upper_outline});
+    const bool tied =
+        rule != nullptr ? rule->kind == RelationKind::equal : glued || enclosed_[upper.node];
+    const bool swapped = sense == Sense::swapped;
+    candidates_.push_back(
+        {a, b, tied && !swapped && upper_outline && nearest, swapped, upper_outline});
   }
 
-  // Keeps the most important candidates that close no cycle: equalities, then close pairs.
+  // As said of the place, or else as the faces around it lie.
+  Sense sense_of(const Rule* rule, const LocalNode& lower, const LocalNode& upper,
+                 int vertex) const {
+    if (rule != nullptr && rule->limited)
+      return rule->kind == RelationKind::below ? Sense::swapped : Sense::usual;
+    return sense_at(base_, sheets_, order_, vertex, lower.rank, upper.rank);
+  }
+
+  // Keeps the most important candidates that close no cycle: equalities, what goes against the
+  // order, then close pairs.
   void keep_forest() {
     std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& x, const Candidate& y) {
       if (x.equal != y.equal) return x.equal;
+      if (x.swapped != y.swapped) return x.swapped;
       if (x.upper - x.lower != y.upper - y.lower) return x.upper - x.lower < y.upper - y.lower;
       if (x.upper_outline != y.upper_outline) return x.upper_outline;
       return x.upper != y.upper ? x.upper > y.upper : x.lower > y.lower;
@@ -210,14 +243,16 @@ class Collector {
       const int b = find(candidate.upper);
       if (a == b) continue;
       root[b] = a;
-      pairs_.push_back(
-          {local_[candidate.lower].node, local_[candidate.upper].node, candidate.equal});
+      DepthPair pair{local_[candidate.lower].node, local_[candidate.upper].node, candidate.equal};
+      if (candidate.swapped) std::swap(pair.lower, pair.upper);
+      pairs_.push_back(pair);
     }
   }
 
   const BaseMesh& base_;
   const Sheets& sheets_;
   const Boundaries& boundaries_;
+  const LocalOrder& order_;
   std::vector<Rule> rules_;
   std::vector<int> glued_below_;  // per node, or -1
   std::vector<bool> enclosed_;    // per node
@@ -232,8 +267,9 @@ class Collector {
 std::vector<DepthPair> collect_constraints(const BaseMesh& base, const Sheets& sheets,
                                            const Loops& loops, const Connection& connection,
                                            const Boundaries& boundaries, const Scene& scene,
-                                           const std::vector<LoopRun>& relation_runs, bool glue) {
-  Collector collector(base, sheets, loops, connection, boundaries);
+                                           const std::vector<LoopRun>& relation_runs,
+                                           const LocalOrder& order, bool glue) {
+  Collector collector(base, sheets, loops, connection, boundaries, order);
   collector.add_relations(scene, relation_runs, loops);
   collector.set_glued(glue);
   return collector.run();

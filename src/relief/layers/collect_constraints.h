@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "relief/layers/boundaries.h"
+#include "relief/layers/local_order.h"
 
 namespace relievo {
 
@@ -12,10 +13,13 @@ namespace relievo {
 ///   other upper outlines inside a lower part                   not below it
 ///   lower outline or flap edge under an upper part             not above it
 ///   vertices on two outlines                                   nothing
+/// Where `order` has two parts the other way round, so are "above" and "below" between them; where
+/// it has them both ways around a vertex there is nothing but what relations say of that place.
 /// At each base vertex the pairs form a forest. `node_part` as in LayeredMesh. Near-linear.
 std::vector<DepthPair> collect_constraints(const BaseMesh& base, const Sheets& sheets,
                                            const Loops& loops, const Connection& connection,
                                            const Boundaries& boundaries, const Scene& scene,
-                                           const std::vector<LoopRun>& relation_runs, bool glue);
+                                           const std::vector<LoopRun>& relation_runs,
+                                           const LocalOrder& order, bool glue);
 
 }  // namespace relievo

@@ -11,16 +11,15 @@ namespace {
 
 class Compactor {
  public:
-  Compactor(const BaseMesh& base, const Sheets& sheets) : base_(base), sheets_(sheets) {
+  Compactor(const BaseMesh& base, const Sheets& sheets, const FaceOrder& order)
+      : base_(base), sheets_(sheets), order_(order) {
     triangle_.assign(base.mesh.triangles.size(), -1);
     vertex_.assign(base.points.size(), -1);
     node_.assign(sheets.node_vertex.size(), -1);
   }
 
-  LayeredMesh run(const Boundaries& boundaries, const std::vector<uint8_t>& flaps,
-                  const std::vector<DepthPair>& pairs) {
-    out_.face_flap = flaps;
-    copy_triangles();
+  LayeredMesh run(const Boundaries& boundaries, const std::vector<DepthPair>& pairs) {
+    copy_triangles(!boundaries.bump_nodes.empty());
     copy_nodes();
     copy_roles(boundaries, out_);
     copy_bumps(boundaries, out_);
@@ -46,7 +45,6 @@ class Compactor {
       node.node = node_[node.node];
       if (node.node >= 0) mesh.bump_nodes.push_back(node);
     }
-    if (!mesh.bump_nodes.empty()) mesh.face_source = sheets_.face_source;
   }
 
   void copy_constraints(const std::vector<DepthPair>& pairs, LayeredMesh& mesh) const {
@@ -59,7 +57,7 @@ class Compactor {
     }
   }
 
-  void copy_triangles() {
+  void copy_triangles(bool with_sources) {
     out_.stack_begin.push_back(0);
     const auto covered = [&](int t) {
       return t >= 0 && sheets_.stack_begin[t + 1] > sheets_.stack_begin[t];
@@ -77,10 +75,13 @@ class Compactor {
       }
       out_.neighbours.push_back(across);
       out_.triangles.push_back(base_.mesh.triangles[t]);
-      for (int f = sheets_.stack_begin[t]; f < sheets_.stack_begin[t + 1]; ++f) {
+      for (int i = sheets_.stack_begin[t]; i < sheets_.stack_begin[t + 1]; ++i) {
+        const int f = order_.local.is_usual() ? i : order_.local.faces[i];
         out_.faces.push_back(sheets_.faces[f]);
         out_.face_part.push_back(sheets_.face_part[f]);
         out_.face_triangle.push_back(triangle_[t]);
+        if (with_sources) out_.face_source.push_back(sheets_.face_source[f]);
+        if (!order_.flaps.empty()) out_.face_flap.push_back(order_.flaps[f]);
       }
       out_.stack_begin.push_back(static_cast<int>(out_.faces.size()));
     }
@@ -107,6 +108,7 @@ class Compactor {
 
   const BaseMesh& base_;
   const Sheets& sheets_;
+  const FaceOrder& order_;
   std::vector<int> triangle_;
   std::vector<int> vertex_;
   std::vector<int> node_;
@@ -123,8 +125,8 @@ std::vector<int> frontmost_parts(const Sheets& sheets) {
 }
 
 LayeredMesh compact_layers(const BaseMesh& base, const Sheets& sheets, const Boundaries& boundaries,
-                           const std::vector<uint8_t>& flaps, const std::vector<DepthPair>& pairs) {
-  return Compactor(base, sheets).run(boundaries, flaps, pairs);
+                           const FaceOrder& faces, const std::vector<DepthPair>& pairs) {
+  return Compactor(base, sheets, faces).run(boundaries, pairs);
 }
 
 }  // namespace relievo

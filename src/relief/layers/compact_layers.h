@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "relief/layers/boundaries.h"
 #include "relief/layers/layered_mesh.h"
+#include "relief/layers/local_order.h"
 #include "relief/layers/sheets.h"
 
 namespace relievo {
@@ -11,10 +13,15 @@ namespace relievo {
 /// The frontmost part that uses each node, -1 where none does. O(F).
 std::vector<int> frontmost_parts(const Sheets& sheets);
 
+/// How the faces of the sheets come to lie.
+struct FaceOrder {
+  const LocalOrder& local;
+  const std::vector<uint8_t>& flaps;  ///< #F flags, or empty
+};
+
 /// The finished mesh: everything renumbered without uncovered triangles, unused vertices and
-/// unused nodes, and with the pairs of nodes that are seen. `flaps` is empty or one flag per face.
-/// O(T + F).
+/// unused nodes, faces as they lie, and with the pairs of nodes that are seen. O(T + F).
 LayeredMesh compact_layers(const BaseMesh& base, const Sheets& sheets, const Boundaries& boundaries,
-                           const std::vector<uint8_t>& flaps, const std::vector<DepthPair>& pairs);
+                           const FaceOrder& faces, const std::vector<DepthPair>& pairs);
 
 }  // namespace relievo

@@ -4,13 +4,15 @@
 #include <vector>
 
 #include "relief/layers/boundaries.h"
+#include "relief/layers/local_order.h"
 
 namespace relievo {
 
 /// What lies under a part that grows out of it, #F: from the covered side of each join as far as
-/// the upper part covers the surface. None where the upper outline never leaves that surface.
-/// O(F + faces of the flaps).
+/// the upper part covers the surface, in front of it. None where the upper outline never leaves
+/// that surface. O(F + faces of the flaps).
 std::vector<uint8_t> find_flaps(const BaseMesh& base, const Sheets& sheets,
-                                const Connection& connection, const Boundaries& boundaries);
+                                const Connection& connection, const Boundaries& boundaries,
+                                const LocalOrder& order);
 
 }  // namespace relievo

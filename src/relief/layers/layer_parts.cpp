@@ -133,14 +133,16 @@ Result<LayeredMesh> constrain_sheets(const JoinedSheets& joined, const Scene& sc
       std::tie(joined.base, joined.sheets, joined.loops, joined.connection);
   const Boundaries boundaries =
       find_boundaries(base, sheets, loops, connection, scene, joined.robin, options.attach);
+  const std::vector<LoopRun> ranges = runs_of_relations(joined, scene);
+  const auto order = find_local_order(base, sheets, loops, scene, ranges);
+  if (!order) return order.error();
   std::vector<uint8_t> flaps;
-  if (options.attach) flaps = find_flaps(base, sheets, connection, boundaries);
+  if (options.attach) flaps = find_flaps(base, sheets, connection, boundaries, *order);
   std::vector<DepthPair> pairs = joined.copies;
-  const std::vector<DepthPair> ordered =
-      collect_constraints(base, sheets, loops, connection, boundaries, scene,
-                          runs_of_relations(joined, scene), options.glue);
+  const std::vector<DepthPair> ordered = collect_constraints(
+      base, sheets, loops, connection, boundaries, scene, ranges, *order, options.glue);
   pairs.insert(pairs.end(), ordered.begin(), ordered.end());
-  LayeredMesh layers = compact_layers(base, sheets, boundaries, flaps, pairs);
+  LayeredMesh layers = compact_layers(base, sheets, boundaries, {*order, flaps}, pairs);
   const std::vector<DepthPair> resting = resting_pairs(layers, scene);
   layers.constraints.insert(layers.constraints.end(), resting.begin(), resting.end());
   if (Status status = check_covered(layers, scene, joined.edge_length); !status)

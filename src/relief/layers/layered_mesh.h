@@ -54,7 +54,8 @@ struct DepthPair {
 };
 
 /// All parts on one planar triangulation. A *face* is one part's copy of a base triangle; the
-/// faces of a base triangle are consecutive, back to front. A *node* is a vertex of the joined
+/// faces of a base triangle are consecutive, back to front (in the order of parts, but where
+/// relations "below" say otherwise). A *node* is a vertex of the joined
 /// mesh: one surface's copy of a base vertex. Lengths are in canvas px, y down.
 struct LayeredMesh {
   std::vector<Point2> vertices;               ///< #V base vertices
@@ -80,7 +81,7 @@ struct LayeredMesh {
 
   std::vector<RobinRamp> ramps;
   std::vector<RampNode> ramp_nodes;
-  std::vector<BumpNode> bump_nodes;    ///< by part
+  std::vector<BumpNode> bump_nodes;  ///< by part
   /// Between nodes that are seen from the front, and where a part that is seen may rest on what
   /// lies directly below it.
   std::vector<DepthPair> constraints;

@@ -6,7 +6,8 @@
 namespace relievo {
 namespace {
 
-bool may_pass(const Scene& scene, int upper, int lower) {
+bool may_pass(const Scene& scene, int front, int back) {
+  const auto [lower, upper] = std::minmax(front, back);
   return std::any_of(scene.relations.begin(), scene.relations.end(), [&](const Relation& relation) {
     return relation.kind == RelationKind::free && !relation.range && relation.upper == upper &&
            relation.lower == lower;

@@ -151,7 +151,9 @@ Status ReliefSession::update_layers(const Request& request) {
 }
 
 Status ReliefSession::update_discretisation(const Request& request) {
-  Key key = Key().add(sheets_state_.version()).add(relief_.layers.face_flap);
+  // Sums run in the order of faces, which relations "below" change.
+  Key key = Key().add(sheets_state_.version());
+  key.add(relief_.layers.face_part).add(relief_.layers.face_flap);
   return discretisation_state_.refresh(std::move(key), [&]() -> Status {
     discretisation_ = discretise(relief_.layers, request.context);
     if (request.context.cancelled()) return interrupted_error();

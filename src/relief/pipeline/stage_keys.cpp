@@ -45,7 +45,7 @@ Key boundary_key(const LayeredMesh& mesh) {
 Key inflation_key(const Scene& scene, const InflationOptions& options) {
   Key key;
   for (const Part& part : scene.parts) key.add(part.c).add(part.d).add(part.flat);
-  return key.add(options.alpha0).add(options.rho).add(options.units);
+  return key.add(options.alpha0).add(options.rho);
 }
 
 Key ordering_key(const LayeredMesh& mesh, const Scene& scene, const OrderingOptions& options) {

@@ -35,8 +35,8 @@ struct Join {
 };
 
 /// `equal` holds where the lower part is the nearest behind; where another lies between, as
-/// `above`.
-enum class RelationKind { equal, above, free };
+/// `above`. `below`, only of a range, puts the upper part behind the lower one there.
+enum class RelationKind { equal, above, free, below };
 
 /// The kind as scene files spell it.
 const char* name(RelationKind kind);
@@ -74,9 +74,9 @@ struct Scene {
 };
 
 /// Checks what the types cannot say: positive finite canvas, finite coordinates, unique ids,
-/// indices in range, outlines with area, upper in front of lower, sound c, d, alpha0 and rho.
-/// The error's code is bad_input and its `where` the path of the offending key, such as
-/// "parts[2].outline[0][5]". Linear in points.
+/// indices in range, outlines with area, upper in front of lower, ranges where they are needed,
+/// sound c, d, alpha0 and rho. The error's code is bad_input and its `where` the path of the
+/// offending key, such as "parts[2].outline[0][5]". Linear in points.
 Status validate(const Scene& scene);
 
 }  // namespace relievo

@@ -113,6 +113,9 @@ Status check_relations(const Scene& scene) {
     const Relation& relation = scene.relations[i];
     const std::string where = at("relations", i);
     if (Status pair = check_pair(scene, relation.upper, relation.lower, where); !pair) return pair;
+    if (!relation.range && relation.kind == RelationKind::below)
+      return bad(where + ".range",
+                 "\"below\" needs a range; where it holds everywhere, swap the order of the parts");
     if (!relation.range) continue;
     if (!in_range(relation.range->first)) return out_of_range(where + ".range[0]");
     if (!in_range(relation.range->second)) return out_of_range(where + ".range[1]");
@@ -163,6 +166,8 @@ const char* name(RelationKind kind) {
       return "above";
     case RelationKind::free:
       return "free";
+    case RelationKind::below:
+      return "below";
   }
   return "";
 }

@@ -25,12 +25,14 @@ TEST(ReadScene, ReadsEveryKey) {
   EXPECT_EQ(scene->joins[0].upper, 1);
   EXPECT_EQ(scene->joins[0].lower, 0);
   EXPECT_EQ(scene->joins[0].line, (std::vector<Point2>{{20, 70}, {35, 70}}));
-  ASSERT_EQ(scene->relations.size(), 3U);
+  ASSERT_EQ(scene->relations.size(), 4U);
   EXPECT_EQ(scene->relations[0].kind, RelationKind::equal);
   EXPECT_EQ(scene->relations[0].range->second, (Point2{20, 80}));
   EXPECT_EQ(scene->relations[1].kind, RelationKind::above);
   EXPECT_FALSE(scene->relations[1].range);
   EXPECT_EQ(scene->relations[2].kind, RelationKind::free);
+  EXPECT_EQ(scene->relations[3].kind, RelationKind::below);
+  EXPECT_EQ(scene->relations[3].range->first, (Point2{35, 88}));
   ASSERT_EQ(scene->robin.size(), 1U);
   EXPECT_EQ(scene->robin[0].from, (Point2{35, 70}));
   EXPECT_EQ(scene->robin[0].to, (Point2{35, 90}));
@@ -128,7 +130,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"[[20,70],[35,70]] }", "[[20,70]] }", "joins[0].line", "no length"},
         Refusal{"[[20,70],[35,70]] }", "[] }", "joins[0].line", "no length"},
         Refusal{"[[20,70],[35,70]] }", "[[20,70],[2e6,70]] }", "joins[0].line[1]", "1000000"},
-        Refusal{"\"equal\"", "\"below\"", "relations[0].relation", "\"above\""},
+        Refusal{"\"equal\"", "\"beside\"", "relations[0].relation", "\"above\""},
+        Refusal{"\"free\"", "\"below\"", "relations[2].range", "needs"},
         Refusal{"[[20,72],[20,80]]", "[[20,72]]", "relations[0].range", "two points"},
         Refusal{"[[20,72],[20,80]]", "[[20,72],[20,72]]", "relations[0].range", "where it ends"},
         Refusal{"[[20,72],[20,80]]", "[[20,2e6],[20,72]]", "relations[0].range[0]", "1000000"},

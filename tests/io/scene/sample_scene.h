@@ -19,7 +19,8 @@ inline std::string sample_scene() {
     "relations": [
       { "upper": "leg", "lower": "body", "relation": "equal", "range": [[20,72],[20,80]] },
       { "upper": "leg", "lower": "body", "relation": "above" },
-      { "upper": "leg", "lower": "body", "relation": "free" } ],
+      { "upper": "leg", "lower": "body", "relation": "free" },
+      { "upper": "leg", "lower": "body", "relation": "below", "range": [[35,88],[35,72]] } ],
     "robin": [ { "upper": "leg", "lower": "body", "from": [35,70], "to": [35,90], "alpha0": 0.1, "rho": 0.25 } ]
   })";
 }

@@ -166,16 +166,6 @@ TEST(Inflate, TakesAlphaAndRhoFromTheOptionsWhereARampHasNone) {
   EXPECT_EQ(solved(given, scene_of(given)).u, solved(open, scene_of(open), options).u);
 }
 
-TEST(Inflate, LiteralUnitsArePerPixel) {
-  LayeredMesh mesh = disc(24);
-  soften_outline(mesh, 0.2, 0.25, 100);
-  InflationOptions options;
-  options.units = RobinUnits::literal;
-  const double rise = 2 * radius * (1 - 0.2) / 0.2;
-  EXPECT_LE(disc_error(mesh, solved(mesh, scene_of(mesh), options).u, rise),
-            0.005 * radius * radius);
-}
-
 TEST(Inflate, AnAlphaOfOneIsAnOutline) {
   LayeredMesh mesh = disc(8);
   const std::vector<double> u = solved(mesh, scene_of(mesh)).u;

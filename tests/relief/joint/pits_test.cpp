@@ -32,6 +32,15 @@ double worst_end(const Relief& relief, const Scene& scene) {
   return worst;
 }
 
+TEST(Pits, AreNotInTheApproximateReliefAtThePapersValues) {
+  const Scene scene = body_and_leg();  // all parts have c = 4 and d = 1
+  ReliefOptions options;
+  options.layers.vertex_budget = 10000;
+  EXPECT_GT(worst_end(relief_of(scene, options), scene), 0.94);
+  options.inflation.alpha0 = 1;
+  EXPECT_LT(worst_end(relief_of(scene, options), scene), 0.7);
+}
+
 TEST(Pits, ShowAtTheLegWithStiffBoundsOnly) {
   const Scene scene = body_and_leg();
   EXPECT_LT(worst_end(build(scene, 100), scene), 0.75);

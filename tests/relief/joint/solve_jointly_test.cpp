@@ -265,6 +265,29 @@ TEST(SolveJointly, TellsWhenItRunsOutOfSteps) {
   EXPECT_LE(solution.ordering.max_violation, 1e-9);
 }
 
+// At a minimum a dearer shift is a smaller one, at the cost of the other terms: exact for minima of
+// any sum of two costs of which one is weighted.
+TEST(SolveJointly, DearerShiftsAreSmaller) {
+  JointCase test = joint_case(body_and_leg(), 2000, 1);
+  const Relief& start = test.approximate;
+  double last_shift = 1e300;
+  double last_rest = 0;
+  for (const double lambda : {1e-2, 0.1, 1.0, 10.0, 100.0}) {
+    test.options.joint.lambda_shift = lambda;
+    const auto solution =
+        solve_jointly(start.layers, test.scene, start.inflation, test.options.joint);
+    ASSERT_TRUE(solution.ok()) << to_string(solution.error());
+    EXPECT_EQ(solution->report.status, JointStatus::solved) << lambda;
+    const JointEnergy& energy = solution->report.energy;
+    const double shift = energy.shift / lambda;
+    const double rest = energy.inflation + energy.boundary;
+    EXPECT_LT(shift, last_shift) << lambda;
+    EXPECT_GT(rest, last_rest) << lambda;
+    last_shift = shift;
+    last_rest = rest;
+  }
+}
+
 TEST(SolveJointly, ReportsProgressAndStopsWhenAsked) {
   const JointCase test = joint_case(body_and_leg(), 1000, 100);
   std::atomic<bool> cancel = false;
@@ -295,7 +318,8 @@ TEST(SolveJointly, RefusesOptionsThatMakeNoSense) {
     return solution.ok() ? "accepted" : solution.error().where;
   };
   EXPECT_EQ(where([](JointOptions& o) { o.lambda_bnd = 0; }), "lambda_bnd");
-  EXPECT_EQ(where([](JointOptions& o) { o.lambda_shift = -1; }), "lambda_shift");
+  for (const double shift : {-1.0, 0.0, 1e4, std::nan("")})
+    EXPECT_EQ(where([=](JointOptions& o) { o.lambda_shift = shift; }), "lambda_shift");
   EXPECT_EQ(where([](JointOptions& o) { o.tolerance = std::nan(""); }), "tolerance");
   EXPECT_EQ(where([](JointOptions& o) { o.max_iterations = 0; }), "max_iterations");
   EXPECT_EQ(where([](JointOptions& o) { o.anderson_depth = -1; }), "anderson_depth");

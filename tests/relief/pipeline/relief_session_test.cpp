@@ -29,7 +29,7 @@ void edit(Random& random, Scene& scene, ReliefOptions& options) {
   Part& part = scene.parts[random.integer(0, count - 1)];
   const int upper = random.integer(1, count - 1);
   const int lower = random.integer(0, upper - 1);
-  switch (random.integer(0, 9)) {
+  switch (random.integer(0, 10)) {
     case 0:
       part.c *= random.uniform(0.5, 2);
       return;
@@ -58,6 +58,12 @@ void edit(Random& random, Scene& scene, ReliefOptions& options) {
     case 8:
       if (!scene.joins.empty()) scene.joins.pop_back();
       return;
+    case 9: {
+      const Ring& ring = scene.parts[upper].outline[0];
+      const std::pair range{ring[0], ring[ring.size() / 2]};
+      scene.relations.push_back({upper, lower, RelationKind::below, range});
+      return;
+    }
     default:
       for (Ring& ring : part.outline)
         for (Point2& p : ring) p = p + Point2{1.5, -0.75};

@@ -57,6 +57,15 @@ TEST(Validate, RefusesWhatIsNotFinite) {
   EXPECT_EQ(culprit([](Scene& s) { s.robin[0].rho = nan; }), "robin[0].rho");
 }
 
+TEST(Validate, WantsARangeOfBelow) {
+  EXPECT_EQ(culprit([](Scene& s) { s.relations[0].kind = RelationKind::below; }),
+            "relations[0].range");
+  EXPECT_EQ(culprit([](Scene& s) {
+              s.relations[0] = {1, 0, RelationKind::below, std::pair{Point2{40, 40}, Point2{9, 9}}};
+            }),
+            "accepted");
+}
+
 TEST(Validate, RefusesLeansThatAreTooSteep) {
   EXPECT_EQ(culprit([](Scene& s) { s.parts[0].lean = {2, -2}; }), "accepted");
   EXPECT_EQ(culprit([](Scene& s) { s.parts[0].lean = {2.01, 0}; }), "parts[0].lean");

@@ -11,7 +11,7 @@ export const usual: BuildOptions = {
   rho: 0.25,
   alpha0: 0.1,
   lambdaBnd: 0.01,
-  literal: false,
+  lambdaShift: 1,
   glue: true,
 };
 

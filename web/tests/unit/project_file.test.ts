@@ -31,6 +31,14 @@ describe('a project', () => {
     expect(() => readProject(newer)).toThrow(/newer version/);
   });
 
+  it('of an older version opens without settings that are gone, and with the usual ones that are new', () => {
+    const files = unzipSync(writeProject(sample(), null));
+    const head = JSON.parse(new TextDecoder().decode(files['project.json'])) as { settings: object };
+    const settings = { ...head.settings, literal: true, lambdaShift: undefined };
+    const older = zipSync({ ...files, 'project.json': strToU8(JSON.stringify({ ...head, settings })) });
+    expect(readProject(older)).toEqual(sample());
+  });
+
   it('takes nothing from a zip but what a project has', () => {
     const files = unzipSync(writeProject(sample(), null));
     const more = zipSync({ ...files, '../../evil.js': strToU8('x'), 'another/drawing': strToU8('x') });

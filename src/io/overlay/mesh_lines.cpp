@@ -1,10 +1,10 @@
-#include "bindings/wasm/overlays.h"
+#include "io/overlay/mesh_lines.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
-namespace relievo::wasm {
+namespace relievo {
 namespace {
 
 struct Edge {
@@ -29,13 +29,18 @@ std::vector<Edge> sorted_edges(const LayeredMesh& mesh) {
   return edges;
 }
 
-enum class Tie : uint8_t { none, above, equal };
+enum class Tie : uint8_t { none, above, below, equal };
+
+Tie tie_of(const LayeredMesh& mesh, const DepthPair& pair) {
+  if (pair.equal) return Tie::equal;
+  return mesh.node_part[pair.lower] > mesh.node_part[pair.upper] ? Tie::below : Tie::above;
+}
 
 std::vector<Tie> ties_of_nodes(const LayeredMesh& mesh) {
   std::vector<Tie> ties(mesh.node_vertex.size(), Tie::none);
   for (const DepthPair& pair : mesh.constraints)
     for (const int node : {pair.lower, pair.upper})
-      ties[node] = std::max(ties[node], pair.equal ? Tie::equal : Tie::above);
+      ties[node] = std::max(ties[node], tie_of(mesh, pair));
   return ties;
 }
 
@@ -65,19 +70,20 @@ class Finder {
   Finder(const LayeredMesh& mesh, double alpha0)
       : mesh_(mesh), ties_(ties_of_nodes(mesh)), alpha_(alphas(mesh, alpha0)) {}
 
-  void add(Edge edge, bool open, Overlays& overlays) const {
+  void add(Edge edge, bool open, MeshLines& lines) const {
     const NodeRole a = mesh_.node_role[edge.a];
     const NodeRole b = mesh_.node_role[edge.b];
-    if (a == NodeRole::seam && b == NodeRole::seam) add_segment(mesh_, edge, overlays.joins);
+    if (a == NodeRole::seam && b == NodeRole::seam) add_segment(mesh_, edge, lines.joins);
     if (!open) return;
     if (a == NodeRole::ramp || b == NodeRole::ramp) {
-      add_segment(mesh_, edge, overlays.ramps);
-      overlays.ramps.push_back(alpha_[edge.a]);
-      overlays.ramps.push_back(alpha_[edge.b]);
+      add_segment(mesh_, edge, lines.ramps);
+      lines.ramps.push_back(alpha_[edge.a]);
+      lines.ramps.push_back(alpha_[edge.b]);
     }
     const Tie tie = std::min(ties_[edge.a], ties_[edge.b]);
-    if (tie == Tie::equal) add_segment(mesh_, edge, overlays.equal);
-    if (tie == Tie::above) add_segment(mesh_, edge, overlays.above);
+    if (tie == Tie::equal) add_segment(mesh_, edge, lines.equal);
+    if (tie == Tie::above) add_segment(mesh_, edge, lines.above);
+    if (tie == Tie::below) add_segment(mesh_, edge, lines.below);
   }
 
  private:
@@ -88,17 +94,17 @@ class Finder {
 
 }  // namespace
 
-Overlays find_overlays(const LayeredMesh& mesh, double alpha0) {
+MeshLines find_mesh_lines(const LayeredMesh& mesh, double alpha0) {
   const std::vector<Edge> edges = sorted_edges(mesh);
   const Finder finder(mesh, alpha0);
-  Overlays overlays;
+  MeshLines lines;
   for (size_t i = 0; i < edges.size();) {
     size_t end = i + 1;
     while (end < edges.size() && edges[end] == edges[i]) ++end;
-    finder.add(edges[i], end - i == 1, overlays);
+    finder.add(edges[i], end - i == 1, lines);
     i = end;
   }
-  return overlays;
+  return lines;
 }
 
-}  // namespace relievo::wasm
+}  // namespace relievo

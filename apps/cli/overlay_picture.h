@@ -1,0 +1,14 @@
+#pragma once
+
+#include "io/files/bytes.h"
+#include "io/overlay/overlay_svg.h"
+#include "kernel/base/result.h"
+#include "kernel/image/image.h"
+
+namespace relievo::cli {
+
+/// What was understood of a drawing, over it, as a PNG file. `drawing` has 4 channels and covers
+/// the canvas; where it is empty the ground is white.
+Result<Bytes> draw_overlay(const Scene& scene, const OverlayMarks& marks, const Image8& drawing);
+
+}  // namespace relievo::cli

@@ -1,0 +1,195 @@
+#include "relief/layers/local_order.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace relievo {
+namespace {
+
+/// The range of a relation as it lies on the mesh.
+struct Range {
+  int relation;
+  int upper;
+  int lower;
+  std::vector<int> vertices;  // in its direction
+};
+
+struct PartPair {
+  int upper;
+  int lower;
+  friend bool operator==(const PartPair&, const PartPair&) = default;
+};
+
+class Finder {
+ public:
+  Finder(const BaseMesh& base, const Sheets& sheets, const Loops& loops, const Scene& scene)
+      : base_(base), sheets_(sheets), loops_(loops), scene_(scene) {}
+
+  Result<LocalOrder> run(const std::vector<LoopRun>& runs) {
+    find_ranges(runs);
+    if (below_.empty()) return std::move(order_);
+    order_.faces.resize(sheets_.faces.size());
+    std::iota(order_.faces.begin(), order_.faces.end(), 0);
+    order_.place = order_.faces;
+    // From back to front: what a part is put behind lies in its place already.
+    for (const PartPair pair : pairs_below()) swap(pair);
+    if (Status status = check_senses(); !status) return status.error();
+    return std::move(order_);
+  }
+
+ private:
+  void find_ranges(const std::vector<LoopRun>& runs) {
+    for (size_t r = 0; r < runs.size(); ++r) {
+      const Relation& relation = scene_.relations[r];
+      const bool below = relation.kind == RelationKind::below;
+      if (runs[r].loop < 0 || (!below && relation.kind != RelationKind::above)) continue;
+      (below ? below_ : above_)
+          .push_back(
+              {static_cast<int>(r), relation.upper, relation.lower, run_vertices(loops_, runs[r])});
+    }
+  }
+
+  std::vector<PartPair> pairs_below() const {
+    std::vector<PartPair> pairs;
+    for (const Range& range : below_) pairs.push_back({range.upper, range.lower});
+    std::sort(pairs.begin(), pairs.end(), [](PartPair a, PartPair b) {
+      return a.upper != b.upper ? a.upper < b.upper : a.lower < b.lower;
+    });
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+  }
+
+  bool is_inside(int vertex, int part) const {
+    const Corner* corner = base_.corners.data();
+    return std::all_of(corner + base_.corner_begin[vertex], corner + base_.corner_begin[vertex + 1],
+                       [&](Corner c) { return sheets_.face_of(c / 3, part) >= 0; });
+  }
+
+  bool overlap_at(int triangle, PartPair pair) const {
+    return sheets_.face_of(triangle, pair.upper) >= 0 && sheets_.face_of(triangle, pair.lower) >= 0;
+  }
+
+  void swap(PartPair pair) {
+    std::vector<int> queue;
+    std::vector<int> sense = senses_at_outline(pair, queue);
+    for (size_t i = 0; i < queue.size(); ++i)
+      for (const int next : base_.mesh.neighbours[queue[i]]) {
+        if (next < 0 || sense[next] != 0 || !overlap_at(next, pair)) continue;
+        sense[next] = sense[queue[i]];
+        queue.push_back(next);
+      }
+    for (const int triangle : queue)
+      if (sense[triangle] < 0) put_behind(triangle, pair);
+  }
+
+  // Per triangle that has a corner on the upper outline inside the lower part: 1 or -1; listed in
+  // `queue`.
+  std::vector<int> senses_at_outline(PartPair pair, std::vector<int>& queue) const {
+    std::vector<uint8_t> behind(base_.points.size(), 0);
+    for (const Range& range : below_)
+      if (PartPair{range.upper, range.lower} == pair)
+        for (const int vertex : range.vertices) behind[vertex] = 1;
+    std::vector<int> votes(base_.mesh.triangles.size(), 0);
+    for (size_t l = 0; l < loops_.vertices.size(); ++l) {
+      if (loops_.part[l] != pair.upper) continue;
+      for (const int vertex : loops_.vertices[l]) {
+        if (!is_inside(vertex, pair.lower)) continue;
+        for (int i = base_.corner_begin[vertex]; i < base_.corner_begin[vertex + 1]; ++i) {
+          const int triangle = base_.corners[i] / 3;
+          if (sheets_.face_of(triangle, pair.upper) < 0) continue;
+          queue.push_back(triangle);
+          votes[triangle] += behind[vertex] != 0 ? -1 : 1;
+        }
+      }
+    }
+    std::sort(queue.begin(), queue.end());
+    queue.erase(std::unique(queue.begin(), queue.end()), queue.end());
+    for (const int triangle : queue) votes[triangle] = votes[triangle] < 0 ? -1 : 1;
+    return votes;
+  }
+
+  // Moves the face of the upper part just behind that of the lower one, if it is not behind yet.
+  void put_behind(int triangle, PartPair pair) {
+    const int from = order_.place[sheets_.face_of(triangle, pair.upper)];
+    const int to = order_.place[sheets_.face_of(triangle, pair.lower)];
+    if (from < to) return;
+    const auto faces = order_.faces.begin();
+    std::rotate(faces + to, faces + from, faces + from + 1);
+    for (int i = to; i <= from; ++i) order_.place[order_.faces[i]] = i;
+  }
+
+  // A part cannot be behind one and in front of the same, or of another that covers it.
+  Status check_senses() const {
+    for (const Range& below : below_)
+      for (const Range& above : above_) {
+        if (above.upper != below.upper || above.lower < below.lower) continue;
+        for (const int vertex : below.vertices)
+          if (contradict(below, above, vertex)) return contradiction(below, above);
+      }
+    return Done{};
+  }
+
+  bool contradict(const Range& below, const Range& above, int vertex) const {
+    const auto ends_at = [&](const Range& range) {
+      return range.vertices.front() == vertex || range.vertices.back() == vertex;
+    };
+    if (std::find(above.vertices.begin(), above.vertices.end(), vertex) == above.vertices.end())
+      return false;
+    if (ends_at(below) && ends_at(above)) return false;
+    if (!is_inside(vertex, below.lower) || !is_inside(vertex, above.lower)) return false;
+    return above.lower == below.lower ||
+           sense_at(base_, sheets_, order_, vertex, below.lower, above.lower) == Sense::usual;
+  }
+
+  Error contradiction(const Range& below, const Range& above) const {
+    const auto id = [&](int part) { return "\"" + scene_.parts[part].id + "\""; };
+    return {ErrorCode::contradiction,
+            "puts " + id(below.upper) + " behind " + id(below.lower) + " where relations[" +
+                std::to_string(above.relation) + "] puts it in front of " + id(above.lower) +
+                (above.lower == below.lower ? "" : ", which covers that") +
+                "; give them ranges that do not overlap",
+            "relations[" + std::to_string(below.relation) + "]"};
+  }
+
+  const BaseMesh& base_;
+  const Sheets& sheets_;
+  const Loops& loops_;
+  const Scene& scene_;
+  std::vector<Range> below_;
+  std::vector<Range> above_;
+  LocalOrder order_;
+};
+
+}  // namespace
+
+std::vector<int> run_vertices(const Loops& loops, const LoopRun& run) {
+  const std::vector<int>& loop = loops.vertices[run.loop];
+  std::vector<int> vertices;
+  for (int i = 0; i <= run.edges; ++i) vertices.push_back(loop[(run.position + i) % loop.size()]);
+  return vertices;
+}
+
+Result<LocalOrder> find_local_order(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
+                                    const Scene& scene, const std::vector<LoopRun>& runs) {
+  return Finder(base, sheets, loops, scene).run(runs);
+}
+
+Sense sense_at(const BaseMesh& base, const Sheets& sheets, const LocalOrder& order, int vertex,
+               int lower, int upper) {
+  if (order.is_usual()) return Sense::usual;
+  bool usual = false;
+  bool swapped = false;
+  for (int i = base.corner_begin[vertex]; i < base.corner_begin[vertex + 1]; ++i) {
+    const int below = sheets.face_of(base.corners[i] / 3, lower);
+    const int above = sheets.face_of(base.corners[i] / 3, upper);
+    if (below < 0 || above < 0) continue;
+    (order.place[below] < order.place[above] ? usual : swapped) = true;
+  }
+  if (usual && swapped) return Sense::mixed;
+  return swapped ? Sense::swapped : Sense::usual;
+}
+
+}  // namespace relievo
