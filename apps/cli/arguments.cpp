@@ -147,7 +147,7 @@ void add_shape_options(CLI::App& app, ReliefArguments& relief) {
   InflationOptions& inflation = relief.options.inflation;
   app.add_option("--rho", inflation.rho, "Softness of ramps beside joins (default 0.25)")
       ->check(within(0.001, max_rho));
-  app.add_option("--alpha0", inflation.alpha0, "How firmly ramps begin, 0 to 1 (default 0.1)")
+  app.add_option("--alpha0", inflation.alpha0, "How firmly ramps begin, 0 to 1 (default 0)")
       ->check(within(0.0, 1.0));
 }
 
@@ -155,12 +155,19 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
   add_mesh_options(app, relief);
   add_method_options(app, relief);
   add_shape_options(app, relief);
+  app.add_option_function<std::string>(
+         "--ramps",
+         [&relief](const std::string& name) { relief.options.layers.attach = name == "auto"; },
+         "Outlines beside joins: auto, attached to the part below at first (the default); robin, "
+         "as "
+         "in the paper")
+      ->check(CLI::IsMember({"auto", "robin"}));
   auto* preset = app.add_option_function<std::string>(
       "--preset", [&relief](const std::string& name) { relief.as_in_paper = name == "paper"; },
       "default: the parts' own values; paper: its c = 4 and d = 1 or -1 for all, round and "
-      "upright");
+      "upright, with its ranges beside joins");
   preset->check(CLI::IsMember({"default", "paper"}));
-  for (const char* value : {"--c", "--flat", "--lean", "--rho", "--alpha0"})
+  for (const char* value : {"--c", "--flat", "--lean", "--rho", "--alpha0", "--ramps"})
     preset->excludes(app.get_option(value));
   app.add_flag_callback(
       "--no-glue", [&relief] { relief.options.layers.glue = false; },

@@ -7,6 +7,9 @@
 namespace relievo::cli {
 namespace {
 
+/// In the middle of what the paper gives for outlines beside joins, [0, 0.2].
+constexpr double paper_alpha0 = 0.1;
+
 /// What the paper used for all of its results [P section 4]; the sign of d is the drawing's.
 Part as_in_paper(Part part) {
   part.c = 4;
@@ -20,15 +23,20 @@ Part as_in_paper(Part part) {
 
 Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
                            const RunContext& context) {
-  if (arguments.as_in_paper)
+  ReliefOptions options = arguments.options;
+  options.hidden = arguments.visibility != Visibility::relief;
+  if (arguments.as_in_paper) {
     for (Part& part : scene.parts) part = as_in_paper(std::move(part));
+    options.layers.attach = false;
+    options.inflation.alpha0 = paper_alpha0;
+  }
   if (arguments.c)
     for (Part& part : scene.parts) part.c = *arguments.c;
   if (arguments.flat)
     for (Part& part : scene.parts) part.flat = *arguments.flat;
   if (arguments.lean)
     for (Part& part : scene.parts) part.lean = *arguments.lean;
-  auto relief = build_relief(scene, arguments.options, context);
+  auto relief = build_relief(scene, options, context);
   if (relief) keep_field(*relief, arguments.field);
   return relief;
 }

@@ -27,7 +27,7 @@ function requestFor(document: Document, field: Field, draft: boolean) {
       vertices: draft ? Math.min(draftVertices, settings.vertices) : settings.vertices,
       edge: 0,
       rho: settings.rho,
-      alpha0: 0.1,
+      alpha0: 0,
       lambdaBnd: settings.lambdaBnd,
       lambdaShift: settings.lambdaShift,
       glue: true,

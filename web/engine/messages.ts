@@ -37,7 +37,6 @@ export interface Report {
   equalities: number;
   inequalities: number;
   active: number;
-  rounds: number;
   maxViolation: number;
   overlapWorst: number;
   converged: boolean;

@@ -49,12 +49,25 @@ std::vector<float> alphas(const LayeredMesh& mesh, double usual) {
   std::vector<float> alpha(mesh.node_vertex.size(), 1);
   for (size_t i = 0; i < alpha.size(); ++i)
     if (mesh.node_role[i] == NodeRole::seam) alpha[i] = static_cast<float>(usual);
-  for (const RampNode& node : mesh.ramp_nodes) {
-    const double own = mesh.ramps[node.ramp].alpha0;
+  const auto set = [&](int node, int ramp, double t) {
+    const double own = mesh.ramps[ramp].alpha0;
     const double start = own < 0 ? usual : own;
-    alpha[node.node] = static_cast<float>(start + (1 - start) * node.t);
-  }
+    alpha[node] = static_cast<float>(start + (1 - start) * t);
+  };
+  for (const RampNode& node : mesh.ramp_nodes) set(node.node, node.ramp, node.t);
+  for (const BumpNode& node : mesh.bump_nodes)
+    if (node.ramp >= 0) set(node.node, node.ramp, node.t);
   return alpha;
+}
+
+/// What of a bump's outline a node lies on.
+enum class Rim : uint8_t { none, join, ramp, loose };
+
+std::vector<Rim> rims_of_nodes(const LayeredMesh& mesh) {
+  std::vector<Rim> rims(mesh.node_vertex.size(), Rim::none);
+  for (const BumpNode& node : mesh.bump_nodes)
+    rims[node.node] = node.t == 0 ? Rim::join : node.ramp >= 0 ? Rim::ramp : Rim::loose;
+  return rims;
 }
 
 void add_segment(const LayeredMesh& mesh, Edge edge, std::vector<float>& segments) {
@@ -68,18 +81,18 @@ void add_segment(const LayeredMesh& mesh, Edge edge, std::vector<float>& segment
 class Finder {
  public:
   Finder(const LayeredMesh& mesh, double alpha0)
-      : mesh_(mesh), ties_(ties_of_nodes(mesh)), alpha_(alphas(mesh, alpha0)) {}
+      : mesh_(mesh),
+        ties_(ties_of_nodes(mesh)),
+        rims_(rims_of_nodes(mesh)),
+        alpha_(alphas(mesh, alpha0)) {}
 
   void add(Edge edge, bool open, MeshLines& lines) const {
     const NodeRole a = mesh_.node_role[edge.a];
     const NodeRole b = mesh_.node_role[edge.b];
     if (a == NodeRole::seam && b == NodeRole::seam) add_segment(mesh_, edge, lines.joins);
+    if (rims_[edge.a] != Rim::none && rims_[edge.b] != Rim::none) add_rim(edge, lines);
     if (!open) return;
-    if (a == NodeRole::ramp || b == NodeRole::ramp) {
-      add_segment(mesh_, edge, lines.ramps);
-      lines.ramps.push_back(alpha_[edge.a]);
-      lines.ramps.push_back(alpha_[edge.b]);
-    }
+    if (a == NodeRole::ramp || b == NodeRole::ramp) add_ramp(edge, lines);
     const Tie tie = std::min(ties_[edge.a], ties_[edge.b]);
     if (tie == Tie::equal) add_segment(mesh_, edge, lines.equal);
     if (tie == Tie::above) add_segment(mesh_, edge, lines.above);
@@ -87,8 +100,22 @@ class Finder {
   }
 
  private:
+  void add_ramp(Edge edge, MeshLines& lines) const {
+    add_segment(mesh_, edge, lines.ramps);
+    lines.ramps.push_back(alpha_[edge.a]);
+    lines.ramps.push_back(alpha_[edge.b]);
+  }
+
+  void add_rim(Edge edge, MeshLines& lines) const {
+    const Rim rim = std::max(rims_[edge.a], rims_[edge.b]);
+    if (rim == Rim::join) return add_segment(mesh_, edge, lines.joins);
+    add_segment(mesh_, edge, lines.equal);
+    if (rim == Rim::ramp) add_ramp(edge, lines);
+  }
+
   const LayeredMesh& mesh_;
   std::vector<Tie> ties_;
+  std::vector<Rim> rims_;
   std::vector<float> alpha_;
 };
 

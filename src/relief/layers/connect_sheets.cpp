@@ -85,17 +85,22 @@ class Connector {
     return below;
   }
 
-  // Whether the lower surface lies under all of the upper part and on around it. A part that was
-  // joined to other surfaces before, or to this one as no bump, is none.
+  // Whether the lower part lies under all of the upper one and on around it. A part that was joined
+  // to other surfaces before, or to this one as no bump, is none.
   bool is_bump(const JoinPath& join) const {
     if (out_.surface[upper_] != upper_) return is_bump_already(join);
     for (const int face : faces_of_[upper_]) {
       const int t = sheets_.face_triangle[face];
-      if (face_below(t, join) < 0) return false;
+      if (!is_next_below(t, join)) return false;
       for (const int next : base_.mesh.neighbours[t])
-        if (sheets_.face_of(next, upper_) < 0 && face_below(next, join) < 0) return false;
+        if (sheets_.face_of(next, upper_) < 0 && !is_next_below(next, join)) return false;
     }
     return true;
+  }
+
+  bool is_next_below(int t, const JoinPath& join) const {
+    const int below = face_below(t, join);
+    return below >= 0 && sheets_.face_part[below] == join.lower;
   }
 
   bool is_bump_already(const JoinPath& join) const {
