@@ -54,6 +54,7 @@ Discretisation discretise(const LayeredMesh& mesh, const RunContext& context) {
       },
       [&] {
         result.gradients = gradient_stencils({in_px, mesh.faces});
+        result.creases = crease_stencils(mesh);
       },
   };
   run_tasks(3, [&](int i) { work[i](); });

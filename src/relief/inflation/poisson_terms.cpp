@@ -6,6 +6,7 @@
 
 #include "kernel/geometry/polygon.h"
 #include "kernel/operators/laplacian.h"
+#include "relief/cues/bulge_field.h"
 #include "relief/layers/joined_surface.h"
 
 namespace relievo {
@@ -45,18 +46,20 @@ InflationTerms inflation_terms(const LayeredMesh& mesh, const Scene& scene, doub
   std::vector<Source> sources;
   for (const Part& part : scene.parts) sources.push_back(source_of(part, scale));
   const std::vector<Point2> positions = node_positions(mesh, scale);
-  const auto integrated = [&](double Source::*term) {
-    std::vector<double> density;
-    density.reserve(mesh.faces.size());
-    for (const int part : mesh.face_part) density.push_back(sources[part].*term);
-    return load_vector({positions, mesh.faces}, density);
-  };
+  const std::vector<double> factors = bulge_factors(mesh, scene);
+  std::vector<double> density;
+  std::vector<double> screening;
+  for (size_t f = 0; f < mesh.faces.size(); ++f) {
+    const Source& source = sources[mesh.face_part[f]];
+    density.push_back(factors.empty() ? source.density : factors[f] * source.density);
+    screening.push_back(source.screening);
+  }
   const bool round = std::all_of(sources.begin(), sources.end(),
                                  [](const Source& source) { return source.screening == 0; });
   InflationTerms terms;
-  terms.load = integrated(&Source::density);
-  terms.screening =
-      round ? Eigen::VectorXd::Zero(terms.load.size()) : integrated(&Source::screening);
+  terms.load = load_vector({positions, mesh.faces}, density);
+  terms.screening = round ? Eigen::VectorXd::Zero(terms.load.size())
+                          : load_vector({positions, mesh.faces}, screening);
   return terms;
 }
 

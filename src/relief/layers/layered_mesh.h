@@ -43,6 +43,12 @@ struct DepthPair {
   friend bool operator==(const DepthPair&, const DepthPair&) = default;
 };
 
+/// An edge along a crease of a part. Both faces beside it share its nodes.
+struct CreaseEdge {
+  int cue = -1;                       ///< of the scene
+  std::array<int, 2> corner{-1, -1};  ///< opposite to it in both faces, as 3 * face + k
+};
+
 /// All parts on one planar triangulation. A *face* is one part's copy of a base triangle; the
 /// faces of a base triangle are consecutive, back to front. A *node* is a vertex of the joined
 /// mesh: one surface's copy of a base vertex. Lengths are in canvas px, y down.
@@ -65,6 +71,7 @@ struct LayeredMesh {
   std::vector<RobinRamp> ramps;
   std::vector<RampNode> ramp_nodes;
   std::vector<DepthPair> constraints;
+  std::vector<CreaseEdge> creases;
 
   int part_count = 0;
   double edge_length = 0;             ///< spacing of the outlines, px

@@ -112,6 +112,8 @@ void finish_ordering(const OrderingInput& input, const std::vector<FacePair>& st
   ordering.g.reserve(ordering.h.size());
   for (size_t n = 0; n < ordering.h.size(); ++n)
     ordering.g.push_back(ordering.h[n] - f[static_cast<Eigen::Index>(n)]);
+  const CreaseStencils& creases = input.discretisation.creases;
+  ordering.creases = {creases.corner, crease_gradients(creases, ordering.g)};
   OverlapSamples samples;
   run_tasks(2, [&](int task) {
     if (task == 0)
