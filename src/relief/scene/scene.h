@@ -18,6 +18,8 @@ constexpr double max_rho = 1e3;     ///< bound of rho
 constexpr double min_bulge = 0.05;  ///< bounds of the value of a bulge
 constexpr double max_bulge = 10;
 constexpr double max_cue_angle = 75;  ///< bound of the magnitude of the angle of a slope or crease
+constexpr int max_cues = 256;
+constexpr int max_cue_points = 1000;  ///< of one cue
 
 /// A semantically meaningful region of the drawing, completed where occluded [P §3].
 struct Part {

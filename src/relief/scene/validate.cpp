@@ -150,11 +150,13 @@ bool is_sound_value(const Cue& cue) {
 }
 
 Status check_cues(const Scene& scene) {
+  if (scene.cues.size() > max_cues) return bad("cues", "has more than 256 cues");
   for (size_t i = 0; i < scene.cues.size(); ++i) {
     const Cue& cue = scene.cues[i];
     const std::string where = at("cues", i);
     if (cue.part < 0 || cue.part >= static_cast<int>(scene.parts.size()))
       return bad(where + ".part", "names no part of the scene");
+    if (cue.line.size() > max_cue_points) return bad(where + ".line", "has more than 1000 points");
     if (Status line = check_line(cue.line, where + ".line"); !line) return line;
     if (!is_sound_value(cue))
       return bad(where + ".value", cue.kind == CueKind::bulge
