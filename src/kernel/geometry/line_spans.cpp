@@ -31,10 +31,27 @@ void add_crossings(Point2 a, Point2 b, double start, const Ring& ring,
   }
 }
 
+/// A point from which the line is reached straight on from outside the outline.
+Point2 far_before(const std::vector<Point2>& line, const Outline& outline) {
+  Box2 box = bounding_box(outline);
+  box.add(line[0]);
+  size_t next = 1;
+  while (next + 1 < line.size() && line[next] == line[0]) ++next;
+  const Point2 along = line[next] - line[0];
+  const double length = norm(along);
+  return length > 0 ? line[0] - 2 * box.diagonal() / length * along : line[0];
+}
+
 }  // namespace
 
 std::vector<LineSpan> spans_inside(const std::vector<Point2>& line, const Outline& outline) {
+  if (line.size() < 2) return {};
+  // What the winding number is at the first point follows from the same tests as all changes of
+  // it, also where that point is on the outline.
+  const Point2 far = far_before(line, outline);
   std::vector<Crossing> crossings;
+  for (const Ring& ring : outline)
+    add_crossings(far, line[0], -distance(far, line[0]), ring, crossings);
   double length = 0;
   for (size_t i = 0; i + 1 < line.size(); ++i) {
     for (const Ring& ring : outline) add_crossings(line[i], line[i + 1], length, ring, crossings);
@@ -43,13 +60,11 @@ std::vector<LineSpan> spans_inside(const std::vector<Point2>& line, const Outlin
   std::stable_sort(crossings.begin(), crossings.end(),
                    [](const Crossing& a, const Crossing& b) { return a.s < b.s; });
   int winding = 0;
-  if (!line.empty())
-    for (const Ring& ring : outline) winding += winding_number(ring, line[0]);
   std::vector<LineSpan> spans;
   double from = 0;
   const auto close = [&](double to) {
     if (winding != 0 && to > from) spans.push_back({from, to});
-    from = to;
+    from = std::max(from, to);
   };
   for (const Crossing& crossing : crossings) {
     if ((winding == 0) != (winding + crossing.turn == 0)) close(crossing.s);
