@@ -56,6 +56,8 @@ Result<CueArgument> parse_cue(const std::string& text) {
     return misread("needs a line of at least two points as X,Y,X,Y");
   if (!value || value->size() != 1) return misread("needs one number as its value");
   argument.cue.value = value->front();
+  if (!has_sound_value(argument.cue))
+    return misread("has a value out of range: 0.05 to 10 of a bulge, -75 to 75 degrees of others");
   for (size_t i = 0; i < line->size(); i += 2)
     argument.cue.line.push_back({(*line)[i], (*line)[i + 1]});
   return argument;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "io/svg/part_lookup.h"
 #include "io/svg/scanner.h"
@@ -16,14 +15,10 @@ Result<CueKind> kind_of(const SvgShape& shape, const std::string& where) {
 Result<double> value_of(const SvgShape& shape, CueKind kind, const std::string& where) {
   SvgScanner scanner(trimmed_svg(shape.annotation.value));
   const auto value = scanner.number();
-  const bool bulge = kind == CueKind::bulge;
-  const bool sound =
-      value && scanner.at_end() &&
-      (bulge ? *value >= min_bulge && *value <= max_bulge : std::abs(*value) <= max_cue_angle);
-  if (sound) return *value;
+  if (value && scanner.at_end() && has_sound_value({0, kind, {}, *value})) return *value;
   return Error{ErrorCode::bad_input,
-               bulge ? "data-value must be a number from 0.05 to 10"
-                     : "data-value must be a number of degrees from -75 to 75",
+               kind == CueKind::bulge ? "data-value must be a number from 0.05 to 10"
+                                      : "data-value must be a number of degrees from -75 to 75",
                where};
 }
 

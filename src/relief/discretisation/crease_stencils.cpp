@@ -98,6 +98,7 @@ CreaseStencils crease_stencils(const LayeredMesh& mesh) {
 
 std::vector<Point2> crease_gradients(const CreaseStencils& stencils,
                                      const std::vector<double>& values) {
+  if (stencils.corner.empty()) return {};
   std::vector<double> own;
   own.reserve(stencils.node.size());
   for (const int node : stencils.node) own.push_back(values[node]);

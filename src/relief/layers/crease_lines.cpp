@@ -12,7 +12,7 @@ namespace {
 constexpr double sharp_turn = 0.35;  // 20 degrees: a point that must be a sample
 constexpr double end_reach = 0.01;   // of the canvas diagonal: how far a line is drawn on
 
-std::vector<Point2> without_repeats(std::vector<Point2> line) {
+std::vector<Point2> without_equal_neighbours(std::vector<Point2> line) {
   line.erase(std::unique(line.begin(), line.end()), line.end());
   return line;
 }
@@ -28,7 +28,7 @@ std::vector<Point2> drawn_on(std::vector<Point2> line, const Outline& outline, d
 }
 
 /// Arc lengths of the points where the line turns sharply.
-std::vector<double> corners(const std::vector<Point2>& line) {
+std::vector<double> sharp_turns(const std::vector<Point2>& line) {
   std::vector<double> found;
   double s = 0;
   for (size_t i = 1; i + 1 < line.size(); ++i) {
@@ -42,7 +42,7 @@ std::vector<double> corners(const std::vector<Point2>& line) {
 
 InputCurve sampled_span(const std::vector<Point2>& line, LineSpan span, double spacing) {
   std::vector<double> stops = {span.from};
-  for (const double s : corners(line))
+  for (const double s : sharp_turns(line))
     if (s - stops.back() > 0.3 * spacing && span.to - s > 0.3 * spacing) stops.push_back(s);
   stops.push_back(span.to);
   InputCurve curve;
@@ -83,7 +83,7 @@ void sample_creases(const Scene& scene, double spacing, SampledOutlines& sampled
     const Cue& cue = scene.cues[c];
     if (cue.kind != CueKind::crease) continue;
     const Outline& outline = scene.parts[cue.part].outline;
-    const std::vector<Point2> line = drawn_on(without_repeats(cue.line), outline, reach);
+    const std::vector<Point2> line = drawn_on(without_equal_neighbours(cue.line), outline, reach);
     const double length = line_length(line);
     for (LineSpan span : spans_inside(line, outline)) {
       span = {std::max(0.0, span.from - 0.5 * spacing), std::min(length, span.to + 0.5 * spacing)};

@@ -86,6 +86,9 @@ struct Cue {
   double value = 1;
 };
 
+/// Whether the value lies within the bounds of its kind.
+bool has_sound_value(const Cue& cue);
+
 /// Everything that is known of a drawing before reconstruction.
 struct Scene {
   double width = 0;         ///< canvas, px

@@ -144,11 +144,6 @@ Status check_robin(const Scene& scene) {
   return Done{};
 }
 
-bool is_sound_value(const Cue& cue) {
-  if (cue.kind == CueKind::bulge) return cue.value >= min_bulge && cue.value <= max_bulge;
-  return std::abs(cue.value) <= max_cue_angle;
-}
-
 Status check_cues(const Scene& scene) {
   if (scene.cues.size() > max_cues) return bad("cues", "has more than 256 cues");
   for (size_t i = 0; i < scene.cues.size(); ++i) {
@@ -158,7 +153,7 @@ Status check_cues(const Scene& scene) {
       return bad(where + ".part", "names no part of the scene");
     if (cue.line.size() > max_cue_points) return bad(where + ".line", "has more than 1000 points");
     if (Status line = check_line(cue.line, where + ".line"); !line) return line;
-    if (!is_sound_value(cue))
+    if (!has_sound_value(cue))
       return bad(where + ".value", cue.kind == CueKind::bulge
                                        ? "must be a number from 0.05 to 10"
                                        : "must be a number of degrees from -75 to 75");
@@ -180,6 +175,11 @@ Status validate(const Scene& scene) {
                            check_robin, check_cues})
     if (Status status = check(scene); !status) return status;
   return Done{};
+}
+
+bool has_sound_value(const Cue& cue) {
+  if (cue.kind == CueKind::bulge) return cue.value >= min_bulge && cue.value <= max_bulge;
+  return std::abs(cue.value) <= max_cue_angle;
 }
 
 const char* name(RelationKind kind) {
