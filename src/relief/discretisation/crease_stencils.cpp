@@ -10,8 +10,9 @@
 namespace relievo {
 namespace {
 
-/// A stencil reaches two rings of neighbours; the third keeps the end of the patch away.
-constexpr int rings = 3;
+/// Nodes that are a neighbour of a crease look across it, if their own neighbours are too few; the
+/// stencils of those reach two rings farther, and the last ring keeps the end of the patch away.
+constexpr int rings = 4;
 
 std::vector<uint8_t> crease_nodes(const LayeredMesh& mesh) {
   std::vector<uint8_t> marked(mesh.node_vertex.size(), 0);
@@ -21,19 +22,16 @@ std::vector<uint8_t> crease_nodes(const LayeredMesh& mesh) {
   return marked;
 }
 
-/// The faces within so many rings of the creases, ascending.
-std::vector<int> faces_around(const LayeredMesh& mesh, std::vector<uint8_t> marked) {
+/// The faces at marked nodes, ascending; then all nodes of them are marked.
+std::vector<int> grow(const LayeredMesh& mesh, std::vector<uint8_t>& marked) {
   std::vector<int> faces;
-  for (int ring = 0; ring < rings; ++ring) {
-    faces.clear();
-    for (size_t f = 0; f < mesh.faces.size(); ++f) {
-      const auto& face = mesh.faces[f];
-      if (std::any_of(face.begin(), face.end(), [&](int n) { return marked[n] != 0; }))
-        faces.push_back(static_cast<int>(f));
-    }
-    for (const int f : faces)
-      for (const int n : mesh.faces[f]) marked[n] = 1;
+  for (size_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto& face = mesh.faces[f];
+    if (std::any_of(face.begin(), face.end(), [&](int n) { return marked[n] != 0; }))
+      faces.push_back(static_cast<int>(f));
   }
+  for (const int f : faces)
+    for (const int n : mesh.faces[f]) marked[n] = 1;
   return faces;
 }
 
@@ -68,12 +66,13 @@ DisjointSets cut_corners(const LayeredMesh& mesh, const std::vector<int>& faces)
 CreaseStencils crease_stencils(const LayeredMesh& mesh) {
   CreaseStencils stencils;
   if (mesh.creases.empty()) return stencils;
-  const std::vector<uint8_t> creased = crease_nodes(mesh);
-  const std::vector<int> faces = faces_around(mesh, creased);
+  std::vector<uint8_t> marked = crease_nodes(mesh);
+  std::vector<int> faces = grow(mesh, marked);
+  const std::vector<uint8_t> near = marked;
+  for (int ring = 1; ring < rings; ++ring) faces = grow(mesh, marked);
   DisjointSets corners = cut_corners(mesh, faces);
   std::vector<int> place(3 * faces.size());
   std::vector<std::array<int, 3>> triangles(faces.size());
-  std::vector<int> copies(mesh.node_vertex.size(), 0);
   std::vector<Point2> positions;
   for (int i = 0; i < static_cast<int>(place.size()); ++i) {
     const int node = mesh.faces[faces[i / 3]][i % 3];
@@ -81,14 +80,12 @@ CreaseStencils crease_stencils(const LayeredMesh& mesh) {
       place[i] = static_cast<int>(stencils.node.size());
       stencils.node.push_back(node);
       positions.push_back(mesh.vertices[mesh.node_vertex[node]]);
-      ++copies[node];
     }
     place[i] = place[corners.find(i)];
     triangles[i / 3][i % 3] = place[i];
   }
   for (size_t i = 0; i < place.size(); ++i) {
-    const int node = stencils.node[place[i]];
-    if (creased[node] == 0 || copies[node] < 2) continue;
+    if (near[stencils.node[place[i]]] == 0) continue;
     stencils.corner.push_back(3 * faces[i / 3] + static_cast<int>(i % 3));
     stencils.place.push_back(place[i]);
   }

@@ -7,7 +7,7 @@
 
 namespace relievo {
 
-/// Gradients at corners of faces where they differ between the two sides of a crease.
+/// Gradients at corners of faces on and beside creases, each from its own side.
 struct CreaseGradients {
   std::vector<int> corner;       ///< as 3 * face + k, ascending
   std::vector<Point2> gradient;  ///< of g, canvas axes (y down)
