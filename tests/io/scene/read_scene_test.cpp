@@ -151,7 +151,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"\"part\": \"body\"", "\"part\": \"arm\"", "cues[0].part", "\"arm\""},
         Refusal{"\"part\": \"body\", ", "", "cues[0].part", "missing"},
         Refusal{"\"bulge\"", "\"bump\"", "cues[0].kind", "\"crease\""},
-        Refusal{"\"kind\": \"bulge\"", "\"king\": \"bulge\"", "cues[0].kin", ""},
+        Refusal{"\"kind\": \"bulge\"", "\"kind\": \"bulge\", \"to\": 1", "cues[0].to",
+                "not a known key"},
         Refusal{"[[25,75],[25,95]]", "[[25,75]]", "cues[1].line", "no length"},
         Refusal{"[[25,75],[25,95]]", "[[25,75],[25,2e6]]", "cues[1].line[1]", "1000000"},
         Refusal{"\"value\": 1.5", "\"value\": 0", "cues[0].value", "0.05 to 10"},
@@ -199,7 +200,7 @@ TEST(ReadScene, KeepsToItsLimits) {
   }
   bytes.max_bytes = sample_scene().size();
   parts.max_parts = 2;
-  points.max_points = 18;
+  points.max_points = 25;
   for (const SceneLimits& limits : {bytes, parts, points})
     EXPECT_TRUE(read_scene(sample_scene(), limits));
 }
