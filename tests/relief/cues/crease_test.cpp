@@ -10,6 +10,7 @@
 #include "relief/model/relief_maps.h"
 #include "relief/pipeline/build_relief.h"
 #include "support/model_checks.h"
+#include "support/random_scene.h"
 #include "support/scenes.h"
 
 namespace relievo {
@@ -190,6 +191,39 @@ TEST(Crease, NormalMapsTurnFromOnePixelToTheNext) {
   // Nor does it turn back and forth beside the crease.
   for (int x = 140; x < 260; ++x)
     EXPECT_NEAR(maps->normal.at(x, 195, 1), maps->normal.at(x + 1, 195, 1), 0.01);
+}
+
+/// Cues of all kinds across outlines, joins and each other.
+void scribble_cues(Random& random, Scene& scene) {
+  for (int i = 0; i < 9; ++i) {
+    const int part = random.integer(0, static_cast<int>(scene.parts.size()) - 1);
+    const Box2 box = bounding_box(scene.parts[part].outline);
+    Cue cue{part, static_cast<CueKind>(i % 3), {}, random.uniform(0.5, 40)};
+    if (cue.kind == CueKind::bulge) cue.value /= 10;
+    for (int k = random.integer(2, 5); k > 0; --k)
+      cue.line.push_back({random.uniform(box.min.x - 9, box.max.x + 9),
+                          random.uniform(box.min.y - 9, box.max.y + 9)});
+    scene.cues.push_back(std::move(cue));
+  }
+}
+
+TEST(Crease, RandomCuesOnRandomScenesAreSolvedToTheEnd) {
+  for (uint64_t seed = 1; seed <= 20; ++seed) {
+    Random random(seed);
+    Scene scene = random_scene(seed);
+    ReliefOptions options;
+    options.layers.vertex_budget = 3000;
+    if (!build_relief(scene, options)) continue;
+    scribble_cues(random, scene);
+    const Result<Relief> relief = build_relief(scene, options);
+    ASSERT_TRUE(relief) << seed << " " << to_string(relief.error());
+    EXPECT_LE(relief->ordering.report.stationarity, 1e-12) << seed;
+    EXPECT_LE(relief->ordering.max_violation, 1e-9) << seed;
+    const Result<Model> model =
+        assemble_model(relief->layers, relief->inflation, relief->ordering, scene, {});
+    ASSERT_TRUE(model) << seed << " " << to_string(model.error());
+    EXPECT_EQ(count_silhouette(*model, relief->layers).elsewhere, 0) << seed;
+  }
 }
 
 TEST(Crease, TheVertexBudgetHolds) {
