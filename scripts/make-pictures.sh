@@ -16,6 +16,14 @@ for name in wolf bunny farmer unicorn elephant lamb; do
   "$relievo" render "examples/$name.svg" -o "$to/$name.png" --yaw "$yaw" --pitch 8 --size 480 > /dev/null
 done
 
+# Creases, with light from the left.
+rsvg-convert --width 480 --keep-aspect-ratio --background-color white examples/griffin.svg \
+  -o "$to/griffin-drawing.png"
+"$relievo" render examples/griffin.svg -o "$to/griffin-clay.png" --view front --clay \
+  --light -60 30 --size 480 > /dev/null
+"$relievo" render examples/griffin.svg -o "$to/griffin-turned.png" --yaw 45 --clay \
+  --light -60 30 --size 480 > /dev/null
+
 # A flat drawing.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

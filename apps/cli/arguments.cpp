@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "apps/cli/cue_argument.h"
 #include "apps/cli/exit_code.h"
 
 namespace relievo::cli {
@@ -110,6 +111,23 @@ void add_mesh_options(CLI::App& app, ReliefArguments& relief) {
       ->check(CLI::Range(100, 100000000));
 }
 
+void add_cue_option(CLI::App& app, ReliefArguments& relief) {
+  app.add_option_function<std::vector<std::string>>(
+         "--cue",
+         [&relief](const std::vector<std::string>& cues) {
+           for (const std::string& text : cues) {
+             const auto cue = parse_cue(text);
+             if (!cue) throw CLI::ValidationError("--cue " + text, cue.error().message);
+             relief.cues.push_back(*cue);
+           }
+         },
+         "Profile along a line on a part, PART:KIND:X,Y,X,Y,...:VALUE in canvas px; may be "
+         "repeated. bulge: times as high there; slope: degrees that it rises along the line; "
+         "crease: degrees that it rises to the line from both sides")
+      ->expected(1)
+      ->take_all();
+}
+
 void add_method_options(CLI::App& app, ReliefArguments& relief) {
   app.add_option_function<std::string>(
          "--method",
@@ -144,6 +162,7 @@ void add_shape_options(CLI::App& app, ReliefArguments& relief) {
          "Slope of all parts: how much nearer they come per px to the right and downwards")
       ->expected(2)
       ->check(within(-max_lean, max_lean));
+  add_cue_option(app, relief);
   InflationOptions& inflation = relief.options.inflation;
   app.add_option("--rho", inflation.rho, "Softness of ramps beside joins (default 0.25)")
       ->check(within(0.001, max_rho));

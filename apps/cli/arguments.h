@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "relief/pipeline/keep_field.h"
+#include "relief/scene/scene.h"
 
 namespace relievo::cli {
 
@@ -18,13 +19,20 @@ struct CommonArguments {
   int threads = 0;     ///< 0: as many as the machine has
 };
 
+/// A cue for a part that has yet to be found in the scene.
+struct CueArgument {
+  std::string part;  ///< id
+  Cue cue;
+};
+
 /// How a drawing is reconstructed.
 struct ReliefArguments {
   ReliefOptions options;
-  std::optional<double> c;     ///< in place of every part's own
-  std::optional<double> flat;  ///< likewise
-  std::optional<Point2> lean;  ///< likewise
-  bool as_in_paper = false;    ///< c, d, profile and lean of all parts as the paper has them
+  std::optional<double> c;        ///< in place of every part's own
+  std::optional<double> flat;     ///< likewise
+  std::optional<Point2> lean;     ///< likewise
+  std::vector<CueArgument> cues;  ///< besides those of the drawing
+  bool as_in_paper = false;       ///< c, d, profile and lean of all parts as the paper has them
   Visibility visibility = Visibility::relief;
   Field field = Field::relief;
 };

@@ -4,12 +4,14 @@
 #include <utility>
 
 #include "apps/cli/commands.h"
+#include "apps/cli/cue_argument.h"
 #include "apps/cli/inputs.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/overlay_picture.h"
 #include "apps/cli/table.h"
 #include "io/overlay/mesh_lines.h"
+#include "kernel/geometry/line_spans.h"
 #include "relief/inflation/inflate.h"
 #include "relief/layers/layer_parts.h"
 
@@ -49,6 +51,18 @@ std::string annotation_table(const Scene& scene) {
     table.add({"robin", id(range.upper), id(range.lower),
                "alpha0 " + (range.alpha0 ? number(*range.alpha0) : "default") + ", rho " +
                    (range.rho ? number(*range.rho) : "default")});
+  return table.empty() ? "" : table.text();
+}
+
+std::string cue_table(const Scene& scene) {
+  Table table({"cue", "part", "value", "px in the part"});
+  for (const Cue& cue : scene.cues) {
+    double inside = 0;
+    for (const LineSpan span : spans_inside(cue.line, scene.parts[cue.part].outline))
+      inside += span.to - span.from;
+    table.add({name(cue.kind), scene.parts[cue.part].id,
+               number(cue.value) + (cue.kind == CueKind::bulge ? "" : " degrees"), number(inside)});
+  }
   return table.empty() ? "" : table.text();
 }
 
@@ -99,6 +113,8 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
   print_result("\n" + part_table(scene), quiet);
   if (const std::string table = annotation_table(scene); !table.empty())
     print_result("\n" + table, quiet);
+  if (const std::string table = cue_table(scene); !table.empty()) print_result("\n" + table, quiet);
+  print_warnings(warnings_about_cues(scene), quiet);
   LayerOptions options;
   options.vertex_budget = trial_vertices;
   const auto mesh = layer_parts(scene, options, {interruption.flag(), {}});

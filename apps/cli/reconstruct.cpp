@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "apps/cli/cue_argument.h"
 #include "relief/model/dress_hidden.h"
 
 namespace relievo::cli {
@@ -36,8 +37,12 @@ Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
     for (Part& part : scene.parts) part.flat = *arguments.flat;
   if (arguments.lean)
     for (Part& part : scene.parts) part.lean = *arguments.lean;
+  if (Status status = add_cues(arguments.cues, scene); !status) return status.error();
   auto relief = build_relief(scene, options, context);
-  if (relief) keep_field(*relief, arguments.field);
+  if (!relief) return relief;
+  keep_field(*relief, arguments.field);
+  for (std::string& warning : warnings_about_cues(scene))
+    relief->layers.warnings.push_back(std::move(warning));
   return relief;
 }
 

@@ -198,18 +198,19 @@ TEST_F(Build, OptionsReachTheirStages) {
   EXPECT_EQ(glb({"--vertices", "3000", "--method", "approximate", "--profile", "relief",
                  "--visible", "relief", "--preset", "default", "--size", "100"}),
             plain);
-  for (const std::vector<std::string>& change :
-       std::vector<std::vector<std::string>>{{"--vertices", "6000"},
-                                             {"--edge", "9"},
-                                             {"--vertices", "3000", "--c", "1"},
-                                             {"--vertices", "3000", "--lean", "-0.2", "0"},
-                                             {"--vertices", "3000", "--size", "50"},
-                                             {"--vertices", "3000", "--rho", "0.5"},
-                                             {"--vertices", "3000", "--alpha0", "0.8"},
-                                             {"--vertices", "3000", "--preset", "paper"},
-                                             {"--vertices", "3000", "--no-glue"},
-                                             {"--vertices", "3000", "--visible", "orbit"},
-                                             {"--vertices", "3000", "--keep-hidden"}})
+  for (const std::vector<std::string>& change : std::vector<std::vector<std::string>>{
+           {"--vertices", "6000"},
+           {"--edge", "9"},
+           {"--vertices", "3000", "--c", "1"},
+           {"--vertices", "3000", "--lean", "-0.2", "0"},
+           {"--vertices", "3000", "--cue", "body:slope:110,120,290,200:20"},
+           {"--vertices", "3000", "--size", "50"},
+           {"--vertices", "3000", "--rho", "0.5"},
+           {"--vertices", "3000", "--alpha0", "0.8"},
+           {"--vertices", "3000", "--preset", "paper"},
+           {"--vertices", "3000", "--no-glue"},
+           {"--vertices", "3000", "--visible", "orbit"},
+           {"--vertices", "3000", "--keep-hidden"}})
     EXPECT_FALSE(glb(change) == plain) << change.back();
 }
 

@@ -30,6 +30,11 @@ TEST_F(Failures, UsageIsTwo) {
   expect_failure(with(build, {"--c", "0"}), 2, "c");
   expect_failure(with(build, {"--lean", "0.5"}), 2, "lean");
   expect_failure(with(build, {"--lean", "0.5", "2.5"}), 2, "lean");
+  for (const char* cue :
+       {"body", "body:dent:1,2,3,4:5", "body:slope:1,2,3:5", "body:slope:1,2,3,x:5",
+        "body:slope:1,2,3,4:5,6", "body:bulge:1,2,3,4:0", ":slope:1,2,3,4:5"})
+    expect_failure(with(build, {"--cue", cue}), 2, cue);
+  expect_failure(with(build, {"--cue", "nose:slope:1,2,3,4:5"}), 2, "nose");
   expect_failure(with(build, {"--preset", "paper", "--rho", "0.5"}), 2, "rho");
   for (const char* value : {"--c", "--alpha0", "--flat"})
     expect_failure(with(build, {"--preset", "paper", value, "0.5"}), 2, value);

@@ -19,6 +19,20 @@ TEST_F(Check, ExplainsPartsAndJoinsAndWritesNothing) {
   EXPECT_EQ(folder_.names(), before);
 }
 
+TEST_F(Check, ListsCuesAndSaysWhichHaveNoEffect) {
+  std::string text = scene_text;
+  text.insert(text.rfind('}'), R"(, "cues": [
+    { "part": "body", "kind": "crease", "line": [[50,160],[250,160]], "value": -30 },
+    { "part": "leg", "kind": "bulge", "line": [[10,10],[20,20]], "value": 2 } ])");
+  write("cued.json", text);
+  const Outcome outcome = relievo({"check", "cued.json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* word : {"crease", "-30 degrees", "150", "bulge"})
+    EXPECT_NE(outcome.out.find(word), std::string::npos) << word << " in " << outcome.out;
+  EXPECT_NE(outcome.err.find("a bulge of \"leg\" lies nowhere in it"), std::string::npos);
+  EXPECT_EQ(outcome.err.find("a crease"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Check, ReadsDrawings) {
   const Outcome outcome = relievo({"check", "drawing.svg"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

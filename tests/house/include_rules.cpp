@@ -24,33 +24,25 @@ const std::map<std::string, Names> kernel_rules = {
 
 /// The chain of stages; data flows from left to right.
 const std::vector<std::string> stages = {
-    "drawing",        "scene",     "completion", "stacking", "joining", "corrections", "layers",
-    "discretisation", "inflation", "ordering",   "joint",    "hiding",  "model"};
+    "drawing",        "scene", "completion", "stacking", "joining", "corrections", "layers",
+    "discretisation", "cues",  "inflation",  "ordering", "joint",   "hiding",      "model"};
 
 /// The joint stage unites these two and is made of their parts.
 const Names joint_folders = {"inflation", "ordering"};
 
 /// What a stage hands on: its struct and views of it. Everything else in its folder is its own.
 const Names stage_structs = {
-    "completion/completion.h",
-    "completion/part_regions.h",
-    "corrections/corrections.h",
-    "drawing/basins.h",
-    "drawing/drawing.h",
-    "discretisation/discretisation.h",
-    "discretisation/discretise.h",
-    "drawing/scribbles.h",
-    "hiding/hidden_sheets.h",
-    "drawing/segmentation.h",
-    "inflation/inflation.h",
-    "joining/joining.h",
-    "joint/joint_solution.h",
-    "layers/joined_surface.h",
-    "layers/layered_mesh.h",
-    "model/drawn_model.h",
-    "model/model.h",
-    "ordering/ordering.h",
-    "scene/scene.h",
+    "completion/completion.h",     "completion/part_regions.h",
+    "corrections/corrections.h",   "cues/bulge_field.h",
+    "cues/slope_field.h",          "drawing/basins.h",
+    "drawing/drawing.h",           "discretisation/discretisation.h",
+    "discretisation/discretise.h", "discretisation/crease_stencils.h",
+    "drawing/scribbles.h",         "hiding/hidden_sheets.h",
+    "drawing/segmentation.h",      "inflation/inflation.h",
+    "joining/joining.h",           "joint/joint_solution.h",
+    "layers/joined_surface.h",     "layers/layered_mesh.h",
+    "model/drawn_model.h",         "model/model.h",
+    "ordering/ordering.h",         "scene/scene.h",
     "stacking/stacking.h",
 };
 

@@ -138,6 +138,12 @@ int node_at(const LayeredMesh& mesh, int part, int vertex) {
   return -1;
 }
 
+Point2 middle_of_face(const LayeredMesh& mesh, int face) {
+  Point2 sum;
+  for (const int n : mesh.faces[face]) sum = sum + 1.0 / 3 * mesh.vertices[mesh.node_vertex[n]];
+  return sum;
+}
+
 Scene scene_of(const LayeredMesh& mesh, double c, double d) {
   Scene scene;
   scene.width = 1000;

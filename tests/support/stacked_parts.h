@@ -29,6 +29,9 @@ void join_parts(LayeredMesh& mesh, int upper, int lower,
 /// Node of the part at the base vertex, or -1.
 int node_at(const LayeredMesh& mesh, int part, int vertex);
 
+/// The centroid of a face, px.
+Point2 middle_of_face(const LayeredMesh& mesh, int face);
+
 /// A scene with as many parts as the mesh, named "part0", "part1", ..., all with c and d.
 Scene scene_of(const LayeredMesh& mesh, double c = 4, double d = 1);
 

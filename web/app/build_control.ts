@@ -52,17 +52,18 @@ class SmallDrawing {
 
 /** What of a document changes its relief. */
 function shapeOf(document: Document): readonly unknown[] {
-  const { width, height, parts, joins, relations, robin, settings } = document;
+  const { width, height, parts, joins, relations, robin, cues, settings } = document;
   const { method, vertices, rho, lambdaBnd, lambdaShift } = settings;
-  return [width, height, parts, joins, relations, robin, method, vertices, rho, lambdaBnd, lambdaShift];
+  return [width, height, parts, joins, relations, robin, cues, method, vertices, rho, lambdaBnd, lambdaShift];
 }
 
 /** The id of the part that an error speaks of, or null. */
 export function culpritOf(error: EngineError, document: Document): string | null {
-  const path = /^(parts|joins|relations|robin)\[(\d+)\]/.exec(error.where);
+  const path = /^(parts|joins|relations|robin|cues)\[(\d+)\]/.exec(error.where);
   if (!path) return document.parts.find((part) => part.id === error.where)?.id ?? null;
   const index = Number(path[2]);
   if (path[1] === 'parts') return document.parts[index]?.id ?? null;
+  if (path[1] === 'cues') return document.cues[index]?.part ?? null;
   const list = document[path[1] as 'joins' | 'relations' | 'robin'];
   return list[index]?.upper ?? null;
 }

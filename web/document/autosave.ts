@@ -1,5 +1,5 @@
 import { type DBSchema, type IDBPDatabase, openDB } from 'idb';
-import type { Document } from './document';
+import { type Document, emptyDocument } from './document';
 
 interface Generation {
   number: number;
@@ -54,7 +54,9 @@ export class Autosave {
   async restore(): Promise<Document | null> {
     for (const number of (await this.numbers()).reverse()) {
       const generation = await this.database.get('generations', number);
-      if (generation && (await hashOf(generation.document)) === generation.hash) return generation.document;
+      if (generation && (await hashOf(generation.document)) === generation.hash)
+        // An older editor may have saved less.
+        return { ...emptyDocument(), ...generation.document };
     }
     return null;
   }

@@ -46,6 +46,15 @@ export interface RobinRange {
   readonly rho?: number;
 }
 
+/** What the profile of a part is like along a line on it. */
+export interface Cue {
+  readonly part: string;
+  readonly kind: 'bulge' | 'slope' | 'crease';
+  readonly line: Ring;
+  /** Of a bulge a factor, of the others degrees. */
+  readonly value: number;
+}
+
 /** The drawing as its file came; `paintable` is what may be shown of an SVG, as the engine says. */
 export interface DrawingSource {
   readonly name: string;
@@ -74,6 +83,7 @@ export interface Document {
   readonly joins: readonly Join[];
   readonly relations: readonly Relation[];
   readonly robin: readonly RobinRange[];
+  readonly cues: readonly Cue[];
   /** How a flat drawing was understood; null of all others. */
   readonly segmentation: Segmentation | null;
   readonly settings: Settings;
@@ -98,6 +108,7 @@ export function emptyDocument(): Document {
     joins: [],
     relations: [],
     robin: [],
+    cues: [],
     segmentation: null,
     settings: defaultSettings,
   };

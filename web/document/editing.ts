@@ -58,6 +58,7 @@ export function removePart(document: Document, id: string): Document {
     joins: document.joins.filter(other),
     relations: document.relations.filter(other),
     robin: document.robin.filter(other),
+    cues: document.cues.filter((cue) => cue.part !== id),
   };
 }
 
@@ -103,6 +104,7 @@ export function shiftPart(document: Document, id: string, [dx, dy]: Point): Docu
       relation.upper === id && relation.range ? { ...relation, range: [moved(relation.range[0]), moved(relation.range[1])] as const } : relation,
     ),
     robin: placed.robin.map((range) => (range.upper === id ? { ...range, from: moved(range.from), to: moved(range.to) } : range)),
+    cues: placed.cues.map((cue) => (cue.part === id ? { ...cue, line: cue.line.map(moved) } : cue)),
   };
 }
 
@@ -122,6 +124,7 @@ export function renamePart(document: Document, id: string, name: string): Docume
     joins: document.joins.map(rename),
     relations: document.relations.map(rename),
     robin: document.robin.map(rename),
+    cues: document.cues.map((cue) => (cue.part === id ? { ...cue, part: wanted } : cue)),
     segmentation: document.segmentation && renameLabelled(document.segmentation, id, wanted),
   };
 }

@@ -112,6 +112,7 @@ function withOutline(document: Document, id: string, outline: readonly Ring[], m
         ? { ...relation, range: [seat(relation.range[0]), seat(relation.range[1])] as const }
         : relation,
     ),
+    cues: document.cues.map((cue) => (cue.part === id ? { ...cue, line: cue.line.map(moved) } : cue)),
   };
 }
 

@@ -1,4 +1,4 @@
-import { type Document, type Join, type Part, type Relation, type RobinRange } from './document';
+import { type Cue, type Document, type Join, type Part, type Relation, type RobinRange } from './document';
 
 interface SceneFile {
   format: 'relievo-scene';
@@ -9,6 +9,7 @@ interface SceneFile {
   joins?: Join[];
   relations?: Relation[];
   robin?: RobinRange[];
+  cues?: Cue[];
 }
 
 /** The document as the engine reads it, docs/scene.md. The same document gives the same text. */
@@ -24,6 +25,7 @@ export function sceneText(document: Document, drawing?: string): string {
     joins: [...document.joins],
     relations: [...document.relations],
     robin: [...document.robin],
+    ...(document.cues.length > 0 ? { cues: [...document.cues] } : {}),
   };
   return JSON.stringify(file);
 }
@@ -31,7 +33,7 @@ export function sceneText(document: Document, drawing?: string): string {
 /** What a scene file says of a document. Precondition: the engine wrote or accepted the text. */
 export function sceneContent(
   text: string,
-): Pick<Document, 'width' | 'height' | 'parts' | 'joins' | 'relations' | 'robin'> {
+): Pick<Document, 'width' | 'height' | 'parts' | 'joins' | 'relations' | 'robin' | 'cues'> {
   const file = JSON.parse(text) as SceneFile;
   return {
     width: file.canvas.width,
@@ -40,5 +42,6 @@ export function sceneContent(
     joins: file.joins ?? [],
     relations: file.relations ?? [],
     robin: file.robin ?? [],
+    cues: file.cues ?? [],
   };
 }

@@ -192,6 +192,10 @@ export function adopt(document: Document, understood: Understood): Document {
     joins: unlessSame(both(scene.joins, document.joins), document.joins),
     relations: unlessSame(both(scene.relations, document.relations), document.relations),
     robin: unlessSame(both(scene.robin, document.robin), document.robin),
+    cues: unlessSame(
+      [...scene.cues.filter((cue) => place.has(cue.part)), ...document.cues.filter((cue) => drawn.has(cue.part))],
+      document.cues,
+    ),
     segmentation: { ...record, labels: understood.labels },
   };
 }

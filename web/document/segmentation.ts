@@ -1,4 +1,4 @@
-import type { Point, RelationKind, Ring } from './document';
+import type { Cue, Point, RelationKind, Ring } from './document';
 
 /** How a flat drawing was understood, as docs/project.md has it. Parts are named by their labels. */
 
@@ -54,6 +54,7 @@ export interface Corrections {
     readonly alpha0?: number;
     readonly rho?: number;
   })[];
+  readonly cues?: readonly (Omit<Cue, 'part'> & { readonly part: number })[];
 }
 
 /** What project.json says of it. */

@@ -132,7 +132,8 @@ class ProjectReader final : public AnnotationReader {
 
   Corrections corrections(const Json& json, const JsonPath& path) {
     Corrections corrections;
-    if (!keys(json, path, {}, {"parts", "order", "joins", "no_joins", "relations", "robin"}))
+    if (!keys(json, path, {},
+              {"parts", "order", "joins", "no_joins", "relations", "robin", "cues"}))
       return corrections;
     std::vector<std::pair<PartLabel, PartCorrection>> parts;
     list(json, path, "parts", parts, &ProjectReader::part_correction);
@@ -143,6 +144,7 @@ class ProjectReader final : public AnnotationReader {
     list(json, path, "no_joins", joining.no_joins, &ProjectReader::label_pair<int>);
     list(json, path, "relations", joining.relations, &ProjectReader::relation);
     list(json, path, "robin", joining.robin, &ProjectReader::robin);
+    list(json, path, "cues", corrections.cues, &ProjectReader::cue);
     return corrections;
   }
 

@@ -76,7 +76,13 @@ Ordered json_of(const Corrections& corrections) {
     json["parts"].push_back(json_of(label, correction));
   for (const auto& [upper, lower] : corrections.order)
     json["order"].push_back({{"upper", upper}, {"lower", lower}});
-  return json_of(corrections.joining, std::move(json));
+  json = json_of(corrections.joining, std::move(json));
+  for (const Cue& cue : corrections.cues)
+    json["cues"].push_back({{"part", cue.part},
+                            {"kind", name(cue.kind)},
+                            {"line", json_of(cue.line)},
+                            {"value", cue.value}});
+  return json;
 }
 
 Ordered json_of(const SegmentationRecord& record) {

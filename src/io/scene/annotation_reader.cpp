@@ -40,4 +40,14 @@ RobinRange AnnotationReader::robin(const Json& json, const JsonPath& path) {
   return range;
 }
 
+Cue AnnotationReader::cue(const Json& json, const JsonPath& path) {
+  Cue cue;
+  if (!keys(json, path, {"part", "kind", "line", "value"}, {})) return cue;
+  cue.part = part_reference(json["part"], path.member("part"));
+  cue.kind = cue_kind(json["kind"], path.member("kind"));
+  cue.line = points(json["line"], path.member("line"));
+  cue.value = number(json["value"], path.member("value"));
+  return cue;
+}
+
 }  // namespace relievo

@@ -38,6 +38,7 @@ class AnnotationReader : public JsonReader {
   Join join(const Json& json, const JsonPath& path);
   Relation relation(const Json& json, const JsonPath& path);
   RobinRange robin(const Json& json, const JsonPath& path);
+  Cue cue(const Json& json, const JsonPath& path);
 };
 
 }  // namespace relievo

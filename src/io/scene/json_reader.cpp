@@ -95,4 +95,11 @@ RelationKind JsonReader::relation_kind(const Json& json, const JsonPath& path) {
   return RelationKind::above;
 }
 
+CueKind JsonReader::cue_kind(const Json& json, const JsonPath& path) {
+  for (const CueKind kind : {CueKind::slope, CueKind::crease})
+    if (json == name(kind)) return kind;
+  if (json != "bulge") fail(path, "must be \"bulge\", \"slope\" or \"crease\"");
+  return CueKind::bulge;
+}
+
 }  // namespace relievo

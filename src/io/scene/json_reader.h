@@ -52,6 +52,7 @@ class JsonReader {
   std::vector<Point2> points(const Json& json, const JsonPath& path);
   Outline outline(const Json& json, const JsonPath& path);
   RelationKind relation_kind(const Json& json, const JsonPath& path);
+  CueKind cue_kind(const Json& json, const JsonPath& path);
 
  private:
   std::optional<Error> error_;

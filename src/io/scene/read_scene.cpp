@@ -30,7 +30,7 @@ class SceneReader final : public AnnotationReader {
     }
     check_format(json, root);
     keys(json, root, {"format", "version", "canvas", "parts"},
-         {"drawing", "joins", "relations", "robin"});
+         {"drawing", "joins", "relations", "robin", "cues"});
     if (error()) return scene;
     canvas(json["canvas"], root.member("canvas"), scene);
     if (json.contains("drawing"))
@@ -40,6 +40,7 @@ class SceneReader final : public AnnotationReader {
     list(json, root, "joins", scene.joins, &SceneReader::join);
     list(json, root, "relations", scene.relations, &SceneReader::relation);
     list(json, root, "robin", scene.robin, &SceneReader::robin);
+    list(json, root, "cues", scene.cues, &SceneReader::cue);
     check(scene);
     return scene;
   }

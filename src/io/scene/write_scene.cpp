@@ -65,6 +65,11 @@ class Writer {
     return text + " }";
   }
 
+  std::string cue(const Cue& cue) const {
+    return "{ \"part\": " + quoted(scene_.parts[cue.part].id) + ", \"kind\": \"" + name(cue.kind) +
+           "\", \"line\": " + points(cue.line) + ", \"value\": " + number(cue.value) + " }";
+  }
+
  private:
   std::string pair(int upper, int lower) const {
     return "\"upper\": " + quoted(scene_.parts[upper].id) +
@@ -91,6 +96,9 @@ Result<std::string> write_scene(const Scene& scene) {
           lines(scene.relations, "  ", [&](const Relation& r) { return writer.relation(r); });
   text += ",\n  \"robin\": " +
           lines(scene.robin, "  ", [&](const RobinRange& range) { return writer.robin(range); });
+  if (!scene.cues.empty())
+    text += ",\n  \"cues\": " +
+            lines(scene.cues, "  ", [&](const Cue& cue) { return writer.cue(cue); });
   return text + "\n}\n";
 }
 

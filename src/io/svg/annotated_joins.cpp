@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/svg/annotated_parts.h"
+#include "io/svg/part_lookup.h"
 
 namespace relievo {
 namespace {
@@ -56,17 +56,19 @@ class JoinFinder {
   /// The joins of a marked line, one for each of its subpaths.
   Status add_marked(const SvgShape& shape, AnnotatedJoins& found) const {
     const std::string where = shape.name.empty() ? "join" : shape.name;
-    int upper = enclosing_part(shape.group);
-    int lower = -1;
-    if (const Status s = look_up(shape.annotation.upper, where, upper); !s) return s;
-    if (const Status s = look_up(shape.annotation.lower, where, lower); !s) return s;
+    const auto named = part_named(drawing_, parts_, shape.annotation.upper,
+                                  enclosing_part(drawing_, parts_, shape.group), where);
+    if (!named) return named.error();
+    const auto lower = part_named(drawing_, parts_, shape.annotation.lower, -1, where);
+    if (!lower) return lower.error();
+    const int upper = *named;
     if (upper < 0) {
       return Error{ErrorCode::bad_input, "the join is in no part: name it in data-upper", where};
     }
     for (const Polyline& polyline : shape.lines) {
       std::vector<Point2> line = without_repeats(polyline.points);
       if (line.size() < 2) continue;
-      const int behind = lower >= 0 ? lower : part_behind(line, upper);
+      const int behind = *lower >= 0 ? *lower : part_behind(line, upper);
       if (behind < 0 || behind >= upper) {
         return Error{ErrorCode::contradiction, "the join lies over no part behind its own", where};
       }
@@ -78,7 +80,7 @@ class JoinFinder {
 
   /// A line in a layer that nobody marked: a join if it follows the outline over another part.
   void add_likely(const SvgShape& shape, AnnotatedJoins& found) const {
-    const int upper = enclosing_part(shape.group);
+    const int upper = enclosing_part(drawing_, parts_, shape.group);
     if (upper < 0 || shape.lines.size() != 1 || shape.lines.front().closed) return;
     std::vector<Point2> line = without_repeats(shape.lines.front().points);
     const int lower = line.size() < 2 ? -1 : part_behind(line, upper);
@@ -94,26 +96,6 @@ class JoinFinder {
   }
 
  private:
-  int enclosing_part(int group) const {
-    for (; group >= 0; group = drawing_.groups[group].parent) {
-      for (size_t k = 0; k < parts_.size(); ++k) {
-        if (parts_[k].group == group) return static_cast<int>(k);
-      }
-    }
-    return -1;
-  }
-
-  Status look_up(const std::string& name, const std::string& where, int& part) const {
-    if (name.empty()) return Done{};
-    for (size_t k = 0; k < parts_.size(); ++k) {
-      const SvgGroup& group = drawing_.groups[parts_[k].group];
-      if (name != parts_[k].part.id && name != group.id && name != group.label) continue;
-      part = static_cast<int>(k);
-      return Done{};
-    }
-    return Error{ErrorCode::bad_input, "there is no part named \"" + name + "\"", where};
-  }
-
   /// The nearest part behind that contains most of the line, else the one that contains the
   /// largest share of it, or -1.
   int part_behind(const std::vector<Point2>& line, int upper) const {
@@ -143,7 +125,7 @@ Result<AnnotatedJoins> annotated_joins(const SvgDrawing& drawing,
   for (const SvgShape& shape : drawing.shapes) {
     if (shape.join) {
       if (const Status s = finder.add_marked(shape, found); !s) return s.error();
-    } else if (layers && !shape.fill && shape.stroke) {
+    } else if (layers && !shape.cue && !shape.fill && shape.stroke) {
       finder.add_likely(shape, found);
     }
   }

@@ -89,7 +89,7 @@ std::vector<std::pair<int, std::vector<Region>>> owned_regions(const SvgDrawing&
   std::map<int, size_t> place;
   for (const SvgShape& shape : drawing.shapes) {
     const int owner = owner_of(drawing, shape.group, layers);
-    if (owner < 0 || shape.join) continue;
+    if (owner < 0 || shape.is_note()) continue;
     if (inherited_mark(drawing, shape.group) >= SvgMark::texture) continue;
     Region region = silhouette(shape, drawing);
     if (region.empty()) continue;
@@ -156,7 +156,7 @@ Result<std::vector<Relation>> annotated_relations(const SvgDrawing& drawing,
 bool layers_are_parts(const SvgDrawing& drawing) {
   std::map<int, SvgDrawing> by_layer;
   for (const SvgShape& shape : drawing.shapes) {
-    if (shape.join) return true;
+    if (shape.is_note()) return true;
     const int owner = owner_of(drawing, shape.group, true);
     if (owner < 0 || silhouette(shape, drawing).empty()) continue;
     SvgDrawing& layer = by_layer[owner];

@@ -34,6 +34,17 @@ struct AnnotatedJoins {
 Result<AnnotatedJoins> annotated_joins(const SvgDrawing& drawing,
                                        const std::vector<AnnotatedPart>& parts, bool layers);
 
+struct AnnotatedCues {
+  std::vector<Cue> cues;
+  std::vector<pugi::xml_node> elements;  ///< that must not be painted
+};
+
+/// Cues of the drawing: each subpath of a marked line is one, of the part it lies in or data-part.
+/// Fails with bad_input where the part is unknown or not said, or data-cue or data-value is
+/// unsound.
+Result<AnnotatedCues> annotated_cues(const SvgDrawing& drawing,
+                                     const std::vector<AnnotatedPart>& parts);
+
 /// Relations that data-relation asks for: to every part behind that the part overlaps. Fails with
 /// bad_input where the value is not equal, above or free.
 Result<std::vector<Relation>> annotated_relations(const SvgDrawing& drawing,

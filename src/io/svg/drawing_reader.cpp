@@ -260,7 +260,9 @@ class DrawingReader {
     SvgShape shape;
     shape.annotation = annotation_of(element);
     shape.join = shape.annotation.mark == SvgMark::join || has_join_class(element);
-    if (!around.style.visible && !shape.join) return;
+    shape.cue = !shape.join && (shape.annotation.mark == SvgMark::cue ||
+                                !shape.annotation.cue.empty() || has_cue_class(element));
+    if (!around.style.visible && !shape.is_note()) return;
     bool complete = true;
     const PathData path = shape_path(element, around.lengths, &complete);
     if (path.empty()) return;

@@ -8,7 +8,7 @@ namespace relievo {
 /// A drawing with what it means.
 struct SvgInterpretation {
   SvgImport import;
-  std::vector<pugi::xml_node> join_elements;  ///< that must not be painted
+  std::vector<pugi::xml_node> note_elements;  ///< that must not be painted
 };
 
 /// The second half of read_svg: from flattened shapes to a scene.

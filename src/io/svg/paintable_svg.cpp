@@ -87,8 +87,8 @@ Result<PaintableSvg> paintable_svg(std::string_view bytes, const SvgOptions& opt
   if (!drawing) return drawing.error();
   const auto interpretation = interpret_svg(*drawing, options);
   if (!interpretation) return interpretation.error();
-  for (pugi::xml_node join : interpretation->join_elements) {
-    set_attribute(join, "data-relievo", "ignore");
+  for (pugi::xml_node note : interpretation->note_elements) {
+    set_attribute(note, "data-relievo", "ignore");
   }
   remove_harmful(document.root);
   repair_namespaces(document.root);

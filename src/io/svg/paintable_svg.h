@@ -15,9 +15,9 @@ struct PaintableSvg {
   double height = 0;  ///< likewise
 };
 
-/// The drawing without joins and what is marked data-relievo="ignore", without scripts, foreign
-/// content and pictures other than embedded PNG files of at most 25 million pixels, its root as
-/// large as its canvas. Fails like read_svg.
+/// The drawing without joins, cues and what is marked data-relievo="ignore", without scripts,
+/// foreign content and pictures other than embedded PNG files of at most 25 million pixels, its
+/// root as large as its canvas. Fails like read_svg.
 Result<PaintableSvg> paintable_svg(std::string_view bytes, const SvgOptions& options = {});
 
 }  // namespace relievo

@@ -26,13 +26,18 @@ Status take_annotations(const SvgDrawing& drawing, bool layers, SvgInterpretatio
   if (!parts) return parts.error();
   auto joins = annotated_joins(drawing, *parts, layers);
   if (!joins) return joins.error();
+  auto cues = annotated_cues(drawing, *parts);
+  if (!cues) return cues.error();
   auto relations = annotated_relations(drawing, *parts);
   if (!relations) return relations.error();
   Scene& scene = result.import.scene;
   for (AnnotatedPart& part : *parts) scene.parts.push_back(std::move(part.part));
   scene.joins = std::move(joins->joins);
   scene.relations = std::move(*relations);
-  result.join_elements = std::move(joins->elements);
+  scene.cues = std::move(cues->cues);
+  result.note_elements = std::move(joins->elements);
+  result.note_elements.insert(result.note_elements.end(), cues->elements.begin(),
+                              cues->elements.end());
   return Done{};
 }
 
@@ -46,9 +51,10 @@ Status propose(const SvgDrawing& drawing, const SvgOptions& options, SvgInterpre
   result.import.scene.parts = propose_parts(group_figures(opaque_marks(drawing)));
   result.import.proposed = true;
   for (const SvgShape& shape : drawing.shapes) {
-    if (!shape.join) continue;
-    result.join_elements.push_back(shape.element);
-    result.import.warnings.push_back("joins are ignored where no part is annotated");
+    if (!shape.is_note()) continue;
+    result.note_elements.push_back(shape.element);
+    result.import.warnings.push_back(std::string(shape.join ? "joins" : "cues") +
+                                     " are ignored where no part is annotated");
   }
   return Done{};
 }

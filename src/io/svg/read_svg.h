@@ -17,7 +17,7 @@ struct SvgImport {
 };
 
 /// Reads a layered drawing (DESIGN 7). Annotated groups, else Inkscape layers, become parts with
-/// their joins and relations; a drawing without them gets parts proposed from its shapes.
+/// their joins, cues and relations; a drawing without them gets parts proposed from its shapes.
 /// Outlines are cut at the canvas. Fails with bad_input (not SVG, nothing drawn, an annotation
 /// that cannot be read), contradiction (an annotation that cannot hold) or limit. Nothing outside
 /// the bytes is ever read.

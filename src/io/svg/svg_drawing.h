@@ -17,6 +17,7 @@ enum class SvgMark {
   texture,  ///< painted, but no part
   ignore,   ///< neither
   join,     ///< a join, not painted
+  cue,      ///< a cue, not painted
 };
 
 /// The annotations of one element, as written.
@@ -29,9 +30,13 @@ struct SvgAnnotation {
   std::string relation;
   std::string upper;
   std::string lower;
+  std::string cue;    ///< kind
+  std::string value;  ///< of a cue
+  std::string part;   ///< likewise
 
   bool empty() const {
-    return mark == SvgMark::none && !has_part_values() && upper.empty() && lower.empty();
+    return mark == SvgMark::none && !has_part_values() && upper.empty() && lower.empty() &&
+           cue.empty();
   }
 
   /// Whether it sets what only a part has.
@@ -61,7 +66,11 @@ struct SvgShape {
   StrokeShape pen;
   std::vector<int> clips;  ///< each cuts the shape
   bool join = false;       ///< marked as a join by data-relievo or by a class named join
+  bool cue = false;        ///< likewise as a cue
   SvgAnnotation annotation;
+
+  /// Whether it says something about parts and is not painted.
+  bool is_note() const { return join || cue; }
 };
 
 /// The vector content of a file, flattened. Shapes are in paint order, groups before what they

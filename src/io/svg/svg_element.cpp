@@ -5,6 +5,19 @@
 
 namespace relievo {
 
+namespace {
+
+template <class Test>
+bool any_class(const pugi::xml_node& element, const Test& test) {
+  std::string_view classes = element.attribute("class").value();
+  for (auto item = next_svg_item(classes); !item.empty(); item = next_svg_item(classes)) {
+    if (test(item)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 SvgAnnotation annotation_of(const pugi::xml_node& element) {
   SvgAnnotation a;
   const std::string_view mark = trimmed_svg(element.attribute("data-relievo").value());
@@ -12,6 +25,7 @@ SvgAnnotation annotation_of(const pugi::xml_node& element) {
   if (mark == "texture") a.mark = SvgMark::texture;
   if (mark == "ignore") a.mark = SvgMark::ignore;
   if (mark == "join") a.mark = SvgMark::join;
+  if (mark == "cue") a.mark = SvgMark::cue;
   a.c = element.attribute("data-c").value();
   a.d = element.attribute("data-d").value();
   a.flat = element.attribute("data-flat").value();
@@ -19,6 +33,9 @@ SvgAnnotation annotation_of(const pugi::xml_node& element) {
   a.relation = element.attribute("data-relation").value();
   a.upper = element.attribute("data-upper").value();
   a.lower = element.attribute("data-lower").value();
+  a.cue = trimmed_svg(element.attribute("data-cue").value());
+  a.value = element.attribute("data-value").value();
+  a.part = element.attribute("data-part").value();
   return a;
 }
 
@@ -28,11 +45,11 @@ std::string name_of(const pugi::xml_node& element) {
 }
 
 bool has_join_class(const pugi::xml_node& element) {
-  std::string_view classes = element.attribute("class").value();
-  for (auto item = next_svg_item(classes); !item.empty(); item = next_svg_item(classes)) {
-    if (item.substr(0, 4) == "join") return true;
-  }
-  return false;
+  return any_class(element, [](std::string_view item) { return item.substr(0, 4) == "join"; });
+}
+
+bool has_cue_class(const pugi::xml_node& element) {
+  return any_class(element, [](std::string_view item) { return item == "cue"; });
 }
 
 bool is_container(std::string_view name) {

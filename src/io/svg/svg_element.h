@@ -16,6 +16,9 @@ std::string name_of(const pugi::xml_node& element);
 /// Whether a class of the element is "join" or begins so ("join-left").
 bool has_join_class(const pugi::xml_node& element);
 
+/// Whether a class of the element is "cue".
+bool has_cue_class(const pugi::xml_node& element);
+
 /// Whether elements of this name draw their children.
 bool is_container(std::string_view local_name);
 

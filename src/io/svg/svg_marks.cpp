@@ -34,7 +34,7 @@ std::vector<Mark> visible_marks(const SvgDrawing& drawing, double least) {
   std::vector<Mark> marks;
   const double canvas = drawing.width * drawing.height;
   for (const SvgShape& shape : drawing.shapes) {
-    if (shape.join || inherited_mark(drawing, shape.group) >= SvgMark::texture) continue;
+    if (shape.is_note() || inherited_mark(drawing, shape.group) >= SvgMark::texture) continue;
     Mark mark = mark_of(shape, drawing, least);
     if (mark.region.empty() || area(mark.region) > 0.98 * canvas) continue;
     marks.push_back(std::move(mark));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "kernel/meshing/predicates.h"
 #include "kernel/meshing/segment_grid.h"
@@ -20,7 +21,11 @@ struct Insertion {
 
 class Splicer {
  public:
-  explicit Splicer(const std::vector<InputCurve>& curves) : curves_(curves) { merge_points(); }
+  Splicer(const std::vector<InputCurve>& curves, const std::vector<InputCurve>& lines)
+      : curves_(curves), closed_(curves.size()) {
+    curves_.insert(curves_.end(), lines.begin(), lines.end());
+    merge_points();
+  }
 
   Result<SplicedCurves> run() {
     for (int round = 0; round < max_rounds; ++round) {
@@ -28,13 +33,27 @@ class Splicer {
       collect_edges();
       std::vector<Insertion> insertions = find_contacts();
       if (insertions.empty()) insertions = find_crossings();
-      if (insertions.empty()) return std::move(out_);
+      if (insertions.empty()) return separated();
       insert(insertions);
     }
     return Error{ErrorCode::bad_input, "the outlines are too tangled to be separated", ""};
   }
 
  private:
+  // The edges of a loop go round; those of a line, which come after all loops, do not.
+  size_t edge_count(const std::vector<int>& loop) const {
+    const bool open = &loop >= out_.loops.data() + closed_;
+    return loop.size() - (open && !loop.empty() ? 1 : 0);
+  }
+
+  SplicedCurves separated() {
+    const auto first = out_.loops.begin() + static_cast<std::ptrdiff_t>(closed_);
+    out_.lines.assign(std::make_move_iterator(first), std::make_move_iterator(out_.loops.end()));
+    out_.loops.resize(closed_);
+    out_.image.resize(closed_);
+    return std::move(out_);
+  }
+
   // Every input point becomes its own point or that of an earlier one close to it; kept points
   // come first so that others move to them.
   void merge_points() {
@@ -50,8 +69,10 @@ class Splicer {
       const Ring& ring = curves_[c].points;
       const size_t n = ring.size();
       for (size_t i = 0; i < n; ++i) {
-        const double edge = std::min(distance(ring[i], ring[(i + 1) % n]),
-                                     distance(ring[i], ring[(i + n - 1) % n]));
+        const bool first = c >= closed_ && i == 0;
+        const bool last = c >= closed_ && i + 1 == n;
+        const double edge = std::min(distance(ring[i], ring[last ? i - 1 : (i + 1) % n]),
+                                     distance(ring[i], ring[first ? 1 : (i + n - 1) % n]));
         items.push_back(
             {static_cast<int>(c), static_cast<int>(i), curves_[c].kept[i], snap_to_vertex * edge});
         box.add(ring[i]);
@@ -98,8 +119,9 @@ class Splicer {
         else
           tidy.push_back(p);
       }
+      const bool open = edge_count(loop) < loop.size();
       size_t first = 0;
-      while (tidy.size() - first > 1) {
+      while (!open && tidy.size() - first > 1) {
         const bool spiky = tidy.size() - first > 2;
         if (tidy[first] == tidy.back() || (spiky && tidy[first] == tidy[tidy.size() - 2])) {
           tidy.pop_back();
@@ -110,7 +132,7 @@ class Splicer {
         }
       }
       tidy.erase(tidy.begin(), tidy.begin() + static_cast<std::ptrdiff_t>(first));
-      if (tidy.size() < 3) tidy.clear();
+      if (tidy.size() < (open ? 2 : 3)) tidy.clear();
       loop = std::move(tidy);
     }
   }
@@ -119,7 +141,7 @@ class Splicer {
   void collect_edges() {
     edges_.clear();
     for (const std::vector<int>& loop : out_.loops)
-      for (size_t i = 0; i < loop.size(); ++i) {
+      for (size_t i = 0; i < edge_count(loop); ++i) {
         const int a = loop[i];
         const int b = loop[(i + 1) % loop.size()];
         edges_.push_back({std::min(a, b), std::max(a, b)});
@@ -235,7 +257,7 @@ class Splicer {
         const int a = loop[i];
         const int b = loop[(i + 1) % loop.size()];
         longer.push_back(a);
-        append_between(a, b, insertions, longer);
+        if (i < edge_count(loop)) append_between(a, b, insertions, longer);
       }
       loop = std::move(longer);
     }
@@ -254,7 +276,8 @@ class Splicer {
     if (a > b) std::reverse(loop.begin() + static_cast<std::ptrdiff_t>(before), loop.end());
   }
 
-  const std::vector<InputCurve>& curves_;
+  std::vector<InputCurve> curves_;  // closed ones, then open ones
+  size_t closed_;                   // so many
   SplicedCurves out_;
   std::vector<std::array<int, 2>> edges_;
   std::vector<double> shortest_;  // per point: its shortest edge
@@ -262,8 +285,9 @@ class Splicer {
 
 }  // namespace
 
-Result<SplicedCurves> splice_curves(const std::vector<InputCurve>& curves) {
-  return Splicer(curves).run();
+Result<SplicedCurves> splice_curves(const std::vector<InputCurve>& curves,
+                                    const std::vector<InputCurve>& lines) {
+  return Splicer(curves, lines).run();
 }
 
 }  // namespace relievo

@@ -26,11 +26,12 @@ struct PartCorrection {
 };
 
 /// Everything that the user says about a segmented drawing; never overruled. Parts are named by
-/// their labels, also where `joining` has indices.
+/// their labels, also where `joining` and `cues` have indices.
 struct Corrections {
   std::map<PartLabel, PartCorrection> parts;
   std::vector<std::pair<PartLabel, PartLabel>> order;  ///< the first is in front of the second
   JoiningCorrections joining;
+  std::vector<Cue> cues;
 };
 
 }  // namespace relievo

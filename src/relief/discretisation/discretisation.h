@@ -5,6 +5,7 @@
 
 #include "kernel/base/sparse_matrix.h"
 #include "kernel/operators/gradient.h"
+#include "relief/discretisation/crease_stencils.h"
 
 namespace relievo {
 
@@ -16,6 +17,7 @@ struct Discretisation {
   std::vector<int> surface;      ///< #N, smallest node of the node's joined surface
   Eigen::VectorXd mass;          ///< #N, lumped, scene units^2; 0 inside flaps
   GradientStencils gradients;    ///< at nodes, 1 / px; none inside flaps
+  CreaseStencils creases;        ///< at corners beside creases
   std::vector<int> elimination;  ///< nodes in an order in which matrices on them fill in little;
                                  ///< those at one base vertex are consecutive
 };

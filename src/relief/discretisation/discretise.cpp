@@ -55,6 +55,7 @@ Discretisation discretise(const LayeredMesh& mesh, const RunContext& context) {
       },
       [&] {
         result.gradients = gradient_stencils({in_px, faces});
+        result.creases = crease_stencils(mesh);
       },
   };
   run_tasks(3, [&](int i) { work[i](); });

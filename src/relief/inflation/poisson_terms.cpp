@@ -6,6 +6,7 @@
 
 #include "kernel/geometry/polygon.h"
 #include "kernel/operators/laplacian.h"
+#include "relief/cues/bulge_field.h"
 #include "relief/layers/joined_surface.h"
 
 namespace relievo {
@@ -39,19 +40,22 @@ InflationTerms inflation_terms(const LayeredMesh& mesh, const Scene& scene, doub
   std::vector<Source> sources;
   for (const Part& part : scene.parts) sources.push_back(source_of(part, scale));
   const std::vector<Point2> positions = node_positions(mesh, scale);
-  const auto integrated = [&](double Source::*term) {
-    std::vector<double> density;
-    density.reserve(mesh.faces.size());
-    for (size_t f = 0; f < mesh.faces.size(); ++f)
-      density.push_back(mesh.is_flap(f) ? 0 : sources[mesh.source(f)].*term);
-    return load_vector({positions, mesh.faces}, density);
-  };
+  const std::vector<double> factors = bulge_factors(mesh, scene);
+  std::vector<double> density(mesh.faces.size(), 0);
+  std::vector<double> screening(mesh.faces.size(), 0);
+  for (size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (mesh.is_flap(f)) continue;
+    const int part = mesh.source(f);
+    const bool bulges = !factors.empty() && part == mesh.face_part[f];
+    density[f] = bulges ? factors[f] * sources[part].density : sources[part].density;
+    screening[f] = sources[part].screening;
+  }
   const bool round = std::all_of(sources.begin(), sources.end(),
                                  [](const Source& source) { return source.screening == 0; });
   InflationTerms terms;
-  terms.load = integrated(&Source::density);
-  terms.screening =
-      round ? Eigen::VectorXd::Zero(terms.load.size()) : integrated(&Source::screening);
+  terms.load = load_vector({positions, mesh.faces}, density);
+  terms.screening = round ? Eigen::VectorXd::Zero(terms.load.size())
+                          : load_vector({positions, mesh.faces}, screening);
   return terms;
 }
 

@@ -23,14 +23,15 @@ Source source_of(const Part& part, double scale);
 
 /// The right-hand side and the zeroth-order term of L u + screening u = load.
 struct InflationTerms {
-  Eigen::VectorXd load;       ///< #N, integral of c d|d| against each node's hat function
+  Eigen::VectorXd load;       ///< #N, integral of b^2 c d|d| against each node's hat function
   Eigen::VectorXd screening;  ///< #N, diagonal; 0 where parts are not flat
 };
 
 /// Both in units of 1 / `scale` px. A flat part has the source and the screening of
 ///   -div grad u + (k/w)^2 u = c d|d| k^2 / (2 - 2 / cosh k),   k = 8 flat,
 /// w = area / perimeter of its outline: a strip, whose half-width w is, keeps its height, and u is
-/// even but for a border of width w/k. O(N + F + points).
+/// even but for a border of width w/k. Bulges multiply the source with b^2 (bulge_factors).
+/// O(N + F + points) without any.
 InflationTerms inflation_terms(const LayeredMesh& mesh, const Scene& scene, double scale);
 
 /// The sign that u has by the maximum principle, #N: 1 or -1 where all parts of the node's surface

@@ -7,6 +7,7 @@
 
 #include "kernel/operators/laplacian.h"
 #include "kernel/solvers/sparse_cholesky.h"
+#include "relief/cues/bulge_field.h"
 #include "relief/inflation/poisson_terms.h"
 #include "relief/layers/joined_surface.h"
 
@@ -21,6 +22,7 @@ struct Bump {
   std::vector<int> nodes;  ///< of the mesh
   std::vector<Point2> positions;
   std::vector<std::array<int, 3>> faces;
+  std::vector<double> bulge;   ///< factor of the source on each face
   std::vector<uint8_t> fixed;  ///< on the outline
   VectorXd alpha;              ///< there; 0 elsewhere
 
@@ -34,7 +36,8 @@ double alpha_of(const BumpNode& node, const LayeredMesh& mesh, const InflationOp
   return alpha0 + (1 - alpha0) * node.t;
 }
 
-Bump collect_bump(const InflationInput& input, int part, const InflationOptions& options) {
+Bump collect_bump(const InflationInput& input, int part, const std::vector<double>& factors,
+                  const InflationOptions& options) {
   const LayeredMesh& mesh = input.mesh;
   std::vector<int> place(mesh.node_vertex.size(), -1);
   Bump bump;
@@ -51,6 +54,7 @@ Bump collect_bump(const InflationInput& input, int part, const InflationOptions&
       face[k] = place[n];
     }
     bump.faces.push_back(face);
+    bump.bulge.push_back(factors.empty() ? 1 : factors[f]);
   }
   bump.fixed.assign(bump.nodes.size(), 0);
   bump.alpha = VectorXd::Zero(static_cast<Index>(bump.nodes.size()));
@@ -85,7 +89,8 @@ VectorXd rise_of(const Bump& bump, const Source& source) {
   const VectorXd psi = solve_inside(L, bump, bump.alpha, VectorXd::Zero(mass.size()));
   SparseMatrix A = L;
   A.diagonal() += source.screening * mass;
-  const VectorXd v = solve_inside(A, bump, VectorXd::Zero(mass.size()), source.density * mass);
+  const VectorXd v = solve_inside(A, bump, VectorXd::Zero(mass.size()),
+                                  source.density * load_vector(flat, bump.bulge));
   VectorXd w(v.size());
   for (Index i = 0; i < w.size(); ++i) {
     const double eased = std::clamp(psi[i], 0.0, 1.0);
@@ -99,10 +104,12 @@ VectorXd rise_of(const Bump& bump, const Source& source) {
 void raise_bumps(const InflationInput& input, const InflationOptions& options,
                  Inflation& inflation) {
   const std::vector<BumpNode>& outline = input.mesh.bump_nodes;
+  if (outline.empty()) return;
   const double scale = input.discretisation.scale;
+  const std::vector<double> factors = bulge_factors(input.mesh, input.scene);
   for (size_t i = 0; i < outline.size(); ++i) {
     if (i > 0 && outline[i].part == outline[i - 1].part) continue;
-    const Bump bump = collect_bump(input, outline[i].part, options);
+    const Bump bump = collect_bump(input, outline[i].part, factors, options);
     const VectorXd w = rise_of(bump, source_of(input.scene.parts[outline[i].part], scale));
     for (size_t k = 0; k < bump.nodes.size(); ++k) {
       double& u = inflation.u[bump.nodes[k]];
@@ -110,8 +117,7 @@ void raise_bumps(const InflationInput& input, const InflationOptions& options,
       u = f * std::abs(f);
     }
   }
-  if (!outline.empty())
-    inflation.grad_u = node_gradients(input.discretisation.gradients, inflation.u);
+  inflation.grad_u = node_gradients(input.discretisation.gradients, inflation.u);
 }
 
 }  // namespace relievo

@@ -18,7 +18,8 @@ struct JoinedSheets {
   std::vector<LoopRun> robin;            ///< per Robin range of the scene
   std::vector<LoopRun> relation_ranges;  ///< per relation with a range
   std::vector<DepthPair> copies;         ///< nodes that were split to keep the mesh manifold
-  double edge_length = 0;                ///< spacing of the outlines, px
+  std::vector<CreaseEdge> creases;
+  double edge_length = 0;  ///< spacing of the outlines, px
   std::vector<std::string> warnings;
 };
 

@@ -9,6 +9,7 @@
 
 #include "relief/layers/collect_constraints.h"
 #include "relief/layers/compact_layers.h"
+#include "relief/layers/crease_lines.h"
 #include "relief/layers/flaps.h"
 #include "relief/layers/inner_points.h"
 #include "relief/layers/loop_runs.h"
@@ -18,31 +19,31 @@
 namespace relievo {
 namespace {
 
-std::vector<std::array<int, 2>> edges_of(const std::vector<std::vector<int>>& loops) {
+std::vector<std::array<int, 2>> edges_of(const SplicedCurves& spliced) {
   std::vector<std::array<int, 2>> edges;
-  for (const std::vector<int>& loop : loops)
-    for (size_t i = 0; i < loop.size(); ++i) {
-      const int a = loop[i];
-      const int b = loop[(i + 1) % loop.size()];
-      edges.push_back({std::min(a, b), std::max(a, b)});
-    }
+  const auto add = [&edges](int a, int b) { edges.push_back({std::min(a, b), std::max(a, b)}); };
+  for (const std::vector<int>& loop : spliced.loops)
+    for (size_t i = 0; i < loop.size(); ++i) add(loop[i], loop[(i + 1) % loop.size()]);
+  for (const std::vector<int>& line : spliced.lines)
+    for (size_t i = 0; i + 1 < line.size(); ++i) add(line[i], line[i + 1]);
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
 }
 
-/// Keeps only the points that edges use, and renumbers the loops and images.
+/// Keeps only the points that edges use, and renumbers the loops, lines and images.
 void drop_unused_points(SplicedCurves& spliced) {
   std::vector<int> number(spliced.points.size(), -1);
   std::vector<Point2> points;
-  for (std::vector<int>& loop : spliced.loops)
-    for (int& p : loop) {
-      if (number[p] < 0) {
-        number[p] = static_cast<int>(points.size());
-        points.push_back(spliced.points[p]);
+  for (std::vector<std::vector<int>>* curves : {&spliced.loops, &spliced.lines})
+    for (std::vector<int>& curve : *curves)
+      for (int& p : curve) {
+        if (number[p] < 0) {
+          number[p] = static_cast<int>(points.size());
+          points.push_back(spliced.points[p]);
+        }
+        p = number[p];
       }
-      p = number[p];
-    }
   for (std::vector<int>& image : spliced.image)
     for (int& p : image) p = number[p];
   spliced.points = std::move(points);
@@ -68,6 +69,8 @@ Result<JoinedSheets> join_on(const Scene& scene, const SampledOutlines& sampled,
   const std::vector<LoopRun> ranges = locate_runs(spliced, sampled.relation_ranges);
   for (size_t r = 0; r < ranges.size(); ++r)
     if (scene.relations[r].range) joined.relation_ranges.push_back(ranges[r]);
+  joined.creases =
+      find_creases(joined.base, joined.sheets, spliced.lines, sampled.crease_cue, scene);
   joined.warnings = sampled.warnings;
   joined.warnings.insert(joined.warnings.end(), joined.connection.warnings.begin(),
                          joined.connection.warnings.end());
@@ -106,12 +109,12 @@ Result<JoinedSheets> join_sheets(const Scene& scene, const LayerOptions& options
   context.report("mesh", 0.1);
   const auto sampled = sample_outlines(scene, *spacing);
   if (!sampled) return sampled.error();
-  auto spliced = splice_curves(sampled->curves);
+  auto spliced = splice_curves(sampled->curves, sampled->creases);
   if (!spliced) return spliced.error();
   if (context.cancelled()) return interrupted_error();
   context.report("mesh", 0.3);
   drop_unused_points(*spliced);
-  const std::vector<std::array<int, 2>> edges = edges_of(spliced->loops);
+  const std::vector<std::array<int, 2>> edges = edges_of(*spliced);
   std::vector<Point2> points = spliced->points;
   const SizeField field = size_field_for(*sampled, *spacing, options);
   const std::vector<Point2> inner = inner_points(field, points, edges);
@@ -147,6 +150,7 @@ Result<LayeredMesh> constrain_sheets(const JoinedSheets& joined, const Scene& sc
   layers.constraints.insert(layers.constraints.end(), resting.begin(), resting.end());
   if (Status status = check_covered(layers, scene, joined.edge_length); !status)
     return status.error();
+  layers.creases = joined.creases;
   layers.warnings = joined.warnings;
   layers.part_count = static_cast<int>(scene.parts.size());
   layers.edge_length = joined.edge_length;

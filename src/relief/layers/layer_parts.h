@@ -30,9 +30,9 @@ struct LayerOptions {
 };
 
 /// Puts all parts on one triangulation and joins them. Of the scene it reads the outlines, the
-/// order and ids of the parts, the joins, and the ends of Robin and relation ranges; of the options
-/// all but `glue` and `attach`. Fails with bad_input or contradiction naming the part or join,
-/// limit, or interrupted. Near-linear in the number of nodes.
+/// order and ids of the parts, the joins, the ends of Robin and relation ranges, and the lines of
+/// creases; of the options all but `glue` and `attach`. Fails with bad_input or contradiction
+/// naming the part or join, limit, or interrupted. Near-linear in the number of nodes.
 Result<JoinedSheets> join_sheets(const Scene& scene, const LayerOptions& options,
                                  const RunContext& context = {});
 

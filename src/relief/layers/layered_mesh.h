@@ -53,6 +53,12 @@ struct DepthPair {
   friend bool operator==(const DepthPair&, const DepthPair&) = default;
 };
 
+/// An edge along a crease of a part. Both faces beside it share its nodes.
+struct CreaseEdge {
+  int cue = -1;                       ///< of the scene
+  std::array<int, 2> corner{-1, -1};  ///< opposite to it in both faces, as 3 * face + k
+};
+
 /// All parts on one planar triangulation. A *face* is one part's copy of a base triangle; the
 /// faces of a base triangle are consecutive, back to front (in the order of parts, but where
 /// relations "below" say otherwise). A *node* is a vertex of the joined
@@ -85,6 +91,7 @@ struct LayeredMesh {
   /// Between nodes that are seen from the front, and where a part that is seen may rest on what
   /// lies directly below it.
   std::vector<DepthPair> constraints;
+  std::vector<CreaseEdge> creases;
 
   int part_count = 0;
   double edge_length = 0;             ///< spacing of the outlines, px

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernel/geometry/ring_measure.h"
+#include "relief/layers/crease_lines.h"
 
 namespace relievo {
 namespace {
@@ -338,7 +339,9 @@ class Sampler {
 }  // namespace
 
 Result<SampledOutlines> sample_outlines(const Scene& scene, double spacing) {
-  return Sampler(scene, spacing).run();
+  auto sampled = Sampler(scene, spacing).run();
+  if (sampled) sample_creases(scene, spacing, *sampled);
+  return sampled;
 }
 
 }  // namespace relievo

@@ -27,12 +27,14 @@ struct SampledOutlines {
   std::vector<CurveRun> joins;            ///< per join of the scene
   std::vector<CurveRun> robin;            ///< per Robin range of the scene
   std::vector<CurveRun> relation_ranges;  ///< per relation; curve -1 where it has no range
+  std::vector<InputCurve> creases;        ///< open lines
+  std::vector<int> crease_cue;            ///< per such line, its cue of the scene
   std::vector<std::string> warnings;
 };
 
-/// Resamples every outline at about `spacing` px, finer where it bends, keeping corners and the
-/// ends of joins and ranges. Fails with bad_input naming the part, join or range.
-/// O(outline points * (1 + marks of the part)).
+/// Resamples every outline, and every crease, at about `spacing` px, finer where an outline bends,
+/// keeping corners and the ends of joins and ranges. Fails with bad_input naming the part, join or
+/// range. O(outline points * (1 + marks of the part)).
 Result<SampledOutlines> sample_outlines(const Scene& scene, double spacing);
 
 }  // namespace relievo

@@ -34,27 +34,45 @@ Status check_options(const ModelOptions& options) {
 void add_corner_vertices(const LayeredMesh& mesh, const Inflation& inflation,
                          const Ordering& ordering, const SheetSurface& sheets,
                          ModelBuilder& builder) {
-  for (const int node : sheets.vertex_node)
+  for (size_t v = 0; v < sheets.vertex_node.size(); ++v) {
+    const int node = sheets.vertex_node[v];
+    const auto [face, corner] = sheets.vertex_corner[v];
     builder.add_vertex(mesh.vertices[mesh.node_vertex[node]], ordering.h[node],
-                       surface_normal(node_sample(inflation, ordering, node)));
+                       surface_normal(corner_sample(mesh, inflation, ordering, face, corner)));
+  }
+}
+
+/// The cuts of edge e with the normals of one of its faces, `last` being the corner where the edge
+/// ends.
+void add_cuts_of(const CutSurface& surface, size_t e, FaceEdge first, FaceEdge last,
+                 const Inflation& inflation, const Ordering& ordering, ModelBuilder& builder) {
+  const LayeredMesh& mesh = surface.mesh;
+  const auto place = [&](FaceEdge at) {
+    return mesh.vertices[mesh.node_vertex[mesh.faces[at.face][at.corner]]];
+  };
+  const SurfaceSample from = corner_sample(mesh, inflation, ordering, first.face, first.corner);
+  const SurfaceSample to = corner_sample(mesh, inflation, ordering, last.face, last.corner);
+  for (int i = surface.cuts.begin[e]; i < surface.cuts.begin[e + 1]; ++i) {
+    const double t = surface.cuts.t[i];
+    const SurfaceSample sample = interpolate(from, to, t);
+    builder.add_vertex((1 - t) * place(first) + t * place(last), height(sample),
+                       surface_normal(sample));
+  }
 }
 
 void add_cut_vertices(const CutSurface& surface, const Inflation& inflation,
                       const Ordering& ordering, ModelBuilder& builder) {
-  for (size_t e = 0; e < surface.sheets.edge_owner.size(); ++e) {
-    if (surface.cuts.begin[e] == surface.cuts.begin[e + 1]) continue;
+  const size_t edges = surface.sheets.edge_owner.size();
+  for (size_t e = 0; e < edges; ++e) {
     const auto [face, corner] = surface.sheets.edge_owner[e];
-    const int a = surface.mesh.faces[face][(corner + 1) % 3];
-    const int b = surface.mesh.faces[face][(corner + 2) % 3];
-    const Point2 from = surface.mesh.vertices[surface.mesh.node_vertex[a]];
-    const Point2 to = surface.mesh.vertices[surface.mesh.node_vertex[b]];
-    const SurfaceSample first = node_sample(inflation, ordering, a);
-    const SurfaceSample last = node_sample(inflation, ordering, b);
-    for (int i = surface.cuts.begin[e]; i < surface.cuts.begin[e + 1]; ++i) {
-      const double t = surface.cuts.t[i];
-      const SurfaceSample sample = interpolate(first, last, t);
-      builder.add_vertex((1 - t) * from + t * to, height(sample), surface_normal(sample));
-    }
+    add_cuts_of(surface, e, {face, (corner + 1) % 3}, {face, (corner + 2) % 3}, inflation, ordering,
+                builder);
+  }
+  for (size_t e = 0; e < edges; ++e) {
+    if (surface.cuts.twin[e] < 0) continue;
+    const auto [face, corner] = surface.sheets.edge_twin[e];
+    add_cuts_of(surface, e, {face, (corner + 2) % 3}, {face, (corner + 1) % 3}, inflation, ordering,
+                builder);
   }
 }
 

@@ -114,12 +114,14 @@ void append_edge_points(const CutSurface& surface, FaceEdge edge, bool backwards
     return EdgePoint{vertex, surface.cuts.vertex_level[vertex], t};
   };
   const int first_cut = static_cast<int>(sheets.vertex_node.size());
-  const bool reversed = backwards != (sheets.edge_owner[e].face != edge.face);
+  const bool owner = sheets.edge_owner[e].face == edge.face;
+  const bool reversed = backwards == owner;
+  const int copied = owner || cuts.twin[e] < 0 ? 0 : cuts.twin[e] - cuts.begin[e];
   const int count = cuts.begin[e + 1] - cuts.begin[e];
   points.push_back(end_point(backwards ? 2 : 1, 0));
   for (int n = 0; n < count; ++n) {
     const int i = reversed ? cuts.begin[e + 1] - 1 - n : cuts.begin[e] + n;
-    points.push_back({first_cut + i, cuts.level[i], reversed ? 1 - cuts.t[i] : cuts.t[i]});
+    points.push_back({first_cut + copied + i, cuts.level[i], reversed ? 1 - cuts.t[i] : cuts.t[i]});
   }
   points.push_back(end_point(backwards ? 1 : 2, 1));
 }

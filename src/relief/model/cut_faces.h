@@ -16,7 +16,7 @@ struct EdgePoint {
 };
 
 /// A surface with its cuts. Model vertices of the surface are its own vertices followed by the
-/// cuts, in their order.
+/// cuts, in their order, and those of creases a second time.
 struct CutSurface {
   const LayeredMesh& mesh;
   const SheetSurface& sheets;

@@ -93,6 +93,12 @@ Result<EdgeCuts> cut_edges(const SheetSurface& surface, const Inflation& inflati
                  "rim_tolerance"};
   cuts.begin.assign(count.size() + 1, 0);
   for (size_t e = 0; e < count.size(); ++e) cuts.begin[e + 1] = cuts.begin[e] + count[e];
+  int next = cuts.begin.back();
+  for (size_t e = 0; e < count.size(); ++e) {
+    const bool creased = surface.edge_twin[e].face >= 0;
+    cuts.twin.push_back(creased ? next : -1);
+    next += creased ? count[e] : 0;
+  }
   cuts.level.resize(cuts.begin.back());
   cuts.t.resize(cuts.begin.back());
   place_cuts(surface, inflation, RimLevels(tolerance), cuts);

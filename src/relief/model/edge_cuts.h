@@ -16,6 +16,9 @@ struct EdgeCuts {
   std::vector<int> begin;            ///< #E+1 cuts of edge e are [begin[e], begin[e + 1])
   std::vector<double> level;         ///< #C monotone along the edge, from its owner's side
   std::vector<double> t;             ///< #C position on the edge, in [0, 1], increasing
+  /// #E where the edge is a crease, the number of its first cut as the other face has it: counted
+  /// on from #C; -1 elsewhere.
+  std::vector<int> twin;
 };
 
 /// Cuts all edges for the tolerance of the options, or for the smallest power of two times it

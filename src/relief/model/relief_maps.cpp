@@ -123,8 +123,7 @@ class Rasterizer {
  private:
   void load_corners(int face) {
     part_ = mesh_.face_part[face];
-    for (int k = 0; k < 3; ++k)
-      corners_[k] = node_sample(inflation_, ordering_, mesh_.faces[face][k]);
+    for (int k = 0; k < 3; ++k) corners_[k] = corner_sample(mesh_, inflation_, ordering_, face, k);
   }
 
   void draw_row(int y, const std::array<EdgeFunction, 3>& edges, double inverse_area) {

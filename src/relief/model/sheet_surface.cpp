@@ -1,5 +1,6 @@
 #include "relief/model/sheet_surface.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "kernel/base/disjoint_sets.h"
@@ -53,6 +54,9 @@ class Connector {
     surface_.across.assign(corners, -1);
     surface_.edge.assign(corners, -1);
     surface_.vertex.assign(corners, -1);
+    for (const CreaseEdge& edge : mesh.creases)
+      creased_.insert(creased_.end(), edge.corner.begin(), edge.corner.end());
+    std::sort(creased_.begin(), creased_.end());
   }
 
   SheetSurface connect(Visibility visibility) {
@@ -78,6 +82,7 @@ class Connector {
     if (surface_.edge[slot] >= 0) return;
     surface_.edge[slot] = static_cast<int>(surface_.edge_owner.size());
     surface_.edge_owner.push_back(edge);
+    surface_.edge_twin.emplace_back();
     if (other_triangle < 0) return;
     const int other = face_across(mesh_, edge, surface_.kept_begin[other_triangle],
                                   mesh_.stack_begin[other_triangle + 1]);
@@ -87,6 +92,10 @@ class Connector {
     surface_.edge[3 * other + k] = surface_.edge[slot];
     surface_.across[slot] = other;
     surface_.across[3 * other + k] = edge.face;
+    if (std::binary_search(creased_.begin(), creased_.end(), slot)) {
+      surface_.edge_twin.back() = {other, k};
+      return;
+    }
     for (const int side : {1, 2})
       fans_.unite(3 * edge.face + (edge.corner + side) % 3, 3 * other + (k + 3 - side) % 3);
   }
@@ -98,6 +107,7 @@ class Connector {
       if (first == slot) {
         surface_.vertex[slot] = static_cast<int>(surface_.vertex_node.size());
         surface_.vertex_node.push_back(mesh_.faces[corner.face][corner.corner]);
+        surface_.vertex_corner.push_back(corner);
       }
       surface_.vertex[slot] = surface_.vertex[first];
     });
@@ -129,7 +139,8 @@ class Connector {
 
   const LayeredMesh& mesh_;
   SheetSurface surface_;
-  DisjointSets fans_;  ///< corners around one vertex
+  DisjointSets fans_;         ///< corners around one vertex
+  std::vector<int> creased_;  ///< corners opposite to creases, sorted
 };
 
 }  // namespace

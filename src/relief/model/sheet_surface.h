@@ -24,14 +24,17 @@ struct OpenEdge {
 /// The faces that a model keeps and how they hang together. Corners and edges are numbered
 /// 3 * face + k; entries of faces that are not kept are -1.
 struct SheetSurface {
-  std::vector<int> kept_begin;       ///< #T faces [kept_begin[t], stack_begin[t + 1]) are kept
-  std::vector<int> across;           ///< #F x 3 kept face that shares both nodes of the edge, or -1
-  std::vector<int> edge;             ///< #F x 3 index of the edge opposite to the corner
-  std::vector<int> vertex;           ///< #F x 3 vertex at the corner: one for every fan of faces
-  std::vector<int> vertex_node;      ///< #V node at the vertex
-  std::vector<FaceEdge> edge_owner;  ///< #E the first face at the edge; the edge runs from
-                                     ///< its corner + 1 to its corner + 2
-  std::vector<OpenEdge> open_edges;  ///< to be closed by walls, by base triangle
+  std::vector<int> kept_begin;   ///< #T faces [kept_begin[t], stack_begin[t + 1]) are kept
+  std::vector<int> across;       ///< #F x 3 kept face that shares both nodes of the edge, or -1
+  std::vector<int> edge;         ///< #F x 3 index of the edge opposite to the corner
+  std::vector<int> vertex;       ///< #F x 3 vertex at the corner: one for every fan of faces,
+                                 ///< which ends at creases
+  std::vector<int> vertex_node;  ///< #V node at the vertex
+  std::vector<FaceEdge> vertex_corner;  ///< #V a corner that it is the vertex of
+  std::vector<FaceEdge> edge_owner;     ///< #E the first face at the edge; the edge runs from
+                                        ///< its corner + 1 to its corner + 2
+  std::vector<FaceEdge> edge_twin;      ///< #E where the edge is a crease the other face at it
+  std::vector<OpenEdge> open_edges;     ///< to be closed by walls, by base triangle
 };
 
 /// Chooses the faces, connects those that share nodes and lists the open edges that need walls:

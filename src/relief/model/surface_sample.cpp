@@ -1,5 +1,7 @@
 #include "relief/model/surface_sample.h"
 
+#include <algorithm>
+
 namespace relievo {
 namespace {
 
@@ -14,6 +16,16 @@ bool one_value_per_node(const LayeredMesh& mesh, const Inflation& inflation,
 }
 
 }  // namespace
+
+SurfaceSample corner_sample(const LayeredMesh& mesh, const Inflation& inflation,
+                            const Ordering& ordering, int face, int corner) {
+  SurfaceSample sample = node_sample(inflation, ordering, mesh.faces[face][corner]);
+  const auto& [corners, gradients] = ordering.creases;
+  const auto at = std::lower_bound(corners.begin(), corners.end(), 3 * face + corner);
+  if (at != corners.end() && *at == 3 * face + corner)
+    sample.grad_g = gradients[at - corners.begin()];
+  return sample;
+}
 
 Status check_surface(const LayeredMesh& mesh, const Inflation& inflation, const Ordering& ordering,
                      const Scene& scene) {
@@ -33,6 +45,8 @@ Status check_surface(const LayeredMesh& mesh, const Inflation& inflation, const 
       continue;
     return Error{ErrorCode::internal, "a height is not finite", scene.parts[mesh.node_part[n]].id};
   }
+  for (const Point2 slope : ordering.creases.gradient)
+    if (!finite(slope)) return Error{ErrorCode::internal, "a slope is not finite", ""};
   return Done{};
 }
 

@@ -37,6 +37,10 @@ inline SurfaceSample node_sample(const Inflation& inflation, const Ordering& ord
   return {inflation.u[node], ordering.g[node], inflation.grad_u[node], ordering.grad_g[node]};
 }
 
+/// The sample at a corner of a face, on its side of a crease.
+SurfaceSample corner_sample(const LayeredMesh& mesh, const Inflation& inflation,
+                            const Ordering& ordering, int face, int corner);
+
 /// (1 - t) a + t b.
 inline SurfaceSample interpolate(const SurfaceSample& a, const SurfaceSample& b, double t) {
   const double s = 1 - t;

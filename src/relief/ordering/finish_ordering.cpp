@@ -45,6 +45,8 @@ void finish_ordering(const OrderingInput& input, Ordering& ordering) {
   ordering.g.reserve(ordering.h.size());
   for (size_t n = 0; n < ordering.h.size(); ++n)
     ordering.g.push_back(ordering.h[n] - f[static_cast<Eigen::Index>(n)]);
+  const CreaseStencils& creases = input.discretisation.creases;
+  ordering.creases = {creases.corner, crease_gradients(creases, ordering.g)};
   ordering.grad_g = node_gradients(input.discretisation.gradients, ordering.g);
   ordering.max_violation = worst_violation(input.mesh.constraints, ordering.h);
 }

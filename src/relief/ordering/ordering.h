@@ -7,11 +7,18 @@
 
 namespace relievo {
 
+/// Gradients at corners of faces on and beside creases, each from its own side.
+struct CreaseGradients {
+  std::vector<int> corner;       ///< as 3 * face + k, ascending
+  std::vector<Point2> gradient;  ///< of g, canvas axes (y down)
+};
+
 /// Final heights h = f + g [P eq 10-13].
 struct Ordering {
   std::vector<double> h;       ///< #N, px towards the viewer
   std::vector<double> g;       ///< #N, shift h - f, px
   std::vector<Point2> grad_g;  ///< #N, gradient of g at the node, canvas axes (y down)
+  CreaseGradients creases;     ///< in place of grad_g at their corners
 
   int equalities = 0;        ///< nodes held at the height of another
   int inequalities = 0;      ///< pairs kept as gaps

@@ -51,6 +51,7 @@ class Merger {
     merged.joins = connections(proposed_.joins, edited_.scene.joins);
     merged.relations = connections(proposed_.relations, edited_.scene.relations);
     merged.robin = connections(proposed_.robin, edited_.scene.robin);
+    merged.cues = cues();
     return merged;
   }
 
@@ -104,6 +105,19 @@ class Merger {
     for (const Item& item : edited)
       if (is_drawn(edited_, parts[item.upper]) || is_drawn(edited_, parts[item.lower]))
         keep(item, of_edited_);
+    return kept;
+  }
+
+  /// Those of proposed parts that are left, and those of drawn parts.
+  std::vector<Cue> cues() const {
+    std::vector<Cue> kept;
+    const auto keep = [&](Cue cue, const std::vector<int>& place_of) {
+      cue.part = place_of[cue.part];
+      if (cue.part != nowhere) kept.push_back(std::move(cue));
+    };
+    for (const Cue& cue : proposed_.cues) keep(cue, of_proposed_);
+    for (const Cue& cue : edited_.scene.cues)
+      if (is_drawn(edited_, edited_.scene.parts[cue.part])) keep(cue, of_edited_);
     return kept;
   }
 

@@ -8,6 +8,7 @@ void drop_shift(Relief& relief) {
   for (size_t n = 0; n < ordering.h.size(); ++n) ordering.h[n] -= ordering.g[n];
   ordering.g.assign(ordering.g.size(), 0);
   ordering.grad_g.assign(ordering.grad_g.size(), {0, 0});
+  ordering.creases = {};
 }
 
 /// A flat inflation of 1 px takes the place of f: without any, a surface has no normals.

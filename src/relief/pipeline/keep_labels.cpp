@@ -119,6 +119,8 @@ Corrections corrections_of(const Image16& labels, const Corrections& corrections
   keep_pairs(kept.joining.no_joins);
   keep_items(kept.joining.relations);
   keep_items(kept.joining.robin);
+  const auto lost = [&](const Cue& cue) { return absent(cue.part); };
+  kept.cues.erase(std::remove_if(kept.cues.begin(), kept.cues.end(), lost), kept.cues.end());
   return kept;
 }
 

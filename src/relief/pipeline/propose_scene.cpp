@@ -69,6 +69,11 @@ class LabelResolver {
     return corrections;
   }
 
+  std::vector<Cue> cues(std::vector<Cue> cues) {
+    for (Cue& cue : cues) cue.part = part(cue.part);
+    return cues;
+  }
+
   std::vector<UserArrow> arrows(const Corrections& corrections) {
     std::vector<UserArrow> arrows;
     for (const auto& [upper, lower] : corrections.order)
@@ -258,6 +263,8 @@ Scene scene_of(const Corrections& corrections, const Proposal& proposal, const C
   for (const ProposedRelation& relation : proposal.joining.relations)
     scene.relations.push_back(renumbered(relation.relation));
   for (const RobinRange& range : proposal.joining.robin) scene.robin.push_back(renumbered(range));
+  scene.cues = LabelResolver(proposal.regions).cues(corrections.cues);
+  for (Cue& cue : scene.cues) cue.part = rank[cue.part];
   return scene;
 }
 
@@ -277,6 +284,7 @@ Status propose(Proposal& proposal, const Corrections& corrections, const Proposa
                const RunContext& context) {
   LabelResolver resolver(proposal.regions);
   const std::vector<UserArrow> arrows = resolver.arrows(corrections);
+  resolver.cues(corrections.cues);
   if (resolver.error()) return *resolver.error();
   auto evidence = compare_neighbours(proposal.regions, options.completion, context);
   if (!evidence) return evidence.error();

@@ -39,11 +39,11 @@ class StageState {
 /// The relief of a scene that is being edited. Keeps triangulation, matrices, factors and active
 /// sets, and computes again only what depends on what has changed:
 ///
-/// - c, d: a solve of the inflation, and of the order from its active set;
-/// - lean: the solve of the order alone, likewise;
+/// - c, d, a bulge: a solve of the inflation, and of the order from its active set;
+/// - lean, a slope, the angle of a crease: the solve of the order alone, likewise;
 /// - alpha0, rho: besides, the factor of the inflation where they act;
 /// - a relation: the constraints, and the order, with a new pattern where other nodes are linked;
-/// - an outline, a join, the order of parts, the resolution: everything.
+/// - an outline, a join, the line of a crease, the order of parts, the resolution: everything.
 ///
 /// Where nothing is known of the order yet, it begins from that of a coarser mesh, and so does the
 /// iteration of the non-linear method. The minimum of a warm solve is the one of a cold solve: the

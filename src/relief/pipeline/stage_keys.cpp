@@ -14,9 +14,21 @@ Key sheets_key(const Scene& scene, const LayerOptions& options) {
   for (const Relation& relation : scene.relations)
     if (relation.range)
       key.add(relation.upper).add(relation.range->first).add(relation.range->second);
+  for (const Cue& cue : scene.cues)
+    if (cue.kind == CueKind::crease) key.add(cue.part).add(cue.line);
   key.add(options.vertex_budget).add(options.edge_length).add(options.grading);
   return key.add(options.max_growth).add(options.max_nodes);
 }
+
+namespace {
+
+void add_cues(const Scene& scene, bool bulges, Key& key) {
+  for (const Cue& cue : scene.cues)
+    if ((cue.kind == CueKind::bulge) == bulges)
+      key.add(cue.part).add(cue.kind).add(cue.line).add(cue.value);
+}
+
+}  // namespace
 
 Key layers_key(const Scene& scene, const LayerOptions& options) {
   Key key;
@@ -45,6 +57,7 @@ Key boundary_key(const LayeredMesh& mesh) {
 Key inflation_key(const Scene& scene, const InflationOptions& options) {
   Key key;
   for (const Part& part : scene.parts) key.add(part.c).add(part.d).add(part.flat);
+  add_cues(scene, true, key);
   return key.add(options.alpha0).add(options.rho);
 }
 
@@ -53,6 +66,7 @@ Key ordering_key(const LayeredMesh& mesh, const Scene& scene, const OrderingOpti
   for (const DepthPair& pair : mesh.constraints)
     key.add(pair.lower).add(pair.upper).add(pair.equal);
   for (const Part& part : scene.parts) key.add(part.d < 0).add(part.lean);
+  add_cues(scene, false, key);
   for (const Relation& relation : scene.relations)
     key.add(relation.upper).add(relation.lower).add(relation.kind).add(relation.range.has_value());
   return key.add(options.epsilon).add(options.start_active);

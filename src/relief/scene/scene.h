@@ -13,8 +13,13 @@ namespace relievo {
 constexpr double max_coordinate = 1e6;  ///< bound of every coordinate and canvas side, px
 constexpr double min_inflation = 1e-3;  ///< bounds of c and |d|
 constexpr double max_inflation = 1e3;
-constexpr double max_lean = 2;   ///< bound of both numbers of a lean
-constexpr double max_rho = 1e3;  ///< bound of rho
+constexpr double max_lean = 2;      ///< bound of both numbers of a lean
+constexpr double max_rho = 1e3;     ///< bound of rho
+constexpr double min_bulge = 0.05;  ///< bounds of the value of a bulge
+constexpr double max_bulge = 10;
+constexpr double max_cue_angle = 75;  ///< bound of the magnitude of the angle of a slope or crease
+constexpr int max_cues = 256;
+constexpr int max_cue_points = 1000;  ///< of one cue
 
 /// A semantically meaningful region of the drawing, completed where occluded [P §3].
 struct Part {
@@ -62,6 +67,28 @@ struct RobinRange {
   std::optional<double> rho;     ///< length scale / range length, > 0; likewise
 };
 
+enum class CueKind {
+  bulge,   ///< value: factor by which round parts are higher there
+  slope,   ///< value: degrees by which the surface rises along the line
+  crease,  ///< value: degrees by which it rises to the line from both sides; negative: a fold
+           ///< inwards
+};
+
+/// The kind as scene files spell it.
+const char* name(CueKind kind);
+
+/// What the profile of a part is like along a line on it [P §5, after Yeh et al. 2017]; it acts
+/// where the line lies in the part.
+struct Cue {
+  int part = -1;  ///< index
+  CueKind kind = CueKind::bulge;
+  std::vector<Point2> line;  ///< polyline, at least 2 points, px
+  double value = 1;
+};
+
+/// Whether the value lies within the bounds of its kind.
+bool has_sound_value(const Cue& cue);
+
 /// Everything that is known of a drawing before reconstruction.
 struct Scene {
   double width = 0;         ///< canvas, px
@@ -71,11 +98,12 @@ struct Scene {
   std::vector<Join> joins;
   std::vector<Relation> relations;
   std::vector<RobinRange> robin;
+  std::vector<Cue> cues;
 };
 
 /// Checks what the types cannot say: positive finite canvas, finite coordinates, unique ids,
 /// indices in range, outlines with area, upper in front of lower, ranges where they are needed,
-/// sound c, d, alpha0 and rho. The error's code is bad_input and its `where` the path of the
+/// sound c, d, alpha0, rho and cues. The error's code is bad_input and its `where` the path of the
 /// offending key, such as "parts[2].outline[0][5]". Linear in points.
 Status validate(const Scene& scene);
 

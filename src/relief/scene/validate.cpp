@@ -94,16 +94,21 @@ Status check_pair(const Scene& scene, int upper, int lower, const std::string& w
   return Done{};
 }
 
+Status check_line(const std::vector<Point2>& line, const std::string& where) {
+  for (size_t k = 0; k < line.size(); ++k)
+    if (!in_range(line[k])) return out_of_range(where + "[" + std::to_string(k) + "]");
+  const bool has_length =
+      std::any_of(line.begin(), line.end(), [&](Point2 p) { return !(p == line[0]); });
+  if (!has_length) return bad(where, "has no length; give at least two points");
+  return Done{};
+}
+
 Status check_joins(const Scene& scene) {
   for (size_t i = 0; i < scene.joins.size(); ++i) {
     const Join& join = scene.joins[i];
     const std::string where = at("joins", i);
     if (Status pair = check_pair(scene, join.upper, join.lower, where); !pair) return pair;
-    for (size_t k = 0; k < join.line.size(); ++k)
-      if (!in_range(join.line[k])) return out_of_range(where + ".line[" + std::to_string(k) + "]");
-    const bool has_length = std::any_of(join.line.begin(), join.line.end(),
-                                        [&](Point2 p) { return !(p == join.line[0]); });
-    if (!has_length) return bad(where + ".line", "has no length; give at least two points");
+    if (Status line = check_line(join.line, where + ".line"); !line) return line;
   }
   return Done{};
 }
@@ -142,6 +147,23 @@ Status check_robin(const Scene& scene) {
   return Done{};
 }
 
+Status check_cues(const Scene& scene) {
+  if (scene.cues.size() > max_cues) return bad("cues", "has more than 256 cues");
+  for (size_t i = 0; i < scene.cues.size(); ++i) {
+    const Cue& cue = scene.cues[i];
+    const std::string where = at("cues", i);
+    if (cue.part < 0 || cue.part >= static_cast<int>(scene.parts.size()))
+      return bad(where + ".part", "names no part of the scene");
+    if (cue.line.size() > max_cue_points) return bad(where + ".line", "has more than 1000 points");
+    if (Status line = check_line(cue.line, where + ".line"); !line) return line;
+    if (!has_sound_value(cue))
+      return bad(where + ".value", cue.kind == CueKind::bulge
+                                       ? "must be a number from 0.05 to 10"
+                                       : "must be a number of degrees from -75 to 75");
+  }
+  return Done{};
+}
+
 Status check_drawing(const Scene& scene) {
   if (scene.drawing.empty() || is_path_inside(scene.drawing)) return Done{};
   return bad("drawing",
@@ -152,10 +174,15 @@ Status check_drawing(const Scene& scene) {
 }  // namespace
 
 Status validate(const Scene& scene) {
-  for (const auto check :
-       {check_canvas, check_drawing, check_parts, check_joins, check_relations, check_robin})
+  for (const auto check : {check_canvas, check_drawing, check_parts, check_joins, check_relations,
+                           check_robin, check_cues})
     if (Status status = check(scene); !status) return status;
   return Done{};
+}
+
+bool has_sound_value(const Cue& cue) {
+  if (cue.kind == CueKind::bulge) return cue.value >= min_bulge && cue.value <= max_bulge;
+  return std::abs(cue.value) <= max_cue_angle;
 }
 
 const char* name(RelationKind kind) {
@@ -168,6 +195,18 @@ const char* name(RelationKind kind) {
       return "free";
     case RelationKind::below:
       return "below";
+  }
+  return "";
+}
+
+const char* name(CueKind kind) {
+  switch (kind) {
+    case CueKind::bulge:
+      return "bulge";
+    case CueKind::slope:
+      return "slope";
+    case CueKind::crease:
+      return "crease";
   }
   return "";
 }

@@ -47,6 +47,8 @@ Project everything(unsigned seed = 4) {
   said.joining.no_joins = {{7, 2}};
   said.joining.relations = {{7, 2, RelationKind::free, {{{1, 2}, {3, 4}}}},
                             {7, 300, RelationKind::equal, std::nullopt}};
+  said.cues = {{2, CueKind::bulge, {{1, 1}, {2, 2.5}}, 1.25},
+               {300, CueKind::crease, {{0, 1}, {5, 1}}, -40}};
   said.joining.robin = {{2, 300, {1, 2}, {3, 4}, 0.25, std::nullopt}};
   return project;
 }
@@ -72,6 +74,11 @@ TEST(ProjectFile, KeepsEverything) {
   EXPECT_EQ(said.parts.at(2).id, "leg");
   EXPECT_EQ(said.parts.at(2).outline, project.segmentation->corrections.parts.at(2).outline);
   EXPECT_FALSE(said.parts.at(300).c);
+  ASSERT_EQ(said.cues.size(), 2U);
+  EXPECT_EQ(said.cues[1].part, 300);
+  EXPECT_EQ(said.cues[1].kind, CueKind::crease);
+  EXPECT_EQ(said.cues[1].line, (std::vector<Point2>{{0, 1}, {5, 1}}));
+  EXPECT_EQ(said.cues[1].value, -40);
   EXPECT_EQ(said.joining.relations[0].range->second, (Point2{3, 4}));
   EXPECT_EQ(said.joining.no_joins, project.segmentation->corrections.joining.no_joins);
   EXPECT_EQ(again.segmentation->scribbles.strokes[0].part, 1);

@@ -38,6 +38,15 @@ TEST(ReadScene, ReadsEveryKey) {
   EXPECT_EQ(scene->robin[0].to, (Point2{35, 90}));
   EXPECT_EQ(scene->robin[0].alpha0, 0.1);
   EXPECT_EQ(scene->robin[0].rho, 0.25);
+  ASSERT_EQ(scene->cues.size(), 3U);
+  EXPECT_EQ(scene->cues[0].part, 0);
+  EXPECT_EQ(scene->cues[0].kind, CueKind::bulge);
+  EXPECT_EQ(scene->cues[0].line, (std::vector<Point2>{{15, 15}, {30, 30}, {30, 50}}));
+  EXPECT_EQ(scene->cues[0].value, 1.5);
+  EXPECT_EQ(scene->cues[1].part, 1);
+  EXPECT_EQ(scene->cues[1].kind, CueKind::slope);
+  EXPECT_EQ(scene->cues[1].value, -30);
+  EXPECT_EQ(scene->cues[2].kind, CueKind::crease);
 }
 
 TEST(ReadScene, OrientsRingsByNesting) {
@@ -141,7 +150,19 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"\"alpha0\": 0.1", "\"alpha0\": -0.1", "robin[0].alpha0", "below 1"},
         Refusal{"\"rho\": 0.25", "\"rho\": 0", "robin[0].rho", "above 0"},
         Refusal{"\"rho\": 0.25", "\"rho\": true", "robin[0].rho", "must be a number"},
-        Refusal{"\"robin\": [", "\"robin\": [ 5, ", "robin[0]", "must be an object"}));
+        Refusal{"\"robin\": [", "\"robin\": [ 5, ", "robin[0]", "must be an object"},
+        Refusal{"\"part\": \"body\"", "\"part\": \"arm\"", "cues[0].part", "\"arm\""},
+        Refusal{"\"part\": \"body\", ", "", "cues[0].part", "missing"},
+        Refusal{"\"bulge\"", "\"bump\"", "cues[0].kind", "\"crease\""},
+        Refusal{"\"kind\": \"bulge\"", "\"kind\": \"bulge\", \"to\": 1", "cues[0].to",
+                "not a known key"},
+        Refusal{"[[25,75],[25,95]]", "[[25,75]]", "cues[1].line", "no length"},
+        Refusal{"[[25,75],[25,95]]", "[[25,75],[25,2e6]]", "cues[1].line[1]", "1000000"},
+        Refusal{"\"value\": 1.5", "\"value\": 0", "cues[0].value", "0.05 to 10"},
+        Refusal{"\"value\": 1.5", "\"value\": 11", "cues[0].value", "0.05 to 10"},
+        Refusal{"\"value\": -30", "\"value\": -76", "cues[1].value", "-75 to 75"},
+        Refusal{"\"value\": 45", "\"value\": \"steep\"", "cues[2].value", "must be a number"},
+        Refusal{"\"cues\": [", "\"cues\": [ 5, ", "cues[0]", "must be an object"}));
 
 TEST(ReadScene, LocatesMalformedJson) {
   const auto scene = read_scene("{\n  \"format\": nope\n}");
@@ -182,7 +203,7 @@ TEST(ReadScene, KeepsToItsLimits) {
   }
   bytes.max_bytes = sample_scene().size();
   parts.max_parts = 2;
-  points.max_points = 18;
+  points.max_points = 25;
   for (const SceneLimits& limits : {bytes, parts, points})
     EXPECT_TRUE(read_scene(sample_scene(), limits));
 }

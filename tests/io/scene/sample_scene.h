@@ -21,7 +21,11 @@ inline std::string sample_scene() {
       { "upper": "leg", "lower": "body", "relation": "above" },
       { "upper": "leg", "lower": "body", "relation": "free" },
       { "upper": "leg", "lower": "body", "relation": "below", "range": [[35,88],[35,72]] } ],
-    "robin": [ { "upper": "leg", "lower": "body", "from": [35,70], "to": [35,90], "alpha0": 0.1, "rho": 0.25 } ]
+    "robin": [ { "upper": "leg", "lower": "body", "from": [35,70], "to": [35,90], "alpha0": 0.1, "rho": 0.25 } ],
+    "cues": [
+      { "part": "body", "kind": "bulge", "line": [[15,15],[30,30],[30,50]], "value": 1.5 },
+      { "part": "leg", "kind": "slope", "line": [[25,75],[25,95]], "value": -30 },
+      { "part": "leg", "kind": "crease", "line": [[22,80],[33,80.5]], "value": 45 } ]
   })";
 }
 

@@ -76,6 +76,14 @@ TEST_F(SceneSchema, AgreesWithTheReader) {
       {"\"rho\": 0.25", "\"rho\": 0"},
       {", \"rho\": 0.25", ""},
       {"\"robin\": [", "\"robin\": [ null, "},
+      {"\"cues\": [", "\"cues\": [ null, "},
+      {"\"bulge\"", "\"bump\""},
+      {"\"value\": 1.5", "\"value\": 45"},
+      {"\"value\": 1.5", "\"value\": 0.05"},
+      {"\"value\": -30", "\"value\": -76"},
+      {"\"value\": 45", "\"value\": 75"},
+      {", \"value\": 45", ""},
+      {"[[22,80],[33,80.5]]", "[[22,80]]"},
   };
   for (const auto& [from, to] : changes) {
     const std::string text = with(sample_scene(), from, to);

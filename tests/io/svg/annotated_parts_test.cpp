@@ -122,6 +122,47 @@ TEST(AnnotatedParts, UnsoundValuesAreNamed) {
   }
 }
 
+TEST(AnnotatedCues, ACueBelongsToItsPartOrTheOneItNames) {
+  const SvgImport import = import_of(svg_file(
+      std::string(body) +
+      "<g id='hat' data-relievo='part' transform='translate(300 100)'><rect width='300' "
+      "height='90'/><path class='cue' data-cue='crease' data-value=' 40 ' d='M0 45H300M5 "
+      "5V50'/></g>"
+      "<path data-cue='bulge' data-value='1.5' data-part='body' d='M10 10H90V90Z' fill='red'/>"
+      "<path data-relievo='cue' data-cue='slope' data-value='-20' data-part='hat' d='M0 0L9 9'/>"));
+  ASSERT_EQ(import.scene.parts.size(), 2u);
+  EXPECT_NEAR(area(import.scene.parts[1].outline), 27000, 1e-6);
+  ASSERT_EQ(import.scene.cues.size(), 4u);
+  const Cue& ridge = import.scene.cues[0];
+  EXPECT_EQ(ridge.part, 1);
+  EXPECT_EQ(ridge.kind, CueKind::crease);
+  EXPECT_EQ(ridge.value, 40);
+  EXPECT_EQ(ridge.line, (std::vector<Point2>{{300, 145}, {600, 145}}));
+  EXPECT_EQ(import.scene.cues[1].line, (std::vector<Point2>{{305, 105}, {305, 150}}));
+  EXPECT_EQ(import.scene.cues[2].part, 0);
+  EXPECT_EQ(import.scene.cues[2].kind, CueKind::bulge);
+  EXPECT_EQ(import.scene.cues[2].line,
+            (std::vector<Point2>{{10, 10}, {90, 10}, {90, 90}, {10, 10}}));
+  EXPECT_EQ(import.scene.cues[3].kind, CueKind::slope);
+  EXPECT_TRUE(import.warnings.empty());
+}
+
+TEST(AnnotatedCues, UnsoundCuesAreNamed) {
+  for (const char* attributes :
+       {"data-cue='dent' data-value='1'", "class='cue' data-value='1'", "data-cue='slope'",
+        "data-cue='slope' data-value='76'", "data-cue='bulge' data-value='0'",
+        "data-cue='crease' data-value='4x'", "data-cue='slope' data-value='1' data-part='nose'"}) {
+    const Error error = error_of(std::string("<g id='p' data-relievo='part'><rect width='9' "
+                                             "height='9'/><path id='c' d='M0 0H9' ") +
+                                 attributes + "/></g>");
+    EXPECT_EQ(error.code, ErrorCode::bad_input) << attributes;
+    EXPECT_EQ(error.where, "c") << attributes;
+  }
+  EXPECT_EQ(
+      error_of(std::string(body) + "<path data-cue='slope' data-value='9' d='M0 0H9'/>").where,
+      "cue");
+}
+
 TEST(AnnotatedJoins, AJoinBelongsToItsPartAndTheOneBehind) {
   const SvgImport import = import_of(svg_file(
       std::string("<rect id='back' data-relievo='part' width='900' height='900'/>") + body +

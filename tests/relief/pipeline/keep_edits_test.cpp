@@ -41,9 +41,14 @@ TEST(KeepEdits, RemovedPartsStayAwayWithWhatConnectsThem) {
   proposed.joins = {{1, 0, {{10, 10}, {20, 10}}}, {2, 0, {{30, 10}, {40, 10}}}};
   proposed.relations = {{2, 1, RelationKind::equal, std::nullopt}};
   proposed.robin = {{1, 0, {10, 10}, {10, 20}, std::nullopt, std::nullopt}};
+  proposed.cues = {{1, CueKind::slope, {{10, 10}, {20, 10}}, 9},
+                   {2, CueKind::crease, {{10, 10}, {20, 10}}, 40}};
   const Scene kept =
       keep_edits(proposed, {1, 2, 3}, {scene_of({"body", "ear"}), proposed_labels, {}});
   EXPECT_EQ(names(kept), (Names{"body", "ear"}));
+  ASSERT_EQ(kept.cues.size(), 1U);
+  EXPECT_EQ(kept.cues[0].part, 1);
+  EXPECT_EQ(kept.cues[0].value, 40);
   ASSERT_EQ(kept.joins.size(), 1U);
   EXPECT_EQ(kept.joins[0].upper, 1);
   EXPECT_EQ(kept.joins[0].line.front().x, 30);

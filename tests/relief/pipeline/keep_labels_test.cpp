@@ -71,7 +71,10 @@ TEST(CorrectionsOf, DropsThoseOfPartsThatAreGone) {
   corrections.order = {{1, 3}, {2, 3}};
   corrections.joining.joins = {{3, 1, {}}, {2, 1, {}}};
   corrections.joining.no_joins = {{1, 2}, {1, 3}};
+  corrections.cues = {{2, CueKind::bulge, {}, 2}, {3, CueKind::crease, {}, 30}};
   const Corrections kept = corrections_of(row_of("aaabccc"), corrections, 2);
+  ASSERT_EQ(kept.cues.size(), 1u);
+  EXPECT_EQ(kept.cues[0].part, 3);
   EXPECT_EQ(kept.parts.size(), 1u);
   EXPECT_EQ(kept.parts.count(1), 1u);
   EXPECT_EQ(kept.order, (std::vector<std::pair<PartLabel, PartLabel>>{{1, 3}}));

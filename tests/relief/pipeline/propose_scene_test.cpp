@@ -63,9 +63,13 @@ TEST(ProposeScene, TheUserIsNotOverruled) {
   corrections.parts[2].c = 7;
   corrections.parts[2].d = -2;
   corrections.parts[1].outline = Outline{{{10, 10}, {200, 10}, {200, 120}, {10, 120}}};
+  corrections.cues = {{2, CueKind::slope, {{20, 20}, {40, 40}}, 25}};
   const Proposal proposal = propose(leg_on_body(), corrections);
   ASSERT_EQ(proposal.scene.parts.size(), 2U);
   EXPECT_EQ(proposal.scene.parts[0].id, "leg");
+  ASSERT_EQ(proposal.scene.cues.size(), 1U);
+  EXPECT_EQ(proposal.scene.cues[0].part, 0);
+  EXPECT_EQ(proposal.scene.cues[0].value, 25);
   EXPECT_EQ(proposal.scene.parts[0].c, 7);
   EXPECT_EQ(proposal.scene.parts[0].d, -2);
   EXPECT_EQ(proposal.scene.parts[1].outline, *corrections.parts[1].outline);

@@ -137,6 +137,24 @@ TEST(ReliefSession, ComputesOnlyWhatDependsOnTheEdit) {
   EXPECT_EQ(stages(session), (std::multiset<std::string>{"order", "hide"}));
   EXPECT_LE(session.relief().ordering.report.factorisations, 4);
 
+  scene.cues.push_back({0, CueKind::slope, {{120, 160}, {170, 160}}, 20});
+  ASSERT_TRUE(session.update(scene, options));
+  EXPECT_EQ(stages(session), (std::multiset<std::string>{"order"}));
+
+  scene.cues.push_back({0, CueKind::bulge, {{120, 180}, {170, 180}}, 1.5});
+  ASSERT_TRUE(session.update(scene, options));
+  EXPECT_EQ(stages(session), (std::multiset<std::string>{"inflate", "order"}));
+
+  scene.cues.push_back({2, CueKind::crease, {{100, 120}, {140, 120}}, 30});
+  ASSERT_TRUE(session.update(scene, options));
+  EXPECT_EQ(stages(session).count("mesh"), 2u);
+
+  scene.cues[2].value = 40;
+  ASSERT_TRUE(session.update(scene, options));
+  EXPECT_EQ(stages(session), (std::multiset<std::string>{"order"}));
+  const Result<Relief> fresh = build_relief(scene, options);
+  EXPECT_LE(largest_difference(session.relief().ordering.h, fresh->ordering.h), 1e-9);
+
   scene.relations.push_back({2, 0, RelationKind::above, std::nullopt});
   ASSERT_TRUE(session.update(scene, options));
   EXPECT_EQ(stages(session).count("mesh"), 1u);

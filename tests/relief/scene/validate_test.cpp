@@ -66,6 +66,29 @@ TEST(Validate, WantsARangeOfBelow) {
             "accepted");
 }
 
+TEST(Validate, RefusesUnsoundCues) {
+  const auto cue = [](int part, CueKind kind, std::vector<Point2> line, double value) {
+    return culprit([&](Scene& s) { s.cues = {{part, kind, std::move(line), value}}; });
+  };
+  const std::vector<Point2> line = {{20, 20}, {30, 30}};
+  EXPECT_EQ(cue(0, CueKind::bulge, line, 10), "accepted");
+  EXPECT_EQ(cue(1, CueKind::crease, line, -75), "accepted");
+  EXPECT_EQ(cue(-1, CueKind::bulge, line, 2), "cues[0].part");
+  EXPECT_EQ(cue(2, CueKind::bulge, line, 2), "cues[0].part");
+  EXPECT_EQ(cue(0, CueKind::bulge, {{20, 20}, {20, 20}}, 2), "cues[0].line");
+  EXPECT_EQ(cue(0, CueKind::slope, {}, 2), "cues[0].line");
+  EXPECT_EQ(cue(0, CueKind::slope, {{0, 0}, {nan, 0}}, 2), "cues[0].line[1]");
+  EXPECT_EQ(cue(0, CueKind::slope, std::vector<Point2>(1001, Point2{1, 1}), 2), "cues[0].line");
+  EXPECT_EQ(cue(0, CueKind::bulge, line, 0.04), "cues[0].value");
+  EXPECT_EQ(cue(0, CueKind::bulge, line, nan), "cues[0].value");
+  EXPECT_EQ(cue(0, CueKind::slope, line, 75.5), "cues[0].value");
+  EXPECT_EQ(cue(0, CueKind::crease, line, infinity), "cues[0].value");
+  EXPECT_EQ(culprit([](Scene& s) {
+              s.cues.assign(257, {0, CueKind::slope, {{1, 1}, {2, 2}}, 3});
+            }),
+            "cues");
+}
+
 TEST(Validate, RefusesLeansThatAreTooSteep) {
   EXPECT_EQ(culprit([](Scene& s) { s.parts[0].lean = {2, -2}; }), "accepted");
   EXPECT_EQ(culprit([](Scene& s) { s.parts[0].lean = {2.01, 0}; }), "parts[0].lean");

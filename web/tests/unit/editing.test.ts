@@ -7,7 +7,7 @@ import {
 import { area, contains, longestRunInside, nearestPlace } from '../../document/outline';
 import { record, redo, startHistory, undo } from '../../document/history';
 import { pushOutline } from '../../document/reshape';
-import { sceneText } from '../../document/scene_text';
+import { sceneContent, sceneText } from '../../document/scene_text';
 import { randomNumbers } from './random';
 import { box } from './shapes';
 
@@ -157,6 +157,24 @@ describe('history', () => {
     history = record(history, 'c', changePart(history.document, 'head', { c: 1 }), 'c head');
     expect(history.done.length).toBe(2);
     expect(undo(undo(history)).document).toEqual(figure());
+  });
+});
+
+describe('cues', () => {
+  const ridge = { part: 'head', kind: 'crease' as const, line: [[160, 150], [260, 150]] as Point[], value: 40 };
+  const hump = { part: 'body', kind: 'bulge' as const, line: [[250, 300], [400, 300]] as Point[], value: 1.5 };
+  const cued = (): Document => ({ ...figure(), cues: [ridge, hump] });
+
+  it('are kept by scene files', () => {
+    expect(sceneContent(sceneText(cued())).cues).toEqual([ridge, hump]);
+    expect(sceneText(figure())).not.toContain('cues');
+  });
+
+  it('go with their part', () => {
+    expect(removePart(cued(), 'head').cues).toEqual([hump]);
+    expect(renamePart(cued(), 'head', 'skull').cues[0]).toEqual({ ...ridge, part: 'skull' });
+    expect(shiftPart(cued(), 'head', [5, -3]).cues).toEqual([{ ...ridge, line: [[165, 147], [265, 147]] }, hump]);
+    expect(movePart(cued(), 'head', 2).cues).toEqual([ridge, hump]);
   });
 });
 

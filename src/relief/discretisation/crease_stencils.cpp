@@ -1,0 +1,109 @@
+#include "relief/discretisation/crease_stencils.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <tuple>
+
+#include "kernel/base/disjoint_sets.h"
+
+namespace relievo {
+namespace {
+
+/// Nodes that are a neighbour of a crease look across it, if their own neighbours are too few; the
+/// stencils of those reach two rings farther, and the last ring keeps the end of the patch away.
+constexpr int rings = 4;
+
+std::vector<uint8_t> crease_nodes(const LayeredMesh& mesh) {
+  std::vector<uint8_t> marked(mesh.node_vertex.size(), 0);
+  for (const CreaseEdge& edge : mesh.creases)
+    for (const int side : {1, 2})
+      marked[mesh.faces[edge.corner[0] / 3][(edge.corner[0] + side) % 3]] = 1;
+  return marked;
+}
+
+/// The faces at marked nodes, ascending; then all nodes of them are marked.
+std::vector<int> grow(const LayeredMesh& mesh, std::vector<uint8_t>& marked) {
+  std::vector<int> faces;
+  for (size_t f = 0; f < mesh.faces.size(); ++f) {
+    const auto& face = mesh.faces[f];
+    if (std::any_of(face.begin(), face.end(), [&](int n) { return marked[n] != 0; }))
+      faces.push_back(static_cast<int>(f));
+  }
+  for (const int f : faces)
+    for (const int n : mesh.faces[f]) marked[n] = 1;
+  return faces;
+}
+
+/// Corners that are one vertex of the patch cut along creases: 3 * place in `faces` + k.
+DisjointSets cut_corners(const LayeredMesh& mesh, const std::vector<int>& faces) {
+  std::vector<int> cut;
+  for (const CreaseEdge& edge : mesh.creases)
+    cut.insert(cut.end(), edge.corner.begin(), edge.corner.end());
+  std::sort(cut.begin(), cut.end());
+  std::vector<std::array<int, 4>> edges;  // both nodes, and the corners there, lower node first
+  for (int i = 0; i < static_cast<int>(faces.size()); ++i)
+    for (int k = 0; k < 3; ++k) {
+      if (std::binary_search(cut.begin(), cut.end(), 3 * faces[i] + k)) continue;
+      int a = (k + 1) % 3;
+      int b = (k + 2) % 3;
+      const auto& face = mesh.faces[faces[i]];
+      if (face[a] > face[b]) std::swap(a, b);
+      edges.push_back({face[a], face[b], 3 * i + a, 3 * i + b});
+    }
+  std::sort(edges.begin(), edges.end());
+  DisjointSets corners(static_cast<int>(3 * faces.size()));
+  for (size_t e = 1; e < edges.size(); ++e) {
+    if (std::tie(edges[e][0], edges[e][1]) != std::tie(edges[e - 1][0], edges[e - 1][1])) continue;
+    corners.unite(edges[e][2], edges[e - 1][2]);
+    corners.unite(edges[e][3], edges[e - 1][3]);
+  }
+  return corners;
+}
+
+}  // namespace
+
+CreaseStencils crease_stencils(const LayeredMesh& mesh) {
+  CreaseStencils stencils;
+  if (mesh.creases.empty()) return stencils;
+  std::vector<uint8_t> marked = crease_nodes(mesh);
+  std::vector<int> faces = grow(mesh, marked);
+  const std::vector<uint8_t> near = marked;
+  for (int ring = 1; ring < rings; ++ring) faces = grow(mesh, marked);
+  DisjointSets corners = cut_corners(mesh, faces);
+  std::vector<int> place(3 * faces.size());
+  std::vector<std::array<int, 3>> triangles(faces.size());
+  std::vector<Point2> positions;
+  for (int i = 0; i < static_cast<int>(place.size()); ++i) {
+    const int node = mesh.faces[faces[i / 3]][i % 3];
+    if (corners.find(i) == i) {
+      place[i] = static_cast<int>(stencils.node.size());
+      stencils.node.push_back(node);
+      positions.push_back(mesh.vertices[mesh.node_vertex[node]]);
+    }
+    place[i] = place[corners.find(i)];
+    triangles[i / 3][i % 3] = place[i];
+  }
+  for (size_t i = 0; i < place.size(); ++i) {
+    if (near[stencils.node[place[i]]] == 0) continue;
+    stencils.corner.push_back(3 * faces[i / 3] + static_cast<int>(i % 3));
+    stencils.place.push_back(place[i]);
+  }
+  stencils.gradients = gradient_stencils({positions, triangles});
+  return stencils;
+}
+
+std::vector<Point2> crease_gradients(const CreaseStencils& stencils,
+                                     const std::vector<double>& values) {
+  if (stencils.corner.empty()) return {};
+  std::vector<double> own;
+  own.reserve(stencils.node.size());
+  for (const int node : stencils.node) own.push_back(values[node]);
+  const std::vector<Point2> gradients = node_gradients(stencils.gradients, own);
+  std::vector<Point2> at_corners;
+  at_corners.reserve(stencils.place.size());
+  for (const int place : stencils.place) at_corners.push_back(gradients[place]);
+  return at_corners;
+}
+
+}  // namespace relievo

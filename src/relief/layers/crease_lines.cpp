@@ -1,0 +1,115 @@
+#include "relief/layers/crease_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "kernel/geometry/line_spans.h"
+
+namespace relievo {
+namespace {
+
+constexpr double sharp_turn = 0.35;  // 20 degrees: a point that must be a sample
+constexpr double end_reach = 0.01;   // of the canvas diagonal: how far a line is drawn on
+
+std::vector<Point2> without_equal_neighbours(std::vector<Point2> line) {
+  line.erase(std::unique(line.begin(), line.end()), line.end());
+  return line;
+}
+
+/// The line with each end drawn on where that leads out of the part.
+std::vector<Point2> drawn_on(std::vector<Point2> line, const Outline& outline, double reach) {
+  const double length = line_length(line);
+  const Point2 before = point_on_line(line, -reach);
+  const Point2 beyond = point_on_line(line, length + reach);
+  if (contains(outline, line.front()) && !contains(outline, before)) line.front() = before;
+  if (contains(outline, line.back()) && !contains(outline, beyond)) line.back() = beyond;
+  return line;
+}
+
+/// Arc lengths of the points where the line turns sharply.
+std::vector<double> sharp_turns(const std::vector<Point2>& line) {
+  std::vector<double> found;
+  double s = 0;
+  for (size_t i = 1; i + 1 < line.size(); ++i) {
+    const Point2 in = line[i] - line[i - 1];
+    const Point2 out = line[i + 1] - line[i];
+    s += norm(in);
+    if (std::abs(std::atan2(cross(in, out), dot(in, out))) > sharp_turn) found.push_back(s);
+  }
+  return found;
+}
+
+InputCurve sampled_span(const std::vector<Point2>& line, LineSpan span, double spacing) {
+  std::vector<double> stops = {span.from};
+  for (const double s : sharp_turns(line))
+    if (s - stops.back() > 0.3 * spacing && span.to - s > 0.3 * spacing) stops.push_back(s);
+  stops.push_back(span.to);
+  InputCurve curve;
+  curve.points.push_back(point_on_line(line, span.from));
+  for (size_t i = 1; i < stops.size(); ++i) {
+    const double length = stops[i] - stops[i - 1];
+    const int pieces = std::max(1, static_cast<int>(std::lround(length / spacing)));
+    for (int k = 1; k <= pieces; ++k)
+      curve.points.push_back(point_on_line(line, stops[i - 1] + length * k / pieces));
+  }
+  // Nothing moves to a crease: outlines stay where they are.
+  curve.kept.assign(curve.points.size(), false);
+  return curve;
+}
+
+/// The edge of a face opposite to corner k, where it is the one from a to b; -1 in all other cases.
+int corner_opposite(const BaseMesh& base, const Sheets& sheets, int part, int a, int b) {
+  const int t = base.triangle_left_of(a, b);
+  const int face = sheets.face_of(t, part);
+  if (face < 0) return -1;
+  int k = 0;
+  while (base.mesh.triangles[t][k] == a || base.mesh.triangles[t][k] == b) ++k;
+  return 3 * face + k;
+}
+
+bool share_edge(const Sheets& sheets, int corner, int other) {
+  const auto& face = sheets.faces[corner / 3];
+  const auto& across = sheets.faces[other / 3];
+  return face[(corner + 1) % 3] == across[(other + 2) % 3] &&
+         face[(corner + 2) % 3] == across[(other + 1) % 3];
+}
+
+}  // namespace
+
+void sample_creases(const Scene& scene, double spacing, SampledOutlines& sampled) {
+  const double reach = end_reach * std::hypot(scene.width, scene.height);
+  for (size_t c = 0; c < scene.cues.size(); ++c) {
+    const Cue& cue = scene.cues[c];
+    if (cue.kind != CueKind::crease) continue;
+    const Outline& outline = scene.parts[cue.part].outline;
+    const std::vector<Point2> line = drawn_on(without_equal_neighbours(cue.line), outline, reach);
+    const double length = line_length(line);
+    for (LineSpan span : spans_inside(line, outline)) {
+      span = {std::max(0.0, span.from - 0.5 * spacing), std::min(length, span.to + 0.5 * spacing)};
+      InputCurve curve = sampled_span(line, span, spacing);
+      for (const Point2 p : curve.points) sampled.samples.push_back({p, spacing});
+      sampled.creases.push_back(std::move(curve));
+      sampled.crease_cue.push_back(static_cast<int>(c));
+    }
+  }
+}
+
+std::vector<CreaseEdge> find_creases(const BaseMesh& base, const Sheets& sheets,
+                                     const std::vector<std::vector<int>>& lines,
+                                     const std::vector<int>& cue, const Scene& scene) {
+  std::vector<CreaseEdge> creases;
+  std::set<int> taken;
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const int part = scene.cues[cue[i]].part;
+    for (size_t k = 0; k + 1 < lines[i].size(); ++k) {
+      const int ahead = corner_opposite(base, sheets, part, lines[i][k], lines[i][k + 1]);
+      const int back = corner_opposite(base, sheets, part, lines[i][k + 1], lines[i][k]);
+      if (ahead < 0 || back < 0 || !share_edge(sheets, ahead, back)) continue;
+      if (taken.insert(std::min(ahead, back)).second) creases.push_back({cue[i], {ahead, back}});
+    }
+  }
+  return creases;
+}
+
+}  // namespace relievo
