@@ -117,7 +117,8 @@ TEST_F(Build, ReportsWhatItDid) {
   EXPECT_EQ(report["faces"],
             report["parts"][0]["faces"].get<int>() + report["parts"][1]["faces"].get<int>());
   EXPECT_GT(report["constraints"]["equalities"], 0);
-  EXPECT_GT(report["constraints"]["inequalities"], 0);
+  const Outcome loose = relievo(with_small({"build", "scene.json", "--json", "--no-glue"}));
+  EXPECT_GT(Json::parse(loose.out)["constraints"]["inequalities"], 0);
   EXPECT_TRUE(report["constraints"]["active"].is_number_integer());
   EXPECT_EQ(report["solver"]["status"], "solved");
   EXPECT_GT(report["solver"]["iterations"], 0);

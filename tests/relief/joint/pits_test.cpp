@@ -14,6 +14,7 @@ using namespace testing;
 Relief build(const Scene& scene, double lambda_bnd) {
   ReliefOptions options;
   options.method = Method::nonlinear;
+  options.layers.attach = false;  // as in the paper
   options.layers.vertex_budget = 10000;
   options.joint.lambda_bnd = lambda_bnd;
   auto relief = build_relief(scene, options);

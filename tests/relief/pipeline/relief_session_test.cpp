@@ -248,6 +248,7 @@ TEST(ReliefSession, TheNonlinearMethodBeginsWhereItEnded) {
 TEST(ReliefSession, TheNonlinearMethodBeginsFromACoarserMesh) {
   ReliefOptions options = options_for(16000);
   options.method = Method::nonlinear;
+  options.layers.attach = false;  // as in the paper
   const Scene scene = body_and_leg();
   const Result<Relief> guessed = build_relief(scene, options);
   ReliefSession plain(ReliefSession::Use::guess);

@@ -1,9 +1,16 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
 #include "support/mesh_checks.h"
 #include "support/probe.h"
+#include "support/random_limbs.h"
 #include "support/regions.h"
 #include "support/scenes.h"
+#include "support/seams.h"
 
 namespace relievo {
 namespace {
@@ -40,6 +47,107 @@ TEST(Seam, EndsAreAsHighAsTheMiddle) {
 TEST(Seam, DirichletEndsMakeThePaperPits) {
   const Relief relief = build(body_and_leg(), 1);
   EXPECT_LT(probe(relief, {180, 160}).h(), 0.75 * probe(relief, {200, 160}).h());
+}
+
+/// The angles across joins of random limbs: the median and the mean of each join's median, degrees.
+struct Sharpness {
+  double median = 0;
+  double mean = 0;
+};
+
+Sharpness sharpness_of_limbs(Method method, int vertices) {
+  std::vector<double> medians;
+  for (uint64_t seed = 1; seed <= 12; ++seed) {
+    ReliefOptions options;
+    options.method = method;
+    options.layers.vertex_budget = vertices;
+    const Relief relief = relief_of(random_limbs(seed), options);
+    for (const SeamChain& chain : seam_chains(relief.layers)) {
+      const std::vector<double> angles = seam_angles(relief.layers, relief.ordering.h, chain);
+      if (!angles.empty()) medians.push_back(angles[angles.size() / 2]);
+    }
+  }
+  std::sort(medians.begin(), medians.end());
+  const double sum = std::accumulate(medians.begin(), medians.end(), 0.0);
+  return {medians[medians.size() / 2], sum / static_cast<double>(medians.size())};
+}
+
+TEST(Seam, IsNoEdgeOnRandomLimbs) {
+  for (const Method method : {Method::approximate, Method::nonlinear}) {
+    const Sharpness coarse = sharpness_of_limbs(method, 3000);
+    const Sharpness fine = sharpness_of_limbs(method, 12000);
+    EXPECT_LE(fine.median, 1.3);
+    EXPECT_LE(fine.mean, 2);
+    EXPECT_LE(fine.median, 0.5 * coarse.median) << "the edges are half as long";
+    EXPECT_LE(fine.mean, 0.5 * coarse.mean);
+  }
+}
+
+TEST(Seam, HasNeitherPitsNorBumpsAtItsEnds) {
+  for (const bool attach : {true, false}) {
+    ReliefOptions options;
+    options.layers.vertex_budget = 12000;
+    options.layers.attach = attach;
+    const Relief relief = relief_of(body_and_leg(), options);
+    std::vector<double> depths = relief.ordering.h;
+    for (double& depth : depths) depth = -depth;
+    const std::vector<SeamChain> chains = seam_chains(relief.layers);
+    ASSERT_EQ(chains.size(), 1u);
+    for (const double pit : pits(relief.layers, relief.ordering.h, chains[0])) EXPECT_LE(pit, 0.01);
+    if (!attach) continue;
+    for (const double bump : pits(relief.layers, depths, chains[0])) EXPECT_LE(bump, 0.01);
+  }
+}
+
+/// A nose on a head that is a half ball where it is alone.
+Scene head_and_nose(double d = 1) {
+  Scene scene = canvas();
+  Ring nose;
+  for (const Point2 p : circle({0, 0}, 30)) nose.push_back({200 + 1.4 * p.x, 240 + p.y});
+  scene.parts = {part("head", circle({200, 200}, 150)), part("nose", nose, 4, d)};
+  scene.joins = {{1, 0, {{170, 219}, {200, 210}, {230, 219}}}};
+  return scene;
+}
+
+TEST(Bump, LeavesWhatIsAroundItAlone) {
+  ReliefOptions options;
+  options.layers.vertex_budget = 12000;
+  for (const Method method : {Method::approximate, Method::nonlinear}) {
+    options.method = method;
+    const Relief relief = relief_of(head_and_nose(), options);
+    const LayeredMesh& mesh = relief.layers;
+    EXPECT_EQ(mesh.faces.size(), mesh.triangles.size()) << "it is one surface";
+    for (size_t n = 0; n < mesh.node_vertex.size(); ++n) {
+      const Point2 p = mesh.vertices[mesh.node_vertex[n]];
+      const double r = distance(p, {200, 200});
+      if (mesh.node_part[n] != 0 || r > 140) continue;
+      EXPECT_NEAR(relief.ordering.h[n], std::sqrt(150 * 150 - r * r), 0.5);
+    }
+    EXPECT_GT(probe(relief, {200, 250}).h(), std::sqrt(150 * 150 - 50 * 50) + 10);
+  }
+}
+
+TEST(Bump, GoesOnAcrossItsJoin) {
+  for (const double d : {1.0, -1.0}) {
+    ReliefOptions options;
+    options.layers.vertex_budget = 24000;
+    const Relief relief = relief_of(head_and_nose(d), options);
+    const std::vector<SeamChain> chains = seam_chains(relief.layers);
+    ASSERT_EQ(chains.size(), 1u);
+    EXPECT_LE(seam_angles(relief.layers, relief.ordering.h, chains[0]).back(), 1);
+    const double ball = std::sqrt(150 * 150 - 50 * 50);
+    EXPECT_GT(d * (probe(relief, {200, 250}).h() - ball), 10);
+  }
+}
+
+TEST(Bump, ComesLooseAlongAGivenRange) {
+  Scene scene = head_and_nose();
+  ReliefOptions options;
+  options.layers.vertex_budget = 6000;
+  const double before = probe(relief_of(scene, options), {238, 245}).h();
+  scene.robin = {{1, 0, {230, 219}, {200, 270}, std::nullopt, std::nullopt}};
+  const double after = probe(relief_of(scene, options), {238, 245}).h();
+  EXPECT_LT(after, before - 0.5) << "a longer range is lower for longer";
 }
 
 /// The height at a join's end over what the lower part alone has there: below 1 is a pit.
