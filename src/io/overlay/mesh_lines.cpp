@@ -10,6 +10,7 @@ namespace {
 struct Edge {
   int a = -1;  ///< nodes, a < b
   int b = -1;
+  int face = -1;  ///< one that has it
 
   bool operator==(const Edge& other) const { return a == other.a && b == other.b; }
   bool operator<(const Edge& other) const { return a != other.a ? a < other.a : b < other.b; }
@@ -19,11 +20,11 @@ struct Edge {
 std::vector<Edge> sorted_edges(const LayeredMesh& mesh) {
   std::vector<Edge> edges;
   edges.reserve(3 * mesh.faces.size());
-  for (const std::array<int, 3>& face : mesh.faces)
+  for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f)
     for (int k = 0; k < 3; ++k) {
-      const int a = face[k];
-      const int b = face[(k + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b)});
+      const int a = mesh.faces[f][k];
+      const int b = mesh.faces[f][(k + 1) % 3];
+      edges.push_back({std::min(a, b), std::max(a, b), f});
     }
   std::sort(edges.begin(), edges.end());
   return edges;
@@ -93,7 +94,9 @@ class Finder {
     if (rims_[edge.a] != Rim::none && rims_[edge.b] != Rim::none) add_rim(edge, lines);
     if (!open) return;
     if (a == NodeRole::ramp || b == NodeRole::ramp) add_ramp(edge, lines);
-    const Tie tie = std::min(ties_[edge.a], ties_[edge.b]);
+    Tie tie = std::min(ties_[edge.a], ties_[edge.b]);
+    if (tie == Tie::none && (a == NodeRole::outline || b == NodeRole::outline))
+      tie = hidden_tie(edge);
     if (tie == Tie::equal) add_segment(mesh_, edge, lines.equal);
     if (tie == Tie::above) add_segment(mesh_, edge, lines.above);
     if (tie == Tie::below) add_segment(mesh_, edge, lines.below);
@@ -104,6 +107,13 @@ class Finder {
     add_segment(mesh_, edge, lines.ramps);
     lines.ramps.push_back(alpha_[edge.a]);
     lines.ramps.push_back(alpha_[edge.b]);
+  }
+
+  /// Of an outline that lies under another part.
+  Tie hidden_tie(Edge edge) const {
+    const int front = mesh_.stack_begin[mesh_.face_triangle[edge.face] + 1] - 1;
+    if (front == edge.face) return Tie::none;
+    return mesh_.face_part[front] > mesh_.face_part[edge.face] ? Tie::above : Tie::below;
   }
 
   void add_rim(Edge edge, MeshLines& lines) const {

@@ -15,6 +15,8 @@ namespace {
 
 /// What is hidden stays so far behind, in scene units.
 constexpr double margin = 4e-4;
+/// What is missing of that counts as round-off below this share.
+constexpr double settled = 1e-6;
 /// Rounds of lowering nodes and then faces: what is lowered may come to lie below the next sheet.
 constexpr int rounds = 6;
 
@@ -58,8 +60,9 @@ class Lowering {
       for (int k = 0; k < 3; ++k) {
         const int node = mesh_.faces[pair.lower][k];
         const int cap = mesh_.faces[pair.upper][k];
-        if (seen_[node] != 0 || node == cap || h[node] <= h[cap] - 0.5 * margin_) continue;
-        lower(node, h[node] - h[cap] + margin_);
+        const double excess = h[node] - h[cap] + margin_;
+        if (seen_[node] != 0 || node == cap || excess <= settled * margin_) continue;
+        lower(node, excess);
         any = true;
       }
     return any;
@@ -69,13 +72,14 @@ class Lowering {
     bool any = false;
     for (const FacePair& pair : pairs_) {
       const Dip dip = worst_dip(mesh_, pair, sheets_.inflation, sheets_.ordering);
-      if (dip.depth <= 0) continue;
+      const double excess = dip.depth + margin_;
+      if (excess <= settled * margin_) continue;
       const std::array<int, 3>& nodes = mesh_.faces[pair.lower];
       double share = 0;  // of the movable nodes in the height there
       for (int k = 0; k < 3; ++k) share += seen_[nodes[k]] == 0 ? dip.weight[k] : 0;
       for (const int node : nodes) {
         if (seen_[node] != 0) continue;
-        lower(node, (dip.depth + margin_) / share);
+        lower(node, excess / share);
         any = true;
       }
     }

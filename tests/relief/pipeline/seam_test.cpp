@@ -130,7 +130,7 @@ TEST(Bump, LeavesWhatIsAroundItAlone) {
 TEST(Bump, GoesOnAcrossItsJoin) {
   for (const double d : {1.0, -1.0}) {
     ReliefOptions options;
-    options.layers.vertex_budget = 24000;
+    options.layers.vertex_budget = 36000;
     const Relief relief = relief_of(head_and_nose(d), options);
     const std::vector<SeamChain> chains = seam_chains(relief.layers);
     ASSERT_EQ(chains.size(), 1u);
