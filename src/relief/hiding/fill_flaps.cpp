@@ -1,11 +1,8 @@
 #include "relief/hiding/fill_flaps.h"
 
-#include <array>
 #include <cmath>
-#include <vector>
 
 #include "kernel/base/sparse_matrix.h"
-#include "kernel/operators/gradient.h"
 #include "kernel/operators/laplacian.h"
 #include "kernel/solvers/sparse_cholesky.h"
 #include "relief/layers/joined_surface.h"
@@ -18,36 +15,6 @@ using Eigen::VectorXd;
 
 /// Pull to 0, in scene units: for flaps that hang on nothing.
 constexpr double weakest = 1e-4;
-
-/// The flaps of a mesh in px.
-struct Flaps {
-  std::vector<Point2> positions;
-  std::vector<std::array<int, 3>> faces;
-  std::vector<double> density;  ///< of the source, per face
-  std::vector<int> nodes;       ///< inside, ascending
-  std::vector<int> place;       ///< #N, in `nodes`, or -1
-};
-
-Flaps collect_flaps(const HidingInput& input) {
-  const LayeredMesh& mesh = input.mesh;
-  Flaps flaps;
-  flaps.place.assign(mesh.node_vertex.size(), -1);
-  for (size_t f = 0; f < mesh.faces.size(); ++f) {
-    if (!mesh.is_flap(f)) continue;
-    const Part& part = input.scene.parts[mesh.source(f)];
-    flaps.faces.push_back(mesh.faces[f]);
-    flaps.density.push_back(part.c * part.d * std::abs(part.d));
-    for (const int n : mesh.faces[f])
-      if (input.discretisation.mass[n] == 0) flaps.place[n] = 0;
-  }
-  for (size_t n = 0; n < flaps.place.size(); ++n) {
-    if (flaps.place[n] < 0) continue;
-    flaps.place[n] = static_cast<int>(flaps.nodes.size());
-    flaps.nodes.push_back(static_cast<int>(n));
-  }
-  flaps.positions = node_positions(mesh);
-  return flaps;
-}
 
 /// The flaps' matrix: nodes inside are unknown, the others have values.
 class FlapSystem {
@@ -95,17 +62,33 @@ class FlapSystem {
   bool analysed_ = false;
 };
 
-/// Gradients at the nodes inside.
-void renew_gradients(const Flaps& flaps, const std::vector<double>& values,
-                     std::vector<Point2>& gradients) {
-  const std::vector<Point2> all = node_gradients({flaps.positions, flaps.faces}, values);
-  for (const int n : flaps.nodes) gradients[n] = all[n];
-}
-
 }  // namespace
 
-void fill_flaps(const HidingInput& input, HiddenSheets& sheets, const RunContext& context) {
-  const Flaps flaps = collect_flaps(input);
+Flaps collect_flaps(const HidingInput& input) {
+  const LayeredMesh& mesh = input.mesh;
+  Flaps flaps;
+  flaps.place.assign(mesh.node_vertex.size(), -1);
+  for (size_t f = 0; f < mesh.faces.size(); ++f) {
+    if (!mesh.is_flap(f)) continue;
+    const Part& part = input.scene.parts[mesh.source(f)];
+    flaps.faces.push_back(mesh.faces[f]);
+    flaps.density.push_back(part.c * part.d * std::abs(part.d));
+    for (const int n : mesh.faces[f])
+      if (input.discretisation.mass[n] == 0) flaps.place[n] = 0;
+  }
+  if (flaps.faces.empty()) return flaps;
+  for (size_t n = 0; n < flaps.place.size(); ++n) {
+    if (flaps.place[n] < 0) continue;
+    flaps.place[n] = static_cast<int>(flaps.nodes.size());
+    flaps.nodes.push_back(static_cast<int>(n));
+  }
+  flaps.positions = node_positions(mesh);
+  flaps.gradients = gradient_stencils({flaps.positions, flaps.faces});
+  return flaps;
+}
+
+void fill_flaps(const HidingInput& input, const Flaps& flaps, HiddenSheets& sheets,
+                const RunContext& context) {
   if (flaps.nodes.empty()) return;
   FlapSystem system(flaps, input.discretisation, context);
   const FlatMesh flat{flaps.positions, flaps.faces};
@@ -116,8 +99,8 @@ void fill_flaps(const HidingInput& input, HiddenSheets& sheets, const RunContext
   auto& [u, grad_u] = sheets.inflation;
   if (!system.solve(load, outline, context, u)) return;
   if (!system.solve(VectorXd::Zero(load.size()), none, context, sheets.ordering.g)) return;
-  renew_gradients(flaps, u, grad_u);
-  renew_gradients(flaps, sheets.ordering.g, sheets.ordering.grad_g);
+  const std::vector<Point2> gradients = node_gradients(flaps.gradients, u);
+  for (const int n : flaps.nodes) grad_u[n] = gradients[n];
   for (const int n : flaps.nodes) sheets.ordering.h[n] = sheets.ordering.g[n] + signed_root(u[n]);
 }
 

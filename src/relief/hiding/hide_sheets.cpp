@@ -31,59 +31,56 @@ class Lowering {
         margin_(margin / input.discretisation.scale),
         lowered_(mesh_.node_vertex.size(), 0) {}
 
-  /// Whether anything was lowered.
-  bool run() {
-    bool any = false;
-    for (int round = 0; round < rounds; ++round) {
-      const bool nodes = lower_nodes();
-      const bool faces = lower_faces();
-      if (!nodes && !faces) break;
-      any = true;
+  void run() {
+    for (int round = 1; round <= rounds; ++round) {
+      lower_nodes(round);
+      lower_faces(round);
     }
     measure();
-    return any;
   }
 
-  bool is_lowered(size_t node) const { return lowered_[node] != 0; }
+  bool is_lowered(size_t node) const { return lowered_[node] > 0; }
 
  private:
-  void lower(int node, double by) {
+  void lower(int node, double by, int round) {
     sheets_.ordering.h[node] -= by;
     sheets_.ordering.g[node] -= by;
-    lowered_[node] = 1;
+    lowered_[node] = round;
   }
 
-  bool lower_nodes() {
-    bool any = false;
+  /// Whether a node of the faces has moved since the last round, or there was none.
+  bool is_due(const FacePair& pair, int round) const {
+    const auto moved = [&](int node) { return lowered_[node] >= round - 1; };
+    return std::any_of(mesh_.faces[pair.lower].begin(), mesh_.faces[pair.lower].end(), moved) ||
+           std::any_of(mesh_.faces[pair.upper].begin(), mesh_.faces[pair.upper].end(), moved);
+  }
+
+  void lower_nodes(int round) {
     const std::vector<double>& h = sheets_.ordering.h;
-    for (const FacePair& pair : pairs_)
+    for (const FacePair& pair : pairs_) {
+      if (!is_due(pair, round)) continue;
       for (int k = 0; k < 3; ++k) {
         const int node = mesh_.faces[pair.lower][k];
         const int cap = mesh_.faces[pair.upper][k];
         const double excess = h[node] - h[cap] + margin_;
-        if (seen_[node] != 0 || node == cap || excess <= settled * margin_) continue;
-        lower(node, excess);
-        any = true;
+        if (seen_[node] == 0 && node != cap && excess > settled * margin_)
+          lower(node, excess, round);
       }
-    return any;
+    }
   }
 
-  bool lower_faces() {
-    bool any = false;
+  void lower_faces(int round) {
     for (const FacePair& pair : pairs_) {
+      if (!is_due(pair, round)) continue;
       const Dip dip = worst_dip(mesh_, pair, sheets_.inflation, sheets_.ordering);
       const double excess = dip.depth + margin_;
       if (excess <= settled * margin_) continue;
       const std::array<int, 3>& nodes = mesh_.faces[pair.lower];
       double share = 0;  // of the movable nodes in the height there
       for (int k = 0; k < 3; ++k) share += seen_[nodes[k]] == 0 ? dip.weight[k] : 0;
-      for (const int node : nodes) {
-        if (seen_[node] != 0) continue;
-        lower(node, excess / share);
-        any = true;
-      }
+      for (const int node : nodes)
+        if (seen_[node] == 0) lower(node, excess / share, round);
     }
-    return any;
   }
 
   void measure() {
@@ -99,21 +96,25 @@ class Lowering {
   HiddenSheets& sheets_;
   std::vector<uint8_t> seen_;
   std::vector<FacePair> pairs_;
-  double margin_;  ///< px
-  std::vector<uint8_t> lowered_;
+  double margin_;             ///< px
+  std::vector<int> lowered_;  ///< the last round in which the node was, or 0
 };
 
 }  // namespace
 
 HiddenSheets hide_sheets(const HidingInput& input, const RunContext& context) {
   HiddenSheets sheets{input.inflation, input.ordering};
-  fill_flaps(input, sheets, context);
+  const Flaps flaps = collect_flaps(input);
+  fill_flaps(input, flaps, sheets, context);
   Lowering lowering(input, sheets);
-  if (!lowering.run()) return sheets;
-  const std::vector<Point2> gradients =
-      node_gradients({node_positions(input.mesh), input.mesh.faces}, sheets.ordering.g);
+  lowering.run();
+  const std::vector<double>& g = sheets.ordering.g;
+  const std::vector<Point2> gradients = node_gradients(input.discretisation.gradients, g);
   for (size_t n = 0; n < gradients.size(); ++n)
     if (lowering.is_lowered(n)) sheets.ordering.grad_g[n] = gradients[n];
+  if (flaps.nodes.empty()) return sheets;
+  const std::vector<Point2> on_flaps = node_gradients(flaps.gradients, g);
+  for (const int n : flaps.nodes) sheets.ordering.grad_g[n] = on_flaps[n];
   return sheets;
 }
 
