@@ -10,7 +10,6 @@
 #include "io/scene/read_scene.h"
 #include "io/svg/read_svg.h"
 #include "relief/pipeline/build_relief.h"
-#include "support/probe.h"
 #include "support/random_limbs.h"
 #include "support/regions.h"
 #include "support/seams.h"
@@ -39,42 +38,28 @@ std::optional<Scene> read_drawing(const std::string& name) {
   return std::nullopt;
 }
 
-struct Worst {
-  double median = 0;
-  double most = 0;
-  double pit = 0;
-  double bump = 0;
-  int joins = 0;
-  int sharp = 0;
+/// Over all joins.
+struct Tally {
+  std::vector<double> medians;  ///< of the angles across each, degrees
+  std::vector<double> largest;
+  std::vector<double> pits;  ///< at each end, relative to the join's length
+  std::vector<double> bumps;
 };
 
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  return values[static_cast<size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+}
+
 void study(const std::string& name, const Scene& scene, const ReliefOptions& options,
-           Worst& worst) {
+           Tally& tally) {
   const Result<Relief> relief = build_relief(scene, options);
   if (!relief) {
     std::printf("%s: %s\n", name.c_str(), to_string(relief.error()).c_str());
     return;
   }
   const LayeredMesh& mesh = relief->layers;
-  if (std::getenv("ALONE")) {
-    Scene apart = scene;
-    apart.joins.clear();
-    const Result<Relief> alone = build_relief(apart, options);
-    for (const testing::SeamChain& chain : testing::seam_chains(mesh)) {
-      int lower = -1;
-      for (const Join& j : scene.joins)
-        if (j.upper == chain.upper) lower = j.lower;
-      std::printf("%s,%s", name.c_str(), scene.parts[chain.upper].id.c_str());
-      for (int end : {chain.nodes.front(), chain.nodes.back()}) {
-        const Point2 p = mesh.vertices[mesh.node_vertex[end]];
-        const double fa = alone.ok() ? testing::probe(*alone, p, lower).f : 0;
-        std::printf(",%.1f %.1f %.1f -> %.1f %%", fa, signed_root(relief->inflation.u[end]),
-                    relief->ordering.h[end],
-                    100 * (fa - relief->ordering.h[end]) / chain.length.back());
-      }
-      std::printf("\n");
-    }
-  }
   for (const testing::SeamChain& chain : testing::seam_chains(mesh)) {
     const std::vector<double> angles = testing::seam_angles(mesh, relief->ordering.h, chain);
     std::vector<double> heights = relief->ordering.h;
@@ -86,51 +71,53 @@ void study(const std::string& name, const Scene& scene, const ReliefOptions& opt
     std::printf("%s,%s,%zu,%.0f,%.2f,%.2f,%.1f,%.1f,%.1f,%.1f\n", name.c_str(),
                 scene.parts[chain.upper].id.c_str(), chain.nodes.size(), chain.length.back(),
                 median, most, 100 * pits[0], 100 * pits[1], 100 * bumps[0], 100 * bumps[1]);
-    ++worst.joins;
-    worst.sharp += most > 2;
-    worst.median = std::max(worst.median, median);
-    worst.most = std::max(worst.most, most);
-    for (const double pit : pits) worst.pit = std::max(worst.pit, pit);
-    for (const double bump : bumps) worst.bump = std::max(worst.bump, bump);
+    tally.pits.insert(tally.pits.end(), pits.begin(), pits.end());
+    tally.bumps.insert(tally.bumps.end(), bumps.begin(), bumps.end());
+    if (angles.empty()) continue;
+    tally.medians.push_back(median);
+    tally.largest.push_back(most);
   }
+}
+
+void print(const char* what, const std::vector<double>& values, double factor) {
+  std::printf("%s: median %.2f, 90 %% %.2f, most %.2f\n", what, factor * quantile(values, 0.5),
+              factor * quantile(values, 0.9), factor * quantile(values, 1));
 }
 
 }  // namespace
 }  // namespace relievo
 
 int main(int argc, char** argv) {
+  using namespace relievo;
   if (argc < 4) {
     std::fprintf(stderr,
                  "usage: joins VERTICES approximate|nonlinear DRAWING|SEED|FIRST-LAST...\n");
     return 2;
   }
-  relievo::ReliefOptions options;
+  ReliefOptions options;
   options.layers.vertex_budget = std::atoi(argv[1]);
-  if (argv[2][0] == 'n') options.method = relievo::Method::nonlinear;
-  if (const char* value = std::getenv("ALPHA0")) options.inflation.alpha0 = std::atof(value);
-  if (const char* value = std::getenv("RHO")) options.inflation.rho = std::atof(value);
-  std::printf("drawing,part,nodes,length,median,most,pit first %%,pit last %%\n");
-  relievo::Worst worst;
+  if (argv[2][0] == 'n') options.method = Method::nonlinear;
+  std::printf("drawing,part,nodes,length,median,most,pit %%,pit %%,bump %%,bump %%\n");
+  Tally tally;
   for (int k = 3; k < argc; ++k) {
     const std::string name = argv[k];
     if (name.find_first_not_of("0123456789-") == std::string::npos) {
       const size_t dash = name.find('-');
-      const int first = std::stoi(name);
-      const int last = dash == std::string::npos ? first : std::stoi(name.substr(dash + 1));
-      for (int seed = first; seed <= last; ++seed)
-        relievo::study("limbs " + std::to_string(seed), relievo::testing::random_limbs(seed),
-                       options, worst);
+      const int last = std::stoi(dash == std::string::npos ? name : name.substr(dash + 1));
+      for (int seed = std::stoi(name); seed <= last; ++seed)
+        study("limbs " + std::to_string(seed), testing::random_limbs(seed), options, tally);
       continue;
     }
-    const auto scene = relievo::read_drawing(name);
+    const auto scene = read_drawing(name);
     if (!scene) {
       std::fprintf(stderr, "%s cannot be read\n", name.c_str());
       return 1;
     }
-    relievo::study(name, *scene, options, worst);
+    study(name, *scene, options, tally);
   }
-  std::printf(
-      "%d joins, %d sharper than 2; worst median %.2f, most %.2f degrees; pit %.1f, bump %.1f %%\n",
-      worst.joins, worst.sharp, worst.median, worst.most, 100 * worst.pit, 100 * worst.bump);
+  print("angle across joins, median of each, degrees", tally.medians, 1);
+  print("angle across joins, largest of each, degrees", tally.largest, 1);
+  print("pits, % of the join's length", tally.pits, 100);
+  print("bumps, % of the join's length", tally.bumps, 100);
   return 0;
 }
