@@ -7,7 +7,8 @@ namespace relievo {
 namespace {
 
 bool may_pass(const Scene& scene, int front, int back) {
-  const auto [lower, upper] = std::minmax(front, back);
+  const int lower = std::min(front, back);
+  const int upper = std::max(front, back);
   return std::any_of(scene.relations.begin(), scene.relations.end(), [&](const Relation& relation) {
     return relation.kind == RelationKind::free && !relation.range && relation.upper == upper &&
            relation.lower == lower;
