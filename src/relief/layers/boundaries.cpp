@@ -18,8 +18,13 @@ struct Step {
 class BoundaryFinder {
  public:
   BoundaryFinder(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
-                 const Connection& connection, bool attach)
-      : base_(base), sheets_(sheets), loops_(loops), connection_(connection), attach_(attach) {
+                 const Connection& connection, const Scene& scene, bool attach)
+      : base_(base),
+        sheets_(sheets),
+        loops_(loops),
+        connection_(connection),
+        scene_(scene),
+        attach_(attach) {
     find_roles();
   }
 
@@ -161,7 +166,8 @@ class BoundaryFinder {
     for (const Step& step : steps) {
       if (ramp_of(step.node) >= 0) continue;
       set_ramp_of(step.node, number);
-      const int below = attach_ && glued ? step.below : -1;
+      const bool attached = attach_ && glued && has_one_sign(connection_, scene_, ramp.upper);
+      const int below = attached ? step.below : -1;
       out_.ramp_nodes.push_back({step.node, number, below, step.s / ramp.length, step.mass});
       if (glued && step.below >= 0 && out_.role[step.below] != NodeRole::outline)
         out_.glued.push_back({step.below, step.node});
@@ -207,6 +213,7 @@ class BoundaryFinder {
   const Sheets& sheets_;
   const Loops& loops_;
   const Connection& connection_;
+  const Scene& scene_;
   bool attach_;
   Boundaries out_;
   std::vector<int> ramp_of_;  // per node
@@ -214,6 +221,14 @@ class BoundaryFinder {
 };
 
 }  // namespace
+
+bool has_one_sign(const Connection& connection, const Scene& scene, int part) {
+  const auto is_raised = [&](size_t p) { return scene.parts[p].d > 0; };
+  for (size_t p = 0; p < scene.parts.size(); ++p)
+    if (connection.surface[p] == connection.surface[part] && is_raised(p) != is_raised(part))
+      return false;
+  return true;
+}
 
 int outline_node(const BaseMesh& base, const Sheets& sheets, int part, int a, int b, int vertex) {
   int inner = base.triangle_left_of(a, b);
@@ -229,7 +244,7 @@ int outline_node(const BaseMesh& base, const Sheets& sheets, int part, int a, in
 Boundaries find_boundaries(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
                            const Connection& connection, const Scene& scene,
                            const std::vector<LoopRun>& robin_runs, bool attach) {
-  BoundaryFinder finder(base, sheets, loops, connection, attach);
+  BoundaryFinder finder(base, sheets, loops, connection, scene, attach);
   finder.lay_automatic_ramps();
   for (size_t r = 0; r < scene.robin.size(); ++r)
     finder.lay_given_ramp(scene.robin[r], robin_runs[r]);

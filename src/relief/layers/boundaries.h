@@ -50,6 +50,10 @@ Boundaries find_boundaries(const BaseMesh& base, const Sheets& sheets, const Loo
                            const Connection& connection, const Scene& scene,
                            const std::vector<LoopRun>& robin_runs, bool attach);
 
+/// Whether all parts of the surface of a part are raised, or all sunk. Other surfaces pass height 0
+/// in their midst; they are not attached beside joins and have no flaps. O(parts).
+bool has_one_sign(const Connection& connection, const Scene& scene, int part);
+
 /// The node of `part` at `vertex` beside the loop edge ab, or -1 where that edge is not on the
 /// part's outline.
 int outline_node(const BaseMesh& base, const Sheets& sheets, int part, int a, int b, int vertex);

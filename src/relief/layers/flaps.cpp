@@ -1,36 +1,107 @@
 #include "relief/layers/flaps.h"
 
+#include <utility>
+
+#include "kernel/base/disjoint_sets.h"
+
 namespace relievo {
+namespace {
+
+class FlapFinder {
+ public:
+  FlapFinder(const BaseMesh& base, const Sheets& sheets, const LocalOrder& order)
+      : base_(base), sheets_(sheets), order_(order), flap_(sheets.faces.size(), 0) {}
+
+  void add(const Seam& seam) {
+    reached_.assign(sheets_.faces.size(), 0);
+    for (const int face : seam.covered) take(face, seam.upper);
+    while (!pending_.empty()) {
+      const int face = pending_.back();
+      pending_.pop_back();
+      for (int k = 0; k < 3; ++k) take(face_across(base_, sheets_, face, k), seam.upper);
+    }
+  }
+
+  /// What is left of a sheet may have no outline of its own: then the flaps that it hangs together
+  /// with stay with it.
+  void release(const std::vector<NodeRole>& role) {
+    for (bool released = true; released;) {
+      released = false;
+      const std::vector<uint8_t> held = held_nodes(role);
+      for (int f = 0; f < static_cast<int>(flap_.size()); ++f)
+        if (flap_[f] == 0 && held[sheets_.faces[f][0]] == 0)
+          released = release_around(f) || released;
+    }
+  }
+
+  std::vector<uint8_t> result() { return std::move(flap_); }
+
+ private:
+  bool lies_behind(int face, int other) const {
+    return order_.is_usual() || order_.place[face] < order_.place[other];
+  }
+
+  void take(int face, int upper) {
+    if (face < 0 || reached_[face] != 0 || sheets_.face_part[face] >= upper) return;
+    const int cover = sheets_.face_of(sheets_.face_triangle[face], upper);
+    if (cover < 0 || !lies_behind(face, cover)) return;
+    reached_[face] = flap_[face] = 1;
+    pending_.push_back(face);
+  }
+
+  /// #N: whether the surface of the node has an outline.
+  std::vector<uint8_t> held_nodes(const std::vector<NodeRole>& role) const {
+    const int nodes = static_cast<int>(role.size());
+    DisjointSets pieces(nodes);
+    for (size_t f = 0; f < flap_.size(); ++f)
+      if (flap_[f] == 0)
+        for (const int k : {1, 2}) pieces.unite(sheets_.faces[f][0], sheets_.faces[f][k]);
+    std::vector<uint8_t> held(role.size(), 0);
+    for (int n = 0; n < nodes; ++n)
+      if (role[n] == NodeRole::outline || role[n] == NodeRole::ramp) held[pieces.find(n)] = 1;
+    for (int n = 0; n < nodes; ++n) held[n] = held[pieces.find(n)];
+    return held;
+  }
+
+  /// Takes the flap across the edges of a face back; whether there is one.
+  bool release_around(int face) {
+    bool any = false;
+    pending_.push_back(face);
+    while (!pending_.empty()) {
+      const int at = pending_.back();
+      pending_.pop_back();
+      for (int k = 0; k < 3; ++k) {
+        const int next = face_across(base_, sheets_, at, k);
+        if (next < 0 || flap_[next] == 0) continue;
+        flap_[next] = 0;
+        any = true;
+        pending_.push_back(next);
+      }
+    }
+    return any;
+  }
+
+  const BaseMesh& base_;
+  const Sheets& sheets_;
+  const LocalOrder& order_;
+  std::vector<uint8_t> flap_;     // per face
+  std::vector<uint8_t> reached_;  // per face, by the flap of the seam at hand
+  std::vector<int> pending_;
+};
+
+}  // namespace
 
 std::vector<uint8_t> find_flaps(const BaseMesh& base, const Sheets& sheets,
                                 const Connection& connection, const Boundaries& boundaries,
-                                const LocalOrder& order) {
-  const auto lies_behind = [&](int face, int other) {
-    return order.is_usual() || order.place[face] < order.place[other];
-  };
-  std::vector<uint8_t> flap(sheets.faces.size(), 0);
-  std::vector<int> reached(sheets.faces.size(), -1);  // by the flap of which seam last
-  std::vector<int> pending;
+                                const LocalOrder& order, const Scene& scene) {
+  FlapFinder finder(base, sheets, order);
   for (size_t s = 0; s < connection.seams.size(); ++s) {
     const Seam& seam = connection.seams[s];
-    const int number = static_cast<int>(s);
-    if (boundaries.enclosed[s] != 0) continue;
-    const auto take = [&](int face) {
-      if (face < 0 || reached[face] == number || sheets.face_part[face] >= seam.upper) return;
-      const int cover = sheets.face_of(sheets.face_triangle[face], seam.upper);
-      if (cover < 0 || !lies_behind(face, cover)) return;
-      reached[face] = number;
-      flap[face] = 1;
-      pending.push_back(face);
-    };
-    for (const int face : seam.covered) take(face);
-    while (!pending.empty()) {
-      const int face = pending.back();
-      pending.pop_back();
-      for (int k = 0; k < 3; ++k) take(face_across(base, sheets, face, k));
-    }
+    if (boundaries.enclosed[s] == 0 && has_one_sign(connection, scene, seam.upper))
+      finder.add(seam);
   }
-  return flap;
+  finder.release(boundaries.role);
+  return finder.result();
 }
 
 }  // namespace relievo
