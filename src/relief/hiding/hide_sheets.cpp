@@ -18,7 +18,7 @@ constexpr double margin = 4e-4;
 /// What is missing of that counts as round-off below this share.
 constexpr double settled = 1e-6;
 /// Rounds of lowering nodes and then faces: what is lowered may come to lie below the next sheet.
-constexpr int rounds = 6;
+constexpr int rounds = 10;
 
 /// Lowers hidden nodes under those in front of them.
 class Lowering {

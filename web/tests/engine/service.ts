@@ -9,7 +9,7 @@ export const usual: BuildOptions = {
   vertices: 20000,
   edge: 0,
   rho: 0.25,
-  alpha0: 0.1,
+  alpha0: 0,
   lambdaBnd: 0.01,
   lambdaShift: 1,
   glue: true,
