@@ -99,6 +99,7 @@ bool study(const char* name, int vertices) {
   if (!drawing) return false;
   LayerOptions layer_options;
   layer_options.vertex_budget = vertices;
+  layer_options.attach = false;  // as in the paper
   const auto mesh = layer_parts(drawing->scene, layer_options);
   if (!mesh) return false;
   std::vector<Surface> approximate;
