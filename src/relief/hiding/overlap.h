@@ -14,7 +14,6 @@ namespace relievo {
 struct FacePair {
   int lower = -1;
   int upper = -1;
-  friend bool operator==(const FacePair&, const FacePair&) = default;
 };
 
 /// Each face with the next one in front of it; those that a relation "free" without a range lets
