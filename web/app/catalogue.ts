@@ -1,4 +1,5 @@
 import { scribbleEnglish, scribbleGerman } from './scribble_words';
+import { shelfEnglish, shelfGerman } from './shelf_words';
 
 /** Every word that the page says, in every language that it speaks. */
 
@@ -90,7 +91,6 @@ const english = {
   kept: 'The last good relief is still shown.',
   saved: 'Kept in this browser',
   notSaved: 'Not kept yet',
-  saveFailed: 'This browser does not keep your work. Save the project to a file.',
   proposedParts: 'The drawing names no parts; these were guessed from its shapes.',
   imageHint: 'Scribble over each part.',
   guessing: 'Looking for the parts of the picture …',
@@ -122,6 +122,7 @@ const english = {
   keyFile: 'Open, save, export',
   keyEscape: 'Leave the gesture, the panel, the choice',
   ...scribbleEnglish,
+  ...shelfEnglish,
   keyGrip: 'Outline: next grip, push it; Move: next stroke, move it (⇧: farther)',
   outline: 'Outline',
   hintOutline: 'Drag a grip to push the outline, dashed where it is hidden. Draw from outline to outline to replace a stretch.',
@@ -232,7 +233,6 @@ const german: Record<MessageKey, string> = {
   kept: 'Das letzte gute Relief bleibt zu sehen.',
   saved: 'In diesem Browser bewahrt',
   notSaved: 'Noch nicht bewahrt',
-  saveFailed: 'Dieser Browser bewahrt deine Arbeit nicht. Sichere das Projekt in eine Datei.',
   proposedParts: 'Die Zeichnung nennt keine Teile; diese sind aus ihren Formen erraten.',
   imageHint: 'Kritzle über jedes Teil.',
   guessing: 'Sucht die Teile des Bildes …',
@@ -264,6 +264,7 @@ const german: Record<MessageKey, string> = {
   keyFile: 'Öffnen, sichern, ausgeben',
   keyEscape: 'Geste, Tafel, Auswahl verlassen',
   ...scribbleGerman,
+  ...shelfGerman,
   keyGrip: 'Umriss: nächster Griff, Griff schieben; Bewegen: nächster Strich (⇧: weiter)',
   outline: 'Umriss',
   hintOutline: 'Einen Griff ziehen schiebt den Umriss, gestrichelt, wo er verdeckt ist. Ein Strich von Umriss zu Umriss ersetzt ein Stück.',

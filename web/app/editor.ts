@@ -20,10 +20,21 @@ export interface BuildState {
   energies?: readonly number[];
 }
 
+export interface ShelfPlace {
+  readonly id: string;
+  readonly keep: 'all' | 'changes';
+}
+
 export interface EditorState {
   history: History;
-  /** Whether there is work to go on with; the first screen otherwise. */
+  /** Whether the workspace is shown; the first screen otherwise. */
   open: boolean;
+  /** Where on the shelf the document is kept; what is only looked at is kept when it changes. */
+  shelf: ShelfPlace | null;
+  /** What stays said until it is over. */
+  standing: 'none' | 'unkept' | 'lost';
+  /** A document that was asked for and that another tab has open. */
+  elsewhere: string | null;
   tool: ToolName;
   selected: string | null;
   hovered: string | null;
@@ -44,7 +55,7 @@ export interface EditorState {
   saved: 'yes' | 'no' | 'failed';
   /** One line for a person, read out by screen readers. */
   notice: string;
-  panel: 'none' | 'keys' | 'export' | 'settings';
+  panel: 'none' | 'keys' | 'export' | 'settings' | 'versions';
   tourStep: number | null;
   brush: Brush;
   /** The labels of the strokes that are shown, the gaps that are closed, and how long they took. */
@@ -59,6 +70,9 @@ function firstState(): EditorState {
   return {
     history: startHistory(emptyDocument()),
     open: false,
+    shelf: null,
+    standing: 'none',
+    elsewhere: null,
     tool: 'select',
     selected: null,
     hovered: null,
@@ -112,11 +126,14 @@ export class Editor extends Store<EditorState> {
     this.show(redo(this.state.history));
   }
 
-  /** Begins anew with a document of its own history. */
-  openDocument(document: Document, picture: ImageBitmap | null): void {
+  /** Goes over to another document. */
+  openDocument(history: History, picture: ImageBitmap | null, shelf: ShelfPlace): void {
     this.set({
-      history: startHistory(document),
+      history,
+      shelf,
       open: true,
+      elsewhere: null,
+      panel: 'none',
       opened: this.state.opened + 1,
       selected: null,
       hovered: null,

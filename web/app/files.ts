@@ -1,5 +1,5 @@
-import type { Autosave } from '../document/autosave';
 import { type Document, emptyDocument } from '../document/document';
+import { type History, startHistory } from '../document/history';
 import { isOwnPicture } from '../document/segmentation';
 import { sceneContent } from '../document/scene_text';
 import { adopt } from '../document/scribbling';
@@ -9,7 +9,8 @@ import { packProject, unpackOra, unpackProject, zipped } from './archives';
 import type { BuildControl } from './build_control';
 import { t } from './catalogue';
 import type { GivenFiles } from './dropped_files';
-import type { Editor } from './editor';
+import type { Editor, ShelfPlace } from './editor';
+import type { Keeper } from './keeper';
 import { documentOfLayers, layersAmong, readLayers } from './layered_drawing';
 import { flatDrawing, pictureOf, pngOf, textureOf } from './pictures';
 import type { SegmentControl } from './segment_control';
@@ -36,18 +37,12 @@ export function download(file: OutputFile): void {
 
 /** Opening, keeping, saving and exporting. */
 export class Files {
-  private saving: Promise<void> = Promise.resolve();
-  private timer: ReturnType<typeof setTimeout> | undefined;
-  private kept: Document | null = null;
-
   constructor(
     private readonly editor: Editor,
     private readonly engine: Engine,
     private readonly controls: { control: BuildControl; segments: SegmentControl },
-    private readonly autosave: Autosave | null,
-  ) {
-    editor.subscribe(() => this.keepLater());
-  }
+    private readonly keeper: Keeper,
+  ) {}
 
   /** Opens a file, or pictures that are the layers of one drawing. */
   async openAll({ name, files }: GivenFiles): Promise<void> {
@@ -72,19 +67,49 @@ export class Files {
   private async openProject(bytes: Uint8Array): Promise<void> {
     const project = await unpackProject(bytes);
     await this.controls.segments.check(project);
-    await this.show(project);
+    await this.show(project, 'all');
   }
 
   async openSample(name: string, url: string): Promise<void> {
     const answer = await fetch(url);
-    await this.openSvg(`${name}.svg`, new Uint8Array(await answer.arrayBuffer()));
+    await this.openSvg(`${name}.svg`, new Uint8Array(await answer.arrayBuffer()), 'changes');
   }
 
-  /** Shows a document that comes from a file or from what was kept. */
-  async show(document_: Document): Promise<void> {
-    const next = await this.withPaintable({ ...emptyDocument(), ...document_ });
+  /** Begins anew with an empty page. */
+  openEmpty(): Promise<void> {
+    return this.show({ ...emptyDocument(), name: t('untitled') }, 'changes');
+  }
+
+  /** Goes on with a document of the shelf; asks where another tab has it, unless it is to be taken over. */
+  async openKept(id: string, over = false): Promise<void> {
+    const { shelf } = this.editor.state;
+    if (shelf?.id === id && this.keeper.takenOver !== id) this.editor.set({ open: true, elsewhere: null });
+    else
+      await this.opening((await this.keeper.entry(id))?.name ?? '', async () => {
+        const history = await this.keeper.open(id, over);
+        if (history === 'elsewhere') this.editor.set({ elsewhere: id });
+        else await this.showHistory(history, { id, keep: 'changes' });
+      });
+  }
+
+  /** A document of the shelf once more, with all its undo; the other stays as it is. */
+  async openCopy(id: string): Promise<void> {
+    await this.opening((await this.keeper.entry(id))?.name ?? '', async () => {
+      const history = await this.keeper.read(id);
+      const name = t('copyOf', { name: history.document.name });
+      await this.showHistory({ ...history, document: { ...history.document, name } }, { id: crypto.randomUUID(), keep: 'all' });
+    });
+  }
+
+  /** Shows a document that comes from a file; nothing that was open is lost. */
+  private show(document_: Document, keep: ShelfPlace['keep']): Promise<void> {
+    return this.showHistory(startHistory({ ...emptyDocument(), ...document_ }), { id: crypto.randomUUID(), keep });
+  }
+
+  private async showHistory(history: History, place: ShelfPlace): Promise<void> {
+    const next = await this.withPaintable(history.document);
     const picture = next.drawing && (await pictureOf(next.drawing, next.width, next.height));
-    this.editor.openDocument(next, picture);
+    this.editor.openDocument({ ...history, document: next }, picture, place);
     this.editor.set({ tool: next.parts.length === 0 ? 'draw' : 'select', notice: '' });
   }
 
@@ -131,7 +156,7 @@ export class Files {
 
   private async openLayers(name: string, entries: OutputFile[]): Promise<void> {
     const { document: next, notice } = await documentOfLayers(this.engine, baseName(name), entries);
-    await this.show(next);
+    await this.show(next, 'all');
     this.editor.set({ notice });
   }
 
@@ -153,7 +178,7 @@ export class Files {
     }
   }
 
-  private async openSvg(name: string, bytes: Uint8Array): Promise<void> {
+  private async openSvg(name: string, bytes: Uint8Array, keep: ShelfPlace['keep'] = 'all'): Promise<void> {
     const imported = await this.engine.importSvg(bytes);
     if (isFailure(imported)) throw new Error(imported.error.message);
     await this.show({
@@ -161,7 +186,7 @@ export class Files {
       ...sceneContent(imported.scene),
       name: baseName(name),
       drawing: { name, kind: 'svg', mime: 'image/svg+xml', bytes, paintable: imported.paintable },
-    });
+    }, keep);
     const words = imported.proposed ? [t('proposedParts')] : [];
     this.editor.set({ notice: [...words, ...imported.warnings].join(' ') });
   }
@@ -180,7 +205,7 @@ export class Files {
     const { drawing, picture } = await flatDrawing({ name, kind: 'image', mime, bytes });
     const { width, height } = picture;
     const next: Document = { ...emptyDocument(), name: baseName(name), width, height, drawing };
-    this.editor.openDocument(next, picture);
+    this.editor.openDocument(startHistory(next), picture, { id: crypto.randomUUID(), keep: 'all' });
     this.editor.set({ tool: 'draw', notice: t('guessing') });
     await this.guessParts(next);
   }
@@ -195,27 +220,5 @@ export class Files {
     }
     this.editor.edit('guess', adopt(next, found));
     this.editor.set({ tool: 'scribble', notice: [t('guessed'), ...found.warnings].join(' ') });
-  }
-
-  private keepLater(): void {
-    const { state } = this.editor;
-    if (!state.open || state.history.document === this.kept) return;
-    this.kept = state.history.document;
-    this.editor.set({ saved: 'no' });
-    clearTimeout(this.timer);
-    this.timer = setTimeout(() => {
-      this.saving = this.saving.then(() => this.keep());
-    }, 250);
-  }
-
-  private async keep(): Promise<void> {
-    const { document: doc } = this.editor;
-    try {
-      if (!this.autosave) throw new Error('no storage');
-      await this.autosave.save(doc);
-      if (doc === this.editor.document) this.editor.set({ saved: 'yes' });
-    } catch {
-      this.editor.set({ saved: 'failed', notice: t('saveFailed') });
-    }
   }
 }

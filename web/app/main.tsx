@@ -1,16 +1,17 @@
 import { render } from 'preact';
 import coreUrl from '#core.wasm?url';
-import { Autosave } from '../document/autosave';
-import type { Document } from '../document/document';
+import { Shelf } from '../document/shelf';
 import { compileCore, Engine } from '../engine/engine';
 import { BuildControl } from './build_control';
 import { language } from './catalogue';
 import { filesOf, givenFiles } from './dropped_files';
 import { Editor } from './editor';
 import { Files } from './files';
+import { Keeper } from './keeper';
 import type { PaperControl } from './paper_pane';
 import { SegmentControl } from './segment_control';
 import { type HeldKeys, listenToKeys } from './shortcuts';
+import { Standing } from './standing';
 import { StartScreen } from './start_screen';
 import { useStore } from './store';
 import './styles.css';
@@ -21,19 +22,25 @@ interface PageProps {
   files: Files;
   segments: SegmentControl;
   held: HeldKeys;
-  kept: Document | null;
+  keeper: Keeper;
   attachPaper(paper: PaperControl): void;
   choose(): void;
   stop(): void;
 }
 
-function Page({ editor, files, segments, held, kept, attachPaper, choose, stop }: PageProps) {
+function Page({ editor, files, segments, held, keeper, attachPaper, choose, stop }: PageProps) {
   const { open, notice } = useStore(editor);
-  if (open) return <Workspace editor={editor} files={files} segments={segments} held={held} attachPaper={attachPaper} choose={choose} stop={stop} />;
   return (
     <>
-      <StartScreen files={files} kept={kept} choose={choose} />
-      <p class="start-notice" role="status">{notice}</p>
+      {open ? (
+        <Workspace editor={editor} files={files} keeper={keeper} segments={segments} held={held} attachPaper={attachPaper} choose={choose} stop={stop} />
+      ) : (
+        <>
+          <StartScreen files={files} keeper={keeper} choose={choose} />
+          <p class="start-notice" role="status">{notice}</p>
+        </>
+      )}
+      <Standing editor={editor} files={files} keeper={keeper} />
     </>
   );
 }
@@ -66,13 +73,13 @@ function listenToDrops(files: Files): void {
   window.addEventListener('paste', (event) => open(event.clipboardData));
 }
 
-async function openStorage(): Promise<{ autosave: Autosave | null; kept: Document | null }> {
+async function openShelf(): Promise<Shelf | null> {
   try {
-    const autosave = await Autosave.open();
+    const shelf = await Shelf.open();
     void navigator.storage?.persist?.();
-    return { autosave, kept: await autosave.restore() };
+    return shelf;
   } catch {
-    return { autosave: null, kept: null };
+    return null;
   }
 }
 
@@ -82,9 +89,9 @@ async function main(): Promise<void> {
   const editor = new Editor();
   const full = new Engine(compiled);
   const control = new BuildControl(editor, new Engine(compiled), full);
-  const { autosave, kept } = await openStorage();
+  const keeper = new Keeper(editor, await openShelf());
   const segments = new SegmentControl(editor, () => new Engine(compiled));
-  const files = new Files(editor, full, { control, segments }, autosave);
+  const files = new Files(editor, full, { control, segments }, keeper);
   const choose = chooser(files);
   let paper: PaperControl | null = null;
   const held = listenToKeys({ editor, files, segments, paper: () => paper, choose });
@@ -93,7 +100,7 @@ async function main(): Promise<void> {
     paper = control_;
   };
   render(
-    <Page editor={editor} files={files} segments={segments} held={held} kept={kept} attachPaper={attachPaper} choose={choose} stop={() => control.stop()} />,
+    <Page editor={editor} files={files} segments={segments} held={held} keeper={keeper} attachPaper={attachPaper} choose={choose} stop={() => control.stop()} />,
     document.getElementById('page') as HTMLElement,
   );
   if (import.meta.env.PROD && 'serviceWorker' in navigator) void navigator.serviceWorker.register('./service_worker.js');

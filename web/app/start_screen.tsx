@@ -1,34 +1,99 @@
-import { type Document, emptyDocument } from '../document/document';
-import { t } from './catalogue';
+import { useEffect, useState } from 'preact/hooks';
+import type { Entry } from '../document/shelf';
+import { language, t } from './catalogue';
 import type { Files } from './files';
+import { Icon } from './icons';
+import type { Keeper } from './keeper';
 import { samples } from './samples';
 
 interface StartScreenProps {
   files: Files;
-  /** What was kept of the last visit. */
-  kept: Document | null;
+  keeper: Keeper;
   choose(): void;
 }
 
-export function StartScreen({ files, kept, choose }: StartScreenProps) {
+/** The address of a picture in memory, as long as it is shown. */
+function usePicture(bytes: Uint8Array | undefined): string | undefined {
+  const [url, setUrl] = useState<string>();
+  useEffect(() => {
+    if (!bytes) return undefined;
+    const made = URL.createObjectURL(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: 'image/png' }));
+    setUrl(made);
+    return () => URL.revokeObjectURL(made);
+  }, [bytes]);
+  return url;
+}
+
+function Card({ entry, open, remove }: { entry: Entry; open(): void; remove(): void }) {
+  const url = usePicture(entry.thumbnail);
+  const time = new Date(entry.time).toLocaleString(language, { dateStyle: 'medium', timeStyle: 'short' });
+  return (
+    <li>
+      <button type="button" data-kept={entry.id} title={time} onClick={open}>
+        {url ? <img src={url} alt="" width={150} height={120} /> : <span class="blank" />}
+        <span class="name">{entry.name}</span>
+        <span class="quiet small-print">{t('versionCount', { all: entry.versions.length })}</span>
+      </button>
+      <button type="button" class="bare throw-away" aria-label={t('removeDocument', { name: entry.name })} title={t('removeDocument', { name: entry.name })} onClick={remove}>
+        <Icon name="close" />
+      </button>
+    </li>
+  );
+}
+
+/** All documents that are kept, the last changed first. */
+function KeptDocuments({ entries, files, keeper, changed }: { entries: Entry[]; files: Files; keeper: Keeper; changed(): void }) {
+  const [removed, setRemoved] = useState<Entry | null>(null);
+  const remove = (entry: Entry): void => {
+    setRemoved(entry);
+    void keeper.remove(entry.id).then(changed);
+  };
+  const bringBack = ({ id }: Entry): void => {
+    setRemoved(null);
+    void keeper.bringBack(id).then(changed);
+  };
+  return (
+    <>
+      {entries.length > 0 && <h2>{t('shelf')}</h2>}
+      <ul class="samples kept">
+        {entries.map((entry) => (
+          <Card key={entry.id} entry={entry} open={() => void files.openKept(entry.id)} remove={() => remove(entry)} />
+        ))}
+      </ul>
+      {removed && (
+        <p role="status">
+          {t('removed', { name: removed.name })} <button type="button" id="bring-back" onClick={() => bringBack(removed)}>{t('bringBack')}</button>
+        </p>
+      )}
+    </>
+  );
+}
+
+export function StartScreen({ files, keeper, choose }: StartScreenProps) {
+  const [entries, setEntries] = useState<Entry[] | null>(null);
+  const look = (): void => void keeper.list().then(setEntries);
+  useEffect(look, []);
+  if (!entries) return null;
+  const [newest] = entries;
   return (
     <main class="start">
       <h1>{t('title')}</h1>
       <p class="tagline">{t('tagline')}</p>
       <div class="choices">
-        {kept && (
-          <button type="button" class="primary" id="go-on" onClick={() => void files.show(kept)}>
-            {t('goOn', { name: kept.name })}
+        {newest && (
+          <button type="button" class="primary" id="go-on" onClick={() => void files.openKept(newest.id)}>
+            {t('goOn', { name: newest.name })}
           </button>
         )}
-        <button type="button" class={kept ? '' : 'primary'} id="choose" onClick={choose}>
+        <button type="button" class={newest ? '' : 'primary'} id="choose" onClick={choose}>
           {t('openFile')}
         </button>
-        <button type="button" id="empty" onClick={() => void files.show(emptyDocument())}>
+        <button type="button" id="empty" onClick={() => void files.openEmpty()}>
           {t('emptyPage')}
         </button>
       </div>
       <p class="quiet">{t('dropHint')}</p>
+      <KeptDocuments entries={entries} files={files} keeper={keeper} changed={look} />
       <h2>{t('samples')}</h2>
       <ul class="samples">
         {samples.map(({ name, url }) => (

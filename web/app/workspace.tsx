@@ -12,11 +12,12 @@ import type { Tool, ToolHost } from '../tools/tool';
 import { swayingGif } from '../view/animation';
 import type { ModelView } from '../view/model_view';
 import { t } from './catalogue';
-import type { Editor, ToolName } from './editor';
+import type { Editor, EditorState, ToolName } from './editor';
 import { ExportPanel } from './export_panel';
 import type { Files } from './files';
 import { GapBar } from './gap_bar';
 import { Icon } from './icons';
+import type { Keeper } from './keeper';
 import { KeysPanel } from './keys_panel';
 import { ModelPane } from './model_pane';
 import { type PaperControl, PaperPane } from './paper_pane';
@@ -29,6 +30,7 @@ import type { HeldKeys } from './shortcuts';
 import { useStore } from './store';
 import { Toolbar, tools } from './toolbar';
 import { Tour } from './tour';
+import { VersionsPanel } from './versions_panel';
 
 function makeTools(host: ToolHost, scribbles: ScribbleHost): Record<ToolName, Tool> {
   const select = new SelectTool(host);
@@ -89,17 +91,27 @@ function scribbleHostOf(editor: Editor, segments: SegmentControl): ScribbleHost 
 
 function TopBar({ editor, files, segments, choose }: Pick<WorkspaceProps, 'editor' | 'files' | 'segments' | 'choose'>) {
   const { history, panel, saved } = useStore(editor);
-  const toggle = (name: 'keys' | 'export' | 'settings'): void => editor.set({ panel: panel === name ? 'none' : name });
+  const toggle = (name: EditorState['panel']): void => editor.set({ panel: panel === name ? 'none' : name });
+  const rename = (input: HTMLInputElement): void => {
+    const { document } = editor;
+    const name = input.value.trim();
+    if (name === '') input.value = document.name;
+    else if (name !== document.name) editor.edit('rename', { ...document, name });
+  };
   const savedText = { yes: t('saved'), no: t('notSaved'), failed: t('saveFailed') }[saved];
   return (
     <header class="top">
       <button type="button" class="bare brand" title={t('new')} onClick={() => editor.set({ open: false })}>{t('title')}</button>
-      <span class="document-name">{history.document.name}</span>
+      <input
+        class="title document-name" aria-label={t('documentName')} value={history.document.name} maxLength={80}
+        onChange={(event) => rename(event.currentTarget)}
+      />
       <span class={`saved ${saved}`} title={savedText}><span class="hidden">{savedText}</span></span>
       <span class="gap" />
       <button type="button" class="bare" id="undo" disabled={history.done.length === 0} title={`${t('undo')} (Ctrl Z)`} aria-label={t('undo')} onClick={() => segments.forgetWishes() || editor.undo()}><Icon name="undo" /></button>
       <button type="button" class="bare" id="redo" disabled={history.undone.length === 0} title={`${t('redo')} (Ctrl ⇧ Z)`} aria-label={t('redo')} onClick={() => editor.redo()}><Icon name="redo" /></button>
       <span class="gap" />
+      <button type="button" id="versions" aria-expanded={panel === 'versions'} onClick={() => toggle('versions')}>{t('versions')}</button>
       <button type="button" onClick={() => editor.set({ tourStep: 0 })}>{t('tour')}</button>
       <button type="button" aria-expanded={panel === 'keys'} onClick={() => toggle('keys')}>{t('keys')}</button>
       <button type="button" aria-expanded={panel === 'settings'} id="settings" onClick={() => toggle('settings')}>{t('settings')}</button>
@@ -130,6 +142,7 @@ function StatusBar({ editor }: { editor: Editor }) {
 interface WorkspaceProps {
   editor: Editor;
   files: Files;
+  keeper: Keeper;
   segments: SegmentControl;
   held: HeldKeys;
   attachPaper(paper: PaperControl): void;
@@ -137,7 +150,7 @@ interface WorkspaceProps {
   stop(): void;
 }
 
-export function Workspace({ editor, files, segments, held, attachPaper, choose, stop }: WorkspaceProps) {
+export function Workspace({ editor, files, keeper, segments, held, attachPaper, choose, stop }: WorkspaceProps) {
   const { panel } = useStore(editor);
   const paper = useRef<PaperControl | null>(null);
   const model = useRef<ModelView | null>(null);
@@ -170,6 +183,7 @@ export function Workspace({ editor, files, segments, held, attachPaper, choose, 
         <PartPanel editor={editor} />
       </aside>
       {panel === 'export' && <ExportPanel editor={editor} files={files} picture={picture} turntable={turntable} />}
+      {panel === 'versions' && <VersionsPanel editor={editor} keeper={keeper} />}
       {panel === 'settings' && <SettingsPanel editor={editor} />}
       {panel === 'keys' && <KeysPanel />}
       <Tour editor={editor} />

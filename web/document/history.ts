@@ -55,3 +55,38 @@ export function amend(history: History, next: Document): History {
   if (!last || !change) return history;
   return { ...history, document: next, done: [...history.done.slice(0, -1), squash(last, change)] };
 }
+
+/** A state on the way, and the change that led to it; null of the first. */
+export interface Position {
+  readonly document: Document;
+  readonly change: Change | null;
+}
+
+/** The last `most` states before the present one, it itself at `at`, and as many of those that were undone. */
+export function positionsOf(history: History, most: number): { positions: Position[]; at: number } {
+  const { done, undone, document } = history;
+  const first = Math.max(0, done.length - most);
+  const positions: Position[] = [{ document, change: done.at(-1) ?? null }];
+  for (let i = done.length - 1; i >= first; i--) {
+    const [after] = positions as [Position, ...Position[]];
+    positions.unshift({ document: apply(after.document, reverse(done[i] as Change)), change: done[i - 1] ?? null });
+  }
+  const at = positions.length - 1;
+  for (const change of [...undone].reverse().slice(0, most))
+    positions.push({ document: apply((positions.at(-1) as Position).document, change), change });
+  return { positions, at };
+}
+
+/** The history that leads through some states to the one at `at`. `labels`: of the steps to each state. */
+export function historyThrough(states: readonly Document[], labels: readonly string[], at: number): History {
+  const step = (to: number): Change | null =>
+    difference(labels[to] ?? '', states[to - 1] as Document, states[to] as Document);
+  const steps = (from: number, to: number): Change[] =>
+    Array.from({ length: Math.max(0, to - from) }, (_, i) => step(from + i + 1)).filter((change) => change !== null);
+  return {
+    document: states[at] as Document,
+    done: steps(0, at),
+    undone: steps(at, states.length - 1).reverse(),
+    gesture: null,
+  };
+}

@@ -188,3 +188,22 @@ export function drawPaper(
   if (content.showMarks && content.overlays) drawMarks(context, content.overlays, pixel);
   content.preview(context, pixel);
 }
+
+/** All of a document on a small canvas: its drawing with the outlines of its parts, or its parts. */
+export function drawStamp(context: CanvasRenderingContext2D, document: Document, picture: ImageBitmap | null): void {
+  const scale = context.canvas.width / document.width;
+  context.setTransform(scale, 0, 0, scale, 0, 0);
+  context.fillStyle = '#fffdf8';
+  context.fillRect(0, 0, document.width, document.height);
+  if (!picture) {
+    paintParts(context, document, 3 / scale);
+    return;
+  }
+  context.drawImage(picture, 0, 0, document.width, document.height);
+  for (const part of document.parts) {
+    tracePart(context, part.outline);
+    context.strokeStyle = marks.select;
+    context.lineWidth = 2.5 / scale;
+    context.stroke();
+  }
+}

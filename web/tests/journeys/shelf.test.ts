@@ -1,0 +1,172 @@
+import type { Page } from 'playwright-core';
+import { beforeEach, expect, it } from 'vitest';
+import { disc } from '../support/pictures.ts';
+import { names, pageView, type Spot } from './actions.ts';
+import { picture, reopen, settled, stageOfFile } from './browser.ts';
+import { killBrowser, shelfOf } from './storage.ts';
+
+const stage = stageOfFile({ anew: true });
+const edits = 50;
+// A small window: what counts here is what is kept.
+beforeEach(() => stage.page.setViewportSize({ width: 1200, height: 640 }));
+
+const stroke = Array.from({ length: 13 }, (_, i): Spot => [62 * Math.cos((i * Math.PI) / 6), 80 * Math.sin((i * Math.PI) / 6)]);
+
+/** Strokes, one part each, in rows. */
+async function drawParts(page: Page, from: number, to: number): Promise<void> {
+  const { at } = await pageView(page);
+  for (let i = from; i < to; i++) {
+    const [first, ...others] = stroke.map(([x, y]): Spot => at([x + 90 + 90 * (i % 10), y + 110 + 140 * Math.floor(i / 10)]));
+    await page.mouse.move(...(first as Spot));
+    await page.mouse.down();
+    for (const spot of others) await page.mouse.move(...spot);
+    await page.mouse.up();
+  }
+}
+
+/** Waits until all is kept. */
+async function kept(page: Page): Promise<void> {
+  await page.waitForTimeout(150);
+  await page.waitForSelector('.saved.yes');
+}
+
+async function rename(page: Page, name: string): Promise<void> {
+  await page.fill('.document-name', name);
+  await page.keyboard.press('Enter');
+}
+
+async function begin(page: Page, name: string, parts: number): Promise<void> {
+  await page.click('#empty');
+  await page.waitForSelector('.paper canvas');
+  await rename(page, name);
+  await drawParts(page, 0, parts);
+}
+
+it('keeps every step of two documents when the browser is killed, and opens both with their undo', async () => {
+  const { page } = stage;
+  await begin(page, 'first', edits - 1);
+  await page.click('.brand');
+  await begin(page, 'second', edits - 1);
+  // The last stroke is kept as fast as a hand could close the window.
+  await kept(page);
+  killBrowser(stage.profile);
+  await reopen(stage);
+  const all = await shelfOf(stage.page);
+  expect(all.map(({ name }) => name)).toEqual(['first', 'second']);
+  for (const { parts, done } of all) {
+    // The empty page, its name, and a version for every stroke.
+    expect(parts).toEqual([0, ...Array.from({ length: edits }, (_, i) => i)]);
+    expect(done.length).toBe(edits + 1);
+  }
+  await picture(stage.page, 'shelf');
+  for (const name of ['second', 'first']) {
+    await stage.page.click(`.samples.kept button:has-text("${name}")`);
+    await stage.page.waitForSelector('.parts li');
+    expect((await names(stage.page)).length).toBe(edits - 1);
+    for (let i = 0; i < edits; i++) await stage.page.keyboard.press('Control+z');
+    expect(await stage.page.locator('#undo').isDisabled()).toBe(true);
+    expect((await names(stage.page)).length).toBe(0);
+    for (let i = 0; i < edits; i++) await stage.page.keyboard.press('Control+Shift+z');
+    expect((await names(stage.page)).length).toBe(edits - 1);
+    await kept(stage.page);
+    await stage.page.click('.brand');
+  }
+  // To look at states that are kept already makes none.
+  expect((await shelfOf(stage.page)).map(({ parts }) => parts.length)).toEqual([edits + 1, edits + 1]);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('goes back to any version by a slider, which is a step that can be undone', async () => {
+  const { page } = stage;
+  await page.click('.samples.kept button:has-text("first")');
+  await page.waitForSelector('.parts li');
+  await page.click('#versions');
+  await page.locator('.versions input[type=range]').fill('11');
+  await page.waitForTimeout(300);
+  await picture(page, 'versions');
+  await page.click('#go-back');
+  expect((await names(page)).length).toBe(10);
+  await page.click('#undo');
+  expect((await names(page)).length).toBe(edits - 1);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('replaces nothing by opening, dropping or beginning anew, and brings back what was thrown away', async () => {
+  const { page } = stage;
+  const before = (await shelfOf(page)).length;
+  await begin(page, 'third', 2);
+  await page.setInputFiles('input[type=file]', { name: 'dropped.png', mimeType: 'image/png', buffer: Buffer.from(disc(300, 110, [200, 80, 60])) });
+  await page.waitForSelector('.scribble-bar');
+  await kept(page);
+  await page.click('.brand');
+  await page.click('#empty');
+  await page.click('.brand');
+  const all = await shelfOf(page);
+  // A page on which nothing was drawn is not kept.
+  expect(all.length).toBe(before + 2);
+  expect(all.find(({ name }) => name === 'third')?.parts.at(-1)).toBe(2);
+  const card = page.locator('.samples.kept li', { hasText: 'third' });
+  await card.locator('.throw-away').click();
+  await card.waitFor({ state: 'detached' });
+  await page.click('#bring-back');
+  await card.waitFor();
+  await card.locator('button').first().click();
+  await page.waitForSelector('.parts li');
+  expect((await names(page)).length).toBe(2);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('lets one tab at a time change a document; the other may take it over or copy it, and no stroke is lost', async () => {
+  const { page } = stage;
+  await begin(page, 'shared', 3);
+  await kept(page);
+  const second = await stage.context.newPage();
+  await second.goto(stage.url);
+  await second.click('.samples.kept button:has-text("shared")');
+  await second.waitForSelector('[role=alertdialog]');
+  await second.click('#take-over');
+  await second.waitForSelector('.parts li');
+  await page.waitForSelector('[data-standing=lost]');
+  await picture(page, 'taken-over');
+  await second.keyboard.press('2');
+  await drawParts(second, 3, 5);
+  await kept(second);
+  // What is drawn in the first goes on as a copy.
+  await drawParts(page, 5, 6);
+  await kept(page);
+  const mine = (await shelfOf(page)).filter(({ name }) => name.startsWith('shared'));
+  expect(mine.map(({ name, parts }) => [name, parts.at(-1)])).toEqual([['shared', 5], ['shared (copy)', 4]]);
+  await second.close();
+  await page.click('.brand');
+  await page.locator('.samples.kept .name', { hasText: /^shared$/ }).click();
+  await page.waitForSelector('.parts li');
+  expect((await names(page)).length).toBe(5);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('says that the storage is full until it is not, offers to save, and loses nothing', async () => {
+  const { page } = stage;
+  await begin(page, 'full', 1);
+  await kept(page);
+  const session = await page.context().newCDPSession(page);
+  const origin = new URL(stage.url).origin;
+  await session.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: 1 });
+  await drawParts(page, 1, 3);
+  await page.waitForSelector('[data-standing=unkept]');
+  await picture(page, 'storage-full');
+  const [file] = await Promise.all([page.waitForEvent('download'), page.click('#save-now')]);
+  expect(file.suggestedFilename()).toBe('full.relievo');
+  const asked = page.waitForEvent('dialog');
+  const leaving = page.close({ runBeforeUnload: true });
+  const dialog = await asked;
+  expect(dialog.type()).toBe('beforeunload');
+  await dialog.dismiss();
+  await leaving;
+  await session.send('Storage.overrideQuotaForOrigin', { origin });
+  await page.waitForFunction(() => !document.querySelector('[data-standing]'), undefined, { timeout: 15_000 });
+  await kept(page);
+  expect((await shelfOf(page)).find(({ name }) => name === 'full')?.parts.at(-1)).toBe(3);
+  await session.detach();
+  await settled(page);
+  expect(stage.troubles).toEqual([]);
+});

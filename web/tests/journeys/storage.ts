@@ -1,0 +1,48 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import type { Page } from 'playwright-core';
+
+/** What the browser's storage holds, read past the editor. */
+export interface KeptEntry {
+  id: string;
+  name: string;
+  versions: { number: number }[];
+  done: number[];
+  undone: number[];
+  /** The number of parts in every version, oldest first. */
+  parts: number[];
+}
+
+/** Every document of the shelf, by name. */
+export function shelfOf(page: Page): Promise<KeptEntry[]> {
+  return page.evaluate(async () => {
+    const asked = <T>(request: IDBRequest<T>): Promise<T> =>
+      new Promise((resolve, reject) => {
+        request.onsuccess = () => resolve(request.result);
+        request.onerror = () => reject(new Error('no storage'));
+      });
+    const database = await asked(indexedDB.open('relievo'));
+    const transaction = database.transaction(['entries', 'versions']);
+    const entries = await asked<KeptEntry[]>(transaction.objectStore('entries').getAll());
+    const versions = await asked<{ id: string; fields: { parts: string } }[]>(transaction.objectStore('versions').getAll());
+    database.close();
+    return entries
+      .map(({ id, name, versions: notes, done, undone }) => ({
+        id, name, versions: notes, done, undone,
+        parts: versions.filter((version) => version.id === id).map(({ fields }) => (JSON.parse(fields.parts) as unknown[]).length),
+      }))
+      .sort((a, b) => a.name.localeCompare(b.name));
+  });
+}
+
+/** Ends the browser of a profile as a crash does: at once, without a word. */
+export function killBrowser(profile: string): void {
+  for (const name of readdirSync('/proc').filter((entry) => /^\d+$/.test(entry))) {
+    let words: string[];
+    try {
+      words = readFileSync(`/proc/${name}/cmdline`, 'utf8').split('\0');
+    } catch {
+      continue;
+    }
+    if (words.includes(`--user-data-dir=${profile}`) && !words.some((word) => word.startsWith('--type='))) process.kill(Number(name), 'SIGKILL');
+  }
+}
