@@ -1,9 +1,16 @@
 #!/bin/sh
-# Builds everything and runs every test: first under the address and undefined-behaviour
-# sanitizers, then the editor's, and last optimised, with the linter and a program built against
-# the installed package.
+# Builds the program and the editor and runs their tests. With --all, as CI does, also all tests
+# under the address and undefined-behaviour sanitizers, the long surveys, the linter and a program
+# built against the installed package.
 set -eu
 cd "$(dirname "$0")"
+# Comparisons with slow reference solvers and many random scenes.
+surveys='^JointReferences|^Lambda/RandomScenes'
+case "${1:-}" in
+  "") preset=test left_out="$surveys|^consumer\$|^lint\$" ;;
+  --all) preset=dev left_out='^$' ;;
+  *) echo "usage: $0 [--all]" >&2; exit 2 ;;
+esac
 jobs=$(nproc 2> /dev/null || echo 2)
 
 scripts/install-packages.sh test
@@ -12,19 +19,21 @@ if command -v npm > /dev/null; then
     echo "No glTF validator from npm; the tests that need it are skipped." >&2
 fi
 
-cmake --preset asan > /dev/null
-cmake --build build/asan -j "$jobs"
-# Comparisons with slow reference solvers tell nothing more here; they run below.
-UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=detect_stack_use_after_return=1 \
-  LSAN_OPTIONS=suppressions=$PWD/tests/leaks.supp:print_suppressions=0 \
-  ctest --test-dir build/asan -j "$jobs" --output-on-failure --no-tests=error \
-  -E '^JointReferences|^Lambda/RandomScenes'
+if [ "$preset" = dev ]; then
+  cmake --preset asan > /dev/null
+  cmake --build build/asan -j "$jobs"
+  # The surveys tell nothing more here; they run below.
+  UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=detect_stack_use_after_return=1 \
+    LSAN_OPTIONS=suppressions=$PWD/tests/leaks.supp:print_suppressions=0 \
+    ctest --test-dir build/asan -j "$jobs" --output-on-failure --no-tests=error -E "$surveys"
+fi
 
-cmake --preset dev > /dev/null
-cmake --build build/dev -j "$jobs"
+cmake --preset "$preset" > /dev/null
+cmake --build "build/$preset" -j "$jobs"
 
 # The editor: its modules, its engine against the command line, and journeys in a real browser.
 scripts/build-web.sh
+export RELIEVO="$PWD/build/$preset/apps/cli/relievo"
 (cd web && npm run --silent test && npm run --silent journeys)
 
-ctest --test-dir build/dev -j "$jobs" --output-on-failure --no-tests=error
+ctest --test-dir "build/$preset" -j "$jobs" --output-on-failure --no-tests=error -E "$left_out"

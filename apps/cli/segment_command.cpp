@@ -20,10 +20,8 @@
 #include "io/scribbles/scribble_image.h"
 #include "io/svg/paintable_svg.h"
 #include "kernel/base/stopwatch.h"
-#include "relief/drawing/label_colours.h"
 #include "relief/drawing/segment_drawing.h"
-#include "relief/pipeline/keep_labels.h"
-#include "relief/pipeline/propose_scene.h"
+#include "relief/pipeline/understand_drawing.h"
 
 namespace relievo::cli {
 namespace {
@@ -39,16 +37,12 @@ Result<SegmentInput> from_project(const InputFile& file) {
   if (!project->segmentation)
     return Error{ErrorCode::bad_input, "is a project of a layered drawing, which has its parts",
                  ""};
-  SegmentationRecord& record = *project->segmentation;
   SegmentInput input;
   input.drawing = std::move(project->drawing);
-  input.labels = std::move(record.labels);
-  input.scribbles = std::move(record.scribbles);
-  input.corrections = std::move(record.corrections);
+  input.record = std::move(*project->segmentation);
   input.name = std::move(project->name);
   input.other_keys = std::move(project->other_keys);
-  for (const PartRecord& part : record.parts) input.edited.label_of[part.id] = part.label;
-  input.edited.scene = std::move(project->scene);
+  input.scene = std::move(project->scene);
   return input;
 }
 
@@ -97,7 +91,7 @@ Status read_labels(const std::string& name, SegmentInput& input) {
   if (!bytes) return bytes.error();
   auto labels = decode_png_values(*bytes);
   if (!labels) return in_file(labels.error(), name);
-  input.labels = std::move(*labels);
+  input.record.labels = std::move(*labels);
   return Done{};
 }
 
@@ -117,13 +111,10 @@ Result<Scribbles> load_scribbles(const std::string& name, const Image8& pixels) 
 /// Labels from the pixels. Parts that were scribbled keep their names, those of a project their
 /// labels and what was said of them.
 Status find_labels(SegmentInput& input, const RunContext& context) {
-  auto found = segment_drawing(Drawing{input.pixels}, input.scribbles, {}, context);
+  auto found = segment_drawing(Drawing{input.pixels}, input.record.scribbles, {}, context);
   if (!found) return found.error();
-  KeptLabels kept = keep_labels(*found, {std::move(input.labels), input.edited.label_of});
-  name_scribbled(*found, kept, input.corrections);
-  input.corrections = corrections_of(kept.labels, input.corrections, ProposalOptions().min_pixels);
+  input.record = relabel(*found, std::move(input.record)).record;
   for (Bridge& bridge : found->bridges) input.bridges.push_back(std::move(bridge.points));
-  input.labels = std::move(kept.labels);
   input.notes = std::move(found->notes);
   return Done{};
 }
@@ -132,11 +123,11 @@ Status find_labels(SegmentInput& input, const RunContext& context) {
 Status choose_labels(const SegmentArguments& segment, SegmentInput& input,
                      const RunContext& context) {
   if (!segment.labels.empty()) return read_labels(segment.labels, input);
-  if (segment.scribbles.empty() && !input.labels.empty()) return Done{};
+  if (segment.scribbles.empty() && !input.record.labels.empty()) return Done{};
   if (!segment.scribbles.empty()) {
     auto scribbles = load_scribbles(segment.scribbles, input.pixels);
     if (!scribbles) return scribbles.error();
-    input.scribbles = std::move(*scribbles);
+    input.record.scribbles = std::move(*scribbles);
   }
   return find_labels(input, context);
 }
@@ -150,7 +141,8 @@ Result<SegmentInput> load(const SegmentArguments& segment, const RunContext& con
   if (!pixels) return in_file(pixels.error(), file->name);
   input->pixels = std::move(*pixels);
   if (Status status = choose_labels(segment, *input, context); !status) return status.error();
-  if (input->labels.width != input->pixels.width || input->labels.height != input->pixels.height)
+  const Image16& labels = input->record.labels;
+  if (labels.width != input->pixels.width || labels.height != input->pixels.height)
     return Error{ErrorCode::bad_input,
                  "must be as large as the drawing, " + std::to_string(input->pixels.width) + " x " +
                      std::to_string(input->pixels.height) + " pixels",
@@ -207,26 +199,27 @@ Result<Files> scene_files(const SegmentArguments& segment, const SegmentInput& i
 }
 
 Result<Files> project_files(const SegmentArguments& segment, const SegmentInput& input,
-                            const Proposal& proposal, const Scene& scene) {
-  auto bytes = encode_project(project_of(input, proposal, scene));
+                            const Understanding& understanding) {
+  auto bytes = encode_project(project_of(input, understanding));
   if (!bytes) return bytes.error();
   return Files{{segment.output, std::move(*bytes)}};
 }
 
 /// Every file that the command writes.
 Result<Files> files_of(const SegmentArguments& segment, const SegmentInput& input,
-                       const Proposal& proposal, const Scene& scene, double milliseconds) {
-  auto files = is_project_name(segment.output) ? project_files(segment, input, proposal, scene)
-                                               : scene_files(segment, input, scene);
+                       const Understanding& understanding, double milliseconds) {
+  auto files = is_project_name(segment.output) ? project_files(segment, input, understanding)
+                                               : scene_files(segment, input, understanding.scene);
   if (!files) return files.error();
   if (!segment.overlay.empty()) {
-    auto overlay = draw_overlay(scene, {input.bridges, {}}, input.pixels);
+    auto overlay = draw_overlay(understanding.scene, {input.bridges, {}}, input.pixels);
     if (!overlay) return overlay.error();
     files->push_back({segment.overlay, std::move(*overlay)});
   }
   if (!segment.report.empty())
-    files->push_back({segment.report, bytes_of(write_segment_report(segment.common.input, proposal,
-                                                                    milliseconds))});
+    files->push_back(
+        {segment.report, bytes_of(write_segment_report(segment.common.input, understanding.proposal,
+                                                       milliseconds))});
   return files;
 }
 
@@ -236,22 +229,6 @@ std::string summary(const Scene& scene) {
   return std::to_string(scene.parts.size()) + " parts, " + std::to_string(scene.joins.size()) +
          " joins, " + std::to_string(scene.relations.size()) + " relations" +
          (leaning > 0 ? ", " + std::to_string(leaning) + " leaning" : "");
-}
-
-/// The proposed scene with the parts that were removed and drawn by hand in the project.
-Result<Scene> edited_scene(SegmentInput& input, Proposal& proposal) {
-  if (input.edited.scene.parts.empty() && input.edited.label_of.empty()) return proposal.scene;
-  const std::vector<std::string>& scribbled = input.scribbles.parts;
-  input.edited.scribbled.insert(scribbled.begin(), scribbled.end());
-  avoid_drawn_names(input.edited, proposal.scene);
-  std::vector<PartLabel> labels;
-  for (const int part : proposal.stacking.back_to_front)
-    labels.push_back(proposal.regions.labels[part]);
-  Scene scene = keep_edits(proposal.scene, labels, input.edited);
-  if (scene.parts.empty())
-    return Error{ErrorCode::bad_input, "has no parts left: all were removed in the project", ""};
-  if (Status status = validate(scene); !status) return status.error();
-  return scene;
 }
 
 }  // namespace
@@ -271,18 +248,17 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
   auto loaded = load(segment, context);
   if (!loaded) return loaded.error();
   const Stopwatch watch;
-  ProposalOptions options;
-  options.joining.colours = label_colours(loaded->pixels, loaded->labels);
-  auto proposal = propose_scene(loaded->labels, loaded->corrections, options, context);
-  if (!proposal) return proposal.error();
-  const auto scene = edited_scene(*loaded, *proposal);
-  if (!scene) return scene.error();
-  const auto files = files_of(segment, *loaded, *proposal, *scene, watch.milliseconds());
+  const auto understood =
+      understand_drawing(loaded->pixels, loaded->record, loaded->scene, {}, context);
+  if (!understood) return understood.error();
+  if (understood->scene.parts.empty())
+    return Error{ErrorCode::bad_input, "has no parts left: all were removed in the project", ""};
+  const auto files = files_of(segment, *loaded, *understood, watch.milliseconds());
   if (!files) return files.error();
   if (Status status = save(*files, inputs, interruption); !status) return status;
   print_warnings(loaded->notes, quiet);
-  print_warnings(proposal->warnings, quiet);
-  print_note(summary(*scene), quiet);
+  print_warnings(understood->proposal.warnings, quiet);
+  print_note(summary(understood->scene), quiet);
   for (const OutputFile& file : *files) print_result(file.path.string(), quiet);
   return Done{};
 }

@@ -7,22 +7,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* name(CompletionKind kind) {
-  switch (kind) {
-    case CompletionKind::whole:
-      return "whole";
-    case CompletionKind::ellipse:
-      return "ellipse";
-    case CompletionKind::continuation:
-      return "continuation";
-    case CompletionKind::membrane:
-      return "membrane";
-    case CompletionKind::given:
-      return "given";
-  }
-  return "";
-}
-
 class ReportWriter {
  public:
   explicit ReportWriter(const Proposal& proposal) : proposal_(proposal) {}
@@ -66,7 +50,7 @@ class ReportWriter {
     for (const ProposedRelation& relation : proposal_.joining.relations)
       list.push_back({{"upper", id(relation.relation.upper)},
                       {"lower", id(relation.relation.lower)},
-                      {"relation", relievo::name(relation.relation.kind)},
+                      {"relation", name(relation.relation.kind)},
                       {"source", relation.user ? "user" : "guess"}});
     return list;
   }

@@ -8,13 +8,11 @@
 #include "io/image/png_decode.h"
 #include "io/image/png_encode.h"
 #include "io/project/project_json.h"
-#include "io/project/record_proposal.h"
+#include "io/scene/read_scene.h"
 #include "io/scene/write_scene.h"
 #include "relief/drawing/find_basins.h"
 #include "relief/drawing/label_basins.h"
-#include "relief/drawing/label_colours.h"
-#include "relief/pipeline/keep_labels.h"
-#include "relief/pipeline/propose_scene.h"
+#include "relief/pipeline/understand_drawing.h"
 
 namespace relievo::wasm {
 namespace {
@@ -31,25 +29,26 @@ Result<Project> read_project(const std::string& text) {
   return project;
 }
 
-KnownParts known_parts(const SegmentationRecord& record, const Image16& labels) {
-  KnownParts known{labels, {}};
-  for (const PartRecord& part : record.parts) known.label_of[part.id] = part.label;
-  return known;
+/// The scene in a text; without parts where the text is empty.
+Result<Scene> read_edited(const std::string& text) {
+  if (text.empty()) return Scene{};
+  auto scene = read_scene(text);
+  return scene ? std::move(scene) : in_file(scene.error(), "scene.json");
 }
 
-val parts_of(const Segmentation& found, const KeptLabels& kept) {
+val parts_of(const Segmentation& found, const std::vector<PartLabel>& label_of) {
   val list = val::array();
   for (size_t k = 0; k < found.parts.size(); ++k) {
     val part = val::object();
-    part.set("label", kept.label_of[k]);
+    part.set("label", label_of[k]);
     part.set("id", found.parts[k].id);
     list.set(k, part);
   }
   return list;
 }
 
-val bridges_of(const Segmentation& found, const KeptLabels& kept) {
-  const auto label = [&kept](uint16_t k) { return k == 0 ? 0 : int{kept.label_of[k - 1]}; };
+val bridges_of(const Segmentation& found, const std::vector<PartLabel>& label_of) {
+  const auto label = [&label_of](uint16_t k) { return k == 0 ? 0 : int{label_of[k - 1]}; };
   val list = val::array();
   for (size_t k = 0; k < found.bridges.size(); ++k) {
     std::vector<float> points;
@@ -70,7 +69,7 @@ val bridges_of(const Segmentation& found, const KeptLabels& kept) {
 struct Segmenter::Labelled {
   Project project;
   Segmentation found;
-  KeptLabels kept;
+  std::vector<PartLabel> label_of;  ///< [parts of the segmentation]
 };
 
 val Segmenter::open_png(const val& file) {
@@ -110,49 +109,49 @@ Result<Segmenter::Labelled> Segmenter::read(const std::string& project, const va
   auto known = read_project(project);
   if (!known) return known.error();
   if (Status status = remember(last); !status) return status.error();
-  auto found = label_basins(basins_, known->segmentation->scribbles);
+  SegmentationRecord& record = *known->segmentation;
+  record.labels = last_labels_;
+  auto found = label_basins(basins_, record.scribbles);
   if (!found) return found.error();
-  KeptLabels kept = keep_labels(*found, known_parts(*known->segmentation, last_labels_));
-  return Labelled{std::move(*known), std::move(*found), std::move(kept)};
+  Relabelling relabelled = relabel(*found, std::move(record));
+  record = std::move(relabelled.record);
+  return Labelled{std::move(*known), std::move(*found), std::move(relabelled.label_of)};
 }
 
 val Segmenter::label(const std::string& project, const val& last) {
   const auto labelled = read(project, last);
   if (!labelled) return failure(labelled.error());
   val result = val::object();
-  result.set("labels", to_js(labelled->kept.labels.pixels));
-  result.set("parts", parts_of(labelled->found, labelled->kept));
-  result.set("bridges", bridges_of(labelled->found, labelled->kept));
+  result.set("labels", to_js(labelled->project.segmentation->labels.pixels));
+  result.set("parts", parts_of(labelled->found, labelled->label_of));
+  result.set("bridges", bridges_of(labelled->found, labelled->label_of));
   result.set("notes", to_js(labelled->found.notes));
   return result;
 }
 
-val Segmenter::propose(const std::string& text, const val& last) {
+val Segmenter::propose(const std::string& text, const val& last, const std::string& edited_text) {
   auto labelled = read(text, last);
   if (!labelled) return failure(labelled.error());
-  ProposalOptions options;
-  options.joining.colours = label_colours(drawing_.rgba, labelled->kept.labels);
-  SegmentationRecord& before = *labelled->project.segmentation;
-  name_scribbled(labelled->found, labelled->kept, before.corrections);
-  const Corrections corrections =
-      corrections_of(labelled->kept.labels, before.corrections, options.min_pixels);
-  const auto proposal = propose_scene(labelled->kept.labels, corrections, options);
-  if (!proposal) return failure(proposal.error());
-  const auto scene = write_scene(proposal->scene);
-  if (!scene) return failure(scene.error());
-  const auto labels = encode_png(labelled->kept.labels);
+  const auto edited = read_edited(edited_text);
+  if (!edited) return failure(edited.error());
+  SegmentationRecord& record = *labelled->project.segmentation;
+  auto understood = understand_drawing(drawing_.rgba, record, *edited);
+  if (!understood) return failure(understood.error());
+  record = std::move(understood->record);
+  const auto labels = encode_png(record.labels);
   if (!labels) return failure(labels.error());
-  SegmentationRecord record =
-      record_proposal(proposal->regions, proposal->completion, proposal->stacking,
-                      proposal->joining, proposal->scene);
-  record.scribbles = std::move(before.scribbles);
-  record.corrections = corrections;
-  before = std::move(record);
+  std::string scene;
+  if (!understood->scene.parts.empty()) {
+    auto written = write_scene(understood->scene);
+    if (!written) return failure(written.error());
+    scene = std::move(*written);
+  }
   std::vector<std::string> warnings = labelled->found.notes;
-  warnings.insert(warnings.end(), proposal->warnings.begin(), proposal->warnings.end());
+  const std::vector<std::string>& more = understood->proposal.warnings;
+  warnings.insert(warnings.end(), more.begin(), more.end());
   val result = val::object();
   result.set("project", write_project_json(labelled->project));
-  result.set("scene", *scene);
+  result.set("scene", scene);
   result.set("labels", to_js(*labels));
   result.set("warnings", to_js(warnings));
   return result;

@@ -25,12 +25,15 @@ class Segmenter {
 
   /// {labels, parts: [{label, id}], bridges: [{points, left, right}], notes}: the label of every
   /// pixel under the strokes, and the gaps in lines that are closed, with the labels beside them.
-  /// See label_basins, keep_labels and Bridge.
+  /// See label_basins, relabel and Bridge.
   emscripten::val label(const std::string& project, const emscripten::val& last);
 
-  /// {project, scene, labels, warnings}: all that follows from strokes and corrections, as texts of
-  /// a project.json and a scene file and as a labels.png. See propose_scene.
-  emscripten::val propose(const std::string& project, const emscripten::val& last);
+  /// {project, scene, labels, warnings}: all that follows from strokes, corrections and what was
+  /// done to the scene, as texts of a project.json and a scene file and as a labels.png. `edited`
+  /// is the text of the scene file as it is now. Texts of scenes without parts are empty. See
+  /// understand_drawing.
+  emscripten::val propose(const std::string& project, const emscripten::val& last,
+                          const std::string& edited);
 
  private:
   struct Labelled;

@@ -1,7 +1,7 @@
 import type { Document, DrawingSource, Point } from '../document/document';
 import type { Gap } from '../document/gaps';
 import { type Corrections, recordText, type Scribbles } from '../document/segmentation';
-import { adopt, canScribble, segmentationOf } from '../document/scribbling';
+import { adopt, canScribble, questionOf, segmentationOf } from '../document/scribbling';
 import { type Engine, EngineStopped } from '../engine/engine';
 import {
   type Failure, type FlatDrawing, isFailure, type SegmentationRequest, type TintedLabels, told,
@@ -109,7 +109,7 @@ export class SegmentControl {
 
   /** Finds the parts of a drawing that has none yet. */
   async guess(document: Document): Promise<Understanding | Failure> {
-    return this.thinker.ask(document, (engine) => engine.understand(requestOf(document)));
+    return this.thinker.ask(document, (engine) => engine.understand(questionOf(document)));
   }
 
   /** Shows the labels of a document that is only being made; the newest one wins. */
@@ -162,7 +162,7 @@ export class SegmentControl {
 
   private async rethink(document: Document): Promise<void> {
     try {
-      const understood = await this.thinker.ask(document, (engine) => engine.understand(requestOf(document)));
+      const understood = await this.thinker.ask(document, (engine) => engine.understand(questionOf(document)));
       if (this.reordered !== document || this.editor.document !== document) return;
       this.reordered = null;
       if (isFailure(understood)) this.editor.set({ notice: told(understood.error) });
@@ -223,7 +223,7 @@ export class SegmentControl {
     try {
       const changed = wish.change(document);
       const understood =
-        changed === document ? null : await this.thinker.ask(changed, (engine) => engine.understand(requestOf(changed)));
+        changed === document ? null : await this.thinker.ask(changed, (engine) => engine.understand(questionOf(changed)));
       if (this.wishes[0] !== wish) return;
       if (understood && this.editor.document !== document) return;
       this.wishes.shift();

@@ -1,7 +1,7 @@
 import type { Document, Part, Point, Ring } from './document';
 import { contains, distance } from './outline';
-import { sceneContent } from './scene_text';
-import { emptySegmentation, freshLabel, labelOf, recordFrom, type Scribbles, type Segmentation, type Stroke } from './segmentation';
+import { sceneContent, sceneText } from './scene_text';
+import { emptySegmentation, freshLabel, labelOf, recordFrom, recordText, type Scribbles, type Segmentation, type Stroke } from './segmentation';
 
 /** Every verb of scribbling: a document in, a document out. Strokes stay editable for ever. */
 
@@ -146,56 +146,32 @@ export interface Understood {
   readonly labels: Uint8Array;
 }
 
-/** Puts the parts that were drawn by hand between those that they lay between. */
-function withDrawn(document: Document, drawn: ReadonlySet<string>, parts: readonly Part[]): Part[] {
-  const result = [...parts];
-  let at = 0;
-  for (const part of document.parts) {
-    if (drawn.has(part.id)) result.splice(at++, 0, part);
-    else {
-      const place = result.findIndex((other) => other.id === part.id);
-      if (place >= at) at = place + 1;
-    }
-  }
-  return result;
-}
-
 /** `old` where it says the same, so that nothing is built anew. */
 function unlessSame<T>(found: T, old: T): T {
   return JSON.stringify(found) === JSON.stringify(old) ? old : found;
 }
 
-/** The document as it is understood now. Parts that were removed stay away, drawn ones stay. */
+/** What the engine is asked to understand: the drawing's record and the scene as it was edited. */
+export function questionOf(document: Document): { project: string; labels: Uint8Array; edited: string } {
+  const segmentation = segmentationOf(document);
+  const edited = document.parts.length === 0 ? '' : sceneText(document);
+  return { project: recordText(segmentation), labels: segmentation.labels, edited };
+}
+
+const nothing = { parts: [], joins: [], relations: [], robin: [], cues: [] };
+
+/** The document as the engine understands it now; see questionOf. */
 export function adopt(document: Document, understood: Understood): Document {
-  const before = segmentationOf(document);
-  const there = new Set(document.parts.map((part) => part.id));
-  const named = new Set(before.parts.map((part) => part.id));
-  const scribbled = new Set(before.scribbles.parts);
-  const removed = new Set(
-    before.parts.filter(({ id }) => document.segmentation !== null && !there.has(id) && !scribbled.has(id)).map((part) => part.label),
-  );
-  const drawn = new Set(document.parts.filter((part) => !named.has(part.id)).map((part) => part.id));
-  const record = recordFrom(understood.project);
-  const scene = sceneContent(understood.scene);
-  const gone = new Set(record.parts.filter((part) => removed.has(part.label)).map((part) => part.id));
-  const parts = withDrawn(document, drawn, scene.parts.filter((part) => !gone.has(part.id)));
-  const place = new Map(parts.map((part, i) => [part.id, i] as const));
-  type Pair = { readonly upper: string; readonly lower: string };
-  const sound = ({ upper, lower }: Pair): boolean => (place.get(upper) ?? -1) > (place.get(lower) ?? Infinity);
-  const both = <T extends Pair>(found: readonly T[], old: readonly T[]): readonly T[] => [
-    ...found.filter(sound),
-    ...old.filter((pair) => (drawn.has(pair.upper) || drawn.has(pair.lower)) && sound(pair)),
-  ];
+  const found = understood.scene === '' ? nothing : sceneContent(understood.scene);
+  const named = new Set(segmentationOf(document).parts.map((part) => part.id));
+  const drawn = new Map(document.parts.filter(({ id }) => !named.has(id)).map((part) => [part.id, part]));
   return {
     ...document,
-    parts: unlessSame<readonly Part[]>(parts, document.parts),
-    joins: unlessSame(both(scene.joins, document.joins), document.joins),
-    relations: unlessSame(both(scene.relations, document.relations), document.relations),
-    robin: unlessSame(both(scene.robin, document.robin), document.robin),
-    cues: unlessSame(
-      [...scene.cues.filter((cue) => place.has(cue.part)), ...document.cues.filter((cue) => drawn.has(cue.part))],
-      document.cues,
-    ),
-    segmentation: { ...record, labels: understood.labels },
+    parts: unlessSame(found.parts.map((part) => drawn.get(part.id) ?? part), document.parts),
+    joins: unlessSame(found.joins, document.joins),
+    relations: unlessSame(found.relations, document.relations),
+    robin: unlessSame(found.robin, document.robin),
+    cues: unlessSame(found.cues, document.cues),
+    segmentation: { ...recordFrom(understood.project), labels: understood.labels },
   };
 }

@@ -2,7 +2,7 @@ import * as Comlink from 'comlink';
 import type { EngineEndpoint } from './engine_worker';
 import type {
   BuiltRelief, ExportFormat, Failure, Files, FlatDrawing, LayersImport, MapKind, OutputFile, Progress,
-  SegmentationRequest, Surface, SvgImport, Texture, TintedLabels, Understanding,
+  SegmentationRequest, Surface, SvgImport, Texture, TintedLabels, Understanding, UnderstandingRequest,
 } from './messages';
 import type { BuildRequest, SurfaceRequest } from './relief_service';
 
@@ -69,7 +69,7 @@ export class Engine {
     return this.call(async (remote) => await remote.label(request, width, height));
   }
 
-  understand(request: SegmentationRequest): Promise<Understanding | Failure> {
+  understand(request: UnderstandingRequest): Promise<Understanding | Failure> {
     return this.call(async (remote) => await remote.understand(request));
   }
 

@@ -1,7 +1,7 @@
 import * as Comlink from 'comlink';
 import {
   type BuiltRelief, type Failure, type FlatDrawing, isFailure, type OutputFile, type Progress, type SegmentationRequest,
-  type Surface, type Texture, type TintedLabels,
+  type Surface, type Texture, type TintedLabels, type UnderstandingRequest,
 } from './messages';
 import { type BuildRequest, ReliefService, type SurfaceRequest } from './relief_service';
 import { tintOf } from './tint';
@@ -51,7 +51,7 @@ const endpoint = {
     const tint = await createImageBitmap(tintOf(labelled.labels, width, height));
     return Comlink.transfer({ tint, bridges: labelled.bridges }, [tint]);
   },
-  async understand(request: SegmentationRequest) {
+  async understand(request: UnderstandingRequest) {
     return (await started()).understand(request);
   },
   async checkSegmentation(request: SegmentationRequest) {

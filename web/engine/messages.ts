@@ -127,6 +127,11 @@ export interface SegmentationRequest {
   labels: Uint8Array;
 }
 
+export interface UnderstandingRequest extends SegmentationRequest {
+  /** Text of a scene file: what was made of it before and edited since; empty where no part is. */
+  edited: string;
+}
+
 export interface Labelled {
   /** The label of every pixel, 0 where there is no part. */
   labels: Uint16Array<ArrayBuffer>;
@@ -142,11 +147,11 @@ export interface TintedLabels {
   bridges: Labelled['bridges'];
 }
 
-/** All that follows from strokes and corrections. */
+/** All that follows from strokes, corrections and edits. */
 export interface Understanding {
   /** Text of a project.json. */
   project: string;
-  /** Text of a scene file; its canvas is the drawing. */
+  /** Text of a scene file; its canvas is the drawing. Empty where there is no part. */
   scene: string;
   /** A PNG file. */
   labels: Uint8Array<ArrayBuffer>;

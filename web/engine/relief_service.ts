@@ -18,6 +18,7 @@ import {
   type SvgImport,
   type Texture,
   type Understanding,
+  type UnderstandingRequest,
   type Visibility,
 } from './messages';
 
@@ -72,8 +73,8 @@ export class ReliefService {
     return this.segmenter.label(project, labels);
   }
 
-  understand({ project, labels }: SegmentationRequest): Understanding | Failure {
-    return this.segmenter.propose(project, labels);
+  understand({ project, labels, edited }: UnderstandingRequest): Understanding | Failure {
+    return this.segmenter.propose(project, labels, edited);
   }
 
   checkSegmentation({ project, labels }: SegmentationRequest): object | Failure {

@@ -20,7 +20,7 @@ declare module '#relievo' {
     openPng(file: Uint8Array): object | Failure;
     openPixels(rgba: Uint8Array, width: number, height: number): object | Failure;
     label(project: string, last: Uint8Array): Labelled | Failure;
-    propose(project: string, last: Uint8Array): Understanding | Failure;
+    propose(project: string, last: Uint8Array, edited: string): Understanding | Failure;
     delete(): void;
   }
 

@@ -6,12 +6,8 @@
 #include <vector>
 
 #include "io/files/bytes.h"
-#include "kernel/image/image.h"
-#include "relief/completion/completion.h"
-#include "relief/corrections/corrections.h"
-#include "relief/drawing/scribbles.h"
+#include "relief/corrections/segmentation_record.h"
 #include "relief/scene/scene.h"
-#include "relief/stacking/stacking.h"
 
 namespace relievo {
 
@@ -21,30 +17,6 @@ struct ProjectDrawing {
   std::string kind = "image";  ///< "image" or "svg"
   std::string mime;            ///< "image/png", "image/jpeg" or "image/svg+xml"
   Bytes bytes;                 ///< untouched
-};
-
-/// How a part came to be.
-struct PartRecord {
-  PartLabel label = 0;
-  std::string id;
-  CompletionKind completion = CompletionKind::whole;
-};
-
-/// A join and how sure it is; its line is in the scene.
-struct JoinRecord {
-  PartLabel upper = 0;
-  PartLabel lower = 0;
-  double confidence = 0;
-};
-
-/// How a flat drawing was understood, and what the user said about it.
-struct SegmentationRecord {
-  Image16 labels;  ///< a pixel's part, 0 is background
-  Scribbles scribbles;
-  Corrections corrections;
-  std::vector<PartRecord> parts;  ///< back to front
-  std::vector<OrderArrow> order;  ///< between labels
-  std::vector<JoinRecord> joins;
 };
 
 /// What a project file holds [docs/project.md].

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "io/project/project_json.h"
-#include "io/project/project_names.h"
 #include "io/scene/annotation_reader.h"
 #include "io/scene/json_parse.h"
 #include "io/scribbles/scribbles_json.h"
@@ -76,16 +75,14 @@ class ProjectReader final : public AnnotationReader {
 
   int part_reference(const Json& json, const JsonPath& path) override { return label(json, path); }
 
-  template <class Value, size_t size>
-  Value one_of(const std::array<Spelling<Value>, size>& names, const Json& json,
-               const JsonPath& path) {
-    for (const auto& spelling : names)
-      if (json == spelling.name) return spelling.value;
+  CompletionKind completion(const Json& json, const JsonPath& path) {
     std::string known;
-    for (const auto& spelling : names)
-      known += (known.empty() ? "\"" : "\", \"") + std::string(spelling.name);
+    for (size_t k = 0; k < completion_names.size(); ++k) {
+      if (json == completion_names[k]) return static_cast<CompletionKind>(k);
+      known += (k == 0 ? "\"" : "\", \"") + std::string(completion_names[k]);
+    }
     fail(path, "must be one of " + known + "\"");
-    return names[0].value;
+    return {};
   }
 
   double share(const Json& json, const JsonPath& path) {
@@ -102,7 +99,7 @@ class ProjectReader final : public AnnotationReader {
   PartRecord part(const Json& json, const JsonPath& path) {
     if (!keys(json, path, {"label", "id", "completion"}, {})) return {};
     return {label(json["label"], path.member("label")), text(json["id"], path.member("id")),
-            one_of(completion_names, json["completion"], path.member("completion"))};
+            completion(json["completion"], path.member("completion"))};
   }
 
   OrderArrow arrow(const Json& json, const JsonPath& path) {

@@ -1,7 +1,6 @@
 #include <nlohmann/json.hpp>
 
 #include "io/project/project_json.h"
-#include "io/project/project_names.h"
 #include "io/scribbles/scribbles_json.h"
 
 namespace relievo {
@@ -88,9 +87,8 @@ Ordered json_of(const Corrections& corrections) {
 Ordered json_of(const SegmentationRecord& record) {
   Ordered parts = Ordered::array();
   for (const PartRecord& part : record.parts)
-    parts.push_back({{"label", part.label},
-                     {"id", part.id},
-                     {"completion", spelling(completion_names, part.completion)}});
+    parts.push_back(
+        {{"label", part.label}, {"id", part.id}, {"completion", name(part.completion)}});
   Ordered order = Ordered::array();
   for (const OrderArrow& arrow : record.order) {
     Ordered item = pair_of(arrow);

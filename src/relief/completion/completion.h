@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "kernel/image/mask.h"
@@ -14,6 +15,12 @@ enum class CompletionKind {
   membrane,      ///< the illusory surface of a diffusion
   given,         ///< drawn by the user
 };
+
+/// The kinds as files and reports spell them.
+inline constexpr std::array<const char*, 5> completion_names = {"whole", "ellipse", "continuation",
+                                                                "membrane", "given"};
+
+inline const char* name(CompletionKind kind) { return completion_names[static_cast<int>(kind)]; }
 
 /// A part with what others hide of it [P §3].
 struct CompletedPart {

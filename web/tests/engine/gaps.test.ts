@@ -5,8 +5,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { type Document, emptyDocument, type Point } from '../../document/document';
 import { type Gap, keepGap, openGap, openQuestions } from '../../document/gaps';
 import { readProject, writeProject } from '../../document/project_file';
-import { adopt, segmentationOf } from '../../document/scribbling';
-import { recordText } from '../../document/segmentation';
+import { adopt, questionOf } from '../../document/scribbling';
 import type { ReliefService } from '../../engine/relief_service';
 import { relievo } from '../support/command_line';
 import { openRing, openRingSize } from '../support/pictures';
@@ -21,13 +20,8 @@ beforeAll(async () => {
   must(service.openDrawing({ png }));
 });
 
-function requestOf(document: Document) {
-  const segmentation = segmentationOf(document);
-  return { project: recordText(segmentation), labels: segmentation.labels };
-}
-
 function understood(document: Document): Document {
-  return adopt(document, must(service.understand(requestOf(document))));
+  return adopt(document, must(service.understand(questionOf(document))));
 }
 
 function guessed(): Document {
@@ -35,7 +29,7 @@ function guessed(): Document {
 }
 
 function gapsOf(document: Document): readonly Gap[] {
-  const gaps = must(service.label(requestOf(document))).bridges.map(({ points, left, right }) => ({
+  const gaps = must(service.label(questionOf(document))).bridges.map(({ points, left, right }) => ({
     points: Array.from({ length: points.length / 2 }, (_, i): Point => [points[2 * i]!, points[2 * i + 1]!]), left, right,
   }));
   return openQuestions(document, gaps);

@@ -8,8 +8,7 @@ import { noteCorrections } from '../../document/corrections';
 import { addJoin, addPart, bringBefore, changePart, joinParts, removeJoin, removePart, renamePart } from '../../document/editing';
 import { readProject, writeProject } from '../../document/project_file';
 import { sceneText } from '../../document/scene_text';
-import { addStroke, adopt, clearStrokes, partOfStroke, segmentationOf } from '../../document/scribbling';
-import { recordText } from '../../document/segmentation';
+import { addStroke, adopt, clearStrokes, partOfStroke, questionOf, segmentationOf } from '../../document/scribbling';
 import { isFailure } from '../../engine/messages';
 import type { ReliefService } from '../../engine/relief_service';
 import { relievo, root } from '../support/command_line';
@@ -29,13 +28,8 @@ function blank(): Document {
   return { ...emptyDocument(), name: 'bear', width: 900, height: 1000, drawing };
 }
 
-function requestOf(document: Document) {
-  const segmentation = segmentationOf(document);
-  return { project: recordText(segmentation), labels: segmentation.labels };
-}
-
 function understood(document: Document): Document {
-  return adopt(document, must(service.understand(requestOf(document))));
+  return adopt(document, must(service.understand(questionOf(document))));
 }
 
 /** A stroke as the tool makes it. */
@@ -121,6 +115,11 @@ describe('a flat drawing', () => {
     const after = scribbled(joined, [450, 700], [470, 760]);
     expect(after.joins.some((join) => join.upper === upper && join.lower === lower)).toBe(false);
     expect(after.parts.find((part) => part.id === 'hat')).toEqual(drawn.parts.find((part) => part.id === 'hat'));
+    const clashing = edited(guessed, addPart(guessed, 'part-99', [[380, 60], [520, 60], [450, 140]]));
+    const again = { ...clashing, segmentation: { ...segmentationOf(clashing), parts: [{ label: 98, id: 'lost', completion: 'whole' }] } };
+    const ids = scribbled(again, [450, 700], [470, 760]).parts.map((part) => part.id);
+    expect(ids).toContain('part-99');
+    expect(new Set(ids).size).toBe(ids.length);
     const shifted = edited(guessed, addJoin(guessed, { upper, lower, line: line.slice(2, -2) }));
     const moved = scribbled(shifted, [450, 700], [470, 760]);
     expect(moved.joins.find((join) => join.upper === upper && join.lower === lower)?.line).toEqual(line.slice(2, -2));
@@ -149,7 +148,7 @@ it('takes strokes where it can guess nothing', () => {
   const comb: Point[][] = Array.from({ length: 9 }, (_, i): Point[] => [[60 + 40 * i, 60], [60 + 40 * i, 330]]);
   must(service.openDrawing({ pixels: inked(440, 400, 4, comb) }));
   const paper: Document = { ...blank(), width: 440, height: 400 };
-  const guess = service.understand(requestOf(paper));
+  const guess = service.understand(questionOf(paper));
   expect(isFailure(guess) && guess.error.code).toBe('bad_input');
   const points: Point[] = [[75, 100], [75, 300]];
   const first = addStroke(paper, { kind: 'hard', part: partOfStroke(paper, points, 5), width: 12, points });
@@ -162,7 +161,7 @@ describe('a project of a flat drawing', () => {
   it('opens, is edited and saved without losing anything', () => {
     const bytes = native();
     const opened = readProject(bytes);
-    expect(isFailure(service.checkSegmentation(requestOf(opened)))).toBe(false);
+    expect(isFailure(service.checkSegmentation(questionOf(opened)))).toBe(false);
     const saved = unzipSync(writeProject(opened, null));
     const came = unzipSync(bytes);
     for (const name of ['drawing', 'labels.png'])
@@ -191,7 +190,7 @@ describe('a project of a flat drawing', () => {
   });
 
   it('is refused by the key where its segmentation is not sound', () => {
-    const { project, labels } = requestOf(understood(blank()));
+    const { project, labels } = questionOf(understood(blank()));
     const broken: Record<string, string> = {
       'segmentation.scribbles.surprise': project.replace('"scribbles":{', '"scribbles":{"surprise":1,'),
       'segmentation.parts[0].label': project.replace('"label":', '"label":-'),

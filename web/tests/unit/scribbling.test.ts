@@ -43,15 +43,12 @@ function corrections(document: Document): Corrections {
 
 /** As if the engine understood just what is there, and one part more for each new name. */
 function understoodAsIs(document: Document): Understood {
-  const { parts } = segmentationOf(document);
-  const known = document.parts.filter(({ id }) => parts.some((part) => part.id === id));
-  const fresh = parts.filter(({ id }) => !document.parts.some((part) => part.id === id));
+  const { parts, scribbles } = segmentationOf(document);
+  const isThere = (id: string): boolean => document.parts.some((part) => part.id === id);
+  const fresh = parts.filter(({ id }) => scribbles.parts.includes(id) && !isThere(id));
   const outline = (label: number): Point[][] => [box(10 * label, 10, 50, 60)];
-  const scene = { ...document, parts: [...known, ...fresh.map(({ id, label }) => ({ id, outline: outline(label), c: 2, d: 1 }))] };
-  const drawn = ({ upper, lower }: { upper: string; lower: string }): boolean =>
-    [upper, lower].every((id) => known.some((part) => part.id === id));
-  const sound = { ...scene, joins: document.joins.filter(drawn), relations: document.relations.filter(drawn), robin: document.robin.filter(drawn) };
-  return { project: recordText(segmentationOf(document)), scene: sceneText(sound), labels: new Uint8Array([parts.length]) };
+  const scene = { ...document, parts: [...document.parts, ...fresh.map(({ id, label }) => ({ id, outline: outline(label), c: 2, d: 1 }))] };
+  return { project: recordText(segmentationOf(document)), scene: sceneText(scene), labels: new Uint8Array([parts.length]) };
 }
 
 describe('strokes', () => {
@@ -150,16 +147,13 @@ describe('what a person changes', () => {
 });
 
 describe('a new understanding', () => {
-  it('leaves removed parts away and drawn ones where they were, with their joins', () => {
-    let document = edited(flat(), (before) => addPart(before, 'hat', box(150, 90, 80, 60)));
-    document = edited(document, (before) => movePart(before, 'hat', 2));
-    document = edited(document, (before) => joinParts(before, 'hat', 'head'));
-    document = edited(document, (before) => removePart(before, 'arm'));
-    const all = { ...flat(), segmentation: document.segmentation };
-    const next = adopt(document, understoodAsIs(all));
-    expect(next.parts.map((part) => part.id)).toEqual(['body', 'head', 'hat']);
-    expect(next.joins.map(({ upper, lower }) => [upper, lower])).toEqual([['head', 'body'], ['hat', 'head']]);
-    expect(next.segmentation!.parts.map((part) => part.id)).toContain('arm');
+  it('leaves drawn parts as they are, their colours too, and may leave nothing', () => {
+    const document = edited(flat(), (before) => addPart(before, 'hat', box(150, 90, 80, 60)));
+    const next = adopt(document, understoodAsIs(document));
+    expect(next.parts.find((part) => part.id === 'hat')).toBe(document.parts.find((part) => part.id === 'hat'));
+    const none = adopt(document, { ...understoodAsIs(document), scene: '' });
+    expect(none).toMatchObject({ parts: [], joins: [], cues: [] });
+    expect(none.segmentation!.parts).toEqual(document.segmentation!.parts);
   });
 
   it('that is the same as before leaves the same parts, so that nothing is built anew', () => {
