@@ -1,5 +1,6 @@
 import { scribbleEnglish, scribbleGerman } from './scribble_words';
 import { shelfEnglish, shelfGerman } from './shelf_words';
+import { strokeEnglish, strokeGerman } from './stroke_words';
 
 /** Every word that the page says, in every language that it speaks. */
 
@@ -24,7 +25,6 @@ const english = {
   range: 'Soft range',
   hand: 'Hand',
   hintSelect: 'Click a part. Drag the round ends of joins and ranges, or a part that you drew. Alt-click reaches the part below.',
-  hintDraw: 'A closed stroke is a part. An open stroke grows out of the part under its ends. Shift: behind all.',
   hintJoin: 'Draw a line across the root of a part: it becomes one surface with the part below. Click a dashed suggestion to take it.',
   hintOrder: 'Drag from the nearer part to the farther one.',
   hintRange: 'Click where the outline should be soft, then where it should be firm again.',
@@ -123,6 +123,7 @@ const english = {
   keyEscape: 'Leave the gesture, the panel, the choice',
   ...scribbleEnglish,
   ...shelfEnglish,
+  ...strokeEnglish,
   keyGrip: 'Outline: next grip, push it; Move: next stroke, move it (⇧: farther)',
   outline: 'Outline',
   hintOutline: 'Drag a grip to push the outline, dashed where it is hidden. Draw from outline to outline to replace a stretch.',
@@ -166,7 +167,6 @@ const german: Record<MessageKey, string> = {
   range: 'Weicher Bereich',
   hand: 'Hand',
   hintSelect: 'Einen Teil anklicken. Runde Enden von Verbindungen und Bereichen ziehen, oder einen gezeichneten Teil. Alt-Klick erreicht den Teil darunter.',
-  hintDraw: 'Ein geschlossener Strich ist ein Teil. Ein offener wächst aus dem Teil unter seinen Enden. Umschalt: hinter alles.',
   hintJoin: 'Eine Linie über die Wurzel eines Teils: er wird eine Fläche mit dem Teil darunter. Ein Klick nimmt einen gestrichelten Vorschlag an.',
   hintOrder: 'Vom näheren Teil zum ferneren ziehen.',
   hintRange: 'Anklicken, wo der Umriss weich sein soll, dann, wo er wieder fest ist.',
@@ -265,6 +265,7 @@ const german: Record<MessageKey, string> = {
   keyEscape: 'Geste, Tafel, Auswahl verlassen',
   ...scribbleGerman,
   ...shelfGerman,
+  ...strokeGerman,
   keyGrip: 'Umriss: nächster Griff, Griff schieben; Bewegen: nächster Strich (⇧: weiter)',
   outline: 'Umriss',
   hintOutline: 'Einen Griff ziehen schiebt den Umriss, gestrichelt, wo er verdeckt ist. Ein Strich von Umriss zu Umriss ersetzt ein Stück.',

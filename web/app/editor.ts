@@ -58,6 +58,8 @@ export interface EditorState {
   panel: 'none' | 'keys' | 'export' | 'settings' | 'versions';
   tourStep: number | null;
   brush: Brush;
+  /** Whether strokes of the drawing tool go behind all parts. */
+  behind: boolean;
   /** The labels of the strokes that are shown, the gaps that are closed, and how long they took. */
   tint: { tint: ImageBitmap; gaps: readonly Gap[]; ms: number } | null;
   /** The closed gap that is looked at. */
@@ -91,6 +93,7 @@ function firstState(): EditorState {
     panel: 'none',
     tourStep: null,
     brush: { kind: 'auto', part: null, width: 12, soft: false },
+    behind: false,
     tint: null,
     gap: null,
     pending: null,

@@ -1,5 +1,6 @@
 import type { Document, DrawingSource, Point } from '../document/document';
 import type { Gap } from '../document/gaps';
+import { inflatesPaper } from '../document/paper';
 import { type Corrections, recordText, type Scribbles } from '../document/segmentation';
 import { adopt, canScribble, questionOf, segmentationOf } from '../document/scribbling';
 import { type Engine, EngineStopped } from '../engine/engine';
@@ -242,7 +243,14 @@ export class SegmentControl {
       return;
     }
     const { selected } = this.editor.state;
-    this.editor.edit(wish.label, adopt(changed, understood));
+    const next = adopt(changed, understood);
+    if (wish.label === 'scribble' && inflatesPaper(this.editor.document, next)) {
+      this.tinted = null;
+      this.followStrokes();
+      this.editor.set({ notice: t('paperStroke') });
+      return;
+    }
+    this.editor.edit(wish.label, next);
     if (selected !== null) this.editor.select(selected);
     if (understood.warnings.length > 0) this.editor.set({ notice: understood.warnings.join(' ') });
   }

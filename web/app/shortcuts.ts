@@ -1,5 +1,6 @@
 import { partIndex } from '../document/document';
 import { changePart, movePart, neighbours, removePart, toggleJoin } from '../document/editing';
+import { t } from './catalogue';
 import type { Editor, Shading } from './editor';
 import { nextField } from './field_switch';
 import type { Files } from './files';
@@ -23,14 +24,16 @@ interface Scope {
 
 const nextShading: Record<Shading, Shading> = { drawing: 'clay', clay: 'normals', normals: 'drawing' };
 
-/** Separates a part from the one that it is joined to, or joins it to the foremost one behind. */
+/** Separates a part from the one behind that it is joined to, or joins it to the foremost one behind. */
 function toggleOwnJoin(editor: Editor, id: string): void {
   const { document } = editor;
   const index = partIndex(document, id);
-  const own = document.joins.find((join) => join.upper === id) ?? document.joins.find((join) => join.lower === id);
+  const own = document.joins.find((join) => join.upper === id);
   const behind = neighbours(document, id).find((part) => partIndex(document, part.id) < index);
-  const other = own ? (own.upper === id ? own.lower : own.upper) : behind?.id;
-  if (other !== undefined) editor.edit('join', toggleJoin(document, id, other));
+  const other = own?.lower ?? behind?.id;
+  const next = other === undefined ? document : toggleJoin(document, id, other);
+  if (next === document) editor.set({ notice: t('nothingToJoin') });
+  else editor.edit('join', next);
 }
 
 function resizeBrush(editor: Editor, factor: number): void {

@@ -12,6 +12,7 @@ import type { Tool, ToolHost } from '../tools/tool';
 import { swayingGif } from '../view/animation';
 import type { ModelView } from '../view/model_view';
 import { t } from './catalogue';
+import { DrawBar } from './draw_bar';
 import type { Editor, EditorState, ToolName } from './editor';
 import { ExportPanel } from './export_panel';
 import type { Files } from './files';
@@ -21,6 +22,7 @@ import type { Keeper } from './keeper';
 import { KeysPanel } from './keys_panel';
 import { ModelPane } from './model_pane';
 import { type PaperControl, PaperPane } from './paper_pane';
+import { PaperPixels } from './paper_pixels';
 import { PartList } from './part_list';
 import { PartPanel } from './part_panel';
 import { SettingsPanel } from './settings_panel';
@@ -32,12 +34,12 @@ import { Toolbar, tools } from './toolbar';
 import { Tour } from './tour';
 import { VersionsPanel } from './versions_panel';
 
-function makeTools(host: ToolHost, scribbles: ScribbleHost): Record<ToolName, Tool> {
+function makeTools(host: ToolHost, scribbles: ScribbleHost, behind: () => boolean): Record<ToolName, Tool> {
   const select = new SelectTool(host);
   return {
     select,
     hand: select,
-    draw: new DrawTool(host, () => t('part')),
+    draw: new DrawTool(host, () => t('part'), behind),
     join: new JoinTool(host),
     order: new OrderTool(host),
     range: new RangeTool(host),
@@ -65,6 +67,7 @@ function hostOf(editor: Editor, reach: () => number): ToolHost {
 }
 
 function scribbleHostOf(editor: Editor, segments: SegmentControl): ScribbleHost {
+  const pixels = new PaperPixels();
   return {
     get brush() {
       return editor.state.brush;
@@ -85,7 +88,8 @@ function scribbleHostOf(editor: Editor, segments: SegmentControl): ScribbleHost 
     show: (document) => segments.show(document),
     drop: () => segments.show(segments.pending),
     wish: (label, change) => segments.wish(label, change),
-    refuse: () => editor.set({ notice: t('noScribbles') }),
+    refuse: (reason) => editor.set({ notice: t(reason) }),
+    isPaper: (point) => pixels.isPaper(editor.state.picture, [editor.document.width, editor.document.height], point),
   };
 }
 
@@ -155,7 +159,7 @@ export function Workspace({ editor, files, keeper, segments, held, attachPaper, 
   const paper = useRef<PaperControl | null>(null);
   const model = useRef<ModelView | null>(null);
   const hands = useMemo(
-    () => makeTools(hostOf(editor, () => paper.current?.reach ?? 12), scribbleHostOf(editor, segments)),
+    () => makeTools(hostOf(editor, () => paper.current?.reach ?? 12), scribbleHostOf(editor, segments), () => editor.state.behind),
     [],
   );
   const picture = (): Promise<Blob> => model.current?.picture() ?? Promise.reject(new Error('no view'));
@@ -174,6 +178,7 @@ export function Workspace({ editor, files, keeper, segments, held, attachPaper, 
       <Toolbar editor={editor} />
       <PaperPane editor={editor} tool={() => hands[editor.state.tool]} attach={attach} />
       <ScribbleBar editor={editor} />
+      <DrawBar editor={editor} />
       <GapBar editor={editor} segments={segments} />
       <ModelPane editor={editor} attach={(view) => (model.current = view)} lightHeld={() => held.light} stop={stop} />
       <aside class="side">

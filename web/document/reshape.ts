@@ -52,7 +52,7 @@ function segmentsCross(a: Point, b: Point, c: Point, d: Point): boolean {
 }
 
 /** How often the first `count` sides of a ring cross its own or other rings' sides. */
-function crossings(outline: readonly Ring[], index: number, count: number): number {
+export function crossings(outline: readonly Ring[], index: number, count: number): number {
   const own = outline[index] as Ring;
   let found = 0;
   for (let i = 0; i < count; i++) {

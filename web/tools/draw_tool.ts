@@ -1,19 +1,21 @@
 import type { Point } from '../document/document';
-import { addOpenPart, addPart, movePart } from '../document/editing';
-import { area, distance, simplify, smooth } from '../document/outline';
+import { distance } from '../document/outline';
+import { drawStroke, isClosed } from '../document/strokes';
 import { marks } from '../view/colors';
 import { strokeLine } from '../view/paper_view';
 import type { Modifiers, Tool, ToolHost } from './tool';
 
-/** Ends so near to each other, as a share of the stroke's length, are one. */
-const closing = 0.05;
-
-/** A closed stroke is a part; an open one is a part that grows out of what lies below its ends. */
+/** Every stroke makes something; see drawStroke. */
 export class DrawTool implements Tool {
   readonly cursor = 'crosshair';
   private stroke: Point[] = [];
 
-  constructor(private readonly host: ToolHost, private readonly partName: () => string) {}
+  constructor(
+    private readonly host: ToolHost,
+    private readonly partName: () => string,
+    /** Whether what is drawn lies behind all, as with Shift. */
+    private readonly behind: () => boolean,
+  ) {}
 
   down(point: Point): void {
     this.stroke = [point];
@@ -27,15 +29,15 @@ export class DrawTool implements Tool {
   up(_point: Point, keys: Modifiers): void {
     const stroke = this.stroke;
     this.stroke = [];
+    if (stroke.length === 0) return;
     const { document, reach } = this.host;
-    if (stroke.length < 4 || Math.abs(area(stroke)) < 4 * reach * reach) return;
-    const closed = this.isClosed(stroke);
-    const line = smooth(simplify(closed ? stroke.slice(0, -1) : stroke, reach / 10), closed);
-    const name = this.partName();
-    const added = closed ? addPart(document, name, line) : addOpenPart(document, name, line);
-    const id = added.parts[added.parts.length - 1]?.id as string;
-    this.host.edit('draw', keys.shift ? movePart(added, id, 0) : added);
-    this.host.select(id);
+    const drawn = drawStroke(document, { reach, name: this.partName(), behind: keys.shift || this.behind() }, stroke);
+    if ('refused' in drawn) {
+      this.host.refuse(drawn.refused);
+      return;
+    }
+    this.host.edit('draw', drawn.document);
+    this.host.select(drawn.id);
   }
 
   cancel(): void {
@@ -48,14 +50,7 @@ export class DrawTool implements Tool {
     const first = this.stroke[0] as Point;
     const last = this.stroke[this.stroke.length - 1] as Point;
     context.setLineDash([6 * pixel, 6 * pixel]);
-    strokeLine(context, [last, first], this.isClosed(this.stroke) ? marks.ink : marks.join, 2 * pixel);
+    strokeLine(context, [last, first], isClosed(this.host.document, this.stroke, this.host.reach) ? marks.ink : marks.join, 2 * pixel);
     context.setLineDash([]);
-  }
-
-  private isClosed(stroke: readonly Point[]): boolean {
-    let length = 0;
-    for (let i = 1; i < stroke.length; i++) length += distance(stroke[i - 1] as Point, stroke[i] as Point);
-    const gap = distance(stroke[0] as Point, stroke[stroke.length - 1] as Point);
-    return gap < Math.max(1.5 * this.host.reach, closing * length);
   }
 }

@@ -1,6 +1,7 @@
 import type { Document, Point } from '../document/document';
 import { type Gap, gapAt, sameGap } from '../document/gaps';
 import { distance, simplify } from '../document/outline';
+import { offPaper } from '../document/paper';
 import { addStroke, canScribble, eraseStrokes, foundPartAt, labelOfStroke, partOfStroke, scribblesOf } from '../document/scribbling';
 import type { Stroke, StrokeKind } from '../document/segmentation';
 import { inkOf, marks } from '../view/colors';
@@ -37,7 +38,10 @@ export interface ScribbleHost {
   drop(): void;
   /** Makes a change of strokes a step of the document. */
   wish(label: string, change: (document: Document) => Document): void;
-  refuse(): void;
+  /** Says why a stroke says nothing: that there is no picture to scribble on, or nothing but paper under it. */
+  refuse(reason: 'noScribbles' | 'paperStroke'): void;
+  /** Whether the picture shows nothing at a point. */
+  isPaper(point: Point): boolean;
 }
 
 /** How far an arrow key moves the brush, as shares of the reach of a hand: usually, with Shift. */
@@ -68,7 +72,7 @@ export class ScribbleTool implements Tool {
 
   down(point: Point, keys: Modifiers): void {
     if (!canScribble(this.host.document)) {
-      this.scribbles.refuse();
+      this.scribbles.refuse('noScribbles');
       return;
     }
     const { brush } = this.scribbles;
@@ -100,7 +104,13 @@ export class ScribbleTool implements Tool {
   up(): void {
     this.mover.up();
     if (this.points.length === 0 || this.choseGap()) return;
-    const change = this.change(simplify(this.points, this.host.reach / 12));
+    const said = this.saying(this.points);
+    if (said.length === 0) {
+      this.cancel();
+      this.scribbles.refuse('paperStroke');
+      return;
+    }
+    const change = this.change(simplify(said, this.host.reach / 12));
     const label = this.kind === 'erase' ? 'erase' : 'scribble';
     this.points = [];
     this.scribbles.wish(label, change);
@@ -136,7 +146,7 @@ export class ScribbleTool implements Tool {
     const { pending, tint, brush } = this.scribbles;
     const { width, height } = pending;
     if (tint) context.drawImage(tint, 0, 0, width, height);
-    const drawn = this.points.length > 0 && this.kind !== 'erase' ? this.change(this.points)(pending) : pending;
+    const drawn = this.points.length > 0 && this.kind !== 'erase' ? this.change(this.saying(this.points))(pending) : pending;
     const shown = this.mover.moved(drawn);
     context.lineCap = context.lineJoin = 'round';
     for (const stroke of scribblesOf(shown).strokes) this.drawStroke(context, shown, stroke, pixel);
@@ -149,6 +159,11 @@ export class ScribbleTool implements Tool {
     context.strokeStyle = brush.kind === 'erase' ? marks.culprit : marks.ink;
     context.lineWidth = 1.5 * pixel;
     context.stroke();
+  }
+
+  /** What of a stroke says something: one for a part does not where it runs over nothing but paper. */
+  private saying(points: readonly Point[]): readonly Point[] {
+    return this.kind === 'hard' || this.kind === 'soft' ? offPaper(points, (point) => this.scribbles.isPaper(point)) : points;
   }
 
   private get moves(): boolean {
@@ -180,7 +195,7 @@ export class ScribbleTool implements Tool {
   }
 
   private show(): void {
-    this.scribbles.show(this.change(this.points)(this.scribbles.pending));
+    this.scribbles.show(this.change(this.saying(this.points))(this.scribbles.pending));
   }
 
   /** What the stroke does to a document, whichever is there when it comes to be understood. */
@@ -189,6 +204,7 @@ export class ScribbleTool implements Tool {
     const { reach } = this.host;
     const width = Math.max(1, (this.scribbles.brush.width * reach) / 12);
     const line = points.map(([x, y]): Point => [Math.round(10 * x) / 10, Math.round(10 * y) / 10]);
+    if (line.length === 0) return (document) => document;
     if (kind === 'erase') return (document) => eraseStrokes(document, line, width / 2);
     if (kind === 'outside' || kind === 'hole') return (document) => addStroke(document, { kind, width, points: line });
     return (document) =>

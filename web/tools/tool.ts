@@ -1,5 +1,6 @@
 import type { Document, Point } from '../document/document';
 import type { Refusal } from '../document/reshape';
+import type { StrokeRefusal } from '../document/strokes';
 
 /** What a tool may see and do. Lengths in canvas px. */
 export interface ToolHost {
@@ -11,7 +12,7 @@ export interface ToolHost {
   select(id: string | null): void;
   hover(id: string | null): void;
   /** Says why nothing was changed. */
-  refuse(reason: Refusal): void;
+  refuse(reason: Refusal | StrokeRefusal): void;
 }
 
 export interface Modifiers {

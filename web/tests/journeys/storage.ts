@@ -8,8 +8,9 @@ export interface KeptEntry {
   versions: { number: number }[];
   done: number[];
   undone: number[];
-  /** The number of parts in every version, oldest first. */
+  /** The number of parts, and of joins, in every version, oldest first. */
   parts: number[];
+  joins: number[];
 }
 
 /** Every document of the shelf, by name. */
@@ -23,13 +24,17 @@ export function shelfOf(page: Page): Promise<KeptEntry[]> {
     const database = await asked(indexedDB.open('relievo'));
     const transaction = database.transaction(['entries', 'versions']);
     const entries = await asked<KeptEntry[]>(transaction.objectStore('entries').getAll());
-    const versions = await asked<{ id: string; fields: { parts: string } }[]>(transaction.objectStore('versions').getAll());
+    const versions = await asked<{ id: string; fields: { parts: string; joins: string } }[]>(transaction.objectStore('versions').getAll());
     database.close();
     return entries
-      .map(({ id, name, versions: notes, done, undone }) => ({
-        id, name, versions: notes, done, undone,
-        parts: versions.filter((version) => version.id === id).map(({ fields }) => (JSON.parse(fields.parts) as unknown[]).length),
-      }))
+      .map(({ id, name, versions: notes, done, undone }) => {
+        const own = versions.filter((version) => version.id === id);
+        const count = (text: string): number => (JSON.parse(text) as unknown[]).length;
+        return {
+          id, name, versions: notes, done, undone,
+          parts: own.map(({ fields }) => count(fields.parts)), joins: own.map(({ fields }) => count(fields.joins)),
+        };
+      })
       .sort((a, b) => a.name.localeCompare(b.name));
   });
 }

@@ -1,0 +1,181 @@
+import { areaD, EndType, FillRule, inflatePathsD, JoinType, unionD } from 'clipper2-ts';
+import { type Document, type Part, type Point, type Ring } from './document';
+import { addOpenPart, addPart, changePart, joinParts, movePart, partAt } from './editing';
+import { area, contains, distance, mix, nearestPlace, perimeter, simplify, smooth } from './outline';
+
+/** Why a stroke became nothing. */
+export type StrokeRefusal = 'dotOnPaper';
+
+/** How a stroke is meant. */
+export interface Hand {
+  /** How far a hand may miss, px. */
+  readonly reach: number;
+  /** Of the part that it makes. */
+  readonly name: string;
+  /** Whether that lies behind all others. */
+  readonly behind: boolean;
+}
+
+export type Drawn = { readonly document: Document; readonly id: string } | { readonly refused: StrokeRefusal };
+
+/** Ends so near to each other, as a share of the stroke's length, are one. */
+const closing = 0.05;
+/** Thinner than so many reaches on average, a stroke encloses nothing: it is a line. */
+const leastThickness = 0.5;
+/** Limbs may be as thin as this, and their ends as near to each other, in reaches. */
+const limbThickness = 0.2;
+const limbGap = 0.35;
+/** Half the width of lines, in reaches: as parts, on a part. */
+const tubeRadius = 0.8;
+const lineRadius = 0.3;
+/** Half the width of a dot, in reaches. */
+const dotRadius = 0.55;
+/** A shape on one part that takes less than this of it is a detail, as eyes are. */
+const detailShare = 0.06;
+/** Ends so many reaches from an outline reach into it. */
+const snapping = 1.5;
+const detailInk = '#37322c';
+
+function lengthOf(line: Ring): number {
+  return line.reduce((sum, p, i) => (i === 0 ? 0 : sum + distance(line[i - 1] as Point, p)), 0);
+}
+
+/** Whether a stroke goes out from a part and comes back to it. */
+function isLimb({ parts }: Document, stroke: Ring): boolean {
+  const [first, last] = [stroke[0] as Point, stroke.at(-1) as Point];
+  const root = [...parts].reverse().find(({ outline }) => contains(outline, first) && contains(outline, last));
+  return root !== undefined && stroke.filter((p) => !contains(root.outline, p)).length > stroke.length / 2;
+}
+
+/** Whether the ends of a stroke meet: those of a limb must touch. */
+export function isClosed(document: Document, stroke: Ring, reach: number): boolean {
+  const length = lengthOf(stroke);
+  const gap = distance(stroke[0] as Point, stroke.at(-1) as Point);
+  if (isLimb(document, stroke)) return gap < limbGap * reach;
+  return gap < Math.max(Math.min(1.5 * reach, 0.3 * length), closing * length);
+}
+
+const pathOf = (line: Ring): { x: number; y: number }[] => line.map(([x, y]) => ({ x, y }));
+
+/** The outer ring of the largest of some areas, holes filled. */
+function outerRing(paths: readonly { x: number; y: number }[][]): Point[] {
+  const rings = paths.map((path) => path.map(({ x, y }): Point => [x, y]));
+  return rings.sort((a, b) => Math.abs(area(b)) - Math.abs(area(a)))[0] ?? [];
+}
+
+/** All within `radius` of a line. */
+function tubeAround(line: Ring, radius: number): Point[] {
+  return outerRing(inflatePathsD([pathOf(line)], radius, JoinType.Round, EndType.Round, 2, 2));
+}
+
+/** All that a closed line goes around, whether or not it crosses itself. */
+function outerUnion(ring: Ring, reach: number): Point[] {
+  const pieces = unionD([pathOf(ring)], [], FillRule.NonZero, 2);
+  if (pieces.length <= 1) return outerRing(pieces);
+  // The line itself holds together what it touches in a point only.
+  const line = inflatePathsD([pathOf([...ring, ring[0] as Point])], reach / 6, JoinType.Round, EndType.Round, 2, 2);
+  const upright = (path: { x: number; y: number }[]): { x: number; y: number }[] => (areaD(path) < 0 ? [...path].reverse() : path);
+  return outerRing(unionD([...pieces, ...line].map(upright), [], FillRule.NonZero, 2));
+}
+
+/** The part in which all of a ring lies, if it is seen there. */
+function groundOf(document: Document, ring: Ring): Part | undefined {
+  const [first] = ring;
+  const part = first && partAt(document, first);
+  return part && ring.every((p) => contains(part.outline, p)) ? part : undefined;
+}
+
+function areaOf({ outline }: Part): number {
+  return Math.abs(outline.reduce((sum, ring) => sum + area(ring), 0));
+}
+
+function newest(document: Document): string {
+  return document.parts.at(-1)?.id ?? '';
+}
+
+function colored(document: Document, id: string, color: string): Document {
+  return { ...document, parts: document.parts.map((part) => (part.id === id ? { ...part, color } : part)) };
+}
+
+/** A closed shape: a part, or a detail of the part on which it lies. */
+function addShape(document: Document, name: string, ring: Ring): Document {
+  const ground = groundOf(document, ring);
+  const added = addPart(document, name, ring);
+  if (!ground || Math.abs(area(ring)) > detailShare * areaOf(ground)) return added;
+  const id = newest(added);
+  return changePart(colored(added, id, detailInk), id, { c: 2 });
+}
+
+/** A line with a width: a detail where it lies on one part, else a tube, joined to the part that it begins or ends on. */
+function addTube(document: Document, { name, reach }: Hand, line: Ring): Document {
+  const ground = groundOf(document, line);
+  if (ground) {
+    const drawn = addPart(document, name, tubeAround(line, lineRadius * reach));
+    return changePart(colored(drawn, newest(drawn), detailInk), newest(drawn), { c: 2 });
+  }
+  const root = partAt(document, line[0] as Point) ?? partAt(document, line.at(-1) as Point);
+  const added = addPart(document, name, tubeAround(line, tubeRadius * reach));
+  const id = newest(added);
+  return root ? joinParts(colored(added, id, root.color ?? '#d9d4c7'), id, root.id) : added;
+}
+
+/** An end that stops just before a part goes on into it. */
+function snapped(document: Document, end: Point, reach: number): Point[] {
+  if (partAt(document, end)) return [];
+  const places = document.parts.map((part) => nearestPlace(part.outline, end));
+  const [place] = places.sort((a, b) => a.distance - b.distance);
+  if (!place || place.distance === 0 || place.distance > snapping * reach) return [];
+  return [mix(end, place.point, 1 + (0.7 * reach) / place.distance)];
+}
+
+/** Whether what a ring goes around is another area than its own, in which loops count by their turns. */
+function crossesItself(ring: Ring): boolean {
+  const pieces = unionD([pathOf(ring)], [], FillRule.NonZero, 2);
+  const own = Math.abs(area(ring));
+  return pieces.length !== 1 || Math.abs(Math.abs(area(outerRing(pieces))) - own) > 0.002 * own;
+}
+
+function addOpen(document: Document, hand: Hand, stroke: Ring): Document {
+  const { reach, name } = hand;
+  const [first, last] = [stroke[0] as Point, stroke.at(-1) as Point];
+  const line = [...snapped(document, first, reach), ...stroke, ...snapped(document, last, reach)];
+  const thickness = Math.abs(area(line)) / lengthOf(line);
+  if (thickness < (isLimb(document, line) ? limbThickness : leastThickness) * reach) return addTube(document, hand, line);
+  const rounded = smooth(line, false);
+  return crossesItself(rounded) ? addShape(document, name, outerUnion(rounded, reach)) : addOpenPart(document, name, rounded);
+}
+
+function addClosed(document: Document, hand: Hand, stroke: Ring): Document {
+  const { reach, name } = hand;
+  const ring = outerUnion(smooth(stroke, true), reach);
+  const small = reach * leastThickness * 0.3;
+  const thickness = ring.length > 2 ? Math.abs(area(ring)) / perimeter(ring) : 0;
+  return thickness < small ? addTube(document, hand, stroke) : addShape(document, name, simplify(ring, 0.05 * reach));
+}
+
+/** A tap: a small round detail of the part below. */
+function addDot(document: Document, { name, reach }: Hand, [x, y]: Point): Drawn {
+  if (!partAt(document, [x, y])) return { refused: 'dotOnPaper' };
+  const ring = Array.from({ length: 24 }, (_, i): Point => {
+    const angle = (Math.PI * i) / 12;
+    return [x + dotRadius * reach * Math.cos(angle), y + dotRadius * reach * Math.sin(angle)];
+  });
+  const added = addShape(document, name, ring);
+  return { document: added, id: newest(added) };
+}
+
+/**
+ * What a stroke makes: a part of a closed one, also where it crosses itself; a limb of an open one
+ * that goes out from a part and comes back; a tube of a line; a detail of what is small and lies on
+ * a part. Nothing only of a tap beside all parts.
+ */
+export function drawStroke(document: Document, hand: Hand, points: Ring): Drawn {
+  const { reach } = hand;
+  const [first] = points as [Point, ...Point[]];
+  if (points.every((p) => distance(p, first) < reach / 3)) return addDot(document, hand, first);
+  const closed = isClosed(document, points, reach);
+  const stroke = simplify(closed ? points.slice(0, -1) : points, reach / 10);
+  const added = closed ? addClosed(document, hand, stroke) : addOpen(document, hand, stroke);
+  const id = newest(added);
+  return { document: hand.behind ? movePart(added, id, 0) : added, id };
+}

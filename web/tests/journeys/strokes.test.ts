@@ -1,0 +1,177 @@
+import type { CDPSession, Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { disc } from '../support/pictures.ts';
+import { randomNumbers } from '../unit/random.ts';
+import { choosePart, names, oval, pageView, type Spot } from './actions.ts';
+import { picture, settled, stageOfFile } from './browser.ts';
+import { shelfOf } from './storage.ts';
+
+const stage = stageOfFile({ anew: true });
+
+/** A stroke with few events between. */
+async function stroke(page: Page, spots: readonly Spot[], at: (spot: Spot) => Spot): Promise<void> {
+  const [first, ...others] = spots as [Spot, ...Spot[]];
+  await page.mouse.move(...at(first));
+  await page.mouse.down();
+  for (const spot of others) await page.mouse.move(...at(spot));
+  await page.mouse.up();
+}
+
+function ellipse(x: number, y: number, rx: number, ry = rx): Spot[] {
+  return oval(x, y, rx, ry).filter((_, i) => i % 2 === 0);
+}
+
+/** The number of parts, and what the page says, once it has had the time to say it. */
+function state(page: Page): Promise<{ parts: number; notice: string }> {
+  return page.evaluate(async () => {
+    await new Promise((resolve) => setTimeout(() => requestAnimationFrame(resolve), 10));
+    return {
+      parts: document.querySelectorAll('.parts li').length,
+      notice: document.querySelector('.notice')?.textContent ?? '',
+    };
+  });
+}
+
+/** Coarse reliefs leave the machine to the hand. */
+async function fewVertices(page: Page): Promise<void> {
+  await page.click('#settings');
+  const slider = page.locator('.sheet .slider input').first();
+  await slider.fill((await slider.getAttribute('min')) ?? '');
+  await page.keyboard.press('Escape');
+}
+
+/** A stroke as fast as the browser takes it. */
+async function dash(session: CDPSession, spots: readonly Spot[], at: (spot: Spot) => Spot): Promise<void> {
+  const send = (type: 'mousePressed' | 'mouseMoved' | 'mouseReleased', spot: Spot): Promise<unknown> => {
+    const [x, y] = at(spot);
+    return session.send('Input.dispatchMouseEvent', { type, x, y, button: 'left', buttons: type === 'mouseReleased' ? 0 : 1, clickCount: 1 });
+  };
+  await Promise.all([send('mousePressed', spots[0] as Spot), ...spots.slice(1).map((spot) => send('mouseMoved', spot)), send('mouseReleased', spots.at(-1) as Spot)]);
+}
+
+it('makes something of 300 random strokes, or says why not', async () => {
+  const { page } = stage;
+  await page.setViewportSize({ width: 1000, height: 560 });
+  await page.click('#empty');
+  await page.waitForSelector('.paper canvas');
+  const { at } = await pageView(page);
+  const random = randomNumbers(7);
+  const between = (least: number, most: number): number => least + (most - least) * random();
+  const shapes: (() => Spot[])[] = [
+    () => ellipse(between(100, 900), between(100, 700), between(2, 150), between(2, 150)),
+    () => [[between(50, 950), between(50, 750)], [between(50, 950), between(50, 750)]],
+    () => Array.from({ length: Math.ceil(between(3, 12)) }, (): Spot => [between(100, 900), between(100, 700)]),
+    () => Array.from({ length: 10 }, (_, i): Spot => [300 + i * between(5, 40), i % 2 ? 300 : between(300, 400)]),
+    () => [[between(0, 1000), between(0, 800)]],
+    () => Array.from({ length: 16 }, (_, i): Spot => [500 + 8 * i * Math.cos(i / 2), 400 + 8 * i * Math.sin(i / 2)]),
+    () => Array.from({ length: 14 }, (_, i): Spot => [500 + 150 * Math.sin((i * 2 * Math.PI) / 13), 400 + 90 * Math.sin((i * 4 * Math.PI) / 13)]),
+  ];
+  await fewVertices(page);
+  const session = await page.context().newCDPSession(page);
+  await stroke(page, ellipse(500, 400, 180, 130), at);
+  let before = await state(page);
+  let [made, refused] = [0, 0];
+  for (let i = 0; i < 300; i++) {
+    await dash(session, (shapes[i % shapes.length] as () => Spot[])(), at);
+    const after = await state(page);
+    if (after.parts > before.parts) made++;
+    else {
+      expect(after.notice.length).toBeGreaterThan(10);
+      refused++;
+    }
+    if (i === 11) await picture(page, 'random-strokes');
+    // Few parts at a time: what counts is what each stroke makes.
+    if (after.parts > 5) for (let k = 1; k < after.parts; k++) await page.keyboard.press('Control+z');
+    // Clears what was said.
+    await page.keyboard.press('2');
+    before = await state(page);
+    expect(before).toEqual({ parts: after.parts > 5 ? 1 : after.parts, notice: '' });
+  }
+  console.info(`${made} strokes made something, ${refused} were refused with a message`);
+  expect(made).toBeGreaterThan(250);
+  await session.detach();
+  expect(stage.troubles).toEqual([]);
+});
+
+const leg = (x: number, y: number, down: number): Spot[] => [
+  [x, y], [x - 4, y + 0.5 * down], [x - 14, y + 0.9 * down], [x + 4, y + down], [x + 40, y + down], [x + 58, y + 0.9 * down], [x + 52, y + 0.5 * down], [x + 56, y],
+];
+const ear = (x: number, y: number, lean: number): Spot[] => [[x, y], [x + lean - 8, y - 60], [x + lean + 12, y - 95], [x + lean + 38, y - 58], [x + 52, y]];
+
+it('makes an animal of twelve gestures, all of it joined', async () => {
+  const { page } = stage;
+  await page.setViewportSize({ width: 1360, height: 800 });
+  await page.click('#empty');
+  await page.waitForSelector('.paper canvas');
+  const { at } = await pageView(page);
+  const begun = Date.now();
+  await stroke(page, oval(560, 430, 220, 125), at);
+  await stroke(page, oval(320, 290, 125, 110), at);
+  await page.click('#join-offer');
+  await stroke(page, leg(420, 500, 200), at);
+  await stroke(page, leg(650, 500, 200), at);
+  await page.click('#behind');
+  await stroke(page, leg(490, 500, 180), at);
+  await stroke(page, leg(710, 490, 185), at);
+  await page.click('#behind');
+  await stroke(page, ear(235, 225, -25), at);
+  await stroke(page, ear(345, 215, 25), at);
+  await stroke(page, [[740, 390], [800, 340], [840, 290], [870, 220], [905, 190]], at);
+  await stroke(page, ellipse(285, 275, 13, 17), at);
+  await stroke(page, ellipse(360, 275, 13, 17), at);
+  const drawn = Date.now() - begun;
+  expect((await names(page)).length).toBe(11);
+  await page.waitForTimeout(300);
+  // Head, legs, ears and tail; the eyes are details that lie on the head.
+  expect((await shelfOf(page)).find(({ parts }) => parts.at(-1) === 11)?.joins.at(-1)).toBe(8);
+  expect(drawn).toBeLessThan(40_000);
+  console.info(`drawn in ${(drawn / 1000).toFixed(1)} s`);
+  await settled(page);
+  // Nothing is chosen, and the texture has arrived.
+  await page.keyboard.press('Escape');
+  await page.waitForTimeout(1500);
+  await picture(page, 'animal');
+  expect(stage.troubles).toEqual([]);
+});
+
+it('joins a head to what it lies on with J, and leaves its ear alone', async () => {
+  const { page } = stage;
+  await page.click('#empty');
+  await page.waitForSelector('.paper canvas');
+  const { at } = await pageView(page);
+  await stroke(page, oval(560, 430, 220, 125), at);
+  await stroke(page, oval(320, 290, 125, 110), at);
+  await stroke(page, ear(345, 215, 25), at);
+  expect(await page.locator('.parts li .joined').count()).toBe(1);
+  await choosePart(page, 'part 2');
+  await page.keyboard.press('j');
+  await page.waitForFunction(() => document.querySelectorAll('.parts li .joined').length === 2);
+  await page.keyboard.press('j');
+  await page.waitForFunction(() => document.querySelectorAll('.parts li .joined').length === 1);
+  await choosePart(page, 'part');
+  await page.keyboard.press('j');
+  expect((await state(page)).notice).not.toBe('');
+  expect(await page.locator('.parts li .joined').count()).toBe(1);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('never makes a part of paper, wherever a scribble begins', async () => {
+  const { page } = stage;
+  await page.setInputFiles('input[type=file]', { name: 'disc.png', mimeType: 'image/png', buffer: Buffer.from(disc(400, 120, [200, 80, 60])) });
+  await page.waitForSelector('.scribble-bar[data-tint-ms]');
+  await page.waitForSelector('.parts li');
+  const { at } = await pageView(page, [400, 400]);
+  const before = await state(page);
+  for (const spots of [[[20, 20], [60, 30], [120, 20]], [[0, 200], [2, 300]]] as Spot[][]) {
+    await stroke(page, spots, at);
+    await page.waitForFunction(() => document.querySelector('.notice')?.textContent !== '');
+    expect((await state(page)).parts).toBe(before.parts);
+    await page.keyboard.press('7');
+  }
+  // What goes on into the figure says something there, and there alone.
+  await stroke(page, [[20, 200], [60, 200], [140, 200], [200, 200], [240, 210]], at);
+  await page.waitForTimeout(1500);
+  expect((await state(page)).parts).toBe(before.parts);
+  await picture(page, 'paper-stroke');
+  expect(stage.troubles).toEqual([]);
+});
