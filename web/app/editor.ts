@@ -48,6 +48,10 @@ export interface EditorState {
   peeking: boolean;
   build: BuildState;
   relief: BuiltRelief | null;
+  /** The relief that can be seen. */
+  shown: BuiltRelief | null;
+  /** Whether the browser has no graphics, so that the relief is drawn more slowly and plainly. */
+  plainGraphics: boolean;
   /** Counts the documents that were opened. */
   opened: number;
   /** The picture of the drawing, premultiplied; null on an empty page. */
@@ -86,6 +90,8 @@ function firstState(): EditorState {
     peeking: false,
     build: { phase: 'idle', progress: 0, error: null },
     relief: null,
+    shown: null,
+    plainGraphics: false,
     opened: 0,
     picture: null,
     saved: 'yes',

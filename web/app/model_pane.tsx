@@ -1,4 +1,4 @@
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { told } from '../engine/messages';
 import { ModelView } from '../view/model_view';
 import { listenToOrbit } from '../view/orbit';
@@ -67,7 +67,12 @@ function follow(view: ModelView, editor: Editor): () => void {
     const now = [relief, picture ?? document.parts, shading, hovered ?? selected, document.name];
     if (now[1] !== before[1] || now[4] !== before[4])
       view.paint(picture || document.parts.length > 0 ? document : null, picture);
-    if (now[0] !== before[0]) view.show(relief?.surface ?? null, document.width, document.height);
+    if (now[0] !== before[0]) {
+      view.show(relief?.surface ?? null, document.width, document.height);
+      void view.drawn().then(() => {
+        if (editor.state.relief === relief) editor.set({ shown: relief });
+      });
+    }
     if (now[2] !== before[2]) view.setShading(shading);
     if (now[3] !== before[3]) view.highlight(hovered ?? selected);
     before = now;
@@ -85,13 +90,17 @@ const shadings: readonly [Shading, () => string][] = [
 export function ModelPane({ editor, attach, lightHeld, stop }: ModelPaneProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const view = useRef<ModelView>(null);
-  const { shading, build, relief, history } = useStore(editor);
+  const { shading, build, relief, history, plainGraphics } = useStore(editor);
+  const [attempt, setAttempt] = useState(0);
   const slow = build.phase === 'full' && history.document.settings.method === 'nonlinear';
   useEffect(() => {
     const node = canvas.current;
     if (!node) return;
-    const shown = new ModelView(node);
+    const angles = view.current?.angles;
+    const shown = new ModelView(node, () => setAttempt(attempt + 1));
     view.current = shown;
+    if (angles) shown.turn(angles.yaw, angles.pitch);
+    void shown.isSoftware().then((isSoftware) => editor.set({ plainGraphics: isSoftware }));
     attach(shown);
     const observer = new ResizeObserver(() => shown.resize(node.clientWidth, node.clientHeight));
     observer.observe(node);
@@ -102,10 +111,10 @@ export function ModelPane({ editor, attach, lightHeld, stop }: ModelPaneProps) {
       unfollow();
       shown.dispose();
     };
-  }, []);
+  }, [attempt]);
   return (
     <section class="pane model" aria-label={t('relief')} aria-busy={build.phase !== 'idle'}>
-      <canvas ref={canvas} class={build.error ? 'stale' : ''} aria-label={t('relief')} role="img" tabIndex={0} />
+      <canvas key={attempt} ref={canvas} class={build.error ? 'stale' : ''} aria-label={t('relief')} role="img" tabIndex={0} />
       <div class="floating bottom" role="group" aria-label={t('relief')}>
         {shadings.map(([name, label]) => (
           <button type="button" key={name} aria-pressed={name === shading} onClick={() => editor.set({ shading: name })}>
@@ -122,6 +131,7 @@ export function ModelPane({ editor, attach, lightHeld, stop }: ModelPaneProps) {
           <button type="button" onClick={stop}>{t('stop')}</button>
         </div>
       )}
+      {plainGraphics && <p class="plain-graphics" role="status">{t('plainGraphics')}</p>}
       {build.error && (
         <p class="trouble" role="alert">
           <strong>{t('failed')}.</strong> {told(build.error)}.{' '}

@@ -127,7 +127,7 @@ function TopBar({ editor, files, segments, choose }: Pick<WorkspaceProps, 'edito
 }
 
 function StatusBar({ editor }: { editor: Editor }) {
-  const { tool, notice, relief, build, depthTint, showMarks } = useStore(editor);
+  const { tool, notice, relief, shown, build, depthTint, showMarks } = useStore(editor);
   const hint = tools.find((entry) => entry.name === tool)?.hint ?? 'hintSelect';
   const ms = relief ? Object.values(relief.report.times).reduce((sum, time) => sum + time, 0) : 0;
   return (
@@ -137,7 +137,7 @@ function StatusBar({ editor }: { editor: Editor }) {
       <label class="check"><input type="checkbox" checked={depthTint} onChange={() => editor.set({ depthTint: !depthTint })} /> {t('depthTint')}</label>
       <label class="check"><input type="checkbox" checked={showMarks} onChange={() => editor.set({ showMarks: !showMarks })} /> {t('marks')}</label>
       <span class="numbers" data-nodes={relief?.report.nodes ?? 0} data-phase={build.phase}>
-        {relief && t('ready', { nodes: relief.report.nodes.toLocaleString(), ms: Math.round(ms) })}
+        {relief && relief === shown && t('ready', { nodes: relief.report.nodes.toLocaleString(), ms: Math.round(ms) })}
       </span>
     </footer>
   );

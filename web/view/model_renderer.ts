@@ -24,6 +24,8 @@ function linearOf(bytes: Uint8Array): Float32Array<ArrayBuffer> {
 
 /** The relief in three dimensions. Draws when something changed, never by itself. */
 export class ModelRenderer {
+  /** Whether the processor draws alone. */
+  readonly isSoftware: boolean = false;
   private readonly renderer: THREE.WebGLRenderer;
   private readonly scene = new THREE.Scene();
   private readonly camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -10, 10);

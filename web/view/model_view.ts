@@ -1,7 +1,9 @@
 import * as Comlink from 'comlink';
 import type { Surface } from '../engine/messages';
-import type { ModelRenderer, ModelShading, Pose } from './model_renderer';
+import type { ModelShading, Pose } from './model_renderer';
+import type { StartRenderer } from './model_worker';
 import type { Painted } from './painted_drawing';
+import type { Renderer } from './software_renderer';
 import type { Viewport } from './viewport';
 
 type Frame = Pose['frame'];
@@ -12,17 +14,18 @@ type Frame = Pose['frame'];
  */
 export class ModelView {
   private readonly worker = new Worker(new URL('./model_worker.ts', import.meta.url), { type: 'module' });
-  private readonly renderer: Promise<Comlink.Remote<ModelRenderer>>;
+  private readonly renderer: Promise<Comlink.Remote<Renderer>>;
   private pose: Pose = { yaw: -0.42, pitch: 0.16, target: [0, 0, 0], frame: [-1, 1, 1, -1] };
   private zoomed = 1;
   private painting: Promise<void> = Promise.resolve();
   private size: [number, number] = [1, 1];
   private canvasSize: [number, number] = [1000, 800];
 
-  constructor(canvas: HTMLCanvasElement) {
+  /** `lost`: the graphics are gone; another view on another canvas may have them again. */
+  constructor(canvas: HTMLCanvasElement, lost: () => void = () => undefined) {
     const offscreen = canvas.transferControlToOffscreen();
-    const Renderer = Comlink.wrap<typeof ModelRenderer>(this.worker);
-    this.renderer = new Renderer(Comlink.transfer(offscreen, [offscreen]));
+    const start = Comlink.wrap<StartRenderer>(this.worker);
+    this.renderer = start(Comlink.transfer(offscreen, [offscreen]), Comlink.proxy(lost)) as Promise<Comlink.Remote<Renderer>>;
     this.aimLight(-0.45, 0.6);
   }
 
@@ -113,6 +116,11 @@ export class ModelView {
     this.look({ ...this.pose, target: [0, 0, 0], frame });
   }
 
+  /** Whether there are no graphics and the processor draws alone. */
+  async isSoftware(): Promise<boolean> {
+    return (await this.renderer).isSoftware;
+  }
+
   /** Resolves when everything up to now can be seen. */
   async drawn(): Promise<void> {
     await this.painting;
@@ -144,7 +152,7 @@ export class ModelView {
   }
 
   /** Calls arrive in the order in which they are made. */
-  private tell(call: (renderer: Comlink.Remote<ModelRenderer>) => Promise<unknown>): void {
+  private tell(call: (renderer: Comlink.Remote<Renderer>) => Promise<unknown>): void {
     void this.renderer.then(call);
   }
 }

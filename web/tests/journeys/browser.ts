@@ -18,11 +18,13 @@ export interface Stage {
   page: Page;
   url: string;
   profile: string;
+  /** What the browser is told besides. */
+  words: readonly string[];
   /** Everything that went wrong: console errors, refused by policy, requests to elsewhere. */
   troubles: string[];
 }
 
-function openContext(profile: string): Promise<BrowserContext> {
+function openContext(profile: string, words: readonly string[]): Promise<BrowserContext> {
   return chromium.launchPersistentContext(profile, {
     executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
     headless: true,
@@ -34,6 +36,7 @@ function openContext(profile: string): Promise<BrowserContext> {
       '--disable-component-update', '--disable-sync', '--use-angle=swiftshader',
       // Without a graphics processor the page is put together faster this way.
       '--enable-unsafe-swiftshader', '--disable-gpu-compositing', '--disable-accelerated-2d-canvas',
+      ...words,
     ],
   });
 }
@@ -50,7 +53,7 @@ function watch(stage: Stage): void {
   });
 }
 
-export async function openStage(): Promise<Stage> {
+export async function openStage(words: readonly string[] = []): Promise<Stage> {
   if (!existsSync(join(web, '../build/web/index.html'))) throw new Error('run "npm run build" first');
   mkdirSync(pictures, { recursive: true });
   const server = await preview({ root: web, preview: { port: 0, host: '127.0.0.1' }, logLevel: 'error' });
@@ -58,9 +61,9 @@ export async function openStage(): Promise<Stage> {
   if (address === null || typeof address === 'string') throw new Error('the server has no port');
   const url = `http://127.0.0.1:${address.port}/`;
   const profile = mkdtempSync(join(tmpdir(), 'relievo-browser-'));
-  const context = await openContext(profile);
+  const context = await openContext(profile, words);
   const page = context.pages()[0] ?? (await context.newPage());
-  const stage = { server, context, page, url, profile, troubles: [] };
+  const stage = { server, context, page, url, profile, words, troubles: [] };
   watch(stage);
   await openPage(stage);
   return stage;
@@ -75,7 +78,7 @@ async function openPage(stage: Stage): Promise<void> {
 /** Ends the browser without a word and opens it again with the same storage. */
 export async function reopen(stage: Stage): Promise<void> {
   await stage.context.close();
-  stage.context = await openContext(stage.profile);
+  stage.context = await openContext(stage.profile, stage.words);
   watch(stage);
   stage.page = stage.context.pages()[0] ?? (await stage.context.newPage());
   await openPage(stage);
@@ -88,10 +91,10 @@ export async function closeStage(stage: Stage): Promise<void> {
 }
 
 /** One stage for the tests of a file; `anew`: each begins at the first screen. */
-export function stageOfFile({ anew }: { anew: boolean }): Stage {
+export function stageOfFile({ anew, words = [] }: { anew: boolean; words?: readonly string[] }): Stage {
   const stage = {} as Stage;
   beforeAll(async () => {
-    Object.assign(stage, await openStage());
+    Object.assign(stage, await openStage(words));
   });
   beforeEach(async () => {
     if (anew) await openPage(stage);

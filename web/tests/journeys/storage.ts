@@ -39,15 +39,46 @@ export function shelfOf(page: Page): Promise<KeptEntry[]> {
   });
 }
 
+interface Process {
+  id: number;
+  parent: number;
+  words: string[];
+}
+
+function processes(): Process[] {
+  return readdirSync('/proc').filter((entry) => /^\d+$/.test(entry)).flatMap((entry) => {
+    try {
+      // Some programs write all their words as one.
+      const words = readFileSync(`/proc/${entry}/cmdline`, 'utf8').split(/[\0 ]/);
+      const parent = Number(/\) \S (\d+)/.exec(readFileSync(`/proc/${entry}/stat`, 'utf8'))?.[1]);
+      return [{ id: Number(entry), parent, words }];
+    } catch {
+      // It has ended.
+      return [];
+    }
+  });
+}
+
+function browserOf(profile: string): number {
+  const browser = processes().find(({ words }) => words.includes(`--user-data-dir=${profile}`) && !words.some((word) => word.startsWith('--type=')));
+  if (!browser) throw new Error('the browser does not run');
+  return browser.id;
+}
+
 /** Ends the browser of a profile as a crash does: at once, without a word. */
 export function killBrowser(profile: string): void {
-  for (const name of readdirSync('/proc').filter((entry) => /^\d+$/.test(entry))) {
-    let words: string[];
-    try {
-      words = readFileSync(`/proc/${name}/cmdline`, 'utf8').split('\0');
-    } catch {
-      continue;
-    }
-    if (words.includes(`--user-data-dir=${profile}`) && !words.some((word) => word.startsWith('--type='))) process.kill(Number(name), 'SIGKILL');
-  }
+  process.kill(browserOf(profile), 'SIGKILL');
+}
+
+/** Ends the graphics of the browser of a profile. */
+export function killGraphics(profile: string): void {
+  const browser = browserOf(profile);
+  const all = processes();
+  const isOurs = ({ id, parent }: Process): boolean => {
+    const above = all.find((one) => one.id === parent);
+    return id === browser || (above !== undefined && isOurs(above));
+  };
+  const graphics = all.filter((one) => one.words.includes('--type=gpu-process') && isOurs(one));
+  if (graphics.length === 0) throw new Error('the browser has no graphics');
+  for (const { id } of graphics) process.kill(id, 'SIGKILL');
 }
