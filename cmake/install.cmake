@@ -1,10 +1,10 @@
 # Installs the libraries as the package "relievo": targets relievo::kernel, relievo::relief,
-# relievo::io and relievo::render, their headers below include/relievo, and the program.
+# relievo::io, relievo::render and relievo::solid, their headers below include/relievo, and the program.
 include(CMakePackageConfigHelpers)
 
 set(RELIEVO_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/relievo)
 
-install(TARGETS relievo_kernel relievo_relief relievo_io relievo_render
+install(TARGETS relievo_kernel relievo_relief relievo_io relievo_render relievo_solid
   EXPORT relievo_targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS relievo RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

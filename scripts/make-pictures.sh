@@ -67,6 +67,21 @@ convert "$work/bear.png" -resize 480x480 "$to/bear-understood.png"
 "$relievo" build examples/elephant.svg --normal-map "$to/elephant-normal.png" \
   --depth-map "$to/elephant-depth.png" --map-size 480 > /dev/null
 
+# Solids.
+solid="examples/wolf.svg --profile solid --size 480 --pitch 15"
+while read -r name look; do
+  # shellcheck disable=SC2086
+  "$relievo" render $solid $look -o "$work/solid.png" > /dev/null
+  convert "$work/solid.png" -resize 360x -colors 192 "$to/solid-$name.png"
+done << END
+front --clay --yaw 0
+turned --clay --yaw 60
+back --clay --yaw 165
+outline --base outline --ring 4 --yaw -30
+plate --base plate --margin 8 --hole 4 --yaw -30
+round --base round --yaw -30
+END
+
 # The non-linear method: its fields, its steps, and the ends of joins.
 for field in inflation shift relief; do
   "$relievo" render examples/wolf.svg --method nonlinear --field "$field" --clay --yaw -20 \

@@ -89,14 +89,51 @@ void add_common(CLI::App& app, CommonArguments& common, const char* what) {
 }
 
 /// Accepts only what this version can do, and says so of what is planned.
-CLI::Validator one_of(const std::string& available, const std::vector<std::string>& planned) {
-  const auto check = [=](const std::string& value) -> std::string {
-    if (value == available) return "";
-    for (const std::string& name : planned)
-      if (value == name) return "\"" + name + "\" is not available in this version";
-    return "\"" + value + "\" is unknown; use " + available;
+CLI::Validator known_profile() {
+  const auto check = [](const std::string& value) -> std::string {
+    if (value == "relief" || value == "solid") return "";
+    if (value == "figure") return "\"figure\" is not available in this version";
+    return "\"" + value + "\" is unknown; use relief or solid";
   };
-  return {check, available, available};
+  return {check, "{relief,solid}", "profile"};
+}
+
+BaseShape base_shape(const std::string& name) {
+  if (name == "outline") return BaseShape::outline;
+  if (name == "plate") return BaseShape::plate;
+  return name == "round" ? BaseShape::round : BaseShape::none;
+}
+
+/// Lengths in mm of a solid and what it stands on.
+void add_solid_options(CLI::App& app, ReliefArguments& relief) {
+  SolidOptions& solid = relief.solid_options;
+  auto* profile =
+      app.add_option_function<std::string>(
+             "--profile", [&relief](const std::string& name) { relief.solid = name == "solid"; },
+             "relief: the surface alone (the default); solid: everything below it, closed, with a "
+             "flat back, to print or to carve")
+          ->check(known_profile());
+  const std::vector<CLI::Option*> options = {
+      app.add_option_function<std::string>(
+             "--base", [&solid](const std::string& name) { solid.base = base_shape(name); },
+             "Of solid: none (the default), or a plate below it: outline, plate (a rectangle) or "
+             "round")
+          ->check(CLI::IsMember({"none", "outline", "plate", "round"})),
+      app.add_option("--thickness", solid.thickness,
+                     "Of solid: mm below its lowest visible point, and of its base (default 2)")
+          ->check(within(0.1, 1000.0)),
+      app.add_option("--margin", solid.margin,
+                     "Of solid: mm from it to the edge of its base (default 3)")
+          ->check(within(0.5, 1000.0)),
+      app.add_option("--corner", solid.corner,
+                     "Of solid: mm, radius of the corners of a plate (default 3)")
+          ->check(within(0.0, 1000.0)),
+      app.add_option("--hole", solid.hole, "Of solid: a hole so many mm wide in its base")
+          ->check(within(0.5, 100.0)),
+      app.add_option("--ring", solid.ring,
+                     "Of solid: a loop above its base, its hole so many mm wide")
+          ->check(within(0.5, 100.0))};
+  for (CLI::Option* option : options) option->needs(profile);
 }
 
 void add_mesh_options(CLI::App& app, ReliefArguments& relief) {
@@ -195,9 +232,6 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
 
 void add_visibility(CLI::App& app, ReliefArguments& relief, Visibility usual) {
   relief.visibility = usual;
-  app.add_option_function<std::string>(
-         "--profile", [](const std::string&) {}, "relief (the default)")
-      ->check(one_of("relief", {"solid", "figure"}));
   auto* visible =
       app.add_option_function<std::string>(
              "--visible",
@@ -210,6 +244,7 @@ void add_visibility(CLI::App& app, ReliefArguments& relief, Visibility usual) {
          "--keep-hidden", [&relief] { relief.visibility = Visibility::all; },
          "The same as --visible all")
       ->excludes(visible);
+  add_solid_options(app, relief);
 }
 
 /// A usage error where the file's extension is none of those given.

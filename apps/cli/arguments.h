@@ -8,6 +8,7 @@
 
 #include "relief/pipeline/keep_field.h"
 #include "relief/scene/scene.h"
+#include "solid/solid_options.h"
 
 namespace relievo::cli {
 
@@ -35,6 +36,8 @@ struct ReliefArguments {
   bool as_in_paper = false;       ///< c, d, profile and lean of all parts as the paper has them
   Visibility visibility = Visibility::relief;
   Field field = Field::relief;
+  bool solid = false;          ///< everything below the visible surface, in place of the surface
+  SolidOptions solid_options;  ///< its size is that of the outputs
 };
 
 struct BuildArguments {

@@ -10,6 +10,7 @@
 #include "apps/cli/reconstruct.h"
 #include "apps/cli/report.h"
 #include "io/maps/encode_maps.h"
+#include "io/mesh/placement.h"
 #include "kernel/base/stopwatch.h"
 #include "kernel/image/image_size.h"
 
@@ -19,7 +20,7 @@ namespace {
 /// What a build has made so far.
 struct Products {
   std::vector<OutputFile> files;
-  std::optional<DrawnModel> drawn;
+  std::optional<MadeModel> made;
 };
 
 Status add(Products& products, const std::string& name, Result<Bytes> bytes) {
@@ -31,11 +32,15 @@ Status add(Products& products, const std::string& name, Result<Bytes> bytes) {
 Status add_models(Products& products, const BuildArguments& build, const SceneInput& input,
                   const Relief& relief, const RunContext& context) {
   if (build.models.empty() && build.preview.empty()) return Done{};
-  auto drawn = make_model(relief, input, build.relief, context);
-  if (!drawn) return drawn.error();
-  const auto& [model, drawing] = products.drawn.emplace(std::move(*drawn));
+  ReliefArguments arguments = build.relief;
+  arguments.solid_options.size = build.size_mm;
+  auto made = make_model(relief, input, arguments, context);
+  if (!made) return made.error();
+  const auto& [model, drawing] = products.made.emplace(std::move(*made)).drawn;
+  // A solid is in mm already.
+  const double size = products.made->solid ? longest_side(model) : build.size_mm;
   for (const std::string& name : build.models) {
-    auto files = encode_model(model, drawing, name, build.size_mm);
+    auto files = encode_model(model, drawing, name, size);
     if (!files) return files.error();
     std::move(files->begin(), files->end(), std::back_inserter(products.files));
     if (context.cancelled()) return interrupted_error();
@@ -96,10 +101,16 @@ std::vector<std::string> relief_warnings(const Relief& relief) {
   return warnings;
 }
 
-std::vector<std::string> all_warnings(const SceneInput& input, const Relief& relief) {
-  std::vector<std::string> warnings = input.warnings;
-  const std::vector<std::string> own = relief_warnings(relief);
-  warnings.insert(warnings.end(), own.begin(), own.end());
+/// What is to be said of a solid.
+std::vector<std::string> solid_warnings(const Products& products) {
+  if (!products.made || !products.made->solid || products.made->solid->pieces < 2) return {};
+  return {"the solid is in " + std::to_string(products.made->solid->pieces) +
+          " pieces that nothing holds together; --base does"};
+}
+
+std::vector<std::string> joined(std::vector<std::string> warnings,
+                                const std::vector<std::string>& more) {
+  warnings.insert(warnings.end(), more.begin(), more.end());
   return warnings;
 }
 
@@ -138,17 +149,20 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
   if (Status s = add_convergence(products, build, input->scene, *relief, context); !s) return s;
   progress.reset();
 
+  const std::vector<std::string> warnings =
+      joined(relief_warnings(*relief), solid_warnings(products));
   const std::string report = write_report(
       {build.common.input,
        input->scene,
        *relief,
        build.relief.options.joint,
-       products.drawn ? &products.drawn->model : nullptr,
+       products.made ? &products.made->drawn.model : nullptr,
+       products.made ? products.made->solid : std::nullopt,
        {{"read", read_time}, {"export", exporting.milliseconds()}, {"total", total.milliseconds()}},
-       all_warnings(*input, *relief)});
+       joined(input->warnings, warnings)});
   if (!build.report.empty()) products.files.push_back({build.report, bytes_of(report)});
   if (Status status = save(products.files, input->files, interruption); !status) return status;
-  print_warnings(relief_warnings(*relief), build.common.quiet);
+  print_warnings(warnings, build.common.quiet);
   print_note(summary(*relief), build.common.quiet);
   print_results(build, products, report);
   return Done{};

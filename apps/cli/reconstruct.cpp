@@ -25,7 +25,7 @@ Part as_in_paper(Part part) {
 Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
                            const RunContext& context) {
   ReliefOptions options = arguments.options;
-  options.hidden = arguments.visibility != Visibility::relief;
+  options.hidden = !arguments.solid && arguments.visibility != Visibility::relief;
   if (arguments.as_in_paper) {
     for (Part& part : scene.parts) part = as_in_paper(std::move(part));
     options.layers.attach = false;
@@ -46,14 +46,22 @@ Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
   return relief;
 }
 
-Result<DrawnModel> make_model(const Relief& relief, const SceneInput& input,
-                              const ReliefArguments& arguments, const RunContext& context) {
+Result<MadeModel> make_model(const Relief& relief, const SceneInput& input,
+                             const ReliefArguments& arguments, const RunContext& context) {
   ModelOptions options;
+  if (arguments.solid) {
+    const auto sheet = assemble_visible_sheet(relief.layers, relief.inflation, relief.ordering,
+                                              input.scene, options, context);
+    if (!sheet) return sheet.error();
+    auto solid = make_solid(*sheet, input.drawing, arguments.solid_options);
+    if (!solid) return solid.error();
+    return MadeModel{std::move(solid->drawn), solid->facts};
+  }
   options.visibility = arguments.visibility;
   auto model = assemble_model(relief.layers, relief.inflation, relief.ordering, input.scene,
                               options, context);
   if (!model) return model.error();
-  return dress_hidden(std::move(*model), input.drawing);
+  return MadeModel{dress_hidden(std::move(*model), input.drawing), {}};
 }
 
 }  // namespace relievo::cli

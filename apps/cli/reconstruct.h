@@ -1,21 +1,29 @@
 #pragma once
 
+#include <optional>
+
 #include "apps/cli/arguments.h"
 #include "apps/cli/inputs.h"
 #include "kernel/base/result.h"
 #include "kernel/base/run_context.h"
-#include "relief/model/drawn_model.h"
+#include "solid/make_solid.h"
 
 namespace relievo::cli {
+
+/// A model, and what is to be told of it where it is a solid.
+struct MadeModel {
+  DrawnModel drawn;
+  std::optional<SolidFacts> solid;
+};
 
 /// The relief of a scene by the chosen options, or the field of it that they ask for. They may
 /// change the scene's own values (c).
 Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
                            const RunContext& context);
 
-/// The surface of a relief that the chosen visibility keeps, with the drawing on it; what is hidden
-/// has colours of its own.
-Result<DrawnModel> make_model(const Relief& relief, const SceneInput& input,
-                              const ReliefArguments& arguments, const RunContext& context);
+/// The solid of a relief where that is asked for; otherwise the surface that the chosen visibility
+/// keeps, with the drawing on it, and what is hidden has colours of its own.
+Result<MadeModel> make_model(const Relief& relief, const SceneInput& input,
+                             const ReliefArguments& arguments, const RunContext& context);
 
 }  // namespace relievo::cli

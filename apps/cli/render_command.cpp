@@ -31,7 +31,7 @@ Result<Subject> build_model(const InputFile& input, const RenderArguments& rende
   if (!relief) return relief.error();
   auto drawn = make_model(*relief, *loaded, render.relief, context);
   if (!drawn) return drawn.error();
-  return Subject{std::move(*drawn), std::move(loaded->files)};
+  return Subject{std::move(drawn->drawn), std::move(loaded->files)};
 }
 
 }  // namespace

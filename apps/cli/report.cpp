@@ -104,6 +104,8 @@ std::string write_report(const ReportInput& input) {
   if (input.model != nullptr)
     report["model"] = {{"vertices", input.model->positions.size()},
                        {"faces", input.model->triangles.size()}};
+  if (input.solid)
+    report["solid"] = {{"volume_mm3", input.solid->volume}, {"pieces", input.solid->pieces}};
   report["timings_ms"] = times(input);
   report["warnings"] = input.warnings;
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

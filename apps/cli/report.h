@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "relief/pipeline/build_relief.h"
+#include "solid/make_solid.h"
 
 namespace relievo::cli {
 
@@ -13,6 +15,7 @@ struct ReportInput {
   const Relief& relief;
   const JointOptions& options;   ///< of the non-linear method
   const Model* model = nullptr;  ///< where one was made
+  std::optional<SolidFacts> solid;
   std::vector<StageTime> times;  ///< of the program: "read", "export", "total"
   std::vector<std::string> warnings;
 };

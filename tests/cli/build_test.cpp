@@ -188,6 +188,30 @@ TEST_F(Build, ReadsStandardInput) {
   }
 }
 
+TEST_F(Build, ReportsASolid) {
+  const auto solid = [&](std::vector<std::string> options) {
+    std::vector<std::string> arguments = with_small(
+        {"build", "scene.json", "-o", "m.stl", "--json", "--profile", "solid", "--size", "40"});
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = relievo(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return Json::parse(outcome.out)["solid"];
+  };
+  const Json plain = solid({});
+  EXPECT_EQ(plain["pieces"], 1);
+  EXPECT_GT(plain["volume_mm3"], 0);
+  for (const std::vector<std::string>& change :
+       std::vector<std::vector<std::string>>{{"--thickness", "4"},
+                                             {"--base", "outline"},
+                                             {"--base", "plate"},
+                                             {"--base", "plate", "--margin", "5"},
+                                             {"--base", "plate", "--corner", "0"},
+                                             {"--base", "round"},
+                                             {"--base", "plate", "--margin", "5", "--hole", "3"},
+                                             {"--base", "outline", "--ring", "3"}})
+    EXPECT_NE(solid(change)["volume_mm3"], plain["volume_mm3"]) << change.back();
+}
+
 TEST_F(Build, OptionsReachTheirStages) {
   const auto glb = [&](std::vector<std::string> options) {
     std::vector<std::string> arguments = {"build", "scene.json", "-o", "m.glb", "-q"};

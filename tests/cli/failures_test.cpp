@@ -49,12 +49,19 @@ TEST_F(Failures, UsageIsTwo) {
   expect_failure(with(build, {"--normal-y", "up"}), 2, "normal-y");
   expect_failure(with(build, {"--timeout", "0"}), 2, "timeout");
   expect_failure(with(build, {"--no-such-option"}), 2, "no-such-option");
+  expect_failure(with(build, {"--profile", "hollow"}), 2, "hollow");
+  expect_failure(with(build, {"--base", "round"}), 2, "profile");
+  const std::vector<std::string> solid = with(build, {"--profile", "solid"});
+  expect_failure(with(solid, {"--base", "square"}), 2, "base");
+  expect_failure(with(solid, {"--thickness", "0"}), 2, "thickness");
+  expect_failure(with(solid, {"--size", "3", "--thickness", "3"}), 2, "size");
+  expect_failure(with(solid, {"--hole", "4"}), 2, "base");
+  expect_failure(with(solid, {"--base", "outline", "--hole", "90"}), 2, "hole");
   expect_failure({"render", "scene.json"}, 2, "output");
   expect_failure({"render", "scene.json", "-o", "a.png", "--view", "back"}, 2, "view");
 }
 
 TEST_F(Failures, WhatIsPlannedIsNamedAsSuch) {
-  expect_failure(with(build, {"--profile", "solid"}), 2, "not available in this version");
   expect_failure(with(build, {"--profile", "figure"}), 2, "not available in this version");
 }
 

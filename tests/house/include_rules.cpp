@@ -53,6 +53,7 @@ const Names stage_structs = {
     "layers/layered_mesh.h",
     "model/drawn_model.h",
     "model/model.h",
+    "model/visible_sheet.h",
     "ordering/ordering.h",
     "scene/scene.h",
     "stacking/stacking.h",
@@ -72,7 +73,7 @@ const Names stage_verbs = {
     "stacking/stack_parts.h"};
 
 struct Place {
-  std::string top;     ///< kernel, relief, io, render, apps, tests, benchmarks
+  std::string top;     ///< kernel, relief, io, render, solid, apps, tests, benchmarks
   std::string folder;  ///< below it
   std::string rest;    ///< folder/file
 };
@@ -128,9 +129,19 @@ std::string check_render(const Place& to) {
   return "render uses the kernel, models, drawings and itself only";
 }
 
+std::string check_solid(const Place& to) {
+  if (to.top == "kernel" || to.top == "solid") return "";
+  if (to.top == "relief" && (to.folder == "model" || to.folder == "drawing") &&
+      stage_structs.count(to.rest) > 0)
+    return "";
+  return "solid uses the kernel, models, drawings and itself only";
+}
+
 /// For programs and bindings alike.
 std::string check_apps(const Place& from, const Place& to) {
-  if (to.top == "kernel" || to.top == "io" || to.top == "render" || to.top == from.top) return "";
+  if (to.top == "kernel" || to.top == "io" || to.top == "render" || to.top == "solid" ||
+      to.top == from.top)
+    return "";
   if (to.top != "relief") return from.top + " use the libraries only";
   if (to.folder == "pipeline" ||
       stage_structs.count(to.rest) + stage_verbs.count(to.rest) + model_views.count(to.rest) > 0)
@@ -157,6 +168,7 @@ std::string include_violation(const std::string& from, const std::string& to) {
   if (source.top == "relief") return check_relief(source, target);
   if (source.top == "io") return check_io(target);
   if (source.top == "render") return check_render(target);
+  if (source.top == "solid") return check_solid(target);
   if (source.top == "apps" || source.top == "bindings") return check_apps(source, target);
   if (target.top == "apps" || target.top == "bindings") return "nobody includes " + target.top;
   return "";

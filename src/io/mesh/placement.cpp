@@ -25,6 +25,8 @@ Box3 extent(const Model& model) {
   return box;
 }
 
+double longest_side(const Model& model) { return longest_side(extent(model)); }
+
 Placement centred_placement(const Model& model, double size) {
   const Box3 box = extent(model);
   const Point3 middle = 0.5 * (box.min + box.max);

@@ -14,6 +14,9 @@ struct Box3 {
 /// The box around all vertices of a model. Precondition: there is at least one.
 Box3 extent(const Model& model);
 
+/// The longest side of that box.
+double longest_side(const Model& model);
+
 /// Where a model lies in a file: position in the file = scale * (position - origin).
 struct Placement {
   double scale = 1;

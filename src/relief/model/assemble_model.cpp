@@ -76,14 +76,22 @@ void add_cut_vertices(const CutSurface& surface, const Inflation& inflation,
   }
 }
 
-}  // namespace
+std::vector<StepPoint> step_points(const CutSurface& surface, FaceEdge edge, bool backwards) {
+  std::vector<EdgePoint> points;
+  append_edge_points(surface, edge, backwards, points);
+  std::vector<StepPoint> step;
+  step.reserve(points.size());
+  for (const EdgePoint& point : points) step.push_back({point.vertex, point.t});
+  return step;
+}
 
-Result<Model> assemble_model(const LayeredMesh& mesh, const Inflation& inflation,
-                             const Ordering& ordering, const Scene& scene,
-                             const ModelOptions& options, const RunContext& context) {
-  if (Status status = check_options(options); !status.ok()) return status.error();
-  if (Status status = check_surface(mesh, inflation, ordering, scene); !status.ok())
-    return status.error();
+/// Builds the faces that are kept and hands them to `finish`.
+template <class Finish>
+Status build_faces(const LayeredMesh& mesh, const Inflation& inflation, const Ordering& ordering,
+                   const Scene& scene, const ModelOptions& options, const RunContext& context,
+                   Finish finish) {
+  if (Status status = check_options(options); !status.ok()) return status;
+  if (Status status = check_surface(mesh, inflation, ordering, scene); !status.ok()) return status;
   context.report("model", 0);
   const SheetSurface sheets = connect_faces(mesh, scene, options.visibility);
   if (context.cancelled()) return interrupted_error();
@@ -96,13 +104,46 @@ Result<Model> assemble_model(const LayeredMesh& mesh, const Inflation& inflation
                   mesh.faces.size() + 2 * cuts->t.size());
   add_corner_vertices(mesh, inflation, ordering, sheets, builder);
   add_cut_vertices(surface, inflation, ordering, builder);
-  const double longest = std::max(scene.width, scene.height);
-  if (Status s = cut_faces(surface, hidden_fraction * longest, context, builder); !s)
-    return s.error();
+  const double hidden_depth = hidden_fraction * std::max(scene.width, scene.height);
+  if (Status s = cut_faces(surface, hidden_depth, context, builder); !s) return s;
   context.report("model", 0.8);
-  close_open_edges(surface, weld_fraction * longest, builder);
+  finish(surface, builder);
   context.report("model", 1);
-  return std::move(builder).build();
+  return Done{};
+}
+
+}  // namespace
+
+Result<Model> assemble_model(const LayeredMesh& mesh, const Inflation& inflation,
+                             const Ordering& ordering, const Scene& scene,
+                             const ModelOptions& options, const RunContext& context) {
+  Model model;
+  const double weld_tolerance = weld_fraction * std::max(scene.width, scene.height);
+  Status status = build_faces(mesh, inflation, ordering, scene, options, context,
+                              [&](const CutSurface& surface, ModelBuilder& builder) {
+                                close_open_edges(surface, weld_tolerance, builder);
+                                model = std::move(builder).build();
+                              });
+  if (!status) return status.error();
+  return model;
+}
+
+Result<VisibleSheet> assemble_visible_sheet(const LayeredMesh& mesh, const Inflation& inflation,
+                                            const Ordering& ordering, const Scene& scene,
+                                            const ModelOptions& options,
+                                            const RunContext& context) {
+  ModelOptions relief = options;
+  relief.visibility = Visibility::relief;
+  VisibleSheet sheet;
+  Status status = build_faces(mesh, inflation, ordering, scene, relief, context,
+                              [&](const CutSurface& surface, ModelBuilder& builder) {
+                                for (const OpenEdge& open : surface.sheets.open_edges)
+                                  sheet.steps.push_back({step_points(surface, open.first, false),
+                                                         step_points(surface, open.second, true)});
+                                sheet.model = std::move(builder).build();
+                              });
+  if (!status) return status.error();
+  return sheet;
 }
 
 }  // namespace relievo

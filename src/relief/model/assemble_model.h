@@ -5,6 +5,7 @@
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/model/model.h"
+#include "relief/model/visible_sheet.h"
 #include "relief/ordering/ordering.h"
 #include "relief/scene/scene.h"
 
@@ -34,5 +35,12 @@ struct ModelOptions {
 Result<Model> assemble_model(const LayeredMesh& mesh, const Inflation& inflation,
                              const Ordering& ordering, const Scene& scene,
                              const ModelOptions& options, const RunContext& context = {});
+
+/// The same triangles of the relief without walls, whatever visibility the options say, and where
+/// these would stand. Fails as assemble_model. Near-linear in faces.
+Result<VisibleSheet> assemble_visible_sheet(const LayeredMesh& mesh, const Inflation& inflation,
+                                            const Ordering& ordering, const Scene& scene,
+                                            const ModelOptions& options,
+                                            const RunContext& context = {});
 
 }  // namespace relievo

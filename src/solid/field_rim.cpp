@@ -1,0 +1,193 @@
+#include "solid/field_rim.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "kernel/meshing/triangulate.h"
+
+namespace relievo {
+namespace {
+
+using Edge = std::array<int, 2>;
+
+/// The directed edges of the rim between points, the field to their left, sorted.
+std::vector<Edge> rim_edges(const HeightField& field, const FieldEdges& edges) {
+  std::vector<Edge> rim;
+  for (size_t t = 0; t < field.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k)
+      if (edges.across[t][k] < 0)
+        rim.push_back({field.vertex_point[field.triangles[t][k]],
+                       field.vertex_point[field.triangles[t][(k + 1) % 3]]});
+  std::sort(rim.begin(), rim.end());
+  return rim;
+}
+
+/// A triangulation that has all lines as edges, in regions between them.
+struct Regions {
+  PlanarTriangulation mesh;   ///< of local numbers
+  std::vector<int> region;    ///< #T
+  std::vector<char> covered;  ///< by region: whether it lies left of a rim
+};
+
+/// `lines`: directed, sorted; those with a number below `rim` of the `points` bound the field.
+class RegionFinder {
+ public:
+  RegionFinder(std::vector<Point2> points, std::vector<Edge> lines, std::vector<char> is_rim)
+      : points_(std::move(points)), lines_(std::move(lines)), is_rim_(std::move(is_rim)) {}
+
+  Result<Regions> find() {
+    auto mesh = triangulate(points_, lines_);
+    if (!mesh) return mesh.error();
+    Regions regions{std::move(*mesh), {}, {}};
+    regions.region.assign(regions.mesh.triangles.size(), -1);
+    for (size_t t = 0; t < regions.region.size(); ++t)
+      if (regions.region[t] < 0) flood(static_cast<int>(t), regions);
+    return regions;
+  }
+
+ private:
+  /// The number of the line from a to b, or -1.
+  int line(int a, int b) const {
+    const auto at = std::lower_bound(lines_.begin(), lines_.end(), Edge{a, b});
+    return at != lines_.end() && *at == Edge{a, b} ? static_cast<int>(at - lines_.begin()) : -1;
+  }
+
+  void flood(int seed, Regions& regions) const {
+    const int number = static_cast<int>(regions.covered.size());
+    regions.covered.push_back(0);
+    std::vector<int> open{seed};
+    regions.region[seed] = number;
+    while (!open.empty()) {
+      const int t = open.back();
+      open.pop_back();
+      for (int k = 0; k < 3; ++k) {
+        const int a = regions.mesh.triangles[t][(k + 1) % 3];
+        const int b = regions.mesh.triangles[t][(k + 2) % 3];
+        const int left = line(a, b);
+        if (left >= 0 && is_rim_[left] != 0) regions.covered[number] = 1;
+        const int other = regions.mesh.neighbours[t][k];
+        if (left >= 0 || line(b, a) >= 0 || other < 0 || regions.region[other] >= 0) continue;
+        regions.region[other] = number;
+        open.push_back(other);
+      }
+    }
+  }
+
+  std::vector<Point2> points_;
+  std::vector<Edge> lines_;
+  std::vector<char> is_rim_;
+};
+
+Point2 as_double(GridPoint p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
+/// The points of the rim get numbers of their own, in the order of their numbers in the field.
+struct RimPoints {
+  std::vector<int> global;
+  std::vector<Point2> places;
+  std::vector<Edge> lines;  ///< between local numbers
+};
+
+RimPoints number_rim(const HeightField& field, const std::vector<Edge>& rim) {
+  RimPoints points;
+  for (const Edge& edge : rim) points.global.push_back(edge[0]);
+  points.global.erase(std::unique(points.global.begin(), points.global.end()), points.global.end());
+  for (const int p : points.global) points.places.push_back(as_double(field.points[p]));
+  const auto local = [&points](int p) {
+    return static_cast<int>(std::lower_bound(points.global.begin(), points.global.end(), p) -
+                            points.global.begin());
+  };
+  for (const Edge& edge : rim) points.lines.push_back({local(edge[0]), local(edge[1])});
+  return points;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> rim_rings(const HeightField& field, const FieldEdges& edges) {
+  const std::vector<Edge> rim = rim_edges(field, edges);
+  std::vector<char> used(rim.size());
+  std::vector<std::vector<int>> rings;
+  for (size_t first = 0; first < rim.size(); ++first) {
+    std::vector<int> ring;
+    for (size_t e = first; e < rim.size() && used[e] == 0;) {
+      used[e] = 1;
+      ring.push_back(rim[e][0]);
+      const int next = rim[e][1];
+      e = static_cast<size_t>(std::lower_bound(rim.begin(), rim.end(), Edge{next, -1}) -
+                              rim.begin());
+      while (e < rim.size() && rim[e][0] == next && used[e] != 0) ++e;
+      if (e < rim.size() && rim[e][0] != next) break;
+    }
+    if (!ring.empty()) rings.push_back(std::move(ring));
+  }
+  return rings;
+}
+
+Result<std::vector<std::array<int, 3>>> triangulate_inside(const HeightField& field,
+                                                           const FieldEdges& edges) {
+  RimPoints rim = number_rim(field, rim_edges(field, edges));
+  const std::vector<char> all(rim.lines.size(), 1);
+  const auto regions = RegionFinder(std::move(rim.places), std::move(rim.lines), all).find();
+  if (!regions) return regions.error();
+  std::vector<std::array<int, 3>> triangles;
+  for (size_t t = 0; t < regions->region.size(); ++t) {
+    if (regions->covered[regions->region[t]] == 0) continue;
+    const std::array<int, 3>& local = regions->mesh.triangles[t];
+    triangles.push_back({rim.global[local[0]], rim.global[local[1]], rim.global[local[2]]});
+  }
+  return triangles;
+}
+
+Status surround(const Plate& plate, const FieldEdges& edges, HeightField& field) {
+  RimPoints rim = number_rim(field, rim_edges(field, edges));
+  std::vector<std::pair<Edge, char>> lines;
+  for (const Edge& line : rim.lines) lines.push_back({line, 1});
+  for (const Ring& ring : plate.outline) {
+    const int first = static_cast<int>(rim.places.size());
+    const int count = static_cast<int>(ring.size());
+    for (int i = 0; i < count; ++i) {
+      rim.global.push_back(static_cast<int>(field.points.size()));
+      field.points.push_back({std::llround(ring[i].x), std::llround(ring[i].y)});
+      rim.places.push_back(as_double(field.points.back()));
+      lines.push_back({{first + i, first + (i + 1) % count}, 0});
+    }
+  }
+  std::sort(lines.begin(), lines.end());
+  std::vector<Edge> sorted;
+  std::vector<char> is_rim;
+  for (const auto& [line, bounds] : lines) {
+    sorted.push_back(line);
+    is_rim.push_back(bounds);
+  }
+  const auto regions = RegionFinder(rim.places, std::move(sorted), std::move(is_rim)).find();
+  if (!regions) return regions.error();
+  std::vector<int> vertex(rim.global.size(), -1);
+  std::vector<signed char> wanted(regions->covered.size(), -1);
+  for (size_t t = 0; t < regions->region.size(); ++t) {
+    const std::array<int, 3>& local = regions->mesh.triangles[t];
+    signed char& want = wanted[regions->region[t]];
+    if (want < 0) {
+      const Point2 middle =
+          (1.0 / 3) * (rim.places[local[0]] + rim.places[local[1]] + rim.places[local[2]]);
+      want = regions->covered[regions->region[t]] == 0 && contains(plate.outline, middle) ? 1 : 0;
+    }
+    if (want == 0) continue;
+    std::array<int, 3> triangle{};
+    for (int k = 0; k < 3; ++k) {
+      int& v = vertex[local[k]];
+      if (v < 0) {
+        v = static_cast<int>(field.vertex_point.size());
+        field.vertex_point.push_back(rim.global[local[k]]);
+        field.vertex_height.push_back(plate.height);
+        field.normals.push_back({0, 0, 1});
+        field.uvs.push_back(plate.uv);
+      }
+      triangle[k] = v;
+    }
+    field.triangles.push_back(triangle);
+    field.triangle_part.push_back(plate.part);
+  }
+  return Done{};
+}
+
+}  // namespace relievo

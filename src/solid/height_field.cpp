@@ -1,0 +1,57 @@
+#include "solid/height_field.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace relievo {
+namespace {
+
+struct HalfEdge {
+  int low = 0;  ///< the smaller of both points
+  int high = 0;
+  bool forward = false;  ///< whether it runs from low to high
+  int triangle = 0;
+  int corner = 0;
+};
+
+std::vector<HalfEdge> sorted_half_edges(const HeightField& field) {
+  std::vector<HalfEdge> edges;
+  edges.reserve(3 * field.triangles.size());
+  for (size_t t = 0; t < field.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const int a = field.vertex_point[field.triangles[t][k]];
+      const int b = field.vertex_point[field.triangles[t][(k + 1) % 3]];
+      edges.push_back({std::min(a, b), std::max(a, b), a < b, static_cast<int>(t), k});
+    }
+  std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+    return std::tie(a.low, a.high, a.forward, a.triangle, a.corner) <
+           std::tie(b.low, b.high, b.forward, b.triangle, b.corner);
+  });
+  return edges;
+}
+
+}  // namespace
+
+FieldEdges connect_field(const HeightField& field) {
+  FieldEdges result;
+  result.across.assign(field.triangles.size(), {-1, -1, -1});
+  const std::vector<HalfEdge> edges = sorted_half_edges(field);
+  for (size_t begin = 0; begin < edges.size();) {
+    size_t end = begin + 1;
+    while (end < edges.size() && edges[end].low == edges[begin].low &&
+           edges[end].high == edges[begin].high)
+      ++end;
+    const HalfEdge& a = edges[begin];
+    const HalfEdge& b = edges[end - 1];
+    if (end - begin == 2 && a.forward != b.forward) {
+      result.across[a.triangle][a.corner] = b.triangle;
+      result.across[b.triangle][b.corner] = a.triangle;
+    } else if (end - begin > 1) {
+      ++result.crowded;
+    }
+    begin = end;
+  }
+  return result;
+}
+
+}  // namespace relievo

@@ -1,0 +1,167 @@
+#include "solid/make_solid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "kernel/base/disjoint_sets.h"
+#include "solid/field_rim.h"
+#include "solid/plate_outline.h"
+#include "solid/raise_walls.h"
+#include "solid/repair_plane.h"
+#include "solid/settle_heights.h"
+#include "solid/snap_sheet.h"
+
+namespace relievo {
+namespace {
+
+/// Where sides touch in a point, they are moved so many mm apart.
+constexpr double least_gap = 0.05;
+
+struct Extent {
+  Point3 low{1e300, 1e300, 1e300};
+  Point3 high{-1e300, -1e300, -1e300};
+};
+
+Extent extent_of(const Model& model) {
+  Extent extent;
+  for (const std::array<int, 3>& triangle : model.triangles)
+    for (const int v : triangle) {
+      const Point3 p = model.positions[v];
+      extent.low = {std::min(extent.low.x, p.x), std::min(extent.low.y, p.y),
+                    std::min(extent.low.z, p.z)};
+      extent.high = {std::max(extent.high.x, p.x), std::max(extent.high.y, p.y),
+                     std::max(extent.high.z, p.z)};
+    }
+  return extent;
+}
+
+/// Half the diameter of the disc around the middle of the extent that holds the model, px.
+double radius_of(const Model& model, const Extent& extent) {
+  const Point3 middle = 0.5 * (extent.low + extent.high);
+  double radius = 0;
+  for (const std::array<int, 3>& triangle : model.triangles)
+    for (const int v : triangle) {
+      const Point3 p = model.positions[v] - middle;
+      radius = std::max(radius, std::hypot(p.x, p.y));
+    }
+  return radius;
+}
+
+/// The scale with which the whole gets its size.
+Result<GridPlacement> place_on_grid(const Model& model, const SolidOptions& options) {
+  const Extent extent = extent_of(model);
+  const Point3 sides = extent.high - extent.low;
+  const double around = options.base == BaseShape::none ? 0 : 2 * options.margin;
+  const double wide =
+      options.base == BaseShape::round ? 2 * radius_of(model, extent) : std::max(sides.x, sides.y);
+  double scale = (options.size - around) / wide;
+  if (sides.z > 0) scale = std::min(scale, (options.size - options.thickness) / sides.z);
+  if (!(scale > 0))
+    return Error{ErrorCode::usage, "leaves no room beside the base's margin and thickness",
+                 "--size"};
+  const double reach = options.size + 2 * options.ring + 16;
+  const double unit = std::ldexp(1.0, static_cast<int>(std::ceil(std::log2(reach))) - 24);
+  const double lift = options.thickness / scale;
+  return GridPlacement{scale, scale, {extent.low.x, extent.low.y, extent.low.z - lift}, unit};
+}
+
+int count_pieces(const HeightField& field) {
+  DisjointSets sets(static_cast<int>(field.points.size()));
+  std::vector<char> used(field.points.size());
+  for (const std::array<int, 3>& t : field.triangles) {
+    for (const int v : t) used[field.vertex_point[v]] = 1;
+    sets.unite(field.vertex_point[t[0]], field.vertex_point[t[1]]);
+    sets.unite(field.vertex_point[t[0]], field.vertex_point[t[2]]);
+  }
+  int pieces = 0;
+  for (size_t p = 0; p < used.size(); ++p)
+    if (used[p] != 0 && sets.find(static_cast<int>(p)) == static_cast<int>(p)) ++pieces;
+  return pieces;
+}
+
+double volume_of(const Model& model) {
+  double six = 0;
+  for (const std::array<int, 3>& t : model.triangles)
+    six += dot(model.positions[t[0]], cross(model.positions[t[1]], model.positions[t[2]]));
+  return six / 6;
+}
+
+/// A strip of plain colour below the drawing. The model's coordinates go on meaning what they did.
+constexpr int strip_rows = 8;
+constexpr std::array<uint8_t, 4> base_colour{236, 230, 218, 255};
+
+struct Strip {
+  Drawing drawing;
+  double shrink = 1;  ///< of v
+  Point2 uv;          ///< in the middle of the strip
+};
+
+Strip add_strip(const Drawing& drawing) {
+  const Image8& from = drawing.rgba;
+  if (from.empty()) return {};
+  Strip strip{drawing, 1, {}};
+  Image8& rgba = strip.drawing.rgba;
+  rgba.height += strip_rows;
+  rgba.pixels.reserve(rgba.pixels.size() + 4 * static_cast<size_t>(strip_rows * rgba.width));
+  for (int i = 0; i < strip_rows * rgba.width; ++i)
+    rgba.pixels.insert(rgba.pixels.end(), base_colour.begin(), base_colour.end());
+  strip.shrink = static_cast<double>(from.height) / rgba.height;
+  strip.uv = {0.5, 0.5 * (1 + strip.shrink)};
+  return strip;
+}
+
+/// The scene's parts and, last, the base, whose name none of them has.
+std::vector<ModelPart> parts_with_base(const Model& model) {
+  std::vector<ModelPart> parts = model.parts;
+  std::string id = "base";
+  const auto taken = [&model, &id](const ModelPart& part) { return part.id == id; };
+  while (std::any_of(parts.begin(), parts.end(), taken)) id += "-";
+  ModelPart base;
+  base.id = id;
+  parts.push_back(base);
+  return parts;
+}
+
+/// Puts the plate around the field.
+Status add_plate(const SolidOptions& options, int part, Point2 uv, HeightField& field) {
+  if (options.base == BaseShape::none) return Done{};
+  const FieldEdges edges = connect_field(field);
+  Outline silhouette;
+  for (const std::vector<int>& points : rim_rings(field, edges)) {
+    Ring& ring = silhouette.emplace_back();
+    for (const int p : points)
+      ring.push_back(
+          {static_cast<double>(field.points[p].x), static_cast<double>(field.points[p].y)});
+  }
+  auto outline = plate_outline(silhouette, options, 1 / field.unit);
+  if (!outline) return outline.error();
+  const int64_t height = std::llround(options.thickness / field.unit);
+  return surround({std::move(*outline), height, part, uv}, edges, field);
+}
+
+}  // namespace
+
+Result<Solid> make_solid(const VisibleSheet& sheet, const Drawing& drawing,
+                         const SolidOptions& options) {
+  if (options.base == BaseShape::none && options.hole + options.ring > 0)
+    return Error{ErrorCode::usage, "a hole or a ring to hang it by needs a base", "--base"};
+  const auto placement = place_on_grid(sheet.model, options);
+  if (!placement) return placement.error();
+  const std::vector<ModelPart> parts = parts_with_base(sheet.model);
+  Strip strip = add_strip(drawing);
+  HeightField field = snap_sheet(sheet, *placement);
+  for (Point2& uv : field.uvs) uv.y *= strip.shrink;
+  const int base = static_cast<int>(parts.size()) - 1;
+  if (Status status = repair_plane(least_gap / field.unit, field); !status) return status.error();
+  if (Status status = add_plate(options, base, strip.uv, field); !status) return status.error();
+  const FieldEdges edges = connect_field(field);
+  settle_heights(edges, field);
+  auto model = raise_walls(field, edges, parts, strip.uv);
+  if (!model) return model.error();
+  const SolidFacts facts{volume_of(*model), count_pieces(field)};
+  return Solid{{std::move(*model), std::move(strip.drawing)}, facts};
+}
+
+}  // namespace relievo

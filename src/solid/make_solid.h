@@ -1,0 +1,28 @@
+#pragma once
+
+#include "kernel/base/result.h"
+#include "relief/model/drawn_model.h"
+#include "relief/model/visible_sheet.h"
+#include "solid/solid_options.h"
+
+namespace relievo {
+
+struct SolidFacts {
+  double volume = 0;  ///< mm^3
+  int pieces = 0;     ///< that do not hang together
+};
+
+struct Solid {
+  DrawnModel drawn;  ///< in mm, not px: lying on z = 0, its box's corner in the origin
+  SolidFacts facts;
+};
+
+/// Everything below what the front shows, down to a flat back, with upright walls where depth
+/// changes: closed, a manifold and free of self-intersections, also when its coordinates are kept
+/// in single precision. The last part of its model is the base. The drawing has a strip of plain
+/// colour at its lower end for that. Fails with usage where size, thickness and margin leave no
+/// room, or a hole or ring is asked for without a base. Near-linear in triangles.
+Result<Solid> make_solid(const VisibleSheet& sheet, const Drawing& drawing,
+                         const SolidOptions& options);
+
+}  // namespace relievo

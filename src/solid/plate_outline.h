@@ -1,0 +1,15 @@
+#pragma once
+
+#include "kernel/base/result.h"
+#include "kernel/geometry/polygon.h"
+#include "solid/solid_options.h"
+
+namespace relievo {
+
+/// The outline of the plate around a silhouette, in its units; `mm` is a millimetre in them.
+/// Everything that the silhouette's rings surround lies inside by the margin, and the rings of
+/// holes to hang it by lie outside of the silhouette. Fails with usage where a hole has no room.
+/// Precondition: the base is not `none`.
+Result<Outline> plate_outline(const Outline& silhouette, const SolidOptions& options, double mm);
+
+}  // namespace relievo

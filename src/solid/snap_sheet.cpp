@@ -1,0 +1,206 @@
+#include "solid/snap_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+namespace relievo {
+namespace {
+
+struct PointHash {
+  size_t operator()(const GridPoint& p) const {
+    return static_cast<size_t>(p.x) * 0x9E3779B97F4A7C15U ^
+           (static_cast<size_t>(p.y) * 0xC2B2AE3D27D4EB4FU >> 7);
+  }
+};
+
+int64_t on_grid(double mm, double unit) { return std::llround(mm / unit); }
+
+/// What one side of a step has over one of its points.
+struct SidePoint {
+  double t = 0;
+  int vertex = -1;
+  bool added = false;
+};
+
+class Snapper {
+ public:
+  Snapper(const VisibleSheet& sheet, const GridPlacement& placement) : sheet_(sheet) {
+    const Model& model = sheet.model;
+    field_.unit = placement.unit;
+    field_.normals = model.normals;
+    field_.uvs = model.uvs;
+    for (const Point3 p : model.positions) {
+      const Point3 q = p - placement.origin;
+      field_.vertex_point.push_back(number_of({on_grid(placement.scale * q.x, field_.unit),
+                                               on_grid(placement.scale * q.y, field_.unit)}));
+      field_.vertex_height.push_back(on_grid(placement.height_scale * q.z, field_.unit));
+    }
+  }
+
+  HeightField snap() && {
+    for (const SheetStep& step : sheet_.steps) align(step);
+    for (const ModelPart& part : sheet_.model.parts) {
+      const int p = static_cast<int>(&part - sheet_.model.parts.data());
+      for (int t = 0; t < part.triangle_count; ++t)
+        add_triangle(sheet_.model.triangles[part.first_triangle + t], p);
+    }
+    return std::move(field_);
+  }
+
+ private:
+  int number_of(GridPoint place) {
+    const auto [at, fresh] = numbers_.try_emplace(place, static_cast<int>(field_.points.size()));
+    if (fresh) field_.points.push_back(place);
+    return at->second;
+  }
+
+  int add_between(int a, int b, double s, int point, int64_t height) {
+    field_.vertex_point.push_back(point);
+    field_.vertex_height.push_back(height);
+    field_.normals.push_back(normalized((1 - s) * field_.normals[a] + s * field_.normals[b]));
+    field_.uvs.push_back((1 - s) * field_.uvs[a] + s * field_.uvs[b]);
+    return static_cast<int>(field_.vertex_point.size()) - 1;
+  }
+
+  int64_t height_between(int a, int b, double s) const {
+    return std::llround((1 - s) * static_cast<double>(field_.vertex_height[a]) +
+                        s * static_cast<double>(field_.vertex_height[b]));
+  }
+
+  /// The points of `own`, and one more wherever the other side alone has one.
+  std::vector<SidePoint> completed(const std::vector<StepPoint>& own,
+                                   const std::vector<StepPoint>& other) {
+    std::vector<SidePoint> side{{0, own.front().vertex, false}};
+    size_t j = 1;
+    for (size_t i = 1; i < own.size(); ++i) {
+      const StepPoint& from = own[i - 1];
+      const StepPoint& to = own[i];
+      for (; j + 1 < other.size() && other[j].t < to.t; ++j) {
+        const double s = (other[j].t - from.t) / (to.t - from.t);
+        const int point = field_.vertex_point[other[j].vertex];
+        const int64_t height = height_between(from.vertex, to.vertex, s);
+        side.push_back({other[j].t, add_between(from.vertex, to.vertex, s, point, height), true});
+      }
+      if (i + 1 < own.size() && j + 1 < other.size() && other[j].t == to.t) ++j;
+      side.push_back({to.t, to.vertex, false});
+    }
+    return side;
+  }
+
+  /// Adds the points where the profiles of both sides cross.
+  void cross_profiles(std::vector<SidePoint>& first, std::vector<SidePoint>& second) {
+    std::vector<SidePoint> one{first.front()};
+    std::vector<SidePoint> two{second.front()};
+    for (size_t i = 1; i < first.size(); ++i) {
+      const int64_t before = gap(first[i - 1], second[i - 1]);
+      const int64_t after = gap(first[i], second[i]);
+      if ((before < 0 && after > 0) || (before > 0 && after < 0))
+        add_crossing({&first[i - 1], &first[i]}, {&second[i - 1], &second[i]},
+                     static_cast<double>(before) / static_cast<double>(before - after), one, two);
+      one.push_back(first[i]);
+      two.push_back(second[i]);
+    }
+    first = std::move(one);
+    second = std::move(two);
+  }
+
+  using Piece = std::array<const SidePoint*, 2>;
+
+  void add_crossing(const Piece& a, const Piece& b, double s, std::vector<SidePoint>& one,
+                    std::vector<SidePoint>& two) {
+    const GridPoint p = field_.place(a[0]->vertex);
+    const GridPoint q = field_.place(a[1]->vertex);
+    const GridPoint place{p.x + std::llround(s * static_cast<double>(q.x - p.x)),
+                          p.y + std::llround(s * static_cast<double>(q.y - p.y))};
+    if (place == p || place == q) return;
+    const int point = number_of(place);
+    const int64_t height = height_between(a[0]->vertex, a[1]->vertex, s);
+    const double t = (1 - s) * a[0]->t + s * a[1]->t;
+    one.push_back({t, add_between(a[0]->vertex, a[1]->vertex, s, point, height), true});
+    two.push_back({t, add_between(b[0]->vertex, b[1]->vertex, s, point, height), true});
+  }
+
+  int64_t gap(const SidePoint& a, const SidePoint& b) const {
+    return field_.vertex_height[a.vertex] - field_.vertex_height[b.vertex];
+  }
+
+  void align(const SheetStep& step) {
+    std::vector<SidePoint> first = completed(step.first, step.second);
+    std::vector<SidePoint> second = completed(step.second, step.first);
+    if (first.size() == second.size()) {
+      // What both sides have at one t lies where the first has it.
+      for (size_t i = 0; i < first.size(); ++i)
+        field_.vertex_point[second[i].vertex] = field_.vertex_point[first[i].vertex];
+      cross_profiles(first, second);
+    }
+    keep_added(first);
+    keep_added(second);
+  }
+
+  static uint64_t key(int a, int b) {
+    return (static_cast<uint64_t>(std::min(a, b)) << 32) | static_cast<uint32_t>(std::max(a, b));
+  }
+
+  void keep_added(const std::vector<SidePoint>& side) {
+    for (size_t i = 0; i + 1 < side.size();) {
+      size_t end = i + 1;
+      while (side[end].added) ++end;
+      if (end > i + 1) {
+        std::vector<int>& inner = added_[key(side[i].vertex, side[end].vertex)];
+        for (size_t k = i + 1; k < end; ++k) inner.push_back(side[k].vertex);
+        if (side[i].vertex > side[end].vertex) std::reverse(inner.begin(), inner.end());
+      }
+      i = end;
+    }
+  }
+
+  /// Fans out over the first edge with more points until none is left.
+  void add_triangle(const std::array<int, 3>& triangle, int part) {
+    std::vector<std::array<int, 3>> open{triangle};
+    while (!open.empty()) {
+      const std::array<int, 3> next = open.back();
+      open.pop_back();
+      if (!split(next, open)) keep(next, part);
+    }
+  }
+
+  bool split(const std::array<int, 3>& triangle, std::vector<std::array<int, 3>>& open) const {
+    for (int k = 0; k < 3; ++k) {
+      const int a = triangle[k];
+      const int b = triangle[(k + 1) % 3];
+      const auto found = added_.find(key(a, b));
+      if (found == added_.end()) continue;
+      std::vector<int> chain = found->second;
+      if (a > b) std::reverse(chain.begin(), chain.end());
+      chain.insert(chain.begin(), a);
+      chain.push_back(b);
+      for (size_t i = 1; i < chain.size(); ++i)
+        open.push_back({chain[i - 1], chain[i], triangle[(k + 2) % 3]});
+      return true;
+    }
+    return false;
+  }
+
+  void keep(const std::array<int, 3>& t, int part) {
+    const std::vector<int>& point = field_.vertex_point;
+    if (point[t[0]] == point[t[1]] || point[t[1]] == point[t[2]] || point[t[2]] == point[t[0]])
+      return;
+    field_.triangles.push_back(t);
+    field_.triangle_part.push_back(part);
+  }
+
+  const VisibleSheet& sheet_;
+  HeightField field_;
+  std::unordered_map<GridPoint, int, PointHash> numbers_;
+  std::unordered_map<uint64_t, std::vector<int>> added_;  ///< by edge, from its smaller vertex
+};
+
+}  // namespace
+
+HeightField snap_sheet(const VisibleSheet& sheet, const GridPlacement& placement) {
+  return Snapper(sheet, placement).snap();
+}
+
+}  // namespace relievo

@@ -1,0 +1,23 @@
+#pragma once
+
+namespace relievo {
+
+/// What a solid stands on.
+enum class BaseShape {
+  none,     ///< nothing but itself
+  outline,  ///< a plate that follows its silhouette
+  plate,    ///< a rectangle
+  round,    ///< a disc
+};
+
+struct SolidOptions {
+  double size = 100;  ///< mm, longest side of the whole, a ring aside; > 0
+  BaseShape base = BaseShape::none;
+  double thickness = 2;  ///< mm below the lowest point that is seen, and of the plate; > 0
+  double margin = 3;     ///< mm from the silhouette to the plate's edge, at least 0.5
+  double corner = 3;     ///< mm, radius of a rectangle's corners; at most its half side counts
+  double hole = 0;       ///< mm, diameter of a hole in the plate to hang it by; 0: none
+  double ring = 0;       ///< mm, diameter of a hole in a loop at the plate's top; 0: none
+};
+
+}  // namespace relievo

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "io/mesh/placement.h"
+#include "io/mesh/stl_encode.h"
+#include "relief/pipeline/build_relief.h"
+#include "solid/make_solid.h"
+
+namespace relievo::testing {
+
+inline VisibleSheet sheet_of(const Scene& scene, const Relief& relief) {
+  auto sheet = assemble_visible_sheet(relief.layers, relief.inflation, relief.ordering, scene, {});
+  EXPECT_TRUE(sheet.ok()) << (sheet.ok() ? "" : to_string(sheet.error()));
+  return sheet.ok() ? std::move(*sheet) : VisibleSheet{};
+}
+
+inline VisibleSheet sheet_of(const Scene& scene, int vertices) {
+  ReliefOptions options;
+  options.layers.vertex_budget = vertices;
+  options.hidden = false;
+  const auto relief = build_relief(scene, options);
+  EXPECT_TRUE(relief.ok()) << (relief.ok() ? "" : to_string(relief.error()));
+  return relief.ok() ? sheet_of(scene, *relief) : VisibleSheet{};
+}
+
+inline std::string stl_of(const Model& model) {
+  const auto stl = encode_stl(model, longest_side(model));
+  EXPECT_TRUE(stl.ok());
+  return stl.ok() ? std::string(stl->begin(), stl->end()) : "";
+}
+
+}  // namespace relievo::testing

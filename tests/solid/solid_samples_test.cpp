@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "io/support/temporary_folder.h"
+#include "samples/drawing_relief.h"
+#include "solid/solid_case.h"
+#include "support/solid_checks.h"
+
+namespace relievo {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace testing;
+
+/// The drawings of a folder that have layers, by name; none where it is absent.
+std::vector<std::string> drawings_in(const std::string& folder) {
+  std::vector<std::string> paths;
+  if (!fs::exists(folder)) return paths;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".svg") paths.push_back(entry.path().string());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+void expect_sound(const std::string& path, const SolidOptions& options) {
+  SCOPED_TRACE(path);
+  ReliefOptions relief_options;
+  relief_options.hidden = false;
+  const DrawnRelief drawn = relief_of(path, relief_options);
+  const auto solid = make_solid(sheet_of(drawn.scene, drawn.relief), drawn.drawing, options);
+  ASSERT_TRUE(solid.ok()) << to_string(solid.error());
+  const std::string stl = stl_of(solid->drawn.model);
+  const SolidCensus census = census_of_stl(stl);
+  EXPECT_EQ(what_is_wrong(census), "");
+  EXPECT_EQ(census.pieces, 1);
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "solid.stl").string();
+  std::ofstream(file, std::ios::binary) << stl;
+  EXPECT_EQ(admesh_complaints(file), "");
+}
+
+SolidOptions on(BaseShape base) {
+  SolidOptions options;
+  options.base = base;
+  return options;
+}
+
+TEST(SolidSamples, AreClosed) {
+  const std::vector<std::string> paths = drawings_in(RELIEVO_EXAMPLES);
+  ASSERT_GE(paths.size(), 7U);
+  for (const std::string& path : paths) expect_sound(path, on(BaseShape::none));
+}
+
+TEST(SolidSamples, AreClosedOnPlates) {
+  const std::string wolf = std::string(RELIEVO_EXAMPLES) + "/wolf.svg";
+  for (const BaseShape base : {BaseShape::outline, BaseShape::plate, BaseShape::round})
+    expect_sound(wolf, on(base));
+}
+
+TEST(SolidSamples, OfLayeredDrawingsAreClosed) {
+  const std::vector<std::string> paths = drawings_in(RELIEVO_SHARED_DATA "/layered");
+  if (paths.empty()) GTEST_SKIP() << "no drawings in " RELIEVO_SHARED_DATA "/layered";
+  for (const std::string& path : paths) expect_sound(path, on(BaseShape::none));
+}
+
+}  // namespace
+}  // namespace relievo
