@@ -46,6 +46,11 @@ export interface EditorState {
   depthTint: boolean;
   showMarks: boolean;
   peeking: boolean;
+  /** Whether dragging on the relief moves the light. */
+  lighting: boolean;
+  /** On a narrow screen: what is large, and whether the lists lie over it. */
+  pane: 'paper' | 'model';
+  sideOpen: boolean;
   build: BuildState;
   relief: BuiltRelief | null;
   /** The relief that can be seen. */
@@ -88,6 +93,9 @@ function firstState(): EditorState {
     depthTint: false,
     showMarks: true,
     peeking: false,
+    lighting: false,
+    pane: 'paper',
+    sideOpen: false,
     build: { phase: 'idle', progress: 0, error: null },
     relief: null,
     shown: null,

@@ -90,7 +90,7 @@ const shadings: readonly [Shading, () => string][] = [
 export function ModelPane({ editor, attach, lightHeld, stop }: ModelPaneProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const view = useRef<ModelView>(null);
-  const { shading, build, relief, history, plainGraphics } = useStore(editor);
+  const { shading, build, relief, history, plainGraphics, lighting } = useStore(editor);
   const [attempt, setAttempt] = useState(0);
   const slow = build.phase === 'full' && history.document.settings.method === 'nonlinear';
   useEffect(() => {
@@ -114,7 +114,7 @@ export function ModelPane({ editor, attach, lightHeld, stop }: ModelPaneProps) {
   }, [attempt]);
   return (
     <section class="pane model" aria-label={t('relief')} aria-busy={build.phase !== 'idle'}>
-      <canvas key={attempt} ref={canvas} class={build.error ? 'stale' : ''} aria-label={t('relief')} role="img" tabIndex={0} />
+      <canvas key={attempt} ref={canvas} class={build.error ? 'stale' : ''} aria-label={t('relief')} role="application" tabIndex={0} />
       <div class="floating bottom" role="group" aria-label={t('relief')}>
         {shadings.map(([name, label]) => (
           <button type="button" key={name} aria-pressed={name === shading} onClick={() => editor.set({ shading: name })}>
@@ -122,7 +122,9 @@ export function ModelPane({ editor, attach, lightHeld, stop }: ModelPaneProps) {
           </button>
         ))}
         <button type="button" onClick={() => view.current?.turn(0, 0)}>{t('front')}</button>
+        <button type="button" id="light" aria-pressed={lighting} title={t('hintLight')} onClick={() => editor.set({ lighting: !lighting })}>{t('light')}</button>
       </div>
+      <button type="button" class="swap" aria-label={t('showLarge', { name: t('relief') })} onClick={() => editor.set({ pane: 'model' })} />
       <progress class={build.phase === 'full' ? 'shown' : ''} max={1} value={build.progress} aria-label={t('building')} />
       <FieldSwitch editor={editor} />
       {slow && (

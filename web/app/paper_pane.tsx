@@ -10,6 +10,13 @@ import { useStore } from './store';
 
 /** What the toolbar covers, CSS px; on narrow screens it lies below. */
 const toolbarRoom = 90;
+/** What bars of tools cover below. */
+const barRoom = 68;
+/** A pane that is lower is a picture in the other one. */
+const leastWithBars = 260;
+/** Two fingers that lift so soon, ms, having gone no farther, CSS px, undo. */
+const tapMs = 300;
+const tapPx = 10;
 const narrow = window.matchMedia('(max-width: 900px)');
 
 /** The canvas with its zoom, and the pointers on it. */
@@ -21,6 +28,8 @@ export class PaperControl {
   private frame = 0;
   private shown: readonly unknown[] = [];
   private sawPen = false;
+  /** A tap of two fingers undoes: when it began, and how far they have gone, CSS px. */
+  private tap: { time: number; moved: number } | null = null;
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -42,7 +51,10 @@ export class PaperControl {
 
   fit(): void {
     const { width, height } = this.editor.document;
-    this.view = fitted([width, height], [this.canvas.clientWidth, this.canvas.clientHeight], narrow.matches ? 24 : toolbarRoom);
+    const pane: Point = [this.canvas.clientWidth, this.canvas.clientHeight];
+    this.view = pane[1] < leastWithBars
+      ? fitted([width, height], pane, [4, 4], 4)
+      : fitted([width, height], pane, [narrow.matches ? 24 : toolbarRoom, barRoom]);
     this.redraw();
   }
 
@@ -129,6 +141,7 @@ export class PaperControl {
     if (this.pointers.size === 2) {
       if (this.gesture === 'tool') this.tool().cancel();
       this.gesture = 'pinch';
+      this.tap = { time: event.timeStamp, moved: 0 };
     } else if (this.wantsPan(event)) this.gesture = 'pan';
     else if (event.button === 0) {
       this.gesture = 'tool';
@@ -151,6 +164,7 @@ export class PaperControl {
   }
 
   private pinch(id: number, before: Point, now: Point): void {
+    if (this.tap) this.tap.moved += Math.hypot(now[0] - before[0], now[1] - before[1]);
     const other = [...this.pointers].find(([key]) => key !== id)?.[1];
     if (!other) return;
     const span = (p: Point): number => Math.hypot(p[0] - other[0], p[1] - other[1]);
@@ -162,7 +176,11 @@ export class PaperControl {
   private up(event: PointerEvent): void {
     this.pointers.delete(event.pointerId);
     if (this.gesture === 'tool') this.tool().up(this.at(event), { shift: event.shiftKey, alt: event.altKey });
-    if (this.pointers.size === 0) this.gesture = 'none';
+    if (this.pointers.size === 0) {
+      if (this.tap && this.tap.moved < tapPx && event.timeStamp - this.tap.time < tapMs) this.editor.undo();
+      this.gesture = 'none';
+      this.tap = null;
+    }
     this.redraw();
   }
 
@@ -190,6 +208,17 @@ function EmptyCue({ editor }: { editor: Editor }) {
   const { document } = useStore(editor).history;
   if (document.parts.length > 0 || document.drawing) return null;
   return <p class="empty-cue">{t('emptyCue')}</p>;
+}
+
+/** Leans the page into depth without a keyboard. */
+function PeekButton({ editor }: { editor: Editor }) {
+  const { peeking, relief } = useStore(editor);
+  if (!relief) return null;
+  return (
+    <div class="floating peek-button">
+      <button type="button" id="peek" aria-pressed={peeking} title={t('hintPeek')} onClick={() => editor.set({ peeking: !peeking })}>{t('peek')}</button>
+    </div>
+  );
 }
 
 interface PaperPaneProps {
@@ -222,9 +251,11 @@ export function PaperPane({ editor, tool, attach }: PaperPaneProps) {
   }, []);
   return (
     <section class="pane paper" aria-label={t('paper')}>
-      <canvas ref={canvas} tabIndex={0} aria-label={t('paper')} />
+      <canvas ref={canvas} tabIndex={0} role="application" aria-label={t('paper')} />
       <EmptyCue editor={editor} />
       <PeekOverlay editor={editor} view={() => control.current?.view ?? null} />
+      <PeekButton editor={editor} />
+      <button type="button" class="swap" aria-label={t('showLarge', { name: t('paper') })} onClick={() => editor.set({ pane: 'paper' })} />
     </section>
   );
 }

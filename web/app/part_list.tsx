@@ -25,6 +25,7 @@ export function PartList({ editor }: { editor: Editor }) {
     setTarget(null);
   };
   const step = (event: KeyboardEvent, index: number): void => {
+    if (event.key === 'Enter') editor.select(list[index]?.id ?? null);
     const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
     const next = by === undefined ? undefined : list[index + by];
     if (!next) return;

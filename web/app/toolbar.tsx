@@ -38,7 +38,7 @@ export function Toolbar({ editor }: { editor: Editor }) {
           tabIndex={entry.name === tool ? 0 : -1}
           aria-pressed={entry.name === tool}
           title={`${t(entry.label)} (${entry.key}) — ${t(entry.hint)}`}
-          aria-label={t(entry.label)}
+          aria-label={`${t(entry.label)} ${entry.key}`}
           onClick={() => editor.set({ tool: entry.name, notice: '' })}
         >
           <Icon name={entry.name} />

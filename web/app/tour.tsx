@@ -1,3 +1,4 @@
+import { useEffect, useRef } from 'preact/hooks';
 import { type MessageKey, t } from './catalogue';
 import type { Editor } from './editor';
 import { useStore } from './store';
@@ -16,6 +17,8 @@ const steps: readonly { text: MessageKey; beside: 'model' | 'side' | 'tools' | '
 export function Tour({ editor }: { editor: Editor }) {
   const { tourStep } = useStore(editor);
   const step = tourStep === null ? undefined : steps[tourStep];
+  const next = useRef<HTMLButtonElement>(null);
+  useEffect(() => next.current?.focus(), [tourStep]);
   if (!step || tourStep === null) return null;
   const last = tourStep === steps.length - 1;
   return (
@@ -24,7 +27,7 @@ export function Tour({ editor }: { editor: Editor }) {
       <div class="row">
         <span class="quiet">{tourStep + 1} / {steps.length}</span>
         <button type="button" onClick={() => editor.set({ tourStep: null })}>{t('close')}</button>
-        <button type="button" class="primary" onClick={() => editor.set({ tourStep: last ? null : tourStep + 1 })}>
+        <button type="button" class="primary" ref={next} onClick={() => editor.set({ tourStep: last ? null : tourStep + 1 })}>
           {last ? t('done') : t('next')}
         </button>
       </div>

@@ -94,7 +94,7 @@ function scribbleHostOf(editor: Editor, segments: SegmentControl): ScribbleHost 
 }
 
 function TopBar({ editor, files, segments, choose }: Pick<WorkspaceProps, 'editor' | 'files' | 'segments' | 'choose'>) {
-  const { history, panel, saved } = useStore(editor);
+  const { history, panel, saved, sideOpen } = useStore(editor);
   const toggle = (name: EditorState['panel']): void => editor.set({ panel: panel === name ? 'none' : name });
   const rename = (input: HTMLInputElement): void => {
     const { document } = editor;
@@ -115,9 +115,10 @@ function TopBar({ editor, files, segments, choose }: Pick<WorkspaceProps, 'edito
       <button type="button" class="bare" id="undo" disabled={history.done.length === 0} title={`${t('undo')} (Ctrl Z)`} aria-label={t('undo')} onClick={() => segments.forgetWishes() || editor.undo()}><Icon name="undo" /></button>
       <button type="button" class="bare" id="redo" disabled={history.undone.length === 0} title={`${t('redo')} (Ctrl ⇧ Z)`} aria-label={t('redo')} onClick={() => editor.redo()}><Icon name="redo" /></button>
       <span class="gap" />
+      <button type="button" id="side" class="narrow-only" aria-expanded={sideOpen} onClick={() => editor.set({ sideOpen: !sideOpen })}>{t('parts')}</button>
       <button type="button" id="versions" aria-expanded={panel === 'versions'} onClick={() => toggle('versions')}>{t('versions')}</button>
-      <button type="button" onClick={() => editor.set({ tourStep: 0 })}>{t('tour')}</button>
-      <button type="button" aria-expanded={panel === 'keys'} onClick={() => toggle('keys')}>{t('keys')}</button>
+      <button type="button" id="tour" onClick={() => editor.set({ tourStep: 0 })}>{t('tour')}</button>
+      <button type="button" id="keys" aria-expanded={panel === 'keys'} onClick={() => toggle('keys')}>{t('keys')}</button>
       <button type="button" aria-expanded={panel === 'settings'} id="settings" onClick={() => toggle('settings')}>{t('settings')}</button>
       <button type="button" onClick={choose}>{t('open')}</button>
       <button type="button" id="save" onClick={() => void files.saveProject()}>{t('save')}</button>
@@ -155,7 +156,7 @@ interface WorkspaceProps {
 }
 
 export function Workspace({ editor, files, keeper, segments, held, attachPaper, choose, stop }: WorkspaceProps) {
-  const { panel } = useStore(editor);
+  const { panel, pane, sideOpen } = useStore(editor);
   const paper = useRef<PaperControl | null>(null);
   const model = useRef<ModelView | null>(null);
   const hands = useMemo(
@@ -173,15 +174,16 @@ export function Workspace({ editor, files, keeper, segments, held, attachPaper, 
     attachPaper(control);
   };
   return (
-    <div class="workspace">
+    <main class="workspace" data-pane={pane} data-side={sideOpen}>
+      <h1 class="hidden">{t('title')}</h1>
       <TopBar editor={editor} files={files} segments={segments} choose={choose} />
       <Toolbar editor={editor} />
       <PaperPane editor={editor} tool={() => hands[editor.state.tool]} attach={attach} />
       <ScribbleBar editor={editor} />
       <DrawBar editor={editor} />
       <GapBar editor={editor} segments={segments} />
-      <ModelPane editor={editor} attach={(view) => (model.current = view)} lightHeld={() => held.light} stop={stop} />
-      <aside class="side">
+      <ModelPane editor={editor} attach={(view) => (model.current = view)} lightHeld={() => held.light || editor.state.lighting} stop={stop} />
+      <aside class="side" aria-label={t('parts')}>
         <h2>{t('parts')}</h2>
         <PartList editor={editor} />
         <StrokeList editor={editor} segments={segments} />
@@ -193,6 +195,6 @@ export function Workspace({ editor, files, keeper, segments, held, attachPaper, 
       {panel === 'keys' && <KeysPanel />}
       <Tour editor={editor} />
       <StatusBar editor={editor} />
-    </div>
+    </main>
   );
 }

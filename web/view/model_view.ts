@@ -8,6 +8,10 @@ import type { Viewport } from './viewport';
 
 type Frame = Pose['frame'];
 
+/** What buttons cover of the lower edge of a view, CSS px, and how high a view is that has them. */
+const barHeight = 60;
+const leastWithBar = 260;
+
 /**
  * The relief in three dimensions, drawn by a worker: a page whose graphics are slow stays free for
  * the hand.
@@ -142,8 +146,9 @@ export class ModelView {
     const longest = Math.max(width, height);
     const half = [(1.12 * width) / longest, (1.12 * height) / longest] as const;
     const aspect = this.size[0] / this.size[1];
-    const up = Math.max(half[1], half[0] / aspect) / this.zoomed;
-    return [-up * aspect, up * aspect, up, -up];
+    const covered = this.size[1] < leastWithBar ? 0 : barHeight / this.size[1];
+    const up = Math.max(half[1] / (1 - covered), half[0] / aspect) / this.zoomed;
+    return [-up * aspect, up * aspect, (1 - covered) * up, -(1 + covered) * up];
   }
 
   private look(pose: Pose): void {

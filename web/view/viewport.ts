@@ -29,13 +29,14 @@ export function zoomed(view: Viewport, factor: number, [x, y]: Point): Viewport 
   return { scale, x: x - ratio * (x - view.x), y: y - ratio * (y - view.y) };
 }
 
-/** All of the canvas in the middle of a pane, beside what covers its left edge. */
-export function fitted(canvas: Point, pane: Point, left: number, margin = 24): Viewport {
+/** All of the canvas in the middle of a pane, beside what covers its left and its lower edge. */
+export function fitted(canvas: Point, pane: Point, [left, bottom]: Point, margin = 24): Viewport {
   const room = pane[0] - left - margin;
-  const scale = Math.max(minScale, Math.min(room / canvas[0], (pane[1] - 2 * margin) / canvas[1]));
+  const height = pane[1] - bottom - margin;
+  const scale = Math.max(minScale, Math.min(room / canvas[0], height / canvas[1]));
   return {
     scale,
     x: left + (room - scale * canvas[0]) / 2,
-    y: (pane[1] - scale * canvas[1]) / 2,
+    y: margin + (height - scale * canvas[1]) / 2,
   };
 }

@@ -38,10 +38,11 @@ export function save(page: Page, name: string): Promise<Buffer> {
 export async function pageView(page: Page, [width, height]: Spot = [1000, 800]): Promise<{ scale: number; at(spot: Spot): Spot }> {
   const box = await page.locator('.paper canvas').first().boundingBox();
   if (!box) throw new Error('no page to draw on');
-  const [left, margin] = [(page.viewportSize()?.width ?? 0) <= 900 ? 24 : 90, 24];
+  const [left, bottom, margin] = [(page.viewportSize()?.width ?? 0) <= 900 ? 24 : 90, 68, 24];
   const room = box.width - left - margin;
-  const scale = Math.min(room / width, (box.height - 2 * margin) / height);
-  const origin = [box.x + left + (room - scale * width) / 2, box.y + (box.height - scale * height) / 2] as const;
+  const tall = box.height - bottom - margin;
+  const scale = Math.min(room / width, tall / height);
+  const origin = [box.x + left + (room - scale * width) / 2, box.y + margin + (tall - scale * height) / 2] as const;
   return { scale, at: ([x, y]) => [origin[0] + scale * x, origin[1] + scale * y] };
 }
 

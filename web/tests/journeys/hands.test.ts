@@ -92,12 +92,11 @@ it('pinches with two fingers, and draws with one', async () => {
   await touch(session, 'touchStart', [spots[0]!]);
   for (const spot of spots.slice(1)) await touch(session, 'touchMove', [spot]);
   await touch(session, 'touchEnd', []);
-  await page.waitForSelector('.parts li');
+  await page.waitForSelector('.parts li', { state: 'attached' });
   expect((await names(page)).length).toBe(1);
   await settled(page);
   await page.waitForTimeout(1000);
   await picture(page, 'phone');
-  // The panes make room for the part.
   const before = await paperBox();
   const [x, y] = (await pageView(page)).at([500, 400]);
   await touch(session, 'touchStart', [[x - 30, y], [x + 30, y]]);
@@ -106,6 +105,10 @@ it('pinches with two fingers, and draws with one', async () => {
   await page.waitForTimeout(200);
   expect((await paperBox()).width / before.width).toBeCloseTo(0.5, 1);
   expect((await names(page)).length).toBe(1);
+  // A tap of two fingers undoes.
+  await touch(session, 'touchStart', [[x - 30, y], [x + 30, y]]);
+  await touch(session, 'touchEnd', []);
+  await page.waitForFunction(() => document.querySelectorAll('.parts li').length === 0);
   await session.send('Emulation.setTouchEmulationEnabled', { enabled: false });
   await session.detach();
   await page.setViewportSize({ width: 1360, height: 800 });

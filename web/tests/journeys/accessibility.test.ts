@@ -1,0 +1,56 @@
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { disc } from '../support/pictures.ts';
+import { choosePart, sample } from './actions.ts';
+import { picture, stageOfFile } from './browser.ts';
+
+const stage = stageOfFile({ anew: true });
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+/** What axe finds wrong on the page as it is, one line each. */
+async function violations(page: Page): Promise<string[]> {
+  await page.evaluate(axe);
+  return page.evaluate(async () => {
+    const { axe: checker } = window as unknown as { axe: { run(): Promise<{ violations: { id: string; nodes: { html: string; failureSummary: string }[] }[] }> } };
+    const { violations: found } = await checker.run();
+    return found.flatMap(({ id, nodes }) => nodes.map(({ html, failureSummary }) => `${id}: ${html.slice(0, 160)} — ${failureSummary.replace(/\s+/g, ' ')}`));
+  });
+}
+
+/** Every state of the page, and the way to it from the one before. */
+const states: [string, (page: Page) => Promise<unknown>][] = [
+  ['start', async () => undefined],
+  ['workspace', (page) => sample(page, 'bunny')],
+  ['a part', (page) => choosePart(page, 'body')],
+  ['export', (page) => page.click('#export')],
+  ['settings', (page) => page.click('#settings')],
+  ['versions', (page) => page.click('#versions')],
+  ['keys', (page) => page.click('#keys')],
+  ['tour', (page) => page.click('#tour')],
+  ['draw', (page) => page.keyboard.press('Escape').then(() => page.keyboard.press('2'))],
+  ['scribble', async (page) => {
+    await page.setInputFiles('input[type=file]', { name: 'disc.png', mimeType: 'image/png', buffer: Buffer.from(disc(400, 120, [200, 80, 60])) });
+    await page.waitForSelector('.scribble-bar[data-tint-ms]');
+    await page.waitForSelector('.parts li');
+  }],
+  ['shelf', async (page) => {
+    await page.waitForTimeout(300);
+    await page.click('.brand');
+    await page.waitForSelector('.samples.kept li');
+  }],
+];
+
+it.each(['light', 'dark'] as const)('has nothing that axe finds wrong in any state, %s', async (colorScheme) => {
+  const { page } = stage;
+  await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+  const found: Record<string, string[]> = {};
+  for (const [name, go] of states) {
+    await go(page);
+    await page.waitForTimeout(150);
+    await picture(page, `axe-${colorScheme}-${name.replace(' ', '-')}`);
+    found[name] = await violations(page);
+  }
+  expect(found).toEqual(Object.fromEntries(states.map(([name]) => [name, []])));
+});

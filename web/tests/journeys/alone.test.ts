@@ -1,0 +1,108 @@
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { disc } from '../support/pictures.ts';
+import { downloaded, pageView, type Spot } from './actions.ts';
+import { openStage, closeStage, picture, settled, stageOfFile } from './browser.ts';
+
+const stage = stageOfFile({ anew: true });
+const file = { name: 'disc.png', mimeType: 'image/png', buffer: Buffer.from(disc(400, 140, [200, 80, 60])) };
+
+/** Presses Tab until something is in focus. */
+async function tabTo(page: Page, selector: string): Promise<void> {
+  for (let i = 0; i < 80; i++) {
+    if (await page.evaluate((wanted) => document.activeElement?.matches(wanted) ?? false, selector)) return;
+    await page.keyboard.press('Tab');
+  }
+  throw new Error(`${selector} is not reached`);
+}
+
+async function chosen(page: Page, act: () => Promise<void>): Promise<void> {
+  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), act()]);
+  await chooser.setFiles(file);
+  await page.waitForSelector('.scribble-bar[data-tint-ms]');
+  await page.waitForSelector('.parts li', { state: 'attached' });
+}
+
+/** A binary STL file of some triangles. */
+function expectPrint(bytes: Buffer): void {
+  const triangles = bytes.readUInt32LE(80);
+  expect(triangles).toBeGreaterThan(5000);
+  expect(bytes.length).toBe(84 + 50 * triangles);
+}
+
+it('goes from a flat picture to a print by keys alone', async () => {
+  const { page } = stage;
+  await tabTo(page, '#choose');
+  await chosen(page, () => page.keyboard.press('Enter'));
+  await settled(page);
+  await tabTo(page, '[data-tool=scribble]');
+  await page.keyboard.press('ArrowUp');
+  await page.waitForSelector('[data-tool=hand][aria-pressed=true]');
+  await page.keyboard.press('ArrowDown');
+  await tabTo(page, '.paper canvas');
+  await page.keyboard.press('Enter');
+  for (let i = 0; i < 4; i++) await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('.stroke-list li');
+  await tabTo(page, '.parts li');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('.part-panel');
+  await tabTo(page, '.part-panel .slider input');
+  await page.keyboard.press('ArrowRight');
+  await settled(page);
+  await page.keyboard.press('Control+e');
+  await tabTo(page, '[data-export=stl]');
+  await picture(page, 'keys-alone');
+  expectPrint(await downloaded(page, () => page.keyboard.press('Enter'), 'keys.stl'));
+  expect(stage.troubles).toEqual([]);
+});
+
+it('goes from a flat picture to a print by touch alone, on a phone', async () => {
+  const phone = await openStage(['--touch-events=enabled']);
+  try {
+    const { page } = phone;
+    await page.setViewportSize({ width: 390, height: 844 });
+    const session = await page.context().newCDPSession(page);
+    await session.send('Emulation.setTouchEmulationEnabled', { enabled: true, maxTouchPoints: 5 });
+    const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', spots: Spot[]): Promise<unknown> =>
+      session.send('Input.dispatchTouchEvent', { type, touchPoints: spots.map(([x, y], id) => ({ x, y, id })) });
+    const tap = async (selector: string): Promise<void> => {
+      await page.locator(selector).first().scrollIntoViewIfNeeded();
+      const box = await page.locator(selector).first().boundingBox();
+      if (!box) throw new Error(`${selector} cannot be touched`);
+      await touch('touchStart', [[box.x + box.width / 2, box.y + box.height / 2]]);
+      await touch('touchEnd', []);
+    };
+    await chosen(page, () => tap('#choose'));
+    await settled(page);
+    const { at } = await pageView(page, [400, 400]);
+    const stroke: Spot[] = [[150, 200], [200, 180], [250, 200], [250, 230]];
+    await touch('touchStart', [at(stroke[0] as Spot)]);
+    for (const spot of stroke.slice(1)) await touch('touchMove', [at(spot)]);
+    await touch('touchEnd', []);
+    await page.waitForSelector('.stroke-list li', { state: 'attached' });
+    await settled(page);
+    await page.waitForTimeout(800);
+    await picture(page, 'phone-paper');
+    await tap('.model .swap');
+    await page.waitForSelector('.workspace[data-pane=model]');
+    await tap('#light');
+    await page.waitForTimeout(800);
+    await picture(page, 'phone-model');
+    await tap('#side');
+    await page.waitForSelector('.parts li');
+    await tap('.parts li');
+    await page.waitForSelector('.part-panel');
+    await picture(page, 'phone-parts');
+    await tap('#side');
+    await tap('.paper .swap');
+    await tap('#peek');
+    await page.waitForSelector('canvas.peek.shown');
+    await tap('#peek');
+    await tap('#export');
+    expectPrint(await downloaded(page, () => tap('[data-export=stl]'), 'touch.stl'));
+    expect(phone.troubles).toEqual([]);
+  } finally {
+    await closeStage(phone);
+  }
+});
