@@ -95,6 +95,13 @@ export class BuildControl {
     editor.subscribe(() => void this.followField());
   }
 
+  /** Throws, in words, where the engine does not accept a document. */
+  async check(document: Document): Promise<void> {
+    const drawing = await smallPicture(document, null, 16);
+    const built = await this.draft.build(requestFor(document, 'relief', true), drawing, () => undefined);
+    if (isFailure(built)) throw new Error(told(built.error));
+  }
+
   /** Resolves when the full engine holds the relief of the present document. */
   async settle(): Promise<void> {
     if (this.builtFull === this.editor.document) return;

@@ -1,4 +1,5 @@
 import { type Document, emptyDocument } from '../document/document';
+import { fileKind, pictureType } from '../document/file_kind';
 import { type History, startHistory } from '../document/history';
 import { isOwnPicture } from '../document/segmentation';
 import { sceneContent } from '../document/scene_text';
@@ -8,18 +9,17 @@ import { type ExportFormat, isFailure, type MapKind, type OutputFile } from '../
 import { packProject, unpackOra, unpackProject, zipped } from './archives';
 import type { BuildControl } from './build_control';
 import { t } from './catalogue';
-import type { GivenFiles } from './dropped_files';
+import type { GivenFiles, PlacedFile } from './dropped_files';
 import type { Editor, ShelfPlace } from './editor';
 import type { Keeper } from './keeper';
 import { documentOfLayers, layersAmong, readLayers } from './layered_drawing';
-import { flatDrawing, pictureOf, pngOf, textureOf } from './pictures';
+import { flatDrawing, flatOfSvg, pictureOf, pngOf, textureOf } from './pictures';
+import { documentOfScene } from './scene_files';
 import type { SegmentControl } from './segment_control';
 
 function whyOf(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }
-
-const imageTypes = ['image/png', 'image/jpeg', 'image/webp'];
 
 function baseName(name: string): string {
   return name.replace(/\.[^.]*$/, '') || 'untitled';
@@ -48,7 +48,9 @@ export class Files {
   async openAll({ name, files }: GivenFiles): Promise<void> {
     const [first] = files;
     const layers = layersAmong(files);
-    if (layers) await this.opening(name, async () => this.openLayers(name, await readLayers(layers)));
+    const scene = files.find(({ path }) => path.endsWith('.json'));
+    if (scene) await this.opening(scene.path, async () => this.openScene(scene, files));
+    else if (layers) await this.opening(name, async () => this.openLayers(name, await readLayers(layers)));
     else if (first) await this.open(first.file);
   }
 
@@ -56,12 +58,22 @@ export class Files {
   async open(file: File): Promise<void> {
     await this.opening(file.name, async () => {
       const bytes = new Uint8Array(await file.arrayBuffer());
-      if (file.name.endsWith('.relievo')) await this.openProject(bytes);
-      else if (file.type === 'image/svg+xml' || file.name.endsWith('.svg')) await this.openSvg(file.name, bytes);
-      else if (file.name.endsWith('.ora')) await this.openLayers(file.name, await unpackOra(bytes));
-      else if (imageTypes.includes(file.type)) await this.openImage(file.name, bytes, file.type);
-      else throw new Error(t('unknownFile'));
+      const kind = fileKind(bytes);
+      if (kind === 'project') await this.openProject(bytes);
+      else if (kind === 'svg') await this.openSvg(file.name, bytes);
+      else if (kind === 'openraster') await this.openLayers(file.name, await unpackOra(bytes));
+      else if (kind === 'picture') await this.openImage(file.name, bytes, pictureType(bytes) ?? '');
+      else if (kind === 'scene') await this.openScene({ path: file.name, file }, []);
+      else throw new Error(t(kind === 'model' ? 'finishedModel' : kind === 'packed' ? 'packedFile' : 'unknownFile'));
     });
+  }
+
+  /** A scene file, with its drawing where that was given with it. */
+  private async openScene(scene: PlacedFile, files: readonly PlacedFile[]): Promise<void> {
+    const { document: next, notice } = await documentOfScene(scene, files);
+    await this.controls.control.check(next);
+    await this.show(next, 'all');
+    this.editor.set({ notice });
   }
 
   private async openProject(bytes: Uint8Array): Promise<void> {
@@ -181,9 +193,16 @@ export class Files {
   private async openSvg(name: string, bytes: Uint8Array, keep: ShelfPlace['keep'] = 'all'): Promise<void> {
     const imported = await this.engine.importSvg(bytes);
     if (isFailure(imported)) throw new Error(imported.error.message);
+    const content = sceneContent(imported.scene);
+    if (imported.proposed && content.parts.length < 2) {
+      // Lines, or one shape: its parts are found as those of a flat picture.
+      const flat = await flatOfSvg(imported.paintable, content.width, content.height);
+      await this.openImage(`${baseName(name)}.png`, flat, 'image/png');
+      return;
+    }
     await this.show({
       ...emptyDocument(),
-      ...sceneContent(imported.scene),
+      ...content,
       name: baseName(name),
       drawing: { name, kind: 'svg', mime: 'image/svg+xml', bytes, paintable: imported.paintable },
     }, keep);

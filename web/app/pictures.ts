@@ -5,6 +5,8 @@ import { canvasOf, painted, vectorSide } from '../view/painted_drawing';
 const maxPixels = 4096 * 4096;
 /** Of a flat drawing, so that labels follow the pen. */
 const flatPixels = 2048 * 2048;
+/** Longest side of the picture that is made of a vector drawing of lines: the command line's. */
+const flatSide = 1600;
 const stripHeight = 256;
 
 /** Paints all of a canvas, a strip at a time, so that the page stays free for the hand. */
@@ -24,19 +26,30 @@ async function paintInStrips(context: OffscreenCanvasRenderingContext2D, image: 
 }
 
 /** Lets the browser paint an SVG as a picture: no script of it runs, nothing of it is fetched. */
-async function rasterizeSvg(paintable: string, width: number, height: number): Promise<ImageBitmap> {
+async function rasterizeSvg(paintable: string, width: number, height: number, side = vectorSide): Promise<ImageBitmap> {
   const url = URL.createObjectURL(new Blob([paintable], { type: 'image/svg+xml' }));
   try {
     const image = new Image();
     image.src = url;
     await image.decode();
-    const scale = vectorSide / Math.max(width, height);
+    const scale = side / Math.max(width, height);
     const [canvas, context] = canvasOf(scale * width, scale * height);
     await paintInStrips(context, image);
     return canvas.transferToImageBitmap();
   } finally {
     URL.revokeObjectURL(url);
   }
+}
+
+/** A vector drawing as a flat one, on white paper where it has none: a PNG file. */
+export async function flatOfSvg(paintable: string, width: number, height: number): Promise<Uint8Array<ArrayBuffer>> {
+  const picture = await rasterizeSvg(paintable, width, height, flatSide);
+  const [canvas, context] = canvasOf(picture.width, picture.height);
+  context.fillStyle = '#fff';
+  context.fillRect(0, 0, canvas.width, canvas.height);
+  context.drawImage(picture, 0, 0);
+  picture.close();
+  return new Uint8Array(await (await canvas.convertToBlob({ type: 'image/png' })).arrayBuffer());
 }
 
 /** A picture file, made smaller where it has more pixels than a page can bear. */

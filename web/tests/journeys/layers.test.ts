@@ -52,7 +52,7 @@ it('takes a folder that is dropped, with its table of order', async () => {
     await session.send('Input.dispatchDragEvent', { type, x: 400, y: 300, data });
   await settled(page);
   expect(await names(page)).toEqual(['head', 'body']);
-  expect(await page.locator('.document-name').innerText()).toBe('walrus');
+  expect(await page.locator('.document-name').inputValue()).toBe('walrus');
   expect(stage.troubles).toEqual([]);
 });
 

@@ -1,0 +1,28 @@
+/** What a file is, by how it begins, whatever its name. */
+export type FileKind = 'picture' | 'svg' | 'scene' | 'project' | 'openraster' | 'model' | 'packed' | 'unknown';
+
+const pictures: readonly [string, string][] = [
+  ['\x89PNG', 'image/png'], ['\xff\xd8\xff', 'image/jpeg'], ['GIF8', 'image/gif'], ['BM', 'image/bmp'],
+];
+
+/** The type of a picture, or null where it is none. */
+export function pictureType(bytes: Uint8Array): string | null {
+  const text = headOf(bytes);
+  if (text.startsWith('RIFF') && text.slice(8, 12) === 'WEBP') return 'image/webp';
+  return pictures.find(([head]) => text.startsWith(head))?.[1] ?? null;
+}
+
+function headOf(bytes: Uint8Array): string {
+  return String.fromCharCode(...bytes.subarray(0, 120));
+}
+
+export function fileKind(bytes: Uint8Array): FileKind {
+  const text = headOf(bytes);
+  if (pictureType(bytes)) return 'picture';
+  if (text.startsWith('PK')) return text.includes('image/openraster') ? 'openraster' : 'project';
+  if (text.startsWith('glTF')) return 'model';
+  if (text.startsWith('\x1f\x8b')) return 'packed';
+  const [first] = text.replace(/^\xef\xbb\xbf/, '').trimStart();
+  if (first === '<') return 'svg';
+  return first === '{' ? 'scene' : 'unknown';
+}
