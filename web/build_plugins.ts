@@ -32,7 +32,9 @@ const worker = (version: string, files: string[]): string => `
 const cacheName = 'relievo-${version}';
 const files = ${JSON.stringify(files)};
 self.addEventListener('install', (event) => {
-  event.waitUntil(caches.open(cacheName).then((cache) => cache.addAll(files)));
+  // What has its content in its name was loaded a moment ago, and is not loaded again.
+  const request = (file) => new Request(file, { cache: file.startsWith('./assets/') ? 'force-cache' : 'no-cache' });
+  event.waitUntil(caches.open(cacheName).then((cache) => cache.addAll(files.map(request))));
 });
 self.addEventListener('activate', (event) => {
   const old = (name) => name.startsWith('relievo-') && name !== cacheName;

@@ -79,6 +79,7 @@ export class BuildControl {
   private drafting = false;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private builtFull: Document | null = null;
+  private previewed = false;
   private fullWanted: Document | null = null;
   private fullRun: Promise<void> | null = null;
   private fullBegun = 0;
@@ -141,11 +142,15 @@ export class BuildControl {
   }
 
   private follow(): void {
-    const { document, state } = this.editor;
+    const { state } = this.editor;
+    const document = state.preview ?? this.editor.document;
     // What is opened again has lost its relief.
     const shape = [...shapeOf(document), state.opened];
     if (shape.length === this.shape.length && shape.every((value, i) => value === this.shape[i])) return;
     this.shape = shape;
+    // What was shown of a stroke that came to nothing must go.
+    if (this.previewed && !state.preview) this.builtFull = null;
+    this.previewed = state.preview !== null;
     clearTimeout(this.timer);
     this.fullWanted = null;
     if (document.settings.method === 'nonlinear' || performance.now() - this.fullBegun > patience) this.full.cancel();
@@ -159,7 +164,7 @@ export class BuildControl {
   private start(document: Document): void {
     this.draftWanted = document;
     if (!this.drafting) void this.runDrafts();
-    this.timer = setTimeout(() => void this.wantFull(document), rest);
+    if (!this.editor.state.preview) this.timer = setTimeout(() => void this.wantFull(document), rest);
   }
 
   /** Builds the newest document until there is no newer one. */
@@ -231,6 +236,11 @@ export class BuildControl {
 
   /** The last good relief stays; the culprit is shown and named. */
   private refuse(document: Document, error: EngineError): boolean {
+    // A stroke that is still being drawn may be anything.
+    if (document !== this.editor.document) {
+      this.editor.set({ build: { ...this.editor.state.build, phase: 'idle' } });
+      return false;
+    }
     this.editor.set({
       culprit: culpritOf(error, document),
       build: { phase: 'idle', progress: 0, error },

@@ -53,6 +53,8 @@ export interface EditorState {
   sideOpen: boolean;
   build: BuildState;
   relief: BuiltRelief | null;
+  /** What is being drawn would make this. */
+  preview: Document | null;
   /** The relief that can be seen. */
   shown: BuiltRelief | null;
   /** Whether the browser has no graphics, so that the relief is drawn more slowly and plainly. */
@@ -98,6 +100,7 @@ function firstState(): EditorState {
     sideOpen: false,
     build: { phase: 'idle', progress: 0, error: null },
     relief: null,
+    preview: null,
     shown: null,
     plainGraphics: false,
     opened: 0,
@@ -160,6 +163,7 @@ export class Editor extends Store<EditorState> {
       tint: null,
       gap: null,
       pending: null,
+      preview: null,
       build: { phase: 'idle', progress: 0, error: null },
     });
   }

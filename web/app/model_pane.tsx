@@ -62,11 +62,11 @@ function listen(canvas: HTMLCanvasElement, view: ModelView, editor: Editor, ligh
 function follow(view: ModelView, editor: Editor): () => void {
   let before: readonly unknown[] = [];
   const update = (): void => {
-    const { relief, picture, shading, hovered, selected, history } = editor.state;
-    const { document } = history;
+    const { relief, picture, shading, hovered, selected, history, preview } = editor.state;
+    const document = preview ?? history.document;
     const now = [relief, picture ?? document.parts, shading, hovered ?? selected, document.name];
     if (now[1] !== before[1] || now[4] !== before[4])
-      view.paint(picture || document.parts.length > 0 ? document : null, picture);
+      view.paint(picture || document.parts.length > 0 ? document : null, picture, preview ? previewSide : undefined);
     if (now[0] !== before[0]) {
       view.show(relief?.surface ?? null, document.width, document.height);
       void view.drawn().then(() => {
@@ -80,6 +80,9 @@ function follow(view: ModelView, editor: Editor): () => void {
   update();
   return editor.subscribe(update);
 }
+
+/** Of what is painted while the pen is down, so that it follows, px. */
+const previewSide = 512;
 
 const shadings: readonly [Shading, () => string][] = [
   ['drawing', () => t('shadingDrawing')],

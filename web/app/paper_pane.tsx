@@ -205,8 +205,9 @@ export class PaperControl {
 
 /** What to do with an empty page. */
 function EmptyCue({ editor }: { editor: Editor }) {
-  const { document } = useStore(editor).history;
-  if (document.parts.length > 0 || document.drawing) return null;
+  const { history, preview } = useStore(editor);
+  const { document } = history;
+  if (document.parts.length > 0 || document.drawing || preview) return null;
   return <p class="empty-cue">{t('emptyCue')}</p>;
 }
 

@@ -60,6 +60,7 @@ function hostOf(editor: Editor, reach: () => number): ToolHost {
       return reach();
     },
     edit: (label: string, next: Document, gesture?: string) => editor.edit(label, next, gesture ?? null),
+    preview: (document) => editor.set({ preview: document }),
     select: (id) => editor.select(id),
     hover: (id) => editor.set({ hovered: id }),
     refuse: (reason) => editor.set({ notice: t(reason) }),

@@ -1,7 +1,7 @@
-import { areaD, EndType, FillRule, inflatePathsD, JoinType, unionD } from 'clipper2-ts';
 import { type Document, type Part, type Point, type Ring } from './document';
 import { addOpenPart, addPart, changePart, joinParts, movePart, partAt } from './editing';
 import { area, contains, distance, mix, nearestPlace, perimeter, simplify, smooth } from './outline';
+import { around, largest, unionOf } from './regions';
 
 /** Why a stroke became nothing. */
 export type StrokeRefusal = 'dotOnPaper';
@@ -55,27 +55,14 @@ export function isClosed(document: Document, stroke: Ring, reach: number): boole
   return gap < Math.max(Math.min(1.5 * reach, 0.3 * length), closing * length);
 }
 
-const pathOf = (line: Ring): { x: number; y: number }[] => line.map(([x, y]) => ({ x, y }));
-
-/** The outer ring of the largest of some areas, holes filled. */
-function outerRing(paths: readonly { x: number; y: number }[][]): Point[] {
-  const rings = paths.map((path) => path.map(({ x, y }): Point => [x, y]));
-  return rings.sort((a, b) => Math.abs(area(b)) - Math.abs(area(a)))[0] ?? [];
-}
-
-/** All within `radius` of a line. */
-function tubeAround(line: Ring, radius: number): Point[] {
-  return outerRing(inflatePathsD([pathOf(line)], radius, JoinType.Round, EndType.Round, 2, 2));
-}
-
 /** All that a closed line goes around, whether or not it crosses itself. */
 function outerUnion(ring: Ring, reach: number): Point[] {
-  const pieces = unionD([pathOf(ring)], [], FillRule.NonZero, 2);
-  if (pieces.length <= 1) return outerRing(pieces);
+  const pieces = unionOf([ring]);
+  if (pieces.length <= 1) return largest(pieces);
   // The line itself holds together what it touches in a point only.
-  const line = inflatePathsD([pathOf([...ring, ring[0] as Point])], reach / 6, JoinType.Round, EndType.Round, 2, 2);
-  const upright = (path: { x: number; y: number }[]): { x: number; y: number }[] => (areaD(path) < 0 ? [...path].reverse() : path);
-  return outerRing(unionD([...pieces, ...line].map(upright), [], FillRule.NonZero, 2));
+  const line = around([...ring, ring[0] as Point], reach / 6);
+  const upright = (piece: Ring): Ring => (area(piece) < 0 ? [...piece].reverse() : piece);
+  return largest(unionOf([...pieces, ...line].map(upright)));
 }
 
 /** The part in which all of a ring lies, if it is seen there. */
@@ -97,6 +84,15 @@ function colored(document: Document, id: string, color: string): Document {
   return { ...document, parts: document.parts.map((part) => (part.id === id ? { ...part, color } : part)) };
 }
 
+/** What a stroke that is still being drawn would make if the pen came back now; null while that is nothing to see. */
+export function previewStroke(document: Document, hand: Hand, points: Ring): Document | null {
+  const { reach } = hand;
+  const [first] = points as [Point, ...Point[]];
+  if (points.length < 4 || Math.abs(area(points)) < leastThickness * reach * lengthOf(points)) return null;
+  const drawn = drawStroke(document, hand, partAt(document, first) ? points : [...points, first]);
+  return 'refused' in drawn ? null : drawn.document;
+}
+
 /** A closed shape: a part, or a detail of the part on which it lies. */
 function addShape(document: Document, name: string, ring: Ring): Document {
   const ground = groundOf(document, ring);
@@ -110,11 +106,11 @@ function addShape(document: Document, name: string, ring: Ring): Document {
 function addTube(document: Document, { name, reach }: Hand, line: Ring): Document {
   const ground = groundOf(document, line);
   if (ground) {
-    const drawn = addPart(document, name, tubeAround(line, lineRadius * reach));
+    const drawn = addPart(document, name, largest(around(line, lineRadius * reach)));
     return changePart(colored(drawn, newest(drawn), detailInk), newest(drawn), { c: 2 });
   }
   const root = partAt(document, line[0] as Point) ?? partAt(document, line.at(-1) as Point);
-  const added = addPart(document, name, tubeAround(line, tubeRadius * reach));
+  const added = addPart(document, name, largest(around(line, tubeRadius * reach)));
   const id = newest(added);
   return root ? joinParts(colored(added, id, root.color ?? '#d9d4c7'), id, root.id) : added;
 }
@@ -130,9 +126,9 @@ function snapped(document: Document, end: Point, reach: number): Point[] {
 
 /** Whether what a ring goes around is another area than its own, in which loops count by their turns. */
 function crossesItself(ring: Ring): boolean {
-  const pieces = unionD([pathOf(ring)], [], FillRule.NonZero, 2);
+  const pieces = unionOf([ring]);
   const own = Math.abs(area(ring));
-  return pieces.length !== 1 || Math.abs(Math.abs(area(outerRing(pieces))) - own) > 0.002 * own;
+  return pieces.length !== 1 || Math.abs(Math.abs(area(largest(pieces))) - own) > 0.002 * own;
 }
 
 function addOpen(document: Document, hand: Hand, stroke: Ring): Document {

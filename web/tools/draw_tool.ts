@@ -1,6 +1,6 @@
 import type { Point } from '../document/document';
 import { distance } from '../document/outline';
-import { drawStroke, isClosed } from '../document/strokes';
+import { type Drawn, drawStroke, type Hand, isClosed, previewStroke } from '../document/strokes';
 import { marks } from '../view/colors';
 import { strokeLine } from '../view/paper_view';
 import type { Modifiers, Tool, ToolHost } from './tool';
@@ -9,6 +9,8 @@ import type { Modifiers, Tool, ToolHost } from './tool';
 export class DrawTool implements Tool {
   readonly cursor = 'crosshair';
   private stroke: Point[] = [];
+  /** Where the pen was when the relief last showed what it draws. */
+  private shownAt: Point | null = null;
 
   constructor(
     private readonly host: ToolHost,
@@ -23,15 +25,29 @@ export class DrawTool implements Tool {
 
   move(point: Point, pressed: boolean): void {
     if (!pressed || this.stroke.length === 0) return;
-    if (distance(this.stroke[this.stroke.length - 1] as Point, point) > this.host.reach / 6) this.stroke.push(point);
+    if (distance(this.stroke[this.stroke.length - 1] as Point, point) <= this.host.reach / 6) return;
+    this.stroke.push(point);
+    const last = this.shownAt ?? (this.stroke[0] as Point);
+    if (distance(last, point) < this.host.reach) return;
+    this.shownAt = point;
+    this.host.preview(previewStroke(this.host.document, this.hand(false), this.stroke));
   }
 
   up(_point: Point, keys: Modifiers): void {
-    const stroke = this.stroke;
+    const { stroke } = this;
     this.stroke = [];
-    if (stroke.length === 0) return;
-    const { document, reach } = this.host;
-    const drawn = drawStroke(document, { reach, name: this.partName(), behind: keys.shift || this.behind() }, stroke);
+    if (stroke.length > 0) this.make(drawStroke(this.host.document, this.hand(keys.shift), stroke));
+    // Only now, so that the relief goes from what was shown to what was made.
+    this.cancel();
+  }
+
+  cancel(): void {
+    this.stroke = [];
+    this.shownAt = null;
+    this.host.preview(null);
+  }
+
+  private make(drawn: Drawn): void {
     if ('refused' in drawn) {
       this.host.refuse(drawn.refused);
       return;
@@ -40,8 +56,8 @@ export class DrawTool implements Tool {
     this.host.select(drawn.id);
   }
 
-  cancel(): void {
-    this.stroke = [];
+  private hand(shift: boolean): Hand {
+    return { reach: this.host.reach, name: this.partName(), behind: shift || this.behind() };
   }
 
   draw(context: CanvasRenderingContext2D, pixel: number): void {

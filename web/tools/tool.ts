@@ -9,6 +9,8 @@ export interface ToolHost {
   /** How far a hand may miss, canvas px. */
   readonly reach: number;
   edit(label: string, next: Document, gesture?: string): void;
+  /** Lets the relief show what would be, until null. */
+  preview(document: Document | null): void;
   select(id: string | null): void;
   hover(id: string | null): void;
   /** Says why nothing was changed. */

@@ -85,10 +85,10 @@ export class ModelRenderer {
   }
 
   /** The texture: a picture, or the parts painted flat; none without a document. */
-  paint(document: Painted | null, picture: ImageBitmap | null): void {
+  paint(document: Painted | null, picture: ImageBitmap | null, side?: number): void {
     const { drawing } = this.materials;
     drawing.map?.dispose();
-    drawing.map = document && this.textureOf(bledTexture(document, picture));
+    drawing.map = document && this.textureOf(bledTexture(document, picture, side));
     drawing.needsUpdate = true;
     this.redraw();
   }

@@ -82,12 +82,12 @@ export class ModelView {
     this.tell((renderer) => renderer.show(surface, width, height));
   }
 
-  /** What lies on the model: a picture, or the parts painted flat; nothing without a document. */
-  paint(document: Painted | null, picture: ImageBitmap | null): void {
+  /** What lies on the model: a picture, or the parts painted flat, `side` px long; nothing without a document. */
+  paint(document: Painted | null, picture: ImageBitmap | null, side?: number): void {
     this.painting = this.painting.then(async () => {
       const copy = picture && (await createImageBitmap(picture));
       const content = document && { width: document.width, height: document.height, parts: document.parts, joins: document.joins };
-      await (await this.renderer).paint(content, copy && Comlink.transfer(copy, [copy]));
+      await (await this.renderer).paint(content, copy && Comlink.transfer(copy, [copy]), side);
     });
   }
 

@@ -30,8 +30,8 @@ export function painted(document: Painted, picture: ImageBitmap | null, side = v
 }
 
 /** The same for the view: what is transparent takes the colour beside it, so that rims show none of it. */
-export function bledTexture(document: Painted, picture: ImageBitmap | null): OffscreenCanvas {
-  const sharp = painted(document, picture).canvas;
+export function bledTexture(document: Painted, picture: ImageBitmap | null, side = vectorSide): OffscreenCanvas {
+  const sharp = painted(document, picture, side).canvas;
   const scale = Math.min(1, vectorSide / Math.max(sharp.width, sharp.height));
   const [canvas, context] = canvasOf(scale * sharp.width, scale * sharp.height);
   context.fillStyle = '#efe9dd';

@@ -80,8 +80,8 @@ export class SoftwareRenderer implements Renderer {
     this.redraw();
   }
 
-  paint(document: Painted | null, picture: ImageBitmap | null): void {
-    const canvas = document && bledTexture(document, picture);
+  paint(document: Painted | null, picture: ImageBitmap | null, side?: number): void {
+    const canvas = document && bledTexture(document, picture, side);
     this.texture = canvas && (canvas.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height) ?? null);
     this.redraw();
   }

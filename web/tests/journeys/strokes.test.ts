@@ -175,3 +175,36 @@ it('never makes a part of paper, wherever a scribble begins', async () => {
   await picture(page, 'paper-stroke');
   expect(stage.troubles).toEqual([]);
 });
+
+it('swells while the pen is down, and goes back when the stroke is left', async () => {
+  const { page } = stage;
+  await page.click('#empty');
+  await page.waitForSelector('.paper canvas');
+  const { at } = await pageView(page);
+  const nodes = (): Promise<number> => page.locator('.numbers').getAttribute('data-nodes').then(Number);
+  const spots = oval(500, 400, 200, 150);
+  await page.mouse.move(...at(spots[0] as Spot));
+  await page.mouse.down();
+  for (const spot of spots.slice(1, 22)) await page.mouse.move(...at(spot), { steps: 2 });
+  await page.waitForFunction(() => Number(document.querySelector<HTMLElement>('.numbers')?.dataset['nodes']) > 500);
+  expect((await state(page)).parts).toBe(0);
+  await page.waitForTimeout(300);
+  await picture(page, 'swelling');
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await page.waitForFunction(() => document.querySelector<HTMLElement>('.numbers')?.dataset['nodes'] === '0');
+  expect((await state(page)).parts).toBe(0);
+  await stroke(page, spots, at);
+  await settled(page);
+  const full = await nodes();
+  // Beside what is there already, and back to it.
+  await page.mouse.move(...at([720, 300]));
+  await page.mouse.down();
+  for (const spot of [[800, 260], [860, 330], [800, 420]] as Spot[]) await page.mouse.move(...at(spot), { steps: 4 });
+  await page.waitForFunction((before) => document.querySelector<HTMLElement>('.numbers')?.dataset['nodes'] !== String(before), full);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await page.waitForFunction((before) => document.querySelector<HTMLElement>('.numbers')?.dataset['nodes'] === String(before), full);
+  expect((await state(page)).parts).toBe(1);
+  expect(stage.troubles).toEqual([]);
+});

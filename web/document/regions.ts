@@ -1,0 +1,42 @@
+// Only what is needed: the package's index brings triangulation and more along.
+import { ClipType, FillRule } from 'clipper2-ts/dist/Core.js';
+import { Clipper64 } from 'clipper2-ts/dist/Engine.js';
+import { ClipperOffset, EndType, JoinType } from 'clipper2-ts/dist/Offset.js';
+import type { Point, Ring } from './document';
+import { area } from './outline';
+
+/** Clipper counts in whole numbers: so many to a px. */
+const units = 100;
+
+type Path = { x: number; y: number }[];
+
+function pathOf(line: Ring): Path {
+  return line.map(([x, y]) => ({ x: Math.round(units * x), y: Math.round(units * y) }));
+}
+
+function ringsOf(paths: readonly Path[]): Point[][] {
+  return paths.map((path) => path.map(({ x, y }): Point => [x / units, y / units]));
+}
+
+/** What some rings go around, all together, whichever way they turn. Holes turn the other way. */
+export function unionOf(rings: readonly Ring[]): Point[][] {
+  const clipper = new Clipper64();
+  clipper.addSubject(rings.map(pathOf));
+  const solution: Path[] = [];
+  clipper.execute(ClipType.Union, FillRule.NonZero, solution);
+  return ringsOf(solution);
+}
+
+/** All within `radius` px of an open line. */
+export function around(line: Ring, radius: number): Point[][] {
+  const offset = new ClipperOffset(2, units * 0.05);
+  offset.addPaths([pathOf(line)], JoinType.Round, EndType.Round);
+  const solution: Path[] = [];
+  offset.execute(units * radius, solution);
+  return ringsOf(solution);
+}
+
+/** The largest of some rings; empty where there are none. */
+export function largest(rings: readonly Ring[]): Point[] {
+  return [...([...rings].sort((a, b) => Math.abs(area(b)) - Math.abs(area(a)))[0] ?? [])];
+}
