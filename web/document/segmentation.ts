@@ -1,4 +1,4 @@
-import type { Cue, Point, RelationKind, Ring } from './document';
+import type { Cue, Point, RelationKind, Ring } from './scene';
 
 /** How a flat drawing was understood, as docs/project.md has it. Parts are named by their labels. */
 

@@ -1,8 +1,15 @@
 import type { Document, Point } from '../document/document';
 import { clearStroke, moveStroke, scribblesOf, strokeAt } from '../document/scribbling';
 import type { Stroke } from '../document/segmentation';
-import type { ScribbleHost } from './scribble_tool';
 import { arrows, type ToolHost } from './tool';
+
+/** Who understands strokes: what of ScribbleHost the mover needs. */
+interface StrokeHost {
+  readonly pending: Document;
+  show(document: Document): void;
+  drop(): void;
+  wish(label: string, change: (document: Document) => Document): void;
+}
 
 /** Drags strokes to another place; keys choose, move and remove them. */
 export class StrokeMover {
@@ -10,7 +17,7 @@ export class StrokeMover {
   private from: Point | null = null;
   private by: Point = [0, 0];
 
-  constructor(private readonly host: ToolHost, private readonly scribbles: ScribbleHost) {}
+  constructor(private readonly host: ToolHost, private readonly scribbles: StrokeHost) {}
 
   /** The chosen stroke where it is shown now; null where none is. */
   get shown(): Stroke | null {

@@ -28,6 +28,25 @@ it.each(Object.keys(allowed))('%s imports only what it may', (folder) => {
   }
 });
 
+it('has no circle of imports, of types neither', () => {
+  const imports = new Map<string, string[]>();
+  for (const folder of Object.keys(allowed))
+    for (const name of sources(folder)) {
+      const text = readFileSync(join(web, folder, name), 'utf8');
+      const targets = [...text.matchAll(/from '(\.[^']*)'/g)].map(([, path]) => normalize(join(folder, path ?? '')));
+      imports.set(join(folder, name).replace(/\.tsx?$/, ''), targets);
+    }
+  const done = new Set<string>();
+  const walk = (file: string, trail: string[]): void => {
+    expect(trail, `${[...trail, file].join(' -> ')}`).not.toContain(file);
+    if (done.has(file)) return;
+    for (const target of imports.get(file) ?? []) walk(target, [...trail, file]);
+    done.add(file);
+  };
+  expect(imports.size).toBeGreaterThan(50);
+  for (const file of imports.keys()) walk(file, []);
+});
+
 it.each(Object.keys(allowed))('%s has small files and no untyped values', (folder) => {
   for (const name of sources(folder)) {
     const text = readFileSync(join(web, folder, name), 'utf8');

@@ -1,0 +1,54 @@
+/** Parts and what holds between them, as scene files have it. Coordinates are canvas px, y down. */
+
+export type Point = readonly [number, number];
+export type Ring = readonly Point[];
+/** `below` has a range. */
+export type RelationKind = 'equal' | 'above' | 'free' | 'below';
+
+export interface Part {
+  /** Unique name. */
+  readonly id: string;
+  /** Rings filled by the non-zero rule; the first ones are outer. */
+  readonly outline: readonly Ring[];
+  /** Amount of inflation: 4 makes a hemisphere of a disc. */
+  readonly c: number;
+  /** Depth scale, not 0; negative inflates away from the viewer. */
+  readonly d: number;
+  /** Profile from 0, the usual semi-ellipse, to 1, a flat top with round edges. */
+  readonly flat?: number;
+  /** How much nearer it comes per px to the right and downwards. */
+  readonly lean?: Point;
+  /** CSS colour where there is no drawing. */
+  readonly color?: string;
+}
+
+export interface Join {
+  readonly upper: string;
+  readonly lower: string;
+  readonly line: Ring;
+}
+
+export interface Relation {
+  readonly upper: string;
+  readonly lower: string;
+  readonly relation: RelationKind;
+  readonly range?: readonly [Point, Point];
+}
+
+export interface RobinRange {
+  readonly upper: string;
+  readonly lower: string;
+  readonly from: Point;
+  readonly to: Point;
+  readonly alpha0?: number;
+  readonly rho?: number;
+}
+
+/** What the profile of a part is like along a line on it. */
+export interface Cue {
+  readonly part: string;
+  readonly kind: 'bulge' | 'slope' | 'crease';
+  readonly line: Ring;
+  /** Of a bulge a factor, of the others degrees. */
+  readonly value: number;
+}
