@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace relievo {
@@ -11,8 +12,9 @@ constexpr double margin = 0.04;
 
 /// Bounds of the model along the camera's axes.
 struct Bounds {
-  Point3 low{1e300, 1e300, 1e300};
-  Point3 high{-1e300, -1e300, -1e300};
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  Point3 low{infinity, infinity, infinity};
+  Point3 high{-infinity, -infinity, -infinity};
 };
 
 Bounds bounds_along(const Model& model, const Camera& camera) {

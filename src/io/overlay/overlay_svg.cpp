@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "io/files/number_text.h"
 #include "kernel/geometry/ring_measure.h"
@@ -70,7 +71,7 @@ struct Way {
 /// the outline has a ring.
 Way way_along(const Outline& outline, Point2 from, Point2 to, bool shorter) {
   Way way;
-  double best = 1e300;
+  double best = std::numeric_limits<double>::infinity();
   for (const Ring& candidate : outline) {
     const RingMeasure m = measure(candidate);
     const double d = nearest_on_ring(candidate, m, from).distance;

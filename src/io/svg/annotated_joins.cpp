@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "io/svg/part_lookup.h"
 
@@ -18,7 +19,7 @@ double distance_to_segment(Point2 p, Point2 a, Point2 b) {
 }
 
 double distance_to_outline(Point2 p, const Outline& outline) {
-  double least = 1e300;
+  double least = std::numeric_limits<double>::infinity();
   for (const Ring& ring : outline) {
     for (size_t i = 0; i < ring.size(); ++i) {
       least = std::min(least, distance_to_segment(p, ring[i], ring[(i + 1) % ring.size()]));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace relievo {
 namespace {
@@ -35,7 +36,7 @@ Point2 point_at(const Ring& ring, const RingMeasure& m, double s) {
 }
 
 RingFoot nearest_on_ring(const Ring& ring, const RingMeasure& m, Point2 p) {
-  RingFoot best{0, 1e300};
+  RingFoot best{0, std::numeric_limits<double>::infinity()};
   for (size_t i = 0; i < ring.size(); ++i) {
     const Point2 a = ring[i];
     const Point2 b = ring[(i + 1) % ring.size()];
@@ -47,7 +48,7 @@ RingFoot nearest_on_ring(const Ring& ring, const RingMeasure& m, Point2 p) {
 }
 
 double distance_to_polyline(const std::vector<Point2>& line, Point2 p) {
-  double best = line.empty() ? 1e300 : distance(line[0], p);
+  double best = line.empty() ? std::numeric_limits<double>::infinity() : distance(line[0], p);
   for (size_t i = 0; i + 1 < line.size(); ++i)
     best = std::min(best, distance_to_segment(p, line[i], line[i + 1]));
   return best;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <limits>
 
 #include "kernel/meshing/predicates.h"
 #include "kernel/meshing/segment_grid.h"
@@ -17,6 +18,80 @@ struct Insertion {
   int edge;
   double t;
   int point;
+};
+
+using Edges = std::vector<std::array<int, 2>>;
+
+/// Without repeated points, and with spikes a-b-a, whose edges cancel, folded up.
+std::vector<int> tidied(const std::vector<int>& loop, bool open) {
+  std::vector<int> tidy;
+  for (const int p : loop) {
+    if (!tidy.empty() && tidy.back() == p) continue;
+    if (tidy.size() >= 2 && tidy[tidy.size() - 2] == p)
+      tidy.pop_back();
+    else
+      tidy.push_back(p);
+  }
+  size_t first = 0;
+  while (!open && tidy.size() - first > 1) {
+    const bool spiky = tidy.size() - first > 2;
+    if (tidy[first] == tidy.back() || (spiky && tidy[first] == tidy[tidy.size() - 2])) {
+      tidy.pop_back();
+    } else if (spiky && tidy[first + 1] == tidy.back()) {
+      ++first;
+    } else {
+      break;
+    }
+  }
+  tidy.erase(tidy.begin(), tidy.begin() + static_cast<std::ptrdiff_t>(first));
+  if (tidy.size() < (open ? 2 : 3)) tidy.clear();
+  return tidy;
+}
+
+SegmentGrid edge_grid(const std::vector<Point2>& points, const Edges& edges) {
+  Box2 box;
+  for (const auto& edge : edges)
+    for (const int p : edge) box.add(points[p]);
+  SegmentGrid grid(box, edges.size());
+  grid.build(edges.size(),
+             [&](size_t e) { return std::pair(points[edges[e][0]], points[edges[e][1]]); });
+  return grid;
+}
+
+/// Whether a point lies on, or nearly on, the inside of an edge, at parameter t of it.
+bool touches(const std::vector<Point2>& points, int p, const std::array<int, 2>& edge, double reach,
+             double& t) {
+  if (p == edge[0] || p == edge[1]) return false;
+  const Point2 a = points[edge[0]];
+  const Point2 d = points[edge[1]] - a;
+  const double length = norm(d);
+  t = dot(points[p] - a, d) / (length * length);
+  if (t <= 0 || t >= 1) return false;
+  const double bound = std::min(reach, snap_to_edge * length);
+  return std::abs(cross(d, points[p] - a)) <= bound * length;
+}
+
+/// Appends what was inserted into the edge from a to b; insertions are sorted.
+void append_between(const std::array<int, 2>& ends, const Edges& edges,
+                    const std::vector<Insertion>& insertions, std::vector<int>& loop) {
+  const auto [a, b] = ends;
+  const std::array<int, 2> key = {std::min(a, b), std::max(a, b)};
+  const auto at = std::lower_bound(edges.begin(), edges.end(), key);
+  if (at == edges.end() || *at != key) return;
+  const int edge = static_cast<int>(at - edges.begin());
+  auto first = std::lower_bound(insertions.begin(), insertions.end(), edge,
+                                [](const Insertion& x, int e) { return x.edge < e; });
+  const size_t before = loop.size();
+  for (; first != insertions.end() && first->edge == edge; ++first) loop.push_back(first->point);
+  if (a > b) std::reverse(loop.begin() + static_cast<std::ptrdiff_t>(before), loop.end());
+}
+
+/// A point of a curve, and how far it may move to another.
+struct Item {
+  int curve;
+  int index;
+  bool kept;
+  double reach;
 };
 
 class Splicer {
@@ -57,12 +132,6 @@ class Splicer {
   // Every input point becomes its own point or that of an earlier one close to it; kept points
   // come first so that others move to them.
   void merge_points() {
-    struct Item {
-      int curve;
-      int index;
-      bool kept;
-      double reach;
-    };
     std::vector<Item> items;
     Box2 box;
     for (size_t c = 0; c < curves_.size(); ++c) {
@@ -88,7 +157,7 @@ class Splicer {
     for (size_t i = 0; i < items.size(); ++i) {
       const Point2 p = position(items[i]);
       int found = -1;
-      double nearest = 1e300;
+      double nearest = std::numeric_limits<double>::infinity();
       grid.for_cells(p, p, items[i].reach, [&](size_t cell) {
         for (const int* j = grid.begin(cell); j != grid.end(cell); ++j) {
           if (static_cast<size_t>(*j) >= i || point_of[*j] < 0) continue;
@@ -108,33 +177,8 @@ class Splicer {
     out_.loops = out_.image;
   }
 
-  // Consecutive equal points merge, and spikes a-b-a, whose edges cancel, fold up.
   void tidy_loops() {
-    for (std::vector<int>& loop : out_.loops) {
-      std::vector<int> tidy;
-      for (const int p : loop) {
-        if (!tidy.empty() && tidy.back() == p) continue;
-        if (tidy.size() >= 2 && tidy[tidy.size() - 2] == p)
-          tidy.pop_back();
-        else
-          tidy.push_back(p);
-      }
-      const bool open = edge_count(loop) < loop.size();
-      size_t first = 0;
-      while (!open && tidy.size() - first > 1) {
-        const bool spiky = tidy.size() - first > 2;
-        if (tidy[first] == tidy.back() || (spiky && tidy[first] == tidy[tidy.size() - 2])) {
-          tidy.pop_back();
-        } else if (spiky && tidy[first + 1] == tidy.back()) {
-          ++first;
-        } else {
-          break;
-        }
-      }
-      tidy.erase(tidy.begin(), tidy.begin() + static_cast<std::ptrdiff_t>(first));
-      if (tidy.size() < (open ? 2 : 3)) tidy.clear();
-      loop = std::move(tidy);
-    }
+    for (std::vector<int>& loop : out_.loops) loop = tidied(loop, edge_count(loop) < loop.size());
   }
 
   // The distinct undirected edges of all loops, sorted.
@@ -148,7 +192,7 @@ class Splicer {
       }
     std::sort(edges_.begin(), edges_.end());
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
-    shortest_.assign(out_.points.size(), 1e300);
+    shortest_.assign(out_.points.size(), std::numeric_limits<double>::infinity());
     for (const auto& [a, b] : edges_) {
       const double length = distance(out_.points[a], out_.points[b]);
       shortest_[a] = std::min(shortest_[a], length);
@@ -156,30 +200,19 @@ class Splicer {
     }
   }
 
-  SegmentGrid edge_grid() const {
-    Box2 box;
-    for (const auto& edge : edges_)
-      for (const int p : edge) box.add(out_.points[p]);
-    SegmentGrid grid(box, edges_.size());
-    grid.build(edges_.size(), [&](size_t e) {
-      return std::pair(out_.points[edges_[e][0]], out_.points[edges_[e][1]]);
-    });
-    return grid;
-  }
-
   // Vertices that lie on, or nearly on, the inside of an edge.
   std::vector<Insertion> find_contacts() const {
     std::vector<Insertion> found;
-    const SegmentGrid grid = edge_grid();
+    const SegmentGrid grid = edge_grid(out_.points, edges_);
     for (size_t p = 0; p < out_.points.size(); ++p) {
-      if (shortest_[p] == 1e300) continue;
+      if (shortest_[p] == std::numeric_limits<double>::infinity()) continue;
       const Point2 x = out_.points[p];
       const double reach = snap_to_edge * shortest_[p];
       const size_t first = found.size();
       grid.for_cells(x, x, reach, [&](size_t cell) {
         for (const int* e = grid.begin(cell); e != grid.end(cell); ++e) {
           double t = 0;
-          if (!touches(static_cast<int>(p), edges_[*e], reach, t)) continue;
+          if (!touches(out_.points, static_cast<int>(p), edges_[*e], reach, t)) continue;
           const auto same = [&](const Insertion& other) { return other.edge == *e; };
           if (std::none_of(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), same))
             found.push_back({*e, t, static_cast<int>(p)});
@@ -189,21 +222,10 @@ class Splicer {
     return found;
   }
 
-  bool touches(int p, const std::array<int, 2>& edge, double reach, double& t) const {
-    if (p == edge[0] || p == edge[1]) return false;
-    const Point2 a = out_.points[edge[0]];
-    const Point2 d = out_.points[edge[1]] - a;
-    const double length = norm(d);
-    t = dot(out_.points[p] - a, d) / (length * length);
-    if (t <= 0 || t >= 1) return false;
-    const double bound = std::min(reach, snap_to_edge * length);
-    return std::abs(cross(d, out_.points[p] - a)) <= bound * length;
-  }
-
   // Proper crossings of two edges; each becomes a vertex of both.
   std::vector<Insertion> find_crossings() {
     std::vector<Insertion> found;
-    const SegmentGrid grid = edge_grid();
+    const SegmentGrid grid = edge_grid(out_.points, edges_);
     std::vector<int> seen(edges_.size(), -1);
     for (size_t e = 0; e < edges_.size(); ++e) {
       const Point2 a = out_.points[edges_[e][0]];
@@ -257,29 +279,16 @@ class Splicer {
         const int a = loop[i];
         const int b = loop[(i + 1) % loop.size()];
         longer.push_back(a);
-        if (i < edge_count(loop)) append_between(a, b, insertions, longer);
+        if (i < edge_count(loop)) append_between({a, b}, edges_, insertions, longer);
       }
       loop = std::move(longer);
     }
   }
 
-  void append_between(int a, int b, const std::vector<Insertion>& insertions,
-                      std::vector<int>& loop) const {
-    const std::array<int, 2> key = {std::min(a, b), std::max(a, b)};
-    const auto at = std::lower_bound(edges_.begin(), edges_.end(), key);
-    if (at == edges_.end() || *at != key) return;
-    const int edge = static_cast<int>(at - edges_.begin());
-    auto first = std::lower_bound(insertions.begin(), insertions.end(), edge,
-                                  [](const Insertion& x, int e) { return x.edge < e; });
-    const size_t before = loop.size();
-    for (; first != insertions.end() && first->edge == edge; ++first) loop.push_back(first->point);
-    if (a > b) std::reverse(loop.begin() + static_cast<std::ptrdiff_t>(before), loop.end());
-  }
-
   std::vector<InputCurve> curves_;  // closed ones, then open ones
   size_t closed_;                   // so many
   SplicedCurves out_;
-  std::vector<std::array<int, 2>> edges_;
+  Edges edges_;
   std::vector<double> shortest_;  // per point: its shortest edge
 };
 

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-#include "kernel/base/workers.h"
+#include "kernel/solvers/face_solver.h"
 #include "kernel/solvers/local_relaxation.h"
 #include "kernel/solvers/sparse_products.h"
 
@@ -16,27 +16,56 @@ using Eigen::VectorXd;
 constexpr int block_tries = 3;
 /// How often wrong bounds may grow more numerous without counting as such a try.
 constexpr int max_leaps = 2;
-constexpr int max_refinements = 4;
-/// Residuals within this share of the tolerance need no attention.
-constexpr double negligible = 0.1;
 /// So few wrong bounds are likely to be the last ones: the next solve is one to end with.
 constexpr size_t few = 8;
 
-double max_norm(const VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
+void project(const BoundQp& problem, VectorXd& z) {
+  for (Eigen::Index i = 0; i < z.size(); ++i)
+    if (problem.bounded[i] != 0) z[i] = std::max(z[i], 0.0);
+}
 
+/// The lowest point along the negative gradient of the bounds that pull.
+void release(const BoundQp& problem, const std::vector<int>& pulling, const VectorXd& mu,
+             VectorXd& z) {
+  VectorXd direction = VectorXd::Zero(z.size());
+  for (const int i : pulling) direction[i] = -mu[i];
+  const double curvature = direction.dot(multiply_symmetric(problem.K, direction));
+  z += direction.squaredNorm() / curvature * direction;
+}
+
+/// The longest of the steps 1, 1/2, 1/4, ... along the projected direction that lowers the
+/// energy; at least as far as the first bound.
+VectorXd projected_step(const BoundQp& problem, const VectorXd& z, const VectorXd& direction) {
+  double to_bound = 1;
+  for (Eigen::Index i = 0; i < z.size(); ++i)
+    if (problem.bounded[i] != 0 && direction[i] < 0)
+      to_bound = std::min(to_bound, -z[i] / direction[i]);
+  const VectorXd gradient = gradient_at(problem, z);
+  for (double length = 1; length > to_bound; length /= 2) {
+    VectorXd end = z + length * direction;
+    project(problem, end);
+    const VectorXd step = end - z;
+    if (step.dot(gradient + 0.5 * multiply_symmetric(problem.K, step)) < 0) return step;
+  }
+  VectorXd end = z + to_bound * direction;
+  for (Eigen::Index i = 0; i < z.size(); ++i)
+    if (direction[i] < 0 && -z[i] / direction[i] <= to_bound && problem.bounded[i] != 0) end[i] = 0;
+  return end - z;
+}
+
+/// Guesses active bounds until none is on the wrong side.
 class ActiveSetSolver {
  public:
   ActiveSetSolver(const BoundQp& problem, SparseCholesky& factor, BoundQpOptions options,
                   const RunContext& context)
       : problem_(problem),
-        factor_(factor),
+        graph_(factor.graph()),
         context_(context),
         scale_(std::max(1.0, max_norm(problem.b))),
         tolerance_(options.tolerance * scale_),
         max_iterations_(options.max_iterations),
-        same_matrix_(options.same_matrix),
         refines_(options.refine || options.start.size() == 0),
-        goes_on_(options.start.size() > 0) {
+        face_(problem, factor, options, context, solution_) {
     const auto n = static_cast<size_t>(problem.b.size());
     assert(problem.bounded.size() == n);
     assert(factor.graph().size() == problem.b.size());
@@ -49,11 +78,12 @@ class ActiveSetSolver {
     if (!options.start_active.empty())
       for (const int i : bounds_) solution_.active[i] = options.start_active[i];
     solution_.sweep = std::move(options.sweep);
-    solution_.z = goes_on_ ? std::move(options.start) : VectorXd::Zero(problem.b.size());
+    const bool goes_on = options.start.size() > 0;
+    solution_.z = goes_on ? std::move(options.start) : VectorXd::Zero(problem.b.size());
     if (options.start_gradient.size() > 0)
       solution_.mu = std::move(options.start_gradient);
     else
-      solution_.mu = goes_on_ ? gradient() : solution_.z;
+      solution_.mu = goes_on ? gradient_at(problem_, solution_.z) : solution_.z;
   }
 
   BoundQpSolution run() {
@@ -74,7 +104,7 @@ class ActiveSetSolver {
     int tries = block_tries;
     int leaps = max_leaps;
     while (solution_.report.iterations < max_iterations_) {
-      if (!solve_free()) return SolveStatus::not_positive_definite;
+      if (!face_.solve(few_wrong_)) return SolveStatus::not_positive_definite;
       const std::vector<int> wrong = refined_wrong_bounds();
       if (wrong.empty()) return SolveStatus::solved;
       few_wrong_ = wrong.size() <= few;
@@ -98,19 +128,19 @@ class ActiveSetSolver {
   /// bounds span, or away from it where it is reached. No face's minimiser occurs twice.
   SolveStatus descend() {
     VectorXd z = solution_.z;
-    project(z);
+    project(problem_, z);
     while (solution_.report.iterations < max_iterations_) {
       activate_zeros(z);
-      if (!solve_free()) return SolveStatus::not_positive_definite;
+      if (!face_.solve(few_wrong_)) return SolveStatus::not_positive_definite;
       ++solution_.report.safeguard_steps;
       const std::vector<int> wrong = refined_wrong_bounds();
       if (wrong.empty()) return SolveStatus::solved;
       if (is_feasible()) {
         z = solution_.z;
-        project(z);
-        release(wrong, z);
+        project(problem_, z);
+        release(problem_, wrong, solution_.mu, z);
       } else {
-        z += projected_step(z, solution_.z - z);
+        z += projected_step(problem_, z, solution_.z - z);
       }
     }
     return SolveStatus::iteration_limit;
@@ -120,15 +150,12 @@ class ActiveSetSolver {
   std::vector<int> refined_wrong_bounds() {
     std::vector<int> wrong = wrong_bounds();
     if (!refines_) return wrong;
-    if (wrong.empty() && rough_) {
-      if (goes_on_)
-        solution_.mu = gradient();
-      else
-        solve_directly();
+    if (wrong.empty() && face_.is_rough()) {
+      face_.smooth();
       wrong = wrong_bounds();
     }
     if (!wrong.empty()) return wrong;
-    refine();
+    face_.refine();
     return wrong_bounds();
   }
 
@@ -137,41 +164,8 @@ class ActiveSetSolver {
                         [&](int i) { return solution_.z[i] < -tolerance_; });
   }
 
-  void project(VectorXd& z) const {
-    for (const int i : bounds_) z[i] = std::max(z[i], 0.0);
-  }
-
   void activate_zeros(const VectorXd& z) {
     for (const int i : bounds_) solution_.active[i] = z[i] == 0;
-  }
-
-  /// The lowest point along the negative gradient of the bounds that pull.
-  void release(const std::vector<int>& pulling, VectorXd& z) const {
-    VectorXd direction = VectorXd::Zero(z.size());
-    for (const int i : pulling) direction[i] = -solution_.mu[i];
-    const double curvature = direction.dot(multiply_symmetric(problem_.K, direction));
-    z += direction.squaredNorm() / curvature * direction;
-  }
-
-  /// The longest of the steps 1, 1/2, 1/4, ... along the projected direction that lowers the
-  /// energy; at least as far as the first bound.
-  VectorXd projected_step(const VectorXd& z, const VectorXd& direction) const {
-    double to_bound = 1;
-    for (Eigen::Index i = 0; i < z.size(); ++i)
-      if (problem_.bounded[i] != 0 && direction[i] < 0)
-        to_bound = std::min(to_bound, -z[i] / direction[i]);
-    const VectorXd gradient = multiply_symmetric(problem_.K, z) - problem_.b;
-    for (double length = 1; length > to_bound; length /= 2) {
-      VectorXd end = z + length * direction;
-      project(end);
-      const VectorXd step = end - z;
-      if (step.dot(gradient + 0.5 * multiply_symmetric(problem_.K, step)) < 0) return step;
-    }
-    VectorXd end = z + to_bound * direction;
-    for (Eigen::Index i = 0; i < z.size(); ++i)
-      if (direction[i] < 0 && -z[i] / direction[i] <= to_bound && problem_.bounded[i] != 0)
-        end[i] = 0;
-    return end - z;
   }
 
   void flip(const std::vector<int>& bounds) {
@@ -181,10 +175,9 @@ class ActiveSetSolver {
   /// After a leap: what came loose with its last active bound has passed many others at once, of
   /// which few will stop it. Those become active that are passed by more than all around them.
   void catch_deepest(const std::vector<int>& wrong) {
-    const SymmetricGraph& graph = factor_.graph();
     const auto deepest = [&](int i) {
-      const int* first = &graph.neighbour[graph.begin[i]];
-      return std::none_of(first, first + (graph.begin[i + 1] - graph.begin[i]), [&](int j) {
+      const int* first = &graph_.neighbour[graph_.begin[i]];
+      return std::none_of(first, first + (graph_.begin[i + 1] - graph_.begin[i]), [&](int j) {
         return problem_.bounded[j] != 0 &&
                (solution_.z[j] < solution_.z[i] || (solution_.z[j] == solution_.z[i] && j < i));
       });
@@ -194,8 +187,8 @@ class ActiveSetSolver {
 
   void guess_around(const std::vector<int>& wrong) {
     if (is_dense()) return flip(wrong);
-    const ActiveGuess guess = relax_around(wrong, {problem_.K, factor_.graph(), problem_.bounded,
-                                                   problem_.fixed, solution_.z, solution_.mu});
+    const ActiveGuess guess = relax_around(
+        wrong, {problem_.K, graph_, problem_.bounded, problem_.fixed, solution_.z, solution_.mu});
     for (size_t i = 0; i < guess.unknowns.size(); ++i)
       solution_.active[guess.unknowns[i]] = guess.active[i];
   }
@@ -203,109 +196,7 @@ class ActiveSetSolver {
   /// Whether nothing is far from anything: then a solve costs no more than relaxing.
   bool is_dense() const {
     const double size = static_cast<double>(problem_.b.size());
-    return static_cast<double>(factor_.graph().neighbour.size()) > 0.5 * size * size;
-  }
-
-  /// Minimises with the active bounds at 0; accurate enough to judge most guesses.
-  bool solve_free() {
-    if (context_.cancelled()) return false;
-    ++solution_.report.iterations;
-    ++solution_.report.factorisations;
-    if (!factorise()) return false;
-    if (!goes_on_ && (solution_.report.iterations == 1 || few_wrong_))
-      solve_directly();
-    else
-      solve_change();
-    return solution_.z.allFinite();
-  }
-
-  /// By the same operations wherever the iterations came from.
-  void solve_directly() {
-    VectorXd free_b = problem_.b;
-    clear_active(free_b);
-    solution_.z = factor_.solve(free_b, solution_.sweep);
-    clear_active(solution_.z);
-    solution_.mu = gradient();
-    rough_ = false;
-  }
-
-  /// From the last point on: where little has changed, most of the solve meets zeros. What it
-  /// leaves of the free residual is not looked at.
-  void solve_change() {
-    for (const int i : bounds_)
-      if (solution_.active[i] != 0 && solution_.z[i] != 0) move_to_bound(i);
-    const VectorXd residual = large_free_residual();
-    const VectorXd step = factor_.solve(residual);
-    run_ranges(static_cast<int>(step.size()), [&](int first, int last) {
-      for (int i = first; i < last; ++i) {
-        solution_.z[i] += step[i];
-        solution_.mu[i] += solution_.active[i] != 0
-                               ? multiply_row(problem_.K, factor_.graph(), i, step)
-                               : residual[i];
-      }
-    });
-    rough_ = true;
-  }
-
-  /// The free residual but for what needs no attention.
-  VectorXd large_free_residual() const {
-    const double least = negligible * tolerance_;
-    VectorXd residual(solution_.mu.size());
-    run_ranges(static_cast<int>(residual.size()), [&](int first, int last) {
-      for (int i = first; i < last; ++i) {
-        const bool counts = solution_.active[i] == 0 && std::abs(solution_.mu[i]) > least;
-        residual[i] = counts ? -solution_.mu[i] : 0;
-      }
-    });
-    return residual;
-  }
-
-  /// z_i := 0; mu stays the gradient.
-  void move_to_bound(int i) {
-    const SymmetricGraph& graph = factor_.graph();
-    const double* K = problem_.K.valuePtr();
-    const double step = -solution_.z[i];
-    solution_.z[i] = 0;
-    solution_.mu[i] += step * K[problem_.K.outerIndexPtr()[i]];
-    for (int p = graph.begin[i]; p < graph.begin[i + 1]; ++p)
-      solution_.mu[graph.neighbour[p]] += step * K[graph.source[p]];
-  }
-
-  bool factorise() {
-    if (same_matrix_) return factor_.refactorise_fixed(problem_.K, solution_.active, context_);
-    same_matrix_ = true;
-    return factor_.refactorise(problem_.K, solution_.active, context_);
-  }
-
-  /// Iterative refinement, as long as it reduces the residual.
-  void refine() {
-    double error = max_norm(free_residual());
-    for (int i = 0; i < max_refinements && error > negligible * tolerance_; ++i) {
-      const VectorXd z = solution_.z;
-      const VectorXd mu = solution_.mu;
-      solution_.z += factor_.solve(free_residual());
-      clear_active(solution_.z);
-      solution_.mu = gradient();
-      const double next = max_norm(free_residual());
-      if (!(next < error)) {
-        solution_.z = z;
-        solution_.mu = mu;
-        return;
-      }
-      error = next;
-    }
-  }
-
-  VectorXd gradient() const { return multiply_symmetric(problem_.K, solution_.z) - problem_.b; }
-
-  void clear_active(VectorXd& v) const {
-    for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = solution_.active[i] != 0 ? 0 : v[i];
-  }
-
-  VectorXd free_residual() const {
-    VectorXd residual = -solution_.mu;
-    clear_active(residual);
-    return residual;
+    return static_cast<double>(graph_.neighbour.size()) > 0.5 * size * size;
   }
 
   std::vector<int> wrong_bounds() const {
@@ -321,7 +212,7 @@ class ActiveSetSolver {
   void snap_to_bounds() {
     for (const int i : bounds_) {
       if (solution_.z[i] > 0 || solution_.z[i] < -tolerance_) continue;
-      if (solution_.z[i] != 0) move_to_bound(i);
+      if (solution_.z[i] != 0) face_.move_to_bound(i);
       solution_.active[i] = 1;
     }
   }
@@ -331,7 +222,7 @@ class ActiveSetSolver {
     VectorXd& mu = solution_.mu;
     solution_.gradient = mu;
     report.energy = 0.5 * solution_.z.dot(mu - problem_.b);
-    report.stationarity = max_norm(free_residual());
+    report.stationarity = max_norm(face_.free_residual());
     for (Eigen::Index i = 0; i < mu.size(); ++i) mu[i] = solution_.active[i] != 0 ? mu[i] : 0;
     for (const int i : bounds_) {
       const double z = solution_.z[i];
@@ -346,18 +237,16 @@ class ActiveSetSolver {
   }
 
   const BoundQp& problem_;
-  SparseCholesky& factor_;
+  const SymmetricGraph& graph_;
   const RunContext& context_;
   double scale_;
   double tolerance_;
   int max_iterations_;
-  bool same_matrix_;
   bool refines_;
-  bool goes_on_;             ///< from a point that was given
   bool few_wrong_ = false;   ///< after the last step
-  bool rough_ = false;       ///< z is what a sequence of changes has left
   std::vector<int> bounds_;  ///< unknowns that are bounded, ascending
   BoundQpSolution solution_;
+  FaceSolver face_;
 };
 
 }  // namespace

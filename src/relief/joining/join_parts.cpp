@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -39,7 +40,7 @@ std::optional<RootArc> arc_of(const Root& root, const Outline& outline) {
   const Point2 first = sides[root.first];
   const Point2 last = sides[(root.first + root.count - 1) % sides.size()];
   std::optional<RootArc> best;
-  double nearest = 1e300;
+  double nearest = std::numeric_limits<double>::infinity();
   for (const Ring& ring : outline) {
     RootArc arc{&ring, measure(ring), 0, 0};
     const RingFoot from = nearest_on_ring(ring, arc.measure, first);

@@ -15,6 +15,25 @@ struct Step {
   double mass;  // half the length of the two edges at it
 };
 
+/// Removes dropped ramps and marks the nodes of the others.
+void compact_ramps(const std::vector<bool>& dropped, Boundaries& out) {
+  std::vector<int> number(out.ramps.size(), -1);
+  std::vector<RobinRamp> ramps;
+  for (size_t r = 0; r < out.ramps.size(); ++r) {
+    if (r < dropped.size() && dropped[r]) continue;
+    number[r] = static_cast<int>(ramps.size());
+    ramps.push_back(out.ramps[r]);
+  }
+  std::vector<RampNode> nodes;
+  for (RampNode node : out.ramp_nodes) {
+    node.ramp = number[node.ramp];
+    if (node.ramp >= 0) nodes.push_back(node);
+  }
+  out.ramps = std::move(ramps);
+  out.ramp_nodes = std::move(nodes);
+  for (const RampNode& node : out.ramp_nodes) out.role[node.node] = NodeRole::ramp;
+}
+
 class BoundaryFinder {
  public:
   BoundaryFinder(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
@@ -58,7 +77,7 @@ class BoundaryFinder {
   }
 
   Boundaries result() {
-    compact_ramps();
+    compact_ramps(dropped_, out_);
     return std::move(out_);
   }
 
@@ -187,26 +206,6 @@ class BoundaryFinder {
     if (ramp_of_.empty()) return;
     for (int& ramp : ramp_of_)
       if (ramp >= 0 && dropped_[ramp]) ramp = -1;
-  }
-
-  // Removes dropped ramps and marks the nodes of the others.
-  void compact_ramps() {
-    dropped_.resize(out_.ramps.size(), false);
-    std::vector<int> number(out_.ramps.size(), -1);
-    std::vector<RobinRamp> ramps;
-    for (size_t r = 0; r < out_.ramps.size(); ++r) {
-      if (dropped_[r]) continue;
-      number[r] = static_cast<int>(ramps.size());
-      ramps.push_back(out_.ramps[r]);
-    }
-    std::vector<RampNode> nodes;
-    for (RampNode node : out_.ramp_nodes) {
-      node.ramp = number[node.ramp];
-      if (node.ramp >= 0) nodes.push_back(node);
-    }
-    out_.ramps = std::move(ramps);
-    out_.ramp_nodes = std::move(nodes);
-    for (const RampNode& node : out_.ramp_nodes) out_.role[node.node] = NodeRole::ramp;
   }
 
   const BaseMesh& base_;

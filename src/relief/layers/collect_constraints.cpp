@@ -30,6 +30,50 @@ struct Candidate {
   bool upper_outline;
 };
 
+/// What a relation of the scene says.
+struct Rule {
+  int upper;
+  int lower;
+  RelationKind kind;
+  bool limited;
+  std::vector<int> vertices;  // sorted; where it holds, if limited
+};
+
+/// Where "above" and "below" have a vertex in common, which they only have at their ends, both
+/// hold: the parts pass through each other there.
+std::vector<Rule> common_ends(const std::vector<Rule>& rules) {
+  std::vector<Rule> ties;
+  for (const Rule& a : rules)
+    for (const Rule& b : rules) {
+      if (a.kind != RelationKind::above || b.kind != RelationKind::below || !a.limited) continue;
+      if (a.upper != b.upper || a.lower != b.lower) continue;
+      Rule tie{a.upper, a.lower, RelationKind::equal, true, {}};
+      std::set_intersection(a.vertices.begin(), a.vertices.end(), b.vertices.begin(),
+                            b.vertices.end(), std::back_inserter(tie.vertices));
+      ties.push_back(std::move(tie));
+    }
+  return ties;
+}
+
+/// What is said of a range goes before what is said of everywhere.
+std::vector<Rule> rules_of(const Scene& scene, const std::vector<LoopRun>& runs,
+                           const Loops& loops) {
+  std::vector<Rule> rules;
+  for (size_t r = 0; r < scene.relations.size(); ++r) {
+    const Relation& relation = scene.relations[r];
+    Rule rule{relation.upper, relation.lower, relation.kind, relation.range.has_value(), {}};
+    if (rule.limited && runs[r].loop >= 0) {
+      rule.vertices = run_vertices(loops, runs[r]);
+      std::sort(rule.vertices.begin(), rule.vertices.end());
+    }
+    rules.push_back(std::move(rule));
+  }
+  const std::vector<Rule> ties = common_ends(rules);
+  rules.insert(rules.begin(), ties.begin(), ties.end());
+  std::stable_partition(rules.begin(), rules.end(), [](const Rule& rule) { return rule.limited; });
+  return rules;
+}
+
 class Collector {
  public:
   Collector(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
@@ -38,21 +82,7 @@ class Collector {
     find_enclosed(loops, connection);
   }
 
-  void add_relations(const Scene& scene, const std::vector<LoopRun>& runs, const Loops& loops) {
-    for (size_t r = 0; r < scene.relations.size(); ++r) {
-      const Relation& relation = scene.relations[r];
-      Rule rule{relation.upper, relation.lower, relation.kind, relation.range.has_value(), {}};
-      if (rule.limited && runs[r].loop >= 0) {
-        rule.vertices = run_vertices(loops, runs[r]);
-        std::sort(rule.vertices.begin(), rule.vertices.end());
-      }
-      rules_.push_back(std::move(rule));
-    }
-    tie_common_ends();
-    // What is said of a range goes before what is said of everywhere.
-    std::stable_partition(rules_.begin(), rules_.end(),
-                          [](const Rule& rule) { return rule.limited; });
-  }
+  void set_rules(std::vector<Rule> rules) { rules_ = std::move(rules); }
 
   void set_glued(bool glue) {
     glued_below_.assign(sheets_.node_vertex.size(), -1);
@@ -74,30 +104,6 @@ class Collector {
   }
 
  private:
-  struct Rule {
-    int upper;
-    int lower;
-    RelationKind kind;
-    bool limited;
-    std::vector<int> vertices;  // sorted; where it holds, if limited
-  };
-
-  // Where "above" and "below" have a vertex in common, which they only have at their ends, both
-  // hold: the parts pass through each other there.
-  void tie_common_ends() {
-    std::vector<Rule> ties;
-    for (const Rule& a : rules_)
-      for (const Rule& b : rules_) {
-        if (a.kind != RelationKind::above || b.kind != RelationKind::below || !a.limited) continue;
-        if (a.upper != b.upper || a.lower != b.lower) continue;
-        Rule tie{a.upper, a.lower, RelationKind::equal, true, {}};
-        std::set_intersection(a.vertices.begin(), a.vertices.end(), b.vertices.begin(),
-                              b.vertices.end(), std::back_inserter(tie.vertices));
-        ties.push_back(std::move(tie));
-      }
-    rules_.insert(rules_.begin(), ties.begin(), ties.end());
-  }
-
   NodeRole role(int node) const { return boundaries_.role[node]; }
   bool on_outline(int node) const {
     return role(node) == NodeRole::outline || role(node) == NodeRole::ramp;
@@ -270,7 +276,7 @@ std::vector<DepthPair> collect_constraints(const BaseMesh& base, const Sheets& s
                                            const std::vector<LoopRun>& relation_runs,
                                            const LocalOrder& order, bool glue) {
   Collector collector(base, sheets, loops, connection, boundaries, order);
-  collector.add_relations(scene, relation_runs, loops);
+  collector.set_rules(rules_of(scene, relation_runs, loops));
   collector.set_glued(glue);
   return collector.run();
 }

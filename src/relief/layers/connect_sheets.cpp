@@ -8,6 +8,78 @@ namespace {
 
 constexpr int min_seam_edges = 3;
 
+Seam seam_of(const JoinPath& join, int first, int last) {
+  Seam seam;
+  seam.upper = join.upper;
+  seam.lower = join.lower;
+  seam.loop = join.loop;
+  seam.position = join.position + first;
+  seam.edges = last - first;
+  return seam;
+}
+
+/// Sheets and what they are copies of.
+struct SheetsOnBase {
+  const BaseMesh& base;
+  const Sheets& sheets;
+};
+
+/// The longest stretch of path edges with a face below, as [first, last).
+std::pair<int, int> longest_run(const std::vector<int>& below) {
+  std::pair<int, int> best{0, 0};
+  const int n = static_cast<int>(below.size());
+  for (int i = 0; i < n; ++i) {
+    int j = i;
+    while (j < n && below[j] >= 0) ++j;
+    if (j - i > best.second - best.first) best = {i, j};
+    i = std::max(i, j);
+  }
+  return best;
+}
+
+int corner_at(const BaseMesh& base, int t, int vertex) {
+  const auto& corners = base.mesh.triangles[t];
+  return static_cast<int>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
+}
+
+/// The faces met when turning around `vertex` from `face`, away from the edge to `from`, until
+/// the edge to `until` (or -1: all the way), staying on the surface; complete is set where
+/// `until` was reached or the turn closed.
+std::vector<int> turn(const SheetsOnBase& on, int face, int vertex, int from, int until,
+                      bool& complete) {
+  std::vector<int> fan = {face};
+  complete = false;
+  while (true) {
+    const int t = on.sheets.face_triangle[face];
+    const int at = corner_at(on.base, t, vertex);
+    const auto& corners = on.base.mesh.triangles[t];
+    const int a = (at + 1) % 3;
+    const int b = (at + 2) % 3;
+    const int away = corners[a] == from ? b : a;  // corner of the edge that we leave through
+    if (corners[away] == until) {
+      complete = true;
+      return fan;
+    }
+    const int next = face_across(on.base, on.sheets, face, away == a ? b : a);
+    if (next < 0) return fan;
+    if (next == fan.front()) {
+      complete = true;
+      return fan;
+    }
+    from = corners[away];
+    face = next;
+    fan.push_back(face);
+  }
+}
+
+/// Both surfaces are one, named by the lower of their numbers.
+void unite(int a, int b, std::vector<int>& surfaces) {
+  const int low = std::min(surfaces[a], surfaces[b]);
+  const int high = std::max(surfaces[a], surfaces[b]);
+  for (int& surface : surfaces)
+    if (surface == high) surface = low;
+}
+
 class Connector {
  public:
   Connector(const BaseMesh& base, int part_count, Sheets& sheets) : base_(base), sheets_(sheets) {
@@ -24,7 +96,7 @@ class Connector {
     upper_ = join.upper;
     find_sides();
     find_surface(join);
-    const auto [first, last] = longest_run();
+    const auto [first, last] = longest_run(below_);
     if (last - first < min_seam_edges)
       return Error{ErrorCode::bad_input,
                    "the join hardly runs inside the lower part; move it inwards or remove it",
@@ -37,7 +109,7 @@ class Connector {
       replace_below(join, first, last);
     else
       reconnect(join, first, last);
-    unite(join.upper, join.lower);
+    unite(join.upper, join.lower, out_.surface);
     return Done{};
   }
 
@@ -109,16 +181,6 @@ class Connector {
     });
   }
 
-  static Seam seam_of(const JoinPath& join, int first, int last) {
-    Seam seam;
-    seam.upper = join.upper;
-    seam.lower = join.lower;
-    seam.loop = join.loop;
-    seam.position = join.position + first;
-    seam.edges = last - first;
-    return seam;
-  }
-
   void replace_below(const JoinPath& join, int first, int last) {
     Seam seam = seam_of(join, first, last);
     seam.bump = true;
@@ -130,53 +192,6 @@ class Connector {
       sheets_.face_source[face] = sheets_.face_source[below];
       sheets_.faces[below] = {-1, -1, -1};  // hangs together with nothing any more
       dropped_[below] = 1;
-    }
-  }
-
-  // The longest stretch of path edges with a face below, as [first, last).
-  std::pair<int, int> longest_run() const {
-    std::pair<int, int> best{0, 0};
-    const int n = static_cast<int>(below_.size());
-    for (int i = 0; i < n; ++i) {
-      int j = i;
-      while (j < n && below_[j] >= 0) ++j;
-      if (j - i > best.second - best.first) best = {i, j};
-      i = std::max(i, j);
-    }
-    return best;
-  }
-
-  int corner_at(int t, int vertex) const {
-    const auto& corners = base_.mesh.triangles[t];
-    return static_cast<int>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
-  }
-
-  // The faces met when turning around `vertex` from `face`, away from the edge to `from`, until
-  // the edge to `until` (or -1: all the way), staying on the surface; complete is set where
-  // `until` was reached or the turn closed.
-  std::vector<int> turn(int face, int vertex, int from, int until, bool& complete) const {
-    std::vector<int> fan = {face};
-    complete = false;
-    while (true) {
-      const int t = sheets_.face_triangle[face];
-      const int at = corner_at(t, vertex);
-      const auto& corners = base_.mesh.triangles[t];
-      const int a = (at + 1) % 3;
-      const int b = (at + 2) % 3;
-      const int away = corners[a] == from ? b : a;  // corner of the edge that we leave through
-      if (corners[away] == until) {
-        complete = true;
-        return fan;
-      }
-      const int next = face_across(base_, sheets_, face, away == a ? b : a);
-      if (next < 0) return fan;
-      if (next == fan.front()) {
-        complete = true;
-        return fan;
-      }
-      from = corners[away];
-      face = next;
-      fan.push_back(face);
     }
   }
 
@@ -195,13 +210,14 @@ class Connector {
     const int from = path_[j > i ? i : i + 1];
     const int until = path_[j > i ? j + 1 : j];
     bool complete = false;
-    const std::vector<int> fan = turn(below_[i], path_[std::max(i, j)], from, until, complete);
+    const std::vector<int> fan =
+        turn({base_, sheets_}, below_[i], path_[std::max(i, j)], from, until, complete);
     if (complete) below_[j] = fan.back();
   }
 
   int upper_node(int i, int vertex) const {
     const int face = sheets_.face_of(inner_[i], upper_);
-    return sheets_.faces[face][corner_at(inner_[i], vertex)];
+    return sheets_.faces[face][corner_at(base_, inner_[i], vertex)];
   }
 
   void reconnect(const JoinPath& join, int first, int last) {
@@ -210,11 +226,11 @@ class Connector {
       const int vertex = path_[i];
       const int node = upper_node(i, vertex);
       bool complete = false;
-      move_all(turn(below_[i - 1], vertex, path_[i - 1], path_[i + 1], complete), vertex, node,
-               moves);
+      move_all(turn({base_, sheets_}, below_[i - 1], vertex, path_[i - 1], path_[i + 1], complete),
+               vertex, node, moves);
       if (!complete)
-        move_all(turn(below_[i], vertex, path_[i + 1], path_[i - 1], complete), vertex, node,
-                 moves);
+        move_all(turn({base_, sheets_}, below_[i], vertex, path_[i + 1], path_[i - 1], complete),
+                 vertex, node, moves);
     }
     Seam seam = seam_of(join, first, last);
     seam.covered = covered_faces(first, last);
@@ -242,22 +258,15 @@ class Connector {
   bool merge_end(int edge, int vertex, int along,
                  std::vector<std::pair<Corner, int>>& moves) const {
     bool closed = false;
-    move_all(turn(below_[edge], vertex, along, -1, closed), vertex, upper_node(edge, vertex),
-             moves);
+    move_all(turn({base_, sheets_}, below_[edge], vertex, along, -1, closed), vertex,
+             upper_node(edge, vertex), moves);
     return closed;
   }
 
   void move_all(const std::vector<int>& fan, int vertex, int node,
                 std::vector<std::pair<Corner, int>>& moves) const {
     for (const int face : fan)
-      moves.emplace_back(3 * face + corner_at(sheets_.face_triangle[face], vertex), node);
-  }
-
-  void unite(int a, int b) {
-    const int low = std::min(out_.surface[a], out_.surface[b]);
-    const int high = std::max(out_.surface[a], out_.surface[b]);
-    for (int& surface : out_.surface)
-      if (surface == high) surface = low;
+      moves.emplace_back(3 * face + corner_at(base_, sheets_.face_triangle[face], vertex), node);
   }
 
   const BaseMesh& base_;

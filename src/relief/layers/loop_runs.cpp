@@ -1,6 +1,7 @@
 #include "relief/layers/loop_runs.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -16,7 +17,7 @@ LoopRun locate_run(const SplicedCurves& spliced, const CurveRun& run) {
   const int last = spliced.image[run.curve][run.last];
   const int n = static_cast<int>(loop.size());
   LoopRun best;
-  double best_gap = 1e300;
+  double best_gap = std::numeric_limits<double>::infinity();
   for (int i = 0; i < n; ++i) {
     if (loop[i] != first) continue;
     double length = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kernel/geometry/ring_measure.h"
 #include "relief/layers/crease_lines.h"
@@ -77,6 +78,69 @@ std::vector<double> corners(const Ring& ring, const RingMeasure& m, double windo
   return kept;
 }
 
+/// Mean distance between the arc from a forward to b and the line, both ways.
+double gap_to_line(const PartRing& ring, double a, double b, const std::vector<Point2>& line) {
+  constexpr int probes = 32;
+  const double length = forward(a, b, ring.measure.length);
+  std::vector<Point2> arc;
+  for (int i = 0; i <= probes; ++i)
+    arc.push_back(point_at(*ring.ring, ring.measure, a + length * i / probes));
+  double sum = 0;
+  for (const Point2 p : arc) sum += distance_to_polyline(line, p) / probes;
+  for (const Point2 p : line)
+    sum += distance_to_polyline(arc, p) / static_cast<double>(line.size());
+  return sum;
+}
+
+/// Corners next to a mark give way to it.
+void keep_clear(const PartRing& ring, double clear, std::vector<double>& stops) {
+  const auto near_mark = [&](double s) {
+    return std::any_of(ring.marks.begin(), ring.marks.end(), [&](double mark) {
+      const double gap = forward(s, mark, ring.measure.length);
+      return std::min(gap, ring.measure.length - gap) < clear;
+    });
+  };
+  stops.erase(std::remove_if(stops.begin(), stops.end(), near_mark), stops.end());
+}
+
+void add_spacings(const InputCurve& curve, std::vector<CurveSample>& samples) {
+  const size_t n = curve.points.size();
+  for (size_t i = 0; i < n; ++i) {
+    const double before = distance(curve.points[i], curve.points[(i + n - 1) % n]);
+    const double after = distance(curve.points[i], curve.points[(i + 1) % n]);
+    samples.push_back({curve.points[i], std::max(before, after)});
+  }
+}
+
+/// The sample at which the arc length is nearest to s, round a ring.
+int nearest_sample(const std::vector<double>& samples, double s, double length) {
+  int best = 0;
+  double gap = std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < samples.size(); ++i) {
+    const double ahead = forward(samples[i], s, length);
+    const double d = std::min(ahead, length - ahead);
+    if (!(d < gap)) continue;
+    gap = d;
+    best = static_cast<int>(i);
+  }
+  return best;
+}
+
+/// The mark that is already at s within rounding, or s: a range often begins where a join ends.
+double settled(const PartRing& ring, double s, double reach) {
+  for (const double mark : ring.marks) {
+    const double gap = forward(s, mark, ring.measure.length);
+    if (std::min(gap, ring.measure.length - gap) < reach) return mark;
+  }
+  return s;
+}
+
+/// The ends of the arc must be samples.
+void mark(const ArcRange& arc, std::vector<PartRing>& rings) {
+  rings[arc.ring].marks.push_back(arc.from);
+  rings[arc.ring].marks.push_back(arc.to);
+}
+
 class Sampler {
  public:
   Sampler(const Scene& scene, double spacing) : scene_(scene), spacing_(spacing) {
@@ -110,7 +174,7 @@ class Sampler {
     const Join& join = scene_.joins[j];
     const std::string where = "joins[" + std::to_string(j) + "].line";
     int best = -1;
-    double best_gap = 1e300;
+    double best_gap = std::numeric_limits<double>::infinity();
     for (size_t r = 0; r < rings_.size(); ++r) {
       if (rings_[r].part != join.upper || rings_[r].ring->size() < 3) continue;
       double gap = 0;
@@ -129,8 +193,10 @@ class Sampler {
                        "\"; draw it along that outline, where it lies inside the lower part",
                    where};
     const PartRing& ring = rings_[best];
-    const double a = settled(ring, nearest_on_ring(*ring.ring, ring.measure, join.line.front()).s);
-    const double b = settled(ring, nearest_on_ring(*ring.ring, ring.measure, join.line.back()).s);
+    const double a = settled(ring, nearest_on_ring(*ring.ring, ring.measure, join.line.front()).s,
+                             same_mark * spacing_);
+    const double b = settled(ring, nearest_on_ring(*ring.ring, ring.measure, join.line.back()).s,
+                             same_mark * spacing_);
     const double ahead = forward(a, b, ring.measure.length);
     if (std::min(ahead, ring.measure.length - ahead) < 1e-6 * ring.measure.length)
       return Error{ErrorCode::bad_input,
@@ -138,28 +204,13 @@ class Sampler {
                    where};
     const bool as_drawn = gap_to_line(ring, a, b, join.line) <= gap_to_line(ring, b, a, join.line);
     joins_.push_back(as_drawn ? ArcRange{best, a, b, false} : ArcRange{best, b, a, true});
-    mark(joins_.back());
+    mark(joins_.back(), rings_);
     return Done{};
-  }
-
-  // Mean distance between the arc from a forward to b and the line, both ways.
-  static double gap_to_line(const PartRing& ring, double a, double b,
-                            const std::vector<Point2>& line) {
-    constexpr int probes = 32;
-    const double length = forward(a, b, ring.measure.length);
-    std::vector<Point2> arc;
-    for (int i = 0; i <= probes; ++i)
-      arc.push_back(point_at(*ring.ring, ring.measure, a + length * i / probes));
-    double sum = 0;
-    for (const Point2 p : arc) sum += distance_to_polyline(line, p) / probes;
-    for (const Point2 p : line)
-      sum += distance_to_polyline(arc, p) / static_cast<double>(line.size());
-    return sum;
   }
 
   ArcRange locate_range(int part, Point2 from, Point2 to, bool shorter) {
     int best = -1;
-    double best_gap = 1e300;
+    double best_gap = std::numeric_limits<double>::infinity();
     for (size_t r = 0; r < rings_.size(); ++r) {
       if (rings_[r].part != part || rings_[r].ring->size() < 3) continue;
       const double gap = nearest_on_ring(*rings_[r].ring, rings_[r].measure, from).distance +
@@ -171,26 +222,14 @@ class Sampler {
     }
     if (best < 0) return {-1, 0, 0, false};
     const PartRing& ring = rings_[best];
-    const double a = settled(ring, nearest_on_ring(*ring.ring, ring.measure, from).s);
-    const double b = settled(ring, nearest_on_ring(*ring.ring, ring.measure, to).s);
+    const double a =
+        settled(ring, nearest_on_ring(*ring.ring, ring.measure, from).s, same_mark * spacing_);
+    const double b =
+        settled(ring, nearest_on_ring(*ring.ring, ring.measure, to).s, same_mark * spacing_);
     const bool flip = shorter && forward(a, b, ring.measure.length) > 0.5 * ring.measure.length;
     const ArcRange arc = flip ? ArcRange{best, b, a, true} : ArcRange{best, a, b, false};
-    mark(arc);
+    mark(arc, rings_);
     return arc;
-  }
-
-  // The mark that is already at s within rounding, or s: a range often begins where a join ends.
-  double settled(const PartRing& ring, double s) const {
-    for (const double mark : ring.marks) {
-      const double gap = forward(s, mark, ring.measure.length);
-      if (std::min(gap, ring.measure.length - gap) < same_mark * spacing_) return mark;
-    }
-    return s;
-  }
-
-  void mark(const ArcRange& arc) {
-    rings_[arc.ring].marks.push_back(arc.from);
-    rings_[arc.ring].marks.push_back(arc.to);
   }
 
   // Spacing for a stretch: short rings and short joins keep enough edges.
@@ -213,7 +252,7 @@ class Sampler {
     ring_samples_.emplace_back();
     if (ring.ring->size() >= 3 && ring.measure.length > 0) {
       std::vector<double> stops = corners(*ring.ring, ring.measure, 0.5 * spacing_between(r, 0, 0));
-      keep_clear(ring, stops);
+      keep_clear(ring, 0.3 * spacing_, stops);
       stops.insert(stops.end(), ring.marks.begin(), ring.marks.end());
       refine_at_ends(r, stops);
       if (stops.empty()) stops.push_back(0);
@@ -224,21 +263,9 @@ class Sampler {
         sample_stretch(r, stops[i], next, curve);
       }
     }
-    add_spacings(curve);
+    add_spacings(curve, out_.samples);
     out_.curves.push_back(std::move(curve));
     out_.curve_part.push_back(ring.part);
-  }
-
-  // Corners next to a mark give way to it.
-  void keep_clear(const PartRing& ring, std::vector<double>& stops) const {
-    const double clear = 0.3 * spacing_;
-    const auto near_mark = [&](double s) {
-      return std::any_of(ring.marks.begin(), ring.marks.end(), [&](double mark) {
-        const double gap = forward(s, mark, ring.measure.length);
-        return std::min(gap, ring.measure.length - gap) < clear;
-      });
-    };
-    stops.erase(std::remove_if(stops.begin(), stops.end(), near_mark), stops.end());
   }
 
   // The surface has a crease that starts at a join's end: short edges there resolve it.
@@ -294,33 +321,12 @@ class Sampler {
     ring_samples_[r].push_back(std::fmod(s, rings_[r].measure.length));
   }
 
-  void add_spacings(const InputCurve& curve) {
-    const size_t n = curve.points.size();
-    for (size_t i = 0; i < n; ++i) {
-      const double before = distance(curve.points[i], curve.points[(i + n - 1) % n]);
-      const double after = distance(curve.points[i], curve.points[(i + 1) % n]);
-      out_.samples.push_back({curve.points[i], std::max(before, after)});
-    }
-  }
-
   CurveRun as_run(const ArcRange& arc) const {
     if (arc.ring < 0) return {};
     const std::vector<double>& samples = ring_samples_[arc.ring];
     const double length = rings_[arc.ring].measure.length;
-    auto nearest = [&](double s) {
-      int best = 0;
-      double gap = 1e300;
-      for (size_t i = 0; i < samples.size(); ++i) {
-        const double ahead = forward(samples[i], s, length);
-        const double d = std::min(ahead, length - ahead);
-        if (d < gap) {
-          gap = d;
-          best = static_cast<int>(i);
-        }
-      }
-      return best;
-    };
-    return {arc.ring, nearest(arc.from), nearest(arc.to), forward(arc.from, arc.to, length),
+    return {arc.ring, nearest_sample(samples, arc.from, length),
+            nearest_sample(samples, arc.to, length), forward(arc.from, arc.to, length),
             arc.reversed};
   }
 

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "kernel/base/run_context.h"
+#include "kernel/solvers/bound_qp.h"
+#include "kernel/solvers/sparse_cholesky.h"
+
+namespace relievo {
+
+/// The largest magnitude; 0 where v is empty.
+double max_norm(const Eigen::VectorXd& v);
+
+/// K z - b.
+Eigen::VectorXd gradient_at(const BoundQp& problem, const Eigen::VectorXd& z);
+
+/// Minimises where the active bounds are 0, on one face of the bounds after another. `at` holds the
+/// active bounds and the point, whose gradient is mu; it outlives the solver, as all arguments but
+/// the options do.
+class FaceSolver {
+ public:
+  FaceSolver(const BoundQp& problem, SparseCholesky& factor, const BoundQpOptions& options,
+             const RunContext& context, BoundQpSolution& at);
+
+  /// Accurate enough to judge most guesses; `last` where this is likely to be the last face. False
+  /// where the matrix is not positive definite, or cancelled.
+  bool solve(bool last);
+
+  /// Whether the point is what a sequence of changes has left.
+  bool is_rough() const { return rough_; }
+
+  /// Ends that: by the same operations wherever the point came from, unless one was given.
+  void smooth();
+
+  /// Iterative refinement, as long as it reduces the residual.
+  void refine();
+
+  /// z_i := 0; mu stays the gradient.
+  void move_to_bound(int i);
+
+  /// -mu where nothing is active, 0 elsewhere.
+  Eigen::VectorXd free_residual() const;
+
+ private:
+  void solve_directly();
+  void solve_change();
+  Eigen::VectorXd large_free_residual() const;
+  bool factorise();
+  void clear_active(Eigen::VectorXd& v) const;
+
+  const BoundQp& problem_;
+  SparseCholesky& factor_;
+  const RunContext& context_;
+  double negligible_;  ///< residuals that need no attention
+  bool same_matrix_;
+  bool goes_on_;  ///< from a point that was given
+  bool rough_ = false;
+  BoundQpSolution& at_;
+};
+
+}  // namespace relievo
