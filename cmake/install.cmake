@@ -1,14 +1,14 @@
-# Installs the libraries as the package "relievo": targets relievo::kernel, relievo::relief,
-# relievo::io, relievo::render and relievo::solid, their headers below include/relievo, and the program.
+# Installs the package "relievo": the target relievo::relievo with the headers of include/relievo,
+# the libraries that it links, and the program.
 include(CMakePackageConfigHelpers)
 
 set(RELIEVO_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/relievo)
 
-install(TARGETS relievo_kernel relievo_relief relievo_io relievo_render relievo_solid
+install(TARGETS relievo_face relievo_kernel relievo_relief relievo_io relievo_render
   EXPORT relievo_targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS relievo RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/relievo FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY include/relievo DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT relievo_targets
   NAMESPACE relievo::
   FILE relievo-targets.cmake

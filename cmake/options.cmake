@@ -49,12 +49,12 @@ function(relievo_unite target)
 endfunction()
 
 # relievo_library(name SOURCES... DEPENDS...): a static library below src/,
-# installed as relievo::<name without its prefix>.
+# which the installed relievo::relievo links.
 function(relievo_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
   target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
-                                            $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/relievo>)
+                                            $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>)
   target_compile_features(${name} PUBLIC cxx_std_20)
   string(REPLACE "relievo_" "" short_name ${name})
   set_target_properties(${name} PROPERTIES EXPORT_NAME ${short_name})

@@ -1,8 +1,8 @@
 #!/bin/sh
 # Installs the Debian packages that are missing; does nothing, quickly, where all are there.
-# Usage: install-packages.sh [build|web|test|bench]
+# Usage: install-packages.sh [build|web|test|bench|docs]
 # build: to compile and run; web: those and for the editor; test: all of these and to test; bench:
-# the first and to measure
+# the first and to measure; docs: to make pages of the interface
 set -eu
 
 build="ca-certificates ccache cmake g++ libcgal-dev libcli11-dev libeigen3-dev libembree-dev
@@ -21,7 +21,8 @@ case "${1:-test}" in
   web) wanted="$build $web" ;;
   test) wanted="$build $web $test" ;;
   bench) wanted="$build $bench" ;;
-  *) echo "usage: $0 [build|web|test|bench]" >&2; exit 2 ;;
+  docs) wanted="doxygen" ;;
+  *) echo "usage: $0 [build|web|test|bench|docs]" >&2; exit 2 ;;
 esac
 
 if ! command -v dpkg-query > /dev/null; then

@@ -4,7 +4,7 @@
 # lint.sh --quick leaves clang-tidy out.
 set -eu
 cd "$(dirname "$0")/.."
-find src apps bindings tests benchmarks \( -name '*.h' -o -name '*.cpp' \) -print0 |
+find include src apps bindings tests benchmarks examples \( -name '*.h' -o -name '*.cpp' \) -print0 |
   xargs -0 clang-format --dry-run -Werror
 shellcheck run.sh test.sh .ci/run scripts/*.sh
 if [ "${1:-}" = --quick ]; then

@@ -3,12 +3,12 @@
 
 #include "apps/cli/commands.h"
 #include "apps/cli/convergence.h"
-#include "apps/cli/inputs.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/pictures.h"
 #include "apps/cli/reconstruct.h"
 #include "apps/cli/report.h"
+#include "face/inputs.h"
 #include "io/maps/encode_maps.h"
 #include "io/mesh/placement.h"
 #include "kernel/base/stopwatch.h"

@@ -5,11 +5,11 @@
 
 #include "apps/cli/commands.h"
 #include "apps/cli/cue_argument.h"
-#include "apps/cli/inputs.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/overlay_picture.h"
 #include "apps/cli/table.h"
+#include "face/inputs.h"
 #include "io/overlay/mesh_lines.h"
 #include "kernel/geometry/line_spans.h"
 #include "relief/inflation/inflate.h"

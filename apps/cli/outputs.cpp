@@ -2,10 +2,8 @@
 
 #include <set>
 
-#include "io/mesh/glb_encode.h"
 #include "io/mesh/obj_encode.h"
-#include "io/mesh/ply_encode.h"
-#include "io/mesh/stl_encode.h"
+#include "relievo/export.h"
 
 namespace relievo::cli {
 namespace {
@@ -14,23 +12,9 @@ namespace fs = std::filesystem;
 
 using Files = std::vector<OutputFile>;
 
-Result<Files> single(const std::string& name, Result<Bytes> bytes) {
-  if (!bytes) return bytes.error();
-  return Files{{name, std::move(*bytes)}};
-}
-
 fs::path beside(const fs::path& path, const std::string& extension) {
   const std::string name = obj_file_name(path.stem().string()) + extension;
   return path.parent_path() / name;
-}
-
-Result<Files> encode_obj_files(const Model& model, const Drawing* drawing, const fs::path& path,
-                               double size_mm) {
-  auto encoded = encode_obj(model, drawing, {size_mm, path.stem().string()});
-  if (!encoded) return encoded.error();
-  Files files = {{path, std::move(encoded->obj)}, {beside(path, ".mtl"), std::move(encoded->mtl)}};
-  if (!encoded->png.empty()) files.push_back({beside(path, ".png"), std::move(encoded->png)});
-  return files;
 }
 
 /// One name for a file, however its folder is written. The file need not exist.
@@ -77,12 +61,7 @@ Status check_outputs(const std::vector<fs::path>& paths, const std::vector<fs::p
 
 Result<Files> encode_model(const Model& model, const Drawing& drawing, const std::string& name,
                            double size_mm) {
-  const Drawing* texture = drawing.rgba.empty() ? nullptr : &drawing;
-  const fs::path path = name;
-  if (path.extension() == ".obj") return encode_obj_files(model, texture, path, size_mm);
-  if (path.extension() == ".ply") return single(name, encode_ply(model, texture, {size_mm, ""}));
-  if (path.extension() == ".stl") return single(name, encode_stl(model, size_mm));
-  return single(name, encode_glb(model, texture, size_mm));
+  return export_model(model, drawing, name, size_mm);
 }
 
 Status save(const Files& files, const std::vector<fs::path>& inputs, Interruption& interruption) {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "apps/cli/arguments.h"
-#include "apps/cli/inputs.h"
+#include "face/inputs.h"
 #include "kernel/base/result.h"
 #include "kernel/base/run_context.h"
 #include "solid/make_solid.h"

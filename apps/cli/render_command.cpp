@@ -1,9 +1,9 @@
 #include "apps/cli/commands.h"
-#include "apps/cli/inputs.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/pictures.h"
 #include "apps/cli/reconstruct.h"
+#include "face/inputs.h"
 #include "io/mesh/glb_decode.h"
 
 namespace relievo::cli {

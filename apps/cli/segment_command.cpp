@@ -1,12 +1,12 @@
 #include <algorithm>
 
 #include "apps/cli/commands.h"
-#include "apps/cli/inputs.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/overlay_picture.h"
 #include "apps/cli/segment_project.h"
 #include "apps/cli/segment_report.h"
+#include "face/inputs.h"
 #include "io/files/in_file.h"
 #include "io/files/paths.h"
 #include "io/files/read_file.h"

@@ -3,61 +3,46 @@
 #include <algorithm>
 
 #include "bindings/wasm/js_values.h"
-#include "io/maps/encode_maps.h"
 #include "io/mesh/glb_encode.h"
 #include "io/mesh/obj_encode.h"
 #include "io/mesh/ply_encode.h"
 #include "io/mesh/stl_encode.h"
-#include "io/overlay/mesh_lines.h"
 #include "io/scene/read_scene.h"
-#include "kernel/image/image_size.h"
-#include "relief/model/assemble_model.h"
 #include "relief/model/hidden_patches.h"
-#include "relief/pipeline/keep_field.h"
 
 namespace relievo::wasm {
 namespace {
 
 using emscripten::val;
 
-const Error nothing_built = {ErrorCode::usage, "nothing has been built yet", ""};
-
-ReliefOptions to_options(const val& options) {
-  ReliefOptions relief;
-  if (options["method"].as<std::string>() == "nonlinear") relief.method = Method::nonlinear;
-  relief.layers.vertex_budget = options["vertices"].as<int>();
-  relief.layers.edge_length = options["edge"].as<double>();
-  relief.layers.glue = options["glue"].as<bool>();
-  relief.inflation.rho = options["rho"].as<double>();
-  relief.inflation.alpha0 = options["alpha0"].as<double>();
-  relief.joint.lambda_bnd = options["lambdaBnd"].as<double>();
-  relief.joint.lambda_shift = options["lambdaShift"].as<double>();
-  return relief;
+BuildOptions to_options(const val& options) {
+  BuildOptions build;
+  if (options["method"].as<std::string>() == "nonlinear") build.method = Method::nonlinear;
+  build.vertices = options["vertices"].as<int>();
+  build.edge = options["edge"].as<double>();
+  build.glue = options["glue"].as<bool>();
+  build.rho = options["rho"].as<double>();
+  build.alpha0 = options["alpha0"].as<double>();
+  build.lambda_bnd = options["lambdaBnd"].as<double>();
+  build.lambda_shift = options["lambdaShift"].as<double>();
+  return build;
 }
 
-val times(const std::vector<StageTime>& list) {
-  val sums = val::object();
-  for (const StageTime& time : list) {
-    if (time.beside) continue;
-    const val before = sums[time.stage];
-    sums.set(time.stage, (before.isUndefined() ? 0 : before.as<double>()) + time.milliseconds);
-  }
-  return sums;
-}
-
-val report(const Relief& relief) {
+val report(const BuildReport& report) {
+  val times = val::object();
+  for (const auto& [stage, milliseconds] : report.milliseconds) times.set(stage, milliseconds);
   val what = val::object();
-  what.set("nodes", relief.layers.node_vertex.size());
-  what.set("faces", relief.layers.faces.size());
-  what.set("equalities", relief.ordering.equalities);
-  what.set("inequalities", relief.ordering.inequalities);
-  what.set("active", relief.ordering.report.active);
-  what.set("maxViolation", relief.ordering.max_violation);
-  what.set("overlapWorst", relief.overlap_worst);
-  what.set("energy", relief.joint.energy.total());
-  what.set("converged", relief.joint.status == JointStatus::solved);
-  what.set("times", times(relief.times));
-  what.set("warnings", to_js(relief.layers.warnings));
+  what.set("nodes", report.vertices);
+  what.set("faces", report.faces);
+  what.set("equalities", report.equalities);
+  what.set("inequalities", report.inequalities);
+  what.set("active", report.active);
+  what.set("maxViolation", report.max_violation);
+  what.set("overlapWorst", report.worst_overlap);
+  what.set("energy", report.energy);
+  what.set("converged", report.converged);
+  what.set("times", times);
+  what.set("warnings", to_js(report.warnings));
   return what;
 }
 
@@ -159,67 +144,37 @@ val encode_obj_files(const Model& model, const Drawing* texture, const ObjOption
 
 }  // namespace
 
-val Reconstruction::build(const std::string& scene, const val& options, const val& progress) {
-  auto read = read_scene(scene);
-  if (!read) return failure(read.error());
-  const ReliefOptions wanted = to_options(options);
+val Reconstruction::build(const std::string& text, const val& options, const val& progress) {
+  const auto scene = read_scene(text);
+  if (!scene) return failure(scene.error());
   RunContext context;
   val energy = val::undefined();
   context.measured = [&energy](const char*, double value) { energy = val(value); };
   context.progress = [&](const char* stage, double fraction) {
     progress(std::string(stage), fraction, energy);
   };
-  // The non-linear method ends where its tolerance lets it, which depends on where it begins.
-  const bool fresh = state_ == State::none || wanted.method == Method::nonlinear;
-  if (fresh) session_ = ReliefSession();
-  state_ = State::none;
-  if (Status status = session_.update(*read, wanted, context); !status)
-    return failure(status.error());
-  state_ = fresh ? State::exact : State::warm;
-  scene_ = std::move(*read);
-  options_ = wanted;
-  return report(session_.relief());
-}
-
-Status Reconstruction::make_exact() {
-  if (state_ == State::none) return nothing_built;
-  if (state_ == State::exact) return Done{};
-  session_ = ReliefSession();
-  state_ = State::none;
-  if (Status status = session_.update(scene_, options_); !status) return status;
-  state_ = State::exact;
-  return Done{};
+  const auto built = session_.build(*scene, to_options(options), context);
+  return built ? report(*built) : failure(built.error());
 }
 
 val Reconstruction::surface(const std::string& visibility, double tolerance,
                             const std::string& field) const {
-  if (state_ == State::none) return failure(nothing_built);
-  const Relief& relief = session_.relief();
   ModelOptions options;
   options.visibility = visibility_named(visibility);
   options.rim_tolerance = tolerance;
-  const Field wanted = field_named(field);
-  Relief one_field;
-  if (wanted != Field::relief) {
-    one_field.inflation = relief.inflation;
-    one_field.ordering = relief.ordering;
-    keep_field(one_field, wanted);
-  }
-  const Relief& shown = wanted == Field::relief ? relief : one_field;
-  const auto model =
-      assemble_model(relief.layers, shown.inflation, shown.ordering, scene_, options);
+  const auto model = session_.model(options, field_named(field));
   return model ? to_js(*model, shown_) : failure(model.error());
 }
 
 val Reconstruction::overlays() const {
-  if (state_ == State::none) return failure(nothing_built);
-  const MeshLines found = find_mesh_lines(session_.relief().layers, options_.inflation.alpha0);
+  const auto found = session_.lines();
+  if (!found) return failure(found.error());
   val overlays = val::object();
-  overlays.set("joins", wasm::to_js(found.joins));
-  overlays.set("equal", wasm::to_js(found.equal));
-  overlays.set("above", wasm::to_js(found.above));
-  overlays.set("below", wasm::to_js(found.below));
-  overlays.set("ramps", wasm::to_js(found.ramps));
+  overlays.set("joins", wasm::to_js(found->joins));
+  overlays.set("equal", wasm::to_js(found->equal));
+  overlays.set("above", wasm::to_js(found->above));
+  overlays.set("below", wasm::to_js(found->below));
+  overlays.set("ramps", wasm::to_js(found->ramps));
   return overlays;
 }
 
@@ -232,9 +187,8 @@ void Reconstruction::set_shown(const val& rgba, int width, int height) {
 }
 
 val Reconstruction::encode(const std::string& format, const std::string& name, double size_mm) {
-  if (Status status = make_exact(); !status) return failure(status.error());
-  const Relief& relief = session_.relief();
-  const auto model = assemble_model(relief.layers, relief.inflation, relief.ordering, scene_, {});
+  if (Status status = session_.make_exact(); !status) return failure(status.error());
+  const auto model = session_.model();
   if (!model) return failure(model.error());
   const Drawing* texture = texture_.rgba.empty() ? nullptr : &texture_;
   if (format == "obj") return encode_obj_files(*model, texture, {size_mm, name});
@@ -247,11 +201,8 @@ val Reconstruction::encode(const std::string& format, const std::string& name, d
 }
 
 val Reconstruction::map(const std::string& kind, int side, bool green_down) {
-  if (Status status = make_exact(); !status) return failure(status.error());
-  const Relief& relief = session_.relief();
-  const ImageSize size = fitted_size(scene_.width, scene_.height, side);
-  const auto maps = rasterize_relief(relief.layers, relief.inflation, relief.ordering, scene_,
-                                     size.width, size.height);
+  if (Status status = session_.make_exact(); !status) return failure(status.error());
+  const auto maps = session_.maps(side);
   if (!maps) return failure(maps.error());
   const auto bytes = kind == "normal"
                          ? encode_normal_map(*maps, green_down ? GreenAxis::down : GreenAxis::up)

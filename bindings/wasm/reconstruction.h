@@ -2,16 +2,14 @@
 
 #include <emscripten/val.h>
 
-#include <optional>
 #include <string>
 
-#include "relief/drawing/drawing.h"
-#include "relief/pipeline/relief_session.h"
+#include "relievo/session.h"
 
 namespace relievo::wasm {
 
 /// A scene with its relief, held for the worker that asks for surfaces, files and maps of it. A
-/// build goes on from the last one (see ReliefSession). Every call returns a plain object, {error}
+/// build goes on from the last one (see Session). Every call returns a plain object, {error}
 /// where it failed (see failure), and arrays that the caller owns.
 class Reconstruction {
  public:
@@ -47,18 +45,7 @@ class Reconstruction {
   emscripten::val map(const std::string& kind, int side, bool green_down);
 
  private:
-  enum class State {
-    none,   ///< nothing is built
-    exact,  ///< from scratch: as the command line does it
-    warm,   ///< from the build before: the same up to round-off
-  };
-
-  Status make_exact();
-
-  Scene scene_;
-  ReliefOptions options_;
-  ReliefSession session_;
-  State state_ = State::none;
+  Session session_;
   Drawing texture_;
   Drawing shown_;
 };

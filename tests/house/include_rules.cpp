@@ -73,7 +73,8 @@ const Names stage_verbs = {
     "stacking/stack_parts.h"};
 
 struct Place {
-  std::string top;     ///< kernel, relief, io, render, solid, apps, tests, benchmarks
+  /// relievo, kernel, relief, io, render, solid, face, apps, tests, benchmarks
+  std::string top;
   std::string folder;  ///< below it
   std::string rest;    ///< folder/file
 };
@@ -139,9 +140,8 @@ std::string check_solid(const Place& to) {
 
 /// For programs and bindings alike.
 std::string check_apps(const Place& from, const Place& to) {
-  if (to.top == "kernel" || to.top == "io" || to.top == "render" || to.top == "solid" ||
-      to.top == from.top)
-    return "";
+  for (const char* top : {"kernel", "io", "render", "solid", "face"})
+    if (to.top == top || to.top == from.top) return "";
   if (to.top != "relief") return from.top + " use the libraries only";
   if (to.folder == "pipeline" ||
       stage_structs.count(to.rest) + stage_verbs.count(to.rest) + model_views.count(to.rest) > 0)
@@ -164,12 +164,16 @@ bool contains_word(const std::string& text, const std::string& word) {
 std::string include_violation(const std::string& from, const std::string& to) {
   const Place source = place(from);
   const Place target = place(to);
+  if (source.top == "relievo")
+    return target.top == "relievo" ? "" : "public headers include public headers only";
+  if (target.top == "relievo") return "";
   if (source.top == "kernel") return check_kernel(source, target);
   if (source.top == "relief") return check_relief(source, target);
   if (source.top == "io") return check_io(target);
   if (source.top == "render") return check_render(target);
   if (source.top == "solid") return check_solid(target);
-  if (source.top == "apps" || source.top == "bindings") return check_apps(source, target);
+  if (source.top == "apps" || source.top == "bindings" || source.top == "face")
+    return check_apps(source, target);
   if (target.top == "apps" || target.top == "bindings") return "nobody includes " + target.top;
   return "";
 }

@@ -1,26 +1,3 @@
 #pragma once
 
-#include <filesystem>
-#include <vector>
-
-#include "io/files/bytes.h"
-#include "kernel/base/result.h"
-
-namespace relievo {
-
-/// A file to be written.
-struct OutputFile {
-  std::filesystem::path path;
-  Bytes bytes;
-};
-
-/// Writes all of `outputs` or none. Each is first written beside its destination under a temporary
-/// name and renamed when all are complete; where a rename fails, the files that were replaced
-/// before it are put back. A destination that is a link keeps being one: its target is replaced.
-/// Errors (`where` is the path): `usage` where a destination is one of `inputs` (by whatever name)
-/// or is given twice; `file` where its folder is missing, it is not a regular file, or writing
-/// fails. On an error no temporary file remains.
-Status write_files(const std::vector<OutputFile>& outputs,
-                   const std::vector<std::filesystem::path>& inputs = {});
-
-}  // namespace relievo
+#include "relievo/files.h"

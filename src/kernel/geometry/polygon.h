@@ -1,22 +1,17 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "kernel/geometry/point.h"
 
 namespace relievo {
 
-/// A closed polyline; the last point connects to the first, which is not repeated.
-using Ring = std::vector<Point2>;
-
-/// A region bounded by rings, filled by the non-zero rule: a point is inside where the sum of
-/// the rings' winding numbers is not 0. A hole runs against the ring around it.
-using Outline = std::vector<Ring>;
-
 /// An axis-aligned box; empty while max < min.
 struct Box2 {
-  Point2 min{1e300, 1e300};
-  Point2 max{-1e300, -1e300};
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  Point2 min{infinity, infinity};
+  Point2 max{-infinity, -infinity};
   bool empty() const { return max.x < min.x; }
   void add(Point2 p);
   void add(const Box2& box);

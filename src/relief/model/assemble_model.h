@@ -11,22 +11,6 @@
 
 namespace relievo {
 
-enum class Visibility {
-  relief,  ///< top part per base triangle, with vertical walls between open edges: no slits
-  orbit,   ///< whole sheets, except lower faces covered by a part with d < 0
-  all,     ///< every face, hidden ones too
-};
-
-struct ModelOptions {
-  Visibility visibility = Visibility::relief;
-  /// Faces are cut so that the surface departs from g + sgn(u) sqrt|u|, u and g linear on every
-  /// face, by less than this, px; at least 1e-6.
-  double rim_tolerance = 0.25;
-  /// A face is cut in at most 4^levels pieces, or else the tolerance is doubled for the whole
-  /// model until that holds; in [0, 8].
-  int max_rim_levels = 4;
-};
-
 /// Turns heights into a surface with analytic normals N ~ (-1/2 grad u - |f| grad g, |f|) and
 /// texture coordinates on the drawing. Every part of the scene has its run of triangles, empty
 /// where nothing of it is kept. After vertices at one place are merged, the relief is open only

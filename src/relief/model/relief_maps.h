@@ -1,23 +1,14 @@
 #pragma once
 
-#include <cstdint>
-
 #include "kernel/base/result.h"
 #include "kernel/base/run_context.h"
-#include "kernel/image/image.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/ordering.h"
 #include "relief/scene/scene.h"
+#include "relievo/maps.h"
 
 namespace relievo {
-
-/// Height, normal and part per pixel of the front view, by the order of parts (not by depth).
-struct ReliefMaps {
-  ImageF height;        ///< px of the canvas towards the viewer; NaN on the background
-  ImageF normal;        ///< 3 channels, unit, X right, Y up, Z viewer; (0,0,1) on the background
-  Image<int32_t> part;  ///< index of the visible part, -1 on the background
-};
 
 /// Samples the relief at the centres of width x height pixels spread over the canvas. u and g are
 /// interpolated and the root taken per pixel, so the maps are smooth at any resolution. A pixel

@@ -4,13 +4,9 @@
 #include "relief/joint/solve_jointly.h"
 #include "relief/layers/layer_parts.h"
 #include "relief/ordering/order_depth.h"
+#include "relievo/options.h"
 
 namespace relievo {
-
-enum class Method {
-  approximate,  ///< inflation, then order [P §3.2]
-  nonlinear,    ///< both at once [P §3.1]
-};
 
 struct ReliefOptions {
   Method method = Method::approximate;

@@ -1,4 +1,4 @@
-#include "apps/cli/inputs.h"
+#include "face/inputs.h"
 
 #include "io/archive/zip_archive.h"
 #include "io/files/in_file.h"
@@ -14,7 +14,7 @@
 #include "kernel/base/workers.h"
 #include "kernel/image/image_size.h"
 
-namespace relievo::cli {
+namespace relievo {
 namespace {
 
 namespace fs = std::filesystem;
@@ -219,4 +219,4 @@ Result<SceneInput> load_scene(const InputFile& input) {
   return scene;
 }
 
-}  // namespace relievo::cli
+}  // namespace relievo

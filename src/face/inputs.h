@@ -11,7 +11,7 @@
 #include "relief/drawing/drawing.h"
 #include "relief/scene/scene.h"
 
-namespace relievo::cli {
+namespace relievo {
 
 /// What a file holds, told by its content; or that it is a folder.
 enum class InputKind { svg, json, image, glb, zip, gzip, folder, unknown };
@@ -52,4 +52,4 @@ Status finish_drawing(const InputFile& input, SceneInput& scene);
 /// `where` begins with the file's name.
 Result<SceneInput> load_scene(const InputFile& input);
 
-}  // namespace relievo::cli
+}  // namespace relievo

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+#include "relievo/result.h"
+
+namespace relievo {
+
+/// How a long computation is watched and stopped. Copyable; all members are optional.
+struct RunContext {
+  /// Set to true (from another thread or a signal handler) to stop; checked often
+  /// enough that work ends within 0.1 s. Not owned.
+  const std::atomic<bool>* cancel = nullptr;
+  /// Called with a stage's name and the fraction of it done, in [0, 1].
+  std::function<void(const char* stage, double fraction)> progress{};
+  /// Called when a piece of work inside a stage ("assemble", "analyse") is done, with its wall
+  /// time.
+  std::function<void(const char* piece, double milliseconds)> timed{};
+  /// Called with a quantity that tells how the stage is getting on ("energy").
+  std::function<void(const char* quantity, double value)> measured{};
+
+  bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
+  void report(const char* stage, double fraction) const {
+    if (progress) progress(stage, fraction);
+  }
+  void measure(const char* quantity, double value) const {
+    if (measured) measured(quantity, value);
+  }
+};
+
+inline Error interrupted_error() { return {ErrorCode::interrupted, "interrupted", ""}; }
+
+}  // namespace relievo

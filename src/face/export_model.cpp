@@ -1,0 +1,47 @@
+#include "io/image/png_encode.h"
+#include "io/mesh/glb_encode.h"
+#include "io/mesh/obj_encode.h"
+#include "io/mesh/ply_encode.h"
+#include "io/mesh/stl_encode.h"
+#include "relievo/export.h"
+
+namespace relievo {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Files = std::vector<OutputFile>;
+
+Result<Files> single(const fs::path& path, Result<Bytes> bytes) {
+  if (!bytes) return bytes.error();
+  return Files{{path, std::move(*bytes)}};
+}
+
+Result<Files> obj_files(const Model& model, const Drawing* drawing, const fs::path& path,
+                        double size_mm) {
+  const std::string stem = path.stem().string();
+  auto encoded = encode_obj(model, drawing, {size_mm, stem});
+  if (!encoded) return encoded.error();
+  const fs::path beside = path.parent_path() / obj_file_name(stem);
+  Files files = {{path, std::move(encoded->obj)},
+                 {fs::path(beside) += ".mtl", std::move(encoded->mtl)}};
+  if (!encoded->png.empty()) files.push_back({fs::path(beside) += ".png", std::move(encoded->png)});
+  return files;
+}
+
+}  // namespace
+
+Result<Files> export_model(const Model& model, const Drawing& drawing, const fs::path& path,
+                           double size_mm) {
+  const Drawing* texture = drawing.rgba.empty() ? nullptr : &drawing;
+  const fs::path ending = path.extension();
+  if (ending == ".obj") return obj_files(model, texture, path, size_mm);
+  if (ending == ".ply") return single(path, encode_ply(model, texture, {size_mm, ""}));
+  if (ending == ".stl") return single(path, encode_stl(model, size_mm));
+  if (ending == ".glb") return single(path, encode_glb(model, texture, size_mm));
+  return Error{ErrorCode::usage, "must end in .glb, .obj, .ply or .stl", path.string()};
+}
+
+Result<Bytes> encode_picture(const Image8& picture) { return encode_png(picture); }
+
+}  // namespace relievo
