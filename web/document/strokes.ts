@@ -143,10 +143,11 @@ function addOpen(document: Document, hand: Hand, stroke: Ring): Document {
 
 function addClosed(document: Document, hand: Hand, stroke: Ring): Document {
   const { reach, name } = hand;
-  const ring = outerUnion(smooth(stroke, true), reach);
+  const drawn = smooth(stroke, true);
+  const ring = crossesItself(drawn) ? simplify(outerUnion(drawn, reach), 0.05 * reach) : drawn;
   const small = reach * leastThickness * 0.3;
   const thickness = ring.length > 2 ? Math.abs(area(ring)) / perimeter(ring) : 0;
-  return thickness < small ? addTube(document, hand, stroke) : addShape(document, name, simplify(ring, 0.05 * reach));
+  return thickness < small ? addTube(document, hand, stroke) : addShape(document, name, ring);
 }
 
 /** A tap: a small round detail of the part below. */

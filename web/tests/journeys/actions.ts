@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { unzipSync } from 'fflate';
-import type { Page } from 'playwright-core';
+import type { CDPSession, Page } from 'playwright-core';
 import { pictures, settled } from './browser.ts';
 
 /** What a person does, over and over. */
@@ -71,4 +71,21 @@ export function oval(x: number, y: number, rx: number, ry: number): Spot[] {
     const angle = (2 * Math.PI * i) / 32;
     return [x + rx * Math.cos(angle), y + ry * Math.sin(angle)];
   });
+}
+
+/** Coarse reliefs leave the machine to the hand. */
+export async function fewVertices(page: Page): Promise<void> {
+  await page.click('#settings');
+  const slider = page.locator('.sheet .slider input').first();
+  await slider.fill((await slider.getAttribute('min')) ?? '');
+  await page.keyboard.press('Escape');
+}
+
+/** A stroke as fast as the browser takes it. */
+export async function dash(session: CDPSession, spots: readonly Spot[], at: (spot: Spot) => Spot): Promise<void> {
+  const send = (type: 'mousePressed' | 'mouseMoved' | 'mouseReleased', spot: Spot): Promise<unknown> => {
+    const [x, y] = at(spot);
+    return session.send('Input.dispatchMouseEvent', { type, x, y, button: 'left', buttons: type === 'mouseReleased' ? 0 : 1, clickCount: 1 });
+  };
+  await Promise.all([send('mousePressed', spots[0] as Spot), ...spots.slice(1).map((spot) => send('mouseMoved', spot)), send('mouseReleased', spots.at(-1) as Spot)]);
 }

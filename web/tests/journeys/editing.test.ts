@@ -124,7 +124,7 @@ it('names the culprit of what cannot be built, and keeps the last good relief', 
   const { at } = await pageView(page);
   await page.mouse.move(...at([488, 535]));
   await page.mouse.down();
-  await page.mouse.move(...at([719, 500]));
+  await page.mouse.move(...at([704, 450]));
   await page.mouse.up();
   await page.waitForSelector('.trouble');
   await page.waitForTimeout(700);

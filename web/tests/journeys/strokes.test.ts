@@ -1,8 +1,8 @@
-import type { CDPSession, Page } from 'playwright-core';
+import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { disc } from '../support/pictures.ts';
 import { randomNumbers } from '../unit/random.ts';
-import { choosePart, names, oval, pageView, type Spot } from './actions.ts';
+import { choosePart, dash, fewVertices, names, oval, pageView, type Spot } from './actions.ts';
 import { picture, settled, stageOfFile } from './browser.ts';
 import { shelfOf } from './storage.ts';
 
@@ -30,23 +30,6 @@ function state(page: Page): Promise<{ parts: number; notice: string }> {
       notice: document.querySelector('.notice')?.textContent ?? '',
     };
   });
-}
-
-/** Coarse reliefs leave the machine to the hand. */
-async function fewVertices(page: Page): Promise<void> {
-  await page.click('#settings');
-  const slider = page.locator('.sheet .slider input').first();
-  await slider.fill((await slider.getAttribute('min')) ?? '');
-  await page.keyboard.press('Escape');
-}
-
-/** A stroke as fast as the browser takes it. */
-async function dash(session: CDPSession, spots: readonly Spot[], at: (spot: Spot) => Spot): Promise<void> {
-  const send = (type: 'mousePressed' | 'mouseMoved' | 'mouseReleased', spot: Spot): Promise<unknown> => {
-    const [x, y] = at(spot);
-    return session.send('Input.dispatchMouseEvent', { type, x, y, button: 'left', buttons: type === 'mouseReleased' ? 0 : 1, clickCount: 1 });
-  };
-  await Promise.all([send('mousePressed', spots[0] as Spot), ...spots.slice(1).map((spot) => send('mouseMoved', spot)), send('mouseReleased', spots.at(-1) as Spot)]);
 }
 
 it('makes something of 300 random strokes, or says why not', async () => {
