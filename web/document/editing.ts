@@ -15,7 +15,8 @@ import { renameLabelled } from './segmentation';
 
 /** Every verb of editing: a document in, a document out. */
 
-const inks = ['#e8a87c', '#85b79d', '#8fb8de', '#e27d8a', '#c3a6d8', '#e3c567', '#7fb7be', '#d9a5b3'];
+/** Colours that go together, for parts where there is no drawing. */
+export const inks = ['#e8a87c', '#85b79d', '#8fb8de', '#e27d8a', '#c3a6d8', '#e3c567', '#7fb7be', '#d9a5b3'];
 
 function freshInk(document: Document): string {
   return inks[document.parts.length % inks.length] as string;
@@ -70,6 +71,19 @@ export function changePart(document: Document, id: string, values: PartValues): 
     ...document,
     parts: document.parts.map((part) => (part.id === id ? { ...part, ...values } : part)),
   };
+}
+
+/** Gives a part a colour, and with it the limbs that are one surface with it and had its own. */
+export function colorPart(document: Document, id: string, color: string): Document {
+  const before = document.parts[partIndex(document, id)]?.color;
+  const alike = new Set([id]);
+  for (let grown = 0; grown !== alike.size; ) {
+    grown = alike.size;
+    for (const { upper, lower } of document.joins)
+      for (const [from, to] of [[upper, lower], [lower, upper]] as const)
+        if (alike.has(from) && document.parts[partIndex(document, to)]?.color === before) alike.add(to);
+  }
+  return { ...document, parts: document.parts.map((part) => (alike.has(part.id) ? { ...part, color } : part)) };
 }
 
 /** Whether a part can be moved: it was drawn here and shows no place of a drawing. */

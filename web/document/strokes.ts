@@ -34,7 +34,7 @@ const dotRadius = 0.55;
 const detailShare = 0.06;
 /** Ends so many reaches from an outline reach into it. */
 const snapping = 1.5;
-const detailInk = '#37322c';
+export const detailInk = '#37322c';
 
 function lengthOf(line: Ring): number {
   return line.reduce((sum, p, i) => (i === 0 ? 0 : sum + distance(line[i - 1] as Point, p)), 0);

@@ -191,3 +191,28 @@ it('swells while the pen is down, and goes back when the stroke is left', async 
   expect((await state(page)).parts).toBe(1);
   expect(stage.troubles).toEqual([]);
 });
+
+it('colours a part by a swatch, with the limbs that are one surface with it', async () => {
+  const { page } = stage;
+  await page.click('#empty');
+  await page.waitForSelector('.paper canvas');
+  const { at } = await pageView(page);
+  await stroke(page, oval(560, 430, 220, 125), at);
+  await stroke(page, leg(420, 500, 200), at);
+  await settled(page);
+  await page.click('[data-color="#85b79d"]');
+  const pixel = (spot: Spot): Promise<number[]> => {
+    const [x, y] = at(spot);
+    return page.locator('.paper canvas').first().evaluate((canvas: HTMLCanvasElement, [left, top]) => {
+      const box = canvas.getBoundingClientRect();
+      const ratio = canvas.width / box.width;
+      return [...(canvas.getContext('2d') as CanvasRenderingContext2D).getImageData(ratio * ((left as number) - box.x), ratio * ((top as number) - box.y), 1, 1).data.slice(0, 3)];
+    }, [x, y]);
+  };
+  await page.keyboard.press('Escape');
+  await page.waitForTimeout(500);
+  for (const spot of [[620, 400], [445, 640]] as Spot[]) expect(await pixel(spot)).toEqual([0x85, 0xb7, 0x9d]);
+  await page.waitForTimeout(1000);
+  await picture(page, 'coloured');
+  expect(stage.troubles).toEqual([]);
+});

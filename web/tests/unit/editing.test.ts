@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { type Document, emptyDocument, partIndex, type Point } from '../../document/document';
 import {
-  addJoin, addOpenPart, addPart, addRange, bringBefore, changePart, changeSettings, joinOfLine, joinParts, movePart,
+  addJoin, addOpenPart, addPart, addRange, bringBefore, changePart, changeSettings, colorPart, joinOfLine, joinParts, movePart,
   isMovable, neighbours, relate, removePart, renamePart, shiftPart,
 } from '../../document/editing';
 import { area, contains, longestRunInside, nearestPlace } from '../../document/outline';
@@ -206,4 +206,16 @@ describe('moving parts', () => {
     expect([isMovable(document, 'body'), isMovable(document, 'head'), isMovable(document, 'tail')]).toEqual([false, true, false]);
     expect(isMovable({ ...document, drawing: null }, 'body')).toBe(true);
   });
+});
+
+it('colours what is one surface alike, and nothing else', () => {
+  const body = addPart(emptyDocument(), 'body', [[0, 0], [400, 0], [400, 300], [0, 300]]);
+  const leg = addOpenPart(body, 'leg', [[100, 280], [90, 500], [160, 500], [150, 280]]);
+  const foot = addOpenPart(leg, 'foot', [[100, 480], [60, 560], [200, 560], [150, 480]]);
+  const hat = addPart(foot, 'hat', [[300, -50], [350, -50], [350, 40], [300, 40]]);
+  const painted = colorPart(hat, 'leg', '#123456');
+  expect(painted.parts.map(({ id, color }) => [id, color === '#123456'])).toEqual([['body', true], ['leg', true], ['foot', true], ['hat', false]]);
+  // A limb that was given a colour of its own keeps it.
+  const own = { ...painted, parts: painted.parts.map((part) => (part.id === 'foot' ? { ...part, color: '#ffffff' } : part)) };
+  expect(colorPart(own, 'body', '#654321').parts.map(({ color }) => color)).toEqual(['#654321', '#654321', '#ffffff', hat.parts[3]?.color]);
 });
