@@ -1,12 +1,13 @@
 import type { BuiltRelief, EngineError } from '../engine/messages';
 import { noteCorrections } from '../document/corrections';
-import { type Document, emptyDocument } from '../document/document';
+import { cueRanges } from '../document/cues';
+import { type Cue, type Document, emptyDocument } from '../document/document';
 import type { Gap } from '../document/gaps';
 import { amend, type History, record, redo, startHistory, undo } from '../document/history';
 import type { Brush } from '../tools/scribble_tool';
 import { Store } from './store';
 
-export type ToolName = 'select' | 'draw' | 'join' | 'order' | 'range' | 'hand' | 'scribble' | 'outline';
+export type ToolName = 'select' | 'draw' | 'join' | 'order' | 'range' | 'hand' | 'scribble' | 'outline' | 'cue';
 export type Field = 'relief' | 'inflation' | 'shift';
 export type Shading = 'drawing' | 'clay' | 'normals';
 
@@ -69,6 +70,8 @@ export interface EditorState {
   panel: 'none' | 'keys' | 'export' | 'settings' | 'versions';
   tourStep: number | null;
   brush: Brush;
+  /** What the next line of the profile tool says. */
+  cue: Pick<Cue, 'kind' | 'value'>;
   /** Whether strokes of the drawing tool go behind all parts. */
   behind: boolean;
   /** The labels of the strokes that are shown, the gaps that are closed, and how long they took. */
@@ -110,6 +113,7 @@ function firstState(): EditorState {
     panel: 'none',
     tourStep: null,
     brush: { kind: 'auto', part: null, width: 12, soft: false },
+    cue: { kind: 'crease', value: cueRanges.crease.usual },
     behind: false,
     tint: null,
     gap: null,

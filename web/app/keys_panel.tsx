@@ -1,7 +1,7 @@
 import { type MessageKey, t } from './catalogue';
 
 const rows: readonly [string, MessageKey][] = [
-  ['1 … 8', 'keyTools'],
+  ['1 … 9', 'keyTools'],
   [', . arrows', 'keyGrip'],
   ['Page Up, Page Down, Home, End', 'keyOrder'],
   ['J', 'keyJoin'],

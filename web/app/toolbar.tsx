@@ -13,6 +13,7 @@ export const tools: readonly { name: ToolName; key: string; label: MessageKey; h
   { name: 'hand', key: '6', label: 'hand', hint: 'hintHand' },
   { name: 'scribble', key: '7', label: 'scribble', hint: 'hintScribble' },
   { name: 'outline', key: '8', label: 'outline', hint: 'hintOutline' },
+  { name: 'cue', key: '9', label: 'cue', hint: 'hintCue' },
 ];
 
 /** One tab stop; arrows go from tool to tool. */

@@ -1,6 +1,7 @@
 import { useMemo, useRef } from 'preact/hooks';
 import type { Document } from '../document/document';
 import { openQuestions } from '../document/gaps';
+import { CueTool } from '../tools/cue_tool';
 import { DrawTool } from '../tools/draw_tool';
 import { JoinTool } from '../tools/join_tool';
 import { OutlineTool } from '../tools/outline_tool';
@@ -12,6 +13,7 @@ import type { Tool, ToolHost } from '../tools/tool';
 import { swayingGif } from '../view/animation';
 import type { ModelView } from '../view/model_view';
 import { t } from './catalogue';
+import { CueBar } from './cue_bar';
 import { DrawBar } from './draw_bar';
 import type { Editor, EditorState, ToolName } from './editor';
 import { ExportPanel } from './export_panel';
@@ -34,7 +36,7 @@ import { Toolbar, tools } from './toolbar';
 import { Tour } from './tour';
 import { VersionsPanel } from './versions_panel';
 
-function makeTools(host: ToolHost, scribbles: ScribbleHost, behind: () => boolean): Record<ToolName, Tool> {
+function makeTools(host: ToolHost, scribbles: ScribbleHost, behind: () => boolean, cue: () => EditorState['cue']): Record<ToolName, Tool> {
   const select = new SelectTool(host);
   return {
     select,
@@ -45,6 +47,7 @@ function makeTools(host: ToolHost, scribbles: ScribbleHost, behind: () => boolea
     range: new RangeTool(host),
     scribble: new ScribbleTool(host, scribbles),
     outline: new OutlineTool(host),
+    cue: new CueTool(host, cue),
   };
 }
 
@@ -161,7 +164,7 @@ export function Workspace({ editor, files, keeper, segments, held, attachPaper, 
   const paper = useRef<PaperControl | null>(null);
   const model = useRef<ModelView | null>(null);
   const hands = useMemo(
-    () => makeTools(hostOf(editor, () => paper.current?.reach ?? 12), scribbleHostOf(editor, segments), () => editor.state.behind),
+    () => makeTools(hostOf(editor, () => paper.current?.reach ?? 12), scribbleHostOf(editor, segments), () => editor.state.behind, () => editor.state.cue),
     [],
   );
   const picture = (): Promise<Blob> => model.current?.picture() ?? Promise.reject(new Error('no view'));
@@ -182,6 +185,7 @@ export function Workspace({ editor, files, keeper, segments, held, attachPaper, 
       <PaperPane editor={editor} tool={() => hands[editor.state.tool]} attach={attach} />
       <ScribbleBar editor={editor} />
       <DrawBar editor={editor} />
+      <CueBar editor={editor} />
       <GapBar editor={editor} segments={segments} />
       <ModelPane editor={editor} attach={(view) => (model.current = view)} lightHeld={() => held.light || editor.state.lighting} stop={stop} />
       <aside class="side" aria-label={t('parts')}>

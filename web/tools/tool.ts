@@ -14,7 +14,7 @@ export interface ToolHost {
   select(id: string | null): void;
   hover(id: string | null): void;
   /** Says why nothing was changed. */
-  refuse(reason: Refusal | StrokeRefusal): void;
+  refuse(reason: Refusal | StrokeRefusal | 'cueOffPart'): void;
 }
 
 export interface Modifiers {

@@ -22,6 +22,8 @@ export class ModelView {
   private pose: Pose = { yaw: -0.42, pitch: 0.16, target: [0, 0, 0], frame: [-1, 1, 1, -1] };
   private zoomed = 1;
   private painting: Promise<void> = Promise.resolve();
+  private isPainting = false;
+  private toPaint: { document: Painted | null; picture: ImageBitmap | null; side: number | undefined } | null = null;
   private size: [number, number] = [1, 1];
   private canvasSize: [number, number] = [1000, 800];
 
@@ -84,11 +86,8 @@ export class ModelView {
 
   /** What lies on the model: a picture, or the parts painted flat, `side` px long; nothing without a document. */
   paint(document: Painted | null, picture: ImageBitmap | null, side?: number): void {
-    this.painting = this.painting.then(async () => {
-      const copy = picture && (await createImageBitmap(picture));
-      const content = document && { width: document.width, height: document.height, parts: document.parts, joins: document.joins };
-      await (await this.renderer).paint(content, copy && Comlink.transfer(copy, [copy]), side);
-    });
+    this.toPaint = { document, picture, side };
+    if (!this.isPainting) this.painting = this.paintNewest();
   }
 
   setShading(shading: ModelShading): void {
@@ -139,6 +138,22 @@ export class ModelView {
   /** The view as pixels on a ground of one colour, its longest side `side` px at most. */
   async snapshot(side: number, ground: string): Promise<ImageData> {
     return (await this.renderer).snapshot(side, ground);
+  }
+
+  /** Paints what is wanted until nothing newer is: what is outdated meanwhile is never painted. */
+  private async paintNewest(): Promise<void> {
+    this.isPainting = true;
+    try {
+      for (let next = this.toPaint; next; next = this.toPaint) {
+        this.toPaint = null;
+        const { document, picture, side } = next;
+        const copy = picture && (await createImageBitmap(picture));
+        const content = document && { width: document.width, height: document.height, parts: document.parts, joins: document.joins };
+        await (await this.renderer).paint(content, copy && Comlink.transfer(copy, [copy]), side);
+      }
+    } finally {
+      this.isPainting = false;
+    }
   }
 
   private wholeFrame(): Frame {

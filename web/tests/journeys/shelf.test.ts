@@ -73,7 +73,7 @@ it('keeps every step of two documents when the browser is killed, and opens both
   // To look at states that are kept already makes none.
   expect((await shelfOf(stage.page)).map(({ versions }) => versions.length)).toEqual([edits + 1, edits + 1]);
   expect(stage.troubles).toEqual([]);
-});
+}, 300_000);
 
 it('goes back to any version by a slider, which is a step that can be undone', async () => {
   const { page } = stage;

@@ -74,7 +74,7 @@ it('makes something of 300 random strokes, or says why not', async () => {
   expect(made).toBeGreaterThan(250);
   await session.detach();
   expect(stage.troubles).toEqual([]);
-});
+}, 300_000);
 
 const leg = (x: number, y: number, down: number): Spot[] => [
   [x, y], [x - 4, y + 0.5 * down], [x - 14, y + 0.9 * down], [x + 4, y + down], [x + 40, y + down], [x + 58, y + 0.9 * down], [x + 52, y + 0.5 * down], [x + 56, y],
@@ -214,5 +214,30 @@ it('colours a part by a swatch, with the limbs that are one surface with it', as
   for (const spot of [[620, 400], [445, 640]] as Spot[]) expect(await pixel(spot)).toEqual([0x85, 0xb7, 0x9d]);
   await page.waitForTimeout(1000);
   await picture(page, 'coloured');
+  expect(stage.troubles).toEqual([]);
+});
+
+it('folds a part to a ridge by a line on it, and takes that back', async () => {
+  const { page } = stage;
+  await page.click('#empty');
+  await page.waitForSelector('.paper canvas');
+  const { at } = await pageView(page);
+  await stroke(page, oval(500, 400, 260, 180), at);
+  await settled(page);
+  await page.keyboard.press('9');
+  await page.click('[data-cue=crease]');
+  await stroke(page, [[60, 60], [110, 70], [160, 80]], at);
+  expect((await state(page)).notice).not.toBe('');
+  await stroke(page, [[300, 400], [400, 398], [500, 400], [600, 402], [700, 400]], at);
+  await page.waitForSelector('[data-cue=clear]');
+  await settled(page);
+  await page.waitForTimeout(1200);
+  await picture(page, 'cue');
+  expect((await state(page)).notice).toBe('');
+  expect(await page.locator('.trouble').count()).toBe(0);
+  await page.click('[data-cue=clear]');
+  await page.waitForSelector('[data-cue=clear]', { state: 'detached' });
+  await page.click('#undo');
+  await page.waitForSelector('[data-cue=clear]');
   expect(stage.troubles).toEqual([]);
 });
