@@ -101,6 +101,18 @@ convert "$work/steps.png" -resize 50% "$to/wolf-convergence.png"
 convert "$work/approximate.png" "$work/nonlinear-100.png" "$work/nonlinear-0.01.png" +append \
   "$to/joint-ends.png"
 
+# Values of lambda_bnd: what the paper's 100 and 0.01 are in our unit, and smaller ones.
+look="--view front --clay --window 620 560 420 --light -60 30 --size 300"
+# shellcheck disable=SC2086
+"$relievo" render examples/wolf.svg $look --ramps robin -o "$work/legs-robin.png" > /dev/null
+for lambda in 125000 12.5 0.3 0.01; do
+  # shellcheck disable=SC2086
+  "$relievo" render examples/wolf.svg $look --method nonlinear --lambda-bnd "$lambda" \
+    -o "$work/legs-$lambda.png" > /dev/null
+done
+convert "$work/legs-robin.png" "$work/legs-125000.png" "$work/legs-12.5.png" \
+  "$work/legs-0.3.png" "$work/legs-0.01.png" +append "$to/lambda-units.png"
+
 # Approximate and non-linear side by side, a row for each of the drawings.
 for name in wolf bunny farmer unicorn elephant lamb; do
   look="--yaw -20 --pitch 8 --clay --size 300"

@@ -215,8 +215,7 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
          "--ramps",
          [&relief](const std::string& name) { relief.options.layers.attach = name == "auto"; },
          "Outlines beside joins: auto, attached to the part below at first (the default); robin, "
-         "as "
-         "in the paper")
+         "as in the paper")
       ->check(CLI::IsMember({"auto", "robin"}));
   auto* preset = app.add_option_function<std::string>(
       "--preset", [&relief](const std::string& name) { relief.as_in_paper = name == "paper"; },

@@ -9,6 +9,11 @@
 
 namespace relievo {
 
+/// Whether a node with this role lies within a surface, joins included.
+inline bool is_inside(NodeRole role) {
+  return role == NodeRole::interior || role == NodeRole::seam;
+}
+
 /// Scene units per px: multiplied by it, the box around all faces has a diagonal of 2. This gives
 /// the Robin coefficient and epsilon, which have units of length, the same meaning at any size.
 /// 1 where there is no face. O(F).

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "relief/layers/joined_surface.h"
+
 namespace relievo {
 namespace {
 
@@ -23,10 +25,6 @@ int support(const LayeredMesh& mesh, const Scene& scene, size_t t) {
   return -1;
 }
 
-bool is_inside(const LayeredMesh& mesh, int node) {
-  return mesh.node_role[node] == NodeRole::interior || mesh.node_role[node] == NodeRole::seam;
-}
-
 }  // namespace
 
 std::vector<DepthPair> resting_pairs(const LayeredMesh& mesh, const Scene& scene) {
@@ -38,7 +36,8 @@ std::vector<DepthPair> resting_pairs(const LayeredMesh& mesh, const Scene& scene
     if (below < 0) continue;
     for (int k = 0; k < 3; ++k) {
       const DepthPair pair{mesh.faces[below][k], mesh.faces[front][k], false};
-      if (pair.lower != pair.upper && is_inside(mesh, pair.lower) && is_inside(mesh, pair.upper))
+      if (pair.lower != pair.upper && is_inside(mesh.node_role[pair.lower]) &&
+          is_inside(mesh.node_role[pair.upper]))
         pairs.push_back(pair);
     }
   }

@@ -4,15 +4,14 @@
 #include <utility>
 
 #include "kernel/geometry/nearest_mark.h"
+#include "relief/layers/joined_surface.h"
 
 namespace relievo {
 namespace {
 
-bool inside(NodeRole role) { return role == NodeRole::interior || role == NodeRole::seam; }
-
 DepthContact contact_at(const LayeredMesh& mesh, int lower, int upper) {
   return {mesh.node_part[lower], mesh.node_part[upper],
-          inside(mesh.node_role[lower]) && inside(mesh.node_role[upper]),
+          is_inside(mesh.node_role[lower]) && is_inside(mesh.node_role[upper]),
           mesh.vertices[mesh.node_vertex[lower]], false};
 }
 
