@@ -3,7 +3,7 @@ import { createRequire } from 'node:module';
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { disc } from '../support/pictures.ts';
-import { choosePart, sample } from './actions.ts';
+import { choosePart, gesture, oval, sample } from './actions.ts';
 import { picture, stageOfFile } from './browser.ts';
 
 const stage = stageOfFile({ anew: true });
@@ -30,6 +30,13 @@ const states: [string, (page: Page) => Promise<unknown>][] = [
   ['keys', (page) => page.click('#keys')],
   ['tour', (page) => page.click('#tour')],
   ['draw', (page) => page.keyboard.press('Escape').then(() => page.keyboard.press('2'))],
+  ['profile', (page) => page.keyboard.press('9')],
+  ['a drawn part', async (page) => {
+    await page.click('.brand');
+    await page.click('#empty');
+    await gesture(page, oval(500, 400, 200, 150));
+    await page.waitForSelector('.swatches');
+  }],
   ['scribble', async (page) => {
     await page.setInputFiles('input[type=file]', { name: 'disc.png', mimeType: 'image/png', buffer: Buffer.from(disc(400, 120, [200, 80, 60])) });
     await page.waitForSelector('.scribble-bar[data-tint-ms]');
