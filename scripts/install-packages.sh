@@ -9,8 +9,8 @@ build="ca-certificates ccache cmake g++ libcgal-dev libcli11-dev libeigen3-dev l
   libgif-dev libjpeg-dev libpng-dev libpolyclipping-dev libpugixml-dev librsvg2-dev libzip-dev
   lld ninja-build nlohmann-json3-dev pkg-config"
 web="dpkg-dev emscripten libboost-dev"
-test="admesh chromium clang-format clang-tidy coinor-libipopt-dev libgtest-dev librapidcheck-dev
-  libvalijson-dev shellcheck zlib1g-dev"
+test="admesh chromium clang-format clang-tidy coinor-libipopt-dev lib3mf-dev libgtest-dev
+  librapidcheck-dev libvalijson-dev shellcheck zlib1g-dev"
 bench="libbenchmark-dev libopenblas0-pthread libopenblas-pthread-dev libsuitesparse-dev python3"
 
 # Any node serves; Debian's where there is none.

@@ -1,11 +1,13 @@
 #include "apps/cli/arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <cmath>
+#include <algorithm>
 #include <iostream>
 
 #include "apps/cli/cue_argument.h"
 #include "apps/cli/exit_code.h"
+#include "apps/cli/solid_arguments.h"
+#include "apps/cli/within.h"
 
 namespace relievo::cli {
 namespace {
@@ -66,18 +68,6 @@ Field field(const std::string& name) {
   return name == "shift" ? Field::shift : Field::relief;
 }
 
-/// A usage error where the number is not in the range: CLI::Range lets "nan" pass.
-CLI::Validator within(double least, double most) {
-  const CLI::Range range(least, most);
-  const auto check = [=](std::string& value) -> std::string {
-    double number = 0;
-    if (CLI::detail::lexical_cast(value, number) && std::isnan(number))
-      return value + " is no number";
-    return range(value);
-  };
-  return {check, range.get_description(), "range"};
-}
-
 void add_common(CLI::App& app, CommonArguments& common, const char* what) {
   app.add_option("INPUT", common.input, what)->required();
   app.add_flag("-q,--quiet", common.quiet, "Say nothing but errors");
@@ -86,54 +76,6 @@ void add_common(CLI::App& app, CommonArguments& common, const char* what) {
   app.add_option("--threads", common.threads,
                  "Threads to use (default: as many as there are); the results are the same")
       ->check(CLI::Range(1, 256));
-}
-
-/// Accepts only what this version can do, and says so of what is planned.
-CLI::Validator known_profile() {
-  const auto check = [](const std::string& value) -> std::string {
-    if (value == "relief" || value == "solid") return "";
-    if (value == "figure") return "\"figure\" is not available in this version";
-    return "\"" + value + "\" is unknown; use relief or solid";
-  };
-  return {check, "{relief,solid}", "profile"};
-}
-
-BaseShape base_shape(const std::string& name) {
-  if (name == "outline") return BaseShape::outline;
-  if (name == "plate") return BaseShape::plate;
-  return name == "round" ? BaseShape::round : BaseShape::none;
-}
-
-/// Lengths in mm of a solid and what it stands on.
-void add_solid_options(CLI::App& app, ReliefArguments& relief) {
-  SolidOptions& solid = relief.solid_options;
-  auto* profile =
-      app.add_option_function<std::string>(
-             "--profile", [&relief](const std::string& name) { relief.solid = name == "solid"; },
-             "relief: the surface alone (the default); solid: everything below it, closed, with a "
-             "flat back, to print or to carve")
-          ->check(known_profile());
-  const std::vector<CLI::Option*> options = {
-      app.add_option_function<std::string>(
-             "--base", [&solid](const std::string& name) { solid.base = base_shape(name); },
-             "Of solid: none (the default), or a plate below it: outline, plate (a rectangle) or "
-             "round")
-          ->check(CLI::IsMember({"none", "outline", "plate", "round"})),
-      app.add_option("--thickness", solid.thickness,
-                     "Of solid: mm below its lowest visible point, and of its base (default 2)")
-          ->check(within(0.1, 1000.0)),
-      app.add_option("--margin", solid.margin,
-                     "Of solid: mm from it to the edge of its base (default 3)")
-          ->check(within(0.5, 1000.0)),
-      app.add_option("--corner", solid.corner,
-                     "Of solid: mm, radius of the corners of a plate (default 3)")
-          ->check(within(0.0, 1000.0)),
-      app.add_option("--hole", solid.hole, "Of solid: a hole so many mm wide in its base")
-          ->check(within(0.5, 100.0)),
-      app.add_option("--ring", solid.ring,
-                     "Of solid: a loop above its base, its hole so many mm wide")
-          ->check(within(0.5, 100.0))};
-  for (CLI::Option* option : options) option->needs(profile);
 }
 
 void add_mesh_options(CLI::App& app, ReliefArguments& relief) {
@@ -263,12 +205,23 @@ CLI::Validator extension(const std::vector<std::string>& allowed) {
 void add_build(CLI::App& main, BuildArguments& build) {
   CLI::App& app = *main.add_subcommand("build", build_help);
   add_common(app, build.common, input_help);
-  app.add_option("-o,--output", build.models, "Model: .glb, .obj, .ply or .stl; may be repeated")
-      ->check(extension({".glb", ".obj", ".ply", ".stl"}))
+  app.add_option("-o,--output", build.models,
+                 "Model: .glb, .obj, .ply, .stl or .3mf; may be repeated")
+      ->check(extension({".glb", ".obj", ".ply", ".stl", ".3mf"}))
       ->expected(1)
       ->take_all();
   app.add_option("--size", build.size_mm, "Longest side in mm (default 100)")
       ->check(within(0.001, 1e6));
+  app.add_option("--filaments", build.filaments,
+                 "Paint a .3mf with so many colours at most (default 4)")
+      ->check(CLI::Range(1, 16));
+  app.add_option_function<std::string>(
+         "--slicer",
+         [&build](const std::string& name) {
+           build.slicer = name == "bambu" ? Slicer::bambu : Slicer::prusa;
+         },
+         "Paint a .3mf for prusa (the default) or bambu, whose paint the other does not read")
+      ->check(CLI::IsMember({"prusa", "bambu"}));
   const auto picture = extension({".png"});
   app.add_option("--normal-map", build.normal_map, "Normals (.png)")->check(picture);
   app.add_option_function<std::string>(
@@ -354,6 +307,11 @@ bool wants_nothing(const BuildArguments& build) {
          build.report.empty() && !build.print_report;
 }
 
+bool wants_3mf(const BuildArguments& build) {
+  return std::any_of(build.models.begin(), build.models.end(),
+                     [](const std::string& name) { return name.ends_with(".3mf"); });
+}
+
 /// Prints help and the version on standard output, mistakes on standard error.
 int finish(const CLI::App& app, const CLI::ParseError& error) {
   return app.exit(error, std::cout, std::cerr) == 0 ? exit_done : exit_usage;
@@ -384,6 +342,8 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
       throw CLI::ValidationError("nothing to write: give -o, a map, --preview, --report or --json");
     if (!build.convergence.empty() && build.relief.options.method != Method::nonlinear)
       throw CLI::ValidationError("--convergence needs --method nonlinear: the other has no steps");
+    if (wants_3mf(build) && !build.relief.solid)
+      throw CLI::ValidationError("a .3mf holds solids alone: add --profile solid");
     return Command(build);
   } catch (const CLI::ParseError& error) {
     return finish(app, error);

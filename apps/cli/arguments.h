@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "io/mesh/threemf_encode.h"
 #include "relief/pipeline/keep_field.h"
 #include "relief/scene/scene.h"
 #include "solid/solid_options.h"
@@ -43,8 +44,10 @@ struct ReliefArguments {
 struct BuildArguments {
   CommonArguments common;
   ReliefArguments relief;
-  std::vector<std::string> models;  ///< .glb, .obj, .ply, .stl
+  std::vector<std::string> models;  ///< .glb, .obj, .ply, .stl, .3mf
   double size_mm = 100;             ///< longest side of the model
+  int filaments = 4;                ///< colours that a .3mf is painted with at most
+  Slicer slicer = Slicer::prusa;    ///< that it is painted for
   std::string normal_map;           ///< files; empty: not wanted
   std::string depth_map;
   std::string part_map;

@@ -40,7 +40,7 @@ Status add_models(Products& products, const BuildArguments& build, const SceneIn
   // A solid is in mm already.
   const double size = products.made->solid ? longest_side(model) : build.size_mm;
   for (const std::string& name : build.models) {
-    auto files = encode_model(model, drawing, name, size);
+    auto files = encode_model(model, drawing, name, {size, build.filaments, build.slicer});
     if (!files) return files.error();
     std::move(files->begin(), files->end(), std::back_inserter(products.files));
     if (context.cancelled()) return interrupted_error();

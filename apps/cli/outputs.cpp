@@ -60,8 +60,12 @@ Status check_outputs(const std::vector<fs::path>& paths, const std::vector<fs::p
 }
 
 Result<Files> encode_model(const Model& model, const Drawing& drawing, const std::string& name,
-                           double size_mm) {
-  return export_model(model, drawing, name, size_mm);
+                           const FileOptions& file) {
+  if (fs::path(name).extension() != ".3mf") return export_model(model, drawing, name, file.mm);
+  auto bytes = encode_3mf(model, drawing.rgba.empty() ? nullptr : &drawing,
+                          {file.mm, file.filaments, file.slicer});
+  if (!bytes) return bytes.error();
+  return Files{{name, std::move(*bytes)}};
 }
 
 Status save(const Files& files, const std::vector<fs::path>& inputs, Interruption& interruption) {

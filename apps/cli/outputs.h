@@ -7,6 +7,7 @@
 #include "apps/cli/arguments.h"
 #include "apps/cli/interruption.h"
 #include "io/files/write_files.h"
+#include "io/mesh/threemf_encode.h"
 #include "kernel/base/result.h"
 #include "relief/drawing/drawing.h"
 #include "relief/model/model.h"
@@ -21,9 +22,15 @@ std::vector<std::filesystem::path> planned_outputs(const BuildArguments& build);
 Status check_outputs(const std::vector<std::filesystem::path>& paths,
                      const std::vector<std::filesystem::path>& inputs);
 
+struct FileOptions {
+  double mm = 100;    ///< longest side of the model
+  int filaments = 4;  ///< of .3mf
+  Slicer slicer = Slicer::prusa;
+};
+
 /// The files of a model in the format that the name's extension says. Precondition: a known one.
 Result<std::vector<OutputFile>> encode_model(const Model& model, const Drawing& drawing,
-                                             const std::string& name, double size_mm);
+                                             const std::string& name, const FileOptions& file);
 
 /// Writes all files or none, unless the work was stopped before. Errors: as write_files, and
 /// `interrupted`.

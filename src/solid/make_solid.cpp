@@ -57,14 +57,22 @@ Result<GridPlacement> place_on_grid(const Model& model, const SolidOptions& opti
   const double wide =
       options.base == BaseShape::round ? 2 * radius_of(model, extent) : std::max(sides.x, sides.y);
   double scale = (options.size - around) / wide;
-  if (sides.z > 0) scale = std::min(scale, (options.size - options.thickness) / sides.z);
+  // Where the height is limited, depth has no part in the size.
+  if (sides.z > 0 && options.height == 0)
+    scale = std::min(scale, (options.size - options.thickness) / sides.z);
   if (!(scale > 0))
     return Error{ErrorCode::usage, "leaves no room beside the base's margin and thickness",
                  "--size"};
   const double reach = options.size + 2 * options.ring + 16;
   const double unit = std::ldexp(1.0, static_cast<int>(std::ceil(std::log2(reach))) - 24);
-  const double lift = options.thickness / scale;
-  return GridPlacement{scale, scale, {extent.low.x, extent.low.y, extent.low.z - lift}, unit};
+  double height_scale = scale;
+  if (options.height > 0 && sides.z > 0)
+    height_scale = std::min(scale, (options.height - options.thickness) / sides.z);
+  if (!(height_scale > 0))
+    return Error{ErrorCode::usage, "leaves no room above the base's thickness", "--height"};
+  const double lift = options.thickness / height_scale;
+  return GridPlacement{
+      scale, height_scale, {extent.low.x, extent.low.y, extent.low.z - lift}, unit};
 }
 
 int count_pieces(const HeightField& field) {

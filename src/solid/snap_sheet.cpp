@@ -29,7 +29,9 @@ class Snapper {
   Snapper(const VisibleSheet& sheet, const GridPlacement& placement) : sheet_(sheet) {
     const Model& model = sheet.model;
     field_.unit = placement.unit;
-    field_.normals = model.normals;
+    const double steeper = placement.height_scale / placement.scale;
+    for (const Point3 n : model.normals)
+      field_.normals.push_back(normalized({steeper * n.x, steeper * n.y, n.z}));
     field_.uvs = model.uvs;
     for (const Point3 p : model.positions) {
       const Point3 q = p - placement.origin;

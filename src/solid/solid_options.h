@@ -13,6 +13,7 @@ enum class BaseShape {
 struct SolidOptions {
   double size = 100;  ///< mm, longest side of the whole, a ring aside; > 0
   BaseShape base = BaseShape::none;
+  double height = 0;     ///< mm, of the whole at most: depth shrinks where there is more; 0: any
   double thickness = 2;  ///< mm below the lowest point that is seen, and of the plate; > 0
   double margin = 3;     ///< mm from the silhouette to the plate's edge, at least 0.5
   double corner = 3;     ///< mm, radius of a rectangle's corners; at most its half side counts

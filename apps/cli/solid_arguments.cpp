@@ -1,0 +1,63 @@
+#include "apps/cli/solid_arguments.h"
+
+#include <string>
+#include <vector>
+
+#include "apps/cli/within.h"
+
+namespace relievo::cli {
+namespace {
+
+/// Accepts only what this version can do, and says so of what is planned.
+CLI::Validator known_profile() {
+  const auto check = [](const std::string& value) -> std::string {
+    if (value == "relief" || value == "solid") return "";
+    if (value == "figure") return "\"figure\" is not available in this version";
+    return "\"" + value + "\" is unknown; use relief or solid";
+  };
+  return {check, "{relief,solid}", "profile"};
+}
+
+BaseShape base_shape(const std::string& name) {
+  if (name == "outline") return BaseShape::outline;
+  if (name == "plate") return BaseShape::plate;
+  return name == "round" ? BaseShape::round : BaseShape::none;
+}
+
+}  // namespace
+
+void add_solid_options(CLI::App& app, ReliefArguments& relief) {
+  SolidOptions& solid = relief.solid_options;
+  auto* profile =
+      app.add_option_function<std::string>(
+             "--profile", [&relief](const std::string& name) { relief.solid = name == "solid"; },
+             "relief: the surface alone (the default); solid: everything below it, closed, with a "
+             "flat back, to print or to carve")
+          ->check(known_profile());
+  const std::vector<CLI::Option*> options = {
+      app.add_option_function<std::string>(
+             "--base", [&solid](const std::string& name) { solid.base = base_shape(name); },
+             "Of solid: none (the default), or a plate below it: outline, plate (a rectangle) or "
+             "round")
+          ->check(CLI::IsMember({"none", "outline", "plate", "round"})),
+      app.add_option("--thickness", solid.thickness,
+                     "Of solid: mm below its lowest visible point, and of its base (default 2)")
+          ->check(within(0.1, 1000.0)),
+      app.add_option("--height", solid.height,
+                     "Of solid: mm, its height at most; depth shrinks evenly where there is more")
+          ->check(within(0.2, 1000.0)),
+      app.add_option("--margin", solid.margin,
+                     "Of solid: mm from it to the edge of its base (default 3)")
+          ->check(within(0.5, 1000.0)),
+      app.add_option("--corner", solid.corner,
+                     "Of solid: mm, radius of the corners of a plate (default 3)")
+          ->check(within(0.0, 1000.0)),
+      app.add_option("--hole", solid.hole, "Of solid: a hole so many mm wide in its base")
+          ->check(within(0.5, 100.0)),
+      app.add_option("--ring", solid.ring,
+                     "Of solid: a loop above its base, its hole so many mm wide")
+          ->check(within(0.5, 100.0))};
+  for (CLI::Option* option : options) option->needs(profile);
+}
+
+}  // namespace relievo::cli
