@@ -63,6 +63,34 @@ TEST(MakeSolid, ThePlateAddsItsOwnVolume) {
   }
 }
 
+TEST(MakeSolid, LimitsTheHeightAndTurnsNormalsWithIt) {
+  SolidOptions options;
+  options.size = 80;
+  options.thickness = 1;
+  options.height = 11;
+  const auto solid = make_solid(ball(), {}, options);
+  ASSERT_TRUE(solid.ok());
+  const Model& model = solid->drawn.model;
+  const Box3 box = extent(model);
+  EXPECT_NEAR(box.max.z, 11, 1e-4);
+  EXPECT_NEAR(box.max.x, 80, 1e-4);
+  EXPECT_EQ(what_is_wrong(census(*solid)), "");
+  // The ellipsoid (x / 40)^2 + (y / 40)^2 + (z / 10)^2 = 1 around (40, 40, 1).
+  int checked = 0;
+  for (size_t v = 0; v < model.positions.size(); ++v) {
+    const Point3 p = model.positions[v] - Point3{40, 40, 1};
+    if (p.z < 1 || model.normals[v].z < 0.1) continue;
+    const Point3 expected = normalized({p.x / 1600, p.y / 1600, p.z / 100});
+    EXPECT_LT(norm(model.normals[v] - expected), 1e-3);
+    ++checked;
+  }
+  EXPECT_GT(checked, 1000);
+  options.height = 400;
+  const auto high = make_solid(ball(), {}, options);
+  ASSERT_TRUE(high.ok());
+  EXPECT_NEAR(extent(high->drawn.model).max.z, 41, 1e-4);
+}
+
 TEST(MakeSolid, HangsByAHoleOrARing) {
   SolidOptions options;
   options.base = BaseShape::plate;
