@@ -22,8 +22,9 @@ inline ReliefOptions joint_options(int vertices, double lambda_bnd) {
   return options;
 }
 
-inline JointCase joint_case(const Scene& scene, int vertices, double lambda_bnd) {
+inline JointCase joint_case(const Scene& scene, int vertices, double lambda_bnd, bool glue = true) {
   JointCase result{scene, joint_options(vertices, lambda_bnd), {}};
+  result.options.layers.glue = glue;
   Result<Relief> relief = build_relief(scene, result.options);
   EXPECT_TRUE(relief.ok()) << (relief.ok() ? "" : to_string(relief.error()));
   if (relief.ok()) result.approximate = *relief;

@@ -51,6 +51,16 @@ double source_screening(const Part& part, double scale) {
   return std::pow(8 * part.flat * length / area, 2);
 }
 
+/// Those that pairs can hold against the pull to the drawing plane.
+std::set<int> liftable_nodes(const LayeredMesh& mesh, const VectorXd& sign) {
+  std::set<int> nodes;
+  for (const DepthPair& pair : mesh.constraints) {
+    if (pair.equal || sign[pair.upper] > 0) nodes.insert(pair.upper);
+    if (pair.equal || sign[pair.lower] < 0) nodes.insert(pair.lower);
+  }
+  return nodes;
+}
+
 /// Half the derivative of the inflation energy with respect to u.
 VectorXd inflation_force(const JointProgram& program, const VectorXd& u) {
   VectorXd weighted = program.L * u - program.load;
@@ -93,11 +103,9 @@ JointProgram make_joint_program(const LayeredMesh& mesh, const Scene& scene,
   program.L.diagonal() += load_vector(flat, screening);
   program.sign = signs_by_flooding(mesh, scene);
   program.bound_mass = VectorXd::Zero(program.mass.size());
-  std::set<int> glued;
-  for (const DepthPair& pair : mesh.constraints)
-    if (pair.equal) glued.insert({pair.lower, pair.upper});
+  const std::set<int> liftable = liftable_nodes(mesh, program.sign);
   for (const RampNode& node : mesh.ramp_nodes)
-    if (glued.count(node.node) > 0) program.bound_mass[node.node] += program.scale * node.mass;
+    if (liftable.count(node.node) > 0) program.bound_mass[node.node] += program.scale * node.mass;
   program.held = VectorXd::Zero(program.mass.size());
   for (int n = 0; n < static_cast<int>(mesh.node_role.size()); ++n) {
     const bool free =

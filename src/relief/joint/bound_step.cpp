@@ -20,6 +20,9 @@ namespace {
 /// The matrix serves as long as no spring has changed by so much of the stiffness there.
 constexpr double tolerated_change = 0.1;
 
+/// How often gaps on B may open and close within a step.
+constexpr int side_rounds = 8;
+
 /// It only leads the way.
 constexpr double step_tolerance = 1e-9;
 
@@ -34,6 +37,13 @@ std::vector<int> heights_first(const SoftMatrix& matrix) {
     if (i < matrix.heights()) order.push_back(i);
   for (Index i = matrix.heights(); i < matrix.T.cols(); ++i) order.push_back(static_cast<int>(i));
   return order;
+}
+
+/// Where gaps are open f is 0, and nothing but the heights resists them.
+VectorXd without(const std::vector<uint8_t>& open, VectorXd springs) {
+  for (size_t i = 0; i < open.size(); ++i)
+    if (open[i] != 0) springs[static_cast<Index>(i)] = 0;
+  return springs;
 }
 
 SparseMatrix lower_triangle(const MatrixXd& A) {
@@ -84,7 +94,8 @@ SolveStatus BoundStep::prepare(const BoundStiffness& known, const RunContext& co
   springs_ = VectorXd::Zero(K.rows());
   qp_.K = lower_triangle(direction_.asDiagonal() * K * direction_.asDiagonal());
   qp_.bounded.clear();
-  for (const int n : model_.bound) qp_.bounded.push_back(model_.sign[n] != 0);
+  for (Index i = 0; i < K.rows(); ++i)
+    qp_.bounded.push_back(model_.sign[model_.bound[i]] != 0 && model_.loose_gap[i] < 0);
   factor_.analyse(qp_.K, Refactorisation::incremental);
   return SolveStatus::solved;
 }
@@ -96,11 +107,26 @@ BoundStiffness BoundStep::stiffness() const {
   return {model_.bound_marks, direction_.asDiagonal() * K * direction_.asDiagonal()};
 }
 
+std::vector<uint8_t> BoundStep::open_at(const VectorXd& z) const {
+  std::vector<uint8_t> open(model_.bound.size(), 0);
+  for (size_t i = 0; i < open.size(); ++i)
+    open[i] = model_.loose_gap[i] >= 0 && z[static_cast<Index>(i)] < 0;
+  return open;
+}
+
 void BoundStep::renew_springs(const VectorXd& springs) {
   const auto change = (springs - springs_).cwiseAbs().array();
   if ((change <= tolerated_change * (own_diagonal_ + springs_).array()).all()) return;
   springs_ = springs;
   qp_.K.diagonal() = own_diagonal_ + springs;
+}
+
+void BoundStep::resist_opening(double share) {
+  for (Index i = 0; i < own_diagonal_.size(); ++i) {
+    const int n = model_.bound[i];
+    if (model_.loose_gap[i] >= 0) own_diagonal_[i] += share * model_.metric.A.coeff(n, n);
+  }
+  if (own_diagonal_.size() > 0) qp_.K.diagonal() = own_diagonal_ + springs_;
 }
 
 VectorXd BoundStep::stiffness_against(const VectorXd& change) const {
@@ -112,23 +138,32 @@ SolveStatus BoundStep::move(const VectorXd& slope, const VectorXd& springs,
                             const RunContext& context, VectorXd& f) {
   if (f.size() == 0) return SolveStatus::solved;
   const VectorXd scaled = springs / model_.lambda_shift;
-  renew_springs(scaled);
-  const VectorXd z = direction_.cwiseProduct(f);
-  BoundQpOptions options;
-  options.start = z;
-  options.start_gradient = direction_.cwiseProduct(slope) / model_.lambda_shift;
-  options.start_active = active_;
-  options.tolerance = step_tolerance;
-  options.refine = false;
-  qp_.b = multiply_symmetric(qp_.K, z) - options.start_gradient;
-  const BoundQpSolution solution = solve_bound_qp(qp_, factor_, std::move(options), context);
-  if (solution.report.status == SolveStatus::not_positive_definite && is_known_) {
-    const SolveStatus status = prepare({}, context);
-    return status == SolveStatus::solved ? move(slope, springs, context, f) : status;
+  const VectorXd start = direction_.cwiseProduct(f);
+  std::vector<uint8_t> open = open_at(start);
+  renew_springs(without(open, scaled));
+  VectorXd gradient = direction_.cwiseProduct(slope) / model_.lambda_shift;
+  qp_.b = multiply_symmetric(qp_.K, start) - gradient;
+  for (int round = 0;; ++round) {
+    BoundQpOptions options;
+    options.start = start;
+    options.start_gradient = gradient;
+    options.start_active = active_;
+    options.tolerance = step_tolerance;
+    options.refine = false;
+    const BoundQpSolution solution = solve_bound_qp(qp_, factor_, std::move(options), context);
+    if (solution.report.status == SolveStatus::not_positive_definite && is_known_) {
+      const SolveStatus status = prepare({}, context);
+      return status == SolveStatus::solved ? move(slope, springs, context, f) : status;
+    }
+    if (solution.report.status != SolveStatus::solved) return solution.report.status;
+    active_ = solution.active;
+    f = direction_.cwiseProduct(solution.z);
+    std::vector<uint8_t> now = open_at(solution.z);
+    if (now == open || round == side_rounds) return SolveStatus::solved;
+    open = std::move(now);
+    renew_springs(without(open, scaled));
+    gradient = multiply_symmetric(qp_.K, start) - qp_.b;
   }
-  active_ = solution.active;
-  f = direction_.cwiseProduct(solution.z);
-  return solution.report.status;
 }
 
 }  // namespace relievo

@@ -31,21 +31,29 @@ class BoundStep {
   /// What was found. Precondition: prepared.
   BoundStiffness stiffness() const;
 
+  /// Makes steps of loose nodes shorter, by a share of what holds each of them while all heights
+  /// beside it are held.
+  void resist_opening(double share);
+
   /// #B, -1 where u is negative on the surface, else 1. Precondition: prepared.
   const Eigen::VectorXd& direction() const { return direction_; }
 
   /// How the slope grows for a change of f, #B. Precondition: a move was made.
   Eigen::VectorXd stiffness_against(const Eigen::VectorXd& change) const;
 
-  /// Takes f (#B) to the next one; where u has one sign, it does not pass 0. `slope`: #B, of the
-  /// energy / 2 with respect to f; `springs`: #B, what else resists f, positive. O(#B^2), or
-  /// O(#B^3) where the springs are no longer those of the last call. Where what was known of the
-  /// stiffness does not hold f, it is found anew. Precondition: prepared.
+  /// Takes f (#B) to the next one; where u has one sign, it does not pass 0, but at loose nodes,
+  /// where -f is then the gap. `slope`: #B, of the energy / 2 with respect to f; `springs`: #B,
+  /// what else resists f, positive, at loose nodes as long as their gaps are closed. O(#B^2), or
+  /// O(#B^3) where the springs are no longer those of the last call, as whenever a gap opens or
+  /// closes. Where what was known of the stiffness does not hold f, it is found anew. Precondition:
+  /// prepared.
   SolveStatus move(const Eigen::VectorXd& slope, const Eigen::VectorXd& springs,
                    const RunContext& context, Eigen::VectorXd& f);
 
  private:
   SolveStatus eliminate_heights(int rings, const RunContext& context, Eigen::MatrixXd& K) const;
+  /// #B: whether the gap is open there.
+  std::vector<uint8_t> open_at(const Eigen::VectorXd& z) const;
   void renew_springs(const Eigen::VectorXd& springs);
 
   const JointModel& model_;

@@ -23,11 +23,14 @@ constexpr double mixed_growth_limit = 3;
 constexpr double rough = 1e-3;
 
 /// In the order in which they are tried where u may have either sign somewhere.
-constexpr Softness softnesses[] = {
-    {false, 0.1, 0.05}, {false, 0.1, 0.1}, {false, 0.5, 0.1}, {true, 0.1, 0.1}, {false, 0.1, 0.2}};
+constexpr Softness softnesses[] = {{false, 0.1, 0, 0.05},
+                                   {false, 0.1, 0, 0.1},
+                                   {false, 0.5, 0.1, 0.1},
+                                   {true, 0.1, 0.1, 0.1},
+                                   {false, 0.1, 0.1, 0.2}};
 
 /// The same where it has one sign on every surface.
-constexpr Softness pure_softnesses[] = {{false}, {true, 0.1}};
+constexpr Softness pure_softnesses[] = {{false}, {false, 1, 0.1}, {true, 0.1, 0.1}};
 
 std::span<const Softness> softnesses_of(const JointModel& model) {
   if (is_mixed(model)) return softnesses;
@@ -57,6 +60,7 @@ void record(JointStep step, const VectorXd& u, const JointOptions& options, Join
 Status finish(JointMap& map, const JointOptions& options, const RunContext& context,
               JointRun& run) {
   run.report.status = JointStatus::solved;
+  run.pulled = map.pulled();
   run.bound = map.bound_stiffness();
   if (!options.probe_ends) return Done{};
   return check_solved(map.probe_ends(run.state, context, run.bound));

@@ -21,6 +21,7 @@ struct JointRun {
   JointState state;
   JointReport report;
   std::vector<KeptState> kept;  ///< those that the options ask for
+  std::vector<int> pulled;      ///< JointMap::pulled where it converged
   BoundStiffness bound;         ///< known of a similar problem at first, then of this one
 };
 

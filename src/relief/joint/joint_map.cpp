@@ -19,6 +19,10 @@ constexpr double smallest_u = 1e-3;
 constexpr double softest = 0.2;
 /// Of a residual that is smooth.
 constexpr Index smooth_samples = 1000;
+/// Of the largest force, for a gap that would have to pull.
+constexpr double least_pull = 1e-6;
+/// Of the largest f, for gaps on B.
+constexpr double widest_gap = 4;
 /// Of the largest f on B, to see how its slope changes.
 constexpr double relative_rise = 1e-4;
 
@@ -55,10 +59,13 @@ JointMap::JointMap(const JointSystems& systems, const Softness& softness)
       soft_(soft_nodes(model_, nodes_, softness.all)),
       held_f_(model_.held.unaryExpr(&signed_root)),
       contact_step_(model_, systems.order, soft_),
+      gap_columns_(systems.order.problem.variables.T),
       bound_step_(systems.bound),
       bounds_(model_.bound_mass.size()),
       stiffening_(VectorXd::Zero(bounds_)),
-      compliance_(compliance_of_soft_nodes(softness.share)) {}
+      compliance_(compliance_of_soft_nodes(softness.share)) {
+  if (softness.loose > 0) bound_step_.resist_opening(softness.loose);
+}
 
 VectorXd JointMap::pack(const JointState& state) const {
   const auto contacts = static_cast<Index>(nodes_.size());
@@ -84,7 +91,8 @@ void JointMap::unpack(const VectorXd& x, JointState& state) const {
   for (Index i = 0; i < bounds_; ++i) {
     const int n = model_.bound[i];
     const double f = x[contacts + i];
-    state.u[n] = model_.sign[n] * f < 0 ? 0 : f * std::abs(f);
+    const bool sunk = model_.sign[n] * f < 0 && model_.loose_gap[i] < 0;
+    state.u[n] = sunk ? 0 : f * std::abs(f);
   }
   for (Index i = 0; i < compliance_.size(); ++i)
     state.load[soft_[i]] = x[contacts + bounds_ + i] / compliance_[i];
@@ -117,8 +125,8 @@ JointMap::Answer JointMap::answer_to_change(const JointState& state, const Vecto
   const VectorXd before = f_on_bound(state);
   const VectorXd after = before + change;
   JointState changed = state;
-  changed.u += response_.extension(after.cwiseProduct(after.cwiseAbs()) -
-                                   before.cwiseProduct(before.cwiseAbs()));
+  changed.u += response_.extension(squares_on_bound(after) - squares_on_bound(before));
+  set_bound(after, changed);
   return answer_to(changed, context);
 }
 
@@ -128,14 +136,18 @@ SolveStatus JointMap::apply(JointState& state, JointStep& step, const RunContext
   const Excess& excess = answer.excess;
   slope_ = answer.slope;
   VectorXd f_bound = f_on_bound(state);
+  pulled_ = pulled_gaps(f_bound, answer.contact);
   const SolveStatus moved =
       bound_step_.move(slope_, springs_on_bound(f_bound, excess), context, f_bound);
   if (moved != SolveStatus::solved) return moved;
+  keep_loose_within_reach(state, f_bound);
   state.load = std::move(answer.load);
-  state.u = response_.inflate(excess, f_bound.cwiseProduct(f_bound.cwiseAbs()));
+  const VectorXd u_bound = squares_on_bound(f_bound);
+  state.u = response_.inflate(excess, u_bound);
+  set_bound(f_bound, state);
   step.factorisations = answer.contact.factorisations;
   step.energy.inflation = excess.energy;
-  step.energy.boundary = model_.lambda_bnd * model_.bound_mass.dot(f_bound.cwiseAbs2());
+  step.energy.boundary = model_.lambda_bnd * model_.bound_mass.dot(u_bound.cwiseAbs());
   step.energy.shift = answer.contact.shift_energy;
   return SolveStatus::solved;
 }
@@ -146,12 +158,59 @@ VectorXd JointMap::f_on_bound(const JointState& state) const {
   return f;
 }
 
+bool JointMap::is_open(Index i, double f) const {
+  return model_.loose_gap[i] >= 0 && f * (model_.sign[model_.bound[i]] < 0 ? -1 : 1) < 0;
+}
+
+/// Those that are closed and would have to pull.
+std::vector<int> JointMap::pulled_gaps(const VectorXd& f, const Contact& contact) const {
+  const double tolerance = least_pull * contact.force.lpNorm<Eigen::Infinity>();
+  std::vector<int> gaps;
+  for (Index i = 0; i < bounds_; ++i) {
+    const int gap = model_.loose_gap[i];
+    if (gap >= 0 && !is_open(i, f[i]) && gap_columns_.col(gap).dot(contact.force) < -tolerance)
+      gaps.push_back(gap);
+  }
+  return gaps;
+}
+
+/// A part that is free to move as a whole hardly resists, until it meets another.
+void JointMap::keep_loose_within_reach(const JointState& state, VectorXd& f_bound) const {
+  double largest = 0;
+  for (const int n : model_.inner) largest = std::max(largest, std::abs(state.u[n]));
+  const double reach = widest_gap * std::sqrt(largest);
+  for (Index i = 0; i < bounds_; ++i)
+    if (model_.loose_gap[i] >= 0) f_bound[i] = std::clamp(f_bound[i], -reach, reach);
+}
+
+/// u there; 0 where the gap is open.
+VectorXd JointMap::squares_on_bound(const VectorXd& f) const {
+  VectorXd u = f.cwiseProduct(f.cwiseAbs());
+  for (Index i = 0; i < bounds_; ++i)
+    if (is_open(i, f[i])) u[i] = 0;
+  return u;
+}
+
+void JointMap::set_bound(const VectorXd& f, JointState& state) const {
+  for (Index i = 0; i < bounds_; ++i) state.u[model_.bound[i]] = f[i] * std::abs(f[i]);
+}
+
+/// #N: by how much the gaps that are open there move the heights.
+VectorXd JointMap::opening(const VectorXd& f_bound) const {
+  VectorXd rise = VectorXd::Zero(model_.held.size());
+  for (Index i = 0; i < bounds_; ++i)
+    if (is_open(i, f_bound[i]))
+      rise += std::abs(f_bound[i]) * gap_columns_.col(model_.loose_gap[i]);
+  return rise;
+}
+
 VectorXd JointMap::fixed_f(const JointState& state) const {
   VectorXd f = held_f_;
   for (const int n : nodes_) f[n] = root(n).f(state.u[n]);
   const VectorXd f_bound = f_on_bound(state);
-  for (Index i = 0; i < bounds_; ++i) f[model_.bound[i]] = f_bound[i];
-  return f;
+  const VectorXd u_bound = squares_on_bound(f_bound);
+  for (Index i = 0; i < bounds_; ++i) f[model_.bound[i]] = signed_root(u_bound[i]);
+  return f - opening(f_bound);
 }
 
 /// The slope of the energy / 2 with respect to f on B: its own, that of the inflation, and the
@@ -160,6 +219,11 @@ VectorXd JointMap::slope_on_bound(const VectorXd& f, const Contact& contact,
                                   const Excess& excess) const {
   VectorXd slope(bounds_);
   for (Index i = 0; i < bounds_; ++i) {
+    if (is_open(i, f[i])) {
+      const double widening = gap_columns_.col(model_.loose_gap[i]).dot(contact.force);
+      slope[i] = model_.sign[model_.bound[i]] < 0 ? widening : -widening;
+      continue;
+    }
     const double own = model_.lambda_bnd * model_.bound_mass[i];
     slope[i] = own * f[i] + 2 * std::abs(f[i]) * excess.slope[i] - contact.force[model_.bound[i]];
   }
@@ -174,7 +238,7 @@ VectorXd JointMap::springs_on_bound(const VectorXd& f, const Excess& excess) con
     const int n = model_.bound[i];
     const double slope = excess.slope[i];
     const double own = model_.lambda_bnd * model_.bound_mass[i];
-    const bool sunk = f[i] < 0 || (f[i] == 0 && model_.sign[n] < 0);
+    const bool sunk = is_open(i, f[i]) ? f[i] > 0 : f[i] < 0 || (f[i] == 0 && model_.sign[n] < 0);
     const double resistance = own + 2 * (sunk ? -slope : slope);
     springs[i] += resistance >= softest * own ? resistance : own + 2 * std::abs(slope);
   }
@@ -283,6 +347,8 @@ SolveStatus JointMap::find_heights(JointState& state, const RunContext& context)
   const SolveStatus status = contact_step_.complete(context);
   if (status != SolveStatus::solved) return status;
   state.h = contact_step_.heights();
+  const VectorXd rise = opening(f_on_bound(state)) / model_.metric.scale;
+  for (Index n = 0; n < rise.size(); ++n) state.h[n] += rise[n];
   for (const int n : apart_) state.h[n] += signed_root(state.u[n]) / model_.metric.scale;
   return status;
 }

@@ -17,7 +17,7 @@ namespace relievo {
 
 /// Where the iteration stands; scene units.
 struct JointState {
-  Eigen::VectorXd u;      ///< #N, its root is f; on B too
+  Eigen::VectorXd u;      ///< #N, its root is f; on loose B of the other sign where the gap is -f
   Eigen::VectorXd load;   ///< #N, with which the depth pairs change u
   std::vector<double> h;  ///< #N, px, obeys the pairs; empty before the first end
 };
@@ -26,6 +26,7 @@ struct JointState {
 struct Softness {
   bool all = false;  ///< all of them, not only those where u may have either sign
   double share = 1;  ///< how much of their compliance counts; larger is slower and firmer
+  double loose = 0;  ///< what resists steps of loose nodes besides, BoundStep::resist_opening
   double width = 0;  ///< of the root where u may have either sign, scene units
 };
 
@@ -74,6 +75,10 @@ class JointMap {
   /// from now on. Costs little more than a step. What comes from a similar problem has its springs.
   SolveStatus stiffen(const JointState& state, const RunContext& context);
 
+  /// Gaps that were held closed in the last step though they would have come loose, by their
+  /// children.
+  const std::vector<int>& pulled() const { return pulled_; }
+
   /// That of f on B.
   BoundStiffness bound_stiffness() const;
 
@@ -101,6 +106,12 @@ class JointMap {
                           const RunContext& context);
   Eigen::VectorXd fixed_f(const JointState& state) const;
   Eigen::VectorXd f_on_bound(const JointState& state) const;
+  Eigen::VectorXd opening(const Eigen::VectorXd& f) const;
+  Eigen::VectorXd squares_on_bound(const Eigen::VectorXd& f) const;
+  void set_bound(const Eigen::VectorXd& f, JointState& state) const;
+  bool is_open(Eigen::Index i, double f) const;
+  void keep_loose_within_reach(const JointState& state, Eigen::VectorXd& f_bound) const;
+  std::vector<int> pulled_gaps(const Eigen::VectorXd& f, const Contact& contact) const;
   Springs springs(const JointState& state) const;
   Eigen::VectorXd next_load(const Eigen::VectorXd& f, const JointState& state,
                             const Contact& contact) const;
@@ -122,9 +133,11 @@ class JointMap {
   std::vector<int> soft_;   ///< those of nodes_ whose f is unknown in the contact
   Eigen::VectorXd held_f_;  ///< #N, f where it is neither free nor on B; 0 elsewhere
   ContactStep contact_step_;
+  const SparseMatrix& gap_columns_;  ///< what heights do when a gap opens
   BoundStep& bound_step_;
   Eigen::Index bounds_;    ///< #B
   Eigen::VectorXd slope_;  ///< #B, of the energy / 2 with respect to f, where the last step began
+  std::vector<int> pulled_;
   Eigen::VectorXd stiffening_;  ///< #B, springs beyond those of the energy
   Eigen::VectorXd compliance_;  ///< of the soft nodes: change of u for a change of load
 };

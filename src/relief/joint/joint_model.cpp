@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "relief/inflation/poisson_terms.h"
 #include "relief/layers/joined_surface.h"
@@ -10,21 +11,30 @@
 namespace relievo {
 namespace {
 
+/// #N: whether a pair ties the node to another part, or may lift f there.
+std::vector<uint8_t> lifted_nodes(const LayeredMesh& mesh, const JointModel& model) {
+  std::vector<uint8_t> lifted(mesh.node_role.size(), 0);
+  for (const DepthPair& pair : mesh.constraints) {
+    if (pair.equal || model.sign[pair.upper] >= 0) lifted[pair.upper] = 1;
+    if (pair.equal || model.sign[pair.lower] < 0) lifted[pair.lower] = 1;
+  }
+  return lifted;
+}
+
 /// B with the outline that its nodes stand for; a node under two ranges counts once for each.
 void collect_bound(const LayeredMesh& mesh, JointModel& model) {
-  std::vector<uint8_t> glued(mesh.node_role.size(), 0);
-  for (const DepthPair& pair : mesh.constraints)
-    if (pair.equal) glued[pair.lower] = glued[pair.upper] = 1;
+  const std::vector<uint8_t> lifted = lifted_nodes(mesh, model);
   for (const RampNode& node : mesh.ramp_nodes)
-    if (glued[node.node] != 0) model.bound.push_back(node.node);
+    if (lifted[node.node] != 0) model.bound.push_back(node.node);
   std::sort(model.bound.begin(), model.bound.end());
   model.bound.erase(std::unique(model.bound.begin(), model.bound.end()), model.bound.end());
   model.bound_mass = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.bound.size()));
   for (const RampNode& node : mesh.ramp_nodes) {
-    if (glued[node.node] == 0) continue;
+    if (lifted[node.node] == 0) continue;
     const auto at = std::lower_bound(model.bound.begin(), model.bound.end(), node.node);
     model.bound_mass[at - model.bound.begin()] += model.metric.scale * node.mass;
   }
+  model.loose_gap.assign(model.bound.size(), -1);
   for (size_t i = 0; i < model.bound.size(); ++i) {
     const int n = model.bound[i];
     const double length = model.bound_mass[static_cast<Eigen::Index>(i)] / model.metric.scale;
@@ -50,12 +60,24 @@ void collect_ends(const LayeredMesh& mesh, JointModel& model) {
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
 }
 
-/// The other nodes under ranges stay as the start has them.
+/// #N: whether the node is seen from the front or in a pair.
+std::vector<uint8_t> shown_nodes(const LayeredMesh& mesh) {
+  std::vector<uint8_t> shown(mesh.node_role.size(), 0);
+  for (size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (mesh.stack_begin[t + 1] > mesh.stack_begin[t])
+      for (const int n : mesh.faces[mesh.stack_begin[t + 1] - 1]) shown[n] = 1;
+  for (const DepthPair& pair : mesh.constraints) shown[pair.lower] = shown[pair.upper] = 1;
+  return shown;
+}
+
+/// Of the other nodes under ranges those that nobody sees stay as the start has them. On the rest
+/// lambda_bnd pulls, and nothing against it.
 void hold_rest_of_ranges(const LayeredMesh& mesh, const Inflation& start, JointModel& model) {
   const double area = model.metric.scale * model.metric.scale;
+  const std::vector<uint8_t> shown = shown_nodes(mesh);
   model.held = Eigen::VectorXd::Zero(model.load.size());
-  for (const RampNode& node : mesh.ramp_nodes) model.held[node.node] = area * start.u[node.node];
-  for (const int n : model.bound) model.held[n] = 0;
+  for (const RampNode& node : mesh.ramp_nodes)
+    if (shown[node.node] == 0) model.held[node.node] = area * start.u[node.node];
 }
 
 void number_inner(JointModel& model) {
@@ -88,6 +110,20 @@ JointModel make_joint_model(const OrderingInput& input, const ShiftMetric& metri
   }
   number_inner(model);
   return model;
+}
+
+/// A node that is tied is not loose, whatever else it touches.
+void find_loose_bound(const DepthForest& forest, JointModel& model) {
+  std::vector<int> lifted(model.place.size(), -1);
+  for (const DepthGap& gap : forest.gaps) {
+    const auto [lower, upper] =
+        gap.sign > 0 ? std::pair(gap.parent, gap.child) : std::pair(gap.child, gap.parent);
+    if (model.sign[upper] >= 0 && lifted[upper] < 0) lifted[upper] = gap.child;
+    if (model.sign[lower] < 0 && lifted[lower] < 0) lifted[lower] = gap.child;
+  }
+  for (const DepthGap& gap : forest.gaps)
+    if (gap.equal) lifted[gap.parent] = lifted[gap.child] = -1;
+  for (size_t i = 0; i < model.bound.size(); ++i) model.loose_gap[i] = lifted[model.bound[i]];
 }
 
 bool is_mixed(const JointModel& model) {

@@ -7,6 +7,7 @@
 #include "relief/inflation/inflation.h"
 #include "relief/joint/bound_stiffness.h"
 #include "relief/joint/joint_solution.h"
+#include "relief/ordering/depth_forest.h"
 #include "relief/ordering/order_depth.h"
 #include "relief/ordering/shift_metric.h"
 
@@ -26,14 +27,21 @@ struct JointModel {
   std::vector<int> inner;        ///< nodes whose u is free, ascending
   std::vector<int> bound;        ///< nodes of B, ascending
   std::vector<int> bound_ends;   ///< of each range the place in `bound` next to the join, ascending
-  Eigen::VectorXd held;          ///< #N, u where it is neither free nor on B; 0 elsewhere
-  Eigen::VectorXd bound_mass;    ///< #B, lengths of outline that they stand for
+  /// #B, where nothing but an inequality lifts f: the child of the gap that opens once f is 0; else
+  /// -1, as everywhere before find_loose_bound.
+  std::vector<int> loose_gap;
+  Eigen::VectorXd held;                ///< #N, u where it is neither free nor on B; 0 elsewhere
+  Eigen::VectorXd bound_mass;          ///< #B, lengths of outline that they stand for
   std::vector<BoundMark> bound_marks;  ///< #B, where they lie
 };
 
-/// B are the nodes under Robin ranges that a pair glues to another part. The others under ranges
-/// keep the u of the input, and so do free nodes where it is 0. `metric`: with its leans. O(N + F).
+/// B are the nodes under Robin ranges that pairs tie to another part or may lift. Of the others u
+/// is 0, or that of the input where they are hidden and in no pair; so it is for free nodes where
+/// it is 0. `metric`: with its leans. O(N + F).
 JointModel make_joint_model(const OrderingInput& input, const ShiftMetric& metric);
+
+/// Finds where B is loose. O(N).
+void find_loose_bound(const DepthForest& forest, JointModel& model);
 
 /// Whether u may have either sign somewhere. O(N).
 bool is_mixed(const JointModel& model);

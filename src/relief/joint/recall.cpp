@@ -40,9 +40,10 @@ std::optional<double> rise_at(const std::vector<JointMark>& marks, const JointMa
 
 void recall_bound(const LayeredMesh& mesh, const JointModel& model,
                   const std::vector<JointMark>& marks, JointState& state) {
-  for (const int n : model.bound) {
+  for (size_t i = 0; i < model.bound.size(); ++i) {
+    const int n = model.bound[i];
     const double u = state.u[n] + rise_at(marks, place_of(mesh, n)).value_or(0);
-    state.u[n] = model.sign[n] * u < 0 ? 0 : u;
+    state.u[n] = model.sign[n] * u < 0 && model.loose_gap[i] < 0 ? 0 : u;
   }
 }
 

@@ -24,6 +24,9 @@ using Eigen::VectorXd;
 
 /// How often nodes with the wrong sign are looked for.
 constexpr int sign_rounds = 3;
+/// How often gaps that would pull are let go, and how long that may take each time.
+constexpr int release_rounds = 3;
+constexpr int release_iterations = 40;
 
 bool is_positive(double value) { return value > 0 && std::isfinite(value); }
 
@@ -47,9 +50,10 @@ Status check_options(const JointOptions& options) {
 
 JointState first_state(const JointModel& model, const Inflation& start) {
   JointState state;
-  state.u.resize(static_cast<Eigen::Index>(start.u.size()));
   const double area = model.metric.scale * model.metric.scale;
-  for (Eigen::Index n = 0; n < state.u.size(); ++n) state.u[n] = area * start.u[n];
+  state.u = model.held;
+  for (const std::vector<int>* nodes : {&model.inner, &model.bound})
+    for (const int n : *nodes) state.u[n] = area * start.u[n];
   state.load = VectorXd::Zero(state.u.size());
   return state;
 }
@@ -58,6 +62,21 @@ VectorXd in_scene_units(const std::vector<double>& values, double factor) {
   VectorXd result(static_cast<Eigen::Index>(values.size()));
   for (Eigen::Index n = 0; n < result.size(); ++n) result[n] = factor * values[n];
   return result;
+}
+
+/// Holds these gaps (a list with -1 for none) at what the iteration says, or lets them go again,
+/// as they were: both have the same matrix.
+void hold_gaps(const std::vector<int>& gaps, bool held, DepthSystem& system) {
+  std::vector<uint8_t> meant(system.closed.size(), 0);
+  for (const int gap : gaps)
+    if (gap >= 0) meant[gap] = 1;
+  GapVariables& variables = system.problem.variables;
+  for (DepthGap& gap : system.problem.forest.gaps) {
+    if (meant[gap.child] == 0) continue;
+    gap.equal = held;
+    variables.fixed[gap.child] = system.qp.fixed[gap.child] = held;
+    variables.bounded[gap.child] = system.qp.bounded[gap.child] = !held;
+  }
 }
 
 /// The iteration with what it solves with.
@@ -77,7 +96,6 @@ class JointSolver {
     run_.state = first_state(model_, input.inflation);
     u_start_ = run_.state.u;
     run_.bound = known.bound;
-    recall(input.mesh, model_, input.mesh.constraints, known.marks, run_.state);
   }
 
   /// Fills in inflation, ordering and snapshots.
@@ -86,7 +104,11 @@ class JointSolver {
     if (context_.cancelled()) return interrupted_error();
     DepthSystem& order_system = system_.system;
     order_system.closed = gaps_like(input_.mesh, order_system.problem, known_.contacts);
-    if (Status status = iterate(); !status) return status;
+    find_loose_bound(order_system.problem.forest, model_);
+    recall(input_.mesh, model_, input_.mesh.constraints, known_.marks, run_.state);
+    if (Status status = iterate_holding(options_); !status) return status;
+    if (run_.report.status == JointStatus::solved && !is_mixed(model_))
+      if (Status status = release_pulled(); !status) return status;
     for (const KeptState& kept : std::exchange(run_.kept, {})) {
       JointSnapshot snapshot{kept.step, inflation_of(kept.u), {}};
       const Status status = order(snapshot.inflation, snapshot.ordering);
@@ -107,14 +129,14 @@ class JointSolver {
   JointReport report(const Ordering& ordering) const {
     JointReport report = run_.report;
     const VectorXd g = in_scene_units(ordering.g, model_.metric.scale);
-    report.energy = joint_energy(model_, run_.state.u, g);
+    report.energy = joint_energy(model_, with_signs(run_.state.u), g);
     return report;
   }
 
  private:
   /// Iterates; where u comes out with the wrong sign, as obtuse faces allow, holds it at 0 and
   /// goes on.
-  Status iterate() {
+  Status iterate(const JointOptions& options) {
     VectorXd& u = run_.state.u;
     BoundStep bound(model_, system_.system);
     if (Status status = prepare(bound); !status) return status;
@@ -124,14 +146,63 @@ class JointSolver {
         return Error{ErrorCode::internal, "the inflation has no finite solution", ""};
       if (std::exchange(recalled_, false)) inflate_recalled();
       const Status status =
-          iterate_jointly({*response_, system_.system, bound}, options_, context_, run_);
+          iterate_jointly({*response_, system_.system, bound}, options, context_, run_);
       if (!status) return status;
       if (i == sign_rounds || !hold_wrong_signs(u, model_)) break;
       response_.reset();
     }
-    for (Eigen::Index n = 0; n < u.size(); ++n)
-      if (model_.sign[n] * u[n] < 0) u[n] = 0;
     return Done{};
+  }
+
+  /// Iterates with the gaps on loose B held at what the iteration says of them.
+  Status iterate_holding(const JointOptions& options) {
+    DepthSystem& order_system = system_.system;
+    hold_gaps(model_.loose_gap, true, order_system);
+    const Status status = iterate(options);
+    hold_gaps(model_.loose_gap, false, order_system);
+    for (size_t i = 0; i < model_.bound.size(); ++i)
+      if (model_.loose_gap[i] >= 0)
+        order_system.closed[model_.loose_gap[i]] = lifted(run_.state.u, i) >= 0;
+    return status;
+  }
+
+  /// Where parts press beside B, u may rise there beyond what closes the gap, at little cost, and
+  /// what holds the gap would pull. Lets such gaps go, as long as that lowers the energy.
+  Status release_pulled() {
+    JointOptions options = options_;
+    options.max_iterations = std::min(options.max_iterations, release_iterations);
+    for (int round = 0; round < release_rounds && !run_.pulled.empty(); ++round) {
+      const JointRun before = run_;
+      for (int& gap : model_.loose_gap)
+        if (std::count(before.pulled.begin(), before.pulled.end(), gap) > 0) gap = -1;
+      run_.pulled.clear();
+      double energies[2] = {0, 0};
+      if (Status status = find_energy(energies[0]); !status) return status;
+      if (Status status = iterate_holding(options); !status) return status;
+      if (Status status = find_energy(energies[1]); !status) return status;
+      if (run_.report.status == JointStatus::solved && energies[1] < energies[0]) continue;
+      run_ = before;
+      break;
+    }
+    return Done{};
+  }
+
+  /// With the best heights for u.
+  Status find_energy(double& energy) {
+    const double scale = model_.metric.scale;
+    const VectorXd u = with_signs(run_.state.u);
+    const VectorXd f = u.unaryExpr(&signed_root);
+    Ordering ordering;
+    const SolveStatus solved =
+        solve_heights(system_.system, model_.metric, f / scale, ordering, context_);
+    energy = joint_energy(model_, u, in_scene_units(ordering.h, scale) - f).total();
+    return check_solved(solved);
+  }
+
+  /// u there in the direction in which gaps lift f; negative where one is open.
+  double lifted(const VectorXd& u, size_t i) const {
+    const int n = model_.bound[i];
+    return model_.sign[n] < 0 ? -u[n] : u[n];
   }
 
   Status prepare(BoundStep& bound) {
@@ -147,13 +218,25 @@ class JointSolver {
 
   /// What was recalled are values node by node: u becomes the inflation under the loads.
   void inflate_recalled() {
-    VectorXd u_bound(static_cast<Eigen::Index>(model_.bound.size()));
-    for (size_t i = 0; i < model_.bound.size(); ++i)
-      u_bound[static_cast<Eigen::Index>(i)] = run_.state.u[model_.bound[i]];
-    run_.state.u = response_->inflate(response_->excess(run_.state.load), u_bound);
+    VectorXd& u = run_.state.u;
+    const VectorXd known = u;
+    const VectorXd inflated = with_signs(u);
+    const VectorXd u_bound = inflated(model_.bound);
+    u = response_->inflate(response_->excess(run_.state.load), u_bound);
+    for (const int n : model_.bound) u[n] = known[n];
   }
 
-  Inflation inflation_of(const VectorXd& u) const {
+  /// What has the wrong sign is a gap, or left of obtuse faces.
+  VectorXd with_signs(VectorXd u) const {
+    for (Eigen::Index n = 0; n < u.size(); ++n)
+      if (model_.sign[n] * u[n] < 0) u[n] = 0;
+    for (size_t i = 0; i < model_.bound.size(); ++i)
+      if (model_.loose_gap[i] >= 0 && lifted(u, i) < 0) u[model_.bound[i]] = 0;
+    return u;
+  }
+
+  Inflation inflation_of(const VectorXd& u_and_gaps) const {
+    const VectorXd u = with_signs(u_and_gaps);
     Inflation inflation = make_inflation(input_.discretisation.gradients, u, model_.metric.scale);
     raise_bumps({input_.mesh, input_.discretisation, input_.scene}, options_.bumps, inflation);
     return inflation;

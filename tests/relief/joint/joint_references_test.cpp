@@ -63,11 +63,11 @@ struct Comparison {
 
 /// Scenes whose surfaces have one sign each: others have several minima. And without bumps, which
 /// are raised afterwards.
-Comparison compare_with_ipopt(double lambda_bnd, int scenes) {
+Comparison compare_with_ipopt(double lambda_bnd, int scenes, bool glue) {
   Comparison comparison;
   for (uint64_t seed = 1; comparison.scenes < scenes; ++seed) {
     const Scene scene = seed % 2 == 0 ? leaning(random_scene(seed), seed) : random_scene(seed);
-    const JointCase test = joint_case(scene, 300, lambda_bnd);
+    const JointCase test = joint_case(scene, 300, lambda_bnd, glue);
     const Relief& start = test.approximate;
     if (!start.layers.bump_nodes.empty()) continue;
     if (start.layers.ramp_nodes.empty() || !has_pure_surfaces(start.layers, test.scene)) continue;
@@ -89,14 +89,21 @@ Comparison compare_with_ipopt(double lambda_bnd, int scenes) {
 }
 
 TEST(JointReferences, IpoptFindsNothingBetterWithStiffBounds) {
-  const Comparison comparison = compare_with_ipopt(100, 50);
+  const Comparison comparison = compare_with_ipopt(100, 50, true);
+  RecordProperty("converged", comparison.converged);
+  RecordProperty("worst", std::to_string(comparison.worst));
+  EXPECT_GE(comparison.converged, 40);
+}
+
+TEST(JointReferences, IpoptFindsNothingBetterWithStiffBoundsThatAreNotGlued) {
+  const Comparison comparison = compare_with_ipopt(100, 50, false);
   RecordProperty("converged", comparison.converged);
   RecordProperty("worst", std::to_string(comparison.worst));
   EXPECT_GE(comparison.converged, 40);
 }
 
 TEST(JointReferences, IpoptFindsNothingBetterWithSoftBounds) {
-  const Comparison comparison = compare_with_ipopt(0.01, 50);
+  const Comparison comparison = compare_with_ipopt(0.01, 50, true);
   RecordProperty("converged", comparison.converged);
   RecordProperty("worst", std::to_string(comparison.worst));
   EXPECT_GE(comparison.converged, 30);

@@ -48,6 +48,37 @@ TEST(Pits, ShowAtTheLegWithStiffBoundsOnly) {
   EXPECT_GT(worst_end(build(scene, 0.01), scene), 0.95);
 }
 
+/// The integral of f^2 over B, which for minimisers cannot grow with lambda_bnd.
+double bound_integral(const Scene& scene, double lambda_bnd, bool glue) {
+  ReliefOptions options;
+  options.method = Method::nonlinear;
+  options.layers.glue = glue;
+  options.layers.vertex_budget = 3000;
+  options.joint.lambda_bnd = lambda_bnd;
+  const Result<Relief> relief = build_relief(scene, options);
+  EXPECT_TRUE(relief.ok()) << (relief.ok() ? "" : to_string(relief.error()));
+  if (!relief.ok()) return -1;
+  EXPECT_EQ(relief->joint.status, JointStatus::solved) << lambda_bnd;
+  return relief->joint.energy.boundary / lambda_bnd;
+}
+
+TEST(Pits, GrowWithLambdaWhetherOutlinesAreGluedOrNot) {
+  Scene above = body_and_leg();
+  above.relations.push_back({above.joins[0].upper, above.joins[0].lower, RelationKind::above, {}});
+  const std::pair<Scene, bool> cases[] = {
+      {body_and_leg(), true}, {body_and_leg(), false}, {above, true}};
+  for (const auto& [scene, glue] : cases) {
+    double last = bound_integral(scene, 0.01, glue);
+    const double soft = last;
+    for (const double lambda_bnd : {0.1, 1.0, 10.0, 100.0}) {
+      const double next = bound_integral(scene, lambda_bnd, glue);
+      EXPECT_LT(next, last) << lambda_bnd;
+      last = next;
+    }
+    EXPECT_LT(last, 0.5 * soft);
+  }
+}
+
 /// The lowest inflation at a join's end relative to that of the lower part alone.
 double worst_pit(const Scene& scene, double lambda_bnd) {
   Scene apart = scene;
