@@ -62,10 +62,7 @@ void collect_ends(const LayeredMesh& mesh, JointModel& model) {
 
 /// #N: whether the node is seen from the front or in a pair.
 std::vector<uint8_t> shown_nodes(const LayeredMesh& mesh) {
-  std::vector<uint8_t> shown(mesh.node_role.size(), 0);
-  for (size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (mesh.stack_begin[t + 1] > mesh.stack_begin[t])
-      for (const int n : mesh.faces[mesh.stack_begin[t + 1] - 1]) shown[n] = 1;
+  std::vector<uint8_t> shown = seen_nodes(mesh);
   for (const DepthPair& pair : mesh.constraints) shown[pair.lower] = shown[pair.upper] = 1;
   return shown;
 }
