@@ -39,8 +39,8 @@ struct JointPoint {
   Eigen::VectorXd g;  ///< #N
 };
 
-/// B are the nodes under ranges that pairs tie to another part or may lift. The others, and free
-/// nodes with u = 0, are held at the u of `inflation`.
+/// B are the nodes under ranges that are glued, and those that pairs may lift where nothing of the
+/// range is. The others, and free nodes with u = 0, are held at the u of `inflation`.
 JointProgram make_joint_program(const LayeredMesh& mesh, const Scene& scene,
                                 const JointOptions& options, const Inflation& inflation);
 

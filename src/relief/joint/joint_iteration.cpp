@@ -29,11 +29,13 @@ constexpr Softness softnesses[] = {{false, 0.1, 0, 0.05},
                                    {true, 0.1, 0.1, 0.1},
                                    {false, 0.1, 0.1, 0.2}};
 
-/// The same where it has one sign on every surface.
-constexpr Softness pure_softnesses[] = {{false}, {false, 1, 0.1}, {true, 0.1, 0.1}};
+/// The same where it has one sign on every surface, and where B is loose besides.
+constexpr Softness pure_softnesses[] = {{false}, {true, 0.1}};
+constexpr Softness loose_softnesses[] = {{false}, {false, 1, 0.1}, {true, 0.1, 0.1}};
 
 std::span<const Softness> softnesses_of(const JointModel& model) {
   if (is_mixed(model)) return softnesses;
+  if (is_loose(model)) return loose_softnesses;
   return pure_softnesses;
 }
 
@@ -118,6 +120,7 @@ Status iterate_jointly(const JointSystems& systems, const JointOptions& options,
     JointMap map(systems, softness);
     if (Status status = iterate(map, growth, options, context, run); !status) return status;
     if (run.report.status == JointStatus::solved) return Done{};
+    if (run.once) break;
   }
   run.state = start;
   systems.order.closed = closed;

@@ -22,14 +22,14 @@ struct JointRun {
   JointReport report;
   std::vector<KeptState> kept;  ///< those that the options ask for
   std::vector<int> pulled;      ///< JointMap::pulled where it converged
+  bool once = false;            ///< does not begin again where it does not converge
   BoundStiffness bound;         ///< known of a similar problem at first, then of this one
 };
 
 /// Iterates contact and inflation under one set of pairs until they agree, from the run's state,
 /// and leaves it there. Where that does not converge, begins again with other softnesses. Appends
 /// the steps to the report and sets its status and residual; where nothing converges, leaves the
-/// state as it was. Fails only when cancelled, or where the contact
-/// has no solution.
+/// state as it was. Fails only when cancelled, or where the contact has no solution.
 Status iterate_jointly(const JointSystems& systems, const JointOptions& options,
                        const RunContext& context, JointRun& run);
 

@@ -126,7 +126,7 @@ JointMap::Answer JointMap::answer_to_change(const JointState& state, const Vecto
   const VectorXd after = before + change;
   JointState changed = state;
   changed.u += response_.extension(squares_on_bound(after) - squares_on_bound(before));
-  set_bound(after, changed);
+  set_loose(after, changed);
   return answer_to(changed, context);
 }
 
@@ -144,7 +144,7 @@ SolveStatus JointMap::apply(JointState& state, JointStep& step, const RunContext
   state.load = std::move(answer.load);
   const VectorXd u_bound = squares_on_bound(f_bound);
   state.u = response_.inflate(excess, u_bound);
-  set_bound(f_bound, state);
+  set_loose(f_bound, state);
   step.factorisations = answer.contact.factorisations;
   step.energy.inflation = excess.energy;
   step.energy.boundary = model_.lambda_bnd * model_.bound_mass.dot(u_bound.cwiseAbs());
@@ -191,8 +191,10 @@ VectorXd JointMap::squares_on_bound(const VectorXd& f) const {
   return u;
 }
 
-void JointMap::set_bound(const VectorXd& f, JointState& state) const {
-  for (Index i = 0; i < bounds_; ++i) state.u[model_.bound[i]] = f[i] * std::abs(f[i]);
+/// On loose B, where the gap is not in the inflation.
+void JointMap::set_loose(const VectorXd& f, JointState& state) const {
+  for (Index i = 0; i < bounds_; ++i)
+    if (model_.loose_gap[i] >= 0) state.u[model_.bound[i]] = f[i] * std::abs(f[i]);
 }
 
 /// #N: by how much the gaps that are open there move the heights.
@@ -208,8 +210,7 @@ VectorXd JointMap::fixed_f(const JointState& state) const {
   VectorXd f = held_f_;
   for (const int n : nodes_) f[n] = root(n).f(state.u[n]);
   const VectorXd f_bound = f_on_bound(state);
-  const VectorXd u_bound = squares_on_bound(f_bound);
-  for (Index i = 0; i < bounds_; ++i) f[model_.bound[i]] = signed_root(u_bound[i]);
+  for (Index i = 0; i < bounds_; ++i) f[model_.bound[i]] = is_open(i, f_bound[i]) ? 0 : f_bound[i];
   return f - opening(f_bound);
 }
 

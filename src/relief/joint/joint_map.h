@@ -108,7 +108,7 @@ class JointMap {
   Eigen::VectorXd f_on_bound(const JointState& state) const;
   Eigen::VectorXd opening(const Eigen::VectorXd& f) const;
   Eigen::VectorXd squares_on_bound(const Eigen::VectorXd& f) const;
-  void set_bound(const Eigen::VectorXd& f, JointState& state) const;
+  void set_loose(const Eigen::VectorXd& f, JointState& state) const;
   bool is_open(Eigen::Index i, double f) const;
   void keep_loose_within_reach(const JointState& state, Eigen::VectorXd& f_bound) const;
   std::vector<int> pulled_gaps(const Eigen::VectorXd& f, const Contact& contact) const;

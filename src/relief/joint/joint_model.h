@@ -35,13 +35,17 @@ struct JointModel {
   std::vector<BoundMark> bound_marks;  ///< #B, where they lie
 };
 
-/// B are the nodes under Robin ranges that pairs tie to another part or may lift. Of the others u
-/// is 0, or that of the input where they are hidden and in no pair; so it is for free nodes where
-/// it is 0. `metric`: with its leans. O(N + F).
+/// B are the nodes under Robin ranges that pairs tie to another part, and where pairs tie nothing
+/// of a range, those that they may lift. The others under ranges keep the u of the input, but for
+/// those that are seen where nothing of the range is tied: there u is 0, as on free nodes where it
+/// is 0 in the input. `metric`: with its leans. O(N + F).
 JointModel make_joint_model(const OrderingInput& input, const ShiftMetric& metric);
 
 /// Finds where B is loose. O(N).
 void find_loose_bound(const DepthForest& forest, JointModel& model);
+
+/// Whether B is loose somewhere, as found. O(#B).
+bool is_loose(const JointModel& model);
 
 /// Whether u may have either sign somewhere. O(N).
 bool is_mixed(const JointModel& model);

@@ -171,6 +171,7 @@ class JointSolver {
   Status release_pulled() {
     JointOptions options = options_;
     options.max_iterations = std::min(options.max_iterations, release_iterations);
+    run_.once = true;
     for (int round = 0; round < release_rounds && !run_.pulled.empty(); ++round) {
       const JointRun before = run_;
       for (int& gap : model_.loose_gap)
