@@ -30,12 +30,13 @@ Examples:
   cat wolf.svg | relievo build - -o wolf.glb)";
 
 constexpr const char* check_help =
-    R"(Reads a drawing, tells what its parts and joins are and what is wrong. Writes nothing but the
-picture that is asked for.
+    R"(Reads a drawing, tells what its parts and joins are and what is wrong. Writes nothing but what
+is asked for: the scene as it was understood, to be edited and built, and a picture of it.
 
 Examples:
   relievo check wolf.svg
-  relievo check wolf.svg --overlay understood.png)";
+  relievo check wolf.svg --overlay understood.png
+  relievo check wolf.svg -o wolf.json)";
 
 constexpr const char* render_help = R"(Makes a picture of a model, or of a drawing's relief.
 
@@ -76,6 +77,14 @@ void add_common(CLI::App& app, CommonArguments& common, const char* what) {
   app.add_option("--threads", common.threads,
                  "Threads to use (default: as many as there are); the results are the same")
       ->check(CLI::Range(1, 256));
+}
+
+void add_connect(CLI::App& app, CommonArguments& common) {
+  app.add_option_function<std::string>(
+         "--connect", [&common](const std::string& how) { common.connect = how == "auto"; },
+         "Joins of layered drawings that say none: auto guesses them (the default), none stacks "
+         "the parts")
+      ->check(CLI::IsMember({"auto", "none"}));
 }
 
 void add_mesh_options(CLI::App& app, ReliefArguments& relief) {
@@ -205,6 +214,7 @@ CLI::Validator extension(const std::vector<std::string>& allowed) {
 void add_build(CLI::App& main, BuildArguments& build) {
   CLI::App& app = *main.add_subcommand("build", build_help);
   add_common(app, build.common, input_help);
+  add_connect(app, build.common);
   app.add_option("-o,--output", build.models,
                  "Model: .glb, .obj, .ply, .stl or .3mf; may be repeated")
       ->check(extension({".glb", ".obj", ".ply", ".stl", ".3mf"}))
@@ -250,6 +260,9 @@ void add_build(CLI::App& main, BuildArguments& build) {
 void add_check(CLI::App& main, CheckArguments& check) {
   CLI::App& app = *main.add_subcommand("check", check_help);
   add_common(app, check.common, input_help);
+  add_connect(app, check.common);
+  app.add_option("-o,--output", check.output, "The scene as it was understood (.json)")
+      ->check(extension({".json"}));
   app.add_option("--overlay", check.overlay,
                  "Parts, joins, relations and soft ranges, over the drawing (.png)")
       ->check(extension({".png"}));
@@ -280,6 +293,7 @@ void add_segment(CLI::App& main, SegmentArguments& segment) {
 void add_render(CLI::App& main, RenderArguments& render) {
   CLI::App& app = *main.add_subcommand("render", render_help);
   add_common(app, render.common, "Model (.glb), SVG drawing or scene file; - reads standard input");
+  add_connect(app, render.common);
   app.add_option("-o,--output", render.output, "Picture (.png)")
       ->required()
       ->check(extension({".png"}));

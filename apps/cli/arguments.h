@@ -17,8 +17,9 @@ namespace relievo::cli {
 struct CommonArguments {
   std::string input;  ///< a file, or "-" for standard input
   bool quiet = false;
-  double timeout = 0;  ///< s; 0: none
-  int threads = 0;     ///< 0: as many as the machine has
+  double timeout = 0;   ///< s; 0: none
+  int threads = 0;      ///< 0: as many as the machine has
+  bool connect = true;  ///< guess how the parts of a layered drawing connect where it does not say
 };
 
 /// A cue for a part that has yet to be found in the scene.
@@ -62,6 +63,7 @@ struct BuildArguments {
 
 struct CheckArguments {
   CommonArguments common;
+  std::string output;   ///< scene .json; empty: not wanted
   std::string overlay;  ///< file; empty: not wanted
 };
 

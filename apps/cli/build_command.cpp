@@ -130,7 +130,7 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
   if (Status status = check_outputs(outputs, {build.common.input}); !status) return status;
   const auto file = read_input(build.common.input);
   if (!file) return file.error();
-  auto input = start_scene(*file);
+  auto input = start_scene(*file, build.common.connect);
   if (!input) return input.error();
   if (Status status = check_outputs(outputs, input->files); !status) return status;
   const double read_time = total.milliseconds();

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <utility>
@@ -8,8 +9,11 @@
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/overlay_picture.h"
+#include "apps/cli/scene_output.h"
 #include "apps/cli/table.h"
 #include "face/inputs.h"
+#include "io/files/read_file.h"
+#include "io/image/png_encode.h"
 #include "io/overlay/mesh_lines.h"
 #include "kernel/geometry/line_spans.h"
 #include "relief/inflation/inflate.h"
@@ -39,18 +43,30 @@ std::string part_table(const Scene& scene) {
   return table.text();
 }
 
-std::string annotation_table(const Scene& scene) {
-  Table table({"annotation", "upper", "lower", "detail"});
+/// How sure a guess is, or whose it is.
+std::string trust(const std::vector<ProposedJoin>& guesses, const Join& join) {
+  for (const ProposedJoin& guess : guesses)
+    if (guess.join.upper == join.upper && guess.join.lower == join.lower)
+      return "guessed, " + number(std::round(100 * guess.confidence)) + " % sure";
+  return "";
+}
+
+std::string annotation_table(const SceneInput& input) {
+  const Scene& scene = input.scene;
+  Table table({"annotation", "upper", "lower", "detail", ""});
   const auto id = [&](int part) { return scene.parts[part].id; };
   for (const Join& join : scene.joins)
-    table.add({"join", id(join.upper), id(join.lower), count(join.line.size(), "point")});
+    table.add({"join", id(join.upper), id(join.lower), count(join.line.size(), "point"),
+               trust(input.guesses.joins, join)});
   for (const Relation& relation : scene.relations)
     table.add({"relation", id(relation.upper), id(relation.lower),
-               std::string(name(relation.kind)) + (relation.range ? " along a range" : "")});
+               std::string(name(relation.kind)) + (relation.range ? " along a range" : ""),
+               input.guesses.relations.empty() ? "" : "guessed"});
   for (const RobinRange& range : scene.robin)
     table.add({"robin", id(range.upper), id(range.lower),
                "alpha0 " + (range.alpha0 ? number(*range.alpha0) : "default") + ", rho " +
-                   (range.rho ? number(*range.rho) : "default")});
+                   (range.rho ? number(*range.rho) : "default"),
+               ""});
   return table.empty() ? "" : table.text();
 }
 
@@ -82,27 +98,60 @@ std::string overlap_table(const Scene& scene, const LayeredMesh& mesh) {
   return table.text();
 }
 
-/// The picture of what the mesh has of the annotations.
-Status write_overlay(const CheckArguments& check, const SceneInput& input, const LayeredMesh& mesh,
-                     Interruption& interruption) {
-  const MeshLines lines = find_mesh_lines(mesh, InflationOptions().alpha0);
-  auto picture = draw_overlay(input.scene, {{}, lines}, input.drawing.rgba);
-  if (!picture) return picture.error();
-  return save({{check.overlay, std::move(*picture)}}, input.files, interruption);
+/// The scene as it was understood, with its drawing.
+Result<std::vector<OutputFile>> scene_outputs(const CheckArguments& check, const InputFile& file,
+                                              const SceneInput& input) {
+  SceneDrawing drawing{input.drawing_file, {}};
+  if (drawing.file == "-") drawing.bytes = file.bytes;
+  if (drawing.file.empty() && !input.drawing.rgba.empty()) {
+    auto picture = encode_png(input.drawing.rgba);
+    if (!picture) return picture.error();
+    drawing.bytes = std::move(*picture);
+  } else if (!drawing.file.empty() && drawing.file != "-") {
+    auto bytes = read_file(drawing.file);
+    if (!bytes) return bytes.error();
+    drawing.bytes = std::move(*bytes);
+  }
+  return scene_files(check.output, input.scene, drawing);
+}
+
+/// Writes what was asked for.
+Status write_outputs(const CheckArguments& check, const InputFile& file, const SceneInput& input,
+                     const LayeredMesh& mesh, Interruption& interruption) {
+  std::vector<OutputFile> files;
+  if (!check.output.empty()) {
+    auto scene = scene_outputs(check, file, input);
+    if (!scene) return scene.error();
+    files = std::move(*scene);
+  }
+  if (!check.overlay.empty()) {
+    const MeshLines lines = find_mesh_lines(mesh, InflationOptions().alpha0);
+    auto picture = draw_overlay(input.scene, {{}, lines}, input.drawing.rgba);
+    if (!picture) return picture.error();
+    files.push_back({check.overlay, std::move(*picture)});
+  }
+  if (Status s = save(files, input.files, interruption); !s) return s;
+  for (const OutputFile& written : files) print_result(written.path.string(), check.common.quiet);
+  return Done{};
+}
+
+std::vector<std::filesystem::path> outputs_of(const CheckArguments& check) {
+  std::vector<std::filesystem::path> paths;
+  if (!check.output.empty()) paths.emplace_back(check.output);
+  if (!check.overlay.empty()) paths.emplace_back(check.overlay);
+  return paths;
 }
 
 }  // namespace
 
 Status run_check(const CheckArguments& check, Interruption& interruption) {
   const bool quiet = check.common.quiet;
-  if (!check.overlay.empty())
-    if (Status s = check_outputs({check.overlay}, {check.common.input}); !s) return s;
+  if (Status s = check_outputs(outputs_of(check), {check.common.input}); !s) return s;
   const auto file = read_input(check.common.input);
   if (!file) return file.error();
-  const auto input = load_scene(*file);
+  const auto input = load_scene(*file, check.common.connect);
   if (!input) return input.error();
-  if (!check.overlay.empty())
-    if (Status s = check_outputs({check.overlay}, input->files); !s) return s;
+  if (Status s = check_outputs(outputs_of(check), input->files); !s) return s;
   if (Status status = validate(input->scene); !status) return status;
   print_warnings(input->warnings, quiet);
   const Scene& scene = input->scene;
@@ -111,7 +160,7 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
                    (input->proposed ? " proposed from the shapes" : "") + ", back to front",
                quiet);
   print_result("\n" + part_table(scene), quiet);
-  if (const std::string table = annotation_table(scene); !table.empty())
+  if (const std::string table = annotation_table(*input); !table.empty())
     print_result("\n" + table, quiet);
   if (const std::string table = cue_table(scene); !table.empty()) print_result("\n" + table, quiet);
   print_warnings(warnings_about_cues(scene), quiet);
@@ -122,10 +171,7 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
   print_warnings(mesh->warnings, quiet);
   if (const std::string table = overlap_table(scene, *mesh); !table.empty())
     print_result("\n" + table, quiet);
-  if (!check.overlay.empty()) {
-    if (Status s = write_overlay(check, *input, *mesh, interruption); !s) return s;
-    print_result(check.overlay, quiet);
-  }
+  if (Status s = write_outputs(check, *file, *input, *mesh, interruption); !s) return s;
   print_note("nothing is wrong with " + check.common.input, quiet);
   return Done{};
 }

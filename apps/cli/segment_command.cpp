@@ -4,18 +4,17 @@
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/overlay_picture.h"
+#include "apps/cli/scene_output.h"
 #include "apps/cli/segment_project.h"
 #include "apps/cli/segment_report.h"
 #include "face/inputs.h"
 #include "io/files/in_file.h"
-#include "io/files/paths.h"
 #include "io/files/read_file.h"
 #include "io/image/decode_image.h"
 #include "io/image/gif_decode.h"
 #include "io/image/png_decode.h"
 #include "io/image/png_encode.h"
 #include "io/project/project_file.h"
-#include "io/scene/write_scene.h"
 #include "io/scribbles/read_scribbles.h"
 #include "io/scribbles/scribble_image.h"
 #include "io/svg/paintable_svg.h"
@@ -44,12 +43,6 @@ Result<SegmentInput> from_project(const InputFile& file) {
   input.other_keys = std::move(project->other_keys);
   input.scene = std::move(project->scene);
   return input;
-}
-
-/// What kind of picture it is, as the ending of its name.
-std::string picture_kind(ByteView bytes) {
-  if (is_png(bytes)) return "png";
-  return is_gif(bytes) ? "gif" : "jpeg";
 }
 
 /// The picture as which a vector drawing is segmented, a PNG file.
@@ -150,53 +143,9 @@ Result<SegmentInput> load(const SegmentArguments& segment, const RunContext& con
   return input;
 }
 
-/// The path of the drawing seen from the scene's folder, or empty where it is not inside or has
-/// no file of its own.
-std::string path_from(const fs::path& scene, const std::string& drawing) {
-  if (drawing.empty() || drawing == "-") return "";
-  std::error_code code;
-  const fs::path place = fs::weakly_canonical(fs::absolute(scene, code), code);
-  const auto inside = path_below(drawing, place.parent_path());
-  return code || !inside ? "" : inside->generic_string();
-}
-
-/// The file beside the scene that takes a copy of a drawing from elsewhere.
-fs::path copy_of_drawing(const fs::path& scene, ByteView drawing) {
-  fs::path copy = scene;
-  return copy.replace_extension(picture_kind(drawing));
-}
-
-/// A copy is put where nothing is, or the same.
-Status check_copy(const fs::path& copy, const Bytes& drawing) {
-  std::error_code code;
-  if (!fs::exists(copy, code)) return Done{};
-  const auto there = read_file(copy);
-  if (there && *there == drawing) return Done{};
-  return Error{ErrorCode::usage,
-               "is in the way of a copy of the drawing; write the scene beside the drawing, or a "
-               "project (.relievo), which holds it",
-               copy.string()};
-}
-
 bool is_project_name(const std::string& name) { return fs::path(name).extension() == ".relievo"; }
 
 using Files = std::vector<OutputFile>;
-
-/// The scene file, and a copy of the drawing where that lies elsewhere.
-Result<Files> scene_files(const SegmentArguments& segment, const SegmentInput& input, Scene scene) {
-  Files files;
-  scene.drawing = path_from(segment.output, input.drawing_file);
-  if (scene.drawing.empty()) {
-    const fs::path copy = copy_of_drawing(segment.output, input.drawing.bytes);
-    if (Status status = check_copy(copy, input.drawing.bytes); !status) return status.error();
-    scene.drawing = copy.filename().string();
-    files.push_back({copy, input.drawing.bytes});
-  }
-  const auto text = write_scene(scene);
-  if (!text) return text.error();
-  files.push_back({segment.output, bytes_of(*text)});
-  return files;
-}
 
 Result<Files> project_files(const SegmentArguments& segment, const SegmentInput& input,
                             const Understanding& understanding) {
@@ -208,8 +157,10 @@ Result<Files> project_files(const SegmentArguments& segment, const SegmentInput&
 /// Every file that the command writes.
 Result<Files> files_of(const SegmentArguments& segment, const SegmentInput& input,
                        const Understanding& understanding, double milliseconds) {
-  auto files = is_project_name(segment.output) ? project_files(segment, input, understanding)
-                                               : scene_files(segment, input, understanding.scene);
+  auto files = is_project_name(segment.output)
+                   ? project_files(segment, input, understanding)
+                   : scene_files(segment.output, understanding.scene,
+                                 {input.drawing_file, input.drawing.bytes});
   if (!files) return files.error();
   if (!segment.overlay.empty()) {
     auto overlay = draw_overlay(understanding.scene, {input.bridges, {}}, input.pixels);

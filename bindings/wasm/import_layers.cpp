@@ -12,6 +12,7 @@
 #include "io/layered/packed_layers.h"
 #include "io/layered/read_ora.h"
 #include "io/scene/write_scene.h"
+#include "relief/pipeline/connect_scene.h"
 
 namespace relievo::wasm {
 namespace {
@@ -63,13 +64,14 @@ val import_layers(const val& files) {
   const std::vector<ArchiveEntry> entries = to_entries(files);
   const auto read = is_ora(entries) ? read_ora(entries, page_limits) : read_pictures(entries);
   if (!read) return failure(read.error());
-  const auto scene = write_scene(read->content.scene);
+  const LayeredDrawing& content = read->content;
+  const auto scene = write_scene(connect_scene(content.scene, content.proposed).scene);
   if (!scene) return failure(scene.error());
-  const auto picture = encode_png(read->content.drawing.rgba);
+  const auto picture = encode_png(content.drawing.rgba);
   if (!picture) return failure(picture.error());
   val result = val::object();
   result.set("scene", *scene);
-  result.set("proposed", read->content.proposed);
+  result.set("proposed", content.proposed);
   result.set("warnings", to_js(read->warnings));
   result.set("drawing", to_js(*picture));
   return result;

@@ -10,6 +10,7 @@
 #include "io/scene/write_scene.h"
 #include "io/svg/paintable_svg.h"
 #include "io/svg/read_svg.h"
+#include "relief/pipeline/connect_scene.h"
 
 namespace relievo::wasm {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 using emscripten::val;
 
 /// {scene, proposed, warnings, paintable} of a layered drawing: the text of a scene file (see
-/// read_svg) and the drawing as the page may paint it (see paintable_svg).
+/// read_svg and connect_scene) and the drawing as the page may paint it (see paintable_svg).
 val import_svg(const val& array) {
   const Bytes bytes = to_bytes(array);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -25,7 +26,7 @@ val import_svg(const val& array) {
   if (!import) return failure(import.error());
   const auto paintable = paintable_svg(text);
   if (!paintable) return failure(paintable.error());
-  const auto scene = write_scene(import->scene);
+  const auto scene = write_scene(connect_scene(import->scene, import->proposed).scene);
   if (!scene) return failure(scene.error());
   val result = val::object();
   result.set("scene", *scene);

@@ -13,6 +13,7 @@
 #include "io/svg/render_svg.h"
 #include "kernel/base/workers.h"
 #include "kernel/image/image_size.h"
+#include "relief/pipeline/connect_scene.h"
 
 namespace relievo {
 namespace {
@@ -41,6 +42,7 @@ Result<SceneInput> load_svg(const InputFile& input) {
   SceneInput loaded;
   const double width = import->scene.width;
   const double height = import->scene.height;
+  loaded.drawing_file = input.name;
   loaded.rendering =
       std::async(worker_count() > 1 ? std::launch::async : std::launch::deferred,
                  [&input, width, height] { return texture_of(input.bytes, width, height); });
@@ -123,6 +125,7 @@ Status load_drawing(const InputFile& input, SceneInput& loaded) {
   const auto bytes = read_file(*path);
   if (!bytes) return bytes.error();
   loaded.files.push_back(*path);
+  loaded.drawing_file = path->string();
   auto drawing = drawing_from(*bytes, loaded.scene);
   if (!drawing) return in_file(drawing.error(), path->string());
   loaded.drawing = std::move(*drawing);
@@ -165,6 +168,14 @@ Result<SceneInput> load(const InputFile& input) {
   return refuse(kind);
 }
 
+/// Connects the parts of a layered drawing; a scene or project file has had its say.
+void connect_layers(const InputFile& input, SceneInput& scene) {
+  if (!input.folder && (sniff(input.bytes) == InputKind::json || is_project(input.bytes))) return;
+  ConnectedScene connected = connect_scene(std::move(scene.scene), scene.proposed);
+  scene.scene = std::move(connected.scene);
+  scene.guesses = std::move(connected.proposals);
+}
+
 }  // namespace
 
 Result<Drawing> rasterize(std::string_view svg, double width, double height, double longest) {
@@ -197,9 +208,10 @@ Result<InputFile> read_input(const std::string& name) {
   return InputFile{name, std::move(*bytes)};
 }
 
-Result<SceneInput> start_scene(const InputFile& input) {
+Result<SceneInput> start_scene(const InputFile& input, bool connect) {
   auto loaded = load(input);
   if (!loaded) return in_file(loaded.error(), input.name);
+  if (connect) connect_layers(input, *loaded);
   if (input.name != "-" && !input.folder) loaded->files.emplace_back(input.name);
   return loaded;
 }
@@ -212,8 +224,8 @@ Status finish_drawing(const InputFile& input, SceneInput& scene) {
   return Done{};
 }
 
-Result<SceneInput> load_scene(const InputFile& input) {
-  auto scene = start_scene(input);
+Result<SceneInput> load_scene(const InputFile& input, bool connect) {
+  auto scene = start_scene(input, connect);
   if (!scene) return scene;
   if (Status status = finish_drawing(input, *scene); !status) return status.error();
   return scene;

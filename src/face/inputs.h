@@ -9,6 +9,7 @@
 #include "io/files/bytes.h"
 #include "kernel/base/result.h"
 #include "relief/drawing/drawing.h"
+#include "relief/joining/joining.h"
 #include "relief/scene/scene.h"
 
 namespace relievo {
@@ -29,9 +30,11 @@ struct SceneInput {
   Scene scene;
   Drawing drawing;                           ///< empty where there is none
   std::future<Result<Drawing>> rendering;    ///< of `drawing`, while that is not finished
+  std::string drawing_file;                  ///< whose picture it is; empty: no file of its own
   std::vector<std::filesystem::path> files;  ///< all that were read, never to be overwritten
   std::vector<std::string> warnings;
   bool proposed = false;  ///< the parts were guessed, not annotated
+  Joining guesses;        ///< how they connect, where that was guessed; as in the scene
 };
 
 /// The picture of an SVG whose canvas has this width and height, its longest side `longest` px.
@@ -42,14 +45,14 @@ Result<InputFile> read_input(const std::string& name);
 
 /// What load_scene gives, but for the pixels of an SVG: another thread renders them. `input` must
 /// live until they are finished.
-Result<SceneInput> start_scene(const InputFile& input);
+Result<SceneInput> start_scene(const InputFile& input, bool connect);
 
 /// Waits for the drawing.
 Status finish_drawing(const InputFile& input, SceneInput& scene);
 
 /// A scene from a layered drawing (SVG, OpenRaster, a folder of pictures), or from a scene file
-/// and the drawing that it names. The error's
-/// `where` begins with the file's name.
-Result<SceneInput> load_scene(const InputFile& input);
+/// and the drawing that it names. Where `connect`, what a layered drawing does not say of how its
+/// parts connect is guessed. The error's `where` begins with the file's name.
+Result<SceneInput> load_scene(const InputFile& input, bool connect);
 
 }  // namespace relievo

@@ -12,7 +12,7 @@ namespace relievo {
 Result<DrawnScene> read_drawing(const std::filesystem::path& path) {
   const auto file = read_input(path.string());
   if (!file) return file.error();
-  auto input = load_scene(*file);
+  auto input = load_scene(*file, true);
   if (!input) return input.error();
   return DrawnScene{std::move(input->scene), std::move(input->drawing), std::move(input->files),
                     std::move(input->warnings), input->proposed};

@@ -101,6 +101,28 @@ TEST_F(Check, ReadsAFolderOfLayers) {
   expect_failure({"build", "empty", "-o", "m.glb"}, 3, "holds no layers");
 }
 
+TEST_F(Check, GuessesHowLayersConnectAndWritesTheScene) {
+  std::filesystem::create_directory(folder_.path() / "layers");
+  const auto layer = [](int x0, int y0, int x1, int y1) {
+    Image8 image(100, 120, 4);
+    for (int y = y0; y < y1; ++y)
+      for (int x = x0; x < x1; ++x) image.at(x, y, 3) = 255;
+    return std::string(to_text(*encode_png(image)));
+  };
+  write("layers/1-body.png", layer(10, 10, 90, 70));
+  write("layers/2-leg.png", layer(40, 40, 56, 110));
+  const Outcome outcome = relievo({"check", "layers", "-o", "scene-of-layers.json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("guessed"), std::string::npos) << outcome.out;
+  EXPECT_NE(read("scene-of-layers.json").find("\"upper\": \"2-leg\""), std::string::npos);
+  EXPECT_TRUE(exists("scene-of-layers.png"));
+  EXPECT_EQ(relievo({"build", "scene-of-layers.json", "-o", "m.obj"}).exit_code, 0);
+  const Outcome stacked = relievo({"check", "layers", "--connect", "none"});
+  EXPECT_EQ(stacked.exit_code, 0) << stacked.err;
+  EXPECT_EQ(stacked.out.find("guessed"), std::string::npos) << stacked.out;
+  expect_failure({"check", "layers", "--connect", "some"}, 2, "connect");
+}
+
 TEST_F(Render, DrawsScenesAndModels) {
   ASSERT_EQ(relievo({"build", "drawing.svg", "-o", "m.glb", "--vertices", "3000"}).exit_code, 0);
   for (const char* input : {"m.glb", "drawing.svg"}) {

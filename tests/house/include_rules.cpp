@@ -67,10 +67,10 @@ const Names model_views = {"model/dress_hidden.h", "model/hidden_patches.h",
 const Names stage_verbs = {
     "completion/clip_to_order.h", "completion/complete_parts.h", "drawing/find_basins.h",
     "drawing/label_basins.h",     "drawing/label_colours.h",     "drawing/segment_drawing.h",
-    "hiding/hide_sheets.h",       "inflation/inflate.h",         "joining/join_parts.h",
-    "joining/propose_leans.h",    "joint/solve_jointly.h",       "layers/layer_parts.h",
-    "model/assemble_model.h",     "model/relief_maps.h",         "ordering/order_depth.h",
-    "stacking/stack_parts.h"};
+    "hiding/hide_sheets.h",       "inflation/inflate.h",         "joining/connect_parts.h",
+    "joining/join_parts.h",       "joining/propose_leans.h",     "joining/round_inflation.h",
+    "joint/solve_jointly.h",      "layers/layer_parts.h",        "model/assemble_model.h",
+    "model/relief_maps.h",        "ordering/order_depth.h",      "stacking/stack_parts.h"};
 
 struct Place {
   /// relievo, kernel, relief, io, render, solid, face, apps, tests, benchmarks

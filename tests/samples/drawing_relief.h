@@ -10,6 +10,7 @@
 #include "io/layered/read_layer_folder.h"
 #include "io/svg/read_svg.h"
 #include "io/svg/render_svg.h"
+#include "relief/pipeline/connect_scene.h"
 #include "support/probe.h"
 
 namespace relievo::testing {
@@ -32,7 +33,7 @@ inline DrawnRelief drawn_svg(const std::string& path) {
   const auto import = read_svg(bytes);
   EXPECT_TRUE(import.ok()) << path << ": " << (import.ok() ? "" : to_string(import.error()));
   if (!import.ok()) return drawn;
-  drawn.scene = import->scene;
+  drawn.scene = connect_scene(import->scene, import->proposed).scene;
   const auto drawing =
       render_svg(bytes, static_cast<int>(drawn.scene.width), static_cast<int>(drawn.scene.height));
   EXPECT_TRUE(drawing.ok()) << path;
@@ -45,7 +46,7 @@ inline DrawnRelief drawn_folder(const std::string& path) {
   const auto import = read_layer_folder(path);
   EXPECT_TRUE(import.ok()) << path << ": " << (import.ok() ? "" : to_string(import.error()));
   if (!import.ok()) return drawn;
-  drawn.scene = import->content.scene;
+  drawn.scene = connect_scene(import->content.scene, import->content.proposed).scene;
   drawn.drawing = import->content.drawing;
   return drawn;
 }

@@ -9,6 +9,7 @@
 #include "kernel/image/mask_outline.h"
 #include "relief/completion/clip_to_order.h"
 #include "relief/joining/propose_leans.h"
+#include "relief/joining/round_inflation.h"
 
 namespace relievo {
 namespace {
@@ -154,31 +155,6 @@ void keep_given_outlines(const Corrections& corrections, Proposal& proposal) {
     proposal.completion.parts[part] = {fill_outline(*correction.outline, map.width, map.height),
                                        CompletionKind::given};
   }
-}
-
-/// The amount of inflation that makes an ellipse of these proportions as deep as it is narrow:
-/// -c = laplace(c a^2 b^2 / (2 (a^2 + b^2)) (1 - x^2 / a^2 - y^2 / b^2)) with height b in the
-/// middle, hence c = 2 (1 + (b / a)^2): 4 for a disc, 2 for a long limb.
-double round_inflation(const Mask& mask) {
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
-  for_each_pixel(mask, [&](int px, int py) {
-    const double u = px - mask.left;
-    const double v = py - mask.top;
-    n += 1;
-    x += u;
-    y += v;
-    xx += u * u;
-    xy += u * v;
-    yy += v * v;
-  });
-  if (n == 0) return 4;
-  const double a = xx / n - x / n * (x / n);
-  const double b = xy / n - x / n * (y / n);
-  const double c = yy / n - y / n * (y / n);
-  const double root = std::sqrt((a - c) * (a - c) / 4 + b * b);
-  const double longer = (a + c) / 2 + root;
-  const double shorter = std::max((a + c) / 2 - root, 0.0);
-  return longer > 0 ? 2 * (1 + shorter / longer) : 4;
 }
 
 /// Features bulge the less the larger they are: an eye does, a patch on the belly does not. With q

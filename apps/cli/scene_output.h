@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/files/bytes.h"
+#include "io/files/write_files.h"
+#include "kernel/base/result.h"
+#include "relief/scene/scene.h"
+
+namespace relievo::cli {
+
+/// A drawing to which a scene file refers.
+struct SceneDrawing {
+  std::string file;  ///< its path; empty where it has none of its own
+  Bytes bytes;       ///< empty: there is no drawing
+};
+
+/// What kind of picture it is, as the ending of its name.
+std::string picture_kind(ByteView bytes);
+
+/// The scene file, and a copy of the drawing beside it where that lies elsewhere. Error: `usage`
+/// where another file is in the way of the copy; as write_scene.
+Result<std::vector<OutputFile>> scene_files(const std::string& output, Scene scene,
+                                            const SceneDrawing& drawing);
+
+}  // namespace relievo::cli

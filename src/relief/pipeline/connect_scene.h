@@ -1,0 +1,22 @@
+#pragma once
+
+#include "relief/joining/joining.h"
+#include "relief/scene/scene.h"
+
+namespace relievo {
+
+/// A layered drawing as it was understood.
+struct ConnectedScene {
+  Scene scene;
+  Joining proposals;  ///< what of the scene was guessed; by part, in its order
+};
+
+/// Whether the drawing says how any of its parts connect.
+bool says_connections(const Scene& scene);
+
+/// Connects the parts of a layered drawing as connect_parts proposes, unless the drawing itself
+/// says how. Where `amounts`, parts get a c that makes them about as deep as they are narrow.
+/// Near-linear as connect_parts.
+ConnectedScene connect_scene(Scene scene, bool amounts);
+
+}  // namespace relievo

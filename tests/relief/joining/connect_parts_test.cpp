@@ -1,0 +1,161 @@
+#include "relief/joining/connect_parts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/geometry/line_spans.h"
+#include "relief/pipeline/connect_scene.h"
+#include "support/random_limbs.h"
+
+namespace relievo {
+namespace {
+
+using namespace testing;
+
+/// A disc with parts of given outlines in front of it, or the first of them behind it.
+Scene disc_with(const std::vector<Ring>& front, const std::vector<Ring>& behind = {}) {
+  Scene scene = canvas();
+  for (const Ring& ring : behind)
+    scene.parts.push_back(part("b" + std::to_string(scene.parts.size()), ring));
+  scene.parts.push_back(part("body", circle({200, 160}, 90)));
+  for (const Ring& ring : front)
+    scene.parts.push_back(part("f" + std::to_string(scene.parts.size()), ring));
+  return scene;
+}
+
+Ring limb(double half_width = 22) { return capsule({200, 200}, M_PI / 2, 150, half_width); }
+
+bool is_equal(const Joining& joining, int upper, int lower) {
+  return std::any_of(joining.relations.begin(), joining.relations.end(), [&](const auto& proposed) {
+    const Relation& relation = proposed.relation;
+    return relation.upper == upper && relation.lower == lower &&
+           relation.kind == RelationKind::equal;
+  });
+}
+
+TEST(ConnectParts, TheJoinOfALimbIsOneRadianOfItsCapToEachSide) {
+  const Joining joining = connect_parts(disc_with({limb()}));
+  ASSERT_EQ(joining.joins.size(), 1U);
+  const Join& join = joining.joins[0].join;
+  EXPECT_EQ(join.upper, 1);
+  EXPECT_EQ(join.lower, 0);
+  EXPECT_GT(joining.joins[0].confidence, 0.5);
+  EXPECT_NEAR(line_length(join.line), 2 * 22, 6);
+  for (const Point2 p : join.line) EXPECT_NEAR(distance(p, {200, 200}), 22, 0.5);
+  for (const Point2 end : {join.line.front(), join.line.back()})
+    EXPECT_NEAR(std::atan2(std::abs(end.x - 200), 200 - end.y), 1, 0.15);
+}
+
+TEST(ConnectParts, JoinsMoveWithTheDrawing) {
+  for (const double angle : {0.3, 1.2, 2.5, 4.0}) {
+    for (const double scale : {0.5, 3.0}) {
+      const auto moved = [&](Point2 p) {
+        const Point2 q = p - Point2{200, 200};
+        return scale * Point2{200 + std::cos(angle) * q.x - std::sin(angle) * q.y,
+                              200 + std::sin(angle) * q.x + std::cos(angle) * q.y};
+      };
+      const Scene scene = disc_with({limb()});
+      Scene turned = scene;
+      turned.width *= scale;
+      turned.height *= scale;
+      for (Part& part : turned.parts)
+        for (Point2& p : part.outline[0]) p = moved(p);
+      const Joining a = connect_parts(scene);
+      const Joining b = connect_parts(turned);
+      ASSERT_EQ(a.joins.size(), 1U);
+      ASSERT_EQ(b.joins.size(), 1U);
+      const Join& join = b.joins[0].join;
+      const auto near = [&](Point2 p) {
+        return std::min(distance(p, join.line.front()), distance(p, join.line.back())) / scale;
+      };
+      EXPECT_LT(near(moved(a.joins[0].join.line.front())), 5) << angle << " " << scale;
+      EXPECT_LT(near(moved(a.joins[0].join.line.back())), 5) << angle << " " << scale;
+    }
+  }
+}
+
+TEST(ConnectParts, TheWayRoundOfAnOutlineDoesNotMatter) {
+  Scene reversed = disc_with({limb()});
+  for (Part& part : reversed.parts) std::reverse(part.outline[0].begin(), part.outline[0].end());
+  const Joining a = connect_parts(disc_with({limb()}));
+  const Joining b = connect_parts(reversed);
+  ASSERT_EQ(a.joins.size(), 1U);
+  ASSERT_EQ(b.joins.size(), 1U);
+  EXPECT_NEAR(line_length(a.joins[0].join.line), line_length(b.joins[0].join.line), 5);
+}
+
+TEST(ConnectParts, RandomLimbsAreJoinedWhereTheyGrow) {
+  int limbs = 0;
+  int found = 0;
+  for (uint64_t seed = 0; seed < 60; ++seed) {
+    const Scene scene = random_limbs(seed);
+    if (scene.joins.size() != 1) continue;
+    ++limbs;
+    const Joining joining = connect_parts(scene);
+    for (const ProposedJoin& proposed : joining.joins) {
+      const Join& join = proposed.join;
+      if (join.upper != scene.joins[0].upper || join.lower != scene.joins[0].lower) continue;
+      const Point2 tip = scene.joins[0].line[10];
+      found += std::any_of(join.line.begin(), join.line.end(),
+                           [&](Point2 p) { return distance(p, tip) < 4; })
+                   ? 1
+                   : 0;
+    }
+  }
+  ASSERT_GT(limbs, 10);
+  EXPECT_GE(found, limbs * 9 / 10) << found << " of " << limbs;
+}
+
+TEST(ConnectParts, WhatLiesInsideIsTied) {
+  const Joining joining = connect_parts(disc_with({circle({210, 150}, 20)}));
+  EXPECT_TRUE(joining.joins.empty());
+  EXPECT_TRUE(is_equal(joining, 1, 0));
+}
+
+TEST(ConnectParts, LimbsBehindAreTiedToTheOutlineInFront) {
+  const Joining joining = connect_parts(disc_with({}, {limb()}));
+  EXPECT_TRUE(joining.joins.empty());
+  EXPECT_TRUE(is_equal(joining, 1, 0));
+}
+
+TEST(ConnectParts, WhatCoversMostOfAnotherIsLeftInFrontOfIt) {
+  const Joining joining = connect_parts(disc_with({}, {circle({200, 180}, 80)}));
+  EXPECT_TRUE(joining.joins.empty());
+  EXPECT_TRUE(joining.relations.empty());
+}
+
+TEST(ConnectParts, WhatReachesOutOnTwoSidesIsNoLimb) {
+  const Joining joining = connect_parts(disc_with({rectangle(60, 140, 340, 180)}));
+  EXPECT_TRUE(joining.joins.empty());
+  EXPECT_TRUE(is_equal(joining, 1, 0));
+}
+
+TEST(ConnectParts, ALimbJoinsWhatLiesDirectlyUnderItsRoot) {
+  const Joining joining = connect_parts(disc_with({circle({200, 190}, 60), limb()}));
+  ASSERT_EQ(joining.joins.size(), 1U);
+  EXPECT_EQ(joining.joins[0].join.upper, 2);
+  EXPECT_EQ(joining.joins[0].join.lower, 1);
+}
+
+TEST(ConnectScene, TheAuthorsWordStands) {
+  Scene scene = disc_with({limb(), circle({210, 120}, 20)});
+  scene.relations.push_back({1, 0, RelationKind::above, std::nullopt});
+  const ConnectedScene connected = connect_scene(scene, false);
+  EXPECT_TRUE(connected.proposals.joins.empty());
+  EXPECT_TRUE(connected.scene.joins.empty());
+  EXPECT_EQ(connected.scene.relations.size(), 1U);
+}
+
+TEST(ConnectScene, ProposalsAreWhatTheSceneHas) {
+  const ConnectedScene connected = connect_scene(disc_with({limb(), circle({210, 120}, 20)}), true);
+  ASSERT_EQ(connected.scene.joins.size(), connected.proposals.joins.size());
+  ASSERT_EQ(connected.scene.relations.size(), connected.proposals.relations.size());
+  EXPECT_TRUE(validate(connected.scene));
+  EXPECT_NEAR(connected.scene.parts[0].c, 4, 0.05);  // a disc becomes a hemisphere
+  EXPECT_LT(connected.scene.parts[1].c, 2.5);        // a long limb a half cylinder
+}
+
+}  // namespace
+}  // namespace relievo

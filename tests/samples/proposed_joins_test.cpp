@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "io/files/read_file.h"
+#include "io/svg/read_svg.h"
+#include "kernel/geometry/line_spans.h"
+#include "relief/joining/connect_parts.h"
+
+namespace relievo {
+namespace {
+
+Scene sample(const std::string& name) {
+  const auto bytes = read_file(std::string(RELIEVO_EXAMPLES) + "/" + name + ".svg");
+  EXPECT_TRUE(bytes.ok());
+  auto import = read_svg({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+  EXPECT_TRUE(import.ok());
+  return std::move(import->scene);
+}
+
+/// By how much the ends of two joins differ, either way round, relative to the first one's length.
+double end_distance(const std::vector<Point2>& a, const std::vector<Point2>& b) {
+  const double straight = distance(a.front(), b.front()) + distance(a.back(), b.back());
+  const double crossed = distance(a.front(), b.back()) + distance(a.back(), b.front());
+  return std::min(straight, crossed) / 2 / line_length(a);
+}
+
+TEST(ProposedJoins, AreMostlyThoseThatTheSamplesAuthorsDrew) {
+  size_t drawn = 0;
+  size_t proposed = 0;
+  std::vector<double> off;
+  for (const char* name : {"bunny", "elephant", "farmer", "lamb", "unicorn", "wolf"}) {
+    const Scene scene = sample(name);
+    const Joining joining = connect_parts(scene);
+    drawn += scene.joins.size();
+    proposed += joining.joins.size();
+    for (const Join& join : scene.joins)
+      for (const ProposedJoin& guess : joining.joins)
+        if (guess.join.upper == join.upper && guess.join.lower == join.lower)
+          off.push_back(end_distance(join.line, guess.join.line));
+  }
+  std::sort(off.begin(), off.end());
+  ASSERT_FALSE(off.empty());
+  const double median = off[off.size() / 2];
+  std::cout << "of " << drawn << " joins drawn by hand " << off.size() << " are proposed, among "
+            << proposed << "; their ends are off by " << median
+            << " of their length in the median\n";
+  EXPECT_GE(off.size(), drawn * 8 / 10);
+  EXPECT_LE(median, 0.15);
+}
+
+}  // namespace
+}  // namespace relievo
