@@ -14,12 +14,14 @@ for drawing in "$drawings"/*; do
   [ -d "$drawing" ] || case $drawing in *.svg | *.ora) ;; *) continue ;; esac
   name=$(basename "$drawing")
   draw() {
-    "$relievo" render "$drawing" --quiet --pitch 0 --size 200 --yaw "$1" -o "$work/$name-$2.png" \
-      $3 || echo "$name: no picture"
+    picture=$work/$name-$1.png
+    shift
+    "$relievo" render "$drawing" --quiet --pitch 0 --size 200 -o "$picture" "$@" ||
+      echo "$name: no picture"
   }
-  draw 0 1 ""
-  draw 45 2 ""
-  draw 45 3 "--clay --light -60 30"
-  draw 75 4 "--clay --light -60 30"
+  draw 1 --yaw 0
+  draw 2 --yaw 45
+  draw 3 --yaw 45 --clay --light -60 30
+  draw 4 --yaw 75 --clay --light -60 30
 done
 montage "$work"/*.png -tile 8x -geometry 200x200+2+2 -background white "$sheet"
