@@ -1,7 +1,7 @@
 #!/bin/sh
-# Builds the program and the editor and runs their tests. With --all, as CI does, also all tests
-# under the address and undefined-behaviour sanitizers, the long surveys, the linter, the pages of the
-# interface and a program built against the installed package.
+# Builds the program and the editor and runs their tests. With --all also all tests under the address
+# and undefined-behaviour sanitizers, the long surveys, the linter, the pages of the interface and a
+# program built against the installed package.
 set -eu
 cd "$(dirname "$0")"
 # Comparisons with slow reference solvers and many random scenes.

@@ -17,8 +17,10 @@ async function tabTo(page: Page, selector: string): Promise<void> {
 }
 
 async function chosen(page: Page, act: () => Promise<void>): Promise<void> {
-  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), act()]);
-  await chooser.setFiles(file);
+  const asked = page.waitForEvent('filechooser');
+  await page.evaluate(() => document.hasFocus()); // a round trip later the browser hands over its dialogs
+  await act();
+  await (await asked).setFiles(file);
   await page.waitForSelector('.scribble-bar[data-tint-ms]');
   await page.waitForSelector('.parts li', { state: 'attached' });
 }
