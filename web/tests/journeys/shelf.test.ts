@@ -49,7 +49,7 @@ it('keeps every step of two documents when the browser is killed, and opens both
   await begin(page, 'second', parts);
   // The last stroke is kept as fast as a hand could close the window.
   await kept(page);
-  killBrowser(stage.profile);
+  await killBrowser(stage.profile);
   await reopen(stage);
   const all = await shelfOf(stage.page);
   expect(all.map(({ name }) => name)).toEqual(['first', 'second']);

@@ -65,20 +65,29 @@ function browserOf(profile: string): number {
   return browser.id;
 }
 
+/** The processes that a process has started, and they in turn, and itself. */
+function familyOf(first: number): Process[] {
+  const all = processes();
+  const isOurs = ({ id, parent }: Process): boolean => {
+    const above = all.find((one) => one.id === parent);
+    return id === first || (above !== undefined && isOurs(above));
+  };
+  return all.filter(isOurs);
+}
+
 /** Ends the browser of a profile as a crash does: at once, without a word. */
-export function killBrowser(profile: string): void {
-  process.kill(browserOf(profile), 'SIGKILL');
+export async function killBrowser(profile: string): Promise<void> {
+  const browser = browserOf(profile);
+  const ours = new Set(familyOf(browser).map(({ id }) => id));
+  process.kill(browser, 'SIGKILL');
+  // Its helpers end a little later, and hold the storage until then.
+  const lives = ({ id, words }: Process): boolean => ours.has(id) && words.some((word) => word !== '');
+  for (let i = 0; i < 100 && processes().some(lives); i++) await new Promise((resolve) => setTimeout(resolve, 50));
 }
 
 /** Ends the graphics of the browser of a profile. */
 export function killGraphics(profile: string): void {
-  const browser = browserOf(profile);
-  const all = processes();
-  const isOurs = ({ id, parent }: Process): boolean => {
-    const above = all.find((one) => one.id === parent);
-    return id === browser || (above !== undefined && isOurs(above));
-  };
-  const graphics = all.filter((one) => one.words.includes('--type=gpu-process') && isOurs(one));
+  const graphics = familyOf(browserOf(profile)).filter((one) => one.words.includes('--type=gpu-process'));
   if (graphics.length === 0) throw new Error('the browser has no graphics');
   for (const { id } of graphics) process.kill(id, 'SIGKILL');
 }
