@@ -3,12 +3,13 @@
 #include <string>
 #include <vector>
 
+#include "kernel/geometry/polygon.h"
 #include "relief/discretisation/discretise.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/depth_problem.h"
 #include "relief/pipeline/relief_options.h"
-#include "relief/scene/scene.h"
+#include "relievo/scene.h"
 
 namespace relievo::benchmarks {
 

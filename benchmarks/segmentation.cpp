@@ -5,11 +5,11 @@
 #include <functional>
 #include <string>
 
-#include "io/files/read_file.h"
 #include "io/image/decode_image.h"
 #include "relief/drawing/find_basins.h"
 #include "relief/drawing/label_basins.h"
 #include "relief/pipeline/propose_scene.h"
+#include "relievo/files.h"
 
 // Prints what segmentation, a changed stroke, and completing, ordering and joining 15 parts cost,
 // and how that grows with the size of a drawing. CPU time of the one thread that works, so that

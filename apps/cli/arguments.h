@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "io/mesh/threemf_encode.h"
+#include "kernel/geometry/polygon.h"
 #include "relief/pipeline/keep_field.h"
-#include "relief/scene/scene.h"
+#include "relievo/scene.h"
 #include "solid/solid_options.h"
 
 namespace relievo::cli {

@@ -9,10 +9,10 @@
 #include "apps/cli/reconstruct.h"
 #include "apps/cli/report.h"
 #include "face/inputs.h"
-#include "io/maps/encode_maps.h"
 #include "io/mesh/placement.h"
 #include "kernel/base/stopwatch.h"
 #include "kernel/image/image_size.h"
+#include "relievo/maps.h"
 
 namespace relievo::cli {
 namespace {

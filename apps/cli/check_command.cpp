@@ -12,12 +12,12 @@
 #include "apps/cli/scene_output.h"
 #include "apps/cli/table.h"
 #include "face/inputs.h"
-#include "io/files/read_file.h"
 #include "io/image/png_encode.h"
 #include "io/overlay/mesh_lines.h"
 #include "kernel/geometry/line_spans.h"
 #include "relief/inflation/inflate.h"
 #include "relief/layers/layer_parts.h"
+#include "relievo/files.h"
 
 namespace relievo::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "apps/cli/arguments.h"
 #include "apps/cli/interruption.h"
-#include "kernel/base/result.h"
+#include "relievo/result.h"
 
 namespace relievo::cli {
 

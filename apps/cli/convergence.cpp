@@ -6,7 +6,7 @@
 #include "io/image/png_encode.h"
 #include "kernel/image/image_size.h"
 #include "kernel/image/paste.h"
-#include "render/render_model.h"
+#include "relievo/render.h"
 
 namespace relievo::cli {
 namespace {

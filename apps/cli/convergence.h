@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "io/files/bytes.h"
-#include "kernel/base/result.h"
-#include "kernel/base/run_context.h"
 #include "relief/pipeline/build_relief.h"
+#include "relievo/bytes.h"
+#include "relievo/result.h"
+#include "relievo/run_context.h"
 
 namespace relievo::cli {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "apps/cli/arguments.h"
-#include "kernel/base/result.h"
+#include "relievo/result.h"
 
 namespace relievo::cli {
 

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <thread>
 
-#include "kernel/base/run_context.h"
+#include "relievo/run_context.h"
 
 namespace relievo::cli {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/result.h"
-#include "kernel/base/run_context.h"
+#include "relievo/result.h"
+#include "relievo/run_context.h"
 
 namespace relievo::cli {
 

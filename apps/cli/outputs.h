@@ -6,11 +6,11 @@
 
 #include "apps/cli/arguments.h"
 #include "apps/cli/interruption.h"
-#include "io/files/write_files.h"
 #include "io/mesh/threemf_encode.h"
-#include "kernel/base/result.h"
-#include "relief/drawing/drawing.h"
-#include "relief/model/model.h"
+#include "relievo/files.h"
+#include "relievo/image.h"
+#include "relievo/model.h"
+#include "relievo/result.h"
 
 namespace relievo::cli {
 

@@ -3,11 +3,11 @@
 #include <string>
 
 #include "apps/cli/arguments.h"
-#include "io/files/bytes.h"
-#include "kernel/base/result.h"
-#include "kernel/base/run_context.h"
-#include "relief/drawing/drawing.h"
-#include "relief/model/model.h"
+#include "relievo/bytes.h"
+#include "relievo/image.h"
+#include "relievo/model.h"
+#include "relievo/result.h"
+#include "relievo/run_context.h"
 
 namespace relievo::cli {
 

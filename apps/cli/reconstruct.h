@@ -4,8 +4,8 @@
 
 #include "apps/cli/arguments.h"
 #include "face/inputs.h"
-#include "kernel/base/result.h"
-#include "kernel/base/run_context.h"
+#include "relievo/result.h"
+#include "relievo/run_context.h"
 #include "solid/make_solid.h"
 
 namespace relievo::cli {

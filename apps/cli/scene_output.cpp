@@ -4,10 +4,10 @@
 
 #include "face/inputs.h"
 #include "io/files/paths.h"
-#include "io/files/read_file.h"
 #include "io/image/gif_decode.h"
 #include "io/image/png_decode.h"
 #include "io/scene/write_scene.h"
+#include "relievo/files.h"
 
 namespace relievo::cli {
 namespace {

@@ -3,10 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "io/files/bytes.h"
-#include "io/files/write_files.h"
-#include "kernel/base/result.h"
-#include "relief/scene/scene.h"
+#include "kernel/geometry/polygon.h"
+#include "relievo/bytes.h"
+#include "relievo/files.h"
+#include "relievo/result.h"
+#include "relievo/scene.h"
 
 namespace relievo::cli {
 

@@ -9,7 +9,6 @@
 #include "apps/cli/segment_report.h"
 #include "face/inputs.h"
 #include "io/files/in_file.h"
-#include "io/files/read_file.h"
 #include "io/image/decode_image.h"
 #include "io/image/gif_decode.h"
 #include "io/image/png_decode.h"
@@ -21,6 +20,7 @@
 #include "kernel/base/stopwatch.h"
 #include "relief/drawing/segment_drawing.h"
 #include "relief/pipeline/understand_drawing.h"
+#include "relievo/files.h"
 
 namespace relievo::cli {
 namespace {

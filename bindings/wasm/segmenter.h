@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "io/files/bytes.h"
 #include "io/project/project.h"
 #include "relief/drawing/basins.h"
-#include "relief/drawing/drawing.h"
+#include "relievo/bytes.h"
+#include "relievo/image.h"
 
 namespace relievo::wasm {
 

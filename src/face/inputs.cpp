@@ -3,7 +3,6 @@
 #include "io/archive/zip_archive.h"
 #include "io/files/in_file.h"
 #include "io/files/paths.h"
-#include "io/files/read_file.h"
 #include "io/image/decode_image.h"
 #include "io/layered/read_layer_folder.h"
 #include "io/layered/read_ora.h"
@@ -14,6 +13,7 @@
 #include "kernel/base/workers.h"
 #include "kernel/image/image_size.h"
 #include "relief/pipeline/connect_scene.h"
+#include "relievo/files.h"
 
 namespace relievo {
 namespace {

@@ -6,11 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "io/files/bytes.h"
-#include "kernel/base/result.h"
-#include "relief/drawing/drawing.h"
+#include "kernel/geometry/polygon.h"
 #include "relief/joining/joining.h"
-#include "relief/scene/scene.h"
+#include "relievo/bytes.h"
+#include "relievo/image.h"
+#include "relievo/result.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

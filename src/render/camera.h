@@ -1,7 +1,7 @@
 #pragma once
 
-#include "relief/model/model.h"
-#include "render/render_options.h"
+#include "relievo/model.h"
+#include "relievo/render.h"
 
 namespace relievo {
 

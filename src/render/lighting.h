@@ -1,8 +1,8 @@
 #pragma once
 
-#include "kernel/geometry/point.h"
+#include "relievo/point.h"
+#include "relievo/render.h"
 #include "render/camera.h"
-#include "render/render_options.h"
 #include "render/rgb.h"
 
 namespace relievo {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "kernel/geometry/point.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

@@ -5,9 +5,9 @@
 #include <memory>
 #include <optional>
 
-#include "kernel/base/result.h"
-#include "kernel/base/run_context.h"
-#include "relief/model/model.h"
+#include "relievo/model.h"
+#include "relievo/result.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

@@ -1,5 +1,3 @@
-#include "render/render_model.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -7,6 +5,7 @@
 
 #include "kernel/image/paste.h"
 #include "relief/model/model_texture.h"
+#include "relievo/render.h"
 #include "render/camera.h"
 #include "render/lighting.h"
 #include "render/low_discrepancy.h"

@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include "kernel/base/result.h"
-#include "kernel/base/run_context.h"
+#include "relievo/result.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "relief/model/model.h"
+#include "relievo/model.h"
 #include "render/ray_scene.h"
 
 namespace relievo {

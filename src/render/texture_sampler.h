@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "kernel/geometry/point.h"
-#include "kernel/image/image.h"
+#include "relievo/image.h"
+#include "relievo/point.h"
 #include "render/rgb.h"
 
 namespace relievo {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/geometry/point.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

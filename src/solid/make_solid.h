@@ -1,8 +1,8 @@
 #pragma once
 
-#include "kernel/base/result.h"
 #include "relief/model/drawn_model.h"
 #include "relief/model/visible_sheet.h"
+#include "relievo/result.h"
 #include "solid/solid_options.h"
 
 namespace relievo {

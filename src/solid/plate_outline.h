@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernel/base/result.h"
 #include "kernel/geometry/polygon.h"
+#include "relievo/result.h"
 #include "solid/solid_options.h"
 
 namespace relievo {

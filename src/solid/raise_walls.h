@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernel/base/result.h"
-#include "relief/model/model.h"
+#include "relievo/model.h"
+#include "relievo/result.h"
 #include "solid/height_field.h"
 
 namespace relievo {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernel/base/result.h"
+#include "relievo/result.h"
 #include "solid/height_field.h"
 
 namespace relievo {

@@ -2,10 +2,10 @@
 #include <map>
 
 #include "cli/cli_test.h"
-#include "io/files/bytes.h"
 #include "io/image/decode_image.h"
 #include "io/image/png_encode.h"
 #include "io/project/project_file.h"
+#include "relievo/bytes.h"
 
 namespace relievo {
 namespace {

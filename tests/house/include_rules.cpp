@@ -39,7 +39,6 @@ const Names stage_structs = {
     "cues/bulge_field.h",
     "cues/slope_field.h",
     "drawing/basins.h",
-    "drawing/drawing.h",
     "drawing/scribbles.h",
     "drawing/segmentation.h",
     "hiding/hidden_sheets.h",
@@ -52,10 +51,8 @@ const Names stage_structs = {
     "layers/joined_surface.h",
     "layers/layered_mesh.h",
     "model/drawn_model.h",
-    "model/model.h",
     "model/visible_sheet.h",
     "ordering/ordering.h",
-    "scene/scene.h",
     "stacking/stacking.h",
 };
 

@@ -1,5 +1,3 @@
-#include "render/render_model.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "relievo/render.h"
 #include "support/sample_models.h"
 
 namespace relievo {

@@ -5,13 +5,13 @@
 #include <map>
 #include <string>
 
-#include "io/files/read_file.h"
 #include "io/image/decode_image.h"
 #include "io/scribbles/read_scribbles.h"
 #include "io/svg/render_svg.h"
 #include "kernel/image/fill_outline.h"
 #include "relief/drawing/segment_drawing.h"
 #include "relief/pipeline/propose_scene.h"
+#include "relievo/files.h"
 
 namespace relievo {
 namespace {

@@ -8,8 +8,8 @@
 #include <set>
 #include <sstream>
 
-#include "io/files/read_file.h"
 #include "io/image/png_decode.h"
+#include "relievo/files.h"
 
 namespace relievo::testing {
 namespace {

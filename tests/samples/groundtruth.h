@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/image/image.h"
+#include "relievo/image.h"
 
 namespace relievo::testing {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "io/files/read_file.h"
 #include "io/svg/read_svg.h"
 #include "kernel/geometry/line_spans.h"
 #include "relief/joining/connect_parts.h"
+#include "relievo/files.h"
 
 namespace relievo {
 namespace {

@@ -2,11 +2,12 @@
 
 #include <vector>
 
+#include "kernel/geometry/polygon.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/model/assemble_model.h"
 #include "relief/ordering/ordering.h"
-#include "relief/scene/scene.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

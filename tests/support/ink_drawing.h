@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "kernel/geometry/polygon.h"
-#include "relief/drawing/drawing.h"
+#include "relievo/image.h"
 
 namespace relievo {
 

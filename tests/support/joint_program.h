@@ -4,11 +4,12 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
+#include "kernel/geometry/polygon.h"
 #include "relief/inflation/inflation.h"
 #include "relief/joint/solve_jointly.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/ordering.h"
-#include "relief/scene/scene.h"
+#include "relievo/scene.h"
 
 namespace relievo::testing {
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "kernel/image/image.h"
+#include "relievo/image.h"
 
 namespace relievo::testing {
 

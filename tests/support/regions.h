@@ -6,7 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "relief/scene/scene.h"
+#include "kernel/geometry/polygon.h"
+#include "relievo/scene.h"
 
 namespace relievo::testing {
 

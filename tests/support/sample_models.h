@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "relief/drawing/drawing.h"
-#include "relief/model/model.h"
+#include "relievo/image.h"
+#include "relievo/model.h"
 
 namespace relievo {
 

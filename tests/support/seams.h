@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "kernel/geometry/point.h"
 #include "relief/layers/layered_mesh.h"
+#include "relievo/point.h"
 
 namespace relievo::testing {
 

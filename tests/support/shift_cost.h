@@ -2,8 +2,9 @@
 
 #include <Eigen/Core>
 
+#include "kernel/geometry/polygon.h"
 #include "relief/layers/layered_mesh.h"
-#include "relief/scene/scene.h"
+#include "relievo/scene.h"
 
 namespace relievo::testing {
 

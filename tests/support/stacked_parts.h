@@ -3,8 +3,9 @@
 #include <functional>
 #include <vector>
 
+#include "kernel/geometry/polygon.h"
 #include "relief/layers/layered_mesh.h"
-#include "relief/scene/scene.h"
+#include "relievo/scene.h"
 #include "support/structured_meshes.h"
 
 namespace relievo::testing {

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "kernel/geometry/point.h"
 #include "kernel/operators/flat_mesh.h"
+#include "relievo/point.h"
 
 namespace relievo::testing {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "io/files/bytes.h"
+#include "relievo/bytes.h"
 
 namespace relievo {
 

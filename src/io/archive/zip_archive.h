@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "io/archive/archive_entry.h"
-#include "io/files/bytes.h"
-#include "kernel/base/result.h"
+#include "relievo/bytes.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

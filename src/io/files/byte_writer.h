@@ -4,7 +4,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "io/files/bytes.h"
+#include "relievo/bytes.h"
 
 namespace relievo {
 

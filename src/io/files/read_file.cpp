@@ -1,11 +1,11 @@
-#include "io/files/read_file.h"
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
 #include <string>
 #include <system_error>
+
+#include "relievo/files.h"
 
 namespace relievo {
 namespace {

@@ -1,5 +1,3 @@
-#include "io/files/write_files.h"
-
 #include <unistd.h>
 
 #include <atomic>
@@ -9,6 +7,8 @@
 #include <set>
 #include <string>
 #include <system_error>
+
+#include "relievo/files.h"
 
 namespace relievo {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "kernel/base/result.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/files/bytes.h"
-#include "kernel/image/image.h"
+#include "relievo/bytes.h"
+#include "relievo/image.h"
 
 namespace relievo {
 

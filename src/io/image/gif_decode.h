@@ -1,9 +1,9 @@
 #pragma once
 
-#include "io/files/bytes.h"
 #include "io/image/image_limits.h"
-#include "kernel/base/result.h"
-#include "kernel/image/image.h"
+#include "relievo/bytes.h"
+#include "relievo/image.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "kernel/base/result.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "io/files/bytes.h"
+#include "relievo/bytes.h"
 
 namespace relievo {
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "io/files/bytes.h"
-#include "kernel/base/result.h"
-#include "kernel/image/image.h"
+#include "relievo/bytes.h"
+#include "relievo/image.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/layered/layer_table.h"
-#include "kernel/base/result.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "io/parts/figures.h"
-#include "kernel/base/result.h"
-#include "relief/drawing/drawing.h"
-#include "relief/scene/scene.h"
+#include "kernel/geometry/polygon.h"
+#include "relievo/image.h"
+#include "relievo/result.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

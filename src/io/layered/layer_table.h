@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/layered/layer_pile.h"
-#include "kernel/base/result.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

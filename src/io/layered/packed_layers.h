@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "io/files/bytes.h"
 #include "io/image/image_limits.h"
 #include "io/image/png_decode.h"
 #include "io/layered/layer_pile.h"
+#include "relievo/bytes.h"
 
 namespace relievo {
 

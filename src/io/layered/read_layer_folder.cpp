@@ -6,10 +6,10 @@
 
 #include "io/files/in_file.h"
 #include "io/files/paths.h"
-#include "io/files/read_file.h"
 #include "io/layered/layer_names.h"
 #include "io/layered/layer_table.h"
 #include "io/layered/packed_layers.h"
+#include "relievo/files.h"
 
 namespace relievo {
 namespace {

@@ -1,11 +1,10 @@
-#include "io/maps/encode_maps.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "io/files/number_text.h"
 #include "io/image/png_encode.h"
+#include "relievo/maps.h"
 
 namespace relievo {
 namespace {

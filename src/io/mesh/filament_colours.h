@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/image/image.h"
-#include "relief/model/model.h"
+#include "relievo/image.h"
+#include "relievo/model.h"
 
 namespace relievo {
 

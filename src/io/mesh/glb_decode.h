@@ -2,10 +2,10 @@
 
 #include <cstdint>
 
-#include "io/files/bytes.h"
 #include "io/image/image_limits.h"
-#include "kernel/base/result.h"
 #include "relief/model/drawn_model.h"
+#include "relievo/bytes.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

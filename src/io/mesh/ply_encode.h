@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "io/files/bytes.h"
-#include "kernel/base/result.h"
-#include "relief/drawing/drawing.h"
-#include "relief/model/model.h"
+#include "relievo/bytes.h"
+#include "relievo/image.h"
+#include "relievo/model.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

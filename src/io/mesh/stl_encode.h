@@ -1,8 +1,8 @@
 #pragma once
 
-#include "io/files/bytes.h"
-#include "kernel/base/result.h"
-#include "relief/model/model.h"
+#include "relievo/bytes.h"
+#include "relievo/model.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

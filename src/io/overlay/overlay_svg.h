@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "io/overlay/mesh_lines.h"
-#include "relief/scene/scene.h"
+#include "kernel/geometry/polygon.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

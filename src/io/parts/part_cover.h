@@ -3,7 +3,8 @@
 #include <vector>
 
 #include "io/parts/region.h"
-#include "relief/scene/scene.h"
+#include "kernel/geometry/polygon.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

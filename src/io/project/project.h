@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "io/files/bytes.h"
+#include "kernel/geometry/polygon.h"
 #include "relief/corrections/segmentation_record.h"
-#include "relief/scene/scene.h"
+#include "relievo/bytes.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

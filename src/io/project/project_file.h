@@ -1,8 +1,8 @@
 #pragma once
 
-#include "io/files/bytes.h"
 #include "io/project/project.h"
-#include "kernel/base/result.h"
+#include "relievo/bytes.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

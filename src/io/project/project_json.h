@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "io/project/project.h"
-#include "kernel/base/result.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "kernel/base/result.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

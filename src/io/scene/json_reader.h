@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/base/result.h"
 #include "kernel/geometry/polygon.h"
-#include "relief/scene/scene.h"
+#include "relievo/result.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

@@ -3,8 +3,9 @@
 #include <cstddef>
 #include <string_view>
 
-#include "kernel/base/result.h"
-#include "relief/scene/scene.h"
+#include "kernel/geometry/polygon.h"
+#include "relievo/result.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

@@ -2,8 +2,9 @@
 
 #include <string>
 
-#include "kernel/base/result.h"
-#include "relief/scene/scene.h"
+#include "kernel/geometry/polygon.h"
+#include "relievo/result.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "kernel/base/result.h"
 #include "relief/drawing/scribbles.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "kernel/base/result.h"
-#include "kernel/image/image.h"
 #include "relief/drawing/scribbles.h"
+#include "relievo/image.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "kernel/geometry/point.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

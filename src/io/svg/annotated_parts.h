@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "io/svg/svg_drawing.h"
-#include "relief/scene/scene.h"
+#include "kernel/geometry/polygon.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

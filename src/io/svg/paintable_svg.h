@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "io/svg/svg_options.h"
-#include "kernel/base/result.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/svg/affine.h"
-#include "kernel/geometry/point.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

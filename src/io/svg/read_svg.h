@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "io/svg/svg_options.h"
-#include "kernel/base/result.h"
-#include "relief/scene/scene.h"
+#include "kernel/geometry/polygon.h"
+#include "relievo/result.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

@@ -3,8 +3,8 @@
 #include <string_view>
 
 #include "io/svg/svg_options.h"
-#include "kernel/base/result.h"
-#include "relief/drawing/drawing.h"
+#include "relievo/image.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

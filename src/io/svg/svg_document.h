@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "io/svg/svg_options.h"
-#include "kernel/base/result.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

@@ -6,7 +6,7 @@
 
 #include "io/svg/svg_document.h"
 #include "io/svg/svg_region.h"
-#include "kernel/base/result.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

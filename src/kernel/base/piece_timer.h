@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "kernel/base/run_context.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

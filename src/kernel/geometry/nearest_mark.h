@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "kernel/geometry/point.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "kernel/geometry/point.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "kernel/geometry/point.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

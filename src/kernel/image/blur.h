@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernel/image/image.h"
+#include "relievo/image.h"
 
 namespace relievo {
 

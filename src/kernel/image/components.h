@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/image/image.h"
 #include "kernel/image/mask.h"
+#include "relievo/image.h"
 
 namespace relievo {
 

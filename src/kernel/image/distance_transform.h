@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "kernel/image/image.h"
+#include "relievo/image.h"
 
 namespace relievo {
 

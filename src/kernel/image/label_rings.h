@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/geometry/point.h"
-#include "kernel/image/image.h"
+#include "relievo/image.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

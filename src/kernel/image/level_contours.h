@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernel/geometry/polygon.h"
-#include "kernel/image/image.h"
+#include "relievo/image.h"
 
 namespace relievo {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "kernel/image/image.h"
+#include "relievo/image.h"
 
 namespace relievo {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernel/geometry/point.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

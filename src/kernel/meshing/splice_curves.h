@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "kernel/base/result.h"
 #include "kernel/geometry/polygon.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

@@ -3,9 +3,9 @@
 #include <array>
 #include <vector>
 
-#include "kernel/base/result.h"
-#include "kernel/base/run_context.h"
-#include "kernel/geometry/point.h"
+#include "relievo/point.h"
+#include "relievo/result.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "kernel/base/run_context.h"
 #include "kernel/operators/flat_mesh.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

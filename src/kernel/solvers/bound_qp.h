@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/base/run_context.h"
 #include "kernel/base/sparse_matrix.h"
 #include "kernel/solvers/bound_qp_report.h"
 #include "kernel/solvers/sparse_cholesky.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

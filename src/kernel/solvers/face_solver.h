@@ -2,9 +2,9 @@
 
 #include <Eigen/Core>
 
-#include "kernel/base/run_context.h"
 #include "kernel/solvers/bound_qp.h"
 #include "kernel/solvers/sparse_cholesky.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "kernel/base/run_context.h"
 #include "kernel/base/sparse_matrix.h"
 #include "kernel/solvers/forward_sweep.h"
 #include "kernel/solvers/symmetric_graph.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "kernel/base/run_context.h"
 #include "kernel/solvers/symmetric_graph.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

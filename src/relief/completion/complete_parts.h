@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "kernel/base/run_context.h"
 #include "relief/completion/completion.h"
 #include "relief/completion/part_regions.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "kernel/image/image.h"
 #include "kernel/image/label_rings.h"
 #include "kernel/image/mask.h"
+#include "relievo/image.h"
 
 namespace relievo {
 

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "kernel/image/image.h"
 #include "relief/completion/completion.h"
 #include "relief/corrections/corrections.h"
 #include "relief/drawing/scribbles.h"
 #include "relief/stacking/stacking.h"
+#include "relievo/image.h"
 
 namespace relievo {
 

@@ -2,8 +2,9 @@
 
 #include <vector>
 
+#include "kernel/geometry/polygon.h"
 #include "relief/layers/layered_mesh.h"
-#include "relief/scene/scene.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

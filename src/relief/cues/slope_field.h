@@ -3,8 +3,9 @@
 #include <array>
 #include <vector>
 
+#include "kernel/geometry/polygon.h"
 #include "relief/layers/layered_mesh.h"
-#include "relief/scene/scene.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

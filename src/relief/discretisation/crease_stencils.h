@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "kernel/geometry/point.h"
 #include "kernel/operators/gradient.h"
 #include "relief/layers/layered_mesh.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "kernel/base/run_context.h"
 #include "relief/discretisation/discretisation.h"
 #include "relief/layers/layered_mesh.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

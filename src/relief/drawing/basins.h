@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
-#include "kernel/image/image.h"
+#include "relievo/image.h"
 
 namespace relievo {
 

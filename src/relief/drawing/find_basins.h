@@ -1,9 +1,9 @@
 #pragma once
 
-#include "kernel/base/result.h"
-#include "kernel/base/run_context.h"
 #include "relief/drawing/basins.h"
-#include "relief/drawing/drawing.h"
+#include "relievo/image.h"
+#include "relievo/result.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

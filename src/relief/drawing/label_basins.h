@@ -1,9 +1,9 @@
 #pragma once
 
-#include "kernel/base/result.h"
 #include "relief/drawing/basins.h"
 #include "relief/drawing/scribbles.h"
 #include "relief/drawing/segmentation.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "kernel/image/image.h"
+#include "relievo/image.h"
 
 namespace relievo {
 

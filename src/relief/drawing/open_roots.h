@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "kernel/geometry/point.h"
 #include "relief/drawing/line_map.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "kernel/base/result.h"
-#include "kernel/base/run_context.h"
-#include "relief/drawing/drawing.h"
 #include "relief/drawing/label_basins.h"
 #include "relief/drawing/scribbles.h"
 #include "relief/drawing/segmentation.h"
+#include "relievo/image.h"
+#include "relievo/result.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "kernel/geometry/point.h"
-#include "kernel/image/image.h"
+#include "relievo/image.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

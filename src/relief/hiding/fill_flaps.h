@@ -3,9 +3,9 @@
 #include <array>
 #include <vector>
 
-#include "kernel/base/run_context.h"
 #include "kernel/operators/gradient.h"
 #include "relief/hiding/hide_sheets.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

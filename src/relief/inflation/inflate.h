@@ -1,12 +1,13 @@
 #pragma once
 
-#include "kernel/base/result.h"
-#include "kernel/base/run_context.h"
+#include "kernel/geometry/polygon.h"
 #include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflation.h"
 #include "relief/inflation/poisson_system.h"
 #include "relief/layers/layered_mesh.h"
-#include "relief/scene/scene.h"
+#include "relievo/result.h"
+#include "relievo/run_context.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

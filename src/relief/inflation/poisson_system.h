@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/base/run_context.h"
 #include "kernel/base/sparse_matrix.h"
 #include "kernel/solvers/sparse_cholesky.h"
 #include "relief/discretisation/discretisation.h"
 #include "relief/layers/layered_mesh.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

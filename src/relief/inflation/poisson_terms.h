@@ -4,11 +4,12 @@
 #include <vector>
 
 #include "kernel/base/sparse_matrix.h"
+#include "kernel/geometry/polygon.h"
 #include "kernel/operators/flat_mesh.h"
 #include "kernel/operators/gradient.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
-#include "relief/scene/scene.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

@@ -3,7 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "relief/scene/scene.h"
+#include "kernel/geometry/polygon.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

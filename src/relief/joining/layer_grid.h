@@ -3,8 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernel/geometry/polygon.h"
 #include "kernel/image/mask.h"
-#include "relief/scene/scene.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/base/run_context.h"
 #include "kernel/solvers/bound_qp.h"
 #include "kernel/solvers/sparse_cholesky.h"
 #include "relief/joint/joint_model.h"
 #include "relief/ordering/depth_problem.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

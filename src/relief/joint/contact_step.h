@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/base/run_context.h"
 #include "kernel/solvers/bound_qp.h"
 #include "relief/joint/joint_model.h"
 #include "relief/joint/soft_matrix.h"
 #include "relief/ordering/depth_problem.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

@@ -2,11 +2,11 @@
 
 #include <vector>
 
-#include "kernel/base/result.h"
-#include "kernel/base/run_context.h"
 #include "relief/joint/joint_map.h"
 #include "relief/joint/joint_solution.h"
 #include "relief/joint/solve_jointly.h"
+#include "relievo/result.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

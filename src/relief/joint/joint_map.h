@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/base/run_context.h"
 #include "relief/joint/bound_step.h"
 #include "relief/joint/contact_step.h"
 #include "relief/joint/inflation_response.h"
@@ -12,6 +11,7 @@
 #include "relief/joint/joint_solution.h"
 #include "relief/joint/smooth_root.h"
 #include "relief/ordering/depth_problem.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "kernel/geometry/point.h"
 #include "relief/joint/bound_stiffness.h"
 #include "relief/ordering/depth_contacts.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

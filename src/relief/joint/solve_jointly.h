@@ -2,13 +2,14 @@
 
 #include <vector>
 
-#include "kernel/base/result.h"
-#include "kernel/base/run_context.h"
+#include "kernel/geometry/polygon.h"
 #include "relief/inflation/inflate.h"
 #include "relief/joint/joint_solution.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/order_depth.h"
-#include "relief/scene/scene.h"
+#include "relievo/result.h"
+#include "relievo/run_context.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

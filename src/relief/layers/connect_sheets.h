@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/result.h"
 #include "relief/layers/sheets.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

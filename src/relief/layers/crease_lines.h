@@ -2,10 +2,11 @@
 
 #include <vector>
 
+#include "kernel/geometry/polygon.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/layers/sample_outlines.h"
 #include "relief/layers/sheets.h"
-#include "relief/scene/scene.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

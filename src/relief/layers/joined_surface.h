@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/geometry/point.h"
 #include "relief/layers/layered_mesh.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

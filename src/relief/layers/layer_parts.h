@@ -1,10 +1,11 @@
 #pragma once
 
-#include "kernel/base/result.h"
-#include "kernel/base/run_context.h"
+#include "kernel/geometry/polygon.h"
 #include "relief/layers/joined_sheets.h"
 #include "relief/layers/layered_mesh.h"
-#include "relief/scene/scene.h"
+#include "relievo/result.h"
+#include "relievo/run_context.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

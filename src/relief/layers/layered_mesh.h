@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/geometry/point.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

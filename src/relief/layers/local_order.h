@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "kernel/base/result.h"
 #include "relief/layers/boundaries.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "kernel/base/result.h"
 #include "relief/layers/layer_parts.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

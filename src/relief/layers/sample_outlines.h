@@ -3,10 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/result.h"
+#include "kernel/geometry/polygon.h"
 #include "kernel/meshing/size_field.h"
 #include "kernel/meshing/splice_curves.h"
-#include "relief/scene/scene.h"
+#include "relievo/result.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

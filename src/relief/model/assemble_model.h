@@ -1,13 +1,14 @@
 #pragma once
 
-#include "kernel/base/result.h"
-#include "kernel/base/run_context.h"
+#include "kernel/geometry/polygon.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
-#include "relief/model/model.h"
 #include "relief/model/visible_sheet.h"
 #include "relief/ordering/ordering.h"
-#include "relief/scene/scene.h"
+#include "relievo/model.h"
+#include "relievo/result.h"
+#include "relievo/run_context.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "relief/drawing/drawing.h"
-#include "relief/model/model.h"
+#include "relievo/image.h"
+#include "relievo/model.h"
 
 namespace relievo {
 

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "kernel/base/result.h"
 #include "relief/inflation/inflation.h"
 #include "relief/model/assemble_model.h"
 #include "relief/model/sheet_surface.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

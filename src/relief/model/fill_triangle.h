@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "kernel/geometry/point.h"
 #include "kernel/image/image_size.h"
-#include "relief/model/model.h"
+#include "relievo/model.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

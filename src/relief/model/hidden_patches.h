@@ -3,10 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/image/image.h"
 #include "kernel/image/image_size.h"
-#include "relief/drawing/drawing.h"
-#include "relief/model/model.h"
+#include "relievo/image.h"
+#include "relievo/model.h"
 
 namespace relievo {
 

@@ -2,8 +2,9 @@
 
 #include <vector>
 
-#include "relief/model/model.h"
-#include "relief/scene/scene.h"
+#include "kernel/geometry/polygon.h"
+#include "relievo/model.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "kernel/image/image.h"
-#include "relief/drawing/drawing.h"
-#include "relief/model/model.h"
+#include "relievo/image.h"
+#include "relievo/model.h"
 
 namespace relievo {
 

@@ -3,9 +3,10 @@
 #include <array>
 #include <vector>
 
+#include "kernel/geometry/polygon.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/model/assemble_model.h"
-#include "relief/scene/scene.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

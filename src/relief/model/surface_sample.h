@@ -2,12 +2,13 @@
 
 #include <cmath>
 
-#include "kernel/base/result.h"
-#include "kernel/geometry/point.h"
+#include "kernel/geometry/polygon.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/ordering.h"
-#include "relief/scene/scene.h"
+#include "relievo/point.h"
+#include "relievo/result.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

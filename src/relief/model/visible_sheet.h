@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "relief/model/model.h"
+#include "relievo/model.h"
 
 namespace relievo {
 

@@ -4,9 +4,9 @@
 #include <tuple>
 #include <vector>
 
-#include "kernel/geometry/point.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/depth_problem.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

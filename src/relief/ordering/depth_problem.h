@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/base/run_context.h"
 #include "kernel/solvers/bound_qp.h"
 #include "kernel/solvers/sparse_cholesky.h"
 #include "relief/ordering/depth_forest.h"
 #include "relief/ordering/gap_variables.h"
 #include "relief/ordering/ordering.h"
 #include "relief/ordering/shift_metric.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "kernel/base/result.h"
 #include "relief/ordering/order_depth.h"
 #include "relief/ordering/ordering.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

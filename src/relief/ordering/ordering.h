@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "kernel/geometry/point.h"
 #include "kernel/solvers/bound_qp_report.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

@@ -3,12 +3,13 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/base/run_context.h"
+#include "kernel/geometry/polygon.h"
 #include "relief/discretisation/discretisation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/depth_contacts.h"
 #include "relief/ordering/depth_problem.h"
-#include "relief/scene/scene.h"
+#include "relievo/run_context.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

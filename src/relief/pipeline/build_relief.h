@@ -2,13 +2,13 @@
 
 #include <vector>
 
-#include "kernel/base/result.h"
-#include "kernel/base/run_context.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/model/assemble_model.h"
 #include "relief/model/relief_maps.h"
 #include "relief/pipeline/relief_options.h"
 #include "relief/pipeline/stage_clock.h"
+#include "relievo/result.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

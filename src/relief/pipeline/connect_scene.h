@@ -1,7 +1,8 @@
 #pragma once
 
+#include "kernel/geometry/polygon.h"
 #include "relief/joining/joining.h"
-#include "relief/scene/scene.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

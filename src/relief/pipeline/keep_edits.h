@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "kernel/geometry/polygon.h"
 #include "relief/corrections/corrections.h"
-#include "relief/scene/scene.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

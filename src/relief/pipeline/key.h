@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "kernel/geometry/point.h"
+#include "relievo/point.h"
 
 namespace relievo {
 

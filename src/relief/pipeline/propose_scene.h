@@ -3,12 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/run_context.h"
+#include "kernel/geometry/polygon.h"
 #include "relief/completion/complete_parts.h"
 #include "relief/corrections/corrections.h"
 #include "relief/joining/join_parts.h"
-#include "relief/scene/scene.h"
 #include "relief/stacking/stack_parts.h"
+#include "relievo/run_context.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/base/run_context.h"
+#include "relievo/run_context.h"
 
 namespace relievo {
 

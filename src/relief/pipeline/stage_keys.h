@@ -1,9 +1,10 @@
 #pragma once
 
+#include "kernel/geometry/polygon.h"
 #include "relief/layers/layer_parts.h"
 #include "relief/pipeline/key.h"
 #include "relief/pipeline/relief_options.h"
-#include "relief/scene/scene.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

@@ -4,7 +4,8 @@
 #include <string_view>
 
 #include "kernel/base/text_rules.h"
-#include "relief/scene/scene.h"
+#include "kernel/geometry/polygon.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "kernel/base/result.h"
 #include "relief/stacking/stacking.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

@@ -3,10 +3,10 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/base/result.h"
 #include "relief/completion/completion.h"
 #include "relief/completion/part_regions.h"
 #include "relief/stacking/stacking.h"
+#include "relievo/result.h"
 
 namespace relievo {
 

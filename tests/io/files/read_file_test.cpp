@@ -1,8 +1,7 @@
-#include "io/files/read_file.h"
-
 #include <gtest/gtest.h>
 
 #include "io/support/temporary_folder.h"
+#include "relievo/files.h"
 
 namespace relievo {
 namespace {

@@ -6,8 +6,8 @@
 #include <csignal>
 #include <cstdio>
 
-#include "io/files/write_files.h"
 #include "io/support/temporary_folder.h"
+#include "relievo/files.h"
 
 namespace {
 

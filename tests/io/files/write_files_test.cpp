@@ -1,8 +1,7 @@
-#include "io/files/write_files.h"
-
 #include <gtest/gtest.h>
 
 #include "io/support/temporary_folder.h"
+#include "relievo/files.h"
 
 namespace relievo {
 namespace {

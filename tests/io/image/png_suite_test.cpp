@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "io/files/read_file.h"
 #include "io/image/decode_image.h"
 #include "io/image/png_decode.h"
 #include "io/support/reference_png.h"
+#include "relievo/files.h"
 
 namespace relievo {
 namespace {

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "io/files/write_files.h"
 #include "io/layered/layer_support.h"
 #include "io/layered/layer_table.h"
 #include "io/layered/read_layer_folder.h"
 #include "io/support/temporary_folder.h"
+#include "relievo/files.h"
 
 namespace relievo {
 namespace {

@@ -1,5 +1,3 @@
-#include "io/maps/encode_maps.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <string>
 
 #include "io/support/raw_png.h"
+#include "relievo/maps.h"
 
 namespace relievo {
 namespace {

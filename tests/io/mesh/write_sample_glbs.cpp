@@ -1,8 +1,8 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "io/files/write_files.h"
 #include "io/mesh/glb_encode.h"
+#include "relievo/files.h"
 #include "support/sample_models.h"
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "io/files/bytes.h"
+#include "relievo/bytes.h"
 
 namespace relievo {
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <string>
 
-#include "io/files/bytes.h"
-#include "kernel/image/image.h"
+#include "relievo/bytes.h"
+#include "relievo/image.h"
 
 namespace relievo {
 

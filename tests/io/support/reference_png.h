@@ -8,8 +8,8 @@
 #include <cstring>
 #include <string>
 
-#include "io/files/bytes.h"
-#include "kernel/image/image.h"
+#include "relievo/bytes.h"
+#include "relievo/image.h"
 
 namespace relievo {
 

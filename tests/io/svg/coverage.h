@@ -1,8 +1,8 @@
 #pragma once
 
-#include "kernel/image/image.h"
-#include "relief/drawing/drawing.h"
-#include "relief/scene/scene.h"
+#include "kernel/geometry/polygon.h"
+#include "relievo/image.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 

@@ -2,7 +2,8 @@
 
 #include <limits>
 
-#include "relief/scene/scene.h"
+#include "kernel/geometry/polygon.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 namespace {

@@ -1,3 +1,0 @@
-#pragma once
-
-#include "relievo/run_context.h"

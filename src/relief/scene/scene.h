@@ -1,4 +1,0 @@
-#pragma once
-
-#include "kernel/geometry/polygon.h"
-#include "relievo/scene.h"
