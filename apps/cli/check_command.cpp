@@ -101,18 +101,16 @@ std::string overlap_table(const Scene& scene, const LayeredMesh& mesh) {
 /// The scene as it was understood, with its drawing.
 Result<std::vector<OutputFile>> scene_outputs(const CheckArguments& check, const InputFile& file,
                                               const SceneInput& input) {
-  SceneDrawing drawing{input.drawing_file, {}};
-  if (drawing.file == "-") drawing.bytes = file.bytes;
-  if (drawing.file.empty() && !input.drawing.rgba.empty()) {
-    auto picture = encode_png(input.drawing.rgba);
-    if (!picture) return picture.error();
-    drawing.bytes = std::move(*picture);
-  } else if (!drawing.file.empty() && drawing.file != "-") {
-    auto bytes = read_file(drawing.file);
-    if (!bytes) return bytes.error();
-    drawing.bytes = std::move(*bytes);
-  }
-  return scene_files(check.output, input.scene, drawing);
+  const std::string& from = input.drawing_file;
+  Result<Bytes> bytes = Bytes();
+  if (from == "-")
+    bytes = file.bytes;
+  else if (!from.empty())
+    bytes = read_file(from);
+  else if (!input.drawing.rgba.empty())
+    bytes = encode_png(input.drawing.rgba);
+  if (!bytes) return bytes.error();
+  return scene_files(check.output, input.scene, {from, std::move(*bytes)});
 }
 
 /// Writes what was asked for.

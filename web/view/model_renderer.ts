@@ -2,6 +2,7 @@ import * as THREE from 'three';
 import type { Surface } from '../engine/messages';
 import { marks } from './colors';
 import { bledTexture, type Painted } from './painted_drawing';
+import { pixelsOf } from './pixels_of';
 
 export type ModelShading = 'drawing' | 'clay' | 'normals';
 
@@ -131,14 +132,7 @@ export class ModelRenderer {
   /** The view as pixels on a ground of one colour, its longest side `side` px at most. */
   snapshot(side: number, ground: string): ImageData {
     this.render();
-    const scale = Math.min(1, side / Math.max(this.canvas.width, this.canvas.height));
-    const [width, height] = [Math.round(scale * this.canvas.width), Math.round(scale * this.canvas.height)];
-    const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
-    if (!context) throw new Error('this browser has no canvas');
-    context.fillStyle = ground;
-    context.fillRect(0, 0, width, height);
-    context.drawImage(this.canvas, 0, 0, width, height);
-    return context.getImageData(0, 0, width, height);
+    return pixelsOf(this.canvas, side, ground);
   }
 
   private textureOf(source: OffscreenCanvas): THREE.Texture {

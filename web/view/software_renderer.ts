@@ -1,6 +1,7 @@
 import type { Surface } from '../engine/messages';
 import type { ModelRenderer, ModelShading, Pose } from './model_renderer';
 import { bledTexture, type Painted } from './painted_drawing';
+import { pixelsOf } from './pixels_of';
 
 /** What draws the relief, with or without graphics. */
 export type Renderer = Pick<
@@ -115,14 +116,7 @@ export class SoftwareRenderer implements Renderer {
 
   snapshot(side: number, ground: string): ImageData {
     this.render();
-    const scale = Math.min(1, side / Math.max(this.canvas.width, this.canvas.height));
-    const [width, height] = [Math.round(scale * this.canvas.width), Math.round(scale * this.canvas.height)];
-    const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
-    if (!context) throw new Error('this browser has no canvas');
-    context.fillStyle = ground;
-    context.fillRect(0, 0, width, height);
-    context.drawImage(this.canvas, 0, 0, width, height);
-    return context.getImageData(0, 0, width, height);
+    return pixelsOf(this.canvas, side, ground);
   }
 
   private redraw(): void {
