@@ -17,8 +17,8 @@ namespace {
 
 using emscripten::val;
 
-/// {scene, proposed, warnings, paintable} of a layered drawing: the text of a scene file (see
-/// read_svg and connect_scene) and the drawing as the page may paint it (see paintable_svg).
+/// {scene, proposed, lineArt, warnings, paintable} of a layered drawing: the text of a scene file
+/// (see read_svg and connect_scene) and the drawing as the page may paint it (see paintable_svg).
 val import_svg(const val& array) {
   const Bytes bytes = to_bytes(array);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -32,6 +32,7 @@ val import_svg(const val& array) {
   result.set("scene", *scene);
   result.set("paintable", paintable->text);
   result.set("proposed", import->proposed);
+  result.set("lineArt", import->line_art);
   result.set("warnings", to_js(import->warnings));
   return result;
 }

@@ -1,5 +1,7 @@
 #include "face/inputs.h"
 
+#include <optional>
+
 #include "io/archive/zip_archive.h"
 #include "io/files/in_file.h"
 #include "io/files/paths.h"
@@ -12,7 +14,9 @@
 #include "io/svg/render_svg.h"
 #include "kernel/base/workers.h"
 #include "kernel/image/image_size.h"
+#include "relief/drawing/segment_drawing.h"
 #include "relief/pipeline/connect_scene.h"
+#include "relief/pipeline/understand_drawing.h"
 #include "relievo/files.h"
 
 namespace relievo {
@@ -22,6 +26,9 @@ namespace fs = std::filesystem;
 
 /// Longest side of the texture that is made from a vector drawing, px.
 constexpr double vector_texture_side = 2048;
+
+/// The same where its lines are looked at for parts.
+constexpr double line_art_side = 1600;
 
 std::string_view text_of(const Bytes& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -36,9 +43,37 @@ Result<Drawing> texture_of(const Bytes& svg, double width, double height) {
   return rasterize(text_of(svg), width, height, vector_texture_side);
 }
 
+/// The parts that the lines of a drawing without fills enclose, as `segment` finds them; nothing
+/// where there are none.
+std::optional<SceneInput> load_line_art(const InputFile& input, const Scene& scene) {
+  auto drawing = rasterize(text_of(input.bytes), scene.width, scene.height, line_art_side);
+  if (!drawing) return std::nullopt;
+  auto found = segment_drawing(*drawing, {}, {}, {});
+  if (!found) return std::nullopt;
+  auto understood = understand_drawing(drawing->rgba, relabel(*found, {}).record, {});
+  if (!understood || understood->scene.parts.empty()) return std::nullopt;
+  SceneInput loaded;
+  loaded.drawing_file = input.name;
+  loaded.scene = std::move(understood->scene);
+  loaded.drawing = std::move(*drawing);
+  loaded.guesses = std::move(understood->proposal.joining);
+  const std::vector<int>& place = understood->proposal.stacking.rank;
+  for (ProposedJoin& proposed : loaded.guesses.joins) {
+    proposed.join.upper = place[proposed.join.upper];
+    proposed.join.lower = place[proposed.join.lower];
+  }
+  loaded.warnings = std::move(found->notes);
+  loaded.warnings.emplace_back(
+      "nothing is filled: what the lines enclose are the parts, which relievo segment can correct");
+  loaded.proposed = true;
+  return loaded;
+}
+
 Result<SceneInput> load_svg(const InputFile& input) {
   auto import = read_svg(text_of(input.bytes));
   if (!import) return import.error();
+  if (import->line_art)
+    if (auto lines = load_line_art(input, import->scene)) return std::move(*lines);
   SceneInput loaded;
   const double width = import->scene.width;
   const double height = import->scene.height;
@@ -57,6 +92,7 @@ SceneInput with_layers(LayeredDrawing&& content) {
   loaded.scene = std::move(content.scene);
   loaded.drawing = std::move(content.drawing);
   loaded.proposed = content.proposed;
+  loaded.warnings = std::move(content.warnings);
   return loaded;
 }
 
@@ -99,7 +135,7 @@ Result<SceneInput> load_archive(const InputFile& input) {
   auto ora = read_ora(*entries);
   if (!ora) return ora.error();
   SceneInput loaded = with_layers(std::move(ora->content));
-  loaded.warnings = std::move(ora->warnings);
+  loaded.warnings.insert(loaded.warnings.end(), ora->warnings.begin(), ora->warnings.end());
   return loaded;
 }
 
@@ -171,9 +207,19 @@ Result<SceneInput> load(const InputFile& input) {
 /// Connects the parts of a layered drawing; a scene or project file has had its say.
 void connect_layers(const InputFile& input, SceneInput& scene) {
   if (!input.folder && (sniff(input.bytes) == InputKind::json || is_project(input.bytes))) return;
+  if (!scene.guesses.joins.empty() || !scene.guesses.relations.empty()) return;
   ConnectedScene connected = connect_scene(std::move(scene.scene), scene.proposed);
   scene.scene = std::move(connected.scene);
   scene.guesses = std::move(connected.proposals);
+}
+
+/// Leaves out what was guessed of how parts connect.
+void stack_layers(SceneInput& input) {
+  if (input.guesses.joins.empty() && input.guesses.relations.empty()) return;
+  input.guesses = {};
+  input.scene.joins.clear();
+  input.scene.relations.clear();
+  input.scene.robin.clear();
 }
 
 }  // namespace
@@ -212,6 +258,7 @@ Result<SceneInput> start_scene(const InputFile& input, bool connect) {
   auto loaded = load(input);
   if (!loaded) return in_file(loaded.error(), input.name);
   if (connect) connect_layers(input, *loaded);
+  if (!connect) stack_layers(*loaded);
   if (input.name != "-" && !input.folder) loaded->files.emplace_back(input.name);
   return loaded;
 }

@@ -194,7 +194,7 @@ export class Files {
     const imported = await this.engine.importSvg(bytes);
     if (isFailure(imported)) throw new Error(imported.error.message);
     const content = sceneContent(imported.scene);
-    if (imported.proposed && content.parts.length < 2) {
+    if (imported.lineArt || (imported.proposed && content.parts.length < 2)) {
       // Lines, or one shape: its parts are found as those of a flat picture.
       const flat = await flatOfSvg(imported.paintable, content.width, content.height);
       await this.openImage(`${baseName(name)}.png`, flat, 'image/png');

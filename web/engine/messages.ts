@@ -81,6 +81,8 @@ export interface SvgImport {
   /** The drawing as the page may paint it. */
   paintable: string;
   proposed: boolean;
+  /** Nothing is filled: lines enclose the parts. */
+  lineArt: boolean;
   warnings: string[];
 }
 

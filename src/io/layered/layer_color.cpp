@@ -32,15 +32,15 @@ Mask eroded(const Mask& mask, int width, int height) {
 }
 
 struct MeanColor {
-  double sum[3] = {0, 0, 0};
+  double sum[4] = {0, 0, 0, 0};
   double count = 0;
 
   void add(const uint8_t* rgba) {
-    for (int k = 0; k < 3; ++k) sum[k] += rgba[k] / 255.0;
+    for (int k = 0; k < 4; ++k) sum[k] += rgba[k] / 255.0;
     ++count;
   }
 
-  Color mean() const { return {sum[0] / count, sum[1] / count, sum[2] / count, 1}; }
+  Color mean() const { return {sum[0] / count, sum[1] / count, sum[2] / count, sum[3] / count}; }
 };
 
 }  // namespace
@@ -56,9 +56,11 @@ LayerColor color_of(const RasterLayer& layer) {
   LayerColor color;
   if (inner.count == 0) {
     if (rim.count > 0) color.inner = rim.mean();
+    color.inner.a *= layer.opacity;
     return color;
   }
   color.inner = inner.mean();
+  color.inner.a *= layer.opacity;
   color.outlined = rim.count > 0 && color_distance(color.inner, rim.mean()) > color_contrast;
   return color;
 }

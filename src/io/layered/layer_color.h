@@ -6,7 +6,7 @@
 namespace relievo {
 
 struct LayerColor {
-  Color inner;            ///< mean of what is opaque, its rim left out where there is more
+  Color inner;  ///< mean of what is opaque, its rim left out where there is more, with its alpha
   bool outlined = false;  ///< the rim has another colour, as where a line is drawn around a fill
 };
 

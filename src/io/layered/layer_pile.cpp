@@ -12,9 +12,6 @@
 namespace relievo {
 namespace {
 
-/// A layer that covers more of the canvas is its background.
-constexpr double background = 0.98;
-
 /// Outlines of layers are simplified by no more than this, px.
 constexpr double outline_tolerance = 0.05;
 
@@ -91,12 +88,15 @@ void put_layer(LayerPile& pile, const RasterLayer& layer) {
   paint(pile.rgba, cut);
   if (layer.role == LayerRole::texture) return;
   Region region = opaque_region(cut);
-  if (region.empty()) return;
+  if (region.empty()) {
+    pile.notes.push_back((layer.name.empty() ? "a layer" : "layer " + layer.name) +
+                         " is nowhere half opaque and is no part");
+    return;
+  }
   if (layer.role == LayerRole::part) {
     pile.parts.push_back(part_of(layer, std::move(region)));
     return;
   }
-  if (area(region) > background * pile.rgba.width * pile.rgba.height) return;
   const LayerColor color = color_of(cut);
   Mark mark;
   mark.name = layer.name;
@@ -109,11 +109,15 @@ void put_layer(LayerPile& pile, const RasterLayer& layer) {
 
 Result<LayeredDrawing> scene_of_pile(LayerPile pile) {
   LayeredDrawing result;
+  result.warnings = std::move(pile.notes);
   result.scene.width = pile.rgba.width;
   result.scene.height = pile.rgba.height;
   result.proposed = pile.parts.empty();
   if (result.proposed) {
-    result.scene.parts = propose_parts(group_figures(std::move(pile.marks)));
+    FigureList figures =
+        group_figures(std::move(pile.marks), {{0, 0}, {result.scene.width, result.scene.height}});
+    result.scene.parts = propose_parts(figures);
+    result.warnings.insert(result.warnings.end(), figures.notes.begin(), figures.notes.end());
   } else {
     result.scene.parts = std::move(pile.parts);
     make_ids_unique(result.scene.parts);

@@ -17,4 +17,7 @@ inline double color_distance(const Color& p, const Color& q) {
   return std::hypot(p.r - q.r, p.g - q.g, p.b - q.b);
 }
 
+/// Of the coded values, in [0, 1].
+inline double luminance(const Color& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
+
 }  // namespace relievo

@@ -1,42 +1,16 @@
 #include "io/parts/figures.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
+
+#include "io/parts/mark_roles.h"
 
 namespace relievo {
 namespace {
 
-/// What is thinner than this times the diagonal of the drawing is a line.
-constexpr double line_thickness = 0.012;
-/// A stroke without a fill that is wider than this times the diagonal is a body of its own.
-constexpr double wide_stroke = 0.02;
 /// Alike figures of one group that are smaller than this fraction of the drawing belong together,
 /// as strands of hair do.
 constexpr double strand_area = 0.02;
-
-bool is_line(const Mark& mark, double diagonal) {
-  if (!mark.filled) return mark.pen_width < wide_stroke * diagonal;
-  const Region core = grow(mark.region, -line_thickness * diagonal / 2);
-  return area(core) < 0.05 * area(mark.region);
-}
-
-double common_area(const Box2& p, const Box2& q) {
-  const double width = std::min(p.max.x, q.max.x) - std::max(p.min.x, q.min.x);
-  const double height = std::min(p.max.y, q.max.y) - std::max(p.min.y, q.min.y);
-  return std::max(0.0, width) * std::max(0.0, height);
-}
-
-/// Whether the two differ by no more than a rim that is thin against both.
-bool same_silhouette(const Region& p, const Region& q, double diagonal) {
-  const double larger = std::max(area(p), area(q));
-  if (common_area(bounding_box(p), bounding_box(q)) < 0.5 * larger) return false;
-  if (std::min(area(p), area(q)) < 0.5 * larger) return false;
-  if (area(intersect(p, q)) < 0.5 * larger) return false;
-  const double rim = std::min(line_thickness * diagonal, 0.18 * std::sqrt(larger));
-  const double rest = area(grow(subtract(p, q), -rim / 2)) + area(grow(subtract(q, p), -rim / 2));
-  return rest < 0.02 * larger;
-}
 
 /// Adds the mark to the topmost figure of the same silhouette; false where there is none.
 bool join_figure(std::vector<Figure>& figures, const Mark& mark, bool line, double diagonal) {
@@ -77,17 +51,41 @@ void merge_strands(FigureList& list) {
   list.figures = std::move(merged);
 }
 
+bool is_left_out(MarkRole role) {
+  return role == MarkRole::shadow || role == MarkRole::motion || role == MarkRole::background;
+}
+
+std::string note_on(const Mark& mark, MarkRole role) {
+  const std::string what = role == MarkRole::shadow       ? "a cast shadow"
+                           : role == MarkRole::background ? "a background"
+                                                          : "a motion line";
+  return (mark.name.empty() ? "a shape" : mark.name) + " is taken for " + what +
+         " and left out of the model";
+}
+
 }  // namespace
 
-FigureList group_figures(std::vector<Mark> marks) {
+FigureList group_figures(std::vector<Mark> marks, const Box2& canvas) {
+  const std::vector<MarkRole> roles = find_roles(marks, canvas);
   FigureList list;
   std::vector<Region> all;
-  for (const Mark& mark : marks) all.push_back(mark.region);
+  std::vector<Region> ink;
+  for (size_t i = 0; i < marks.size(); ++i) {
+    if (is_left_out(roles[i])) {
+      list.notes.push_back(note_on(marks[i], roles[i]));
+      continue;
+    }
+    all.push_back(marks[i].region);
+    if (roles[i] != MarkRole::shape) ink.push_back(marks[i].region);
+  }
   list.covered = unite(all);
+  list.ink = unite(ink);
   list.diagonal = bounding_box(list.covered).diagonal();
-  for (Mark& mark : marks) {
-    const bool line = is_line(mark, list.diagonal);
-    if (join_figure(list.figures, mark, line, list.diagonal) || line) continue;
+  for (size_t i = 0; i < marks.size(); ++i) {
+    Mark& mark = marks[i];
+    const bool line = roles[i] != MarkRole::shape;
+    if (is_left_out(roles[i]) || join_figure(list.figures, mark, line, list.diagonal) || line)
+      continue;
     list.figures.push_back(
         {std::move(mark.name), mark.group, mark.color, std::move(mark.region), mark.outlined});
   }

@@ -20,6 +20,7 @@ struct Mark {
   bool filled = true;     ///< false: a stroke alone
   double pen_width = 0;   ///< of a stroke alone, px
   bool outlined = false;  ///< a line of another colour runs along its outline
+  bool blurred = false;   ///< its edge is not sharp
 };
 
 /// Marks that share one silhouette (a dark twin behind a fill, a fill and the line drawn around
@@ -34,13 +35,16 @@ struct Figure {
 
 /// The opaque content of a drawing.
 struct FigureList {
-  std::vector<Figure> figures;  ///< in paint order of their first marks
-  Region covered;               ///< all marks together, thin lines included
-  double diagonal = 0;          ///< of the box around `covered`, px
+  std::vector<Figure> figures;     ///< in paint order of their first marks
+  Region covered;                  ///< all marks together, lines included
+  Region ink;                      ///< lines, shades and highlights
+  double diagonal = 0;             ///< of the box around `covered`, px
+  std::vector<std::string> notes;  ///< on marks that are in nothing of this, a sentence each
 };
 
-/// Sorts the marks into figures. Lines (strokes without a fill, and fills as thin as lines) count
-/// only as covered.
-FigureList group_figures(std::vector<Mark> marks);
+/// Sorts the marks, in paint order, into figures by their roles (see find_roles): ink and shades
+/// count as covered, cast shadows, motion lines and backgrounds are left out. `canvas` is the whole
+/// of it.
+FigureList group_figures(std::vector<Mark> marks, const Box2& canvas);
 
 }  // namespace relievo

@@ -8,6 +8,7 @@ namespace relievo {
 namespace {
 
 constexpr double touching = 1;  ///< px
+constexpr int ink_rounds = 4;   ///< in which ink is shared out
 
 double gap(const Box2& p, const Box2& q) {
   const double dx = std::max({0.0, p.min.x - q.max.x, q.min.x - p.max.x});
@@ -42,6 +43,21 @@ int nearest_part(const std::vector<Part>& parts, const Region& piece) {
 }
 
 }  // namespace
+
+void cover_ink(std::vector<Part>& parts, const Region& ink, double reach) {
+  std::vector<Region> outlines;
+  for (const Part& part : parts) outlines.push_back(part.outline);
+  Region left = subtract(ink, unite(outlines));
+  for (int round = 0; round < ink_rounds && !left.empty(); ++round)
+    for (size_t k = parts.size(); k-- > 0 && !left.empty();) {
+      Outline& outline = parts[k].outline;
+      if (gap(bounding_box(outline), bounding_box(left)) > reach) continue;
+      const Region won = intersect(grow(outline, reach / ink_rounds), left);
+      if (won.empty()) continue;
+      outline = unite(outline, won);
+      left = subtract(left, won);
+    }
+}
 
 void cover_rest(std::vector<Part>& parts, const Region& covered) {
   std::vector<Region> outlines;

@@ -14,6 +14,8 @@ constexpr double least_crossing = 0.004;
 constexpr double least_contained = 0.008;
 constexpr double least_ball = 0.02;
 constexpr double speck_area = 1e-4;  ///< smaller rings and holes are dropped
+/// Fraction of the diagonal of the drawing: ink that is nearer to a part goes with it.
+constexpr double pen_reach = 0.045;
 
 /// Fractions of the area of the figure itself.
 constexpr double most_hidden = 0.9;
@@ -34,8 +36,6 @@ struct Evidence {
   bool pale_patch = false;  ///< large, lighter than the part below, and nothing on it
   bool ball = false;        ///< stands out by its colour and is small against the part below
 };
-
-double luminance(const Color& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
 
 double fraction_of(const Region& region, const Region& other) {
   return area(intersect(region, other)) / area(region);
@@ -173,6 +173,7 @@ class Proposer {
 
 std::vector<Part> propose_parts(const FigureList& list) {
   std::vector<Part> parts = Proposer(list).run();
+  cover_ink(parts, list.ink, pen_reach * list.diagonal);
   cover_rest(parts, list.covered);
   const double speck = std::max(4.0, speck_area * area(list.covered));
   for (Part& part : parts) part.outline = tidied(part.outline, 0.1, speck);

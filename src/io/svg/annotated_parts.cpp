@@ -169,7 +169,8 @@ bool layers_are_parts(const SvgDrawing& drawing) {
     layer.height = drawing.height;
     layer.groups = drawing.groups;
     layer.clips = drawing.clips;
-    const std::vector<Part> inside = propose_parts(group_figures(opaque_marks(layer)));
+    const std::vector<Part> inside =
+        propose_parts(group_figures(opaque_marks(layer), layer.canvas()));
     return inside.size() >= 4 && some_overlap(inside);
   });
 }

@@ -6,6 +6,7 @@
 #include "io/svg/paint_server.h"
 #include "io/svg/svg_drawing.h"
 #include "io/svg/svg_element.h"
+#include "io/svg/svg_marks.h"
 #include "io/svg/svg_viewport.h"
 #include "io/svg/tangle.h"
 
@@ -19,6 +20,7 @@ struct Surroundings {
   LengthContext lengths;
   double opacity = 1;
   std::vector<int> clips;
+  bool blurred = false;
   int group = -1;
   size_t depth = 0;
   bool in_clip = false;
@@ -56,6 +58,7 @@ class DrawingReader {
     around.style = computed_style(root, sheet_, {}, around.lengths);
     around.opacity = around.style.opacity;
     if (!around.style.clip_path.empty()) enter_clip(around);
+    if (!around.style.mask.empty()) enter_mask(root, around);
     if (around.style.displayed) read_children(root, around);
     if (error_) return *error_;
     return std::move(drawing_);
@@ -118,8 +121,9 @@ class DrawingReader {
     const auto transform = parse_transform(around.style.transform.value_or(own));
     if (transform) around.to_canvas = around.to_canvas * *transform;
     if (!transform) warn("a transform that cannot be read is ignored");
-    if (around.style.masked) warn("masks are ignored");
     if (!around.style.clip_path.empty()) enter_clip(around);
+    if (!around.style.mask.empty()) enter_mask(element, around);
+    around.blurred = around.blurred || is_blur(document_, around.style.filter);
     return true;
   }
 
@@ -127,8 +131,12 @@ class DrawingReader {
     const std::string_view name = local_name(element.name());
     const bool shape = is_shape_element(name);
     if (!shape && name != "use" && (!is_container(name) || outside.in_clip)) {
-      if (name == "text") warn("text has no outline: convert it to paths");
-      if (name == "image") warn("images have no outline");
+      if (name == "text")
+        warn(whereabouts(element, outside) + " is text and becomes no part: convert it to paths");
+      if (name == "image")
+        warn(whereabouts(element, outside) +
+             " is a picture and becomes no part: make it a layer of its own, or find its parts "
+             "with: relievo segment");
       return;
     }
     Surroundings around = outside;
@@ -225,6 +233,35 @@ class DrawingReader {
     add_clip(unite(regions), around);
   }
 
+  /// An element as warnings name it.
+  std::string whereabouts(const pugi::xml_node& element, const Surroundings& around) const {
+    const std::string name = name_of(element);
+    const std::string layer = inherited_name(drawing_, around.group);
+    return std::string(local_name(element.name())) + (name.empty() ? "" : " " + name) +
+           (layer.empty() ? "" : " in " + layer);
+  }
+
+  void enter_mask(const pugi::xml_node& element, Surroundings& around) {
+    const auto found = document_.ids.find(around.style.mask);
+    if (found == document_.ids.end() || local_name(found->second.name()) != "mask") return;
+    const pugi::xml_node& mask = found->second;
+    if (std::string_view(mask.attribute("maskContentUnits").value()) == "objectBoundingBox")
+      return warn(whereabouts(element, around) +
+                  ": a mask in units of the bounding box is ignored");
+    if (!begin_reference(mask)) return;
+    Surroundings inside = around;
+    inside.clips.clear();
+    inside.style = {};
+    inside.opacity = 1;
+    const size_t groups = drawing_.groups.size();
+    std::vector<SvgShape> shapes = std::exchange(drawing_.shapes, {});
+    read_children(mask, inside);
+    std::swap(shapes, drawing_.shapes);
+    drawing_.groups.resize(groups);
+    open_references_.pop_back();
+    add_clip(light_region(shapes, drawing_), around);
+  }
+
   /// Guards against references that lead back to themselves.
   bool begin_reference(const pugi::xml_node& target) {
     if (std::find(open_references_.begin(), open_references_.end(), target) !=
@@ -282,6 +319,7 @@ class DrawingReader {
     }
     set_paint(shape, around);
     shape.clips = around.clips;
+    shape.blurred = around.blurred;
     shape.element = element;
     if (element.attribute("data-relievo") || !shape.annotation.empty()) {
       add_group(element, false, shape.annotation, around);

@@ -48,7 +48,14 @@ Status propose(const SvgDrawing& drawing, const SvgOptions& options, SvgInterpre
                      std::to_string(options.max_shapes) + ")",
                  "svg"};
   }
-  result.import.scene.parts = propose_parts(group_figures(opaque_marks(drawing)));
+  std::vector<Mark> marks = opaque_marks(drawing);
+  result.import.line_art =
+      !marks.empty() &&
+      std::none_of(marks.begin(), marks.end(), [](const Mark& mark) { return mark.filled; });
+  const FigureList figures = group_figures(std::move(marks), drawing.canvas());
+  result.import.scene.parts = propose_parts(figures);
+  result.import.warnings.insert(result.import.warnings.end(), figures.notes.begin(),
+                                figures.notes.end());
   result.import.proposed = true;
   for (const SvgShape& shape : drawing.shapes) {
     if (!shape.is_note()) continue;

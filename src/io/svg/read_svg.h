@@ -14,6 +14,7 @@ namespace relievo {
 struct SvgImport {
   Scene scene;
   bool proposed = false;  ///< the parts were guessed, not annotated
+  bool line_art = false;  ///< they were, and nothing is filled: lines enclose them, not shapes
   std::vector<std::string> warnings;
 };
 

@@ -65,6 +65,7 @@ struct SvgShape {
   std::optional<Color> stroke;  ///< likewise
   StrokeShape pen;
   std::vector<int> clips;  ///< each cuts the shape
+  bool blurred = false;    ///< by a filter
   bool join = false;       ///< marked as a join by data-relievo or by a class named join
   bool cue = false;        ///< likewise as a cue
   SvgAnnotation annotation;
@@ -94,9 +95,9 @@ struct SvgCanvas {
   double px_height = 0;  ///< likewise
 };
 
-/// Reads all shapes. Text, images, masks, filters and markers have no geometry here and are
-/// named in the warnings, and so is a shape with points beyond 1e9 px, which is left out.
-/// Fails with limit or bad_input.
+/// Reads all shapes. A mask cuts as a clip path does, where it is lighter than half. Text and
+/// images have no geometry here and are named in the warnings, with their layer, and so is a shape
+/// with points beyond 1e9 px, which is left out. Fails with limit or bad_input.
 Result<SvgDrawing> read_drawing(const SvgDocument& document, const SvgOptions& options);
 
 /// Size of the canvas; from the extent of the shapes where the root does not say it.
@@ -107,5 +108,9 @@ Region fill_of(const SvgShape& shape, const SvgDrawing& drawing);
 
 /// What its stroke covers on the canvas; empty where it has none.
 Region stroke_of(const SvgShape& shape, const SvgDrawing& drawing);
+
+/// What shapes leave lighter than half, painted one over the other on black: what a mask of them
+/// shows.
+Region light_region(const std::vector<SvgShape>& shapes, const SvgDrawing& drawing);
 
 }  // namespace relievo

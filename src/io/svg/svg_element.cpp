@@ -69,4 +69,10 @@ bool switch_allows(const pugi::xml_node& child) {
   return false;
 }
 
+bool is_blur(const SvgDocument& document, const std::string& filter) {
+  const auto found = document.ids.find(filter);
+  return found != document.ids.end() &&
+         local_name(found->second.last_child().name()) == "feGaussianBlur";
+}
+
 }  // namespace relievo

@@ -26,4 +26,7 @@ bool is_container(std::string_view local_name);
 /// no language at all.
 bool switch_allows(const pugi::xml_node& child);
 
+/// Whether the filter of this id ends in a blur; one whose blur is but a drop shadow does not.
+bool is_blur(const SvgDocument& document, const std::string& filter);
+
 }  // namespace relievo

@@ -15,6 +15,7 @@ Mark mark_of(const SvgShape& shape, const SvgDrawing& drawing, double least) {
   Mark mark;
   mark.name = shape.name.empty() ? inherited_name(drawing, shape.group) : shape.name;
   mark.group = shape.group;
+  mark.blurred = shape.blurred;
   mark.pen_width = shape.pen.width;
   mark.filled = is_visible(shape.fill, least);
   const bool stroked = is_visible(shape.stroke, least);
@@ -32,11 +33,10 @@ Mark mark_of(const SvgShape& shape, const SvgDrawing& drawing, double least) {
 
 std::vector<Mark> visible_marks(const SvgDrawing& drawing, double least) {
   std::vector<Mark> marks;
-  const double canvas = drawing.width * drawing.height;
   for (const SvgShape& shape : drawing.shapes) {
     if (shape.is_note() || inherited_mark(drawing, shape.group) >= SvgMark::texture) continue;
     Mark mark = mark_of(shape, drawing, least);
-    if (mark.region.empty() || area(mark.region) > 0.98 * canvas) continue;
+    if (mark.region.empty()) continue;
     marks.push_back(std::move(mark));
   }
   return marks;

@@ -12,8 +12,7 @@ namespace relievo {
 constexpr double faint_alpha = 0.02;
 
 /// The shapes whose alpha is at least one half, or, where nothing is that opaque, whatever can be
-/// seen. A background over the whole canvas, joins, cues and what is marked as texture or to be
-/// ignored are left out.
+/// seen. Joins, cues and what is marked as texture or to be ignored are left out.
 std::vector<Mark> opaque_marks(const SvgDrawing& drawing);
 
 /// What an element is marked as by itself or the nearest marked group around it.

@@ -128,7 +128,9 @@ void apply_rest(Cascade& c, const std::string& name, const std::string& value) {
   } else if (name == "clip-path") {
     s.clip_path = inherit ? c.parent.clip_path : local_reference(value);
   } else if (name == "mask") {
-    s.masked = value != "none";
+    s.mask = inherit ? c.parent.mask : local_reference(value);
+  } else if (name == "filter") {
+    s.filter = inherit ? c.parent.filter : local_reference(value);
   } else if (name == "transform") {
     s.transform = value;
   }
@@ -175,7 +177,8 @@ SvgStyle computed_style(const pugi::xml_node& element, const Stylesheet& sheet,
   style.displayed = true;
   style.clips_overflow = true;
   style.clip_path.clear();
-  style.masked = false;
+  style.mask.clear();
+  style.filter.clear();
   style.transform.reset();
   Cascade cascade{style, parent, context};
   const std::vector<Declaration> list = declarations_of(element, sheet);

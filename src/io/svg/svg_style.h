@@ -40,9 +40,10 @@ struct SvgStyle {
 
   double opacity = 1;
   bool displayed = true;
-  bool clips_overflow = true;  ///< of nested viewports
-  std::string clip_path;       ///< id, or empty
-  bool masked = false;
+  bool clips_overflow = true;            ///< of nested viewports
+  std::string clip_path;                 ///< id, or empty
+  std::string mask;                      ///< id, or empty
+  std::string filter;                    ///< likewise
   std::optional<std::string> transform;  ///< from CSS only
 };
 
