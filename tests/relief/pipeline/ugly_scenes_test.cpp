@@ -56,7 +56,7 @@ std::string outcome(const Scene& scene, const ReliefOptions& options) {
     const Error& error = relief.error();
     if (error.code == ErrorCode::internal) return "DEFECT " + error.message;
     if (error.message.empty()) return "DEFECT an error without a reason";
-    return "refused: " + error.message.substr(0, error.message.find('"'));
+    return "refused: " + error.message.substr(0, error.message.find_first_of("\"("));
   }
   if (const std::string wrong = inconsistency(relief->layers, false); !wrong.empty())
     return "DEFECT " + wrong;
