@@ -65,7 +65,8 @@ val import_layers(const val& files) {
   const auto read = is_ora(entries) ? read_ora(entries, page_limits) : read_pictures(entries);
   if (!read) return failure(read.error());
   const LayeredDrawing& content = read->content;
-  const auto scene = write_scene(connect_scene(content.scene, content.proposed).scene);
+  const auto scene =
+      write_scene(connect_scene(content.scene, content.proposed, content.colors).scene);
   if (!scene) return failure(scene.error());
   const auto picture = encode_png(content.drawing.rgba);
   if (!picture) return failure(picture.error());

@@ -26,7 +26,8 @@ val import_svg(const val& array) {
   if (!import) return failure(import.error());
   const auto paintable = paintable_svg(text);
   if (!paintable) return failure(paintable.error());
-  const auto scene = write_scene(connect_scene(import->scene, import->proposed).scene);
+  const auto scene =
+      write_scene(connect_scene(import->scene, import->proposed, import->colors).scene);
   if (!scene) return failure(scene.error());
   val result = val::object();
   result.set("scene", *scene);

@@ -82,6 +82,7 @@ Result<SceneInput> load_svg(const InputFile& input) {
       std::async(worker_count() > 1 ? std::launch::async : std::launch::deferred,
                  [&input, width, height] { return texture_of(input.bytes, width, height); });
   loaded.scene = std::move(import->scene);
+  loaded.colors = std::move(import->colors);
   loaded.warnings = std::move(import->warnings);
   loaded.proposed = import->proposed;
   return loaded;
@@ -91,6 +92,7 @@ SceneInput with_layers(LayeredDrawing&& content) {
   SceneInput loaded;
   loaded.scene = std::move(content.scene);
   loaded.drawing = std::move(content.drawing);
+  loaded.colors = std::move(content.colors);
   loaded.proposed = content.proposed;
   loaded.warnings = std::move(content.warnings);
   return loaded;
@@ -208,7 +210,7 @@ Result<SceneInput> load(const InputFile& input) {
 void connect_layers(const InputFile& input, SceneInput& scene) {
   if (!input.folder && (sniff(input.bytes) == InputKind::json || is_project(input.bytes))) return;
   if (!scene.guesses.joins.empty() || !scene.guesses.relations.empty()) return;
-  ConnectedScene connected = connect_scene(std::move(scene.scene), scene.proposed);
+  ConnectedScene connected = connect_scene(std::move(scene.scene), scene.proposed, scene.colors);
   scene.scene = std::move(connected.scene);
   scene.guesses = std::move(connected.proposals);
 }

@@ -35,6 +35,7 @@ struct SceneInput {
   std::vector<std::filesystem::path> files;  ///< all that were read, never to be overwritten
   std::vector<std::string> warnings;
   bool proposed = false;  ///< the parts were guessed, not annotated
+  PartColors colors;      ///< of the parts of layered drawings; may be empty
   Joining guesses;        ///< how they connect, where that was guessed; as in the scene
 };
 

@@ -95,6 +95,8 @@ void put_layer(LayerPile& pile, const RasterLayer& layer) {
   }
   if (layer.role == LayerRole::part) {
     pile.parts.push_back(part_of(layer, std::move(region)));
+    const Color inner = color_of(cut).inner;
+    pile.colors.push_back({{inner.r, inner.g, inner.b}});
     return;
   }
   const LayerColor color = color_of(cut);
@@ -116,10 +118,13 @@ Result<LayeredDrawing> scene_of_pile(LayerPile pile) {
   if (result.proposed) {
     FigureList figures =
         group_figures(std::move(pile.marks), {{0, 0}, {result.scene.width, result.scene.height}});
-    result.scene.parts = propose_parts(figures);
+    ProposedParts proposed = propose_parts(figures);
+    result.scene.parts = std::move(proposed.parts);
+    result.colors = std::move(proposed.colors);
     result.warnings.insert(result.warnings.end(), figures.notes.begin(), figures.notes.end());
   } else {
     result.scene.parts = std::move(pile.parts);
+    result.colors = std::move(pile.colors);
     make_ids_unique(result.scene.parts);
   }
   if (result.scene.parts.empty())

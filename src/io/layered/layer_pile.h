@@ -49,6 +49,7 @@ struct LayerPile {
   Image8 rgba;              ///< the picture, of the size of the canvas
   std::vector<Mark> marks;  ///< what is opaque of each layer that may be a part or belong to one
   std::vector<Part> parts;  ///< of the layers with the role part
+  std::vector<Palette> colors;     ///< theirs
   std::vector<std::string> notes;  ///< on layers that are neither, a sentence each
 };
 
@@ -56,7 +57,8 @@ struct LayerPile {
 struct LayeredDrawing {
   Scene scene;
   Drawing drawing;
-  bool proposed = false;  ///< the parts were guessed
+  std::vector<Palette> colors;  ///< [parts]
+  bool proposed = false;        ///< the parts were guessed
   std::vector<std::string> warnings;
 };
 

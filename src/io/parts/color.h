@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace relievo {
 
@@ -16,6 +18,9 @@ struct Color {
 inline double color_distance(const Color& p, const Color& q) {
   return std::hypot(p.r - q.r, p.g - q.g, p.b - q.b);
 }
+
+/// The colours of one part, without alpha, the main one first.
+using Palette = std::vector<std::array<double, 3>>;
 
 /// Of the coded values, in [0, 1].
 inline double luminance(const Color& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }

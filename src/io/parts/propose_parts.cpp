@@ -48,7 +48,7 @@ class Proposer {
     for (const Figure& figure : list.figures) boxes_.push_back(bounding_box(figure.region));
   }
 
-  std::vector<Part> run() {
+  ProposedParts run() {
     for (size_t i = 0; i < list_.figures.size(); ++i) {
       const Figure& figure = list_.figures[i];
       const bool speck = area(figure.region) < least_visible * total_;
@@ -59,8 +59,13 @@ class Proposer {
         patches_.push_back(figure.region);
       }
     }
-    if (parts_.empty() && !list_.covered.empty()) parts_.push_back({"", list_.covered});
-    return std::move(parts_);
+    if (parts_.empty() && !list_.covered.empty()) {
+      parts_.push_back({"", list_.covered});
+      colors_.push_back(list_.figures.empty() ? Color() : list_.figures.front().color);
+    }
+    std::vector<Palette> colors;
+    for (const Color& c : colors_) colors.push_back({{c.r, c.g, c.b}});
+    return {std::move(parts_), std::move(colors)};
   }
 
  private:
@@ -171,17 +176,21 @@ class Proposer {
 
 }  // namespace
 
-std::vector<Part> propose_parts(const FigureList& list) {
-  std::vector<Part> parts = Proposer(list).run();
+ProposedParts propose_parts(const FigureList& list) {
+  auto [parts, colors] = Proposer(list).run();
   cover_ink(parts, list.ink, pen_reach * list.diagonal);
   cover_rest(parts, list.covered);
+  colors.resize(parts.size());
   const double speck = std::max(4.0, speck_area * area(list.covered));
-  for (Part& part : parts) part.outline = tidied(part.outline, 0.1, speck);
-  parts.erase(std::remove_if(parts.begin(), parts.end(),
-                             [](const Part& part) { return part.outline.empty(); }),
-              parts.end());
-  make_ids_unique(parts);
-  return parts;
+  ProposedParts proposed;
+  for (size_t k = 0; k < parts.size(); ++k) {
+    parts[k].outline = tidied(parts[k].outline, 0.1, speck);
+    if (parts[k].outline.empty()) continue;
+    proposed.parts.push_back(std::move(parts[k]));
+    proposed.colors.push_back(colors[k]);
+  }
+  make_ids_unique(proposed.parts);
+  return proposed;
 }
 
 }  // namespace relievo

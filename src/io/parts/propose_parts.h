@@ -8,8 +8,13 @@
 
 namespace relievo {
 
-/// Parts guessed from the figures, back to front. Together they cover all that the list covers.
-/// Empty where nothing is drawn.
-std::vector<Part> propose_parts(const FigureList& list);
+struct ProposedParts {
+  std::vector<Part> parts;      ///< back to front
+  std::vector<Palette> colors;  ///< of their topmost fills
+};
+
+/// Parts guessed from the figures. Together they cover all that the list covers. None where nothing
+/// is drawn.
+ProposedParts propose_parts(const FigureList& list);
 
 }  // namespace relievo

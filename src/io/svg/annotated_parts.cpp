@@ -82,10 +82,16 @@ Status set_values(Part& part, const SvgAnnotation& annotation) {
   return Done{};
 }
 
+/// What a part group owns.
+struct OwnedShapes {
+  int group = -1;
+  std::vector<Region> regions;
+  std::vector<Color> colors;  ///< of their fills; of their strokes where they have none
+};
+
 /// The shapes that each part group owns, groups in the order of their first shape.
-std::vector<std::pair<int, std::vector<Region>>> owned_regions(const SvgDrawing& drawing,
-                                                               bool layers) {
-  std::vector<std::pair<int, std::vector<Region>>> owned;
+std::vector<OwnedShapes> owned_shapes(const SvgDrawing& drawing, bool layers) {
+  std::vector<OwnedShapes> owned;
   std::map<int, size_t> place;
   for (const SvgShape& shape : drawing.shapes) {
     const int owner = owner_of(drawing, shape.group, layers);
@@ -94,10 +100,36 @@ std::vector<std::pair<int, std::vector<Region>>> owned_regions(const SvgDrawing&
     Region region = silhouette(shape, drawing);
     if (region.empty()) continue;
     const auto [at, fresh] = place.emplace(owner, owned.size());
-    if (fresh) owned.emplace_back(owner, std::vector<Region>());
-    owned[at->second].second.push_back(std::move(region));
+    if (fresh) owned.push_back({owner, {}, {}});
+    owned[at->second].regions.push_back(std::move(region));
+    owned[at->second].colors.push_back(shape.fill ? *shape.fill : *shape.stroke);
   }
   return owned;
+}
+
+/// The colours of a part's shapes that are seen on a tenth of it at least, most of it first.
+Palette palette_of(const OwnedShapes& owned) {
+  Region above;
+  std::vector<std::pair<double, std::array<double, 3>>> seen;
+  for (size_t i = owned.regions.size(); i-- > 0;) {
+    const Color& c = owned.colors[i];
+    const std::array<double, 3> color{c.r, c.g, c.b};
+    const double own = area(subtract(owned.regions[i], above));
+    above = unite(above, owned.regions[i]);
+    const auto same = std::find_if(seen.begin(), seen.end(),
+                                   [&](const auto& entry) { return entry.second == color; });
+    if (same == seen.end()) {
+      seen.emplace_back(own, color);
+    } else {
+      same->first += own;
+    }
+  }
+  std::stable_sort(seen.begin(), seen.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  Palette palette;
+  for (const auto& [own, color] : seen)
+    if (palette.empty() || own > 0.1 * area(above)) palette.push_back(color);
+  return palette;
 }
 
 bool some_overlap(const std::vector<Part>& parts) {
@@ -115,17 +147,20 @@ bool some_overlap(const std::vector<Part>& parts) {
 Result<std::vector<AnnotatedPart>> annotated_parts(const SvgDrawing& drawing, bool layers) {
   std::vector<Part> parts;
   std::vector<int> groups;
-  for (const auto& [group, regions] : owned_regions(drawing, layers)) {
-    const SvgGroup& source = drawing.groups[group];
-    Part part{part_id(source), tidied(unite(regions), 0.1, 4)};
+  std::vector<Palette> colors;
+  for (const OwnedShapes& owned : owned_shapes(drawing, layers)) {
+    const SvgGroup& source = drawing.groups[owned.group];
+    Part part{part_id(source), tidied(unite(owned.regions), 0.1, 4)};
     if (part.outline.empty()) continue;
     if (const Status s = set_values(part, source.annotation); !s) return s.error();
     parts.push_back(std::move(part));
-    groups.push_back(group);
+    groups.push_back(owned.group);
+    colors.push_back(palette_of(owned));
   }
   make_ids_unique(parts);
   std::vector<AnnotatedPart> result;
-  for (size_t k = 0; k < parts.size(); ++k) result.push_back({groups[k], std::move(parts[k])});
+  for (size_t k = 0; k < parts.size(); ++k)
+    result.push_back({groups[k], std::move(parts[k]), std::move(colors[k])});
   return result;
 }
 
@@ -170,7 +205,7 @@ bool layers_are_parts(const SvgDrawing& drawing) {
     layer.groups = drawing.groups;
     layer.clips = drawing.clips;
     const std::vector<Part> inside =
-        propose_parts(group_figures(opaque_marks(layer), layer.canvas()));
+        propose_parts(group_figures(opaque_marks(layer), layer.canvas())).parts;
     return inside.size() >= 4 && some_overlap(inside);
   });
 }

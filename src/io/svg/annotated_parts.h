@@ -13,6 +13,7 @@ namespace relievo {
 struct AnnotatedPart {
   int group = -1;
   Part part;
+  Palette colors;
 };
 
 /// The groups that are parts: those marked as such, and, with `layers`, all Inkscape layers. The

@@ -31,7 +31,10 @@ Status take_annotations(const SvgDrawing& drawing, bool layers, SvgInterpretatio
   auto relations = annotated_relations(drawing, *parts);
   if (!relations) return relations.error();
   Scene& scene = result.import.scene;
-  for (AnnotatedPart& part : *parts) scene.parts.push_back(std::move(part.part));
+  for (AnnotatedPart& part : *parts) {
+    scene.parts.push_back(std::move(part.part));
+    result.import.colors.push_back(std::move(part.colors));
+  }
   scene.joins = std::move(joins->joins);
   scene.relations = std::move(*relations);
   scene.cues = std::move(cues->cues);
@@ -53,7 +56,9 @@ Status propose(const SvgDrawing& drawing, const SvgOptions& options, SvgInterpre
       !marks.empty() &&
       std::none_of(marks.begin(), marks.end(), [](const Mark& mark) { return mark.filled; });
   const FigureList figures = group_figures(std::move(marks), drawing.canvas());
-  result.import.scene.parts = propose_parts(figures);
+  ProposedParts proposed = propose_parts(figures);
+  result.import.scene.parts = std::move(proposed.parts);
+  result.import.colors = std::move(proposed.colors);
   result.import.warnings.insert(result.import.warnings.end(), figures.notes.begin(),
                                 figures.notes.end());
   result.import.proposed = true;

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/parts/color.h"
 #include "io/svg/svg_options.h"
 #include "kernel/geometry/polygon.h"
 #include "relievo/result.h"
@@ -13,7 +14,8 @@ namespace relievo {
 
 struct SvgImport {
   Scene scene;
-  bool proposed = false;  ///< the parts were guessed, not annotated
+  std::vector<Palette> colors;  ///< [parts]
+  bool proposed = false;        ///< the parts were guessed, not annotated
   bool line_art = false;  ///< they were, and nothing is filled: lines enclose them, not shapes
   std::vector<std::string> warnings;
 };

@@ -15,6 +15,8 @@ constexpr double sample_step = 1.5;  ///< along outlines, grid pixels
 constexpr int root_samples = 200;
 /// A limb lies beside the part that it grows out of with this share of its area,
 constexpr double least_protrusion = 0.3;
+/// or with this where both have one colour,
+constexpr double least_same_color = 0.1;
 /// is at most so much larger than that,
 constexpr double limb_to_body = 1.2;
 /// has its root on such a share of its outline,
@@ -24,13 +26,24 @@ constexpr double most_root = 0.85;
 constexpr double second_run = 0.4;
 /// The cap of a root stays away from its ends by this share of it.
 constexpr double root_margin = 0.18;
-constexpr double cap_angle = 1;     ///< radians between the normals of the cap and the limb's axis
+constexpr double cap_angle = 1;  ///< radians between the normals of the cap and the limb's axis
+/// A cap is no longer than this times the root of the limb's area; of round parts, whose necks are
+/// narrower than they are, the other.
+constexpr double long_cap = 0.65;
+constexpr double round_cap = 0.45;
+/// The part's area over that of a disc of the same perimeter, from where it counts as round.
+constexpr double hardly_round = 0.75;
+constexpr double fully_round = 0.95;
 constexpr double smoothing = 0.05;  ///< of normals, share of the root to either side
 /// and nothing lies between the two along more than this share of the join.
 constexpr double most_between = 0.5;
 /// A limb behind another part comes out from there with this share of its area.
 constexpr double least_behind = 0.4;
-constexpr int64_t least_common = 12;  ///< grid pixels that two parts share, else they do not meet
+/// Differences of colours (of at most sqrt 3) that say nothing, and that speak against a join;
+constexpr double same_color = 0.15;
+constexpr double other_color = 0.6;
+constexpr double foreign_color = 0.75;  ///< a part of such a colour is held, and does not grow
+constexpr int64_t least_common = 12;    ///< grid pixels that two parts share, else they do not meet
 
 /// A run of one ring of a part inside another part.
 struct RingRun {
@@ -104,11 +117,21 @@ class CapFinder {
     int last = tip;
     while (first > low && in_cap(first - 1)) --first;
     while (last < high && in_cap(last + 1)) ++last;
-    return {run_.length * first / root_samples, run_.length * last / root_samples};
+    const double step = run_.length / root_samples;
+    const double room = longest() / std::max(step * (last - first), 1e-9);
+    const double keep = std::min(1.0, room);
+    return {step * (tip - keep * (tip - first)), step * (tip + keep * (last - tip))};
   }
 
  private:
   static constexpr int reach = static_cast<int>(smoothing * root_samples);
+
+  double longest() const {
+    const double area = signed_area(*run_.ring);
+    const double disc = 4 * M_PI * area / (run_.measure.length * run_.measure.length);
+    const double t = std::clamp((disc - hardly_round) / (fully_round - hardly_round), 0.0, 1.0);
+    return (long_cap + t * (round_cap - long_cap)) * std::sqrt(area);
+  }
 
   /// Outer rings have positive area with y down: outwards is to the left of the direction.
   std::vector<Point2> outward_normals() const {
@@ -210,52 +233,108 @@ double share_between(const LayerGrid& grid, const std::vector<Point2>& line, con
   return between / static_cast<double>(line.size());
 }
 
-/// The join of a limb, if the upper part is one.
-std::optional<ProposedJoin> join_of(const LayerGrid& grid, const Outline& upper,
-                                    const Overlap& pair) {
-  if (pair.upper_beside < least_protrusion || is_larger(grid, pair.upper, pair.lower, limb_to_body))
-    return std::nullopt;
-  const auto runs = runs_inside(grid, upper, pair.lower);
-  if (runs.empty()) return std::nullopt;
-  const RingRun& root = runs.front();
-  const double share = root.length / root.measure.length;
-  const double second = runs.size() > 1 ? runs[1].length / root.length : 0;
-  if (share < least_root || share > most_root || second > second_run) return std::nullopt;
-  const RootCap cap = CapFinder(grid, root, pair.upper, pair.lower).find();
-  const double step = sample_step / grid.scale;
-  if (cap.to - cap.from < 4 * step) return std::nullopt;
-  ProposedJoin proposed;
-  proposed.join = {pair.upper, pair.lower, {}};
-  const int pieces = std::max(8, static_cast<int>((cap.to - cap.from) / (2 * step)));
-  for (int i = 0; i <= pieces; ++i)
-    proposed.join.line.push_back(root.at(cap.from + (cap.to - cap.from) * i / pieces));
-  const double between = share_between(grid, proposed.join.line, pair);
-  if (between > most_between) return std::nullopt;
-  proposed.confidence = (1 - between) * (1 - second) * std::min(1.0, 0.5 + pair.upper_beside / 2);
-  return proposed;
-}
+class Connector {
+ public:
+  Connector(const Scene& scene, const PartColors& colors)
+      : grid_(make_layer_grid(scene, grid_side)), colors_(colors) {
+    for (const Part& part : scene.parts) orient_by_nesting(outlines_.emplace_back(part.outline));
+  }
 
-bool is_tied(const LayerGrid& grid, const Overlap& pair) {
-  return !is_larger(grid, pair.upper, pair.lower, 1) || pair.lower_beside > least_behind;
-}
+  /// A limb grows out of one part. Of those that it may grow out of, in front of it or behind, that
+  /// is the one with the most confidence; where that lies in front, there is no join.
+  Joining run() const {
+    Joining joining;
+    const std::vector<Overlap> overlaps = find_overlaps(grid_);
+    std::vector<std::optional<ProposedJoin>> joins;
+    std::vector<double> most(grid_.masks.size());
+    for (const Overlap& pair : overlaps) {
+      joins.push_back(join_of(pair));
+      if (joins.back())
+        most[pair.upper] = std::max(most[pair.upper], joins.back()->confidence);
+      else if (is_behind(pair))
+        most[pair.lower] =
+            std::max(most[pair.lower], likeness(pair.lower, pair.upper) * pair.lower_beside);
+    }
+    for (size_t k = 0; k < overlaps.size(); ++k) {
+      const Overlap& pair = overlaps[k];
+      if (joins[k] && joins[k]->confidence >= most[pair.upper]) {
+        joining.joins.push_back(std::move(*joins[k]));
+      } else if (is_tied(pair)) {
+        joining.relations.push_back(
+            {{pair.upper, pair.lower, RelationKind::equal, std::nullopt}, false});
+      }
+    }
+    return joining;
+  }
+
+ private:
+  /// How different the main colour of a limb is from all of a body; 0 where one is not known.
+  double color_difference(int limb, int body) const {
+    const size_t known = colors_.size();
+    if (std::max<size_t>(limb, body) >= known || colors_[limb].empty() || colors_[body].empty())
+      return 0;
+    double least = 2;
+    const std::array<double, 3>& own = colors_[limb].front();
+    for (const auto& color : colors_[body])
+      least = std::min(least, std::hypot(own[0] - color[0], own[1] - color[1], own[2] - color[2]));
+    return least;
+  }
+
+  /// From 1 to one half.
+  double likeness(int limb, int body) const {
+    const double change = (color_difference(limb, body) - same_color) / (other_color - same_color);
+    const double ratio =
+        static_cast<double>(grid_.areas[body]) / static_cast<double>(grid_.areas[limb]);
+    return (1 - 0.5 * std::clamp(change, 0.0, 1.0)) * std::clamp(0.45 * ratio, 0.4, 1.0);
+  }
+
+  /// The join of a limb, if the upper part is one.
+  std::optional<ProposedJoin> join_of(const Overlap& pair) const {
+    const double difference = color_difference(pair.upper, pair.lower);
+    const bool alike = !colors_.empty() && difference < same_color;
+    if (pair.upper_beside < (alike ? least_same_color : least_protrusion) ||
+        difference > foreign_color || is_larger(grid_, pair.upper, pair.lower, limb_to_body))
+      return std::nullopt;
+    const auto runs = runs_inside(grid_, outlines_[pair.upper], pair.lower);
+    if (runs.empty()) return std::nullopt;
+    const RingRun& root = runs.front();
+    const double share = root.length / root.measure.length;
+    const double second = runs.size() > 1 ? runs[1].length / root.length : 0;
+    if (share < least_root || share > most_root || second > second_run) return std::nullopt;
+    const RootCap cap = CapFinder(grid_, root, pair.upper, pair.lower).find();
+    const double step = sample_step / grid_.scale;
+    if (cap.to - cap.from < 4 * step) return std::nullopt;
+    ProposedJoin proposed;
+    proposed.join = {pair.upper, pair.lower, {}};
+    const int pieces = std::max(8, static_cast<int>((cap.to - cap.from) / (2 * step)));
+    for (int i = 0; i <= pieces; ++i)
+      proposed.join.line.push_back(root.at(cap.from + (cap.to - cap.from) * i / pieces));
+    const double between = share_between(grid_, proposed.join.line, pair);
+    if (between > most_between) return std::nullopt;
+    proposed.confidence = (1 - between) * (1 - second) *
+                          std::min(1.0, 0.5 + pair.upper_beside / 2) *
+                          likeness(pair.upper, pair.lower);
+    return proposed;
+  }
+
+  /// Whether the lower part is a limb that comes out from behind the upper one.
+  bool is_behind(const Overlap& pair) const {
+    return is_larger(grid_, pair.upper, pair.lower, 1) && pair.lower_beside > least_behind;
+  }
+
+  bool is_tied(const Overlap& pair) const {
+    return is_behind(pair) || !is_larger(grid_, pair.upper, pair.lower, 1);
+  }
+
+  LayerGrid grid_;
+  const PartColors& colors_;
+  std::vector<Outline> outlines_;
+};
 
 }  // namespace
 
-Joining connect_parts(const Scene& scene) {
-  Joining joining;
-  if (scene.parts.empty()) return joining;
-  const LayerGrid grid = make_layer_grid(scene, grid_side);
-  std::vector<Outline> outlines;
-  for (const Part& part : scene.parts) orient_by_nesting(outlines.emplace_back(part.outline));
-  for (const Overlap& pair : find_overlaps(grid)) {
-    if (auto join = join_of(grid, outlines[pair.upper], pair)) {
-      joining.joins.push_back(std::move(*join));
-    } else if (is_tied(grid, pair)) {
-      joining.relations.push_back(
-          {{pair.upper, pair.lower, RelationKind::equal, std::nullopt}, false});
-    }
-  }
-  return joining;
+Joining connect_parts(const Scene& scene, const PartColors& colors) {
+  return scene.parts.empty() ? Joining() : Connector(scene, colors).run();
 }
 
 }  // namespace relievo

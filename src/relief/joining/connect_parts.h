@@ -11,13 +11,17 @@ namespace relievo {
 ///    (its root), and a good share of the part lies beside it. The join is the cap of the root:
 ///    around the point of the run that is farthest from the limb's free end, as measured inside the
 ///    limb, the outline as far as its normal turns by less than 57 degrees (one radian) from the
-///    limb's axis.
+///    limb's axis, and not longer than 0.65 times the root of the limb's area; of a round part,
+///    whose neck is narrower than itself, 0.45 times.
 ///  - equal: what lies inside another part, as an eye does; a limb in front without such a root;
-///  and
-///    a limb that comes out from behind a larger part, whose outline it touches then all along.
+///    and a limb that comes out from behind a larger part, whose outline it touches all along.
 ///  - all else is above, as everywhere, and not listed.
+/// A limb grows out of one part, in front of it or behind: that with the most confidence, which a
+/// clear change of colour halves, and a part that is not larger than the limb. What is of a foreign
+/// colour is held, and tied. What lies mostly on another is a limb of that only where both have one
+/// colour. Without `colors` all are alike, but for the last.
 /// Shapes are compared on a grid of 512 pixels along the longest side. Near-linear in the points,
 /// plus the pixels of parts that overlap, pair by pair.
-Joining connect_parts(const Scene& scene);
+Joining connect_parts(const Scene& scene, const PartColors& colors = {});
 
 }  // namespace relievo

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -7,6 +8,9 @@
 #include "relievo/scene.h"
 
 namespace relievo {
+
+/// Of each part, its colours, the main one first, channels in [0, 1].
+using PartColors = std::vector<std::vector<std::array<double, 3>>>;
 
 /// A proposed join and how sure it is.
 struct ProposedJoin {

@@ -13,7 +13,7 @@ bool says_connections(const Scene& scene) {
   return !scene.joins.empty() || !scene.relations.empty() || !scene.robin.empty();
 }
 
-ConnectedScene connect_scene(Scene scene, bool amounts) {
+ConnectedScene connect_scene(Scene scene, bool amounts, const PartColors& colors) {
   ConnectedScene connected{std::move(scene), {}};
   Scene& result = connected.scene;
   if (amounts)
@@ -23,7 +23,7 @@ ConnectedScene connect_scene(Scene scene, bool amounts) {
       part.c = std::round(round_inflation(mask) * 100) / 100;
     }
   if (says_connections(result)) return connected;
-  connected.proposals = connect_parts(result);
+  connected.proposals = connect_parts(result, colors);
   for (const ProposedJoin& proposed : connected.proposals.joins)
     result.joins.push_back(proposed.join);
   for (const ProposedRelation& proposed : connected.proposals.relations)

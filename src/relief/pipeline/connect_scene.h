@@ -18,6 +18,6 @@ bool says_connections(const Scene& scene);
 /// Connects the parts of a layered drawing as connect_parts proposes, unless the drawing itself
 /// says how. Where `amounts`, parts get a c that makes them about as deep as they are narrow.
 /// Near-linear as connect_parts.
-ConnectedScene connect_scene(Scene scene, bool amounts);
+ConnectedScene connect_scene(Scene scene, bool amounts, const PartColors& colors = {});
 
 }  // namespace relievo

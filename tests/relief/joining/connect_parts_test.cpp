@@ -139,6 +139,52 @@ TEST(ConnectParts, ALimbJoinsWhatLiesDirectlyUnderItsRoot) {
   EXPECT_EQ(joining.joins[0].join.lower, 1);
 }
 
+const PartColors::value_type fur = {{0.8, 0.6, 0.4}};
+const PartColors::value_type steel = {{0.1, 0.2, 0.9}};
+
+TEST(ConnectParts, WhatIsOfAForeignColourIsHeldAndDoesNotGrow) {
+  const Scene scene = disc_with({limb()});
+  EXPECT_EQ(connect_parts(scene, {fur, fur}).joins.size(), 1U);
+  EXPECT_TRUE(connect_parts(scene, {fur, steel}).joins.empty());
+  EXPECT_TRUE(is_equal(connect_parts(scene, {fur, steel}), 1, 0));
+}
+
+TEST(ConnectParts, OneColourOfTheBodyIsEnough) {
+  EXPECT_EQ(connect_parts(disc_with({limb()}), {{steel[0], fur[0]}, fur}).joins.size(), 1U);
+}
+
+TEST(ConnectParts, OfTwoPartsALimbGrowsOutOfTheOneOfItsColour) {
+  const Scene scene =
+      disc_with({capsule({290, 200}, M_PI / 2, 150, 40), capsule({280, 150}, 0.5, 110, 20)});
+  const Joining on_body = connect_parts(scene, {fur, {{0.5, 0.2, 0.1}}, fur});
+  const Joining on_limb = connect_parts(scene, {{{0.5, 0.2, 0.1}}, fur, fur});
+  const auto lower_of_last = [](const Joining& joining) {
+    int lower = -1;
+    int count = 0;
+    for (const ProposedJoin& proposed : joining.joins)
+      if (proposed.join.upper == 2) {
+        lower = proposed.join.lower;
+        ++count;
+      }
+    EXPECT_EQ(count, 1);
+    return lower;
+  };
+  EXPECT_EQ(lower_of_last(on_body), 0);
+  EXPECT_EQ(lower_of_last(on_limb), 1);
+}
+
+TEST(ConnectParts, AnArmThatLiesMostlyOnTheBodyIsJoinedWhereItHasItsColour) {
+  const Scene scene = disc_with({capsule({160, 130}, 0.7, 145, 20)});
+  EXPECT_TRUE(connect_parts(scene).joins.empty());
+  EXPECT_EQ(connect_parts(scene, {fur, fur}).joins.size(), 1U);
+}
+
+TEST(ConnectParts, NecksAreNarrowerThanHeads) {
+  const Joining joining = connect_parts(disc_with({circle({200, 60}, 60)}));
+  ASSERT_EQ(joining.joins.size(), 1U);
+  EXPECT_NEAR(line_length(joining.joins[0].join.line), 0.45 * std::sqrt(M_PI) * 60, 4);
+}
+
 TEST(ConnectScene, TheAuthorsWordStands) {
   Scene scene = disc_with({limb(), circle({210, 120}, 20)});
   scene.relations.push_back({1, 0, RelationKind::above, std::nullopt});
