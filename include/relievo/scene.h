@@ -11,6 +11,7 @@
 namespace relievo {
 
 constexpr double max_coordinate = 1e6;  ///< bound of every coordinate and canvas side, px
+constexpr double min_canvas = 1e-3;     ///< least canvas side, px
 constexpr double min_inflation = 1e-3;  ///< bounds of c and |d|
 constexpr double max_inflation = 1e3;
 constexpr double max_lean = 2;      ///< bound of both numbers of a lean
@@ -101,7 +102,7 @@ struct Scene {
   std::vector<Cue> cues;
 };
 
-/// Checks what the types cannot say: positive finite canvas, finite coordinates, unique ids,
+/// Checks what the types cannot say: a canvas and coordinates in bounds, unique ids,
 /// indices in range, outlines with area, upper in front of lower, ranges where they are needed,
 /// sound c, d, alpha0, rho and cues. The error's code is bad_input and its `where` the path of the
 /// offending key, such as "parts[2].outline[0][5]". Linear in points.

@@ -11,6 +11,7 @@
 #include "io/image/decode_image.h"
 #include "io/mesh/glb_format.h"
 #include "io/mesh/placement.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 namespace {
@@ -19,6 +20,7 @@ using Json = nlohmann::json;
 
 constexpr int max_json_depth = 64;
 constexpr double default_canvas = 1000;
+constexpr double max_extent = 1e9;  ///< of every coordinate of a model that is passed on, px
 
 /// Thrown within this file alone; decode_glb turns it into its result.
 struct Refused {
@@ -212,7 +214,8 @@ Canvas recorded_canvas(const Json& extras) {
   canvas.height = entry("canvas", 1);
   canvas.placement.scale = number(member(extras, "scale"), "scale");
   canvas.placement.origin = {entry("origin", 0), entry("origin", 1), entry("origin", 2)};
-  if (!(canvas.width > 0) || !(canvas.height > 0) || !(canvas.placement.scale > 0))
+  const auto is_side = [](double side) { return side >= min_canvas && side <= max_coordinate; };
+  if (!is_side(canvas.width) || !is_side(canvas.height) || !(canvas.placement.scale > 0))
     refuse("the canvas is not valid", "extras");
   return canvas;
 }
@@ -233,7 +236,12 @@ void return_to_canvas(const Glb& glb, Model& model) {
   const Canvas canvas = recorded ? recorded_canvas(*extras) : fitted_canvas(model);
   model.width = canvas.width;
   model.height = canvas.height;
-  for (Point3& p : model.positions) p = (1 / canvas.placement.scale) * p + canvas.placement.origin;
+  for (Point3& p : model.positions) {
+    p = (1 / canvas.placement.scale) * p + canvas.placement.origin;
+    // Written so that a NaN is out of range.
+    if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= max_extent))
+      refuse("a vertex lies too far from the canvas", "positions");
+  }
 }
 
 Drawing read_drawing(const Glb& glb, const GlbLimits& limits) {

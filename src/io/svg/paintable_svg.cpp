@@ -11,9 +11,25 @@
 namespace relievo {
 namespace {
 
+constexpr std::string_view svg_namespace = "http://www.w3.org/2000/svg";
+
+/// Whether the name belongs to SVG: prefixes are looked up, none means SVG unless another namespace
+/// is the default. Values that begin with & are entities of the document type, which are repaired.
+bool is_svg_name(const pugi::xml_node& element) {
+  const std::string_view name = element.name();
+  const size_t colon = name.find(':');
+  const bool plain = colon == std::string_view::npos;
+  const std::string key = plain ? "xmlns" : "xmlns:" + std::string(name.substr(0, colon));
+  for (pugi::xml_node at = element; at; at = at.parent())
+    if (const pugi::xml_attribute space = at.attribute(key.c_str()))
+      return space.value() == svg_namespace || space.value()[0] == '&';
+  return plain;
+}
+
 /// Whether the renderer may see the element: no scripts, nothing foreign, nothing from elsewhere,
 /// and no picture of unknown size.
 bool is_harmless(const pugi::xml_node& element) {
+  if (!is_svg_name(element)) return false;
   const std::string_view name = local_name(element.name());
   if (name == "script" || name == "foreignObject" || name == "feImage") return false;
   if (trimmed_svg(element.attribute("data-relievo").value()) == "ignore") return false;
@@ -48,11 +64,11 @@ void repair_namespaces(pugi::xml_node root) {
     const std::string_view name = attribute.name();
     if (name.substr(0, 5) != "xmlns" || attribute.value()[0] != '&') continue;
     const std::string_view prefix = local_name(name);
-    if (prefix == "xmlns" || prefix == "svg") attribute.set_value("http://www.w3.org/2000/svg");
+    if (prefix == "xmlns" || prefix == "svg") attribute.set_value(svg_namespace.data());
     if (prefix == "xlink") attribute.set_value("http://www.w3.org/1999/xlink");
   }
   if (local_name(root.name()) == root.name()) {
-    set_attribute(root, "xmlns", "http://www.w3.org/2000/svg");
+    set_attribute(root, "xmlns", std::string(svg_namespace));
   }
   set_attribute(root, "xmlns:xlink", "http://www.w3.org/1999/xlink");
 }

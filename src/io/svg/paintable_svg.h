@@ -16,8 +16,8 @@ struct PaintableSvg {
 };
 
 /// The drawing without joins, cues and what is marked data-relievo="ignore", without scripts,
-/// foreign content and pictures other than embedded PNG files of at most 25 million pixels, its
-/// root as large as its canvas. Fails like read_svg.
+/// elements that are not SVG's, and pictures other than embedded PNG files of at most 25 million
+/// pixels, its root as large as its canvas. Fails like read_svg.
 Result<PaintableSvg> paintable_svg(std::string_view bytes, const SvgOptions& options = {});
 
 }  // namespace relievo

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 
+#include "io/svg/paint_apart.h"
 #include "io/svg/paintable_svg.h"
 
 namespace relievo {
@@ -32,8 +34,9 @@ Error render_error(GError* cause) {
 }
 
 /// Premultiplied native-endian ARGB to straight RGBA.
-Image8 straight_rgba(cairo_surface_t* surface, int width, int height) {
-  Image8 image(width, height, 4);
+void straight_rgba(cairo_surface_t* surface, Image8& image) {
+  const int width = image.width;
+  const int height = image.height;
   cairo_surface_flush(surface);
   const unsigned char* data = cairo_image_surface_get_data(surface);
   const int stride = cairo_image_surface_get_stride(surface);
@@ -51,26 +54,26 @@ Image8 straight_rgba(cairo_surface_t* surface, int width, int height) {
       image.at(x, y, 3) = static_cast<uint8_t>(alpha);
     }
   }
-  return image;
 }
 
-Result<Drawing> rasterize(const PaintableSvg& svg, int width, int height) {
+Status rasterize(const PaintableSvg& svg, Image8& image) {
   GError* error = nullptr;
   const Owned<RsvgHandle> handle(rsvg_handle_new_from_data(
       reinterpret_cast<const guint8*>(svg.text.data()), svg.text.size(), &error));
   if (!handle) return render_error(error);
   const Owned<cairo_surface_t> surface(
-      cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height));
+      cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height));
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) {
     return Error{ErrorCode::limit, "not enough memory for the texture", "svg"};
   }
   const Owned<cairo_t> context(cairo_create(surface.get()));
-  cairo_scale(context.get(), width / svg.width, height / svg.height);
+  cairo_scale(context.get(), image.width / svg.width, image.height / svg.height);
   const RsvgRectangle viewport{0, 0, svg.width, svg.height};
   if (!rsvg_handle_render_document(handle.get(), context.get(), &viewport, &error)) {
     return render_error(error);
   }
-  return Drawing{straight_rgba(surface.get(), width, height)};
+  straight_rgba(surface.get(), image);
+  return Done{};
 }
 
 }  // namespace
@@ -86,7 +89,13 @@ Result<Drawing> render_svg(std::string_view bytes, int width, int height,
   }
   const auto paintable = paintable_svg(bytes, options);
   if (!paintable) return paintable.error();
-  return rasterize(*paintable, width, height);
+  PaintLimits limits;
+  limits.fonts = paintable->text.find("<text") != std::string::npos ||
+                 paintable->text.find(":text") != std::string::npos;
+  auto image = paint_apart(width, height, limits,
+                           [&](Image8& pixels) { return rasterize(*paintable, pixels); });
+  if (!image) return image.error();
+  return Drawing{std::move(*image)};
 }
 
 }  // namespace relievo

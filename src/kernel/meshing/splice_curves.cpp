@@ -12,6 +12,7 @@ namespace relievo {
 namespace {
 
 constexpr int max_rounds = 40;
+constexpr size_t max_points = 10000000;
 
 /// A point to be inserted into an edge at parameter t of it.
 struct Insertion {
@@ -60,14 +61,14 @@ SegmentGrid edge_grid(const std::vector<Point2>& points, const Edges& edges) {
 
 /// Whether a point lies on, or nearly on, the inside of an edge, at parameter t of it.
 bool touches(const std::vector<Point2>& points, int p, const std::array<int, 2>& edge, double reach,
-             double& t) {
+             double grain, double& t) {
   if (p == edge[0] || p == edge[1]) return false;
   const Point2 a = points[edge[0]];
   const Point2 d = points[edge[1]] - a;
   const double length = norm(d);
   t = dot(points[p] - a, d) / (length * length);
   if (t <= 0 || t >= 1) return false;
-  const double bound = std::min(reach, snap_to_edge * length);
+  const double bound = std::max(0.5 * grain, std::min(reach, snap_to_edge * length));
   return std::abs(cross(d, points[p] - a)) <= bound * length;
 }
 
@@ -96,19 +97,22 @@ struct Item {
 
 class Splicer {
  public:
-  Splicer(const std::vector<InputCurve>& curves, const std::vector<InputCurve>& lines)
-      : curves_(curves), closed_(curves.size()) {
+  Splicer(const std::vector<InputCurve>& curves, const std::vector<InputCurve>& lines, double grain)
+      : curves_(curves), closed_(curves.size()), grain_(grain) {
     curves_.insert(curves_.end(), lines.begin(), lines.end());
     merge_points();
   }
 
   Result<SplicedCurves> run() {
     for (int round = 0; round < max_rounds; ++round) {
+      merge_grains();
       tidy_loops();
       collect_edges();
       std::vector<Insertion> insertions = find_contacts();
       if (insertions.empty()) insertions = find_crossings();
       if (insertions.empty()) return separated();
+      if (insertions.size() + out_.points.size() > max_points)
+        return Error{ErrorCode::limit, "the outlines cross each other too often", ""};
       insert(insertions);
     }
     return Error{ErrorCode::bad_input, "the outlines are too tangled to be separated", ""};
@@ -177,6 +181,32 @@ class Splicer {
     out_.loops = out_.image;
   }
 
+  // Points nearer to an earlier one than the grain become that one.
+  void merge_grains() {
+    Box2 box;
+    for (const Point2 p : out_.points) box.add(p);
+    SegmentGrid grid(box, out_.points.size());
+    grid.build(out_.points.size(),
+               [&](size_t i) { return std::pair(out_.points[i], out_.points[i]); });
+    std::vector<int> stands_for(out_.points.size());
+    bool any = false;
+    for (size_t i = 0; i < stands_for.size(); ++i) {
+      const Point2 p = out_.points[i];
+      int found = static_cast<int>(i);
+      grid.for_cells(p, p, grain_, [&](size_t cell) {
+        for (const int* j = grid.begin(cell); j != grid.end(cell); ++j)
+          if (*j < found && stands_for[*j] == *j && distance(p, out_.points[*j]) <= grain_)
+            found = *j;
+      });
+      stands_for[i] = found;
+      any = any || found != static_cast<int>(i);
+    }
+    if (!any) return;
+    for (std::vector<std::vector<int>>* curves : {&out_.loops, &out_.image})
+      for (std::vector<int>& curve : *curves)
+        for (int& p : curve) p = stands_for[p];
+  }
+
   void tidy_loops() {
     for (std::vector<int>& loop : out_.loops) loop = tidied(loop, edge_count(loop) < loop.size());
   }
@@ -207,12 +237,12 @@ class Splicer {
     for (size_t p = 0; p < out_.points.size(); ++p) {
       if (shortest_[p] == std::numeric_limits<double>::infinity()) continue;
       const Point2 x = out_.points[p];
-      const double reach = snap_to_edge * shortest_[p];
+      const double reach = std::max(0.5 * grain_, snap_to_edge * shortest_[p]);
       const size_t first = found.size();
       grid.for_cells(x, x, reach, [&](size_t cell) {
         for (const int* e = grid.begin(cell); e != grid.end(cell); ++e) {
           double t = 0;
-          if (!touches(out_.points, static_cast<int>(p), edges_[*e], reach, t)) continue;
+          if (!touches(out_.points, static_cast<int>(p), edges_[*e], reach, grain_, t)) continue;
           const auto same = [&](const Insertion& other) { return other.edge == *e; };
           if (std::none_of(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), same))
             found.push_back({*e, t, static_cast<int>(p)});
@@ -251,7 +281,8 @@ class Splicer {
     const double denominator = cross(pb - pa, pd - pc);
     const double t = std::clamp(cross(pc - pa, pd - pc) / denominator, 0.0, 1.0);
     const Point2 x = pa + t * (pb - pa);
-    const double reach = snap_to_vertex * std::min(distance(pa, pb), distance(pc, pd));
+    const double reach =
+        std::max(grain_, snap_to_vertex * std::min(distance(pa, pb), distance(pc, pd)));
     int vertex = -1;
     double nearest = reach;
     for (const int p : {a, b, c, d})
@@ -287,6 +318,7 @@ class Splicer {
 
   std::vector<InputCurve> curves_;  // closed ones, then open ones
   size_t closed_;                   // so many
+  double grain_;                    // nothing is nearer to each other
   SplicedCurves out_;
   Edges edges_;
   std::vector<double> shortest_;  // per point: its shortest edge
@@ -295,8 +327,8 @@ class Splicer {
 }  // namespace
 
 Result<SplicedCurves> splice_curves(const std::vector<InputCurve>& curves,
-                                    const std::vector<InputCurve>& lines) {
-  return Splicer(curves, lines).run();
+                                    const std::vector<InputCurve>& lines, double grain) {
+  return Splicer(curves, lines, grain).run();
 }
 
 }  // namespace relievo

@@ -30,9 +30,11 @@ inline constexpr double snap_to_edge = 0.1;
 
 /// Splices closed curves and open lines at crossings and contacts. A vertex moves by at most
 /// snap_to_vertex of its shorter edge, those of lines rather than those of curves; a curve is bent
-/// to a vertex at most snap_to_edge of the shorter edge beside it. Fails with bad_input where the
-/// curves are too tangled to settle. Near-linear for edges of similar length.
+/// to a vertex at most snap_to_edge of the shorter edge beside it; but in the
+/// end no two vertices are nearer than `grain`, and no vertex and edge than half of it. Fails with
+/// bad_input where the curves are too tangled to settle, or limit where they cross too often.
+/// Near-linear for edges of similar length.
 Result<SplicedCurves> splice_curves(const std::vector<InputCurve>& curves,
-                                    const std::vector<InputCurve>& lines = {});
+                                    const std::vector<InputCurve>& lines = {}, double grain = 0);
 
 }  // namespace relievo

@@ -62,8 +62,8 @@ std::vector<int> turn(const SheetsOnBase& on, int face, int vertex, int from, in
     }
     const int next = face_across(on.base, on.sheets, face, away == a ? b : a);
     if (next < 0) return fan;
-    if (next == fan.front()) {
-      complete = true;
+    if (std::find(fan.begin(), fan.end(), next) != fan.end()) {
+      complete = next == fan.front();
       return fan;
     }
     from = corners[away];
@@ -107,8 +107,11 @@ class Connector {
     follow(join, first, last);
     if (is_bump(join))
       replace_below(join, first, last);
-    else
-      reconnect(join, first, last);
+    else if (!reconnect(join, first, last))
+      return Error{ErrorCode::bad_input,
+                   "three surfaces would meet along the join; move it away from the other joins of "
+                   "these parts or remove one of them",
+                   join.name};
     unite(join.upper, join.lower, out_.surface);
     return Done{};
   }
@@ -220,7 +223,8 @@ class Connector {
     return sheets_.faces[face][corner_at(base_, inner_[i], vertex)];
   }
 
-  void reconnect(const JoinPath& join, int first, int last) {
+  // Whether the surface stays one: no edge has more than two faces.
+  bool reconnect(const JoinPath& join, int first, int last) {
     std::vector<std::pair<Corner, int>> moves;
     for (int i = first + 1; i < last; ++i) {
       const int vertex = path_[i];
@@ -238,6 +242,9 @@ class Connector {
     seam.last_end_inside = merge_end(last - 1, path_[last], path_[last - 1], moves);
     for (const auto& [corner, node] : moves) sheets_.faces[corner / 3][corner % 3] = node;
     out_.seams.push_back(seam);
+    return std::all_of(moves.begin(), moves.end(), [&](const auto& move) {
+      return has_plain_edges(base_, sheets_, move.first / 3);
+    });
   }
 
   // The faces that hang together with those below across path edges first to last, before the cut.

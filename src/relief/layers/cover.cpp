@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "kernel/base/disjoint_sets.h"
+
 namespace relievo {
 namespace {
 
@@ -128,6 +130,39 @@ class Flood {
 Cover cover_triangles(const PlanarTriangulation& base, const std::vector<std::vector<int>>& loops,
                       const std::vector<int>& loop_part) {
   return Flood(base, collect_turns(loops, loop_part)).run();
+}
+
+void drop_specks(const PlanarTriangulation& base, const std::vector<Point2>& points, double least,
+                 Cover& cover) {
+  const int triangles = static_cast<int>(base.triangles.size());
+  const auto stack = [&cover](int t) {
+    return std::pair(cover.stack_part.begin() + cover.stack_begin[t],
+                     cover.stack_part.begin() + cover.stack_begin[t + 1]);
+  };
+  DisjointSets pieces(static_cast<int>(cover.stack_part.size()));
+  for (int t = 0; t < triangles; ++t)
+    for (const int next : base.neighbours[t]) {
+      if (next < t) continue;
+      const auto [first, last] = stack(next);
+      for (int f = cover.stack_begin[t]; f < cover.stack_begin[t + 1]; ++f) {
+        const auto at = std::lower_bound(first, last, cover.stack_part[f]);
+        if (at != last && *at == cover.stack_part[f])
+          pieces.unite(f, static_cast<int>(at - cover.stack_part.begin()));
+      }
+    }
+  std::vector<double> area(cover.stack_part.size(), 0);
+  for (int t = 0; t < triangles; ++t) {
+    const auto [a, b, c] = base.triangles[t];
+    for (int f = cover.stack_begin[t]; f < cover.stack_begin[t + 1]; ++f)
+      area[pieces.find(f)] += 0.5 * cross(points[b] - points[a], points[c] - points[a]);
+  }
+  Cover kept{{0}, {}};
+  for (int t = 0; t < triangles; ++t) {
+    for (int f = cover.stack_begin[t]; f < cover.stack_begin[t + 1]; ++f)
+      if (area[pieces.find(f)] >= least) kept.stack_part.push_back(cover.stack_part[f]);
+    kept.stack_begin.push_back(static_cast<int>(kept.stack_part.size()));
+  }
+  cover = std::move(kept);
 }
 
 }  // namespace relievo

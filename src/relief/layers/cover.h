@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "kernel/meshing/splice_curves.h"
+#include "kernel/geometry/polygon.h"
 #include "kernel/meshing/triangulate.h"
 
 namespace relievo {
@@ -18,5 +18,9 @@ struct Cover {
 /// the part of each loop; the loops' edges are edges of the triangulation. O(T + edges * log).
 Cover cover_triangles(const PlanarTriangulation& base, const std::vector<std::vector<int>>& loops,
                       const std::vector<int>& loop_part);
+
+/// Uncovers what hangs together of a part but has less area than `least`, px^2. O(T + faces).
+void drop_specks(const PlanarTriangulation& base, const std::vector<Point2>& points, double least,
+                 Cover& cover);
 
 }  // namespace relievo

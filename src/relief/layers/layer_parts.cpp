@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -18,6 +19,10 @@
 
 namespace relievo {
 namespace {
+
+constexpr double smallest_gap = 1e-3;       // of the spacing
+constexpr double coordinate_grain = 1e-10;  // of the largest coordinate
+constexpr double speck_side = 0.03;  // of the spacing: what has less area than its square goes
 
 std::vector<std::array<int, 2>> edges_of(const SplicedCurves& spliced) {
   std::vector<std::array<int, 2>> edges;
@@ -49,12 +54,14 @@ void drop_unused_points(SplicedCurves& spliced) {
   spliced.points = std::move(points);
 }
 
+/// `joined` has its base and edge length; the rest is made.
 Result<JoinedSheets> join_on(const Scene& scene, const SampledOutlines& sampled,
-                             SplicedCurves spliced, BaseMesh base, const RunContext& context) {
-  JoinedSheets joined;
-  joined.base = std::move(base);
+                             SplicedCurves spliced, JoinedSheets joined,
+                             const RunContext& context) {
   joined.loops = {spliced.loops, sampled.curve_part};
-  const Cover cover = cover_triangles(joined.base.mesh, joined.loops.vertices, joined.loops.part);
+  Cover cover = cover_triangles(joined.base.mesh, joined.loops.vertices, joined.loops.part);
+  const double speck = speck_side * joined.edge_length;
+  drop_specks(joined.base.mesh, joined.base.points, speck * speck, cover);
   joined.sheets = make_sheets(joined.base, cover);
   if (context.cancelled()) return interrupted_error();
   const auto paths = join_paths(scene, spliced, locate_runs(spliced, sampled.joins));
@@ -77,18 +84,35 @@ Result<JoinedSheets> join_on(const Scene& scene, const SampledOutlines& sampled,
   return joined;
 }
 
-Status check_covered(const LayeredMesh& mesh, const Scene& scene, double spacing) {
+Error nothing_left(double spacing) {
+  return {ErrorCode::bad_input,
+          "nothing is left of any part at this resolution; use more vertices (edge " +
+              std::to_string(spacing) + " px)",
+          "parts"};
+}
+
+/// What is to be said of parts of which nothing is left.
+std::vector<std::string> vanished_parts(const LayeredMesh& mesh, const Scene& scene) {
   std::vector<bool> covered(scene.parts.size(), false);
   for (const int part : mesh.face_part) covered[part] = true;
+  std::vector<std::string> warnings;
   for (size_t p = 0; p < covered.size(); ++p)
     if (!covered[p])
-      return Error{
-          ErrorCode::bad_input,
-          "the part \"" + scene.parts[p].id +
-              "\" vanishes at this resolution; make it larger or use more vertices (edge " +
-              std::to_string(spacing) + " px)",
-          "parts[" + std::to_string(p) + "]"};
-  return Done{};
+      warnings.push_back("parts[" + std::to_string(p) + "] (\"" + scene.parts[p].id +
+                         "\"): vanishes at this resolution; make it larger or use more vertices "
+                         "(edge " +
+                         std::to_string(mesh.edge_length) + " px)");
+  return warnings;
+}
+
+/// Distance below which two vertices are one: a small fraction of the spacing, and much more than
+/// rounding of the coordinates.
+double grain_of(const Scene& scene, double spacing) {
+  double farthest = 0;
+  for (const Part& part : scene.parts)
+    for (const Ring& ring : part.outline)
+      for (const Point2 p : ring) farthest = std::max({farthest, std::abs(p.x), std::abs(p.y)});
+  return std::max(smallest_gap * spacing, coordinate_grain * farthest);
 }
 
 /// One per relation of the scene; loop -1 where it has no range.
@@ -109,12 +133,13 @@ Result<JoinedSheets> join_sheets(const Scene& scene, const LayerOptions& options
   context.report("mesh", 0.1);
   const auto sampled = sample_outlines(scene, *spacing);
   if (!sampled) return sampled.error();
-  auto spliced = splice_curves(sampled->curves, sampled->creases);
+  auto spliced = splice_curves(sampled->curves, sampled->creases, grain_of(scene, *spacing));
   if (!spliced) return spliced.error();
   if (context.cancelled()) return interrupted_error();
   context.report("mesh", 0.3);
   drop_unused_points(*spliced);
   const std::vector<std::array<int, 2>> edges = edges_of(*spliced);
+  if (edges.empty()) return nothing_left(*spacing);
   std::vector<Point2> points = spliced->points;
   const SizeField field = size_field_for(*sampled, *spacing, options);
   const std::vector<Point2> inner = inner_points(field, points, edges);
@@ -123,11 +148,10 @@ Result<JoinedSheets> join_sheets(const Scene& scene, const LayerOptions& options
   auto mesh = triangulate(points, edges, context);
   if (!mesh) return mesh.error();
   context.report("mesh", 0.7);
-  auto joined = join_on(scene, *sampled, std::move(*spliced),
-                        make_base_mesh(std::move(points), std::move(*mesh)), context);
-  if (!joined) return joined.error();
-  joined->edge_length = *spacing;
-  return joined;
+  JoinedSheets joined;
+  joined.base = make_base_mesh(std::move(points), std::move(*mesh));
+  joined.edge_length = *spacing;
+  return join_on(scene, *sampled, std::move(*spliced), std::move(joined), context);
 }
 
 Result<LayeredMesh> constrain_sheets(const JoinedSheets& joined, const Scene& scene,
@@ -148,12 +172,13 @@ Result<LayeredMesh> constrain_sheets(const JoinedSheets& joined, const Scene& sc
   LayeredMesh layers = compact_layers(base, sheets, boundaries, {*order, flaps}, pairs);
   const std::vector<DepthPair> resting = resting_pairs(layers, scene);
   layers.constraints.insert(layers.constraints.end(), resting.begin(), resting.end());
-  if (Status status = check_covered(layers, scene, joined.edge_length); !status)
-    return status.error();
+  if (layers.faces.empty()) return nothing_left(joined.edge_length);
+  layers.edge_length = joined.edge_length;
   layers.creases = joined.creases;
   layers.warnings = joined.warnings;
+  const std::vector<std::string> vanished = vanished_parts(layers, scene);
+  layers.warnings.insert(layers.warnings.end(), vanished.begin(), vanished.end());
   layers.part_count = static_cast<int>(scene.parts.size());
-  layers.edge_length = joined.edge_length;
   return layers;
 }
 

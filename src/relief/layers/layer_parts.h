@@ -38,8 +38,8 @@ Result<JoinedSheets> join_sheets(const Scene& scene, const LayerOptions& options
                                  const RunContext& context = {});
 
 /// Finds boundaries and constraint sets on the joined sheets of the scene. Fails with contradiction
-/// naming relations, and with bad_input naming a part that vanishes. Near-linear in the number of
-/// nodes.
+/// naming relations, and with bad_input where nothing is left of any part; warnings name those of
+/// which nothing is. Near-linear in the number of nodes.
 Result<LayeredMesh> constrain_sheets(const JoinedSheets& joined, const Scene& scene,
                                      const LayerOptions& options);
 

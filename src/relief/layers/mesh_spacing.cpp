@@ -11,6 +11,10 @@
 namespace relievo {
 namespace {
 
+/// Of the longer side of the drawing: no spacing is smaller. Meshes of millions of nodes are far
+/// from it; specks far apart would ask for it.
+constexpr double finest_spacing = 1.0 / 16384;
+
 /// How many nodes a spacing would give, without triangulating.
 struct NodeEstimate {
   double along = 0;   // on outlines, grows like 1 / spacing
@@ -49,15 +53,19 @@ Result<NodeEstimate> estimate_nodes(const Scene& scene, double spacing,
 struct Extent {
   double length = 0;
   double area = 0;
+  double finest = 0;  ///< smallest spacing
 };
 
 Extent measure_outlines(const Scene& scene) {
   Extent extent;
+  Box2 box;
   for (const Part& part : scene.parts)
     for (const Ring& ring : part.outline) {
+      for (const Point2 p : ring) box.add(p);
       extent.length += perimeter(ring);
       extent.area += std::abs(signed_area(ring));
     }
+  extent.finest = finest_spacing * std::max(box.max.x - box.min.x, box.max.y - box.min.y);
   return extent;
 }
 
@@ -71,16 +79,22 @@ Status check_size(const Scene& scene, double spacing, const LayerOptions& option
                  "the mesh would have more than " + std::to_string(options.max_nodes) +
                      " vertices; use fewer vertices or longer edges",
                  ""};
+  if (spacing < extent.finest)
+    return Error{ErrorCode::limit,
+                 "the edges are too short for the size of the drawing; use edges of at least " +
+                     std::to_string(extent.finest) + " px",
+                 ""};
   return Done{};
 }
 
 /// The spacing at which the joined mesh has about the wanted number of nodes.
 Result<double> choose_spacing(const Scene& scene, const LayerOptions& options,
                               const RunContext& context) {
-  const auto [length, area] = measure_outlines(scene);
+  const auto [length, area, finest] = measure_outlines(scene);
   const double budget = options.vertex_budget;
   // Twice the plain counts: sheets repeat the outlines of others, and grading thins the inside.
-  double spacing = (length + std::sqrt(length * length + 0.3 * budget * area)) / budget;
+  double spacing =
+      std::max(finest, (length + std::sqrt(length * length + 0.3 * budget * area)) / budget);
   for (int round = 0; round < 5; ++round) {
     if (context.cancelled()) return interrupted_error();
     const auto estimate = estimate_nodes(scene, spacing, options);
@@ -89,7 +103,8 @@ Result<double> choose_spacing(const Scene& scene, const LayerOptions& options,
     const double inside = estimate->inside;
     if (std::abs(along + inside - budget) < 0.01 * budget) break;
     // budget = along / x + inside / x^2 for the new spacing x * spacing
-    spacing *= (along + std::sqrt(along * along + 4 * budget * inside)) / (2 * budget);
+    const double factor = (along + std::sqrt(along * along + 4 * budget * inside)) / (2 * budget);
+    spacing = std::max(finest, factor * spacing);
   }
   return spacing;
 }

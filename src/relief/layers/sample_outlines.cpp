@@ -15,6 +15,7 @@ constexpr double max_sagitta = 0.08;   // of the spacing
 constexpr int min_ring_samples = 12;
 constexpr int min_join_edges = 6;
 constexpr double line_reach = 0.08;  // of the canvas diagonal
+constexpr double speck = 0.02;       // of the spacing: smaller rings are lost
 constexpr double same_mark = 0.02;   // of the spacing: nearer marks are one
 
 struct PartRing {
@@ -144,11 +145,20 @@ void mark(const ArcRange& arc, std::vector<PartRing>& rings) {
 class Sampler {
  public:
   Sampler(const Scene& scene, double spacing) : scene_(scene), spacing_(spacing) {
-    for (size_t p = 0; p < scene.parts.size(); ++p)
+    for (size_t p = 0; p < scene.parts.size(); ++p) {
+      int specks = 0;
       for (const Ring& ring : scene.parts[p].outline) {
         clean_.push_back(without_repeats(ring));
         ring_part_.push_back(static_cast<int>(p));
+        if (bounding_box(clean_.back()).diagonal() >= speck * spacing) continue;
+        clean_.back().clear();
+        ++specks;
       }
+      if (specks > 0)
+        out_.warnings.push_back("parts[" + std::to_string(p) + "] (\"" + scene.parts[p].id +
+                                "\"): " + std::to_string(specks) +
+                                " of its rings are specks that are lost at this resolution");
+    }
     for (size_t r = 0; r < clean_.size(); ++r)
       rings_.push_back({ring_part_[r], &clean_[r], measure(clean_[r]), {}});
   }

@@ -22,6 +22,32 @@ std::pair<std::vector<int>, std::vector<Corner>> corners_by_node(
   return {std::move(begin), std::move(corners)};
 }
 
+/// An edge of a face as the faces of the triangle beyond it have it.
+struct EdgeAcross {
+  int first_face = 0;  // beyond
+  int last_face = 0;   // behind the last
+  int from = 0;        // corners of theirs at its ends
+  int to = 0;
+  int from_node = -1;
+  int to_node = -1;
+
+  bool is_of(const std::array<int, 3>& face) const {
+    return face[from] == from_node && face[to] == to_node;
+  }
+};
+
+/// The edge opposite to corner k; no faces where there is no triangle beyond.
+EdgeAcross edge_across(const BaseMesh& base, const Sheets& sheets, int face, int k) {
+  const int t = sheets.face_triangle[face];
+  const int next = base.mesh.neighbours[t][k];
+  if (next < 0) return {};
+  int corner = 0;
+  while (base.mesh.neighbours[next][corner] != t) ++corner;
+  return {
+      sheets.stack_begin[next], sheets.stack_begin[next + 1],    (corner + 1) % 3,
+      (corner + 2) % 3,         sheets.faces[face][(k + 2) % 3], sheets.faces[face][(k + 1) % 3]};
+}
+
 /// Groups of the faces around one node that hang together across shared edges.
 class Fans {
  public:
@@ -158,16 +184,31 @@ std::vector<int> drop_faces(const std::vector<uint8_t>& dropped, Sheets& sheets)
 }
 
 int face_across(const BaseMesh& base, const Sheets& sheets, int face, int k) {
-  const int t = sheets.face_triangle[face];
-  const int next = base.mesh.neighbours[t][k];
-  if (next < 0) return -1;
-  const int a = sheets.faces[face][(k + 1) % 3];
-  const int b = sheets.faces[face][(k + 2) % 3];
-  int corner = 0;
-  while (base.mesh.neighbours[next][corner] != t) ++corner;
-  for (int f = sheets.stack_begin[next]; f < sheets.stack_begin[next + 1]; ++f)
-    if (sheets.faces[f][(corner + 1) % 3] == b && sheets.faces[f][(corner + 2) % 3] == a) return f;
+  const EdgeAcross edge = edge_across(base, sheets, face, k);
+  for (int f = edge.first_face; f < edge.last_face; ++f)
+    if (edge.is_of(sheets.faces[f])) return f;
   return -1;
+}
+
+bool has_plain_edges(const BaseMesh& base, const Sheets& sheets, int face) {
+  const int t = sheets.face_triangle[face];
+  const auto stack = [&sheets](int first, int last) {
+    return std::pair(sheets.faces.begin() + first, sheets.faces.begin() + last);
+  };
+  for (int k = 0; k < 3; ++k) {
+    const int a = (k + 1) % 3;
+    const int b = (k + 2) % 3;
+    const auto [first, last] = stack(sheets.stack_begin[t], sheets.stack_begin[t + 1]);
+    const auto is_beside = [&](const std::array<int, 3>& other) {
+      return other[a] == sheets.faces[face][a] && other[b] == sheets.faces[face][b];
+    };
+    if (std::count_if(first, last, is_beside) > 1) return false;
+    const EdgeAcross edge = edge_across(base, sheets, face, k);
+    const auto [first_across, last_across] = stack(edge.first_face, edge.last_face);
+    const auto is_across = [&](const std::array<int, 3>& other) { return edge.is_of(other); };
+    if (std::count_if(first_across, last_across, is_across) > 1) return false;
+  }
+  return true;
 }
 
 std::vector<DepthPair> split_fans(const BaseMesh& base, Sheets& sheets) {

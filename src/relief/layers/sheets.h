@@ -51,6 +51,9 @@ std::vector<int> drop_faces(const std::vector<uint8_t>& dropped, Sheets& sheets)
 /// The face that shares both nodes of the edge opposite to corner k, or -1 at an open edge.
 int face_across(const BaseMesh& base, const Sheets& sheets, int face, int k);
 
+/// Whether no other face lies on the same side of any edge of the face, and at most one across it.
+bool has_plain_edges(const BaseMesh& base, const Sheets& sheets, int face);
+
 /// Splits nodes whose faces form more than one fan, so that the mesh is manifold. Returns the
 /// pairs of copies, which belong at the same height. O(F).
 std::vector<DepthPair> split_fans(const BaseMesh& base, Sheets& sheets);

@@ -123,6 +123,7 @@ Result<Model> assemble_model(const LayeredMesh& mesh, const Inflation& inflation
                               [&](const CutSurface& surface, ModelBuilder& builder) {
                                 close_open_edges(surface, weld_tolerance, builder);
                                 model = std::move(builder).build();
+                                drop_unused_vertices(model);
                               });
   if (!status) return status.error();
   return model;

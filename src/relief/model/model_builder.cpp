@@ -57,4 +57,23 @@ Model ModelBuilder::build() && {
   return std::move(model_);
 }
 
+void drop_unused_vertices(Model& model) {
+  std::vector<int> number(model.positions.size(), -1);
+  for (const std::array<int, 3>& triangle : model.triangles)
+    for (const int v : triangle) number[v] = 0;
+  int count = 0;
+  for (size_t v = 0; v < number.size(); ++v) {
+    if (number[v] < 0) continue;
+    model.positions[count] = model.positions[v];
+    model.normals[count] = model.normals[v];
+    model.uvs[count] = model.uvs[v];
+    number[v] = count++;
+  }
+  model.positions.resize(count);
+  model.normals.resize(count);
+  model.uvs.resize(count);
+  for (std::array<int, 3>& triangle : model.triangles)
+    for (int& v : triangle) v = number[v];
+}
+
 }  // namespace relievo

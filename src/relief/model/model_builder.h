@@ -43,4 +43,7 @@ class ModelBuilder {
   std::vector<TriangleRun> run_;  ///< of every triangle
 };
 
+/// Takes vertices out that no triangle uses; the others keep their order. O(vertices + triangles).
+void drop_unused_vertices(Model& model);
+
 }  // namespace relievo

@@ -40,8 +40,8 @@ bool has_area(const Ring& ring) {
 Status check_canvas(const Scene& scene) {
   for (const auto& [key, side] :
        {std::pair{"canvas.width", scene.width}, std::pair{"canvas.height", scene.height}})
-    if (!(side > 0 && side <= max_coordinate))
-      return bad(key, "must be a number of px above 0 and at most 1000000");
+    if (!(side >= min_canvas && side <= max_coordinate))
+      return bad(key, "must be a number of px from 0.001 to 1000000");
   return Done{};
 }
 

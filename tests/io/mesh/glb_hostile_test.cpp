@@ -74,6 +74,15 @@ TEST(HostileGlb, RandomDamageGivesAModelOrAnError) {
   }
 }
 
+TEST(HostileGlb, VerticesFarFromTheCanvasAreRefused) {
+  for (const double far : {2e9, -2e9, 1e19, 1e300}) {
+    const Bytes glb = edited([&](Json& j) { j["scenes"][0]["extras"]["origin"][2] = far; });
+    const Result<DrawnModel> refused = decode_glb(glb, small_limits);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().code, ErrorCode::bad_input);
+  }
+}
+
 TEST(HostileGlb, LyingDescriptionsAreRefused) {
   const std::vector<void (*)(Json&)> lies = {
       [](Json& j) { j["accessors"][0]["count"] = 4'000'000'000U; },

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "io/svg/paintable_svg.h"
 #include "io/svg/render_svg.h"
 #include "io/svg/svg_test_support.h"
 
@@ -78,6 +79,36 @@ TEST(SvgSecurity, ScriptsAndForeignContentAreIgnored) {
       "</foreignObject><rect width='100' height='100' onload='x()'/>");
   EXPECT_EQ(import_of(file).scene.parts.size(), 1u);
   EXPECT_EQ(alpha_at(file, 50, 50), 0);
+}
+
+TEST(SvgSecurity, WhatIsNotSvgInsideIsNotPainted) {
+  const std::string include =
+      "<xi:include xmlns:xi='http://www.w3.org/2001/XInclude' "
+      "href='data:text/xml,%3Crect%20xmlns%3D%22http%3A//www.w3.org/2000/svg%22%20width%3D%221000"
+      "%22%20height%3D%221000%22/%3E'/>";
+  const std::string foreign = "<rect xmlns='urn:other' width='1000' height='1000'/>";
+  const std::string prefixed =
+      "<s:rect xmlns:s='http://www.w3.org/2000/svg' x='800' width='200' height='200'/>";
+  const std::string file = svg_file(square + include + foreign + prefixed);
+  EXPECT_EQ(alpha_at(file, 50, 50), 0);
+  EXPECT_EQ(alpha_at(file, 5, 5), 255);
+  EXPECT_EQ(alpha_at(file, 90, 5), 255);
+  const auto paintable = paintable_svg(file);
+  ASSERT_TRUE(paintable.ok());
+  EXPECT_EQ(paintable->text.find("include"), std::string::npos);
+  EXPECT_EQ(paintable->text.find("urn:other"), std::string::npos);
+}
+
+/// The renderer ends itself on a convolution whose size does not fit what it is made of.
+TEST(SvgSecurity, ARendererThatCrashesIsNoCrashOfOurs) {
+  std::string ones;
+  for (int i = 0; i < 3600; ++i) ones += "1 ";
+  const std::string file =
+      svg_file("<filter id='f'><feConvolveMatrix order='60' kernelMatrix='" + ones +
+               "'/></filter><rect width='900' height='900' "
+               "filter='url(#f)'/>");
+  const auto drawing = render_svg(file, 100, 100);
+  EXPECT_TRUE(drawing.ok() || drawing.error().code == ErrorCode::bad_input);
 }
 
 TEST(SvgSecurity, EmbeddedPicturesOfUnknownOrHugeSizeAreNotPainted) {

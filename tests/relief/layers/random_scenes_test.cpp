@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "relief/pipeline/build_relief.h"
 #include "support/mesh_checks.h"
 #include "support/polygon_corpus.h"
@@ -38,6 +40,95 @@ TEST(RandomScenes, AreManifoldAndSolved) {
     expect_sound(scene);
   }
   EXPECT_GT(joins, 100);
+}
+
+/// The longest run of an outline inside another part, or a stretch of it, either way round.
+std::vector<Point2> random_stretch(Random& random, std::vector<Point2> line) {
+  const int n = static_cast<int>(line.size());
+  const int first = random.integer(0, n / 3);
+  const int last = n - random.integer(0, n / 3);
+  line = {line.begin() + first, line.begin() + last};
+  if (random.uniform(0, 1) < 0.3) std::reverse(line.begin(), line.end());
+  return line;
+}
+
+/// Random parts with up to eight joins, several between the same two as likely as not.
+Scene scene_of_many_joins(uint64_t seed) {
+  Scene scene = random_scene(seed);
+  scene.joins.clear();
+  Random random(seed + 1000);
+  const int parts = static_cast<int>(scene.parts.size());
+  for (int i = random.integer(2, 8); i > 0; --i) {
+    const int upper = random.integer(1, parts - 1);
+    const int lower = random.integer(0, upper - 1);
+    const std::vector<Point2> line =
+        inside_run(scene.parts[upper].outline, scene.parts[lower].outline);
+    if (!line.empty()) scene.joins.push_back({upper, lower, random_stretch(random, line)});
+  }
+  return scene;
+}
+
+TEST(RandomScenes, ManyJoinsAreManifoldOrRefusedByName) {
+  int made = 0;
+  int refused = 0;
+  for (uint64_t seed = 1; seed <= 120; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    LayerOptions options;
+    options.vertex_budget = 300 + 100 * static_cast<int>(seed % 10);
+    const auto layers = layer_parts(scene_of_many_joins(seed), options);
+    if (!layers) {
+      EXPECT_EQ(layers.error().code, ErrorCode::bad_input);
+      EXPECT_EQ(layers.error().where.substr(0, 6), "joins[");
+      ++refused;
+      continue;
+    }
+    ++made;
+    EXPECT_EQ(inconsistency(*layers), "");
+    const Manifoldness m = check_manifold(*layers);
+    EXPECT_EQ(m.repeated_edges, 0);
+    EXPECT_EQ(m.bow_ties, 0);
+  }
+  EXPECT_GT(made, 30);
+  EXPECT_GT(refused, 3);
+}
+
+/// A part joined to another at two places, and between them to a third part in the same spot.
+TEST(RandomScenes, JoinsOnTopOfEachOtherAreRefusedByName) {
+  Scene scene = canvas();
+  scene.parts = {part("back", rectangle(50, 100, 250, 300)),
+                 part("middle", rectangle(100, 80, 350, 280)),
+                 part("arm", rectangle(60, 160, 340, 220))};
+  scene.joins = {{2, 0, {{110, 160}, {150, 160}}},
+                 {2, 1, {{120, 160}, {230, 160}}},
+                 {2, 0, {{140, 160}, {240, 160}}}};
+  for (const int budget : {600, 2000, 10000}) {
+    LayerOptions options;
+    options.vertex_budget = budget;
+    const auto layers = layer_parts(scene, options);
+    ASSERT_FALSE(layers.ok());
+    EXPECT_EQ(layers.error().code, ErrorCode::bad_input);
+    EXPECT_EQ(layers.error().where.substr(0, 6), "joins[");
+  }
+}
+
+TEST(RandomScenes, SpecksAreLostByName) {
+  Scene scene = canvas();
+  scene.parts = {part("plate", rectangle(80, 80, 320, 320))};
+  LayerOptions options;
+  options.edge_length = 5;
+  const auto plain = layer_parts(scene, options);
+  scene.parts[0].outline.push_back(circle({360, 360}, 1e-6));
+  scene.parts[0].outline.push_back(rectangle(20, 20, 20.0001, 20.0001));
+  scene.parts.push_back(part("dot", circle({200, 200}, 1e-9)));
+  const auto layers = layer_parts(scene, options);
+  ASSERT_TRUE(plain.ok());
+  ASSERT_TRUE(layers.ok()) << to_string(layers.error());
+  EXPECT_EQ(layers->faces, plain->faces);
+  ASSERT_EQ(layers->warnings.size(), 3);
+  EXPECT_EQ(layers->warnings[0].substr(0, 30), R"(parts[0] ("plate"): 2 of its r)");
+  EXPECT_EQ(layers->warnings[2].substr(0, 27), R"(parts[1] ("dot"): vanishes )");
+  scene.parts = {scene.parts[1], part("dash", rectangle(9, 9, 9 + 1e-9, 300))};
+  EXPECT_EQ(build_relief(scene, {}).error().code, ErrorCode::bad_input);
 }
 
 /// A scene of the given outlines, scaled onto the canvas; rings without area are left out.
