@@ -13,11 +13,12 @@ namespace relievo::cli {
 namespace {
 
 constexpr const char* main_help =
-    R"(Turns a layered drawing of a character into a seamless high relief.
+    R"(Turns a drawing of a character, layered or flat, into a seamless high relief.
 
 Examples:
   relievo build wolf.svg -o wolf.glb
   relievo build wolf.svg -o wolf.glb --preview wolf.png --normal-map wolf-normal.png
+  relievo build photo.jpg -o photo.glb --overlay understood.png
   relievo check wolf.svg
   relievo render wolf.glb -o wolf-sheet.png --view sheet)";
 
@@ -25,6 +26,7 @@ constexpr const char* build_help = R"(Reconstructs a drawing and writes models, 
 
 Examples:
   relievo build wolf.svg -o wolf.glb
+  relievo build photo.jpg -o photo.glb --overlay understood.png
   relievo build wolf.svg -o wolf.stl --size 80 --vertices 100000
   relievo build scene.json --depth-map depth.png --json
   cat wolf.svg | relievo build - -o wolf.glb)";
@@ -56,8 +58,9 @@ Examples:
   relievo build wolf.relievo -o wolf.glb)";
 
 constexpr const char* input_help =
-    "Layered drawing (SVG, OpenRaster, a folder of pictures), project or scene file (JSON); - "
-    "reads standard input";
+    "Layered drawing (SVG, OpenRaster, a folder of pictures), flat picture (PNG, JPEG, GIF), "
+    "project "
+    "or scene file (JSON); - reads standard input";
 
 Visibility visibility(const std::string& name) {
   if (name == "orbit") return Visibility::orbit;
@@ -247,6 +250,8 @@ void add_build(CLI::App& main, BuildArguments& build) {
   app.add_option("--preview", build.preview, "Picture of the model (.png)")->check(picture);
   app.add_option("--preview-size", build.preview_size, "Its longest side in px (default 1200)")
       ->check(CLI::Range(16, 8192));
+  app.add_option("--overlay", build.overlay, "What was understood, over the drawing (.png)")
+      ->check(picture);
   app.add_option("--convergence", build.convergence,
                  "Of nonlinear: the surface after some of its steps, side by side (.png)")
       ->check(picture);
@@ -292,7 +297,7 @@ void add_segment(CLI::App& main, SegmentArguments& segment) {
 
 void add_render(CLI::App& main, RenderArguments& render) {
   CLI::App& app = *main.add_subcommand("render", render_help);
-  add_common(app, render.common, "Model (.glb), SVG drawing or scene file; - reads standard input");
+  add_common(app, render.common, "Model (.glb), or what build takes; - reads standard input");
   add_connect(app, render.common);
   app.add_option("-o,--output", render.output, "Picture (.png)")
       ->required()
@@ -317,8 +322,8 @@ void add_render(CLI::App& main, RenderArguments& render) {
 
 bool wants_nothing(const BuildArguments& build) {
   return build.models.empty() && build.normal_map.empty() && build.depth_map.empty() &&
-         build.part_map.empty() && build.preview.empty() && build.convergence.empty() &&
-         build.report.empty() && !build.print_report;
+         build.part_map.empty() && build.preview.empty() && build.overlay.empty() &&
+         build.convergence.empty() && build.report.empty() && !build.print_report;
 }
 
 bool wants_3mf(const BuildArguments& build) {
@@ -334,6 +339,12 @@ int finish(const CLI::App& app, const CLI::ParseError& error) {
 }  // namespace
 
 ParsedArguments parse_arguments(int argc, const char* const* argv) {
+  // "help" and "help COMMAND" are what others type for --help and COMMAND --help.
+  std::vector<const char*> words(argv, argv + argc);
+  if (argc > 1 && argc < 4 && std::string(argv[1]) == "help") {
+    words.erase(words.begin() + 1);
+    words.push_back("--help");
+  }
   CLI::App app(main_help, "relievo");
   app.set_version_flag("--version", "relievo " RELIEVO_VERSION);
   app.require_subcommand(0, 1);
@@ -346,7 +357,7 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
   add_render(app, render);
   add_segment(app, segment);
   try {
-    app.parse(argc, argv);
+    app.parse(static_cast<int>(words.size()), words.data());
     if (app.got_subcommand("check")) return Command(check);
     if (app.got_subcommand("render")) return Command(render);
     if (app.got_subcommand("segment")) return Command(segment);

@@ -54,6 +54,7 @@ struct BuildArguments {
   std::string depth_map;
   std::string part_map;
   std::string preview;
+  std::string overlay;
   std::string convergence;
   std::string report;
   bool normal_y_down = false;

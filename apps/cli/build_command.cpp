@@ -5,6 +5,7 @@
 #include "apps/cli/convergence.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
+#include "apps/cli/overlay_picture.h"
 #include "apps/cli/pictures.h"
 #include "apps/cli/reconstruct.h"
 #include "apps/cli/report.h"
@@ -130,16 +131,16 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
   if (Status status = check_outputs(outputs, {build.common.input}); !status) return status;
   const auto file = read_input(build.common.input);
   if (!file) return file.error();
-  auto input = start_scene(*file, build.common.connect);
+  std::optional<Progress> progress(build.common.quiet);
+  RunContext context{interruption.flag()};
+  progress->watch(context);
+  auto input = start_scene(*file, build.common.connect, context);
   if (!input) return input.error();
   if (Status status = check_outputs(outputs, input->files); !status) return status;
   const double read_time = total.milliseconds();
   print_warnings(input->warnings, build.common.quiet);
 
   Products products;
-  std::optional<Progress> progress(build.common.quiet);
-  RunContext context{interruption.flag()};
-  progress->watch(context);
   const auto relief = reconstruct(input->scene, relief_arguments(build), context);
   if (!relief) return relief.error();
   const Stopwatch exporting;
@@ -147,6 +148,11 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
   if (Status s = add_models(products, build, *input, *relief, context); !s) return s;
   if (Status s = add_maps(products, build, input->scene, *relief, context); !s) return s;
   if (Status s = add_convergence(products, build, input->scene, *relief, context); !s) return s;
+  if (!build.overlay.empty())
+    if (Status s =
+            add(products, build.overlay, draw_overlay(input->scene, {}, input->drawing.rgba));
+        !s)
+      return s;
   progress.reset();
 
   const std::vector<std::string> warnings =
@@ -163,6 +169,7 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
   if (!build.report.empty()) products.files.push_back({build.report, bytes_of(report)});
   if (Status status = save(products.files, input->files, interruption); !status) return status;
   print_warnings(warnings, build.common.quiet);
+  for (const std::string& line : input->understood) print_note(line, build.common.quiet);
   print_note(summary(*relief), build.common.quiet);
   print_results(build, products, report);
   return Done{};

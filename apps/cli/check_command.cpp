@@ -147,11 +147,12 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
   if (Status s = check_outputs(outputs_of(check), {check.common.input}); !s) return s;
   const auto file = read_input(check.common.input);
   if (!file) return file.error();
-  const auto input = load_scene(*file, check.common.connect);
+  const auto input = load_scene(*file, check.common.connect, {interruption.flag(), {}});
   if (!input) return input.error();
   if (Status s = check_outputs(outputs_of(check), input->files); !s) return s;
   if (Status status = validate(input->scene); !status) return status;
   print_warnings(input->warnings, quiet);
+  for (const std::string& line : input->understood) print_note(line, quiet);
   const Scene& scene = input->scene;
   print_result("canvas " + number(scene.width) + " x " + number(scene.height) + " px, " +
                    count(scene.parts.size(), "part") +

@@ -35,8 +35,9 @@ std::vector<fs::path> planned_outputs(const BuildArguments& build) {
     paths.push_back(beside(obj, ".mtl"));
     paths.push_back(beside(obj, ".png"));
   }
-  for (const std::string* name : {&build.normal_map, &build.depth_map, &build.part_map,
-                                  &build.preview, &build.convergence, &build.report})
+  for (const std::string* name :
+       {&build.normal_map, &build.depth_map, &build.part_map, &build.preview, &build.overlay,
+        &build.convergence, &build.report})
     if (!name->empty()) paths.emplace_back(*name);
   return paths;
 }

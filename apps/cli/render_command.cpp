@@ -24,7 +24,7 @@ Result<Subject> load_model(const InputFile& input) {
 
 Result<Subject> build_model(const InputFile& input, const RenderArguments& render,
                             const RunContext& context) {
-  auto loaded = load_scene(input, render.common.connect);
+  auto loaded = load_scene(input, render.common.connect, context);
   if (!loaded) return loaded.error();
   print_warnings(loaded->warnings, render.common.quiet);
   const auto relief = reconstruct(loaded->scene, render.relief, context);

@@ -24,22 +24,18 @@ std::string path_from(const fs::path& scene, const std::string& drawing) {
   return code || !inside ? "" : inside->generic_string();
 }
 
-/// The file beside the scene that takes a copy of a drawing from elsewhere.
-fs::path copy_of_drawing(const fs::path& scene, ByteView drawing) {
-  fs::path copy = scene;
-  return copy.replace_extension(picture_kind(drawing));
-}
-
-/// A copy is put where nothing is, or the same.
-Status check_copy(const fs::path& copy, const Bytes& drawing) {
-  std::error_code code;
-  if (!fs::exists(copy, code)) return Done{};
-  const auto there = read_file(copy);
-  if (there && *there == drawing) return Done{};
-  return Error{ErrorCode::usage,
-               "is in the way of a copy of the drawing; write the scene beside the drawing, or a "
-               "project (.relievo), which holds it",
-               copy.string()};
+/// The file beside the scene that takes a copy of a drawing from elsewhere: where nothing is, or
+/// the same. What is there may be somebody's drawing, or the copy of an earlier one.
+fs::path copy_of_drawing(const fs::path& scene, const Bytes& drawing) {
+  const std::string extension = "." + picture_kind(drawing);
+  for (int number = 1;; ++number) {
+    const std::string end = number > 1 ? "-" + std::to_string(number) : "";
+    const fs::path copy = scene.parent_path() / (scene.stem().string() + end + extension);
+    std::error_code code;
+    if (!fs::exists(copy, code)) return copy;
+    const auto there = read_file(copy);
+    if (there && *there == drawing) return copy;
+  }
 }
 
 }  // namespace
@@ -56,7 +52,6 @@ Result<std::vector<OutputFile>> scene_files(const std::string& output, Scene sce
   scene.drawing = path_from(output, drawing.file);
   if (scene.drawing.empty() && !drawing.bytes.empty()) {
     const fs::path copy = copy_of_drawing(output, drawing.bytes);
-    if (Status status = check_copy(copy, drawing.bytes); !status) return status.error();
     scene.drawing = copy.filename().string();
     files.push_back({copy, drawing.bytes});
   }

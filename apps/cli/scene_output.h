@@ -20,8 +20,8 @@ struct SceneDrawing {
 /// What kind of picture it is, as the ending of its name.
 std::string picture_kind(ByteView bytes);
 
-/// The scene file, and a copy of the drawing beside it where that lies elsewhere. Error: `usage`
-/// where another file is in the way of the copy; as write_scene.
+/// The scene file, and a copy of the drawing beside it where that lies elsewhere, numbered where
+/// another file has its name. Errors: as write_scene.
 Result<std::vector<OutputFile>> scene_files(const std::string& output, Scene scene,
                                             const SceneDrawing& drawing);
 

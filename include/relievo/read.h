@@ -20,8 +20,9 @@ struct DrawnScene {
   bool proposed = false;                     ///< the parts were guessed, not annotated
 };
 
-/// Reads a layered drawing (SVG, OpenRaster, a folder of pictures), a project, or a scene file with
-/// the drawing that it names; told by the content. Errors begin with the file's name: `file`,
+/// Reads a layered drawing (SVG, OpenRaster, a folder of pictures), a flat picture (as
+/// understand_picture), a project, or a scene file with the drawing that it names; told by the
+/// content. Errors begin with the file's name: `file`,
 /// `bad_input`, `contradiction`, `limit`.
 Result<DrawnScene> read_drawing(const std::filesystem::path& path);
 

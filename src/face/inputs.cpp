@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "face/read_picture.h"
 #include "io/archive/zip_archive.h"
 #include "io/files/in_file.h"
 #include "io/files/paths.h"
@@ -14,9 +15,7 @@
 #include "io/svg/render_svg.h"
 #include "kernel/base/workers.h"
 #include "kernel/image/image_size.h"
-#include "relief/drawing/segment_drawing.h"
 #include "relief/pipeline/connect_scene.h"
-#include "relief/pipeline/understand_drawing.h"
 #include "relievo/files.h"
 
 namespace relievo {
@@ -45,35 +44,22 @@ Result<Drawing> texture_of(const Bytes& svg, double width, double height) {
 
 /// The parts that the lines of a drawing without fills enclose, as `segment` finds them; nothing
 /// where there are none.
-std::optional<SceneInput> load_line_art(const InputFile& input, const Scene& scene) {
+std::optional<SceneInput> load_line_art(const InputFile& input, const Scene& scene,
+                                        const RunContext& context) {
   auto drawing = rasterize(text_of(input.bytes), scene.width, scene.height, line_art_side);
   if (!drawing) return std::nullopt;
-  auto found = segment_drawing(*drawing, {}, {}, {});
-  if (!found) return std::nullopt;
-  auto understood = understand_drawing(drawing->rgba, relabel(*found, {}).record, {});
-  if (!understood || understood->scene.parts.empty()) return std::nullopt;
-  SceneInput loaded;
-  loaded.drawing_file = input.name;
-  loaded.scene = std::move(understood->scene);
-  loaded.drawing = std::move(*drawing);
-  loaded.guesses = std::move(understood->proposal.joining);
-  const std::vector<int>& place = understood->proposal.stacking.rank;
-  for (ProposedJoin& proposed : loaded.guesses.joins) {
-    proposed.join.upper = place[proposed.join.upper];
-    proposed.join.lower = place[proposed.join.lower];
-  }
-  loaded.warnings = std::move(found->notes);
-  loaded.warnings.emplace_back(
+  auto loaded = understand_flat(std::move(*drawing), input.name, context);
+  if (!loaded || loaded->scene.parts.empty()) return std::nullopt;
+  loaded->warnings.emplace_back(
       "nothing is filled: what the lines enclose are the parts, which relievo segment can correct");
-  loaded.proposed = true;
-  return loaded;
+  return std::move(*loaded);
 }
 
-Result<SceneInput> load_svg(const InputFile& input) {
+Result<SceneInput> load_svg(const InputFile& input, const RunContext& context) {
   auto import = read_svg(text_of(input.bytes));
   if (!import) return import.error();
   if (import->line_art)
-    if (auto lines = load_line_art(input, import->scene)) return std::move(*lines);
+    if (auto lines = load_line_art(input, import->scene, context)) return std::move(*lines);
   SceneInput loaded;
   const double width = import->scene.width;
   const double height = import->scene.height;
@@ -184,10 +170,6 @@ Result<SceneInput> load_json(const InputFile& input) {
 Result<SceneInput> refuse(InputKind kind) {
   const auto bad = [](const char* message) { return Error{ErrorCode::bad_input, message, ""}; };
   switch (kind) {
-    case InputKind::image:
-      return bad(
-          "is a flat picture; find its parts first with: relievo segment, or draw each part as a "
-          "layer of an SVG");
     case InputKind::glb:
       return bad("is a finished model; use it with: relievo render");
     case InputKind::gzip:
@@ -197,19 +179,21 @@ Result<SceneInput> refuse(InputKind kind) {
   }
 }
 
-Result<SceneInput> load(const InputFile& input) {
+Result<SceneInput> load(const InputFile& input, const RunContext& context) {
   const InputKind kind = input.folder ? InputKind::folder : sniff(input.bytes);
-  if (kind == InputKind::svg) return load_svg(input);
+  if (kind == InputKind::svg) return load_svg(input, context);
   if (kind == InputKind::json) return load_json(input);
   if (kind == InputKind::zip) return load_archive(input);
   if (kind == InputKind::folder) return load_folder(input);
+  if (kind == InputKind::image) return read_picture(input, context);
   return refuse(kind);
 }
 
-/// Connects the parts of a layered drawing; a scene or project file has had its say.
+/// Connects the parts of a layered drawing; a scene or project file has had its say, and those of
+/// a flat picture are connected.
 void connect_layers(const InputFile& input, SceneInput& scene) {
   if (!input.folder && (sniff(input.bytes) == InputKind::json || is_project(input.bytes))) return;
-  if (!scene.guesses.joins.empty() || !scene.guesses.relations.empty()) return;
+  if (scene.connected) return;
   ConnectedScene connected = connect_scene(std::move(scene.scene), scene.proposed, scene.colors);
   scene.scene = std::move(connected.scene);
   scene.guesses = std::move(connected.proposals);
@@ -217,7 +201,7 @@ void connect_layers(const InputFile& input, SceneInput& scene) {
 
 /// Leaves out what was guessed of how parts connect.
 void stack_layers(SceneInput& input) {
-  if (input.guesses.joins.empty() && input.guesses.relations.empty()) return;
+  if (!input.connected) return;
   input.guesses = {};
   input.scene.joins.clear();
   input.scene.relations.clear();
@@ -256,8 +240,8 @@ Result<InputFile> read_input(const std::string& name) {
   return InputFile{name, std::move(*bytes)};
 }
 
-Result<SceneInput> start_scene(const InputFile& input, bool connect) {
-  auto loaded = load(input);
+Result<SceneInput> start_scene(const InputFile& input, bool connect, const RunContext& context) {
+  auto loaded = load(input, context);
   if (!loaded) return in_file(loaded.error(), input.name);
   if (connect) connect_layers(input, *loaded);
   if (!connect) stack_layers(*loaded);
@@ -273,8 +257,8 @@ Status finish_drawing(const InputFile& input, SceneInput& scene) {
   return Done{};
 }
 
-Result<SceneInput> load_scene(const InputFile& input, bool connect) {
-  auto scene = start_scene(input, connect);
+Result<SceneInput> load_scene(const InputFile& input, bool connect, const RunContext& context) {
+  auto scene = start_scene(input, connect, context);
   if (!scene) return scene;
   if (Status status = finish_drawing(input, *scene); !status) return status.error();
   return scene;

@@ -11,6 +11,7 @@
 #include "relievo/bytes.h"
 #include "relievo/image.h"
 #include "relievo/result.h"
+#include "relievo/run_context.h"
 #include "relievo/scene.h"
 
 namespace relievo {
@@ -34,9 +35,11 @@ struct SceneInput {
   std::string drawing_file;                  ///< whose picture it is; empty: no file of its own
   std::vector<std::filesystem::path> files;  ///< all that were read, never to be overwritten
   std::vector<std::string> warnings;
-  bool proposed = false;  ///< the parts were guessed, not annotated
-  PartColors colors;      ///< of the parts of layered drawings; may be empty
-  Joining guesses;        ///< how they connect, where that was guessed; as in the scene
+  std::vector<std::string> understood;  ///< what a flat picture was taken for, and what to correct
+  bool proposed = false;                ///< the parts were guessed, not annotated
+  bool connected = false;               ///< how they connect was guessed with them
+  PartColors colors;                    ///< of the parts of layered drawings; may be empty
+  Joining guesses;  ///< how they connect, where that was guessed; as in the scene
 };
 
 /// The picture of an SVG whose canvas has this width and height, its longest side `longest` px.
@@ -47,14 +50,15 @@ Result<InputFile> read_input(const std::string& name);
 
 /// What load_scene gives, but for the pixels of an SVG: another thread renders them. `input` must
 /// live until they are finished.
-Result<SceneInput> start_scene(const InputFile& input, bool connect);
+Result<SceneInput> start_scene(const InputFile& input, bool connect,
+                               const RunContext& context = {});
 
 /// Waits for the drawing.
 Status finish_drawing(const InputFile& input, SceneInput& scene);
 
-/// A scene from a layered drawing (SVG, OpenRaster, a folder of pictures), or from a scene file
-/// and the drawing that it names. Where `connect`, what a layered drawing does not say of how its
-/// parts connect is guessed. The error's `where` begins with the file's name.
-Result<SceneInput> load_scene(const InputFile& input, bool connect);
+/// A scene from a layered drawing (SVG, OpenRaster, a folder of pictures), from a flat picture, or
+/// from a scene file and the drawing that it names. Where `connect`, what a layered drawing does
+/// not say of how its parts connect is guessed. The error's `where` begins with the file's name.
+Result<SceneInput> load_scene(const InputFile& input, bool connect, const RunContext& context = {});
 
 }  // namespace relievo

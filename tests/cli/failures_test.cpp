@@ -85,7 +85,7 @@ TEST_F(Failures, BadInputIsThree) {
   write("text.txt", "hello");
   expect_failure({"build", "text.txt", "-o", "out.glb"}, 3, "neither");
   write("flat.png", "\x89PNG\r\n\x1a\n");
-  expect_failure({"build", "flat.png", "-o", "out.glb"}, 3, "layer of an SVG");
+  expect_failure({"build", "flat.png", "-o", "out.glb"}, 3, "flat.png");
   write("page.svg", "<html></html>");
   expect_failure({"build", "page.svg", "-o", "out.glb"}, 3, "page.svg");
   write("model.glb", "glTF....");

@@ -159,8 +159,13 @@ TEST_F(Render, OptionsChangeThePicture) {
 }
 
 TEST_F(Help, IsAResultAndBeginsWithExamples) {
-  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-           {"--help"}, {"build", "--help"}, {"check", "-h"}, {"render", "-h"}}) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"--help"},
+                                             {"help"},
+                                             {"help", "segment"},
+                                             {"build", "--help"},
+                                             {"check", "-h"},
+                                             {"render", "-h"}}) {
     const Outcome outcome = relievo(arguments);
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err, "");

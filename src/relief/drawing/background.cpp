@@ -10,6 +10,8 @@ namespace {
 
 constexpr double paper_distance = 70;      ///< from white within which background may be, of 255
 constexpr double cut_figure_share = 0.12;  ///< of the picture, from which on a region is a figure
+constexpr double cut_share = 0.12;         ///< of a region's rim, up to which an edge cuts it off
+constexpr double cut_line_share = 0.8;     ///< of the rest, which are lines then
 constexpr double opaque_share = 0.05;      ///< of the picture off the lines: fills, not blots
 constexpr double spread_distance = 45;     ///< of mean colours, up to which background spreads
 constexpr double leak_width = 0.7;         ///< px of gap per px of inradius from which it spreads
@@ -26,12 +28,29 @@ double distance_from_white(const Basin& region) {
 
 bool is_paper(const Basin& region) { return distance_from_white(region) < paper_distance; }
 
-bool reaches_outside(const Basin& region, int64_t picture_area) {
+/// Whether lines bound the region but for the little of it that the picture's edge cuts: a hand
+/// and not the paper beside it.
+bool is_cut_off(const RegionMerging& regions, int r) {
+  int64_t at_edge = 0;
+  for (const int64_t pixels : regions.region(r).at_edge) at_edge += pixels;
+  int64_t pairs = 0;
+  int64_t line_pairs = 0;
+  for (const auto& [neighbour, border] : regions.borders(r)) {
+    pairs += border.pairs;
+    line_pairs += border.line_pairs;
+  }
+  return static_cast<double>(at_edge) < cut_share * static_cast<double>(at_edge + pairs) &&
+         static_cast<double>(line_pairs) > cut_line_share * static_cast<double>(pairs);
+}
+
+bool reaches_outside(const RegionMerging& regions, int r, int64_t picture_area) {
+  const Basin& region = regions.region(r);
   const auto edges = std::count_if(region.at_edge.begin(), region.at_edge.end(),
                                    [](int64_t pixels) { return pixels > 0; });
   if (edges == 0 || !is_paper(region)) return false;
-  return edges > 1 ||
-         static_cast<double>(region.area) < cut_figure_share * static_cast<double>(picture_area);
+  if (edges > 1) return true;
+  return static_cast<double>(region.area) < cut_figure_share * static_cast<double>(picture_area) &&
+         !is_cut_off(regions, r);
 }
 
 /// Whether the drawing has opaque areas, so that transparent ones are none of the figure.
@@ -47,6 +66,9 @@ bool has_opaque_areas(RegionMerging& regions) {
          static_cast<double>(all - transparent) > opaque_share * static_cast<double>(all);
 }
 
+/// Whether most of a region is of the figure.
+bool is_in_figure(const Basin& region) { return 2 * region.in_figure > region.area; }
+
 bool is_transparent(const Basin& region) { return 2 * region.transparent > region.coloured; }
 
 /// The neighbour through whose border the background spreads most easily, or -1.
@@ -55,6 +77,7 @@ int leaking_neighbour(const RegionMerging& regions, int background) {
   double widest = leak_share;
   for (const auto& [neighbour, border] : regions.borders(background)) {
     const double share = regions.open_share(background, neighbour);
+    if (is_in_figure(regions.region(neighbour))) continue;
     const double gap = share * static_cast<double>(border.pairs);
     if (gap < leak_width * regions.region(neighbour).inradius) continue;
     if (share <= widest || regions.colour_distance(background, neighbour) > spread_distance)
@@ -67,13 +90,16 @@ int leaking_neighbour(const RegionMerging& regions, int background) {
 
 }  // namespace
 
-int unite_background(RegionMerging& regions, int64_t picture_area) {
+int unite_background(RegionMerging& regions, const Basins& basins) {
   const bool opaque = has_opaque_areas(regions);
+  const auto picture_area = static_cast<int64_t>(basins.index.pixels.size());
   int background = -1;
   for (int r = 0; r < regions.count(); ++r) {
     if (!regions.is_region(r)) continue;
     const Basin& region = regions.region(r);
-    if (!reaches_outside(region, picture_area) && !(opaque && is_transparent(region))) continue;
+    const bool outside = reaches_outside(regions, r, picture_area) ||
+                         (opaque && is_transparent(region)) || basins.figure.said;
+    if (!outside || is_in_figure(region)) continue;
     if (background < 0)
       background = r;
     else

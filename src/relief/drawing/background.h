@@ -6,9 +6,10 @@ namespace relievo {
 
 /// Unites all regions that are background and returns that region, or -1 where there is none: what
 /// has the paper's colour and reaches the edge of the image, and what is quite open to it. A large
-/// region that reaches one edge only is taken for a figure that the edge cuts. Where areas of the
-/// drawing are opaque, all transparent ones are background.
-int unite_background(RegionMerging& regions, int64_t picture_area);
+/// region that reaches one edge only is taken for a figure that the edge cuts, and so is a small
+/// one that lines bound all around but there. Where areas of the drawing are opaque, all
+/// transparent ones are background. What lies in the figure's mask never is.
+int unite_background(RegionMerging& regions, const Basins& basins);
 
 /// Share of the lines, by area, on all sides of which lies the background.
 double unbounded_line_share(const Basins& basins);

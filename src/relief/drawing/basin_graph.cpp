@@ -9,8 +9,10 @@ namespace relievo {
 namespace {
 
 /// Adds pixels [begin, end), which lie in one row and basin.
-void add_run(const Image8& rgba, const Image8& rgb, const Image8& barrier, size_t begin, size_t end,
+void add_run(const Image8& rgba, const Image8& rgb, const Basins& basins, size_t begin, size_t end,
              Basin& basin) {
+  const Image8& barrier = basins.barrier;
+  const Image8& figure = basins.figure.inside;
   uint32_t coloured = 0;
   uint32_t transparent = 0;
   std::array<uint32_t, 3> sum = {};
@@ -20,6 +22,9 @@ void add_run(const Image8& rgba, const Image8& rgb, const Image8& barrier, size_
     transparent += counts & (rgba.pixels[4 * i + 3] < 128 ? 1U : 0U);
     for (size_t c = 0; c < 3; ++c) sum[c] += counts * rgb.pixels[3 * i + c];
   }
+  if (!figure.empty())
+    basin.in_figure += std::count(figure.pixels.begin() + static_cast<ptrdiff_t>(begin),
+                                  figure.pixels.begin() + static_cast<ptrdiff_t>(end), 1);
   basin.area += static_cast<int64_t>(end - begin);
   basin.coloured += coloured;
   basin.transparent += transparent;
@@ -34,7 +39,7 @@ void measure_areas(const Image8& rgba, const Image8& rgb, Basins& basins) {
     for (int begin = 0, end = 0; begin < w; begin = end) {
       while (end < w && row[end] == row[begin]) ++end;
       Basin& basin = basins.basins[row[begin]];
-      add_run(rgba, rgb, basins.barrier, first + begin, first + end, basin);
+      add_run(rgba, rgb, basins, first + begin, first + end, basin);
       basin.box.add(Point2{begin * 1.0, y * 1.0});
       basin.box.add(Point2{end * 1.0, y + 1.0});
     }

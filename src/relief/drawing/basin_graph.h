@@ -4,9 +4,8 @@
 
 namespace relievo {
 
-/// Fills `basins` and `borders` from index, ink and barrier. `rgba` is the drawing, `rgb` the same
-/// on white.
-/// O(pixels + border pixels log border pixels).
+/// Fills `basins` and `borders` from index, ink, barrier and figure. `rgba` is the drawing, `rgb`
+/// the same on white. O(pixels + border pixels log border pixels).
 void measure_basins(const Image8& rgba, const Image8& rgb, Basins& basins);
 
 /// The borders between basins inside a window of pixels, its end excluded; sorted by a, b.

@@ -23,7 +23,8 @@ int region_at(const Basins& basins, int32_t pixel) {
   return basins.region[basins.index.pixels[pixel]];
 }
 
-/// Marks off the lines; of strokes that lie on lines altogether, all.
+/// Marks off the lines; of strokes that lie on lines altogether, all but those on the background,
+/// which are for the ink (see take_ink).
 std::vector<MarkedPixel> counted_marks(const Basins& basins, const Scribbles& scribbles) {
   std::vector<MarkedPixel> marks = mark_pixels(scribbles, basins.index.width, basins.index.height);
   std::vector<bool> leaves_lines(scribbles.strokes.size(), false);
@@ -34,7 +35,8 @@ std::vector<MarkedPixel> counted_marks(const Basins& basins, const Scribbles& sc
     if (!on_line(mark)) leaves_lines[mark.stroke] = true;
   marks.erase(std::remove_if(marks.begin(), marks.end(),
                              [&](const MarkedPixel& mark) {
-                               return on_line(mark) && leaves_lines[mark.stroke];
+                               return on_line(mark) && (leaves_lines[mark.stroke] ||
+                                                        region_at(basins, mark.pixel) == 0);
                              }),
               marks.end());
   return marks;

@@ -18,6 +18,7 @@ struct Basin {
   std::array<int64_t, 3> colour_sum = {};  ///< of the drawing on white, over pixels off the lines
   int64_t coloured = 0;                    ///< pixels in colour_sum
   int64_t transparent = 0;                 ///< of those, the ones that are so in the drawing
+  int64_t in_figure = 0;                   ///< pixels inside the figure's mask
 };
 
 /// Where two basins meet.
@@ -30,6 +31,12 @@ struct BasinBorder {
   int64_t weight = 0;      ///< what LazyBrush pays for parting them
 };
 
+/// What of the picture is the figure, found without its parts.
+struct FigureMask {
+  Image8 inside;      ///< [drawing size] 1 where it is; empty where nothing can be said
+  bool said = false;  ///< what is outside is background for certain: the picture was cut out
+};
+
 /// A drawing divided into basins, each inside one area of the drawing as far as lines tell. What a
 /// scribble can change starts here.
 struct Basins {
@@ -38,6 +45,7 @@ struct Basins {
   std::vector<BasinBorder> borders;  ///< sorted by a, b
   Image8 ink;                        ///< see LineMap
   Image8 barrier;                    ///< see LineMap
+  FigureMask figure;                 ///< see find_figure
   double line_width = 1;             ///< px
   bool painted = false;              ///< see LineMap
   std::vector<int> region;           ///< [#B] proposal: 0 background, else 1 ... #R

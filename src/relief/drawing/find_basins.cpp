@@ -8,6 +8,7 @@
 #include "kernel/image/peak_basins.h"
 #include "kernel/image/watershed.h"
 #include "relief/drawing/basin_graph.h"
+#include "relief/drawing/figure_mask.h"
 #include "relief/drawing/line_map.h"
 #include "relief/drawing/open_roots.h"
 #include "relief/drawing/propose_regions.h"
@@ -65,6 +66,7 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   basins.barrier = std::move(map.barrier);
   basins.line_width = map.line_width;
   basins.painted = map.painted;
+  basins.figure = find_figure(drawing.rgba, rgb, basins.painted);
   measure_basins(drawing.rgba, rgb, basins);
   propose_regions(basins);
   context.report("find areas", 1);

@@ -7,17 +7,16 @@
 
 #include "relief/drawing/basin_labelling.h"
 #include "relief/drawing/basin_votes.h"
+#include "relief/drawing/figure_ink.h"
+#include "relief/drawing/figure_mask.h"
 #include "relief/drawing/find_bridges.h"
 #include "relief/drawing/split_basins.h"
 
 namespace relievo {
 namespace {
 
-/// Shares of lines that bound no area: from the first on it is said, from the others on a drawing
-/// or painting without strokes is refused.
+/// Share of lines that bound no area, from which on it is said.
 constexpr double much_unbounded = 0.2;
-constexpr double mostly_unbounded = 0.42;
-constexpr double mostly_unbounded_paint = 0.25;
 constexpr int many_parts = 40;
 constexpr size_t most_parts = 65534;
 
@@ -41,21 +40,6 @@ Status check_scribbles(const Scribbles& scribbles) {
     if (!(stroke.width > 0 && stroke.width <= 1000))
       return bad_stroke(k, "the width of a stroke must lie in (0, 1000] px");
   }
-  return Done{};
-}
-
-/// Whether enough of the lines bound areas for a proposal that makes sense.
-Status check_closed(const Basins& basins) {
-  if (basins.painted && basins.unbounded_ink > mostly_unbounded_paint)
-    return Error{ErrorCode::bad_input,
-                 "too few areas of the painting have an outline or a clear edge: mark each part "
-                 "with a hard stroke, or give a picture of labels",
-                 ""};
-  if (basins.unbounded_ink > mostly_unbounded)
-    return Error{ErrorCode::bad_input,
-                 "most lines of the drawing bound no area, as those of a stick figure: give limbs "
-                 "and body closed outlines, or mark each part with a hard stroke",
-                 ""};
   return Done{};
 }
 
@@ -92,11 +76,31 @@ std::vector<uint16_t> number_parts(const std::vector<int>& used, const Scribbles
   return number;
 }
 
-std::vector<int> used_labels(const std::vector<int>& labels) {
-  std::vector<int> used = labels;
+std::vector<int> used_labels(const Image<int32_t>& labels) {
+  std::vector<int> used;
+  for (size_t i = 0; i < labels.pixels.size(); ++i)
+    if (i == 0 || labels.pixels[i] != labels.pixels[i - 1]) used.push_back(labels.pixels[i]);
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
   return used;
+}
+
+/// The labels of all pixels, those of ink among them.
+Image<int32_t> label_pixels(const Basins& basins, const std::vector<int>& labels,
+                            const Scribbles& scribbles) {
+  Image<int32_t> pixels(basins.index.width, basins.index.height, 1);
+  for (size_t i = 0; i < pixels.pixels.size(); ++i)
+    pixels.pixels[i] = labels[basins.index.pixels[i]];
+  InkVotes votes{mark_pixels(scribbles, pixels.width, pixels.height), {}};
+  for (const Scribble& stroke : scribbles.strokes) {
+    const bool for_part = stroke.kind == ScribbleKind::soft || stroke.kind == ScribbleKind::hard;
+    votes.label_of_stroke.push_back(for_part ? stroke.part + 1 : 0);
+  }
+  const auto parts = static_cast<int>(scribbles.parts.size());
+  take_ink(basins, votes, parts + basins.region_count, pixels);
+  const int last = *std::max_element(pixels.pixels.begin(), pixels.pixels.end());
+  keep_figure(basins, labels, std::max(last, parts + basins.region_count), pixels);
+  return pixels;
 }
 
 void measure_parts(Segmentation& segmentation) {
@@ -124,8 +128,8 @@ void add_notes(const Basins& basins, const Scribbles& scribbles, Segmentation& s
   if (!scribbles.strokes.empty()) return;
   if (basins.unbounded_ink > much_unbounded)
     segmentation.notes.push_back(
-        "a good part of the lines bounds no area: they may be too faint or have wide gaps; mark "
-        "each part with a stroke");
+        "a good part of the lines bounds no area: they became tubes; where they are outlines with "
+        "wide gaps, mark each part with a stroke");
   if (segmentation.parts.size() > many_parts)
     segmentation.notes.push_back(
         "more areas were found than a character has parts: mark each part with a stroke");
@@ -134,13 +138,12 @@ void add_notes(const Basins& basins, const Scribbles& scribbles, Segmentation& s
 Segmentation assemble(const Basins& basins, const std::vector<int>& labels,
                       const Scribbles& scribbles) {
   Segmentation segmentation;
+  const Image<int32_t> of_pixel = label_pixels(basins, labels, scribbles);
   const std::vector<uint16_t> number =
-      number_parts(used_labels(labels), scribbles, segmentation.parts);
-  std::vector<uint16_t> of_basin(labels.size());
-  for (size_t b = 0; b < labels.size(); ++b) of_basin[b] = number[labels[b]];
+      number_parts(used_labels(of_pixel), scribbles, segmentation.parts);
   segmentation.labels = Image16(basins.index.width, basins.index.height, 1);
-  for (size_t i = 0; i < basins.index.pixels.size(); ++i)
-    segmentation.labels.pixels[i] = of_basin[basins.index.pixels[i]];
+  for (size_t i = 0; i < of_pixel.pixels.size(); ++i)
+    segmentation.labels.pixels[i] = number[of_pixel.pixels[i]];
   measure_parts(segmentation);
   segmentation.bridges = find_bridges(segmentation.labels, basins.barrier, basins.line_width);
   add_notes(basins, scribbles, segmentation);
@@ -152,8 +155,6 @@ Segmentation assemble(const Basins& basins, const std::vector<int>& labels,
 Result<Segmentation> label_basins(const Basins& basins, const Scribbles& scribbles,
                                   const LabelOptions& options) {
   if (const Status valid = check_scribbles(scribbles); !valid) return valid.error();
-  if (scribbles.strokes.empty())
-    if (const Status enough = check_closed(basins); !enough) return enough.error();
   const auto part_count = static_cast<int>(scribbles.parts.size());
   if (scribbles.parts.size() + static_cast<size_t>(basins.region_count) > most_parts)
     return Error{ErrorCode::limit, "the drawing has too many parts", ""};
@@ -163,6 +164,8 @@ Result<Segmentation> label_basins(const Basins& basins, const Scribbles& scribbl
   const Basins& used = split ? divided : basins;
   Segmentation segmentation =
       assemble(used, choose_labels(used, votes, part_count, options), scribbles);
+  if (segmentation.parts.size() > most_parts)
+    return Error{ErrorCode::limit, "the drawing has too many parts", ""};
   if (segmentation.parts.empty())
     return Error{ErrorCode::bad_input,
                  "no line of the drawing bounds an area: give the figure closed outlines, or mark "

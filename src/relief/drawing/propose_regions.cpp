@@ -14,6 +14,7 @@ namespace {
 constexpr double open_share = 0.24;       ///< of a border without line, above which areas are one
 constexpr double different_colour = 55;   ///< of areas that are not one, unless quite open
 constexpr double quite_open_share = 0.7;  ///< above which colour does not matter
+constexpr double outlined_share = 0.8;    ///< of the figure's outline that is ink
 constexpr double smallest_part = 0.0008;  ///< of the box around the figure
 constexpr double host_share = 0.25;       ///< of a sliver's border, from which it lies on a part
 constexpr double detail_share = 0.08;     ///< of the area around it, up to which it is a detail
@@ -24,7 +25,8 @@ constexpr double narrowest_part =
 /// Unites regions, those most open to each other first, until lines part all of them.
 class OpenMerger {
  public:
-  explicit OpenMerger(RegionMerging& regions) : regions_(regions) {
+  /// Regions open to `background` stay apart from it; -1 where there is none yet.
+  OpenMerger(RegionMerging& regions, int background) : regions_(regions), background_(background) {
     for (int a = 0; a < regions.count(); ++a)
       for (const auto& [b, border] : regions.borders(a))
         if (a < b) propose(a, b, border);
@@ -49,6 +51,7 @@ class OpenMerger {
 
  private:
   void propose(int a, int b, const RegionBorder& border) {
+    if (a == background_ || b == background_) return;
     const double share = regions_.open_share(a, b);
     if (share <= open_share) return;
     if (share < quite_open_share && regions_.colour_distance(a, b) > different_colour) return;
@@ -56,8 +59,20 @@ class OpenMerger {
   }
 
   RegionMerging& regions_;
+  int background_;
   std::priority_queue<std::tuple<double, int64_t, int, int>> queue_;
 };
+
+/// Whether ink runs along the outline of the figure.
+bool is_outlined(const RegionMerging& regions, int background) {
+  int64_t pairs = 0;
+  int64_t line_pairs = 0;
+  for (const auto& [neighbour, border] : regions.borders(background)) {
+    pairs += border.pairs;
+    line_pairs += border.line_pairs;
+  }
+  return static_cast<double>(line_pairs) > outlined_share * static_cast<double>(pairs);
+}
 
 /// The neighbour with the longest common border, or -1.
 int closest_neighbour(const RegionMerging& regions, int r) {
@@ -139,8 +154,12 @@ void absorb_details(RegionMerging& regions, int background) {
 
 void propose_regions(Basins& basins) {
   RegionMerging regions(basins);
-  OpenMerger(regions).run();
-  int background = unite_background(regions, static_cast<int64_t>(basins.index.pixels.size()));
+  OpenMerger(regions, -1).run();
+  int background = unite_background(regions, basins);
+  if (background >= 0 && is_outlined(regions, background)) {
+    regions.ignore_edges();
+    OpenMerger(regions, background).run();
+  }
   const double least_area = smallest_part * figure_box_area(regions, background);
   absorb_slivers(regions, background, least_area,
                  std::max(1.5, narrowest_part * basins.line_width));

@@ -30,6 +30,7 @@ void RegionMerging::unite(int a, int b) {
   region.inradius = std::max(region.inradius, other.inradius);
   region.coloured += other.coloured;
   region.transparent += other.transparent;
+  region.in_figure += other.in_figure;
   region.box.add(other.box);
   for (size_t k = 0; k < 4; ++k) region.at_edge[k] += other.at_edge[k];
   for (size_t c = 0; c < 3; ++c) region.colour_sum[c] += other.colour_sum[c];
@@ -53,7 +54,8 @@ void RegionMerging::unite(int a, int b) {
 
 double RegionMerging::open_share(int a, int b) const {
   const RegionBorder& border = borders_[a].at(b);
-  const int64_t edges = colour_distance(a, b) < similar_colour ? 0 : border.edge_pairs;
+  const bool marked = edges_count_ && colour_distance(a, b) >= similar_colour;
+  const int64_t edges = marked ? border.edge_pairs : 0;
   return 1 - static_cast<double>(border.line_pairs + edges) / static_cast<double>(border.pairs);
 }
 

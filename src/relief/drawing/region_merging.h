@@ -33,10 +33,15 @@ class RegionMerging {
   /// colour is texture and marks nothing.
   double open_share(int a, int b) const;
 
+  /// From now on edges mark nothing: where ink outlines the parts, they are what is painted on
+  /// them.
+  void ignore_edges() { edges_count_ = false; }
+
   /// Euclidean distance of mean colours, of 255 a channel; 0 where one has no colour.
   double colour_distance(int a, int b) const;
 
  private:
+  bool edges_count_ = true;
   DisjointSets sets_;
   std::vector<Basin> regions_;
   std::vector<std::map<int, RegionBorder>> borders_;

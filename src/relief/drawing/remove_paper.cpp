@@ -111,7 +111,8 @@ void scale_of_row(const Quadratic& light, double v, const std::vector<float>& u,
   const auto linear = static_cast<float>(light[1] + light[4] * v);
   const auto square = static_cast<float>(light[3]);
   for (size_t x = 0; x < u.size(); ++x) scale[x] = constant + (linear + square * u[x]) * u[x];
-  for (float& value : scale) value = value > darkest_paper ? value : darkest_paper;
+  // Where paint covers the paper the fit is a guess, which may be brighter than white.
+  for (float& value : scale) value = std::clamp(value, darkest_paper, 255.0F);
   for (float& value : scale) value = 255 / value;
 }
 

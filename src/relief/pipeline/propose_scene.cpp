@@ -10,6 +10,7 @@
 #include "relief/completion/clip_to_order.h"
 #include "relief/joining/propose_leans.h"
 #include "relief/joining/round_inflation.h"
+#include "relief/pipeline/outline_rim.h"
 
 namespace relievo {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 constexpr double overlap_share = 0.005;
 constexpr double min_overlap = 2;  ///< px
 /// Arrows that are surer than this tell that a surrounded part's contour is its own.
-constexpr double sure_arrow = 0.75;
+constexpr double sure_arrow = 0.97;
 constexpr double least_feature_inflation = 0.02;
 
 Error no_such_label(int label) {
@@ -157,6 +158,12 @@ void keep_given_outlines(const Corrections& corrections, Proposal& proposal) {
   }
 }
 
+/// What is seen of the parts, the ink of their outlines with it, is theirs.
+void add_rim(const PartRegions& seen, Completion& clipped) {
+  for (int part = 0; part < seen.count(); ++part)
+    clipped.parts[part].shape = united(clipped.parts[part].shape, seen.visible[part]);
+}
+
 /// Features bulge the less the larger they are: an eye does, a patch on the belly does not. With q
 /// the ratio of their area to that of all parts on which they lie, c is multiplied by
 /// 1 - 1.5 sqrt(q).
@@ -280,12 +287,14 @@ Status propose(Proposal& proposal, const Corrections& corrections, const Proposa
 Result<Proposal> propose_scene(const Image16& labels, const Corrections& corrections,
                                const ProposalOptions& options, const RunContext& context) {
   Proposal proposal;
-  proposal.regions = find_regions(without_specks(labels, options.min_pixels, proposal.warnings));
+  const Image16 seen = without_specks(labels, options.min_pixels, proposal.warnings);
+  proposal.regions = find_regions(without_rim(seen, options.rim));
   if (Status s = check_labels(proposal.regions, corrections, options.max_parts); !s)
     return s.error();
   if (Status s = propose(proposal, corrections, options, context); !s) return s.error();
-  const auto clipped = shapes_in_order(proposal, context);
+  auto clipped = shapes_in_order(proposal, context);
   if (!clipped) return clipped.error();
+  if (options.rim > 0) add_rim(find_regions(seen), *clipped);
   const std::vector<Outline> outlines = scene_outlines(corrections, proposal.regions, *clipped);
   proposal.joining =
       join_parts(proposal.regions, proposal.stacking, outlines,

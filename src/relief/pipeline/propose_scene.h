@@ -17,6 +17,7 @@ struct ProposalOptions {
   CompletionOptions completion;
   JoiningOptions joining;
   int max_parts = 1024;
+  double rim = 0;       ///< px of outer ink that parts hold towards the background, see rim_width
   int min_pixels = 16;  ///< labels with fewer pixels are left out, with a warning
 };
 

@@ -52,11 +52,18 @@ TEST(SegmentDrawing, WhiskersBelongToTheHeadAndNotToTheBackground) {
   }
 }
 
-TEST(SegmentDrawing, LabelsReachTheMiddleOfLines) {
+TEST(SegmentDrawing, LabelsMeetInTheMiddleOfLinesAndHoldTheInkOfTheOutline) {
   const Result<Segmentation> s =
       segment_drawing(InkDrawing(200, 200).circle({100, 100}, 60, 8).drawing());
   ASSERT_TRUE(s.ok());
-  EXPECT_NEAR(static_cast<double>(s->parts[0].area), 3.14159 * 60 * 60, 3.14159 * 120 * 0.7);
+  EXPECT_NEAR(static_cast<double>(s->parts[0].area), 3.14159 * 64 * 64, 3.14159 * 128 * 0.7);
+
+  const Result<Segmentation> halves = segment_drawing(
+      InkDrawing(200, 200).circle({100, 100}, 60, 8).line({40, 100}, {160, 100}, 8).drawing());
+  ASSERT_TRUE(halves.ok());
+  ASSERT_EQ(halves->parts.size(), 2U);
+  EXPECT_NEAR(static_cast<double>(halves->parts[0].area),
+              static_cast<double>(halves->parts[1].area), 130);
 }
 
 TEST(SegmentDrawing, AreasAndBoxesAreThoseOfTheLabels) {
@@ -185,17 +192,84 @@ TEST(SegmentDrawing, TransparentAreasOfOpaqueFiguresAreHoles) {
   EXPECT_EQ(label_at(*s, 120, 55), 1);
 }
 
-TEST(SegmentDrawing, DrawingsWithoutAreasSayWhatToDo) {
+InkDrawing stick_figure() {
   InkDrawing stick(300, 400);
   stick.circle({150, 60}, 30).line({150, 90}, {150, 240}).line({150, 120}, {60, 200});
   stick.line({150, 120}, {240, 200}).line({150, 240}, {90, 370}).line({150, 240}, {210, 370});
-  const Result<Segmentation> figure = segment_drawing(stick.drawing());
-  ASSERT_FALSE(figure.ok());
-  EXPECT_EQ(figure.error().code, ErrorCode::bad_input);
-  EXPECT_NE(figure.error().message.find("closed outlines"), std::string::npos);
+  return stick;
+}
 
+/// Share of the dark pixels that belong to some part.
+double kept_ink(const Drawing& drawing, const Segmentation& s) {
+  double ink = 0;
+  double kept = 0;
+  for (size_t i = 0; i < s.labels.pixels.size(); ++i) {
+    if (drawing.rgba.pixels[4 * i] > 100) continue;
+    ++ink;
+    kept += s.labels.pixels[i] != 0 ? 1 : 0;
+  }
+  return kept / ink;
+}
+
+TEST(SegmentDrawing, AStickFigureIsAHeadWithTubes) {
+  const Drawing drawing = stick_figure().drawing();
+  const Result<Segmentation> s = segment_drawing(drawing);
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  ASSERT_EQ(s->parts.size(), 2U);
+  EXPECT_EQ(kept_ink(drawing, *s), 1);
+  const uint16_t limbs = label_at(*s, 150, 200);
+  EXPECT_NE(limbs, 0);
+  EXPECT_NE(limbs, label_at(*s, 150, 60));
+  for (const auto& [x, y] : {std::pair(65, 196), {235, 196}, {95, 360}, {205, 360}})
+    EXPECT_EQ(label_at(*s, x, y), limbs) << x << ", " << y;
+  EXPECT_EQ(label_at(*s, 100, 240), 0);
+}
+
+TEST(SegmentDrawing, TailsAreTubesAndSpecksAndRuledPaperAreNot) {
+  InkDrawing ink(400, 300);
+  ink.circle({150, 150}, 80).line({230, 150}, {330, 100}).line({340, 250}, {346, 250});
+  ink.line({0, 20}, {400, 20});
+  const Result<Segmentation> s = segment_drawing(ink.drawing());
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  EXPECT_EQ(s->parts.size(), 2U);
+  EXPECT_NE(label_at(*s, 310, 110), 0);
+  EXPECT_NE(label_at(*s, 310, 110), label_at(*s, 150, 150));
+  EXPECT_EQ(label_at(*s, 343, 250), 0) << "a speck";
+  EXPECT_EQ(label_at(*s, 300, 20), 0) << "a line of the paper";
+}
+
+TEST(SegmentDrawing, StrokesSayWhatATubeIs) {
+  const Drawing drawing = stick_figure().drawing();
+  Scribbles outside;
+  outside.strokes.push_back({ScribbleKind::outside, 0, {{148, 200}, {152, 210}}, 6});
+  const Result<Segmentation> head = segment_drawing(drawing, outside);
+  ASSERT_TRUE(head.ok()) << to_string(head.error());
+  EXPECT_EQ(head->parts.size(), 1U);
+  EXPECT_EQ(label_at(*head, 150, 200), 0);
+
+  Scribbles limbs;
+  limbs.parts = {"limbs"};
+  limbs.strokes.push_back({ScribbleKind::hard, 0, {{150, 190}, {150, 210}}, 3});
+  const Result<Segmentation> named = segment_drawing(drawing, limbs);
+  ASSERT_TRUE(named.ok()) << to_string(named.error());
+  ASSERT_EQ(named->parts.size(), 2U);
+  EXPECT_EQ(named->parts[0].id, "limbs");
+  EXPECT_EQ(label_at(*named, 95, 360), 1);
+}
+
+TEST(SegmentDrawing, AHandCutByThePicturesEdgeIsOfTheFigure) {
+  InkDrawing ink(400, 300);
+  ink.circle({110, 150}, 70).line({178, 130}, {400, 130}).line({178, 170}, {400, 170});
+  const Result<Segmentation> s = segment_drawing(ink.drawing());
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  EXPECT_NE(label_at(*s, 250, 150), 0);
+  EXPECT_EQ(label_at(*s, 250, 60), 0);
+  EXPECT_EQ(label_at(*s, 250, 240), 0);
+}
+
+TEST(SegmentDrawing, DrawingsOfNothingSayWhatToDo) {
   for (const Drawing& drawing : {Drawing(), InkDrawing(50, 40).drawing(),
-                                 InkDrawing(99, 99).line({10, 50}, {90, 50}).drawing()}) {
+                                 InkDrawing(99, 99).line({0, 50}, {99, 50}).drawing()}) {
     const Result<Segmentation> none = segment_drawing(drawing);
     ASSERT_FALSE(none.ok());
     EXPECT_EQ(none.error().code, ErrorCode::bad_input);

@@ -1,0 +1,86 @@
+#include "face/read_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "io/image/decode_image.h"
+#include "relief/drawing/segment_drawing.h"
+#include "relief/pipeline/understand_drawing.h"
+
+namespace relievo {
+namespace {
+
+std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
+
+std::string count(size_t number, const std::string& what) {
+  return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+}
+
+/// What was found.
+std::string finding(const Image16& labels, const Scene& scene) {
+  const auto background = std::count(labels.pixels.begin(), labels.pixels.end(), 0);
+  const double covered =
+      1 - static_cast<double>(background) / static_cast<double>(labels.pixels.size());
+  return "the picture was understood as " + count(scene.parts.size(), "part") + " with " +
+         count(scene.joins.size(), "join") + "; they cover " + percent(covered) + " of it";
+}
+
+/// What to look at first, and how to correct it.
+std::string advice(const Proposal& proposal, const std::string& file) {
+  const std::vector<OrderArrow>& arrows = proposal.stacking.arrows;
+  const auto doubtful = std::min_element(
+      arrows.begin(), arrows.end(),
+      [](const OrderArrow& a, const OrderArrow& b) { return a.confidence < b.confidence; });
+  const auto id = [&](int part) { return proposal.scene.parts[proposal.stacking.rank[part]].id; };
+  const std::string doubt = doubtful == arrows.end()
+                                ? ""
+                                : "least sure is that " + id(doubtful->upper) + " lies before " +
+                                      id(doubtful->lower) + " (" +
+                                      percent((1 + doubtful->confidence) / 2) + "); ";
+  return doubt + "look with --overlay, correct with strokes: relievo segment " + file +
+         " --scribbles strokes.png, or in the editor";
+}
+
+Joining by_rank(Joining joining, const std::vector<int>& rank) {
+  const auto renumber = [&](auto& item) {
+    item.upper = rank[item.upper];
+    item.lower = rank[item.lower];
+  };
+  for (ProposedJoin& proposed : joining.joins) renumber(proposed.join);
+  for (ProposedRelation& proposed : joining.relations) renumber(proposed.relation);
+  for (RobinRange& range : joining.robin) renumber(range);
+  for (ProposedLean& proposed : joining.leans) proposed.part = rank[proposed.part];
+  return joining;
+}
+
+}  // namespace
+
+Result<SceneInput> understand_flat(Drawing drawing, const std::string& file,
+                                   const RunContext& context) {
+  auto found = segment_drawing(drawing, {}, {}, context);
+  if (!found) return found.error();
+  const SegmentationRecord record = relabel(*found, {}).record;
+  auto understood = understand_drawing(drawing.rgba, record, {}, {}, context);
+  if (!understood) return understood.error();
+  Proposal& proposal = understood->proposal;
+  SceneInput loaded;
+  loaded.drawing = std::move(drawing);
+  loaded.drawing_file = file;
+  loaded.proposed = true;
+  loaded.connected = true;
+  loaded.scene = std::move(understood->scene);
+  loaded.guesses = by_rank(std::move(proposal.joining), proposal.stacking.rank);
+  loaded.understood = {finding(record.labels, loaded.scene), advice(proposal, file)};
+  loaded.warnings = std::move(found->notes);
+  for (std::string& warning : proposal.warnings) loaded.warnings.push_back(std::move(warning));
+  return loaded;
+}
+
+Result<SceneInput> read_picture(const InputFile& input, const RunContext& context) {
+  auto pixels = decode_image(input.bytes);
+  if (!pixels) return pixels.error();
+  return understand_flat({std::move(*pixels)}, input.name, context);
+}
+
+}  // namespace relievo

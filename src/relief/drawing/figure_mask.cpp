@@ -1,0 +1,137 @@
+#include "relief/drawing/figure_mask.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "kernel/image/components.h"
+#include "kernel/image/morphology.h"
+#include "kernel/image/watershed.h"
+
+namespace relievo {
+namespace {
+
+constexpr double solid_share = 0.6;   ///< of what opaque pixels surround, from which they are areas
+constexpr int colourful = 44;         ///< difference of channels, of 255, of what is no paper
+constexpr int dark = 120;             ///< brightest channel up to which it is ink or dark paint
+constexpr double gap_width = 0.016;   ///< of the diagonal, up to which gaps in paint are closed
+constexpr double piece_share = 0.03;  ///< of the largest piece, from which on others count
+constexpr double at_edge_share = 0.2;  ///< of the picture's edge; more is no figure on paper
+
+int64_t count_of(const Image8& mask) {
+  return std::count(mask.pixels.begin(), mask.pixels.end(), 1);
+}
+
+Image8 complement(const Image8& mask) {
+  Image8 result = mask;
+  for (uint8_t& value : result.pixels) value = 1 - value;
+  return result;
+}
+
+/// With all that it surrounds.
+Image8 without_holes(const Image8& mask) {
+  const Components outside = connected_components(complement(mask), Connectivity::sides);
+  std::vector<uint8_t> reaches_edge(outside.areas.size(), 0);
+  for (int x = 0; x < mask.width; ++x)
+    for (const int y : {0, mask.height - 1}) reaches_edge[outside.label.at(x, y)] = 1;
+  for (int y = 0; y < mask.height; ++y)
+    for (const int x : {0, mask.width - 1}) reaches_edge[outside.label.at(x, y)] = 1;
+  reaches_edge[0] = 0;
+  Image8 result(mask.width, mask.height, 1);
+  for (size_t i = 0; i < result.pixels.size(); ++i)
+    result.pixels[i] = 1 - reaches_edge[outside.label.pixels[i]];
+  return result;
+}
+
+Image8 without_small_pieces(const Image8& mask) {
+  const Components pieces = connected_components(mask, Connectivity::corners);
+  if (pieces.areas.size() < 2) return mask;
+  const auto largest =
+      static_cast<double>(*std::max_element(pieces.areas.begin() + 1, pieces.areas.end()));
+  Image8 result(mask.width, mask.height, 1);
+  for (size_t i = 0; i < result.pixels.size(); ++i) {
+    const int32_t piece = pieces.label.pixels[i];
+    const bool large = static_cast<double>(pieces.areas[piece]) >= piece_share * largest;
+    result.pixels[i] = piece != 0 && large ? 1 : 0;
+  }
+  return result;
+}
+
+double share_at_edge(const Image8& mask) {
+  int64_t inside = 0;
+  for (int x = 0; x < mask.width; ++x) inside += mask.at(x, 0) + mask.at(x, mask.height - 1);
+  for (int y = 0; y < mask.height; ++y) inside += mask.at(0, y) + mask.at(mask.width - 1, y);
+  return static_cast<double>(inside) / (2.0 * (mask.width + mask.height));
+}
+
+Image8 opaque_pixels(const Image8& rgba) {
+  Image8 mask(rgba.width, rgba.height, 1);
+  for (size_t i = 0; i < mask.pixels.size(); ++i)
+    mask.pixels[i] = rgba.pixels[4 * i + 3] >= 128 ? 1 : 0;
+  return mask;
+}
+
+Image8 paint(const Image8& rgb) {
+  Image8 mask(rgb.width, rgb.height, 1);
+  for (size_t i = 0; i < mask.pixels.size(); ++i) {
+    const uint8_t* p = &rgb.pixels[3 * i];
+    const int brightest = std::max({p[0], p[1], p[2]});
+    const int darkest = std::min({p[0], p[1], p[2]});
+    mask.pixels[i] = brightest - darkest > colourful || brightest < dark ? 1 : 0;
+  }
+  return mask;
+}
+
+/// With the gaps in it closed, but for those between it and the picture's edge.
+Image8 without_gaps(const Image8& mask, int half_gap) {
+  Image8 closed = min_filter(max_filter(mask, half_gap), half_gap);
+  for (int y = 0; y < mask.height; ++y)
+    for (int x = 0; x < mask.width; ++x) {
+      const int to_edge = std::min({x, y, mask.width - 1 - x, mask.height - 1 - y});
+      if (to_edge < half_gap) closed.at(x, y) = mask.at(x, y);
+    }
+  return closed;
+}
+
+}  // namespace
+
+FigureMask find_figure(const Image8& rgba, const Image8& rgb, bool painted) {
+  const Image8 opaque = opaque_pixels(rgba);
+  const int64_t pixels = count_of(opaque);
+  if (pixels < static_cast<int64_t>(opaque.pixels.size())) {
+    const auto surrounded = static_cast<double>(count_of(without_holes(opaque)));
+    if (static_cast<double>(pixels) < solid_share * surrounded || pixels == 0) return {};
+    return {opaque, true};
+  }
+  if (!painted) return {};
+  const int half_gap =
+      std::max(1, static_cast<int>(std::lround(gap_width / 2 * std::hypot(rgb.width, rgb.height))));
+  Image8 figure = without_small_pieces(without_holes(without_gaps(paint(rgb), half_gap)));
+  if (share_at_edge(figure) > at_edge_share) return {};
+  return {std::move(figure), false};
+}
+
+void keep_figure(const Basins& basins, const std::vector<int>& of_basin, int last_label,
+                 Image<int32_t>& labels) {
+  const FigureMask& figure = basins.figure;
+  if (figure.inside.empty()) return;
+  constexpr int32_t wall = -1;
+  for (size_t i = 0; i < labels.pixels.size(); ++i) {
+    const int basin = basins.index.pixels[i];
+    const bool stroke_says_no = of_basin[basin] == 0 && basins.region[basin] != 0;
+    if (figure.inside.pixels[i] == 0 && figure.said) labels.pixels[i] = 0;
+    if (labels.pixels[i] == 0 && (figure.inside.pixels[i] == 0 || stroke_says_no))
+      labels.pixels[i] = wall;
+  }
+  flood_from_seeds(basins.ink, labels);
+  Image8 left(labels.width, labels.height, 1);
+  for (size_t i = 0; i < left.pixels.size(); ++i) left.pixels[i] = labels.pixels[i] == 0 ? 1 : 0;
+  const Components pieces = connected_components(left, Connectivity::sides);
+  for (size_t i = 0; i < labels.pixels.size(); ++i) {
+    const int32_t piece = pieces.label.pixels[i];
+    if (piece != 0) labels.pixels[i] = last_label + piece;
+    if (labels.pixels[i] == wall) labels.pixels[i] = 0;
+  }
+}
+
+}  // namespace relievo
