@@ -183,15 +183,13 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
       "Let outlines beside joins rise above the part below");
 }
 
-void add_visibility(CLI::App& app, ReliefArguments& relief, Visibility usual) {
-  relief.visibility = usual;
+void add_visibility(CLI::App& app, ReliefArguments& relief) {
   auto* visible =
       app.add_option_function<std::string>(
              "--visible",
              [&relief](const std::string& name) { relief.visibility = visibility(name); },
-             std::string(
-                 "relief: what the front shows; orbit: whole parts; all: every face (default ") +
-                 (usual == Visibility::relief ? "relief)" : "orbit)"))
+             "orbit: whole parts (default); relief: what the front shows, with walls (default of "
+             ".stl and .3mf); all: every face")
           ->check(CLI::IsMember({"relief", "orbit", "all"}));
   app.add_flag_callback(
          "--keep-hidden", [&relief] { relief.visibility = Visibility::all; },
@@ -259,7 +257,7 @@ void add_build(CLI::App& main, BuildArguments& build) {
       ->check(extension({".json"}));
   app.add_flag("--json", build.print_report, "Print the report on standard output");
   add_relief_options(app, build.relief);
-  add_visibility(app, build.relief, Visibility::relief);
+  add_visibility(app, build.relief);
 }
 
 void add_check(CLI::App& main, CheckArguments& check) {
@@ -317,7 +315,7 @@ void add_render(CLI::App& main, RenderArguments& render) {
   app.add_option("--window", render.window, "Look closely: middle x, y and width in canvas px")
       ->expected(3);
   add_relief_options(app, render.relief);
-  add_visibility(app, render.relief, Visibility::orbit);
+  add_visibility(app, render.relief);
 }
 
 bool wants_nothing(const BuildArguments& build) {

@@ -37,7 +37,7 @@ struct ReliefArguments {
   std::optional<Point2> lean;     ///< likewise
   std::vector<CueArgument> cues;  ///< besides those of the drawing
   bool as_in_paper = false;       ///< c, d, profile and lean of all parts as the paper has them
-  Visibility visibility = Visibility::relief;
+  std::optional<Visibility> visibility;  ///< orbit where nothing is said, relief in files to print
   Field field = Field::relief;
   bool solid = false;          ///< everything below the visible surface, in place of the surface
   SolidOptions solid_options;  ///< its size is that of the outputs

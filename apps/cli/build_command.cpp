@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "apps/cli/commands.h"
 #include "apps/cli/convergence.h"
@@ -30,26 +31,59 @@ Status add(Products& products, const std::string& name, Result<Bytes> bytes) {
   return Done{};
 }
 
-Status add_models(Products& products, const BuildArguments& build, const SceneInput& input,
-                  const Relief& relief, const RunContext& context) {
-  if (build.models.empty() && build.preview.empty()) return Done{};
-  ReliefArguments arguments = build.relief;
-  arguments.solid_options.size = build.size_mm;
-  auto made = make_model(relief, input, arguments, context);
-  if (!made) return made.error();
-  const auto& [model, drawing] = products.made.emplace(std::move(*made)).drawn;
-  // A solid is in mm already.
-  const double size = products.made->solid ? longest_side(model) : build.size_mm;
+/// Models that are printed and models that are looked at.
+struct ModelNames {
+  std::vector<std::string> printed;
+  std::vector<std::string> shown;
+};
+
+/// Whole parts run through each other, which slicers dislike: files to print hold what the front
+/// shows, unless something else is asked for.
+ModelNames sort_models(const BuildArguments& build) {
+  ModelNames names;
   for (const std::string& name : build.models) {
-    auto files = encode_model(model, drawing, name, {size, build.filaments, build.slicer});
-    if (!files) return files.error();
-    std::move(files->begin(), files->end(), std::back_inserter(products.files));
-    if (context.cancelled()) return interrupted_error();
+    const std::filesystem::path ending = std::filesystem::path(name).extension();
+    const bool for_print = ending == ".stl" || ending == ".3mf";
+    const bool apart = for_print && !build.relief.visibility && !build.relief.solid;
+    (apart ? names.printed : names.shown).push_back(name);
   }
+  return names;
+}
+
+Status add_preview(Products& products, const BuildArguments& build, const RunContext& context) {
   if (build.preview.empty()) return Done{};
   RenderArguments picture;
   picture.size = build.preview_size;
-  return add(products, build.preview, draw_picture(model, drawing, picture, context));
+  const DrawnModel& drawn = products.made->drawn;
+  return add(products, build.preview, draw_picture(drawn.model, drawn.drawing, picture, context));
+}
+
+Status add_models(Products& products, const BuildArguments& build, const SceneInput& input,
+                  const Relief& relief, const RunContext& context) {
+  ReliefArguments arguments = build.relief;
+  arguments.solid_options.size = build.size_mm;
+  const auto put = [&](const std::vector<std::string>& names) -> Status {
+    auto made = make_model(relief, input, arguments, context);
+    if (!made) return made.error();
+    const auto& [model, drawing] = products.made.emplace(std::move(*made)).drawn;
+    // A solid is in mm already.
+    const double size = products.made->solid ? longest_side(model) : build.size_mm;
+    for (const std::string& name : names) {
+      auto files = encode_model(model, drawing, name, {size, build.filaments, build.slicer});
+      if (!files) return files.error();
+      std::move(files->begin(), files->end(), std::back_inserter(products.files));
+      if (context.cancelled()) return interrupted_error();
+    }
+    return Done{};
+  };
+  const auto [printed, shown] = sort_models(build);
+  if (!shown.empty() || !build.preview.empty()) {
+    if (Status status = put(shown); !status) return status;
+    if (Status status = add_preview(products, build, context); !status) return status;
+  }
+  if (printed.empty()) return Done{};
+  if (!arguments.visibility) arguments.visibility = Visibility::relief;
+  return put(printed);
 }
 
 Result<ReliefMaps> make_maps(const BuildArguments& build, const Scene& scene, const Relief& relief,

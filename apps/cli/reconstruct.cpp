@@ -20,12 +20,17 @@ Part as_in_paper(Part part) {
   return part;
 }
 
+/// Whole parts hold together when the model is turned; walls between what the front shows do not.
+Visibility shown(const ReliefArguments& arguments) {
+  return arguments.visibility.value_or(Visibility::orbit);
+}
+
 }  // namespace
 
 Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
                            const RunContext& context) {
   ReliefOptions options = arguments.options;
-  options.hidden = !arguments.solid && arguments.visibility != Visibility::relief;
+  options.hidden = !arguments.solid && shown(arguments) != Visibility::relief;
   if (arguments.as_in_paper) {
     for (Part& part : scene.parts) part = as_in_paper(std::move(part));
     options.layers.attach = false;
@@ -57,7 +62,7 @@ Result<MadeModel> make_model(const Relief& relief, const SceneInput& input,
     if (!solid) return solid.error();
     return MadeModel{std::move(solid->drawn), solid->facts};
   }
-  options.visibility = arguments.visibility;
+  options.visibility = shown(arguments);
   auto model = assemble_model(relief.layers, relief.inflation, relief.ordering, input.scene,
                               options, context);
   if (!model) return model.error();

@@ -35,13 +35,13 @@ struct Model {
 };
 
 enum class Visibility {
-  relief,  ///< top part per base triangle, with vertical walls between open edges: no slits
-  orbit,   ///< whole sheets, except lower faces covered by a part with d < 0
+  relief,  ///< top part per base triangle, with vertical walls between open edges: to print
+  orbit,   ///< whole sheets, except lower faces covered by a part with d < 0: to turn
   all,     ///< every face, hidden ones too
 };
 
 struct ModelOptions {
-  Visibility visibility = Visibility::relief;
+  Visibility visibility = Visibility::orbit;
   /// Faces are cut so that the surface departs from g + sgn(u) sqrt|u|, u and g linear on every
   /// face, by less than this, px; at least 1e-6.
   double rim_tolerance = 0.25;

@@ -221,8 +221,10 @@ TEST_F(Build, OptionsReachTheirStages) {
   };
   const std::string plain = glb({"--vertices", "3000"});
   EXPECT_EQ(glb({"--vertices", "3000", "--method", "approximate", "--profile", "relief",
-                 "--visible", "relief", "--preset", "default", "--size", "100"}),
+                 "--visible", "orbit", "--preset", "default", "--size", "100"}),
             plain);
+  EXPECT_EQ(glb({"--vertices", "3000", "--keep-hidden"}),
+            glb({"--vertices", "3000", "--visible", "all"}));
   for (const std::vector<std::string>& change : std::vector<std::vector<std::string>>{
            {"--vertices", "6000"},
            {"--edge", "9"},
@@ -234,9 +236,22 @@ TEST_F(Build, OptionsReachTheirStages) {
            {"--vertices", "3000", "--alpha0", "0.8"},
            {"--vertices", "3000", "--preset", "paper"},
            {"--vertices", "3000", "--no-glue"},
-           {"--vertices", "3000", "--visible", "orbit"},
-           {"--vertices", "3000", "--keep-hidden"}})
+           {"--vertices", "3000", "--visible", "relief"}})
     EXPECT_FALSE(glb(change) == plain) << change.back();
+}
+
+TEST_F(Build, ShowsWholePartsAndPrintsWhatTheFrontShows) {
+  ASSERT_EQ(relievo(with_small({"build", "scene.json", "-o", "m.glb", "-o", "m.stl"})).exit_code,
+            0);
+  const auto alone = [&](const std::string& name, const std::string& visible) {
+    EXPECT_EQ(
+        relievo(with_small({"build", "scene.json", "-o", name, "--visible", visible})).exit_code,
+        0);
+    return read(name);
+  };
+  EXPECT_EQ(read("m.glb"), alone("a.glb", "orbit"));
+  EXPECT_EQ(read("m.stl"), alone("a.stl", "relief"));
+  EXPECT_NE(read("m.stl"), alone("b.stl", "orbit"));
 }
 
 TEST_F(Build, PaperPresetIsThePapersValuesForAllParts) {
