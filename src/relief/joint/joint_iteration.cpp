@@ -68,6 +68,13 @@ Status finish(JointMap& map, const JointOptions& options, const RunContext& cont
   return check_solved(map.probe_ends(run.state, context, run.bound));
 }
 
+/// The error of a step. One that rounding has spoiled is none: the iteration ends there, as one
+/// that does not converge.
+Status check_step(SolveStatus status, bool& is_spoiled) {
+  is_spoiled = status == SolveStatus::not_positive_definite;
+  return is_spoiled ? Done{} : check_solved(status);
+}
+
 Status iterate(JointMap& map, double growth, const JointOptions& options, const RunContext& context,
                JointRun& run) {
   JointState& state = run.state;
@@ -80,21 +87,28 @@ Status iterate(JointMap& map, double growth, const JointOptions& options, const 
     const VectorXd x = map.pack(state);
     JointState next = state;
     JointStep step;
-    if (Status status = check_solved(map.apply(next, step, context)); !status) return status;
+    bool is_spoiled = false;
+    if (Status status = check_step(map.apply(next, step, context), is_spoiled); !status)
+      return status;
+    if (is_spoiled) break;
     const VectorXd F_x = map.pack(next);
     step.residual = relative_change(x, F_x, next.u);
     step.milliseconds = watch.lap();
     record(step, next.u, options, run);
     context.measure("energy", step.energy.total());
     if (step.residual <= options.tolerance) {
-      if (Status status = check_solved(map.find_heights(next, context)); !status) return status;
+      if (Status status = check_step(map.find_heights(next, context), is_spoiled); !status)
+        return status;
+      if (is_spoiled) break;
       if (map.stands()) {
         state = std::move(next);
         return finish(map, options, context, run);
       }
     }
     if (i == 0 && step.residual > rough)
-      if (Status status = check_solved(map.stiffen(state, context)); !status) return status;
+      if (Status status = check_step(map.stiffen(state, context), is_spoiled); !status)
+        return status;
+    if (is_spoiled) break;
     if (step.residual > growth * least) {
       mixer.restart();
       least = step.residual;
