@@ -121,9 +121,8 @@ std::string summary(const Relief& relief) {
          std::to_string(relief.ordering.report.active) + " active";
 }
 
-void print_results(const BuildArguments& build, const Products& products,
-                   const std::string& report) {
-  if (build.print_report) return print_result(report, false);
+void print_files(const BuildArguments& build, const Products& products) {
+  if (build.print_report) return;
   for (const OutputFile& file : products.files)
     print_result(file.path.string(), build.common.quiet);
 }
@@ -201,11 +200,14 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
        {{"read", read_time}, {"export", exporting.milliseconds()}, {"total", total.milliseconds()}},
        joined(input->warnings, warnings)});
   if (!build.report.empty()) products.files.push_back({build.report, bytes_of(report)});
+  // A report that nobody gets must not leave a model behind.
+  if (build.print_report) print_result(report, false);
+  if (Status status = flush_results(); !status) return status;
   if (Status status = save(products.files, input->files, interruption); !status) return status;
   print_warnings(warnings, build.common.quiet);
   for (const std::string& line : input->understood) print_note(line, build.common.quiet);
   print_note(summary(*relief), build.common.quiet);
-  print_results(build, products, report);
+  print_files(build, products);
   return Done{};
 }
 

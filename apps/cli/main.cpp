@@ -1,6 +1,6 @@
-#include <cstdio>
 #include <exception>
 #include <new>
+#include <system_error>
 
 #include "apps/cli/arguments.h"
 #include "apps/cli/commands.h"
@@ -34,13 +34,18 @@ int run_program(int argc, const char* const* argv) {
   set_worker_count(common(command).threads);
   Interruption interruption(common(command).timeout);
   Status status = run(command, interruption);
-  if (status && std::fflush(stdout) != 0)
-    status = Error{ErrorCode::file, "cannot write to standard output", ""};
+  if (status) status = flush_results();
   if (status) return exit_done;
   const bool stopped = status.error().code == ErrorCode::interrupted;
   const Error error = stopped ? interruption.reason() : status.error();
   print_error(error);
   return exit_code(error.code);
+}
+
+int give_up_for_memory() {
+  print_error({ErrorCode::limit,
+               "out of memory: try fewer --vertices, a smaller picture, or more memory", ""});
+  return exit_limit;
 }
 
 }  // namespace
@@ -52,9 +57,13 @@ int main(int argc, char** argv) {
   try {
     return cli::run_program(argc, argv);
   } catch (const std::bad_alloc&) {
-    cli::print_error({ErrorCode::limit, "there is not enough memory; try fewer --vertices", ""});
-    return cli::exit_limit;
+    return cli::give_up_for_memory();
   } catch (const std::exception& defect) {
+    // A thread that cannot be started has no memory for its stack.
+    const auto* system = dynamic_cast<const std::system_error*>(&defect);
+    if (system && (system->code() == std::errc::resource_unavailable_try_again ||
+                   system->code() == std::errc::not_enough_memory))
+      return cli::give_up_for_memory();
     cli::print_error({ErrorCode::internal, std::string("defect: ") + defect.what(), ""});
     return cli::exit_code(ErrorCode::internal);
   }

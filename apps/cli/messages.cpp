@@ -37,6 +37,11 @@ void print_result(const std::string& text, bool quiet) {
   if (!quiet) std::printf("%s%s", text.c_str(), text.empty() || text.back() != '\n' ? "\n" : "");
 }
 
+Status flush_results() {
+  if (std::fflush(stdout) == 0) return Done{};
+  return Error{ErrorCode::file, "cannot write to standard output", ""};
+}
+
 Progress::Progress(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {

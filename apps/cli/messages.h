@@ -22,6 +22,9 @@ void print_note(const std::string& text, bool quiet);
 /// A line on standard output, none when `quiet`.
 void print_result(const std::string& text, bool quiet);
 
+/// Whether all results have been taken.
+Status flush_results();
+
 /// One line of progress on stderr, rewritten in place; only when stderr is a terminal and not
 /// `quiet`. Leaves no trace once it is gone.
 class Progress {

@@ -45,7 +45,10 @@ Result<RayScene> RayScene::build(const Model& model, const RunContext& context) 
   // One thread: the tree, and with it which of two coinciding faces is hit, must not depend on
   // the machine's number of cores.
   result.device_.reset(rtcNewDevice("threads=1"));
-  if (!result.device_) return Error{ErrorCode::internal, "the ray tracer cannot be started", ""};
+  // It fails for want of memory, or on a processor too old for it.
+  if (!result.device_)
+    return Error{ErrorCode::limit,
+                 "the ray tracer cannot be started, most likely for want of memory", ""};
   RTCDevice device = result.device_.get();
   result.scene_.reset(rtcNewScene(device));
   RTCScene scene = result.scene_.get();

@@ -28,9 +28,10 @@ using Owned = std::unique_ptr<T, Release>;
 
 Error render_error(GError* cause) {
   const Owned<GError> owned(cause);
-  return {ErrorCode::bad_input,
-          std::string("the drawing cannot be rendered: ") + (cause ? cause->message : "unknown"),
-          "svg"};
+  const std::string message = cause ? cause->message : "unknown";
+  const bool for_memory = message.find("emory") != std::string::npos;
+  return {for_memory ? ErrorCode::limit : ErrorCode::bad_input,
+          "the drawing cannot be rendered: " + message, "svg"};
 }
 
 /// Premultiplied native-endian ARGB to straight RGBA.

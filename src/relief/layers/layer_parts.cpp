@@ -20,9 +20,9 @@
 namespace relievo {
 namespace {
 
-constexpr double smallest_gap = 1e-3;       // of the spacing
+constexpr double smallest_gap = 1e-3;       // of the detail
 constexpr double coordinate_grain = 1e-10;  // of the largest coordinate
-constexpr double speck_side = 0.03;  // of the spacing: what has less area than its square goes
+constexpr double speck_side = 0.03;  // of the detail: what has less area than its square goes
 
 std::vector<std::array<int, 2>> edges_of(const SplicedCurves& spliced) {
   std::vector<std::array<int, 2>> edges;
@@ -60,7 +60,7 @@ Result<JoinedSheets> join_on(const Scene& scene, const SampledOutlines& sampled,
                              const RunContext& context) {
   joined.loops = {spliced.loops, sampled.curve_part};
   Cover cover = cover_triangles(joined.base.mesh, joined.loops.vertices, joined.loops.part);
-  const double speck = speck_side * joined.edge_length;
+  const double speck = speck_side * sampled.detail;
   drop_specks(joined.base.mesh, joined.base.points, speck * speck, cover);
   joined.sheets = make_sheets(joined.base, cover);
   if (context.cancelled()) return interrupted_error();
@@ -105,14 +105,14 @@ std::vector<std::string> vanished_parts(const LayeredMesh& mesh, const Scene& sc
   return warnings;
 }
 
-/// Distance below which two vertices are one: a small fraction of the spacing, and much more than
+/// Distance below which two vertices are one: a small fraction of the detail, and much more than
 /// rounding of the coordinates.
-double grain_of(const Scene& scene, double spacing) {
+double grain_of(const Scene& scene, double detail) {
   double farthest = 0;
   for (const Part& part : scene.parts)
     for (const Ring& ring : part.outline)
       for (const Point2 p : ring) farthest = std::max({farthest, std::abs(p.x), std::abs(p.y)});
-  return std::max(smallest_gap * spacing, coordinate_grain * farthest);
+  return std::max(smallest_gap * detail, coordinate_grain * farthest);
 }
 
 /// One per relation of the scene; loop -1 where it has no range.
@@ -133,7 +133,7 @@ Result<JoinedSheets> join_sheets(const Scene& scene, const LayerOptions& options
   context.report("mesh", 0.1);
   const auto sampled = sample_outlines(scene, *spacing);
   if (!sampled) return sampled.error();
-  auto spliced = splice_curves(sampled->curves, sampled->creases, grain_of(scene, *spacing));
+  auto spliced = splice_curves(sampled->curves, sampled->creases, grain_of(scene, sampled->detail));
   if (!spliced) return spliced.error();
   if (context.cancelled()) return interrupted_error();
   context.report("mesh", 0.3);

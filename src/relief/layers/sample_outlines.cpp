@@ -14,9 +14,10 @@ constexpr double corner_angle = 0.61;  // 35 degrees
 constexpr double max_sagitta = 0.08;   // of the spacing
 constexpr int min_ring_samples = 12;
 constexpr int min_join_edges = 6;
-constexpr double line_reach = 0.08;  // of the canvas diagonal
-constexpr double speck = 0.02;       // of the spacing: smaller rings are lost
-constexpr double same_mark = 0.02;   // of the spacing: nearer marks are one
+constexpr double line_reach = 0.08;       // of the canvas diagonal
+constexpr double speck = 0.02;            // of the detail: smaller rings are lost
+constexpr double coarsest_detail = 0.01;  // of the drawing, however few vertices there are
+constexpr double same_mark = 0.02;        // of the spacing: nearer marks are one
 
 struct PartRing {
   int part;
@@ -145,12 +146,17 @@ void mark(const ArcRange& arc, std::vector<PartRing>& rings) {
 class Sampler {
  public:
   Sampler(const Scene& scene, double spacing) : scene_(scene), spacing_(spacing) {
+    Box2 box;
+    for (const Part& part : scene.parts)
+      for (const Ring& ring : part.outline)
+        for (const Point2 p : ring) box.add(p);
+    out_.detail = std::min(spacing, coarsest_detail * box.diagonal());
     for (size_t p = 0; p < scene.parts.size(); ++p) {
       int specks = 0;
       for (const Ring& ring : scene.parts[p].outline) {
         clean_.push_back(without_repeats(ring));
         ring_part_.push_back(static_cast<int>(p));
-        if (bounding_box(clean_.back()).diagonal() >= speck * spacing) continue;
+        if (bounding_box(clean_.back()).diagonal() >= speck * out_.detail) continue;
         clean_.back().clear();
         ++specks;
       }
@@ -173,6 +179,9 @@ class Sampler {
                                                          relation.range->second, false)
                                           : ArcRange{-1, 0, 0, false});
     for (size_t r = 0; r < rings_.size(); ++r) sample_ring(r);
+    if (out_.samples.empty())
+      return Error{ErrorCode::bad_input,
+                   "nothing is left of any part at this resolution; use more vertices", "parts"};
     for (const ArcRange& arc : joins_) out_.joins.push_back(as_run(arc));
     for (const ArcRange& arc : robin_) out_.robin.push_back(as_run(arc));
     for (const ArcRange& arc : relations_) out_.relation_ranges.push_back(as_run(arc));

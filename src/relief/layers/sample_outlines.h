@@ -30,12 +30,15 @@ struct SampledOutlines {
   std::vector<CurveRun> relation_ranges;  ///< per relation; curve -1 where it has no range
   std::vector<InputCurve> creases;        ///< open lines
   std::vector<int> crease_cue;            ///< per such line, its cue of the scene
+  double detail =
+      0;  ///< px; what is far smaller is lost: the spacing, or less where that is coarse
   std::vector<std::string> warnings;
 };
 
 /// Resamples every outline, and every crease, at about `spacing` px, finer where an outline bends,
-/// keeping corners and the ends of joins and ranges. Fails with bad_input naming the part, join or
-/// range. O(outline points * (1 + marks of the part)).
+/// keeping corners and the ends of joins and ranges. Rings that are specks have no samples, with a
+/// warning that names their part. Fails with bad_input naming the part, join or range, or where
+/// there are only specks. O(outline points * (1 + marks of the part)).
 Result<SampledOutlines> sample_outlines(const Scene& scene, double spacing);
 
 }  // namespace relievo

@@ -131,6 +131,20 @@ TEST(RandomScenes, SpecksAreLostByName) {
   EXPECT_EQ(build_relief(scene, {}).error().code, ErrorCode::bad_input);
 }
 
+/// Far fewer vertices than the parts need.
+TEST(RandomScenes, ManyPartsNeedNotVanishWhereVerticesAreFew) {
+  Scene scene = canvas();
+  Random random(5);
+  for (int i = 0; i < 300; ++i)
+    scene.parts.push_back(part("part" + std::to_string(i),
+                               circle({random.uniform(0, 400), random.uniform(0, 400)}, 9, 20)));
+  LayerOptions options;
+  options.vertex_budget = 200;
+  const auto layers = layer_parts(scene, options);
+  ASSERT_TRUE(layers.ok()) << to_string(layers.error());
+  EXPECT_TRUE(layers->warnings.empty());
+}
+
 /// A scene of the given outlines, scaled onto the canvas; rings without area are left out.
 Scene scene_of(const std::vector<Outline>& outlines) {
   Scene scene = canvas();
