@@ -14,7 +14,10 @@ namespace {
 constexpr double solid_share = 0.6;   ///< of what opaque pixels surround, from which they are areas
 constexpr int colourful = 44;         ///< difference of channels, of 255, of what is no paper
 constexpr int dark = 120;             ///< brightest channel up to which it is ink or dark paint
-constexpr double gap_width = 0.016;   ///< of the diagonal, up to which gaps in paint are closed
+constexpr int clean_white = 248;      ///< darkest channel of white paper at least
+constexpr double clean_share = 0.9;   ///< of the picture's edge that is so white on clean paper
+constexpr int faintest = 228;         ///< darkest channel of paint on clean paper at most
+constexpr double gap_width = 0.008;   ///< of the diagonal, up to which gaps in paint are closed
 constexpr double piece_share = 0.03;  ///< of the largest piece, from which on others count
 constexpr double at_edge_share = 0.2;  ///< of the picture's edge; more is no figure on paper
 
@@ -71,13 +74,33 @@ Image8 opaque_pixels(const Image8& rgba) {
   return mask;
 }
 
+int darkest_channel(const Image8& rgb, int x, int y) {
+  return std::min({rgb.at(x, y, 0), rgb.at(x, y, 1), rgb.at(x, y, 2)});
+}
+
+/// Whether the picture's edge is white paper without grain or shadows.
+bool is_on_clean_paper(const Image8& rgb) {
+  int64_t white = 0;
+  const auto look = [&](int x, int y) {
+    white += darkest_channel(rgb, x, y) >= clean_white ? 1 : 0;
+  };
+  for (int x = 0; x < rgb.width; ++x)
+    for (const int y : {0, rgb.height - 1}) look(x, y);
+  for (int y = 0; y < rgb.height; ++y)
+    for (const int x : {0, rgb.width - 1}) look(x, y);
+  return static_cast<double>(white) > clean_share * 2.0 * (rgb.width + rgb.height);
+}
+
+/// What is no paper: on clean paper whatever is not white, else what no shadow is.
 Image8 paint(const Image8& rgb) {
+  const bool clean = is_on_clean_paper(rgb);
   Image8 mask(rgb.width, rgb.height, 1);
   for (size_t i = 0; i < mask.pixels.size(); ++i) {
     const uint8_t* p = &rgb.pixels[3 * i];
     const int brightest = std::max({p[0], p[1], p[2]});
     const int darkest = std::min({p[0], p[1], p[2]});
-    mask.pixels[i] = brightest - darkest > colourful || brightest < dark ? 1 : 0;
+    const bool coloured = clean ? darkest < faintest : brightest - darkest > colourful;
+    mask.pixels[i] = coloured || brightest < dark ? 1 : 0;
   }
   return mask;
 }
@@ -106,9 +129,10 @@ FigureMask find_figure(const Image8& rgba, const Image8& rgb, bool painted) {
   if (!painted) return {};
   const int half_gap =
       std::max(1, static_cast<int>(std::lround(gap_width / 2 * std::hypot(rgb.width, rgb.height))));
-  Image8 figure = without_small_pieces(without_holes(without_gaps(paint(rgb), half_gap)));
+  const Image8 figure = without_small_pieces(without_holes(without_gaps(paint(rgb), half_gap)));
   if (share_at_edge(figure) > at_edge_share) return {};
-  return {std::move(figure), false};
+  // The blur of its rim is half paper.
+  return {min_filter(figure, 1), false};
 }
 
 void keep_figure(const Basins& basins, const std::vector<int>& of_basin, int last_label,

@@ -19,6 +19,8 @@ constexpr double smallest_part = 0.0008;  ///< of the box around the figure
 constexpr double host_share = 0.25;       ///< of a sliver's border, from which it lies on a part
 constexpr double detail_share = 0.08;     ///< of the area around it, up to which it is a detail
 constexpr double enclosed_share = 0.8;    ///< of a detail's border that is with one region
+constexpr size_t usual_parts = 20;        ///< of a character, up to which fragments stay
+constexpr double fragment_share = 0.02;   ///< of the figure, below which a part is a fragment
 constexpr double narrowest_part =
     0.75;  ///< inradius in widths of lines: narrower are gaps in strokes
 
@@ -150,6 +152,41 @@ void absorb_details(RegionMerging& regions, int background) {
   }
 }
 
+/// The part with the longest common border, or -1.
+int closest_part(const RegionMerging& regions, int r, int background) {
+  int best = -1;
+  int64_t longest = 0;
+  for (const auto& [neighbour, border] : regions.borders(r))
+    if (neighbour != background && border.pairs > longest) {
+      longest = border.pairs;
+      best = neighbour;
+    }
+  return best;
+}
+
+/// Where there are more parts than a character has, unites fragments, as the stripes of a scarf,
+/// with what they touch most, smallest first.
+void unite_fragments(RegionMerging& regions, int background) {
+  std::vector<std::pair<int64_t, int>> order;
+  int64_t figure = 0;
+  for (int r = 0; r < regions.count(); ++r) {
+    if (!regions.is_region(r) || r == background) continue;
+    order.emplace_back(regions.region(r).area, r);
+    figure += regions.region(r).area;
+  }
+  std::sort(order.begin(), order.end());
+  size_t count = order.size();
+  for (const auto& [area, r] : order) {
+    if (count <= usual_parts) return;
+    const auto least = fragment_share * static_cast<double>(figure);
+    if (!regions.is_region(r) || static_cast<double>(regions.region(r).area) >= least) continue;
+    const int host = closest_part(regions, r, background);
+    if (host < 0) continue;
+    regions.unite(r, host);
+    --count;
+  }
+}
+
 }  // namespace
 
 void propose_regions(Basins& basins) {
@@ -165,6 +202,7 @@ void propose_regions(Basins& basins) {
                  std::max(1.5, narrowest_part * basins.line_width));
   if (background >= 0) background = regions.region_of(background);
   absorb_details(regions, background);
+  unite_fragments(regions, background);
 
   std::vector<int> number(basins.basins.size(), -1);
   basins.region.resize(basins.basins.size());
