@@ -1,7 +1,7 @@
 #!/bin/sh
-# Segments every drawing of a folder and puts the overlays, which show what was understood, on one
-# sheet, with ImageMagick. A drawing NAME.png, or NAME/texture.png, takes the strokes of
-# STROKES/NAME.json where there are any; refusals are printed and have no picture.
+# Puts every flat drawing of a folder on one sheet, with ImageMagick: the drawing, what was understood
+# of it, and its model from the front and turned by 45 degrees. A drawing NAME.png, or
+# NAME/texture.png, takes the strokes of STROKES/NAME.json where there are any; refusals are printed.
 # Usage: contact-sheet.sh DRAWINGS SHEET.png [STROKES] [RELIEVO]
 set -eu
 drawings=$1
@@ -16,9 +16,18 @@ for drawing in "$drawings"/*.png "$drawings"/*.jpg "$drawings"/*.gif "$drawings"
   [ -f "$drawing" ] || continue
   name=$(basename "${drawing%/texture.png}")
   name=${name%.*}
+  cell=$work/$name
   set --
   [ ! -f "$strokes/$name.json" ] || set -- --scribbles "$strokes/$name.json"
-  "$relievo" segment "$drawing" "$@" --quiet -o "$work/$name.relievo" \
-    --overlay "$work/$name.png" || echo "$name: no picture"
+  if ! "$relievo" segment "$drawing" "$@" --quiet -o "$cell.relievo" --overlay "$cell-2.png"; then
+    echo "$name: no picture"
+    continue
+  fi
+  case $drawing in
+    *.svg) rsvg-convert -w 600 "$drawing" -o "$cell-1.png" ;;
+    *) convert "${drawing}[0]" "$cell-1.png" ;;
+  esac
+  "$relievo" render "$cell.relievo" --quiet --pitch 0 --yaw 0 --size 400 -o "$cell-3.png"
+  "$relievo" render "$cell.relievo" --quiet --pitch 0 --yaw 45 --size 400 -o "$cell-4.png"
 done
-montage -label '%t' "$work"/*.png -tile 4x -geometry 600x600+6+6 "$sheet"
+montage "$work"/*.png -tile 8x -geometry 200x200+2+2 -background white "$sheet"
