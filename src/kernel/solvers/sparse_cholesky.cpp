@@ -239,19 +239,6 @@ VectorXd SparseCholesky::solve(const VectorXd& b, ForwardSweep& last) const {
   return solve_backward(factor, solve_forward(factor, b, implementation_->version, last));
 }
 
-std::vector<uint8_t> SparseCholesky::fronts_of(std::span<const int> rows) const {
-  const FrontLayout& layout = implementation_->memory.layout;
-  std::vector<uint8_t> flags(layout.fronts.parent.size(), 0);
-  for (const int row : rows) flags[layout.front_of[row]] = 1;
-  flag_ancestors(layout.fronts, flags);
-  return flags;
-}
-
-VectorXd SparseCholesky::solve_partly(const VectorXd& b, std::span<const uint8_t> fronts) const {
-  const FactorMemory& factor = implementation_->memory;
-  return solve_backward(factor, solve_forward(factor, b), fronts);
-}
-
 Eigen::MatrixXd SparseCholesky::schur_complement(std::span<const int> rows) const {
   return relievo::schur_complement(implementation_->memory, rows);
 }

@@ -67,12 +67,6 @@ class SparseCholesky {
   /// factor: where neither b nor A have changed, half of it is not repeated.
   Eigen::VectorXd solve(const Eigen::VectorXd& b, ForwardSweep& last) const;
 
-  /// Flags of the fronts that rows of a solution depend on, for solve_partly.
-  std::vector<uint8_t> fronts_of(std::span<const int> rows) const;
-
-  /// What solve() says on the rows of the flagged fronts, and 0 on the others.
-  Eigen::VectorXd solve_partly(const Eigen::VectorXd& b, std::span<const uint8_t> fronts) const;
-
   /// What is left of the last factorised A on `rows` once all others are eliminated: #rows x #rows,
   /// symmetric. Preconditions: the last factorisation returned true, and `rows` were the last in
   /// the order of the analysis. At most cubic in #rows.

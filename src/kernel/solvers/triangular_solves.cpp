@@ -162,11 +162,10 @@ VectorXd solve_forward(const FactorMemory& factor, const VectorXd& b,
   return y;
 }
 
-VectorXd solve_backward(const FactorMemory& factor, VectorXd y, std::span<const uint8_t> wanted) {
+VectorXd solve_backward(const FactorMemory& factor, VectorXd y) {
   const FrontTasks& tasks = factor.layout.tasks;
   VectorXd solution = VectorXd::Zero(y.size());
   const auto solve = [&](int s, VectorXd& x) {
-    if (!wanted.empty() && wanted[s] == 0) return;
     solve_front_backward(factor, s, y, x);
     give_columns(factor, columns_of_front(factor, s), y, solution);
   };

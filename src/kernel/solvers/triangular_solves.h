@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "kernel/solvers/factor_memory.h"
@@ -19,9 +18,7 @@ Eigen::VectorXd solve_forward(const FactorMemory& factor, const Eigen::VectorXd&
 Eigen::VectorXd solve_forward(const FactorMemory& factor, const Eigen::VectorXd& b,
                               const std::vector<uint64_t>& version, ForwardSweep& last);
 
-/// L^-T y by row of the matrix, likewise; 0 on the rows of fronts that are not wanted. `wanted`: a
-/// flag per front, set for the parents of those where it is set; empty: all are.
-Eigen::VectorXd solve_backward(const FactorMemory& factor, Eigen::VectorXd y,
-                               std::span<const uint8_t> wanted = {});
+/// L^-T y by row of the matrix, likewise.
+Eigen::VectorXd solve_backward(const FactorMemory& factor, Eigen::VectorXd y);
 
 }  // namespace relievo

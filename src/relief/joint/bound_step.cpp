@@ -6,7 +6,6 @@
 
 #include "kernel/solvers/sparse_products.h"
 #include "kernel/solvers/symmetric_graph.h"
-#include "relief/joint/bound_stiffness.h"
 #include "relief/joint/soft_matrix.h"
 
 namespace relievo {
@@ -25,10 +24,6 @@ constexpr int side_rounds = 8;
 
 /// It only leads the way.
 constexpr double step_tolerance = 1e-9;
-
-/// Where long waves are known, heights farther from B than so many edges are held.
-constexpr int near_rings = 4;
-constexpr int all_rings = std::numeric_limits<int>::max();
 
 /// The heights as ever, the soft nodes behind them.
 std::vector<int> heights_first(const SoftMatrix& matrix) {
@@ -60,13 +55,11 @@ SparseMatrix lower_triangle(const MatrixXd& A) {
 
 }  // namespace
 
-SolveStatus BoundStep::eliminate_heights(int rings, const RunContext& context, MatrixXd& K) const {
-  const std::vector<int> near = rows_around(order_.factor.graph(), model_.bound, rings);
-  SoftMatrix matrix = make_soft_matrix(model_, order_.problem, near, model_.bound);
+SolveStatus BoundStep::eliminate_heights(const RunContext& context, MatrixXd& K) const {
+  SoftMatrix matrix = make_soft_matrix(model_, order_.problem, model_.bound);
   const VectorXd springs = matrix.own_stiffness;  // any that make the matrix definite
   set_springs(matrix, springs, matrix.K);
-  std::vector<uint8_t> fixed;
-  for (const int n : near) fixed.push_back(order_.problem.variables.fixed[n]);
+  std::vector<uint8_t> fixed = order_.problem.variables.fixed;
   fixed.resize(static_cast<size_t>(matrix.T.cols()), 0);
   SparseCholesky factor;
   if (!factor.analyse(matrix.K, Refactorisation::complete, heights_first(matrix), context))
@@ -81,16 +74,14 @@ SolveStatus BoundStep::eliminate_heights(int rings, const RunContext& context, M
   return SolveStatus::solved;
 }
 
-SolveStatus BoundStep::prepare(const BoundStiffness& known, const RunContext& context) {
+SolveStatus BoundStep::prepare(const RunContext& context) {
   if (model_.bound.empty()) return SolveStatus::solved;
-  is_known_ = !known.marks.empty();
   MatrixXd K;
-  const SolveStatus status = eliminate_heights(is_known_ ? near_rings : all_rings, context, K);
-  if (status != SolveStatus::solved) return status;
-  if (is_known_) K = with_known_waves(known, model_.bound_marks, K);
+  if (const SolveStatus status = eliminate_heights(context, K); status != SolveStatus::solved)
+    return status;
   direction_.resize(K.rows());
   for (Index i = 0; i < K.rows(); ++i) direction_[i] = model_.sign[model_.bound[i]] < 0 ? -1 : 1;
-  own_diagonal_ = K.diagonal();
+  eliminated_ = own_diagonal_ = K.diagonal();
   springs_ = VectorXd::Zero(K.rows());
   qp_.K = lower_triangle(direction_.asDiagonal() * K * direction_.asDiagonal());
   qp_.bounded.clear();
@@ -98,13 +89,6 @@ SolveStatus BoundStep::prepare(const BoundStiffness& known, const RunContext& co
     qp_.bounded.push_back(model_.sign[model_.bound[i]] != 0 && model_.loose_gap[i] < 0);
   factor_.analyse(qp_.K, Refactorisation::incremental);
   return SolveStatus::solved;
-}
-
-BoundStiffness BoundStep::stiffness() const {
-  if (model_.bound.empty()) return {};
-  MatrixXd K = MatrixXd(qp_.K).selfadjointView<Eigen::Lower>();
-  K.diagonal() = own_diagonal_;
-  return {model_.bound_marks, direction_.asDiagonal() * K * direction_.asDiagonal()};
 }
 
 std::vector<uint8_t> BoundStep::open_at(const VectorXd& z) const {
@@ -121,17 +105,12 @@ void BoundStep::renew_springs(const VectorXd& springs) {
   qp_.K.diagonal() = own_diagonal_ + springs;
 }
 
-void BoundStep::resist_opening(double share) {
+void BoundStep::resist(double share) {
   for (Index i = 0; i < own_diagonal_.size(); ++i) {
     const int n = model_.bound[i];
-    if (model_.loose_gap[i] >= 0) own_diagonal_[i] += share * model_.metric.A.coeff(n, n);
+    own_diagonal_[i] = eliminated_[i] + share * model_.metric.A.coeff(n, n);
   }
   if (own_diagonal_.size() > 0) qp_.K.diagonal() = own_diagonal_ + springs_;
-}
-
-VectorXd BoundStep::stiffness_against(const VectorXd& change) const {
-  const VectorXd K_z = multiply_symmetric(qp_.K, direction_.cwiseProduct(change));
-  return model_.lambda_shift * direction_.cwiseProduct(K_z);
 }
 
 SolveStatus BoundStep::move(const VectorXd& slope, const VectorXd& springs,
@@ -151,10 +130,6 @@ SolveStatus BoundStep::move(const VectorXd& slope, const VectorXd& springs,
     options.tolerance = step_tolerance;
     options.refine = false;
     const BoundQpSolution solution = solve_bound_qp(qp_, factor_, std::move(options), context);
-    if (solution.report.status == SolveStatus::not_positive_definite && is_known_) {
-      const SolveStatus status = prepare({}, context);
-      return status == SolveStatus::solved ? move(slope, springs, context, f) : status;
-    }
     if (solution.report.status != SolveStatus::solved) return solution.report.status;
     active_ = solution.active;
     f = direction_.cwiseProduct(solution.z);

@@ -14,44 +14,30 @@ namespace relievo {
 
 /// Steps of f on B against the slope of the energy, by the stiffness that f would have if nothing
 /// but equalities held the heights: like that of the energy itself it grows with the wave number
-/// along B, whether a part lies on another beside B or not. It comes from what is known of a
-/// similar problem, or else from eliminating the heights once; either way it is a small dense
-/// matrix.
+/// along B, whether a part lies on another beside B or not. Eliminating the heights once leaves a
+/// small dense matrix.
 class BoundStep {
  public:
   /// order: of the pairs, analysed.
   BoundStep(const JointModel& model, const DepthSystem& order) : model_(model), order_(order) {}
 
-  /// Finds the stiffness. Where nothing is known, takes one analysis and one factorisation.
-  SolveStatus prepare(const BoundStiffness& known, const RunContext& context);
+  /// Finds the stiffness: one analysis and one factorisation.
+  SolveStatus prepare(const RunContext& context);
 
-  /// Whether it comes from what was known.
-  bool is_known() const { return is_known_; }
-
-  /// What was found. Precondition: prepared.
-  BoundStiffness stiffness() const;
-
-  /// Makes steps of loose nodes shorter, by a share of what holds each of them while all heights
-  /// beside it are held.
-  void resist_opening(double share);
-
-  /// #B, -1 where u is negative on the surface, else 1. Precondition: prepared.
-  const Eigen::VectorXd& direction() const { return direction_; }
-
-  /// How the slope grows for a change of f, #B. Precondition: a move was made.
-  Eigen::VectorXd stiffness_against(const Eigen::VectorXd& change) const;
+  /// Makes steps shorter, by a share of what holds each node while all heights beside it are held.
+  /// Precondition: prepared.
+  void resist(double share);
 
   /// Takes f (#B) to the next one; where u has one sign, it does not pass 0, but at loose nodes,
   /// where -f is then the gap. `slope`: #B, of the energy / 2 with respect to f; `springs`: #B,
   /// what else resists f, positive, at loose nodes as long as their gaps are closed. O(#B^2), or
   /// O(#B^3) where the springs are no longer those of the last call, as whenever a gap opens or
-  /// closes. Where what was known of the stiffness does not hold f, it is found anew. Precondition:
-  /// prepared.
+  /// closes. Precondition: prepared.
   SolveStatus move(const Eigen::VectorXd& slope, const Eigen::VectorXd& springs,
                    const RunContext& context, Eigen::VectorXd& f);
 
  private:
-  SolveStatus eliminate_heights(int rings, const RunContext& context, Eigen::MatrixXd& K) const;
+  SolveStatus eliminate_heights(const RunContext& context, Eigen::MatrixXd& K) const;
   /// #B: whether the gap is open there.
   std::vector<uint8_t> open_at(const Eigen::VectorXd& z) const;
   void renew_springs(const Eigen::VectorXd& springs);
@@ -59,9 +45,9 @@ class BoundStep {
   const JointModel& model_;
   const DepthSystem& order_;
   Eigen::VectorXd direction_;     ///< #B, f = direction * unknown
+  Eigen::VectorXd eliminated_;    ///< #B, the diagonal of what the elimination leaves
   Eigen::VectorXd own_diagonal_;  ///< #B, that of K without springs
   Eigen::VectorXd springs_;       ///< in K, in units of lambda_shift
-  bool is_known_ = false;         ///< K comes from a similar problem
   BoundQp qp_;                    ///< K is #B x #B, all entries of the lower triangle
   std::vector<uint8_t> active_;
   SparseCholesky factor_;

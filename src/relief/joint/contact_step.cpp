@@ -64,9 +64,7 @@ void ContactStep::begin_flat() {
 }
 
 void ContactStep::soften(const std::vector<int>& soft) {
-  std::vector<int> heights(model_.elimination.size());
-  std::iota(heights.begin(), heights.end(), 0);
-  matrix_ = make_soft_matrix(model_, problem_, heights, soft);
+  matrix_ = make_soft_matrix(model_, problem_, soft);
   BoundQp& qp = own_.qp;
   qp.bounded = problem_.variables.bounded;
   qp.fixed = problem_.variables.fixed;
@@ -84,19 +82,7 @@ bool ContactStep::prepare(const RunContext& context) {
 
 Contact ContactStep::solve(const VectorXd& f, const Springs& springs, const RunContext& context) {
   if (has_soft_) return solve_softly(f, springs, context);
-  if (!settled_ || context.cancelled()) return solve_firmly(f, context);
-  std::optional<Contact> contact = solve_closed(f);
-  if (!contact) return solve_firmly(f, context);
-  ahead_f_ = f;
-  return std::move(*contact);
-}
-
-SolveStatus ContactStep::complete(const RunContext& context) {
-  stands_ = true;
-  if (!ahead_f_) return SolveStatus::solved;
-  const Contact contact = solve_firmly(VectorXd(*ahead_f_), context);
-  stands_ = settled_;
-  return contact.status;
+  return solve_firmly(f, context);
 }
 
 Contact ContactStep::solve_softly(const VectorXd& f, const Springs& springs,
@@ -147,7 +133,6 @@ Contact ContactStep::solve_firmly(const VectorXd& f, const RunContext& context) 
   last_ = std::move(solution.z);
   last_gradient_ = std::move(solution.gradient);
   last_f_ = f;
-  settle(contact.status == SolveStatus::solved && contact.factorisations == 1);
   return contact;
 }
 
@@ -176,38 +161,6 @@ bool ContactStep::is_closed(const DepthGap& gap) const {
 /// How much more f has risen at the child of a gap than at its parent.
 double ContactStep::rise_over_parent(const DepthGap& gap, const VectorXd& f) const {
   return f[gap.child] - last_f_[gap.child] - (f[gap.parent] - last_f_[gap.parent]);
-}
-
-/// What presses if the same gaps stay closed and no others close; nothing where one of them would
-/// have to pull.
-std::optional<Contact> ContactStep::solve_closed(const VectorXd& f) const {
-  const BoundQp& qp = order_.qp;
-  const double tolerance = contact_tolerance * std::max(1.0, qp.b.lpNorm<Eigen::Infinity>());
-  VectorXd mu = gradient_for(f);
-  VectorXd residual(mu.size());
-  for (Eigen::Index i = 0; i < mu.size(); ++i) residual[i] = order_.closed[i] != 0 ? 0 : -mu[i];
-  const VectorXd step = order_.factor.solve_partly(residual, near_fronts_);
-  Contact contact;
-  for (const auto& [parent, child, sign, equal] : problem_.forest.gaps) {
-    const bool closed = order_.closed[child] != 0;
-    mu[child] = closed ? mu[child] + multiply_row(qp.K, order_.factor.graph(), child, step) : 0;
-    if (!equal && mu[child] < -tolerance) return std::nullopt;
-    contact.shift_energy -= model_.lambda_shift * sign * mu[child] * (f[child] - f[parent]);
-  }
-  contact.force = model_.lambda_shift * forces_of_gaps(problem_.forest, mu);
-  return contact;
-}
-
-/// Leans keep a cost that is not the work of forces on gaps.
-void ContactStep::settle(bool settled) {
-  settled_ = settled && model_.metric.lean.pull.isZero(0);
-  ahead_f_.reset();
-  if (!settled_) return;
-  std::vector<int> closed;
-  for (const DepthGap& gap : problem_.forest.gaps)
-    if (order_.closed[gap.child] != 0) closed.push_back(gap.child);
-  const SparseCholesky& factor = order_.factor;
-  near_fronts_ = factor.fronts_of(rows_around(factor.graph(), closed, 1));
 }
 
 std::vector<double> ContactStep::heights() const {

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "kernel/solvers/bound_qp.h"
@@ -41,16 +40,10 @@ class ContactStep {
   bool prepare(const RunContext& context);
 
   /// f: #N in scene units, what is fixed of it. Precondition: prepared. Factorises what the active
-  /// set changes. Once that has come to rest, looks at the closed gaps alone as long as they press.
+  /// set changes.
   Contact solve(const Eigen::VectorXd& f, const Springs& springs, const RunContext& context);
 
-  /// Solves for all where the last solution looked at closed gaps alone.
-  SolveStatus complete(const RunContext& context);
-
-  /// Whether the gaps that were left open then do not cross. Precondition: completed.
-  bool stands() const { return stands_; }
-
-  /// Of the last solution; px, #N. Precondition: completed.
+  /// Of the last solution; px, #N.
   std::vector<double> heights() const;
 
  private:
@@ -58,12 +51,10 @@ class ContactStep {
   void begin_flat();
   Contact solve_softly(const Eigen::VectorXd& f, const Springs& springs, const RunContext& context);
   Contact solve_firmly(const Eigen::VectorXd& f, const RunContext& context);
-  std::optional<Contact> solve_closed(const Eigen::VectorXd& f) const;
   Eigen::VectorXd gradient_for(const Eigen::VectorXd& f) const;
   void open_for(const Eigen::VectorXd& f);
   bool is_closed(const DepthGap& gap) const;
   double rise_over_parent(const DepthGap& gap, const Eigen::VectorXd& f) const;
-  void settle(bool settled);
 
   const JointModel& model_;
   DepthSystem& order_;
@@ -74,10 +65,6 @@ class ContactStep {
   Eigen::VectorXd last_;  ///< solution, or where to begin; at first empty with soft nodes
   Eigen::VectorXd last_gradient_;  ///< there, without soft nodes
   Eigen::VectorXd last_f_;         ///< #N, scene units, that it is for
-  bool settled_ = false;           ///< the last solution has changed no gap
-  bool stands_ = true;
-  std::vector<uint8_t> near_fronts_;        ///< of the factor, for rows at closed gaps; if settled
-  std::optional<Eigen::VectorXd> ahead_f_;  ///< that only closed gaps were solved for since then
 };
 
 }  // namespace relievo

@@ -19,23 +19,15 @@ constexpr double growth_limit = 100;
 /// The same where u may have either sign.
 constexpr double mixed_growth_limit = 3;
 
-/// The residual below which a start is good enough.
-constexpr double rough = 1e-3;
-
 /// In the order in which they are tried where u may have either sign somewhere.
-constexpr Softness softnesses[] = {{false, 0.1, 0, 0.05},
-                                   {false, 0.1, 0, 0.1},
-                                   {false, 0.5, 0.1, 0.1},
-                                   {true, 0.1, 0.1, 0.1},
-                                   {false, 0.1, 0.1, 0.2}};
+constexpr Softness softnesses[] = {
+    {0.1, 0.01, 0.05}, {0.1, 0.01, 0.1}, {0.3, 0.3, 0.2}, {0.3, 3, 0.2}};
 
-/// The same where it has one sign on every surface, and where B is loose besides.
-constexpr Softness pure_softnesses[] = {{false}, {true, 0.1}};
-constexpr Softness loose_softnesses[] = {{false}, {false, 1, 0.1}, {true, 0.1, 0.1}};
+/// The same where it has one sign on every surface.
+constexpr Softness pure_softnesses[] = {{1, 0.01}, {1, 1}};
 
 std::span<const Softness> softnesses_of(const JointModel& model) {
   if (is_mixed(model)) return softnesses;
-  if (is_loose(model)) return loose_softnesses;
   return pure_softnesses;
 }
 
@@ -58,23 +50,6 @@ void record(JointStep step, const VectorXd& u, const JointOptions& options, Join
     run.kept.push_back({static_cast<int>(report.steps.size()), u});
 }
 
-/// Where the iteration has converged: keeps what another may begin from.
-Status finish(JointMap& map, const JointOptions& options, const RunContext& context,
-              JointRun& run) {
-  run.report.status = JointStatus::solved;
-  run.pulled = map.pulled();
-  run.bound = map.bound_stiffness();
-  if (!options.probe_ends) return Done{};
-  return check_solved(map.probe_ends(run.state, context, run.bound));
-}
-
-/// The error of a step. One that rounding has spoiled is none: the iteration ends there, as one
-/// that does not converge.
-Status check_step(SolveStatus status, bool& is_spoiled) {
-  is_spoiled = status == SolveStatus::not_positive_definite;
-  return is_spoiled ? Done{} : check_solved(status);
-}
-
 Status iterate(JointMap& map, double growth, const JointOptions& options, const RunContext& context,
                JointRun& run) {
   JointState& state = run.state;
@@ -87,34 +62,27 @@ Status iterate(JointMap& map, double growth, const JointOptions& options, const 
     const VectorXd x = map.pack(state);
     JointState next = state;
     JointStep step;
-    bool is_spoiled = false;
-    if (Status status = check_step(map.apply(next, step, context), is_spoiled); !status)
-      return status;
-    if (is_spoiled) break;
+    const SolveStatus status = map.apply(next, step, context);
+    if (status == SolveStatus::not_positive_definite) break;  // spoiled by rounding
+    if (Status solved = check_solved(status); !solved) return solved;
     const VectorXd F_x = map.pack(next);
     step.residual = relative_change(x, F_x, next.u);
     step.milliseconds = watch.lap();
     record(step, next.u, options, run);
     context.measure("energy", step.energy.total());
     if (step.residual <= options.tolerance) {
-      if (Status status = check_step(map.find_heights(next, context), is_spoiled); !status)
-        return status;
-      if (is_spoiled) break;
-      if (map.stands()) {
-        state = std::move(next);
-        return finish(map, options, context, run);
-      }
+      map.find_heights(next);
+      state = std::move(next);
+      run.report.status = JointStatus::solved;
+      run.pulled = map.pulled();
+      return Done{};
     }
-    if (i == 0 && step.residual > rough)
-      if (Status status = check_step(map.stiffen(state, context), is_spoiled); !status)
-        return status;
-    if (is_spoiled) break;
     if (step.residual > growth * least) {
       mixer.restart();
       least = step.residual;
     }
     least = std::min(least, step.residual);
-    map.unpack(mixer.next(F_x, map.measured(F_x - x)), state);
+    map.unpack(mixer.next(F_x, F_x - x), state);
   }
   run.report.status = JointStatus::iteration_limit;
   return Done{};

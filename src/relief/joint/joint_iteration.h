@@ -23,7 +23,6 @@ struct JointRun {
   std::vector<KeptState> kept;  ///< those that the options ask for
   std::vector<int> pulled;      ///< JointMap::pulled where it converged
   bool once = false;            ///< does not begin again where it does not converge
-  BoundStiffness bound;         ///< known of a similar problem at first, then of this one
 };
 
 /// Iterates contact and inflation under one set of pairs until they agree, from the run's state,

@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "relief/joint/bound_modes.h"
-
 namespace relievo {
 namespace {
 
@@ -17,14 +15,10 @@ using Eigen::VectorXd;
 constexpr double smallest_u = 1e-3;
 /// A spring on B is kept at least so stiff, relative to lambda_bnd alone.
 constexpr double softest = 0.2;
-/// Of a residual that is smooth.
-constexpr Index smooth_samples = 1000;
 /// Of the largest force, for a gap that would have to pull.
 constexpr double least_pull = 1e-6;
 /// Of the largest f, for gaps on B.
 constexpr double widest_gap = 4;
-/// Of the largest f on B, to see how its slope changes.
-constexpr double relative_rise = 1e-4;
 
 /// #N: whether the node is in a pair.
 std::vector<uint8_t> pressed_nodes(const DepthProblem& problem) {
@@ -42,8 +36,9 @@ std::vector<int> inner_nodes(const JointModel& model, const DepthProblem& proble
   return nodes;
 }
 
-std::vector<int> soft_nodes(const JointModel& model, std::vector<int> contact, bool all) {
-  const auto firm = [&](int n) { return !all && model.sign[n] != 0; };
+/// Those where u may have either sign.
+std::vector<int> soft_nodes(const JointModel& model, std::vector<int> contact) {
+  const auto firm = [&](int n) { return model.sign[n] != 0; };
   contact.erase(std::remove_if(contact.begin(), contact.end(), firm), contact.end());
   return contact;
 }
@@ -56,15 +51,14 @@ JointMap::JointMap(const JointSystems& systems, const Softness& softness)
       smooth_root_(softness.width),
       nodes_(inner_nodes(model_, systems.order.problem, true)),
       apart_(inner_nodes(model_, systems.order.problem, false)),
-      soft_(soft_nodes(model_, nodes_, softness.all)),
+      soft_(soft_nodes(model_, nodes_)),
       held_f_(model_.held.unaryExpr(&signed_root)),
       contact_step_(model_, systems.order, soft_),
       gap_columns_(systems.order.problem.variables.T),
       bound_step_(systems.bound),
       bounds_(model_.bound_mass.size()),
-      stiffening_(VectorXd::Zero(bounds_)),
       compliance_(compliance_of_soft_nodes(softness.share)) {
-  if (softness.loose > 0) bound_step_.resist_opening(softness.loose);
+  bound_step_.resist(softness.bound);
 }
 
 VectorXd JointMap::pack(const JointState& state) const {
@@ -98,57 +92,25 @@ void JointMap::unpack(const VectorXd& x, JointState& state) const {
     state.load[soft_[i]] = x[contacts + bounds_ + i] / compliance_[i];
 }
 
-VectorXd JointMap::measured(const VectorXd& residual) const {
-  const auto contacts = static_cast<Index>(nodes_.size());
-  const Index stride = 1 + contacts / smooth_samples;
-  const Index samples = (contacts + stride - 1) / stride;
-  const Index rest = residual.size() - contacts;
-  VectorXd result(samples + rest);
-  for (Index i = 0; i < samples; ++i) result[i] = residual[i * stride];
-  result.tail(rest) = residual.tail(rest);
-  return result;
-}
-
-JointMap::Answer JointMap::answer_to(const JointState& state, const RunContext& context) {
-  Answer answer;
-  const VectorXd f = fixed_f(state);
-  answer.contact = contact_step_.solve(f, springs(state), context);
-  if (answer.contact.status != SolveStatus::solved) return answer;
-  answer.load = next_load(f, state, answer.contact);
-  answer.excess = response_.excess(answer.load);
-  answer.slope = slope_on_bound(f_on_bound(state), answer.contact, answer.excess);
-  return answer;
-}
-
-JointMap::Answer JointMap::answer_to_change(const JointState& state, const VectorXd& change,
-                                            const RunContext& context) {
-  const VectorXd before = f_on_bound(state);
-  const VectorXd after = before + change;
-  JointState changed = state;
-  changed.u += response_.extension(squares_on_bound(after) - squares_on_bound(before));
-  set_loose(after, changed);
-  return answer_to(changed, context);
-}
-
 SolveStatus JointMap::apply(JointState& state, JointStep& step, const RunContext& context) {
-  Answer answer = answer_to(state, context);
-  if (answer.contact.status != SolveStatus::solved) return answer.contact.status;
-  const Excess& excess = answer.excess;
-  slope_ = answer.slope;
+  const VectorXd f = fixed_f(state);
+  const Contact contact = contact_step_.solve(f, springs(state), context);
+  if (contact.status != SolveStatus::solved) return contact.status;
+  state.load = next_load(f, state, contact);
+  const Excess excess = response_.excess(state.load);
   VectorXd f_bound = f_on_bound(state);
-  pulled_ = pulled_gaps(f_bound, answer.contact);
-  const SolveStatus moved =
-      bound_step_.move(slope_, springs_on_bound(f_bound, excess), context, f_bound);
+  pulled_ = pulled_gaps(f_bound, contact);
+  const SolveStatus moved = bound_step_.move(slope_on_bound(f_bound, contact, excess),
+                                             springs_on_bound(f_bound, excess), context, f_bound);
   if (moved != SolveStatus::solved) return moved;
   keep_loose_within_reach(state, f_bound);
-  state.load = std::move(answer.load);
   const VectorXd u_bound = squares_on_bound(f_bound);
   state.u = response_.inflate(excess, u_bound);
   set_loose(f_bound, state);
-  step.factorisations = answer.contact.factorisations;
+  step.factorisations = contact.factorisations;
   step.energy.inflation = excess.energy;
   step.energy.boundary = model_.lambda_bnd * model_.bound_mass.dot(u_bound.cwiseAbs());
-  step.energy.shift = answer.contact.shift_energy;
+  step.energy.shift = contact.shift_energy;
   return SolveStatus::solved;
 }
 
@@ -234,124 +196,24 @@ VectorXd JointMap::slope_on_bound(const VectorXd& f, const Contact& contact,
 /// They stand for the curvature of the first two; where that would be too soft or negative, for
 /// stiffer ones.
 VectorXd JointMap::springs_on_bound(const VectorXd& f, const Excess& excess) const {
-  VectorXd springs = stiffening_;
+  VectorXd springs(bounds_);
   for (Index i = 0; i < bounds_; ++i) {
     const int n = model_.bound[i];
     const double slope = excess.slope[i];
     const double own = model_.lambda_bnd * model_.bound_mass[i];
     const bool sunk = is_open(i, f[i]) ? f[i] > 0 : f[i] < 0 || (f[i] == 0 && model_.sign[n] < 0);
     const double resistance = own + 2 * (sunk ? -slope : slope);
-    springs[i] += resistance >= softest * own ? resistance : own + 2 * std::abs(slope);
+    springs[i] = resistance >= softest * own ? resistance : own + 2 * std::abs(slope);
   }
   return springs;
 }
 
-SolveStatus JointMap::stiffen(const JointState& state, const RunContext& context) {
-  if (bounds_ == 0 || bound_step_.is_known()) return SolveStatus::solved;
-  const VectorXd& direction = bound_step_.direction();
-  const double rise = relative_rise * f_on_bound(state).lpNorm<Eigen::Infinity>();
-  const Answer answer = answer_to_change(state, rise * direction, context);
-  if (answer.contact.status != SolveStatus::solved) return answer.contact.status;
-  const VectorXd missing =
-      (answer.slope - slope_) / rise - bound_step_.stiffness_against(direction);
-  stiffening_ += direction.cwiseProduct(missing).cwiseMax(0);
-  return SolveStatus::solved;
-}
-
-BoundStiffness JointMap::bound_stiffness() const {
-  BoundStiffness stiffness = bound_step_.stiffness();
-  if (bounds_ > 0) stiffness.K.diagonal() += stiffening_ / model_.lambda_shift;
-  return stiffness;
-}
-
-class JointMap::Prober {
- public:
-  Prober(JointMap& map, const JointState& state, const RunContext& context)
-      : map_(map), state_(state), context_(context), f_(map.f_on_bound(state)) {}
-
-  SolveStatus start() {
-    const Answer answer = map_.answer_to(state_, context_);
-    slope_ = answer.slope;
-    springs_ = map_.springs_on_bound(f_, answer.excess);
-    rise_ = relative_rise * f_.lpNorm<Eigen::Infinity>();
-    return answer.contact.status;
-  }
-
-  /// Where a force at an end of B takes f, and where what K answers too much to that does.
-  SolveStatus probe(int end, BoundProbes& probes) {
-    VectorXd force = VectorXd::Zero(f_.size());
-    force[end] = map_.bound_step_.direction()[end];
-    VectorXd change;
-    SolveStatus status = yield_to(force, change);
-    if (status != SolveStatus::solved) return status;
-    status = measure(change, probes);
-    if (status != SolveStatus::solved) return status;
-    const VectorXd step = probes.steps.rightCols<1>();
-    status = yield_to(step - probes.slopes.rightCols<1>(), change);
-    if (status != SolveStatus::solved) return status;
-    const VectorXd first = probes.changes.rightCols<1>();
-    return measure(change - change.dot(step) / first.dot(step) * first, probes);
-  }
-
- private:
-  /// change = K^-1 force
-  SolveStatus yield_to(const VectorXd& force, VectorXd& change) {
-    VectorXd f = f_;
-    const double size = rise_ / std::max(force.lpNorm<Eigen::Infinity>(), 1e-300);
-    const SolveStatus status = map_.bound_step_.move(-size * force, springs_, context_, f);
-    change = f - f_;
-    return status;
-  }
-
-  /// Of length 1 by K; nothing where that means nothing.
-  SolveStatus measure(VectorXd change, BoundProbes& probes) {
-    const double largest = change.lpNorm<Eigen::Infinity>();
-    if (!(largest > 0)) return SolveStatus::solved;
-    change *= rise_ / largest;
-    const Answer answer = map_.answer_to_change(state_, change, context_);
-    if (answer.contact.status != SolveStatus::solved) return answer.contact.status;
-    append(change / rise_, probes.changes);
-    append(map_.bound_step_.stiffness_against(change / rise_), probes.steps);
-    append((answer.slope - slope_) / rise_, probes.slopes);
-    return SolveStatus::solved;
-  }
-
-  static void append(const VectorXd& column, Eigen::MatrixXd& A) {
-    A.conservativeResize(column.size(), A.cols() + 1);
-    A.rightCols<1>() = column;
-  }
-
-  JointMap& map_;
-  const JointState& state_;
-  const RunContext& context_;
-  VectorXd f_;
-  VectorXd slope_;
-  VectorXd springs_;
-  double rise_ = 0;
-};
-
-SolveStatus JointMap::probe_ends(const JointState& state, const RunContext& context,
-                                 BoundStiffness& stiffness) {
-  if (bounds_ == 0 || !soft_.empty()) return SolveStatus::solved;
-  Prober prober(*this, state, context);
-  BoundProbes probes;
-  SolveStatus status = prober.start();
-  for (const int end : model_.bound_ends)
-    if (status == SolveStatus::solved) status = prober.probe(end, probes);
-  if (status == SolveStatus::solved)
-    stiffness.K += missing_stiffness(modes_of(probes)) / model_.lambda_shift;
-  return status == SolveStatus::interrupted ? status : SolveStatus::solved;
-}
-
 /// The contact knows no inflation where parts do not press.
-SolveStatus JointMap::find_heights(JointState& state, const RunContext& context) {
-  const SolveStatus status = contact_step_.complete(context);
-  if (status != SolveStatus::solved) return status;
+void JointMap::find_heights(JointState& state) const {
   state.h = contact_step_.heights();
   const VectorXd rise = opening(f_on_bound(state)) / model_.metric.scale;
   for (Index n = 0; n < rise.size(); ++n) state.h[n] += rise[n];
   for (const int n : apart_) state.h[n] += signed_root(state.u[n]) / model_.metric.scale;
-  return status;
 }
 
 /// For a change of f at a soft node: the inflation holds it with the load times du/df, and the

@@ -22,11 +22,10 @@ struct JointState {
   std::vector<double> h;  ///< #N, px, obeys the pairs; empty before the first end
 };
 
-/// Which contact nodes answer within the contact already, and how much.
+/// How firmly the steps take what they do not know exactly.
 struct Softness {
-  bool all = false;  ///< all of them, not only those where u may have either sign
-  double share = 1;  ///< how much of their compliance counts; larger is slower and firmer
-  double loose = 0;  ///< what resists steps of loose nodes besides, BoundStep::resist_opening
+  double share = 1;  ///< of the compliance of soft nodes that counts; larger is slower and firmer
+  double bound = 0;  ///< what resists steps on B besides, BoundStep::resist
   double width = 0;  ///< of the root where u may have either sign, scene units
 };
 
@@ -56,54 +55,18 @@ class JointMap {
   /// tenth: only its root has a meaning.
   void unpack(const Eigen::VectorXd& x, JointState& state) const;
 
-  /// Enough of a residual F - x to mix by: all of it on B and at soft nodes, a thousand samples of
-  /// the others, where it is smooth.
-  Eigen::VectorXd measured(const Eigen::VectorXd& residual) const;
-
   /// One step: leaves F in `state`, but for its heights, and says what it cost. Precondition:
   /// prepared.
   SolveStatus apply(JointState& state, JointStep& step, const RunContext& context);
 
-  /// The heights of the last step, whose u is that of `state`. Solves for gaps that it left aside.
-  SolveStatus find_heights(JointState& state, const RunContext& context);
-
-  /// Whether none of these had to close. Precondition: heights were found.
-  bool stands() const { return contact_step_.stands(); }
-
-  /// Measures at `state`, where the last step began, how the slope of the energy on B answers when
-  /// |f| rises all along B. Where the stiffness of the steps answers less, springs make up for it
-  /// from now on. Costs little more than a step. What comes from a similar problem has its springs.
-  SolveStatus stiffen(const JointState& state, const RunContext& context);
+  /// The heights of the last step, whose u is that of `state`.
+  void find_heights(JointState& state) const;
 
   /// Gaps that were held closed in the last step though they would have come loose, by their
   /// children.
   const std::vector<int>& pulled() const { return pulled_; }
 
-  /// That of f on B.
-  BoundStiffness bound_stiffness() const;
-
-  /// Corrects it by what is measured at `state` near the ends of B. Costs two steps without new
-  /// contacts for each end. Measures nothing where there are soft nodes. Fails only when
-  /// interrupted. Precondition: a step was made.
-  SolveStatus probe_ends(const JointState& state, const RunContext& context,
-                         BoundStiffness& stiffness);
-
  private:
-  /// What follows from u and from f on B as they are.
-  struct Answer {
-    Contact contact;
-    Eigen::VectorXd load;   ///< #N, next
-    Excess excess;          ///< under it
-    Eigen::VectorXd slope;  ///< #B, of the energy / 2 with respect to f
-  };
-
-  /// Changes of f on B that span the modes, measured one by one from a state.
-  class Prober;
-
-  Answer answer_to(const JointState& state, const RunContext& context);
-  /// To another f on B, the inflation within it following.
-  Answer answer_to_change(const JointState& state, const Eigen::VectorXd& change,
-                          const RunContext& context);
   Eigen::VectorXd fixed_f(const JointState& state) const;
   Eigen::VectorXd f_on_bound(const JointState& state) const;
   Eigen::VectorXd opening(const Eigen::VectorXd& f) const;
@@ -135,10 +98,8 @@ class JointMap {
   ContactStep contact_step_;
   const SparseMatrix& gap_columns_;  ///< what heights do when a gap opens
   BoundStep& bound_step_;
-  Eigen::Index bounds_;    ///< #B
-  Eigen::VectorXd slope_;  ///< #B, of the energy / 2 with respect to f, where the last step began
+  Eigen::Index bounds_;  ///< #B
   std::vector<int> pulled_;
-  Eigen::VectorXd stiffening_;  ///< #B, springs beyond those of the energy
   Eigen::VectorXd compliance_;  ///< of the soft nodes: change of u for a change of load
 };
 

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "relief/joint/bound_stiffness.h"
 #include "relief/ordering/depth_contacts.h"
 #include "relievo/point.h"
 
@@ -24,7 +23,6 @@ struct JointMark {
 struct JointMemory {
   std::vector<JointMark> marks;  ///< by group and position
   std::vector<DepthContact> contacts;
-  BoundStiffness bound;  ///< as the iteration knew it
 };
 
 }  // namespace relievo

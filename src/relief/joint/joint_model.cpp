@@ -56,29 +56,6 @@ void collect_bound(const LayeredMesh& mesh, JointModel& model) {
     model.bound_mass[at - model.bound.begin()] += model.metric.scale * node.mass;
   }
   model.loose_gap.assign(model.bound.size(), -1);
-  for (size_t i = 0; i < model.bound.size(); ++i) {
-    const int n = model.bound[i];
-    const double length = model.bound_mass[static_cast<Eigen::Index>(i)] / model.metric.scale;
-    model.bound_marks.push_back({mesh.node_part[n], mesh.vertices[mesh.node_vertex[n]], length});
-  }
-}
-
-/// Of the nodes of each range that are on B the one nearest to its flexible end, where f is large.
-void collect_ends(const LayeredMesh& mesh, JointModel& model) {
-  std::vector<const RampNode*> nearest(mesh.ramps.size(), nullptr);
-  for (const RampNode& node : mesh.ramp_nodes) {
-    if (!std::binary_search(model.bound.begin(), model.bound.end(), node.node)) continue;
-    const RampNode*& known = nearest[node.ramp];
-    if (known == nullptr || node.t < known->t) known = &node;
-  }
-  std::vector<int>& ends = model.bound_ends;
-  for (const RampNode* node : nearest) {
-    if (node == nullptr) continue;
-    const auto at = std::lower_bound(model.bound.begin(), model.bound.end(), node->node);
-    ends.push_back(static_cast<int>(at - model.bound.begin()));
-  }
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
 }
 
 /// #N: whether the node is seen from the front or in a pair.
@@ -121,7 +98,6 @@ JointModel make_joint_model(const OrderingInput& input, const ShiftMetric& metri
   model.L.diagonal() += terms.screening;
   model.sign = surface_signs(mesh, discretisation.surface, input.scene);
   collect_bound(mesh, model);
-  collect_ends(mesh, model);
   hold_rest_of_ranges(mesh, input.inflation, model);
   for (size_t n = 0; n < mesh.node_role.size(); ++n) {
     const bool bound = mesh.node_role[n] == NodeRole::ramp;
@@ -145,11 +121,6 @@ void find_loose_bound(const DepthForest& forest, JointModel& model) {
   for (const DepthGap& gap : forest.gaps)
     if (gap.equal) lifted[gap.parent] = lifted[gap.child] = -1;
   for (size_t i = 0; i < model.bound.size(); ++i) model.loose_gap[i] = lifted[model.bound[i]];
-}
-
-bool is_loose(const JointModel& model) {
-  return std::any_of(model.loose_gap.begin(), model.loose_gap.end(),
-                     [](int gap) { return gap >= 0; });
 }
 
 bool is_mixed(const JointModel& model) {

@@ -5,7 +5,6 @@
 
 #include "kernel/base/sparse_matrix.h"
 #include "relief/inflation/inflation.h"
-#include "relief/joint/bound_stiffness.h"
 #include "relief/joint/joint_solution.h"
 #include "relief/ordering/depth_forest.h"
 #include "relief/ordering/order_depth.h"
@@ -26,13 +25,11 @@ struct JointModel {
   std::vector<int> place;        ///< #N: row of the node in `inner`, -1 on outlines and B
   std::vector<int> inner;        ///< nodes whose u is free, ascending
   std::vector<int> bound;        ///< nodes of B, ascending
-  std::vector<int> bound_ends;   ///< of each range the place in `bound` next to the join, ascending
   /// #B, where nothing but an inequality lifts f: the child of the gap that opens once f is 0; else
   /// -1, as everywhere before find_loose_bound.
   std::vector<int> loose_gap;
-  Eigen::VectorXd held;                ///< #N, u where it is neither free nor on B; 0 elsewhere
-  Eigen::VectorXd bound_mass;          ///< #B, lengths of outline that they stand for
-  std::vector<BoundMark> bound_marks;  ///< #B, where they lie
+  Eigen::VectorXd held;        ///< #N, u where it is neither free nor on B; 0 elsewhere
+  Eigen::VectorXd bound_mass;  ///< #B, lengths of outline that they stand for
 };
 
 /// B are the nodes under Robin ranges that pairs tie to another part, and where pairs tie nothing
@@ -43,9 +40,6 @@ JointModel make_joint_model(const OrderingInput& input, const ShiftMetric& metri
 
 /// Finds where B is loose. O(N).
 void find_loose_bound(const DepthForest& forest, JointModel& model);
-
-/// Whether B is loose somewhere, as found. O(#B).
-bool is_loose(const JointModel& model);
 
 /// Whether u may have either sign somewhere. O(N).
 bool is_mixed(const JointModel& model);

@@ -21,7 +21,7 @@ struct JointEnergy {
 struct JointStep {
   JointEnergy energy;      ///< of the step; belongs to one point only in the limit
   double residual = 0;     ///< largest change of u, relative to the largest u
-  int factorisations = 0;  ///< of the contact problem; 0 where its closed gaps stayed so
+  int factorisations = 0;  ///< of the contact problem; 1 where its closed gaps stayed so
   double milliseconds = 0;
 };
 

@@ -8,14 +8,14 @@ namespace relievo {
 namespace {
 
 /// Columns of T and one more for each soft node.
-SparseMatrix with_soft_columns(const SparseMatrix& T, const std::vector<int>& columns,
-                               const std::vector<int>& soft, const Eigen::VectorXd& direction) {
-  const auto heights = static_cast<int>(columns.size());
+SparseMatrix with_soft_columns(const SparseMatrix& T, const std::vector<int>& soft,
+                               const Eigen::VectorXd& direction) {
+  const auto heights = static_cast<int>(T.cols());
   SparseMatrix wide(static_cast<int>(T.rows()), heights + static_cast<int>(soft.size()));
   wide.reserve(T.nonZeros() + static_cast<Eigen::Index>(soft.size()));
   for (int j = 0; j < heights; ++j) {
     wide.startVec(j);
-    for (SparseMatrix::InnerIterator entry(T, columns[j]); entry; ++entry)
+    for (SparseMatrix::InnerIterator entry(T, j); entry; ++entry)
       wide.insertBack(static_cast<int>(entry.row()), j) = entry.value();
   }
   for (int i = 0; i < static_cast<int>(soft.size()); ++i) {
@@ -27,17 +27,14 @@ SparseMatrix with_soft_columns(const SparseMatrix& T, const std::vector<int>& co
 }
 
 /// The unknowns of the nodes and the soft ones' f in the order of elimination.
-std::vector<int> order_of_unknowns(const JointModel& model, const std::vector<int>& heights,
-                                   const std::vector<int>& soft) {
-  std::vector<int> place(model.elimination.size(), -1);
+std::vector<int> order_of_unknowns(const JointModel& model, const std::vector<int>& soft) {
   std::vector<int> soft_place(model.elimination.size(), -1);
-  int unknowns = 0;
-  for (const int n : heights) place[n] = unknowns++;
+  auto unknowns = static_cast<int>(model.elimination.size());
   for (const int n : soft) soft_place[n] = unknowns++;
   std::vector<int> order;
   order.reserve(static_cast<size_t>(unknowns));
   for (const int n : model.elimination) {
-    if (place[n] >= 0) order.push_back(place[n]);
+    order.push_back(n);
     if (soft_place[n] >= 0) order.push_back(soft_place[n]);
   }
   return order;
@@ -46,15 +43,15 @@ std::vector<int> order_of_unknowns(const JointModel& model, const std::vector<in
 }  // namespace
 
 SoftMatrix make_soft_matrix(const JointModel& model, const DepthProblem& problem,
-                            const std::vector<int>& heights, const std::vector<int>& soft) {
+                            const std::vector<int>& soft) {
   SoftMatrix matrix;
   const auto softs = static_cast<Eigen::Index>(soft.size());
   matrix.direction.resize(softs);
   for (Eigen::Index i = 0; i < softs; ++i) matrix.direction[i] = model.sign[soft[i]] < 0 ? -1 : 1;
-  matrix.T = with_soft_columns(problem.variables.T, heights, soft, matrix.direction);
+  matrix.T = with_soft_columns(problem.variables.T, soft, matrix.direction);
   matrix.K = galerkin_lower(model.metric.A, matrix.T);
   matrix.own_stiffness = matrix.K.diagonal().tail(softs);
-  matrix.elimination = order_of_unknowns(model, heights, soft);
+  matrix.elimination = order_of_unknowns(model, soft);
   return matrix;
 }
 

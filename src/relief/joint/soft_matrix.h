@@ -22,9 +22,9 @@ struct SoftMatrix {
   Eigen::Index heights() const { return T.cols() - own_stiffness.size(); }
 };
 
-/// heights: the nodes whose unknowns take part, ascending. O(N + entries of A at their groups).
+/// O(N + entries of A).
 SoftMatrix make_soft_matrix(const JointModel& model, const DepthProblem& problem,
-                            const std::vector<int>& heights, const std::vector<int>& soft);
+                            const std::vector<int>& soft);
 
 /// Puts springs on f, one per soft node, in place of those that K has.
 void set_springs(const SoftMatrix& matrix, const Eigen::VectorXd& stiffness, SparseMatrix& K);

@@ -95,7 +95,6 @@ class JointSolver {
     model_.lambda_shift = options.lambda_shift;
     run_.state = first_state(model_, input.inflation);
     u_start_ = run_.state.u;
-    run_.bound = known.bound;
   }
 
   /// Fills in inflation, ordering and snapshots.
@@ -122,7 +121,7 @@ class JointSolver {
   JointMemory memory() const {
     if (run_.report.status != JointStatus::solved) return {};
     return {remember(input_.mesh, model_, *system_.pairs, u_start_, run_.state),
-            contacts_of(input_.mesh, run_.state.h), run_.bound};
+            contacts_of(input_.mesh, run_.state.h)};
   }
 
   /// With the energy at the end.
@@ -210,7 +209,7 @@ class JointSolver {
     SolveStatus status = SolveStatus::solved;
     run_tasks(2, [&](int task) {
       if (task == 0)
-        status = bound.prepare(run_.bound, context_);
+        status = bound.prepare(context_);
       else if (!response_)
         response_.emplace(model_);
     });

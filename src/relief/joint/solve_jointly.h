@@ -26,7 +26,6 @@ struct JointOptions {
   double tolerance = 1e-6;   ///< on the residual of the iteration
   int max_iterations = 150;  ///< of one attempt
   int anderson_depth = 16;
-  bool probe_ends = false;     ///< whether the stiffness of B is measured too, for finer meshes
   std::vector<int> snapshots;  ///< after which steps the surface is kept, ascending, from 1
 };
 

@@ -112,7 +112,6 @@ void ReliefSession::begin_like(const Scene& scene) {
   }
   ordering_system_.contacts = std::move(contacts);
   for (JointMark& mark : joint_memory_.marks) number(mark.part);
-  for (BoundMark& mark : joint_memory_.bound.marks) number(mark.part);
   for (DepthContact& contact : joint_memory_.contacts) {
     number(contact.lower);
     number(contact.upper);
@@ -242,7 +241,6 @@ Status ReliefSession::update_jointly(const Request& request) {
     JointOptions joint = options.joint;
     joint.epsilon = options.ordering.epsilon;
     joint.bumps = options.inflation;
-    joint.probe_ends = use_ == Use::guess;
     auto solution = solve_jointly({relief_.layers, discretisation_, inflation_, scene}, joint,
                                   joint_memory_, ordering_system_, context);
     if (!solution) return solution.error();

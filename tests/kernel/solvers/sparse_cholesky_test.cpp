@@ -28,20 +28,6 @@ SparseMatrix shifted_laplacian(double shift) {
 
 SparseMatrix lower_of(const SparseMatrix& A) { return A.triangularView<Eigen::Lower>(); }
 
-TEST(SparseCholesky, SolvesPartlyWithTheSameBits) {
-  const SparseMatrix A = lower_of(shifted_laplacian(1));
-  SparseCholesky factor;
-  factor.analyse(A);
-  ASSERT_TRUE(factor.factorise(A));
-  const VectorXd b = VectorXd::LinSpaced(A.rows(), -1, 2);
-  const VectorXd x = factor.solve(b);
-  const std::vector<int> rows = {3, 4, 200};
-  const VectorXd part = factor.solve_partly(b, factor.fronts_of(rows));
-  for (const int row : rows) EXPECT_EQ(part[row], x[row]);
-  EXPECT_LT((part.array() != 0).count(), part.size() / 2);
-  for (Eigen::Index i = 0; i < x.size(); ++i) EXPECT_TRUE(part[i] == 0 || part[i] == x[i]);
-}
-
 TEST(SparseCholesky, SolvesManyValuesOnOnePattern) {
   SparseCholesky factor;
   factor.analyse(lower_of(shifted_laplacian(1)));

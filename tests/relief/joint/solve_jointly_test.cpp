@@ -154,13 +154,6 @@ TEST(SolveJointly, DoesNotDependOnTheStart) {
               1e-9 * usual.report.energy.total());
 }
 
-/// What a mesh with an eighth of the vertices tells of the body and its leg.
-JointMemory coarse_memory(int vertices, bool probe_ends) {
-  JointCase test = joint_case(body_and_leg(), vertices / 8, 0.01);
-  test.options.joint.probe_ends = probe_ends;
-  return solve(test).memory;
-}
-
 Result<JointSolution> solve_from(const JointMemory& known, const JointCase& test) {
   const Relief& start = test.approximate;
   const Discretisation discretisation = discretise(start.layers);
@@ -203,27 +196,14 @@ TEST(SolveJointly, GoesOnWithTheSystemOfAnotherInflation) {
   }
 }
 
-TEST(SolveJointly, FindsTheStiffnessOfBAnewWhereWhatIsKnownDoesNotHold) {
-  const JointCase test = joint_case(body_and_leg(), 4000, 0.01);
-  const JointSolution exact = solve(test);
-  JointMemory known = exact.memory;
-  ASSERT_GT(known.bound.K.rows(), 10);
-  known.bound.K *= -1;
-  const auto solution = solve_from(known, test);
-  ASSERT_TRUE(solution.ok());
-  EXPECT_EQ(solution->report.status, JointStatus::solved);
-  EXPECT_NEAR(solution->report.energy.total(), exact.report.energy.total(),
-              1e-9 * exact.report.energy.total());
-}
-
-TEST(SolveJointly, TakesFewerStepsWhereACoarseMeshHasProbedTheEndsOfJoins) {
+TEST(SolveJointly, TakesFewerStepsFromWhatACoarseMeshKnows) {
   const JointCase test = joint_case(body_and_leg(), 8000, 0.01);
-  const auto probed = solve_from(coarse_memory(8000, true), test);
-  const auto known = solve_from(coarse_memory(8000, false), test);
-  ASSERT_TRUE(probed.ok() && known.ok());
-  EXPECT_LT(probed->report.steps.size(), known->report.steps.size());
-  EXPECT_NEAR(probed->report.energy.total(), known->report.energy.total(),
-              1e-9 * known->report.energy.total());
+  const auto known = solve_from(solve(joint_case(body_and_leg(), 1000, 0.01)).memory, test);
+  const JointSolution unaided = solve(test);
+  ASSERT_TRUE(known.ok());
+  EXPECT_LT(known->report.steps.size(), unaided.report.steps.size());
+  EXPECT_NEAR(known->report.energy.total(), unaided.report.energy.total(),
+              1e-9 * unaided.report.energy.total());
 }
 
 TEST(SolveJointly, RecordsEveryStep) {
@@ -233,7 +213,7 @@ TEST(SolveJointly, RecordsEveryStep) {
   EXPECT_GT(steps.front().residual, steps.back().residual);
   EXPECT_EQ(steps.back().residual, solution.report.residual);
   EXPECT_GE(steps.front().factorisations, 1);
-  EXPECT_EQ(steps.back().factorisations, 0);
+  EXPECT_EQ(steps.back().factorisations, 1);
   EXPECT_NEAR(steps.back().energy.total(), solution.report.energy.total(),
               1e-6 * solution.report.energy.total());
 }

@@ -254,8 +254,7 @@ TEST(ReliefSession, TheNonlinearMethodBeginsFromACoarserMesh) {
   ReliefSession plain(ReliefSession::Use::guess);
   ASSERT_TRUE(guessed.ok() && plain.update(scene, options).ok());
   const JointReport& unguessed = plain.relief().joint;
-  EXPECT_LT(guessed->joint.steps[0].residual, 0.6 * unguessed.steps[0].residual);
-  EXPECT_LE(guessed->joint.steps.size(), unguessed.steps.size());
+  EXPECT_LT(guessed->joint.steps.size(), unguessed.steps.size());
   EXPECT_NEAR(guessed->joint.energy.total(), unguessed.energy.total(),
               1e-7 * unguessed.energy.total());
 }
