@@ -167,6 +167,7 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
   options.vertex_budget = trial_vertices;
   const auto mesh = layer_parts(scene, options, {interruption.flag(), {}});
   if (!mesh) return mesh.error();
+  if (Status status = check_held(*mesh, scene, {}); !status) return status;
   print_warnings(mesh->warnings, quiet);
   if (const std::string table = overlap_table(scene, *mesh); !table.empty())
     print_result("\n" + table, quiet);

@@ -11,6 +11,7 @@ namespace relievo {
 struct ImageLimits {
   int64_t max_pixels = 100'000'000;
   int64_t max_side = 32'767;
+  int64_t max_total = 600'000'000;  ///< pixels of all layers of a drawing together
 };
 
 /// `limit` where width x height exceeds `limits`, `bad_input` where one of them is 0.

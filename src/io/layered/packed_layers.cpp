@@ -25,10 +25,27 @@ Result<ImageSize> least_canvas(const std::vector<PackedLayer>& layers, const Ima
   return ImageSize{static_cast<int>(width), static_cast<int>(height)};
 }
 
+/// Reading takes time in proportion to them.
+Status check_total(const std::vector<PackedLayer>& layers, const ImageLimits& limits) {
+  int64_t total = 0;
+  for (const PackedLayer& packed : layers) {
+    const auto size = png_size(packed.png, limits);
+    if (!size) return in_layer(size.error(), packed);
+    total += int64_t{size->width} * size->height;
+    if (total > limits.max_total)
+      return Error{ErrorCode::limit,
+                   "the layers up to this one have more than " + std::to_string(limits.max_total) +
+                       " pixels together; crop layers to what is on them, or make them smaller",
+                   packed.file};
+  }
+  return Done{};
+}
+
 }  // namespace
 
 Result<LayeredDrawing> unpack_layers(const std::vector<PackedLayer>& layers, ImageSize canvas,
                                      const ImageLimits& limits) {
+  if (Status status = check_total(layers, limits); !status) return status.error();
   const bool open = canvas.width == 0 || canvas.height == 0;
   const auto size = open ? least_canvas(layers, limits) : Result<ImageSize>(canvas);
   if (!size) return size.error();

@@ -64,10 +64,18 @@ bool contains(const Outline& outline, Point2 p) {
 
 void orient_by_nesting(Outline& outline) {
   std::vector<bool> reversed(outline.size());
+  std::vector<Box2> boxes;
+  for (const Ring& ring : outline) boxes.push_back(bounding_box(ring));
+  const auto may_hold = [&boxes](size_t j, Point2 p) {
+    return p.x >= boxes[j].min.x && p.x <= boxes[j].max.x && p.y >= boxes[j].min.y &&
+           p.y <= boxes[j].max.y;
+  };
   for (size_t i = 0; i < outline.size(); ++i) {
     int depth = 0;
     for (size_t j = 0; j < outline.size(); ++j)
-      if (j != i && !outline[i].empty() && winding_number(outline[j], outline[i][0]) != 0) ++depth;
+      if (j != i && !outline[i].empty() && may_hold(j, outline[i][0]) &&
+          winding_number(outline[j], outline[i][0]) != 0)
+        ++depth;
     const double area = signed_area(outline[i]);
     reversed[i] = area != 0 && (area > 0) != (depth % 2 == 0);
   }

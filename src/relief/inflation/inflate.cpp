@@ -45,14 +45,14 @@ PoissonBoundary boundary_conditions(const LayeredMesh& mesh, const InflationOpti
   return boundary;
 }
 
-Status check_held(const InflationInput& input, const PoissonBoundary& boundary) {
-  const auto& [mesh, discretisation, scene] = input;
+Status check_held(const LayeredMesh& mesh, const std::vector<int>& surface, const Scene& scene,
+                  const PoissonBoundary& boundary) {
   std::vector<uint8_t> held(mesh.node_vertex.size(), 0);
   for (size_t n = 0; n < held.size(); ++n)
     if (boundary.fixed[n] != 0 || boundary.spring[static_cast<Eigen::Index>(n)] > 0)
-      held[discretisation.surface[n]] = 1;
+      held[surface[n]] = 1;
   for (size_t f = 0; f < mesh.faces.size(); ++f)
-    if (held[discretisation.surface[mesh.faces[f][0]]] == 0)
+    if (held[surface[mesh.faces[f][0]]] == 0)
       return Error{ErrorCode::bad_input,
                    "nothing holds the surface of this part at height 0: its outline is all join",
                    scene.parts[mesh.face_part[f]].id};
@@ -77,6 +77,10 @@ Status check_options(const InflationOptions& options) {
 
 }  // namespace
 
+Status check_held(const LayeredMesh& mesh, const Scene& scene, const InflationOptions& options) {
+  return check_held(mesh, joined_surfaces(mesh), scene, boundary_conditions(mesh, options));
+}
+
 Result<Inflation> inflate(const InflationInput& input, const InflationOptions& options,
                           PoissonSystem& system, const RunContext& context) {
   const auto& [mesh, discretisation, scene] = input;
@@ -84,7 +88,8 @@ Result<Inflation> inflate(const InflationInput& input, const InflationOptions& o
   if (Status status = check_options(options); !status) return status.error();
   context.report("inflate", 0);
   PoissonBoundary boundary = boundary_conditions(mesh, options);
-  if (Status status = check_held(input, boundary); !status) return status.error();
+  if (Status status = check_held(mesh, discretisation.surface, scene, boundary); !status)
+    return status.error();
 
   const InflationTerms terms = inflation_terms(mesh, scene, discretisation.scale);
   boundary.spring += terms.screening;

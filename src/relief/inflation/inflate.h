@@ -23,9 +23,12 @@ struct InflationInput {
   const Scene& scene;
 };
 
-/// Solves (L + B_beta + K) u = M c once for all parts, K the screening of flat ones. Fails with
-/// bad_input where a surface has no outline that holds it at 0, naming its part. `system` is that
-/// of the mesh and its discretisation; the result does not depend on what it was used for before.
+/// Fails with bad_input where a surface has no outline that holds it at 0, naming its part. O(F).
+Status check_held(const LayeredMesh& mesh, const Scene& scene, const InflationOptions& options);
+
+/// Solves (L + B_beta + K) u = M c once for all parts, K the screening of flat ones. Fails as
+/// check_held. `system` is that of the mesh and its discretisation; the result does not depend on
+/// what it was used for before.
 Result<Inflation> inflate(const InflationInput& input, const InflationOptions& options,
                           PoissonSystem& system, const RunContext& context = {});
 

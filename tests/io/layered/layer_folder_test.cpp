@@ -52,6 +52,19 @@ TEST_F(LayerFolder, WithoutATableNamesGiveTheOrder) {
   EXPECT_EQ(part_names(drawing->content), (Names{"2-body", "10-head"}));
 }
 
+TEST_F(LayerFolder, PixelsOfAllLayersTogetherAreLimited) {
+  for (const char* name : {"1.png", "2.png", "3.png"})
+    write(name, disc(60, 60, {30, 30}, 28, blue));
+  ImageLimits limits;
+  limits.max_total = 3 * 3600;
+  EXPECT_TRUE(read_layer_folder(folder_.path(), limits));
+  limits.max_total -= 1;
+  const auto drawing = read_layer_folder(folder_.path(), limits);
+  ASSERT_FALSE(drawing);
+  EXPECT_EQ(drawing.error().code, ErrorCode::limit);
+  EXPECT_NE(drawing.error().where.find("3.png"), std::string::npos);
+}
+
 TEST_F(LayerFolder, ErrorsNameTheFileOrTheLine) {
   EXPECT_NE(error().message.find("layers.tsv"), std::string::npos);
   write("layers.tsv", "file\nmissing.png\n");
