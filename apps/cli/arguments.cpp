@@ -284,6 +284,11 @@ void add_segment(CLI::App& main, SegmentArguments& segment) {
                  "scribble file (.json)")
       ->check(extension({".png", ".json"}))
       ->excludes(labels);
+  app.add_option("--figure", segment.figure,
+                 "Picture that is white, or opaque, where the figure is (.png): all of it becomes "
+                 "parts, and nothing else")
+      ->check(extension({".png"}))
+      ->excludes(labels);
   app.add_option("-o,--output", segment.output, "Project (.relievo) or scene file (.json)")
       ->required()
       ->check(extension({".relievo", ".json"}));

@@ -86,6 +86,7 @@ struct SegmentArguments {
   CommonArguments common;
   std::string labels;     ///< files; empty: found in the drawing, or those of the project
   std::string scribbles;  ///< .png or .json
+  std::string figure;     ///< what of the drawing is the figure (.png); empty: found
   std::string output;     ///< project .relievo or scene .json
   std::string overlay;    ///< files; empty: not wanted
   std::string report;

@@ -79,6 +79,13 @@ Result<SegmentInput> from_file(const InputFile& file) {
   return from_picture(file);
 }
 
+Error wrong_size(const Image8& drawing, const std::string& name) {
+  return {ErrorCode::bad_input,
+          "must be as large as the drawing, " + std::to_string(drawing.width) + " x " +
+              std::to_string(drawing.height) + " pixels",
+          name};
+}
+
 Status read_labels(const std::string& name, SegmentInput& input) {
   const auto bytes = read_file(name);
   if (!bytes) return bytes.error();
@@ -101,6 +108,34 @@ Result<Scribbles> load_scribbles(const std::string& name, const Image8& pixels) 
   return scribbles ? std::move(scribbles) : in_file(scribbles.error(), name);
 }
 
+bool is_transparent_somewhere(const Image8& rgba) {
+  for (size_t i = 3; i < rgba.pixels.size(); i += 4)
+    if (rgba.pixels[i] < 128) return true;
+  return false;
+}
+
+/// Cuts the figure out of the drawing, which is kept so: everybody who reads it takes it as cut.
+Status cut_out(const std::string& name, SegmentInput& input) {
+  const auto bytes = read_file(name);
+  if (!bytes) return bytes.error();
+  const auto mask = decode_image(*bytes);
+  if (!mask) return in_file(mask.error(), name);
+  if (mask->width != input.pixels.width || mask->height != input.pixels.height)
+    return wrong_size(input.pixels, name);
+  const bool by_alpha = is_transparent_somewhere(*mask);
+  for (size_t i = 0; i < mask->pixels.size(); i += 4) {
+    const uint8_t* p = &mask->pixels[i];
+    const int value = by_alpha ? p[3] : std::max({p[0], p[1], p[2]});
+    if (value < 128) input.pixels.pixels[i + 3] = 0;
+  }
+  auto cut = encode_png(input.pixels);
+  if (!cut) return cut.error();
+  const std::string title = fs::path(input.drawing.name).replace_extension("png").string();
+  input.drawing = {title, "image", "image/png", std::move(*cut)};
+  input.drawing_file.clear();
+  return Done{};
+}
+
 /// Labels from the pixels. Parts that were scribbled keep their names, those of a project their
 /// labels and what was said of them.
 Status find_labels(SegmentInput& input, const RunContext& context) {
@@ -116,7 +151,10 @@ Status find_labels(SegmentInput& input, const RunContext& context) {
 Status choose_labels(const SegmentArguments& segment, SegmentInput& input,
                      const RunContext& context) {
   if (!segment.labels.empty()) return read_labels(segment.labels, input);
-  if (segment.scribbles.empty() && !input.record.labels.empty()) return Done{};
+  if (segment.scribbles.empty() && segment.figure.empty() && !input.record.labels.empty())
+    return Done{};
+  if (!segment.figure.empty())
+    if (Status status = cut_out(segment.figure, input); !status) return status;
   if (!segment.scribbles.empty()) {
     auto scribbles = load_scribbles(segment.scribbles, input.pixels);
     if (!scribbles) return scribbles.error();
@@ -136,10 +174,7 @@ Result<SegmentInput> load(const SegmentArguments& segment, const RunContext& con
   if (Status status = choose_labels(segment, *input, context); !status) return status.error();
   const Image16& labels = input->record.labels;
   if (labels.width != input->pixels.width || labels.height != input->pixels.height)
-    return Error{ErrorCode::bad_input,
-                 "must be as large as the drawing, " + std::to_string(input->pixels.width) + " x " +
-                     std::to_string(input->pixels.height) + " pixels",
-                 segment.labels};
+    return wrong_size(input->pixels, segment.labels);
   return input;
 }
 
@@ -190,7 +225,8 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
   for (const std::string* name : {&segment.overlay, &segment.report})
     if (!name->empty()) outputs.emplace_back(*name);
   std::vector<fs::path> inputs;
-  for (const std::string* name : {&segment.common.input, &segment.labels, &segment.scribbles})
+  for (const std::string* name :
+       {&segment.common.input, &segment.labels, &segment.scribbles, &segment.figure})
     if (!name->empty() && *name != "-") inputs.emplace_back(*name);
   if (Status status = check_outputs(outputs, inputs); !status) return status;
   Progress progress(quiet);

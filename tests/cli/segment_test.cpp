@@ -153,6 +153,30 @@ TEST_F(Segment, APictureIsBuiltInOneStep) {
   EXPECT_EQ(read("fox.glb"), read("two.glb"));
 }
 
+TEST_F(Segment, AMaskSaysWhatTheFigureIs) {
+  Image8 mask(120, 100, 3);
+  for (int y = 20; y < 80; ++y)
+    for (int x = 30; x < 90; ++x)
+      for (int c = 0; c < 3; ++c) mask.at(x, y, c) = 255;
+  write("mask.png", std::string(to_text(*encode_png(mask))));
+  const std::vector<std::string> arguments = {"segment",  "fox.png", "--figure",
+                                              "mask.png", "-o",      "cut.relievo"};
+  const Outcome outcome = relievo(arguments);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto project = decode_project(to_bytes(read("cut.relievo")));
+  ASSERT_TRUE(project.ok());
+  const Image16& labels = project->segmentation->labels;
+  const auto drawing = decode_image(project->drawing.bytes);
+  ASSERT_TRUE(drawing.ok());
+  for (int y = 0; y < 100; ++y)
+    for (int x = 0; x < 120; ++x) {
+      ASSERT_EQ(labels.at(x, y) != 0, mask.at(x, y, 0) != 0) << x << ", " << y;
+      ASSERT_EQ(drawing->at(x, y, 3) != 0, mask.at(x, y, 0) != 0) << x << ", " << y;
+    }
+  write("small.png", std::string(to_text(*encode_png(Image16(10, 10, 1)))));
+  expect_failure({"segment", "fox.png", "--figure", "small.png", "-o", "a.json"}, 3, "120 x 100");
+}
+
 TEST_F(Segment, SaysWhatIsWrong) {
   expect_failure({"segment", "fox.png", "--labels", "labels.png", "--scribbles", "labels.png", "-o",
                   "fox.json"},
