@@ -17,6 +17,8 @@ namespace {
 constexpr double margin = 4e-4;
 /// What is missing of that counts as round-off below this share.
 constexpr double settled = 1e-6;
+/// A seen node so many margins in front of a hidden one above it is not due to the mesh.
+constexpr double tear = 10;
 /// Rounds of lowering nodes and then faces: what is lowered may come to lie below the next sheet.
 constexpr int rounds = 10;
 
@@ -69,9 +71,31 @@ class Lowering {
     }
   }
 
+  /// Whether a node that is seen lies in front of the sheet above, which a third one hides there:
+  /// no place of the other nodes mends that, and they would be drawn out to spikes.
+  bool is_torn(const FacePair& pair) const {
+    for (int k = 0; k < 3; ++k) {
+      const int node = mesh_.faces[pair.lower][k];
+      const int cap = mesh_.faces[pair.upper][k];
+      if (seen_[node] != 0 && seen_[cap] == 0 &&
+          sheets_.ordering.h[node] > sheets_.ordering.h[cap] + tear * margin_)
+        return true;
+    }
+    return false;
+  }
+
+  /// The pair, or the lower face with the next above from which it is not torn, which hides both.
+  FacePair whole(FacePair pair) const {
+    const int end = mesh_.stack_begin[mesh_.face_triangle[pair.lower] + 1];
+    for (int upper = pair.upper; upper < end; ++upper)
+      if (!is_torn({pair.lower, upper})) return {pair.lower, upper};
+    return pair;
+  }
+
   void lower_faces(int round) {
-    for (const FacePair& pair : pairs_) {
-      if (!is_due(pair, round)) continue;
+    for (const FacePair& stacked : pairs_) {
+      if (!is_due(stacked, round)) continue;
+      const FacePair pair = whole(stacked);
       const Dip dip = worst_dip(mesh_, pair, sheets_.inflation, sheets_.ordering);
       const double excess = dip.depth + margin_;
       if (excess <= settled * margin_) continue;

@@ -38,6 +38,7 @@ struct Joining {
   std::vector<ProposedRelation> relations;
   std::vector<RobinRange> robin;
   std::vector<ProposedLean> leans;  ///< of parts of which the user said none
+  std::vector<int> hollows;         ///< parts of layers that look like open mouths and ear cups
 };
 
 /// What the user said about how parts connect, by part index. It replaces every proposal for the

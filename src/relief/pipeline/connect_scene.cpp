@@ -9,6 +9,13 @@
 
 namespace relievo {
 
+namespace {
+
+/// A dish, not a hole.
+constexpr double hollow_amount = 1;
+
+}  // namespace
+
 bool says_connections(const Scene& scene) {
   return !scene.joins.empty() || !scene.relations.empty() || !scene.robin.empty();
 }
@@ -26,6 +33,11 @@ ConnectedScene connect_scene(Scene scene, bool amounts, const PartColors& colors
   connected.proposals = connect_parts(result, colors);
   for (const ProposedJoin& proposed : connected.proposals.joins)
     result.joins.push_back(proposed.join);
+  for (const int part : connected.proposals.hollows)
+    if (amounts) {
+      result.parts[part].c = hollow_amount;
+      result.parts[part].d = -1;
+    }
   for (const ProposedRelation& proposed : connected.proposals.relations)
     result.relations.push_back(proposed.relation);
   return connected;

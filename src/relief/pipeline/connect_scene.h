@@ -16,7 +16,8 @@ struct ConnectedScene {
 bool says_connections(const Scene& scene);
 
 /// Connects the parts of a layered drawing as connect_parts proposes, unless the drawing itself
-/// says how. Where `amounts`, parts get a c that makes them about as deep as they are narrow.
+/// says how. Where `amounts`, parts get a c that makes them about as deep as they are narrow, and
+/// those that look hollow a negative d.
 /// Near-linear as connect_parts.
 ConnectedScene connect_scene(Scene scene, bool amounts, const PartColors& colors = {});
 

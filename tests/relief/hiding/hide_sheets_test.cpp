@@ -41,11 +41,12 @@ Hidden hide(LayeredMesh mesh, const Scene& scene) {
   return result;
 }
 
-/// Over the faces with a node that can be lowered.
+/// How far a face with a node that can be lowered comes out in front of what the front shows.
 double worst_dip_of(const Hidden& hidden) {
   double worst = -1e300;
   const std::vector<uint8_t> seen = seen_nodes(hidden.mesh);
-  for (const FacePair& pair : stacked_faces(hidden.mesh, hidden.scene)) {
+  for (FacePair pair : stacked_faces(hidden.mesh, hidden.scene)) {
+    pair.upper = hidden.mesh.stack_begin[hidden.mesh.face_triangle[pair.lower] + 1] - 1;
     const std::array<int, 3>& nodes = hidden.mesh.faces[pair.lower];
     if (std::all_of(nodes.begin(), nodes.end(), [&](int n) { return seen[n] != 0; })) continue;
     worst = std::max(
@@ -115,6 +116,23 @@ TEST(HideSheets, HangsFlapsUpWhereTheyGoOn) {
   EXPECT_GT(flaps, 50);
   EXPECT_LE(worst_dip_of(hidden), 0);
   expect_seen_unchanged(hidden);
+}
+
+TEST(HideSheets, DrawsNothingOutToSpikesWhereOutlinesCoincide) {
+  Scene scene = testing::canvas();
+  scene.parts.push_back(testing::part("legs", testing::rectangle(110, 200, 290, 370)));
+  scene.parts.push_back(testing::part("body", testing::rectangle(60, 60, 340, 280)));
+  scene.parts.push_back(testing::part("belly", testing::rectangle(120, 240, 280, 280)));
+  for (const auto& [upper, lower] : {std::pair(1, 0), std::pair(2, 0), std::pair(2, 1)})
+    scene.relations.push_back({upper, lower, RelationKind::equal, std::nullopt});
+  LayerOptions options;
+  options.vertex_budget = 4000;
+  const Hidden hidden = hide(*layer_parts(scene, options), scene);
+  EXPECT_LE(worst_dip_of(hidden), 1e-3);
+  const auto lowest = [](const Ordering& ordering) {
+    return *std::min_element(ordering.h.begin(), ordering.h.end());
+  };
+  EXPECT_GT(lowest(hidden.sheets.ordering), lowest(hidden.ordering) - 40);
 }
 
 TEST(HideSheets, LeavesNothingInFrontOnRandomScenes) {

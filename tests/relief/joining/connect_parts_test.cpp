@@ -185,6 +185,46 @@ TEST(ConnectParts, NecksAreNarrowerThanHeads) {
   EXPECT_NEAR(line_length(joining.joins[0].join.line), 0.45 * std::sqrt(M_PI) * 60, 4);
 }
 
+Ring ellipse(Point2 centre, double a, double b) {
+  Ring ring;
+  for (int i = 0; i < 60; ++i) {
+    const double t = 2 * M_PI * i / 60;
+    ring.push_back({centre.x + a * std::cos(t), centre.y + b * std::sin(t)});
+  }
+  return ring;
+}
+
+TEST(ConnectParts, WideDarkRedPatchesAreOpenMouths) {
+  const PartColors::value_type red = {{0.5, 0.1, 0.12}};
+  const PartColors::value_type black = {{0.1, 0.1, 0.1}};
+  const Scene mouth = disc_with({ellipse({200, 190}, 30, 12)});
+  EXPECT_EQ(connect_parts(mouth, {fur, red}).hollows, std::vector<int>{1});
+  EXPECT_TRUE(connect_parts(mouth, {fur, black}).hollows.empty()) << "an eye";
+  EXPECT_TRUE(connect_parts(mouth).hollows.empty());
+  EXPECT_TRUE(connect_parts(disc_with({circle({200, 180}, 20)}), {fur, red}).hollows.empty())
+      << "a nose";
+}
+
+TEST(ConnectParts, PinkInsideAnEarIsACup) {
+  const PartColors::value_type pink = {{0.95, 0.72, 0.7}};
+  const Ring ear = capsule({200, 100}, -M_PI / 2, 90, 26);
+  const Ring cup = capsule({200, 70}, -M_PI / 2, 55, 14);
+  const Scene in_front = disc_with({ear, cup});
+  EXPECT_EQ(connect_parts(in_front, {fur, fur, pink}).hollows, std::vector<int>{2});
+  EXPECT_TRUE(connect_parts(in_front, {fur, fur, steel}).hollows.empty());
+  const Scene behind = disc_with({}, {ear, cup});
+  EXPECT_EQ(connect_parts(behind, {fur, pink, fur}).hollows, std::vector<int>{1});
+  EXPECT_TRUE(connect_parts(disc_with({ellipse({200, 190}, 30, 30)}), {fur, pink}).hollows.empty())
+      << "a cheek";
+}
+
+TEST(ConnectScene, HollowsAreDishesOnlyWhereAmountsAreGuessed) {
+  const Scene mouth = disc_with({ellipse({200, 190}, 30, 12)});
+  const PartColors colors = {fur, {{0.5, 0.1, 0.12}}};
+  EXPECT_LT(connect_scene(mouth, true, colors).scene.parts[1].d, 0);
+  EXPECT_GT(connect_scene(mouth, false, colors).scene.parts[1].d, 0);
+}
+
 TEST(ConnectScene, TheAuthorsWordStands) {
   Scene scene = disc_with({limb(), circle({210, 120}, 20)});
   scene.relations.push_back({1, 0, RelationKind::above, std::nullopt});
