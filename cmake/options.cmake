@@ -21,7 +21,7 @@ if(RELIEVO_SANITIZE)
                                                    -fno-sanitize=null,alignment,object-size,vptr
                                                    -fno-sanitize=nonnull-attribute,returns-nonnull-attribute
                                                    # GCC sees uninitialised reads in instrumented code.
-                                                   -Wno-maybe-uninitialized)
+                                                   $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(relievo_options INTERFACE -fsanitize=address,undefined)
 endif()
 

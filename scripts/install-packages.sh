@@ -1,8 +1,8 @@
 #!/bin/sh
 # Installs the Debian packages that are missing; does nothing, quickly, where all are there.
-# Usage: install-packages.sh [build|web|test|bench|docs]
+# Usage: install-packages.sh [build|web|test|bench|docs|fuzz]
 # build: to compile and run; web: those and for the editor; test: all of these and to test; bench:
-# the first and to measure; docs: to make pages of the interface
+# the first and to measure; docs: to make pages of the interface; fuzz: the first and to fuzz
 set -eu
 
 build="ca-certificates ccache cmake g++ libcgal-dev libcli11-dev libeigen3-dev libembree-dev
@@ -22,7 +22,8 @@ case "${1:-test}" in
   test) wanted="$build $web $test" ;;
   bench) wanted="$build $bench" ;;
   docs) wanted="doxygen" ;;
-  *) echo "usage: $0 [build|web|test|bench|docs]" >&2; exit 2 ;;
+  fuzz) wanted="$build clang libclang-rt-14-dev" ;;
+  *) echo "usage: $0 [build|web|test|bench|docs|fuzz]" >&2; exit 2 ;;
 esac
 
 if ! command -v dpkg-query > /dev/null; then

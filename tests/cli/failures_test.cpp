@@ -12,6 +12,13 @@ std::vector<std::string> with(std::vector<std::string> arguments,
   return arguments;
 }
 
+TEST_F(Failures, AReportThatNobodyGetsLeavesNoModel) {
+  const Outcome outcome =
+      run_into("/dev/full", folder_.path(), {"build", "scene.json", "-o", "out.glb", "--json"});
+  EXPECT_EQ(outcome.exit_code, 6) << outcome.err;
+  EXPECT_FALSE(exists("out.glb"));
+}
+
 TEST_F(Failures, UsageIsTwo) {
   expect_failure({}, 2, "build, check, render or segment");
   expect_failure({"paint"}, 2, "paint");
