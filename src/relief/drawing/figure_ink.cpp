@@ -1,7 +1,6 @@
 #include "relief/drawing/figure_ink.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -13,10 +12,9 @@
 namespace relievo {
 namespace {
 
-constexpr int clear_ink = 64;          ///< of 255; what is fainter is the blur of a line
-constexpr double contour_reach = 0.8;  ///< widths of a line, which its outer half has at most
-constexpr double speck_length =
-    3;  ///< widths of a line, up to which ink is part of what it touches
+constexpr int clear_ink = 64;           ///< of 255; what is fainter is the blur of a line
+constexpr double contour_reach = 0.8;   ///< widths of a line, which its outer half has at most
+constexpr double speck_length = 3;      ///< widths of a line, up to which ink is part of a part
 constexpr double tube_length = 0.03;    ///< of the figure's diagonal, from which on ink is a tube
 constexpr double apart_length = 0.08;   ///< likewise, where it touches no part
 constexpr double given_up_share = 0.2;  ///< of ink in areas that strokes made background
@@ -102,10 +100,6 @@ class InkTaker {
     return {i % labels_.width + 0.5, i / labels_.width + 0.5};  // NOLINT(bugprone-integer-division)
   }
 
-  double length(const LooseInk& piece) const {
-    return static_cast<double>(piece.pixels.size()) / basins_.line_width;
-  }
-
   /// Of the box around all parts, and where there are none, around the longest ink.
   double figure_diagonal(const std::vector<LooseInk>& pieces) const {
     Box2 box;
@@ -155,7 +149,7 @@ class InkTaker {
     const bool speck = extent < std::max(speck_length * basins_.line_width, tube_length * diagonal);
     if (label > 0 || (!speck && (piece.beside != 0 || extent >= apart_length * diagonal)))
       lay_tube(piece, label > 0 ? label : ++last_label_, diagonal);
-    else if (piece.beside != 0 && length(piece) > 0)
+    else if (piece.beside != 0)
       for (const int32_t i : piece.pixels) labels_.pixels[i] = piece.beside;
   }
 

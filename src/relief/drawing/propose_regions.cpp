@@ -11,6 +11,7 @@
 namespace relievo {
 namespace {
 
+constexpr int no_region = -1;
 constexpr double open_share = 0.24;       ///< of a border without line, above which areas are one
 constexpr double different_colour = 55;   ///< of areas that are not one, unless quite open
 constexpr double quite_open_share = 0.7;  ///< above which colour does not matter
@@ -76,18 +77,6 @@ bool is_outlined(const RegionMerging& regions, int background) {
   return static_cast<double>(line_pairs) > outlined_share * static_cast<double>(pairs);
 }
 
-/// The neighbour with the longest common border, or -1.
-int closest_neighbour(const RegionMerging& regions, int r) {
-  int best = -1;
-  int64_t longest = 0;
-  for (const auto& [neighbour, border] : regions.borders(r))
-    if (border.pairs > longest) {
-      longest = border.pairs;
-      best = neighbour;
-    }
-  return best;
-}
-
 int64_t border_length(const RegionMerging& regions, int r) {
   int64_t sum = 0;
   for (const auto& entry : regions.borders(r)) sum += entry.second.pairs;
@@ -102,9 +91,8 @@ double figure_box_area(RegionMerging& regions, int background) {
   return box.empty() ? 0 : (box.max.x - box.min.x) * (box.max.y - box.min.y);
 }
 
-/// The part on which a region lies: the neighbour with the longest common border, the background
-/// only where no part takes a good share of the border. -1 where there is none.
-int lies_on(const RegionMerging& regions, int r, int background) {
+/// The neighbour with the longest common border, the background left out, or -1.
+int closest_part(const RegionMerging& regions, int r, int background) {
   int best = -1;
   int64_t longest = 0;
   for (const auto& [neighbour, border] : regions.borders(r))
@@ -112,8 +100,16 @@ int lies_on(const RegionMerging& regions, int r, int background) {
       longest = border.pairs;
       best = neighbour;
     }
+  return best;
+}
+
+/// The part on which a region lies: the neighbour with the longest common border, the background
+/// only where no part takes a good share of the border. -1 where there is none.
+int lies_on(const RegionMerging& regions, int r, int background) {
+  const int best = closest_part(regions, r, background);
   const double good = host_share * static_cast<double>(border_length(regions, r));
-  return static_cast<double>(longest) >= good ? best : closest_neighbour(regions, r);
+  const bool lies = best >= 0 && static_cast<double>(regions.borders(r).at(best).pairs) >= good;
+  return lies ? best : closest_part(regions, r, no_region);
 }
 
 /// Gives regions that are too small or narrow to be parts to those on which they lie, smallest
@@ -142,7 +138,7 @@ void absorb_details(RegionMerging& regions, int background) {
   std::sort(order.begin(), order.end());
   for (const auto& [area, r] : order) {
     if (!regions.is_region(r)) continue;
-    const int around = closest_neighbour(regions, r);
+    const int around = closest_part(regions, r, no_region);
     if (around < 0 || around == background) continue;
     const auto common = static_cast<double>(regions.borders(r).at(around).pairs);
     const auto host_area = static_cast<double>(regions.region(around).area);
@@ -150,18 +146,6 @@ void absorb_details(RegionMerging& regions, int background) {
         common > enclosed_share * static_cast<double>(border_length(regions, r)))
       regions.unite(r, around);
   }
-}
-
-/// The part with the longest common border, or -1.
-int closest_part(const RegionMerging& regions, int r, int background) {
-  int best = -1;
-  int64_t longest = 0;
-  for (const auto& [neighbour, border] : regions.borders(r))
-    if (neighbour != background && border.pairs > longest) {
-      longest = border.pairs;
-      best = neighbour;
-    }
-  return best;
 }
 
 /// Where there are more parts than a character has, unites fragments, as the stripes of a scarf,
