@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "kernel/geometry/ring_measure.h"
+#include "relief/joining/hollow_parts.h"
 #include "relief/joining/layer_grid.h"
 
 namespace relievo {
@@ -42,20 +43,10 @@ constexpr double least_behind = 0.4;
 /// Differences of colours (of at most sqrt 3) that say nothing, and that speak against a join;
 constexpr double same_color = 0.15;
 constexpr double other_color = 0.6;
-constexpr double foreign_color = 0.75;  ///< a part of such a colour is held, and does not grow
-/// Open mouths are red by so much, darker than the face by this factor, wide, and small on it.
-constexpr double least_red = 0.12;
-constexpr double mouth_darkness = 0.65;
-constexpr double mouth_width = 1.5;  ///< over height
-constexpr double largest_mouth = 0.25;
-/// Ear cups are pink, red by so much and of little difference between green and blue, and fill such
-/// a share of the ear.
-constexpr double least_pink = 0.06;
-constexpr double pink_range = 0.15;
-constexpr double smallest_cup = 0.15;
-constexpr double largest_cup = 0.7;
-constexpr double most_outside = 0.03;  ///< share of them beside what they lie in
-constexpr int64_t least_common = 12;   ///< grid pixels that two parts share, else they do not meet
+constexpr double foreign_color = 0.75;     ///< a part of such a colour is held, and does not grow,
+constexpr double clothing = 0.35;          ///< unless it covers this share of the other
+constexpr double least_trust = 0.25;  ///< of a join; what is less sure is tied
+constexpr int64_t least_common = 12;  ///< grid pixels that two parts share, else they do not meet
 
 /// A run of one ring of a part inside another part.
 struct RingRun {
@@ -269,60 +260,25 @@ class Connector {
     }
     for (size_t k = 0; k < overlaps.size(); ++k) {
       const Overlap& pair = overlaps[k];
-      if (joins[k] && joins[k]->confidence >= most[pair.upper]) {
+      if (joins[k] && joins[k]->confidence >= std::max(most[pair.upper], least_trust)) {
         joining.joins.push_back(std::move(*joins[k]));
       } else if (is_tied(pair)) {
         joining.relations.push_back(
             {{pair.upper, pair.lower, RelationKind::equal, std::nullopt}, false});
       }
     }
-    joining.hollows = find_hollows(overlaps, joining);
+    joining.hollows = hollow_parts(grid_, colors_, limbs(overlaps, joining));
     return joining;
   }
 
  private:
-  std::vector<int> find_hollows(const std::vector<Overlap>& overlaps,
-                                const Joining& joining) const {
+  /// Which parts are limbs, joined or behind.
+  std::vector<uint8_t> limbs(const std::vector<Overlap>& overlaps, const Joining& joining) const {
     std::vector<uint8_t> limb(grid_.masks.size());
     for (const ProposedJoin& proposed : joining.joins) limb[proposed.join.upper] = 1;
     for (const Overlap& pair : overlaps)
       if (is_behind(pair)) limb[pair.lower] = 1;
-    std::vector<int> hollows;
-    for (const Overlap& pair : overlaps) {
-      if (pair.upper_beside > most_outside || !has_color(pair.upper) || !has_color(pair.lower))
-        continue;
-      if (is_mouth(pair) || (limb[pair.lower] != 0 && is_cup(pair))) hollows.push_back(pair.upper);
-    }
-    hollows.erase(std::unique(hollows.begin(), hollows.end()), hollows.end());
-    return hollows;
-  }
-
-  bool has_color(int part) const {
-    return static_cast<size_t>(part) < colors_.size() && !colors_[part].empty();
-  }
-
-  double share(const Overlap& pair) const {
-    return static_cast<double>(grid_.areas[pair.upper]) /
-           static_cast<double>(grid_.areas[pair.lower]);
-  }
-
-  bool is_mouth(const Overlap& pair) const {
-    const auto brightness = [](const std::array<double, 3>& c) {
-      return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
-    };
-    const std::array<double, 3>& own = colors_[pair.upper].front();
-    const std::array<double, 3>& face = colors_[pair.lower].front();
-    const Mask& mask = grid_.masks[pair.upper];
-    const double width = mask.inside.width;
-    return own[0] > std::max(own[1], own[2]) + least_red &&
-           brightness(own) < mouth_darkness * brightness(face) &&
-           width > mouth_width * mask.inside.height && share(pair) < largest_mouth;
-  }
-
-  bool is_cup(const Overlap& pair) const {
-    const std::array<double, 3>& own = colors_[pair.upper].front();
-    return own[0] > own[1] + least_pink && std::abs(own[1] - own[2]) < pink_range &&
-           share(pair) > smallest_cup && share(pair) < largest_cup;
+    return limb;
   }
 
   /// How different the main colour of a limb is from all of a body; 0 where one is not known.
@@ -350,7 +306,7 @@ class Connector {
     const double difference = color_difference(pair.upper, pair.lower);
     const bool alike = !colors_.empty() && difference < same_color;
     if (pair.upper_beside < (alike ? least_same_color : least_protrusion) ||
-        difference > foreign_color || is_larger(grid_, pair.upper, pair.lower, limb_to_body))
+        is_held(pair, difference) || is_larger(grid_, pair.upper, pair.lower, limb_to_body))
       return std::nullopt;
     const auto runs = runs_inside(grid_, outlines_[pair.upper], pair.lower);
     if (runs.empty()) return std::nullopt;
@@ -372,6 +328,12 @@ class Connector {
                           std::min(1.0, 0.5 + pair.upper_beside / 2) *
                           likeness(pair.upper, pair.lower);
     return proposed;
+  }
+
+  /// Whether the upper part is a thing in front of the lower one; hair and clothes, which cover
+  /// much of it, are not.
+  static bool is_held(const Overlap& pair, double difference) {
+    return difference > foreign_color && pair.lower_beside > 1 - clothing;
   }
 
   /// Whether the lower part is a limb that comes out from behind the upper one.

@@ -149,6 +149,14 @@ TEST(ConnectParts, WhatIsOfAForeignColourIsHeldAndDoesNotGrow) {
   EXPECT_TRUE(is_equal(connect_parts(scene, {fur, steel}), 1, 0));
 }
 
+TEST(ConnectParts, HairMayHaveAnyColour) {
+  const Scene scene = disc_with({circle({200, 60}, 85)});
+  ASSERT_EQ(connect_parts(scene, {fur, fur}).joins.size(), 1U);
+  EXPECT_TRUE(connect_parts(scene, {fur, steel}).joins.empty());
+  const Scene covered = disc_with({circle({200, 92}, 70)});
+  EXPECT_EQ(connect_parts(covered, {fur, steel}).joins.size(), 1U);
+}
+
 TEST(ConnectParts, OneColourOfTheBodyIsEnough) {
   EXPECT_EQ(connect_parts(disc_with({limb()}), {{steel[0], fur[0]}, fur}).joins.size(), 1U);
 }
