@@ -41,7 +41,7 @@ Status check_canvas(const Scene& scene) {
   for (const auto& [key, side] :
        {std::pair{"canvas.width", scene.width}, std::pair{"canvas.height", scene.height}})
     if (!(side >= min_canvas && side <= max_coordinate))
-      return bad(key, "must be a number of px from 0.001 to 1000000");
+      return bad(key, "must be a number of px, at least 0.001 and at most 1000000");
   return Done{};
 }
 
