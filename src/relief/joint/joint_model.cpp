@@ -11,33 +11,12 @@
 namespace relievo {
 namespace {
 
-/// #N: whether a pair ties the node to another part.
-std::vector<uint8_t> tied_nodes(const LayeredMesh& mesh) {
-  std::vector<uint8_t> tied(mesh.node_role.size(), 0);
-  for (const DepthPair& pair : mesh.constraints)
-    if (pair.equal) tied[pair.lower] = tied[pair.upper] = 1;
-  return tied;
-}
-
-/// #N: whether the node lies under ranges of which nothing is tied.
-std::vector<uint8_t> untied_ranges(const LayeredMesh& mesh, const std::vector<uint8_t>& tied) {
-  std::vector<uint8_t> ties(mesh.ramps.size(), 0);
-  for (const RampNode& node : mesh.ramp_nodes)
-    if (tied[node.node] != 0) ties[node.ramp] = 1;
-  std::vector<uint8_t> untied(mesh.node_role.size(), 1);
-  for (const RampNode& node : mesh.ramp_nodes)
-    if (ties[node.ramp] != 0) untied[node.node] = 0;
-  return untied;
-}
-
-/// #N: whether the node may be on B: it is tied, or under ranges without ties and a pair may lift
-/// f there.
+/// #N: whether the node may be on B: a pair ties it to another part, or may lift f there.
 std::vector<uint8_t> lifted_nodes(const LayeredMesh& mesh, const std::vector<int>& sign) {
-  std::vector<uint8_t> lifted = tied_nodes(mesh);
-  const std::vector<uint8_t> untied = untied_ranges(mesh, lifted);
+  std::vector<uint8_t> lifted(mesh.node_role.size(), 0);
   for (const DepthPair& pair : mesh.constraints) {
-    if (untied[pair.upper] != 0 && sign[pair.upper] >= 0) lifted[pair.upper] = 1;
-    if (untied[pair.lower] != 0 && sign[pair.lower] < 0) lifted[pair.lower] = 1;
+    if (pair.equal || sign[pair.upper] >= 0) lifted[pair.upper] = 1;
+    if (pair.equal || sign[pair.lower] < 0) lifted[pair.lower] = 1;
   }
   return lifted;
 }
@@ -65,16 +44,14 @@ std::vector<uint8_t> shown_nodes(const LayeredMesh& mesh) {
   return shown;
 }
 
-/// The other nodes under ranges stay as the start has them, but for those that are seen under
-/// ranges without ties: there lambda_bnd pulls, and nothing against it.
+/// The other nodes under ranges stay as the start has them, but for those that are seen: there
+/// lambda_bnd pulls, and nothing against it.
 void hold_rest_of_ranges(const LayeredMesh& mesh, const Inflation& start, JointModel& model) {
   const double area = model.metric.scale * model.metric.scale;
-  const std::vector<uint8_t> untied = untied_ranges(mesh, tied_nodes(mesh));
   const std::vector<uint8_t> shown = shown_nodes(mesh);
   model.held = Eigen::VectorXd::Zero(model.load.size());
   for (const RampNode& node : mesh.ramp_nodes)
-    if (untied[node.node] == 0 || shown[node.node] == 0)
-      model.held[node.node] = area * start.u[node.node];
+    if (shown[node.node] == 0) model.held[node.node] = area * start.u[node.node];
   for (const int n : model.bound) model.held[n] = 0;
 }
 

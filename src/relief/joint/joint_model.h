@@ -32,10 +32,9 @@ struct JointModel {
   Eigen::VectorXd bound_mass;  ///< #B, lengths of outline that they stand for
 };
 
-/// B are the nodes under Robin ranges that pairs tie to another part, and where pairs tie nothing
-/// of a range, those that they may lift. The others under ranges keep the u of the input, but for
-/// those that are seen where nothing of the range is tied: there u is 0, as on free nodes where it
-/// is 0 in the input. `metric`: with its leans. O(N + F).
+/// B are the nodes under Robin ranges that pairs tie to another part or may lift. Of the others
+/// under ranges, those that are seen have u = 0, as free nodes where it is 0 in the input, and
+/// those that are hidden keep the u of the input. `metric`: with its leans. O(N + F).
 JointModel make_joint_model(const OrderingInput& input, const ShiftMetric& metric);
 
 /// Finds where B is loose. O(N).
