@@ -2,6 +2,10 @@
 
 #include <Model/COM/NMR_DLLInterfaces.h>
 
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+#endif
+
 #include <array>
 #include <memory>
 
@@ -43,6 +47,9 @@ void count_object(PLib3MFModelMeshObject* mesh, ThreemfCensus& census) {
 }  // namespace
 
 ThreemfCensus census_of_3mf(const Bytes& package) {
+#ifdef __SANITIZE_ADDRESS__
+  const __lsan::ScopedDisabler the_library_leaks;
+#endif
   ThreemfCensus census;
   PLib3MFModel* model = nullptr;
   if (lib3mf_createmodel(&model) != 0) return census;
