@@ -43,10 +43,10 @@ constexpr double least_behind = 0.4;
 /// Differences of colours (of at most sqrt 3) that say nothing, and that speak against a join;
 constexpr double same_color = 0.15;
 constexpr double other_color = 0.6;
-constexpr double foreign_color = 0.75;     ///< a part of such a colour is held, and does not grow,
-constexpr double clothing = 0.35;          ///< unless it covers this share of the other
-constexpr double least_trust = 0.25;  ///< of a join; what is less sure is tied
-constexpr int64_t least_common = 12;  ///< grid pixels that two parts share, else they do not meet
+constexpr double foreign_color = 0.75;  ///< a part of such a colour is held, and does not grow,
+constexpr double clothing = 0.35;       ///< unless it covers this share of the other
+constexpr double least_trust = 0.25;    ///< of a join; what is less sure is tied
+constexpr int64_t least_common = 12;    ///< grid pixels that two parts share, else they do not meet
 
 /// A run of one ring of a part inside another part.
 struct RingRun {
