@@ -19,6 +19,18 @@ TEST_F(Check, ExplainsPartsAndJoinsAndWritesNothing) {
   EXPECT_EQ(folder_.names(), before);
 }
 
+TEST_F(Check, FindsThePartsThatStrokesEnclose) {
+  write(
+      "lines.svg",
+      "<svg xmlns='http://www.w3.org/2000/svg' width='400' height='400'><g fill='none' "
+      "stroke='#000' stroke-width='6'><circle cx='200' cy='240' r='110'/><circle cx='200' cy='90' "
+      "r='50'/></g></svg>");
+  const Outcome outcome = relievo({"check", "lines.svg"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("2 parts"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.err.find("nothing is filled"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Check, ListsCuesAndSaysWhichHaveNoEffect) {
   std::string text = scene_text;
   text.insert(text.rfind('}'), R"(, "cues": [
