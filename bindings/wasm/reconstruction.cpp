@@ -188,7 +188,10 @@ void Reconstruction::set_shown(const val& rgba, int width, int height) {
 
 val Reconstruction::encode(const std::string& format, const std::string& name, double size_mm) {
   if (Status status = session_.make_exact(); !status) return failure(status.error());
-  const auto model = session_.model();
+  ModelOptions options;
+  // Whole parts run through each other, which slicers dislike.
+  if (format == "stl") options.visibility = Visibility::relief;
+  const auto model = session_.model(options);
   if (!model) return failure(model.error());
   const Drawing* texture = texture_.rgba.empty() ? nullptr : &texture_;
   if (format == "obj") return encode_obj_files(*model, texture, {size_mm, name});

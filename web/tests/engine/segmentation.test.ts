@@ -145,8 +145,8 @@ function inked(width: number, height: number, pen: number, lines: Point[][]) {
 }
 
 it('takes strokes where it can guess nothing', () => {
-  const comb: Point[][] = Array.from({ length: 9 }, (_, i): Point[] => [[60 + 40 * i, 60], [60 + 40 * i, 330]]);
-  must(service.openDrawing({ pixels: inked(440, 400, 4, comb) }));
+  const ruled = Array.from({ length: 9 }, (_, i): Point[] => [[60 + 40 * i, 0], [60 + 40 * i, 396]]);
+  must(service.openDrawing({ pixels: inked(440, 400, 4, ruled) }));
   const paper: Document = { ...blank(), width: 440, height: 400 };
   const guess = service.understand(questionOf(paper));
   expect(isFailure(guess) && guess.error.code).toBe('bad_input');
