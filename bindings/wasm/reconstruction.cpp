@@ -8,6 +8,7 @@
 #include "io/mesh/ply_encode.h"
 #include "io/mesh/stl_encode.h"
 #include "io/scene/read_scene.h"
+#include "relief/model/dress_hidden.h"
 #include "relief/model/hidden_patches.h"
 
 namespace relievo::wasm {
@@ -191,15 +192,16 @@ val Reconstruction::encode(const std::string& format, const std::string& name, d
   ModelOptions options;
   // Whole parts run through each other, which slicers dislike.
   if (format == "stl") options.visibility = Visibility::relief;
-  const auto model = session_.model(options);
-  if (!model) return failure(model.error());
-  const Drawing* texture = texture_.rgba.empty() ? nullptr : &texture_;
-  if (format == "obj") return encode_obj_files(*model, texture, {size_mm, name});
+  auto assembled = session_.model(options);
+  if (!assembled) return failure(assembled.error());
+  const auto [model, drawing] = dress_hidden(std::move(*assembled), texture_);
+  const Drawing* texture = drawing.rgba.empty() ? nullptr : &drawing;
+  if (format == "obj") return encode_obj_files(model, texture, {size_mm, name});
   Files files;
   const std::string file = name + "." + format;
-  if (format == "ply") files.add(file, encode_ply(*model, texture, {size_mm, ""}));
-  if (format == "stl") files.add(file, encode_stl(*model, size_mm));
-  if (format == "glb") files.add(file, encode_glb(*model, texture, size_mm));
+  if (format == "ply") files.add(file, encode_ply(model, texture, {size_mm, ""}));
+  if (format == "stl") files.add(file, encode_stl(model, size_mm));
+  if (format == "glb") files.add(file, encode_glb(model, texture, size_mm));
   return files.finish();
 }
 

@@ -18,7 +18,8 @@ struct ModelPart {
   Point2 lean{};
   int first_triangle = 0;
   int triangle_count = 0;
-  int hidden_count = 0;  ///< the last so many of them lie behind another part in the front view
+  int hidden_count = 0;  ///< the last so many of them lie behind another part in the front view,
+                         ///< and have no colours in the drawing
 };
 
 /// A surface ready for files and pictures. Model space in canvas px: X right, Y up, Z to the

@@ -1,8 +1,11 @@
+#include <algorithm>
+
 #include "io/image/png_encode.h"
 #include "io/mesh/glb_encode.h"
 #include "io/mesh/obj_encode.h"
 #include "io/mesh/ply_encode.h"
 #include "io/mesh/stl_encode.h"
+#include "relief/model/dress_hidden.h"
 #include "relievo/export.h"
 
 namespace relievo {
@@ -29,10 +32,8 @@ Result<Files> obj_files(const Model& model, const Drawing* drawing, const fs::pa
   return files;
 }
 
-}  // namespace
-
-Result<Files> export_model(const Model& model, const Drawing& drawing, const fs::path& path,
-                           double size_mm) {
+Result<Files> encode_as(const fs::path& path, const Model& model, const Drawing& drawing,
+                        double size_mm) {
   const Drawing* texture = drawing.rgba.empty() ? nullptr : &drawing;
   const fs::path ending = path.extension();
   if (ending == ".obj") return obj_files(model, texture, path, size_mm);
@@ -40,6 +41,17 @@ Result<Files> export_model(const Model& model, const Drawing& drawing, const fs:
   if (ending == ".stl") return single(path, encode_stl(model, size_mm));
   if (ending == ".glb") return single(path, encode_glb(model, texture, size_mm));
   return Error{ErrorCode::usage, "must end in .glb, .obj, .ply or .stl", path.string()};
+}
+
+}  // namespace
+
+Result<Files> export_model(const Model& model, const Drawing& drawing, const fs::path& path,
+                           double size_mm) {
+  const auto has_hidden = [](const ModelPart& part) { return part.hidden_count > 0; };
+  if (std::none_of(model.parts.begin(), model.parts.end(), has_hidden))
+    return encode_as(path, model, drawing, size_mm);
+  const DrawnModel dressed = dress_hidden(model, drawing);
+  return encode_as(path, dressed.model, dressed.drawing, size_mm);
 }
 
 Result<Bytes> encode_picture(const Image8& picture) { return encode_png(picture); }

@@ -126,6 +126,7 @@ void dress_parts(const HiddenPatches& found, const std::vector<PatchPlace>& plac
     dressed[patch.part] = model.parts[patch.part].hidden_count;
   for (size_t p = 0; p < model.parts.size(); ++p) dresser.keep(model.parts[p], dressed[p]);
   for (size_t k = 0; k < places.size(); ++k) dresser.dress(found.patches[k], places[k]);
+  for (const HiddenPatch& patch : found.patches) model.parts[patch.part].hidden_count = 0;
 }
 
 }  // namespace
