@@ -148,9 +148,12 @@ std::vector<std::string> joined(std::vector<std::string> warnings,
   return warnings;
 }
 
-/// The options of the reconstruction, with what the outputs need besides.
+/// The options of the reconstruction, with what the outputs need besides: what lies hidden is
+/// placed where a model shows it.
 ReliefArguments relief_arguments(const BuildArguments& build) {
   ReliefArguments relief = build.relief;
+  if (!relief.visibility && sort_models(build).shown.empty() && build.preview.empty())
+    relief.visibility = Visibility::relief;
   if (!build.convergence.empty())
     relief.options.joint.snapshots = convergence_steps(relief.options.joint.max_iterations);
   return relief;

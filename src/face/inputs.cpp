@@ -71,6 +71,7 @@ Result<SceneInput> load_svg(const InputFile& input, const RunContext& context) {
   loaded.colors = std::move(import->colors);
   loaded.warnings = std::move(import->warnings);
   loaded.proposed = import->proposed;
+  loaded.layered = true;
   return loaded;
 }
 
@@ -80,6 +81,7 @@ SceneInput with_layers(LayeredDrawing&& content) {
   loaded.drawing = std::move(content.drawing);
   loaded.colors = std::move(content.colors);
   loaded.proposed = content.proposed;
+  loaded.layered = true;
   loaded.warnings = std::move(content.warnings);
   return loaded;
 }
@@ -191,9 +193,8 @@ Result<SceneInput> load(const InputFile& input, const RunContext& context) {
 
 /// Connects the parts of a layered drawing; a scene or project file has had its say, and those of
 /// a flat picture are connected.
-void connect_layers(const InputFile& input, SceneInput& scene) {
-  if (!input.folder && (sniff(input.bytes) == InputKind::json || is_project(input.bytes))) return;
-  if (scene.connected) return;
+void connect_layers(SceneInput& scene) {
+  if (!scene.layered) return;
   ConnectedScene connected = connect_scene(std::move(scene.scene), scene.proposed, scene.colors);
   scene.scene = std::move(connected.scene);
   scene.guesses = std::move(connected.proposals);
@@ -243,8 +244,10 @@ Result<InputFile> read_input(const std::string& name) {
 Result<SceneInput> start_scene(const InputFile& input, bool connect, const RunContext& context) {
   auto loaded = load(input, context);
   if (!loaded) return in_file(loaded.error(), input.name);
-  if (connect) connect_layers(input, *loaded);
-  if (!connect) stack_layers(*loaded);
+  if (connect)
+    connect_layers(*loaded);
+  else
+    stack_layers(*loaded);
   if (input.name != "-" && !input.folder) loaded->files.emplace_back(input.name);
   return loaded;
 }

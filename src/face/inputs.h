@@ -38,6 +38,7 @@ struct SceneInput {
   std::vector<std::string> understood;  ///< what a flat picture was taken for, and what to correct
   bool proposed = false;                ///< the parts were guessed, not annotated
   bool connected = false;               ///< how they connect was guessed with them
+  bool layered = false;                 ///< they are whole, and how they connect may be open
   PartColors colors;                    ///< of the parts of layered drawings; may be empty
   Joining guesses;  ///< how they connect, where that was guessed; as in the scene
 };

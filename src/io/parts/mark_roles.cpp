@@ -104,14 +104,13 @@ class RoleFinder {
   bool is_shadow(size_t i) const {
     const Mark& mark = marks_[i];
     const Box2& box = boxes_[i];
+    if (!mark.filled || width(box) < flat_shadow * height(box)) return false;
     Box2 others;
     for (size_t j = 0; j < marks_.size(); ++j)
       if (j != i && is_shape(j)) others.add(boxes_[j]);
-    if (!mark.filled || others.empty() || !boxes_meet(box, others)) return false;
+    if (others.empty() || !boxes_meet(box, others)) return false;
     const double middle = (box.min.y + box.max.y) / 2;
-    if (width(box) < flat_shadow * height(box) ||
-        middle < others.max.y - ground_height * height(others))
-      return false;
+    if (middle < others.max.y - ground_height * height(others)) return false;
     const double own = area(mark.region);
     const bool ellipse = std::abs(own / (width(box) * height(box)) - ellipse_share) < 0.04;
     const bool opaque_shadow = ellipse && is_dark(mark.color) &&

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "kernel/image/components.h"
 #include "kernel/image/morphology.h"
@@ -31,14 +30,21 @@ Image8 complement(const Image8& mask) {
   return result;
 }
 
+/// Calls visit(x, y) for the pixels of the picture's edge, corners twice.
+template <class Visit>
+void along_edge(int width, int height, Visit visit) {
+  for (int x = 0; x < width; ++x)
+    for (const int y : {0, height - 1}) visit(x, y);
+  for (int y = 0; y < height; ++y)
+    for (const int x : {0, width - 1}) visit(x, y);
+}
+
 /// With all that it surrounds.
 Image8 without_holes(const Image8& mask) {
   const Components outside = connected_components(complement(mask), Connectivity::sides);
   std::vector<uint8_t> reaches_edge(outside.areas.size(), 0);
-  for (int x = 0; x < mask.width; ++x)
-    for (const int y : {0, mask.height - 1}) reaches_edge[outside.label.at(x, y)] = 1;
-  for (int y = 0; y < mask.height; ++y)
-    for (const int x : {0, mask.width - 1}) reaches_edge[outside.label.at(x, y)] = 1;
+  along_edge(mask.width, mask.height,
+             [&](int x, int y) { reaches_edge[outside.label.at(x, y)] = 1; });
   reaches_edge[0] = 0;
   Image8 result(mask.width, mask.height, 1);
   for (size_t i = 0; i < result.pixels.size(); ++i)
@@ -62,8 +68,7 @@ Image8 without_small_pieces(const Image8& mask) {
 
 double share_at_edge(const Image8& mask) {
   int64_t inside = 0;
-  for (int x = 0; x < mask.width; ++x) inside += mask.at(x, 0) + mask.at(x, mask.height - 1);
-  for (int y = 0; y < mask.height; ++y) inside += mask.at(0, y) + mask.at(mask.width - 1, y);
+  along_edge(mask.width, mask.height, [&](int x, int y) { inside += mask.at(x, y); });
   return static_cast<double>(inside) / (2.0 * (mask.width + mask.height));
 }
 
@@ -81,13 +86,8 @@ int darkest_channel(const Image8& rgb, int x, int y) {
 /// Whether the picture's edge is white paper without grain or shadows.
 bool is_on_clean_paper(const Image8& rgb) {
   int64_t white = 0;
-  const auto look = [&](int x, int y) {
-    white += darkest_channel(rgb, x, y) >= clean_white ? 1 : 0;
-  };
-  for (int x = 0; x < rgb.width; ++x)
-    for (const int y : {0, rgb.height - 1}) look(x, y);
-  for (int y = 0; y < rgb.height; ++y)
-    for (const int x : {0, rgb.width - 1}) look(x, y);
+  along_edge(rgb.width, rgb.height,
+             [&](int x, int y) { white += darkest_channel(rgb, x, y) >= clean_white ? 1 : 0; });
   return static_cast<double>(white) > clean_share * 2.0 * (rgb.width + rgb.height);
 }
 

@@ -1,11 +1,9 @@
 #include "relief/joint/bound_step.h"
 
-#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "kernel/solvers/sparse_products.h"
-#include "kernel/solvers/symmetric_graph.h"
 #include "relief/joint/soft_matrix.h"
 
 namespace relievo {

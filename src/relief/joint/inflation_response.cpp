@@ -43,12 +43,6 @@ void InflationResponse::subtract_bound(const VectorXd& u_bound, VectorXd& load) 
     load -= u_bound[i] * model_.L.col(model_.bound[i]);
 }
 
-VectorXd InflationResponse::extension(const VectorXd& u_bound) const {
-  VectorXd load = VectorXd::Zero(model_.held.size());
-  subtract_bound(u_bound, load);
-  return with_bound(solve_poisson(load), u_bound);
-}
-
 VectorXd InflationResponse::inflate(const Excess& excess, const VectorXd& u_bound) const {
   VectorXd load = own_load_ + model_.mass.cwiseProduct(excess.s);
   subtract_bound(u_bound, load);

@@ -31,9 +31,6 @@ class InflationResponse {
   /// The u (#N) that has this excess and, on B, u_bound (#B).
   Eigen::VectorXd inflate(const Excess& excess, const Eigen::VectorXd& u_bound) const;
 
-  /// How u answers to a change on B (#B) alone. #N
-  Eigen::VectorXd extension(const Eigen::VectorXd& u_bound) const;
-
   /// How u answers to a load alone. #N
   Eigen::VectorXd compliance(const Eigen::VectorXd& load) const;
 

@@ -59,12 +59,13 @@ struct Extent {
 Extent measure_outlines(const Scene& scene) {
   Extent extent;
   Box2 box;
-  for (const Part& part : scene.parts)
+  for (const Part& part : scene.parts) {
+    box.add(bounding_box(part.outline));
     for (const Ring& ring : part.outline) {
-      for (const Point2 p : ring) box.add(p);
       extent.length += perimeter(ring);
       extent.area += std::abs(signed_area(ring));
     }
+  }
   extent.finest = finest_spacing * std::max(box.max.x - box.min.x, box.max.y - box.min.y);
   return extent;
 }

@@ -147,9 +147,7 @@ class Sampler {
  public:
   Sampler(const Scene& scene, double spacing) : scene_(scene), spacing_(spacing) {
     Box2 box;
-    for (const Part& part : scene.parts)
-      for (const Ring& ring : part.outline)
-        for (const Point2 p : ring) box.add(p);
+    for (const Part& part : scene.parts) box.add(bounding_box(part.outline));
     out_.detail = std::min(spacing, coarsest_detail * box.diagonal());
     for (size_t p = 0; p < scene.parts.size(); ++p) {
       int specks = 0;

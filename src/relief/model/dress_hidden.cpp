@@ -126,7 +126,6 @@ void dress_parts(const HiddenPatches& found, const std::vector<PatchPlace>& plac
     dressed[patch.part] = model.parts[patch.part].hidden_count;
   for (size_t p = 0; p < model.parts.size(); ++p) dresser.keep(model.parts[p], dressed[p]);
   for (size_t k = 0; k < places.size(); ++k) dresser.dress(found.patches[k], places[k]);
-  for (const HiddenPatch& patch : found.patches) model.parts[patch.part].hidden_count = 0;
 }
 
 }  // namespace
@@ -141,6 +140,7 @@ DrawnModel dress_hidden(Model model, Drawing drawing) {
     for (size_t k = 0; k < places.size(); ++k) paste_patch(found.patches[k].rgb, places[k], rgba);
     dress_parts(found, places, {rgba.width, rgba.height}, drawn / rgba.height, model);
   }
+  for (ModelPart& part : model.parts) part.hidden_count = 0;
   return {std::move(model), std::move(drawing)};
 }
 

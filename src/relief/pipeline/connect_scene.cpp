@@ -14,11 +14,11 @@ namespace {
 /// A dish, not a hole.
 constexpr double hollow_amount = 1;
 
-}  // namespace
-
 bool says_connections(const Scene& scene) {
   return !scene.joins.empty() || !scene.relations.empty() || !scene.robin.empty();
 }
+
+}  // namespace
 
 ConnectedScene connect_scene(Scene scene, bool amounts, const PartColors& colors) {
   ConnectedScene connected{std::move(scene), {}};

@@ -12,9 +12,6 @@ struct ConnectedScene {
   Joining proposals;  ///< what of the scene was guessed; by part, in its order
 };
 
-/// Whether the drawing says how any of its parts connect.
-bool says_connections(const Scene& scene);
-
 /// Connects the parts of a layered drawing as connect_parts proposes, unless the drawing itself
 /// says how. Where `amounts`, parts get a c that makes them about as deep as they are narrow, and
 /// those that look hollow a negative d.
