@@ -94,6 +94,13 @@ rlim_t present_memory() {
   return found == 1 ? pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
+/// Sanitizers take terabytes of address space, and read their own tables from files.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
+
 void confine(const PaintLimits& limits, uint64_t pixels) {
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -102,11 +109,9 @@ void confine(const PaintLimits& limits, uint64_t pixels) {
   bound(RLIMIT_CORE, 0);
   bound(RLIMIT_FSIZE, max_complaint);
   bound(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.seconds)));
-#ifndef __SANITIZE_ADDRESS__
-  // Sanitizers take terabytes of address space, and read their own tables from files.
+  if (sanitized) return;
   bound(RLIMIT_AS, present_memory() + limits.memory + 16 * pixels);
   if (!limits.fonts) bound(RLIMIT_NOFILE, 0);
-#endif
 }
 
 void leave(const Error& error, Report& report) {
