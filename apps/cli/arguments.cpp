@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <iostream>
 
-#include "apps/cli/cue_argument.h"
 #include "apps/cli/exit_code.h"
-#include "apps/cli/solid_arguments.h"
+#include "apps/cli/relief_arguments.h"
 #include "apps/cli/within.h"
 
 namespace relievo::cli {
@@ -59,18 +58,7 @@ Examples:
 
 constexpr const char* input_help =
     "Layered drawing (SVG, OpenRaster, a folder of pictures), flat picture (PNG, JPEG, GIF), "
-    "project "
-    "or scene file (JSON); - reads standard input";
-
-Visibility visibility(const std::string& name) {
-  if (name == "orbit") return Visibility::orbit;
-  return name == "all" ? Visibility::all : Visibility::relief;
-}
-
-Field field(const std::string& name) {
-  if (name == "inflation") return Field::inflation;
-  return name == "shift" ? Field::shift : Field::relief;
-}
+    "project or scene file (JSON); - reads standard input";
 
 void add_common(CLI::App& app, CommonArguments& common, const char* what) {
   app.add_option("INPUT", common.input, what)->required();
@@ -88,114 +76,6 @@ void add_connect(CLI::App& app, CommonArguments& common) {
          "Joins of layered drawings that say none: auto guesses them (the default), none stacks "
          "the parts")
       ->check(CLI::IsMember({"auto", "none"}));
-}
-
-void add_mesh_options(CLI::App& app, ReliefArguments& relief) {
-  LayerOptions& layers = relief.options.layers;
-  auto* vertices =
-      app.add_option("--vertices", layers.vertex_budget, "About so many vertices (default 40000)")
-          ->check(CLI::Range(100, 10000000));
-  app.add_option("--edge", layers.edge_length, "Spacing of the outlines in px, instead")
-      ->check(within(0.01, 10000.0))
-      ->excludes(vertices);
-  app.add_option("--max-vertices", layers.max_nodes, "Refuse to make more (default 4000000)")
-      ->check(CLI::Range(100, 100000000));
-}
-
-void add_cue_option(CLI::App& app, ReliefArguments& relief) {
-  app.add_option_function<std::vector<std::string>>(
-         "--cue",
-         [&relief](const std::vector<std::string>& cues) {
-           for (const std::string& text : cues) {
-             const auto cue = parse_cue(text);
-             if (!cue) throw CLI::ValidationError("--cue " + text, cue.error().message);
-             relief.cues.push_back(*cue);
-           }
-         },
-         "Profile along a line on a part, PART:KIND:X,Y,X,Y,...:VALUE in canvas px; may be "
-         "repeated. bulge: times as high there; slope: degrees that it rises along the line; "
-         "crease: degrees that it rises to the line from both sides")
-      ->expected(1)
-      ->take_all();
-}
-
-void add_method_options(CLI::App& app, ReliefArguments& relief) {
-  app.add_option_function<std::string>(
-         "--method",
-         [&relief](const std::string& name) {
-           if (name == "nonlinear") relief.options.method = Method::nonlinear;
-         },
-         "approximate (the default) or nonlinear: inflation and depth order at once")
-      ->check(CLI::IsMember({"approximate", "nonlinear"}));
-  JointOptions& joint = relief.options.joint;
-  app.add_option("--lambda-bnd", joint.lambda_bnd,
-                 "Of nonlinear: how firmly outlines beside joins stay down (default 0.01: no pits)")
-      ->check(within(min_lambda_bnd, max_lambda_bnd));
-  app.add_option("--lambda-shift", joint.lambda_shift,
-                 "Of nonlinear: what a shift costs beside a change of the inflation (default 1)")
-      ->check(within(min_lambda_shift, max_lambda_shift));
-  app.add_option_function<std::string>(
-         "--field", [&relief](const std::string& name) { relief.field = field(name); },
-         "relief (the default), or one of the two that it is the sum of: inflation, shift")
-      ->check(CLI::IsMember({"relief", "inflation", "shift"}));
-}
-
-void add_shape_options(CLI::App& app, ReliefArguments& relief) {
-  app.add_option("--c", relief.c, "Inflation of all parts: 4 a hemisphere, 2 round limbs")
-      ->check(within(min_inflation, max_inflation));
-  app.add_option("--flat", relief.flat, "Profile of all parts: 0 round (the default), 1 a flat top")
-      ->check(within(0.0, 1.0));
-  app.add_option_function<std::vector<double>>(
-         "--lean",
-         [&relief](const std::vector<double>& lean) {
-           relief.lean = {lean[0], lean[1]};
-         },
-         "Slope of all parts: how much nearer they come per px to the right and downwards")
-      ->expected(2)
-      ->check(within(-max_lean, max_lean));
-  add_cue_option(app, relief);
-  InflationOptions& inflation = relief.options.inflation;
-  app.add_option("--rho", inflation.rho, "Softness of ramps beside joins (default 0.25)")
-      ->check(within(0.001, max_rho));
-  app.add_option("--alpha0", inflation.alpha0, "How firmly ramps begin, 0 to 1 (default 0)")
-      ->check(within(0.0, 1.0));
-}
-
-void add_relief_options(CLI::App& app, ReliefArguments& relief) {
-  add_mesh_options(app, relief);
-  add_method_options(app, relief);
-  add_shape_options(app, relief);
-  app.add_option_function<std::string>(
-         "--ramps",
-         [&relief](const std::string& name) { relief.options.layers.attach = name == "auto"; },
-         "Outlines beside joins: auto, attached to the part below at first (the default); robin, "
-         "as in the paper")
-      ->check(CLI::IsMember({"auto", "robin"}));
-  auto* preset = app.add_option_function<std::string>(
-      "--preset", [&relief](const std::string& name) { relief.as_in_paper = name == "paper"; },
-      "default: the parts' own values; paper: its c = 4 and d = 1 or -1 for all, round and "
-      "upright, with its ranges beside joins");
-  preset->check(CLI::IsMember({"default", "paper"}));
-  for (const char* value : {"--c", "--flat", "--lean", "--rho", "--alpha0", "--ramps"})
-    preset->excludes(app.get_option(value));
-  app.add_flag_callback(
-      "--no-glue", [&relief] { relief.options.layers.glue = false; },
-      "Let outlines beside joins rise above the part below");
-}
-
-void add_visibility(CLI::App& app, ReliefArguments& relief) {
-  auto* visible =
-      app.add_option_function<std::string>(
-             "--visible",
-             [&relief](const std::string& name) { relief.visibility = visibility(name); },
-             "orbit: whole parts (default); relief: what the front shows, with walls (default of "
-             ".stl and .3mf); all: every face")
-          ->check(CLI::IsMember({"relief", "orbit", "all"}));
-  app.add_flag_callback(
-         "--keep-hidden", [&relief] { relief.visibility = Visibility::all; },
-         "The same as --visible all")
-      ->excludes(visible);
-  add_solid_options(app, relief);
 }
 
 /// A usage error where the file's extension is none of those given.
