@@ -139,7 +139,7 @@ Status cut_out(const std::string& name, SegmentInput& input) {
 /// Labels from the pixels. Parts that were scribbled keep their names, those of a project their
 /// labels and what was said of them.
 Status find_labels(SegmentInput& input, const RunContext& context) {
-  auto found = segment_drawing(Drawing{input.pixels}, input.record.scribbles, {}, context);
+  auto found = segment_drawing(Drawing{input.pixels}, input.record.scribbles, context);
   if (!found) return found.error();
   input.record = relabel(*found, std::move(input.record)).record;
   for (Bridge& bridge : found->bridges) input.bridges.push_back(std::move(bridge.points));

@@ -58,7 +58,7 @@ Joining by_rank(Joining joining, const std::vector<int>& rank) {
 
 Result<SceneInput> understand_flat(Drawing drawing, const std::string& file,
                                    const RunContext& context) {
-  auto found = segment_drawing(drawing, {}, {}, context);
+  auto found = segment_drawing(drawing, {}, context);
   if (!found) return found.error();
   const SegmentationRecord record = relabel(*found, {}).record;
   auto understood = understand_drawing(drawing.rgba, record, {}, {}, context);

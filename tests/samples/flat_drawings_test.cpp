@@ -132,6 +132,27 @@ TEST_F(FlatDrawings, Pig) {
   expect_parts(*s, {{10, 10, ""}, {200, 120, "body"}, {250, 150, "body"}, {60, 110, "head"}});
 }
 
+/// Few strokes are all the parts that there are, and nothing of the figure is lost to them.
+TEST_F(FlatDrawings, FewStrokesNameAllParts) {
+  for (const auto& [name, strokes] : std::map<std::string, std::string>{
+           {"F03_kid_stick/texture.png", "F03_kid_stick"},
+           {"F06_chicken_tuxpaint.png", "F06_chicken_tuxpaint"},
+           {"F07_frog_tuxpaint.png", "F07_frog_tuxpaint"},
+           {"F08_snowman_stamp.png", "F08_snowman_stamp"},
+           {"F10_cat_carrot.png", "F10_cat_carrot"},
+           {"F12_sleeping_cat_openclipart.svg", "F12_sleeping_cat_openclipart"}}) {
+    const Result<Segmentation> plain = segment(name);
+    const Result<Segmentation> s = segment(name, strokes);
+    ASSERT_TRUE(plain.ok() && s.ok()) << name;
+    EXPECT_GE(s->parts.size(), 5U) << name;
+    EXPECT_LE(s->parts.size(), 8U) << name;
+    for (const SegmentedPart& part : s->parts) EXPECT_FALSE(part.proposed) << name << part.id;
+    EXPECT_TRUE(s->notes.empty()) << name << ": a part without any area";
+    for (size_t i = 0; i < s->labels.pixels.size(); ++i)
+      ASSERT_EQ(s->labels.pixels[i] == 0, plain->labels.pixels[i] == 0) << name << " " << i;
+  }
+}
+
 /// Four dots tell the ground between the legs from a belly, which has the same lines.
 TEST_F(FlatDrawings, PigWithDotsOnTheGround) {
   const Result<Segmentation> s = segment("F09_pig_lear.gif", "F09_pig_lear_ground");

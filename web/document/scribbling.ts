@@ -89,7 +89,7 @@ export function partOfStroke(document: Document, line: Ring, reach: number): str
 export function withScribbles(document: Document, strokes: readonly Stroke[]): Document {
   const segmentation = segmentationOf(document);
   const parts = [...new Set(strokes.flatMap((stroke) => stroke.part ?? []))];
-  return { ...document, segmentation: { ...segmentation, scribbles: { parts, strokes } } };
+  return { ...document, segmentation: { ...segmentation, scribbles: { ...segmentation.scribbles, parts, strokes } } };
 }
 
 /** With another stroke; its part is known by its name from now on. */

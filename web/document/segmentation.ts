@@ -18,6 +18,8 @@ export interface Stroke {
 export interface Scribbles {
   readonly parts: readonly string[];
   readonly strokes: readonly Stroke[];
+  /** Whether these parts are all: what no stroke touches goes to them, else it stays as proposed. */
+  readonly complete?: boolean;
 }
 
 export interface LabelledPart {
@@ -125,6 +127,7 @@ export function renameLabelled(segmentation: Segmentation, id: string, name: str
     ...segmentation,
     parts: segmentation.parts.map((part) => (part.label === label ? { ...part, id: name } : part)),
     scribbles: {
+      ...scribbles,
       parts: scribbles.parts.map((part) => (part === id ? name : part)),
       strokes: scribbles.strokes.map((stroke) => (stroke.part === id ? { ...stroke, part: name } : stroke)),
     },

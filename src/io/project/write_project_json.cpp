@@ -25,7 +25,9 @@ Ordered json_of(const Scribbles& scribbles) {
   Ordered strokes = Ordered::array();
   for (const Scribble& stroke : scribbles.strokes)
     strokes.push_back(stroke_json(stroke, scribbles));
-  return {{"parts", scribbles.parts}, {"strokes", std::move(strokes)}};
+  Ordered json = {{"parts", scribbles.parts}, {"strokes", std::move(strokes)}};
+  if (scribbles.complete) json["complete"] = true;
+  return json;
 }
 
 Ordered json_of(PartLabel label, const PartCorrection& correction) {

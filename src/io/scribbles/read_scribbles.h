@@ -15,7 +15,8 @@ struct ScribbleLimits {
 
 /// A scribble file, version 1: {"format": "relievo-scribbles", "version": 1, "parts": [id, ...],
 /// "strokes": [{"kind": "soft" | "hard" | "outside" | "hole", "part": id, "width": px, "points":
-/// [[x, y], ...]}, ...]} in drawing px. `part` belongs to soft and hard strokes only. Errors:
+/// [[x, y], ...]}, ...]} in drawing px. `part` belongs to soft and hard strokes only. "complete":
+/// false leaves what no stroke touches as it is proposed. Errors:
 /// `bad_input` with the place in `where`, `limit`.
 Result<Scribbles> read_scribbles(std::string_view json, const ScribbleLimits& limits = {});
 

@@ -39,6 +39,7 @@ class ImageReader {
   explicit ImageReader(const Image8& rgba) : rgba_(rgba) {}
 
   Result<Scribbles> read() {
+    scribbles_.complete = true;
     collect_colours();
     if (colours_.empty())
       return Error{ErrorCode::bad_input,

@@ -24,17 +24,23 @@ Scribbles ScribblesReader::file(const Json& json) {
     fail(root.member("format"), "is not a scribble file");
   else if (json.value("version", Json()) != 1)
     fail(root.member("version"), "this program reads version 1 only");
-  else if (keys(json, root, {"format", "version", "parts", "strokes"}, {}))
-    return lists(json, root);
+  else if (keys(json, root, {"format", "version", "parts", "strokes"}, {"complete"}))
+    return lists(json, root, true);
   return {};
 }
 
 Scribbles ScribblesReader::object(const Json& json, const JsonPath& path) {
-  return keys(json, path, {"parts", "strokes"}, {}) ? lists(json, path) : Scribbles();
+  return keys(json, path, {"parts", "strokes"}, {"complete"}) ? lists(json, path, false)
+                                                              : Scribbles();
 }
 
-Scribbles ScribblesReader::lists(const Json& json, const JsonPath& path) {
+Scribbles ScribblesReader::lists(const Json& json, const JsonPath& path, bool complete) {
   scribbles_ = {};
+  scribbles_.complete = complete;
+  if (json.contains("complete")) {
+    if (!json["complete"].is_boolean()) fail(path.member("complete"), "must be true or false");
+    scribbles_.complete = json["complete"] == true;
+  }
   read_parts(json["parts"], path.member("parts"));
   read_strokes(json["strokes"], path.member("strokes"));
   return std::move(scribbles_);

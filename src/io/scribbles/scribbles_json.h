@@ -8,21 +8,21 @@
 namespace relievo {
 
 /// Reads strokes as scribble files and project files have them: the lists `parts` and `strokes` of
-/// an object. Strokes of parts name one of `parts`, the others none; coordinates and widths are
-/// bounded, so that what follows need not mind.
+/// an object, and whether the parts are `complete`. Strokes of parts name one of `parts`, the
+/// others none; coordinates and widths are bounded, so that what follows need not mind.
 class ScribblesReader final : public JsonReader {
  public:
   explicit ScribblesReader(const ScribbleLimits& limits)
       : JsonReader(limits.max_points), max_strokes_(limits.max_strokes) {}
 
-  /// A whole scribble file.
+  /// A whole scribble file; complete unless it says otherwise.
   Scribbles file(const Json& json);
 
-  /// The object that a project has.
+  /// The object that a project has; complete where it says so.
   Scribbles object(const Json& json, const JsonPath& path);
 
  private:
-  Scribbles lists(const Json& json, const JsonPath& path);
+  Scribbles lists(const Json& json, const JsonPath& path, bool complete);
   void read_parts(const Json& json, const JsonPath& path);
   void read_strokes(const Json& json, const JsonPath& path);
   Scribble stroke(const Json& json, const JsonPath& path);

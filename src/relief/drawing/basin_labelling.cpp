@@ -2,6 +2,7 @@
 
 #include "kernel/graph/min_cut.h"
 #include "kernel/graph/potts.h"
+#include "relief/drawing/join_regions.h"
 
 namespace relievo {
 namespace {
@@ -9,25 +10,12 @@ namespace {
 /// LazyBrush's weight of a soft stroke: this many of its pixels are worth one pixel of white.
 constexpr int64_t soft_pixels_per_white = 20;
 
-/// The labels that basins of a region may take; empty where the region stays as proposed.
-std::set<int> allowed_labels(const BasinVotes& votes, int region, int part_count, bool join) {
-  std::set<int> labels = votes.labels_in_region[region];
-  if (region == 0) {
-    if (!labels.empty()) labels.insert(0);
-  } else if (join && !votes.is_hole[region]) {
-    for (int label = 0; label <= part_count; ++label) labels.insert(label);
-  }
-  return labels;
-}
-
 /// The energy of the basins that are free to choose.
 class LabelProblem {
  public:
-  LabelProblem(const Basins& basins, const BasinVotes& votes, int part_count,
-               const LabelOptions& options)
-      : basins_(basins), votes_(votes), part_count_(part_count) {
-    for (int r = 0; r <= basins.region_count; ++r)
-      allowed_.push_back(allowed_labels(votes, r, part_count, options.join_unscribbled));
+  LabelProblem(const Basins& basins, const BasinVotes& votes, int part_count)
+      : basins_(basins), votes_(votes), part_count_(part_count), allowed_(votes.labels_in_region) {
+    if (!allowed_[0].empty()) allowed_[0].insert(0);
     problem_.label_count = part_count + 1;
     node_.assign(basins.basins.size(), -1);
     for (size_t b = 0; b < basins.basins.size(); ++b)
@@ -96,16 +84,19 @@ class LabelProblem {
   const Basins& basins_;
   const BasinVotes& votes_;
   int part_count_;
-  std::vector<std::set<int>> allowed_;
-  std::vector<int> node_;  ///< [#B] in the problem, or -1
+  std::vector<std::set<int>> allowed_;  ///< [#R + 1] empty where the region stays as proposed
+  std::vector<int> node_;               ///< [#B] in the problem, or -1
   PottsProblem problem_;
 };
 
 }  // namespace
 
-std::vector<int> choose_labels(const Basins& basins, const BasinVotes& votes, int part_count,
-                               const LabelOptions& options) {
-  return LabelProblem(basins, votes, part_count, options).solve();
+std::vector<int> choose_labels(const Basins& basins, const BasinVotes& votes,
+                               const Scribbles& scribbles) {
+  const auto part_count = static_cast<int>(scribbles.parts.size());
+  std::vector<int> labels = LabelProblem(basins, votes, part_count).solve();
+  if (scribbles.complete) join_regions(basins, part_count, labels);
+  return labels;
 }
 
 }  // namespace relievo

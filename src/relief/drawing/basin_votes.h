@@ -24,7 +24,9 @@ struct BasinVotes {
 };
 
 /// Counts the strokes. On lines they say nothing, since lines are shared. Of a hard stroke, what
-/// slipped into a region with less than a tenth of its pixels is dropped.
+/// slipped into a region with less than a tenth of its pixels, or with half of them out of the
+/// figure, is dropped; background at the picture's edge counts as marked where strokes for parts
+/// lie in it.
 BasinVotes count_votes(const Basins& basins, const Scribbles& scribbles);
 
 }  // namespace relievo

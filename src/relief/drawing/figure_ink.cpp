@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "kernel/geometry/polygon.h"
@@ -119,16 +120,30 @@ class InkTaker {
     return said;
   }
 
-  /// The label that most strokes on it want, or -1.
-  static int wanted(const LooseInk& piece, const std::map<int32_t, int>& said) {
-    std::map<int, int> count;
-    if (!said.empty())
-      for (const int32_t i : piece.pixels)
-        if (const auto found = said.find(i); found != said.end()) ++count[found->second];
-    int best = -1;
-    for (const auto& [label, pixels] : count)
-      if (best < 0 || pixels > count[best]) best = label;
-    return best;
+  /// The pixels of a piece by the stroke that is nearest along the ink; none where no stroke lies
+  /// on it.
+  std::map<int, std::vector<int32_t>> divided(const LooseInk& piece,
+                                              const std::map<int32_t, int>& said) const {
+    std::map<int, std::vector<int32_t>> pixels_of_label;
+    std::map<int32_t, int> label_of;
+    std::vector<int32_t> queue;
+    for (const int32_t i : piece.pixels)
+      if (const auto found = said.find(i); found != said.end()) {
+        label_of.insert(*found);
+        queue.push_back(i);
+      }
+    if (queue.empty()) return pixels_of_label;
+    const std::set<int32_t> ink(piece.pixels.begin(), piece.pixels.end());
+    for (size_t k = 0; k < queue.size(); ++k) {
+      const int label = label_of.at(queue[k]);
+      pixels_of_label[label].push_back(queue[k]);
+      for (const int dy : {-1, 0, 1})
+        for (const int dx : {-1, 0, 1}) {
+          const int32_t next = queue[k] + dy * labels_.width + dx;
+          if (ink.count(next) > 0 && label_of.emplace(next, label).second) queue.push_back(next);
+        }
+    }
+    return pixels_of_label;
   }
 
   /// Whether it bounded an area that strokes made background.
@@ -143,23 +158,25 @@ class InkTaker {
   }
 
   void settle(const LooseInk& piece, double diagonal, const std::map<int32_t, int>& said) {
-    const int label = wanted(piece, said);
-    if (label == 0 || (label < 0 && (crosses_the_picture(piece) || is_given_up(piece)))) return;
+    const auto wanted = divided(piece, said);
+    for (const auto& [label, pixels] : wanted)
+      if (label > 0) lay_tube(pixels, label, diagonal);
+    if (!wanted.empty() || crosses_the_picture(piece) || is_given_up(piece)) return;
     const double extent = distance(piece.box.min, piece.box.max);
     const bool speck = extent < std::max(speck_length * basins_.line_width, tube_length * diagonal);
-    if (label > 0 || (!speck && (piece.beside != 0 || extent >= apart_length * diagonal)))
-      lay_tube(piece, label > 0 ? label : ++last_label_, diagonal);
+    if (!speck && (piece.beside != 0 || extent >= apart_length * diagonal))
+      lay_tube(piece.pixels, ++last_label_, diagonal);
     else if (piece.beside != 0)
       for (const int32_t i : piece.pixels) labels_.pixels[i] = piece.beside;
   }
 
   /// The ink, as wide as a tube needs to be.
-  void lay_tube(const LooseInk& piece, int32_t label, double diagonal) {
+  void lay_tube(const std::vector<int32_t>& ink, int32_t label, double diagonal) {
     const double width = std::max(basins_.line_width, thinnest_tube * diagonal);
     const double radius = (width - basins_.line_width) / 2;
     const int reach = static_cast<int>(radius);
-    for (const int32_t i : piece.pixels) labels_.pixels[i] = label;
-    for (const int32_t i : piece.pixels)
+    for (const int32_t i : ink) labels_.pixels[i] = label;
+    for (const int32_t i : ink)
       for (int dy = -reach; dy <= reach; ++dy)
         for (int dx = -reach; dx <= reach; ++dx) {
           const int x = i % labels_.width + dx;

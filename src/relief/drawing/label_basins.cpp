@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "kernel/image/watershed.h"
 #include "relief/drawing/basin_labelling.h"
 #include "relief/drawing/basin_votes.h"
 #include "relief/drawing/figure_ink.h"
@@ -85,6 +86,17 @@ std::vector<int> used_labels(const Image<int32_t>& labels) {
   return used;
 }
 
+/// Gives what belongs to proposed parts to the nearest part with strokes.
+void give_to_scribbled(int parts, Image<int32_t>& pixels) {
+  const auto is_scribbled = [parts](int32_t label) { return label > 0 && label <= parts; };
+  if (std::none_of(pixels.pixels.begin(), pixels.pixels.end(), is_scribbled)) return;
+  Image<int32_t> nearest = pixels;
+  for (int32_t& label : nearest.pixels) label = is_scribbled(label) ? label : 0;
+  flood_from_seeds(Image8(pixels.width, pixels.height, 1), nearest);
+  for (size_t i = 0; i < pixels.pixels.size(); ++i)
+    if (pixels.pixels[i] > parts) pixels.pixels[i] = nearest.pixels[i];
+}
+
 /// The labels of all pixels, those of ink among them.
 Image<int32_t> label_pixels(const Basins& basins, const std::vector<int>& labels,
                             const Scribbles& scribbles) {
@@ -100,6 +112,7 @@ Image<int32_t> label_pixels(const Basins& basins, const std::vector<int>& labels
   take_ink(basins, votes, parts + basins.region_count, pixels);
   const int last = *std::max_element(pixels.pixels.begin(), pixels.pixels.end());
   keep_figure(basins, labels, std::max(last, parts + basins.region_count), pixels);
+  if (scribbles.complete) give_to_scribbled(parts, pixels);
   return pixels;
 }
 
@@ -152,18 +165,15 @@ Segmentation assemble(const Basins& basins, const std::vector<int>& labels,
 
 }  // namespace
 
-Result<Segmentation> label_basins(const Basins& basins, const Scribbles& scribbles,
-                                  const LabelOptions& options) {
+Result<Segmentation> label_basins(const Basins& basins, const Scribbles& scribbles) {
   if (const Status valid = check_scribbles(scribbles); !valid) return valid.error();
-  const auto part_count = static_cast<int>(scribbles.parts.size());
   if (scribbles.parts.size() + static_cast<size_t>(basins.region_count) > most_parts)
     return Error{ErrorCode::limit, "the drawing has too many parts", ""};
   BasinVotes votes = count_votes(basins, scribbles);
   const bool split = needs_split(votes);
   const Basins divided = split ? split_basins(basins, votes) : Basins();
   const Basins& used = split ? divided : basins;
-  Segmentation segmentation =
-      assemble(used, choose_labels(used, votes, part_count, options), scribbles);
+  Segmentation segmentation = assemble(used, choose_labels(used, votes, scribbles), scribbles);
   if (segmentation.parts.size() > most_parts)
     return Error{ErrorCode::limit, "the drawing has too many parts", ""};
   if (segmentation.parts.empty())

@@ -7,18 +7,12 @@
 
 namespace relievo {
 
-struct LabelOptions {
-  /// Areas that no stroke touches: false keeps them as proposed parts; true gives them to the
-  /// scribbled parts and the background as LazyBrush would, so that nothing else is left.
-  bool join_unscribbled = false;
-};
-
 /// Gives every basin to a part or the background. A proposed region becomes the part of the
 /// strokes in it; where there are several, its basins are divided by LazyBrush's energy, hard
-/// strokes as constraints, soft ones as votes. Errors: `bad_input` where a stroke or part id is
-/// not valid, or where nothing but background and lines is left; `limit` above 65534 parts.
+/// strokes as constraints, soft ones as votes. Regions without strokes stay, or are divided among
+/// the parts that have some where those are complete. Errors: `bad_input` where a stroke or part id
+/// is not valid, or where nothing but background and lines is left; `limit` above 65534 parts.
 /// Near-linear in pixels.
-Result<Segmentation> label_basins(const Basins& basins, const Scribbles& scribbles = {},
-                                  const LabelOptions& options = {});
+Result<Segmentation> label_basins(const Basins& basins, const Scribbles& scribbles = {});
 
 }  // namespace relievo

@@ -26,6 +26,9 @@ struct Scribble {
 struct Scribbles {
   std::vector<std::string> parts;  ///< ids, unique
   std::vector<Scribble> strokes;
+  /// Whether the parts with strokes are all that there are, so that they take what of the figure no
+  /// stroke touches; else that stays as proposed.
+  bool complete = false;
 };
 
 }  // namespace relievo

@@ -5,11 +5,11 @@
 namespace relievo {
 
 Result<Segmentation> segment_drawing(const Drawing& drawing, const Scribbles& scribbles,
-                                     const LabelOptions& options, const RunContext& context) {
+                                     const RunContext& context) {
   const Result<Basins> basins = find_basins(drawing, context);
   if (!basins) return basins.error();
   if (context.cancelled()) return interrupted_error();
-  return label_basins(*basins, scribbles, options);
+  return label_basins(*basins, scribbles);
 }
 
 }  // namespace relievo

@@ -12,7 +12,6 @@ namespace relievo {
 /// Divides a flat drawing into its visible parts: find_basins, then label_basins. Where strokes
 /// change again and again, call these two instead and keep the basins.
 Result<Segmentation> segment_drawing(const Drawing& drawing, const Scribbles& scribbles = {},
-                                     const LabelOptions& options = {},
                                      const RunContext& context = {});
 
 }  // namespace relievo

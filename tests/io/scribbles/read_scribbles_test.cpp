@@ -32,6 +32,18 @@ TEST(Scribbles, WhatIsWrittenReadsBack) {
   EXPECT_EQ(write_scribbles(*s), write_scribbles(expected));
 }
 
+TEST(Scribbles, FilesAreCompleteUnlessTheySayOtherwise) {
+  const auto with = [](const std::string& word) {
+    std::string text = write_scribbles(sample());
+    return read_scribbles(text.insert(text.find("\"parts\""), "\"complete\": " + word + ", "));
+  };
+  EXPECT_TRUE(read_scribbles(write_scribbles(sample()))->complete);
+  EXPECT_TRUE(with("true")->complete);
+  EXPECT_FALSE(with("false")->complete);
+  ASSERT_FALSE(with("0").ok());
+  EXPECT_EQ(with("0").error().where, "complete");
+}
+
 TEST(Scribbles, MistakesAreNamedWithTheirPlace) {
   const std::string good = write_scribbles(sample());
   const auto refuse = [&](const std::string& from, const std::string& to, const char* where) {

@@ -58,8 +58,9 @@ TEST(LabelBasins, OneStrokeOverSeveralAreasMakesThemOnePart) {
 TEST(LabelBasins, JoiningLeavesNothingButWhatWasDrawn) {
   const Scribbles scribbles{
       {"a", "b"},
-      {stroke(ScribbleKind::hard, 0, {{80, 110}}), stroke(ScribbleKind::hard, 1, {{330, 110}})}};
-  const Result<Segmentation> s = label_basins(rooms(), scribbles, {true});
+      {stroke(ScribbleKind::hard, 0, {{80, 110}}), stroke(ScribbleKind::hard, 1, {{330, 110}})},
+      true};
+  const Result<Segmentation> s = label_basins(rooms(), scribbles);
   ASSERT_TRUE(s.ok());
   EXPECT_EQ(s->parts.size(), 2U);
   EXPECT_NE(s->labels.at(80, 50), s->labels.at(330, 50));
@@ -112,6 +113,36 @@ TEST(LabelBasins, ASlipOverALineIsForgiven) {
   ASSERT_TRUE(s.ok());
   EXPECT_EQ(s->labels.at(80, 50), 1);
   EXPECT_NE(s->labels.at(200, 50), 1);
+}
+
+TEST(LabelBasins, CompleteStrokesTakeWhatHasTheirColour) {
+  InkDrawing ink(420, 220);
+  ink.line({20, 20}, {400, 20}).line({400, 20}, {400, 200}).line({400, 200}, {20, 200});
+  ink.line({20, 200}, {20, 20}).line({140, 20}, {140, 200}).line({260, 20}, {260, 200});
+  Drawing drawing = ink.drawing();
+  for (int y = 25; y < 195; ++y)
+    for (int x = 145; x < 395; ++x)
+      if (x < 255 || x > 265) drawing.rgba.at(x, y, 2) = 60;
+  const Result<Segmentation> s =
+      label_basins(*find_basins(drawing), {{"white", "yellow"},
+                                           {stroke(ScribbleKind::hard, 0, {{80, 60}, {80, 160}}),
+                                            stroke(ScribbleKind::hard, 1, {{330, 110}})},
+                                           true});
+  ASSERT_TRUE(s.ok());
+  ASSERT_EQ(s->parts.size(), 2U);
+  EXPECT_EQ(s->labels.at(200, 110), 2);
+}
+
+TEST(LabelBasins, StrokesForPartsNeverFloodThePage) {
+  for (const double x : {330.0, 380.0, 395.0}) {
+    const Result<Segmentation> s =
+        label_basins(hall(), {{"a"}, {stroke(ScribbleKind::hard, 0, {{x, 110}, {415, 110}})}});
+    ASSERT_TRUE(s.ok());
+    EXPECT_EQ(s->labels.at(10, 110), 0) << x;
+    EXPECT_EQ(s->labels.at(200, 10), 0) << x;
+    EXPECT_EQ(s->labels.at(418, 4), 0) << x;
+    EXPECT_NE(s->labels.at(200, 110), 0) << x;
+  }
 }
 
 TEST(LabelBasins, HolesAndOutsideBecomeBackground) {

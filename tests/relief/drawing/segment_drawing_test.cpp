@@ -257,6 +257,21 @@ TEST(SegmentDrawing, StrokesSayWhatATubeIs) {
   EXPECT_EQ(label_at(*named, 95, 360), 1);
 }
 
+TEST(SegmentDrawing, StrokesDivideATubeBetweenThem) {
+  Scribbles limbs;
+  limbs.parts = {"trunk", "leg"};
+  limbs.strokes.push_back({ScribbleKind::hard, 0, {{147, 180}, {152, 220}}, 4});
+  limbs.strokes.push_back({ScribbleKind::hard, 1, {{100, 350}, {95, 360}}, 4});
+  limbs.complete = true;
+  const Result<Segmentation> s = segment_drawing(stick_figure().drawing(), limbs);
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  ASSERT_EQ(s->parts.size(), 2U);
+  EXPECT_EQ(label_at(*s, 150, 200), 1);
+  EXPECT_EQ(label_at(*s, 95, 360), 2);
+  EXPECT_EQ(label_at(*s, 150, 90), 1) << "the head has no stroke of its own";
+  EXPECT_EQ(label_at(*s, 110, 220), 0) << "paper";
+}
+
 TEST(SegmentDrawing, AHandCutByThePicturesEdgeIsOfTheFigure) {
   InkDrawing ink(400, 300);
   ink.circle({110, 150}, 70).line({178, 130}, {400, 130}).line({178, 170}, {400, 170});

@@ -62,15 +62,19 @@ describe('a flat drawing', () => {
     expect(arrows(own)).toEqual(arrows(theirs));
   });
 
-  it('is scribbled on as by the command line', () => {
-    const { scribbles } = scribbled(blank(), [450, 700], [470, 760]).segmentation!;
+  it.each([false, true])('is scribbled on as by the command line, strokes complete: %s', (complete) => {
+    const one = scribbled(blank(), [450, 700], [470, 760]);
+    const two = scribbled(one, [380, 650], [370, 700]).segmentation!.scribbles;
+    const scribbles = complete ? { ...two, complete } : two;
     const file = join(mkdtempSync(join(tmpdir(), 'relievo-')), 'strokes.json');
-    writeFileSync(file, JSON.stringify({ format: 'relievo-scribbles', version: 1, ...scribbles }));
+    writeFileSync(file, JSON.stringify({ format: 'relievo-scribbles', version: 1, ...scribbles, complete }));
     const theirs = readProject(native('--scribbles', file));
     const own = understood({ ...blank(), segmentation: { ...segmentationOf(blank()), scribbles } });
     const shapes = (document: Document): unknown[] => document.parts.map(({ outline }) => outline);
     expect(shapes(own)).toEqual(shapes(theirs));
     expect(theirs.segmentation!.scribbles).toEqual(scribbles);
+    expect(own.segmentation!.scribbles).toEqual(scribbles);
+    if (complete) expect(own.parts.length).toBe(2);
   });
 
   it('is one part under one stroke, and two under two', () => {
