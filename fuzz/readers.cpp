@@ -11,7 +11,6 @@
 #include "io/scene/read_scene.h"
 #include "io/scribbles/read_scribbles.h"
 #include "io/scribbles/scribble_image.h"
-#include "io/svg/paintable_svg.h"
 #include "io/svg/read_svg.h"
 
 namespace relievo::fuzz {

@@ -16,7 +16,6 @@
 #include "io/project/project_file.h"
 #include "io/scribbles/read_scribbles.h"
 #include "io/scribbles/scribble_image.h"
-#include "io/svg/paintable_svg.h"
 #include "kernel/base/stopwatch.h"
 #include "relief/drawing/segment_drawing.h"
 #include "relief/pipeline/understand_drawing.h"
@@ -48,9 +47,9 @@ Result<SegmentInput> from_project(const InputFile& file) {
 /// The picture as which a vector drawing is segmented, a PNG file.
 Result<Bytes> picture_of(const Bytes& svg) {
   const std::string_view text{reinterpret_cast<const char*>(svg.data()), svg.size()};
-  const auto canvas = paintable_svg(text);
-  if (!canvas) return canvas.error();
-  const auto picture = rasterize(text, canvas->width, canvas->height, vector_side);
+  const auto paintable = paintable_svg(text);
+  if (!paintable) return paintable.error();
+  const auto picture = rasterize(*paintable, vector_side);
   if (!picture) return picture.error();
   return encode_png(picture->rgba);
 }

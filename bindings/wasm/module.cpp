@@ -8,7 +8,6 @@
 #include "bindings/wasm/reconstruction.h"
 #include "bindings/wasm/segmenter.h"
 #include "io/scene/write_scene.h"
-#include "io/svg/paintable_svg.h"
 #include "io/svg/read_svg.h"
 #include "relief/pipeline/connect_scene.h"
 
@@ -18,20 +17,18 @@ namespace {
 using emscripten::val;
 
 /// {scene, proposed, lineArt, warnings, paintable} of a layered drawing: the text of a scene file
-/// (see read_svg and connect_scene) and the drawing as the page may paint it (see paintable_svg).
+/// (see read_svg and connect_scene) and the drawing as the page may paint it (see PaintableSvg).
 val import_svg(const val& array) {
   const Bytes bytes = to_bytes(array);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const auto import = read_svg(text);
   if (!import) return failure(import.error());
-  const auto paintable = paintable_svg(text);
-  if (!paintable) return failure(paintable.error());
   const auto scene =
       write_scene(connect_scene(import->scene, import->proposed, import->colors).scene);
   if (!scene) return failure(scene.error());
   val result = val::object();
   result.set("scene", *scene);
-  result.set("paintable", paintable->text);
+  result.set("paintable", import->paintable.text);
   result.set("proposed", import->proposed);
   result.set("lineArt", import->line_art);
   result.set("warnings", to_js(import->warnings));

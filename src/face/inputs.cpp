@@ -37,16 +37,11 @@ bool begins_with(std::string_view text, std::string_view start) {
   return text.substr(0, start.size()) == start;
 }
 
-/// `width` and `height` are those of the canvas.
-Result<Drawing> texture_of(const Bytes& svg, double width, double height) {
-  return rasterize(text_of(svg), width, height, vector_texture_side);
-}
-
 /// The parts that the lines of a drawing without fills enclose, as `segment` finds them; nothing
 /// where there are none.
-std::optional<SceneInput> load_line_art(const InputFile& input, const Scene& scene,
+std::optional<SceneInput> load_line_art(const InputFile& input, const PaintableSvg& svg,
                                         const RunContext& context) {
-  auto drawing = rasterize(text_of(input.bytes), scene.width, scene.height, line_art_side);
+  auto drawing = rasterize(svg, line_art_side);
   if (!drawing) return std::nullopt;
   auto loaded = understand_flat(std::move(*drawing), input.name, context);
   if (!loaded || loaded->scene.parts.empty()) return std::nullopt;
@@ -59,14 +54,12 @@ Result<SceneInput> load_svg(const InputFile& input, const RunContext& context) {
   auto import = read_svg(text_of(input.bytes));
   if (!import) return import.error();
   if (import->line_art)
-    if (auto lines = load_line_art(input, import->scene, context)) return std::move(*lines);
+    if (auto lines = load_line_art(input, import->paintable, context)) return std::move(*lines);
   SceneInput loaded;
-  const double width = import->scene.width;
-  const double height = import->scene.height;
   loaded.drawing_file = input.name;
-  loaded.rendering =
-      std::async(worker_count() > 1 ? std::launch::async : std::launch::deferred,
-                 [&input, width, height] { return texture_of(input.bytes, width, height); });
+  loaded.rendering = std::async(
+      worker_count() > 1 ? std::launch::async : std::launch::deferred,
+      [svg = std::move(import->paintable)] { return rasterize(svg, vector_texture_side); });
   loaded.scene = std::move(import->scene);
   loaded.colors = std::move(import->colors);
   loaded.warnings = std::move(import->warnings);
@@ -96,7 +89,12 @@ Result<SceneInput> load_folder(const InputFile& input) {
 
 /// The pixels of a picture, or of a vector drawing that covers the scene's canvas.
 Result<Drawing> drawing_from(const Bytes& bytes, const Scene& scene) {
-  if (sniff(bytes) == InputKind::svg) return texture_of(bytes, scene.width, scene.height);
+  if (sniff(bytes) == InputKind::svg) {
+    const auto svg = paintable_svg(text_of(bytes));
+    if (!svg) return svg.error();
+    const ImageSize size = fitted_size(scene.width, scene.height, vector_texture_side);
+    return render_svg(*svg, size.width, size.height);
+  }
   auto pixels = decode_image(bytes);
   if (!pixels) return pixels.error();
   return Drawing{std::move(*pixels)};
@@ -211,8 +209,8 @@ void stack_layers(SceneInput& input) {
 
 }  // namespace
 
-Result<Drawing> rasterize(std::string_view svg, double width, double height, double longest) {
-  const ImageSize size = fitted_size(width, height, longest);
+Result<Drawing> rasterize(const PaintableSvg& svg, double longest) {
+  const ImageSize size = fitted_size(svg.width, svg.height, longest);
   return render_svg(svg, size.width, size.height);
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/geometry/polygon.h"
+#include "io/svg/read_svg.h"
 #include "relief/joining/joining.h"
 #include "relievo/bytes.h"
 #include "relievo/image.h"
@@ -43,14 +43,13 @@ struct SceneInput {
   Joining guesses;  ///< how they connect, where that was guessed; as in the scene
 };
 
-/// The picture of an SVG whose canvas has this width and height, its longest side `longest` px.
-Result<Drawing> rasterize(std::string_view svg, double width, double height, double longest);
+/// The picture of an SVG, its longest side `longest` px.
+Result<Drawing> rasterize(const PaintableSvg& svg, double longest);
 
 /// Reads the whole of a file, or of standard input where the name is "-". A folder is only named.
 Result<InputFile> read_input(const std::string& name);
 
-/// What load_scene gives, but for the pixels of an SVG: another thread renders them. `input` must
-/// live until they are finished.
+/// What load_scene gives, but for the pixels of an SVG: another thread renders them.
 Result<SceneInput> start_scene(const InputFile& input, bool connect,
                                const RunContext& context = {});
 

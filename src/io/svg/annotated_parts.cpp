@@ -7,7 +7,7 @@
 #include "io/parts/part_cover.h"
 #include "io/parts/propose_parts.h"
 #include "io/svg/scanner.h"
-#include "io/svg/svg_marks.h"
+#include "io/svg/svg_drawing.h"
 
 namespace relievo {
 namespace {
@@ -208,6 +208,26 @@ bool layers_are_parts(const SvgDrawing& drawing) {
         propose_parts(group_figures(opaque_marks(layer), layer.canvas())).parts;
     return inside.size() >= 4 && some_overlap(inside);
   });
+}
+
+int enclosing_part(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts, int group) {
+  for (; group >= 0; group = drawing.groups[group].parent) {
+    for (size_t k = 0; k < parts.size(); ++k) {
+      if (parts[k].group == group) return static_cast<int>(k);
+    }
+  }
+  return -1;
+}
+
+Result<int> part_named(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts,
+                       const std::string& name, int otherwise, const std::string& where) {
+  if (name.empty()) return otherwise;
+  for (size_t k = 0; k < parts.size(); ++k) {
+    const SvgGroup& group = drawing.groups[parts[k].group];
+    if (name == parts[k].part.id || name == group.id || name == group.label)
+      return static_cast<int>(k);
+  }
+  return Error{ErrorCode::bad_input, "there is no part named \"" + name + "\"", where};
 }
 
 }  // namespace relievo

@@ -9,12 +9,20 @@
 namespace relievo {
 namespace {
 
-std::optional<double> length(const pugi::xml_node& element, const char* name, LengthAxis axis,
-                             const LengthContext& context) {
-  const pugi::xml_attribute attribute = element.attribute(name);
-  if (!attribute) return std::nullopt;
-  return parse_length(attribute.value(), axis, context);
-}
+/// The lengths that attributes of a shape give.
+struct Lengths {
+  const pugi::xml_node& element;
+  const LengthContext& context;
+
+  std::optional<double> given(const char* name, LengthAxis axis) const {
+    const pugi::xml_attribute attribute = element.attribute(name);
+    if (!attribute) return std::nullopt;
+    return parse_length(attribute.value(), axis, context);
+  }
+  double x(const char* name) const { return given(name, LengthAxis::horizontal).value_or(0); }
+  double y(const char* name) const { return given(name, LengthAxis::vertical).value_or(0); }
+  double r(const char* name) const { return given(name, LengthAxis::diagonal).value_or(0); }
+};
 
 PathSegment move_to(double x, double y) { return {SegmentKind::move, {}, {}, {x, y}}; }
 PathSegment line_to(double x, double y) { return {SegmentKind::line, {}, {}, {x, y}}; }
@@ -31,22 +39,14 @@ PathData ellipse_path(Point2 centre, double rx, double ry) {
   return path;
 }
 
-PathData circle(const pugi::xml_node& e, const LengthContext& c) {
-  const double r = length(e, "r", LengthAxis::diagonal, c).value_or(0);
-  return ellipse_path({length(e, "cx", LengthAxis::horizontal, c).value_or(0),
-                       length(e, "cy", LengthAxis::vertical, c).value_or(0)},
-                      r, r);
+PathData circle(const Lengths& l) {
+  return ellipse_path({l.x("cx"), l.y("cy")}, l.r("r"), l.r("r"));
 }
 
-struct Radii {
-  double rx = 0;
-  double ry = 0;
-};
-
 /// rx and ry; one that is missing or negative is as the other.
-Radii radii(const pugi::xml_node& e, const LengthContext& c) {
-  auto rx = length(e, "rx", LengthAxis::horizontal, c);
-  auto ry = length(e, "ry", LengthAxis::vertical, c);
+Point2 radii(const Lengths& l) {
+  auto rx = l.given("rx", LengthAxis::horizontal);
+  auto ry = l.given("ry", LengthAxis::vertical);
   if (rx && !(*rx >= 0)) rx.reset();
   if (ry && !(*ry >= 0)) ry.reset();
   if (!rx) rx = ry;
@@ -54,11 +54,9 @@ Radii radii(const pugi::xml_node& e, const LengthContext& c) {
   return {rx.value_or(0), ry.value_or(0)};
 }
 
-PathData ellipse(const pugi::xml_node& e, const LengthContext& c) {
-  const Radii r = radii(e, c);
-  return ellipse_path({length(e, "cx", LengthAxis::horizontal, c).value_or(0),
-                       length(e, "cy", LengthAxis::vertical, c).value_or(0)},
-                      r.rx, r.ry);
+PathData ellipse(const Lengths& l) {
+  const Point2 r = radii(l);
+  return ellipse_path({l.x("cx"), l.y("cy")}, r.x, r.y);
 }
 
 PathData rounded_rect(Point2 a, Point2 b, double rx, double ry) {
@@ -76,27 +74,19 @@ PathData rounded_rect(Point2 a, Point2 b, double rx, double ry) {
   return path;
 }
 
-PathData rect(const pugi::xml_node& e, const LengthContext& c) {
-  const double x = length(e, "x", LengthAxis::horizontal, c).value_or(0);
-  const double y = length(e, "y", LengthAxis::vertical, c).value_or(0);
-  const double width = length(e, "width", LengthAxis::horizontal, c).value_or(0);
-  const double height = length(e, "height", LengthAxis::vertical, c).value_or(0);
-  if (!(width > 0) || !(height > 0)) return {};
-  const Radii r = radii(e, c);
-  const double corner_x = std::min(r.rx, width / 2);
-  const double corner_y = std::min(r.ry, height / 2);
-  if (corner_x > 0 && corner_y > 0) {
-    return rounded_rect({x, y}, {x + width, y + height}, corner_x, corner_y);
-  }
-  return {move_to(x, y), line_to(x + width, y), line_to(x + width, y + height),
-          line_to(x, y + height), close_path()};
+PathData rect(const Lengths& l) {
+  const Point2 a{l.x("x"), l.y("y")};
+  const Point2 size{l.x("width"), l.y("height")};
+  if (!(size.x > 0) || !(size.y > 0)) return {};
+  const Point2 b = a + size;
+  const Point2 r = radii(l);
+  const Point2 corner{std::min(r.x, size.x / 2), std::min(r.y, size.y / 2)};
+  if (corner.x > 0 && corner.y > 0) return rounded_rect(a, b, corner.x, corner.y);
+  return {move_to(a.x, a.y), line_to(b.x, a.y), line_to(b.x, b.y), line_to(a.x, b.y), close_path()};
 }
 
-PathData line(const pugi::xml_node& e, const LengthContext& c) {
-  return {move_to(length(e, "x1", LengthAxis::horizontal, c).value_or(0),
-                  length(e, "y1", LengthAxis::vertical, c).value_or(0)),
-          line_to(length(e, "x2", LengthAxis::horizontal, c).value_or(0),
-                  length(e, "y2", LengthAxis::vertical, c).value_or(0))};
+PathData line(const Lengths& l) {
+  return {move_to(l.x("x1"), l.y("y1")), line_to(l.x("x2"), l.y("y2"))};
 }
 
 PathData poly(const pugi::xml_node& e, bool closed, bool& complete) {
@@ -126,13 +116,14 @@ bool is_shape_element(std::string_view name) {
 
 PathData shape_path(const pugi::xml_node& element, const LengthContext& context, bool* complete) {
   const std::string_view name = local_name(element.name());
+  const Lengths lengths{element, context};
   bool whole = true;
   PathData path;
   if (name == "path") path = parse_path_data(element.attribute("d").value(), &whole);
-  if (name == "rect") path = rect(element, context);
-  if (name == "circle") path = circle(element, context);
-  if (name == "ellipse") path = ellipse(element, context);
-  if (name == "line") path = line(element, context);
+  if (name == "rect") path = rect(lengths);
+  if (name == "circle") path = circle(lengths);
+  if (name == "ellipse") path = ellipse(lengths);
+  if (name == "line") path = line(lengths);
   if (name == "polyline") path = poly(element, false, whole);
   if (name == "polygon") path = poly(element, true, whole);
   if (complete) *complete = whole;

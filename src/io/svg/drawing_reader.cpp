@@ -3,12 +3,11 @@
 #include <utility>
 
 #include "io/svg/basic_shapes.h"
-#include "io/svg/paint_server.h"
+#include "io/svg/svg_document.h"
 #include "io/svg/svg_drawing.h"
-#include "io/svg/svg_element.h"
-#include "io/svg/svg_marks.h"
-#include "io/svg/svg_viewport.h"
-#include "io/svg/tangle.h"
+#include "io/svg/svg_length.h"
+#include "io/svg/svg_region.h"
+#include "io/svg/svg_style.h"
 
 namespace relievo {
 namespace {
@@ -41,21 +40,21 @@ bool all_in_reach(const std::vector<Polyline>& lines) {
 class DrawingReader {
  public:
   DrawingReader(const SvgDocument& document, const SvgOptions& options)
-      : document_(document), options_(options) {
-    add_style_elements(document.root);
-    sort_rules(sheet_);
-  }
+      : document_(document), options_(options) {}
 
-  Result<SvgDrawing> read(const SvgCanvas& canvas) {
-    drawing_.width = canvas.width;
-    drawing_.height = canvas.height;
+  /// On a canvas as large as the viewport of the root, scaled.
+  Result<SvgDrawing> read(RootSize size, double scale) {
+    drawing_.width = scale * size.width;
+    drawing_.height = scale * size.height;
+    drawing_.px_width = size.width;
+    drawing_.px_height = size.height;
     drawing_.warnings = document_.warnings;
     const pugi::xml_node& root = document_.root;
     Surroundings around;
-    around.to_canvas = scaling(canvas.width / canvas.px_width, canvas.height / canvas.px_height);
-    around.lengths = {16, canvas.px_width, canvas.px_height};
-    enter_view_box(root, canvas.px_width, canvas.px_height, around);
-    around.style = computed_style(root, sheet_, {}, around.lengths);
+    around.to_canvas = scaling(drawing_.width / size.width, drawing_.height / size.height);
+    around.lengths = {16, size.width, size.height};
+    enter_view_box(root, size.width, size.height, around);
+    around.style = computed_style(root, document_.sheet, {}, around.lengths);
     around.opacity = around.style.opacity;
     if (!around.style.clip_path.empty()) enter_clip(around);
     if (!around.style.mask.empty()) enter_mask(root, around);
@@ -65,18 +64,6 @@ class DrawingReader {
   }
 
  private:
-  void add_style_elements(const pugi::xml_node& parent) {
-    for (const pugi::xml_node& child : parent.children()) {
-      if (local_name(child.name()) != "style") {
-        add_style_elements(child);
-        continue;
-      }
-      const std::string_view type = child.attribute("type").value();
-      if (!type.empty() && type != "text/css") continue;
-      for (const pugi::xml_node& text : child.children()) add_rules(sheet_, text.value());
-    }
-  }
-
   void warn(const std::string& text) {
     auto& list = drawing_.warnings;
     if (std::find(list.begin(), list.end(), text) == list.end() && list.size() < 100) {
@@ -113,7 +100,7 @@ class DrawingReader {
     if (++elements_ > options_.max_elements) fail("too many elements", options_.max_elements);
     if (++around.depth > options_.max_depth) fail("nested too deeply", options_.max_depth);
     if (error_) return false;
-    around.style = computed_style(element, sheet_, around.style, around.lengths);
+    around.style = computed_style(element, document_.sheet, around.style, around.lengths);
     if (!around.style.displayed) return false;
     around.lengths.font_size = around.style.font_size;
     around.opacity *= around.style.opacity;
@@ -341,7 +328,6 @@ class DrawingReader {
 
   const SvgDocument& document_;
   const SvgOptions& options_;
-  Stylesheet sheet_;
   SvgDrawing drawing_;
   std::vector<pugi::xml_node> open_references_;
   size_t elements_ = 0;
@@ -352,8 +338,7 @@ class DrawingReader {
 
 /// Right and bottom of all shapes as seen from the origin of user units.
 Result<RootSize> extent(const SvgDocument& document, const SvgOptions& options) {
-  const SvgCanvas unit{1, 1, 1, 1};
-  const auto drawing = DrawingReader(document, options).read(unit);
+  const auto drawing = DrawingReader(document, options).read({1, 1}, 1);
   if (!drawing) return drawing.error();
   Box2 box;
   for (const SvgShape& shape : drawing->shapes) {
@@ -365,7 +350,7 @@ Result<RootSize> extent(const SvgDocument& document, const SvgOptions& options) 
 
 }  // namespace
 
-Result<SvgCanvas> canvas_of(const SvgDocument& document, const SvgOptions& options) {
+Result<SvgDrawing> read_drawing(const SvgDocument& document, const SvgOptions& options) {
   auto size = root_size(document.root);
   if (!size) {
     const auto measured = extent(document, options);
@@ -378,14 +363,7 @@ Result<SvgCanvas> canvas_of(const SvgDocument& document, const SvgOptions& optio
                  "svg"};
   }
   const bool keep = longest >= options.min_side && longest <= options.max_side;
-  const double scale = keep ? 1 : options.scaled_side / longest;
-  return SvgCanvas{scale * size->width, scale * size->height, size->width, size->height};
-}
-
-Result<SvgDrawing> read_drawing(const SvgDocument& document, const SvgOptions& options) {
-  const auto canvas = canvas_of(document, options);
-  if (!canvas) return canvas.error();
-  return DrawingReader(document, options).read(*canvas);
+  return DrawingReader(document, options).read(*size, keep ? 1 : options.scaled_side / longest);
 }
 
 }  // namespace relievo

@@ -1,15 +1,74 @@
 #include "io/svg/paintable_svg.h"
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <utility>
 
-#include "io/svg/embedded_image.h"
-#include "io/svg/interpret_svg.h"
 #include "io/svg/scanner.h"
-#include "io/svg/svg_viewport.h"
+#include "io/svg/stylesheet.h"
+#include "io/svg/svg_length.h"
 
 namespace relievo {
 namespace {
+
+constexpr size_t header_size = 24;
+
+int base64_value(char c) {
+  if (c >= 'A' && c <= 'Z') return c - 'A';
+  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+  if (c >= '0' && c <= '9') return c - '0' + 52;
+  if (c == '+') return 62;
+  return c == '/' ? 63 : -1;
+}
+
+/// The first bytes that the base64 text stands for.
+std::string decoded_front(std::string_view text, size_t count) {
+  std::string bytes;
+  uint32_t bits = 0;
+  int filled = 0;
+  for (const char c : text) {
+    const int value = base64_value(c);
+    if (value < 0 && (c == '=' || bytes.size() == count)) break;
+    if (value < 0) continue;
+    bits = bits << 6 | static_cast<uint32_t>(value);
+    filled += 6;
+    if (filled < 8) continue;
+    filled -= 8;
+    bytes.push_back(static_cast<char>(bits >> filled & 255));
+    if (bytes.size() == count) break;
+  }
+  return bytes;
+}
+
+uint32_t big_endian(std::string_view bytes) {
+  uint32_t value = 0;
+  for (const char c : bytes) value = value << 8 | static_cast<unsigned char>(c);
+  return value;
+}
+
+struct EmbeddedSize {
+  uint32_t width = 0;
+  uint32_t height = 0;
+};
+
+/// Size of the PNG file that an <image> carries in a data: reference, from its header alone;
+/// nothing for any other content, and for references to elsewhere.
+std::optional<EmbeddedSize> embedded_png_size(const pugi::xml_node& image) {
+  for (const pugi::xml_attribute& attribute : image.attributes()) {
+    if (local_name(attribute.name()) != "href") continue;
+    const std::string_view href = trimmed_svg(attribute.value());
+    constexpr std::string_view prefix = "data:image/png;base64,";
+    if (href.substr(0, prefix.size()) != prefix) return std::nullopt;
+    const std::string header = decoded_front(href.substr(prefix.size()), header_size);
+    const std::string_view view = header;
+    if (view.size() < header_size || view.substr(1, 3) != "PNG" || view.substr(12, 4) != "IHDR") {
+      return std::nullopt;
+    }
+    return EmbeddedSize{big_endian(view.substr(16, 4)), big_endian(view.substr(20, 4))};
+  }
+  return std::nullopt;
+}
 
 constexpr std::string_view svg_namespace = "http://www.w3.org/2000/svg";
 
@@ -74,9 +133,9 @@ void repair_namespaces(pugi::xml_node root) {
 }
 
 /// Gives the root the size that the canvas has for us, so that both agree on where things are.
-void fix_size(pugi::xml_node root, const SvgCanvas& canvas) {
-  const std::string width = std::to_string(canvas.px_width);
-  const std::string height = std::to_string(canvas.px_height);
+void fix_size(pugi::xml_node root, double px_width, double px_height) {
+  const std::string width = std::to_string(px_width);
+  const std::string height = std::to_string(px_height);
   set_attribute(root, "width", width);
   set_attribute(root, "height", height);
   if (!parse_view_box(root.attribute("viewBox").value())) {
@@ -93,25 +152,15 @@ struct StringWriter : pugi::xml_writer {
 
 }  // namespace
 
-Result<PaintableSvg> paintable_svg(std::string_view bytes, const SvgOptions& options) {
-  auto parsed = parse_svg_document(bytes, options);
-  if (!parsed) return parsed.error();
-  SvgDocument& document = **parsed;
-  const auto canvas = canvas_of(document, options);
-  if (!canvas) return canvas.error();
-  const auto drawing = read_drawing(document, options);
-  if (!drawing) return drawing.error();
-  const auto interpretation = interpret_svg(*drawing, options);
-  if (!interpretation) return interpretation.error();
-  for (pugi::xml_node note : interpretation->note_elements) {
-    set_attribute(note, "data-relievo", "ignore");
-  }
+std::string paintable_text(SvgDocument& document, double width, double height,
+                           const std::vector<pugi::xml_node>& notes) {
+  for (pugi::xml_node note : notes) set_attribute(note, "data-relievo", "ignore");
   remove_harmful(document.root);
   repair_namespaces(document.root);
-  fix_size(document.root, *canvas);
+  fix_size(document.root, width, height);
   StringWriter writer;
   document.root.print(writer, "", pugi::format_raw);
-  return PaintableSvg{std::move(writer.text), canvas->px_width, canvas->px_height};
+  return std::move(writer.text);
 }
 
 }  // namespace relievo

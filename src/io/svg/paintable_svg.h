@@ -1,23 +1,15 @@
 #pragma once
 
 #include <string>
-#include <string_view>
+#include <vector>
 
-#include "io/svg/svg_options.h"
-#include "relievo/result.h"
+#include "io/svg/svg_document.h"
 
 namespace relievo {
 
-/// A drawing as a renderer of SVG may see it.
-struct PaintableSvg {
-  std::string text;
-  double width = 0;   ///< of the root in the text, px
-  double height = 0;  ///< likewise
-};
-
-/// The drawing without joins, cues and what is marked data-relievo="ignore", without scripts,
-/// elements that are not SVG's, and pictures other than embedded PNG files of at most 25 million
-/// pixels, its root as large as its canvas. Fails like read_svg.
-Result<PaintableSvg> paintable_svg(std::string_view bytes, const SvgOptions& options = {});
+/// The text of a PaintableSvg whose root has this size, px. The document becomes it; `notes` are
+/// elements of it that are left out.
+std::string paintable_text(SvgDocument& document, double width, double height,
+                           const std::vector<pugi::xml_node>& notes);
 
 }  // namespace relievo

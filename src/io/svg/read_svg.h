@@ -12,12 +12,22 @@
 
 namespace relievo {
 
+/// A drawing as a renderer of SVG may see it: without joins, cues and what is marked
+/// data-relievo="ignore", without scripts, elements that are not SVG's, and pictures other than
+/// embedded PNG files of at most 25 million pixels, its root as large as its canvas.
+struct PaintableSvg {
+  std::string text;
+  double width = 0;   ///< of the root in the text, px
+  double height = 0;  ///< likewise
+};
+
 struct SvgImport {
   Scene scene;
   std::vector<Palette> colors;  ///< [parts]
   bool proposed = false;        ///< the parts were guessed, not annotated
   bool line_art = false;  ///< they were, and nothing is filled: lines enclose them, not shapes
   std::vector<std::string> warnings;
+  PaintableSvg paintable;
 };
 
 /// Reads a layered drawing (DESIGN 7). Annotated groups, else Inkscape layers, become parts with
@@ -26,5 +36,8 @@ struct SvgImport {
 /// that cannot be read), contradiction (an annotation that cannot hold) or limit. Nothing outside
 /// the bytes is ever read.
 Result<SvgImport> read_svg(std::string_view bytes, const SvgOptions& options = {});
+
+/// The drawing to be painted alone, which need not have parts. Otherwise fails like read_svg.
+Result<PaintableSvg> paintable_svg(std::string_view bytes, const SvgOptions& options = {});
 
 }  // namespace relievo

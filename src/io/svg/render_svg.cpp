@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "io/svg/paint_apart.h"
-#include "io/svg/paintable_svg.h"
 
 namespace relievo {
 namespace {
@@ -79,8 +78,7 @@ Status rasterize(const PaintableSvg& svg, Image8& image) {
 
 }  // namespace
 
-Result<Drawing> render_svg(std::string_view bytes, int width, int height,
-                           const SvgOptions& options) {
+Result<Drawing> render_svg(const PaintableSvg& svg, int width, int height) {
   if (width < 1 || height < 1 || width > max_side || height > max_side ||
       static_cast<int64_t>(width) * height > max_pixels) {
     return Error{ErrorCode::limit,
@@ -88,15 +86,20 @@ Result<Drawing> render_svg(std::string_view bytes, int width, int height,
                      " px is not in the limits",
                  "svg"};
   }
-  const auto paintable = paintable_svg(bytes, options);
-  if (!paintable) return paintable.error();
   PaintLimits limits;
-  limits.fonts = paintable->text.find("<text") != std::string::npos ||
-                 paintable->text.find(":text") != std::string::npos;
-  auto image = paint_apart(width, height, limits,
-                           [&](Image8& pixels) { return rasterize(*paintable, pixels); });
+  limits.fonts =
+      svg.text.find("<text") != std::string::npos || svg.text.find(":text") != std::string::npos;
+  auto image =
+      paint_apart(width, height, limits, [&](Image8& pixels) { return rasterize(svg, pixels); });
   if (!image) return image.error();
   return Drawing{std::move(*image)};
+}
+
+Result<Drawing> render_svg(std::string_view bytes, int width, int height,
+                           const SvgOptions& options) {
+  const auto paintable = paintable_svg(bytes, options);
+  if (!paintable) return paintable.error();
+  return render_svg(*paintable, width, height);
 }
 
 }  // namespace relievo

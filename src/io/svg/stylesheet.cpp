@@ -205,9 +205,7 @@ std::vector<Declaration> parse_declarations(std::string_view text) {
     rest.remove_prefix(std::min(end + 1, rest.size()));
     const size_t colon = item.find(':');
     if (colon == std::string_view::npos) continue;
-    Declaration d{std::string(trimmed_svg(item.substr(0, colon))), "", false};
-    std::transform(d.name.begin(), d.name.end(), d.name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    Declaration d{lower_case_svg(trimmed_svg(item.substr(0, colon))), "", false};
     std::string_view value = trimmed_svg(item.substr(colon + 1));
     const size_t bang = value.find('!');
     if (bang != std::string_view::npos) {

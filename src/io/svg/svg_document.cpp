@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "io/svg/basic_shapes.h"
+#include "io/svg/scanner.h"
 #include "io/svg/stylesheet.h"
 #include "io/svg/svg_style.h"
 
@@ -28,41 +30,43 @@ Status check_bytes(std::string_view bytes, const SvgOptions& options) {
   return Done{};
 }
 
-Status check_nesting(const pugi::xml_document& xml, const SvgOptions& options) {
-  size_t depth = 0;
-  size_t elements = 0;
-  pugi::xml_node node = xml.first_child();
-  while (node) {
-    if (node.type() == pugi::node_element && ++elements > options.max_elements) {
-      return limit_error("too many elements", options.max_elements);
-    }
-    if (node.first_child()) {
-      if (++depth > options.max_depth) {
-        return limit_error("elements nested too deeply", options.max_depth);
-      }
-      node = node.first_child();
-      continue;
-    }
-    while (node && !node.next_sibling()) {
-      node = node.parent();
-      if (depth > 0) --depth;
-    }
-    node = node.next_sibling();
-  }
-  return Done{};
+void add_style_element(Stylesheet& sheet, const pugi::xml_node& element) {
+  const std::string_view type = element.attribute("type").value();
+  if (!type.empty() && type != "text/css") return;
+  for (const pugi::xml_node& text : element.children()) add_rules(sheet, text.value());
 }
 
-void collect_ids(SvgDocument& document, const pugi::xml_node& parent) {
+/// Counts all elements, and collects what is referred to: ids and style sheets. `depth` is that of
+/// the children.
+Status index_children(SvgDocument& document, const pugi::xml_node& parent, size_t depth,
+                      size_t& elements, const SvgOptions& options) {
+  if (parent.first_child() && depth > options.max_depth)
+    return limit_error("elements nested too deeply", options.max_depth);
   for (const pugi::xml_node& child : parent.children()) {
+    if (child.type() != pugi::node_element) continue;
+    if (++elements > options.max_elements)
+      return limit_error("too many elements", options.max_elements);
     const pugi::xml_attribute id = child.attribute("id");
-    if (*id.value() != '\0') document.ids.emplace(id.value(), child);
-    collect_ids(document, child);
+    if (depth > 0 && *id.value() != '\0') document.ids.emplace(id.value(), child);
+    if (local_name(child.name()) == "style") add_style_element(document.sheet, child);
+    if (Status status = index_children(document, child, depth + 1, elements, options); !status)
+      return status;
   }
+  return Done{};
 }
 
 int line_of(std::string_view bytes, std::ptrdiff_t offset) {
   const auto end = bytes.begin() + std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(bytes));
   return 1 + static_cast<int>(std::count(bytes.begin(), end, '\n'));
+}
+
+template <class Test>
+bool any_class(const pugi::xml_node& element, const Test& test) {
+  std::string_view classes = element.attribute("class").value();
+  for (auto item = next_svg_item(classes); !item.empty(); item = next_svg_item(classes)) {
+    if (test(item)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -76,7 +80,10 @@ Result<std::unique_ptr<SvgDocument>> parse_svg_document(std::string_view bytes,
     return Error{ErrorCode::bad_input, std::string("not XML: ") + parsed.description(),
                  "line " + std::to_string(line_of(bytes, parsed.offset))};
   }
-  if (const Status status = check_nesting(document->xml, options); !status) return status.error();
+  size_t elements = 0;
+  if (const Status status = index_children(*document, document->xml, 0, elements, options); !status)
+    return status.error();
+  sort_rules(document->sheet);
   document->root = document->xml.document_element();
   if (local_name(document->root.name()) != "svg") {
     return Error{ErrorCode::bad_input, "the outermost element is not <svg>", "svg"};
@@ -84,7 +91,6 @@ Result<std::unique_ptr<SvgDocument>> parse_svg_document(std::string_view bytes,
   if (bytes.find("<!ENTITY") != std::string_view::npos) {
     document->warnings.push_back("entities of the document type are not expanded");
   }
-  collect_ids(*document, document->root);
   return document;
 }
 
@@ -95,6 +101,63 @@ pugi::xml_node referenced_element(const SvgDocument& document, const pugi::xml_n
   }
   const auto found = document.ids.find(local_reference(href.value()));
   return found == document.ids.end() ? pugi::xml_node() : found->second;
+}
+
+SvgAnnotation annotation_of(const pugi::xml_node& element) {
+  SvgAnnotation a;
+  const std::string_view mark = trimmed_svg(element.attribute("data-relievo").value());
+  if (mark == "part") a.mark = SvgMark::part;
+  if (mark == "texture") a.mark = SvgMark::texture;
+  if (mark == "ignore") a.mark = SvgMark::ignore;
+  if (mark == "join") a.mark = SvgMark::join;
+  if (mark == "cue") a.mark = SvgMark::cue;
+  a.c = element.attribute("data-c").value();
+  a.d = element.attribute("data-d").value();
+  a.flat = element.attribute("data-flat").value();
+  a.lean = element.attribute("data-lean").value();
+  a.relation = element.attribute("data-relation").value();
+  a.upper = element.attribute("data-upper").value();
+  a.lower = element.attribute("data-lower").value();
+  a.cue = trimmed_svg(element.attribute("data-cue").value());
+  a.value = element.attribute("data-value").value();
+  a.part = element.attribute("data-part").value();
+  return a;
+}
+
+std::string name_of(const pugi::xml_node& element) {
+  const pugi::xml_attribute label = element.attribute("inkscape:label");
+  return *label.value() != '\0' ? label.value() : element.attribute("id").value();
+}
+
+bool has_join_class(const pugi::xml_node& element) {
+  return any_class(element, [](std::string_view item) { return item.substr(0, 4) == "join"; });
+}
+
+bool has_cue_class(const pugi::xml_node& element) {
+  return any_class(element, [](std::string_view item) { return item == "cue"; });
+}
+
+bool is_container(std::string_view name) {
+  return name == "g" || name == "a" || name == "svg" || name == "switch";
+}
+
+bool switch_allows(const pugi::xml_node& child) {
+  const std::string_view name = local_name(child.name());
+  if (!is_shape_element(name) && !is_container(name) && name != "use") return false;
+  if (child.attribute("requiredExtensions")) return false;
+  const pugi::xml_attribute language = child.attribute("systemLanguage");
+  if (!language) return true;
+  std::string_view list = language.value();
+  for (auto item = next_svg_item(list); !item.empty(); item = next_svg_item(list)) {
+    if (item == "en" || item.substr(0, 3) == "en-") return true;
+  }
+  return false;
+}
+
+bool is_blur(const SvgDocument& document, const std::string& filter) {
+  const auto found = document.ids.find(filter);
+  return found != document.ids.end() &&
+         local_name(found->second.last_child().name()) == "feGaussianBlur";
 }
 
 }  // namespace relievo

@@ -4,46 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "io/parts/figures.h"
 #include "io/svg/svg_document.h"
 #include "io/svg/svg_region.h"
 #include "relievo/result.h"
 
 namespace relievo {
-
-/// What a data-relievo attribute says of an element and all below it.
-enum class SvgMark {
-  none,
-  part,     ///< one part
-  texture,  ///< painted, but no part
-  ignore,   ///< neither
-  join,     ///< a join, not painted
-  cue,      ///< a cue, not painted
-};
-
-/// The annotations of one element, as written.
-struct SvgAnnotation {
-  SvgMark mark = SvgMark::none;
-  std::string c;
-  std::string d;
-  std::string flat;
-  std::string lean;
-  std::string relation;
-  std::string upper;
-  std::string lower;
-  std::string cue;    ///< kind
-  std::string value;  ///< of a cue
-  std::string part;   ///< likewise
-
-  bool empty() const {
-    return mark == SvgMark::none && !has_part_values() && upper.empty() && lower.empty() &&
-           cue.empty();
-  }
-
-  /// Whether it sets what only a part has.
-  bool has_part_values() const {
-    return !c.empty() || !d.empty() || !flat.empty() || !lean.empty() || !relation.empty();
-  }
-};
 
 /// A <g>, or a single annotated shape as the group of itself.
 struct SvgGroup {
@@ -77,8 +43,10 @@ struct SvgShape {
 /// The vector content of a file, flattened. Shapes are in paint order, groups before what they
 /// hold.
 struct SvgDrawing {
-  double width = 0;   ///< canvas, px
-  double height = 0;  ///< canvas, px
+  double width = 0;      ///< canvas, px
+  double height = 0;     ///< canvas, px
+  double px_width = 0;   ///< viewport of the root before it is scaled to the canvas, px
+  double px_height = 0;  ///< likewise
   std::vector<SvgShape> shapes;
   std::vector<SvgGroup> groups;
   std::vector<Region> clips;
@@ -87,21 +55,11 @@ struct SvgDrawing {
   Box2 canvas() const { return {{0, 0}, {width, height}}; }
 };
 
-/// Canvas of a document: size in px and the map from the root's user units.
-struct SvgCanvas {
-  double width = 0;
-  double height = 0;
-  double px_width = 0;   ///< root viewport before scaling, px
-  double px_height = 0;  ///< likewise
-};
-
-/// Reads all shapes. A mask cuts as a clip path does, where it is lighter than half. Text and
-/// images have no geometry here and are named in the warnings, with their layer, and so is a shape
-/// with points beyond 1e9 px, which is left out. Fails with limit or bad_input.
+/// Reads all shapes; where the root does not say how large the canvas is, it holds them. A mask
+/// cuts as a clip path does, where it is lighter than half. Text and images have no geometry here
+/// and are named in the warnings, with their layer, and so is a shape with points beyond 1e9 px,
+/// which is left out. Fails with limit or bad_input.
 Result<SvgDrawing> read_drawing(const SvgDocument& document, const SvgOptions& options);
-
-/// Size of the canvas; from the extent of the shapes where the root does not say it.
-Result<SvgCanvas> canvas_of(const SvgDocument& document, const SvgOptions& options);
 
 /// What the shape fills on the canvas, whatever its paint.
 Region fill_of(const SvgShape& shape, const SvgDrawing& drawing);
@@ -112,5 +70,18 @@ Region stroke_of(const SvgShape& shape, const SvgDrawing& drawing);
 /// What shapes leave lighter than half, painted one over the other on black: what a mask of them
 /// shows.
 Region light_region(const std::vector<SvgShape>& shapes, const SvgDrawing& drawing);
+
+/// Paint with a lower alpha is not seen.
+constexpr double faint_alpha = 0.02;
+
+/// The shapes whose alpha is at least one half, or, where nothing is that opaque, whatever can be
+/// seen. Joins, cues and what is marked as texture or to be ignored are left out.
+std::vector<Mark> opaque_marks(const SvgDrawing& drawing);
+
+/// What an element is marked as by itself or the nearest marked group around it.
+SvgMark inherited_mark(const SvgDrawing& drawing, int group);
+
+/// A name for what lies in the group: the nearest one given; may be empty.
+std::string inherited_name(const SvgDrawing& drawing, int group);
 
 }  // namespace relievo

@@ -5,6 +5,7 @@
 
 #include "io/svg/stylesheet.h"
 #include "io/svg/svg_color.h"
+#include "io/svg/svg_document.h"
 #include "io/svg/svg_length.h"
 
 namespace relievo {
@@ -54,5 +55,10 @@ SvgStyle computed_style(const pugi::xml_node& element, const Stylesheet& sheet,
 
 /// The id in "url(#id)" or "#id"; empty where the reference is not local.
 std::string local_reference(std::string_view text);
+
+/// One colour that stands for the paint: its own, or the mean of a gradient's stops along the
+/// gradient, or grey for a pattern. A gradient is as transparent as its most transparent stop, for
+/// one that fades out is shading. Nothing where the paint draws nothing.
+std::optional<Color> representative_color(const SvgPaint& paint, const SvgDocument& document);
 
 }  // namespace relievo

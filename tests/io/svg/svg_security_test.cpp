@@ -2,7 +2,6 @@
 
 #include <cstdint>
 
-#include "io/svg/paintable_svg.h"
 #include "io/svg/render_svg.h"
 #include "io/svg/svg_test_support.h"
 

@@ -6,7 +6,6 @@
 #include "io/svg/scanner.h"
 #include "io/svg/svg_color.h"
 #include "io/svg/svg_length.h"
-#include "io/svg/svg_viewport.h"
 
 namespace relievo {
 namespace {
