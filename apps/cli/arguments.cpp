@@ -1,9 +1,11 @@
 #include "apps/cli/arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
 
+#include "apps/cli/batch/batch_arguments.h"
+#include "apps/cli/build_arguments.h"
+#include "apps/cli/common_arguments.h"
 #include "apps/cli/exit_code.h"
 #include "apps/cli/relief_arguments.h"
 #include "apps/cli/within.h"
@@ -20,15 +22,6 @@ Examples:
   relievo build photo.jpg -o photo.glb --overlay understood.png
   relievo check wolf.svg
   relievo render wolf.glb -o wolf-sheet.png --view sheet)";
-
-constexpr const char* build_help = R"(Reconstructs a drawing and writes models, maps and pictures.
-
-Examples:
-  relievo build wolf.svg -o wolf.glb
-  relievo build photo.jpg -o photo.glb --overlay understood.png
-  relievo build wolf.svg -o wolf.stl --size 80 --vertices 100000
-  relievo build scene.json --depth-map depth.png --json
-  cat wolf.svg | relievo build - -o wolf.glb)";
 
 constexpr const char* check_help =
     R"(Reads a drawing, tells what its parts and joins are and what is wrong. Writes nothing but what
@@ -55,90 +48,6 @@ Examples:
   relievo segment photo.jpg --scribbles strokes.png -o wolf.relievo --overlay understood.png
   relievo segment wolf.png --labels wolf-parts.png -o wolf.json --overlay understood.png
   relievo build wolf.relievo -o wolf.glb)";
-
-constexpr const char* input_help =
-    "Layered drawing (SVG, OpenRaster, a folder of pictures), flat picture (PNG, JPEG, GIF), "
-    "project or scene file (JSON); - reads standard input";
-
-void add_common(CLI::App& app, CommonArguments& common, const char* what) {
-  app.add_option("INPUT", common.input, what)->required();
-  app.add_flag("-q,--quiet", common.quiet, "Say nothing but errors");
-  app.add_option("--timeout", common.timeout, "Give up after so many seconds")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--threads", common.threads,
-                 "Threads to use (default: as many as there are); the results are the same")
-      ->check(CLI::Range(1, 256));
-}
-
-void add_connect(CLI::App& app, CommonArguments& common) {
-  app.add_option_function<std::string>(
-         "--connect", [&common](const std::string& how) { common.connect = how == "auto"; },
-         "Joins of layered drawings that say none: auto guesses them (the default), none stacks "
-         "the parts")
-      ->check(CLI::IsMember({"auto", "none"}));
-}
-
-/// A usage error where the file's extension is none of those given.
-CLI::Validator extension(const std::vector<std::string>& allowed) {
-  const auto check = [=](const std::string& name) -> std::string {
-    std::string known;
-    for (const std::string& end : allowed) {
-      const bool fits = name.size() > end.size() && name.substr(name.size() - end.size()) == end;
-      if (fits) return "";
-      known += (known.empty() ? "" : ", ") + end;
-    }
-    return "\"" + name + "\" must end in " + known;
-  };
-  return {check, "", "extension"};
-}
-
-void add_build(CLI::App& main, BuildArguments& build) {
-  CLI::App& app = *main.add_subcommand("build", build_help);
-  add_common(app, build.common, input_help);
-  add_connect(app, build.common);
-  app.add_option("-o,--output", build.models,
-                 "Model: .glb, .obj, .ply, .stl or .3mf; may be repeated")
-      ->check(extension({".glb", ".obj", ".ply", ".stl", ".3mf"}))
-      ->expected(1)
-      ->take_all();
-  app.add_option("--size", build.size_mm, "Longest side in mm (default 100)")
-      ->check(within(0.001, 1e6));
-  app.add_option("--filaments", build.filaments,
-                 "Paint a .3mf with so many colours at most (default 4)")
-      ->check(CLI::Range(1, 16));
-  app.add_option_function<std::string>(
-         "--slicer",
-         [&build](const std::string& name) {
-           build.slicer = name == "bambu" ? Slicer::bambu : Slicer::prusa;
-         },
-         "Paint a .3mf for prusa (the default) or bambu, whose paint the other does not read")
-      ->check(CLI::IsMember({"prusa", "bambu"}));
-  const auto picture = extension({".png"});
-  app.add_option("--normal-map", build.normal_map, "Normals (.png)")->check(picture);
-  app.add_option_function<std::string>(
-         "--normal-y", [&build](const std::string& sign) { build.normal_y_down = sign == "-"; },
-         "Green of the normal map: + is up (OpenGL), - is down (DirectX)")
-      ->check(CLI::IsMember({"+", "-"}));
-  app.add_option("--depth-map", build.depth_map, "Heights, 16 bit, near is white (.png)")
-      ->check(picture);
-  app.add_option("--part-map", build.part_map, "Numbers of the parts, 16 bit (.png)")
-      ->check(picture);
-  app.add_option("--map-size", build.map_size, "Longest side of the maps in px (default 2048)")
-      ->check(CLI::Range(1, 16384));
-  app.add_option("--preview", build.preview, "Picture of the model (.png)")->check(picture);
-  app.add_option("--preview-size", build.preview_size, "Its longest side in px (default 1200)")
-      ->check(CLI::Range(16, 8192));
-  app.add_option("--overlay", build.overlay, "What was understood, over the drawing (.png)")
-      ->check(picture);
-  app.add_option("--convergence", build.convergence,
-                 "Of nonlinear: the surface after some of its steps, side by side (.png)")
-      ->check(picture);
-  app.add_option("--report", build.report, "What was computed, how exactly, how fast (.json)")
-      ->check(extension({".json"}));
-  app.add_flag("--json", build.print_report, "Print the report on standard output");
-  add_relief_options(app, build.relief);
-  add_visibility(app, build.relief);
-}
 
 void add_check(CLI::App& main, CheckArguments& check) {
   CLI::App& app = *main.add_subcommand("check", check_help);
@@ -203,17 +112,6 @@ void add_render(CLI::App& main, RenderArguments& render) {
   add_visibility(app, render.relief);
 }
 
-bool wants_nothing(const BuildArguments& build) {
-  return build.models.empty() && build.normal_map.empty() && build.depth_map.empty() &&
-         build.part_map.empty() && build.preview.empty() && build.overlay.empty() &&
-         build.convergence.empty() && build.report.empty() && !build.print_report;
-}
-
-bool wants_3mf(const BuildArguments& build) {
-  return std::any_of(build.models.begin(), build.models.end(),
-                     [](const std::string& name) { return name.ends_with(".3mf"); });
-}
-
 /// Prints help and the version on standard output, mistakes on standard error.
 int finish(const CLI::App& app, const CLI::ParseError& error) {
   return app.exit(error, std::cout, std::cerr) == 0 ? exit_done : exit_usage;
@@ -235,7 +133,10 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
   CheckArguments check;
   RenderArguments render;
   SegmentArguments segment;
+  BuildArguments choices;
+  BatchArguments batch;
   add_build(app, build);
+  const CLI::App& batch_app = add_batch(app, batch, choices);
   add_check(app, check);
   add_render(app, render);
   add_segment(app, segment);
@@ -244,14 +145,13 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
     if (app.got_subcommand("check")) return Command(check);
     if (app.got_subcommand("render")) return Command(render);
     if (app.got_subcommand("segment")) return Command(segment);
+    if (app.got_subcommand("batch")) {
+      settle_batch(batch_app, batch);
+      return Command(batch);
+    }
     if (!app.got_subcommand("build"))
-      throw CLI::RequiredError("A command (build, check, render or segment)");
-    if (wants_nothing(build))
-      throw CLI::ValidationError("nothing to write: give -o, a map, --preview, --report or --json");
-    if (!build.convergence.empty() && build.relief.options.method != Method::nonlinear)
-      throw CLI::ValidationError("--convergence needs --method nonlinear: the other has no steps");
-    if (wants_3mf(build) && !build.relief.solid)
-      throw CLI::ValidationError("a .3mf holds solids alone: add --profile solid");
+      throw CLI::RequiredError("A command (build, batch, check, render or segment)");
+    settle_build(build);
     return Command(build);
   } catch (const CLI::ParseError& error) {
     return finish(app, error);

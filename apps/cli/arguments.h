@@ -92,7 +92,28 @@ struct SegmentArguments {
   std::string report;
 };
 
-using Command = std::variant<BuildArguments, CheckArguments, RenderArguments, SegmentArguments>;
+/// A share of a batch: of every `count` drawings the one of this index, from 1.
+struct Shard {
+  int index = 1;
+  int count = 1;
+};
+
+struct BatchArguments {
+  CommonArguments common;
+  std::vector<std::string> inputs;          ///< drawings, folders, tables
+  std::string output;                       ///< folder
+  std::vector<std::string> make = {"glb"};  ///< of each drawing
+  std::vector<std::string> words;           ///< options of `build` for every drawing
+  int jobs = 0;                             ///< at once; 0: as many as there are processors
+  double memory_mb = 0;                     ///< for all of them; 0: most of what is free
+  Shard shard;
+  bool retry = false;  ///< build those again that failed
+  bool sheet = false;  ///< make a contact sheet
+  bool merge = false;  ///< the journals of shards, and build nothing
+};
+
+using Command =
+    std::variant<BuildArguments, CheckArguments, RenderArguments, SegmentArguments, BatchArguments>;
 
 /// The command, or the exit code where there is nothing more to do: help or the version was
 /// printed on standard output, or what is wrong was told on standard error.

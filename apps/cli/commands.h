@@ -13,4 +13,7 @@ Status run_check(const CheckArguments& check, Interruption& interruption);
 Status run_segment(const SegmentArguments& segment, Interruption& interruption);
 Status run_render(const RenderArguments& render, Interruption& interruption);
 
+/// Goes on where drawings fail. The exit code: that of the worst failure, 0 where all are built.
+Result<int> run_batch(const BatchArguments& batch, Interruption& interruption);
+
 }  // namespace relievo::cli

@@ -17,14 +17,21 @@ const CommonArguments& common(const Command& command) {
       [](const auto& arguments) -> const CommonArguments& { return arguments.common; }, command);
 }
 
-Status run(const Command& command, Interruption& interruption) {
+/// The exit code of a command that has done its work.
+Result<int> run(const Command& command, Interruption& interruption) {
+  const auto done = [](const Status& status) -> Result<int> {
+    if (!status) return status.error();
+    return exit_done;
+  };
+  if (const auto* batch = std::get_if<BatchArguments>(&command))
+    return run_batch(*batch, interruption);
   if (const auto* build = std::get_if<BuildArguments>(&command))
-    return run_build(*build, interruption);
+    return done(run_build(*build, interruption));
   if (const auto* check = std::get_if<CheckArguments>(&command))
-    return run_check(*check, interruption);
+    return done(run_check(*check, interruption));
   if (const auto* segment = std::get_if<SegmentArguments>(&command))
-    return run_segment(*segment, interruption);
-  return run_render(std::get<RenderArguments>(command), interruption);
+    return done(run_segment(*segment, interruption));
+  return done(run_render(std::get<RenderArguments>(command), interruption));
 }
 
 int run_program(int argc, const char* const* argv) {
@@ -33,11 +40,12 @@ int run_program(int argc, const char* const* argv) {
   const auto& command = std::get<Command>(parsed);
   set_worker_count(common(command).threads);
   Interruption interruption(common(command).timeout);
-  Status status = run(command, interruption);
-  if (status) status = flush_results();
-  if (status) return exit_done;
-  const bool stopped = status.error().code == ErrorCode::interrupted;
-  const Error error = stopped ? interruption.reason() : status.error();
+  Result<int> code = run(command, interruption);
+  if (code)
+    if (Status status = flush_results(); !status) code = status.error();
+  if (code) return *code;
+  const bool stopped = code.error().code == ErrorCode::interrupted;
+  const Error error = stopped ? interruption.reason() : code.error();
   print_error(error);
   return exit_code(error.code);
 }

@@ -1,0 +1,248 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "apps/cli/batch/plan.h"
+#include "apps/cli/batch/pool.h"
+#include "apps/cli/batch/sheet_page.h"
+#include "apps/cli/commands.h"
+#include "apps/cli/exit_code.h"
+#include "apps/cli/messages.h"
+#include "kernel/base/stopwatch.h"
+#include "relievo/files.h"
+
+namespace relievo::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a build takes at the least, and for each vertex of the approximate method, MB.
+constexpr double base_mb = 90;
+constexpr double vertex_mb = 0.002;
+
+/// Of the memory that is free, how much is used unless something else is said.
+constexpr double share_of_memory = 0.8;
+
+int processors() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+/// Memory that is free or can be made so.
+double free_mb() {
+  std::ifstream file("/proc/meminfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("MemAvailable:")) return std::stod(line.substr(13)) / 1024;
+  return 4096;
+}
+
+std::string time_of_day() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text.data();
+}
+
+/// Warnings of a build, and the line that says why it failed.
+void read_messages(const std::string& text, JournalEntry& entry) {
+  static const std::string ours = "relievo: ";
+  static const std::string warning = ours + "warning: ";
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(warning))
+      entry.warnings.push_back(line.substr(warning.size()));
+    else if (entry.code != 0)
+      entry.message = line.starts_with(ours) ? line.substr(ours.size()) : line;
+  }
+  if (entry.code > 128 && entry.message.empty())
+    entry.message = "defect: ended by signal " + std::to_string(entry.code - 128);
+}
+
+/// The line of progress, rewritten in place on terminals.
+class Rate {
+ public:
+  Rate(size_t all, bool quiet) : all_(all), shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
+
+  void count(bool failed) {
+    ++done_;
+    failed_ += failed ? 1 : 0;
+    if (!shown_) return;
+    const double rate = static_cast<double>(done_) / std::max(seconds(), 1e-3);
+    const auto left = std::lround(std::ceil(static_cast<double>(all_ - done_) / rate));
+    std::fprintf(stderr, "\r\033[K%zu of %zu, %zu failed, %.1f a second, %ld:%02ld:%02ld left",
+                 done_, all_, failed_, rate, left / 3600, left / 60 % 60, left % 60);
+    std::fflush(stderr);
+  }
+
+  void clear() const {
+    if (shown_) std::fputs("\r\033[K", stderr);
+  }
+
+  double seconds() const { return watch_.milliseconds() / 1000; }
+
+ private:
+  Stopwatch watch_;
+  size_t all_;
+  size_t done_ = 0;
+  size_t failed_ = 0;
+  bool shown_;
+};
+
+std::vector<PoolTask> tasks_of(const BatchPlan& plan, int processes) {
+  const std::string threads = std::to_string(std::max(1, processors() / processes));
+  std::vector<PoolTask> tasks;
+  for (const auto& [job, entry] : plan.builds) {
+    std::vector<std::string> words = {"build", job.input.string(), "--threads", threads};
+    words.insert(words.end(), job.words.begin(), job.words.end());
+    tasks.push_back({std::move(words), base_mb + vertex_mb * job.vertices});
+  }
+  return tasks;
+}
+
+Status make_folders(const std::vector<fs::path>& files) {
+  for (const fs::path& file : files) {
+    std::error_code code;
+    const fs::path folder = file.parent_path();
+    fs::create_directories(folder, code);
+    if (code) return Error{ErrorCode::file, "cannot be made: " + code.message(), folder.string()};
+  }
+  return Done{};
+}
+
+/// The entry of a build that has ended; an error where the batch itself is being stopped.
+Result<JournalEntry> finished(JournalEntry entry, const ChildOutcome& outcome) {
+  if (outcome.code == exit_interrupted || outcome.code == 128 + SIGTERM) return interrupted_error();
+  entry.code = outcome.code;
+  read_messages(outcome.messages, entry);
+  entry.seconds = outcome.seconds;
+  entry.cpu_seconds = outcome.cpu_seconds;
+  entry.peak_mb = outcome.peak_mb;
+  entry.finished = time_of_day();
+  if (entry.code != 0) entry.files.clear();
+  return entry;
+}
+
+/// Builds what is planned. Seconds that it took.
+Result<double> build_planned(const BatchArguments& batch, const BatchPlan& plan, Journal& journal,
+                             JournalEntries& entries, Interruption& interruption) {
+  for (const PlannedBuild& planned : plan.builds)
+    if (Status status = make_folders(planned.job.outputs); !status) return status.error();
+  const int processes = batch.jobs > 0 ? batch.jobs : processors();
+  const double memory = batch.memory_mb > 0 ? batch.memory_mb : share_of_memory * free_mb();
+  Rate rate(plan.builds.size(), batch.common.quiet);
+  const auto keep = [&](size_t task, const ChildOutcome& outcome) -> Status {
+    auto entry = finished(plan.builds[task].entry, outcome);
+    if (!entry) return entry.error();
+    if (entry->code != 0) {
+      rate.clear();
+      print_note(entry->name + ": " + entry->message, batch.common.quiet);
+    }
+    if (Status status = journal.add(*entry); !status) return status;
+    rate.count(entry->code != 0);
+    entries[entry->name] = std::move(*entry);
+    return Done{};
+  };
+  const PoolOptions options{processes, memory,
+                            [&interruption] { return interruption.flag()->load(); }};
+  const Status status = run_pool(tasks_of(plan, processes), options, keep);
+  rate.clear();
+  if (!status) return status.error();
+  return rate.seconds();
+}
+
+size_t count_failed(const JournalEntries& entries) {
+  return std::count_if(entries.begin(), entries.end(),
+                       [](const auto& entry) { return entry.second.code != 0; });
+}
+
+/// A defect, else the highest.
+int worst_code(const JournalEntries& entries) {
+  int worst = exit_done;
+  for (const auto& [name, entry] : entries) {
+    if (entry.code == 1 || entry.code > 128) return 1;
+    worst = std::max(worst, entry.code);
+  }
+  return worst;
+}
+
+Status write_text(const fs::path& path, const std::string& text) {
+  return write_files({{path, Bytes(text.begin(), text.end())}});
+}
+
+Status write_page(const BatchArguments& batch, const JournalEntries& entries) {
+  if (!batch.sheet) return Done{};
+  const fs::path page = fs::path(batch.output) / "index.html";
+  return write_text(page, write_sheet(entries, batch.output));
+}
+
+void summarise(const BatchArguments& batch, const JournalEntries& entries, size_t built,
+               double seconds) {
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(),
+                "%zu drawings: %zu taken up in %.1f s, %zu as they were, %zu failed in all",
+                entries.size(), built, seconds, entries.size() - built, count_failed(entries));
+  print_result(text.data(), batch.common.quiet);
+}
+
+Result<int> build_batch(const BatchArguments& batch, Interruption& interruption) {
+  auto jobs = collect_jobs(batch);
+  if (!jobs) return jobs.error();
+  const fs::path folder = batch.output;
+  if (Status status = make_folders({folder / "journal"}); !status) return status.error();
+  const auto& [index, count] = batch.shard;
+  const std::string shard =
+      count > 1 ? "-" + std::to_string(index) + "-of-" + std::to_string(count) : "";
+  auto journal = Journal::open(folder / ("journal" + shard + ".jsonl"));
+  if (!journal) return journal.error();
+  auto entries = read_journals(folder);
+  if (!entries) return entries.error();
+  const auto plan = plan_batch(batch, std::move(*jobs), *entries, *interruption.flag());
+  if (!plan) return plan.error();
+  const auto seconds = build_planned(batch, *plan, *journal, *entries, interruption);
+  if (!seconds) return seconds.error();
+  std::erase_if(*entries, [&](const auto& entry) { return plan->names.count(entry.first) == 0; });
+  if (count == 1)
+    if (Status status = write_page(batch, *entries); !status) return status.error();
+  summarise(batch, *entries, plan->builds.size(), *seconds);
+  return worst_code(*entries);
+}
+
+/// Makes one journal of those of the shards.
+Result<int> merge_batch(const BatchArguments& batch) {
+  const fs::path folder = batch.output;
+  const std::vector<fs::path> paths = journals_in(folder);
+  if (paths.empty()) return Error{ErrorCode::file, "no journals are there", folder.string()};
+  std::vector<Journal> held;
+  for (const fs::path& path : paths) {
+    auto journal = Journal::open(path);
+    if (!journal) return journal.error();
+    held.push_back(std::move(*journal));
+  }
+  const auto entries = read_journals(folder);
+  if (!entries) return entries.error();
+  std::string text;
+  for (const auto& [name, entry] : *entries) text += journal_line(entry);
+  const fs::path merged = folder / "journal.jsonl";
+  if (Status status = write_text(merged, text); !status) return status.error();
+  std::error_code code;
+  for (const fs::path& path : paths)
+    if (path != merged) fs::remove(path, code);
+  if (Status status = write_page(batch, *entries); !status) return status.error();
+  summarise(batch, *entries, 0, 0);
+  return worst_code(*entries);
+}
+
+}  // namespace
+
+Result<int> run_batch(const BatchArguments& batch, Interruption& interruption) {
+  return batch.merge ? merge_batch(batch) : build_batch(batch, interruption);
+}
+
+}  // namespace relievo::cli

@@ -1,0 +1,161 @@
+#include "apps/cli/batch/jobs.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "apps/cli/batch/manifest.h"
+#include "apps/cli/batch/sheet_page.h"
+#include "apps/cli/build_arguments.h"
+#include "apps/cli/outputs.h"
+
+namespace relievo::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A drawing, and what is said of it alone.
+struct Found {
+  fs::path input;
+  fs::path name;  ///< with the input's extension
+  bool named = false;
+  std::vector<std::string> words;
+  std::string where;  ///< the manifest's line; empty: none
+};
+
+/// Scene files are left to those who name them: much else ends in .json.
+bool is_drawing(const fs::path& path) {
+  static const std::array<const char*, 7> endings = {".svg",  ".ora", ".png",    ".jpg",
+                                                     ".jpeg", ".gif", ".relievo"};
+  std::string ending = path.extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return std::any_of(endings.begin(), endings.end(),
+                     [&](const char* known) { return ending == known; });
+}
+
+bool is_layer_folder(const fs::path& path) {
+  std::error_code code;
+  return fs::is_directory(path, code) && fs::exists(path / "layers.tsv", code);
+}
+
+/// In the order of their names, whatever that of the file system is.
+Status search_folder(const fs::path& folder, const fs::path& below, std::vector<Found>& found) {
+  std::error_code code;
+  std::vector<fs::path> entries;
+  for (fs::directory_iterator it(folder, code), end; !code && it != end; it.increment(code))
+    entries.push_back(it->path());
+  if (code) return Error{ErrorCode::file, "cannot be read: " + code.message(), folder.string()};
+  std::sort(entries.begin(), entries.end());
+  for (const fs::path& entry : entries) {
+    const fs::path name = below / entry.filename();
+    if (entry.filename().string().starts_with('.')) continue;
+    if (is_layer_folder(entry) || (!fs::is_directory(entry, code) && is_drawing(entry)))
+      found.push_back({entry, name, false, {}, ""});
+    else if (fs::is_directory(entry, code))
+      if (Status status = search_folder(entry, name, found); !status) return status;
+  }
+  return Done{};
+}
+
+Status find_inputs(const std::string& input, std::vector<Found>& found) {
+  const fs::path path(input);
+  std::error_code code;
+  if (path.extension() == ".tsv") {
+    const auto rows = read_manifest(path);
+    if (!rows) return rows.error();
+    for (const ManifestRow& row : *rows)
+      found.push_back({row.input, row.name.empty() ? row.input.filename() : fs::path(row.name),
+                       !row.name.empty(), row.words, input + ":" + std::to_string(row.line)});
+    return Done{};
+  }
+  if (fs::is_directory(path, code) && !is_layer_folder(path)) return search_folder(path, "", found);
+  const fs::path name = path.filename().empty() ? path.parent_path().filename() : path.filename();
+  found.push_back({path, name, false, {}, ""});
+  return Done{};
+}
+
+std::string plain_name(const Found& found) {
+  if (found.named) return found.name.generic_string();
+  return fs::path(found.name).replace_extension().generic_string();
+}
+
+/// Without its extension where no other drawing has that name.
+std::string job_name(const Found& found, const std::map<std::string, int>& uses) {
+  const std::string name = plain_name(found);
+  if (uses.at(name) == 1 || found.named || !found.name.has_extension()) return name;
+  return name + "-" + found.name.extension().string().substr(1);
+}
+
+bool has(const std::vector<std::string>& words, const char* word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// The options of what is to be made of a drawing.
+std::vector<std::string> output_words(const BatchArguments& batch, const std::string& name) {
+  const fs::path folder = batch.output;
+  const std::string stem = (folder / name).string();
+  std::vector<std::string> words;
+  if (batch.sheet && !has(batch.make, "preview")) {
+    words = {"--preview", (folder / sheet_picture(name)).string()};
+    if (!has(batch.words, "--preview-size"))
+      words.insert(words.end(), {"--preview-size", std::to_string(sheet_size)});
+  }
+  for (const std::string& what : batch.make) {
+    if (what == "normal" || what == "depth" || what == "part") {
+      words.push_back("--" + what + "-map");
+      words.push_back(stem + "-" + what + ".png");
+    } else if (what == "preview" || what == "overlay") {
+      words.push_back("--" + what);
+      words.push_back(stem + "-" + what + ".png");
+    } else if (what == "report") {
+      words.emplace_back("--report");
+      words.push_back(stem + "-report.json");
+    } else {
+      words.emplace_back("-o");
+      words.push_back(stem + "." + what);
+    }
+  }
+  return words;
+}
+
+Result<BatchJob> job_of(const Found& found, const std::string& name, const BatchArguments& batch) {
+  BatchJob job{found.input, name, batch.words, {}, 0};
+  job.words.insert(job.words.end(), found.words.begin(), found.words.end());
+  const auto made = output_words(batch, name);
+  job.words.insert(job.words.end(), made.begin(), made.end());
+  const auto build = parse_build(job.input.string(), job.words);
+  if (!build) return Error{build.error().code, build.error().message, found.where};
+  job.outputs = planned_outputs(*build);
+  job.vertices = build->relief.options.layers.vertex_budget;
+  return job;
+}
+
+}  // namespace
+
+Result<std::vector<BatchJob>> collect_jobs(const BatchArguments& batch) {
+  std::vector<Found> found;
+  for (const std::string& input : batch.inputs)
+    if (Status status = find_inputs(input, found); !status) return status.error();
+  if (found.empty())
+    return Error{ErrorCode::bad_input, "no drawings are there", batch.inputs.front()};
+  std::map<std::string, int> uses;
+  for (const Found& one : found) ++uses[plain_name(one)];
+  std::map<std::string, BatchJob> jobs;
+  for (const Found& one : found) {
+    const std::string name = job_name(one, uses);
+    auto job = job_of(one, name, batch);
+    if (!job) return job.error();
+    const auto [place, added] = jobs.emplace(name, std::move(*job));
+    if (!added)
+      return Error{
+          ErrorCode::usage,
+          "would have the results of " + place->second.input.string() + "; name them in a manifest",
+          one.input.string()};
+  }
+  std::vector<BatchJob> list;
+  for (auto& [name, job] : jobs) list.push_back(std::move(job));
+  return list;
+}
+
+}  // namespace relievo::cli

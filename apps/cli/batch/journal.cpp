@@ -1,0 +1,140 @@
+#include "apps/cli/batch/journal.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <utility>
+
+#include "relievo/files.h"
+
+namespace relievo::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+Result<JournalEntry> read_entry(const std::string& line) {
+  try {
+    const Json json = Json::parse(line);
+    JournalEntry entry;
+    json.at("name").get_to(entry.name);
+    json.at("input").get_to(entry.input);
+    json.at("digest").get_to(entry.digest);
+    json.at("options").get_to(entry.options);
+    json.at("version").get_to(entry.version);
+    json.at("code").get_to(entry.code);
+    json.at("message").get_to(entry.message);
+    json.at("warnings").get_to(entry.warnings);
+    json.at("seconds").get_to(entry.seconds);
+    json.at("cpu_seconds").get_to(entry.cpu_seconds);
+    json.at("peak_mb").get_to(entry.peak_mb);
+    json.at("files").get_to(entry.files);
+    json.at("finished").get_to(entry.finished);
+    return entry;
+  } catch (const Json::exception&) {
+    return Error{ErrorCode::bad_input,
+                 "is no line of a journal; remove it, and its drawing is built again", ""};
+  }
+}
+
+Status read_journal(const fs::path& path, JournalEntries& entries) {
+  const auto bytes = read_file(path, uint64_t{4} << 30);
+  if (!bytes) return bytes.error();
+  std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+  text.erase(text.find_last_of('\n') + 1);
+  std::istringstream lines(text);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    if (line.empty()) continue;
+    auto entry = read_entry(line);
+    if (!entry)
+      return Error{entry.error().code, entry.error().message,
+                   path.string() + ":" + std::to_string(number)};
+    JournalEntry& known = entries[entry->name];
+    if (known.finished <= entry->finished) known = std::move(*entry);
+  }
+  return Done{};
+}
+
+Error cannot_write(const fs::path& path) {
+  return {ErrorCode::file, "cannot be written: " + std::generic_category().message(errno),
+          path.string()};
+}
+
+}  // namespace
+
+std::string journal_line(const JournalEntry& entry) {
+  const Json json = {{"name", entry.name},        {"input", entry.input},
+                     {"digest", entry.digest},    {"options", entry.options},
+                     {"version", entry.version},  {"code", entry.code},
+                     {"message", entry.message},  {"warnings", entry.warnings},
+                     {"seconds", entry.seconds},  {"cpu_seconds", entry.cpu_seconds},
+                     {"peak_mb", entry.peak_mb},  {"files", entry.files},
+                     {"finished", entry.finished}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::vector<fs::path> journals_in(const fs::path& folder) {
+  std::vector<fs::path> paths;
+  std::error_code code;
+  for (fs::directory_iterator it(folder, code), end; !code && it != end; it.increment(code)) {
+    const std::string name = it->path().filename().string();
+    if (name.starts_with("journal") && name.ends_with(".jsonl")) paths.push_back(it->path());
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+Result<JournalEntries> read_journals(const fs::path& folder) {
+  JournalEntries entries;
+  for (const fs::path& path : journals_in(folder))
+    if (Status status = read_journal(path, entries); !status) return status.error();
+  return entries;
+}
+
+Journal::Journal(Journal&& other) noexcept
+    : file_(std::exchange(other.file_, -1)), path_(std::move(other.path_)) {}
+
+Journal& Journal::operator=(Journal&& other) noexcept {
+  std::swap(file_, other.file_);
+  std::swap(path_, other.path_);
+  return *this;
+}
+
+Journal::~Journal() {
+  if (file_ >= 0) close(file_);
+}
+
+Result<Journal> Journal::open(const fs::path& path) {
+  Journal journal;
+  journal.path_ = path;
+  journal.file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (journal.file_ < 0) return cannot_write(path);
+  if (flock(journal.file_, LOCK_EX | LOCK_NB) != 0)
+    return Error{ErrorCode::file, "another batch is writing it", path.string()};
+  // What a killed batch left half-written ends here.
+  const off_t size = lseek(journal.file_, 0, SEEK_END);
+  char last = '\n';
+  if (size > 0 && pread(journal.file_, &last, 1, size - 1) == 1 && last != '\n') {
+    const auto bytes = read_file(path, uint64_t{4} << 30);
+    if (!bytes) return bytes.error();
+    const auto end = std::find(bytes->rbegin(), bytes->rend(), static_cast<uint8_t>('\n'));
+    if (ftruncate(journal.file_, bytes->rend() - end) != 0) return cannot_write(path);
+  }
+  return journal;
+}
+
+Status Journal::add(const JournalEntry& entry) {
+  const std::string line = journal_line(entry);
+  const ssize_t written = write(file_, line.data(), line.size());
+  if (written == static_cast<ssize_t>(line.size())) return Done{};
+  return cannot_write(path_);
+}
+
+}  // namespace relievo::cli

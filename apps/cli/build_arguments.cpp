@@ -1,0 +1,125 @@
+#include "apps/cli/build_arguments.h"
+
+#include <algorithm>
+
+#include "apps/cli/common_arguments.h"
+#include "apps/cli/relief_arguments.h"
+#include "apps/cli/within.h"
+
+namespace relievo::cli {
+namespace {
+
+constexpr const char* help = R"(Reconstructs a drawing and writes models, maps and pictures.
+
+Examples:
+  relievo build wolf.svg -o wolf.glb
+  relievo build photo.jpg -o photo.glb --overlay understood.png
+  relievo build wolf.svg -o wolf.stl --size 80 --vertices 100000
+  relievo build scene.json --depth-map depth.png --json
+  cat wolf.svg | relievo build - -o wolf.glb)";
+
+void add_print_options(CLI::App& app, BuildArguments& build) {
+  app.add_option("--size", build.size_mm, "Longest side in mm (default 100)")
+      ->check(within(0.001, 1e6));
+  app.add_option("--filaments", build.filaments,
+                 "Paint a .3mf with so many colours at most (default 4)")
+      ->check(CLI::Range(1, 16));
+  app.add_option_function<std::string>(
+         "--slicer",
+         [&build](const std::string& name) {
+           build.slicer = name == "bambu" ? Slicer::bambu : Slicer::prusa;
+         },
+         "Paint a .3mf for prusa (the default) or bambu, whose paint the other does not read")
+      ->check(CLI::IsMember({"prusa", "bambu"}));
+}
+
+void add_picture_options(CLI::App& app, BuildArguments& build) {
+  app.add_option_function<std::string>(
+         "--normal-y", [&build](const std::string& sign) { build.normal_y_down = sign == "-"; },
+         "Green of the normal map: + is up (OpenGL), - is down (DirectX)")
+      ->check(CLI::IsMember({"+", "-"}));
+  app.add_option("--map-size", build.map_size, "Longest side of the maps in px (default 2048)")
+      ->check(CLI::Range(1, 16384));
+  app.add_option("--preview-size", build.preview_size,
+                 "Longest side of the preview in px (default 1200)")
+      ->check(CLI::Range(16, 8192));
+}
+
+void add_outputs(CLI::App& app, BuildArguments& build) {
+  app.add_option("-o,--output", build.models,
+                 "Model: .glb, .obj, .ply, .stl or .3mf; may be repeated")
+      ->check(extension({".glb", ".obj", ".ply", ".stl", ".3mf"}))
+      ->expected(1)
+      ->take_all();
+  const auto picture = extension({".png"});
+  app.add_option("--normal-map", build.normal_map, "Normals (.png)")->check(picture);
+  app.add_option("--depth-map", build.depth_map, "Heights, 16 bit, near is white (.png)")
+      ->check(picture);
+  app.add_option("--part-map", build.part_map, "Numbers of the parts, 16 bit (.png)")
+      ->check(picture);
+  app.add_option("--preview", build.preview, "Picture of the model (.png)")->check(picture);
+  app.add_option("--overlay", build.overlay, "What was understood, over the drawing (.png)")
+      ->check(picture);
+  app.add_option("--convergence", build.convergence,
+                 "Of nonlinear: the surface after some of its steps, side by side (.png)")
+      ->check(picture);
+  app.add_option("--report", build.report, "What was computed, how exactly, how fast (.json)")
+      ->check(extension({".json"}));
+  app.add_flag("--json", build.print_report, "Print the report on standard output");
+}
+
+bool wants_nothing(const BuildArguments& build) {
+  return build.models.empty() && build.normal_map.empty() && build.depth_map.empty() &&
+         build.part_map.empty() && build.preview.empty() && build.overlay.empty() &&
+         build.convergence.empty() && build.report.empty() && !build.print_report;
+}
+
+bool wants_3mf(const BuildArguments& build) {
+  return std::any_of(build.models.begin(), build.models.end(),
+                     [](const std::string& name) { return name.ends_with(".3mf"); });
+}
+
+}  // namespace
+
+void add_build(CLI::App& main, BuildArguments& build) {
+  CLI::App& app = *main.add_subcommand("build", help);
+  add_common(app, build.common, input_help);
+  add_outputs(app, build);
+  add_build_choices(app, build);
+}
+
+void add_build_choices(CLI::App& app, BuildArguments& build) {
+  add_connect(app, build.common);
+  add_print_options(app, build);
+  add_picture_options(app, build);
+  add_relief_options(app, build.relief);
+  add_visibility(app, build.relief);
+}
+
+void settle_build(const BuildArguments& build) {
+  if (wants_nothing(build))
+    throw CLI::ValidationError("nothing to write: give -o, a map, --preview, --report or --json");
+  if (!build.convergence.empty() && build.relief.options.method != Method::nonlinear)
+    throw CLI::ValidationError("--convergence needs --method nonlinear: the other has no steps");
+  if (wants_3mf(build) && !build.relief.solid)
+    throw CLI::ValidationError("a .3mf holds solids alone: add --profile solid");
+}
+
+Result<BuildArguments> parse_build(const std::string& input,
+                                   const std::vector<std::string>& words) {
+  BuildArguments build;
+  CLI::App app("", "relievo");
+  add_build(app, build);
+  std::vector<std::string> backwards(words.rbegin(), words.rend());
+  backwards.push_back(input);
+  backwards.emplace_back("build");
+  try {
+    app.parse(std::move(backwards));
+    settle_build(build);
+  } catch (const CLI::ParseError& error) {
+    return Error{ErrorCode::usage, error.what(), ""};
+  }
+  return build;
+}
+
+}  // namespace relievo::cli

@@ -1,0 +1,36 @@
+#include "apps/cli/common_arguments.h"
+
+namespace relievo::cli {
+
+void add_common(CLI::App& app, CommonArguments& common, const char* what) {
+  app.add_option("INPUT", common.input, what)->required();
+  app.add_flag("-q,--quiet", common.quiet, "Say nothing but errors");
+  app.add_option("--timeout", common.timeout, "Give up after so many seconds")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--threads", common.threads,
+                 "Threads to use (default: as many as there are); the results are the same")
+      ->check(CLI::Range(1, 256));
+}
+
+void add_connect(CLI::App& app, CommonArguments& common) {
+  app.add_option_function<std::string>(
+         "--connect", [&common](const std::string& how) { common.connect = how == "auto"; },
+         "Joins of layered drawings that say none: auto guesses them (the default), none stacks "
+         "the parts")
+      ->check(CLI::IsMember({"auto", "none"}));
+}
+
+CLI::Validator extension(const std::vector<std::string>& allowed) {
+  const auto check = [=](const std::string& name) -> std::string {
+    std::string known;
+    for (const std::string& end : allowed) {
+      const bool fits = name.size() > end.size() && name.substr(name.size() - end.size()) == end;
+      if (fits) return "";
+      known += (known.empty() ? "" : ", ") + end;
+    }
+    return "\"" + name + "\" must end in " + known;
+  };
+  return {check, "", "extension"};
+}
+
+}  // namespace relievo::cli
