@@ -106,7 +106,9 @@ bool study(const char* name, int vertices) {
   for (const Robin& robin : robins) {
     auto inflation = inflate(*mesh, drawing->scene, {robin.alpha0, robin.rho});
     if (!inflation) return false;
-    auto ordering = order_depth(*mesh, *inflation, drawing->scene, {});
+    OrderingOptions as_in_paper;
+    as_in_paper.straight_limbs = false;
+    auto ordering = order_depth(*mesh, *inflation, drawing->scene, as_in_paper);
     if (!ordering) return false;
     approximate.push_back({*inflation, *ordering});
   }

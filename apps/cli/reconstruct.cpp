@@ -35,6 +35,7 @@ Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
     for (Part& part : scene.parts) part = as_in_paper(std::move(part));
     options.layers.attach = false;
     options.inflation.alpha0 = paper_alpha0;
+    options.ordering.straight_limbs = false;
   }
   if (arguments.c)
     for (Part& part : scene.parts) part.c = *arguments.c;

@@ -100,12 +100,20 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
          "Outlines beside joins: auto, attached to the part below at first (the default); robin, "
          "as in the paper")
       ->check(CLI::IsMember({"auto", "robin"}));
+  app.add_option_function<std::string>(
+         "--limbs",
+         [&relief](const std::string& name) {
+           relief.options.ordering.straight_limbs = name == "straight";
+         },
+         "Joined limbs: straight, as far forward as they begin (the default); back, each falling "
+         "back to the drawing plane, as in the paper")
+      ->check(CLI::IsMember({"straight", "back"}));
   auto* preset = app.add_option_function<std::string>(
       "--preset", [&relief](const std::string& name) { relief.as_in_paper = name == "paper"; },
       "default: the parts' own values; paper: its c = 4 and d = 1 or -1 for all, round and "
-      "upright, with its ranges beside joins");
+      "upright, with its ranges beside joins and no straight limbs");
   preset->check(CLI::IsMember({"default", "paper"}));
-  for (const char* value : {"--c", "--flat", "--lean", "--rho", "--alpha0", "--ramps"})
+  for (const char* value : {"--c", "--flat", "--lean", "--rho", "--alpha0", "--ramps", "--limbs"})
     preset->excludes(app.get_option(value));
   app.add_flag_callback(
       "--no-glue", [&relief] { relief.options.layers.glue = false; },

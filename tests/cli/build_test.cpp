@@ -261,7 +261,7 @@ TEST_F(Build, PaperPresetIsThePapersValuesForAllParts) {
         {"build", "other.json", "--preset", preset, "--depth-map", "d.png", "--map-size", "200"});
     if (preset == "default")
       arguments = with_small({"build", "other.json", "--ramps", "robin", "--alpha0", "0.1",
-                              "--depth-map", "d.png", "--map-size", "200"});
+                              "--limbs", "back", "--depth-map", "d.png", "--map-size", "200"});
     const Outcome outcome = relievo(arguments);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return read("d.png");

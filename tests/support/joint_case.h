@@ -19,6 +19,7 @@ inline ReliefOptions joint_options(int vertices, double lambda_bnd) {
   options.layers.vertex_budget = vertices;
   options.hidden = false;
   options.joint.lambda_bnd = lambda_bnd;
+  options.ordering.straight_limbs = false;  // as in the paper
   return options;
 }
 

@@ -271,8 +271,9 @@ Result<JointSolution> solve_jointly(const OrderingInput& input, const JointOptio
   assert(input.inflation.u.size() == input.mesh.node_vertex.size());
   assert(static_cast<int>(input.scene.parts.size()) == input.mesh.part_count);
   if (Status status = check_options(options); !status) return status.error();
-  set_surface({input.mesh, input.discretisation, input.scene}, options.epsilon, system, context);
-  set_leans(input.mesh, input.scene, system);
+  const SurfaceInput surface{input.mesh, input.discretisation, input.scene};
+  set_surface(surface, options.epsilon, system, context);
+  set_leans(surface, input.inflation, options.straight_limbs, system);
   JointSolver solver(input, options, known, system, context);
   JointSolution solution;
   if (Status status = solver.solve(solution); !status) return status.error();

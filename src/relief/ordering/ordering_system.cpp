@@ -4,6 +4,7 @@
 
 #include "kernel/base/piece_timer.h"
 #include "relief/ordering/lean_term.h"
+#include "relief/ordering/limb_rise.h"
 #include "relief/ordering/pair_selection.h"
 
 namespace relievo {
@@ -18,8 +19,11 @@ void set_surface(const SurfaceInput& surface, double epsilon, OrderingSystem& sy
   }
 }
 
-void set_leans(const LayeredMesh& mesh, const Scene& scene, OrderingSystem& system) {
-  system.metric.lean = lean_term(mesh, scene, system.metric.scale, system.epsilon);
+void set_leans(const SurfaceInput& surface, const Inflation& inflation, bool straight_limbs,
+               OrderingSystem& system) {
+  ShiftMetric& metric = system.metric;
+  metric.lean = lean_term(surface.mesh, surface.scene, metric.scale, system.epsilon);
+  if (straight_limbs) add_wanted(limb_rise(surface, inflation), metric);
 }
 
 void set_pairs(const SurfaceInput& surface, OrderingSystem& system, const RunContext& context) {

@@ -5,6 +5,7 @@
 
 #include "kernel/geometry/polygon.h"
 #include "relief/discretisation/discretisation.h"
+#include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/depth_contacts.h"
 #include "relief/ordering/depth_problem.h"
@@ -37,8 +38,10 @@ struct OrderingSystem {
 void set_surface(const SurfaceInput& surface, double epsilon, OrderingSystem& system,
                  const RunContext& context);
 
-/// Brings the leans of the metric up to date. Precondition: the surface was set. As lean_term.
-void set_leans(const LayeredMesh& mesh, const Scene& scene, OrderingSystem& system);
+/// Brings up to date what the metric says of leans and, where `straight_limbs`, of limbs.
+/// Precondition: the surface was set. As lean_term and limb_rise.
+void set_leans(const SurfaceInput& surface, const Inflation& inflation, bool straight_limbs,
+               OrderingSystem& system);
 
 /// Makes the system one for the mesh's pairs; anew where its pattern cannot serve, which takes
 /// make_depth_system. For none if `context` is cancelled.

@@ -13,6 +13,13 @@ ShiftMetric make_shift_metric(const Discretisation& discretisation, double epsil
   return metric;
 }
 
+void add_wanted(const Eigen::VectorXd& r, ShiftMetric& metric) {
+  if (r.isZero(0)) return;
+  const Eigen::VectorXd force = metric.A * r;
+  metric.lean.constant += r.dot(force) / 2 + r.dot(metric.lean.pull);
+  metric.lean.pull += force;
+}
+
 Eigen::VectorXd inflated_heights(const std::vector<double>& u) {
   Eigen::VectorXd f(static_cast<Eigen::Index>(u.size()));
   for (Eigen::Index n = 0; n < f.size(); ++n) f[n] = signed_root(u[n]);

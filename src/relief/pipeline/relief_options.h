@@ -13,7 +13,7 @@ struct ReliefOptions {
   LayerOptions layers;
   InflationOptions inflation;
   OrderingOptions ordering;
-  JointOptions joint;  ///< of the non-linear method; epsilon is the ordering's
+  JointOptions joint;  ///< of the non-linear method; epsilon and limbs are the ordering's
   /// Whether what is hidden from the front is wanted too: in models of whole sheets.
   bool hidden = true;
 };

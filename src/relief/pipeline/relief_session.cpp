@@ -240,6 +240,7 @@ Status ReliefSession::update_jointly(const Request& request) {
   return heights_state_.refresh(std::move(key), [&]() -> Status {
     JointOptions joint = options.joint;
     joint.epsilon = options.ordering.epsilon;
+    joint.straight_limbs = options.ordering.straight_limbs;
     joint.bumps = options.inflation;
     auto solution = solve_jointly({relief_.layers, discretisation_, inflation_, scene}, joint,
                                   joint_memory_, ordering_system_, context);
