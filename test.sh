@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds the program and the editor and runs their tests. With --all also all tests under the address
-# and undefined-behaviour sanitizers, the long surveys, the linter, the pages of the interface and a
-# program built against the installed package.
+# and undefined-behaviour sanitizers, the long surveys, the linter, the pages of the interface, a
+# program built against the installed package and, as root, a batch on a Slurm cluster of this machine.
 set -eu
 cd "$(dirname "$0")"
 # Comparisons with slow reference solvers and many random scenes.
@@ -36,5 +36,10 @@ cmake --build "build/$preset" -j "$jobs"
 scripts/build-web.sh
 export RELIEVO="$PWD/build/$preset/apps/cli/relievo"
 (cd web && npm run --silent test && npm run --silent journeys)
+
+if [ "$preset" = dev ] && [ "$(id -u)" -eq 0 ]; then
+  scripts/install-packages.sh cluster
+  tests/cluster/slurm.sh "$RELIEVO"
+fi
 
 ctest --test-dir "build/$preset" -j "$jobs" --output-on-failure --no-tests=error -E "$left_out"

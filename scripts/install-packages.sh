@@ -1,8 +1,9 @@
 #!/bin/sh
 # Installs the Debian packages that are missing; does nothing, quickly, where all are there.
-# Usage: install-packages.sh [build|web|test|bench|docs|fuzz]
+# Usage: install-packages.sh [build|web|test|bench|docs|fuzz|cluster]
 # build: to compile and run; web: those and for the editor; test: all of these and to test; bench:
-# the first and to measure; docs: to make pages of the interface; fuzz: the first and to fuzz
+# the first and to measure; docs: to make pages of the interface; fuzz: the first and to fuzz;
+# cluster: to run a Slurm cluster of one machine
 set -eu
 
 build="ca-certificates ccache cmake g++ libcgal-dev libcli11-dev libeigen3-dev libembree-dev
@@ -22,8 +23,9 @@ case "${1:-test}" in
   test) wanted="$build $web $test" ;;
   bench) wanted="$build $bench" ;;
   docs) wanted="doxygen" ;;
+  cluster) wanted="munge slurm-client slurmctld slurmd" ;;
   fuzz) wanted="$build clang libclang-rt-14-dev" ;;
-  *) echo "usage: $0 [build|web|test|bench|docs|fuzz]" >&2; exit 2 ;;
+  *) echo "usage: $0 [build|web|test|bench|docs|fuzz|cluster]" >&2; exit 2 ;;
 esac
 
 if ! command -v dpkg-query > /dev/null; then
