@@ -1,5 +1,6 @@
 #include "relief/joint/bound_step.h"
 
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -17,6 +18,9 @@ namespace {
 /// The matrix serves as long as no spring has changed by so much of the stiffness there.
 constexpr double tolerated_change = 0.1;
 
+/// Of loose outlines, times their length: that of a wave of twice the length, and some more.
+constexpr double loose_firmness = 2;
+
 /// How often gaps on B may open and close within a step.
 constexpr int side_rounds = 8;
 
@@ -30,6 +34,19 @@ std::vector<int> heights_first(const SoftMatrix& matrix) {
     if (i < matrix.heights()) order.push_back(i);
   for (Index i = matrix.heights(); i < matrix.T.cols(); ++i) order.push_back(static_cast<int>(i));
   return order;
+}
+
+/// #B: what share of the loose outline of its range a node stands for; 0 where it is not loose.
+VectorXd loose_shares(const JointModel& model) {
+  std::map<int, double> length;  // by range
+  VectorXd share = model.bound_mass;
+  for (Index i = 0; i < share.size(); ++i) {
+    if (model.loose_gap[i] < 0) share[i] = 0;
+    length[model.bound_ramp[i]] += share[i];
+  }
+  for (Index i = 0; i < share.size(); ++i)
+    if (share[i] > 0) share[i] /= length[model.bound_ramp[i]];
+  return share;
 }
 
 /// Where gaps are open f is 0, and nothing but the heights resists them.
@@ -103,10 +120,13 @@ void BoundStep::renew_springs(const VectorXd& springs) {
   qp_.K.diagonal() = own_diagonal_ + springs;
 }
 
+/// Parts that rest on loose B may swing by it when all gaps are open. What they rest on elsewhere
+/// holds them then, which the elimination does not know.
 void BoundStep::resist(double share) {
+  own_diagonal_ = eliminated_ + loose_firmness * loose_shares(model_);
   for (Index i = 0; i < own_diagonal_.size(); ++i) {
     const int n = model_.bound[i];
-    own_diagonal_[i] = eliminated_[i] + share * model_.metric.A.coeff(n, n);
+    own_diagonal_[i] += share * model_.metric.A.coeff(n, n);
   }
   if (own_diagonal_.size() > 0) qp_.K.diagonal() = own_diagonal_ + springs_;
 }

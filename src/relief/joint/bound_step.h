@@ -24,7 +24,8 @@ class BoundStep {
   /// Finds the stiffness: one analysis and one factorisation.
   SolveStatus prepare(const RunContext& context);
 
-  /// Makes steps shorter, by a share of what holds each node while all heights beside it are held.
+  /// Makes steps shorter: by a share of what holds each node while all heights beside it are held,
+  /// and where B is loose, by what holds a wave as long as the loose outline of the range. O(#B).
   /// Precondition: prepared.
   void resist(double share);
 

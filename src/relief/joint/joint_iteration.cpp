@@ -82,6 +82,7 @@ Status iterate(JointMap& map, double growth, const JointOptions& options, const 
       least = step.residual;
     }
     least = std::min(least, step.residual);
+    state = std::move(next);
     map.unpack(mixer.next(F_x, F_x - x), state);
   }
   run.report.status = JointStatus::iteration_limit;

@@ -79,8 +79,7 @@ void JointMap::unpack(const VectorXd& x, JointState& state) const {
   for (Index i = 0; i < contacts; ++i) {
     const int n = nodes_[i];
     const int sign = model_.sign[n];
-    const double least = sign * state.u[n] > 0 ? 0.1 * state.u[n] : 0;
-    state.u[n] = sign != 0 && sign * x[i] < sign * least ? least : x[i];
+    if (sign == 0 || sign * x[i] >= std::max(0.0, 0.1 * sign * state.u[n])) state.u[n] = x[i];
   }
   for (Index i = 0; i < bounds_; ++i) {
     const int n = model_.bound[i];

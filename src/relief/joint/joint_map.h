@@ -51,8 +51,8 @@ class JointMap {
 
   Eigen::VectorXd pack(const JointState& state) const;
 
-  /// Puts x into the state. What would change sign, or shrink to a tenth at once, shrinks to a
-  /// tenth: only its root has a meaning.
+  /// Puts x into a state that a step has left. What would change sign, or shrink to a tenth, stays
+  /// as the step has left it: only its root has a meaning.
   void unpack(const Eigen::VectorXd& x, JointState& state) const;
 
   /// One step: leaves F in `state`, but for its heights, and says what it cost. Precondition:

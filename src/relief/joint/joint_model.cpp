@@ -29,10 +29,12 @@ void collect_bound(const LayeredMesh& mesh, JointModel& model) {
   std::sort(model.bound.begin(), model.bound.end());
   model.bound.erase(std::unique(model.bound.begin(), model.bound.end()), model.bound.end());
   model.bound_mass = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.bound.size()));
+  model.bound_ramp.assign(model.bound.size(), -1);
   for (const RampNode& node : mesh.ramp_nodes) {
     if (lifted[node.node] == 0) continue;
     const auto at = std::lower_bound(model.bound.begin(), model.bound.end(), node.node);
     model.bound_mass[at - model.bound.begin()] += model.metric.scale * node.mass;
+    model.bound_ramp[at - model.bound.begin()] = node.ramp;
   }
   model.loose_gap.assign(model.bound.size(), -1);
 }

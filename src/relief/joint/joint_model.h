@@ -28,8 +28,9 @@ struct JointModel {
   /// #B, where nothing but an inequality lifts f: the child of the gap that opens once f is 0; else
   /// -1, as everywhere before find_loose_bound.
   std::vector<int> loose_gap;
-  Eigen::VectorXd held;        ///< #N, u where it is neither free nor on B; 0 elsewhere
-  Eigen::VectorXd bound_mass;  ///< #B, lengths of outline that they stand for
+  Eigen::VectorXd held;         ///< #N, u where it is neither free nor on B; 0 elsewhere
+  Eigen::VectorXd bound_mass;   ///< #B, lengths of outline that they stand for
+  std::vector<int> bound_ramp;  ///< #B, a range that they lie under
 };
 
 /// B are the nodes under Robin ranges that pairs tie to another part or may lift. Of the others
