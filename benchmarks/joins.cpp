@@ -60,7 +60,7 @@ void study(const std::string& name, const Scene& scene, const ReliefOptions& opt
     return;
   }
   const LayeredMesh& mesh = relief->layers;
-  for (const testing::SeamChain& chain : testing::seam_chains(mesh)) {
+  for (const SeamChain& chain : seam_chains(mesh)) {
     const std::vector<double> angles = testing::seam_angles(mesh, relief->ordering.h, chain);
     std::vector<double> heights = relief->ordering.h;
     const std::vector<double> pits = testing::pits(mesh, heights, chain);

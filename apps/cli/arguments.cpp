@@ -6,6 +6,7 @@
 #include "apps/cli/batch/batch_arguments.h"
 #include "apps/cli/build_arguments.h"
 #include "apps/cli/common_arguments.h"
+#include "apps/cli/compare_arguments.h"
 #include "apps/cli/exit_code.h"
 #include "apps/cli/relief_arguments.h"
 #include "apps/cli/within.h"
@@ -131,6 +132,7 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
   app.require_subcommand(0, 1);
   BuildArguments build;
   CheckArguments check;
+  CompareArguments compare;
   RenderArguments render;
   SegmentArguments segment;
   BuildArguments choices;
@@ -138,11 +140,16 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
   add_build(app, build);
   const CLI::App& batch_app = add_batch(app, batch, choices);
   add_check(app, check);
+  add_compare(app, compare);
   add_render(app, render);
   add_segment(app, segment);
   try {
     app.parse(static_cast<int>(words.size()), words.data());
     if (app.got_subcommand("check")) return Command(check);
+    if (app.got_subcommand("compare")) {
+      settle_compare(compare);
+      return Command(compare);
+    }
     if (app.got_subcommand("render")) return Command(render);
     if (app.got_subcommand("segment")) return Command(segment);
     if (app.got_subcommand("batch")) {
@@ -150,7 +157,7 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
       return Command(batch);
     }
     if (!app.got_subcommand("build"))
-      throw CLI::RequiredError("A command (build, batch, check, render or segment)");
+      throw CLI::RequiredError("A command (build, batch, check, compare, render or segment)");
     settle_build(build);
     return Command(build);
   } catch (const CLI::ParseError& error) {

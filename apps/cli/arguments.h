@@ -10,6 +10,7 @@
 #include "kernel/geometry/polygon.h"
 #include "relief/pipeline/keep_field.h"
 #include "relievo/scene.h"
+#include "rivals/rival.h"
 #include "solid/solid_options.h"
 
 namespace relievo::cli {
@@ -112,8 +113,22 @@ struct BatchArguments {
   bool merge = false;  ///< the journals of shards, and build nothing
 };
 
-using Command =
-    std::variant<BuildArguments, CheckArguments, RenderArguments, SegmentArguments, BatchArguments>;
+struct CompareArguments {
+  CommonArguments common;
+  ReliefArguments relief;  ///< of which the mesh's options alone are used
+  std::string method;      ///< name of a rival
+  RivalOptions options;
+  std::vector<std::string> models;  ///< .glb, .obj, .ply, .stl
+  std::string graft_mask;           ///< file; empty: none
+  std::string preview;              ///< files; empty: not wanted
+  std::string normal_map;
+  std::string depth_map;
+  std::string report;
+  int map_size = 1024;  ///< longest side of the maps, px
+};
+
+using Command = std::variant<BuildArguments, CheckArguments, CompareArguments, RenderArguments,
+                             SegmentArguments, BatchArguments>;
 
 /// The command, or the exit code where there is nothing more to do: help or the version was
 /// printed on standard output, or what is wrong was told on standard error.

@@ -10,6 +10,7 @@ namespace relievo::cli {
 /// is printed by the caller. Where it fails, nothing has been written.
 Status run_build(const BuildArguments& build, Interruption& interruption);
 Status run_check(const CheckArguments& check, Interruption& interruption);
+Status run_compare(const CompareArguments& compare, Interruption& interruption);
 Status run_segment(const SegmentArguments& segment, Interruption& interruption);
 Status run_render(const RenderArguments& render, Interruption& interruption);
 

@@ -29,6 +29,8 @@ Result<int> run(const Command& command, Interruption& interruption) {
     return done(run_build(*build, interruption));
   if (const auto* check = std::get_if<CheckArguments>(&command))
     return done(run_check(*check, interruption));
+  if (const auto* compare = std::get_if<CompareArguments>(&command))
+    return done(run_compare(*compare, interruption));
   if (const auto* segment = std::get_if<SegmentArguments>(&command))
     return done(run_segment(*segment, interruption));
   return done(run_render(std::get<RenderArguments>(command), interruption));

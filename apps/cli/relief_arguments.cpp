@@ -17,18 +17,6 @@ Field field(const std::string& name) {
   return name == "shift" ? Field::shift : Field::relief;
 }
 
-void add_mesh_options(CLI::App& app, ReliefArguments& relief) {
-  LayerOptions& layers = relief.options.layers;
-  auto* vertices =
-      app.add_option("--vertices", layers.vertex_budget, "About so many vertices (default 40000)")
-          ->check(CLI::Range(100, 10000000));
-  app.add_option("--edge", layers.edge_length, "Spacing of the outlines in px, instead")
-      ->check(within(0.01, 10000.0))
-      ->excludes(vertices);
-  app.add_option("--max-vertices", layers.max_nodes, "Refuse to make more (default 4000000)")
-      ->check(CLI::Range(100, 100000000));
-}
-
 void add_cue_option(CLI::App& app, ReliefArguments& relief) {
   app.add_option_function<std::vector<std::string>>(
          "--cue",
@@ -89,6 +77,18 @@ void add_shape_options(CLI::App& app, ReliefArguments& relief) {
 }
 
 }  // namespace
+
+void add_mesh_options(CLI::App& app, ReliefArguments& relief) {
+  LayerOptions& layers = relief.options.layers;
+  auto* vertices =
+      app.add_option("--vertices", layers.vertex_budget, "About so many vertices (default 40000)")
+          ->check(CLI::Range(100, 10000000));
+  app.add_option("--edge", layers.edge_length, "Spacing of the outlines in px, instead")
+      ->check(within(0.01, 10000.0))
+      ->excludes(vertices);
+  app.add_option("--max-vertices", layers.max_nodes, "Refuse to make more (default 4000000)")
+      ->check(CLI::Range(100, 100000000));
+}
 
 void add_relief_options(CLI::App& app, ReliefArguments& relief) {
   add_mesh_options(app, relief);

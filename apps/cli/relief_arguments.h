@@ -6,6 +6,9 @@
 
 namespace relievo::cli {
 
+/// Adds how fine the mesh is.
+void add_mesh_options(CLI::App& app, ReliefArguments& relief);
+
 /// Adds the mesh, the method and the shape of the parts.
 void add_relief_options(CLI::App& app, ReliefArguments& relief);
 

@@ -98,6 +98,9 @@ TEST(IncludeRules, AllowTheDataFlow) {
       {"solid/make_solid.cpp", "relief/model/visible_sheet.h"},
       {"apps/cli/main.cpp", "relief/pipeline/build_relief.h"},
       {"apps/cli/main.cpp", "io/scene/read_scene.h"},
+      {"rivals/entem.cpp", "render/ray_scene.h"},
+      {"rivals/solution.cpp", "relief/ordering/order_depth.h"},
+      {"apps/cli/main.cpp", "rivals/rival.h"},
       {"tests/io/scene_test.cpp", "io/scene/json_parse.h"},
   };
   for (const Edge& edge : edges)
@@ -136,6 +139,11 @@ TEST(IncludeRules, CatchViolations) {
       {"render/render_model.cpp", "relief/layers/layered_mesh.h"},
       {"apps/cli/main.cpp", "relief/ordering/depth_graph.h"},
       {"apps/cli/main.cpp", "tests/support/sample_models.h"},
+      {"face/session.cpp", "rivals/rival.h"},
+      {"bindings/wasm/engine.cpp", "rivals/rival.h"},
+      {"relief/pipeline/build_relief.cpp", "rivals/rival.h"},
+      {"rivals/entem.cpp", "io/files/read_file.h"},
+      {"rivals/entem.cpp", "relief/layers/connect_sheets.h"},
       {"tests/cli/cli_test.cpp", "apps/cli/arguments.h"},
       {"io/files/read_file.cpp", "apps/cli/arguments.h"},
   };

@@ -70,7 +70,7 @@ const Names stage_verbs = {
     "model/relief_maps.h",        "ordering/order_depth.h",      "stacking/stack_parts.h"};
 
 struct Place {
-  /// relievo, kernel, relief, io, render, solid, face, apps, tests, benchmarks
+  /// relievo, kernel, relief, io, render, solid, face, rivals, apps, tests, benchmarks
   std::string top;
   std::string folder;  ///< below it
   std::string rest;    ///< folder/file
@@ -139,11 +139,19 @@ std::string check_solid(const Place& to) {
 std::string check_apps(const Place& from, const Place& to) {
   for (const char* top : {"kernel", "io", "render", "solid", "face"})
     if (to.top == top || to.top == from.top) return "";
+  if (to.top == "rivals" && from.top == "apps") return "";
   if (to.top != "relief") return from.top + " use the libraries only";
   if (to.folder == "pipeline" ||
       stage_structs.count(to.rest) + stage_verbs.count(to.rest) + model_views.count(to.rest) > 0)
     return "";
   return from.top + " use the pipeline and the stages' structs and verbs, not their insides";
+}
+
+/// Other methods, to compare with: made of the same stages, part of no library.
+std::string check_rivals(const Place& from, const Place& to) {
+  if (to.top == "io" || to.top == "solid" || to.top == "face")
+    return "rivals use the kernel, the stages, the renderer and themselves only";
+  return check_apps(from, to);
 }
 
 bool contains_word(const std::string& text, const std::string& word) {
@@ -169,6 +177,7 @@ std::string include_violation(const std::string& from, const std::string& to) {
   if (source.top == "io") return check_io(target);
   if (source.top == "render") return check_render(target);
   if (source.top == "solid") return check_solid(target);
+  if (source.top == "rivals") return check_rivals(source, target);
   if (source.top == "apps" || source.top == "bindings" || source.top == "face")
     return check_apps(source, target);
   if (target.top == "apps" || target.top == "bindings") return "nobody includes " + target.top;

@@ -14,20 +14,6 @@
 namespace relievo::testing {
 namespace {
 
-/// The face across the edge of `face` opposite to its corner, or -1.
-int face_beyond(const LayeredMesh& mesh, int face, int corner) {
-  const int other = mesh.neighbours[mesh.face_triangle[face]][corner];
-  if (other < 0) return -1;
-  const int a = mesh.faces[face][(corner + 1) % 3];
-  const int b = mesh.faces[face][(corner + 2) % 3];
-  for (int f = mesh.stack_begin[other]; f < mesh.stack_begin[other + 1]; ++f) {
-    const std::array<int, 3>& nodes = mesh.faces[f];
-    for (int k = 0; k < 3; ++k)
-      if (nodes[k] == b && nodes[(k + 1) % 3] == a) return f;
-  }
-  return -1;
-}
-
 /// The normal times the area of each face, by node and side.
 Point3 area_vector(const LayeredMesh& mesh, const std::vector<double>& h, int face) {
   std::array<Point3, 3> p;
@@ -43,14 +29,6 @@ double degrees_between(Point3 a, Point3 b) {
   return std::atan2(std::sqrt(dot(cross(a, b), cross(a, b))), dot(a, b)) * 180 / M_PI;
 }
 
-/// The nodes of bumps' outlines that are not on joins.
-std::set<int> loose_rims(const LayeredMesh& mesh) {
-  std::set<int> rims;
-  for (const BumpNode& node : mesh.bump_nodes)
-    if (node.t > 0) rims.insert(node.node);
-  return rims;
-}
-
 /// Where outlines are seen.
 std::vector<Point2> creases(const LayeredMesh& mesh) {
   const std::vector<uint8_t> seen = seen_nodes(mesh);
@@ -62,26 +40,6 @@ std::vector<Point2> creases(const LayeredMesh& mesh) {
     if (seen[n] != 0 && drawn) points.push_back(mesh.vertices[mesh.node_vertex[n]]);
   }
   return points;
-}
-
-using Edges = std::map<int, std::vector<int>>;
-
-/// Takes the chain that begins at `node` out of the edges.
-SeamChain take_chain(const LayeredMesh& mesh, int upper, int node, Edges& edges) {
-  SeamChain chain{upper, {node}, {0}};
-  for (auto at = edges.find(node); at != edges.end() && !at->second.empty();
-       at = edges.find(node)) {
-    const int next = at->second.back();
-    at->second.pop_back();
-    std::vector<int>& back = edges[next];
-    back.erase(std::find(back.begin(), back.end(), node));
-    const double step =
-        distance(mesh.vertices[mesh.node_vertex[node]], mesh.vertices[mesh.node_vertex[next]]);
-    chain.nodes.push_back(next);
-    chain.length.push_back(chain.length.back() + step);
-    node = next;
-  }
-  return chain;
 }
 
 /// How high water stands at most within half the radius around the middle, on what is seen from the
@@ -130,30 +88,6 @@ double deepest_water(const LayeredMesh& mesh, const std::vector<double>& h, Poin
 }
 
 }  // namespace
-
-std::vector<SeamChain> seam_chains(const LayeredMesh& mesh) {
-  std::map<int, Edges> edges_of;  // per upper part
-  const std::set<int> rims = loose_rims(mesh);
-  for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f)
-    for (int k = 0; k < 3; ++k) {
-      const int other = face_beyond(mesh, f, k);
-      if (other < 0 || mesh.face_part[other] >= mesh.face_part[f]) continue;
-      const int a = mesh.faces[f][(k + 1) % 3];
-      const int b = mesh.faces[f][(k + 2) % 3];
-      if (rims.count(a) + rims.count(b) > 0) continue;
-      edges_of[mesh.face_part[f]][a].push_back(b);
-      edges_of[mesh.face_part[f]][b].push_back(a);
-    }
-  std::vector<SeamChain> chains;
-  for (auto& [upper, edges] : edges_of) {
-    std::vector<int> starts;
-    for (const auto& [node, next] : edges)
-      if (next.size() == 1) starts.push_back(node);
-    for (const int start : starts)
-      if (!edges[start].empty()) chains.push_back(take_chain(mesh, upper, start, edges));
-  }
-  return chains;
-}
 
 std::vector<double> seam_angles(const LayeredMesh& mesh, const std::vector<double>& h,
                                 const SeamChain& chain) {

@@ -3,20 +3,9 @@
 #include <vector>
 
 #include "relief/layers/layered_mesh.h"
-#include "relievo/point.h"
+#include "rivals/seam_chains.h"
 
 namespace relievo::testing {
-
-/// A join as it lies on the mesh: a chain of nodes on which the faces of the upper part and of
-/// those below it meet.
-struct SeamChain {
-  int upper = -1;
-  std::vector<int> nodes;      ///< from end to end
-  std::vector<double> length;  ///< along the chain up to each node, px
-};
-
-/// All joins, in the order of their upper parts. Near-linear.
-std::vector<SeamChain> seam_chains(const LayeredMesh& mesh);
 
 /// For the nodes of the middle half of the chain the angle between the two sides' normals, degrees:
 /// of flat faces, weighted by area. Only nodes that are seen from the front, three edges off all

@@ -1,0 +1,37 @@
+#include "rivals/rival.h"
+
+#include <algorithm>
+#include <array>
+
+#include "rivals/reconstructions.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::array<Rival, 6> all_rivals = {{
+    {"relievo", "Dvorozhnak et al. 2018, as changed here", reconstruct_ours},
+    {"pillows", "none: layers inflated one by one", reconstruct_pillows},
+    {"firm-ends", "Dvorozhnak et al. 2020, Monster Mash", reconstruct_with_firm_ends},
+    {"parabolic", "Yeh et al. 2017, Jayaraman et al. 2018", reconstruct_parabolic},
+    {"ink-and-ray", "Sykora et al. 2014", reconstruct_ink_and_ray},
+    {"entem", "Entem et al. 2015", reconstruct_entem},
+}};
+
+}  // namespace
+
+Result<LayeredMesh> layer_for_rivals(const Scene& scene, LayerOptions layers,
+                                     const RunContext& context) {
+  layers.attach = false;
+  layers.glue = false;
+  return layer_parts(scene, layers, context);
+}
+
+std::span<const Rival> rivals() { return all_rivals; }
+
+const Rival* find_rival(std::string_view name) {
+  const auto found = std::find_if(all_rivals.begin(), all_rivals.end(),
+                                  [&](const Rival& rival) { return name == rival.name; });
+  return found == all_rivals.end() ? nullptr : &*found;
+}
+
+}  // namespace relievo

@@ -1,0 +1,55 @@
+#include "rivals/solution.h"
+
+#include <utility>
+
+#include "relief/discretisation/discretise.h"
+#include "relief/hiding/hide_sheets.h"
+#include "relief/inflation/inflate.h"
+#include "relief/model/assemble_model.h"
+#include "relief/ordering/order_depth.h"
+
+namespace relievo {
+
+Result<Solution> inflate_parts(LayeredMesh mesh, const Scene& scene, const RunContext& context) {
+  Solution solution{std::move(mesh), {}, {}, {}};
+  solution.discretisation = discretise(solution.mesh, context);
+  if (context.cancelled()) return interrupted_error();
+  PoissonSystem system(solution.mesh, solution.discretisation, Refactorisation::complete, context);
+  InflationOptions options;
+  options.alpha0 = 1;
+  auto inflation =
+      inflate({solution.mesh, solution.discretisation, scene}, options, system, context);
+  if (!inflation) return inflation.error();
+  solution.inflation = std::move(*inflation);
+  return solution;
+}
+
+Status order_parts(Solution& solution, const Scene& scene, const RunContext& context) {
+  OrderingSystem system;
+  auto ordering = order_depth({solution.mesh, solution.discretisation, solution.inflation, scene},
+                              {}, system, context);
+  if (!ordering) return ordering.error();
+  solution.ordering = std::move(*ordering);
+  return Done{};
+}
+
+void make_linear(const std::vector<double>& h, Solution& solution) {
+  // A flat inflation of 1 px carries the normals.
+  solution.inflation.u.assign(h.size(), 1);
+  solution.inflation.grad_u.assign(h.size(), {0, 0});
+  solution.ordering.h = h;
+  solution.ordering.g = h;
+  for (double& g : solution.ordering.g) g -= 1;
+  solution.ordering.grad_g = node_gradients(solution.discretisation.gradients, h);
+  solution.ordering.creases = {};
+}
+
+Result<Model> model_of(const Solution& solution, const Scene& scene, const RunContext& context) {
+  const HiddenSheets all = hide_sheets(
+      {solution.mesh, solution.discretisation, scene, solution.inflation, solution.ordering},
+      context);
+  if (context.cancelled()) return interrupted_error();
+  return assemble_model(solution.mesh, all.inflation, all.ordering, scene, {}, context);
+}
+
+}  // namespace relievo
