@@ -40,7 +40,7 @@ struct ReliefArguments {
   bool as_in_paper = false;       ///< c, d, profile and lean of all parts as the paper has them
   std::optional<Visibility> visibility;  ///< orbit where nothing is said, relief in files to print
   Field field = Field::relief;
-  bool solid = false;          ///< everything below the visible surface, in place of the surface
+  bool solid = false;          ///< something to hold, in place of the surface
   SolidOptions solid_options;  ///< its size is that of the outputs
 };
 

@@ -30,7 +30,8 @@ Visibility shown(const ReliefArguments& arguments) {
 Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
                            const RunContext& context) {
   ReliefOptions options = arguments.options;
-  options.hidden = !arguments.solid && shown(arguments) != Visibility::relief;
+  options.hidden = arguments.solid ? arguments.solid_options.back != BackSide::flat
+                                   : shown(arguments) != Visibility::relief;
   if (arguments.as_in_paper) {
     for (Part& part : scene.parts) part = as_in_paper(std::move(part));
     options.layers.attach = false;

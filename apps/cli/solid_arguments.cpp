@@ -8,16 +8,6 @@
 namespace relievo::cli {
 namespace {
 
-/// Accepts only what this version can do, and says so of what is planned.
-CLI::Validator known_profile() {
-  const auto check = [](const std::string& value) -> std::string {
-    if (value == "relief" || value == "solid") return "";
-    if (value == "figure") return "\"figure\" is not available in this version";
-    return "\"" + value + "\" is unknown; use relief or solid";
-  };
-  return {check, "{relief,solid}", "profile"};
-}
-
 BaseShape base_shape(const std::string& name) {
   if (name == "outline") return BaseShape::outline;
   if (name == "plate") return BaseShape::plate;
@@ -30,11 +20,26 @@ void add_solid_options(CLI::App& app, ReliefArguments& relief) {
   SolidOptions& solid = relief.solid_options;
   auto* profile =
       app.add_option_function<std::string>(
-             "--profile", [&relief](const std::string& name) { relief.solid = name == "solid"; },
+             "--profile",
+             [&relief](const std::string& name) {
+               relief.solid = name != "relief";
+               relief.solid_options.back = name == "figure" ? BackSide::drawing : BackSide::flat;
+             },
              "relief: the surface alone (the default); solid: everything below it, closed, with a "
-             "flat back, to print or to carve")
-          ->check(known_profile());
+             "flat back, to print or to carve; figure: closed too, with a back as round as its "
+             "front")
+          ->check(CLI::IsMember({"relief", "solid", "figure"}));
   const std::vector<CLI::Option*> options = {
+      app.add_option_function<std::string>(
+             "--back",
+             [&solid](const std::string& name) {
+               if (solid.back == BackSide::flat)
+                 throw CLI::ValidationError("--back is of figures: add --profile figure");
+               if (name == "parts") solid.back = BackSide::parts;
+             },
+             "Of a figure: what is on its back, the drawing (the default) or the mean colours of "
+             "its parts")
+          ->check(CLI::IsMember({"drawing", "parts"})),
       app.add_option_function<std::string>(
              "--base", [&solid](const std::string& name) { solid.base = base_shape(name); },
              "Of solid: none (the default), or a plate below it: outline, plate (a rectangle) or "

@@ -15,19 +15,28 @@ struct GridPoint {
   friend bool operator==(const GridPoint&, const GridPoint&) = default;
 };
 
+/// What heights are counted from.
+struct FloorPoint {
+  int64_t height = 0;  ///< steps above the plate
+  int part = 0;        ///< that lies behind it
+};
+
 /// Heights over a planar triangulation, which may differ between the triangles around a point:
-/// there the surface has steps. All coordinates are whole steps of a grid that single precision
+/// there the surface has steps. They are counted from a floor without steps, which changes nothing
+/// in what is a manifold. All coordinates are whole steps of a grid that single precision
 /// holds, so that tests of order and orientation are exact and files keep what they found.
 struct HeightField {
   double unit = 1;                            ///< mm per step, a power of two
   std::vector<GridPoint> points;              ///< #P, distinct
+  std::vector<FloorPoint> floor;              ///< #P, or empty: flat, on the plate
   std::vector<int> vertex_point;              ///< #V point below the vertex
-  std::vector<int64_t> vertex_height;         ///< #V, steps above the plate
+  std::vector<int64_t> vertex_height;         ///< #V, steps above the floor
   std::vector<Point3> normals;                ///< #V, unit
   std::vector<Point2> uvs;                    ///< #V, on the drawing
   std::vector<std::array<int, 3>> triangles;  ///< #F vertices, counter-clockwise from the front
   std::vector<int> triangle_part;             ///< #F
 
+  int64_t floor_height(int point) const { return floor.empty() ? 0 : floor[point].height; }
   GridPoint place(int vertex) const { return points[vertex_point[vertex]]; }
 };
 

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "kernel/base/disjoint_sets.h"
+#include "solid/back_paint.h"
 #include "solid/field_rim.h"
+#include "solid/lay_floor.h"
 #include "solid/plate_outline.h"
 #include "solid/raise_walls.h"
 #include "solid/repair_plane.h"
@@ -18,14 +20,22 @@ namespace {
 
 /// Where sides touch in a point, they are moved so many mm apart.
 constexpr double least_gap = 0.05;
+/// A figure is at least so many mm deep; its back gives way.
+constexpr double least_depth = 0.4;
+/// Steps on its back are ramps so wide, of its size.
+constexpr double soft_share = 0.015;
 
 struct Extent {
   Point3 low{1e300, 1e300, 1e300};
   Point3 high{-1e300, -1e300, -1e300};
 };
 
-Extent extent_of(const Model& model) {
+/// Of a sheet, and of its back where that is wanted.
+Extent extent_of(const VisibleSheet& sheet, bool backed) {
+  const Model& model = sheet.model;
   Extent extent;
+  if (backed)
+    for (const BackPoint& back : sheet.back) extent.low.z = std::min(extent.low.z, back.z);
   for (const std::array<int, 3>& triangle : model.triangles)
     for (const int v : triangle) {
       const Point3 p = model.positions[v];
@@ -50,16 +60,17 @@ double radius_of(const Model& model, const Extent& extent) {
 }
 
 /// The scale with which the whole gets its size.
-Result<GridPlacement> place_on_grid(const Model& model, const SolidOptions& options) {
-  const Extent extent = extent_of(model);
+Result<GridPlacement> place_on_grid(const VisibleSheet& sheet, const SolidOptions& options) {
+  const bool backed = options.back != BackSide::flat;
+  const Extent extent = extent_of(sheet, backed);
+  const double below = backed ? 0 : options.thickness;
   const Point3 sides = extent.high - extent.low;
   const double around = options.base == BaseShape::none ? 0 : 2 * options.margin;
-  const double wide =
-      options.base == BaseShape::round ? 2 * radius_of(model, extent) : std::max(sides.x, sides.y);
+  const double wide = options.base == BaseShape::round ? 2 * radius_of(sheet.model, extent)
+                                                       : std::max(sides.x, sides.y);
   double scale = (options.size - around) / wide;
   // Where the height is limited, depth has no part in the size.
-  if (sides.z > 0 && options.height == 0)
-    scale = std::min(scale, (options.size - options.thickness) / sides.z);
+  if (sides.z > 0 && options.height == 0) scale = std::min(scale, (options.size - below) / sides.z);
   if (!(scale > 0))
     return Error{ErrorCode::usage, "leaves no room beside the base's margin and thickness",
                  "--size"};
@@ -67,12 +78,12 @@ Result<GridPlacement> place_on_grid(const Model& model, const SolidOptions& opti
   const double unit = std::ldexp(1.0, static_cast<int>(std::ceil(std::log2(reach))) - 24);
   double height_scale = scale;
   if (options.height > 0 && sides.z > 0)
-    height_scale = std::min(scale, (options.height - options.thickness) / sides.z);
+    height_scale = std::min(scale, (options.height - below) / sides.z);
   if (!(height_scale > 0))
     return Error{ErrorCode::usage, "leaves no room above the base's thickness", "--height"};
-  const double lift = options.thickness / height_scale;
+  const double lift = below / height_scale;
   return GridPlacement{
-      scale, height_scale, {extent.low.x, extent.low.y, extent.low.z - lift}, unit};
+      scale, height_scale, {extent.low.x, extent.low.y, extent.low.z - lift}, unit, backed};
 }
 
 int count_pieces(const HeightField& field) {
@@ -94,30 +105,6 @@ double volume_of(const Model& model) {
   for (const std::array<int, 3>& t : model.triangles)
     six += dot(model.positions[t[0]], cross(model.positions[t[1]], model.positions[t[2]]));
   return six / 6;
-}
-
-/// A strip of plain colour below the drawing. The model's coordinates go on meaning what they did.
-constexpr int strip_rows = 8;
-constexpr std::array<uint8_t, 4> base_colour{236, 230, 218, 255};
-
-struct Strip {
-  Drawing drawing;
-  double shrink = 1;  ///< of v
-  Point2 uv;          ///< in the middle of the strip
-};
-
-Strip add_strip(const Drawing& drawing) {
-  const Image8& from = drawing.rgba;
-  if (from.empty()) return {};
-  Strip strip{drawing, 1, {}};
-  Image8& rgba = strip.drawing.rgba;
-  rgba.height += strip_rows;
-  rgba.pixels.reserve(rgba.pixels.size() + 4 * static_cast<size_t>(strip_rows * rgba.width));
-  for (int i = 0; i < strip_rows * rgba.width; ++i)
-    rgba.pixels.insert(rgba.pixels.end(), base_colour.begin(), base_colour.end());
-  strip.shrink = static_cast<double>(from.height) / rgba.height;
-  strip.uv = {0.5, 0.5 * (1 + strip.shrink)};
-  return strip;
 }
 
 /// The scene's parts and, last, the base, whose name none of them has.
@@ -155,21 +142,30 @@ Result<Solid> make_solid(const VisibleSheet& sheet, const Drawing& drawing,
                          const SolidOptions& options) {
   if (options.base == BaseShape::none && options.hole + options.ring > 0)
     return Error{ErrorCode::usage, "a hole or a ring to hang it by needs a base", "--base"};
-  const auto placement = place_on_grid(sheet.model, options);
+  const bool figure = options.back != BackSide::flat;
+  if (figure && options.base != BaseShape::none)
+    return Error{ErrorCode::usage, "a figure has no flat back to stand on a base with", "--base"};
+  const auto placement = place_on_grid(sheet, options);
   if (!placement) return placement.error();
-  const std::vector<ModelPart> parts = parts_with_base(sheet.model);
-  Strip strip = add_strip(drawing);
+  const std::vector<ModelPart> parts = figure ? sheet.model.parts : parts_with_base(sheet.model);
+  PaintedDrawing painted = paint_back(drawing, sheet.model, options.back);
   HeightField field = snap_sheet(sheet, *placement);
-  for (Point2& uv : field.uvs) uv.y *= strip.shrink;
+  for (Point2& uv : field.uvs) uv.y *= painted.shrink;
   const int base = static_cast<int>(parts.size()) - 1;
   if (Status status = repair_plane(least_gap / field.unit, field); !status) return status.error();
-  if (Status status = add_plate(options, base, strip.uv, field); !status) return status.error();
+  if (Status status = add_plate(options, base, painted.paint.plate, field); !status)
+    return status.error();
   const FieldEdges edges = connect_field(field);
+  if (figure) {
+    const FloorLimits limits{std::llround(least_depth / field.unit),
+                             std::llround(soft_share * options.size / field.unit)};
+    if (Status status = lay_floor(limits, edges, field); !status) return status.error();
+  }
   settle_heights(edges, field);
-  auto model = raise_walls(field, edges, parts, strip.uv);
+  auto model = raise_walls(field, edges, parts, painted.paint);
   if (!model) return model.error();
   const SolidFacts facts{volume_of(*model), count_pieces(field)};
-  return Solid{{std::move(*model), std::move(strip.drawing)}, facts};
+  return Solid{{std::move(*model), std::move(painted.drawing)}, facts};
 }
 
 }  // namespace relievo

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "kernel/meshing/triangulate.h"
@@ -14,8 +15,8 @@ namespace {
 class WallRaiser {
  public:
   WallRaiser(const HeightField& field, const FieldEdges& edges, std::vector<ModelPart> parts,
-             Point2 back_uv)
-      : field_(field), edges_(edges), back_uv_(back_uv) {
+             const BackPaint& paint)
+      : field_(field), edges_(edges), paint_(paint) {
     model_.parts = std::move(parts);
     triangles_.resize(model_.parts.size());
     for (const GridPoint p : field.points) {
@@ -32,7 +33,9 @@ class WallRaiser {
       triangles_[field_.triangle_part[t]].push_back(field_.triangles[t]);
     for (int t = 0; t < static_cast<int>(field_.triangles.size()); ++t)
       for (int k = 0; k < 3; ++k) raise_wall(t, k);
-    return add_back();
+    if (field_.floor.empty()) return add_plate();
+    add_floor();
+    return Done{};
   }
 
   Model take() && {
@@ -73,9 +76,10 @@ class WallRaiser {
 
   int add_vertex(int point, int64_t height, Point3 normal, Point2 uv) {
     const GridPoint p = field_.points[point];
-    model_.positions.push_back({field_.unit * static_cast<double>(p.x - low_.x),
-                                field_.unit * static_cast<double>(p.y - low_.y),
-                                field_.unit * static_cast<double>(height)});
+    model_.positions.push_back(
+        {field_.unit * static_cast<double>(p.x - low_.x),
+         field_.unit * static_cast<double>(p.y - low_.y),
+         field_.unit * static_cast<double>(field_.floor_height(point) + height)});
     model_.normals.push_back(normal);
     model_.uvs.push_back(uv);
     return static_cast<int>(model_.positions.size()) - 1;
@@ -135,21 +139,60 @@ class WallRaiser {
     }
   }
 
-  Status add_back() {
+  Status add_plate() {
     const auto back = triangulate_inside(field_, edges_);
     if (!back) return back.error();
     std::vector<int> vertex(field_.points.size(), -1);
     for (const std::array<int, 3>& t : *back) {
       for (const int p : t)
-        if (vertex[p] < 0) vertex[p] = add_vertex(p, 0, {0, 0, -1}, back_uv_);
+        if (vertex[p] < 0) vertex[p] = add_vertex(p, 0, {0, 0, -1}, paint_.plate);
       triangles_.back().push_back({vertex[t[0]], vertex[t[2]], vertex[t[1]]});
     }
     return Done{};
   }
 
+  /// The floor from below: a vertex for every point and part.
+  void add_floor() {
+    const std::vector<Point3> normals = floor_normals();
+    std::map<std::array<int, 2>, int> vertices;
+    for (size_t t = 0; t < field_.triangles.size(); ++t) {
+      std::array<int, 3> corners = field_.triangles[t];
+      std::swap(corners[1], corners[2]);
+      const int part = field_.floor[field_.vertex_point[corners[0]]].part;
+      for (int& v : corners) {
+        const int point = field_.vertex_point[v];
+        const auto [at, fresh] = vertices.try_emplace({point, part}, 0);
+        if (fresh)
+          at->second = add_vertex(point, 0, normals[point],
+                                  paint_.parts.empty() ? field_.uvs[v] : paint_.parts[part]);
+        v = at->second;
+      }
+      triangles_[part].push_back(corners);
+    }
+  }
+
+  Point3 floor_place(int point) const {
+    const GridPoint p = field_.points[point];
+    return {static_cast<double>(p.x), static_cast<double>(p.y),
+            static_cast<double>(field_.floor[point].height)};
+  }
+
+  std::vector<Point3> floor_normals() const {
+    std::vector<Point3> normals(field_.points.size());
+    for (const std::array<int, 3>& t : field_.triangles) {
+      std::array<int, 3> p{};
+      for (int k = 0; k < 3; ++k) p[k] = field_.vertex_point[t[k]];
+      const Point3 a = floor_place(p[0]);
+      const Point3 down = cross(floor_place(p[2]) - a, floor_place(p[1]) - a);
+      for (const int point : p) normals[point] = normals[point] + down;
+    }
+    for (Point3& normal : normals) normal = normalized(normal);
+    return normals;
+  }
+
   const HeightField& field_;
   const FieldEdges& edges_;
-  Point2 back_uv_;
+  const BackPaint& paint_;
   GridPoint low_{std::numeric_limits<int64_t>::max(), std::numeric_limits<int64_t>::max()};
   GridPoint high_{std::numeric_limits<int64_t>::min(), std::numeric_limits<int64_t>::min()};
   std::vector<std::vector<int64_t>> heights_;  ///< by point, of all that ends there, rising
@@ -162,8 +205,8 @@ class WallRaiser {
 }  // namespace
 
 Result<Model> raise_walls(const HeightField& field, const FieldEdges& edges,
-                          const std::vector<ModelPart>& parts, Point2 back_uv) {
-  WallRaiser raiser(field, edges, parts, back_uv);
+                          const std::vector<ModelPart>& parts, const BackPaint& paint) {
+  WallRaiser raiser(field, edges, parts, paint);
   if (Status status = raiser.raise(); !status) return status.error();
   return std::move(raiser).take();
 }

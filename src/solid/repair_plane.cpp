@@ -184,7 +184,8 @@ class PlaneRepair {
 void pull_in(const CornerFans& fans, size_t f, double gap, HeightField& field) {
   const int first = fans.begin[f];
   const int end = fans.begin[f + 1];
-  const GridPoint from = field.place(corner_vertex(field, fans.corners[first]));
+  const int at = field.vertex_point[corner_vertex(field, fans.corners[first])];
+  const GridPoint from = field.points[at];
   Point2 inwards;
   for (int i = first; i < end; ++i)
     for (const int side : {1, 2}) {
@@ -207,6 +208,7 @@ void pull_in(const CornerFans& fans, size_t f, double gap, HeightField& field) {
     if (!fits) continue;
     std::vector<std::pair<int, int>> copies;
     field.points.push_back(place);
+    if (!field.floor.empty()) field.floor.push_back(field.floor[at]);
     for (int i = first; i < end; ++i) {
       int& v = field.triangles[fans.corners[i] / 3][fans.corners[i] % 3];
       auto copy = std::find_if(copies.begin(), copies.end(),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 #include <utility>
 
@@ -39,6 +40,7 @@ class Snapper {
                                                on_grid(placement.scale * q.y, field_.unit)}));
       field_.vertex_height.push_back(on_grid(placement.height_scale * q.z, field_.unit));
     }
+    if (placement.backed) lay_floor(placement);
   }
 
   HeightField snap() && {
@@ -56,6 +58,25 @@ class Snapper {
     const auto [at, fresh] = numbers_.try_emplace(place, static_cast<int>(field_.points.size()));
     if (fresh) field_.points.push_back(place);
     return at->second;
+  }
+
+  /// The deepest of what lies behind the vertices over a point.
+  void lay_floor(const GridPlacement& placement) {
+    field_.floor.assign(field_.points.size(), {std::numeric_limits<int64_t>::max(), 0});
+    for (size_t v = 0; v < sheet_.back.size(); ++v) {
+      const BackPoint& back = sheet_.back[v];
+      const double z = placement.height_scale * (back.z - placement.origin.z);
+      FloorPoint& floor = field_.floor[field_.vertex_point[v]];
+      if (const int64_t height = on_grid(z, field_.unit); height < floor.height)
+        floor = {height, back.part};
+    }
+  }
+
+  void lay_floor_between(int p, int q, double s) {
+    if (field_.floor.size() == field_.points.size() || field_.floor.empty()) return;
+    const FloorPoint from = field_.floor[p];
+    const auto rise = static_cast<double>(field_.floor[q].height - from.height);
+    field_.floor.push_back({from.height + std::llround(s * rise), from.part});
   }
 
   int add_between(int a, int b, double s, int point, int64_t height) {
@@ -118,6 +139,7 @@ class Snapper {
                           p.y + std::llround(s * static_cast<double>(q.y - p.y))};
     if (place == p || place == q) return;
     const int point = number_of(place);
+    lay_floor_between(field_.vertex_point[a[0]->vertex], field_.vertex_point[a[1]->vertex], s);
     const int64_t height = height_between(a[0]->vertex, a[1]->vertex, s);
     const double t = (1 - s) * a[0]->t + s * a[1]->t;
     one.push_back({t, add_between(a[0]->vertex, a[1]->vertex, s, point, height), true});

@@ -10,9 +10,17 @@ enum class BaseShape {
   round,    ///< a disc
 };
 
+/// What lies behind a solid.
+enum class BackSide {
+  flat,     ///< the plate
+  drawing,  ///< its parts again, from behind, with the drawing on them: a figure
+  parts,    ///< likewise, each part with the mean of its colours
+};
+
 struct SolidOptions {
   double size = 100;  ///< mm, longest side of the whole, a ring aside; > 0
-  BaseShape base = BaseShape::none;
+  BackSide back = BackSide::flat;
+  BaseShape base = BaseShape::none;  ///< none behind what has no flat back
   double height = 0;     ///< mm, of the whole at most: depth shrinks where there is more; 0: any
   double thickness = 2;  ///< mm below the lowest point that is seen, and of the plate; > 0
   double margin = 3;     ///< mm from the silhouette to the plate's edge, at least 0.5

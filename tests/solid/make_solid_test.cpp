@@ -21,7 +21,7 @@ namespace {
 using namespace testing;
 
 /// A hemisphere of radius 40 px as a sheet.
-VisibleSheet ball() { return {hemisphere(40, 64), {}}; }
+VisibleSheet ball() { return {hemisphere(40, 64), {}, {}}; }
 
 SolidCensus census(const Solid& solid) { return census_of_stl(stl_of(solid.drawn.model)); }
 

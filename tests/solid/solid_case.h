@@ -17,10 +17,10 @@ inline VisibleSheet sheet_of(const Scene& scene, const Relief& relief) {
   return sheet.ok() ? std::move(*sheet) : VisibleSheet{};
 }
 
-inline VisibleSheet sheet_of(const Scene& scene, int vertices) {
+inline VisibleSheet sheet_of(const Scene& scene, int vertices, bool hidden = false) {
   ReliefOptions options;
   options.layers.vertex_budget = vertices;
-  options.hidden = false;
+  options.hidden = hidden;
   const auto relief = build_relief(scene, options);
   EXPECT_TRUE(relief.ok()) << (relief.ok() ? "" : to_string(relief.error()));
   return relief.ok() ? sheet_of(scene, *relief) : VisibleSheet{};

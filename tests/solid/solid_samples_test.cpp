@@ -30,7 +30,7 @@ std::vector<std::string> drawings_in(const std::string& folder) {
 void expect_sound(const std::string& path, const SolidOptions& options) {
   SCOPED_TRACE(path);
   ReliefOptions relief_options;
-  relief_options.hidden = false;
+  relief_options.hidden = options.back != BackSide::flat;
   const DrawnRelief drawn = relief_of(path, relief_options);
   const auto solid = make_solid(sheet_of(drawn.scene, drawn.relief), drawn.drawing, options);
   ASSERT_TRUE(solid.ok()) << to_string(solid.error());
@@ -56,6 +56,16 @@ TEST(SolidSamples, AreClosed) {
   for (const std::string& path : paths) expect_sound(path, on(BaseShape::none));
 }
 
+SolidOptions as_figure() {
+  SolidOptions options;
+  options.back = BackSide::drawing;
+  return options;
+}
+
+TEST(SolidSamples, AreClosedFigures) {
+  for (const std::string& path : drawings_in(RELIEVO_EXAMPLES)) expect_sound(path, as_figure());
+}
+
 TEST(SolidSamples, AreClosedOnPlates) {
   const std::string wolf = std::string(RELIEVO_EXAMPLES) + "/wolf.svg";
   for (const BaseShape base : {BaseShape::outline, BaseShape::plate, BaseShape::round})
@@ -65,7 +75,10 @@ TEST(SolidSamples, AreClosedOnPlates) {
 TEST(SolidSamples, OfLayeredDrawingsAreClosed) {
   const std::vector<std::string> paths = drawings_in(RELIEVO_SHARED_DATA "/layered");
   if (paths.empty()) GTEST_SKIP() << "no drawings in " RELIEVO_SHARED_DATA "/layered";
-  for (const std::string& path : paths) expect_sound(path, on(BaseShape::none));
+  for (const std::string& path : paths) {
+    expect_sound(path, on(BaseShape::none));
+    expect_sound(path, as_figure());
+  }
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace {
 using namespace testing;
 
 Solid painted_ball() {
-  auto solid = make_solid({hemisphere(40, 32), {}}, quarters(), {});
+  auto solid = make_solid({hemisphere(40, 32), {}, {}}, quarters(), {});
   EXPECT_TRUE(solid.ok());
   return std::move(*solid);
 }

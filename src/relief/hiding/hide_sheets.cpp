@@ -31,7 +31,9 @@ class Lowering {
         seen_(seen_nodes(input.mesh)),
         pairs_(stacked_faces(input.mesh, input.scene)),
         margin_(margin / input.discretisation.scale),
-        lowered_(mesh_.node_vertex.size(), 0) {}
+        lowered_(mesh_.node_vertex.size(), 0) {
+    sheets.ordering.lowered.assign(mesh_.node_vertex.size(), 0);
+  }
 
   void run() {
     for (int round = 1; round <= rounds; ++round) {
@@ -47,6 +49,7 @@ class Lowering {
   void lower(int node, double by, int round) {
     sheets_.ordering.h[node] -= by;
     sheets_.ordering.g[node] -= by;
+    sheets_.ordering.lowered[node] += by;
     lowered_[node] = round;
   }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "relief/model/back_points.h"
 #include "relief/model/cut_faces.h"
 #include "relief/model/edge_cuts.h"
 #include "relief/model/model_builder.h"
@@ -141,6 +142,7 @@ Result<VisibleSheet> assemble_visible_sheet(const LayeredMesh& mesh, const Infla
                                 for (const OpenEdge& open : surface.sheets.open_edges)
                                   sheet.steps.push_back({step_points(surface, open.first, false),
                                                          step_points(surface, open.second, true)});
+                                sheet.back = back_points(surface, inflation, ordering);
                                 sheet.model = std::move(builder).build();
                               });
   if (!status) return status.error();

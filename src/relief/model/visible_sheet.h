@@ -20,10 +20,18 @@ struct SheetStep {
   std::vector<StepPoint> second;
 };
 
+/// The rearmost of all parts at a place, each as deep behind its own shift surface as it is high in
+/// front of it.
+struct BackPoint {
+  double z = 0;  ///< px, g - |f|
+  int part = 0;
+};
+
 /// What the front shows, as a function of x and y: the triangles of a relief without its walls.
 struct VisibleSheet {
   Model model;                   ///< all of its triangles face the viewer
   std::vector<SheetStep> steps;  ///< where walls would stand, by base triangle
+  std::vector<BackPoint> back;   ///< behind every vertex, a function of its place
 };
 
 }  // namespace relievo

@@ -19,6 +19,8 @@ struct Ordering {
   std::vector<double> g;       ///< #N, shift h - f, px
   std::vector<Point2> grad_g;  ///< #N, gradient of g at the node, canvas axes (y down)
   CreaseGradients creases;     ///< in place of grad_g at their corners
+  /// #N, by how much h and g were brought down to hide the node, px; empty where nothing was.
+  std::vector<double> lowered;
 
   int equalities = 0;        ///< nodes held at the height of another
   int inequalities = 0;      ///< pairs kept as gaps

@@ -1,0 +1,74 @@
+#include "solid/back_paint.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace relievo {
+namespace {
+
+using Colour = std::array<uint8_t, 4>;
+
+/// A plain colour is so many pixels wide and high.
+constexpr int cell = 8;
+constexpr Colour base_colour{236, 230, 218, 255};
+
+/// The mean over a part's triangles, by area, each with the colour in its middle.
+Colour mean_colour(const Model& model, const ModelPart& part, const Image8& rgba) {
+  std::array<double, 3> sum{};
+  double all = 0;
+  for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
+    const auto& [a, b, c] = model.triangles[t];
+    const Point2 middle = (1.0 / 3) * (model.uvs[a] + model.uvs[b] + model.uvs[c]);
+    const Point3 p = model.positions[a];
+    const double area = norm(cross(model.positions[b] - p, model.positions[c] - p));
+    const int x = std::clamp(static_cast<int>(middle.x * rgba.width), 0, rgba.width - 1);
+    const int y = std::clamp(static_cast<int>(middle.y * rgba.height), 0, rgba.height - 1);
+    for (int k = 0; k < 3; ++k) sum[k] += area * rgba.at(x, y, k);
+    all += area;
+  }
+  if (all == 0) return base_colour;
+  Colour colour{0, 0, 0, 255};
+  for (int k = 0; k < 3; ++k) colour[k] = static_cast<uint8_t>(std::lround(sum[k] / all));
+  return colour;
+}
+
+/// Cells below the drawing, row by row; their middles by colour.
+std::vector<Point2> add_cells(const std::vector<Colour>& colours, Image8& rgba) {
+  const int width = rgba.width;
+  const int in_row = std::max(1, width / cell);
+  const int count = static_cast<int>(colours.size());
+  const int rows = (count + in_row - 1) / in_row;
+  const int top = rgba.height;
+  rgba.height += rows * cell;
+  rgba.pixels.reserve(4 * static_cast<size_t>(rgba.height) * width);
+  for (int y = 0; y < rows * cell; ++y)
+    for (int x = 0; x < width; ++x) {
+      const int at = std::min(y / cell * in_row + std::min(x / cell, in_row - 1), count - 1);
+      rgba.pixels.insert(rgba.pixels.end(), colours[at].begin(), colours[at].end());
+    }
+  std::vector<Point2> middles;
+  for (int k = 0; k < count; ++k)
+    middles.push_back({(k % in_row + 0.5) * std::min(cell, width) / width,
+                       (top + (k / in_row + 0.5) * cell) / rgba.height});
+  return middles;
+}
+
+}  // namespace
+
+PaintedDrawing paint_back(const Drawing& drawing, const Model& model, BackSide side) {
+  if (drawing.rgba.empty()) return {};
+  std::vector<Colour> colours;
+  if (side == BackSide::parts)
+    for (const ModelPart& part : model.parts)
+      colours.push_back(mean_colour(model, part, drawing.rgba));
+  colours.push_back(base_colour);
+  PaintedDrawing painted{drawing, 1, {}};
+  painted.paint.parts = add_cells(colours, painted.drawing.rgba);
+  painted.paint.plate = painted.paint.parts.back();
+  painted.paint.parts.pop_back();
+  painted.shrink = static_cast<double>(drawing.rgba.height) / painted.drawing.rgba.height;
+  return painted;
+}
+
+}  // namespace relievo

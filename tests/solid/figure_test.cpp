@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "io/mesh/placement.h"
+#include "solid/make_solid.h"
+#include "solid/solid_case.h"
+#include "support/random_scene.h"
+#include "support/sample_models.h"
+#include "support/solid_checks.h"
+
+namespace relievo {
+namespace {
+
+using namespace testing;
+
+SolidOptions figure_of(double size, BackSide back = BackSide::drawing) {
+  SolidOptions options;
+  options.size = size;
+  options.back = back;
+  return options;
+}
+
+/// A ball of radius 40 px.
+VisibleSheet whole_ball() {
+  VisibleSheet sheet{hemisphere(40, 64), {}, {}};
+  for (const Point3 p : sheet.model.positions) sheet.back.push_back({-p.z, 0});
+  return sheet;
+}
+
+SolidCensus figure_census(const Solid& solid) { return census_of_stl(stl_of(solid.drawn.model)); }
+
+TEST(Figure, OfABallIsOne) {
+  const auto solid = make_solid(whole_ball(), {}, figure_of(80));
+  ASSERT_TRUE(solid.ok()) << to_string(solid.error());
+  const SolidCensus found = figure_census(*solid);
+  EXPECT_EQ(what_is_wrong(found), "");
+  EXPECT_EQ(found.pieces, 1);
+  EXPECT_EQ(found.holes, 0);
+  const double volume = 4.0 / 3 * std::numbers::pi * 40 * 40 * 40;
+  EXPECT_NEAR(found.volume, volume, 0.01 * volume);
+  // All of it lies near the sphere, and normals point outwards.
+  const Model& model = solid->drawn.model;
+  for (size_t v = 0; v < model.positions.size(); ++v) {
+    const Point3 p = model.positions[v] - Point3{40, 40, 40};
+    EXPECT_NEAR(norm(p), 40, 1);
+    EXPECT_GT(dot(normalized(p), model.normals[v]), 0.8);
+  }
+}
+
+TEST(Figure, HasTheDrawingOrThePartsColoursBehind) {
+  for (const BackSide side : {BackSide::drawing, BackSide::parts}) {
+    const auto solid = make_solid(whole_ball(), quarters(), figure_of(80, side));
+    ASSERT_TRUE(solid.ok());
+    const Model& model = solid->drawn.model;
+    const double seam =
+        static_cast<double>(quarters().rgba.height) / solid->drawn.drawing.rgba.height;
+    for (const std::array<int, 3>& t : model.triangles) {
+      const bool behind =
+          std::all_of(t.begin(), t.end(), [&model](int v) { return model.normals[v].z < -0.2; });
+      for (const int v : t)
+        if (behind) {
+          EXPECT_EQ(model.uvs[v].y > seam, side == BackSide::parts);
+        }
+    }
+  }
+}
+
+TEST(Figure, StandsOnNoBase) {
+  SolidOptions options = figure_of(80);
+  options.base = BaseShape::plate;
+  const auto solid = make_solid(whole_ball(), {}, options);
+  ASSERT_FALSE(solid.ok());
+  EXPECT_EQ(solid.error().code, ErrorCode::usage);
+}
+
+TEST(Figure, KeepsWithinAHeight) {
+  SolidOptions options = figure_of(80);
+  options.height = 20;
+  const auto solid = make_solid(whole_ball(), {}, options);
+  ASSERT_TRUE(solid.ok());
+  const Box3 box = extent(solid->drawn.model);
+  EXPECT_NEAR(box.max.z - box.min.z, 20, 0.1);
+  EXPECT_NEAR(box.max.x - box.min.x, 80, 1e-3);
+}
+
+class RandomFigure : public ::testing::TestWithParam<int> {};
+
+TEST_P(RandomFigure, IsClosedAndShowsTheRelief) {
+  const Scene scene = random_scene(static_cast<uint64_t>(GetParam()));
+  const VisibleSheet sheet = sheet_of(scene, 1500, true);
+  const auto solid = make_solid(sheet, {}, figure_of(128));
+  ASSERT_TRUE(solid.ok()) << to_string(solid.error());
+  const SolidCensus found = figure_census(*solid);
+  EXPECT_EQ(what_is_wrong(found), "");
+  EXPECT_EQ(found.pieces, solid->facts.pieces);
+  EXPECT_NEAR(found.volume, solid->facts.volume, 1e-5 * found.volume);
+
+  // The front is the relief's, but for the few vertices that had to rise.
+  const Box3 box = extent(sheet.model);
+  double low = box.min.z;
+  for (const BackPoint& back : sheet.back) low = std::min(low, back.z);
+  const double scale =
+      128 / std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - low});
+  const double unit = std::ldexp(1.0, 8 - 24);
+  std::map<std::pair<double, double>, std::vector<double>> columns;
+  for (const Point3 p : solid->drawn.model.positions) columns[{p.x, p.y}].push_back(p.z);
+  int missing = 0;
+  for (const std::array<int, 3>& t : sheet.model.triangles)
+    for (const int v : t) {
+      const Point3 p = scale * (sheet.model.positions[v] - Point3{box.min.x, box.min.y, low});
+      const auto column =
+          columns.find({unit * std::round(p.x / unit), unit * std::round(p.y / unit)});
+      const auto near = [&p, unit](double z) { return std::abs(z - p.z) <= unit; };
+      missing +=
+          column != columns.end() && std::any_of(column->second.begin(), column->second.end(), near)
+              ? 0
+              : 1;
+    }
+  EXPECT_LE(missing, 6 + static_cast<int>(sheet.model.triangles.size()) / 500);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, RandomFigure, ::testing::Range(0, 100));
+
+}  // namespace
+}  // namespace relievo
