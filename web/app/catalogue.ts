@@ -1,295 +1,66 @@
-import { scribbleEnglish, scribbleGerman } from './scribble_words';
-import { shelfEnglish, shelfGerman } from './shelf_words';
-import { strokeEnglish, strokeGerman } from './stroke_words';
+import { english, type MessageKey, type Words } from '../words/english';
 
-/** Every word that the page says, in every language that it speaks. */
+export type { MessageKey } from '../words/english';
 
-const english = {
-  title: 'Relievo',
-  tagline: 'A drawing becomes a relief. Everything stays on this computer.',
-  openFile: 'Open a drawing or project',
-  dropHint: 'or drop it anywhere, or paste it',
-  emptyPage: 'Begin with an empty page',
-  samples: 'Or look at one of these',
-  goOn: 'Go on with “{name}”',
-  new: 'New',
-  open: 'Open',
-  save: 'Save project',
-  export: 'Export',
-  undo: 'Undo',
-  redo: 'Redo',
-  select: 'Select',
-  draw: 'Draw',
-  join: 'Join',
-  order: 'Order',
-  range: 'Soft range',
-  hand: 'Hand',
-  hintSelect: 'Click a part. Drag the round ends of joins and ranges, or a part that you drew. Alt-click reaches the part below.',
-  hintJoin: 'Draw a line across the root of a part: it becomes one surface with the part below. Click a dashed suggestion to take it.',
-  hintOrder: 'Drag from the nearer part to the farther one.',
-  hintRange: 'Click where the outline should be soft, then where it should be firm again.',
-  hintHand: 'Drag the page. Space does the same with any tool; the wheel with Ctrl zooms.',
-  tools: 'Tools',
-  parts: 'Parts',
-  partsHelp: 'Nearest first. Drag, or Page Up and Page Down, to change the order.',
-  emptyCue: 'Draw a body here, as a closed shape. Then a head, and arms and legs as open strokes that begin and end on the body.',
-  noParts: 'No parts yet. Draw one.',
-  part: 'part',
-  nearer: 'Nearer',
-  farther: 'Farther',
-  remove: 'Remove',
-  rename: 'Name',
-  inflation: 'Roundness',
-  depth: 'Depth',
-  profile: 'Flat top',
-  leanRight: 'Right nearer',
-  leanDown: 'Base nearer',
-  reverse: 'Hollow',
-  touches: 'Where it meets others',
-  relationDefault: 'as usual',
-  relationEqual: 'glued',
-  relationAbove: 'in front',
-  relationFree: 'free',
-  joinPair: 'Join',
-  unjoin: 'Separate',
-  clearRange: 'Clear ranges',
-  relief: 'Relief',
-  paper: 'Drawing',
-  shadingDrawing: 'Drawing',
-  shadingClay: 'Clay',
-  shadingNormals: 'Normals',
-  depthTint: 'Depth tint',
-  marks: 'Joins and ranges',
-  front: 'Front',
-  settings: 'Settings',
-  method: 'Method',
-  approximate: 'Fast',
-  nonlinear: 'Exact (slower)',
-  vertices: 'Vertices',
-  softness: 'Softness of joins',
-  lambdaBnd: 'Firmness of outlines',
-  lambdaShift: 'Cost of shifts',
-  size: 'Longest side, mm',
-  exportTitle: 'Export',
-  exportModels: 'Models',
-  exportMaps: 'Maps',
-  exportPicture: 'Picture of the view',
-  formatGlb: 'GLB — Blender, games, web',
-  formatObj: 'OBJ — with material and texture',
-  formatPly: 'PLY — with colours',
-  formatStl: 'STL — 3D print',
-  mapNormal: 'Normal map',
-  mapDepth: 'Depth map, 16 bit',
-  mapPart: 'Part map',
-  greenDown: 'Green points down (DirectX)',
-  keys: 'Keys',
-  close: 'Close',
-  stop: 'Stop',
-  building: 'Working',
-  ready: '{nodes} vertices, {ms} ms',
-  failed: 'The relief could not be made',
-  kept: 'The last good relief is still shown.',
-  saved: 'Kept in this browser',
-  notSaved: 'Not kept yet',
-  proposedParts: 'The drawing names no parts; these were guessed from its shapes.',
-  imageHint: 'Scribble over each part.',
-  guessing: 'Looking for the parts of the picture …',
-  guessed: 'These parts were guessed. Scribble over what belongs together to correct them.',
-  notReadable: '“{name}” could not be read: {why}',
-  crashed: 'The engine stopped and was started anew. Your work is safe.',
-  tour: 'Tour',
-  next: 'Next',
-  done: 'Done',
-  tour1: 'On the left is the drawing, on the right the relief. Drag the relief to turn it; hold L and drag to move the light.',
-  tour2: 'Parts are listed from near to far. Click one here or in the drawing. Drag it in the list, or press Page Up and Page Down, to change what is in front.',
-  tour3: 'A blue line joins two parts into one surface. Take the Join tool and draw a line across the root of a leg. Drag its ends afterwards.',
-  tour4: 'Beside a join the outline comes up softly. The Soft range tool sets that with two clicks: green is soft, red is firm.',
-  tour5: 'Hold V to peek: the relief leans towards the pointer and springs back. Nothing can be lost: everything can be undone.',
-  keyTools: 'Tools',
-  keyOrder: 'Part nearer, farther, nearest, farthest',
-  keyJoin: 'Join the part with the one it lies on, or separate them',
-  keyReverse: 'Hollow',
-  keyDelete: 'Remove the part',
-  keyPan: 'Move the page',
-  keyZoom: 'Zoom',
-  keyFit: 'Whole page',
-  keyPeek: 'Hold: peek into the depth',
-  keyLight: 'Hold and drag: move the light',
-  keyShade: 'Drawing, clay, normals',
-  keyTint: 'Depth tint',
-  keyUndo: 'Undo, redo',
-  keyFile: 'Open, save, export',
-  keyEscape: 'Leave the gesture, the panel, the choice',
-  ...scribbleEnglish,
-  ...shelfEnglish,
-  ...strokeEnglish,
-  keyGrip: 'Outline: next grip, push it; Move: next stroke, move it (⇧: farther)',
-  outline: 'Outline',
-  hintOutline: 'Drag a grip to push the outline, dashed where it is hidden. Draw from outline to outline to replace a stretch.',
-  crossesItself: 'The outline would cross itself there, so it stays as it was.',
-  tooSmall: 'Nothing would be left of the part, so it stays as it was.',
-  endsOffOutline: 'A line that replaces a stretch begins and ends on the outline.',
-  exportViews: 'The view',
-  exportTurntable: 'Turntable of the view, GIF',
-  recording: 'Records the turntable …',
-  tourOutline: 'An outline is not right? Take the Outline tool (8): drag its grips, or draw from outline to outline. Dashed is what lies behind other parts.',
-  tooLarge: 'it is larger than 256 MB unpacked',
-  damagedFile: 'it is damaged',
-  fieldRelief: 'Relief h',
-  fieldInflation: 'Inflation f',
-  fieldShift: 'Shift g',
-  field: 'Shown height',
-  energy: 'energy {value}',
-  keyField: 'Relief, inflation or shift alone',
+/** The languages that the page speaks, by their own names. */
+export const languages = { en: 'English', de: 'Deutsch', fr: 'Français', es: 'Español', ja: '日本語' };
+
+export type Language = keyof typeof languages;
+
+/** Whoever needs one of these loads it alone. */
+const others: Record<Exclude<Language, 'en'>, () => Promise<Words>> = {
+  de: async () => (await import('../words/german')).german,
+  fr: async () => (await import('../words/french')).french,
+  es: async () => (await import('../words/spanish')).spanish,
+  ja: async () => (await import('../words/japanese')).japanese,
 };
 
-export type MessageKey = keyof typeof english;
+/** The language that is spoken now. */
+export let language: Language = 'en';
+let words: Words = english;
 
-const german: Record<MessageKey, string> = {
-  title: 'Relievo',
-  tagline: 'Aus einer Zeichnung wird ein Relief. Alles bleibt auf diesem Rechner.',
-  openFile: 'Zeichnung oder Projekt öffnen',
-  dropHint: 'oder irgendwo fallen lassen, oder einfügen',
-  emptyPage: 'Mit einem leeren Blatt beginnen',
-  samples: 'Oder eines von diesen ansehen',
-  goOn: 'Mit „{name}“ weitermachen',
-  new: 'Neu',
-  open: 'Öffnen',
-  save: 'Projekt sichern',
-  export: 'Ausgeben',
-  undo: 'Rückgängig',
-  redo: 'Wiederholen',
-  select: 'Auswählen',
-  draw: 'Zeichnen',
-  join: 'Verbinden',
-  order: 'Ordnen',
-  range: 'Weicher Bereich',
-  hand: 'Hand',
-  hintSelect: 'Einen Teil anklicken. Runde Enden von Verbindungen und Bereichen ziehen, oder einen gezeichneten Teil. Alt-Klick erreicht den Teil darunter.',
-  hintJoin: 'Eine Linie über die Wurzel eines Teils: er wird eine Fläche mit dem Teil darunter. Ein Klick nimmt einen gestrichelten Vorschlag an.',
-  hintOrder: 'Vom näheren Teil zum ferneren ziehen.',
-  hintRange: 'Anklicken, wo der Umriss weich sein soll, dann, wo er wieder fest ist.',
-  hintHand: 'Das Blatt ziehen. Die Leertaste tut das mit jedem Werkzeug; Rad mit Strg vergrößert.',
-  tools: 'Werkzeuge',
-  parts: 'Teile',
-  partsHelp: 'Die nächsten zuerst. Ziehen oder Bild auf und Bild ab ändert die Reihenfolge.',
-  emptyCue: 'Zeichne hier einen Körper, als geschlossene Form. Dann einen Kopf, und Arme und Beine als offene Striche, die am Körper beginnen und enden.',
-  noParts: 'Noch keine Teile. Zeichne einen.',
-  part: 'Teil',
-  nearer: 'Näher',
-  farther: 'Ferner',
-  remove: 'Entfernen',
-  rename: 'Name',
-  inflation: 'Rundung',
-  depth: 'Tiefe',
-  profile: 'Abflachung',
-  leanRight: 'Rechts näher',
-  leanDown: 'Unten näher',
-  reverse: 'Hohl',
-  touches: 'Wo er andere berührt',
-  relationDefault: 'wie üblich',
-  relationEqual: 'geklebt',
-  relationAbove: 'davor',
-  relationFree: 'frei',
-  joinPair: 'Verbinden',
-  unjoin: 'Trennen',
-  clearRange: 'Bereiche löschen',
-  relief: 'Relief',
-  paper: 'Zeichnung',
-  shadingDrawing: 'Zeichnung',
-  shadingClay: 'Ton',
-  shadingNormals: 'Normalen',
-  depthTint: 'Tiefe färben',
-  marks: 'Verbindungen und Bereiche',
-  front: 'Von vorn',
-  settings: 'Einstellungen',
-  method: 'Verfahren',
-  approximate: 'Schnell',
-  nonlinear: 'Genau (langsamer)',
-  vertices: 'Punkte',
-  softness: 'Weichheit der Verbindungen',
-  lambdaBnd: 'Festigkeit der Umrisse',
-  lambdaShift: 'Preis der Verschiebung',
-  size: 'Längste Seite, mm',
-  exportTitle: 'Ausgeben',
-  exportModels: 'Modelle',
-  exportMaps: 'Karten',
-  exportPicture: 'Bild der Ansicht',
-  formatGlb: 'GLB — Blender, Spiele, Web',
-  formatObj: 'OBJ — mit Material und Textur',
-  formatPly: 'PLY — mit Farben',
-  formatStl: 'STL — 3D-Druck',
-  mapNormal: 'Normalenkarte',
-  mapDepth: 'Tiefenkarte, 16 Bit',
-  mapPart: 'Teilekarte',
-  greenDown: 'Grün zeigt nach unten (DirectX)',
-  keys: 'Tasten',
-  close: 'Schließen',
-  stop: 'Anhalten',
-  building: 'Rechnet',
-  ready: '{nodes} Punkte, {ms} ms',
-  failed: 'Das Relief ließ sich nicht herstellen',
-  kept: 'Das letzte gute Relief bleibt zu sehen.',
-  saved: 'In diesem Browser bewahrt',
-  notSaved: 'Noch nicht bewahrt',
-  proposedParts: 'Die Zeichnung nennt keine Teile; diese sind aus ihren Formen erraten.',
-  imageHint: 'Kritzle über jedes Teil.',
-  guessing: 'Sucht die Teile des Bildes …',
-  guessed: 'Diese Teile sind erraten. Kritzle über alles, was zusammengehört, um sie zu ändern.',
-  notReadable: '„{name}“ ist nicht lesbar: {why}',
-  crashed: 'Das Rechenwerk blieb stehen und wurde neu gestartet. Deine Arbeit ist sicher.',
-  tour: 'Rundgang',
-  next: 'Weiter',
-  done: 'Fertig',
-  tour1: 'Links ist die Zeichnung, rechts das Relief. Ziehe das Relief, um es zu drehen; mit gehaltenem L bewegst du das Licht.',
-  tour2: 'Die Teile stehen von nah nach fern. Klicke einen an, hier oder in der Zeichnung. In der Liste ziehen oder Bild auf und Bild ab ändert, was vorne liegt.',
-  tour3: 'Eine blaue Linie macht aus zwei Teilen eine Fläche. Nimm Verbinden und zeichne eine Linie über die Wurzel eines Beins. Ihre Enden lassen sich ziehen.',
-  tour4: 'Neben einer Verbindung hebt sich der Umriss weich. Weicher Bereich bestimmt das mit zwei Klicks: grün ist weich, rot ist fest.',
-  tour5: 'Halte V, um hineinzusehen: Das Relief neigt sich zum Zeiger und federt zurück. Nichts geht verloren: Alles lässt sich rückgängig machen.',
-  keyTools: 'Werkzeuge',
-  keyOrder: 'Teil näher, ferner, ganz nah, ganz fern',
-  keyJoin: 'Teil mit dem verbinden, auf dem er liegt, oder trennen',
-  keyReverse: 'Hohl',
-  keyDelete: 'Teil entfernen',
-  keyPan: 'Blatt bewegen',
-  keyZoom: 'Vergrößern',
-  keyFit: 'Ganzes Blatt',
-  keyPeek: 'Halten: in die Tiefe sehen',
-  keyLight: 'Halten und ziehen: Licht bewegen',
-  keyShade: 'Zeichnung, Ton, Normalen',
-  keyTint: 'Tiefe färben',
-  keyUndo: 'Rückgängig, wiederholen',
-  keyFile: 'Öffnen, sichern, ausgeben',
-  keyEscape: 'Geste, Tafel, Auswahl verlassen',
-  ...scribbleGerman,
-  ...shelfGerman,
-  ...strokeGerman,
-  keyGrip: 'Umriss: nächster Griff, Griff schieben; Bewegen: nächster Strich (⇧: weiter)',
-  outline: 'Umriss',
-  hintOutline: 'Einen Griff ziehen schiebt den Umriss, gestrichelt, wo er verdeckt ist. Ein Strich von Umriss zu Umriss ersetzt ein Stück.',
-  crossesItself: 'Der Umriss würde sich dort schneiden; er bleibt, wie er war.',
-  tooSmall: 'Vom Teil bliebe nichts; er bleibt, wie er war.',
-  endsOffOutline: 'Ein Strich, der ein Stück ersetzt, beginnt und endet auf dem Umriss.',
-  exportViews: 'Die Ansicht',
-  exportTurntable: 'Drehbild der Ansicht, GIF',
-  recording: 'Nimmt das Drehbild auf …',
-  tourOutline: 'Ein Umriss stimmt nicht? Nimm Umriss (8): Ziehe die Griffe oder zeichne von Umriss zu Umriss. Gestrichelt ist, was hinter anderen Teilen liegt.',
-  tooLarge: 'ausgepackt ist sie größer als 256 MB',
-  damagedFile: 'sie ist beschädigt',
-  fieldRelief: 'Relief h',
-  fieldInflation: 'Wölbung f',
-  fieldShift: 'Verschiebung g',
-  field: 'Gezeigte Höhe',
-  energy: 'Energie {value}',
-  keyField: 'Relief, nur Wölbung oder nur Verschiebung',
-};
+const chosenKey = 'language';
 
-export const catalogues: Record<'en' | 'de', Record<MessageKey, string>> = { en: english, de: german };
+const isLanguage = (name: string): name is Language => Object.hasOwn(languages, name);
 
-export const language = typeof navigator !== 'undefined' && navigator.language.startsWith('de') ? 'de' : 'en';
+/** The one that was chosen here before, else the first of the browser's own that the page speaks. */
+export function preferredLanguage(chosen: string | null, browser: readonly string[]): Language {
+  const wanted = [chosen ?? '', ...browser.map((name) => name.slice(0, 2).toLowerCase())];
+  return wanted.find(isLanguage) ?? 'en';
+}
+
+/** The language of this visit; storage may be refused. */
+export function visitorsLanguage(): Language {
+  let chosen: string | null = null;
+  try {
+    chosen = localStorage.getItem(chosenKey);
+  } catch {
+    // The browser's own languages it is.
+  }
+  return preferredLanguage(chosen, navigator.languages);
+}
+
+/** From the next visit on. */
+export function chooseLanguage(name: Language): void {
+  try {
+    localStorage.setItem(chosenKey, name);
+  } catch {
+    // Then only now.
+  }
+}
+
+/** Speaks `wanted` from here on; where its words cannot be loaded, what was spoken before. */
+export async function speak(wanted: Language): Promise<void> {
+  try {
+    words = wanted === 'en' ? english : await others[wanted]();
+    language = wanted;
+  } catch {
+    // Without a network the words that are there must do.
+  }
+  if (typeof document !== 'undefined') document.documentElement.lang = language;
+}
 
 /** The text of a key, with {names} filled in. */
 export function t(key: MessageKey, values: Record<string, string | number> = {}): string {
-  const text = catalogues[language][key];
-  return text.replace(/\{(\w+)\}/g, (_, name: string) => String(values[name] ?? ''));
+  return words[key].replace(/\{(\w+)\}/g, (_, name: string) => String(values[name] ?? ''));
 }

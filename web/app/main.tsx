@@ -3,7 +3,7 @@ import coreUrl from '#core.wasm?url';
 import { Shelf } from '../document/shelf';
 import { compileCore, Engine } from '../engine/engine';
 import { BuildControl } from './build_control';
-import { language } from './catalogue';
+import { speak, visitorsLanguage } from './catalogue';
 import { filesOf, givenFiles } from './dropped_files';
 import { Editor } from './editor';
 import { Files } from './files';
@@ -84,8 +84,8 @@ async function openShelf(): Promise<Shelf | null> {
 }
 
 async function main(): Promise<void> {
-  document.documentElement.lang = language;
   const compiled = compileCore(coreUrl);
+  await speak(visitorsLanguage());
   const editor = new Editor();
   const full = new Engine(compiled);
   const control = new BuildControl(editor, new Engine(compiled), full);

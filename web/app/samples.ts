@@ -6,11 +6,11 @@ import unicorn from '../../examples/unicorn.svg?url';
 import wolf from '../../examples/wolf.svg?url';
 
 /** The project's own drawings, on the first screen. */
-export const samples: readonly { name: string; url: string }[] = [
+export const samples = [
   { name: 'wolf', url: wolf },
   { name: 'bunny', url: bunny },
   { name: 'unicorn', url: unicorn },
   { name: 'elephant', url: elephant },
   { name: 'farmer', url: farmer },
   { name: 'lamb', url: lamb },
-];
+] as const;

@@ -1,6 +1,6 @@
 import { useEffect, useState } from 'preact/hooks';
 import type { Entry } from '../document/shelf';
-import { language, t } from './catalogue';
+import { chooseLanguage, type Language, language, languages, speak, t } from './catalogue';
 import type { Files } from './files';
 import { Icon } from './icons';
 import type { Keeper } from './keeper';
@@ -69,8 +69,25 @@ function KeptDocuments({ entries, files, keeper, changed }: { entries: Entry[]; 
   );
 }
 
+function LanguageChoice({ changed }: { changed(): void }) {
+  const choose = (name: Language): void => {
+    chooseLanguage(name);
+    void speak(name).then(changed);
+  };
+  return (
+    <nav class="languages" aria-label={t('language')}>
+      {(Object.keys(languages) as Language[]).map((name) => (
+        <button key={name} type="button" class="bare" lang={name} aria-pressed={name === language} onClick={() => choose(name)}>
+          {languages[name]}
+        </button>
+      ))}
+    </nav>
+  );
+}
+
 export function StartScreen({ files, keeper, choose }: StartScreenProps) {
   const [entries, setEntries] = useState<Entry[] | null>(null);
+  const [, setSpoken] = useState(language);
   const look = (): void => void keeper.list().then(setEntries);
   useEffect(look, []);
   if (!entries) return null;
@@ -100,11 +117,12 @@ export function StartScreen({ files, keeper, choose }: StartScreenProps) {
           <li key={name}>
             <button type="button" data-sample={name} onClick={() => void files.openSample(name, url)}>
               <img src={url} alt="" width={150} height={120} />
-              <span>{name}</span>
+              <span>{t(name)}</span>
             </button>
           </li>
         ))}
       </ul>
+      <LanguageChoice changed={() => setSpoken(language)} />
     </main>
   );
 }

@@ -1,15 +1,40 @@
 import { expect, it } from 'vitest';
-import { catalogues, t } from '../../app/catalogue';
+import { language, preferredLanguage, speak, t } from '../../app/catalogue';
+import { english, type MessageKey, type Words } from '../../words/english';
+import { french } from '../../words/french';
+import { german } from '../../words/german';
+import { japanese } from '../../words/japanese';
+import { spanish } from '../../words/spanish';
 
-it('says everything in every language, with the same values', () => {
+const keys = Object.keys(english) as MessageKey[];
+const translations: Record<string, Words> = { german, french, spanish, japanese };
+
+it.each(Object.keys(translations))('says everything in %s, with the same values', (name) => {
   const values = (text: string): string[] => (text.match(/\{\w+\}/g) ?? []).sort();
-  const { en, de } = catalogues;
-  for (const key of Object.keys(en) as (keyof typeof en)[]) {
-    expect(de[key].trim()).not.toBe('');
-    expect(values(de[key])).toEqual(values(en[key]));
+  const words = translations[name] as Words;
+  expect(Object.keys(words).sort()).toEqual([...keys].sort());
+  for (const key of keys) {
+    expect(words[key].trim()).not.toBe('');
+    expect(values(words[key]), key).toEqual(values(english[key]));
   }
 });
 
-it('fills in values', () => {
-  expect(t('goOn', { name: 'wolf' })).toContain('wolf');
+it.each(Object.keys(translations))('leaves no sentence of %s in English', (name) => {
+  const words = translations[name] as Words;
+  const same = keys.filter((key) => words[key] === english[key] && english[key].split(' ').length > 3);
+  expect(same).toEqual([]);
+});
+
+it('takes what was chosen, else the first language of the browser that it speaks', () => {
+  expect(preferredLanguage('ja', ['de-AT', 'en'])).toBe('ja');
+  expect(preferredLanguage(null, ['nl', 'fr-CA', 'en'])).toBe('fr');
+  expect(preferredLanguage('xx', ['nl'])).toBe('en');
+});
+
+it('fills in values, in the language that is spoken', async () => {
+  expect(t('goOn', { name: 'wolf' })).toContain('Go on with “wolf”');
+  await speak('es');
+  expect(language).toBe('es');
+  expect(t('goOn', { name: 'wolf' })).toBe('Seguir con «wolf»');
+  await speak('en');
 });

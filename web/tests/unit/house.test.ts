@@ -7,11 +7,12 @@ const web = fileURLToPath(new URL('../..', import.meta.url));
 
 /** Who may import whom: data flows from the document through tools and view to the page. */
 const allowed: Record<string, string[]> = {
+  words: [],
   document: [],
   engine: [],
   view: ['document', 'engine'],
   tools: ['document', 'view'],
-  app: ['document', 'engine', 'view', 'tools'],
+  app: ['words', 'document', 'engine', 'view', 'tools'],
 };
 
 function sources(folder: string): string[] {

@@ -1,0 +1,43 @@
+import { join } from 'node:path';
+import { expect, it } from 'vitest';
+import { sample } from './actions.ts';
+import { pictures, stageOfFile } from './browser.ts';
+
+const stage = stageOfFile({ anew: true });
+
+/** Words that are cut off, or wider than what they stand in. */
+function cutWords(): Promise<string[]> {
+  return stage.page.evaluate(() => {
+    const cut: string[] = [];
+    for (const element of document.querySelectorAll<HTMLElement>('button, label, h2, .hint, summary')) {
+      const shown = element.offsetParent !== null && !element.classList.contains('hidden');
+      if (shown && element.scrollWidth > element.clientWidth + 1 && element.clientWidth > 0) cut.push(element.innerText);
+    }
+    if (document.documentElement.scrollWidth > innerWidth) cut.push('the page');
+    return cut;
+  });
+}
+
+it.each(['English', 'Deutsch', 'Français', 'Español', '日本語'])('has room for %s, and remembers it', async (name) => {
+  const { page } = stage;
+  await page.getByRole('button', { name, exact: true }).click();
+  const tag = await page.locator('html').getAttribute('lang');
+  const cut = await cutWords();
+  await page.screenshot({ path: join(pictures, `language-${tag}-start.png`) });
+  await sample(page, 'wolf');
+  for (const tool of await page.locator('[data-tool]').all()) {
+    await tool.click();
+    cut.push(...(await cutWords()));
+  }
+  await page.locator('.parts li').first().click();
+  cut.push(...(await cutWords()));
+  await page.screenshot({ path: join(pictures, `language-${tag}.png`) });
+  await page.click('#export');
+  cut.push(...(await cutWords()));
+  await page.screenshot({ path: join(pictures, `language-${tag}-export.png`) });
+  expect([...new Set(cut)]).toEqual([]);
+  await page.reload();
+  await page.locator('.languages').waitFor();
+  expect(await page.locator('html').getAttribute('lang')).toBe(tag);
+  expect(stage.troubles).toEqual([]);
+});
