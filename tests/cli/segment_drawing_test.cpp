@@ -64,7 +64,8 @@ TEST_F(SegmentDrawing, StrokesOnAProjectLeaveWhatWasSaidOfItsParts) {
   project->segmentation->corrections.parts[body].c = 2.5;
   const Bytes corrected = *encode_project(*project);
   write("corrected.relievo", {corrected.begin(), corrected.end()});
-  write("strokes.json", R"({"format": "relievo-scribbles", "version": 1, "parts": ["belly"],
+  write("strokes.json",
+        R"({"format": "relievo-scribbles", "version": 1, "complete": false, "parts": ["belly"],
     "strokes": [{"kind": "hard", "part": "belly", "width": 4, "points": [[110, 220], [130, 220]]}]})");
   ASSERT_EQ(relievo({"segment", "corrected.relievo", "--scribbles", "strokes.json", "-o",
                      "again.relievo"})
@@ -115,10 +116,11 @@ TEST_F(SegmentDrawing, PartsRemovedAndDrawnInTheEditorStaySo) {
   EXPECT_EQ(read("third.relievo"), read("again.relievo"));
   const int y =
       again->segmentation->labels.at(120, 90) == again->segmentation->parts[1].label ? 90 : 220;
-  write("strokes.json", R"({"format": "relievo-scribbles", "version": 1, "parts": [")" + removed +
-                            R"("], "strokes": [{"kind": "hard", "part": ")" + removed +
-                            R"(", "width": 4, "points": [[110, )" + std::to_string(y) +
-                            R"(], [130, )" + std::to_string(y) + "]]}]}");
+  write("strokes.json",
+        R"({"format": "relievo-scribbles", "version": 1, "complete": false, "parts": [")" +
+            removed + R"("], "strokes": [{"kind": "hard", "part": ")" + removed +
+            R"(", "width": 4, "points": [[110, )" + std::to_string(y) + R"(], [130, )" +
+            std::to_string(y) + "]]}]}");
   const Outcome back =
       relievo({"segment", "again.relievo", "--scribbles", "strokes.json", "-o", "back.relievo"});
   ASSERT_EQ(back.exit_code, 0) << back.err;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "kernel/geometry/ring_measure.h"
+#include "relief/joining/connect_parts.h"
 #include "relief/joining/roots.h"
 
 namespace relievo {
@@ -81,6 +82,31 @@ std::vector<Point2> longest_inside(const std::vector<Point2>& line, const Outlin
   return share >= least_share ? best : std::vector<Point2>();
 }
 
+/// What the whole outlines tell (see connect_parts), by part.
+Joining connect_whole(const PartRegions& regions, const Stacking& stacking,
+                      const std::vector<Outline>& outlines, const JoiningOptions& options) {
+  const std::vector<int>& part_at = stacking.back_to_front;
+  Scene scene;
+  scene.width = regions.map.width;
+  scene.height = regions.map.height;
+  PartColors colors;
+  for (const int part : part_at) {
+    scene.parts.push_back({"", outlines[part]});
+    if (regions.labels[part] >= options.colours.size()) continue;
+    const std::array<double, 3>& c = options.colours[regions.labels[part]];
+    colors.push_back({{c[0] / 255, c[1] / 255, c[2] / 255}});
+  }
+  if (colors.size() < scene.parts.size()) colors.clear();
+  Joining joining = connect_parts(scene, colors);
+  const auto renumber = [&](auto& item) {
+    item.upper = part_at[item.upper];
+    item.lower = part_at[item.lower];
+  };
+  for (ProposedJoin& proposed : joining.joins) renumber(proposed.join);
+  for (ProposedRelation& proposed : joining.relations) renumber(proposed.relation);
+  return joining;
+}
+
 class JoinProposer {
  public:
   JoinProposer(const PartRegions& regions, const Stacking& stacking,
@@ -98,7 +124,12 @@ class JoinProposer {
   }
 
   Joining run() {
+    const Joining whole = connect_whole(regions_, stacking_, outlines_, options_);
+    grow_limbs(whole.joins);
+    for (const ProposedRelation& proposed : whole.relations)
+      tied_.insert({proposed.relation.upper, proposed.relation.lower});
     for (int part = 0; part < regions_.count(); ++part) propose(part);
+    for (const Pair& pair : tied_) propose_relation(pair, RelationKind::equal);
     return std::move(out_);
   }
 
@@ -106,20 +137,38 @@ class JoinProposer {
   void add_user(const Join& join) {
     out_.joins.push_back({join, 1, true});
     joined_.insert({join.upper, join.lower});
+    said_.insert(join.upper);
+  }
+
+  bool is_decided(const Pair& pair) const {
+    return joined_.count(pair) + unjoined_.count(pair) + related_.count(pair) > 0;
+  }
+
+  /// Limbs whose outlines show where they grow out of one body, which their borders need not.
+  void grow_limbs(const std::vector<ProposedJoin>& joins) {
+    for (const ProposedJoin& proposed : joins) {
+      const Pair pair{proposed.join.upper, proposed.join.lower};
+      if (is_decided(pair) || said_.count(pair.first) > 0) continue;
+      joined_.insert(pair);
+      limbs_.insert(pair.first);
+      out_.joins.push_back(proposed);
+    }
   }
 
   void propose(int part) {
     const Surroundings around = surroundings(regions_, stacking_, part);
     for (const Root& root : around.roots) propose_join(part, root, around);
-    for (const int lower : around.lower) propose_relation(part, lower, around.enclosed);
+    for (const int lower : around.lower) {
+      const bool tied = around.enclosed || tied_.count({part, lower}) > 0;
+      propose_relation({part, lower}, tied ? RelationKind::equal : RelationKind::above);
+    }
   }
 
   void propose_join(int part, const Root& root, const Surroundings& around) {
     const auto same = [&](const Root& other) { return other.lower == root.lower; };
     const bool only = std::count_if(around.roots.begin(), around.roots.end(), same) == 1;
     const Pair pair{part, root.lower};
-    const bool decided = joined_.count(pair) + unjoined_.count(pair) + related_.count(pair) > 0;
-    if (around.enclosed || !only || decided) return;
+    if (around.enclosed || !only || is_decided(pair) || limbs_.count(part) > 0) return;
     const double length = static_cast<double>(root.count);
     const double share = length / static_cast<double>(root.ring->size());
     if (share < options_.min_root || root.count < static_cast<size_t>(options_.min_root_sides))
@@ -174,17 +223,18 @@ class JoinProposer {
     return std::clamp(share, options_.shortest_ramp, options_.longest_ramp);
   }
 
-  void propose_relation(int upper, int lower, bool enclosed) {
-    const Pair pair{upper, lower};
-    if (joined_.count(pair) + related_.count(pair) > 0) return;
-    const RelationKind kind = enclosed ? RelationKind::equal : RelationKind::above;
-    out_.relations.push_back({{upper, lower, kind, std::nullopt}, false});
+  void propose_relation(const Pair& pair, RelationKind kind) {
+    if (joined_.count(pair) > 0 || !related_.insert(pair).second) return;
+    out_.relations.push_back({{pair.first, pair.second, kind, std::nullopt}, false});
   }
 
   const PartRegions& regions_;
   const Stacking& stacking_;
   const std::vector<Outline>& outlines_;
   const JoiningOptions& options_;
+  std::set<int> said_;   ///< parts that the user joined to something
+  std::set<int> limbs_;  ///< parts that grow out of another as their whole outlines tell
+  std::set<Pair> tied_;  ///< as whole outlines tell
   std::set<Pair> joined_;
   std::set<Pair> unjoined_;
   std::set<Pair> related_;

@@ -19,14 +19,17 @@ struct JoiningOptions {
   std::vector<std::array<double, 3>> colours;
 };
 
-/// Proposes how every part connects with those behind it that it touches:
+/// Proposes how every part connects with those behind it. Where its completed outline shows that it
+/// is a limb of one of them, it is joined to that at the cap of its root (see connect_parts). Of the
+/// others that touch:
 ///  - join: the outline of the part has exactly one run that borders on parts behind it (its
 ///    root), the rest of it goes elsewhere, the root is no small part of the outline, and the part
 ///    is not many times larger than the lower one, as a body over a far arm is. The join
 ///    is the middle of that run; the ramps beside it are as long as the run exceeds its chord, so
 ///    that they end where a limb leaves the lower part, and become Robin ranges;
 ///    A clear change of colour halves the confidence, since hats are not grown on, but sleeves are;
-///  - equal: the outline does not touch the background: an eye, a button, a spot;
+///  - equal: the outline does not touch the background: an eye, a button, a spot; or the completed
+///    outlines tie the two, as a limb that comes out from behind a larger part;
 ///  - above: everything else.
 /// `outlines` are those of the parts in the scene. O(sides).
 Joining join_parts(const PartRegions& regions, const Stacking& stacking,

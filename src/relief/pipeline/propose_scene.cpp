@@ -168,11 +168,17 @@ void add_rim(const PartRegions& seen, Completion& clipped) {
 /// the ratio of their area to that of all parts on which they lie, c is multiplied by
 /// 1 - 1.5 sqrt(q).
 double feature_inflation(const Proposal& proposal, const Completion& clipped, int part) {
+  if (touches_background(proposal.regions, part)) return 1;
+  const auto touch = [&](int lower) {
+    return std::any_of(proposal.evidence.begin(), proposal.evidence.end(), [&](const auto& pair) {
+      return std::minmax(pair.a, pair.b) == std::minmax(part, lower);
+    });
+  };
   const auto area = [&](int k) { return static_cast<double>(pixel_count(clipped.parts[k].shape)); };
   double below = 0;
   for (const ProposedRelation& proposed : proposal.joining.relations) {
     const Relation& relation = proposed.relation;
-    if (relation.upper == part && relation.kind == RelationKind::equal)
+    if (relation.upper == part && relation.kind == RelationKind::equal && touch(relation.lower))
       below += area(relation.lower);
   }
   if (below == 0) return 1;
