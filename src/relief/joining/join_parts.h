@@ -20,8 +20,8 @@ struct JoiningOptions {
 };
 
 /// Proposes how every part connects with those behind it. Where its completed outline shows that it
-/// is a limb of one of them, it is joined to that at the cap of its root (see connect_parts). Of the
-/// others that touch:
+/// is a limb of one of them, it is joined to that at the cap of its root (see connect_parts). Of
+/// the others that touch:
 ///  - join: the outline of the part has exactly one run that borders on parts behind it (its
 ///    root), the rest of it goes elsewhere, the root is no small part of the outline, and the part
 ///    is not many times larger than the lower one, as a body over a far arm is. The join
