@@ -130,10 +130,13 @@ class CapFinder {
   static constexpr int reach = static_cast<int>(smoothing * root_samples);
 
   double longest() const {
-    const double area = signed_area(*run_.ring);
-    const double disc = 4 * M_PI * area / (run_.measure.length * run_.measure.length);
-    const double t = std::clamp((disc - hardly_round) / (fully_round - hardly_round), 0.0, 1.0);
-    return (long_cap + t * (round_cap - long_cap)) * std::sqrt(area);
+    return (long_cap + roundness() * (round_cap - long_cap)) * std::sqrt(signed_area(*run_.ring));
+  }
+
+  double roundness() const {
+    const double length = run_.measure.length;
+    const double disc = 4 * M_PI * signed_area(*run_.ring) / (length * length);
+    return std::clamp((disc - hardly_round) / (fully_round - hardly_round), 0.0, 1.0);
   }
 
   /// Outer rings have positive area with y down: outwards is to the left of the direction.
@@ -147,7 +150,21 @@ class CapFinder {
     return normals;
   }
 
+  /// Of a limb what is farthest on its way into the other part, of a round one or one that lies
+  /// mostly on the other what is farthest from its free end.
   int find_tip(const std::vector<Point2>& normals, int low, int high) const {
+    const double common = static_cast<double>(common_area(grid_, part_, other_));
+    const double beside = 1 - common / static_cast<double>(grid_.areas[part_]);
+    const double t = beside < least_protrusion ? 1 : roundness();
+    const Point2 inwards = way_inwards();
+    const auto farthest =
+        std::max_element(points_.begin() + low, points_.begin() + high + 1,
+                         [&](Point2 a, Point2 b) { return dot(a, inwards) < dot(b, inwards); });
+    const auto by_way = static_cast<double>(farthest - points_.begin());
+    return static_cast<int>(std::lround((1 - t) * by_way + t * innermost(normals, low, high)));
+  }
+
+  int innermost(const std::vector<Point2>& normals, int low, int high) const {
     const std::vector<double> distance = distance_from_free_end(grid_, part_, other_);
     const Mask& mask = grid_.masks[part_];
     int tip = (low + high) / 2;

@@ -9,10 +9,12 @@ namespace relievo {
 /// Proposes how the parts of a layered drawing connect, from their complete outlines.
 ///  - join: the part in front is a limb of the one behind. Its outline has one run inside that part
 ///    (its root), and a good share of the part lies beside it. The join is the cap of the root:
-///    around the point of the run that is farthest from the limb's free end, as measured inside the
-///    limb, the outline as far as its normal turns by less than 57 degrees (one radian) from the
-///    limb's axis, and not longer than 0.65 times the root of the limb's area; of a round part,
-///    whose neck is narrower than itself, 0.45 times.
+///    around its tip the outline as far as its normal turns by less than 57 degrees (one radian)
+///    from the limb's axis, and not longer than 0.65 times the root of the limb's area; of a round
+///    part, whose neck is narrower than itself, 0.45 times. The tip is the point of the run that is
+///    farthest on the way from what lies beside the other part to what lies on it; of a round limb,
+///    and of one that lies mostly on the other, that which is farthest from the limb's free end, as
+///    measured inside the limb; between the two for what is between.
 ///  - equal: what lies inside another part, as an eye does; a limb in front without such a root;
 ///    and a limb that comes out from behind a larger part, whose outline it touches all along.
 ///  - all else is above, as everywhere, and not listed.
