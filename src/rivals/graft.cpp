@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <queue>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -47,6 +48,17 @@ void flood(const LayeredMesh& mesh, const std::vector<std::vector<int>>& next,
   }
 }
 
+/// Takes back what is within two edges of the rest of a bump's outline: there one node stands for
+/// two parts at different heights, which the graft must not see.
+void keep_off_rims(const LayeredMesh& mesh, const std::vector<std::vector<int>>& next,
+                   std::vector<uint8_t>& band) {
+  std::set<int> near = loose_rims(mesh);
+  for (int ring = 0; ring < 2; ++ring)
+    for (const int n : std::vector<int>(near.begin(), near.end()))
+      near.insert(next[n].begin(), next[n].end());
+  for (const int n : near) band[n] = 0;
+}
+
 /// The rows and columns of A with place >= 0, both triangles.
 SparseMatrix block(const SparseMatrix& A, const std::vector<int>& row_place, int rows,
                    const std::vector<int>& column_place, int columns) {
@@ -82,6 +94,7 @@ std::vector<uint8_t> band_around_joins(const LayeredMesh& mesh, double width) {
   const std::vector<std::vector<int>> next = node_neighbours(mesh);
   for (const SeamChain& chain : seam_chains(mesh))
     flood(mesh, next, chain, width * chain.length.back(), band);
+  keep_off_rims(mesh, next, band);
   return band;
 }
 

@@ -17,7 +17,8 @@ struct Graft {
 };
 
 /// Nodes no farther along the joined surface from a join than `width` times its length: straight
-/// distances to the nearest of its nodes, reached over edges. #N flags. O(edges log N).
+/// distances to the nearest of its nodes, reached over edges; but for what is beside the rest of a
+/// bump's outline. #N flags. O(edges log N).
 std::vector<uint8_t> band_around_joins(const LayeredMesh& mesh, double width);
 
 /// Replaces the heights of `grafted` nodes by the solution of L M^-1 L h = 0 with all other nodes,
