@@ -5,7 +5,7 @@ import { strToU8, zipSync } from 'fflate';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { isFailure, type OutputFile } from '../../engine/messages';
 import type { ReliefService } from '../../engine/relief_service';
-import { relievo } from '../support/command_line';
+import { relievo, root } from '../support/command_line';
 import { disc } from '../support/pictures';
 import { must, shown, startService, usual } from './service';
 
@@ -30,17 +30,43 @@ const ora: OutputFile[] = [
   { name: 'data/2.png', bytes: head },
 ];
 
+/** What a scene says, but for where its drawing lies. */
+function saidBy(scene: string): { joins?: object[]; relations?: object[] } {
+  return { ...(JSON.parse(scene) as object), drawing: null } as object;
+}
+
+/** That the page understands the drawing as the command line does, to the last number. */
+function expectSameScene(scene: string, input: string): void {
+  const theirs = join(folder, 'understood.json');
+  relievo('check', input, '-q', '-o', theirs);
+  expect(saidBy(scene)).toEqual(saidBy(readFileSync(theirs, 'utf8')));
+}
+
 /** That the page's model and map of imported layers are those of the command line. */
 function expectSameModel(files: OutputFile[], input: string): void {
   const [model, map] = [join(folder, 'layers.stl'), join(folder, 'depth.png')];
   relievo('build', input, '-q', '--vertices', '20000', '-o', model, '--depth-map', map);
   const { scene } = must(service.importLayers(files));
+  expectSameScene(scene, input);
   must(service.build({ scene, options: usual, ...shown }, () => undefined));
   const [stl] = must(service.encode('stl', 'layers', 100, null)).files;
   expect(Buffer.from(stl!.bytes).equals(readFileSync(model))).toBe(true);
   const depth = must(service.map('depth', 2048, false)).bytes;
   expect(Buffer.from(depth).equals(readFileSync(map))).toBe(true);
 }
+
+describe('a layered drawing that does not say how its parts connect', () => {
+  it.each(['bunny', 'farmer', 'wolf'])('is connected as by the command line: %s', (name) => {
+    const said = readFileSync(join(root, `examples/${name}.svg`), 'utf8');
+    const svg = said.replace(/<path class="join"[^>]*>/g, '').replace(/ data-relation="[a-z]*"/g, '');
+    const file = join(folder, `${name}.svg`);
+    writeFileSync(file, svg);
+    const { scene } = must(service.importSvg(strToU8(svg)));
+    expect(saidBy(scene).joins!.length).toBeGreaterThan(2);
+    expect(saidBy(scene).relations!.length).toBeGreaterThan(2);
+    expectSameScene(scene, file);
+  });
+});
 
 describe('layers', () => {
   it('of an OpenRaster file make the model that the command line makes', () => {
