@@ -1,7 +1,8 @@
 #!/bin/sh
 # Puts the models of all layered drawings of a folder (SVG, OpenRaster, folders of layers) on one
 # sheet, each from the front, from 45 and in clay from 45 and 75 degrees, with ImageMagick: whether
-# parts hold together is only seen when they are turned.
+# parts hold together is only seen when they are turned. What an SVG says of joins and relations is
+# left out, so that they are guessed.
 # Usage: layered-sheet.sh DRAWINGS SHEET.png [RELIEVO]
 set -eu
 drawings=$1
@@ -13,6 +14,10 @@ trap 'rm -rf "$work"' EXIT
 for drawing in "$drawings"/*; do
   [ -d "$drawing" ] || case $drawing in *.svg | *.ora) ;; *) continue ;; esac
   name=$(basename "$drawing")
+  if [ -f "$drawing" ] && [ "$drawing" != "${drawing%.svg}" ]; then
+    sed -E 's/<path class="join"[^>]*>//g; s/ data-relation="[a-z]*"//g' "$drawing" > "$work/$name"
+    drawing=$work/$name
+  fi
   draw() {
     picture=$work/$name-$1.png
     shift
