@@ -8,6 +8,7 @@
 #include "io/layered/read_ora.h"
 #include "io/mesh/glb_decode.h"
 #include "io/project/project_file.h"
+#include "io/psd/read_psd.h"
 #include "io/scene/read_scene.h"
 #include "io/scribbles/read_scribbles.h"
 #include "io/scribbles/scribble_image.h"
@@ -63,6 +64,8 @@ void picture(ByteView bytes) { is_read(decode_image(bytes, small_pictures)); }
 
 void layers(ByteView bytes) { is_read(read_layer_table(text_of(bytes))); }
 
+void psd(ByteView bytes) { is_read(read_psd(bytes, small_pictures)); }
+
 void glb(ByteView bytes) {
   GlbLimits limits;
   limits.image = small_pictures;
@@ -83,6 +86,7 @@ Reader reader_of(std::string_view name) {
   if (name == "archive") return archive;
   if (name == "picture") return picture;
   if (name == "layers") return layers;
+  if (name == "psd") return psd;
   if (name == "glb") return glb;
   if (name == "scribbles") return scribbles;
   return nullptr;

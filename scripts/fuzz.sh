@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 
 seconds="${1:-60}"
 [ $# -eq 0 ] || shift
-[ $# -gt 0 ] || set -- svg scene archive picture layers glb scribbles
+[ $# -gt 0 ] || set -- svg scene archive picture layers psd glb scribbles
 
 scripts/install-packages.sh fuzz
 cmake --preset fuzz > /dev/null

@@ -10,7 +10,7 @@ namespace relievo::cli {
 
 /// What commands that take drawings say of their input.
 inline constexpr const char* input_help =
-    "Layered drawing (SVG, OpenRaster, a folder of pictures), flat picture (PNG, JPEG, GIF), "
+    "Layered drawing (SVG, OpenRaster, PSD, a folder of pictures), flat picture (PNG, JPEG, GIF), "
     "project or scene file (JSON); - reads standard input";
 
 /// Adds the input, `what` being its help, and what all commands take.

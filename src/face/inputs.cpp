@@ -10,6 +10,8 @@
 #include "io/layered/read_layer_folder.h"
 #include "io/layered/read_ora.h"
 #include "io/project/project_file.h"
+#include "io/psd/psd_file.h"
+#include "io/psd/read_psd.h"
 #include "io/scene/read_scene.h"
 #include "io/svg/read_svg.h"
 #include "io/svg/render_svg.h"
@@ -127,6 +129,16 @@ Result<SceneInput> load_archive(const InputFile& input) {
   return loaded;
 }
 
+Result<SceneInput> load_psd(const InputFile& input, const RunContext& context) {
+  auto psd = read_psd(input.bytes);
+  if (!psd) return psd.error();
+  auto loaded = psd->flat ? understand_flat(std::move(*psd->flat), input.name, context)
+                          : Result<SceneInput>(with_layers(std::move(psd->content)));
+  if (!loaded) return loaded.error();
+  loaded->warnings.insert(loaded->warnings.end(), psd->warnings.begin(), psd->warnings.end());
+  return loaded;
+}
+
 /// The path of a scene's drawing; refused where a link leads out of the scene's folder.
 Result<fs::path> drawing_path(const InputFile& input, const std::string& drawing) {
   const fs::path parent = fs::path(input.name).parent_path();
@@ -175,7 +187,7 @@ Result<SceneInput> refuse(InputKind kind) {
     case InputKind::gzip:
       return bad("is compressed; unpack it first, for example with gunzip");
     default:
-      return bad("is neither an SVG or OpenRaster drawing nor a scene or project file");
+      return bad("is neither an SVG, OpenRaster or Photoshop drawing nor a scene or project file");
   }
 }
 
@@ -184,6 +196,7 @@ Result<SceneInput> load(const InputFile& input, const RunContext& context) {
   if (kind == InputKind::svg) return load_svg(input, context);
   if (kind == InputKind::json) return load_json(input);
   if (kind == InputKind::zip) return load_archive(input);
+  if (kind == InputKind::psd) return load_psd(input, context);
   if (kind == InputKind::folder) return load_folder(input);
   if (kind == InputKind::image) return read_picture(input, context);
   return refuse(kind);
@@ -222,6 +235,7 @@ InputKind sniff(ByteView bytes) {
     return InputKind::image;
   if (begins_with(text, "glTF")) return InputKind::glb;
   if (is_archive(bytes)) return InputKind::zip;
+  if (is_psd(bytes)) return InputKind::psd;
   if (begins_with(text, "\x1f\x8b")) return InputKind::gzip;
   if (begins_with(text, "\xef\xbb\xbf")) text.remove_prefix(3);
   const size_t first = text.find_first_not_of(" \t\r\n");

@@ -17,7 +17,7 @@
 namespace relievo {
 
 /// What a file holds, told by its content; or that it is a folder.
-enum class InputKind { svg, json, image, glb, zip, gzip, folder, unknown };
+enum class InputKind { svg, json, image, psd, glb, zip, gzip, folder, unknown };
 
 InputKind sniff(ByteView bytes);
 
@@ -56,9 +56,10 @@ Result<SceneInput> start_scene(const InputFile& input, bool connect,
 /// Waits for the drawing.
 Status finish_drawing(const InputFile& input, SceneInput& scene);
 
-/// A scene from a layered drawing (SVG, OpenRaster, a folder of pictures), from a flat picture, or
-/// from a scene file and the drawing that it names. Where `connect`, what a layered drawing does
-/// not say of how its parts connect is guessed. The error's `where` begins with the file's name.
+/// A scene from a layered drawing (SVG, OpenRaster, Photoshop, a folder of pictures), from a flat
+/// picture, or from a scene file and the drawing that it names. Where `connect`, what a layered
+/// drawing does not say of how its parts connect is guessed. The error's `where` begins with the
+/// file's name.
 Result<SceneInput> load_scene(const InputFile& input, bool connect, const RunContext& context = {});
 
 }  // namespace relievo

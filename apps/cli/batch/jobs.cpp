@@ -25,8 +25,8 @@ struct Found {
 
 /// Scene files are left to those who name them: much else ends in .json.
 bool is_drawing(const fs::path& path) {
-  static const std::array<const char*, 7> endings = {".svg",  ".ora", ".png",    ".jpg",
-                                                     ".jpeg", ".gif", ".relievo"};
+  static const std::array<const char*, 8> endings = {".svg", ".ora",  ".psd", ".png",
+                                                     ".jpg", ".jpeg", ".gif", ".relievo"};
   std::string ending = path.extension().string();
   for (char& c : ending)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');

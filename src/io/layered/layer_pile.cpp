@@ -7,6 +7,7 @@
 #include "io/layered/layer_color.h"
 #include "io/parts/part_cover.h"
 #include "io/parts/propose_parts.h"
+#include "kernel/base/text_rules.h"
 #include "kernel/image/level_contours.h"
 
 namespace relievo {
@@ -75,6 +76,18 @@ Part part_of(const RasterLayer& layer, Region region) {
 }
 
 }  // namespace
+
+LayerRole named_role(const std::string& name, LayerRole of_group) {
+  if (name.starts_with("texture:")) return LayerRole::texture;
+  if (name.starts_with("part:") && of_group != LayerRole::texture) return LayerRole::part;
+  return of_group;
+}
+
+std::string plain_layer_name(const std::string& name, LayerRole role) {
+  const bool marked = role == LayerRole::part && name.starts_with("part:");
+  const std::string plain = marked ? name.substr(5) : name;
+  return is_sound_id(plain) ? plain : "";
+}
 
 LayerPile empty_pile(int width, int height) {
   LayerPile pile;

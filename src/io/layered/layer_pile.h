@@ -35,6 +35,13 @@ struct RasterLayer {
   Image8 rgba;  ///< 8-bit sRGB with straight alpha
 };
 
+/// The role that a layer's name gives it, `texture:` or `part:` at its beginning, or the one that
+/// it has from its group.
+LayerRole named_role(const std::string& name, LayerRole of_group);
+
+/// The name without its role; empty where it may name no part.
+std::string plain_layer_name(const std::string& name, LayerRole role);
+
 /// Where some layer is a part, those without a role are texture. Items have a `layer`.
 template <class Item>
 void settle_roles(std::vector<Item>& items) {

@@ -8,7 +8,6 @@
 
 #include "io/layered/layer_table.h"
 #include "io/layered/packed_layers.h"
-#include "kernel/base/text_rules.h"
 
 namespace relievo {
 namespace {
@@ -62,9 +61,7 @@ class StackReader {
     if (is_group) own.number = groups_++;
     const double opacity = node.attribute("opacity").as_double(1);
     own.opacity *= std::isfinite(opacity) ? std::clamp(opacity, 0.0, 1.0) : 1;
-    const std::string name = node.attribute("name").value();
-    if (name.rfind("texture:", 0) == 0) own.role = LayerRole::texture;
-    if (name.rfind("part:", 0) == 0 && own.role != LayerRole::texture) own.role = LayerRole::part;
+    own.role = named_role(node.attribute("name").value(), own.role);
     return own;
   }
 
@@ -76,9 +73,7 @@ class StackReader {
     const ArchiveEntry* entry = find_entry(entries_, file);
     if (entry == nullptr) return stack_error("names a layer that is not in the archive: " + file);
     RasterLayer layer;
-    layer.name = node.attribute("name").value();
-    if (group.role == LayerRole::part && layer.name.rfind("part:", 0) == 0) layer.name.erase(0, 5);
-    if (!is_sound_id(layer.name)) layer.name.clear();
+    layer.name = plain_layer_name(node.attribute("name").value(), group.role);
     layer.group = group.number;
     layer.x = std::clamp(node.attribute("x").as_int(), -1'000'000, 1'000'000);
     layer.y = std::clamp(node.attribute("y").as_int(), -1'000'000, 1'000'000);

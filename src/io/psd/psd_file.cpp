@@ -1,0 +1,225 @@
+#include "io/psd/psd_file.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string_view>
+
+#include "io/layered/layer_table.h"
+#include "io/psd/big_endian.h"
+
+namespace relievo {
+namespace {
+
+constexpr int grey_mode = 1;
+constexpr int rgb_mode = 3;
+
+Error bad(const std::string& message) { return {ErrorCode::bad_input, message, ""}; }
+Error damaged() { return bad("is damaged: it ends too early, or its layers do not fit into it"); }
+
+std::string_view text_of(ByteView bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+PsdBox take_box(BigEndian& data) {
+  PsdBox box;
+  box.top = data.i32();
+  box.left = data.i32();
+  box.bottom = data.i32();
+  box.right = data.i32();
+  return box;
+}
+
+Status check_box(const PsdBox& box, const ImageLimits& limits) {
+  constexpr int farthest = 1'000'000;
+  for (const int side : {box.top, box.left, box.bottom, box.right})
+    if (side < -farthest || side > farthest) return damaged();
+  if (box.empty()) return Done{};
+  return check_image_size(box.width(), box.height(), limits);
+}
+
+void append_utf8(uint32_t code, std::string& text) {
+  const auto put = [&](uint32_t byte) { text += static_cast<char>(byte); };
+  if (code < 0x80) {
+    put(code);
+  } else if (code < 0x800) {
+    put(0xc0 | code >> 6);
+    put(0x80 | (code & 0x3f));
+  } else if (code < 0x10000) {
+    put(0xe0 | code >> 12);
+    put(0x80 | (code >> 6 & 0x3f));
+    put(0x80 | (code & 0x3f));
+  } else {
+    put(0xf0 | code >> 18);
+    put(0x80 | (code >> 12 & 0x3f));
+    put(0x80 | (code >> 6 & 0x3f));
+    put(0x80 | (code & 0x3f));
+  }
+}
+
+/// A counted string of UTF-16 as UTF-8.
+std::string take_unicode(BigEndian data) {
+  std::string text;
+  const uint32_t count = data.u32();
+  for (uint32_t k = 0; k < count && data.left() >= 2; ++k) {
+    uint32_t code = data.u16();
+    if (code >= 0xd800 && code < 0xdc00 && data.left() >= 2) {
+      code = 0x10000 + ((code - 0xd800) << 10) + (data.u16() - 0xdc00u);
+      ++k;
+    }
+    if (code != 0 && code < 0x110000) append_utf8(code, text);
+  }
+  return text;
+}
+
+/// Keys of layers that have no pixels of their own.
+bool is_adjustment(std::string_view key) {
+  static constexpr std::array<std::string_view, 19> keys = {
+      "brit", "levl", "curv", "expA", "vibA", "hue ", "hue2", "blnc", "blwh", "phfl",
+      "mixr", "clrL", "nvrt", "post", "thrs", "grdm", "selc", "CgEd", "SoCo"};
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+void read_block(std::string_view key, ByteView block, PsdLayer& layer) {
+  BigEndian data(block);
+  if (key == "luni") layer.name = take_unicode(data);
+  if (key == "lsct" || key == "lsdk") {
+    const uint32_t type = data.u32();
+    if (type == 1 || type == 2) layer.kind = PsdKind::group;
+    if (type == 3) layer.kind = PsdKind::group_end;
+    if (block.size() >= 12 && layer.kind == PsdKind::group) {
+      data.skip(4);
+      std::memcpy(layer.blend.data(), data.bytes(4).data(), 4);
+    }
+  }
+  if (key == "iOpa") layer.opacity *= data.u8() / 255.0;
+  layer.adjusts |= is_adjustment(key);
+  layer.has_effects |= key == "lfx2" || key == "lrFX" || key == "lmfx";
+  layer.has_vector_mask |= key == "vmsk" || key == "vsms";
+}
+
+std::optional<PsdMask> take_mask(ByteView block) {
+  if (block.size() < 18) return std::nullopt;
+  BigEndian data(block);
+  PsdMask mask;
+  mask.box = take_box(data);
+  mask.outside = data.u8();
+  mask.disabled = (data.u8() & 2) != 0;
+  return mask;
+}
+
+/// The part of a record that follows its fixed fields.
+void read_extra(BigEndian extra, PsdLayer& layer) {
+  layer.mask = take_mask(extra.bytes(extra.u32()));
+  extra.skip(extra.u32());  // blending ranges
+  const uint8_t length = extra.u8();
+  layer.name = std::string(text_of(extra.bytes(length)));
+  extra.skip((4 - (length + 1) % 4) % 4);
+  while (extra.left() >= 12) {
+    const std::string_view mark = text_of(extra.bytes(4));
+    if (mark != "8BIM" && mark != "8B64") return;
+    const std::string_view key = text_of(extra.bytes(4));
+    const uint32_t size = extra.u32();
+    read_block(key, extra.bytes(size), layer);
+    extra.skip(size % 2);
+  }
+}
+
+/// A record without its channels' data; the lengths of these are added to `lengths`.
+Result<PsdLayer> take_record(BigEndian& data, const ImageLimits& limits,
+                             std::vector<uint32_t>& lengths) {
+  PsdLayer layer;
+  layer.box = take_box(data);
+  if (Status status = check_box(layer.box, limits); !status) return status.error();
+  const uint16_t channels = data.u16();
+  if (channels > 56) return damaged();
+  for (int k = 0; k < channels; ++k) {
+    layer.channels.push_back({data.i16(), {}});
+    lengths.push_back(data.u32());
+  }
+  if (text_of(data.bytes(4)) != "8BIM") return damaged();
+  const ByteView blend = data.bytes(4);
+  if (blend.size() < 4) return damaged();
+  std::memcpy(layer.blend.data(), blend.data(), 4);
+  layer.opacity = data.u8() / 255.0;
+  layer.clipped = data.u8() != 0;
+  layer.hidden = (data.u8() & 2) != 0;
+  data.skip(1);
+  read_extra(BigEndian(data.bytes(data.u32())), layer);
+  if (layer.mask)
+    if (Status status = check_box(layer.mask->box, limits); !status) return status.error();
+  if (data.beyond()) return damaged();
+  return layer;
+}
+
+Status read_layers(BigEndian data, const ImageLimits& limits, PsdFile& file) {
+  if (data.left() < 2) return Done{};
+  const int count = std::abs(int{data.i16()});
+  // Each end of a group has a record of its own.
+  if (count > 2 * static_cast<int>(max_layers))
+    return Error{ErrorCode::limit, "has more than " + std::to_string(max_layers) + " layers", ""};
+  std::vector<uint32_t> lengths;
+  for (int k = 0; k < count; ++k) {
+    auto layer = take_record(data, limits, lengths);
+    if (!layer) return layer.error();
+    file.layers.push_back(std::move(*layer));
+  }
+  auto length = lengths.begin();
+  for (PsdLayer& layer : file.layers)
+    for (PsdChannel& channel : layer.channels) channel.data = data.bytes(*length++);
+  if (data.beyond()) return damaged();
+  return Done{};
+}
+
+/// Layers of 16 bits stand in a block behind the others.
+Status read_layer_section(BigEndian data, const ImageLimits& limits, PsdFile& file) {
+  if (data.left() < 4) return Done{};
+  const ByteView info = data.bytes(data.u32());
+  if (info.size() > 2) return read_layers(BigEndian(info), limits, file);
+  data.skip(data.u32());  // global mask
+  while (data.left() >= 12) {
+    const std::string_view mark = text_of(data.bytes(4));
+    if (mark != "8BIM" && mark != "8B64") return Done{};
+    const std::string_view key = text_of(data.bytes(4));
+    const uint32_t size = data.u32();
+    const ByteView block = data.bytes(size);
+    data.skip((4 - size % 4) % 4);
+    if (key == "Lr16" || key == "Layr") return read_layers(BigEndian(block), limits, file);
+  }
+  return Done{};
+}
+
+}  // namespace
+
+bool is_psd(ByteView bytes) { return bytes.size() >= 4 && text_of(bytes.subspan(0, 4)) == "8BPS"; }
+
+Result<PsdFile> read_psd_file(ByteView bytes, const ImageLimits& limits) {
+  BigEndian data(bytes);
+  PsdFile file;
+  data.skip(4);
+  const uint16_t version = data.u16();
+  if (version == 2) return bad("is a large document (PSB); save it as PSD");
+  if (version != 1) return damaged();
+  data.skip(6);
+  file.channels = data.u16();
+  file.height = data.i32();
+  file.width = data.i32();
+  file.depth = data.u16();
+  const uint16_t mode = data.u16();
+  if (Status size = check_image_size(file.width, file.height, limits); !size) return size.error();
+  if (mode != rgb_mode && mode != grey_mode)
+    return bad("is neither in RGB nor in grey; convert it to RGB");
+  if (file.depth != 8 && file.depth != 16)
+    return bad("has " + std::to_string(file.depth) + " bits a channel; convert it to 8 or 16");
+  file.colors = mode == rgb_mode ? 3 : 1;
+  if (file.channels < file.colors || file.channels > 56) return damaged();
+  data.skip(data.u32());  // colour mode data
+  data.skip(data.u32());  // image resources
+  const ByteView layers = data.bytes(data.u32());
+  if (data.beyond()) return damaged();
+  if (Status status = read_layer_section(BigEndian(layers), limits, file); !status)
+    return status.error();
+  file.merged = data.bytes(data.left());
+  return file;
+}
+
+}  // namespace relievo

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/image/image_limits.h"
+#include "relievo/bytes.h"
+#include "relievo/result.h"
+
+namespace relievo {
+
+/// A rectangle of the canvas, in px; it may reach beyond it.
+struct PsdBox {
+  int top = 0;
+  int left = 0;
+  int bottom = 0;
+  int right = 0;
+  int width() const { return right - left; }
+  int height() const { return bottom - top; }
+  bool empty() const { return right <= left || bottom <= top; }
+};
+
+/// One plane, still packed.
+struct PsdChannel {
+  int id = 0;  ///< 0 to 2: red, green, blue, or 0: grey; -1: alpha; -2: mask; -3: real user mask
+  ByteView data;
+};
+
+/// What a layer's pixels are multiplied with.
+struct PsdMask {
+  PsdBox box;
+  uint8_t outside = 0;  ///< its value there
+  bool disabled = false;
+};
+
+enum class PsdKind { layer, group, group_end };
+
+/// A layer's record. Views point into the file's bytes.
+struct PsdLayer {
+  std::string name;
+  PsdKind kind = PsdKind::layer;
+  PsdBox box;
+  std::vector<PsdChannel> channels;
+  std::optional<PsdMask> mask;
+  std::array<char, 4> blend = {'n', 'o', 'r', 'm'};
+  double opacity = 1;
+  bool hidden = false;
+  bool clipped = false;      ///< to the next layer below that is not
+  bool adjusts = false;      ///< it has no pixels but changes what is below
+  bool has_effects = false;  ///< shadows, strokes and the like around it
+  bool has_vector_mask = false;
+};
+
+struct PsdFile {
+  int width = 0;
+  int height = 0;
+  int depth = 8;                 ///< bits of a value: 8 or 16
+  int colors = 3;                ///< 3: RGB, 1: grey
+  int channels = 3;              ///< of the flattened picture
+  std::vector<PsdLayer> layers;  ///< from the back to the front; a group's end comes before it
+  ByteView merged;               ///< the flattened picture, packed
+};
+
+/// Whether the bytes begin as a Photoshop document.
+bool is_psd(ByteView bytes);
+
+/// Reads all but pixels; `bytes` must outlive the result. Written after "Adobe Photoshop File
+/// Formats Specification". Errors: bad_input for other colour modes and depths, large documents
+/// (PSB) and damage; limit. Linear in the size of the records.
+Result<PsdFile> read_psd_file(ByteView bytes, const ImageLimits& limits);
+
+}  // namespace relievo

@@ -1,0 +1,262 @@
+#include "io/psd/read_psd.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "io/layered/layer_table.h"
+#include "io/psd/psd_channel.h"
+#include "io/psd/psd_file.h"
+#include "kernel/base/text_rules.h"
+
+namespace relievo {
+namespace {
+
+enum ChannelId { real_mask_channel = -3, mask_channel = -2, alpha_channel = -1 };
+
+constexpr int no_group = -1;
+
+/// What a group hands down to its layers.
+struct Group {
+  const PsdLayer* record = nullptr;
+  int parent = no_group;
+  double opacity = 1;
+  bool hidden = false;
+  LayerRole role = LayerRole::proposed;
+};
+
+/// A layer that is seen.
+struct SeenLayer {
+  RasterLayer layer;  ///< without its pixels
+  const PsdLayer* record = nullptr;
+  const PsdLayer* base = nullptr;  ///< what it is clipped to; none: nothing
+};
+
+struct Structure {
+  std::vector<Group> groups;
+  std::vector<SeenLayer> layers;  ///< back to front
+  std::set<std::string> notes;
+};
+
+bool blends(const PsdLayer& record) {
+  const std::string mode(record.blend.begin(), record.blend.end());
+  return mode != "norm" && mode != "pass";
+}
+
+/// The groups, and which one each record is in. A group's record is in front of what it holds.
+std::vector<int> find_groups(const PsdFile& file, std::vector<Group>& groups) {
+  std::vector<int> group_of(file.layers.size(), no_group);
+  int current = no_group;
+  for (size_t k = file.layers.size(); k-- > 0;) {
+    const PsdLayer& record = file.layers[k];
+    group_of[k] = current;
+    if (record.kind == PsdKind::group_end && current != no_group) current = groups[current].parent;
+    if (record.kind != PsdKind::group) continue;
+    const Group outer = current == no_group ? Group() : groups[current];
+    groups.push_back({&record, current, outer.opacity * record.opacity,
+                      outer.hidden || record.hidden, named_role(record.name, outer.role)});
+    current = static_cast<int>(groups.size()) - 1;
+  }
+  return group_of;
+}
+
+void take_notes(const PsdLayer& record, std::set<std::string>& notes) {
+  const std::string name = "layer \"" + record.name + "\": ";
+  if (blends(record)) notes.insert(name + "its blending is painted as if it only covered");
+  if (record.has_effects) notes.insert(name + "its effects are left out");
+  if (record.has_vector_mask) notes.insert(name + "its vector mask is left out");
+  if (record.adjusts && record.box.empty())
+    notes.insert(name + "adjustments and fills are left out");
+}
+
+RasterLayer raster_layer(const PsdLayer& record, int number, const Group& group) {
+  RasterLayer layer;
+  layer.role = record.clipped ? LayerRole::texture : named_role(record.name, group.role);
+  layer.name = plain_layer_name(record.name, layer.role);
+  layer.group = number;
+  layer.x = record.box.left;
+  layer.y = record.box.top;
+  layer.opacity = group.opacity * record.opacity;
+  return layer;
+}
+
+/// The layers that are seen, and what is to be said of the others.
+Structure find_layers(const PsdFile& file) {
+  Structure found;
+  const std::vector<int> group_of = find_groups(file, found.groups);
+  const PsdLayer* base = nullptr;  // of the layers that are clipped next
+  bool base_hidden = false;
+  for (size_t k = 0; k < file.layers.size(); ++k) {
+    const PsdLayer& record = file.layers[k];
+    const Group group = group_of[k] == no_group ? Group() : found.groups[group_of[k]];
+    const bool hidden = group.hidden || record.hidden;
+    if (!record.clipped || record.kind != PsdKind::layer) {
+      base = record.kind == PsdKind::layer ? &record : nullptr;
+      base_hidden = hidden && record.kind != PsdKind::group_end;
+    }
+    if (hidden || record.kind == PsdKind::group_end || (record.clipped && base_hidden)) continue;
+    take_notes(record, found.notes);
+    if (record.clipped && base == nullptr)
+      found.notes.insert("layer \"" + record.name + "\": is clipped to a group, and not cut");
+    if (record.kind == PsdKind::layer && !record.box.empty())
+      found.layers.push_back(
+          {raster_layer(record, group_of[k], group), &record, record.clipped ? base : nullptr});
+  }
+  return found;
+}
+
+const PsdChannel* channel(const PsdLayer& record, int id) {
+  const auto found = std::find_if(record.channels.begin(), record.channels.end(),
+                                  [id](const PsdChannel& one) { return one.id == id; });
+  return found == record.channels.end() ? nullptr : &*found;
+}
+
+/// A plane that is not there is `value` everywhere.
+Result<std::vector<uint8_t>> plane(const PsdLayer& record, int id, const PsdBox& box, int depth,
+                                   uint8_t value) {
+  const PsdChannel* packed = channel(record, id);
+  if (packed == nullptr) return std::vector<uint8_t>(size_t(box.width()) * box.height(), value);
+  return decode_channel(packed->data, box.width(), box.height(), depth);
+}
+
+/// Multiplies values over `box` with others over another, `outside` of which they are the same.
+void multiply(const PsdBox& box, std::vector<uint8_t>& alpha, const PsdBox& other,
+              const std::vector<uint8_t>& values, uint8_t outside) {
+  size_t at = 0;
+  for (int y = box.top; y < box.bottom; ++y)
+    for (int x = box.left; x < box.right; ++x, ++at) {
+      const bool inside = x >= other.left && x < other.right && y >= other.top && y < other.bottom;
+      const size_t there = size_t(y - other.top) * other.width() + (x - other.left);
+      const int value = inside ? values[there] : outside;
+      alpha[at] = static_cast<uint8_t>((alpha[at] * value + 127) / 255);
+    }
+}
+
+/// Applies the mask of `masked`, a layer or a group, to values over `box`.
+Status apply_mask(const PsdLayer& masked, int depth, const PsdBox& box,
+                  std::vector<uint8_t>& alpha) {
+  if (!masked.mask || masked.mask->disabled) return Done{};
+  const PsdBox& other = masked.mask->box;
+  if (other.empty()) {
+    multiply(box, alpha, other, {}, masked.mask->outside);
+    return Done{};
+  }
+  if (channel(masked, mask_channel) == nullptr) return Done{};
+  const auto values = plane(masked, mask_channel, other, depth, 255);
+  if (!values) return values.error();
+  multiply(box, alpha, other, *values, masked.mask->outside);
+  return Done{};
+}
+
+/// Alpha of a layer with its own mask.
+Result<std::vector<uint8_t>> alpha_of(const PsdLayer& record, int depth) {
+  auto alpha = plane(record, alpha_channel, record.box, depth, 255);
+  if (!alpha) return alpha.error();
+  if (Status status = apply_mask(record, depth, record.box, *alpha); !status) return status.error();
+  return alpha;
+}
+
+/// Alpha with all masks and clipping.
+Result<std::vector<uint8_t>> seen_alpha(const SeenLayer& seen, const std::vector<Group>& groups,
+                                        int depth) {
+  const PsdBox& box = seen.record->box;
+  auto alpha = alpha_of(*seen.record, depth);
+  if (!alpha) return alpha.error();
+  for (int g = seen.layer.group; g != no_group; g = groups[g].parent)
+    if (Status s = apply_mask(*groups[g].record, depth, box, *alpha); !s) return s.error();
+  if (seen.base == nullptr) return alpha;
+  auto base = alpha_of(*seen.base, depth);
+  if (!base) return base.error();
+  for (uint8_t& value : *base)
+    value = static_cast<uint8_t>(std::lround(value * seen.base->opacity));
+  multiply(box, *alpha, seen.base->box, *base, 0);
+  return alpha;
+}
+
+Result<Image8> pixels_of(const SeenLayer& seen, const Structure& structure, const PsdFile& file) {
+  const PsdBox& box = seen.record->box;
+  Image8 rgba(box.width(), box.height(), 4);
+  for (int k = 0; k < 4; ++k) {
+    const auto values = k == 3
+                            ? seen_alpha(seen, structure.groups, file.depth)
+                            : plane(*seen.record, std::min(k, file.colors - 1), box, file.depth, 0);
+    if (!values) return values.error();
+    for (size_t i = 0; i < values->size(); ++i) rgba.pixels[4 * i + k] = (*values)[i];
+  }
+  return rgba;
+}
+
+Error in_layer(Error error, const PsdLayer& record) {
+  error.where = "layer \"" + record.name + "\"";
+  return error;
+}
+
+/// Reading takes time in proportion to the pixels of all layers, and of what they are clipped to.
+Status check_total(const std::vector<SeenLayer>& layers, const ImageLimits& limits) {
+  int64_t total = 0;
+  for (const SeenLayer& seen : layers)
+    for (const PsdLayer* record : {seen.record, seen.base}) {
+      if (record == nullptr) continue;
+      total += int64_t{record->box.width()} * record->box.height();
+      if (total > limits.max_total)
+        return in_layer({ErrorCode::limit,
+                         "the layers up to this one have more than " +
+                             std::to_string(limits.max_total) + " pixels together",
+                         ""},
+                        *record);
+    }
+  return Done{};
+}
+
+Result<Drawing> merged_picture(const PsdFile& file) {
+  const auto planes =
+      decode_merged(file.merged, file.channels, file.width, file.height, file.depth);
+  if (!planes) return planes.error();
+  Drawing drawing;
+  drawing.rgba = Image8(file.width, file.height, 4);
+  for (size_t i = 0; i < (*planes)[0].size(); ++i) {
+    for (int k = 0; k < 3; ++k)
+      drawing.rgba.pixels[4 * i + k] = (*planes)[std::min(k, file.colors - 1)][i];
+    drawing.rgba.pixels[4 * i + 3] = 255;
+  }
+  return drawing;
+}
+
+}  // namespace
+
+Result<PsdDrawing> read_psd(ByteView bytes, const ImageLimits& limits) {
+  const auto file = read_psd_file(bytes, limits);
+  if (!file) return file.error();
+  PsdDrawing result;
+  if (file->layers.empty()) {
+    auto merged = merged_picture(*file);
+    if (!merged) return merged.error();
+    result.flat = std::move(*merged);
+    return result;
+  }
+  Structure structure = find_layers(*file);
+  if (structure.layers.empty())
+    return Error{ErrorCode::bad_input, "shows no layer that has pixels", "layers"};
+  if (Status status = check_total(structure.layers, limits); !status) return status.error();
+  settle_roles(structure.layers);
+  LayerPile pile = empty_pile(file->width, file->height);
+  for (SeenLayer& seen : structure.layers) {
+    auto pixels = pixels_of(seen, structure, *file);
+    if (!pixels) return in_layer(pixels.error(), *seen.record);
+    RasterLayer layer = seen.layer;
+    layer.rgba = std::move(*pixels);
+    put_layer(pile, layer);
+  }
+  result.warnings.assign(structure.notes.begin(), structure.notes.end());
+  if (structure.layers.size() == 1) {
+    result.flat = Drawing{std::move(pile.rgba)};
+    return result;
+  }
+  auto content = scene_of_pile(std::move(pile));
+  if (!content) return content.error();
+  result.content = std::move(*content);
+  return result;
+}
+
+}  // namespace relievo

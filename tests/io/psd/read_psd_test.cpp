@@ -1,0 +1,172 @@
+#include "io/psd/read_psd.h"
+
+#include <gtest/gtest.h>
+
+#include "io/psd/psd_bytes.h"
+
+namespace relievo {
+namespace {
+
+const std::vector<uint8_t> red = {200, 20, 30, 255};
+const std::vector<uint8_t> blue = {10, 40, 220, 255};
+
+PsdLayerSpec layer(const std::string& name, int x, int y, const Image8& rgba) {
+  PsdLayerSpec spec;
+  spec.name = name;
+  spec.x = x;
+  spec.y = y;
+  spec.rgba = rgba;
+  return spec;
+}
+
+/// A red square below a blue one that reaches beyond the canvas.
+PsdSpec two_squares() {
+  PsdSpec spec;
+  spec.width = spec.height = 40;
+  spec.layers = {layer("body", 4, 4, filled(24, 24, red)),
+                 layer("head", 20, 20, filled(40, 40, blue))};
+  return spec;
+}
+
+std::vector<uint8_t> pixel(const Image8& rgba, int x, int y) {
+  return {rgba.at(x, y, 0), rgba.at(x, y, 1), rgba.at(x, y, 2), rgba.at(x, y, 3)};
+}
+
+class ReadPsd : public testing::TestWithParam<std::tuple<PsdPacking, int>> {};
+
+TEST_P(ReadPsd, FindsLayersInEveryPacking) {
+  PsdSpec spec = two_squares();
+  std::tie(spec.packing, spec.depth) = GetParam();
+  for (int x = 0; x < 24; ++x) spec.layers[0].rgba.at(x, 0, 1) = static_cast<uint8_t>(9 * x);
+  const auto psd = read_psd(psd_bytes(spec));
+  ASSERT_TRUE(psd) << psd.error().message;
+  ASSERT_FALSE(psd->flat);
+  ASSERT_EQ(psd->content.scene.parts.size(), 2U);
+  EXPECT_EQ(psd->content.scene.parts[0].id, "body");
+  EXPECT_EQ(psd->content.scene.parts[1].id, "head");
+  const Image8& rgba = psd->content.drawing.rgba;
+  EXPECT_EQ(rgba.width, 40);
+  EXPECT_EQ(pixel(rgba, 10, 10), red);
+  EXPECT_EQ(pixel(rgba, 39, 39), blue);
+  EXPECT_EQ(rgba.at(2, 2, 3), 0);
+  for (int x = 0; x < 24; ++x) EXPECT_EQ(rgba.at(4 + x, 4, 1), 9 * x);
+  EXPECT_TRUE(psd->warnings.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Packings, ReadPsd,
+                         testing::Combine(testing::Values(PsdPacking::raw, PsdPacking::pack_bits,
+                                                          PsdPacking::zip,
+                                                          PsdPacking::zip_differences),
+                                          testing::Values(8, 16)));
+
+TEST(ReadPsdLayers, GroupsHideDimAndMaskWhatTheyHold) {
+  PsdSpec spec = two_squares();
+  PsdLayerSpec end;
+  end.divider = 3;
+  PsdLayerSpec group;
+  group.name = "group";
+  group.divider = 1;
+  group.opacity = 153;  // 0.6
+  group.mask = filled(8, 40, {255});
+  spec.layers.insert(spec.layers.begin(), end);
+  spec.layers.insert(spec.layers.begin() + 2, group);
+  auto psd = read_psd(psd_bytes(spec));
+  ASSERT_TRUE(psd) << psd.error().message;
+  EXPECT_EQ(psd->content.drawing.rgba.at(5, 10, 3), 153);
+  EXPECT_EQ(psd->content.drawing.rgba.at(9, 10, 3), 0);  // outside of the mask
+  EXPECT_EQ(pixel(psd->content.drawing.rgba, 30, 30), blue);
+  spec.layers[2].hidden = true;
+  psd = read_psd(psd_bytes(spec));
+  ASSERT_TRUE(psd) << psd.error().message;
+  ASSERT_TRUE(psd->flat);  // one layer is left
+  EXPECT_EQ(psd->flat->rgba.at(5, 10, 3), 0);
+}
+
+TEST(ReadPsdLayers, WhatIsClippedIsTextureOnItsBase) {
+  PsdSpec spec = two_squares();
+  spec.layers.insert(spec.layers.begin() + 1, layer("shade", 0, 0, filled(40, 40, {0, 0, 0, 255})));
+  spec.layers[1].clipped = true;
+  const auto psd = read_psd(psd_bytes(spec));
+  ASSERT_TRUE(psd) << psd.error().message;
+  EXPECT_EQ(psd->content.scene.parts.size(), 2U);
+  EXPECT_EQ(pixel(psd->content.drawing.rgba, 10, 10), (std::vector<uint8_t>{0, 0, 0, 255}));
+  EXPECT_EQ(psd->content.drawing.rgba.at(2, 2, 3), 0);
+  spec.layers[0].hidden = true;
+  const auto without = read_psd(psd_bytes(spec));
+  ASSERT_TRUE(without);
+  ASSERT_TRUE(without->flat);
+  EXPECT_EQ(without->flat->rgba.at(10, 10, 3), 0);
+}
+
+TEST(ReadPsdLayers, MasksCutAndSayWhatLiesOutside) {
+  PsdSpec spec = two_squares();
+  spec.layers[0].mask = filled(10, 10, {0});
+  spec.layers[0].outside = 255;
+  const auto psd = read_psd(psd_bytes(spec));
+  ASSERT_TRUE(psd) << psd.error().message;
+  EXPECT_EQ(psd->content.drawing.rgba.at(6, 6, 3), 0);
+  EXPECT_EQ(pixel(psd->content.drawing.rgba, 16, 6), red);
+}
+
+TEST(ReadPsdLayers, WarnsOfWhatItPaintsOtherwise) {
+  PsdSpec spec = two_squares();
+  spec.layers[0].blend = "mul ";
+  spec.layers[1].effects = true;
+  const auto psd = read_psd(psd_bytes(spec));
+  ASSERT_TRUE(psd) << psd.error().message;
+  ASSERT_EQ(psd->warnings.size(), 2U);
+  EXPECT_NE(psd->warnings[0].find("\"body\""), std::string::npos);
+  EXPECT_NE(psd->warnings[1].find("\"head\""), std::string::npos);
+}
+
+TEST(ReadPsdLayers, TakesTheFlattenedPictureWhereThereAreNone) {
+  PsdSpec spec;
+  spec.packing = PsdPacking::pack_bits;
+  spec.merged = filled(8, 8, red);
+  const auto psd = read_psd(psd_bytes(spec));
+  ASSERT_TRUE(psd) << psd.error().message;
+  ASSERT_TRUE(psd->flat);
+  EXPECT_EQ(pixel(psd->flat->rgba, 3, 3), red);
+}
+
+TEST(ReadPsdLayers, RefusesWithAReason) {
+  const auto reason = [](const PsdSpec& spec) {
+    const auto psd = read_psd(psd_bytes(spec));
+    return psd ? "" : psd.error().message;
+  };
+  PsdSpec spec = two_squares();
+  spec.mode = 4;
+  EXPECT_NE(reason(spec).find("convert it to RGB"), std::string::npos);
+  spec = two_squares();
+  spec.version = 2;
+  EXPECT_NE(reason(spec).find("PSB"), std::string::npos);
+  spec = two_squares();
+  spec.layers[0].hidden = spec.layers[1].hidden = true;
+  EXPECT_NE(reason(spec).find("shows no layer"), std::string::npos);
+  spec = two_squares();
+  spec.width = 40000;
+  EXPECT_NE(reason(spec).find("over the limit"), std::string::npos);
+}
+
+TEST(ReadPsdLayers, NeverReadsBeyondWhatIsThere) {
+  for (const PsdPacking packing : {PsdPacking::raw, PsdPacking::pack_bits, PsdPacking::zip}) {
+    PsdSpec spec = two_squares();
+    spec.packing = packing;
+    const Bytes whole = psd_bytes(spec);
+    for (size_t size = 0; size < whole.size(); size += 7) {
+      const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
+      const auto psd = read_psd(cut);
+      // What follows the layers is not needed.
+      EXPECT_TRUE(psd || !psd.error().message.empty());
+    }
+    for (size_t at = 0; at < std::min<size_t>(whole.size(), 600); ++at) {
+      Bytes changed = whole;
+      changed[at] ^= 0xff;
+      const auto psd = read_psd(changed);
+      EXPECT_TRUE(psd || !psd.error().message.empty());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace relievo
