@@ -4,8 +4,8 @@
 # program built against the installed package and, as root, a batch on a Slurm cluster of this machine.
 set -eu
 cd "$(dirname "$0")"
-# Comparisons with slow reference solvers and many random scenes.
-surveys='^JointReferences|^Lambda/RandomScenes'
+# Comparisons with slow reference solvers, many random scenes, and a slicer.
+surveys='^JointReferences|^Lambda/RandomScenes|^Slicer'
 case "${1:-}" in
   "") preset=test left_out="$surveys|^consumer\$|^lint\$" ;;
   --all) preset=dev left_out='^$' ;;

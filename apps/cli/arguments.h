@@ -47,7 +47,7 @@ struct ReliefArguments {
 struct BuildArguments {
   CommonArguments common;
   ReliefArguments relief;
-  std::vector<std::string> models;  ///< .glb, .obj, .ply, .stl, .3mf
+  std::vector<std::string> models;  ///< .glb, .obj, .ply, .stl, .3mf, .usdz, .html
   double size_mm = 100;             ///< longest side of the model
   int filaments = 4;                ///< colours that a .3mf is painted with at most
   Slicer slicer = Slicer::prusa;    ///< that it is painted for

@@ -47,8 +47,8 @@ void add_picture_options(CLI::App& app, BuildArguments& build) {
 
 void add_outputs(CLI::App& app, BuildArguments& build) {
   app.add_option("-o,--output", build.models,
-                 "Model: .glb, .obj, .ply, .stl or .3mf; may be repeated")
-      ->check(extension({".glb", ".obj", ".ply", ".stl", ".3mf"}))
+                 "Model: .glb, .obj, .ply, .stl, .3mf, .usdz or .html; may be repeated")
+      ->check(extension({".glb", ".obj", ".ply", ".stl", ".3mf", ".usdz", ".html"}))
       ->expected(1)
       ->take_all();
   const auto picture = extension({".png"});

@@ -2,7 +2,9 @@
 
 #include <set>
 
+#include "io/mesh/html_encode.h"
 #include "io/mesh/obj_encode.h"
+#include "io/mesh/usdz_encode.h"
 #include "relievo/export.h"
 
 namespace relievo::cli {
@@ -62,11 +64,17 @@ Status check_outputs(const std::vector<fs::path>& paths, const std::vector<fs::p
 
 Result<Files> encode_model(const Model& model, const Drawing& drawing, const std::string& name,
                            const FileOptions& file) {
-  if (fs::path(name).extension() != ".3mf") return export_model(model, drawing, name, file.mm);
-  auto bytes = encode_3mf(model, drawing.rgba.empty() ? nullptr : &drawing,
-                          {file.mm, file.filaments, file.slicer});
-  if (!bytes) return bytes.error();
-  return Files{{name, std::move(*bytes)}};
+  const fs::path ending = fs::path(name).extension();
+  const Drawing* texture = drawing.rgba.empty() ? nullptr : &drawing;
+  const auto single = [&name](Result<Bytes> bytes) -> Result<Files> {
+    if (!bytes) return bytes.error();
+    return Files{{name, std::move(*bytes)}};
+  };
+  if (ending == ".3mf")
+    return single(encode_3mf(model, texture, {file.mm, file.filaments, file.slicer}));
+  if (ending == ".usdz") return single(encode_usdz(model, texture, file.mm));
+  if (ending == ".html") return single(encode_html(model, texture, fs::path(name).stem().string()));
+  return export_model(model, drawing, name, file.mm);
 }
 
 Status save(const Files& files, const std::vector<fs::path>& inputs, Interruption& interruption) {

@@ -49,8 +49,13 @@ void add_solid_options(CLI::App& app, ReliefArguments& relief) {
                      "Of solid: mm below its lowest visible point, and of its base (default 2)")
           ->check(within(0.1, 1000.0)),
       app.add_option("--height", solid.height,
-                     "Of solid: mm, its height at most; depth shrinks evenly where there is more")
+                     "Of solid and figure: mm, its depth at most; it shrinks where there is more")
           ->check(within(0.2, 1000.0)),
+      app.add_option_function<std::string>(
+             "--height-mode",
+             [&solid](const std::string& name) { solid.detail = name == "detail"; },
+             "How it shrinks: linear (evenly, the default), or detail (small forms stay)")
+          ->check(CLI::IsMember({"linear", "detail"})),
       app.add_option("--margin", solid.margin,
                      "Of solid: mm from it to the edge of its base (default 3)")
           ->check(within(0.5, 1000.0)),

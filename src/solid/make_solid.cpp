@@ -7,6 +7,7 @@
 
 #include "kernel/base/disjoint_sets.h"
 #include "solid/back_paint.h"
+#include "solid/compress_heights.h"
 #include "solid/field_rim.h"
 #include "solid/lay_floor.h"
 #include "solid/plate_outline.h"
@@ -138,15 +139,25 @@ Status add_plate(const SolidOptions& options, int part, Point2 uv, HeightField& 
 
 }  // namespace
 
-Result<Solid> make_solid(const VisibleSheet& sheet, const Drawing& drawing,
+Result<Solid> make_solid(const VisibleSheet& given, const Drawing& drawing,
                          const SolidOptions& options) {
   if (options.base == BaseShape::none && options.hole + options.ring > 0)
     return Error{ErrorCode::usage, "a hole or a ring to hang it by needs a base", "--base"};
   const bool figure = options.back != BackSide::flat;
   if (figure && options.base != BaseShape::none)
     return Error{ErrorCode::usage, "a figure has no flat back to stand on a base with", "--base"};
-  const auto placement = place_on_grid(sheet, options);
+  auto placement = place_on_grid(given, options);
   if (!placement) return placement.error();
+  VisibleSheet compressed;
+  if (options.detail && placement->height_scale < placement->scale) {
+    compressed = given;
+    if (Status status = compress_heights(placement->height_scale / placement->scale, compressed);
+        !status)
+      return status.error();
+    placement = place_on_grid(compressed, options);
+    if (!placement) return placement.error();
+  }
+  const VisibleSheet& sheet = compressed.model.triangles.empty() ? given : compressed;
   const std::vector<ModelPart> parts = figure ? sheet.model.parts : parts_with_base(sheet.model);
   PaintedDrawing painted = paint_back(drawing, sheet.model, options.back);
   HeightField field = snap_sheet(sheet, *placement);

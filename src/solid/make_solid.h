@@ -23,7 +23,7 @@ struct Solid {
 /// flat. The drawing has a strip of plain colour at its lower end for that. Fails with usage where
 /// size, thickness and margin leave no room, or a hole or ring is asked for without a base.
 /// Near-linear in triangles.
-Result<Solid> make_solid(const VisibleSheet& sheet, const Drawing& drawing,
+Result<Solid> make_solid(const VisibleSheet& given, const Drawing& drawing,
                          const SolidOptions& options);
 
 }  // namespace relievo

@@ -22,6 +22,7 @@ struct SolidOptions {
   BackSide back = BackSide::flat;
   BaseShape base = BaseShape::none;  ///< none behind what has no flat back
   double height = 0;     ///< mm, of the whole at most: depth shrinks where there is more; 0: any
+  bool detail = false;   ///< whether small forms keep their depth then, as far as that goes
   double thickness = 2;  ///< mm below the lowest point that is seen, and of the plate; > 0
   double margin = 3;     ///< mm from the silhouette to the plate's edge, at least 0.5
   double corner = 3;     ///< mm, radius of a rectangle's corners; at most its half side counts

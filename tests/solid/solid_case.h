@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "io/mesh/placement.h"
 #include "io/mesh/stl_encode.h"
@@ -10,6 +13,16 @@
 #include "solid/make_solid.h"
 
 namespace relievo::testing {
+
+/// The drawings of a folder that have layers, by name; none where it is absent.
+inline std::vector<std::string> drawings_in(const std::string& folder) {
+  std::vector<std::string> paths;
+  if (!std::filesystem::exists(folder)) return paths;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".svg") paths.push_back(entry.path().string());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
 
 inline VisibleSheet sheet_of(const Scene& scene, const Relief& relief) {
   auto sheet = assemble_visible_sheet(relief.layers, relief.inflation, relief.ordering, scene, {});

@@ -17,16 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using namespace testing;
 
-/// The drawings of a folder that have layers, by name; none where it is absent.
-std::vector<std::string> drawings_in(const std::string& folder) {
-  std::vector<std::string> paths;
-  if (!fs::exists(folder)) return paths;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".svg") paths.push_back(entry.path().string());
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
-
 void expect_sound(const std::string& path, const SolidOptions& options) {
   SCOPED_TRACE(path);
   ReliefOptions relief_options;

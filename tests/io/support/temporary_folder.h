@@ -17,7 +17,7 @@ namespace relievo {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = testing::TempDir() + "relievo_test_XXXXXX";
+    std::string name = ::testing::TempDir() + "relievo_test_XXXXXX";
     path_ = mkdtemp(name.data());
   }
   TemporaryFolder(const TemporaryFolder&) = delete;

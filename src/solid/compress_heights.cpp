@@ -1,0 +1,168 @@
+#include "solid/compress_heights.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "kernel/operators/gradient.h"
+#include "kernel/operators/laplacian.h"
+#include "kernel/solvers/sparse_cholesky.h"
+
+namespace relievo {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// No slope becomes steeper, and small ones hardly change.
+constexpr double steepest = 3;
+/// No step becomes higher, of the depth that is wanted.
+constexpr double highest_step = 0.3;
+/// What large forms keep, of an even share; the rest is left to small ones.
+constexpr double kept_by_large = 0.3;
+/// Halvings of the range in which the size of the forms that keep their slopes is sought.
+constexpr int halvings = 7;
+/// Of points that no triangle uses.
+constexpr double unused_mass = 1e-12;
+constexpr double least_area = 1e-9;  ///< px^2
+
+struct Range {
+  double low = 0;
+  double high = 0;
+
+  double length() const { return high - low; }
+};
+
+Range range_of(const Model& model, const VectorXd& z) {
+  Range range{1e300, -1e300};
+  for (const std::array<int, 3>& t : model.triangles)
+    for (const int v : t) range = {std::min(range.low, z[v]), std::max(range.high, z[v])};
+  return range;
+}
+
+/// Triangles without area have no slopes.
+std::vector<std::array<int, 3>> solid_triangles(const Model& model) {
+  std::vector<std::array<int, 3>> triangles;
+  for (const std::array<int, 3>& t : model.triangles) {
+    const Point3 a = model.positions[t[0]];
+    const Point3 ab = model.positions[t[1]] - a;
+    const Point3 ac = model.positions[t[2]] - a;
+    if (ab.x * ac.y - ab.y * ac.x > least_area) triangles.push_back(t);
+  }
+  return triangles;
+}
+
+/// Values up to `limit` that begin as they are.
+double limited(double value, double limit) { return value / (1 + std::abs(value) / limit); }
+
+class Compression {
+ public:
+  Compression(double share, const VisibleSheet& sheet) : sheet_(sheet), share_(share) {
+    const Model& model = sheet.model;
+    for (const Point3 p : model.positions) places_.push_back({p.x, p.y});
+    const std::vector<std::array<int, 3>> triangles = solid_triangles(model);
+    const FlatMesh mesh{places_, triangles};
+    heights_.resize(static_cast<Index>(model.positions.size()));
+    for (Index v = 0; v < heights_.size(); ++v) heights_[v] = model.positions[v].z;
+    target_ = share * range_of(model, heights_).length();
+    mass_ = lumped_mass(mesh);
+    matrix_ = stiffness_matrix(mesh);
+    std::vector<Point2> slopes = face_gradients(mesh, {heights_.data(), places_.size()});
+    for (Point2& slope : slopes) slope = 1 / (1 + norm(slope) / steepest) * slope;
+    load_ = divergence_load(mesh, slopes);
+    add_steps();
+  }
+
+  /// The largest forms that keep their slopes are as large as the depth allows.
+  Result<VectorXd> run() {
+    Range logs{std::log(1e-3), std::log(10.0)};
+    const double size = std::sqrt(mass_.sum());
+    VectorXd best = share_ * heights_;
+    for (int i = 0; i < halvings; ++i) {
+      const double middle = 0.5 * (logs.low + logs.high);
+      VectorXd z;
+      if (!solve(size * std::exp(middle), z))
+        return Error{ErrorCode::internal, "the depth cannot be compressed", "--height"};
+      const bool fits = range_of(sheet_.model, z).length() <= target_;
+      (fits ? logs.low : logs.high) = middle;
+      if (fits) best = std::move(z);
+    }
+    return best;
+  }
+
+ private:
+  void add_steps() {
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto add = [&](int a, int b) {
+      if (a == b) return;
+      const double step = limited(heights_[a] - heights_[b], highest_step * target_);
+      entries.insert(entries.end(), {{a, a, 1}, {b, b, 1}, {a, b, -1}, {b, a, -1}});
+      load_[a] += step;
+      load_[b] -= step;
+    };
+    for (const SheetStep& step : sheet_.steps) {
+      add(step.first.front().vertex, step.second.front().vertex);
+      add(step.first.back().vertex, step.second.back().vertex);
+    }
+    SparseMatrix steps(matrix_.rows(), matrix_.cols());
+    steps.setFromTriplets(entries.begin(), entries.end());
+    matrix_ = (matrix_ + steps).eval();
+  }
+
+  /// The minimum of |grad z - slopes|^2 and of the steps' misfit, both with what departs from
+  /// what large forms keep, (z - kept h)^2 / form^2.
+  bool solve(double form, VectorXd& z) {
+    SparseMatrix screened = matrix_;
+    VectorXd right = load_;
+    for (Index v = 0; v < mass_.size(); ++v) {
+      const double weight = std::max(mass_[v] / (form * form), unused_mass);
+      screened.coeffRef(v, v) += weight;
+      right[v] += weight * kept_by_large * share_ * heights_[v];
+    }
+    if (!analysed_ && !factor_.analyse(screened)) return false;
+    analysed_ = true;
+    if (!factor_.factorise(screened)) return false;
+    z = factor_.solve(right);
+    return true;
+  }
+
+  const VisibleSheet& sheet_;
+  double share_;
+  double target_ = 0;  ///< px
+  std::vector<Point2> places_;
+  VectorXd heights_;
+  VectorXd mass_;
+  VectorXd load_;
+  SparseMatrix matrix_;
+  SparseCholesky factor_;
+  bool analysed_ = false;
+};
+
+void set_heights(double share, const VectorXd& z, VisibleSheet& sheet) {
+  Model& model = sheet.model;
+  std::vector<Point2> places;
+  for (const Point3 p : model.positions) places.push_back({p.x, p.y});
+  const std::vector<std::array<int, 3>> triangles = solid_triangles(model);
+  const std::vector<Point2> slopes =
+      node_gradients(FlatMesh{places, triangles}, {z.data(), places.size()});
+  for (size_t v = 0; v < places.size(); ++v) {
+    const double height = z[static_cast<Index>(v)];
+    if (v < sheet.back.size())
+      sheet.back[v].z = height - share * (model.positions[v].z - sheet.back[v].z);
+    model.positions[v].z = height;
+    model.normals[v] = normalized({-slopes[v].x, -slopes[v].y, 1});
+  }
+}
+
+}  // namespace
+
+Status compress_heights(double share, VisibleSheet& sheet) {
+  const auto z = Compression(share, sheet).run();
+  if (!z) return z.error();
+  set_heights(share, *z, sheet);
+  return Done{};
+}
+
+}  // namespace relievo
