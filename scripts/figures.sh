@@ -191,7 +191,8 @@ elephant 39000
 lamb 30000
 END
 
-scripts/figures-table.py "$work" docs/figures.md
+# shellcheck disable=SC2086
+scripts/figures-table.py "$work" docs/figures.md $methods
 if [ -n "$truth" ]; then
   echo "Rendered characters" >&2
   # shellcheck disable=SC2086

@@ -23,7 +23,7 @@ std::vector<uint8_t> band_around_joins(const LayeredMesh& mesh, double width);
 
 /// Replaces the heights of `grafted` nodes by the solution of L M^-1 L h = 0 with all other nodes,
 /// and those on outlines, held: the least bending of what is inside the surface, which continues
-/// the heights and slopes around it. Sykora et al. 2014, section on grafting; the discretisation is
+/// the heights and slopes around it. Sýkora et al. 2014, section on grafting; the discretisation is
 /// our reading. Fails with internal where the system is singular, or interrupted.
 Result<Graft> graft(const LayeredMesh& mesh, const Discretisation& discretisation,
                     const std::vector<double>& h, const std::vector<uint8_t>& grafted,

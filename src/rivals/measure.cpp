@@ -92,8 +92,9 @@ double deepest_water(const FrontProbe& probe, Point2 middle, double radius) {
   const double cell = 2 * radius / pond_side;
   std::vector<double> ground(pond_side * pond_side, std::numeric_limits<double>::quiet_NaN());
   const auto place = [&](int i) {
-    return middle +
-           Point2{(i % pond_side + 0.5) * cell - radius, (i / pond_side + 0.5) * cell - radius};
+    const int row = i / pond_side;
+    const int column = i % pond_side;
+    return middle + Point2{(column + 0.5) * cell - radius, (row + 0.5) * cell - radius};
   };
   for (int i = 0; i < pond_side * pond_side; ++i)
     if (distance(place(i), middle) < radius)
@@ -115,7 +116,8 @@ double deepest_water(const FrontProbe& probe, Point2 middle, double radius) {
   std::vector<bool> wet(ground.size(), false);
   double deepest = 0;
   while (!queue.empty()) {
-    const auto [water, i] = queue.top();
+    const double water = queue.top().first;
+    const int i = queue.top().second;
     queue.pop();
     if (wet[i]) continue;
     wet[i] = true;
@@ -180,7 +182,7 @@ Result<Measures> measure(const Model& model, const LayeredMesh& joined, int long
 
 double quantile(const std::vector<double>& sorted, double share) {
   if (sorted.empty()) return 0;
-  return sorted[static_cast<size_t>(share * static_cast<double>(sorted.size() - 1) + 0.5)];
+  return sorted[static_cast<size_t>(std::lround(share * static_cast<double>(sorted.size() - 1)))];
 }
 
 }  // namespace relievo

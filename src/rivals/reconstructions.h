@@ -18,7 +18,7 @@ Result<Model> reconstruct_pillows(const RivalInput& input, const RunContext& con
 /// Jayaraman et al. 2018): f = d u s, s of each part such that its apex is that of d sqrt(u).
 Result<Model> reconstruct_parabolic(const RivalInput& input, const RunContext& context);
 
-/// Ink-and-Ray (Sykora et al. 2014): parts by themselves with a natural boundary where they join,
+/// Ink-and-Ray (Sýkora et al. 2014): parts by themselves with a natural boundary where they join,
 /// brought to the height of the lower part there by the depth order, and grafted afterwards.
 Result<Model> reconstruct_ink_and_ray(const RivalInput& input, const RunContext& context);
 

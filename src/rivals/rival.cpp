@@ -9,11 +9,11 @@ namespace relievo {
 namespace {
 
 constexpr std::array<Rival, 6> all_rivals = {{
-    {"relievo", "Dvorozhnak et al. 2018, as changed here", reconstruct_ours},
+    {"relievo", "Dvorožňák et al. 2018, as changed here", reconstruct_ours},
     {"pillows", "none: layers inflated one by one", reconstruct_pillows},
-    {"firm-ends", "Dvorozhnak et al. 2020, Monster Mash", reconstruct_with_firm_ends},
+    {"firm-ends", "Dvorožňák et al. 2020, Monster Mash", reconstruct_with_firm_ends},
     {"parabolic", "Yeh et al. 2017, Jayaraman et al. 2018", reconstruct_parabolic},
-    {"ink-and-ray", "Sykora et al. 2014", reconstruct_ink_and_ray},
+    {"ink-and-ray", "Sýkora et al. 2014", reconstruct_ink_and_ray},
     {"entem", "Entem et al. 2015", reconstruct_entem},
 }};
 
