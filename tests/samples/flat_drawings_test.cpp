@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "io/image/decode_image.h"
 #include "io/scribbles/read_scribbles.h"
@@ -28,7 +29,8 @@ class FlatDrawings : public testing::Test {
     const Result<Bytes> bytes = read_file(folder_ / name);
     EXPECT_TRUE(bytes.ok()) << name;
     if (fs::path(name).extension() == ".svg")
-      return *render_svg({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, 792, 612);
+      return *render_svg(
+          std::string_view{reinterpret_cast<const char*>(bytes->data()), bytes->size()}, 792, 612);
     return {*decode_image(*bytes)};
   }
 

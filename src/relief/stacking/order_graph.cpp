@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace relievo {
 namespace {
 
 using Adjacency = std::vector<std::vector<int>>;
+
+constexpr double least_gain = 1e-9;  ///< in log-odds, so that rounding moves nothing
 
 Adjacency upward(int parts, const std::vector<OrderArrow>& arrows) {
   Adjacency above(parts);
@@ -75,6 +78,23 @@ class Components {
   int counter_ = 0;
 };
 
+/// The place to which the part at `from` goes for the largest gain, and that gain.
+std::pair<int, double> best_place(const std::vector<int>& order, int from,
+                                  const std::vector<std::vector<double>>& log_odds) {
+  const std::vector<double>& odds = log_odds[order[from]];
+  std::pair<int, double> best{from, least_gain};
+  const auto walk = [&](int step) {
+    double gain = 0;
+    for (int k = from + step; k >= 0 && k < static_cast<int>(order.size()); k += step) {
+      gain += step * odds[order[k]];
+      if (gain > best.second) best = {k, gain};
+    }
+  };
+  walk(1);
+  walk(-1);
+  return best;
+}
+
 }  // namespace
 
 Status break_cycles(int parts, std::vector<OrderArrow>& arrows) {
@@ -120,6 +140,24 @@ std::vector<int> sort_back_to_front(const std::vector<double>& area,
     for (const int upper : above[best]) --waiting[upper];
   }
   return order;
+}
+
+std::vector<int> likelier_order(std::vector<int> back_to_front,
+                                const std::vector<std::vector<double>>& log_odds) {
+  const std::vector<int> parts = back_to_front;
+  for (bool moved = true; moved;) {
+    moved = false;
+    for (const int part : parts) {
+      const auto at = std::find(back_to_front.begin(), back_to_front.end(), part);
+      const auto from = static_cast<int>(at - back_to_front.begin());
+      const int to = best_place(back_to_front, from, log_odds).first;
+      if (to == from) continue;
+      back_to_front.erase(at);
+      back_to_front.insert(back_to_front.begin() + to, part);
+      moved = true;
+    }
+  }
+  return back_to_front;
 }
 
 }  // namespace relievo

@@ -18,4 +18,10 @@ Status break_cycles(int parts, std::vector<OrderArrow>& arrows);
 std::vector<int> sort_back_to_front(const std::vector<double>& area,
                                     const std::vector<OrderArrow>& arrows);
 
+/// Moves parts, one at a time, as long as that makes the order likelier. `log_odds[p][q]` are those
+/// of p being in front of q, and -log_odds[q][p]. O(parts^2) a round of moves, of which few are
+/// needed.
+std::vector<int> likelier_order(std::vector<int> back_to_front,
+                                const std::vector<std::vector<double>>& log_odds);
+
 }  // namespace relievo

@@ -24,6 +24,12 @@ constexpr double strip_width = 1.5;
 constexpr double silent_junctions = 0.5;
 /// The lowest part of the figure's height, in which what stands on the ground ends.
 constexpr double ground_share = 0.03;
+/// Parts of which nothing else is known: the one that ends lower on the page is behind, as feet
+/// are, with this log-odds for a difference of the figure's height.
+constexpr double below_weight = 0.2;
+/// What the user says outweighs all guesses.
+constexpr double user_odds = 1e6;
+constexpr double surest = 0.9999;  ///< confidence that counts
 /// Guesses that are less sure say less than that the larger part is behind.
 constexpr double min_arrow_confidence = 0.05;
 
@@ -120,6 +126,29 @@ std::vector<OrderArrow> guesses(const Beliefs& beliefs, const std::vector<UserAr
   return arrows;
 }
 
+/// Of every two parts, the log-odds of the first being in front.
+std::vector<std::vector<double>> pair_odds(const PartRegions& regions,
+                                           const std::vector<OrderArrow>& arrows) {
+  const int parts = regions.count();
+  int top = regions.map.height;
+  int bottom = 0;
+  for (const Mask& visible : regions.visible) {
+    top = std::min(top, visible.top);
+    bottom = std::max(bottom, visible.bottom());
+  }
+  std::vector<std::vector<double>> odds(parts, std::vector<double>(parts, 0));
+  for (int a = 0; a < parts; ++a)
+    for (int b = 0; b < parts; ++b)
+      odds[a][b] = below_weight * (regions.visible[b].bottom() - regions.visible[a].bottom()) /
+                   std::max(1, bottom - top);
+  for (const OrderArrow& arrow : arrows) {
+    const double said = 2 * std::atanh(std::min(arrow.confidence, surest));
+    odds[arrow.upper][arrow.lower] = arrow.source == OrderSource::user ? user_odds : said;
+    odds[arrow.lower][arrow.upper] = -odds[arrow.upper][arrow.lower];
+  }
+  return odds;
+}
+
 }  // namespace
 
 Result<Stacking> stack_parts(const PartRegions& regions,
@@ -132,10 +161,13 @@ Result<Stacking> stack_parts(const PartRegions& regions,
   std::vector<double> area;
   for (const Mask& visible : regions.visible)
     area.push_back(static_cast<double>(pixel_count(visible)));
-  stacking.back_to_front = sort_back_to_front(area, stacking.arrows);
+  stacking.back_to_front = likelier_order(sort_back_to_front(area, stacking.arrows),
+                                          pair_odds(regions, stacking.arrows));
   stacking.rank.resize(area.size());
   for (size_t i = 0; i < area.size(); ++i)
     stacking.rank[stacking.back_to_front[i]] = static_cast<int>(i);
+  for (OrderArrow& arrow : stacking.arrows)
+    arrow.kept = stacking.rank[arrow.upper] > stacking.rank[arrow.lower];
   return stacking;
 }
 
