@@ -8,7 +8,7 @@
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/depth_problem.h"
-#include "relief/pipeline/relief_options.h"
+#include "relief/pipeline/build_relief.h"
 #include "relievo/scene.h"
 
 namespace relievo::benchmarks {

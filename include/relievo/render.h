@@ -35,7 +35,6 @@ struct RenderOptions {
   double light_radius = 9;         ///< of the key light as seen from the model, degrees, [0, 60]
   int samples = 6;                 ///< rays to the model per pixel, 1 to 1024
   int ambient_rays = 3;            ///< rays to the surroundings per sample, 0 to 64
-  int threads = 0;                 ///< as many as the machine has when 0; the picture is the same
 };
 
 enum class View { front, three_quarter, side };

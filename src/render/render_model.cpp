@@ -2,7 +2,9 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <thread>
 
+#include "kernel/base/workers.h"
 #include "kernel/image/paste.h"
 #include "relief/model/model_texture.h"
 #include "relievo/render.h"
@@ -10,8 +12,6 @@
 #include "render/lighting.h"
 #include "render/low_discrepancy.h"
 #include "render/ray_scene.h"
-#include "render/row_workers.h"
-#include "render/surface_point.h"
 #include "render/texture_sampler.h"
 
 namespace relievo {
@@ -191,11 +191,14 @@ Result<Image8> render(const Model& model, const Drawing* drawing, const RenderOp
     renderer.texture.emplace(model_texture(model, *drawing), model.width / renderer.camera.unit);
 
   Image8 picture(options.width, options.height, 4);
-  const Status status = run_rows(options.height, options.threads, context, [&](int y) {
+  const std::thread::id caller = std::this_thread::get_id();
+  run_tasks(options.height, [&](int y) {
     for (int x = 0; x < options.width && !context.cancelled(); ++x)
       render_pixel(renderer, x, y, &picture.at(x, y));
+    if (std::this_thread::get_id() == caller)
+      context.report("render", static_cast<double>(y + 1) / options.height);
   });
-  if (!status) return status.error();
+  if (context.cancelled()) return interrupted_error();
   return picture;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "kernel/base/workers.h"
 #include "relievo/render.h"
 #include "support/sample_models.h"
 
@@ -142,10 +143,10 @@ TEST(RenderModel, SameBytesForAnyNumberOfThreads) {
   options.width = 90;
   options.height = 70;
   options.shading = Shading::textured;
-  options.threads = 1;
+  set_worker_count(1);
   const Image8 one = picture(model, options, &drawing);
   for (const int threads : {2, 5, 0}) {
-    options.threads = threads;
+    set_worker_count(threads);
     EXPECT_TRUE(picture(model, options, &drawing).pixels == one.pixels) << threads;
   }
 }

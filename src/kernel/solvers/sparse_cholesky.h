@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "kernel/base/sparse_matrix.h"
-#include "kernel/solvers/forward_sweep.h"
 #include "kernel/solvers/symmetric_graph.h"
 #include "relievo/run_context.h"
 
@@ -16,6 +15,14 @@ namespace relievo {
 /// Whether refactorise() computes everything again, or no more than needed: this takes some three
 /// times the memory of the factor in addition.
 enum class Refactorisation { complete, incremental };
+
+/// What the tasks of a factor made of a right-hand side, in the order of elimination.
+struct ForwardSweep {
+  std::vector<uint64_t> version;  ///< of each task when it was solved
+  Eigen::VectorXd b;
+  Eigen::VectorXd y;      ///< L^-1 b on the columns of the tasks
+  Eigen::MatrixXd above;  ///< what each task contributes to the columns above, one column each
+};
 
 /// Cholesky factorisation of symmetric positive definite sparse matrices: the pattern is analysed
 /// once, values are factorised as often as needed, by the multifrontal method [Duff and Reid 1983;

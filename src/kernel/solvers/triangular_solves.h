@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "kernel/solvers/factor_memory.h"
-#include "kernel/solvers/forward_sweep.h"
+#include "kernel/solvers/sparse_cholesky.h"
 
 namespace relievo {
 

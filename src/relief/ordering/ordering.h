@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "kernel/solvers/bound_qp_report.h"
+#include "kernel/solvers/bound_qp.h"
 #include "relievo/point.h"
 
 namespace relievo {

@@ -1,16 +1,38 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "relief/inflation/inflate.h"
+#include "relief/joint/solve_jointly.h"
+#include "relief/layers/layer_parts.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/model/assemble_model.h"
 #include "relief/model/relief_maps.h"
-#include "relief/pipeline/relief_options.h"
-#include "relief/pipeline/stage_clock.h"
+#include "relief/ordering/order_depth.h"
+#include "relievo/options.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
 
 namespace relievo {
+
+struct ReliefOptions {
+  Method method = Method::approximate;
+  LayerOptions layers;
+  InflationOptions inflation;
+  OrderingOptions ordering;
+  JointOptions joint;  ///< of the non-linear method; epsilon and limbs are the ordering's
+  /// Whether what is hidden from the front is wanted too: in models of whole sheets.
+  bool hidden = true;
+};
+
+/// Wall time of a stage, or of a piece of work inside one. A name may occur several times. Only
+/// what is done beside others overlaps them.
+struct StageTime {
+  std::string stage;  ///< "mesh", "assemble", "analyse", "inflate", "order", "nonlinear" or "hide"
+  double milliseconds = 0;
+  bool beside = false;  ///< on another thread than the stage that it counts to
+};
 
 /// Every intermediate value of a reconstruction.
 struct Relief {

@@ -1,15 +1,60 @@
 #include "relief/pipeline/relief_session.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "kernel/base/workers.h"
 #include "kernel/geometry/nearest_mark.h"
 #include "relief/discretisation/discretise.h"
 #include "relief/hiding/hide_sheets.h"
-#include "relief/pipeline/stage_keys.h"
 
 namespace relievo {
+
+/// Fills a list of wall times. The time of a stage is without the pieces that it reported.
+class StageClock {
+ public:
+  explicit StageClock(std::vector<StageTime>& times) : times_(times) {}
+
+  /// `context` with the pieces' times going to the list.
+  RunContext listen(RunContext context) {
+    context.timed = [this](const char* piece, double milliseconds) {
+      times_.push_back({piece, milliseconds, false});
+      pieces_ += milliseconds;
+    };
+    return context;
+  }
+
+  /// The same for work on another thread; take_beside() adds its pieces when it has ended.
+  RunContext listen_beside(RunContext context) {
+    context.progress = {};
+    context.timed = [this](const char* piece, double milliseconds) {
+      beside_.push_back({piece, milliseconds, true});
+    };
+    return context;
+  }
+
+  void take_beside() {
+    times_.insert(times_.end(), beside_.begin(), beside_.end());
+    beside_.clear();
+  }
+
+  void finish(const char* stage) {
+    const auto now = Clock::now();
+    const std::chrono::duration<double, std::milli> elapsed = now - last_;
+    times_.push_back({stage, elapsed.count() - pieces_, false});
+    last_ = now;
+    pieces_ = 0;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::vector<StageTime>& times_;
+  std::vector<StageTime> beside_;
+  Clock::time_point last_ = Clock::now();
+  double pieces_ = 0;
+};
 
 /// What an update was asked for.
 struct ReliefSession::Request {

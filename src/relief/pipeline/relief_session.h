@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "relief/pipeline/build_relief.h"
-#include "relief/pipeline/key.h"
+#include "relief/pipeline/stage_keys.h"
 
 namespace relievo {
 
