@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "apps/cli/commands.h"
-#include "apps/cli/convergence.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/overlay_picture.h"

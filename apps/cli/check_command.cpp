@@ -2,7 +2,9 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "apps/cli/commands.h"
 #include "apps/cli/cue_argument.h"
@@ -10,8 +12,8 @@
 #include "apps/cli/outputs.h"
 #include "apps/cli/overlay_picture.h"
 #include "apps/cli/scene_output.h"
-#include "apps/cli/table.h"
 #include "face/inputs.h"
+#include "io/files/number_text.h"
 #include "io/image/png_encode.h"
 #include "io/overlay/mesh_lines.h"
 #include "kernel/geometry/line_spans.h"
@@ -22,12 +24,48 @@
 namespace relievo::cli {
 namespace {
 
+/// Characters of UTF-8 text: all bytes but those that continue one.
+size_t length(const std::string& text) {
+  return static_cast<size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
+  }));
+}
+
+/// Text in aligned columns, a heading above each.
+class Table {
+ public:
+  explicit Table(std::vector<std::string> headings) : rows_{std::move(headings)} {}
+
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  bool empty() const { return rows_.size() == 1; }
+  std::string text() const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+std::string Table::text() const {
+  std::vector<size_t> widths(rows_[0].size());
+  for (const auto& row : rows_)
+    for (size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], length(row[i]));
+  std::string text;
+  for (const auto& row : rows_) {
+    for (size_t i = 0; i + 1 < row.size(); ++i)
+      text += printable(row[i]) + std::string(widths[i] - length(row[i]) + 2, ' ');
+    text += printable(row.back()) + "\n";
+  }
+  return text;
+}
+
+/// At most six significant digits.
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
 /// Enough to find every contradiction between annotations, and quick.
 constexpr int trial_vertices = 5000;
-
-std::string count(size_t number, const std::string& what) {
-  return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
-}
 
 std::string part_table(const Scene& scene) {
   Table table({"part", "c", "d", "flat", "lean", "rings", "points", "size in px"});
@@ -56,7 +94,7 @@ std::string annotation_table(const SceneInput& input) {
   Table table({"annotation", "upper", "lower", "detail", ""});
   const auto id = [&](int part) { return scene.parts[part].id; };
   for (const Join& join : scene.joins)
-    table.add({"join", id(join.upper), id(join.lower), count(join.line.size(), "point"),
+    table.add({"join", id(join.upper), id(join.lower), counted(join.line.size(), "point"),
                trust(input.guesses.joins, join)});
   for (const Relation& relation : scene.relations)
     table.add({"relation", id(relation.upper), id(relation.lower),
@@ -155,7 +193,7 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
   for (const std::string& line : input->understood) print_note(line, quiet);
   const Scene& scene = input->scene;
   print_result("canvas " + number(scene.width) + " x " + number(scene.height) + " px, " +
-                   count(scene.parts.size(), "part") +
+                   counted(scene.parts.size(), "part") +
                    (input->proposed ? " proposed from the shapes" : "") + ", back to front",
                quiet);
   print_result("\n" + part_table(scene), quiet);

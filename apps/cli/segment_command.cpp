@@ -1,11 +1,14 @@
 #include <algorithm>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "apps/cli/commands.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/overlay_picture.h"
 #include "apps/cli/scene_output.h"
-#include "apps/cli/segment_project.h"
 #include "apps/cli/segment_report.h"
 #include "face/inputs.h"
 #include "io/files/in_file.h"
@@ -13,6 +16,7 @@
 #include "io/image/gif_decode.h"
 #include "io/image/png_decode.h"
 #include "io/image/png_encode.h"
+#include "io/project/project.h"
 #include "io/project/project_file.h"
 #include "io/scribbles/read_scribbles.h"
 #include "io/scribbles/scribble_image.h"
@@ -25,6 +29,19 @@ namespace relievo::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// A flat drawing and what is known of it.
+struct SegmentInput {
+  std::string drawing_file;  ///< its path or "-"; empty where it is inside a project or made here
+  ProjectDrawing drawing;    ///< the artist's own file, or the picture of their vectors
+  Image8 pixels;             ///< of the drawing, RGBA
+  SegmentationRecord record;
+  std::string name;                               ///< of the project; empty where there was none
+  Scene scene;                                    ///< likewise
+  std::map<std::string, std::string> other_keys;  ///< of the project, which come along
+  std::vector<std::vector<Point2>> bridges;       ///< gaps in the lines that were closed, px
+  std::vector<std::string> notes;                 ///< what a person should know
+};
 
 /// Longest side of the picture that is made from a vector drawing, px.
 constexpr double vector_side = 1600;
@@ -180,6 +197,18 @@ Result<SegmentInput> load(const SegmentArguments& segment, const RunContext& con
 bool is_project_name(const std::string& name) { return fs::path(name).extension() == ".relievo"; }
 
 using Files = std::vector<OutputFile>;
+
+/// The project that keeps the drawing and what was understood of it.
+Project project_of(const SegmentInput& input, const Understanding& understanding) {
+  Project project;
+  project.name = input.name.empty() ? fs::path(input.drawing.name).stem().string() : input.name;
+  project.drawing = input.drawing;
+  project.segmentation = understanding.record;
+  project.scene = understanding.scene;
+  project.scene.drawing = "drawing";
+  project.other_keys = input.other_keys;
+  return project;
+}
 
 Result<Files> project_files(const SegmentArguments& segment, const SegmentInput& input,
                             const Understanding& understanding) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "io/files/number_text.h"
 #include "io/image/decode_image.h"
 #include "relief/drawing/segment_drawing.h"
 #include "relief/pipeline/understand_drawing.h"
@@ -13,17 +14,13 @@ namespace {
 
 std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
-std::string count(size_t number, const std::string& what) {
-  return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
-}
-
 /// What was found.
 std::string finding(const Image16& labels, const Scene& scene) {
   const auto background = std::count(labels.pixels.begin(), labels.pixels.end(), 0);
   const double covered =
       1 - static_cast<double>(background) / static_cast<double>(labels.pixels.size());
-  return "the picture was understood as " + count(scene.parts.size(), "part") + " with " +
-         count(scene.joins.size(), "join") + "; they cover " + percent(covered) + " of it";
+  return "the picture was understood as " + counted(scene.parts.size(), "part") + " with " +
+         counted(scene.joins.size(), "join") + "; they cover " + percent(covered) + " of it";
 }
 
 /// What to look at first, and how to correct it.

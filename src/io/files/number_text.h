@@ -46,4 +46,9 @@ std::string shortest_text(Number number) {
 #endif
 }
 
+/// "1 part", "2 parts".
+inline std::string counted(size_t number, const std::string& what) {
+  return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
+}
+
 }  // namespace relievo
