@@ -123,7 +123,7 @@ VectorXd limb_rise(const SurfaceInput& surface, const Inflation& inflation) {
     if (i > 0 && joins[i - 1].upper == part) continue;
     if (scene.parts[part].lean != Point2{}) continue;
     const Limb limb = make_limb(surface, f, part, grown_from(part, joins, scene.parts.size()));
-    if (!limb.root.empty()) add_rise(limb, scene.parts[part].d < 0 ? -1 : 1, rise);
+    if (limb.width > 0) add_rise(limb, scene.parts[part].d < 0 ? -1 : 1, rise);
   }
   return rise;
 }
