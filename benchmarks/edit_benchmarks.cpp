@@ -25,7 +25,7 @@ const Edit edits[] = {
     {"c_of_one_part_a_tenth_more", [](Scene& s, ReliefOptions&) { s.parts.back().c *= 1.1; }},
     {"d_of_one_part_a_tenth_less", [](Scene& s, ReliefOptions&) { s.parts.back().d *= 0.9; }},
     {"c_of_the_largest_part_doubled", [](Scene& s, ReliefOptions&) { s.parts.front().c *= 2; }},
-    {"alpha0_doubled", [](Scene&, ReliefOptions& o) { o.inflation.alpha0 *= 2; }},
+    {"alpha0_a_tenth", [](Scene&, ReliefOptions& o) { o.inflation.alpha0 = 0.1; }},
     {"rho_a_fifth_more", [](Scene&, ReliefOptions& o) { o.inflation.rho *= 1.2; }},
     {"a_relation_dropped",
      [](Scene& s, ReliefOptions&) {
