@@ -137,8 +137,11 @@ std::vector<std::string> relief_warnings(const Relief& relief) {
 /// What is to be said of a solid.
 std::vector<std::string> solid_warnings(const Products& products) {
   if (!products.made || !products.made->solid || products.made->solid->pieces < 2) return {};
-  return {"the solid is in " + std::to_string(products.made->solid->pieces) +
-          " pieces that nothing holds together; --base does"};
+  const SolidFacts& facts = *products.made->solid;
+  std::string text = "the solid is in " + std::to_string(facts.pieces) + " pieces; loose:";
+  for (const std::string& part : facts.loose)
+    text += (&part == &facts.loose.front() ? " " : ", ") + part;
+  return {text + "; --profile solid with --base holds them together"};
 }
 
 std::vector<std::string> joined(std::vector<std::string> warnings,

@@ -105,7 +105,9 @@ std::string write_report(const ReportInput& input) {
     report["model"] = {{"vertices", input.model->positions.size()},
                        {"faces", input.model->triangles.size()}};
   if (input.solid)
-    report["solid"] = {{"volume_mm3", input.solid->volume}, {"pieces", input.solid->pieces}};
+    report["solid"] = {{"volume_mm3", input.solid->volume},
+                       {"pieces", input.solid->pieces},
+                       {"loose", input.solid->loose}};
   report["timings_ms"] = times(input);
   report["warnings"] = input.warnings;
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

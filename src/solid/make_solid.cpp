@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "kernel/base/disjoint_sets.h"
@@ -87,18 +89,27 @@ Result<GridPlacement> place_on_grid(const VisibleSheet& sheet, const SolidOption
       scale, height_scale, {extent.low.x, extent.low.y, extent.low.z - lift}, unit, backed};
 }
 
-int count_pieces(const HeightField& field) {
+/// The connected pieces of a field, and what is not of the largest.
+SolidFacts find_pieces(const HeightField& field, const std::vector<ModelPart>& parts) {
   DisjointSets sets(static_cast<int>(field.points.size()));
-  std::vector<char> used(field.points.size());
-  for (const std::array<int, 3>& t : field.triangles) {
-    for (const int v : t) used[field.vertex_point[v]] = 1;
-    sets.unite(field.vertex_point[t[0]], field.vertex_point[t[1]]);
-    sets.unite(field.vertex_point[t[0]], field.vertex_point[t[2]]);
+  for (const std::array<int, 3>& t : field.triangles)
+    for (const int k : {1, 2}) sets.unite(field.vertex_point[t[0]], field.vertex_point[t[k]]);
+  std::map<int, int64_t> areas;
+  std::map<int, std::set<int>> owners;
+  for (size_t t = 0; t < field.triangles.size(); ++t) {
+    const auto& [a, b, c] = field.triangles[t];
+    const int piece = sets.find(field.vertex_point[a]);
+    areas[piece] += turn(field.place(a), field.place(b), field.place(c));
+    owners[piece].insert(field.triangle_part[t]);
   }
-  int pieces = 0;
-  for (size_t p = 0; p < used.size(); ++p)
-    if (used[p] != 0 && sets.find(static_cast<int>(p)) == static_cast<int>(p)) ++pieces;
-  return pieces;
+  SolidFacts facts;
+  facts.pieces = static_cast<int>(areas.size());
+  const auto largest = std::max_element(
+      areas.begin(), areas.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  for (const auto& [piece, of_piece] : owners)
+    for (const int part : of_piece)
+      if (piece != largest->first) facts.loose.push_back(parts[part].id);
+  return facts;
 }
 
 double volume_of(const Model& model) {
@@ -175,8 +186,9 @@ Result<Solid> make_solid(const VisibleSheet& given, const Drawing& drawing,
   settle_heights(edges, field);
   auto model = raise_walls(field, edges, parts, painted.paint);
   if (!model) return model.error();
-  const SolidFacts facts{volume_of(*model), count_pieces(field)};
-  return Solid{{std::move(*model), std::move(painted.drawing)}, facts};
+  SolidFacts facts = find_pieces(field, parts);
+  facts.volume = volume_of(*model);
+  return Solid{{std::move(*model), std::move(painted.drawing)}, std::move(facts)};
 }
 
 }  // namespace relievo

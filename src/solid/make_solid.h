@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "relief/model/drawn_model.h"
 #include "relief/model/visible_sheet.h"
 #include "relievo/result.h"
@@ -8,8 +11,9 @@
 namespace relievo {
 
 struct SolidFacts {
-  double volume = 0;  ///< mm^3
-  int pieces = 0;     ///< that do not hang together
+  double volume = 0;               ///< mm^3
+  int pieces = 0;                  ///< that do not hang together
+  std::vector<std::string> loose;  ///< parts of all pieces but the largest
 };
 
 struct Solid {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -124,6 +125,22 @@ TEST(MakeSolid, RefusesWhatHasNoRoom) {
   const auto drilled = make_solid(ball(), {}, options);
   ASSERT_FALSE(drilled.ok());
   EXPECT_EQ(drilled.error().where, "--hole");
+}
+
+TEST(MakeSolid, NamesWhatIsLoose) {
+  Model model = empty_model(300, 100);
+  add_ellipsoid(model, {"large", {60, 50}, 0, {40, 40, 40}});
+  add_ellipsoid(model, {"small", {200, 50}, 0, {20, 20, 20}});
+  const auto solid = make_solid({model, {}, {}}, {}, {});
+  ASSERT_TRUE(solid.ok()) << to_string(solid.error());
+  EXPECT_EQ(solid->facts.pieces, 2);
+  EXPECT_EQ(solid->facts.loose, std::vector<std::string>{"small"});
+  SolidOptions options;
+  options.base = BaseShape::plate;
+  const auto held = make_solid({model, {}, {}}, {}, options);
+  ASSERT_TRUE(held.ok());
+  EXPECT_EQ(held->facts.pieces, 1);
+  EXPECT_TRUE(held->facts.loose.empty());
 }
 
 TEST(MakeSolid, PaintsTheBaseAndKeepsTheDrawing) {
