@@ -7,13 +7,13 @@ cd "$(dirname "$0")"
 # Comparisons with slow reference solvers, many random scenes, and a slicer.
 surveys='^JointReferences|^Lambda/RandomScenes|^Slicer'
 case "${1:-}" in
-  "") preset=test left_out="$surveys|^consumer\$|^lint\$" ;;
-  --all) preset=dev left_out='^$' ;;
+  "") preset=test packages=test left_out="$surveys|^consumer\$|^lint\$" ;;
+  --all) preset=dev packages=all left_out='^$' ;;
   *) echo "usage: $0 [--all]" >&2; exit 2 ;;
 esac
 jobs=$(nproc 2> /dev/null || echo 2)
 
-scripts/install-packages.sh test
+scripts/install-packages.sh "$packages"
 if command -v npm > /dev/null; then
   (cd tests/tools && npm ci --ignore-scripts --no-audit --no-fund --silent) ||
     echo "No glTF validator from npm; the tests that need it are skipped." >&2
@@ -38,7 +38,6 @@ export RELIEVO="$PWD/build/$preset/apps/cli/relievo"
 (cd web && npm run --silent test && npm run --silent journeys)
 
 if [ "$preset" = dev ] && [ "$(id -u)" -eq 0 ]; then
-  scripts/install-packages.sh cluster
   tests/cluster/slurm.sh "$RELIEVO"
 fi
 

@@ -178,7 +178,9 @@ Result<TriangleSurface> contour(const Convolution& convolution, double cell, dou
     return 1 - convolution.value(from_cgal(p));
   };
   const Kernel::Point_3 centre = to_cgal(0.5 * (low + high));
-  const Surface surface(outside, Kernel::Sphere_3(centre, reach * reach), 1e-5);
+  // The mesher orders facets by their addresses: vertices agree between runs as far as they are on
+  // the surface.
+  const Surface surface(outside, Kernel::Sphere_3(centre, reach * reach), 1e-10);
   Complex complex(triangulation);
   try {
     CGAL::make_surface_mesh(complex, surface, Sizes(convolution, cell, smallest, context),

@@ -144,6 +144,13 @@ TEST(Entem, BulgesWhereALimbJoinsThatOursContinues) {
   EXPECT_GT(outside("entem"), 2);
 }
 
+/// CGAL's surface mesher orders facets by their addresses, so that last digits differ.
+void expect_same(const Model& model, const Model& again, const char* name) {
+  ASSERT_EQ(model.positions.size(), again.positions.size()) << name;
+  for (size_t v = 0; v < model.positions.size(); ++v)
+    EXPECT_LT(norm(model.positions[v] - again.positions[v]), 1e-5) << name;
+}
+
 TEST(Rivals, AreNamedOnceAndGiveSoundModels) {
   std::set<std::string> names;
   const Scene scene = testing::random_limbs(3);
@@ -155,8 +162,7 @@ TEST(Rivals, AreNamedOnceAndGiveSoundModels) {
     EXPECT_FALSE(model.triangles.empty()) << rival.name;
     for (const Point3 p : model.positions) EXPECT_TRUE(std::isfinite(p.x + p.y + p.z));
     for (const Point3 n : model.normals) EXPECT_NEAR(norm(n), 1, 1e-6) << rival.name;
-    EXPECT_EQ(model.positions, reconstructed(scene, rival.name, {}, 3000).positions)
-        << rival.name << " is not the same twice";
+    expect_same(model, reconstructed(scene, rival.name, {}, 3000), rival.name);
   }
   EXPECT_EQ(find_rival("unheard-of"), nullptr);
 }

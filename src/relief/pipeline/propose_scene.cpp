@@ -217,12 +217,24 @@ Point2 proposed_lean(const Proposal& proposal, int part) {
   return {};
 }
 
+/// After its label, unless the user gave that name to another part.
+std::string proposed_id(const Corrections& corrections, PartLabel label) {
+  const auto is_said = [&](const std::string& id) {
+    return std::any_of(corrections.parts.begin(), corrections.parts.end(),
+                       [&](const auto& part) { return part.second.id == id; });
+  };
+  const std::string stem = "part-" + std::to_string(label);
+  std::string id = stem;
+  for (int number = 2; is_said(id); ++number) id = stem + "-" + std::to_string(number);
+  return id;
+}
+
 Part scene_part(const Corrections& corrections, PartLabel label, Outline outline, double inflation,
                 Point2 lean) {
   const auto found = corrections.parts.find(label);
   const PartCorrection said = found == corrections.parts.end() ? PartCorrection{} : found->second;
   Part result;
-  result.id = said.id.value_or("part-" + std::to_string(label));
+  result.id = said.id ? *said.id : proposed_id(corrections, label);
   result.outline = std::move(outline);
   result.c = said.c.value_or(std::round(inflation * 100) / 100);
   result.d = said.d.value_or(1);
