@@ -53,12 +53,13 @@ CLI::App& add_batch(CLI::App& main, BatchArguments& batch, BuildArguments& choic
   app.add_option("INPUT", batch.inputs,
                  "Drawings, folders that are searched for them, tables of drawings (.tsv)");
   app.add_option("-o,--output", batch.output, "Folder of the results")->required();
-  app.add_option("--make", batch.make,
-                 "What to make of each, between commas: glb (the default), obj, ply, stl, 3mf, "
-                 "normal, depth, part, preview, overlay, report")
+  app.add_option(
+         "--make", batch.make,
+         "What to make of each, between commas: glb (the default), obj, ply, stl, 3mf, usdz, "
+         "html, normal, depth, part, preview, overlay, report")
       ->delimiter(',')
-      ->check(CLI::IsMember({"glb", "obj", "ply", "stl", "3mf", "normal", "depth", "part",
-                             "preview", "overlay", "report"}));
+      ->check(CLI::IsMember({"glb", "obj", "ply", "stl", "3mf", "usdz", "html", "normal", "depth",
+                             "part", "preview", "overlay", "report"}));
   add_work(app, batch);
   CLI::App& group = *app.add_option_group(choices_group);
   group.add_option("--timeout", choices.common.timeout, "Give up a drawing after so many seconds")

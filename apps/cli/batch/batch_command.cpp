@@ -16,6 +16,7 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/exit_code.h"
 #include "apps/cli/messages.h"
+#include "io/files/number_text.h"
 #include "kernel/base/stopwatch.h"
 #include "relievo/files.h"
 
@@ -186,9 +187,9 @@ void summarise(const BatchArguments& batch, const JournalEntries& entries, size_
                double seconds) {
   std::array<char, 160> text{};
   std::snprintf(text.data(), text.size(),
-                "%zu drawings: %zu taken up in %.1f s, %zu as they were, %zu failed in all",
-                entries.size(), built, seconds, entries.size() - built, count_failed(entries));
-  print_result(text.data(), batch.common.quiet);
+                ": %zu taken up in %.1f s, %zu as before, %zu failed in all", built, seconds,
+                entries.size() - built, count_failed(entries));
+  print_result(counted(entries.size(), "drawing") + text.data(), batch.common.quiet);
 }
 
 Result<int> build_batch(const BatchArguments& batch, Interruption& interruption) {
