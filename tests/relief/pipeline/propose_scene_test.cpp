@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "kernel/geometry/ring_measure.h"
 #include "relief/drawing/segment_drawing.h"
@@ -74,6 +75,15 @@ TEST(ProposeScene, TheUserIsNotOverruled) {
   EXPECT_EQ(proposal.scene.parts[0].d, -2);
   EXPECT_EQ(proposal.scene.parts[1].outline, *corrections.parts[1].outline);
   EXPECT_EQ(proposal.completion.parts[0].kind, CompletionKind::given);
+}
+
+TEST(ProposeScene, NoPartTakesTheNameThatTheUserGaveAnother) {
+  Corrections corrections;
+  corrections.parts[2].id = "part-1";
+  const Proposal proposal = propose(leg_on_body(), corrections);
+  std::set<std::string> ids;
+  for (const Part& part : proposal.scene.parts) ids.insert(part.id);
+  EXPECT_EQ(ids, (std::set<std::string>{"part-1", "part-1-2"}));
 }
 
 TEST(ProposeScene, LeansOfTheUserStayAlsoWhereTheyAreNone) {

@@ -64,8 +64,8 @@ describe('a flat drawing', () => {
 
   it.each([false, true])('is scribbled on as by the command line, strokes complete: %s', (complete) => {
     const one = scribbled(blank(), [450, 700], [470, 760]);
-    const two = scribbled(one, [380, 650], [370, 700]).segmentation!.scribbles;
-    const scribbles = complete ? { ...two, complete } : two;
+    const two = scribbled(one, [380, 650], [370, 700]);
+    const scribbles = complete ? { ...two.segmentation!.scribbles, complete } : one.segmentation!.scribbles;
     const file = join(mkdtempSync(join(tmpdir(), 'relievo-')), 'strokes.json');
     writeFileSync(file, JSON.stringify({ format: 'relievo-scribbles', version: 1, ...scribbles, complete }));
     const theirs = readProject(native('--scribbles', file));
