@@ -19,6 +19,8 @@ constexpr double margin = 4e-4;
 constexpr double settled = 1e-6;
 /// A seen node so many margins in front of a hidden one above it is not due to the mesh.
 constexpr double tear = 10;
+/// A face that comes out by less than this share of a margin may as well stay.
+constexpr double slight = 0.25;
 /// Rounds of lowering nodes and then faces: what is lowered may come to lie below the next sheet.
 constexpr int rounds = 10;
 
@@ -27,6 +29,7 @@ class Lowering {
  public:
   Lowering(const HidingInput& input, HiddenSheets& sheets)
       : mesh_(input.mesh),
+        scene_(input.scene),
         sheets_(sheets),
         seen_(seen_nodes(input.mesh)),
         pairs_(stacked_faces(input.mesh, input.scene)),
@@ -41,6 +44,7 @@ class Lowering {
       lower_faces(round);
     }
     measure();
+    find_crossing();
   }
 
   bool is_lowered(size_t node) const { return lowered_[node] > 0; }
@@ -119,7 +123,22 @@ class Lowering {
     }
   }
 
+  /// Faces at seen nodes: what falls away from an outline there is as steep as a root, and cuts any
+  /// face that hangs on the outline too; slivers between two outlines have no other nodes.
+  void find_crossing() {
+    sheets_.ordering.crossing.clear();
+    for (const FacePair& pair : covered_faces(mesh_, scene_)) {
+      const std::array<int, 3>& nodes = mesh_.faces[pair.lower];
+      if (std::none_of(nodes.begin(), nodes.end(), [this](int n) { return seen_[n] != 0; }))
+        continue;
+      const double dip = std::max(worst_dip(mesh_, pair, sheets_.inflation, sheets_.ordering).depth,
+                                  rim_dip(mesh_, pair, sheets_.inflation, sheets_.ordering));
+      if (dip > slight * margin_) sheets_.ordering.crossing.push_back(pair.lower);
+    }
+  }
+
   const LayeredMesh& mesh_;
+  const Scene& scene_;
   HiddenSheets& sheets_;
   std::vector<uint8_t> seen_;
   std::vector<FacePair> pairs_;

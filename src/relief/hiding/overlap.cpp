@@ -10,9 +10,18 @@ namespace {
 
 using Face = std::array<int, 3>;
 
-/// Barycentric coordinates of the samples, in fifths.
-constexpr std::array<std::array<int, 3>, 6> sample_fifths = {
-    {{3, 1, 1}, {1, 3, 1}, {1, 1, 3}, {2, 2, 1}, {2, 1, 2}, {1, 2, 2}}};
+/// Barycentric coordinates.
+using Weights = std::array<double, 3>;
+
+constexpr std::array<Weights, 6> inner_points = {{{0.6, 0.2, 0.2},
+                                                  {0.2, 0.6, 0.2},
+                                                  {0.2, 0.2, 0.6},
+                                                  {0.4, 0.4, 0.2},
+                                                  {0.4, 0.2, 0.4},
+                                                  {0.2, 0.4, 0.4}}};
+
+/// How near to corners and edges `rim_dip` looks, as shares of the face.
+constexpr std::array<double, 2> rim_distances = {0.05, 0.01};
 
 /// Pairs of parts (the later one first) that may cross, sorted.
 std::vector<std::pair<int, int>> free_parts(const Scene& scene) {
@@ -24,26 +33,42 @@ std::vector<std::pair<int, int>> free_parts(const Scene& scene) {
   return parts;
 }
 
-double height_at(const Face& face, const std::array<int, 3>& fifths, const std::vector<double>& u,
+/// Whether two faces may cross.
+class Crossable {
+ public:
+  Crossable(const LayeredMesh& mesh, const Scene& scene) : mesh_(mesh), parts_(free_parts(scene)) {}
+
+  bool operator()(int upper, int lower) const {
+    const auto [first, last] = std::minmax(mesh_.face_part[upper], mesh_.face_part[lower]);
+    return std::binary_search(parts_.begin(), parts_.end(), std::pair(last, first));
+  }
+
+ private:
+  const LayeredMesh& mesh_;
+  std::vector<std::pair<int, int>> parts_;
+};
+
+double height_at(const Face& face, const Weights& weight, const std::vector<double>& u,
                  const std::vector<double>& g) {
   double u_here = 0;
   double g_here = 0;
   for (int k = 0; k < 3; ++k) {
-    u_here += 0.2 * fifths[k] * u[face[k]];
-    g_here += 0.2 * fifths[k] * g[face[k]];
+    u_here += weight[k] * u[face[k]];
+    g_here += weight[k] * g[face[k]];
   }
   return g_here + signed_root(u_here);
+}
+
+double dip_at(const LayeredMesh& mesh, const FacePair& pair, const Inflation& inflation,
+              const Ordering& ordering, const Weights& weight) {
+  return height_at(mesh.faces[pair.lower], weight, inflation.u, ordering.g) -
+         height_at(mesh.faces[pair.upper], weight, inflation.u, ordering.g);
 }
 
 }  // namespace
 
 std::vector<FacePair> stacked_faces(const LayeredMesh& mesh, const Scene& scene) {
-  const std::vector<std::pair<int, int>> crossable = free_parts(scene);
-  const auto may_cross = [&](int upper, int lower) {
-    return std::binary_search(crossable.begin(), crossable.end(),
-                              std::pair(std::max(mesh.face_part[upper], mesh.face_part[lower]),
-                                        std::min(mesh.face_part[upper], mesh.face_part[lower])));
-  };
+  const Crossable may_cross(mesh, scene);
   std::vector<FacePair> pairs;
   for (size_t t = 0; t < mesh.triangles.size(); ++t)
     for (int lower = mesh.stack_begin[t + 1] - 2; lower >= mesh.stack_begin[t]; --lower) {
@@ -54,15 +79,39 @@ std::vector<FacePair> stacked_faces(const LayeredMesh& mesh, const Scene& scene)
   return pairs;
 }
 
+std::vector<FacePair> covered_faces(const LayeredMesh& mesh, const Scene& scene) {
+  const Crossable may_cross(mesh, scene);
+  std::vector<FacePair> pairs;
+  for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const int front = mesh.stack_begin[t + 1] - 1;
+    for (int lower = mesh.stack_begin[t]; lower < front; ++lower)
+      if (!may_cross(front, lower)) pairs.push_back({lower, front});
+  }
+  return pairs;
+}
+
 Dip worst_dip(const LayeredMesh& mesh, const FacePair& pair, const Inflation& inflation,
               const Ordering& ordering) {
   Dip worst{-std::numeric_limits<double>::infinity(), {}};
-  for (const auto& [a, b, c] : sample_fifths) {
-    const std::array<int, 3> fifths = {a, b, c};
-    const double depth = height_at(mesh.faces[pair.lower], fifths, inflation.u, ordering.g) -
-                         height_at(mesh.faces[pair.upper], fifths, inflation.u, ordering.g);
-    if (depth > worst.depth) worst = {depth, {0.2 * a, 0.2 * b, 0.2 * c}};
+  for (const Weights& weight : inner_points) {
+    const double depth = dip_at(mesh, pair, inflation, ordering, weight);
+    if (depth > worst.depth) worst = {depth, weight};
   }
+  return worst;
+}
+
+double rim_dip(const LayeredMesh& mesh, const FacePair& pair, const Inflation& inflation,
+               const Ordering& ordering) {
+  double worst = -std::numeric_limits<double>::infinity();
+  for (const double near : rim_distances)
+    for (int k = 0; k < 3; ++k) {
+      Weights corner{near, near, near};
+      corner[k] = 1 - 2 * near;
+      Weights edge{(1 - near) / 2, (1 - near) / 2, (1 - near) / 2};
+      edge[k] = near;
+      for (const Weights& weight : {corner, edge})
+        worst = std::max(worst, dip_at(mesh, pair, inflation, ordering, weight));
+    }
   return worst;
 }
 

@@ -94,7 +94,7 @@ Status build_faces(const LayeredMesh& mesh, const Inflation& inflation, const Or
   if (Status status = check_options(options); !status.ok()) return status;
   if (Status status = check_surface(mesh, inflation, ordering, scene); !status.ok()) return status;
   context.report("model", 0);
-  const SheetSurface sheets = connect_faces(mesh, scene, options.visibility);
+  const SheetSurface sheets = connect_faces(mesh, scene, ordering.crossing, options.visibility);
   if (context.cancelled()) return interrupted_error();
   const auto cuts = cut_edges(sheets, inflation, options);
   if (!cuts) return cuts.error();

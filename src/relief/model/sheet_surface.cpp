@@ -44,8 +44,9 @@ int face_across(const LayeredMesh& mesh, FaceEdge edge, int begin, int end) {
 
 class Connector {
  public:
-  Connector(const LayeredMesh& mesh, const Scene& scene, Visibility visibility)
-      : mesh_(mesh), fans_(static_cast<int>(3 * mesh.faces.size())) {
+  Connector(const LayeredMesh& mesh, const Scene& scene, const std::vector<int>& left_out,
+            Visibility visibility)
+      : mesh_(mesh), left_out_(left_out), fans_(static_cast<int>(3 * mesh.faces.size())) {
     const int triangles = static_cast<int>(mesh.triangles.size());
     surface_.kept_begin.resize(triangles);
     for (int t = 0; t < triangles; ++t)
@@ -74,7 +75,11 @@ class Connector {
   void for_each_kept_edge(Visit visit) {
     for (size_t t = 0; t < mesh_.triangles.size(); ++t)
       for (int f = surface_.kept_begin[t]; f < mesh_.stack_begin[t + 1]; ++f)
-        for (int k = 0; k < 3; ++k) visit({f, k}, mesh_.neighbours[t][k]);
+        for (int k = 0; k < 3 && is_kept(f); ++k) visit({f, k}, mesh_.neighbours[t][k]);
+  }
+
+  bool is_kept(int face) const {
+    return !std::binary_search(left_out_.begin(), left_out_.end(), face);
   }
 
   void pair_edge(FaceEdge edge, int other_triangle) {
@@ -86,7 +91,7 @@ class Connector {
     if (other_triangle < 0) return;
     const int other = face_across(mesh_, edge, surface_.kept_begin[other_triangle],
                                   mesh_.stack_begin[other_triangle + 1]);
-    if (other < 0) return;
+    if (other < 0 || !is_kept(other)) return;
     const int k = corner_towards(mesh_, other_triangle, mesh_.face_triangle[edge.face]);
     if (surface_.edge[3 * other + k] >= 0) return;
     surface_.edge[3 * other + k] = surface_.edge[slot];
@@ -138,6 +143,7 @@ class Connector {
   }
 
   const LayeredMesh& mesh_;
+  const std::vector<int>& left_out_;
   SheetSurface surface_;
   DisjointSets fans_;         ///< corners around one vertex
   std::vector<int> creased_;  ///< corners opposite to creases, sorted
@@ -145,8 +151,9 @@ class Connector {
 
 }  // namespace
 
-SheetSurface connect_faces(const LayeredMesh& mesh, const Scene& scene, Visibility visibility) {
-  return Connector(mesh, scene, visibility).connect(visibility);
+SheetSurface connect_faces(const LayeredMesh& mesh, const Scene& scene,
+                           const std::vector<int>& left_out, Visibility visibility) {
+  return Connector(mesh, scene, left_out, visibility).connect(visibility);
 }
 
 }  // namespace relievo

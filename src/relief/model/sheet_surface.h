@@ -25,7 +25,8 @@ struct OpenEdge {
 /// The faces that a model keeps and how they hang together. Corners and edges are numbered
 /// 3 * face + k; entries of faces that are not kept are -1.
 struct SheetSurface {
-  std::vector<int> kept_begin;   ///< #T faces [kept_begin[t], stack_begin[t + 1]) are kept
+  std::vector<int> kept_begin;   ///< #T faces [kept_begin[t], stack_begin[t + 1]) are kept, but for
+                                 ///< those left out
   std::vector<int> across;       ///< #F x 3 kept face that shares both nodes of the edge, or -1
   std::vector<int> edge;         ///< #F x 3 index of the edge opposite to the corner
   std::vector<int> vertex;       ///< #F x 3 vertex at the corner: one for every fan of faces,
@@ -40,7 +41,9 @@ struct SheetSurface {
 
 /// Chooses the faces, connects those that share nodes and lists the open edges that need walls:
 /// for relief all inner ones, for orbit those that a part with d < 0 cuts into what is below.
+/// `left_out`: faces that no model keeps, ascending; none is in front.
 /// O(faces * height of a stack).
-SheetSurface connect_faces(const LayeredMesh& mesh, const Scene& scene, Visibility visibility);
+SheetSurface connect_faces(const LayeredMesh& mesh, const Scene& scene,
+                           const std::vector<int>& left_out, Visibility visibility);
 
 }  // namespace relievo

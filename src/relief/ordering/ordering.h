@@ -21,6 +21,9 @@ struct Ordering {
   CreaseGradients creases;     ///< in place of grad_g at their corners
   /// #N, by how much h and g were brought down to hide the node, px; empty where nothing was.
   std::vector<double> lowered;
+  /// Faces that come out in front of what hides them wherever their nodes are put, ascending:
+  /// models leave them out.
+  std::vector<int> crossing;
 
   int equalities = 0;        ///< nodes held at the height of another
   int inequalities = 0;      ///< pairs kept as gaps
