@@ -1,8 +1,11 @@
 #include "relief/ordering/limb_rise.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include "kernel/geometry/polygon.h"
 
@@ -29,84 +32,132 @@ double smooth_step(double from, double to, double x) {
   return t * t * (3 - 2 * t);
 }
 
-/// A node of a limb.
-struct LimbNode {
-  int node = -1;
-  bool own = false;     ///< of the limb itself, not of what grows out of it alone
-  double distance = 0;  ///< to the root, scene units
-  double height = 0;    ///< f, scene units
+/// Nodes by part, each once, of faces that no part grows out of.
+struct PartNodes {
+  std::vector<std::vector<int>> of_part;
+  std::vector<int> parts;  ///< #N how many parts share the node
 };
+
+PartNodes nodes_by_part(const LayeredMesh& mesh) {
+  std::vector<std::vector<int>> faces(mesh.part_count);
+  for (size_t face = 0; face < mesh.faces.size(); ++face)
+    if (!mesh.is_flap(face)) faces[mesh.face_part[face]].push_back(static_cast<int>(face));
+  PartNodes nodes{std::vector<std::vector<int>>(mesh.part_count),
+                  std::vector<int>(mesh.node_vertex.size(), 0)};
+  std::vector<int> last(mesh.node_vertex.size(), -1);
+  for (int part = 0; part < mesh.part_count; ++part)
+    for (const int face : faces[part])
+      for (const int n : mesh.faces[face])
+        if (std::exchange(last[n], part) != part) {
+          nodes.of_part[part].push_back(n);
+          ++nodes.parts[n];
+        }
+  return nodes;
+}
 
 /// A joined part with all that grows out of it.
 struct Limb {
-  std::vector<LimbNode> nodes;
-  std::vector<Point2> root;  ///< nodes that it shares with the rest, scene units
-  double width = 0;          ///< of the root
-  double top = 0;            ///< largest height there
+  std::vector<int> nodes;        ///< the limb's own first, then those of what grows out of it alone
+  size_t own = 0;                ///< how many are its own
+  std::vector<double> height;    ///< of each node, f, scene units
+  std::vector<double> distance;  ///< of each node to the root, scene units
+  double width = 0;              ///< of the root
+  double top = 0;                ///< largest height there
 };
 
-/// Flags of the part and of what grows out of it, by part.
-std::vector<uint8_t> grown_from(int part, const std::vector<Join>& by_upper, size_t parts) {
-  std::vector<uint8_t> grown(parts, 0);
-  grown[part] = 1;
+/// The part, then what grows out of it.
+std::vector<int> grown_from(int part, const std::vector<Join>& by_upper, size_t parts) {
+  std::vector<uint8_t> is_grown(parts, 0);
+  is_grown[part] = 1;
+  std::vector<int> grown = {part};
   for (const Join& join : by_upper)
-    if (grown[join.lower] != 0) grown[join.upper] = 1;
+    if (is_grown[join.lower] != 0 && std::exchange(is_grown[join.upper], 1) == 0)
+      grown.push_back(join.upper);
   return grown;
 }
 
-/// Heights are in the direction in which the part is inflated.
-Limb make_limb(const SurfaceInput& surface, const VectorXd& f, int part,
-               const std::vector<uint8_t>& grown) {
-  const LayeredMesh& mesh = surface.mesh;
-  const double sign = surface.scene.parts[part].d < 0 ? -1 : 1;
-  enum : uint8_t { own = 1, carried = 2, rest = 4 };
-  std::vector<uint8_t> used(mesh.node_vertex.size(), 0);
-  for (size_t face = 0; face < mesh.faces.size(); ++face) {
-    if (mesh.is_flap(face)) continue;
-    const int of = mesh.face_part[face];
-    for (const int n : mesh.faces[face]) used[n] |= of == part ? own : grown[of] ? carried : rest;
+/// Points in runs of about the square root of their number, each run with its box.
+class PointRuns {
+ public:
+  explicit PointRuns(std::vector<Point2> points, const Box2& box) : points_(std::move(points)) {
+    const bool wide = box.max.x - box.min.x > box.max.y - box.min.y;
+    std::sort(points_.begin(), points_.end(), [&](Point2 p, Point2 q) {
+      return wide ? std::tie(p.x, p.y) < std::tie(q.x, q.y)
+                  : std::tie(p.y, p.x) < std::tie(q.y, q.x);
+    });
+    run_ = static_cast<size_t>(std::ceil(std::sqrt(static_cast<double>(points_.size()))));
+    for (size_t i = 0; i < points_.size(); ++i) {
+      if (i % run_ == 0) boxes_.emplace_back();
+      boxes_.back().add(points_[i]);
+    }
   }
+
+  double distance_to(Point2 p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (size_t k = 0; k < boxes_.size(); ++k) {
+      const Box2& box = boxes_[k];
+      const Point2 out{std::max({box.min.x - p.x, p.x - box.max.x, 0.0}),
+                       std::max({box.min.y - p.y, p.y - box.max.y, 0.0})};
+      if (dot(out, out) > least) continue;
+      const size_t end = std::min(points_.size(), (k + 1) * run_);
+      for (size_t i = k * run_; i < end; ++i)
+        least = std::min(least, dot(points_[i] - p, points_[i] - p));
+    }
+    return std::sqrt(least);
+  }
+
+ private:
+  std::vector<Point2> points_;
+  std::vector<Box2> boxes_;
+  size_t run_ = 1;
+};
+
+/// Heights are in the direction in which the part is inflated.
+Limb make_limb(const SurfaceInput& surface, const VectorXd& f, const PartNodes& nodes,
+               const std::vector<int>& grown) {
+  const LayeredMesh& mesh = surface.mesh;
+  const double sign = surface.scene.parts[grown.front()].d < 0 ? -1 : 1;
   Limb limb;
+  std::vector<int> in_limb(mesh.node_vertex.size(), 0);
+  for (const int part : grown) {
+    for (const int n : nodes.of_part[part])
+      if (in_limb[n]++ == 0) limb.nodes.push_back(n);
+    if (part == grown.front()) limb.own = limb.nodes.size();
+  }
+  std::vector<Point2> root;
   Box2 box;
   const double scale = surface.discretisation.scale;
-  const auto at = [&](size_t n) { return scale * mesh.vertices[mesh.node_vertex[n]]; };
-  for (size_t n = 0; n < used.size(); ++n) {
-    if ((used[n] & (own | carried)) == 0) continue;
-    const double height = sign * f[static_cast<Index>(n)];
-    limb.nodes.push_back({static_cast<int>(n), (used[n] & own) != 0, 0, height});
-    if ((used[n] & rest) == 0) continue;
-    limb.root.push_back(at(n));
+  const auto at = [&](int n) { return scale * mesh.vertices[mesh.node_vertex[n]]; };
+  for (const int n : limb.nodes) {
+    limb.height.push_back(sign * f[n]);
+    if (in_limb[n] == nodes.parts[n]) continue;
+    root.push_back(at(n));
     box.add(at(n));
-    limb.top = std::max(limb.top, height);
+    limb.top = std::max(limb.top, limb.height.back());
   }
-  if (limb.root.empty()) return limb;
+  if (root.empty()) return limb;
   limb.width = box.diagonal();
-  for (LimbNode& node : limb.nodes) {
-    node.distance = std::numeric_limits<double>::infinity();
-    for (const Point2 p : limb.root)
-      node.distance = std::min(node.distance, norm(p - at(static_cast<size_t>(node.node))));
-  }
+  const PointRuns runs(std::move(root), box);
+  for (const int n : limb.nodes) limb.distance.push_back(runs.distance_to(at(n)));
   return limb;
 }
 
 /// `sign`: of the part's inflation.
 void add_rise(const Limb& limb, double sign, VectorXd& rise) {
   double reach = 0;
-  for (const LimbNode& node : limb.nodes)
-    if (node.own) reach = std::max(reach, node.distance);
+  for (size_t i = 0; i < limb.own; ++i) reach = std::max(reach, limb.distance[i]);
   double crest = 0;
-  for (const LimbNode& node : limb.nodes)
-    if (node.own && node.distance > far_share * reach) crest = std::max(crest, node.height);
+  for (size_t i = 0; i < limb.own; ++i)
+    if (limb.distance[i] > far_share * reach) crest = std::max(crest, limb.height[i]);
   const double fall = limb.top - crest;
   const double amount =
       smooth_step(lump, slender, reach / limb.width) * std::min(fall, largest_rise * crest);
   if (!(amount > 0)) return;
   double length = least_fade * limb.width;
-  for (const LimbNode& node : limb.nodes)
-    if (node.own && node.height > crest + rest_of_fall * fall)
-      length = std::max(length, node.distance);
-  for (const LimbNode& node : limb.nodes)
-    rise[node.node] += sign * amount * smooth_step(0, length, node.distance);
+  for (size_t i = 0; i < limb.own; ++i)
+    if (limb.height[i] > crest + rest_of_fall * fall) length = std::max(length, limb.distance[i]);
+  for (size_t i = 0; i < limb.nodes.size(); ++i)
+    rise[limb.nodes[i]] += sign * amount * smooth_step(0, length, limb.distance[i]);
 }
 
 }  // namespace
@@ -118,11 +169,12 @@ VectorXd limb_rise(const SurfaceInput& surface, const Inflation& inflation) {
   std::stable_sort(joins.begin(), joins.end(),
                    [](const Join& a, const Join& b) { return a.upper < b.upper; });
   const VectorXd f = surface.discretisation.scale * inflated_heights(inflation.u);
+  const PartNodes nodes = nodes_by_part(surface.mesh);
   for (size_t i = 0; i < joins.size(); ++i) {
     const int part = joins[i].upper;
     if (i > 0 && joins[i - 1].upper == part) continue;
     if (scene.parts[part].lean != Point2{}) continue;
-    const Limb limb = make_limb(surface, f, part, grown_from(part, joins, scene.parts.size()));
+    const Limb limb = make_limb(surface, f, nodes, grown_from(part, joins, scene.parts.size()));
     if (limb.width > 0) add_rise(limb, scene.parts[part].d < 0 ? -1 : 1, rise);
   }
   return rise;

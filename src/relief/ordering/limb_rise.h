@@ -15,7 +15,8 @@ namespace relievo {
 /// x the distance to the root, so that the surface stays smooth there, and l where the crest has
 /// come down, at least 1.5 widths of the root; what grows out of the limb comes along. s leaves
 /// lumps alone: from 0 to 1 for limbs that reach one to 1.75 widths of their root. Limbs with a
-/// lean stay. O(N + F) for each limb and its nodes times those of its root.
+/// lean stay. O(N + F) in all, O(N) for each limb, and its nodes times the square root of its
+/// root's.
 Eigen::VectorXd limb_rise(const SurfaceInput& surface, const Inflation& inflation);
 
 }  // namespace relievo
