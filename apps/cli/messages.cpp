@@ -9,8 +9,9 @@
 namespace relievo::cli {
 namespace {
 
-void print_line(const char* kind, const std::string& text) {
-  std::fprintf(stderr, "relievo: %s%s\n", kind, printable(text).c_str());
+void print_line(std::string_view kind, const std::string& text) {
+  const std::string line = std::string(program_prefix).append(kind) + printable(text) + "\n";
+  std::fputs(line.c_str(), stderr);
 }
 
 }  // namespace
@@ -26,7 +27,7 @@ void print_error(const Error& error) { print_line("", to_string(error)); }
 
 void print_warnings(const std::vector<std::string>& warnings, bool quiet) {
   if (quiet) return;
-  for (const std::string& warning : warnings) print_line("warning: ", warning);
+  for (const std::string& warning : warnings) print_line(warning_prefix, warning);
 }
 
 void print_note(const std::string& text, bool quiet) {

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "relievo/result.h"
@@ -11,6 +12,10 @@ namespace relievo::cli {
 
 /// `text` with control characters replaced, so that names from a file cannot steer the terminal.
 std::string printable(const std::string& text);
+
+/// What a line on stderr begins with, and after it a warning.
+constexpr std::string_view program_prefix = "relievo: ";
+constexpr std::string_view warning_prefix = "warning: ";
 
 /// One line on stderr: "relievo: where: message".
 void print_error(const Error& error);

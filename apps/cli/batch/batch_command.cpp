@@ -53,14 +53,14 @@ std::string time_of_day() {
 
 /// Warnings of a build, and the line that says why it failed.
 void read_messages(const std::string& text, JournalEntry& entry) {
-  static const std::string ours = "relievo: ";
-  static const std::string warning = ours + "warning: ";
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with(warning))
-      entry.warnings.push_back(line.substr(warning.size()));
+    const bool ours = line.starts_with(program_prefix);
+    if (ours) line.erase(0, program_prefix.size());
+    if (ours && line.starts_with(warning_prefix))
+      entry.warnings.push_back(line.substr(warning_prefix.size()));
     else if (entry.code != 0)
-      entry.message = line.starts_with(ours) ? line.substr(ours.size()) : line;
+      entry.message = line;
   }
   if (entry.code > 128 && entry.message.empty())
     entry.message = "defect: ended by signal " + std::to_string(entry.code - 128);

@@ -18,23 +18,31 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+constexpr uint64_t largest_journal = uint64_t{4} << 30;  ///< bytes
+
+/// Calls visit(name, value) for what a line holds, in its order.
+template <class Entry, class Visit>
+void each_field(Entry& entry, Visit visit) {
+  visit("name", entry.name);
+  visit("input", entry.input);
+  visit("digest", entry.digest);
+  visit("options", entry.options);
+  visit("version", entry.version);
+  visit("code", entry.code);
+  visit("message", entry.message);
+  visit("warnings", entry.warnings);
+  visit("seconds", entry.seconds);
+  visit("cpu_seconds", entry.cpu_seconds);
+  visit("peak_mb", entry.peak_mb);
+  visit("files", entry.files);
+  visit("finished", entry.finished);
+}
+
 Result<JournalEntry> read_entry(const std::string& line) {
   try {
     const Json json = Json::parse(line);
     JournalEntry entry;
-    json.at("name").get_to(entry.name);
-    json.at("input").get_to(entry.input);
-    json.at("digest").get_to(entry.digest);
-    json.at("options").get_to(entry.options);
-    json.at("version").get_to(entry.version);
-    json.at("code").get_to(entry.code);
-    json.at("message").get_to(entry.message);
-    json.at("warnings").get_to(entry.warnings);
-    json.at("seconds").get_to(entry.seconds);
-    json.at("cpu_seconds").get_to(entry.cpu_seconds);
-    json.at("peak_mb").get_to(entry.peak_mb);
-    json.at("files").get_to(entry.files);
-    json.at("finished").get_to(entry.finished);
+    each_field(entry, [&](const char* name, auto& value) { json.at(name).get_to(value); });
     return entry;
   } catch (const Json::exception&) {
     return Error{ErrorCode::bad_input,
@@ -43,7 +51,7 @@ Result<JournalEntry> read_entry(const std::string& line) {
 }
 
 Status read_journal(const fs::path& path, JournalEntries& entries) {
-  const auto bytes = read_file(path, uint64_t{4} << 30);
+  const auto bytes = read_file(path, largest_journal);
   if (!bytes) return bytes.error();
   std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
   text.erase(text.find_last_of('\n') + 1);
@@ -70,13 +78,8 @@ Error cannot_write(const fs::path& path) {
 }  // namespace
 
 std::string journal_line(const JournalEntry& entry) {
-  const Json json = {{"name", entry.name},        {"input", entry.input},
-                     {"digest", entry.digest},    {"options", entry.options},
-                     {"version", entry.version},  {"code", entry.code},
-                     {"message", entry.message},  {"warnings", entry.warnings},
-                     {"seconds", entry.seconds},  {"cpu_seconds", entry.cpu_seconds},
-                     {"peak_mb", entry.peak_mb},  {"files", entry.files},
-                     {"finished", entry.finished}};
+  Json json;
+  each_field(entry, [&](const char* name, const auto& value) { json[name] = value; });
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -122,7 +125,7 @@ Result<Journal> Journal::open(const fs::path& path) {
   const off_t size = lseek(journal.file_, 0, SEEK_END);
   char last = '\n';
   if (size > 0 && pread(journal.file_, &last, 1, size - 1) == 1 && last != '\n') {
-    const auto bytes = read_file(path, uint64_t{4} << 30);
+    const auto bytes = read_file(path, largest_journal);
     if (!bytes) return bytes.error();
     const auto end = std::find(bytes->rbegin(), bytes->rend(), static_cast<uint8_t>('\n'));
     if (ftruncate(journal.file_, bytes->rend() - end) != 0) return cannot_write(path);
