@@ -29,6 +29,14 @@ Inflation parabolas(const LayeredMesh& mesh, const Inflation& inflation) {
   return result;
 }
 
+Result<Model> inflated_and_ordered(const LayeredMesh& mesh, const Scene& scene,
+                                   const RunContext& context) {
+  auto solution = inflate_parts(mesh, scene, context);
+  if (!solution) return solution.error();
+  if (Status s = order_parts(*solution, scene, context); !s) return s.error();
+  return model_of(*solution, scene, context);
+}
+
 }  // namespace
 
 Result<Model> reconstruct_ours(const RivalInput& input, const RunContext& context) {
@@ -41,18 +49,12 @@ Result<Model> reconstruct_ours(const RivalInput& input, const RunContext& contex
 }
 
 Result<Model> reconstruct_with_firm_ends(const RivalInput& input, const RunContext& context) {
-  auto solution = inflate_parts(input.joined, input.scene, context);
-  if (!solution) return solution.error();
-  if (Status s = order_parts(*solution, input.scene, context); !s) return s.error();
-  return model_of(*solution, input.scene, context);
+  return inflated_and_ordered(input.joined, input.scene, context);
 }
 
 Result<Model> reconstruct_pillows(const RivalInput& input, const RunContext& context) {
-  auto solution =
-      inflate_parts(separate_parts(input.joined, Roots::closed).mesh, input.scene, context);
-  if (!solution) return solution.error();
-  if (Status s = order_parts(*solution, input.scene, context); !s) return s.error();
-  return model_of(*solution, input.scene, context);
+  return inflated_and_ordered(separate_parts(input.joined, Roots::closed).mesh, input.scene,
+                              context);
 }
 
 Result<Model> reconstruct_parabolic(const RivalInput& input, const RunContext& context) {

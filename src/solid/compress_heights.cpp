@@ -42,16 +42,24 @@ Range range_of(const Model& model, const VectorXd& z) {
   return range;
 }
 
-/// Triangles without area have no slopes.
-std::vector<std::array<int, 3>> solid_triangles(const Model& model) {
+/// The sheet seen from the front, without the triangles that have no area and so no slopes.
+struct FrontView {
+  std::vector<Point2> places;
   std::vector<std::array<int, 3>> triangles;
+
+  FlatMesh mesh() const { return {places, triangles}; }
+};
+
+FrontView front_view(const Model& model) {
+  FrontView view;
+  for (const Point3 p : model.positions) view.places.push_back({p.x, p.y});
   for (const std::array<int, 3>& t : model.triangles) {
     const Point3 a = model.positions[t[0]];
     const Point3 ab = model.positions[t[1]] - a;
     const Point3 ac = model.positions[t[2]] - a;
-    if (ab.x * ac.y - ab.y * ac.x > least_area) triangles.push_back(t);
+    if (ab.x * ac.y - ab.y * ac.x > least_area) view.triangles.push_back(t);
   }
-  return triangles;
+  return view;
 }
 
 /// Values up to `limit` that begin as they are.
@@ -59,17 +67,15 @@ double limited(double value, double limit) { return value / (1 + std::abs(value)
 
 class Compression {
  public:
-  Compression(double share, const VisibleSheet& sheet) : sheet_(sheet), share_(share) {
+  Compression(double share, const VisibleSheet& sheet, const FlatMesh& mesh)
+      : sheet_(sheet), share_(share) {
     const Model& model = sheet.model;
-    for (const Point3 p : model.positions) places_.push_back({p.x, p.y});
-    const std::vector<std::array<int, 3>> triangles = solid_triangles(model);
-    const FlatMesh mesh{places_, triangles};
     heights_.resize(static_cast<Index>(model.positions.size()));
     for (Index v = 0; v < heights_.size(); ++v) heights_[v] = model.positions[v].z;
     target_ = share * range_of(model, heights_).length();
     mass_ = lumped_mass(mesh);
     matrix_ = stiffness_matrix(mesh);
-    std::vector<Point2> slopes = face_gradients(mesh, {heights_.data(), places_.size()});
+    std::vector<Point2> slopes = face_gradients(mesh, {heights_.data(), model.positions.size()});
     for (Point2& slope : slopes) slope = 1 / (1 + norm(slope) / steepest) * slope;
     load_ = divergence_load(mesh, slopes);
     add_steps();
@@ -131,7 +137,6 @@ class Compression {
   const VisibleSheet& sheet_;
   double share_;
   double target_ = 0;  ///< px
-  std::vector<Point2> places_;
   VectorXd heights_;
   VectorXd mass_;
   VectorXd load_;
@@ -140,14 +145,11 @@ class Compression {
   bool analysed_ = false;
 };
 
-void set_heights(double share, const VectorXd& z, VisibleSheet& sheet) {
+void set_heights(double share, const VectorXd& z, const FlatMesh& mesh, VisibleSheet& sheet) {
   Model& model = sheet.model;
-  std::vector<Point2> places;
-  for (const Point3 p : model.positions) places.push_back({p.x, p.y});
-  const std::vector<std::array<int, 3>> triangles = solid_triangles(model);
-  const std::vector<Point2> slopes =
-      node_gradients(FlatMesh{places, triangles}, {z.data(), places.size()});
-  for (size_t v = 0; v < places.size(); ++v) {
+  const size_t count = model.positions.size();
+  const std::vector<Point2> slopes = node_gradients(mesh, {z.data(), count});
+  for (size_t v = 0; v < count; ++v) {
     const double height = z[static_cast<Index>(v)];
     if (v < sheet.back.size())
       sheet.back[v].z = height - share * (model.positions[v].z - sheet.back[v].z);
@@ -159,9 +161,10 @@ void set_heights(double share, const VectorXd& z, VisibleSheet& sheet) {
 }  // namespace
 
 Status compress_heights(double share, VisibleSheet& sheet) {
-  const auto z = Compression(share, sheet).run();
+  const FrontView view = front_view(sheet.model);
+  const auto z = Compression(share, sheet, view.mesh()).run();
   if (!z) return z.error();
-  set_heights(share, *z, sheet);
+  set_heights(share, *z, view.mesh(), sheet);
   return Done{};
 }
 
