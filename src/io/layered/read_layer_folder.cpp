@@ -1,6 +1,5 @@
 #include "io/layered/read_layer_folder.h"
 
-#include <cctype>
 #include <string>
 #include <utility>
 
@@ -9,6 +8,7 @@
 #include "io/layered/layer_names.h"
 #include "io/layered/layer_table.h"
 #include "io/layered/packed_layers.h"
+#include "kernel/base/text_rules.h"
 #include "relievo/files.h"
 
 namespace relievo {
@@ -16,11 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_png_name(const fs::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".png";
-}
+bool is_png_name(const fs::path& path) { return lower_case(path.extension().string()) == ".png"; }
 
 Result<std::vector<LayerRow>> rows_by_name(const fs::path& folder) {
   std::vector<std::string> names;

@@ -4,6 +4,8 @@
 #include <set>
 #include <string>
 
+#include "kernel/base/text_rules.h"
+
 namespace relievo {
 namespace {
 
@@ -80,9 +82,8 @@ void make_ids_unique(std::vector<Part>& parts) {
   std::set<std::string> taken;
   for (size_t k = 0; k < parts.size(); ++k) {
     const std::string base = parts[k].id.empty() ? "part-" + std::to_string(k + 1) : parts[k].id;
-    std::string id = base;
-    for (int n = 2; !taken.insert(id).second; ++n) id = base + "-" + std::to_string(n);
-    parts[k].id = id;
+    parts[k].id = free_name(base, [&](const std::string& id) { return taken.count(id) > 0; });
+    taken.insert(parts[k].id);
   }
 }
 

@@ -102,13 +102,6 @@ std::string_view trimmed_svg(std::string_view text) {
   return text;
 }
 
-std::string lower_case_svg(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
-
 std::string_view next_svg_item(std::string_view& text) {
   const auto separates = [](char c) { return is_space(c) || c == ','; };
   while (!text.empty() && separates(text.front())) text.remove_prefix(1);

@@ -37,8 +37,6 @@ class SvgScanner {
 
 std::string_view trimmed_svg(std::string_view text);
 
-std::string lower_case_svg(std::string_view text);
-
 /// Next comma- or space-separated item of `text`, which is shortened by it; empty at the end.
 std::string_view next_svg_item(std::string_view& text);
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "io/svg/scanner.h"
+#include "kernel/base/text_rules.h"
 
 namespace relievo {
 namespace {
@@ -205,7 +206,7 @@ std::vector<Declaration> parse_declarations(std::string_view text) {
     rest.remove_prefix(std::min(end + 1, rest.size()));
     const size_t colon = item.find(':');
     if (colon == std::string_view::npos) continue;
-    Declaration d{lower_case_svg(trimmed_svg(item.substr(0, colon))), "", false};
+    Declaration d{lower_case(trimmed_svg(item.substr(0, colon))), "", false};
     std::string_view value = trimmed_svg(item.substr(colon + 1));
     const size_t bang = value.find('!');
     if (bang != std::string_view::npos) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/svg/scanner.h"
+#include "kernel/base/text_rules.h"
 
 namespace relievo {
 namespace {
@@ -248,7 +249,7 @@ std::optional<Color> function_color(std::string_view text) {
 }  // namespace
 
 std::optional<Color> parse_color(std::string_view text) {
-  const std::string name = lower_case_svg(trimmed_svg(text));
+  const std::string name = lower_case(trimmed_svg(text));
   if (name.empty()) return std::nullopt;
   if (name[0] == '#') return hex_color(std::string_view(name).substr(1));
   if (name == "transparent") return Color{0, 0, 0, 0};

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "io/svg/scanner.h"
+#include "kernel/base/text_rules.h"
 
 namespace relievo {
 namespace {
@@ -54,7 +55,7 @@ std::optional<double> parse_length(std::string_view text, LengthAxis axis,
   const std::optional<double> value = scanner.number();
   if (!value) return std::nullopt;
   if (scanner.rest() == "%") return *value / 100 * reference_length(axis, context);
-  const double factor = unit_factor(lower_case_svg(scanner.rest()), context);
+  const double factor = unit_factor(lower_case(scanner.rest()), context);
   if (factor == 0) return std::nullopt;
   return *value * factor;
 }

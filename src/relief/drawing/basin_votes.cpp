@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "kernel/image/along_edge.h"
+
 namespace relievo {
 namespace {
 
@@ -63,17 +65,12 @@ void hold_background_at_edge(const Basins& basins, BasinVotes& votes) {
   std::set<int32_t> marked;
   for (const BasinVotes::HardPixel& pixel : votes.hard) marked.insert(pixel.pixel);
   const int w = basins.index.width;
-  const int h = basins.index.height;
-  const auto hold = [&](int x, int y) {
+  along_edge(w, basins.index.height, [&](int x, int y) {
     const int32_t pixel = y * w + x;
     const int basin = basins.index.pixels[pixel];
     if (basins.barrier.pixels[pixel] == 0 && stroked.count(basin) > 0 && marked.count(pixel) == 0)
       votes.hard.push_back({pixel, basin, 0});
-  };
-  for (int x = 0; x < w; ++x)
-    for (const int y : {0, h - 1}) hold(x, y);
-  for (int y = 1; y + 1 < h; ++y)
-    for (const int x : {0, w - 1}) hold(x, y);
+  });
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/image/along_edge.h"
 #include "kernel/image/components.h"
 #include "kernel/image/morphology.h"
 #include "kernel/image/watershed.h"
@@ -28,15 +29,6 @@ Image8 complement(const Image8& mask) {
   Image8 result = mask;
   for (uint8_t& value : result.pixels) value = 1 - value;
   return result;
-}
-
-/// Calls visit(x, y) for the pixels of the picture's edge, corners twice.
-template <class Visit>
-void along_edge(int width, int height, Visit visit) {
-  for (int x = 0; x < width; ++x)
-    for (const int y : {0, height - 1}) visit(x, y);
-  for (int y = 0; y < height; ++y)
-    for (const int x : {0, width - 1}) visit(x, y);
 }
 
 /// With all that it surrounds.

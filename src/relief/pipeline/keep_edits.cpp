@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "kernel/base/text_rules.h"
+
 namespace relievo {
 namespace {
 
@@ -138,9 +140,8 @@ void avoid_drawn_names(const EditedScene& edited, Scene& proposed) {
     if (is_drawn(edited, part)) drawn.insert(part.id);
   for (Part& part : proposed.parts) {
     if (drawn.count(part.id) == 0) continue;
-    const std::string stem = part.id;
-    for (int number = 2; taken.count(part.id) + drawn.count(part.id) > 0; ++number)
-      part.id = stem + "-" + std::to_string(number);
+    part.id = free_name(
+        part.id, [&](const std::string& id) { return taken.count(id) + drawn.count(id) > 0; });
     taken.insert(part.id);
   }
 }

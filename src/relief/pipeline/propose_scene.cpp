@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "kernel/base/text_rules.h"
 #include "kernel/image/fill_outline.h"
 #include "kernel/image/mask_outline.h"
 #include "relief/completion/clip_to_order.h"
@@ -223,10 +224,7 @@ std::string proposed_id(const Corrections& corrections, PartLabel label) {
     return std::any_of(corrections.parts.begin(), corrections.parts.end(),
                        [&](const auto& part) { return part.second.id == id; });
   };
-  const std::string stem = "part-" + std::to_string(label);
-  std::string id = stem;
-  for (int number = 2; is_said(id); ++number) id = stem + "-" + std::to_string(number);
-  return id;
+  return free_name("part-" + std::to_string(label), is_said);
 }
 
 Part scene_part(const Corrections& corrections, PartLabel label, Outline outline, double inflation,
