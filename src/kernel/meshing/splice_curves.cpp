@@ -95,12 +95,62 @@ struct Item {
   double reach;
 };
 
+/// The points of all curves, the closed ones first, each of them its own point or that of an
+/// earlier one close to it; kept points come first so that others move to them.
+SplicedCurves welded(const std::vector<InputCurve>& curves, size_t closed) {
+  SplicedCurves out;
+  std::vector<Item> items;
+  Box2 box;
+  for (size_t c = 0; c < curves.size(); ++c) {
+    const Ring& ring = curves[c].points;
+    const size_t n = ring.size();
+    for (size_t i = 0; i < n; ++i) {
+      const bool first = c >= closed && i == 0;
+      const bool last = c >= closed && i + 1 == n;
+      const double edge = std::min(distance(ring[i], ring[last ? i - 1 : (i + 1) % n]),
+                                   distance(ring[i], ring[first ? 1 : (i + n - 1) % n]));
+      items.push_back(
+          {static_cast<int>(c), static_cast<int>(i), curves[c].kept[i], snap_to_vertex * edge});
+      box.add(ring[i]);
+    }
+    out.image.emplace_back(n);
+  }
+  std::stable_partition(items.begin(), items.end(), [](const Item& item) { return item.kept; });
+  const auto position = [&](const Item& item) { return curves[item.curve].points[item.index]; };
+  SegmentGrid grid(box, items.size());
+  grid.build(items.size(),
+             [&](size_t i) { return std::pair(position(items[i]), position(items[i])); });
+  std::vector<int> point_of(items.size(), -1);
+  for (size_t i = 0; i < items.size(); ++i) {
+    const Point2 p = position(items[i]);
+    int found = -1;
+    double nearest = std::numeric_limits<double>::infinity();
+    grid.for_cells(p, p, items[i].reach, [&](size_t cell) {
+      for (const int* j = grid.begin(cell); j != grid.end(cell); ++j) {
+        if (static_cast<size_t>(*j) >= i || point_of[*j] < 0) continue;
+        const double gap = distance(p, out.points[point_of[*j]]);
+        if (gap > std::min(items[i].reach, items[*j].reach) || gap >= nearest) continue;
+        nearest = gap;
+        found = point_of[*j];
+      }
+    });
+    if (found < 0) {
+      found = static_cast<int>(out.points.size());
+      out.points.push_back(p);
+    }
+    point_of[i] = found;
+    out.image[items[i].curve][items[i].index] = found;
+  }
+  out.loops = out.image;
+  return out;
+}
+
 class Splicer {
  public:
   Splicer(const std::vector<InputCurve>& curves, const std::vector<InputCurve>& lines, double grain)
       : curves_(curves), closed_(curves.size()), grain_(grain) {
     curves_.insert(curves_.end(), lines.begin(), lines.end());
-    merge_points();
+    out_ = welded(curves_, closed_);
   }
 
   Result<SplicedCurves> run() {
@@ -131,54 +181,6 @@ class Splicer {
     out_.loops.resize(closed_);
     out_.image.resize(closed_);
     return std::move(out_);
-  }
-
-  // Every input point becomes its own point or that of an earlier one close to it; kept points
-  // come first so that others move to them.
-  void merge_points() {
-    std::vector<Item> items;
-    Box2 box;
-    for (size_t c = 0; c < curves_.size(); ++c) {
-      const Ring& ring = curves_[c].points;
-      const size_t n = ring.size();
-      for (size_t i = 0; i < n; ++i) {
-        const bool first = c >= closed_ && i == 0;
-        const bool last = c >= closed_ && i + 1 == n;
-        const double edge = std::min(distance(ring[i], ring[last ? i - 1 : (i + 1) % n]),
-                                     distance(ring[i], ring[first ? 1 : (i + n - 1) % n]));
-        items.push_back(
-            {static_cast<int>(c), static_cast<int>(i), curves_[c].kept[i], snap_to_vertex * edge});
-        box.add(ring[i]);
-      }
-      out_.image.emplace_back(n);
-    }
-    std::stable_partition(items.begin(), items.end(), [](const Item& item) { return item.kept; });
-    auto position = [&](const Item& item) { return curves_[item.curve].points[item.index]; };
-    SegmentGrid grid(box, items.size());
-    grid.build(items.size(),
-               [&](size_t i) { return std::pair(position(items[i]), position(items[i])); });
-    std::vector<int> point_of(items.size(), -1);
-    for (size_t i = 0; i < items.size(); ++i) {
-      const Point2 p = position(items[i]);
-      int found = -1;
-      double nearest = std::numeric_limits<double>::infinity();
-      grid.for_cells(p, p, items[i].reach, [&](size_t cell) {
-        for (const int* j = grid.begin(cell); j != grid.end(cell); ++j) {
-          if (static_cast<size_t>(*j) >= i || point_of[*j] < 0) continue;
-          const double gap = distance(p, out_.points[point_of[*j]]);
-          if (gap > std::min(items[i].reach, items[*j].reach) || gap >= nearest) continue;
-          nearest = gap;
-          found = point_of[*j];
-        }
-      });
-      if (found < 0) {
-        found = static_cast<int>(out_.points.size());
-        out_.points.push_back(p);
-      }
-      point_of[i] = found;
-      out_.image[items[i].curve][items[i].index] = found;
-    }
-    out_.loops = out_.image;
   }
 
   // Points nearer to an earlier one than the grain become that one.

@@ -72,6 +72,16 @@ std::vector<int> turn(const SheetsOnBase& on, int face, int vertex, int from, in
   }
 }
 
+/// Corners of faces with the nodes that they get.
+using Moves = std::vector<std::pair<Corner, int>>;
+
+/// All faces of the fan around `vertex` get `node` there.
+void move_all(const SheetsOnBase& on, const std::vector<int>& fan, int vertex, int node,
+              Moves& moves) {
+  for (const int face : fan)
+    moves.emplace_back(3 * face + corner_at(on.base, on.sheets.face_triangle[face], vertex), node);
+}
+
 /// Both surfaces are one, named by the lower of their numbers.
 void unite(int a, int b, std::vector<int>& surfaces) {
   const int low = std::min(surfaces[a], surfaces[b]);
@@ -82,7 +92,8 @@ void unite(int a, int b, std::vector<int>& surfaces) {
 
 class Connector {
  public:
-  Connector(const BaseMesh& base, int part_count, Sheets& sheets) : base_(base), sheets_(sheets) {
+  Connector(const BaseMesh& base, int part_count, Sheets& sheets)
+      : base_(base), sheets_(sheets), on_{base, sheets} {
     out_.surface.resize(part_count);
     std::iota(out_.surface.begin(), out_.surface.end(), 0);
     dropped_.assign(sheets.faces.size(), 0);
@@ -213,8 +224,7 @@ class Connector {
     const int from = path_[j > i ? i : i + 1];
     const int until = path_[j > i ? j + 1 : j];
     bool complete = false;
-    const std::vector<int> fan =
-        turn({base_, sheets_}, below_[i], path_[std::max(i, j)], from, until, complete);
+    const std::vector<int> fan = turn(on_, below_[i], path_[std::max(i, j)], from, until, complete);
     if (complete) below_[j] = fan.back();
   }
 
@@ -225,16 +235,16 @@ class Connector {
 
   // Whether the surface stays one: no edge has more than two faces.
   bool reconnect(const JoinPath& join, int first, int last) {
-    std::vector<std::pair<Corner, int>> moves;
+    Moves moves;
     for (int i = first + 1; i < last; ++i) {
       const int vertex = path_[i];
       const int node = upper_node(i, vertex);
       bool complete = false;
-      move_all(turn({base_, sheets_}, below_[i - 1], vertex, path_[i - 1], path_[i + 1], complete),
-               vertex, node, moves);
+      move_all(on_, turn(on_, below_[i - 1], vertex, path_[i - 1], path_[i + 1], complete), vertex,
+               node, moves);
       if (!complete)
-        move_all(turn({base_, sheets_}, below_[i], vertex, path_[i + 1], path_[i - 1], complete),
-                 vertex, node, moves);
+        move_all(on_, turn(on_, below_[i], vertex, path_[i + 1], path_[i - 1], complete), vertex,
+                 node, moves);
     }
     Seam seam = seam_of(join, first, last);
     seam.covered = covered_faces(first, last);
@@ -262,22 +272,16 @@ class Connector {
 
   // Re-attaches the whole turn around an end; where the turn is not closed, the end lies on an
   // outline, and only what is reached from the outer side moves.
-  bool merge_end(int edge, int vertex, int along,
-                 std::vector<std::pair<Corner, int>>& moves) const {
+  bool merge_end(int edge, int vertex, int along, Moves& moves) const {
     bool closed = false;
-    move_all(turn({base_, sheets_}, below_[edge], vertex, along, -1, closed), vertex,
+    move_all(on_, turn(on_, below_[edge], vertex, along, -1, closed), vertex,
              upper_node(edge, vertex), moves);
     return closed;
   }
 
-  void move_all(const std::vector<int>& fan, int vertex, int node,
-                std::vector<std::pair<Corner, int>>& moves) const {
-    for (const int face : fan)
-      moves.emplace_back(3 * face + corner_at(base_, sheets_.face_triangle[face], vertex), node);
-  }
-
   const BaseMesh& base_;
   Sheets& sheets_;
+  SheetsOnBase on_;
   Connection out_;
   std::vector<uint8_t> dropped_;            // per face: replaced by a bump's
   std::vector<std::vector<int>> faces_of_;  // per part

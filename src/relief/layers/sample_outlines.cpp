@@ -143,6 +143,24 @@ void mark(const ArcRange& arc, std::vector<PartRing>& rings) {
   rings[arc.ring].marks.push_back(arc.to);
 }
 
+/// The ring of the part that is nearest to the points on the mean, -1 where it has none; `gap` is
+/// the sum of the distances.
+int nearest_ring(const std::vector<PartRing>& rings, int part, const std::vector<Point2>& points,
+                 double& gap) {
+  int best = -1;
+  gap = std::numeric_limits<double>::infinity();
+  for (size_t r = 0; r < rings.size(); ++r) {
+    if (rings[r].part != part || rings[r].ring->size() < 3) continue;
+    double sum = 0;
+    for (const Point2 p : points)
+      sum += nearest_on_ring(*rings[r].ring, rings[r].measure, p).distance;
+    if (sum >= gap) continue;
+    gap = sum;
+    best = static_cast<int>(r);
+  }
+  return best;
+}
+
 class Sampler {
  public:
   Sampler(const Scene& scene, double spacing) : scene_(scene), spacing_(spacing) {
@@ -190,30 +208,18 @@ class Sampler {
   Status locate_join(size_t j) {
     const Join& join = scene_.joins[j];
     const std::string where = "joins[" + std::to_string(j) + "].line";
-    int best = -1;
-    double best_gap = std::numeric_limits<double>::infinity();
-    for (size_t r = 0; r < rings_.size(); ++r) {
-      if (rings_[r].part != join.upper || rings_[r].ring->size() < 3) continue;
-      double gap = 0;
-      for (const Point2 p : join.line)
-        gap += nearest_on_ring(*rings_[r].ring, rings_[r].measure, p).distance;
-      if (gap < best_gap) {
-        best_gap = gap;
-        best = static_cast<int>(r);
-      }
-    }
+    double gap = 0;
+    const int best = nearest_ring(rings_, join.upper, join.line, gap);
     const std::string& upper = scene_.parts[join.upper].id;
     const double diagonal = std::hypot(scene_.width, scene_.height);
-    if (best < 0 || best_gap / static_cast<double>(join.line.size()) > line_reach * diagonal)
+    if (best < 0 || gap / static_cast<double>(join.line.size()) > line_reach * diagonal)
       return Error{ErrorCode::bad_input,
                    "the join's line is far from the outline of \"" + upper +
                        "\"; draw it along that outline, where it lies inside the lower part",
                    where};
     const PartRing& ring = rings_[best];
-    const double a = settled(ring, nearest_on_ring(*ring.ring, ring.measure, join.line.front()).s,
-                             same_mark * spacing_);
-    const double b = settled(ring, nearest_on_ring(*ring.ring, ring.measure, join.line.back()).s,
-                             same_mark * spacing_);
+    const double a = mark_near(ring, join.line.front());
+    const double b = mark_near(ring, join.line.back());
     const double ahead = forward(a, b, ring.measure.length);
     if (std::min(ahead, ring.measure.length - ahead) < 1e-6 * ring.measure.length)
       return Error{ErrorCode::bad_input,
@@ -226,27 +232,20 @@ class Sampler {
   }
 
   ArcRange locate_range(int part, Point2 from, Point2 to, bool shorter) {
-    int best = -1;
-    double best_gap = std::numeric_limits<double>::infinity();
-    for (size_t r = 0; r < rings_.size(); ++r) {
-      if (rings_[r].part != part || rings_[r].ring->size() < 3) continue;
-      const double gap = nearest_on_ring(*rings_[r].ring, rings_[r].measure, from).distance +
-                         nearest_on_ring(*rings_[r].ring, rings_[r].measure, to).distance;
-      if (gap < best_gap) {
-        best_gap = gap;
-        best = static_cast<int>(r);
-      }
-    }
+    double gap = 0;
+    const int best = nearest_ring(rings_, part, {from, to}, gap);
     if (best < 0) return {-1, 0, 0, false};
     const PartRing& ring = rings_[best];
-    const double a =
-        settled(ring, nearest_on_ring(*ring.ring, ring.measure, from).s, same_mark * spacing_);
-    const double b =
-        settled(ring, nearest_on_ring(*ring.ring, ring.measure, to).s, same_mark * spacing_);
+    const double a = mark_near(ring, from);
+    const double b = mark_near(ring, to);
     const bool flip = shorter && forward(a, b, ring.measure.length) > 0.5 * ring.measure.length;
     const ArcRange arc = flip ? ArcRange{best, b, a, true} : ArcRange{best, a, b, false};
     mark(arc, rings_);
     return arc;
+  }
+
+  double mark_near(const PartRing& ring, Point2 p) const {
+    return settled(ring, nearest_on_ring(*ring.ring, ring.measure, p).s, same_mark * spacing_);
   }
 
   // Spacing for a stretch: short rings and short joins keep enough edges.
