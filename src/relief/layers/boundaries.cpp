@@ -49,14 +49,9 @@ class BoundaryFinder {
 
   void lay_automatic_ramps() {
     for (const Seam& seam : connection_.seams) {
-      if (seam.bump) {
-        out_.enclosed.push_back(1);
-        continue;
-      }
-      bool leaves = !seam.first_end_inside || !seam.last_end_inside;
-      if (seam.first_end_inside) leaves = lay_from(seam, seam.position, -1) || leaves;
-      if (seam.last_end_inside) leaves = lay_from(seam, seam.position + seam.edges, 1) || leaves;
-      out_.enclosed.push_back(!leaves);
+      if (seam.bump) continue;
+      if (seam.first_end_inside) lay_from(seam, seam.position, -1);
+      if (seam.last_end_inside) lay_from(seam, seam.position + seam.edges, 1);
     }
   }
 
@@ -148,9 +143,8 @@ class BoundaryFinder {
     return true;
   }
 
-  // Walks from a merged end until the exit, another seam, or all the way round. Whether there is an
-  // exit.
-  bool lay_from(const Seam& seam, int start, int direction) {
+  // Walks from a merged end until the exit, another seam, or all the way round.
+  void lay_from(const Seam& seam, int start, int direction) {
     const int n = static_cast<int>(loops_.vertices[seam.loop].size());
     std::vector<Step> steps;
     double s = 0;
@@ -169,7 +163,6 @@ class BoundaryFinder {
     if (!exit) length = std::min(0.5 * s, seam_length(seam));
     while (!steps.empty() && steps.back().s >= length) steps.pop_back();
     add_ramp({seam.upper, seam.lower, length, -1, -1}, steps, true);
-    return exit;
   }
 
   double seam_length(const Seam& seam) const {

@@ -39,7 +39,6 @@ struct Boundaries {
   std::vector<RampNode> ramp_nodes;
   std::vector<GluedPair> glued;
   std::vector<BumpNode> bump_nodes;
-  std::vector<uint8_t> enclosed;  ///< per seam: the upper outline does not leave the lower surface
 };
 
 /// Finds the role of every node and lays the Robin ranges: from each merged end of a seam along

@@ -81,7 +81,7 @@ class Compactor {
         out_.face_part.push_back(sheets_.face_part[f]);
         out_.face_triangle.push_back(triangle_[t]);
         if (with_sources) out_.face_source.push_back(sheets_.face_source[f]);
-        if (!order_.flaps.empty()) out_.face_flap.push_back(order_.flaps[f]);
+        out_.face_flap.push_back(order_.flaps[f]);
       }
       out_.stack_begin.push_back(static_cast<int>(out_.faces.size()));
     }

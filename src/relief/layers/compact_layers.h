@@ -16,7 +16,7 @@ std::vector<int> frontmost_parts(const Sheets& sheets);
 /// How the faces of the sheets come to lie.
 struct FaceOrder {
   const LocalOrder& local;
-  const std::vector<uint8_t>& flaps;  ///< #F flags, or empty
+  const std::vector<Flap>& flaps;  ///< #F
 };
 
 /// The finished mesh: everything renumbered without uncovered triangles, unused vertices and

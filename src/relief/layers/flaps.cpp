@@ -10,15 +10,15 @@ namespace {
 class FlapFinder {
  public:
   FlapFinder(const BaseMesh& base, const Sheets& sheets, const LocalOrder& order)
-      : base_(base), sheets_(sheets), order_(order), flap_(sheets.faces.size(), 0) {}
+      : base_(base), sheets_(sheets), order_(order), flap_(sheets.faces.size(), Flap::none) {}
 
-  void add(const Seam& seam) {
+  void add(const Seam& seam, Flap kind) {
     reached_.assign(sheets_.faces.size(), 0);
-    for (const int face : seam.covered) take(face, seam.upper);
+    for (const int face : seam.covered) take(face, seam.upper, kind);
     while (!pending_.empty()) {
       const int face = pending_.back();
       pending_.pop_back();
-      for (int k = 0; k < 3; ++k) take(face_across(base_, sheets_, face, k), seam.upper);
+      for (int k = 0; k < 3; ++k) take(face_across(base_, sheets_, face, k), seam.upper, kind);
     }
   }
 
@@ -29,23 +29,24 @@ class FlapFinder {
       released = false;
       const std::vector<uint8_t> held = held_nodes(role);
       for (int f = 0; f < static_cast<int>(flap_.size()); ++f)
-        if (flap_[f] == 0 && held[sheets_.faces[f][0]] == 0)
+        if (flap_[f] != Flap::loose && held[sheets_.faces[f][0]] == 0)
           released = release_around(f) || released;
     }
   }
 
-  std::vector<uint8_t> result() { return std::move(flap_); }
+  std::vector<Flap> result() { return std::move(flap_); }
 
  private:
   bool lies_behind(int face, int other) const {
     return order_.is_usual() || order_.place[face] < order_.place[other];
   }
 
-  void take(int face, int upper) {
+  void take(int face, int upper, Flap kind) {
     if (face < 0 || reached_[face] != 0 || sheets_.face_part[face] >= upper) return;
     const int cover = sheets_.face_of(sheets_.face_triangle[face], upper);
     if (cover < 0 || !lies_behind(face, cover)) return;
-    reached_[face] = flap_[face] = 1;
+    reached_[face] = 1;
+    if (flap_[face] != Flap::loose) flap_[face] = kind;
     pending_.push_back(face);
   }
 
@@ -54,7 +55,7 @@ class FlapFinder {
     const int nodes = static_cast<int>(role.size());
     DisjointSets pieces(nodes);
     for (size_t f = 0; f < flap_.size(); ++f)
-      if (flap_[f] == 0)
+      if (flap_[f] != Flap::loose)
         for (const int k : {1, 2}) pieces.unite(sheets_.faces[f][0], sheets_.faces[f][k]);
     std::vector<uint8_t> held(role.size(), 0);
     for (int n = 0; n < nodes; ++n)
@@ -72,8 +73,8 @@ class FlapFinder {
       pending_.pop_back();
       for (int k = 0; k < 3; ++k) {
         const int next = face_across(base_, sheets_, at, k);
-        if (next < 0 || flap_[next] == 0) continue;
-        flap_[next] = 0;
+        if (next < 0 || flap_[next] != Flap::loose) continue;
+        flap_[next] = Flap::kept;
         any = true;
         pending_.push_back(next);
       }
@@ -84,22 +85,20 @@ class FlapFinder {
   const BaseMesh& base_;
   const Sheets& sheets_;
   const LocalOrder& order_;
-  std::vector<uint8_t> flap_;     // per face
+  std::vector<Flap> flap_;        // per face
   std::vector<uint8_t> reached_;  // per face, by the flap of the seam at hand
   std::vector<int> pending_;
 };
 
 }  // namespace
 
-std::vector<uint8_t> find_flaps(const BaseMesh& base, const Sheets& sheets,
-                                const Connection& connection, const Boundaries& boundaries,
-                                const LocalOrder& order, const Scene& scene) {
+std::vector<Flap> find_flaps(const BaseMesh& base, const Sheets& sheets,
+                             const Connection& connection, const Boundaries& boundaries,
+                             const LocalOrder& order, const Scene& scene, bool loose) {
   FlapFinder finder(base, sheets, order);
-  for (size_t s = 0; s < connection.seams.size(); ++s) {
-    const Seam& seam = connection.seams[s];
-    if (boundaries.enclosed[s] == 0 && has_one_sign(connection, scene, seam.upper))
-      finder.add(seam);
-  }
+  for (const Seam& seam : connection.seams)
+    finder.add(seam,
+               loose && has_one_sign(connection, scene, seam.upper) ? Flap::loose : Flap::kept);
   finder.release(boundaries.role);
   return finder.result();
 }

@@ -8,11 +8,12 @@
 
 namespace relievo {
 
-/// What lies under a part that grows out of it, #F: from the covered side of each join as far as
-/// the upper part covers the surface, in front of it. None where the upper outline never leaves
-/// that surface, or where what would be left of it has no outline. O(F + faces of the flaps).
-std::vector<uint8_t> find_flaps(const BaseMesh& base, const Sheets& sheets,
-                                const Connection& connection, const Boundaries& boundaries,
-                                const LocalOrder& order, const Scene& scene);
+/// What lies under parts that grow out of it, #F: from the covered side of each join as far as the
+/// upper part covers the surface, in front of it. Kept where `loose` is false,
+/// where d changes its sign on that surface, and where what would be left of it has no outline. O(F
+/// + faces of the flaps).
+std::vector<Flap> find_flaps(const BaseMesh& base, const Sheets& sheets,
+                             const Connection& connection, const Boundaries& boundaries,
+                             const LocalOrder& order, const Scene& scene, bool loose);
 
 }  // namespace relievo

@@ -163,8 +163,8 @@ Result<LayeredMesh> constrain_sheets(const JoinedSheets& joined, const Scene& sc
   const std::vector<LoopRun> ranges = runs_of_relations(joined, scene);
   const auto order = find_local_order(base, sheets, loops, scene, ranges);
   if (!order) return order.error();
-  std::vector<uint8_t> flaps;
-  if (options.attach) flaps = find_flaps(base, sheets, connection, boundaries, *order, scene);
+  const std::vector<Flap> flaps =
+      find_flaps(base, sheets, connection, boundaries, *order, scene, options.attach);
   std::vector<DepthPair> pairs = joined.copies;
   const std::vector<DepthPair> ordered = collect_constraints(
       base, sheets, loops, connection, boundaries, scene, ranges, *order, options.glue);

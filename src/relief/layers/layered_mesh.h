@@ -18,6 +18,13 @@ enum class NodeRole : uint8_t {
   ramp,      ///< on an outline under a Robin range
 };
 
+/// Whether a face lies under a part that grows out of its surface, and what that makes of it.
+enum class Flap : uint8_t {
+  none,   ///< it does not
+  loose,  ///< it follows the rest of its sheet and shapes nothing: what is called a flap
+  kept,   ///< it shapes the surface as others do, but nothing rests on it
+};
+
 /// One Robin range as it lies on the mesh.
 struct RobinRamp {
   int upper = -1;
@@ -77,9 +84,7 @@ struct LayeredMesh {
   /// there is no bump.
   std::vector<int> face_source;
   std::vector<std::array<int, 3>> faces;  ///< #F nodes, corner k lies at corner k of the triangle
-  /// #F, 1 on what lies under a part that grows out of it: it follows the rest of its sheet and
-  /// shapes nothing. Empty where there is none.
-  std::vector<uint8_t> face_flap;
+  std::vector<Flap> face_flap;            ///< #F, or empty: all none
 
   std::vector<int> node_vertex;     ///< #N base vertex of each node
   std::vector<int> node_part;       ///< #N frontmost part that uses the node
@@ -101,7 +106,8 @@ struct LayeredMesh {
   int source(size_t face) const {
     return face_source.empty() ? face_part[face] : face_source[face];
   }
-  bool is_flap(size_t face) const { return !face_flap.empty() && face_flap[face] != 0; }
+  bool is_flap(size_t face) const { return flap(face) == Flap::loose; }
+  Flap flap(size_t face) const { return face_flap.empty() ? Flap::none : face_flap[face]; }
 };
 
 }  // namespace relievo

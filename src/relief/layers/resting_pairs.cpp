@@ -21,7 +21,8 @@ bool may_pass(const Scene& scene, int front, int back) {
 int support(const LayeredMesh& mesh, const Scene& scene, size_t t) {
   const int front = mesh.stack_begin[t + 1] - 1;
   for (int f = front - 1; f >= mesh.stack_begin[t]; --f)
-    if (!mesh.is_flap(f) && !may_pass(scene, mesh.face_part[front], mesh.face_part[f])) return f;
+    if (mesh.flap(f) == Flap::none && !may_pass(scene, mesh.face_part[front], mesh.face_part[f]))
+      return f;
   return -1;
 }
 

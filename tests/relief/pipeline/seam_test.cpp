@@ -83,6 +83,22 @@ TEST(Seam, IsNoEdgeOnRandomLimbs) {
   }
 }
 
+TEST(Seam, IsSmoothWhereALimbLiesOnWhatItGrowsOutOf) {
+  // Limbs on limbs, turned back so that they lie on limb and body with all of their outline.
+  for (const uint64_t seed : {38, 121}) {
+    ReliefOptions options;
+    options.layers.vertex_budget = 48000;
+    const Relief relief = relief_of(random_limbs(seed), options);
+    const std::vector<SeamChain> chains = seam_chains(relief.layers);
+    ASSERT_EQ(chains.size(), 2u);
+    EXPECT_LE(seam_angles(relief.layers, relief.ordering.h, chains[1]).back(), 2) << seed;
+    std::vector<double> depths = relief.ordering.h;
+    for (double& depth : depths) depth = -depth;
+    for (const std::vector<double>& heights : {relief.ordering.h, depths})
+      for (const double pit : pits(relief.layers, heights, chains[1])) EXPECT_LE(pit, 0.01);
+  }
+}
+
 TEST(Seam, HasNeitherPitsNorBumpsAtItsEnds) {
   for (const bool attach : {true, false}) {
     ReliefOptions options;
