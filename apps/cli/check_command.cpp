@@ -81,11 +81,18 @@ std::string part_table(const Scene& scene) {
   return table.text();
 }
 
-/// How sure a guess is, or whose it is.
-std::string trust(const std::vector<ProposedJoin>& guesses, const Join& join) {
-  for (const ProposedJoin& guess : guesses)
+/// How sure a guess is; empty for what was said.
+std::string trust(const Joining& guesses, const Join& join) {
+  for (const ProposedJoin& guess : guesses.joins)
     if (guess.join.upper == join.upper && guess.join.lower == join.lower)
       return "guessed, " + number(std::round(100 * guess.confidence)) + " % sure";
+  return "";
+}
+
+std::string trust(const Joining& guesses, const Relation& relation) {
+  for (const ProposedRelation& guess : guesses.relations)
+    if (guess.relation.upper == relation.upper && guess.relation.lower == relation.lower)
+      return "guessed";
   return "";
 }
 
@@ -95,11 +102,11 @@ std::string annotation_table(const SceneInput& input) {
   const auto id = [&](int part) { return scene.parts[part].id; };
   for (const Join& join : scene.joins)
     table.add({"join", id(join.upper), id(join.lower), counted(join.line.size(), "point"),
-               trust(input.guesses.joins, join)});
+               trust(input.guesses, join)});
   for (const Relation& relation : scene.relations)
     table.add({"relation", id(relation.upper), id(relation.lower),
                std::string(name(relation.kind)) + (relation.range ? " along a range" : ""),
-               input.guesses.relations.empty() ? "" : "guessed"});
+               trust(input.guesses, relation)});
   for (const RobinRange& range : scene.robin)
     table.add({"robin", id(range.upper), id(range.lower),
                "alpha0 " + (range.alpha0 ? number(*range.alpha0) : "default") + ", rho " +

@@ -15,8 +15,9 @@ void add_common(CLI::App& app, CommonArguments& common, const char* what) {
 void add_connect(CLI::App& app, CommonArguments& common) {
   app.add_option_function<std::string>(
          "--connect", [&common](const std::string& how) { common.connect = how == "auto"; },
-         "Joins of layered drawings that say none: auto guesses them (the default), none stacks "
-         "the parts")
+         "How parts of layered drawings connect that say nothing of it: auto guesses (the "
+         "default), "
+         "none stacks them")
       ->check(CLI::IsMember({"auto", "none"}));
 }
 

@@ -275,20 +275,40 @@ class Connector {
         most[pair.lower] =
             std::max(most[pair.lower], likeness(pair.lower, pair.upper) * pair.lower_beside);
     }
+    std::vector<uint8_t> held(grid_.masks.size());
     for (size_t k = 0; k < overlaps.size(); ++k) {
       const Overlap& pair = overlaps[k];
       if (joins[k] && joins[k]->confidence >= std::max(most[pair.upper], least_trust)) {
+        held[pair.upper] = 1;
         joining.joins.push_back(std::move(*joins[k]));
       } else if (is_tied(pair)) {
-        joining.relations.push_back(
-            {{pair.upper, pair.lower, RelationKind::equal, std::nullopt}, false});
+        held[is_behind(pair) ? pair.lower : pair.upper] = 1;
+        tie(pair, joining);
       }
     }
+    tie_hidden(overlaps, held, joining);
     joining.hollows = hollow_parts(grid_, colors_, limbs(overlaps, joining));
     return joining;
   }
 
  private:
+  static void tie(const Overlap& pair, Joining& joining) {
+    joining.relations.push_back(
+        {{pair.upper, pair.lower, RelationKind::equal, std::nullopt}, false});
+  }
+
+  /// What nothing holds and a larger part mostly hides would float behind that.
+  void tie_hidden(const std::vector<Overlap>& overlaps, const std::vector<uint8_t>& held,
+                  Joining& joining) const {
+    std::vector<const Overlap*> nearest(grid_.masks.size());
+    for (const Overlap& pair : overlaps)
+      if (held[pair.lower] == 0 && is_larger(grid_, pair.upper, pair.lower, 1) &&
+          (nearest[pair.lower] == nullptr || pair.lower_beside < nearest[pair.lower]->lower_beside))
+        nearest[pair.lower] = &pair;
+    for (const Overlap* pair : nearest)
+      if (pair != nullptr) tie(*pair, joining);
+  }
+
   /// Which parts are limbs, joined or behind.
   std::vector<uint8_t> limbs(const std::vector<Overlap>& overlaps, const Joining& joining) const {
     std::vector<uint8_t> limb(grid_.masks.size());

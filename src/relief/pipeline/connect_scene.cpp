@@ -1,21 +1,81 @@
 #include "relief/pipeline/connect_scene.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
+#include <vector>
 
+#include "kernel/geometry/polygon.h"
 #include "kernel/image/fill_outline.h"
 #include "relief/joining/connect_parts.h"
 #include "relief/joining/round_inflation.h"
 
 namespace relievo {
-
 namespace {
 
 /// A dish, not a hole.
 constexpr double hollow_amount = 1;
 
-bool says_connections(const Scene& scene) {
-  return !scene.joins.empty() || !scene.relations.empty() || !scene.robin.empty();
+double area(Outline outline) {
+  orient_by_nesting(outline);
+  double sum = 0;
+  for (const Ring& ring : outline) sum += signed_area(ring);
+  return sum;
+}
+
+/// What the author says of how parts connect.
+struct Said {
+  std::set<std::pair<int, int>> pairs;  ///< upper, lower
+  std::set<int> placed;                 ///< parts of which it is said what they lie on
+};
+
+Said said_in(const Scene& scene) {
+  Said said;
+  const auto note = [&](const auto& items) {
+    for (const auto& item : items) {
+      said.pairs.insert({item.upper, item.lower});
+      said.placed.insert(item.upper);
+    }
+  };
+  note(scene.joins);
+  note(scene.relations);
+  note(scene.robin);
+  return said;
+}
+
+/// Ties limbs in place of joining them. Parts that the author joined are one surface, on which a
+/// limb hangs once.
+void tie_limbs(const Scene& scene, Joining& guesses) {
+  const auto are_joined = [&](int a, int b) {
+    return std::any_of(scene.joins.begin(), scene.joins.end(), [&](const Join& join) {
+      return std::minmax(join.upper, join.lower) == std::minmax(a, b);
+    });
+  };
+  for (const ProposedJoin& guess : guesses.joins) {
+    const int limb = guess.join.upper;
+    const int body = guess.join.lower;
+    std::erase_if(guesses.relations, [&](const ProposedRelation& tie) {
+      return tie.relation.upper == limb && are_joined(tie.relation.lower, body);
+    });
+    guesses.relations.push_back({{limb, body, RelationKind::equal, std::nullopt}, false});
+  }
+  guesses.joins.clear();
+}
+
+/// Keeps of the guesses those on parts that the author did not place. Where anything is said, what
+/// has no join does not grow, but is tied.
+void yield_to_author(const Scene& scene, Joining& guesses) {
+  const Said said = said_in(scene);
+  std::erase_if(guesses.joins,
+                [&](const ProposedJoin& guess) { return said.placed.count(guess.join.upper) > 0; });
+  std::erase_if(guesses.relations, [&](const ProposedRelation& guess) {
+    const Relation& tie = guess.relation;
+    const bool behind = area(scene.parts[tie.lower].outline) < area(scene.parts[tie.upper].outline);
+    return said.pairs.count({tie.upper, tie.lower}) > 0 ||
+           said.placed.count(behind ? tie.lower : tie.upper) > 0;
+  });
+  if (!said.placed.empty()) tie_limbs(scene, guesses);
 }
 
 }  // namespace
@@ -29,8 +89,8 @@ ConnectedScene connect_scene(Scene scene, bool amounts, const PartColors& colors
                                      static_cast<int>(std::ceil(result.height)));
       part.c = std::round(round_inflation(mask) * 100) / 100;
     }
-  if (says_connections(result)) return connected;
   connected.proposals = connect_parts(result, colors);
+  yield_to_author(result, connected.proposals);
   for (const ProposedJoin& proposed : connected.proposals.joins)
     result.joins.push_back(proposed.join);
   for (const int part : connected.proposals.hollows)

@@ -12,9 +12,10 @@ struct ConnectedScene {
   Joining proposals;  ///< what of the scene was guessed; by part, in its order
 };
 
-/// Connects the parts of a layered drawing as connect_parts proposes, unless the drawing itself
-/// says how. Where `amounts`, parts get a c that makes them about as deep as they are narrow, and
-/// those that look hollow a negative d.
+/// Connects the parts of a layered drawing as connect_parts proposes. What the drawing itself says
+/// stands: of the upper part of a join, relation or range nothing is guessed, and where there is
+/// any, no more joins are guessed, but what they would hold is tied. Where `amounts`, parts get a c
+/// that makes them about as deep as they are narrow, and those that look hollow a negative d.
 /// Near-linear as connect_parts.
 ConnectedScene connect_scene(Scene scene, bool amounts, const PartColors& colors = {});
 

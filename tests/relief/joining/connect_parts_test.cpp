@@ -120,12 +120,6 @@ TEST(ConnectParts, LimbsBehindAreTiedToTheOutlineInFront) {
   EXPECT_TRUE(is_equal(joining, 1, 0));
 }
 
-TEST(ConnectParts, WhatCoversMostOfAnotherIsLeftInFrontOfIt) {
-  const Joining joining = connect_parts(disc_with({}, {circle({200, 180}, 80)}));
-  EXPECT_TRUE(joining.joins.empty());
-  EXPECT_TRUE(joining.relations.empty());
-}
-
 TEST(ConnectParts, WhatReachesOutOnTwoSidesIsNoLimb) {
   const Joining joining = connect_parts(disc_with({rectangle(60, 140, 340, 180)}));
   EXPECT_TRUE(joining.joins.empty());
@@ -233,13 +227,42 @@ TEST(ConnectScene, HollowsAreDishesOnlyWhereAmountsAreGuessed) {
   EXPECT_GT(connect_scene(mouth, false, colors).scene.parts[1].d, 0);
 }
 
-TEST(ConnectScene, TheAuthorsWordStands) {
+TEST(ConnectParts, WhatALargerPartMostlyHidesHangsOnThat) {
+  for (const Ring& hidden : {circle({200, 80}, 30), circle({200, 180}, 80)}) {
+    const Joining joining = connect_parts(disc_with({}, {hidden}));
+    EXPECT_TRUE(joining.joins.empty());
+    EXPECT_TRUE(is_equal(joining, 1, 0));
+  }
+}
+
+TEST(ConnectScene, TheAuthorsWordStandsForThePartsThatItPlaces) {
   Scene scene = disc_with({limb(), circle({210, 120}, 20)});
   scene.relations.push_back({1, 0, RelationKind::above, std::nullopt});
   const ConnectedScene connected = connect_scene(scene, false);
-  EXPECT_TRUE(connected.proposals.joins.empty());
   EXPECT_TRUE(connected.scene.joins.empty());
-  EXPECT_EQ(connected.scene.relations.size(), 1U);
+  ASSERT_EQ(connected.scene.relations.size(), 2U);
+  EXPECT_EQ(connected.scene.relations[0].kind, RelationKind::above);
+  EXPECT_FALSE(is_equal(connected.proposals, 1, 0));
+  EXPECT_TRUE(is_equal(connected.proposals, 2, 0));
+}
+
+TEST(ConnectScene, NothingElseGrowsWhereTheAuthorSaysWhatDoes) {
+  Scene scene = disc_with({limb(), capsule({240, 160}, 0, 150, 22)});
+  const std::vector<ProposedJoin> guesses = connect_parts(scene).joins;
+  ASSERT_EQ(guesses.size(), 2U);
+  scene.joins.push_back(guesses[0].join);
+  const ConnectedScene connected = connect_scene(scene, false);
+  ASSERT_EQ(connected.scene.joins.size(), 1U);
+  EXPECT_EQ(connected.scene.joins[0].upper, guesses[0].join.upper);
+  EXPECT_TRUE(connected.proposals.joins.empty());
+  EXPECT_TRUE(is_equal(connected.proposals, 2, 0));
+}
+
+TEST(ConnectScene, WhatIsSaidOfAnEarsCupSaysNothingOfTheEar) {
+  const Ring ear = capsule({200, 100}, -M_PI / 2, 90, 26);
+  Scene scene = disc_with({}, {ear, capsule({200, 40}, -M_PI / 2, 25, 14)});
+  scene.relations.push_back({1, 0, RelationKind::equal, std::nullopt});
+  EXPECT_TRUE(is_equal(connect_scene(scene, false).proposals, 2, 0));
 }
 
 TEST(ConnectScene, ProposalsAreWhatTheSceneHas) {
