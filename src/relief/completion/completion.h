@@ -42,6 +42,7 @@ struct NeighbourEvidence {
   double b_below_a = 0;
   bool a_shaped = false;  ///< the common boundary fits the rest of a's contour
   bool b_shaped = false;
+  bool open = false;  ///< the drawing shows nothing along it: they have grown together
 };
 
 }  // namespace relievo

@@ -127,6 +127,11 @@ std::vector<BasinBorder> borders_within(const Basins& basins, int x0, int y0, in
 }
 
 void measure_basins(const Image8& rgba, const Image8& rgb, Basins& basins) {
+  for (Basin& basin : basins.basins) {
+    const double inradius = basin.inradius;
+    basin = {};
+    basin.inradius = inradius;
+  }
   measure_areas(rgba, rgb, basins);
   measure_edges(basins);
   basins.borders = borders_within(basins, 0, 0, basins.index.width, basins.index.height);

@@ -8,6 +8,7 @@
 #include "kernel/image/peak_basins.h"
 #include "kernel/image/watershed.h"
 #include "relief/drawing/basin_graph.h"
+#include "relief/drawing/cut_necks.h"
 #include "relief/drawing/figure_mask.h"
 #include "relief/drawing/line_map.h"
 #include "relief/drawing/open_roots.h"
@@ -69,6 +70,7 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   basins.figure = find_figure(drawing.rgba, rgb, basins.painted);
   measure_basins(drawing.rgba, rgb, basins);
   propose_regions(basins);
+  if (cut_necks(basins)) measure_basins(drawing.rgba, rgb, basins);
   context.report("find areas", 1);
   return basins;
 }

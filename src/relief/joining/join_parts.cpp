@@ -124,6 +124,7 @@ class JoinProposer {
   }
 
   Joining run() {
+    for (int part = 0; part < regions_.count(); ++part) grow_open(part);
     const Joining whole = connect_whole(regions_, stacking_, outlines_, options_);
     grow_limbs(whole.joins);
     for (const ProposedRelation& proposed : whole.relations)
@@ -153,6 +154,23 @@ class JoinProposer {
       limbs_.insert(pair.first);
       out_.joins.push_back(proposed);
     }
+  }
+
+  /// Where the drawing shows nothing between a part and one behind it.
+  void grow_open(int part) {
+    for (const Root& root : surroundings(regions_, stacking_, part).roots) {
+      const Pair pair{part, root.lower};
+      if (is_decided(pair) || said_.count(part) > 0 || !is_open(pair)) continue;
+      if (root.count < static_cast<size_t>(options_.min_root_sides)) continue;
+      if (lay_join(part, root, 1)) said_.insert(part);
+    }
+  }
+
+  bool is_open(const Pair& pair) const {
+    const uint16_t a = regions_.labels[pair.first];
+    const uint16_t b = regions_.labels[pair.second];
+    return std::binary_search(options_.open.begin(), options_.open.end(),
+                              std::pair<uint16_t, uint16_t>(std::minmax(a, b)));
   }
 
   void propose(int part) {
@@ -196,19 +214,20 @@ class JoinProposer {
     return 1 - 0.5 * std::clamp(change, 0.0, 1.0);
   }
 
-  void lay_join(int part, const Root& root, double confidence) {
+  bool lay_join(int part, const Root& root, double confidence) {
     const auto arc = arc_of(root, outlines_[part]);
-    if (!arc) return;
+    if (!arc) return false;
     const double ramp = ramp_share(*arc) * arc->length;
     const std::vector<Point2> line =
         longest_inside(line_of(*arc, ramp), outlines_[root.lower], min_inside);
-    if (line.empty()) return;
+    if (line.empty()) return false;
     joined_.insert({part, root.lower});
     if (ramped_.count({part, root.lower}) == 0) {
       if (root.opens_before) lay_ramp(part, root.lower, line.front(), arc->at(0));
       if (root.opens_after) lay_ramp(part, root.lower, line.back(), arc->at(arc->length));
     }
     out_.joins.push_back({{part, root.lower, line}, confidence, false});
+    return true;
   }
 
   void lay_ramp(int upper, int lower, Point2 from, Point2 to) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "relief/completion/part_regions.h"
@@ -17,6 +19,8 @@ struct JoiningOptions {
   double longest_ramp = 0.3;
   /// Per label, the mean colour of what is seen, 0 to 255 a channel; none where unknown.
   std::vector<std::array<double, 3>> colours;
+  /// Pairs of labels, the smaller first, that have grown together (see open_borders).
+  std::vector<std::pair<uint16_t, uint16_t>> open;
 };
 
 /// Proposes how every part connects with those behind it. Where its completed outline shows that it
@@ -28,6 +32,7 @@ struct JoiningOptions {
 ///    is the middle of that run; the ramps beside it are as long as the run exceeds its chord, so
 ///    that they end where a limb leaves the lower part, and become Robin ranges;
 ///    A clear change of colour halves the confidence, since hats are not grown on, but sleeves are;
+///    where the two have grown together, neither the root's share nor the size matters;
 ///  - equal: the outline does not touch the background: an eye, a button, a spot; or the completed
 ///    outlines tie the two, as a limb that comes out from behind a larger part;
 ///  - above: everything else.

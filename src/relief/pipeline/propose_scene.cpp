@@ -288,6 +288,12 @@ Status propose(Proposal& proposal, const Corrections& corrections, const Proposa
   auto evidence = compare_neighbours(proposal.regions, options.completion, context);
   if (!evidence) return evidence.error();
   proposal.evidence = std::move(*evidence);
+  for (NeighbourEvidence& pair : proposal.evidence) {
+    const auto& open = options.joining.open;
+    const std::pair<uint16_t, uint16_t> labels{proposal.regions.labels[pair.a],
+                                               proposal.regions.labels[pair.b]};
+    pair.open = std::binary_search(open.begin(), open.end(), labels);
+  }
   auto stacking = stack_parts(proposal.regions, proposal.evidence, arrows);
   if (!stacking) return stacking.error();
   proposal.stacking = std::move(*stacking);

@@ -5,6 +5,7 @@
 #include "relief/drawing/label_colours.h"
 #include "relief/pipeline/keep_edits.h"
 #include "relief/pipeline/keep_labels.h"
+#include "relief/pipeline/open_borders.h"
 #include "relief/pipeline/outline_rim.h"
 
 namespace relievo {
@@ -53,6 +54,7 @@ Result<Understanding> understand_drawing(const Image8& rgba, const SegmentationR
                                          const RunContext& context) {
   ProposalOptions with_colours = options;
   with_colours.joining.colours = label_colours(rgba, known.labels);
+  with_colours.joining.open = open_borders(rgba, known.labels);
   with_colours.rim = rim_width(rgba, known.labels, with_colours.joining.colours);
   auto proposal = propose_scene(known.labels, known.corrections, with_colours, context);
   if (!proposal) return proposal.error();

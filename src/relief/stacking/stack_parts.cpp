@@ -27,6 +27,8 @@ constexpr double ground_share = 0.03;
 /// Parts of which nothing else is known: the one that ends lower on the page is behind, as feet
 /// are, with this log-odds for a difference of the figure's height.
 constexpr double below_weight = 0.2;
+/// Of two parts that have grown together the smaller one is the limb, and drawn in front.
+constexpr double open_odds = 4;
 /// What the user says outweighs all guesses.
 constexpr double user_odds = 1e6;
 constexpr double surest = 0.9999;  ///< confidence that counts
@@ -40,9 +42,11 @@ struct PairBelief {
   double junctions[2] = {0, 0};  ///< sums of confidences for either part
   double bulge = 0;
   double ground = 0;
+  double open = 0;  ///< 1 or -1 where the two have grown together, and nothing else counts
 
   /// Of the first part being in front.
   double log_odds() const {
+    if (open != 0) return open_odds * open;
     const double votes = junctions[0] + junctions[1] + silent_junctions;
     return shape_weight * shape + contour_weight * contour + bulge_weight * bulge +
            junction_weight * (junctions[0] - junctions[1]) / votes + ground_weight * ground;
@@ -78,8 +82,11 @@ PairBelief belief_of(const NeighbourEvidence& evidence, const std::vector<uint8_
 Beliefs collect(const PartRegions& regions, const std::vector<NeighbourEvidence>& evidence) {
   const std::vector<uint8_t> stands = on_the_ground(regions);
   Beliefs beliefs;
-  for (const NeighbourEvidence& pair : evidence)
-    beliefs[{pair.a, pair.b}] = belief_of(pair, stands);
+  for (const NeighbourEvidence& pair : evidence) {
+    PairBelief& belief = beliefs[{pair.a, pair.b}] = belief_of(pair, stands);
+    const auto seen = [&](int part) { return pixel_count(regions.visible[part]); };
+    if (pair.open) belief.open = seen(pair.a) < seen(pair.b) ? 1 : -1;
+  }
   for (const BulgeCue& cue : find_bulge_cues(regions)) {
     const Pair pair = std::minmax(cue.upper, cue.lower);
     const auto found = beliefs.find(pair);

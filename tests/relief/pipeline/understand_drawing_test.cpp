@@ -135,5 +135,23 @@ TEST(Relabel, KeepsLabelsNamesAndWhatWasSaidOfPartsThatAreLeft) {
   EXPECT_EQ(said.at(2).id, "ear");
 }
 
+TEST(UnderstandDrawing, WhatNothingIsDrawnBetweenGrowsTogether) {
+  SegmentationRecord known;
+  known.labels = ear_on_body();
+  const auto joins = [&](const Image8& rgba) {
+    const Result<Understanding> understood = understand_drawing(rgba, known, {}, {}, {});
+    EXPECT_TRUE(understood.ok());
+    return understood->record.joins;
+  };
+  const auto open = joins(paper());
+  ASSERT_EQ(open.size(), 1U);
+  EXPECT_EQ(open[0].upper, 2) << "the smaller one is the limb";
+  EXPECT_EQ(open[0].confidence, 1);
+  Image8 lined = paper();
+  for (int x = 0; x < page_width; ++x)
+    for (int c = 0; c < 3; ++c) lined.at(x, 45, c) = 0;
+  for (const JoinRecord& join : joins(lined)) EXPECT_LT(join.confidence, 1);
+}
+
 }  // namespace
 }  // namespace relievo
