@@ -23,14 +23,19 @@ relievo_headers(CGAL::CGAL ${headers})
 # Only predicates are asked for, and CGAL's own numbers decide them as exactly as GMP's. The
 # browser has no other rounding mode than to nearest.
 target_compile_definitions(CGAL::CGAL INTERFACE CGAL_DISABLE_GMP CGAL_NO_GMP
-                                                CGAL_ALWAYS_ROUND_TO_NEAREST)
+                                                CGAL_ALWAYS_ROUND_TO_NEAREST
+  # Bounded coordinates give no cause for the errors that Boost would write into streams.
+  BOOST_MATH_DOMAIN_ERROR_POLICY=ignore_error BOOST_MATH_POLE_ERROR_POLICY=ignore_error
+  BOOST_MATH_OVERFLOW_ERROR_POLICY=ignore_error BOOST_MATH_EVALUATION_ERROR_POLICY=ignore_error
+  BOOST_MATH_ROUNDING_ERROR_POLICY=ignore_error)
 
 # relievo_sources(name TARGET FOLDER files...): a library from a source package.
 function(relievo_sources name target folder)
   list(TRANSFORM ARGN PREPEND ${folder}/)
   add_library(${name} STATIC ${ARGN})
   target_include_directories(${name} SYSTEM PUBLIC ${folder})
-  target_compile_options(${name} PRIVATE -w)
+  # Pages wait for the download.
+  target_compile_options(${name} PRIVATE -w -Os)
   add_library(${target} ALIAS ${name})
 endfunction()
 relievo_sources(zlib ZLIB::ZLIB ${RELIEVO_SOURCES}/zlib

@@ -10,8 +10,8 @@
 #include "kernel/geometry/polygon.h"
 #include "relief/pipeline/keep_field.h"
 #include "relievo/scene.h"
+#include "relievo/solid.h"
 #include "rivals/rival.h"
-#include "solid/solid_options.h"
 
 namespace relievo::cli {
 

@@ -62,7 +62,7 @@ Result<MadeModel> make_model(const Relief& relief, const SceneInput& input,
     if (!sheet) return sheet.error();
     auto solid = make_solid(*sheet, input.drawing, arguments.solid_options);
     if (!solid) return solid.error();
-    return MadeModel{std::move(solid->drawn), solid->facts};
+    return MadeModel{{std::move(solid->model), std::move(solid->drawing)}, solid->facts};
   }
   options.visibility = shown(arguments);
   auto model = assemble_model(relief.layers, relief.inflation, relief.ordering, input.scene,

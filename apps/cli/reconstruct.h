@@ -4,6 +4,7 @@
 
 #include "apps/cli/arguments.h"
 #include "face/inputs.h"
+#include "relief/model/drawn_model.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
 #include "solid/make_solid.h"

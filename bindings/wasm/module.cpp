@@ -120,6 +120,8 @@ EMSCRIPTEN_BINDINGS(relievo) {
       .function("setShown", &Reconstruction::set_shown)
       .function("setTexture", &Reconstruction::set_texture)
       .function("encode", &Reconstruction::encode)
+      .function("solid", &Reconstruction::solid)
+      .function("encodeSolid", &Reconstruction::encode_solid)
       .function("map", &Reconstruction::map);
   emscripten::class_<Segmenter>("Segmenter")
       .constructor<>()

@@ -4,9 +4,13 @@
 
 #include "bindings/wasm/js_values.h"
 #include "io/mesh/glb_encode.h"
+#include "io/mesh/html_encode.h"
 #include "io/mesh/obj_encode.h"
+#include "io/mesh/placement.h"
 #include "io/mesh/ply_encode.h"
 #include "io/mesh/stl_encode.h"
+#include "io/mesh/threemf_encode.h"
+#include "io/mesh/usdz_encode.h"
 #include "io/scene/read_scene.h"
 #include "relief/model/dress_hidden.h"
 #include "relief/model/hidden_patches.h"
@@ -45,6 +49,30 @@ val report(const BuildReport& report) {
   what.set("times", times);
   what.set("warnings", to_js(report.warnings));
   return what;
+}
+
+BackSide back_named(const std::string& name) {
+  if (name == "drawing") return BackSide::drawing;
+  return name == "parts" ? BackSide::parts : BackSide::flat;
+}
+
+BaseShape base_named(const std::string& name) {
+  if (name == "outline") return BaseShape::outline;
+  if (name == "plate") return BaseShape::plate;
+  return name == "round" ? BaseShape::round : BaseShape::none;
+}
+
+SolidOptions to_solid_options(const val& options) {
+  SolidOptions solid;
+  solid.size = options["size"].as<double>();
+  solid.back = back_named(options["back"].as<std::string>());
+  solid.base = base_named(options["base"].as<std::string>());
+  solid.height = options["height"].as<double>();
+  solid.detail = options["detail"].as<bool>();
+  solid.thickness = options["thickness"].as<double>();
+  solid.hole = options["hole"].as<double>();
+  solid.ring = options["ring"].as<double>();
+  return solid;
 }
 
 Visibility visibility_named(const std::string& name) {
@@ -89,8 +117,7 @@ val runs(const std::vector<ModelPart>& parts, const HiddenPatches& hidden) {
   return list;
 }
 
-val to_js(const Model& model, const Drawing& drawing) {
-  const HiddenPatches hidden = hidden_patches(model, drawing);
+val to_js(const Model& model, const HiddenPatches& hidden) {
   std::vector<uint32_t> corners;
   corners.reserve(3 * model.triangles.size());
   for (const std::array<int, 3>& triangle : model.triangles)
@@ -143,6 +170,29 @@ val encode_obj_files(const Model& model, const Drawing* texture, const ObjOption
   return files.finish();
 }
 
+val threemf_files(const Model& model, const Drawing* texture, double size_mm) {
+  const auto entries = threemf_entries(model, texture, {size_mm});
+  if (!entries) return failure(entries.error());
+  Files files;
+  for (const ArchiveEntry& entry : *entries) files.add(entry.name, entry.bytes);
+  return files.finish();
+}
+
+val encode_as(const std::string& format, const Model& model, const Drawing& drawing,
+              const ObjOptions& options) {
+  const Drawing* texture = drawing.rgba.empty() ? nullptr : &drawing;
+  if (format == "obj") return encode_obj_files(model, texture, options);
+  if (format == "3mf") return threemf_files(model, texture, options.size_mm);
+  Files files;
+  const std::string file = options.name + "." + format;
+  if (format == "ply") files.add(file, encode_ply(model, texture, {options.size_mm, ""}));
+  if (format == "stl") files.add(file, encode_stl(model, options.size_mm));
+  if (format == "glb") files.add(file, encode_glb(model, texture, options.size_mm));
+  if (format == "usdz") files.add(file, encode_usdz(model, texture, options.size_mm));
+  if (format == "html") files.add(file, encode_html(model, texture, options.name));
+  return files.finish();
+}
+
 }  // namespace
 
 val Reconstruction::build(const std::string& text, const val& options, const val& progress) {
@@ -164,7 +214,7 @@ val Reconstruction::surface(const std::string& visibility, double tolerance,
   options.visibility = visibility_named(visibility);
   options.rim_tolerance = tolerance;
   const auto model = session_.model(options, field_named(field));
-  return model ? to_js(*model, shown_) : failure(model.error());
+  return model ? to_js(*model, hidden_patches(*model, shown_)) : failure(model.error());
 }
 
 val Reconstruction::overlays() const {
@@ -187,6 +237,37 @@ void Reconstruction::set_shown(const val& rgba, int width, int height) {
   shown_.rgba = width < 1 || height < 1 ? Image8() : to_image(rgba, width, height);
 }
 
+val Reconstruction::solid(const val& options) const {
+  const auto made = session_.solid(to_solid_options(options), texture_);
+  if (!made) return failure(made.error());
+  const Box3 box = extent(made->model);
+  const Image8& rgba = made->drawing.rgba;
+  val sizes = val::array();
+  for (const double side : {box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z})
+    sizes.call<void>("push", side);
+  val result = val::object();
+  Model model = made->model;
+  for (Point3& p : model.positions) p.z -= 0.5 * (box.min.z + box.max.z);
+  result.set("surface", to_js(model, HiddenPatches{}));
+  result.set("size", sizes);
+  result.set("volume", made->facts.volume);
+  result.set("pieces", made->facts.pieces);
+  result.set("loose", wasm::to_js(made->facts.loose));
+  result.set("rgba", wasm::to_js(rgba.pixels));
+  result.set("width", rgba.width);
+  result.set("height", rgba.height);
+  return result;
+}
+
+val Reconstruction::encode_solid(const std::string& format, const std::string& name,
+                                 const val& options) {
+  if (Status status = session_.make_exact(); !status) return failure(status.error());
+  const SolidOptions solid = to_solid_options(options);
+  const auto made = session_.solid(solid, texture_);
+  if (!made) return failure(made.error());
+  return encode_as(format, made->model, made->drawing, {longest_side(made->model), name});
+}
+
 val Reconstruction::encode(const std::string& format, const std::string& name, double size_mm) {
   if (Status status = session_.make_exact(); !status) return failure(status.error());
   ModelOptions options;
@@ -195,14 +276,7 @@ val Reconstruction::encode(const std::string& format, const std::string& name, d
   auto assembled = session_.model(options);
   if (!assembled) return failure(assembled.error());
   const auto [model, drawing] = dress_hidden(std::move(*assembled), texture_);
-  const Drawing* texture = drawing.rgba.empty() ? nullptr : &drawing;
-  if (format == "obj") return encode_obj_files(model, texture, {size_mm, name});
-  Files files;
-  const std::string file = name + "." + format;
-  if (format == "ply") files.add(file, encode_ply(model, texture, {size_mm, ""}));
-  if (format == "stl") files.add(file, encode_stl(model, size_mm));
-  if (format == "glb") files.add(file, encode_glb(model, texture, size_mm));
-  return files.finish();
+  return encode_as(format, model, drawing, {size_mm, name});
 }
 
 val Reconstruction::map(const std::string& kind, int side, bool green_down) {

@@ -37,9 +37,19 @@ class Reconstruction {
   /// array is empty.
   void set_texture(const emscripten::val& rgba, int width, int height);
 
-  /// {files: [{name, bytes}]}: the model named `name` as "glb", "obj", "ply" or "stl", as the
-  /// command line writes it, to the last bit.
+  /// {files: [{name, bytes}]}: the model named `name` as "glb", "obj", "ply", "stl", "usdz" or
+  /// "html", as the command line writes it, to the last bit.
   emscripten::val encode(const std::string& format, const std::string& name, double size_mm);
+
+  /// A closed solid of what is built. `options`: {size, back: "flat", "drawing" or "parts", base:
+  /// "none", "outline", "plate" or "round", height, detail, thickness, hole, ring}, all there, see
+  /// SolidOptions. Returns {surface, size: [mm, mm, mm], volume, pieces, loose, rgba, width,
+  /// height}: a surface in mm, from x = y = 0 on and around z = 0, and its picture.
+  emscripten::val solid(const emscripten::val& options) const;
+
+  /// {files}: such a solid, likewise; as "3mf" the files of its package.
+  emscripten::val encode_solid(const std::string& format, const std::string& name,
+                               const emscripten::val& options);
 
   /// {bytes}: the "normal", "depth" or "part" map, PNG, longest side `side` px, likewise.
   emscripten::val map(const std::string& kind, int side, bool green_down);

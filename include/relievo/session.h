@@ -12,6 +12,7 @@
 #include "relievo/result.h"
 #include "relievo/run_context.h"
 #include "relievo/scene.h"
+#include "relievo/solid.h"
 
 namespace relievo {
 
@@ -65,6 +66,11 @@ class Session {
   /// Height, normal and part of every pixel of the front view, `longest` px on the longer side.
   /// Errors: likewise.
   Result<ReliefMaps> maps(int longest, const RunContext& context = {}) const;
+
+  /// A closed solid of what the front shows, `drawing` on it. Errors: likewise; `usage` where an
+  /// option is out of range, or where size, thickness and margin leave no room.
+  Result<Solid> solid(const SolidOptions& options = {}, const Drawing& drawing = {},
+                      const RunContext& context = {}) const;
 
   /// What holds where on the outlines of the approximate method. Error: likewise.
   Result<MeshLines> lines() const;

@@ -4,7 +4,7 @@
 
 #include "relievo/image.h"
 #include "relievo/model.h"
-#include "solid/solid_options.h"
+#include "relievo/solid.h"
 
 namespace relievo {
 

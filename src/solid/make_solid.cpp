@@ -123,7 +123,7 @@ double volume_of(const Model& model) {
 std::vector<ModelPart> parts_with_base(const Model& model) {
   std::vector<ModelPart> parts = model.parts;
   std::string id = "base";
-  const auto taken = [&model, &id](const ModelPart& part) { return part.id == id; };
+  const auto taken = [&id](const ModelPart& part) { return part.id == id; };
   while (std::any_of(parts.begin(), parts.end(), taken)) id += "-";
   ModelPart base;
   base.id = id;
@@ -188,7 +188,7 @@ Result<Solid> make_solid(const VisibleSheet& given, const Drawing& drawing,
   if (!model) return model.error();
   SolidFacts facts = find_pieces(field, parts);
   facts.volume = volume_of(*model);
-  return Solid{{std::move(*model), std::move(painted.drawing)}, std::move(facts)};
+  return Solid{std::move(*model), std::move(painted.drawing), std::move(facts)};
 }
 
 }  // namespace relievo

@@ -1,25 +1,10 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "relief/model/drawn_model.h"
 #include "relief/model/visible_sheet.h"
 #include "relievo/result.h"
-#include "solid/solid_options.h"
+#include "relievo/solid.h"
 
 namespace relievo {
-
-struct SolidFacts {
-  double volume = 0;               ///< mm^3
-  int pieces = 0;                  ///< that do not hang together
-  std::vector<std::string> loose;  ///< parts of all pieces but the largest
-};
-
-struct Solid {
-  DrawnModel drawn;  ///< in mm, not px: lying on z = 0, its box's corner in the origin
-  SolidFacts facts;
-};
 
 /// Everything below what the front shows, down to a flat back or to what lies behind, with upright
 /// walls where depth changes: closed, a manifold and free of self-intersections, also when its

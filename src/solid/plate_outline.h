@@ -2,7 +2,7 @@
 
 #include "kernel/geometry/polygon.h"
 #include "relievo/result.h"
-#include "solid/solid_options.h"
+#include "relievo/solid.h"
 
 namespace relievo {
 

@@ -11,8 +11,8 @@ namespace {
 
 struct PointHash {
   size_t operator()(const GridPoint& p) const {
-    return static_cast<size_t>(p.x) * 0x9E3779B97F4A7C15U ^
-           (static_cast<size_t>(p.y) * 0xC2B2AE3D27D4EB4FU >> 7);
+    return static_cast<size_t>(static_cast<uint64_t>(p.x) * 0x9E3779B97F4A7C15U ^
+                               (static_cast<uint64_t>(p.y) * 0xC2B2AE3D27D4EB4FU >> 7));
   }
 };
 

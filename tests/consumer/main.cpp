@@ -49,6 +49,9 @@ Status use_session() {
   if (!maps) return maps.error();
   if (Status s = expect(maps->part.at(20, 20) == 0 && maps->part.at(50, 50) == 1, "part map"); !s)
     return s;
+  const auto solid = session.solid({.base = relievo::BaseShape::plate});
+  if (!solid) return solid.error();
+  if (Status s = expect(solid->facts.pieces == 1 && solid->facts.volume > 0, "solid"); !s) return s;
   relievo::RenderOptions picture;
   picture.width = picture.height = 64;
   const auto rendered = relievo::render_model(*model, nullptr, picture);

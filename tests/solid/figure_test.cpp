@@ -33,7 +33,7 @@ VisibleSheet whole_ball() {
   return sheet;
 }
 
-SolidCensus figure_census(const Solid& solid) { return census_of_stl(stl_of(solid.drawn.model)); }
+SolidCensus figure_census(const Solid& solid) { return census_of_stl(stl_of(solid.model)); }
 
 TEST(Figure, OfABallIsOne) {
   const auto solid = make_solid(whole_ball(), {}, figure_of(80));
@@ -45,7 +45,7 @@ TEST(Figure, OfABallIsOne) {
   const double volume = 4.0 / 3 * std::numbers::pi * 40 * 40 * 40;
   EXPECT_NEAR(found.volume, volume, 0.01 * volume);
   // All of it lies near the sphere, and normals point outwards.
-  const Model& model = solid->drawn.model;
+  const Model& model = solid->model;
   for (size_t v = 0; v < model.positions.size(); ++v) {
     const Point3 p = model.positions[v] - Point3{40, 40, 40};
     EXPECT_NEAR(norm(p), 40, 1);
@@ -57,9 +57,8 @@ TEST(Figure, HasTheDrawingOrThePartsColoursBehind) {
   for (const BackSide side : {BackSide::drawing, BackSide::parts}) {
     const auto solid = make_solid(whole_ball(), quarters(), figure_of(80, side));
     ASSERT_TRUE(solid.ok());
-    const Model& model = solid->drawn.model;
-    const double seam =
-        static_cast<double>(quarters().rgba.height) / solid->drawn.drawing.rgba.height;
+    const Model& model = solid->model;
+    const double seam = static_cast<double>(quarters().rgba.height) / solid->drawing.rgba.height;
     for (const std::array<int, 3>& t : model.triangles) {
       const bool behind =
           std::all_of(t.begin(), t.end(), [&model](int v) { return model.normals[v].z < -0.2; });
@@ -84,7 +83,7 @@ TEST(Figure, KeepsWithinAHeight) {
   options.height = 20;
   const auto solid = make_solid(whole_ball(), {}, options);
   ASSERT_TRUE(solid.ok());
-  const Box3 box = extent(solid->drawn.model);
+  const Box3 box = extent(solid->model);
   EXPECT_NEAR(box.max.z - box.min.z, 20, 0.1);
   EXPECT_NEAR(box.max.x - box.min.x, 80, 1e-3);
 }
@@ -109,7 +108,7 @@ TEST_P(RandomFigure, IsClosedAndShowsTheRelief) {
       128 / std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - low});
   const double unit = std::ldexp(1.0, 8 - 24);
   std::map<std::pair<double, double>, std::vector<double>> columns;
-  for (const Point3 p : solid->drawn.model.positions) columns[{p.x, p.y}].push_back(p.z);
+  for (const Point3 p : solid->model.positions) columns[{p.x, p.y}].push_back(p.z);
   int missing = 0;
   for (const std::array<int, 3>& t : sheet.model.triangles)
     for (const int v : t) {

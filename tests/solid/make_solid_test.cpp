@@ -24,7 +24,7 @@ using namespace testing;
 /// A hemisphere of radius 40 px as a sheet.
 VisibleSheet ball() { return {hemisphere(40, 64), {}, {}}; }
 
-SolidCensus census(const Solid& solid) { return census_of_stl(stl_of(solid.drawn.model)); }
+SolidCensus census(const Solid& solid) { return census_of_stl(stl_of(solid.model)); }
 
 TEST(MakeSolid, HasTheVolumeOfAHemisphereOnItsDisc) {
   SolidOptions options;
@@ -60,7 +60,7 @@ TEST(MakeSolid, ThePlateAddsItsOwnVolume) {
     EXPECT_EQ(found.pieces, 1);
     EXPECT_EQ(found.holes, 0);
     EXPECT_NEAR(found.volume, ball_volume + 3 * area, 1e-3 * ball_volume);
-    EXPECT_NEAR(longest_side(solid->drawn.model), 100, 0.1);
+    EXPECT_NEAR(longest_side(solid->model), 100, 0.1);
   }
 }
 
@@ -71,7 +71,7 @@ TEST(MakeSolid, LimitsTheHeightAndTurnsNormalsWithIt) {
   options.height = 11;
   const auto solid = make_solid(ball(), {}, options);
   ASSERT_TRUE(solid.ok());
-  const Model& model = solid->drawn.model;
+  const Model& model = solid->model;
   const Box3 box = extent(model);
   EXPECT_NEAR(box.max.z, 11, 1e-4);
   EXPECT_NEAR(box.max.x, 80, 1e-4);
@@ -146,8 +146,8 @@ TEST(MakeSolid, NamesWhatIsLoose) {
 TEST(MakeSolid, PaintsTheBaseAndKeepsTheDrawing) {
   const auto solid = make_solid(ball(), quarters(), {});
   ASSERT_TRUE(solid.ok());
-  const Image8& picture = solid->drawn.drawing.rgba;
-  const Model& model = solid->drawn.model;
+  const Image8& picture = solid->drawing.rgba;
+  const Model& model = solid->model;
   const Image8 original = quarters().rgba;
   for (int y = 0; y < original.height; ++y)
     for (int x = 0; x < original.width; ++x)
@@ -192,7 +192,7 @@ TEST_P(RandomSolid, IsClosedAndShowsTheRelief) {
   const Point3 sides = box.max - box.min;
   const double scale = std::min(options.size / std::max(sides.x, sides.y),
                                 (options.size - options.thickness) / sides.z);
-  const auto heights = columns(solid->drawn.model);
+  const auto heights = columns(solid->model);
   int missing = 0;
   for (const std::array<int, 3>& t : sheet.model.triangles)
     for (const int v : t) {

@@ -87,9 +87,9 @@ TEST(Slicer, SlicesSolidsAndFiguresOfAllDrawings) {
       ASSERT_TRUE(solid.ok()) << to_string(solid.error());
       const TemporaryFolder folder;
       const fs::path stl = folder.path() / "solid.stl";
-      std::ofstream(stl, std::ios::binary) << stl_of(solid->drawn.model);
+      std::ofstream(stl, std::ios::binary) << stl_of(solid->model);
       expect_sliceable(stl, solid->facts.volume);
-      const auto painted = encode_3mf(solid->drawn.model, &solid->drawn.drawing);
+      const auto painted = encode_3mf(solid->model, &solid->drawing);
       ASSERT_TRUE(painted.ok());
       const fs::path package = folder.path() / "solid.3mf";
       std::ofstream(package, std::ios::binary)

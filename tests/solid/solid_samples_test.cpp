@@ -24,7 +24,7 @@ void expect_sound(const std::string& path, const SolidOptions& options) {
   const DrawnRelief drawn = relief_of(path, relief_options);
   const auto solid = make_solid(sheet_of(drawn.scene, drawn.relief), drawn.drawing, options);
   ASSERT_TRUE(solid.ok()) << to_string(solid.error());
-  const std::string stl = stl_of(solid->drawn.model);
+  const std::string stl = stl_of(solid->model);
   const SolidCensus census = census_of_stl(stl);
   EXPECT_EQ(what_is_wrong(census), "");
   EXPECT_EQ(census.pieces, 1);

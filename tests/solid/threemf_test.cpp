@@ -44,14 +44,14 @@ std::map<std::string, int> values(const std::string& text, const std::string& at
 
 TEST(Threemf, IsReadByTheReferenceLibraryWithoutWarnings) {
   const Solid solid = painted_ball();
-  for (const Drawing* drawing : {static_cast<const Drawing*>(nullptr), &solid.drawn.drawing}) {
-    const auto package = encode_3mf(solid.drawn.model, drawing);
+  for (const Drawing* drawing : {static_cast<const Drawing*>(nullptr), &solid.drawing}) {
+    const auto package = encode_3mf(solid.model, drawing);
     ASSERT_TRUE(package.ok()) << to_string(package.error());
     const ThreemfCensus census = census_of_3mf(*package);
     EXPECT_TRUE(census.readable);
     EXPECT_EQ(census.warnings, std::vector<std::string>());
     EXPECT_EQ(census.objects, 1);
-    EXPECT_EQ(census.triangles, static_cast<int>(solid.drawn.model.triangles.size()));
+    EXPECT_EQ(census.triangles, static_cast<int>(solid.model.triangles.size()));
     EXPECT_TRUE(census.manifold);
   }
 }
@@ -60,18 +60,18 @@ TEST(Threemf, HoldsRandomSolidsAsManifolds) {
   for (uint64_t seed = 0; seed < 10; ++seed) {
     const auto solid = make_solid(sheet_of(random_scene(seed), 1500), {}, {});
     ASSERT_TRUE(solid.ok());
-    const auto package = encode_3mf(solid->drawn.model, nullptr, {77});
+    const auto package = encode_3mf(solid->model, nullptr, {77});
     ASSERT_TRUE(package.ok());
     const ThreemfCensus census = census_of_3mf(*package);
     EXPECT_TRUE(census.manifold) << seed;
-    EXPECT_EQ(census.triangles, static_cast<int>(solid->drawn.model.triangles.size()));
+    EXPECT_EQ(census.triangles, static_cast<int>(solid->model.triangles.size()));
   }
 }
 
 TEST(Threemf, PaintsEveryTriangleForBothKindsOfSlicers) {
   const Solid solid = painted_ball();
-  const auto package = encode_3mf(solid.drawn.model, &solid.drawn.drawing, {100, 5});
-  const auto other = encode_3mf(solid.drawn.model, &solid.drawn.drawing, {100, 5, Slicer::bambu});
+  const auto package = encode_3mf(solid.model, &solid.drawing, {100, 5});
+  const auto other = encode_3mf(solid.model, &solid.drawing, {100, 5, Slicer::bambu});
   ASSERT_TRUE(package.ok() && other.ok());
   const std::string text = model_text(*package);
   const std::map<std::string, int> paint = values(text, "slic3rpe:mmu_segmentation");
@@ -83,15 +83,15 @@ TEST(Threemf, PaintsEveryTriangleForBothKindsOfSlicers) {
     ASSERT_EQ(paint.count(code), 1U) << code;
     all += paint.at(code);
   }
-  EXPECT_EQ(all, static_cast<int>(solid.drawn.model.triangles.size()));
+  EXPECT_EQ(all, static_cast<int>(solid.model.triangles.size()));
   for (const char* colour : {"#FF0000", "#00FF00", "#0000FF"})
     EXPECT_NE(text.find(colour), std::string::npos) << colour;
 }
 
 TEST(Threemf, IsTheSameEveryTime) {
   const Solid solid = painted_ball();
-  const auto first = encode_3mf(solid.drawn.model, &solid.drawn.drawing);
-  const auto second = encode_3mf(solid.drawn.model, &solid.drawn.drawing);
+  const auto first = encode_3mf(solid.model, &solid.drawing);
+  const auto second = encode_3mf(solid.model, &solid.drawing);
   ASSERT_TRUE(first.ok() && second.ok());
   EXPECT_TRUE(*first == *second);
 }

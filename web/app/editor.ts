@@ -1,10 +1,11 @@
-import type { BuiltRelief, EngineError } from '../engine/messages';
+import type { BuiltRelief, EngineError, Solid } from '../engine/messages';
 import { noteCorrections } from '../document/corrections';
 import { cueRanges } from '../document/cues';
 import { type Cue, type Document, emptyDocument } from '../document/document';
 import type { Gap } from '../document/gaps';
 import { amend, type History, record, redo, startHistory, undo } from '../document/history';
 import type { Brush } from '../tools/scribble_tool';
+import { type PrintChoice, usualPrint } from './print_choice';
 import { Store } from './store';
 
 export type ToolName = 'select' | 'draw' | 'join' | 'order' | 'range' | 'hand' | 'scribble' | 'outline' | 'cue';
@@ -67,7 +68,10 @@ export interface EditorState {
   saved: 'yes' | 'no' | 'failed';
   /** One line for a person, read out by screen readers. */
   notice: string;
-  panel: 'none' | 'keys' | 'export' | 'settings' | 'versions';
+  panel: 'none' | 'keys' | 'export' | 'print' | 'settings' | 'versions';
+  print: PrintChoice;
+  /** What is shown in place of the relief while it is prepared for printing, or why there is none. */
+  solid: Solid | EngineError | null;
   tourStep: number | null;
   brush: Brush;
   /** What the next line of the profile tool says. */
@@ -111,6 +115,8 @@ function firstState(): EditorState {
     saved: 'yes',
     notice: '',
     panel: 'none',
+    print: usualPrint,
+    solid: null,
     tourStep: null,
     brush: { kind: 'auto', part: null, width: 12, soft: false },
     cue: { kind: 'crease', value: cueRanges.crease.usual },
@@ -163,6 +169,7 @@ export class Editor extends Store<EditorState> {
       hovered: null,
       culprit: null,
       relief: null,
+      solid: null,
       picture,
       tint: null,
       gap: null,
@@ -172,8 +179,10 @@ export class Editor extends Store<EditorState> {
     });
   }
 
+  /** Chooses a part; a solid's plate is none. */
   select(id: string | null): void {
-    this.set({ selected: id });
+    const known = this.document.parts.some((part) => part.id === id);
+    this.set({ selected: known ? id : null });
   }
 
   private show(history: History): void {

@@ -8,6 +8,7 @@ import { useStore } from './store';
 
 const formats: readonly [ExportFormat, MessageKey][] = [
   ['glb', 'formatGlb'], ['obj', 'formatObj'], ['ply', 'formatPly'], ['stl', 'formatStl'],
+  ['usdz', 'formatUsdz'], ['html', 'formatHtml'],
 ];
 const maps: readonly [MapKind, MessageKey][] = [
   ['normal', 'mapNormal'], ['depth', 'mapDepth'], ['part', 'mapPart'],
@@ -33,6 +34,7 @@ export function ExportPanel({ editor, files, picture, turntable }: ExportPanelPr
         <span>{t('size')}</span>
         <input type="number" min={1} max={10000} value={document.settings.sizeMm} onChange={(event) => setSize(Number(event.currentTarget.value))} />
       </label>
+      <button type="button" class="wide primary" id="print" onClick={() => editor.set({ panel: 'print', pane: 'model' })}>{t('printOpen')}</button>
       <h3>{t('exportModels')}</h3>
       {formats.map(([format, label]) => (
         <button type="button" class="wide" key={format} data-export={format} onClick={() => void files.exportModel(format)}>

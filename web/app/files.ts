@@ -5,7 +5,7 @@ import { isOwnPicture } from '../document/segmentation';
 import { sceneContent } from '../document/scene_text';
 import { adopt } from '../document/scribbling';
 import type { Engine } from '../engine/engine';
-import { type ExportFormat, isFailure, type MapKind, type OutputFile } from '../engine/messages';
+import { type ExportFormat, isFailure, type MapKind, type OutputFile, type SolidFormat, told } from '../engine/messages';
 import { packProject, unpackOra, unpackProject, zipped } from './archives';
 import type { BuildControl } from './build_control';
 import { t } from './catalogue';
@@ -14,6 +14,7 @@ import type { Editor, ShelfPlace } from './editor';
 import type { Keeper } from './keeper';
 import { documentOfLayers, layersAmong, readLayers } from './layered_drawing';
 import { flatDrawing, flatOfSvg, pictureOf, pngOf, textureOf } from './pictures';
+import { solidOptions } from './print_choice';
 import { documentOfScene } from './scene_files';
 import type { SegmentControl } from './segment_control';
 
@@ -141,6 +142,18 @@ export class Files {
       const [only, ...others] = files.files;
       if (only && others.length === 0) download(only);
       else download({ name: `${doc.name}-${format}.zip`, bytes: await zipped(files.files) });
+    });
+  };
+
+  exportSolid = async (format: SolidFormat): Promise<void> => {
+    await this.exporting(async () => {
+      const { document: doc, state } = this.editor;
+      const options = solidOptions(state.print, doc.settings.sizeMm);
+      const files = await this.engine.encodeSolid(format, doc.name, options, textureOf(doc, state.picture));
+      if (isFailure(files)) throw new Error(told(files.error));
+      const [only] = files.files;
+      if (format === '3mf') download({ name: `${doc.name}.3mf`, bytes: await zipped(files.files) });
+      else if (only) download(only);
     });
   };
 

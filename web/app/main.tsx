@@ -9,6 +9,7 @@ import { Editor } from './editor';
 import { Files } from './files';
 import { Keeper } from './keeper';
 import type { PaperControl } from './paper_pane';
+import { PrintControl } from './print_control';
 import { SegmentControl } from './segment_control';
 import { type HeldKeys, listenToKeys } from './shortcuts';
 import { Standing } from './standing';
@@ -89,6 +90,7 @@ async function main(): Promise<void> {
   const editor = new Editor();
   const full = new Engine(compiled);
   const control = new BuildControl(editor, new Engine(compiled), full);
+  new PrintControl(editor, full, control);
   const keeper = new Keeper(editor, await openShelf());
   const segments = new SegmentControl(editor, () => new Engine(compiled));
   const files = new Files(editor, full, { control, segments }, keeper);

@@ -1,7 +1,8 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { told } from '../engine/messages';
+import { type EngineError, type Solid, told } from '../engine/messages';
 import { ModelView } from '../view/model_view';
 import { listenToOrbit } from '../view/orbit';
+import type { Painted } from '../view/painted_drawing';
 import { t } from './catalogue';
 import type { Editor, Shading } from './editor';
 import { EnergyCurve } from './energy_curve';
@@ -58,17 +59,30 @@ function listen(canvas: HTMLCanvasElement, view: ModelView, editor: Editor, ligh
   canvas.addEventListener('dblclick', () => view.turn(0, 0));
 }
 
+function madeOf(solid: Solid | EngineError | null): Solid | null {
+  return solid && 'surface' in solid ? solid : null;
+}
+
+/** The page that a solid's picture fills. */
+function sheetOf({ picture }: Solid): Painted {
+  return { width: picture.width, height: picture.height, parts: [], joins: [] };
+}
+
 /** Brings the view up with the editor; each part of it only when it changed. */
 function follow(view: ModelView, editor: Editor): () => void {
   let before: readonly unknown[] = [];
   const update = (): void => {
     const { relief, picture, shading, hovered, selected, history, preview } = editor.state;
     const document = preview ?? history.document;
-    const now = [relief, picture ?? document.parts, shading, hovered ?? selected, document.name];
-    if (now[1] !== before[1] || now[4] !== before[4])
-      view.paint(picture || document.parts.length > 0 ? document : null, picture, preview ? previewSide : undefined);
+    const solid = madeOf(editor.state.solid);
+    const now = [solid ?? relief, solid ?? picture ?? document.parts, shading, hovered ?? selected, document.name];
+    if (now[1] !== before[1] || now[4] !== before[4]) {
+      if (solid) view.paint(sheetOf(solid), solid.picture);
+      else view.paint(picture || document.parts.length > 0 ? document : null, picture, preview ? previewSide : undefined);
+    }
     if (now[0] !== before[0]) {
-      view.show(relief?.surface ?? null, document.width, document.height);
+      if (solid) view.show(solid.surface, solid.size[0], solid.size[1]);
+      else view.show(relief?.surface ?? null, document.width, document.height);
       void view.drawn().then(() => {
         if (editor.state.relief === relief) editor.set({ shown: relief });
       });

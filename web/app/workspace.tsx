@@ -27,6 +27,7 @@ import { type PaperControl, PaperPane } from './paper_pane';
 import { PaperPixels } from './paper_pixels';
 import { PartList } from './part_list';
 import { PartPanel } from './part_panel';
+import { PrintPanel } from './print_panel';
 import { SettingsPanel } from './settings_panel';
 import { ScribbleBar, StrokeList } from './scribble_bar';
 import type { SegmentControl } from './segment_control';
@@ -195,6 +196,7 @@ export function Workspace({ editor, files, keeper, segments, held, attachPaper, 
         <PartPanel editor={editor} />
       </aside>
       {panel === 'export' && <ExportPanel editor={editor} files={files} picture={picture} turntable={turntable} />}
+      {panel === 'print' && <PrintPanel editor={editor} files={files} />}
       {panel === 'versions' && <VersionsPanel editor={editor} keeper={keeper} />}
       {panel === 'settings' && <SettingsPanel editor={editor} />}
       {panel === 'keys' && <KeysPanel />}

@@ -2,7 +2,7 @@ import * as Comlink from 'comlink';
 import type { EngineEndpoint } from './engine_worker';
 import type {
   BuiltRelief, ExportFormat, Failure, Files, FlatDrawing, LayersImport, MapKind, OutputFile, Progress,
-  SegmentationRequest, Surface, SvgImport, Texture, TintedLabels, Understanding, UnderstandingRequest,
+  SegmentationRequest, Solid, SolidFormat, SolidOptions, Surface, SvgImport, Texture, TintedLabels, Understanding, UnderstandingRequest,
 } from './messages';
 import type { BuildRequest, SurfaceRequest } from './relief_service';
 
@@ -92,6 +92,15 @@ export class Engine {
 
   encode(format: ExportFormat, name: string, sizeMm: number, texture: Texture | null): Promise<Files | Failure> {
     return this.call(async (remote) => await remote.encode(format, name, sizeMm, texture));
+  }
+
+  /** A closed solid of what was built last, `drawing` on it, however small. */
+  solid(options: SolidOptions, drawing: ImageBitmap): Promise<Solid | Failure> {
+    return this.call(async (remote) => (await remote.solid(options, drawing)) as Solid | Failure);
+  }
+
+  encodeSolid(format: SolidFormat, name: string, options: SolidOptions, texture: Texture): Promise<Files | Failure> {
+    return this.call(async (remote) => await remote.encodeSolid(format, name, options, texture));
   }
 
   map(kind: MapKind, side: number, greenDown: boolean): Promise<{ bytes: Uint8Array } | Failure> {

@@ -1,7 +1,7 @@
 import * as Comlink from 'comlink';
 import {
   type BuiltRelief, type Failure, type FlatDrawing, isFailure, type OutputFile, type Progress, type SegmentationRequest,
-  type Surface, type Texture, type TintedLabels, type UnderstandingRequest,
+  type Solid, type SolidOptions, type Surface, type Texture, type TintedLabels, type UnderstandingRequest,
 } from './messages';
 import { type BuildRequest, ReliefService, type SurfaceRequest } from './relief_service';
 import { tintOf } from './tint';
@@ -80,6 +80,16 @@ const endpoint = {
   },
   async encode(...arguments_: Parameters<ReliefService['encode']>) {
     return (await started()).encode(...arguments_);
+  },
+  async solid(options: SolidOptions, drawing: ImageBitmap): Promise<Solid | Failure> {
+    const made = (await started()).solid(options, pixelsOf(drawing));
+    if (isFailure(made)) return made;
+    const { rgba, width, height, ...solid } = made;
+    const picture = await createImageBitmap(new ImageData(new Uint8ClampedArray(rgba), width, height));
+    return Comlink.transfer({ ...solid, picture }, [...arraysOf(solid.surface), picture]);
+  },
+  async encodeSolid(...arguments_: Parameters<ReliefService['encodeSolid']>) {
+    return (await started()).encodeSolid(...arguments_);
   },
   async map(...arguments_: Parameters<ReliefService['map']>) {
     return (await started()).map(...arguments_);

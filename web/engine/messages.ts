@@ -4,7 +4,8 @@ export type Method = 'approximate' | 'nonlinear';
 export type Visibility = 'relief' | 'orbit' | 'all';
 /** The heights, or one of the two that they are the sum of. */
 export type Field = 'relief' | 'inflation' | 'shift';
-export type ExportFormat = 'glb' | 'obj' | 'ply' | 'stl';
+export type ExportFormat = 'glb' | 'obj' | 'ply' | 'stl' | 'usdz' | 'html';
+export type SolidFormat = '3mf' | 'stl' | 'glb' | 'usdz';
 export type MapKind = 'normal' | 'depth' | 'part';
 
 export interface BuildOptions {
@@ -63,6 +64,39 @@ export interface Surface {
   /** sRGB, three bytes a vertex, of what is hidden. */
   colors: Uint8Array<ArrayBuffer>;
   parts: PartRun[];
+}
+
+/** What a closed solid is like; lengths in mm, see the command line's --profile. */
+export interface SolidOptions {
+  /** Longest side of the whole. */
+  size: number;
+  /** The plate's side, or a figure's. */
+  back: 'flat' | 'drawing' | 'parts';
+  base: 'none' | 'outline' | 'plate' | 'round';
+  /** Of the whole at most; 0: as deep as it is. */
+  height: number;
+  /** Whether small forms keep their depth then. */
+  detail: boolean;
+  thickness: number;
+  /** Diameters of a hole in the plate and of one in a loop above it; 0: none. */
+  hole: number;
+  ring: number;
+}
+
+export interface SolidFacts {
+  /** mm */
+  size: [number, number, number];
+  /** mm^3 */
+  volume: number;
+  pieces: number;
+  /** Parts of all pieces but the largest. */
+  loose: string[];
+}
+
+/** A solid as it is shown, in mm from x = y = 0 on, around z = 0, with its picture. */
+export interface Solid extends SolidFacts {
+  surface: Surface;
+  picture: ImageBitmap;
 }
 
 /** Segments of edges in canvas px, four numbers each; ramps have alpha at both ends besides. */

@@ -15,6 +15,8 @@ import {
   type Labelled,
   type MapKind,
   type SegmentationRequest,
+  type SolidFormat,
+  type SolidOptions,
   type SvgImport,
   type Texture,
   type Understanding,
@@ -105,6 +107,18 @@ export class ReliefService {
     const drawn = texture ?? noTexture;
     this.reconstruction.setTexture(drawn.rgba, drawn.width, drawn.height);
     return this.reconstruction.encode(format, name, sizeMm);
+  }
+
+  /** A closed solid of the last build and its pixels; `texture` is the drawing. */
+  solid(options: SolidOptions, texture: Texture) {
+    this.reconstruction.setTexture(texture.rgba, texture.width, texture.height);
+    return this.reconstruction.solid(options);
+  }
+
+  /** Its file; as 3MF the files of its package. */
+  encodeSolid(format: SolidFormat, name: string, options: SolidOptions, texture: Texture): Files | Failure {
+    this.reconstruction.setTexture(texture.rgba, texture.width, texture.height);
+    return this.reconstruction.encodeSolid(format, name, options);
   }
 
   map(kind: MapKind, side: number, greenDown: boolean): { bytes: Uint8Array } | Failure {

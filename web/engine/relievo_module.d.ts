@@ -1,9 +1,12 @@
 /** The module that Emscripten makes of bindings/wasm. */
 declare module '#relievo' {
   import type {
-    Failure, Files, Labelled, LayersImport, OutputFile, Overlays, Report, SvgImport, Surface, Understanding,
+    Failure, Files, Labelled, LayersImport, OutputFile, Overlays, Report, SolidFacts, SvgImport, Surface,
+    Understanding,
   } from './messages';
-  import type { BuildOptions, ExportFormat, Field, MapKind, Progress, Visibility } from './messages';
+  import type {
+    BuildOptions, ExportFormat, Field, MapKind, Progress, SolidFormat, SolidOptions, Visibility,
+  } from './messages';
 
   export interface Reconstruction {
     build(scene: string, options: BuildOptions, progress: Progress): Report | Failure;
@@ -12,6 +15,8 @@ declare module '#relievo' {
     setShown(rgba: Uint8Array, width: number, height: number): void;
     setTexture(rgba: Uint8Array, width: number, height: number): void;
     encode(format: ExportFormat, name: string, sizeMm: number): Files | Failure;
+    solid(options: SolidOptions): (SolidFacts & { surface: Surface; rgba: Uint8Array; width: number; height: number }) | Failure;
+    encodeSolid(format: SolidFormat, name: string, options: SolidOptions): Files | Failure;
     map(kind: MapKind, side: number, greenDown: boolean): { bytes: Uint8Array } | Failure;
     delete(): void;
   }

@@ -1,6 +1,7 @@
 #include "io/mesh/threemf_encode.h"
 
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <map>
 #include <string>
@@ -9,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "io/archive/pack_archive.h"
 #include "io/files/number_text.h"
 #include "io/image/png_encode.h"
 #include "io/mesh/filament_colours.h"
@@ -41,9 +41,10 @@ using FloatPlace = std::array<float, 3>;
 
 struct PlaceHash {
   size_t operator()(const FloatPlace& place) const {
-    size_t hash = 0;
-    for (const float value : place) hash = hash * 0x9E3779B97F4A7C15U + std::hash<float>()(value);
-    return hash;
+    uint64_t hash = 0;
+    for (const float value : place)
+      hash = hash * uint64_t{0x9E3779B97F4A7C15} + std::hash<float>()(value);
+    return static_cast<size_t>(hash);
   }
 };
 
@@ -182,8 +183,8 @@ Bytes xml_bytes(const std::string& text) {
 
 }  // namespace
 
-Result<Bytes> encode_3mf(const Model& model, const Drawing* drawing,
-                         const ThreemfOptions& options) {
+Result<std::vector<ArchiveEntry>> threemf_entries(const Model& model, const Drawing* drawing,
+                                                  const ThreemfOptions& options) {
   if (Status status = check_exportable(model, options.size_mm); !status) return status.error();
   ModelWriter writer(model, octant_placement(model, options.size_mm));
   std::vector<ArchiveEntry> entries = {
@@ -199,7 +200,7 @@ Result<Bytes> encode_3mf(const Model& model, const Drawing* drawing,
     entries.push_back({"3D/Textures/drawing.png", std::move(*png)});
   }
   entries.push_back({"3D/3dmodel.model", xml_bytes(std::move(writer).write())});
-  return pack_archive(entries);
+  return entries;
 }
 
 }  // namespace relievo

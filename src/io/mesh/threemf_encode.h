@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "io/archive/archive_entry.h"
 #include "relievo/bytes.h"
 #include "relievo/image.h"
 #include "relievo/model.h"
@@ -19,11 +22,15 @@ struct ThreemfOptions {
   Slicer slicer = Slicer::prusa;
 };
 
-/// The model as a 3MF package: mm, lying on z = 0 in the positive octant, one object whose
-/// vertices at one place are one. With a drawing its triangles carry that as a texture (materials
-/// extension), and are painted for several filaments, whose colours are listed in the package's
-/// description. Precondition: the model is a closed manifold. Errors: as check_exportable;
-/// `internal` where it cannot be packed.
+/// The model as the files of a 3MF package: mm, lying on z = 0 in the positive octant, one object
+/// whose vertices at one place are one. With a drawing its triangles carry that as a texture
+/// (materials extension), and are painted for several filaments, whose colours are listed in the
+/// package's description. Precondition: the model is a closed manifold. Errors: as
+/// check_exportable; `internal` where it cannot be packed.
+Result<std::vector<ArchiveEntry>> threemf_entries(const Model& model, const Drawing* drawing,
+                                                  const ThreemfOptions& options = {});
+
+/// The same as the bytes of a file.
 Result<Bytes> encode_3mf(const Model& model, const Drawing* drawing,
                          const ThreemfOptions& options = {});
 

@@ -1,9 +1,10 @@
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { unzipSync } from 'fflate';
 import validator from 'gltf-validator';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { type BuildOptions, isFailure } from '../../engine/messages';
+import { type BuildOptions, isFailure, type SolidFormat, type SolidOptions, type Texture } from '../../engine/messages';
 import type { ReliefService } from '../../engine/relief_service';
 import { relievo, root } from '../support/command_line';
 import { must, shown, startService, usual } from './service';
@@ -75,6 +76,28 @@ describe('the engine and the command line', () => {
       const [file] = must(service.encode(format, 'lamb', 100, null)).files;
       expect(Buffer.from(file!.bytes).equals(readFileSync(join(folder, `lamb.${format}`)))).toBe(true);
     }
+  });
+
+  it('make the same bytes of solids', () => {
+    const scene = importSample('lamb');
+    const plaque = { size: 80, back: 'flat', base: 'plate', height: 9, detail: true, thickness: 2, hole: 4, ring: 0 } as const;
+    native('plaque', scene, '-o', join(folder, 'plaque.stl'), '--profile', 'solid', '--base', 'plate', '--height', '9', '--height-mode', 'detail', '--hole', '4', '--size', '80');
+    native('figure', scene, '-o', join(folder, 'figure.stl'), '-o', join(folder, 'figure.usdz'), '-o', join(folder, 'figure.3mf'), '--profile', 'figure', '--back', 'parts');
+    build(scene);
+    const none: Texture = { rgba: new Uint8Array(), width: 0, height: 0 };
+    const same = (format: SolidFormat, name: string, options: SolidOptions): void => {
+      const [file] = must(service.encodeSolid(format, name, options, none)).files;
+      expect(Buffer.from(file!.bytes).equals(readFileSync(join(folder, `${name}.${format}`)))).toBe(true);
+    };
+    same('stl', 'plaque', plaque);
+    const figure = { ...plaque, size: 100, back: 'parts', base: 'none', height: 0, detail: false, hole: 0 } as const;
+    same('stl', 'figure', figure);
+    same('usdz', 'figure', figure);
+    const packed = unzipSync(readFileSync(join(folder, 'figure.3mf')));
+    for (const { name, bytes } of must(service.encodeSolid('3mf', 'figure', figure, none)).files)
+      expect(Buffer.from(bytes).equals(packed[name]!), name).toBe(true);
+    const refused = service.solid({ ...plaque, size: -1 }, none);
+    expect(isFailure(refused) && refused.error.code).toBe('usage');
   });
 });
 

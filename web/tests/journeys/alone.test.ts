@@ -1,3 +1,4 @@
+import { unzipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { disc } from '../support/pictures.ts';
@@ -25,11 +26,16 @@ async function chosen(page: Page, act: () => Promise<void>): Promise<void> {
   await page.waitForSelector('.parts li', { state: 'attached' });
 }
 
-/** A binary STL file of some triangles. */
+/** A 3MF package whose mesh is closed: every edge is run through once each way. */
 function expectPrint(bytes: Buffer): void {
-  const triangles = bytes.readUInt32LE(80);
-  expect(triangles).toBeGreaterThan(5000);
-  expect(bytes.length).toBe(84 + 50 * triangles);
+  const model = new TextDecoder().decode(unzipSync(new Uint8Array(bytes))['3D/3dmodel.model']);
+  const edges = new Map<string, number>();
+  const corners = [...model.matchAll(/v1="(\d+)" v2="(\d+)" v3="(\d+)"/g)].map((match) => match.slice(1));
+  expect(corners.length).toBeGreaterThan(5000);
+  for (const triangle of corners)
+    triangle.forEach((from, k) => edges.set(`${from} ${triangle[(k + 1) % 3]}`, (edges.get(`${from} ${triangle[(k + 1) % 3]}`) ?? 0) + 1));
+  const open = [...edges].filter(([edge, count]) => count !== 1 || edges.get(edge.split(' ').reverse().join(' ')) !== 1);
+  expect(open).toEqual([]);
 }
 
 it('goes from a flat picture to a print by keys alone', async () => {
@@ -53,9 +59,12 @@ it('goes from a flat picture to a print by keys alone', async () => {
   await page.keyboard.press('ArrowRight');
   await settled(page);
   await page.keyboard.press('Control+e');
-  await tabTo(page, '[data-export=stl]');
+  await tabTo(page, '#print');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('#solid-facts');
+  await tabTo(page, '[data-solid="3mf"]');
   await picture(page, 'keys-alone');
-  expectPrint(await downloaded(page, () => page.keyboard.press('Enter'), 'keys.stl'));
+  expectPrint(await downloaded(page, () => page.keyboard.press('Enter'), 'keys.3mf'));
   expect(stage.troubles).toEqual([]);
 });
 
@@ -102,7 +111,12 @@ it('goes from a flat picture to a print by touch alone, on a phone', async () =>
     await page.waitForSelector('canvas.peek.shown');
     await tap('#peek');
     await tap('#export');
-    expectPrint(await downloaded(page, () => tap('[data-export=stl]'), 'touch.stl'));
+    await tap('#print');
+    await tap('[data-kind=figure]');
+    await page.waitForSelector('#solid-facts');
+    await page.waitForTimeout(1500);
+    await picture(page, 'phone-print');
+    expectPrint(await downloaded(page, () => tap('[data-solid="3mf"]'), 'touch.3mf'));
     expect(phone.troubles).toEqual([]);
   } finally {
     await closeStage(phone);

@@ -35,6 +35,10 @@ it.each(['English', 'Deutsch', 'Français', 'Español', '日本語'])('has room 
   await page.click('#export');
   cut.push(...(await cutWords()));
   await page.screenshot({ path: join(pictures, `language-${tag}-export.png`) });
+  await page.click('#print');
+  await page.locator('#solid-facts').waitFor();
+  cut.push(...(await cutWords()));
+  await page.screenshot({ path: join(pictures, `language-${tag}-print.png`) });
   expect([...new Set(cut)]).toEqual([]);
   await page.reload();
   await page.locator('.languages').waitFor();

@@ -1,5 +1,11 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "relievo/image.h"
+#include "relievo/model.h"
+
 namespace relievo {
 
 /// What a solid stands on.
@@ -28,6 +34,19 @@ struct SolidOptions {
   double corner = 3;     ///< mm, radius of a rectangle's corners; at most its half side counts
   double hole = 0;       ///< mm, diameter of a hole in the plate to hang it by; 0: none
   double ring = 0;       ///< mm, diameter of a hole in a loop at the plate's top; 0: none
+};
+
+struct SolidFacts {
+  double volume = 0;               ///< mm^3
+  int pieces = 0;                  ///< that do not hang together
+  std::vector<std::string> loose;  ///< parts of all pieces but the largest
+};
+
+/// A closed model for printers and mills, and the picture that lies on it.
+struct Solid {
+  Model model;      ///< in mm, not px: lying on z = 0, its box's corner in the origin
+  Drawing drawing;  ///< empty where there is none
+  SolidFacts facts;
 };
 
 }  // namespace relievo

@@ -1,0 +1,84 @@
+import { changeSettings } from '../document/editing';
+import { type EngineError, type Solid, type SolidFormat, told } from '../engine/messages';
+import { type MessageKey, t } from './catalogue';
+import type { Editor } from './editor';
+import type { Files } from './files';
+import { leastWidth, type PrintChoice, type PrintKind, widths } from './print_choice';
+import { Slider } from './slider';
+import { useStore } from './store';
+
+const kinds: readonly [PrintKind, MessageKey][] = [
+  ['plaque', 'kindPlaque'], ['cutout', 'kindCutout'], ['medal', 'kindMedal'], ['figure', 'kindFigure'],
+];
+const hangs: readonly [PrintChoice['hang'], MessageKey][] = [['none', 'hangNone'], ['hole', 'hangHole'], ['ring', 'hangRing']];
+const formats: readonly [SolidFormat, MessageKey][] = [
+  ['3mf', 'format3mf'], ['stl', 'formatStl'], ['glb', 'formatGlb'], ['usdz', 'formatUsdz'],
+];
+const mostNamed = 3;
+
+function named(ids: readonly string[]): string {
+  return ids.slice(0, mostNamed).join(', ') + (ids.length > mostNamed ? ' …' : '');
+}
+
+/** What is to be known of a solid before it is printed, and what to do about it. */
+function Findings({ editor, solid }: { editor: Editor; solid: Solid }) {
+  const { document, state } = editor;
+  const { sizeMm } = document.settings;
+  const thin = state.print.kind === 'figure' ? widths(document, sizeMm).filter(({ width }) => width < leastWidth) : [];
+  const enough = thin[0] ? Math.ceil((sizeMm * leastWidth) / thin[0].width) : 0;
+  const sides = solid.size.map((side) => side.toFixed(1)).join(' × ');
+  return (
+    <>
+      <p role="status" id="solid-facts">{sides} mm, {(solid.volume / 1000).toFixed(1)} cm³</p>
+      {solid.loose.length > 0 && <p class="finding">{t('printLoose', { parts: named(solid.loose) })}</p>}
+      {thin.length > 0 && <p class="finding">{t('printThin', { parts: named(thin.map(({ id }) => id)), least: leastWidth, size: enough })}</p>}
+    </>
+  );
+}
+
+function State({ editor, solid }: { editor: Editor; solid: Solid | EngineError | null }) {
+  if (!solid) return <p role="status">{t('printWorking')}</p>;
+  return 'code' in solid ? <p class="finding" role="status">{told(solid)}</p> : <Findings editor={editor} solid={solid} />;
+}
+
+/** Something to hold: what it is, how large, and its files; the relief's pane shows it meanwhile. */
+export function PrintPanel({ editor, files }: { editor: Editor; files: Files }) {
+  const { history, print, solid } = useStore(editor);
+  const { document } = history;
+  const set = (values: Partial<PrintChoice>): void => editor.set({ print: { ...print, ...values } });
+  const setSize = (value: number): void => {
+    if (value >= 1 && value <= 10_000) editor.edit('size', changeSettings(document, { sizeMm: value }), 'size');
+  };
+  return (
+    <div class="sheet print" role="group" aria-label={t('printTitle')}>
+      <div class="choices" role="group" aria-label={t('printTitle')}>
+        {kinds.map(([kind, label]) => (
+          <button type="button" key={kind} data-kind={kind} aria-pressed={kind === print.kind} onClick={() => set({ kind })}>{t(label)}</button>
+        ))}
+      </div>
+      <label class="field">
+        <span>{t('size')}</span>
+        <input type="number" min={1} max={10000} value={document.settings.sizeMm} onChange={(event) => setSize(Number(event.currentTarget.value))} />
+      </label>
+      <Slider label={t('printHeight')} value={print.height} min={0} max={60} step={0.5} onInput={(height) => set({ height })} />
+      <label class="check">
+        <input type="checkbox" checked={print.detail} disabled={print.height === 0} onChange={() => set({ detail: !print.detail })} /> {t('printDetail')}
+      </label>
+      {print.kind !== 'figure' && (
+        <>
+          <Slider label={t('printThickness')} value={print.thickness} min={0.5} max={10} step={0.5} onInput={(thickness) => set({ thickness })} />
+          <label class="field">
+            <span>{t('printHang')}</span>
+            <select value={print.hang} onChange={(event) => set({ hang: event.currentTarget.value as PrintChoice['hang'] })}>
+              {hangs.map(([hang, label]) => <option key={hang} value={hang}>{t(label)}</option>)}
+            </select>
+          </label>
+        </>
+      )}
+      <State editor={editor} solid={solid} />
+      {formats.map(([format, label]) => (
+        <button type="button" class="wide" key={format} data-solid={format} onClick={() => void files.exportSolid(format)}>{t(label)}</button>
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,88 @@
+import { unzipSync } from 'fflate';
+import type { Page } from 'playwright-core';
+import { beforeEach, expect, it } from 'vitest';
+import { downloaded, sample } from './actions.ts';
+import { picture, settled, stageOfFile } from './browser.ts';
+
+const stage = stageOfFile({ anew: true });
+
+beforeEach(() => stage.page.setDefaultTimeout(60_000));
+
+/** What the panel says of the solid: its sides in mm and its volume in cm³, once it is not `before`. */
+async function facts(page: Page, before = ''): Promise<{ text: string; numbers: number[] }> {
+  await page.waitForFunction((old) => {
+    const now = document.querySelector('#solid-facts')?.textContent ?? '';
+    return now !== '' && now !== old;
+  }, before);
+  const text = (await page.locator('#solid-facts').textContent()) ?? '';
+  return { text, numbers: (text.match(/[0-9.]+/g) ?? []).map(Number) };
+}
+
+/** After the processor has drawn the model. */
+async function drawnPicture(page: Page, name: string): Promise<void> {
+  await page.waitForTimeout(1500);
+  await picture(page, name);
+}
+
+async function openPrint(page: Page): Promise<void> {
+  await page.click('#export');
+  await page.click('#print');
+}
+
+it('shows plaques, cut-outs, medals and figures in millimetres, and their files', async () => {
+  const { page } = stage;
+  await sample(page, 'lamb');
+  await openPrint(page);
+  const plaque = await facts(page);
+  expect(Math.max(...plaque.numbers.slice(0, 3))).toBeCloseTo(100, 0);
+  await drawnPicture(page, 'print-plaque');
+  await page.click('[data-kind=medal]');
+  const medal = await facts(page, plaque.text);
+  expect(medal.numbers[0]).toBeCloseTo(medal.numbers[1]!, 0);
+  await page.locator('.print .slider input').first().fill('12');
+  const low = await facts(page, medal.text);
+  expect(low.numbers[2]).toBeLessThan(12.1);
+  await drawnPicture(page, 'print-medal');
+  await page.click('[data-kind=figure]');
+  await facts(page, low.text);
+  await drawnPicture(page, 'print-figure');
+  const printed = await downloaded(page, () => page.click('[data-solid="3mf"]'), 'lamb.3mf');
+  expect(Object.keys(unzipSync(new Uint8Array(printed)))).toContain('3D/3dmodel.model');
+  const stl = await downloaded(page, () => page.click('[data-solid=stl]'), 'lamb-figure.stl');
+  expect(stl.length).toBe(84 + 50 * stl.readUInt32LE(80));
+  await page.keyboard.press('Escape');
+  await page.locator('.print').waitFor({ state: 'detached' });
+  await settled(page);
+  await picture(page, 'print-closed');
+  expect(stage.troubles).toEqual([]);
+});
+
+it('names what is loose and what is thin, and says what helps', async () => {
+  const { page } = stage;
+  await sample(page, 'wolf');
+  await openPrint(page);
+  await page.click('[data-kind=figure]');
+  await facts(page);
+  const size = page.locator('.print input[type=number]');
+  await size.fill('4');
+  await size.blur();
+  const finding = page.locator('.finding', { hasText: 'Thinner than 1.2 mm' });
+  await finding.waitFor();
+  const enough = Number(/Make it (\d+) mm/.exec((await finding.textContent()) ?? '')?.[1]);
+  await size.fill(String(enough));
+  await size.blur();
+  await finding.waitFor({ state: 'detached' });
+  expect(stage.troubles).toEqual([]);
+});
+
+it('hands out a page and a model for phones', async () => {
+  const { page } = stage;
+  await sample(page, 'bunny');
+  await page.click('#export');
+  const html = (await downloaded(page, () => page.click('[data-export=html]'), 'bunny.html')).toString();
+  expect(html).toContain('<canvas>');
+  expect(html).not.toMatch(/https?:\/\//);
+  const usdz = await downloaded(page, () => page.click('[data-export=usdz]'), 'bunny.usdz');
+  expect(Object.keys(unzipSync(new Uint8Array(usdz)))).toEqual(['relief.usda', 'drawing.png']);
+  expect(stage.troubles).toEqual([]);
+});
