@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "relief/model/extend_paint.h"
 #include "relief/model/hidden_patches.h"
 
 namespace relievo {
@@ -132,6 +133,7 @@ void dress_parts(const HiddenPatches& found, const std::vector<PatchPlace>& plac
 
 DrawnModel dress_hidden(Model model, Drawing drawing) {
   const HiddenPatches found = hidden_patches(model, drawing);
+  extend_paint(model, drawing.rgba);
   if (!found.patches.empty()) {
     Image8& rgba = drawing.rgba;
     const double drawn = rgba.height;

