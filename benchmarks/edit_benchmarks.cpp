@@ -25,6 +25,11 @@ const Edit edits[] = {
     {"c_of_one_part_a_tenth_more", [](Scene& s, ReliefOptions&) { s.parts.back().c *= 1.1; }},
     {"d_of_one_part_a_tenth_less", [](Scene& s, ReliefOptions&) { s.parts.back().d *= 0.9; }},
     {"c_of_the_largest_part_doubled", [](Scene& s, ReliefOptions&) { s.parts.front().c *= 2; }},
+    {"flatter", [](Scene& s, ReliefOptions&) { s.parts.back().flat = 0.3; }},
+    {"leaning",
+     [](Scene& s, ReliefOptions&) {
+       s.parts.front().lean = {0.2, 0.1};
+     }},
     {"alpha0_a_tenth", [](Scene&, ReliefOptions& o) { o.inflation.alpha0 = 0.1; }},
     {"rho_a_fifth_more", [](Scene&, ReliefOptions& o) { o.inflation.rho *= 1.2; }},
     {"a_relation_dropped",
@@ -86,10 +91,11 @@ void run(State& state, const Edit& edit, const std::string& name) {
 }  // namespace
 
 void register_edits() {
-  for (const char* name : {"wolf", "farmer"})
+  for (const Character& character : characters())
     for (const Edit& edit : edits)
-      benchmark::RegisterBenchmark((std::string("edit/") + name + "/" + edit.name).c_str(),
-                                   [&edit, name](State& state) { run(state, edit, name); })
+      benchmark::RegisterBenchmark(
+          ("edit/" + std::string(character.name) + "/" + edit.name).c_str(),
+          [&](State& state) { run(state, edit, character.name); })
           ->Unit(benchmark::kMillisecond)
           ->MeasureProcessCPUTime()
           ->UseRealTime();
