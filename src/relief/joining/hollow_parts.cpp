@@ -9,13 +9,13 @@ namespace {
 
 using Rgb = std::array<double, 3>;
 
-/// Open mouths are red by so much, darker than the face by this factor, wide, and small on it.
+/// Open mouths are red by so much, darker than the face by a factor, wide, and small on it.
 constexpr double least_red = 0.12;
-constexpr double mouth_darkness = 0.65;
-constexpr double mouth_width = 1.5;  ///< over height
+constexpr double darkness = 0.65;
+constexpr double mouth_width = 2;  ///< over height
 constexpr double largest_mouth = 0.25;
-/// Ear cups are pink, red by so much and of little difference between green and blue, and fill such
-/// a share of the ear.
+/// Ear cups are pink, red by so much and of little difference between green and blue, not as dark
+/// as mouths and noses, and fill such a share of the ear.
 constexpr double least_pink = 0.06;
 constexpr double pink_range = 0.15;
 constexpr double smallest_cup = 0.15;
@@ -27,13 +27,14 @@ double brightness(const Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 
 bool is_mouth(const Mask& mask, double share, const Rgb& own, const Rgb& face) {
   const double width = mask.inside.width;
   return own[0] > std::max(own[1], own[2]) + least_red &&
-         brightness(own) < mouth_darkness * brightness(face) &&
+         brightness(own) < darkness * brightness(face) &&
          width > mouth_width * mask.inside.height && share < largest_mouth;
 }
 
-bool is_cup(double share, const Rgb& own) {
+bool is_cup(double share, const Rgb& own, const Rgb& ear) {
   return own[0] > own[1] + least_pink && std::abs(own[1] - own[2]) < pink_range &&
-         share > smallest_cup && share < largest_cup;
+         brightness(own) > darkness * brightness(ear) && share > smallest_cup &&
+         share < largest_cup;
 }
 
 }  // namespace
@@ -49,7 +50,7 @@ std::vector<int> hollow_parts(const LayerGrid& grid, const PartColors& colors,
     const double share = own / static_cast<double>(grid.areas[lower]);
     const Rgb& color = colors[upper].front();
     return is_mouth(grid.masks[upper], share, color, colors[lower].front()) ||
-           (limb[lower] != 0 && is_cup(share, color));
+           (limb[lower] != 0 && is_cup(share, color, colors[lower].front()));
   };
   std::vector<int> hollows;
   for (int upper = 1; upper < count; ++upper)

@@ -214,6 +214,8 @@ TEST(ConnectParts, PinkInsideAnEarIsACup) {
   const Scene in_front = disc_with({ear, cup});
   EXPECT_EQ(connect_parts(in_front, {fur, fur, pink}).hollows, std::vector<int>{2});
   EXPECT_TRUE(connect_parts(in_front, {fur, fur, steel}).hollows.empty());
+  EXPECT_TRUE(connect_parts(in_front, {fur, fur, {{0.4, 0.28, 0.22}}}).hollows.empty())
+      << "a brown nose on a muzzle";
   const Scene behind = disc_with({}, {ear, cup});
   EXPECT_EQ(connect_parts(behind, {fur, pink, fur}).hollows, std::vector<int>{1});
   EXPECT_TRUE(connect_parts(disc_with({ellipse({200, 190}, 30, 30)}), {fur, pink}).hollows.empty())
