@@ -89,7 +89,7 @@ TEST(MakeSolid, LimitsTheHeightAndTurnsNormalsWithIt) {
   options.height = 400;
   const auto high = make_solid(ball(), {}, options);
   ASSERT_TRUE(high.ok());
-  EXPECT_NEAR(extent(high->drawn.model).max.z, 41, 1e-4);
+  EXPECT_NEAR(extent(high->model).max.z, 41, 1e-4);
 }
 
 TEST(MakeSolid, HangsByAHoleOrARing) {
