@@ -27,29 +27,9 @@ rsvg-convert --width 480 --keep-aspect-ratio --background-color white examples/g
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# Joins, close, and a part that lies on another with all of its outline, with light from the left.
-# What these were like before (joins-before.png, nose-pulled.png) no option makes any more.
-while read -r name x y width; do
-  "$relievo" render "examples/$name.svg" -o "$work/join.png" --view front --clay --light -60 30 \
-    --window "$x" "$y" "$width" --size 220 > /dev/null
-  convert "$work/join.png" -resize '220x220!' "$work/join-$name-$x-$y.png"
-  joins="${joins:-} $work/join-$name-$x-$y.png"
-done << END
-wolf 720 367 200
-wolf 440 420 200
-wolf 400 250 200
-bunny 510 580 200
-bunny 440 400 220
-farmer 534 454 200
-farmer 510 630 220
-unicorn 300 354 200
-unicorn 560 420 220
-elephant 560 470 260
-elephant 740 470 260
-lamb 330 340 220
-END
-# shellcheck disable=SC2086
-montage $joins -tile 6x -geometry 220x220+1+1 "$to/joins.png"
+# All joins, and a part that lies on another with all of its outline, with light from the left. What
+# these were like before (joins-before.png, nose-pulled.png) no option makes any more.
+scripts/join-pictures.sh "$relievo" "$to/joins.png"
 "$relievo" render examples/nose.json -o "$to/nose.png" --yaw 30 --pitch 10 --clay --light -60 30 \
   --size 420 > /dev/null
 
