@@ -13,7 +13,7 @@ import type { GivenFiles, PlacedFile } from './dropped_files';
 import type { Editor, ShelfPlace } from './editor';
 import type { Keeper } from './keeper';
 import { documentOfLayers, layersAmong, readLayers } from './layered_drawing';
-import { flatDrawing, flatOfSvg, pictureOf, pngOf, textureOf } from './pictures';
+import { cutOut, flatDrawing, flatOfSvg, pictureOf, pngOf, textureOf } from './pictures';
 import { solidOptions } from './print_choice';
 import { documentOfScene } from './scene_files';
 import type { SegmentControl } from './segment_control';
@@ -66,6 +66,18 @@ export class Files {
       else if (kind === 'picture') await this.openImage(file.name, bytes, pictureType(bytes) ?? '');
       else if (kind === 'scene') await this.openScene({ path: file.name, file }, []);
       else throw new Error(t(kind === 'model' ? 'finishedModel' : kind === 'packed' ? 'packedFile' : 'unknownFile'));
+    });
+  }
+
+  /** Goes on with what a mask says is the figure of the flat drawing that is open. */
+  async cutFigure(file: File): Promise<void> {
+    await this.opening(file.name, async () => {
+      const { document: doc, state } = this.editor;
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      const mask = await createImageBitmap(new Blob([bytes], { type: pictureType(bytes) ?? '' }));
+      if (!state.picture || mask.width !== doc.width || mask.height !== doc.height)
+        throw new Error(t('maskSize', { width: `${doc.width}`, height: `${doc.height}` }));
+      await this.openImage(`${doc.name}.png`, await cutOut(state.picture, mask), 'image/png');
     });
   }
 

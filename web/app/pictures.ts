@@ -86,6 +86,22 @@ export async function flatDrawing(source: DrawingSource): Promise<{ drawing: Dra
   return { drawing: { name, kind: 'image', mime: 'image/png', bytes }, picture: canvas.transferToImageBitmap() };
 }
 
+/** A picture without what a mask of the same size leaves out: where that is dark, or transparent if it is so anywhere. A PNG file. */
+export async function cutOut(picture: ImageBitmap, mask: ImageBitmap): Promise<Uint8Array<ArrayBuffer>> {
+  const { width, height } = picture;
+  const said = pixelsOf(mask, width, height).rgba;
+  const byAlpha = said.some((value, i) => i % 4 === 3 && value < 128);
+  const [canvas, context] = canvasOf(width, height);
+  context.drawImage(picture, 0, 0);
+  const cut = context.getImageData(0, 0, width, height);
+  for (let i = 0; i < said.length; i += 4) {
+    const [r = 0, g = 0, b = 0, alpha = 0] = said.subarray(i, i + 4);
+    if ((byAlpha ? alpha : Math.max(r, g, b)) < 128) cut.data[i + 3] = 0;
+  }
+  context.putImageData(cut, 0, 0);
+  return new Uint8Array(await (await canvas.convertToBlob({ type: 'image/png' })).arrayBuffer());
+}
+
 /** A picture at another size. */
 export function pixelsOf(picture: ImageBitmap, width: number, height: number): Texture {
   const [canvas, context] = canvasOf(width, height);

@@ -3,6 +3,7 @@ import type { Brush, BrushKind } from '../tools/scribble_tool';
 import { inkOf } from '../view/colors';
 import { type MessageKey, t } from './catalogue';
 import type { Editor } from './editor';
+import type { Files } from './files';
 import type { SegmentControl } from './segment_control';
 import { useStore } from './store';
 
@@ -55,8 +56,19 @@ export function StrokeList({ editor, segments }: { editor: Editor; segments: Seg
   );
 }
 
+function chooseMask(files: Files): void {
+  const input = document.createElement('input');
+  input.type = 'file';
+  input.accept = '.png,.jpg,.jpeg,.gif,.bmp,.webp';
+  input.addEventListener('change', () => {
+    const [mask] = input.files ?? [];
+    if (mask) void files.cutFigure(mask);
+  });
+  input.click();
+}
+
 /** What the scribble brush says, beside the page while it is in hand. */
-export function ScribbleBar({ editor }: { editor: Editor }) {
+export function ScribbleBar({ editor, files }: { editor: Editor; files: Files }) {
   const { tool, brush, history, tint, pending } = useStore(editor);
   if (tool !== 'scribble' || !canScribble(history.document)) return null;
   const take = (kind: BrushKind): void => editor.set({ brush: { ...brush, kind, part: null } });
@@ -98,6 +110,7 @@ export function ScribbleBar({ editor }: { editor: Editor }) {
           onInput={(event) => editor.set({ brush: { ...brush, width: Number(event.currentTarget.value) } })}
         />
       </label>
+      <button type="button" id="figure-mask" title={t('hintFigureMask')} onClick={() => chooseMask(files)}>{t('figureMask')}</button>
     </div>
   );
 }

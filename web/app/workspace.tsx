@@ -184,7 +184,7 @@ export function Workspace({ editor, files, keeper, segments, held, attachPaper, 
       <TopBar editor={editor} files={files} segments={segments} choose={choose} />
       <Toolbar editor={editor} />
       <PaperPane editor={editor} tool={() => hands[editor.state.tool]} attach={attach} />
-      <ScribbleBar editor={editor} />
+      <ScribbleBar editor={editor} files={files} />
       <DrawBar editor={editor} />
       <CueBar editor={editor} />
       <GapBar editor={editor} segments={segments} />

@@ -3,6 +3,7 @@ import { join } from 'node:path';
 import { strToU8, unzipSync, zipSync } from 'fflate';
 import { expect, it } from 'vitest';
 import { relievo, root } from '../support/command_line.ts';
+import { pngOf } from '../support/pictures.ts';
 import { choosePart, downloaded, gesture, names, pageView, save, type Spot } from './actions.ts';
 import { picture, pictures, reopen, settled, stageOfFile } from './browser.ts';
 
@@ -35,8 +36,19 @@ function headOf(project: Buffer): Head {
   return JSON.parse(Buffer.from(unzipSync(project)['project.json']!).toString()) as Head;
 }
 
+interface ScenePart {
+  id: string;
+  outline: Spot[][];
+}
+
 interface Scene {
-  parts: { id: string }[];
+  parts: ScenePart[];
+}
+
+/** A part's name and the box around it, to a few px: fitted ellipses hang on the last digit of a sine. */
+function boxOf({ id, outline }: ScenePart): [string, ...number[]] {
+  const [xs, ys] = [0, 1].map((axis) => outline.flat().map((point) => point[axis] as number)) as [number[], number[]];
+  return [id, ...[Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)].map((v) => Math.round(v / 8))];
 }
 
 function sceneOf(project: Buffer): Scene {
@@ -129,6 +141,33 @@ it('opens a saved project again, goes on with its strokes, and builds as the com
   const native = join(pictures, 'bear-native.glb');
   relievo('build', join(pictures, 'bear-erased.relievo'), '-q', '--vertices', '20000', '-o', native);
   expect(glb.equals(readFileSync(native))).toBe(true);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('takes a mask of the figure as said, as the command line does', async () => {
+  await openBear();
+  const { page } = stage;
+  const mask = join(pictures, 'bear-mask.png');
+  // The bear without the lowest third of the picture.
+  writeFileSync(mask, pngOf(bear[0], bear[1], (_, y) => (y < 660 ? [255, 255, 255, 255] : [0, 0, 0, 255])));
+  const small = join(pictures, 'small-mask.png');
+  writeFileSync(small, pngOf(9, 10, () => [255, 255, 255, 255]));
+  const choose = async (file: string): Promise<void> => {
+    const chooser = page.waitForEvent('filechooser');
+    await page.click('#figure-mask');
+    await (await chooser).setFiles(file);
+  };
+  await choose(small);
+  await page.waitForFunction(() => document.querySelector('[role=status]')?.textContent?.includes('900 × 1000'));
+  const whole = await save(page, 'bear-whole.relievo');
+  await choose(mask);
+  await page.waitForFunction((parts) => document.querySelectorAll('.parts li').length !== parts, sceneOf(whole).parts.length);
+  await settled(page);
+  await picture(page, 'scribble-figure-mask');
+  const cut = sceneOf(await save(page, 'bear-cut.relievo'));
+  const native = join(pictures, 'bear-cut-native.relievo');
+  relievo('segment', join(root, 'examples/bear.png'), '--figure', mask, '-q', '-o', native);
+  expect(cut.parts.map(boxOf)).toEqual(sceneOf(readFileSync(native)).parts.map(boxOf));
   expect(stage.troubles).toEqual([]);
 });
 
