@@ -28,9 +28,14 @@ export function contentPolicy(): Plugin {
   };
 }
 
-const worker = (version: string, files: string[]): string => `
+/** Modules with the words of languages, of which a visit needs one. */
+const languages: Readonly<Record<string, string>> = { de: 'german', fr: 'french', es: 'spanish', ja: 'japanese' };
+
+const worker = (version: string, files: string[], words: Record<string, string>): string => `
 const cacheName = 'relievo-${version}';
-const files = ${JSON.stringify(files)};
+const words = ${JSON.stringify(words)};
+const spoken = navigator.languages.map((tag) => tag.slice(0, 2).toLowerCase()).find((tag) => tag === 'en' || tag in words);
+const files = ${JSON.stringify(files)}.concat(words[spoken] ?? []);
 self.addEventListener('install', (event) => {
   // What has its content in its name was loaded a moment ago, and is not loaded again.
   const request = (file) => new Request(file, { cache: file.startsWith('./assets/') ? 'force-cache' : 'no-cache' });
@@ -49,6 +54,9 @@ self.addEventListener('fetch', (event) => {
       .then((cache) => cache.match(event.request, { ignoreSearch: true, ignoreVary: true }))
       .then((found) => found ?? fetch(event.request)),
   );
+  // Another language was chosen: from now on it is there without a network too.
+  const file = Object.values(words).find((name) => event.request.url.endsWith(name.slice(1)));
+  if (file) event.waitUntil(caches.open(cacheName).then((cache) => cache.add(file)));
 });
 `;
 
@@ -69,8 +77,15 @@ export function offlineCopy(): Plugin {
           const file = bundle[name];
           hash.update(name).update(file?.type === 'chunk' ? file.code : (file?.source ?? ''));
         }
-        const all = ['./', ...files.map((name) => `./${name}`), './icon.svg', './icon-180.png', './icon-512.png', './manifest.webmanifest'];
-        const source = worker(hash.digest('hex').slice(0, 16), all);
+        const words = Object.fromEntries(
+          Object.entries(languages).flatMap(([tag, name]) => {
+            const file = files.find((path) => path.startsWith(`assets/${name}-`));
+            return file ? [[tag, `./${file}`]] : [];
+          }),
+        );
+        const rest = files.filter((name) => !Object.values(words).includes(`./${name}`));
+        const all = ['./', ...rest.map((name) => `./${name}`), './icon.svg', './icon-180.png', './icon-512.png', './manifest.webmanifest'];
+        const source = worker(hash.digest('hex').slice(0, 16), all, words);
         this.emitFile({ type: 'asset', fileName: 'service_worker.js', source });
       },
     },

@@ -14,6 +14,8 @@
 #include "io/layered/layer_table.h"
 #include "io/layered/packed_layers.h"
 #include "io/layered/read_ora.h"
+#include "io/psd/psd_file.h"
+#include "io/psd/read_psd.h"
 #include "io/scene/write_scene.h"
 #include "io/svg/read_svg.h"
 #include "relief/pipeline/connect_scene.h"
@@ -81,26 +83,45 @@ Result<OraDrawing> read_pictures(const std::vector<ArchiveEntry>& entries) {
   return OraDrawing{std::move(*content), {}};
 }
 
-/// {scene, proposed, warnings, drawing}: the text of a scene file and the picture, a PNG file, of a
-/// painted drawing. `files` is an array of {name, bytes}: the entries of an OpenRaster archive, or
-/// transparent pictures, one a layer, as a layers.tsv among them says (see layer_table.h), else
-/// back to front in the natural order of their names.
-val import_layers(const val& files) {
-  const std::vector<ArchiveEntry> entries = to_entries(files);
-  const auto read = is_ora(entries) ? read_ora(entries, page_limits) : read_pictures(entries);
-  if (!read) return failure(read.error());
-  const LayeredDrawing& content = read->content;
+/// {scene, proposed, warnings, drawing} of a painted drawing; without a scene the picture is flat.
+Result<val> layers_value(const LayeredDrawing& content, const std::vector<std::string>& warnings) {
+  const auto picture = encode_png(content.drawing.rgba);
+  if (!picture) return picture.error();
+  val result = val::object();
+  result.set("proposed", content.proposed);
+  result.set("warnings", to_js(warnings));
+  result.set("drawing", to_js(*picture));
+  if (content.scene.parts.empty()) return result;
   const auto scene =
       write_scene(connect_scene(content.scene, content.proposed, content.colors).scene);
-  if (!scene) return failure(scene.error());
-  const auto picture = encode_png(content.drawing.rgba);
-  if (!picture) return failure(picture.error());
-  val result = val::object();
+  if (!scene) return scene.error();
   result.set("scene", *scene);
-  result.set("proposed", content.proposed);
-  result.set("warnings", to_js(read->warnings));
-  result.set("drawing", to_js(*picture));
   return result;
+}
+
+Result<val> read_photoshop(const Bytes& bytes) {
+  auto psd = read_psd(bytes, page_limits);
+  if (!psd) return psd.error();
+  LayeredDrawing content = std::move(psd->content);
+  if (psd->flat) content.drawing = std::move(*psd->flat);
+  return layers_value(content, psd->warnings);
+}
+
+Result<val> read_layers(const std::vector<ArchiveEntry>& entries) {
+  if (entries.size() == 1 && is_psd(entries[0].bytes)) return read_photoshop(entries[0].bytes);
+  const auto read = is_ora(entries) ? read_ora(entries, page_limits) : read_pictures(entries);
+  if (!read) return read.error();
+  return layers_value(read->content, read->warnings);
+}
+
+/// {scene, proposed, warnings, drawing}: the text of a scene file and the picture, a PNG file, of a
+/// painted drawing; no scene where all of it is in one layer. `files` is an array of {name, bytes}:
+/// a Photoshop document, the entries of an OpenRaster archive, or transparent pictures, one a
+/// layer, as a layers.tsv among them says (see layer_table.h), else back to front in the natural
+/// order of their names.
+val import_layers(const val& files) {
+  const auto read = read_layers(to_entries(files));
+  return read ? *read : failure(read.error());
 }
 
 }  // namespace

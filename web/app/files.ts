@@ -63,6 +63,7 @@ export class Files {
       if (kind === 'project') await this.openProject(bytes);
       else if (kind === 'svg') await this.openSvg(file.name, bytes);
       else if (kind === 'openraster') await this.openLayers(file.name, await unpackOra(bytes));
+      else if (kind === 'photoshop') await this.openLayers(file.name, [{ name: file.name, bytes }]);
       else if (kind === 'picture') await this.openImage(file.name, bytes, pictureType(bytes) ?? '');
       else if (kind === 'scene') await this.openScene({ path: file.name, file }, []);
       else throw new Error(t(kind === 'model' ? 'finishedModel' : kind === 'packed' ? 'packedFile' : 'unknownFile'));
@@ -192,9 +193,10 @@ export class Files {
   };
 
   private async openLayers(name: string, entries: OutputFile[]): Promise<void> {
-    const { document: next, notice } = await documentOfLayers(this.engine, baseName(name), entries);
-    await this.show(next, 'all');
-    this.editor.set({ notice });
+    const opened = await documentOfLayers(this.engine, baseName(name), entries);
+    if ('flat' in opened) return this.openImage(`${baseName(name)}.png`, opened.flat, 'image/png');
+    await this.show(opened.document, 'all');
+    this.editor.set({ notice: opened.notice });
   }
 
   private async opening(name: string, work: () => Promise<void>): Promise<void> {

@@ -20,14 +20,15 @@ export async function readLayers(files: readonly PlacedFile[]): Promise<OutputFi
   return Promise.all(files.map(async ({ path, file }) => ({ name: path, bytes: new Uint8Array(await file.arrayBuffer()) })));
 }
 
-/** A document of painted layers, and what is to be said of it. Its drawing is the picture that they make. */
+/** A document of painted layers, and what is to be said of it. Its drawing is the picture that they make, and all that there is where it is one layer. */
 export async function documentOfLayers(
   engine: Engine,
   name: string,
   files: OutputFile[],
-): Promise<{ document: Document; notice: string }> {
+): Promise<{ document: Document; notice: string } | { flat: Uint8Array<ArrayBuffer> }> {
   const imported = await engine.importLayers(files);
   if (isFailure(imported)) throw new Error(told(imported.error));
+  if (imported.scene === undefined) return { flat: imported.drawing };
   const words = imported.proposed ? [t('proposedParts')] : [];
   return {
     document: {

@@ -50,7 +50,7 @@ function Page({ editor, files, segments, held, keeper, attachPaper, choose, stop
 function chooser(files: Files): () => void {
   const input = document.createElement('input');
   input.type = 'file';
-  input.accept = '.svg,.ora,.png,.jpg,.jpeg,.gif,.bmp,.webp,.relievo,.json,.tsv';
+  input.accept = '.svg,.ora,.psd,.png,.jpg,.jpeg,.gif,.bmp,.webp,.relievo,.json,.tsv';
   input.multiple = true;
   input.hidden = true;
   input.addEventListener('change', () => {

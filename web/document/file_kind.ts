@@ -1,5 +1,5 @@
 /** What a file is, by how it begins, whatever its name. */
-export type FileKind = 'picture' | 'svg' | 'scene' | 'project' | 'openraster' | 'model' | 'packed' | 'unknown';
+export type FileKind = 'picture' | 'svg' | 'scene' | 'project' | 'openraster' | 'photoshop' | 'model' | 'packed' | 'unknown';
 
 const pictures: readonly [string, string][] = [
   ['\x89PNG', 'image/png'], ['\xff\xd8\xff', 'image/jpeg'], ['GIF8', 'image/gif'], ['BM', 'image/bmp'],
@@ -20,6 +20,7 @@ export function fileKind(bytes: Uint8Array): FileKind {
   const text = headOf(bytes);
   if (pictureType(bytes)) return 'picture';
   if (text.startsWith('PK')) return text.includes('image/openraster') ? 'openraster' : 'project';
+  if (text.startsWith('8BPS')) return 'photoshop';
   if (text.startsWith('glTF')) return 'model';
   if (text.startsWith('\x1f\x8b')) return 'packed';
   const [first] = text.replace(/^\xef\xbb\xbf/, '').trimStart();

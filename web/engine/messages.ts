@@ -122,8 +122,8 @@ export interface SvgImport {
 
 /** A drawing of painted layers. */
 export interface LayersImport {
-  /** Text of a scene file; its canvas is the picture. */
-  scene: string;
+  /** Text of a scene file; its canvas is the picture. None where all is in one layer. */
+  scene?: string;
   /** The parts were guessed. */
   proposed: boolean;
   warnings: string[];

@@ -174,7 +174,7 @@ export const english = {
   openElsewhere: '“{name}” is open in another tab.',
   takeOver: 'Go on with it here',
   openCopy: 'Open a copy',
-  unknownFile: 'it is neither a picture (PNG, JPEG, GIF, WebP, BMP), nor a drawing (SVG, OpenRaster), nor a scene or a project',
+  unknownFile: 'it is neither a picture (PNG, JPEG, GIF, WebP, BMP), nor a drawing (SVG, OpenRaster, PSD), nor a scene or a project',
   finishedModel: 'it is a finished model; open the drawing or project that it was made of',
   packedFile: 'it is packed; unpack it first',
   brokenScene: 'it is no scene of Relievo',

@@ -175,7 +175,7 @@ export const french: Words = {
   openElsewhere: '« {name} » est ouvert dans un autre onglet.',
   takeOver: 'Continuer ici',
   openCopy: 'Ouvrir une copie',
-  unknownFile: 'ce n’est ni une image (PNG, JPEG, GIF, WebP, BMP), ni un dessin (SVG, OpenRaster), ni une scène ou un projet',
+  unknownFile: 'ce n’est ni une image (PNG, JPEG, GIF, WebP, BMP), ni un dessin (SVG, OpenRaster, PSD), ni une scène ou un projet',
   finishedModel: 'c’est un modèle fini ; ouvrez le dessin ou le projet dont il vient',
   packedFile: 'il est compressé ; décompressez-le d’abord',
   brokenScene: 'ce n’est pas une scène de Relievo',

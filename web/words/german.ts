@@ -175,7 +175,7 @@ export const german: Words = {
   openElsewhere: '„{name}“ ist in einem anderen Tab geöffnet.',
   takeOver: 'Hier weitermachen',
   openCopy: 'Kopie öffnen',
-  unknownFile: 'sie ist weder ein Bild (PNG, JPEG, GIF, WebP, BMP), noch eine Zeichnung (SVG, OpenRaster), noch eine Szene oder ein Projekt',
+  unknownFile: 'sie ist weder ein Bild (PNG, JPEG, GIF, WebP, BMP), noch eine Zeichnung (SVG, OpenRaster, PSD), noch eine Szene oder ein Projekt',
   finishedModel: 'sie ist ein fertiges Modell; öffne die Zeichnung oder das Projekt dazu',
   packedFile: 'sie ist gepackt; packe sie erst aus',
   brokenScene: 'sie ist keine Szene von Relievo',

@@ -175,7 +175,7 @@ export const japanese: Words = {
   openElsewhere: '「{name}」は別のタブで開いています。',
   takeOver: 'ここで続ける',
   openCopy: '写しを開く',
-  unknownFile: '画像（PNG、JPEG、GIF、WebP、BMP）でも、絵（SVG、OpenRaster）でも、シーンやプロジェクトでもありません',
+  unknownFile: '画像（PNG、JPEG、GIF、WebP、BMP）でも、絵（SVG、OpenRaster、PSD）でも、シーンやプロジェクトでもありません',
   finishedModel: '完成したモデルです。元の絵かプロジェクトを開いてください',
   packedFile: '圧縮されています。先に展開してください',
   brokenScene: 'Relievo のシーンではありません',

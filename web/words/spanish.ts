@@ -175,7 +175,7 @@ export const spanish: Words = {
   openElsewhere: '«{name}» está abierto en otra pestaña.',
   takeOver: 'Seguir aquí',
   openCopy: 'Abrir una copia',
-  unknownFile: 'no es una imagen (PNG, JPEG, GIF, WebP, BMP), ni un dibujo (SVG, OpenRaster), ni una escena o un proyecto',
+  unknownFile: 'no es una imagen (PNG, JPEG, GIF, WebP, BMP), ni un dibujo (SVG, OpenRaster, PSD), ni una escena o un proyecto',
   finishedModel: 'es un modelo terminado; abre el dibujo o proyecto del que se hizo',
   packedFile: 'está comprimido; descomprímelo antes',
   brokenScene: 'no es una escena de Relievo',

@@ -29,14 +29,14 @@ class BigEndian {
   int32_t i32() { return static_cast<int32_t>(take(4)); }
 
   ByteView bytes(uint64_t count) {
-    const ByteView taken = left_.subspan(0, count < left_.size() ? count : left_.size());
+    const ByteView taken = left_.first(within(count));
     skip(count);
     return taken;
   }
 
   void skip(uint64_t count) {
     beyond_ |= count > left_.size();
-    left_ = left_.subspan(count < left_.size() ? count : left_.size());
+    left_ = left_.subspan(within(count));
   }
 
   size_t left() const { return left_.size(); }
@@ -45,6 +45,10 @@ class BigEndian {
   bool beyond() const { return beyond_; }
 
  private:
+  size_t within(uint64_t count) const {
+    return count < left_.size() ? static_cast<size_t>(count) : left_.size();
+  }
+
   ByteView left_;
   bool beyond_ = false;
 };

@@ -6,7 +6,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { isFailure, type OutputFile } from '../../engine/messages';
 import type { ReliefService } from '../../engine/relief_service';
 import { relievo, root } from '../support/command_line';
-import { disc } from '../support/pictures';
+import { disc, photoshopOf } from '../support/pictures';
 import { must, shown, startService, usual } from './service';
 
 let service: ReliefService;
@@ -46,7 +46,7 @@ function expectSameScene(scene: string, input: string): void {
 function expectSameModel(files: OutputFile[], input: string): void {
   const [model, map] = [join(folder, 'layers.stl'), join(folder, 'depth.png')];
   relievo('build', input, '-q', '--vertices', '20000', '-o', model, '--depth-map', map);
-  const { scene } = must(service.importLayers(files));
+  const { scene = '' } = must(service.importLayers(files));
   expectSameScene(scene, input);
   must(service.build({ scene, options: usual, ...shown }, () => undefined));
   const [stl] = must(service.encode('stl', 'layers', 100, null)).files;
@@ -54,6 +54,34 @@ function expectSameModel(files: OutputFile[], input: string): void {
   const depth = must(service.map('depth', 2048, false)).bytes;
   expect(Buffer.from(depth).equals(readFileSync(map))).toBe(true);
 }
+
+describe('a Photoshop document', () => {
+  const paint = (red: number) => (x: number, y: number) => [red, 120, 60, Math.hypot(x - 99.5, y - 99.5) < 95 ? 255 : 0] as const;
+  const layers = [
+    { name: 'body', left: 40, top: 30, size: 200, paint: paint(200) },
+    { name: 'head', left: 130, top: 90, size: 200, paint: paint(60) },
+  ];
+
+  it('makes the model that the command line makes', () => {
+    const bytes = photoshopOf(400, 320, layers);
+    const file = join(folder, 'figure.psd');
+    writeFileSync(file, bytes);
+    expectSameModel([{ name: 'figure.psd', bytes }], file);
+  });
+
+  it('of one layer is a flat picture', () => {
+    const bytes = photoshopOf(400, 320, layers.slice(0, 1));
+    const { scene, drawing } = must(service.importLayers([{ name: 'flat.psd', bytes }]));
+    expect(scene).toBeUndefined();
+    expect(drawing.length).toBeGreaterThan(100);
+  });
+
+  it('that is damaged is refused', () => {
+    const bytes = photoshopOf(400, 320, layers).slice(0, 900);
+    const refused = service.importLayers([{ name: 'cut.psd', bytes }]);
+    expect(isFailure(refused) && refused.error.code).toBe('bad_input');
+  });
+});
 
 describe('a layered drawing that does not say how its parts connect', () => {
   it.each(['bunny', 'farmer', 'wolf'])('is connected as by the command line: %s', (name) => {
@@ -72,7 +100,7 @@ describe('layers', () => {
   it('of an OpenRaster file make the model that the command line makes', () => {
     const file = join(folder, 'figure.ora');
     writeFileSync(file, zipSync(Object.fromEntries(ora.map(({ name, bytes }) => [name, bytes])), { level: 0 }));
-    const { scene, proposed, warnings, drawing } = must(service.importLayers(ora));
+    const { scene = '', proposed, warnings, drawing } = must(service.importLayers(ora));
     const { parts, canvas } = JSON.parse(scene) as { parts: { id: string }[]; canvas: object };
     expect(parts.map((part) => part.id)).toEqual(['body', 'head']);
     expect(canvas).toEqual({ width: 320, height: 240 });
@@ -86,7 +114,7 @@ describe('layers', () => {
       { name: 'part10.png', bytes: disc(120, 55, [60, 120, 190]) },
       { name: 'part9.png', bytes: disc(240, 100, [200, 80, 60]) },
     ];
-    const { scene } = must(service.importLayers(files));
+    const { scene = '' } = must(service.importLayers(files));
     const { parts } = JSON.parse(scene) as { parts: { id: string }[] };
     expect(parts.map((part) => part.id)).toEqual(['part9', 'part10']);
   });
@@ -100,7 +128,7 @@ describe('layers', () => {
     ];
     const layers = mkdtempSync(join(folder, 'table-'));
     for (const { name, bytes } of files) writeFileSync(join(layers, name), bytes);
-    const { parts } = JSON.parse(must(service.importLayers(files)).scene) as { parts: { id: string }[] };
+    const { parts } = JSON.parse(must(service.importLayers(files)).scene ?? '') as { parts: { id: string }[] };
     expect(parts.map((part) => part.id)).toEqual(['body', 'head']);
     expectSameModel(files, layers);
     const refused = [files.slice(0, 2), files.map((file) => (file.name === 'layers.tsv' ? { ...file, bytes: strToU8(table.replace('170.0', '0x10')) as Uint8Array<ArrayBuffer> } : file))];

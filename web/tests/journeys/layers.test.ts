@@ -2,7 +2,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
 import { expect, it } from 'vitest';
-import { disc } from '../support/pictures.ts';
+import { disc, photoshopOf } from '../support/pictures.ts';
 import { names } from './actions.ts';
 import { picture, settled, stageOfFile } from './browser.ts';
 
@@ -25,6 +25,24 @@ it('opens the layers of an OpenRaster file as parts, painted as they were', asyn
   await settled(page);
   expect(await names(page)).toEqual(['head', 'body']);
   await picture(page, 'ora');
+  expect(stage.troubles).toEqual([]);
+});
+
+it('opens the layers of a Photoshop document, and one of a single layer as a flat picture', async () => {
+  const { page } = stage;
+  const inside = (radius: number) => (x: number, y: number) => [214, 120, radius, Math.hypot(x - 149.5, y - 149.5) < radius ? 255 : 0] as const;
+  const figure = [
+    { name: 'body', left: 60, top: 150, size: 300, paint: inside(140) },
+    { name: 'head', left: 190, top: 10, size: 300, paint: inside(90) },
+  ];
+  const open = (layers_: typeof figure): Promise<void> =>
+    page.setInputFiles('input[type=file]', { name: 'figure.psd', mimeType: 'image/vnd.adobe.photoshop', buffer: Buffer.from(photoshopOf(520, 460, layers_)) });
+  await open(figure);
+  await settled(page);
+  expect(await names(page)).toEqual(['head', 'body']);
+  await picture(page, 'psd');
+  await open(figure.slice(0, 1));
+  await page.waitForSelector('.scribble-bar[data-tint-ms]');
   expect(stage.troubles).toEqual([]);
 });
 

@@ -71,8 +71,12 @@ it('goes on without a network', async () => {
     await navigator.serviceWorker.ready;
   });
   await page.reload();
+  // A language that is chosen later is kept as well.
+  await page.getByRole('button', { name: 'Français', exact: true }).click();
+  await page.locator('html[lang=fr]').waitFor();
   await context.setOffline(true);
   await page.reload();
+  await page.locator('html[lang=fr]').waitFor();
   await page.click('[data-sample=lamb]');
   await settled(page);
   await picture(page, 'offline');

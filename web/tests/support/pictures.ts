@@ -27,6 +27,52 @@ export function pngOf(width: number, height: number, paint: (x: number, y: numbe
   ]));
 }
 
+interface PhotoshopLayer {
+  name: string;
+  left: number;
+  top: number;
+  size: number;
+  paint: (x: number, y: number) => Rgba;
+}
+
+function u32(...values: number[]): Buffer {
+  const bytes = Buffer.alloc(4 * values.length);
+  values.forEach((value, i) => bytes.writeInt32BE(value, 4 * i));
+  return bytes;
+}
+
+function u16(...values: number[]): Buffer {
+  const bytes = Buffer.alloc(2 * values.length);
+  values.forEach((value, i) => bytes.writeInt16BE(value, 2 * i));
+  return bytes;
+}
+
+/** A Photoshop document of square layers, back to front, nothing packed. */
+export function photoshopOf(width: number, height: number, layers: readonly PhotoshopLayer[]): Uint8Array<ArrayBuffer> {
+  const channels = [-1, 0, 1, 2];
+  const records = layers.map(({ name, left, top, size }) => {
+    const text = Buffer.from(name, 'latin1');
+    const pascal = Buffer.concat([Buffer.from([text.length]), text, Buffer.alloc((4 - ((text.length + 1) % 4)) % 4)]);
+    const lengths = channels.map((id) => Buffer.concat([u16(id), u32(2 + size * size)]));
+    return Buffer.concat([
+      u32(top, left, top + size, left + size), u16(channels.length), ...lengths,
+      Buffer.from('8BIMnorm', 'latin1'), Buffer.from([255, 0, 0, 0]), u32(8 + pascal.length, 0, 0), pascal,
+    ]);
+  });
+  const pixels = layers.flatMap(({ size, paint }) =>
+    channels.map((id) => {
+      const plane = Array.from({ length: size * size }, (_, i) => paint(i % size, Math.floor(i / size))[id < 0 ? 3 : id] ?? 0);
+      return Buffer.concat([u16(0), Buffer.from(plane)]);
+    }),
+  );
+  const info = Buffer.concat([u16(layers.length), ...records, ...pixels]);
+  const even = Buffer.concat([info, Buffer.alloc(info.length % 2)]);
+  return new Uint8Array(Buffer.concat([
+    Buffer.from('8BPS', 'latin1'), u16(1, 0, 0, 0, 3), u32(height, width), u16(8, 3), u32(0, 0),
+    u32(even.length + 8, even.length), even, u32(0), u16(0), Buffer.alloc(3 * width * height, 255),
+  ]));
+}
+
 /** A disc on a transparent ground. */
 export function disc(size: number, radius: number, color: readonly [number, number, number]): Uint8Array<ArrayBuffer> {
   return pngOf(size, size, (x, y) => {
