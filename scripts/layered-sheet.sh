@@ -29,4 +29,5 @@ for drawing in "$drawings"/*; do
   draw 3 --yaw 45 --clay --light -60 30
   draw 4 --yaw 75 --clay --light -60 30
 done
-montage "$work"/*.png -tile 8x -geometry 200x200+2+2 -background white "$sheet"
+montage "$work"/*.png -tile 8x -geometry 150x150+2+2 -background white "$work/sheet.miff"
+convert "$work/sheet.miff" +dither -colors 160 PNG8:"$sheet"
