@@ -16,7 +16,9 @@ namespace {
 
 constexpr double painted_share = 0.01;  ///< of the picture that is covered by wide colour
 constexpr int paper_level = 200;        ///< darkest that paper between lines gets, of 255
-constexpr int faintest_line = 14;       ///< contrast below which everything is grain, of 255
+constexpr int dark_paint = 64;      ///< of 255; on paint up to 2.5 times as bright, ink is judged
+constexpr int least_contrast = 96;  ///< by what contrast it can have, but not by less than this
+constexpr int faintest_line = 14;   ///< contrast below which everything is grain, of 255
 
 int widest_half_line(const Image8& image) {
   return std::max(
@@ -57,8 +59,10 @@ Image8 darker_than_around(const Image8& values, bool painted) {
     const int around = ink.pixels[i];
     const int contrast = around - values.pixels[i];
     const int on_paper = around < paper_level ? contrast / 3 : contrast;
-    ink.pixels[i] =
-        static_cast<uint8_t>(painted ? contrast * (255 - values.pixels[i]) / 255 : on_paper);
+    // On dark paint ink has little contrast, whatever its width.
+    const int most = std::clamp(2 * around - dark_paint, least_contrast, 255);
+    const int dark = contrast * (255 - values.pixels[i]) / most;
+    ink.pixels[i] = static_cast<uint8_t>(painted ? std::min(dark, 255) : on_paper);
   }
   return ink;
 }

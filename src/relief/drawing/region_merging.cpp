@@ -8,6 +8,13 @@ namespace relievo {
 namespace {
 
 constexpr double similar_colour = 60;  ///< distance of mean colours, of 255 a channel
+constexpr double darkest_paint = 48;   ///< mean of a channel, of 255
+
+bool is_as_dark_as_ink(const Basin& region) {
+  const auto most =
+      static_cast<double>(*std::max_element(region.colour_sum.begin(), region.colour_sum.end()));
+  return region.coloured > 0 && most < darkest_paint * static_cast<double>(region.coloured);
+}
 
 }  // namespace
 
@@ -54,7 +61,9 @@ void RegionMerging::unite(int a, int b) {
 
 double RegionMerging::open_share(int a, int b) const {
   const RegionBorder& border = borders_[a].at(b);
-  const bool marked = edges_count_ && colour_distance(a, b) >= similar_colour;
+  const bool marked =
+      (edges_count_ || is_as_dark_as_ink(regions_[a]) || is_as_dark_as_ink(regions_[b])) &&
+      colour_distance(a, b) >= similar_colour;
   const int64_t edges = marked ? border.edge_pairs : 0;
   return 1 - static_cast<double>(border.line_pairs + edges) / static_cast<double>(border.pairs);
 }

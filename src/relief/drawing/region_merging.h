@@ -33,8 +33,8 @@ class RegionMerging {
   /// colour is texture and marks nothing.
   double open_share(int a, int b) const;
 
-  /// From now on edges mark nothing: where ink outlines the parts, they are what is painted on
-  /// them.
+  /// From now on edges mark nothing, but for those of areas that are as dark as ink: where ink
+  /// outlines the parts, they are what is painted on them.
   void ignore_edges() { edges_count_ = false; }
 
   /// Euclidean distance of mean colours, of 255 a channel; 0 where one has no colour.

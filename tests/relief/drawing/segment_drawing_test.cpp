@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -34,6 +35,26 @@ TEST(SegmentDrawing, ClosedLinesNeedNoScribbles) {
   EXPECT_NE(head, body);
   EXPECT_EQ(label_at(*s, 130, 100), head) << "the eye is a detail";
   EXPECT_TRUE(s->bridges.empty());
+}
+
+TEST(SegmentDrawing, InkDividesDarkPaint) {
+  // A dark disc and a light one, each outlined and divided by a line of the same ink.
+  for (const int paint : {76, 90, 120, 220}) {
+    Drawing drawing{Image8(500, 260, 4, 255)};
+    for (int y = 0; y < 260; ++y)
+      for (int x = 0; x < 500; ++x) {
+        const bool left = x < 250;
+        const double r = distance({x + 0.5, y + 0.5}, {left ? 130.0 : 370.0, 130.0});
+        if (r > 102) continue;
+        const bool ink = r > 98 || std::abs(x - (left ? 130 : 370)) < 2;
+        for (int c = 0; c < 3; ++c)
+          drawing.rgba.at(x, y, c) = static_cast<uint8_t>(ink ? 32 : left ? paint : 230);
+      }
+    const Result<Segmentation> s = segment_drawing(drawing);
+    ASSERT_TRUE(s.ok()) << to_string(s.error());
+    EXPECT_EQ(s->parts.size(), 4U) << paint;
+    EXPECT_NE(label_at(*s, 90, 130), label_at(*s, 170, 130)) << paint;
+  }
 }
 
 TEST(SegmentDrawing, WhiskersBelongToTheHeadAndNotToTheBackground) {
