@@ -4,6 +4,7 @@ import type { ExportFormat, MapKind } from '../engine/messages';
 import { type MessageKey, t } from './catalogue';
 import type { Editor } from './editor';
 import type { Files } from './files';
+import { LitMaps } from './lit_maps';
 import { useStore } from './store';
 
 const formats: readonly [ExportFormat, MessageKey][] = [
@@ -22,7 +23,7 @@ interface ExportPanelProps {
 }
 
 export function ExportPanel({ editor, files, picture, turntable }: ExportPanelProps) {
-  const { history } = useStore(editor);
+  const { history, relief } = useStore(editor);
   const { document } = history;
   const [greenDown, setGreenDown] = useState(false);
   const setSize = (value: number): void => {
@@ -50,6 +51,7 @@ export function ExportPanel({ editor, files, picture, turntable }: ExportPanelPr
       <label class="check">
         <input type="checkbox" checked={greenDown} onChange={() => setGreenDown(!greenDown)} /> {t('greenDown')}
       </label>
+      <LitMaps files={files} relief={relief} />
       <h3>{t('exportViews')}</h3>
       <button type="button" class="wide" data-export="picture" onClick={() => void files.exportPicture(picture())}>
         {t('exportPicture')}

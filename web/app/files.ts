@@ -13,7 +13,7 @@ import type { GivenFiles, PlacedFile } from './dropped_files';
 import type { Editor, ShelfPlace } from './editor';
 import type { Keeper } from './keeper';
 import { documentOfLayers, layersAmong, readLayers } from './layered_drawing';
-import { cutOut, flatDrawing, flatOfSvg, pictureOf, pngOf, textureOf } from './pictures';
+import { cutOut, flatDrawing, flatOfSvg, imageDataOf, pictureOf, pngOf, smallPicture, textureOf } from './pictures';
 import { solidOptions } from './print_choice';
 import { documentOfScene } from './scene_files';
 import type { SegmentControl } from './segment_control';
@@ -176,6 +176,20 @@ export class Files {
       if (isFailure(map)) throw new Error(map.error.message);
       download({ name: `${this.editor.document.name}-${kind}.png`, bytes: map.bytes as Uint8Array<ArrayBuffer> });
     });
+  };
+
+  /** The drawing and its normal map at the same size, `side` px at most; null, and the reason told, where there is none. */
+  mapPixels = async (side: number): Promise<{ drawing: ImageData; normals: ImageData } | null> => {
+    let found: { drawing: ImageData; normals: ImageData } | null = null;
+    await this.exporting(async () => {
+      const map = await this.engine.map('normal', side, false);
+      if (isFailure(map)) throw new Error(map.error.message);
+      const normals = await createImageBitmap(new Blob([map.bytes as Uint8Array<ArrayBuffer>], { type: 'image/png' }), { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
+      const { document: doc, state } = this.editor;
+      const picture = await smallPicture(doc, state.picture, side);
+      found = { drawing: imageDataOf(picture, normals), normals: imageDataOf(normals, normals) };
+    });
+    return found;
   };
 
   exportPicture = async (picture: Promise<Blob>): Promise<void> => {

@@ -103,11 +103,15 @@ export async function cutOut(picture: ImageBitmap, mask: ImageBitmap): Promise<U
 }
 
 /** A picture at another size. */
-export function pixelsOf(picture: ImageBitmap, width: number, height: number): Texture {
+export function imageDataOf(picture: ImageBitmap, { width, height }: { width: number; height: number }): ImageData {
   const [canvas, context] = canvasOf(width, height);
   context.drawImage(picture, 0, 0, canvas.width, canvas.height);
-  const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
-  return { rgba: new Uint8Array(data.buffer as ArrayBuffer), width: canvas.width, height: canvas.height };
+  return context.getImageData(0, 0, canvas.width, canvas.height);
+}
+
+export function pixelsOf(picture: ImageBitmap, width: number, height: number): Texture {
+  const pixels = imageDataOf(picture, { width, height });
+  return { rgba: new Uint8Array(pixels.data.buffer as ArrayBuffer), width: pixels.width, height: pixels.height };
 }
 
 /** The drawing at a smaller size, `side` px at most. The browser scales pictures beside the page's own thread. */

@@ -248,6 +248,8 @@ export const english = {
   format3mf: '3MF — 3D print in colours',
   formatUsdz: 'USDZ — phones, in your room',
   formatHtml: 'Web page — turns in any browser',
+  litMaps: 'See the maps in the light',
+  litMapsHint: 'The drawing as a game lights it: drag, or press arrows, to move the lamp.',
 };
 
 export type MessageKey = keyof typeof english;

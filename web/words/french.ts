@@ -249,4 +249,6 @@ export const french: Words = {
   format3mf: '3MF — impression 3D en couleurs',
   formatUsdz: 'USDZ — téléphones, chez vous',
   formatHtml: 'Page web — tourne dans tout navigateur',
+  litMaps: 'Voir les cartes éclairées',
+  litMapsHint: 'Le dessin éclairé comme dans un jeu : glissez, ou pressez les flèches, pour déplacer la lampe.',
 };

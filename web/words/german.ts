@@ -249,4 +249,6 @@ export const german: Words = {
   format3mf: '3MF — 3D-Druck in Farben',
   formatUsdz: 'USDZ — Telefone, im eigenen Zimmer',
   formatHtml: 'Webseite — dreht sich in jedem Browser',
+  litMaps: 'Die Karten im Licht sehen',
+  litMapsHint: 'Die Zeichnung, wie ein Spiel sie beleuchtet: Ziehen oder Pfeiltasten bewegen die Lampe.',
 };

@@ -249,4 +249,6 @@ export const japanese: Words = {
   format3mf: '3MF — カラー3Dプリント',
   formatUsdz: 'USDZ — スマートフォンのAR',
   formatHtml: 'ウェブページ — どのブラウザーでも回せる',
+  litMaps: 'マップを光に当てて見る',
+  litMapsHint: 'ゲームでの見え方です。ドラッグか矢印キーで光を動かします。',
 };

@@ -249,4 +249,6 @@ export const spanish: Words = {
   format3mf: '3MF — impresión 3D en colores',
   formatUsdz: 'USDZ — teléfonos, en tu cuarto',
   formatHtml: 'Página web — para todo navegador',
+  litMaps: 'Ver los mapas a la luz',
+  litMapsHint: 'El dibujo como lo ilumina un juego: arrastra, o pulsa las flechas, para mover la lámpara.',
 };

@@ -86,3 +86,32 @@ it('hands out a page and a model for phones', async () => {
   expect(Object.keys(unzipSync(new Uint8Array(usdz)))).toEqual(['relief.usda', 'drawing.png']);
   expect(stage.troubles).toEqual([]);
 });
+
+it('shows the maps under a lamp that is dragged', async () => {
+  const { page } = stage;
+  await sample(page, 'lamb');
+  await page.click('#export');
+  await page.click('#lit-maps');
+  const canvas = page.locator('.lit-maps');
+  await canvas.waitFor();
+  await canvas.scrollIntoViewIfNeeded();
+  const box = (await canvas.boundingBox())!;
+  /** Mean brightness of what is not transparent. */
+  const brightness = (): Promise<number> =>
+    canvas.evaluate((node) => {
+      const { width, height } = node as HTMLCanvasElement;
+      const { data } = (node as HTMLCanvasElement).getContext('2d')!.getImageData(0, 0, width, height);
+      let sum = 0;
+      let count = 0;
+      for (let i = 0; i < data.length; i += 4) if (data[i + 3]! > 128) [sum, count] = [sum + data[i]!, count + 1];
+      return sum / count;
+    });
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.waitForTimeout(300);
+  const front = await brightness();
+  await page.mouse.move(box.x + box.width - 4, box.y + 8);
+  await page.waitForTimeout(300);
+  await picture(page, 'lit-maps');
+  expect(await brightness()).toBeLessThan(0.95 * front);
+  expect(stage.troubles).toEqual([]);
+});
