@@ -16,8 +16,7 @@ void add_connect(CLI::App& app, CommonArguments& common) {
   app.add_option_function<std::string>(
          "--connect", [&common](const std::string& how) { common.connect = how == "auto"; },
          "How parts of layered drawings connect that say nothing of it: auto guesses (the "
-         "default), "
-         "none stacks them")
+         "default), none stacks them")
       ->check(CLI::IsMember({"auto", "none"}));
 }
 
