@@ -26,6 +26,9 @@ constexpr double least_fade = 1.5;  ///< of the root's width
 /// A limb comes forward by so much of its own height at most, or a thin leg would hang before a
 /// thick belly.
 constexpr double largest_rise = 1.5;
+/// Distances without ridges are to some of more points than this, from so many of their steps on.
+constexpr size_t most_points = 64;
+constexpr double far_steps = 4;
 
 double smooth_step(double from, double to, double x) {
   const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
@@ -61,6 +64,7 @@ struct Limb {
   size_t own = 0;                ///< how many are its own
   std::vector<double> height;    ///< of each node, f, scene units
   std::vector<double> distance;  ///< of each node to the root, scene units
+  std::vector<double> reach;     ///< the same without ridges
   double width = 0;              ///< of the root
   double top = 0;                ///< largest height there
 };
@@ -106,6 +110,23 @@ class PointRuns {
     return std::sqrt(least);
   }
 
+  /// A distance without ridges where two points are equally near, of points along a curve `step`
+  /// apart: that of the straight line which would make the integral of distance^-5 as large.
+  /// `distance`: the least one, not 0.
+  double smooth_distance_to(Point2 p, double distance, double step) const {
+    // An odd stride takes both arms of a bent root. From so far on it makes no difference.
+    const size_t most_stride = points_.size() / most_points * 2 + 1;
+    const bool far = distance > far_steps * step * static_cast<double>(most_stride);
+    const size_t stride = far ? most_stride : 1;
+    double sum = 0;
+    for (size_t i = 0; i < points_.size(); i += stride) {
+      const double square = dot(points_[i] - p, points_[i] - p);
+      sum += 1 / (square * square * std::sqrt(square));
+    }
+    // Roots have the same bits everywhere, powers have not.
+    return 1 / std::sqrt(std::sqrt(0.75 * step * static_cast<double>(stride) * sum));
+  }
+
  private:
   std::vector<Point2> points_;
   std::vector<Box2> boxes_;
@@ -138,7 +159,12 @@ Limb make_limb(const SurfaceInput& surface, const VectorXd& f, const PartNodes& 
   if (root.empty()) return limb;
   limb.width = box.diagonal();
   const PointRuns runs(std::move(root), box);
-  for (const int n : limb.nodes) limb.distance.push_back(runs.distance_to(at(n)));
+  const double step = scale * mesh.edge_length;
+  for (const int n : limb.nodes) {
+    limb.distance.push_back(runs.distance_to(at(n)));
+    const double distance = limb.distance.back();
+    limb.reach.push_back(distance > 0 ? runs.smooth_distance_to(at(n), distance, step) : 0);
+  }
   return limb;
 }
 
@@ -156,8 +182,11 @@ void add_rise(const Limb& limb, double sign, VectorXd& rise) {
   double length = least_fade * limb.width;
   for (size_t i = 0; i < limb.own; ++i)
     if (limb.height[i] > crest + rest_of_fall * fall) length = std::max(length, limb.distance[i]);
+  double end = 0;
+  for (size_t i = 0; i < limb.own; ++i)
+    if (limb.distance[i] <= length) end = std::max(end, limb.reach[i]);
   for (size_t i = 0; i < limb.nodes.size(); ++i)
-    rise[limb.nodes[i]] += sign * amount * smooth_step(0, length, limb.distance[i]);
+    rise[limb.nodes[i]] += sign * amount * smooth_step(0, end, limb.reach[i]);
 }
 
 }  // namespace

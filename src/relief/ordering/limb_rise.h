@@ -12,11 +12,11 @@ namespace relievo {
 /// width makes it, so that it would lean back. Let F be how much lower its crest is in the last
 /// part of its reach than at the root. Everything on the limb comes forward by
 ///   A smoothstep(x / l),  A = s min(F, 1.5 crest there),
-/// x the distance to the root, so that the surface stays smooth there, and l where the crest has
-/// come down, at least 1.5 widths of the root; what grows out of the limb comes along. s leaves
-/// lumps alone: from 0 to 1 for limbs that reach one to 1.75 widths of their root. Limbs with a
-/// lean stay. O(N + F) in all, O(N) for each limb, and its nodes times the square root of its
-/// root's.
+/// x the distance to the root, without ridges, so that the surface stays smooth there, and l where
+/// the crest has come down, at least 1.5 widths of the root; what grows out of the limb comes
+/// along. s leaves lumps alone: from 0 to 1 for limbs that reach one to 1.75 widths of their root.
+/// Limbs with a lean stay. O(N + F) in all, O(N) for each limb, and its nodes times the square root
+/// of its root's.
 Eigen::VectorXd limb_rise(const SurfaceInput& surface, const Inflation& inflation);
 
 }  // namespace relievo
