@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "io/image/png_encode.h"
 #include "io/mesh/glb_encode.h"
 #include "io/mesh/obj_encode.h"
@@ -45,6 +47,9 @@ Result<Files> encode_as(const fs::path& path, const Model& model, const Drawing&
 
 Result<Files> export_model(const Model& model, const Drawing& drawing, const fs::path& path,
                            double size_mm) {
+  const auto has_hidden = [](const ModelPart& part) { return part.hidden_count > 0; };
+  if (std::none_of(model.parts.begin(), model.parts.end(), has_hidden))
+    return encode_as(path, model, drawing, size_mm);
   const DrawnModel dressed = dress_hidden(model, drawing);
   return encode_as(path, dressed.model, dressed.drawing, size_mm);
 }
