@@ -77,7 +77,8 @@ async function openPage(stage: Stage): Promise<void> {
 
 /** Ends the browser without a word and opens it again with the same storage. */
 export async function reopen(stage: Stage): Promise<void> {
-  await stage.context.close();
+  // It may be dead already.
+  await stage.context.close().catch(() => undefined);
   stage.context = await openContext(stage.profile, stage.words);
   watch(stage);
   stage.page = stage.context.pages()[0] ?? (await stage.context.newPage());
