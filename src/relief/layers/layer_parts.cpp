@@ -56,7 +56,7 @@ void drop_unused_points(SplicedCurves& spliced) {
 
 /// `joined` has its base and edge length; the rest is made.
 Result<JoinedSheets> join_on(const Scene& scene, const SampledOutlines& sampled,
-                             SplicedCurves spliced, JoinedSheets joined,
+                             const SplicedCurves& spliced, JoinedSheets joined,
                              const RunContext& context) {
   joined.loops = {spliced.loops, sampled.curve_part};
   Cover cover = cover_triangles(joined.base.mesh, joined.loops.vertices, joined.loops.part);
@@ -151,7 +151,7 @@ Result<JoinedSheets> join_sheets(const Scene& scene, const LayerOptions& options
   JoinedSheets joined;
   joined.base = make_base_mesh(std::move(points), std::move(*mesh));
   joined.edge_length = *spacing;
-  return join_on(scene, *sampled, std::move(*spliced), std::move(joined), context);
+  return join_on(scene, *sampled, *spliced, std::move(joined), context);
 }
 
 Result<LayeredMesh> constrain_sheets(const JoinedSheets& joined, const Scene& scene,
