@@ -100,10 +100,7 @@ class PairCollector {
     const int32_t b = basins_.index.pixels[j];
     const uint8_t p = basins_.barrier.pixels[i];
     const uint8_t q = basins_.barrier.pixels[j];
-    const auto parts = [](uint8_t barrier) {
-      return barrier == LineMap::line || barrier == LineMap::bridge;
-    };
-    const bool line = parts(p) || parts(q);
+    const bool line = LineMap::is_wall(p) || LineMap::is_wall(q);
     const bool edge = !line && (p == LineMap::edge || q == LineMap::edge);
     const int64_t white = 255 - std::max(basins_.ink.pixels[i], basins_.ink.pixels[j]);
     pairs_.push_back({std::min(a, b), std::max(a, b), 1, line ? 1 : 0, edge ? 1 : 0,

@@ -31,8 +31,6 @@ struct NeckCut {
   int limb = 0;  ///< the region that the limb gets
 };
 
-bool is_wall(uint8_t barrier) { return barrier == LineMap::line || barrier == LineMap::bridge; }
-
 double figure_diagonal(const Basins& basins) {
   Box2 box;
   for (size_t b = 0; b < basins.basins.size(); ++b)
@@ -48,7 +46,7 @@ NeckGrid grid_of(const Basins& basins) {
   grid.wall = Image8(w, h, 1);
   for (int y = 0; y < basins.index.height; ++y)
     for (int x = 0; x < basins.index.width; ++x)
-      if (is_wall(basins.barrier.at(x, y)))
+      if (LineMap::is_wall(basins.barrier.at(x, y)))
         grid.wall.at(static_cast<int>(x / grid.cell), static_cast<int>(y / grid.cell)) = 1;
   grid.region = Image<int32_t>(w, h, 1);
   for (int v = 0; v < h; ++v)

@@ -18,17 +18,6 @@ constexpr int outside = 3;  ///< px beyond it that get paint, for what lies betw
 
 using Colour = std::array<int, 3>;
 
-/// 1 where the model does not cover the picture.
-Image8 uncovered(const Model& model, int width, int height) {
-  Image8 open(width, height, 1);
-  std::fill(open.pixels.begin(), open.pixels.end(), uint8_t{1});
-  const ImageSize size{width, height};
-  for (size_t t = 0; t < model.triangles.size(); ++t)
-    for_each_pixel_inside(corners_on_image(model, static_cast<int>(t), size), size,
-                          [&open](int x, int y) { open.at(x, y) = 0; });
-  return open;
-}
-
 /// Goes outwards from what is painted for certain, one pixel a step.
 class PaintCarrier {
  public:
@@ -92,7 +81,7 @@ class PaintCarrier {
 
 void extend_paint(const Model& model, Image8& rgba) {
   if (rgba.empty()) return;
-  const Image8 open = uncovered(model, rgba.width, rgba.height);
+  const Image8 open = uncovered_pixels(model, {rgba.width, rgba.height});
   PaintCarrier carrier(open, rgba);
   for (int step = 0; step < blended + outside; ++step) carrier.step();
 }

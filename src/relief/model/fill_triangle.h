@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "kernel/image/image_size.h"
+#include "relievo/image.h"
 #include "relievo/model.h"
 #include "relievo/point.h"
 
@@ -41,6 +43,15 @@ void for_each_pixel_inside(const std::array<Point2, 3>& corners, ImageSize size,
           sign * cross(a - c, p - c) >= 0)
         visit(x, y);
     }
+}
+
+/// 1 on the pixels of an image of this size that no triangle of the model covers.
+inline Image8 uncovered_pixels(const Model& model, ImageSize size) {
+  Image8 mask(size.width, size.height, 1, 1);
+  for (size_t t = 0; t < model.triangles.size(); ++t)
+    for_each_pixel_inside(corners_on_image(model, t, size), size,
+                          [&mask](int x, int y) { mask.at(x, y) = 0; });
+  return mask;
 }
 
 }  // namespace relievo

@@ -15,16 +15,6 @@
 namespace relievo {
 namespace {
 
-using Mask = Image<uint8_t>;
-
-Mask cover(const Model& model, ImageSize size) {
-  Mask mask(size.width, size.height, 1);
-  for (size_t t = 0; t < model.triangles.size(); ++t)
-    for_each_pixel_inside(corners_on_image(model, t, size), size,
-                          [&mask](int x, int y) { mask.at(x, y) = 1; });
-  return mask;
-}
-
 /// Copies colours from known pixels to the others, to each from about the nearest in Chebyshev
 /// distance: two passes over the pixels, each looking at the neighbours before it.
 class Spread {
@@ -67,21 +57,16 @@ class Spread {
   std::vector<uint16_t> distance_;
 };
 
+/// Chebyshev distance from a pixel that is not covered.
 constexpr int silhouette_band = 2;
-
-/// Pixels that are not covered, or at most the band away from one that is not, in Chebyshev
-/// distance.
-Mask near_background(Mask covered) {
-  for (uint8_t& value : covered.pixels) value = value == 0 ? 1 : 0;
-  return max_filter(covered, silhouette_band);
-}
 
 }  // namespace
 
 Image8 model_texture(const Model& model, const Drawing& drawing) {
   const Image8& rgba = drawing.rgba;
   if (rgba.empty()) return {};
-  const Mask near = near_background(cover(model, {rgba.width, rgba.height}));
+  const Image8 near =
+      max_filter(uncovered_pixels(model, {rgba.width, rgba.height}), silhouette_band);
   Image8 texture(rgba.width, rgba.height, 3, 255);
   Spread known(rgba.width, rgba.height);
   for (int y = 0; y < rgba.height; ++y)

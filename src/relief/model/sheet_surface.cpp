@@ -75,7 +75,8 @@ class Connector {
   void for_each_kept_edge(Visit visit) {
     for (size_t t = 0; t < mesh_.triangles.size(); ++t)
       for (int f = surface_.kept_begin[t]; f < mesh_.stack_begin[t + 1]; ++f)
-        for (int k = 0; k < 3 && is_kept(f); ++k) visit({f, k}, mesh_.neighbours[t][k]);
+        if (is_kept(f))
+          for (int k = 0; k < 3; ++k) visit({f, k}, mesh_.neighbours[t][k]);
   }
 
   bool is_kept(int face) const {
