@@ -1,4 +1,4 @@
-import type { BuiltRelief, EngineError, Solid } from '../engine/messages';
+import type { BuiltRelief, EngineError, Failure, Solid } from '../engine/messages';
 import { noteCorrections } from '../document/corrections';
 import { cueRanges } from '../document/cues';
 import { type Cue, type Document, emptyDocument } from '../document/document';
@@ -71,7 +71,7 @@ export interface EditorState {
   panel: 'none' | 'keys' | 'export' | 'print' | 'settings' | 'versions';
   print: PrintChoice;
   /** What is shown in place of the relief while it is prepared for printing, or why there is none. */
-  solid: Solid | EngineError | null;
+  solid: Solid | Failure | null;
   tourStep: number | null;
   brush: Brush;
   /** What the next line of the profile tool says. */

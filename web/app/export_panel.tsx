@@ -1,10 +1,10 @@
 import { useState } from 'preact/hooks';
-import { changeSettings } from '../document/editing';
 import type { ExportFormat, MapKind } from '../engine/messages';
 import { type MessageKey, t } from './catalogue';
 import type { Editor } from './editor';
 import type { Files } from './files';
 import { LitMaps } from './lit_maps';
+import { SizeField } from './size_field';
 import { useStore } from './store';
 
 const formats: readonly [ExportFormat, MessageKey][] = [
@@ -23,18 +23,11 @@ interface ExportPanelProps {
 }
 
 export function ExportPanel({ editor, files, picture, turntable }: ExportPanelProps) {
-  const { history, relief } = useStore(editor);
-  const { document } = history;
+  const { relief } = useStore(editor);
   const [greenDown, setGreenDown] = useState(false);
-  const setSize = (value: number): void => {
-    if (value >= 1 && value <= 10_000) editor.edit('size', changeSettings(document, { sizeMm: value }), 'size');
-  };
   return (
     <div class="sheet" role="group" aria-label={t('exportTitle')}>
-      <label class="field">
-        <span>{t('size')}</span>
-        <input type="number" min={1} max={10000} value={document.settings.sizeMm} onChange={(event) => setSize(Number(event.currentTarget.value))} />
-      </label>
+      <SizeField editor={editor} />
       <button type="button" class="wide primary" id="print" onClick={() => editor.set({ panel: 'print', pane: 'model' })}>{t('printOpen')}</button>
       <h3>{t('exportModels')}</h3>
       {formats.map(([format, label]) => (

@@ -1,5 +1,5 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { type EngineError, type Solid, told } from '../engine/messages';
+import { isFailure, type Solid, told } from '../engine/messages';
 import { ModelView } from '../view/model_view';
 import { listenToOrbit } from '../view/orbit';
 import type { Painted } from '../view/painted_drawing';
@@ -59,10 +59,6 @@ function listen(canvas: HTMLCanvasElement, view: ModelView, editor: Editor, ligh
   canvas.addEventListener('dblclick', () => view.turn(0, 0));
 }
 
-function madeOf(solid: Solid | EngineError | null): Solid | null {
-  return solid && 'surface' in solid ? solid : null;
-}
-
 /** The page that a solid's picture fills. */
 function sheetOf({ picture }: Solid): Painted {
   return { width: picture.width, height: picture.height, parts: [], joins: [] };
@@ -72,9 +68,9 @@ function sheetOf({ picture }: Solid): Painted {
 function follow(view: ModelView, editor: Editor): () => void {
   let before: readonly unknown[] = [];
   const update = (): void => {
-    const { relief, picture, shading, hovered, selected, history, preview } = editor.state;
+    const { relief, picture, shading, hovered, selected, history, preview, solid: made } = editor.state;
     const document = preview ?? history.document;
-    const solid = madeOf(editor.state.solid);
+    const solid = made && !isFailure(made) ? made : null;
     const now = [solid ?? relief, solid ?? picture ?? document.parts, shading, hovered ?? selected, document.name];
     if (now[1] !== before[1] || now[4] !== before[4]) {
       if (solid) view.paint(sheetOf(solid), solid.picture);

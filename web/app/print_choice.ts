@@ -1,4 +1,5 @@
 import type { Document, Ring } from '../document/document';
+import { area, boxOf, perimeter } from '../document/outline';
 import type { SolidOptions } from '../engine/messages';
 
 export type PrintKind = 'plaque' | 'cutout' | 'medal' | 'figure';
@@ -33,31 +34,12 @@ export function solidOptions({ kind, height, detail, thickness, hang }: PrintCho
   };
 }
 
-/** Twice the area and the length of a closed line. */
-function measure(ring: Ring): [number, number] {
-  let area = 0;
-  let length = 0;
-  ring.forEach(([x, y], i) => {
-    const [u, v] = ring[(i + 1) % ring.length] as Ring[number];
-    area += x * v - u * y;
-    length += Math.hypot(u - x, v - y);
-  });
-  return [area, length];
-}
-
 /** How wide parts are in the middle if the longest side of all of them is `size` long, thinnest first. */
-export function widths(document: Document, size: number): { id: string; width: number }[] {
-  const points = document.parts.flatMap((part) => part.outline.flat());
-  const sides = ([0, 1] as const).map((k) => {
-    const along = points.map((point) => point[k]);
-    return along.reduce((most, x) => Math.max(most, x), -Infinity) - along.reduce((least, x) => Math.min(least, x), Infinity);
-  });
-  const scale = size / Math.max(...sides);
-  return document.parts
-    .map(({ id, outline }) => {
-      const rings = outline.map(measure);
-      const area = Math.abs(rings.reduce((sum, [twice]) => sum + twice, 0));
-      return { id, width: (scale * area) / rings.reduce((sum, [, length]) => sum + length, 0) };
-    })
+export function widths({ parts }: Document, size: number): { id: string; width: number }[] {
+  const { min, max } = boxOf(parts.map(({ outline }) => Object.values(boxOf(outline))));
+  const scale = size / Math.max(max[0] - min[0], max[1] - min[1]);
+  const sum = (outline: readonly Ring[], of: (ring: Ring) => number): number => outline.reduce((total, ring) => total + of(ring), 0);
+  return parts
+    .map(({ id, outline }) => ({ id, width: (2 * scale * Math.abs(sum(outline, area))) / sum(outline, perimeter) }))
     .sort((a, b) => a.width - b.width);
 }

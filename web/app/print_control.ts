@@ -1,5 +1,4 @@
 import { type Engine, EngineStopped } from '../engine/engine';
-import { isFailure } from '../engine/messages';
 import type { BuildControl } from './build_control';
 import type { Editor } from './editor';
 import { smallPicture } from './pictures';
@@ -40,7 +39,7 @@ export class PrintControl {
       const { document, state } = this.editor;
       const drawing = await smallPicture(document, state.picture, shownSide);
       const made = await this.engine.solid(solidOptions(state.print, document.settings.sizeMm), drawing);
-      if (this.of === of) this.editor.set({ solid: isFailure(made) ? made.error : made });
+      if (this.of === of) this.editor.set({ solid: made });
     } catch (error) {
       // Why there is no relief is said beside it.
       if (!(error instanceof EngineStopped) && this.of === of) this.editor.set({ solid: null });

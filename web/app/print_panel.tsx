@@ -1,9 +1,9 @@
-import { changeSettings } from '../document/editing';
-import { type EngineError, type Solid, type SolidFormat, told } from '../engine/messages';
+import { type Failure, isFailure, type Solid, type SolidFormat, told } from '../engine/messages';
 import { type MessageKey, t } from './catalogue';
 import type { Editor } from './editor';
 import type { Files } from './files';
 import { leastWidth, type PrintChoice, type PrintKind, widths } from './print_choice';
+import { SizeField } from './size_field';
 import { Slider } from './slider';
 import { useStore } from './store';
 
@@ -36,19 +36,15 @@ function Findings({ editor, solid }: { editor: Editor; solid: Solid }) {
   );
 }
 
-function State({ editor, solid }: { editor: Editor; solid: Solid | EngineError | null }) {
+function State({ editor, solid }: { editor: Editor; solid: Solid | Failure | null }) {
   if (!solid) return <p role="status">{t('printWorking')}</p>;
-  return 'code' in solid ? <p class="finding" role="status">{told(solid)}</p> : <Findings editor={editor} solid={solid} />;
+  return isFailure(solid) ? <p class="finding" role="status">{told(solid.error)}</p> : <Findings editor={editor} solid={solid} />;
 }
 
 /** Something to hold: what it is, how large, and its files; the relief's pane shows it meanwhile. */
 export function PrintPanel({ editor, files }: { editor: Editor; files: Files }) {
-  const { history, print, solid } = useStore(editor);
-  const { document } = history;
+  const { print, solid } = useStore(editor);
   const set = (values: Partial<PrintChoice>): void => editor.set({ print: { ...print, ...values } });
-  const setSize = (value: number): void => {
-    if (value >= 1 && value <= 10_000) editor.edit('size', changeSettings(document, { sizeMm: value }), 'size');
-  };
   return (
     <div class="sheet print" role="group" aria-label={t('printTitle')}>
       <div class="choices" role="group" aria-label={t('printTitle')}>
@@ -56,10 +52,7 @@ export function PrintPanel({ editor, files }: { editor: Editor; files: Files }) 
           <button type="button" key={kind} data-kind={kind} aria-pressed={kind === print.kind} onClick={() => set({ kind })}>{t(label)}</button>
         ))}
       </div>
-      <label class="field">
-        <span>{t('size')}</span>
-        <input type="number" min={1} max={10000} value={document.settings.sizeMm} onChange={(event) => setSize(Number(event.currentTarget.value))} />
-      </label>
+      <SizeField editor={editor} />
       <Slider label={t('printHeight')} value={print.height} min={0} max={60} step={0.5} onInput={(height) => set({ height })} />
       <label class="check">
         <input type="checkbox" checked={print.detail} disabled={print.height === 0} onChange={() => set({ detail: !print.detail })} /> {t('printDetail')}
