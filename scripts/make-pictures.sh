@@ -6,6 +6,8 @@ cd "$(dirname "$0")/.."
 relievo="${1:-build/release/apps/cli/relievo}"
 to=docs/pictures
 mkdir -p "$to"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
 
 for name in wolf bunny farmer unicorn elephant lamb; do
   rsvg-convert --width 480 --keep-aspect-ratio --background-color white "examples/$name.svg" \
@@ -14,6 +16,10 @@ for name in wolf bunny farmer unicorn elephant lamb; do
   yaw=-20
   [ "$name" != unicorn ] || yaw=20
   "$relievo" render "examples/$name.svg" -o "$to/$name.png" --yaw "$yaw" --pitch 8 --size 480 > /dev/null
+  # What the editor's first screen shows.
+  "$relievo" render "examples/$name.svg" -o "$work/$name.png" --yaw $((yaw * 8 / 5)) --pitch 10 \
+    --light -50 35 --size 720 > /dev/null
+  convert "$work/$name.png" -resize 320x256 -quality 80 -define webp:method=6 "web/thumbnails/$name.webp"
 done
 
 # Creases, with light from the left.
@@ -23,9 +29,6 @@ rsvg-convert --width 480 --keep-aspect-ratio --background-color white examples/g
   --light -60 30 --size 480 > /dev/null
 "$relievo" render examples/griffin.svg -o "$to/griffin-turned.png" --yaw 45 --clay \
   --light -60 30 --size 480 > /dev/null
-
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 
 # All joins, and a part that lies on another with all of its outline, with light from the left. What
 # these were like before (joins-before.png, nose-pulled.png) no option makes any more.

@@ -73,6 +73,8 @@ export interface EditorState {
   /** What is shown in place of the relief while it is prepared for printing, or why there is none. */
   solid: Solid | Failure | null;
   tourStep: number | null;
+  /** How far a hand has turned the relief since the document was opened, radians. */
+  turned: number;
   brush: Brush;
   /** What the next line of the profile tool says. */
   cue: Pick<Cue, 'kind' | 'value'>;
@@ -118,6 +120,7 @@ function firstState(): EditorState {
     print: usualPrint,
     solid: null,
     tourStep: null,
+    turned: 0,
     brush: { kind: 'auto', part: null, width: 12, soft: false },
     cue: { kind: 'crease', value: cueRanges.crease.usual },
     behind: false,
@@ -165,6 +168,8 @@ export class Editor extends Store<EditorState> {
       elsewhere: null,
       panel: 'none',
       opened: this.state.opened + 1,
+      tourStep: null,
+      turned: 0,
       selected: null,
       hovered: null,
       culprit: null,

@@ -4,6 +4,7 @@ import { type History, startHistory } from '../document/history';
 import { isOwnPicture } from '../document/segmentation';
 import { sceneContent } from '../document/scene_text';
 import { adopt } from '../document/scribbling';
+import { tourAnimal } from '../document/tour_animal';
 import type { Engine } from '../engine/engine';
 import { type ExportFormat, isFailure, type MapKind, type OutputFile, type SolidFormat, told } from '../engine/messages';
 import { packProject, unpackOra, unpackProject, zipped } from './archives';
@@ -104,6 +105,12 @@ export class Files {
   /** Begins anew with an empty page. */
   openEmpty(): Promise<void> {
     return this.show({ ...emptyDocument(), name: t('untitled') }, 'changes');
+  }
+
+  /** Begins the tour, on a drawing of its own. */
+  async openTour(): Promise<void> {
+    await this.show(tourAnimal(t('tour')), 'changes');
+    this.editor.set({ tool: 'draw', tourStep: 0, pane: 'paper' });
   }
 
   /** Goes on with a document of the shelf; asks where another tab has it, unless it is to be taken over. */

@@ -55,7 +55,7 @@ function listen(canvas: HTMLCanvasElement, view: ModelView, editor: Editor, ligh
     else if (event.buttons === 0) hover([event.offsetX, event.offsetY]);
   });
   canvas.addEventListener('pointerleave', () => hover(null));
-  listenToOrbit(canvas, view, lightHeld);
+  listenToOrbit(canvas, view, lightHeld, (angle) => editor.set({ turned: editor.state.turned + angle }));
   canvas.addEventListener('dblclick', () => view.turn(0, 0));
 }
 

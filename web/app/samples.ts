@@ -5,6 +5,8 @@ import lamb from '../../examples/lamb.svg?url';
 import unicorn from '../../examples/unicorn.svg?url';
 import wolf from '../../examples/wolf.svg?url';
 
+const thumbnails = import.meta.glob<string>('../thumbnails/*.webp', { eager: true, query: '?url', import: 'default' });
+
 /** The project's own drawings, on the first screen. */
 export const samples = [
   { name: 'wolf', url: wolf },
@@ -14,3 +16,8 @@ export const samples = [
   { name: 'farmer', url: farmer },
   { name: 'lamb', url: lamb },
 ] as const;
+
+/** A sample's relief, seen from the side. */
+export function thumbnailOf(name: string): string | undefined {
+  return thumbnails[`../thumbnails/${name}.webp`];
+}

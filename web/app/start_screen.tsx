@@ -4,7 +4,8 @@ import { chooseLanguage, type Language, language, languages, speak, t } from './
 import type { Files } from './files';
 import { Icon } from './icons';
 import type { Keeper } from './keeper';
-import { samples } from './samples';
+import { samples, thumbnailOf } from './samples';
+import { isTourOffered, TourOffer } from './tour';
 
 interface StartScreenProps {
   files: Files;
@@ -88,6 +89,7 @@ function LanguageChoice({ changed }: { changed(): void }) {
 export function StartScreen({ files, keeper, choose }: StartScreenProps) {
   const [entries, setEntries] = useState<Entry[] | null>(null);
   const [, setSpoken] = useState(language);
+  const [offersTour, setOffersTour] = useState(!isTourOffered());
   const look = (): void => void keeper.list().then(setEntries);
   useEffect(look, []);
   if (!entries) return null;
@@ -110,13 +112,14 @@ export function StartScreen({ files, keeper, choose }: StartScreenProps) {
         </button>
       </div>
       <p class="quiet">{t('dropHint')}</p>
+      {offersTour && <TourOffer files={files} close={() => setOffersTour(false)} />}
       <KeptDocuments entries={entries} files={files} keeper={keeper} changed={look} />
       <h2>{t('samples')}</h2>
       <ul class="samples">
         {samples.map(({ name, url }) => (
           <li key={name}>
             <button type="button" data-sample={name} onClick={() => void files.openSample(name, url)}>
-              <img src={url} alt="" width={150} height={120} />
+              <img src={thumbnailOf(name)} alt="" width={160} height={128} />
               <span>{t(name)}</span>
             </button>
           </li>

@@ -1,35 +1,93 @@
 import { useEffect, useRef } from 'preact/hooks';
+import { isFailure } from '../engine/messages';
 import { type MessageKey, t } from './catalogue';
-import type { Editor } from './editor';
+import type { Editor, EditorState } from './editor';
+import type { Files } from './files';
 import { useStore } from './store';
 
-/** A step says one thing beside what it speaks of. */
-const steps: readonly { text: MessageKey; beside: 'model' | 'side' | 'tools' | 'paper' }[] = [
-  { text: 'tour1', beside: 'model' },
-  { text: 'tour2', beside: 'side' },
-  { text: 'tour3', beside: 'tools' },
-  { text: 'tour4', beside: 'tools' },
-  { text: 'tourOutline', beside: 'tools' },
-  { text: 'tour5', beside: 'paper' },
-  { text: 'tourScribble', beside: 'tools' },
+interface Step {
+  readonly text: MessageKey;
+  readonly beside: 'drawing' | 'relief';
+  /** What is used to do it. */
+  readonly hand: string;
+  /** Whether it has been done. */
+  done(state: EditorState): boolean;
+}
+
+/** So far has the relief to be turned, radians. */
+const turned = 0.4;
+
+/** A task, one thing to do after the other; doing it leads on. */
+const steps: readonly Step[] = [
+  {
+    text: 'tourDraw', beside: 'drawing', hand: '.paper canvas',
+    done: ({ history: { document, done } }) =>
+      done.at(-1)?.label === 'draw' && document.joins.some(({ upper, lower }) => [upper, lower].includes(document.parts.at(-1)?.id ?? '')),
+  },
+  { text: 'tourTurn', beside: 'relief', hand: '.model canvas', done: (state) => state.turned > turned },
+  { text: 'tourPrint', beside: 'relief', hand: '#export', done: ({ panel, solid }) => panel === 'print' && solid !== null && !isFailure(solid) },
+  { text: 'tourEnd', beside: 'relief', hand: '[data-solid="3mf"]', done: () => false },
 ];
 
+const offeredKey = 'tour';
+
+/** Whether this browser has been asked before; storage may be refused. */
+export function isTourOffered(): boolean {
+  try {
+    return localStorage.getItem(offeredKey) !== null;
+  } catch {
+    return true;
+  }
+}
+
+export function noteTourOffered(): void {
+  try {
+    localStorage.setItem(offeredKey, 'offered');
+  } catch {
+    // Then it is never offered.
+  }
+}
+
+/** The offer on the first screen, once. */
+export function TourOffer({ files, close }: { files: Files; close(): void }) {
+  const answer = (go: boolean): void => {
+    noteTourOffered();
+    close();
+    if (go) void files.openTour();
+  };
+  return (
+    <section class="tour-offer" aria-label={t('tour')}>
+      <p>{t('tourOffer')}</p>
+      <button type="button" class="primary" id="begin-tour" onClick={() => answer(true)}>{t('tourBegin')}</button>
+      <button type="button" onClick={() => answer(false)}>{t('notNow')}</button>
+    </section>
+  );
+}
+
 export function Tour({ editor }: { editor: Editor }) {
-  const { tourStep } = useStore(editor);
+  const state = useStore(editor);
+  const { tourStep } = state;
   const step = tourStep === null ? undefined : steps[tourStep];
-  const next = useRef<HTMLButtonElement>(null);
-  useEffect(() => next.current?.focus(), [tourStep]);
+  const card = useRef<HTMLDivElement>(null);
+  const isDone = step?.done(state) ?? false;
+  useEffect(() => {
+    if (isDone && tourStep !== null) editor.set({ tourStep: tourStep + 1 });
+  }, [isDone, tourStep]);
+  useEffect(() => card.current?.focus(), [tourStep]);
   if (!step || tourStep === null) return null;
   const last = tourStep === steps.length - 1;
+  const close = (): void => editor.set({ tourStep: null });
+  const show = (): void => {
+    editor.set({ pane: step.hand.startsWith('.paper') ? 'paper' : 'model' });
+    document.querySelector<HTMLElement>(step.hand)?.focus();
+  };
   return (
-    <div class={`tour ${step.beside}`} role="dialog" aria-label={t('tour')} aria-live="polite">
-      <p>{t(step.text)}</p>
+    <div class={`tour beside-${step.beside}`} role="dialog" aria-label={t('tour')} aria-describedby="tour-text" tabIndex={-1} ref={card} data-step={tourStep}>
+      <p id="tour-text">{t(step.text, { export: t('export'), print: t('printOpen') })}</p>
       <div class="row">
         <span class="quiet">{tourStep + 1} / {steps.length}</span>
-        <button type="button" onClick={() => editor.set({ tourStep: null })}>{t('close')}</button>
-        <button type="button" class="primary" ref={next} onClick={() => editor.set({ tourStep: last ? null : tourStep + 1 })}>
-          {last ? t('done') : t('next')}
-        </button>
+        {!last && <button type="button" onClick={close}>{t('close')}</button>}
+        <button type="button" class="primary" onClick={last ? close : show}>{t(last ? 'done' : 'tourShow')}</button>
       </div>
     </div>
   );

@@ -122,7 +122,7 @@ function TopBar({ editor, files, segments, choose }: Pick<WorkspaceProps, 'edito
       <span class="gap" />
       <button type="button" id="side" class="narrow-only" aria-expanded={sideOpen} onClick={() => editor.set({ sideOpen: !sideOpen })}>{t('parts')}</button>
       <button type="button" id="versions" aria-expanded={panel === 'versions'} onClick={() => toggle('versions')}>{t('versions')}</button>
-      <button type="button" id="tour" onClick={() => editor.set({ tourStep: 0 })}>{t('tour')}</button>
+      <button type="button" id="tour" onClick={() => void files.openTour()}>{t('tour')}</button>
       <button type="button" id="keys" aria-expanded={panel === 'keys'} onClick={() => toggle('keys')}>{t('keys')}</button>
       <button type="button" aria-expanded={panel === 'settings'} id="settings" onClick={() => toggle('settings')}>{t('settings')}</button>
       <button type="button" onClick={choose}>{t('open')}</button>

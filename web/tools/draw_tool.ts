@@ -2,8 +2,8 @@ import type { Point } from '../document/document';
 import { distance } from '../document/outline';
 import { type Drawn, drawStroke, type Hand, isClosed, previewStroke } from '../document/strokes';
 import { marks } from '../view/colors';
-import { strokeLine } from '../view/paper_view';
-import type { Modifiers, Tool, ToolHost } from './tool';
+import { drawDot, strokeLine } from '../view/paper_view';
+import { type Modifiers, penMoved, type Tool, type ToolHost } from './tool';
 
 /** Every stroke makes something; see drawStroke. */
 export class DrawTool implements Tool {
@@ -11,6 +11,8 @@ export class DrawTool implements Tool {
   private stroke: Point[] = [];
   /** Where the pen was when the relief last showed what it draws. */
   private shownAt: Point | null = null;
+  /** The pen that keys move. */
+  private pen: Point | null = null;
 
   constructor(
     private readonly host: ToolHost,
@@ -20,6 +22,7 @@ export class DrawTool implements Tool {
   ) {}
 
   down(point: Point): void {
+    this.pen = null;
     this.stroke = [point];
   }
 
@@ -47,6 +50,24 @@ export class DrawTool implements Tool {
     this.host.preview(null);
   }
 
+  /** Arrows move the pen, Enter sets it down and lifts it. */
+  key(name: string, keys: Modifiers): boolean {
+    const { width, height } = this.host.document;
+    const at = this.pen ?? [width / 2, height / 2];
+    const isDown = this.pen !== null && this.stroke.length > 0;
+    if (name === 'Enter') {
+      if (isDown) this.up(at, keys);
+      else this.down(at);
+      this.pen = at;
+      return true;
+    }
+    const next = penMoved(at, name, keys.shift, this.host);
+    if (!next) return false;
+    this.pen = next;
+    if (isDown) this.move(next, true);
+    return true;
+  }
+
   private make(drawn: Drawn): void {
     if ('refused' in drawn) {
       this.host.refuse(drawn.refused);
@@ -61,6 +82,7 @@ export class DrawTool implements Tool {
   }
 
   draw(context: CanvasRenderingContext2D, pixel: number): void {
+    if (this.pen) drawDot(context, this.pen, { radius: 5, fill: this.stroke.length > 0 ? marks.select : '#fff', rim: marks.select, width: 2 }, pixel);
     if (this.stroke.length < 2) return;
     strokeLine(context, this.stroke, marks.ink, 3 * pixel);
     const first = this.stroke[0] as Point;

@@ -7,7 +7,7 @@ import type { Stroke, StrokeKind } from '../document/segmentation';
 import { inkOf, marks } from '../view/colors';
 import { strokeLine } from '../view/paper_view';
 import { StrokeMover } from './stroke_mover';
-import { arrows, type Modifiers, type Tool, type ToolHost } from './tool';
+import { type Modifiers, penMoved, type Tool, type ToolHost } from './tool';
 
 /** What the brush says: by itself, for one part, for the background, or nothing any more; or it moves strokes. */
 export type BrushKind = 'auto' | 'part' | 'outside' | 'hole' | 'erase' | 'move';
@@ -43,9 +43,6 @@ export interface ScribbleHost {
   /** Whether the picture shows nothing at a point. */
   isPaper(point: Point): boolean;
 }
-
-/** How far an arrow key moves the brush, as shares of the reach of a hand: usually, with Shift. */
-const steps = [0.5, 3] as const;
 
 /** Soft strokes are dotted, holes dashed. */
 function dashOf({ kind }: Stroke, width: number): number[] {
@@ -134,12 +131,9 @@ export class ScribbleTool implements Tool {
       else this.down([x, y], keys);
       return true;
     }
-    const way = arrows[name];
-    if (!way) return false;
-    const step = this.host.reach * steps[keys.shift ? 1 : 0];
-    const within = (value: number, most: number): number => Math.min(most, Math.max(0, value));
-    this.move([within(x + step * way[0], width), within(y + step * way[1], height)], true);
-    return true;
+    const next = penMoved([x, y], name, keys.shift, this.host);
+    if (next) this.move(next, true);
+    return next !== null;
   }
 
   draw(context: CanvasRenderingContext2D, pixel: number): void {

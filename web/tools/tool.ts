@@ -25,6 +25,18 @@ export interface Modifiers {
 /** What arrow keys mean, in px of the page. */
 export const arrows: Readonly<Record<string, Point>> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
+/** How far an arrow key moves a pen, as shares of the reach of a hand: usually, with Shift. */
+const penSteps = [0.5, 3] as const;
+
+/** Where an arrow key takes a pen, on the page; null for other keys. */
+export function penMoved(at: Point, key: string, shift: boolean, { document, reach }: Pick<ToolHost, 'document' | 'reach'>): Point | null {
+  const way = arrows[key];
+  if (!way) return null;
+  const step = reach * penSteps[shift ? 1 : 0];
+  const within = (value: number, most: number): number => Math.min(most, Math.max(0, value));
+  return [within(at[0] + step * way[0], document.width), within(at[1] + step * way[1], document.height)];
+}
+
 /** A small state machine between pointer and document. Points are in canvas px. */
 export interface Tool {
   readonly cursor: string;

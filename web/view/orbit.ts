@@ -4,8 +4,9 @@ import type { ModelView } from './model_view';
 /**
  * Turns, moves and zooms the model: dragging and arrow keys turn it, the middle button and two
  * fingers move it, the wheel and pinching zoom. Nothing while `held` says that the pointer is taken.
+ * `turned` hears how far, radians.
  */
-export function listenToOrbit(canvas: HTMLCanvasElement, view: ModelView, held: () => boolean): void {
+export function listenToOrbit(canvas: HTMLCanvasElement, view: ModelView, held: () => boolean, turned: (angle: number) => void): void {
   const pointers = new Map<number, Point>();
   let moving = false;
 
@@ -13,6 +14,7 @@ export function listenToOrbit(canvas: HTMLCanvasElement, view: ModelView, held: 
     const { yaw, pitch } = view.angles;
     const turn = (2 * Math.PI) / Math.max(1, canvas.clientHeight);
     view.turn(yaw - turn * dx, pitch + turn * dy);
+    turned(turn * Math.hypot(dx, dy));
   };
   const pinch = (id: number, before: Point, now: Point): void => {
     const other = [...pointers].find(([key]) => key !== id)?.[1];
