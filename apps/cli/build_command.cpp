@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "apps/cli/commands.h"
+#include "apps/cli/cost.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/overlay_picture.h"
@@ -167,6 +168,7 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
   const Stopwatch total;
   const auto outputs = planned_outputs(build);
   if (Status status = check_outputs(outputs, {build.common.input}); !status) return status;
+  if (Status status = check_cost(build.relief.options, build.common.quiet); !status) return status;
   const auto file = read_input(build.common.input);
   if (!file) return file.error();
   std::optional<Progress> progress(build.common.quiet);

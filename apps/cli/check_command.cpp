@@ -17,6 +17,7 @@
 #include "io/image/png_encode.h"
 #include "io/overlay/mesh_lines.h"
 #include "kernel/geometry/line_spans.h"
+#include "kernel/meshing/self_crossing.h"
 #include "relief/inflation/inflate.h"
 #include "relief/layers/layer_parts.h"
 #include "relievo/files.h"
@@ -127,6 +128,17 @@ std::string cue_table(const Scene& scene) {
   return table.empty() ? "" : table.text();
 }
 
+/// Outlines that cross themselves: the surface is pinched there.
+std::vector<std::string> warnings_about_outlines(const Scene& scene) {
+  std::vector<std::string> warnings;
+  for (size_t p = 0; p < scene.parts.size(); ++p)
+    if (const auto place = find_self_crossing(scene.parts[p].outline))
+      warnings.push_back("parts[" + std::to_string(p) + "] (\"" + scene.parts[p].id +
+                         "\"): its outline crosses itself at " + number(place->x) + " " +
+                         number(place->y) + "; all that it goes round is filled");
+  return warnings;
+}
+
 /// What the depth constraints tie together, pair by pair.
 std::string overlap_table(const Scene& scene, const LayeredMesh& mesh) {
   std::map<std::pair<int, int>, std::pair<size_t, size_t>> pairs;
@@ -208,6 +220,7 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
     print_result("\n" + table, quiet);
   if (const std::string table = cue_table(scene); !table.empty()) print_result("\n" + table, quiet);
   print_warnings(warnings_about_cues(scene), quiet);
+  print_warnings(warnings_about_outlines(scene), quiet);
   LayerOptions options;
   options.vertex_budget = trial_vertices;
   const auto mesh = layer_parts(scene, options, {interruption.flag(), {}});

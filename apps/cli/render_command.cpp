@@ -1,4 +1,5 @@
 #include "apps/cli/commands.h"
+#include "apps/cli/cost.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/pictures.h"
@@ -24,6 +25,7 @@ Result<Subject> load_model(const InputFile& input) {
 
 Result<Subject> build_model(const InputFile& input, const RenderArguments& render,
                             const RunContext& context) {
+  if (Status s = check_cost(render.relief.options, render.common.quiet); !s) return s.error();
   auto loaded = load_scene(input, render.common.connect, context);
   if (!loaded) return loaded.error();
   print_warnings(loaded->warnings, render.common.quiet);

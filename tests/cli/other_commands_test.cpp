@@ -51,6 +51,18 @@ TEST_F(Check, ReadsDrawings) {
   EXPECT_NE(outcome.out.find("head"), std::string::npos) << outcome.out;
 }
 
+TEST_F(Check, NamesAnOutlineThatCrossesItself) {
+  write("eight.json", R"({ "format": "relievo-scene", "version": 1,
+    "canvas": { "width": 400, "height": 300 },
+    "parts": [ { "id": "knot", "outline": [[[100,50],[300,250],[300,50],[100,250]]] } ] })");
+  const Outcome outcome = relievo({"check", "eight.json"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.err.find("parts[0] (\"knot\"): its outline crosses itself at 200 150"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(relievo({"check", "scene.json"}).err.find("crosses"), std::string::npos);
+}
+
 TEST_F(Check, DrawsWhatItUnderstood) {
   const Outcome outcome = relievo({"check", "scene.json", "--overlay", "seen.png"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

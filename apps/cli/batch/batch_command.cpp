@@ -14,6 +14,7 @@
 #include "apps/cli/batch/pool.h"
 #include "apps/cli/batch/sheet_page.h"
 #include "apps/cli/commands.h"
+#include "apps/cli/cost.h"
 #include "apps/cli/exit_code.h"
 #include "apps/cli/messages.h"
 #include "io/files/number_text.h"
@@ -25,22 +26,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a build takes at the least, and for each vertex of the approximate method, MB.
-constexpr double base_mb = 90;
-constexpr double vertex_mb = 0.002;
-
 /// Of the memory that is free, how much is used unless something else is said.
 constexpr double share_of_memory = 0.8;
 
 int processors() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
-
-/// Memory that is free or can be made so.
-double free_mb() {
-  std::ifstream file("/proc/meminfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("MemAvailable:")) return std::stod(line.substr(13)) / 1024;
-  return 4096;
-}
 
 std::string time_of_day() {
   const std::time_t now = std::time(nullptr);
@@ -102,7 +91,7 @@ std::vector<PoolTask> tasks_of(const BatchPlan& plan, int processes) {
   for (const auto& [job, entry] : plan.builds) {
     std::vector<std::string> words = {"build", job.input.string(), "--threads", threads};
     words.insert(words.end(), job.words.begin(), job.words.end());
-    tasks.push_back({std::move(words), base_mb + vertex_mb * job.vertices});
+    tasks.push_back({std::move(words), least_mb(job.vertices)});
   }
   return tasks;
 }
