@@ -2,6 +2,7 @@ import type { BuiltRelief, EngineError, Failure, Solid } from '../engine/message
 import { noteCorrections } from '../document/corrections';
 import { cueRanges } from '../document/cues';
 import { type Cue, type Document, emptyDocument } from '../document/document';
+import type { Doubt } from '../document/doubts';
 import type { Gap } from '../document/gaps';
 import { amend, type History, record, redo, startHistory, undo } from '../document/history';
 import type { Brush } from '../tools/scribble_tool';
@@ -82,8 +83,8 @@ export interface EditorState {
   behind: boolean;
   /** The labels of the strokes that are shown, the gaps that are closed, and how long they took. */
   tint: { tint: ImageBitmap; gaps: readonly Gap[]; ms: number } | null;
-  /** The closed gap that is looked at. */
-  gap: Gap | null;
+  /** What is uncertain and looked at. */
+  doubt: Doubt | null;
   /** With strokes that wait to be understood. */
   pending: Document | null;
 }
@@ -125,7 +126,7 @@ function firstState(): EditorState {
     cue: { kind: 'crease', value: cueRanges.crease.usual },
     behind: false,
     tint: null,
-    gap: null,
+    doubt: null,
     pending: null,
   };
 }
@@ -177,7 +178,7 @@ export class Editor extends Store<EditorState> {
       solid: null,
       picture,
       tint: null,
-      gap: null,
+      doubt: null,
       pending: null,
       preview: null,
       build: { phase: 'idle', progress: 0, error: null },

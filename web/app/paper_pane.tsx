@@ -90,8 +90,8 @@ export class PaperControl {
 
   /** Draws where something that the canvas shows has changed. */
   follow(): void {
-    const { history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool, tint, gap, pending, brush } = this.editor.state;
-    const shown = [history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool, tint, gap, pending, brush];
+    const { history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool, tint, doubt, pending, brush } = this.editor.state;
+    const shown = [history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool, tint, doubt, pending, brush];
     if (shown.every((value, i) => value === this.shown[i])) return;
     this.shown = shown;
     this.redraw();
@@ -111,6 +111,7 @@ export class PaperControl {
         selected: state.selected,
         hovered: state.hovered,
         culprit: state.culprit,
+        doubt: state.doubt,
         depthTint: state.depthTint,
         showMarks: state.showMarks && state.tool !== 'scribble',
         dark: window.matchMedia('(prefers-color-scheme: dark)').matches,

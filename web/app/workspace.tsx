@@ -14,11 +14,11 @@ import { swayingGif } from '../view/animation';
 import type { ModelView } from '../view/model_view';
 import { t } from './catalogue';
 import { CueBar } from './cue_bar';
+import { DoubtBar } from './doubt_bar';
 import { DrawBar } from './draw_bar';
 import type { Editor, EditorState, ToolName } from './editor';
 import { ExportPanel } from './export_panel';
 import type { Files } from './files';
-import { GapBar } from './gap_bar';
 import { Icon } from './icons';
 import type { Keeper } from './keeper';
 import { KeysPanel } from './keys_panel';
@@ -87,9 +87,10 @@ function scribbleHostOf(editor: Editor, segments: SegmentControl): ScribbleHost 
       return openQuestions(segments.pending, editor.state.tint?.gaps ?? []);
     },
     get gap() {
-      return editor.state.gap;
+      const { doubt } = editor.state;
+      return doubt?.kind === 'gap' ? doubt.gap : null;
     },
-    chooseGap: (gap) => editor.set({ gap }),
+    chooseGap: (gap) => editor.set({ doubt: { kind: 'gap', gap } }),
     show: (document) => segments.show(document),
     drop: () => segments.show(segments.pending),
     wish: (label, change) => segments.wish(label, change),
@@ -187,7 +188,7 @@ export function Workspace({ editor, files, keeper, segments, held, attachPaper, 
       <ScribbleBar editor={editor} files={files} />
       <DrawBar editor={editor} />
       <CueBar editor={editor} />
-      <GapBar editor={editor} segments={segments} />
+      <DoubtBar editor={editor} segments={segments} />
       <ModelPane editor={editor} attach={(view) => (model.current = view)} lightHeld={() => held.light || editor.state.lighting} stop={stop} />
       <aside class="side" aria-label={t('parts')}>
         <h2>{t('parts')}</h2>

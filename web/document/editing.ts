@@ -183,6 +183,12 @@ export function bringBefore(document: Document, front: string, back: string): Do
   return from < 0 || to < 0 || from > to ? document : movePart(document, front, to);
 }
 
+/** The next part in front of a part that overlaps it. */
+export function nextInFront(document: Document, id: string): Part | undefined {
+  const at = partIndex(document, id);
+  return neighbours(document, id).reverse().find((other) => partIndex(document, other.id) > at);
+}
+
 /** The pair in the order of the document. */
 export function ordered(document: Document, a: string, b: string): { upper: string; lower: string } {
   return partIndex(document, a) > partIndex(document, b) ? { upper: a, lower: b } : { upper: b, lower: a };

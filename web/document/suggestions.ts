@@ -52,10 +52,10 @@ export function suggestedJoins(document: Document): readonly Join[] {
   return joins;
 }
 
-/** The suggestion whose line passes a point within `reach` px, or null. */
-export function suggestionAt(document: Document, point: Point, reach: number): Join | null {
+/** The one of some joins whose line passes a point within `reach` px, or null. */
+export function joinAt(joins: readonly Join[], point: Point, reach: number): Join | null {
   const gap = (join: Join): number =>
     Math.min(...join.line.flatMap((p, i) => [distance(p, point), distance(mix(p, join.line[i + 1] ?? p, 0.5), point)]));
-  const near = suggestedJoins(document).filter((join) => gap(join) < reach);
+  const near = joins.filter((join) => gap(join) < reach);
   return near.sort((a, b) => gap(a) - gap(b))[0] ?? null;
 }

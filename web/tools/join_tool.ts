@@ -1,12 +1,12 @@
 import type { Join, Point } from '../document/document';
-import { addJoin, joinOfLine, partAt } from '../document/editing';
+import { addJoin, joinOfLine, partAt, removeJoin } from '../document/editing';
 import { distance } from '../document/outline';
-import { suggestedJoins, suggestionAt } from '../document/suggestions';
+import { joinAt, suggestedJoins } from '../document/suggestions';
 import { marks } from '../view/colors';
 import { strokeLine } from '../view/paper_view';
 import type { Tool, ToolHost } from './tool';
 
-/** A line across the root of a part joins it to the part below; so does a click on a suggestion. */
+/** A line across the root of a part joins it to the part below; so does a tap on a suggestion. A tap on a join separates. */
 export class JoinTool implements Tool {
   cursor = 'crosshair';
   private line: Point[] = [];
@@ -21,17 +21,19 @@ export class JoinTool implements Tool {
     if (pressed) this.line.push(point);
     else {
       const { document, reach } = this.host;
-      const suggestion = suggestionAt(document, point, reach);
-      this.cursor = suggestion ? 'pointer' : 'crosshair';
-      this.host.hover(suggestion?.upper ?? partAt(document, point)?.id ?? null);
+      const near = joinAt([...suggestedJoins(document), ...document.joins], point, reach);
+      this.cursor = near ? 'pointer' : 'crosshair';
+      this.host.hover(near?.upper ?? partAt(document, point)?.id ?? null);
     }
   }
 
   up(): void {
-    const join = this.proposed() ?? this.clicked();
+    const { document } = this.host;
+    const join = this.proposed() ?? this.tapped();
     this.line = [];
     if (!join) return;
-    this.host.edit('join', addJoin(this.host.document, join));
+    const isThere = document.joins.includes(join);
+    this.host.edit('join', isThere ? removeJoin(document, join.upper, join.lower) : addJoin(document, join));
     this.host.select(join.upper);
   }
 
@@ -58,11 +60,12 @@ export class JoinTool implements Tool {
     context.setLineDash([]);
   }
 
-  private clicked(): Join | null {
+  /** What lies under a pen that did not move: a suggestion, or a join. */
+  private tapped(): Join | null {
     const { document, reach } = this.host;
     const [first] = this.line;
     const stayed = first && this.line.every((point) => distance(point, first) < reach / 2);
-    return stayed ? suggestionAt(document, first, reach) : null;
+    return stayed ? joinAt([...suggestedJoins(document), ...document.joins], first, reach) : null;
   }
 
   private proposed() {

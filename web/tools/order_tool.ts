@@ -1,10 +1,11 @@
 import type { Part, Point } from '../document/document';
-import { bringBefore, partAt } from '../document/editing';
+import { bringBefore, nextInFront, partAt } from '../document/editing';
+import { distance } from '../document/outline';
 import { marks } from '../view/colors';
 import { tracePart } from '../view/paper_view';
 import type { Tool, ToolHost } from './tool';
 
-/** An arrow from the nearer part to the farther one. */
+/** An arrow from the nearer part to the farther one, or a tap on the nearer one of two that overlap. */
 export class OrderTool implements Tool {
   readonly cursor = 'crosshair';
   private from: Point | null = null;
@@ -22,8 +23,11 @@ export class OrderTool implements Tool {
   }
 
   up(): void {
-    const pair = this.pair();
+    const tapped = this.tapped();
+    const back = tapped && nextInFront(this.host.document, tapped.id);
+    const pair = tapped ? back && { front: tapped, back } : this.pair();
     this.cancel();
+    if (tapped && !back) this.host.refuse('nearestHere');
     if (!pair) return;
     this.host.edit('order', bringBefore(this.host.document, pair.front.id, pair.back.id));
     this.host.select(pair.front.id);
@@ -49,6 +53,13 @@ export class OrderTool implements Tool {
     const front = this.from && partAt(this.host.document, this.from);
     const back = this.to && partAt(this.host.document, this.to);
     return front && back && front !== back ? { front, back } : null;
+  }
+
+  /** The part under a pen that did not move. */
+  private tapped(): Part | undefined {
+    const { from, to } = this;
+    const stayed = from && to && distance(from, to) < this.host.reach / 2;
+    return stayed ? partAt(this.host.document, from) : undefined;
   }
 
   private arrow(context: CanvasRenderingContext2D, from: Point, to: Point, pixel: number): void {

@@ -14,7 +14,7 @@ export interface ToolHost {
   select(id: string | null): void;
   hover(id: string | null): void;
   /** Says why nothing was changed. */
-  refuse(reason: Refusal | StrokeRefusal | 'cueOffPart'): void;
+  refuse(reason: Refusal | StrokeRefusal | 'cueOffPart' | 'nearestHere'): void;
 }
 
 export interface Modifiers {

@@ -1,4 +1,5 @@
 import type { Document, Part, Point, Ring } from '../document/document';
+import type { Doubt } from '../document/doubts';
 import { hiddenOutline } from '../document/hidden';
 import type { Overlays } from '../engine/messages';
 import { marks, rampColor } from './colors';
@@ -12,6 +13,8 @@ export interface PaperContent {
   selected: string | null;
   hovered: string | null;
   culprit: string | null;
+  /** A guess that a person is asked about. */
+  doubt: Doubt | null;
   depthTint: boolean;
   showMarks: boolean;
   dark: boolean;
@@ -164,6 +167,18 @@ export function dashHidden(context: CanvasRenderingContext2D, parts: readonly Pa
   context.setLineDash([]);
 }
 
+/** The two parts of which a guess speaks, the nearer one stronger, and the join. */
+function drawDoubt(context: CanvasRenderingContext2D, { parts, joins }: Document, doubt: Doubt, pixel: number): void {
+  if (doubt.kind === 'gap') return;
+  for (const part of parts)
+    if (part.id === doubt.upper) drawPart(context, part, marks.select, true, pixel);
+    else if (part.id === doubt.lower) drawPart(context, part, marks.above, true, pixel);
+  const join = doubt.kind === 'join' && joins.find(({ upper, lower }) => upper === doubt.upper && lower === doubt.lower);
+  if (!join) return;
+  strokeLine(context, join.line, '#fff', 9 * pixel);
+  strokeLine(context, join.line, marks.join, 5.5 * pixel);
+}
+
 /** Draws everything anew. `ratio`: device px a CSS px. */
 export function drawPaper(
   context: CanvasRenderingContext2D,
@@ -186,6 +201,7 @@ export function drawPaper(
   }
   if (content.selected !== null) dashHidden(context, document.parts, content.selected, pixel);
   if (content.showMarks && content.overlays) drawMarks(context, content.overlays, pixel);
+  if (content.doubt) drawDoubt(context, document, content.doubt, pixel);
   content.preview(context, pixel);
 }
 

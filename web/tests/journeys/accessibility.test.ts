@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
-import { disc } from '../support/pictures.ts';
+import { openRing } from '../support/pictures.ts';
 import { choosePart, gesture, oval, sample } from './actions.ts';
 import { picture, stageOfFile } from './browser.ts';
 
@@ -38,9 +38,10 @@ const states: [string, (page: Page) => Promise<unknown>][] = [
     await page.waitForSelector('.swatches');
   }],
   ['scribble', async (page) => {
-    await page.setInputFiles('input[type=file]', { name: 'disc.png', mimeType: 'image/png', buffer: Buffer.from(disc(400, 120, [200, 80, 60])) });
+    await page.setInputFiles('input[type=file]', { name: 'ring.png', mimeType: 'image/png', buffer: Buffer.from(openRing()) });
     await page.waitForSelector('.scribble-bar[data-tint-ms]');
     await page.waitForSelector('.parts li');
+    await page.click('[data-doubt=next]');
   }],
   ['shelf', async (page) => {
     await page.waitForTimeout(300);

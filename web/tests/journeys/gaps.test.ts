@@ -35,11 +35,12 @@ it('shows the gaps that were closed and asks about each, undoably', async () => 
   await openDrawing();
   const guessed = await names(page);
   expect(guessed.length).toBe(2);
-  await page.waitForSelector('.gap-bar[data-gaps="1"]');
+  await page.waitForSelector('.doubt-bar[data-doubts]');
+  const doubts = Number(await page.getAttribute('.doubt-bar', 'data-doubts'));
   await gesture(page, [[370, 160]], size);
-  await page.waitForSelector('[data-gap=open]');
+  await page.waitForSelector('.doubt-bar[data-kind=gap] [data-doubt=no]');
   await picture(page, 'gap-asked');
-  await page.click('[data-gap=open]');
+  await page.click('.doubt-bar[data-kind=gap] [data-doubt=no]');
   await understood();
   await picture(page, 'gap-opened');
   expect((await names(page)).length).toBe(1);
@@ -47,10 +48,11 @@ it('shows the gaps that were closed and asks about each, undoably', async () => 
   await page.keyboard.press('Control+z');
   expect(await names(page)).toEqual(guessed);
 
-  await page.click('[data-gap=keep]');
+  await gesture(page, [[370, 160]], size);
+  await page.click('.doubt-bar[data-kind=gap] [data-doubt=yes]');
   await understood();
   expect(await names(page)).toEqual(guessed);
-  await page.waitForSelector('.gap-bar', { state: 'detached' });
+  await page.waitForSelector(doubts > 1 ? `.doubt-bar[data-doubts="${doubts - 1}"]` : '.doubt-bar', { state: doubts > 1 ? 'attached' : 'detached' });
   expect((await strokes()).map(({ kind }) => kind)).toEqual(['outside', 'hard']);
   expect(stage.troubles).toEqual([]);
 });

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { type Document, emptyDocument } from '../../document/document';
 import { addJoin, addPart, relate } from '../../document/editing';
 import { contains } from '../../document/outline';
-import { suggestedJoins, suggestionAt } from '../../document/suggestions';
+import { joinAt, suggestedJoins } from '../../document/suggestions';
 import { box } from './shapes';
 
 /** A body with an arm that reaches into it, an eye inside of it, a strap across it and a cloud beside it. */
@@ -28,7 +28,7 @@ describe('suggested joins', () => {
   });
 
   it('are found by a point near their line', () => {
-    expect(suggestionAt(figure(), [461, 310], 8)?.upper).toBe('arm');
-    expect(suggestionAt(figure(), [620, 310], 8)).toBe(null);
+    expect(joinAt(suggestedJoins(figure()), [461, 310], 8)?.upper).toBe('arm');
+    expect(joinAt(suggestedJoins(figure()), [620, 310], 8)).toBe(null);
   });
 });

@@ -1,0 +1,95 @@
+import { join } from 'node:path';
+import { unzipSync } from 'fflate';
+import { expect, it } from 'vitest';
+import { root } from '../support/command_line.ts';
+import { gesture, names, save, type Spot } from './actions.ts';
+import { picture, settled, stageOfFile } from './browser.ts';
+
+const stage = stageOfFile({ anew: true });
+const size: Spot = [900, 1000];
+
+interface Project {
+  scene: { parts: { id: string }[]; joins: { upper: string; lower: string; line: Spot[] }[] };
+  corrections: { order: unknown[]; joins: unknown[]; no_joins: unknown[] };
+}
+
+async function project(): Promise<Project> {
+  const files = unzipSync(await save(stage.page, 'doubts.relievo'));
+  const read = (name: string): unknown => JSON.parse(new TextDecoder().decode(files[name]));
+  const { segmentation } = read('project.json') as { segmentation: Pick<Project, 'corrections'> };
+  return { scene: read('scene.json') as Project['scene'], corrections: segmentation.corrections };
+}
+
+it('asks about what is uncertain, one question at a time, and takes an answer or undoes it', async () => {
+  const { page } = stage;
+  await page.setInputFiles('input[type=file]', join(root, 'examples/bear.png'));
+  await page.waitForSelector('.parts li');
+  await page.waitForSelector('.scribble-bar[data-tint-ms]');
+  await settled(page);
+  const count = async (): Promise<number> => Number(await page.getAttribute('.doubt-bar', 'data-doubts'));
+  const all = await count();
+  expect(all).toBeGreaterThan(2);
+  await page.click('[data-doubt=next]');
+  await page.waitForSelector('.doubt-bar[data-kind=order]');
+  await picture(page, 'doubt-order');
+  const guessed = await names(page);
+  await page.click('[data-doubt=yes]');
+  await expect.poll(count).toBe(all - 1);
+  expect((await project()).corrections.order).toHaveLength(1);
+  expect(await names(page)).toEqual(guessed);
+  await page.keyboard.press('Control+z');
+  await expect.poll(count).toBe(all);
+
+  await page.click('[data-doubt=close]');
+  await page.click('[data-doubt=next]');
+  await page.waitForSelector('.doubt-bar[data-kind=order]');
+  await page.click('[data-doubt=no]');
+  await settled(page);
+  expect(await names(page)).not.toEqual(guessed);
+  await page.keyboard.press('Control+z');
+  await settled(page);
+  expect(await names(page)).toEqual(guessed);
+
+  while ((await page.getAttribute('.doubt-bar', 'data-kind')) !== 'join') await page.click('[data-doubt=next]');
+  await picture(page, 'doubt-join');
+  const before = await project();
+  await page.click('[data-doubt=no]');
+  const after = await project();
+  expect(after.scene.joins.length).toBe(before.scene.joins.length - 1);
+  expect(after.corrections.no_joins).toHaveLength(1);
+  await expect.poll(count).toBe(all - 1);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('takes and refuses joins by a tap, and an order by a tap on the nearer part', async () => {
+  const { page } = stage;
+  await page.setInputFiles('input[type=file]', join(root, 'examples/bear.png'));
+  await page.waitForSelector('.parts li');
+  await settled(page);
+  const { scene } = await project();
+  const [first] = scene.joins;
+  if (!first) throw new Error('nothing is joined');
+  const middle = first.line[Math.floor(first.line.length / 2)] as Spot;
+  await page.keyboard.press('3');
+  await gesture(page, [middle], size);
+  expect((await project()).scene.joins.map(({ upper }) => upper)).not.toContain(first.upper);
+  await picture(page, 'join-refused');
+  await gesture(page, [middle], size);
+  expect((await project()).scene.joins.map(({ upper }) => upper)).toContain(first.upper);
+
+  await page.click('.brand');
+  await page.click('#empty');
+  const box = (left: number, right: number): Spot[] => [[left, 200], [right, 200], [right, 500], [left, 500], [left, 202]];
+  await gesture(page, box(200, 500));
+  await gesture(page, box(400, 700));
+  const drawn = await names(page);
+  expect(drawn).toHaveLength(2);
+  await page.keyboard.press('4');
+  await gesture(page, [[300, 350]]);
+  expect(await names(page)).toEqual([...drawn].reverse());
+  await gesture(page, [[300, 350]]);
+  expect(await page.locator('.notice').innerText()).toContain('in front');
+  expect(await names(page)).toEqual([...drawn].reverse());
+  await picture(page, 'order-tapped');
+  expect(stage.troubles).toEqual([]);
+});
