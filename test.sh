@@ -5,7 +5,7 @@
 set -eu
 cd "$(dirname "$0")"
 # Comparisons with slow reference solvers, many random scenes, and a slicer.
-surveys='^JointReferences|^Lambda/RandomScenes|^Slicer'
+surveys='^NonlinearReferences|^Lambda/RandomScenes|^Slicer'
 case "${1:-}" in
   "") preset=test packages=test left_out="$surveys|^consumer\$|^lint\$" ;;
   --all) preset=dev packages=all left_out='^$' ;;

@@ -9,8 +9,8 @@
 
 #include "io/svg/read_svg.h"
 #include "relief/inflation/inflate.h"
-#include "relief/joint/solve_jointly.h"
 #include "relief/layers/layer_parts.h"
+#include "relief/nonlinear/solve_nonlinear.h"
 #include "relief/ordering/order_depth.h"
 
 // Prints how far the approximate method is from the non-linear one on layered drawings.
@@ -114,9 +114,9 @@ bool study(const char* name, int vertices) {
   }
   const auto start = inflate(*mesh, drawing->scene, {});
   for (const double lambda : lambdas) {
-    JointOptions options;
+    NonlinearOptions options;
     options.lambda_bnd = lambda;
-    const auto solution = solve_jointly(*mesh, drawing->scene, *start, options);
+    const auto solution = solve_nonlinear(*mesh, drawing->scene, *start, options);
     if (!solution) return false;
     const Surface exact{solution->inflation, solution->ordering};
     for (size_t i = 0; i < approximate.size(); ++i) {

@@ -102,7 +102,7 @@ def edits(results, threaded):
     return table(["drawing", "edit", "ms", "wall ms", "gaps that open or close", "iterations"], rows)
 
 
-def jointly(results, threaded):
+def nonlinear(results, threaded):
     rows = []
     for bound in ("100", "0.01"):
         for drawing, vertices in sizes(results, f"nonlinear_{bound}"):
@@ -137,7 +137,7 @@ def main():
              ("Wall times with a thread for each of two cores, ms", walls(threaded)),
              ("References", references(results)),
              ("Edits at 40,000 vertices", edits(results, threaded)),
-             ("Non-linear, operators and inflation included", jointly(results, threaded)),
+             ("Non-linear, operators and inflation included", nonlinear(results, threaded)),
              ("L-BFGS on an augmented Lagrangian, λ_bnd = 100", descents(results))]
     body = "\n".join(f"### {title}\n\n{text}" for title, text in parts if text.count("\n") > 2)
     PAGE.write_text(before + BEGIN + "\n" + body + "\n" + END + after)

@@ -129,7 +129,7 @@ void print_files(const BuildArguments& build, const Products& products) {
 
 std::vector<std::string> relief_warnings(const Relief& relief) {
   std::vector<std::string> warnings = relief.layers.warnings;
-  if (relief.joint.status == JointStatus::iteration_limit)
+  if (relief.nonlinear.status == NonlinearStatus::iteration_limit)
     warnings.push_back(
         "the non-linear method did not converge; the relief keeps its order but is not the best");
   return warnings;
@@ -158,7 +158,7 @@ ReliefArguments relief_arguments(const BuildArguments& build) {
   if (!relief.visibility && sort_models(build).shown.empty() && build.preview.empty())
     relief.visibility = Visibility::relief;
   if (!build.convergence.empty())
-    relief.options.joint.snapshots = convergence_steps(relief.options.joint.max_iterations);
+    relief.options.nonlinear.snapshots = convergence_steps(relief.options.nonlinear.max_iterations);
   return relief;
 }
 
@@ -201,7 +201,7 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
       {build.common.input,
        input->scene,
        *relief,
-       build.relief.options.joint,
+       build.relief.options.nonlinear,
        products.made ? &products.made->drawn.model : nullptr,
        products.made ? products.made->solid : std::nullopt,
        {{"read", read_time}, {"export", exporting.milliseconds()}, {"total", total.milliseconds()}},

@@ -83,14 +83,14 @@ std::string part_table(const Scene& scene) {
 }
 
 /// How sure a guess is; empty for what was said.
-std::string trust(const Joining& guesses, const Join& join) {
+std::string trust(const JoinProposals& guesses, const Join& join) {
   for (const ProposedJoin& guess : guesses.joins)
     if (guess.join.upper == join.upper && guess.join.lower == join.lower)
       return "guessed, " + number(std::round(100 * guess.confidence)) + " % sure";
   return "";
 }
 
-std::string trust(const Joining& guesses, const Relation& relation) {
+std::string trust(const JoinProposals& guesses, const Relation& relation) {
   for (const ProposedRelation& guess : guesses.relations)
     if (guess.relation.upper == relation.upper && guess.relation.lower == relation.lower)
       return "guessed";

@@ -88,7 +88,7 @@ Result<Bytes> draw_convergence(const Relief& relief, const Scene& scene,
   const size_t count = std::min(relief.snapshots.size(), max_cells - 1);
   std::vector<Image8> pictures;
   for (size_t k = 0; k < count; ++k) {
-    const JointSnapshot& snapshot = relief.snapshots[k];
+    const NonlinearSnapshot& snapshot = relief.snapshots[k];
     auto picture = draw(relief, snapshot.inflation, snapshot.ordering, scene, context);
     if (!picture) return picture.error();
     pictures.push_back(std::move(*picture));

@@ -42,11 +42,11 @@ void add_method_options(CLI::App& app, ReliefArguments& relief) {
          },
          "approximate (the default) or nonlinear: inflation and depth order at once")
       ->check(CLI::IsMember({"approximate", "nonlinear"}));
-  JointOptions& joint = relief.options.joint;
-  app.add_option("--lambda-bnd", joint.lambda_bnd,
+  NonlinearOptions& nonlinear = relief.options.nonlinear;
+  app.add_option("--lambda-bnd", nonlinear.lambda_bnd,
                  "Of nonlinear: how firmly outlines beside joins stay down (default 0.01: no pits)")
       ->check(within(min_lambda_bnd, max_lambda_bnd));
-  app.add_option("--lambda-shift", joint.lambda_shift,
+  app.add_option("--lambda-shift", nonlinear.lambda_shift,
                  "Of nonlinear: what a shift costs beside a change of the inflation (default 1)")
       ->check(within(min_lambda_shift, max_lambda_shift));
   app.add_option_function<std::string>(

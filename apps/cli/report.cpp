@@ -45,21 +45,21 @@ Json solver(const BoundQpReport& report) {
           {"energy", report.energy}};
 }
 
-Json energies(const JointEnergy& energy) {
+Json energies(const NonlinearEnergy& energy) {
   return {{"total", energy.total()},
           {"inflation", energy.inflation},
           {"boundary", energy.boundary},
           {"shift", energy.shift}};
 }
 
-Json joint(const JointReport& report, const JointOptions& options) {
+Json nonlinear_json(const NonlinearReport& report, const NonlinearOptions& options) {
   Json steps = Json::array();
-  for (const JointStep& step : report.steps)
+  for (const NonlinearStep& step : report.steps)
     steps.push_back({{"energy", energies(step.energy)},
                      {"residual", step.residual},
                      {"factorisations", step.factorisations},
                      {"ms", step.milliseconds}});
-  return {{"status", report.status == JointStatus::solved ? "solved" : "iteration_limit"},
+  return {{"status", report.status == NonlinearStatus::solved ? "solved" : "iteration_limit"},
           {"lambda_bnd", options.lambda_bnd},
           {"lambda_shift", options.lambda_shift},
           {"iterations", report.steps.size()},
@@ -88,7 +88,7 @@ std::string write_report(const ReportInput& input) {
   Json report;
   report["version"] = RELIEVO_VERSION;
   report["input"] = input.name;
-  const bool nonlinear = !input.relief.joint.steps.empty();
+  const bool nonlinear = !input.relief.nonlinear.steps.empty();
   report["method"] = nonlinear ? "nonlinear" : "approximate";
   report["vertices"] = mesh.node_vertex.size();
   report["faces"] = mesh.faces.size();
@@ -97,7 +97,7 @@ std::string write_report(const ReportInput& input) {
                            {"inequalities", ordering.inequalities},
                            {"active", ordering.report.active}};
   report["solver"] = solver(ordering.report);
-  if (nonlinear) report["nonlinear"] = joint(input.relief.joint, input.options);
+  if (nonlinear) report["nonlinear"] = nonlinear_json(input.relief.nonlinear, input.options);
   report["max_violation"] = ordering.max_violation;
   report["overlap_violation"] = {{"samples", input.relief.overlap_samples},
                                  {"worst", input.relief.overlap_worst}};

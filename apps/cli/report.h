@@ -13,8 +13,8 @@ struct ReportInput {
   std::string name;  ///< of the input
   const Scene& scene;
   const Relief& relief;
-  const JointOptions& options;   ///< of the non-linear method
-  const Model* model = nullptr;  ///< where one was made
+  const NonlinearOptions& options;  ///< of the non-linear method
+  const Model* model = nullptr;     ///< where one was made
   std::optional<SolidFacts> solid;
   std::vector<StageTime> times;  ///< of the program: "read", "export", "total"
   std::vector<std::string> warnings;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/svg/read_svg.h"
-#include "relief/joining/joining.h"
+#include "relief/join_proposals/join_proposals.h"
 #include "relievo/bytes.h"
 #include "relievo/image.h"
 #include "relievo/result.h"
@@ -40,7 +40,7 @@ struct SceneInput {
   bool connected = false;               ///< how they connect was guessed with them
   bool layered = false;                 ///< they are whole, and how they connect may be open
   PartColors colors;                    ///< of the parts of layered drawings; may be empty
-  Joining guesses;  ///< how they connect, where that was guessed; as in the scene
+  JoinProposals guesses;  ///< how they connect, where that was guessed; as in the scene
 };
 
 /// The picture of an SVG, its longest side `longest` px.

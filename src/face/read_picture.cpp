@@ -39,7 +39,7 @@ std::string advice(const Proposal& proposal, const std::string& file) {
          " --scribbles strokes.png, or in the editor";
 }
 
-Joining by_rank(Joining joining, const std::vector<int>& rank) {
+JoinProposals by_rank(JoinProposals joining, const std::vector<int>& rank) {
   const auto renumber = [&](auto& item) {
     item.upper = rank[item.upper];
     item.lower = rank[item.lower];

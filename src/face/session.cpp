@@ -55,8 +55,8 @@ ReliefOptions options_of(const BuildOptions& options) {
   relief.layers.attach = options.attach;
   relief.inflation.rho = options.rho;
   relief.inflation.alpha0 = options.alpha0;
-  relief.joint.lambda_bnd = options.lambda_bnd;
-  relief.joint.lambda_shift = options.lambda_shift;
+  relief.nonlinear.lambda_bnd = options.lambda_bnd;
+  relief.nonlinear.lambda_shift = options.lambda_shift;
   return relief;
 }
 
@@ -69,8 +69,8 @@ BuildReport report_of(const Relief& relief) {
   report.active = relief.ordering.report.active;
   report.max_violation = relief.ordering.max_violation;
   report.worst_overlap = relief.overlap_worst;
-  report.energy = relief.joint.energy.total();
-  report.converged = relief.joint.status == JointStatus::solved;
+  report.energy = relief.nonlinear.energy.total();
+  report.converged = relief.nonlinear.status == NonlinearStatus::solved;
   for (const StageTime& time : relief.times)
     if (!time.beside) report.milliseconds[time.stage] += time.milliseconds;
   report.warnings = relief.layers.warnings;

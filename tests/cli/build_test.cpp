@@ -149,14 +149,14 @@ TEST_F(Build, NonlinearMethodRecordsItsSteps) {
   EXPECT_EQ(report["method"], "nonlinear");
   EXPECT_GT(report["timings_ms"]["nonlinear"], 0);
   EXPECT_EQ(report["timings_ms"]["order"], 0);
-  const Json& joint = report["nonlinear"];
-  EXPECT_EQ(joint["status"], "solved");
-  EXPECT_EQ(joint["lambda_bnd"], 100);
-  EXPECT_EQ(joint["lambda_shift"], 2);
-  EXPECT_EQ(joint["iterations"], joint["steps"].size());
-  EXPECT_GE(joint["steps"].size(), 3U);
-  EXPECT_NEAR(joint["energy"]["total"].get<double>(),
-              joint["steps"].back()["energy"]["total"].get<double>(), 1e-6);
+  const Json& nonlinear = report["nonlinear"];
+  EXPECT_EQ(nonlinear["status"], "solved");
+  EXPECT_EQ(nonlinear["lambda_bnd"], 100);
+  EXPECT_EQ(nonlinear["lambda_shift"], 2);
+  EXPECT_EQ(nonlinear["iterations"], nonlinear["steps"].size());
+  EXPECT_GE(nonlinear["steps"].size(), 3U);
+  EXPECT_NEAR(nonlinear["energy"]["total"].get<double>(),
+              nonlinear["steps"].back()["energy"]["total"].get<double>(), 1e-6);
 }
 
 TEST_F(Build, ReportInAFileIsTheSameAsOnStandardOutput) {

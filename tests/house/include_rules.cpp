@@ -24,11 +24,11 @@ const std::map<std::string, Names> kernel_rules = {
 
 /// The chain of stages; data flows from left to right.
 const std::vector<std::string> stages = {
-    "drawing",        "scene", "completion", "stacking", "joining", "corrections", "layers",
-    "discretisation", "cues",  "inflation",  "ordering", "joint",   "hiding",      "model"};
+    "drawing",        "scene", "completion", "stacking", "join_proposals", "corrections", "layers",
+    "discretisation", "cues",  "inflation",  "ordering", "nonlinear",      "hiding",      "model"};
 
-/// The joint stage unites these two and is made of their parts.
-const Names joint_folders = {"inflation", "ordering"};
+/// The non-linear stage unites these two and is made of their parts.
+const Names nonlinear_folders = {"inflation", "ordering"};
 
 /// What a stage hands on: its struct and views of it. Everything else in its folder is its own.
 const Names stage_structs = {
@@ -45,9 +45,9 @@ const Names stage_structs = {
     "discretisation/discretisation.h",
     "inflation/inflation.h",
     "discretisation/discretise.h",
-    "joining/joining.h",
+    "join_proposals/join_proposals.h",
     "discretisation/crease_stencils.h",
-    "joint/joint_solution.h",
+    "nonlinear/nonlinear_solution.h",
     "layers/joined_surface.h",
     "layers/layered_mesh.h",
     "model/drawn_model.h",
@@ -61,13 +61,24 @@ const Names model_views = {"model/dress_hidden.h", "model/hidden_patches.h",
                            "model/model_texture.h", "model/relief_maps.h"};
 
 /// The verbs of the stages, for the pipeline alone.
-const Names stage_verbs = {
-    "completion/clip_to_order.h", "completion/complete_parts.h", "drawing/find_basins.h",
-    "drawing/label_basins.h",     "drawing/label_colours.h",     "drawing/segment_drawing.h",
-    "hiding/hide_sheets.h",       "inflation/inflate.h",         "joining/connect_parts.h",
-    "joining/join_parts.h",       "joining/propose_leans.h",     "joining/round_inflation.h",
-    "joint/solve_jointly.h",      "layers/layer_parts.h",        "model/assemble_model.h",
-    "model/relief_maps.h",        "ordering/order_depth.h",      "stacking/stack_parts.h"};
+const Names stage_verbs = {"completion/clip_to_order.h",
+                           "completion/complete_parts.h",
+                           "drawing/find_basins.h",
+                           "drawing/label_basins.h",
+                           "drawing/label_colours.h",
+                           "drawing/segment_drawing.h",
+                           "hiding/hide_sheets.h",
+                           "inflation/inflate.h",
+                           "join_proposals/propose_layer_joins.h",
+                           "join_proposals/propose_joins.h",
+                           "join_proposals/propose_leans.h",
+                           "join_proposals/round_inflation.h",
+                           "nonlinear/solve_nonlinear.h",
+                           "layers/layer_parts.h",
+                           "model/assemble_model.h",
+                           "model/relief_maps.h",
+                           "ordering/order_depth.h",
+                           "stacking/stack_parts.h"};
 
 struct Place {
   /// relievo, kernel, relief, io, render, solid, face, rivals, apps, tests, benchmarks
@@ -108,7 +119,7 @@ std::string check_relief(const Place& from, const Place& to) {
   const size_t other = stage_number(to.folder);
   if (mine == stages.size()) return "relief/" + from.folder + " is no stage";
   if (other >= mine) return "a stage must not use a later one";
-  if (from.folder == "joint" && joint_folders.count(to.folder) > 0) return "";
+  if (from.folder == "nonlinear" && nonlinear_folders.count(to.folder) > 0) return "";
   return stage_structs.count(to.rest) > 0 ? "" : "a stage uses only the structs of earlier ones";
 }
 

@@ -7,7 +7,7 @@
 
 #include "io/svg/read_svg.h"
 #include "kernel/geometry/line_spans.h"
-#include "relief/joining/connect_parts.h"
+#include "relief/join_proposals/propose_layer_joins.h"
 #include "relievo/files.h"
 
 namespace relievo {
@@ -35,7 +35,7 @@ TEST(ProposedJoins, AreMostlyThoseThatTheSamplesAuthorsDrew) {
   for (const char* name : {"bunny", "elephant", "farmer", "lamb", "unicorn", "wolf"}) {
     const SvgImport import = sample(name);
     const Scene& scene = import.scene;
-    const Joining joining = connect_parts(scene, import.colors);
+    const JoinProposals joining = propose_layer_joins(scene, import.colors);
     drawn += scene.joins.size();
     proposed += joining.joins.size();
     for (const Join& join : scene.joins)

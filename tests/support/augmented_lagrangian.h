@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/joint_program.h"
+#include "support/nonlinear_program.h"
 
 namespace relievo::testing {
 
@@ -12,22 +12,22 @@ namespace relievo::testing {
 /// descent method [P §4].
 class AugmentedLagrangian {
  public:
-  AugmentedLagrangian(const JointProgram& program, double penalty)
+  AugmentedLagrangian(const NonlinearProgram& program, double penalty)
       : program_(program),
         multipliers_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(program.pairs.size()))),
         penalty_(penalty) {}
 
-  JointPoint point(const Eigen::VectorXd& x) const {
+  NonlinearPoint point(const Eigen::VectorXd& x) const {
     const auto unknowns = static_cast<Eigen::Index>(program_.node.size());
-    JointPoint at{x.head(unknowns), x.tail(x.size() - unknowns)};
+    NonlinearPoint at{x.head(unknowns), x.tail(x.size() - unknowns)};
     for (int i = 0; i < unknowns; ++i)
       at.p[i] = on_bound(program_, i) ? std::abs(at.p[i]) : at.p[i] * at.p[i];
     return at;
   }
 
   double operator()(const Eigen::VectorXd& x, Eigen::VectorXd& slope) const {
-    const JointPoint at = point(x);
-    JointPoint d = gradient(program_, at);
+    const NonlinearPoint at = point(x);
+    NonlinearPoint d = gradient(program_, at);
     Eigen::VectorXd pressure = Eigen::VectorXd::Zero(d.g.size());
     const double value = energy(program_, at) + penalty_energy(at, pressure);
     for (int i = 0; i < d.p.size(); ++i) {
@@ -52,7 +52,7 @@ class AugmentedLagrangian {
     return pair.equal ? push : std::max(push, 0.0);
   }
 
-  double penalty_energy(const JointPoint& at, Eigen::VectorXd& pressure) const {
+  double penalty_energy(const NonlinearPoint& at, Eigen::VectorXd& pressure) const {
     const Eigen::VectorXd h = heights(program_, at);
     double sum = 0;
     for (Eigen::Index k = 0; k < multipliers_.size(); ++k) {
@@ -64,13 +64,13 @@ class AugmentedLagrangian {
     return sum;
   }
 
-  const JointProgram& program_;
+  const NonlinearProgram& program_;
   Eigen::VectorXd multipliers_;
   double penalty_;
 };
 
 /// A point as the variables of the augmented Lagrangian, a little off the places where f = 0.
-inline Eigen::VectorXd descent_start(const JointProgram& program, const JointPoint& at) {
+inline Eigen::VectorXd descent_start(const NonlinearProgram& program, const NonlinearPoint& at) {
   Eigen::VectorXd x(at.p.size() + at.g.size());
   x << at.p, at.g;
   for (int i = 0; i < at.p.size(); ++i)

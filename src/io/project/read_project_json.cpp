@@ -136,7 +136,7 @@ class ProjectReader final : public AnnotationReader {
     list(json, path, "parts", parts, &ProjectReader::part_correction);
     corrections.parts.insert(parts.begin(), parts.end());
     list(json, path, "order", corrections.order, &ProjectReader::label_pair<PartLabel>);
-    JoiningCorrections& joining = corrections.joining;
+    JoinCorrections& joining = corrections.joining;
     list(json, path, "joins", joining.joins, &ProjectReader::join);
     list(json, path, "no_joins", joining.no_joins, &ProjectReader::label_pair<int>);
     list(json, path, "relations", joining.relations, &ProjectReader::relation);

@@ -43,7 +43,7 @@ Ordered json_of(PartLabel label, const PartCorrection& correction) {
   return item;
 }
 
-Ordered json_of(const JoiningCorrections& joining, Ordered corrections) {
+Ordered json_of(const JoinCorrections& joining, Ordered corrections) {
   for (const char* key : {"joins", "no_joins", "relations", "robin"})
     corrections[key] = Ordered::array();
   for (const Join& join : joining.joins) {

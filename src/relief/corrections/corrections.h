@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
-#include "relief/joining/joining.h"
+#include "relief/join_proposals/join_proposals.h"
 
 namespace relievo {
 
@@ -30,7 +30,7 @@ struct PartCorrection {
 struct Corrections {
   std::map<PartLabel, PartCorrection> parts;
   std::vector<std::pair<PartLabel, PartLabel>> order;  ///< the first is in front of the second
-  JoiningCorrections joining;
+  JoinCorrections joining;
   std::vector<Cue> cues;
 };
 

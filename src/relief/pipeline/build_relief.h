@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "relief/inflation/inflate.h"
-#include "relief/joint/solve_jointly.h"
 #include "relief/layers/layer_parts.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/model/assemble_model.h"
 #include "relief/model/relief_maps.h"
+#include "relief/nonlinear/solve_nonlinear.h"
 #include "relief/ordering/order_depth.h"
 #include "relievo/options.h"
 #include "relievo/result.h"
@@ -21,7 +21,7 @@ struct ReliefOptions {
   LayerOptions layers;
   InflationOptions inflation;
   OrderingOptions ordering;
-  JointOptions joint;  ///< of the non-linear method; epsilon and limbs are the ordering's
+  NonlinearOptions nonlinear;  ///< of the non-linear method; epsilon and limbs are the ordering's
   /// Whether what is hidden from the front is wanted too: in models of whole sheets.
   bool hidden = true;
 };
@@ -39,14 +39,14 @@ struct Relief {
   LayeredMesh layers;
   Inflation inflation;
   Ordering ordering;
-  int overlap_samples = 0;               ///< faces that come out in front of the next one
-  double overlap_worst = 0;              ///< and by how much at most, px
-  JointReport joint;                     ///< of the non-linear method; without steps otherwise
-  std::vector<JointSnapshot> snapshots;  ///< likewise
-  std::vector<StageTime> times;          ///< of the stages that ran
+  int overlap_samples = 0;                   ///< faces that come out in front of the next one
+  double overlap_worst = 0;                  ///< and by how much at most, px
+  NonlinearReport nonlinear;                 ///< of the non-linear method; without steps otherwise
+  std::vector<NonlinearSnapshot> snapshots;  ///< likewise
+  std::vector<StageTime> times;              ///< of the stages that ran
 };
 
-/// Layers and inflation, then the order of depths, or the joint problem from there.
+/// Layers and inflation, then the order of depths, or the non-linear problem from there.
 Result<Relief> build_relief(const Scene& scene, const ReliefOptions& options,
                             const RunContext& context = {});
 

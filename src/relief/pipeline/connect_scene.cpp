@@ -8,8 +8,8 @@
 
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/fill_outline.h"
-#include "relief/joining/connect_parts.h"
-#include "relief/joining/round_inflation.h"
+#include "relief/join_proposals/propose_layer_joins.h"
+#include "relief/join_proposals/round_inflation.h"
 
 namespace relievo {
 namespace {
@@ -46,7 +46,7 @@ Said said_in(const Scene& scene) {
 
 /// Ties limbs in place of joining them. Parts that the author joined are one surface, on which a
 /// limb hangs once.
-void tie_limbs(const Scene& scene, Joining& guesses) {
+void tie_limbs(const Scene& scene, JoinProposals& guesses) {
   const auto are_joined = [&](int a, int b) {
     return std::any_of(scene.joins.begin(), scene.joins.end(), [&](const Join& join) {
       return std::minmax(join.upper, join.lower) == std::minmax(a, b);
@@ -65,7 +65,7 @@ void tie_limbs(const Scene& scene, Joining& guesses) {
 
 /// Keeps of the guesses those on parts that the author did not place. Where anything is said, what
 /// has no join does not grow, but is tied.
-void yield_to_author(const Scene& scene, Joining& guesses) {
+void yield_to_author(const Scene& scene, JoinProposals& guesses) {
   const Said said = said_in(scene);
   std::erase_if(guesses.joins,
                 [&](const ProposedJoin& guess) { return said.placed.count(guess.join.upper) > 0; });
@@ -89,7 +89,7 @@ ConnectedScene connect_scene(Scene scene, bool amounts, const PartColors& colors
                                      static_cast<int>(std::ceil(result.height)));
       part.c = std::round(round_inflation(mask) * 100) / 100;
     }
-  connected.proposals = connect_parts(result, colors);
+  connected.proposals = propose_layer_joins(result, colors);
   yield_to_author(result, connected.proposals);
   for (const ProposedJoin& proposed : connected.proposals.joins)
     result.joins.push_back(proposed.join);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "kernel/geometry/polygon.h"
-#include "relief/joining/joining.h"
+#include "relief/join_proposals/join_proposals.h"
 #include "relievo/scene.h"
 
 namespace relievo {
@@ -9,14 +9,14 @@ namespace relievo {
 /// A layered drawing as it was understood.
 struct ConnectedScene {
   Scene scene;
-  Joining proposals;  ///< what of the scene was guessed; by part, in its order
+  JoinProposals proposals;  ///< what of the scene was guessed; by part, in its order
 };
 
-/// Connects the parts of a layered drawing as connect_parts proposes. What the drawing itself says
-/// stands: of the upper part of a join, relation or range nothing is guessed, and where there is
-/// any, no more joins are guessed, but what they would hold is tied. Where `amounts`, parts get a c
-/// that makes them about as deep as they are narrow, and those that look hollow a negative d.
-/// Near-linear as connect_parts.
+/// Connects the parts of a layered drawing as propose_layer_joins proposes. What the drawing itself
+/// says stands: of the upper part of a join, relation or range nothing is guessed, and where there
+/// is any, no more joins are guessed, but what they would hold is tied. Where `amounts`, parts get
+/// a c that makes them about as deep as they are narrow, and those that look hollow a negative d.
+/// Near-linear as propose_layer_joins.
 ConnectedScene connect_scene(Scene scene, bool amounts, const PartColors& colors = {});
 
 }  // namespace relievo

@@ -9,8 +9,8 @@
 #include "kernel/image/fill_outline.h"
 #include "kernel/image/mask_outline.h"
 #include "relief/completion/clip_to_order.h"
-#include "relief/joining/propose_leans.h"
-#include "relief/joining/round_inflation.h"
+#include "relief/join_proposals/propose_leans.h"
+#include "relief/join_proposals/round_inflation.h"
 #include "relief/pipeline/outline_rim.h"
 
 namespace relievo {
@@ -61,7 +61,7 @@ class LabelResolver {
     item.lower = part(item.lower);
   }
 
-  JoiningCorrections joining(JoiningCorrections corrections) {
+  JoinCorrections joining(JoinCorrections corrections) {
     for (Join& join : corrections.joins) pair(join);
     for (auto& [upper, lower] : corrections.no_joins) {
       upper = part(upper);
@@ -82,7 +82,7 @@ class LabelResolver {
     for (const auto& [upper, lower] : corrections.order)
       arrows.emplace_back(part(upper), part(lower));
     // A join or relation says as well which part is in front.
-    const JoiningCorrections own = joining(corrections.joining);
+    const JoinCorrections own = joining(corrections.joining);
     for (const Join& join : own.joins) arrows.emplace_back(join.upper, join.lower);
     for (const Relation& relation : own.relations)
       arrows.emplace_back(relation.upper, relation.lower);
@@ -319,8 +319,8 @@ Result<Proposal> propose_scene(const Image16& labels, const Corrections& correct
   if (options.rim > 0) add_rim(find_regions(seen), *clipped);
   const std::vector<Outline> outlines = scene_outlines(corrections, proposal.regions, *clipped);
   proposal.joining =
-      join_parts(proposal.regions, proposal.stacking, outlines,
-                 LabelResolver(proposal.regions).joining(corrections.joining), options.joining);
+      propose_joins(proposal.regions, proposal.stacking, outlines,
+                    LabelResolver(proposal.regions).joining(corrections.joining), options.joining);
   proposal.joining.leans =
       leans_without(corrections, proposal.regions,
                     propose_leans(proposal.regions, proposal.stacking, *clipped, proposal.joining));

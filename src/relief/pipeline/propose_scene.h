@@ -6,7 +6,7 @@
 #include "kernel/geometry/polygon.h"
 #include "relief/completion/complete_parts.h"
 #include "relief/corrections/corrections.h"
-#include "relief/joining/join_parts.h"
+#include "relief/join_proposals/propose_joins.h"
 #include "relief/stacking/stack_parts.h"
 #include "relievo/run_context.h"
 #include "relievo/scene.h"
@@ -15,7 +15,7 @@ namespace relievo {
 
 struct ProposalOptions {
   CompletionOptions completion;
-  JoiningOptions joining;
+  JoinProposalOptions joining;
   int max_parts = 1024;
   double rim = 0;       ///< px of outer ink that parts hold towards the background, see rim_width
   int min_pixels = 16;  ///< labels with fewer pixels are left out, with a warning
@@ -27,7 +27,7 @@ struct Proposal {
   std::vector<NeighbourEvidence> evidence;
   Completion completion;  ///< shapes as they are if nothing is cut off by the order
   Stacking stacking;
-  Joining joining;
+  JoinProposals joining;
   Scene scene;  ///< without a drawing; part k is the part stacking.back_to_front[k]
   std::vector<std::string> warnings;
 };

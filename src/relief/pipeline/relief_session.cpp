@@ -76,7 +76,7 @@ constexpr double coarse_tolerance = 1e-4;
 /// What the solution on a coarser mesh tells of the one that is wanted.
 struct Guess {
   std::vector<DepthContact> contacts;
-  JointMemory joint;
+  NonlinearMemory nonlinear;
 };
 
 /// Nothing where the coarse problem has no solution.
@@ -85,11 +85,11 @@ Guess coarse_guess(const Scene& scene, ReliefOptions options, const RunContext& 
   layers.edge_length *= std::sqrt(static_cast<double>(coarsening));
   layers.vertex_budget /= coarsening;
   if (layers.edge_length == 0 && layers.vertex_budget < smallest_coarse_mesh) return {};
-  options.joint.snapshots.clear();
-  options.joint.tolerance = std::max(options.joint.tolerance, coarse_tolerance);
+  options.nonlinear.snapshots.clear();
+  options.nonlinear.tolerance = std::max(options.nonlinear.tolerance, coarse_tolerance);
   ReliefSession session(ReliefSession::Use::guess);
   if (!session.update(scene, options, RunContext{context.cancel, {}, {}, {}})) return {};
-  return {session.contacts(), session.joint_memory()};
+  return {session.contacts(), session.nonlinear_memory()};
 }
 
 }  // namespace
@@ -102,7 +102,7 @@ Status ReliefSession::update(const Scene& scene, const ReliefOptions& options,
   StageClock clock(times);
   const RunContext timed = clock.listen(context);
   const Request request{scene, options, timed, clock};
-  const bool jointly = options.method == Method::nonlinear;
+  const bool nonlinear = options.method == Method::nonlinear;
   const bool guess = use_ != Use::guess && sheets_state_.version() == 0;
   Status status = Done{};
   Guess coarse;
@@ -115,9 +115,9 @@ Status ReliefSession::update(const Scene& scene, const ReliefOptions& options,
   if (!status) return status;
   if (guess) {
     ordering_system_.contacts = std::move(coarse.contacts);
-    joint_memory_ = std::move(coarse.joint);
+    nonlinear_memory_ = std::move(coarse.nonlinear);
   }
-  status = jointly ? update_jointly(request) : update_ordering(request);
+  status = nonlinear ? update_nonlinear(request) : update_ordering(request);
   if (!status) return status;
   if (status = update_hidden(request); !status) return status;
   relief_.times = std::move(times);
@@ -156,12 +156,12 @@ void ReliefSession::begin_like(const Scene& scene) {
     number(contact.upper);
   }
   ordering_system_.contacts = std::move(contacts);
-  for (JointMark& mark : joint_memory_.marks) number(mark.part);
-  for (DepthContact& contact : joint_memory_.contacts) {
+  for (NonlinearMark& mark : nonlinear_memory_.marks) number(mark.part);
+  for (DepthContact& contact : nonlinear_memory_.contacts) {
     number(contact.lower);
     number(contact.upper);
   }
-  sort_marks(joint_memory_.marks);
+  sort_marks(nonlinear_memory_.marks);
   part_ids_.clear();
   for (const Part& part : scene.parts) part_ids_.push_back(part.id);
 }
@@ -251,7 +251,7 @@ Status ReliefSession::update_ordering(const Request& request) {
     if (!ordering) return ordering.error();
     relief_.inflation = inflation_;
     relief_.ordering = std::move(*ordering);
-    relief_.joint = {};
+    relief_.nonlinear = {};
     relief_.snapshots.clear();
     clock.finish("order");
     return Done{};
@@ -275,25 +275,25 @@ Status ReliefSession::update_hidden(const Request& request) {
   });
 }
 
-Status ReliefSession::update_jointly(const Request& request) {
+Status ReliefSession::update_nonlinear(const Request& request) {
   const Scene& scene = request.scene;
   const ReliefOptions& options = request.options;
   const RunContext& context = request.context;
   StageClock& clock = request.clock;
   Key key = ordering_key(relief_.layers, scene, options.ordering);
-  key.add(Method::nonlinear).add(inflation_state_.version()).add(joint_key(options.joint));
+  key.add(Method::nonlinear).add(inflation_state_.version()).add(nonlinear_key(options.nonlinear));
   return heights_state_.refresh(std::move(key), [&]() -> Status {
-    JointOptions joint = options.joint;
-    joint.epsilon = options.ordering.epsilon;
-    joint.straight_limbs = options.ordering.straight_limbs;
-    joint.bumps = options.inflation;
-    auto solution = solve_jointly({relief_.layers, discretisation_, inflation_, scene}, joint,
-                                  joint_memory_, ordering_system_, context);
+    NonlinearOptions nonlinear = options.nonlinear;
+    nonlinear.epsilon = options.ordering.epsilon;
+    nonlinear.straight_limbs = options.ordering.straight_limbs;
+    nonlinear.bumps = options.inflation;
+    auto solution = solve_nonlinear({relief_.layers, discretisation_, inflation_, scene}, nonlinear,
+                                    nonlinear_memory_, ordering_system_, context);
     if (!solution) return solution.error();
-    joint_memory_ = std::move(solution->memory);
+    nonlinear_memory_ = std::move(solution->memory);
     relief_.inflation = std::move(solution->inflation);
     relief_.ordering = std::move(solution->ordering);
-    relief_.joint = std::move(solution->report);
+    relief_.nonlinear = std::move(solution->report);
     relief_.snapshots = std::move(solution->snapshots);
     clock.finish("nonlinear");
     return Done{};

@@ -70,7 +70,7 @@ class ReliefSession {
   const std::vector<DepthContact>& contacts() const { return ordering_system_.contacts; }
 
   /// Where the non-linear method ended.
-  const JointMemory& joint_memory() const { return joint_memory_; }
+  const NonlinearMemory& nonlinear_memory() const { return nonlinear_memory_; }
 
   /// The relief itself; the session is empty afterwards.
   Relief take() &&;
@@ -83,7 +83,7 @@ class ReliefSession {
   Status update_discretisation(const Request& request);
   Status update_inflation(const Request& request);
   Status update_ordering(const Request& request);
-  Status update_jointly(const Request& request);
+  Status update_nonlinear(const Request& request);
   Status update_hidden(const Request& request);
   void begin_like(const Scene& scene);
 
@@ -100,7 +100,7 @@ class ReliefSession {
   std::optional<PoissonSystem> poisson_;
   Inflation inflation_;
   OrderingSystem ordering_system_;
-  JointMemory joint_memory_;
+  NonlinearMemory nonlinear_memory_;
   std::vector<std::string> part_ids_;  ///< that the contacts' and marks' parts had
   Relief relief_;
 };

@@ -72,7 +72,7 @@ Key ordering_key(const LayeredMesh& mesh, const Scene& scene, const OrderingOpti
   return key.add(options.epsilon).add(options.start_active).add(options.straight_limbs);
 }
 
-Key joint_key(const JointOptions& options) {
+Key nonlinear_key(const NonlinearOptions& options) {
   Key key;
   key.add(options.lambda_bnd).add(options.lambda_shift).add(options.tolerance);
   return key.add(options.max_iterations).add(options.anderson_depth).add(options.snapshots);

@@ -65,7 +65,7 @@ Key inflation_key(const Scene& scene, const InflationOptions& options);
 /// Of order_depth: constraints, which faces may cross, leans, and the cues that slope.
 Key ordering_key(const LayeredMesh& mesh, const Scene& scene, const OrderingOptions& options);
 
-/// Of solve_jointly, besides what the ordering reads.
-Key joint_key(const JointOptions& options);
+/// Of solve_nonlinear, besides what the ordering reads.
+Key nonlinear_key(const NonlinearOptions& options);
 
 }  // namespace relievo

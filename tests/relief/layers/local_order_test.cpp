@@ -149,7 +149,7 @@ TEST(LocalOrder, HoldsInTheNonlinearMethodToo) {
     ReliefOptions options = options_for(2000);
     options.method = Method::nonlinear;
     const Relief relief = relief_of(scene, options);
-    EXPECT_EQ(relief.joint.status, JointStatus::solved);
+    EXPECT_EQ(relief.nonlinear.status, NonlinearStatus::solved);
     for (const DepthPair& pair : relief.layers.constraints)
       EXPECT_LE(relief.ordering.h[pair.lower], relief.ordering.h[pair.upper] + 1e-9);
   }

@@ -209,7 +209,7 @@ TEST(ReliefSession, SwitchesBetweenTheMethods) {
   const std::vector<double> approximate = session.relief().ordering.h;
   options.method = Method::nonlinear;
   ASSERT_TRUE(session.update(scene, options));
-  EXPECT_GT(session.relief().joint.steps.size(), 0u);
+  EXPECT_GT(session.relief().nonlinear.steps.size(), 0u);
   EXPECT_NE(session.relief().ordering.h, approximate);
   options.method = Method::approximate;
   ASSERT_TRUE(session.update(scene, options));
@@ -231,16 +231,16 @@ TEST(ReliefSession, TheNonlinearMethodBeginsWhereItEnded) {
   options.method = Method::nonlinear;
   ReliefSession session;
   ASSERT_TRUE(session.update(scene, options).ok());
-  const size_t first = session.relief().joint.steps.size();
+  const size_t first = session.relief().nonlinear.steps.size();
   scene.parts[1].c *= 1.02;
   ASSERT_TRUE(session.update(scene, options).ok());
-  const JointReport& warm = session.relief().joint;
-  EXPECT_EQ(warm.status, JointStatus::solved);
+  const NonlinearReport& warm = session.relief().nonlinear;
+  EXPECT_EQ(warm.status, NonlinearStatus::solved);
   EXPECT_LT(warm.steps.size(), first);
   EXPECT_LT(warm.steps[0].residual, 0.1);
   const Result<Relief> cold = build_relief(scene, options);
   ASSERT_TRUE(cold.ok());
-  EXPECT_NEAR(warm.energy.total(), cold->joint.energy.total(), 1e-7 * warm.energy.total());
+  EXPECT_NEAR(warm.energy.total(), cold->nonlinear.energy.total(), 1e-7 * warm.energy.total());
   for (size_t n = 0; n < cold->ordering.h.size(); ++n)
     EXPECT_NEAR(session.relief().ordering.h[n], cold->ordering.h[n], 1e-2);
 }
@@ -253,9 +253,9 @@ TEST(ReliefSession, TheNonlinearMethodBeginsFromACoarserMesh) {
   const Result<Relief> guessed = build_relief(scene, options);
   ReliefSession plain(ReliefSession::Use::guess);
   ASSERT_TRUE(guessed.ok() && plain.update(scene, options).ok());
-  const JointReport& unguessed = plain.relief().joint;
-  EXPECT_LT(guessed->joint.steps.size(), unguessed.steps.size());
-  EXPECT_NEAR(guessed->joint.energy.total(), unguessed.energy.total(),
+  const NonlinearReport& unguessed = plain.relief().nonlinear;
+  EXPECT_LT(guessed->nonlinear.steps.size(), unguessed.steps.size());
+  EXPECT_NEAR(guessed->nonlinear.energy.total(), unguessed.energy.total(),
               1e-7 * unguessed.energy.total());
 }
 

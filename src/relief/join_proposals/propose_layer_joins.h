@@ -1,0 +1,31 @@
+#pragma once
+
+#include "kernel/geometry/polygon.h"
+#include "relief/join_proposals/join_proposals.h"
+#include "relievo/scene.h"
+
+namespace relievo {
+
+/// Proposes how the parts of a layered drawing connect, from their complete outlines.
+///  - join: the part in front is a limb of the one behind. Its outline has one run inside that part
+///    (its root), and a good share of the part lies beside it. The join is the cap of the root:
+///    around its tip the outline as far as its normal turns by less than 57 degrees (one radian)
+///    from the limb's axis, and not longer than 0.65 times the root of the limb's area; of a round
+///    part, whose neck is narrower than itself, 0.45 times. The tip is the point of the run that is
+///    farthest on the way from what lies beside the other part to what lies on it; of a round limb,
+///    and of one that lies mostly on the other, that which is farthest from the limb's free end, as
+///    measured inside the limb; between the two for what is between.
+///  - equal: what lies inside another part, as an eye does; a limb in front without such a root;
+///    and a limb that comes out from behind a larger part, whose outline it touches all along. What
+///    nothing holds so hangs on the larger part that hides most of it.
+///  - all else is above, as everywhere, and not listed.
+/// A limb grows out of one part, in front of it or behind: that with the most confidence, which a
+/// clear change of colour halves, and a part that is not larger than the limb. What is of a foreign
+/// colour is held, and tied, unless it covers much of the other, as hair and clothes do; what is
+/// less sure than a quarter is tied as well. What lies mostly on another is a limb of that only
+/// where both have one colour. Without `colors` all are alike, but for the last. Shapes are
+/// compared on a grid of 512 pixels along the longest side. Near-linear in the points, plus the
+/// pixels of parts that overlap, pair by pair.
+JoinProposals propose_layer_joins(const Scene& scene, const PartColors& colors = {});
+
+}  // namespace relievo

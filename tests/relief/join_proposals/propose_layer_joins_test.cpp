@@ -1,0 +1,281 @@
+#include "relief/join_proposals/propose_layer_joins.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/geometry/line_spans.h"
+#include "relief/pipeline/connect_scene.h"
+#include "support/random_limbs.h"
+
+namespace relievo {
+namespace {
+
+using namespace testing;
+
+/// A disc with parts of given outlines in front of it, or the first of them behind it.
+Scene disc_with(const std::vector<Ring>& front, const std::vector<Ring>& behind = {}) {
+  Scene scene = canvas();
+  for (const Ring& ring : behind)
+    scene.parts.push_back(part("b" + std::to_string(scene.parts.size()), ring));
+  scene.parts.push_back(part("body", circle({200, 160}, 90)));
+  for (const Ring& ring : front)
+    scene.parts.push_back(part("f" + std::to_string(scene.parts.size()), ring));
+  return scene;
+}
+
+Ring limb(double half_width = 22) { return capsule({200, 200}, M_PI / 2, 150, half_width); }
+
+bool is_equal(const JoinProposals& joining, int upper, int lower) {
+  return std::any_of(joining.relations.begin(), joining.relations.end(), [&](const auto& proposed) {
+    const Relation& relation = proposed.relation;
+    return relation.upper == upper && relation.lower == lower &&
+           relation.kind == RelationKind::equal;
+  });
+}
+
+TEST(ConnectParts, TheJoinOfALimbIsOneRadianOfItsCapToEachSide) {
+  const JoinProposals joining = propose_layer_joins(disc_with({limb()}));
+  ASSERT_EQ(joining.joins.size(), 1U);
+  const Join& join = joining.joins[0].join;
+  EXPECT_EQ(join.upper, 1);
+  EXPECT_EQ(join.lower, 0);
+  EXPECT_GT(joining.joins[0].confidence, 0.5);
+  EXPECT_NEAR(line_length(join.line), 2 * 22, 6);
+  for (const Point2 p : join.line) EXPECT_NEAR(distance(p, {200, 200}), 22, 0.5);
+  for (const Point2 end : {join.line.front(), join.line.back()})
+    EXPECT_NEAR(std::atan2(std::abs(end.x - 200), 200 - end.y), 1, 0.15);
+}
+
+TEST(ConnectParts, JoinsMoveWithTheDrawing) {
+  for (const double angle : {0.3, 1.2, 2.5, 4.0}) {
+    for (const double scale : {0.5, 3.0}) {
+      const auto moved = [&](Point2 p) {
+        const Point2 q = p - Point2{200, 200};
+        return scale * Point2{200 + std::cos(angle) * q.x - std::sin(angle) * q.y,
+                              200 + std::sin(angle) * q.x + std::cos(angle) * q.y};
+      };
+      const Scene scene = disc_with({limb()});
+      Scene turned = scene;
+      turned.width *= scale;
+      turned.height *= scale;
+      for (Part& part : turned.parts)
+        for (Point2& p : part.outline[0]) p = moved(p);
+      const JoinProposals a = propose_layer_joins(scene);
+      const JoinProposals b = propose_layer_joins(turned);
+      ASSERT_EQ(a.joins.size(), 1U);
+      ASSERT_EQ(b.joins.size(), 1U);
+      const Join& join = b.joins[0].join;
+      const auto near = [&](Point2 p) {
+        return std::min(distance(p, join.line.front()), distance(p, join.line.back())) / scale;
+      };
+      EXPECT_LT(near(moved(a.joins[0].join.line.front())), 5) << angle << " " << scale;
+      EXPECT_LT(near(moved(a.joins[0].join.line.back())), 5) << angle << " " << scale;
+    }
+  }
+}
+
+TEST(ConnectParts, TheWayRoundOfAnOutlineDoesNotMatter) {
+  Scene reversed = disc_with({limb()});
+  for (Part& part : reversed.parts) std::reverse(part.outline[0].begin(), part.outline[0].end());
+  const JoinProposals a = propose_layer_joins(disc_with({limb()}));
+  const JoinProposals b = propose_layer_joins(reversed);
+  ASSERT_EQ(a.joins.size(), 1U);
+  ASSERT_EQ(b.joins.size(), 1U);
+  EXPECT_NEAR(line_length(a.joins[0].join.line), line_length(b.joins[0].join.line), 5);
+}
+
+TEST(ConnectParts, RandomLimbsAreJoinedWhereTheyGrow) {
+  int limbs = 0;
+  int found = 0;
+  for (uint64_t seed = 0; seed < 60; ++seed) {
+    const Scene scene = random_limbs(seed);
+    if (scene.joins.size() != 1) continue;
+    ++limbs;
+    const JoinProposals joining = propose_layer_joins(scene);
+    for (const ProposedJoin& proposed : joining.joins) {
+      const Join& join = proposed.join;
+      if (join.upper != scene.joins[0].upper || join.lower != scene.joins[0].lower) continue;
+      const Point2 tip = scene.joins[0].line[10];
+      found += std::any_of(join.line.begin(), join.line.end(),
+                           [&](Point2 p) { return distance(p, tip) < 4; })
+                   ? 1
+                   : 0;
+    }
+  }
+  ASSERT_GT(limbs, 10);
+  EXPECT_GE(found, limbs * 9 / 10) << found << " of " << limbs;
+}
+
+TEST(ConnectParts, WhatLiesInsideIsTied) {
+  const JoinProposals joining = propose_layer_joins(disc_with({circle({210, 150}, 20)}));
+  EXPECT_TRUE(joining.joins.empty());
+  EXPECT_TRUE(is_equal(joining, 1, 0));
+}
+
+TEST(ConnectParts, LimbsBehindAreTiedToTheOutlineInFront) {
+  const JoinProposals joining = propose_layer_joins(disc_with({}, {limb()}));
+  EXPECT_TRUE(joining.joins.empty());
+  EXPECT_TRUE(is_equal(joining, 1, 0));
+}
+
+TEST(ConnectParts, WhatReachesOutOnTwoSidesIsNoLimb) {
+  const JoinProposals joining = propose_layer_joins(disc_with({rectangle(60, 140, 340, 180)}));
+  EXPECT_TRUE(joining.joins.empty());
+  EXPECT_TRUE(is_equal(joining, 1, 0));
+}
+
+TEST(ConnectParts, ALimbJoinsWhatLiesDirectlyUnderItsRoot) {
+  const JoinProposals joining = propose_layer_joins(disc_with({circle({200, 190}, 60), limb()}));
+  ASSERT_EQ(joining.joins.size(), 1U);
+  EXPECT_EQ(joining.joins[0].join.upper, 2);
+  EXPECT_EQ(joining.joins[0].join.lower, 1);
+}
+
+const PartColors::value_type fur = {{0.8, 0.6, 0.4}};
+const PartColors::value_type steel = {{0.1, 0.2, 0.9}};
+
+TEST(ConnectParts, WhatIsOfAForeignColourIsHeldAndDoesNotGrow) {
+  const Scene scene = disc_with({limb()});
+  EXPECT_EQ(propose_layer_joins(scene, {fur, fur}).joins.size(), 1U);
+  EXPECT_TRUE(propose_layer_joins(scene, {fur, steel}).joins.empty());
+  EXPECT_TRUE(is_equal(propose_layer_joins(scene, {fur, steel}), 1, 0));
+}
+
+TEST(ConnectParts, HairMayHaveAnyColour) {
+  const Scene scene = disc_with({circle({200, 60}, 85)});
+  ASSERT_EQ(propose_layer_joins(scene, {fur, fur}).joins.size(), 1U);
+  EXPECT_TRUE(propose_layer_joins(scene, {fur, steel}).joins.empty());
+  const Scene covered = disc_with({circle({200, 92}, 70)});
+  EXPECT_EQ(propose_layer_joins(covered, {fur, steel}).joins.size(), 1U);
+}
+
+TEST(ConnectParts, OneColourOfTheBodyIsEnough) {
+  EXPECT_EQ(propose_layer_joins(disc_with({limb()}), {{steel[0], fur[0]}, fur}).joins.size(), 1U);
+}
+
+TEST(ConnectParts, OfTwoPartsALimbGrowsOutOfTheOneOfItsColour) {
+  const Scene scene =
+      disc_with({capsule({290, 200}, M_PI / 2, 150, 40), capsule({280, 150}, 0.5, 110, 20)});
+  const JoinProposals on_body = propose_layer_joins(scene, {fur, {{0.5, 0.2, 0.1}}, fur});
+  const JoinProposals on_limb = propose_layer_joins(scene, {{{0.5, 0.2, 0.1}}, fur, fur});
+  const auto lower_of_last = [](const JoinProposals& joining) {
+    int lower = -1;
+    int count = 0;
+    for (const ProposedJoin& proposed : joining.joins)
+      if (proposed.join.upper == 2) {
+        lower = proposed.join.lower;
+        ++count;
+      }
+    EXPECT_EQ(count, 1);
+    return lower;
+  };
+  EXPECT_EQ(lower_of_last(on_body), 0);
+  EXPECT_EQ(lower_of_last(on_limb), 1);
+}
+
+TEST(ConnectParts, AnArmThatLiesMostlyOnTheBodyIsJoinedWhereItHasItsColour) {
+  const Scene scene = disc_with({capsule({160, 130}, 0.7, 145, 20)});
+  EXPECT_TRUE(propose_layer_joins(scene).joins.empty());
+  EXPECT_EQ(propose_layer_joins(scene, {fur, fur}).joins.size(), 1U);
+}
+
+TEST(ConnectParts, NecksAreNarrowerThanHeads) {
+  const JoinProposals joining = propose_layer_joins(disc_with({circle({200, 60}, 60)}));
+  ASSERT_EQ(joining.joins.size(), 1U);
+  EXPECT_NEAR(line_length(joining.joins[0].join.line), 0.45 * std::sqrt(M_PI) * 60, 4);
+}
+
+Ring ellipse(Point2 centre, double a, double b) {
+  Ring ring;
+  for (int i = 0; i < 60; ++i) {
+    const double t = 2 * M_PI * i / 60;
+    ring.push_back({centre.x + a * std::cos(t), centre.y + b * std::sin(t)});
+  }
+  return ring;
+}
+
+TEST(ConnectParts, WideDarkRedPatchesAreOpenMouths) {
+  const PartColors::value_type red = {{0.5, 0.1, 0.12}};
+  const PartColors::value_type black = {{0.1, 0.1, 0.1}};
+  const Scene mouth = disc_with({ellipse({200, 190}, 30, 12)});
+  EXPECT_EQ(propose_layer_joins(mouth, {fur, red}).hollows, std::vector<int>{1});
+  EXPECT_TRUE(propose_layer_joins(mouth, {fur, black}).hollows.empty()) << "an eye";
+  EXPECT_TRUE(propose_layer_joins(mouth).hollows.empty());
+  EXPECT_TRUE(propose_layer_joins(disc_with({circle({200, 180}, 20)}), {fur, red}).hollows.empty())
+      << "a nose";
+}
+
+TEST(ConnectParts, PinkInsideAnEarIsACup) {
+  const PartColors::value_type pink = {{0.95, 0.72, 0.7}};
+  const Ring ear = capsule({200, 100}, -M_PI / 2, 90, 26);
+  const Ring cup = capsule({200, 70}, -M_PI / 2, 55, 14);
+  const Scene in_front = disc_with({ear, cup});
+  EXPECT_EQ(propose_layer_joins(in_front, {fur, fur, pink}).hollows, std::vector<int>{2});
+  EXPECT_TRUE(propose_layer_joins(in_front, {fur, fur, steel}).hollows.empty());
+  EXPECT_TRUE(propose_layer_joins(in_front, {fur, fur, {{0.4, 0.28, 0.22}}}).hollows.empty())
+      << "a brown nose on a muzzle";
+  const Scene behind = disc_with({}, {ear, cup});
+  EXPECT_EQ(propose_layer_joins(behind, {fur, pink, fur}).hollows, std::vector<int>{1});
+  EXPECT_TRUE(
+      propose_layer_joins(disc_with({ellipse({200, 190}, 30, 30)}), {fur, pink}).hollows.empty())
+      << "a cheek";
+}
+
+TEST(ConnectScene, HollowsAreDishesOnlyWhereAmountsAreGuessed) {
+  const Scene mouth = disc_with({ellipse({200, 190}, 30, 12)});
+  const PartColors colors = {fur, {{0.5, 0.1, 0.12}}};
+  EXPECT_LT(connect_scene(mouth, true, colors).scene.parts[1].d, 0);
+  EXPECT_GT(connect_scene(mouth, false, colors).scene.parts[1].d, 0);
+}
+
+TEST(ConnectParts, WhatALargerPartMostlyHidesHangsOnThat) {
+  for (const Ring& hidden : {circle({200, 80}, 30), circle({200, 180}, 80)}) {
+    const JoinProposals joining = propose_layer_joins(disc_with({}, {hidden}));
+    EXPECT_TRUE(joining.joins.empty());
+    EXPECT_TRUE(is_equal(joining, 1, 0));
+  }
+}
+
+TEST(ConnectScene, TheAuthorsWordStandsForThePartsThatItPlaces) {
+  Scene scene = disc_with({limb(), circle({210, 120}, 20)});
+  scene.relations.push_back({1, 0, RelationKind::above, std::nullopt});
+  const ConnectedScene connected = connect_scene(scene, false);
+  EXPECT_TRUE(connected.scene.joins.empty());
+  ASSERT_EQ(connected.scene.relations.size(), 2U);
+  EXPECT_EQ(connected.scene.relations[0].kind, RelationKind::above);
+  EXPECT_FALSE(is_equal(connected.proposals, 1, 0));
+  EXPECT_TRUE(is_equal(connected.proposals, 2, 0));
+}
+
+TEST(ConnectScene, NothingElseGrowsWhereTheAuthorSaysWhatDoes) {
+  Scene scene = disc_with({limb(), capsule({240, 160}, 0, 150, 22)});
+  const std::vector<ProposedJoin> guesses = propose_layer_joins(scene).joins;
+  ASSERT_EQ(guesses.size(), 2U);
+  scene.joins.push_back(guesses[0].join);
+  const ConnectedScene connected = connect_scene(scene, false);
+  ASSERT_EQ(connected.scene.joins.size(), 1U);
+  EXPECT_EQ(connected.scene.joins[0].upper, guesses[0].join.upper);
+  EXPECT_TRUE(connected.proposals.joins.empty());
+  EXPECT_TRUE(is_equal(connected.proposals, 2, 0));
+}
+
+TEST(ConnectScene, WhatIsSaidOfAnEarsCupSaysNothingOfTheEar) {
+  const Ring ear = capsule({200, 100}, -M_PI / 2, 90, 26);
+  Scene scene = disc_with({}, {ear, capsule({200, 40}, -M_PI / 2, 25, 14)});
+  scene.relations.push_back({1, 0, RelationKind::equal, std::nullopt});
+  EXPECT_TRUE(is_equal(connect_scene(scene, false).proposals, 2, 0));
+}
+
+TEST(ConnectScene, ProposalsAreWhatTheSceneHas) {
+  const ConnectedScene connected = connect_scene(disc_with({limb(), circle({210, 120}, 20)}), true);
+  ASSERT_EQ(connected.scene.joins.size(), connected.proposals.joins.size());
+  ASSERT_EQ(connected.scene.relations.size(), connected.proposals.relations.size());
+  EXPECT_TRUE(validate(connected.scene));
+  EXPECT_NEAR(connected.scene.parts[0].c, 4, 0.05);  // a disc becomes a hemisphere
+  EXPECT_LT(connected.scene.parts[1].c, 2.5);        // a long limb a half cylinder
+}
+
+}  // namespace
+}  // namespace relievo
