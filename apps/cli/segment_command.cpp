@@ -142,7 +142,7 @@ Status cut_out(const std::string& name, SegmentInput& input) {
   for (size_t i = 0; i < mask->pixels.size(); i += 4) {
     const uint8_t* p = &mask->pixels[i];
     const int value = by_alpha ? p[3] : std::max({p[0], p[1], p[2]});
-    if (value < 128) input.pixels.pixels[i + 3] = 0;
+    if (value < 128) std::fill_n(&input.pixels.pixels[i], 4, uint8_t{0});
   }
   auto cut = encode_png(input.pixels);
   if (!cut) return cut.error();

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "kernel/base/exact_functions.h"
+
 namespace relievo {
 namespace {
 
@@ -19,12 +21,13 @@ constexpr int max_steps = 25;
 using Parameters = Eigen::Matrix<double, unknowns, 1>;
 
 Ellipse ellipse_of(const Parameters& p) {
-  return {{p[0], p[1]}, std::exp(p[2]), std::exp(p[3]), p[4]};
+  return {{p[0], p[1]}, exact::exp(p[2]), exact::exp(p[3]), p[4]};
 }
 
 /// An ellipse with the cosine and sine of its angle.
 struct Frame {
-  explicit Frame(const Ellipse& e) : ellipse(e), c(std::cos(e.angle)), s(std::sin(e.angle)) {}
+  explicit Frame(const Ellipse& e) : Frame(e, exact::direction_of(e.angle)) {}
+  Frame(const Ellipse& e, exact::Direction axis) : ellipse(e), c(axis.cosine), s(axis.sine) {}
 
   double distance(Point2 p) const {
     const Point2 d = p - ellipse.centre;
@@ -68,7 +71,7 @@ Eigen::VectorXd residuals(const Parameters& p, const EllipseEvidence& evidence) 
 /// Forward differences.
 Eigen::MatrixXd jacobian(const Parameters& p, const Eigen::VectorXd& r,
                          const EllipseEvidence& evidence) {
-  const double size = std::exp(std::max(p[2], p[3]));
+  const double size = exact::exp(std::max(p[2], p[3]));
   Eigen::MatrixXd J(r.size(), unknowns);
   for (int k = 0; k < unknowns; ++k) {
     const double step = k < 2 ? 1e-6 * size : 1e-6;
@@ -98,7 +101,7 @@ Parameters start(const EllipseEvidence& evidence) {
   const double major = std::sqrt(2 * std::max(axes.eigenvalues()[1], 0.25));
   const Eigen::Vector2d along = axes.eigenvectors().col(1);
   Parameters p;
-  p << mean[0], mean[1], std::log(major), std::log(minor), std::atan2(along[1], along[0]);
+  p << mean[0], mean[1], exact::log(major), exact::log(minor), exact::angle_of(along[1], along[0]);
   return p;
 }
 
@@ -148,12 +151,11 @@ std::optional<Ellipse> fit_ellipse(const EllipseEvidence& evidence) {
 
 Ring ring_of(const Ellipse& ellipse, int points) {
   Ring ring;
-  const double c = std::cos(ellipse.angle);
-  const double s = std::sin(ellipse.angle);
+  const auto [c, s] = exact::direction_of(ellipse.angle);
   for (int i = 0; i < points; ++i) {
-    const double t = 2 * std::numbers::pi * i / points;
-    const double u = ellipse.a * std::cos(t);
-    const double v = ellipse.b * std::sin(t);
+    const exact::Direction at = exact::direction_of(2 * std::numbers::pi * i / points);
+    const double u = ellipse.a * at.cosine;
+    const double v = ellipse.b * at.sine;
     ring.push_back({ellipse.centre.x + c * u - s * v, ellipse.centre.y + s * u + c * v});
   }
   return ring;

@@ -3,19 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernel/base/exact_functions.h"
+
 namespace relievo {
 namespace {
 
 /// Signed angle from a to b.
-double angle(Point2 a, Point2 b) { return std::atan2(cross(a, b), dot(a, b)); }
+double angle(Point2 a, Point2 b) { return exact::angle_of(cross(a, b), dot(a, b)); }
 
 /// Length of a Bezier handle relative to the chord, given the angles of both ends to it.
 double handle(double own, double other) {
   const double sqrt5 = std::sqrt(5.0);
-  const double bend = (std::sin(own) - std::sin(other) / 16) *
-                      (std::sin(other) - std::sin(own) / 16) * (std::cos(own) - std::cos(other));
-  const double spread =
-      3 * (1 + 0.5 * (sqrt5 - 1) * std::cos(own) + 0.5 * (3 - sqrt5) * std::cos(other));
+  const exact::Direction a = exact::direction_of(own);
+  const exact::Direction b = exact::direction_of(other);
+  const double bend = (a.sine - b.sine / 16) * (b.sine - a.sine / 16) * (a.cosine - b.cosine);
+  const double spread = 3 * (1 + 0.5 * (sqrt5 - 1) * a.cosine + 0.5 * (3 - sqrt5) * b.cosine);
   // The denominator nears 0 where both ends point backwards; beyond 3 chords it is a loop.
   return std::clamp((2 + std::sqrt(2.0) * bend) / std::max(spread, 1e-3), 0.05, 3.0);
 }

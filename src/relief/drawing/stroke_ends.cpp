@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "kernel/base/exact_functions.h"
 #include "kernel/image/pixel_ring.h"
 
 namespace relievo {
@@ -17,7 +18,7 @@ constexpr double turn_off = 50 * std::numbers::pi / 180;     ///< the other line
 /// Pixels at one number of steps from an end.
 using Front = std::vector<int>;
 
-double angle(Point2 a, Point2 b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); }
+double angle(Point2 a, Point2 b) { return std::abs(exact::angle_of(cross(a, b), dot(a, b))); }
 
 /// Follows strokes from their ends in steps to neighbouring pixels.
 class StrokeWalk {

@@ -91,7 +91,7 @@ std::vector<RingRun> runs_inside(const LayerGrid& grid, const Outline& outline, 
 }
 
 Point2 unit(Point2 p) {
-  const double length = std::hypot(p.x, p.y);
+  const double length = norm(p);
   return length > 0 ? 1 / length * p : Point2{};
 }
 

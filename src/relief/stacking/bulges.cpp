@@ -4,6 +4,7 @@
 #include <map>
 
 #include "kernel/base/cyclic_runs.h"
+#include "kernel/base/exact_functions.h"
 
 namespace relievo {
 namespace {
@@ -47,7 +48,7 @@ std::vector<BulgeCue> find_bulge_cues(const PartRegions& regions) {
   for (const auto& [pair, bulge] : bulges) {
     if (bulge.area == 0) continue;
     const double confidence =
-        1 - std::exp(-std::abs(bulge.area) / (bulge_scale * std::max(bulge.chords, 1e-9)));
+        1 - exact::exp(-std::abs(bulge.area) / (bulge_scale * std::max(bulge.chords, 1e-9)));
     const bool first = bulge.area > 0;
     cues.push_back(
         {first ? pair.first : pair.second, first ? pair.second : pair.first, confidence});

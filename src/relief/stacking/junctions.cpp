@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "kernel/base/exact_functions.h"
+
 namespace relievo {
 namespace {
 
@@ -52,7 +54,7 @@ double turn(const LabelRing& ring, const Change& change) {
   };
   const Point2 in = side(-near_side) - side(-change.before);
   const Point2 out = side(change.after - 1) - side(near_side);
-  return std::abs(std::atan2(cross(in, out), dot(in, out)));
+  return std::abs(exact::angle_of(cross(in, out), dot(in, out)));
 }
 
 }  // namespace
@@ -62,7 +64,7 @@ std::vector<JunctionCue> find_junction_cues(const PartRegions& regions) {
   for (int part = 0; part < regions.count(); ++part)
     for (const LabelRing& ring : regions.rings[part])
       for (const Change& change : changes(ring)) {
-        const double confidence = std::exp(-turn(ring, change) / (spread * spread));
+        const double confidence = exact::exp(-turn(ring, change) / (spread * spread));
         if (confidence < min_junction_confidence) continue;
         const size_t previous = (change.at + ring.size() - 1) % ring.size();
         for (const size_t i : {previous, change.at}) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "kernel/base/exact_functions.h"
 #include "relief/stacking/bulges.h"
 #include "relief/stacking/junctions.h"
 #include "relief/stacking/order_graph.h"
@@ -108,7 +109,7 @@ OrderArrow arrow_of(const Pair& pair, const PairBelief& belief) {
   arrow.upper = log_odds >= 0 ? pair.first : pair.second;
   arrow.lower = log_odds >= 0 ? pair.second : pair.first;
   // Of probabilities p and 1 - p, the difference.
-  arrow.confidence = std::tanh(std::abs(log_odds) / 2);
+  arrow.confidence = 2 / (1 + exact::exp(-std::abs(log_odds))) - 1;
   return arrow;
 }
 
@@ -149,7 +150,8 @@ std::vector<std::vector<double>> pair_odds(const PartRegions& regions,
       odds[a][b] = below_weight * (regions.visible[b].bottom() - regions.visible[a].bottom()) /
                    std::max(1, bottom - top);
   for (const OrderArrow& arrow : arrows) {
-    const double said = 2 * std::atanh(std::min(arrow.confidence, surest));
+    const double sure = std::min(arrow.confidence, surest);
+    const double said = exact::log((1 + sure) / (1 - sure));
     odds[arrow.upper][arrow.lower] = arrow.source == OrderSource::user ? user_odds : said;
     odds[arrow.lower][arrow.upper] = -odds[arrow.upper][arrow.lower];
   }

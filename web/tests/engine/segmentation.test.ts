@@ -12,6 +12,7 @@ import { addStroke, adopt, clearStrokes, partOfStroke, questionOf, segmentationO
 import { isFailure } from '../../engine/messages';
 import type { ReliefService } from '../../engine/relief_service';
 import { relievo, root } from '../support/command_line';
+import { pngOf } from '../support/pictures';
 import { must, shown, startService, usual } from './service';
 
 const bear = readFileSync(join(root, 'examples/bear.png'));
@@ -75,6 +76,24 @@ describe('a flat drawing', () => {
     expect(theirs.segmentation!.scribbles).toEqual(scribbles);
     expect(own.segmentation!.scribbles).toEqual(scribbles);
     if (complete) expect(own.parts.length).toBe(2);
+  });
+
+  it('is understood within a mask and under strokes as by the command line, to the last number', () => {
+    const folder = mkdtempSync(join(tmpdir(), 'relievo-'));
+    const [mask, strokes] = [join(folder, 'mask.png'), join(folder, 'strokes.json')];
+    writeFileSync(mask, pngOf(900, 1000, (_, y) => (y < 660 ? [255, 255, 255, 255] : [0, 0, 0, 255])));
+    const { scribbles } = scribbled(blank(), [450, 560], [470, 600]).segmentation!;
+    writeFileSync(strokes, JSON.stringify({ format: 'relievo-scribbles', version: 1, ...scribbles, complete: false }));
+    for (const more of [[], ['--scribbles', strokes]]) {
+      const theirs = readProject(native('--figure', mask, ...more));
+      must(service.openDrawing({ png: theirs.drawing!.bytes }));
+      const said = more.length > 0 ? { segmentation: { ...segmentationOf(blank()), scribbles } } : {};
+      const own = understood({ ...blank(), ...said });
+      expect(own.parts).toEqual(theirs.parts);
+      expect(own.joins).toEqual(theirs.joins);
+      expect(Buffer.from(own.segmentation!.labels).equals(Buffer.from(theirs.segmentation!.labels))).toBe(true);
+    }
+    must(service.openDrawing({ png: bear }));
   });
 
   it('is one part under one stroke, and two under two', () => {

@@ -45,7 +45,7 @@ interface Scene {
   parts: ScenePart[];
 }
 
-/** A part's name and the box around it, to a few px: fitted ellipses hang on the last digit of a sine. */
+/** A part's name and the box around it, to a few px; the engine tests compare to the last number. */
 function boxOf({ id, outline }: ScenePart): [string, ...number[]] {
   const [xs, ys] = [0, 1].map((axis) => outline.flat().map((point) => point[axis] as number)) as [number[], number[]];
   return [id, ...[Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)].map((v) => Math.round(v / 8))];
