@@ -8,7 +8,9 @@
 #include "apps/cli/common_arguments.h"
 #include "apps/cli/compare_arguments.h"
 #include "apps/cli/exit_code.h"
+#include "apps/cli/manual/manual.h"
 #include "apps/cli/relief_arguments.h"
+#include "apps/cli/version.h"
 #include "apps/cli/within.h"
 
 namespace relievo::cli {
@@ -113,6 +115,30 @@ void add_render(CLI::App& main, RenderArguments& render) {
   add_visibility(app, render.relief);
 }
 
+struct ManualArguments {
+  std::string what;
+  std::string command;
+};
+
+/// For packages, which is why help does not show it.
+void add_manual(CLI::App& main, ManualArguments& manual) {
+  CLI::App& app = *main.add_subcommand("manual", "Prints a manual page or a shell's completions.");
+  app.group("");
+  app.add_option("WHAT", manual.what, "man, bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));
+  std::vector<std::string> names;
+  for (const CLI::App* command : shown_commands(main)) names.push_back(command->get_name());
+  app.add_option("COMMAND", manual.command, "Whose page it is; the program's where none is named")
+      ->check(CLI::IsMember(names));
+}
+
+int print_manual(const CLI::App& app, const ManualArguments& manual) {
+  std::cout << (manual.what == "man" ? man_page(app, manual.command)
+                                     : completions(app, manual.what));
+  return exit_done;
+}
+
 /// Prints help and the version on standard output, mistakes on standard error.
 int finish(const CLI::App& app, const CLI::ParseError& error) {
   return app.exit(error, std::cout, std::cerr) == 0 ? exit_done : exit_usage;
@@ -128,7 +154,7 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
     words.push_back("--help");
   }
   CLI::App app(main_help, "relievo");
-  app.set_version_flag("--version", "relievo " RELIEVO_VERSION);
+  app.set_version_flag("--version", version_text());
   app.require_subcommand(0, 1);
   BuildArguments build;
   CheckArguments check;
@@ -143,8 +169,11 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
   add_compare(app, compare);
   add_render(app, render);
   add_segment(app, segment);
+  ManualArguments manual;
+  add_manual(app, manual);
   try {
     app.parse(static_cast<int>(words.size()), words.data());
+    if (app.got_subcommand("manual")) return print_manual(app, manual);
     if (app.got_subcommand("check")) return Command(check);
     if (app.got_subcommand("compare")) {
       settle_compare(compare);

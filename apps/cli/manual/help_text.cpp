@@ -1,0 +1,71 @@
+#include <sstream>
+
+#include "apps/cli/manual/manual.h"
+
+namespace relievo::cli {
+namespace {
+
+bool begins_with(const std::string& text, const std::string& start) {
+  return text.compare(0, start.size(), start) == 0;
+}
+
+/// The words of "TEXT:{a,b}"; none where there are no braces.
+std::vector<std::string> words_in_braces(const std::string& type) {
+  const size_t open = type.find('{');
+  const size_t close = type.find('}');
+  if (open == std::string::npos || close == std::string::npos) return {};
+  std::vector<std::string> words;
+  std::istringstream list(type.substr(open + 1, close - open - 1));
+  for (std::string word; std::getline(list, word, ',');) words.push_back(word);
+  return words;
+}
+
+}  // namespace
+
+HelpText split_help(const std::string& help) {
+  HelpText text;
+  const size_t examples = help.find("\n\nExamples:\n");
+  for (const char c : help.substr(0, examples)) text.description += c == '\n' ? ' ' : c;
+  const size_t sentence = std::min(text.description.find(". "), text.description.find(": "));
+  text.summary = text.description.substr(0, sentence);
+  if (!text.summary.empty() && text.summary.back() == '.') text.summary.pop_back();
+  if (examples == std::string::npos) return text;
+  std::istringstream lines(help.substr(examples + 2));
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line))
+    text.examples.push_back(line.substr(line.find_first_not_of(' ')));
+  return text;
+}
+
+std::vector<const CLI::App*> shown_commands(const CLI::App& program) {
+  return program.get_subcommands([](const CLI::App* command) {
+    return !command->get_group().empty() && !command->get_name().empty();
+  });
+}
+
+std::vector<const CLI::Option*> shown_options(const CLI::App& command) {
+  auto options = command.get_options([](const CLI::Option* option) {
+    return option->nonpositional() && !option->get_group().empty();
+  });
+  // Groups of options are commands without a name.
+  for (const CLI::App* group :
+       command.get_subcommands([](const CLI::App* sub) { return sub->get_name().empty(); }))
+    for (const CLI::Option* option : shown_options(*group)) options.push_back(option);
+  return options;
+}
+
+OptionValue value_of(const CLI::Option& option) {
+  using Kind = OptionValue::Kind;
+  if (option.get_items_expected_max() == 0) return {};
+  const std::string type = option.get_type_name();
+  OptionValue value{Kind::text, words_in_braces(type), type.substr(type.find(':') + 1)};
+  if (begins_with(type, "INT") || begins_with(type, "FLOAT")) value.kind = Kind::number;
+  if (value.words.empty()) return value;
+  value.kind = Kind::word;
+  value.said.clear();
+  for (const std::string& word : value.words) value.said += (value.said.empty() ? "" : "|") + word;
+  return value;
+}
+
+}  // namespace relievo::cli
