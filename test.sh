@@ -32,6 +32,14 @@ fi
 cmake --preset "$preset" > /dev/null
 cmake --build "build/$preset" -j "$jobs"
 
+if [ "$preset" = dev ]; then
+  cmake --preset package > /dev/null
+  cmake --build build/package -j "$jobs"
+  # Debian's Python, for which the module is built.
+  RELIEVO="$PWD/build/package/apps/cli/relievo" PYTHONPATH="$PWD/build/package/python" \
+    /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/python
+fi
+
 # The editor: its modules, its engine against the command line, and journeys in a real browser.
 scripts/build-web.sh
 export RELIEVO="$PWD/build/$preset/apps/cli/relievo"

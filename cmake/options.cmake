@@ -25,6 +25,13 @@ if(RELIEVO_SANITIZE)
   target_link_options(relievo_options INTERFACE -fsanitize=address,undefined)
 endif()
 
+if(RELIEVO_PYTHON)
+  # The module is a shared object that shows nothing of the libraries in it.
+  set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+  set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+  set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+endif()
+
 if(PROJECT_IS_TOP_LEVEL)
   find_program(RELIEVO_CCACHE ccache)
   if(RELIEVO_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

@@ -1,10 +1,10 @@
 #!/bin/sh
 # Installs the Debian packages that are missing; does nothing, quickly, where all are there.
-# Usage: install-packages.sh [build|web|test|bench|docs|fuzz|figures|all]
+# Usage: install-packages.sh [build|python|web|test|bench|docs|fuzz|figures|all]
 # build: to compile and run; web: those and for the editor; test: all of these and to test; bench:
-# the first and to measure; docs: to make pages of the interface; fuzz: the first and to fuzz;
-# figures: the first and to remake the pictures of docs/figures.md; all: those of test, a slicer, and
-# a Slurm cluster of one machine
+# the first and to measure; python: the first, and for the Python module and its tests; docs: to make
+# pages of the interface; fuzz: the first and to fuzz; figures: the first and to remake the pictures
+# of docs/figures.md; all: those of test and python, a slicer, and a Slurm cluster of one machine
 set -eu
 
 build="ca-certificates ccache cmake g++ libcgal-dev libcli11-dev libeigen3-dev libembree-dev
@@ -15,6 +15,7 @@ test="admesh chromium clang-format clang-tidy coinor-libipopt-dev lib3mf-dev lib
   librapidcheck-dev libvalijson-dev shellcheck"
 bench="libbenchmark-dev libopenblas0-pthread libopenblas-pthread-dev libsuitesparse-dev python3"
 figures="imagemagick librsvg2-bin python3 python3-numpy python3-pil"
+python="libpython3-dev mypy pybind11-dev python3 python3-numpy python3-pil python3-pytest"
 all="munge prusa-slicer slurm-client slurmctld slurmd"
 
 # Any node serves; Debian's where there is none.
@@ -22,14 +23,15 @@ command -v npm > /dev/null || web="$web nodejs npm"
 
 case "${1:-test}" in
   build) wanted="$build" ;;
+  python) wanted="$build $python" ;;
   web) wanted="$build $web" ;;
   test) wanted="$build $web $test" ;;
-  all) wanted="$build $web $test $all" ;;
+  all) wanted="$build $web $test $python $all" ;;
   bench) wanted="$build $bench" ;;
   docs) wanted="doxygen" ;;
   figures) wanted="$build $figures" ;;
   fuzz) wanted="$build clang libclang-rt-14-dev" ;;
-  *) echo "usage: $0 [build|web|test|bench|docs|fuzz|figures|all]" >&2; exit 2 ;;
+  *) echo "usage: $0 [build|python|web|test|bench|docs|fuzz|figures|all]" >&2; exit 2 ;;
 esac
 
 if ! command -v dpkg-query > /dev/null; then

@@ -23,11 +23,11 @@ struct DrawnScene {
 /// Reads a layered drawing (SVG, OpenRaster, a folder of pictures), a flat picture (as
 /// understand_picture), a project, or a scene file with the drawing that it names; told by the
 /// content. Errors begin with the file's name: `file`,
-/// `bad_input`, `contradiction`, `limit`.
-Result<DrawnScene> read_drawing(const std::filesystem::path& path);
+/// `bad_input`, `contradiction`, `limit`, `interrupted`.
+Result<DrawnScene> read_drawing(const std::filesystem::path& path, const RunContext& context = {});
 
 /// Finds the parts of a flat picture (PNG, JPEG, GIF), completes what of them is hidden, and orders
-/// and joins them. Errors: as read_drawing, and `interrupted`.
+/// and joins them. Errors: as read_drawing.
 Result<DrawnScene> understand_picture(const std::filesystem::path& path,
                                       const RunContext& context = {});
 

@@ -15,10 +15,10 @@ DrawnScene drawn(SceneInput input) {
 
 }  // namespace
 
-Result<DrawnScene> read_drawing(const std::filesystem::path& path) {
+Result<DrawnScene> read_drawing(const std::filesystem::path& path, const RunContext& context) {
   const auto file = read_input(path.string());
   if (!file) return file.error();
-  auto input = load_scene(*file, true);
+  auto input = load_scene(*file, true, context);
   if (!input) return input.error();
   return drawn(std::move(*input));
 }

@@ -1,0 +1,151 @@
+#include "bindings/python/model.h"
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+#include <array>
+
+#include "bindings/python/arrays.h"
+#include "bindings/python/work.h"
+#include "relievo/export.h"
+
+namespace relievo::python {
+namespace {
+
+namespace py = pybind11;
+namespace fs = std::filesystem;
+
+constexpr double usual_size = 100;  ///< mm
+
+double longest_side(const Model& model) {
+  Point3 low = model.positions.front();
+  Point3 high = low;
+  for (const Point3& p : model.positions) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+}
+
+Status save(const ShownModel& shown, const fs::path& path, std::optional<double> size) {
+  if (!size)
+    size = shown.solid && !shown.model.positions.empty() ? longest_side(shown.model) : usual_size;
+  const auto files = export_model(shown.model, shown.shown(), path, *size);
+  if (!files) return files.error();
+  return write_files(*files, shown.source->files);
+}
+
+py::array render(const ShownModel& shown, const RenderOptions& options) {
+  const Drawing& drawing = shown.shown();
+  return to_array(run([&](const RunContext& context) {
+    return render_model(shown.model, drawing.rgba.empty() ? nullptr : &drawing, options, context);
+  }));
+}
+
+struct MapFiles {
+  fs::path normal;  ///< empty: not wanted
+  fs::path depth;
+  fs::path part;
+};
+
+Status save_maps(const ShownMaps& shown, const MapFiles& names) {
+  std::vector<OutputFile> files;
+  const auto add = [&](const fs::path& path, auto encode) -> Status {
+    if (path.empty()) return Done{};
+    auto bytes = encode(shown.maps);
+    if (!bytes) return bytes.error();
+    files.push_back({path, std::move(*bytes)});
+    return Done{};
+  };
+  const auto normals = [](const ReliefMaps& maps) { return encode_normal_map(maps); };
+  if (Status status = add(names.normal, normals); !status) return status;
+  if (Status status = add(names.depth, encode_depth_map); !status) return status;
+  if (Status status = add(names.part, encode_part_map); !status) return status;
+  return write_files(files, shown.source->files);
+}
+
+void bind_model(py::module_& module) {
+  py::class_<ShownModel>(module, "Model")
+      .def_property_readonly("vertices",
+                             [](const py::object& self) {
+                               return view_rows<double>(self.cast<ShownModel&>().model.positions,
+                                                        self);
+                             })
+      .def_property_readonly("normals",
+                             [](const py::object& self) {
+                               return view_rows<double>(self.cast<ShownModel&>().model.normals,
+                                                        self);
+                             })
+      .def_property_readonly("uvs",
+                             [](const py::object& self) {
+                               return view_rows<double>(self.cast<ShownModel&>().model.uvs, self);
+                             })
+      .def_property_readonly("faces",
+                             [](const py::object& self) {
+                               return view_rows<int>(self.cast<ShownModel&>().model.triangles,
+                                                     self);
+                             })
+      .def_property_readonly("parts", [](const ShownModel& self) { return self.model.parts; })
+
+      .def_property_readonly("solid", [](const ShownModel& self) { return self.solid; })
+      .def(
+          "save",
+          [](const ShownModel& self, const fs::path& path, std::optional<double> size) {
+            run([&](const RunContext&) { return save(self, path, size); });
+          },
+          py::arg("path"), py::arg("size") = py::none())
+      .def("render", render, py::arg("options"));
+}
+
+void bind_maps(py::module_& module) {
+  py::class_<ShownMaps>(module, "Maps")
+      .def_property_readonly("heights",
+                             [](const py::object& self) {
+                               return view_image(self.cast<ShownMaps&>().maps.height, self);
+                             })
+      .def_property_readonly("normals",
+                             [](const py::object& self) {
+                               return view_image(self.cast<ShownMaps&>().maps.normal, self);
+                             })
+      .def_property_readonly("parts",
+                             [](const py::object& self) {
+                               return view_image(self.cast<ShownMaps&>().maps.part, self);
+                             })
+      .def(
+          "save",
+          [](const ShownMaps& self, const fs::path& normals, const fs::path& heights,
+             const fs::path& parts) {
+            run([&](const RunContext&) { return save_maps(self, {normals, heights, parts}); });
+          },
+          py::kw_only(), py::arg("normals") = "", py::arg("heights") = "", py::arg("parts") = "");
+}
+
+}  // namespace
+
+void bind_models(py::module_& module) {
+  py::class_<ModelPart>(module, "ModelPart")
+      .def_readonly("id", &ModelPart::id)
+      .def_readonly("first_face", &ModelPart::first_triangle)
+      .def_readonly("face_count", &ModelPart::triangle_count)
+      .def_readonly("hidden_count", &ModelPart::hidden_count);
+  py::class_<SolidFacts>(module, "SolidFacts")
+      .def_readonly("volume", &SolidFacts::volume)
+      .def_readonly("pieces", &SolidFacts::pieces)
+      .def_readonly("loose", &SolidFacts::loose);
+  bind_model(module);
+  bind_maps(module);
+  module.def(
+      "save_picture",
+      [](const fs::path& path, const py::array& picture) {
+        const Image8 image = to_image(picture, "picture");
+        run([&](const RunContext&) -> Status {
+          auto bytes = encode_picture(image);
+          if (!bytes) return bytes.error();
+          return write_files({{path, std::move(*bytes)}});
+        });
+      },
+      py::arg("path"), py::arg("picture"));
+}
+
+}  // namespace relievo::python
