@@ -81,6 +81,12 @@ void add_segment(CLI::App& main, SegmentArguments& segment) {
                  "parts, and nothing else")
       ->check(extension({".png"}))
       ->excludes(labels);
+  app.add_option(
+         "--parts", segment.parts,
+         "Find about so many parts: the likeliest to be one are united, or the least likely "
+         "divided (default: as many as lines and colours tell)")
+      ->check(CLI::Range(1, 1000))
+      ->excludes(labels);
   app.add_option("-o,--output", segment.output, "Project (.relievo) or scene file (.json)")
       ->required()
       ->check(extension({".relievo", ".json"}));

@@ -88,6 +88,7 @@ struct SegmentArguments {
   std::string labels;     ///< files; empty: found in the drawing, or those of the project
   std::string scribbles;  ///< .png or .json
   std::string figure;     ///< what of the drawing is the figure (.png); empty: found
+  int parts = 0;          ///< so many are proposed; 0: as many as are found
   std::string output;     ///< project .relievo or scene .json
   std::string overlay;    ///< files; empty: not wanted
   std::string report;

@@ -167,8 +167,9 @@ Status find_labels(SegmentInput& input, const RunContext& context) {
 Status choose_labels(const SegmentArguments& segment, SegmentInput& input,
                      const RunContext& context) {
   if (!segment.labels.empty()) return read_labels(segment.labels, input);
-  if (segment.scribbles.empty() && segment.figure.empty() && !input.record.labels.empty())
-    return Done{};
+  const bool says_nothing =
+      segment.scribbles.empty() && segment.figure.empty() && segment.parts == 0;
+  if (says_nothing && !input.record.labels.empty()) return Done{};
   if (!segment.figure.empty())
     if (Status status = cut_out(segment.figure, input); !status) return status;
   if (!segment.scribbles.empty()) {
@@ -176,6 +177,7 @@ Status choose_labels(const SegmentArguments& segment, SegmentInput& input,
     if (!scribbles) return scribbles.error();
     input.record.scribbles = std::move(*scribbles);
   }
+  if (segment.parts > 0) input.record.scribbles.count = segment.parts;
   return find_labels(input, context);
 }
 

@@ -25,6 +25,7 @@ import { KeysPanel } from './keys_panel';
 import { ModelPane } from './model_pane';
 import { type PaperControl, PaperPane } from './paper_pane';
 import { PaperPixels } from './paper_pixels';
+import { PartCount } from './part_count';
 import { PartList } from './part_list';
 import { PartPanel } from './part_panel';
 import { PrintPanel } from './print_panel';
@@ -192,6 +193,7 @@ export function Workspace({ editor, files, keeper, segments, held, attachPaper, 
       <ModelPane editor={editor} attach={(view) => (model.current = view)} lightHeld={() => held.light || editor.state.lighting} stop={stop} />
       <aside class="side" aria-label={t('parts')}>
         <h2>{t('parts')}</h2>
+        <PartCount editor={editor} segments={segments} />
         <PartList editor={editor} />
         <StrokeList editor={editor} segments={segments} />
         <PartPanel editor={editor} />

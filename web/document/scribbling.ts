@@ -92,6 +92,12 @@ export function withScribbles(document: Document, strokes: readonly Stroke[]): D
   return { ...document, segmentation: { ...segmentation, scribbles: { ...segmentation.scribbles, parts, strokes } } };
 }
 
+/** With another number of parts that the drawing is taken to have. */
+export function withCount(document: Document, count: number): Document {
+  const segmentation = segmentationOf(document);
+  return { ...document, segmentation: { ...segmentation, scribbles: { ...segmentation.scribbles, count } } };
+}
+
 /** With another stroke; its part is known by its name from now on. */
 export function addStroke(document: Document, stroke: Stroke): Document {
   const added = withScribbles(document, [...scribblesOf(document).strokes, stroke]);

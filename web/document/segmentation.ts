@@ -20,6 +20,8 @@ export interface Scribbles {
   readonly strokes: readonly Stroke[];
   /** Whether these parts are all: what no stroke touches goes to them, else it stays as proposed. */
   readonly complete?: boolean;
+  /** So many parts are proposed; as many as are found where it is not there. */
+  readonly count?: number;
 }
 
 export interface LabelledPart {

@@ -254,6 +254,7 @@ export const english = {
   yes: 'Yes',
   no: 'No',
   nearestHere: 'Nothing lies in front of this part.',
+  partCount: 'How many',
 };
 
 export type MessageKey = keyof typeof english;

@@ -255,4 +255,5 @@ export const french: Words = {
   yes: 'Oui',
   no: 'Non',
   nearestHere: 'Rien n’est devant cette partie.',
+  partCount: 'Combien',
 };

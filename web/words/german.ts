@@ -255,4 +255,5 @@ export const german: Words = {
   yes: 'Ja',
   no: 'Nein',
   nearestHere: 'Vor diesem Teil liegt nichts.',
+  partCount: 'Wie viele',
 };

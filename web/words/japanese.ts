@@ -255,4 +255,5 @@ export const japanese: Words = {
   yes: 'はい',
   no: 'いいえ',
   nearestHere: 'このパーツの手前には何もありません。',
+  partCount: 'パーツの数',
 };

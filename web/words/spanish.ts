@@ -255,4 +255,5 @@ export const spanish: Words = {
   yes: 'Sí',
   no: 'No',
   nearestHere: 'No hay nada delante de esta parte.',
+  partCount: 'Cuántas',
 };

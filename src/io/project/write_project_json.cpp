@@ -27,6 +27,7 @@ Ordered json_of(const Scribbles& scribbles) {
     strokes.push_back(stroke_json(stroke, scribbles));
   Ordered json = {{"parts", scribbles.parts}, {"strokes", std::move(strokes)}};
   if (scribbles.complete) json["complete"] = true;
+  if (scribbles.count > 0) json["count"] = scribbles.count;
   return json;
 }
 

@@ -24,14 +24,14 @@ Scribbles ScribblesReader::file(const Json& json) {
     fail(root.member("format"), "is not a scribble file");
   else if (json.value("version", Json()) != 1)
     fail(root.member("version"), "this program reads version 1 only");
-  else if (keys(json, root, {"format", "version", "parts", "strokes"}, {"complete"}))
+  else if (keys(json, root, {"format", "version", "parts", "strokes"}, {"complete", "count"}))
     return lists(json, root, true);
   return {};
 }
 
 Scribbles ScribblesReader::object(const Json& json, const JsonPath& path) {
-  return keys(json, path, {"parts", "strokes"}, {"complete"}) ? lists(json, path, false)
-                                                              : Scribbles();
+  return keys(json, path, {"parts", "strokes"}, {"complete", "count"}) ? lists(json, path, false)
+                                                                       : Scribbles();
 }
 
 Scribbles ScribblesReader::lists(const Json& json, const JsonPath& path, bool complete) {
@@ -41,9 +41,16 @@ Scribbles ScribblesReader::lists(const Json& json, const JsonPath& path, bool co
     if (!json["complete"].is_boolean()) fail(path.member("complete"), "must be true or false");
     scribbles_.complete = json["complete"] == true;
   }
+  if (json.contains("count")) scribbles_.count = count(json["count"], path.member("count"));
   read_parts(json["parts"], path.member("parts"));
   read_strokes(json["strokes"], path.member("strokes"));
   return std::move(scribbles_);
+}
+
+int ScribblesReader::count(const Json& json, const JsonPath& path) {
+  const bool sound = json.is_number_integer() && json >= 1 && json <= 1000;
+  if (!sound) fail(path, "must be a whole number of parts from 1 to 1000");
+  return sound ? json.get<int>() : 0;
 }
 
 void ScribblesReader::read_parts(const Json& json, const JsonPath& path) {

@@ -8,8 +8,9 @@
 namespace relievo {
 
 /// Reads strokes as scribble files and project files have them: the lists `parts` and `strokes` of
-/// an object, and whether the parts are `complete`. Strokes of parts name one of `parts`, the
-/// others none; coordinates and widths are bounded, so that what follows need not mind.
+/// an object, whether the parts are `complete`, and the `count` of parts that is wanted. Strokes of
+/// parts name one of `parts`, the others none; coordinates and widths are bounded, so that what
+/// follows need not mind.
 class ScribblesReader final : public JsonReader {
  public:
   explicit ScribblesReader(const ScribbleLimits& limits)
@@ -23,6 +24,7 @@ class ScribblesReader final : public JsonReader {
 
  private:
   Scribbles lists(const Json& json, const JsonPath& path, bool complete);
+  int count(const Json& json, const JsonPath& path);
   void read_parts(const Json& json, const JsonPath& path);
   void read_strokes(const Json& json, const JsonPath& path);
   Scribble stroke(const Json& json, const JsonPath& path);

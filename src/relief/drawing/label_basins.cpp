@@ -8,6 +8,7 @@
 #include "kernel/image/watershed.h"
 #include "relief/drawing/basin_labelling.h"
 #include "relief/drawing/basin_votes.h"
+#include "relief/drawing/count_regions.h"
 #include "relief/drawing/figure_ink.h"
 #include "relief/drawing/figure_mask.h"
 #include "relief/drawing/find_bridges.h"
@@ -20,6 +21,7 @@ namespace {
 constexpr double much_unbounded = 0.2;
 constexpr int many_parts = 40;
 constexpr size_t most_parts = 65534;
+constexpr int most_count = 1000;
 
 Error bad_stroke(size_t number, const std::string& what) {
   return {ErrorCode::bad_input, what, "scribble stroke " + std::to_string(number + 1)};
@@ -167,12 +169,18 @@ Segmentation assemble(const Basins& basins, const std::vector<int>& labels,
 
 Result<Segmentation> label_basins(const Basins& basins, const Scribbles& scribbles) {
   if (const Status valid = check_scribbles(scribbles); !valid) return valid.error();
+  if (scribbles.count < 0 || scribbles.count > most_count)
+    return Error{ErrorCode::bad_input, "the number of parts must lie in [1, 1000]", ""};
   if (scribbles.parts.size() + static_cast<size_t>(basins.region_count) > most_parts)
     return Error{ErrorCode::limit, "the drawing has too many parts", ""};
-  BasinVotes votes = count_votes(basins, scribbles);
+  const bool counts = scribbles.count > 0 && scribbles.count != basins.region_count;
+  Basins counted = counts ? basins : Basins();
+  if (counts) count_regions(scribbles.count, counted);
+  const Basins& proposed = counts ? counted : basins;
+  BasinVotes votes = count_votes(proposed, scribbles);
   const bool split = needs_split(votes);
-  const Basins divided = split ? split_basins(basins, votes) : Basins();
-  const Basins& used = split ? divided : basins;
+  const Basins divided = split ? split_basins(proposed, votes) : Basins();
+  const Basins& used = split ? divided : proposed;
   Segmentation segmentation = assemble(used, choose_labels(used, votes, scribbles), scribbles);
   if (segmentation.parts.size() > most_parts)
     return Error{ErrorCode::limit, "the drawing has too many parts", ""};

@@ -29,6 +29,8 @@ struct Scribbles {
   /// Whether the parts with strokes are all that there are, so that they take what of the figure no
   /// stroke touches; else that stays as proposed.
   bool complete = false;
+  /// So many parts are proposed, or as near to it as can be; 0: as many as are found.
+  int count = 0;
 };
 
 }  // namespace relievo

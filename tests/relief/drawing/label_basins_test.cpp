@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,71 @@ TEST(LabelBasins, ProposalsAreKeptWhereNobodyDraws) {
   EXPECT_TRUE(s->parts[1].proposed);
   EXPECT_EQ(s->labels.at(80, 50), 1);
   EXPECT_NE(s->labels.at(200, 50), s->labels.at(330, 50));
+}
+
+/// Pixels of a labelled drawing that are parts, and the number of these.
+std::pair<int64_t, size_t> figure_of(const Segmentation& s) {
+  int64_t area = 0;
+  for (const SegmentedPart& part : s.parts) area += part.area;
+  return {area, s.parts.size()};
+}
+
+TEST(LabelBasins, FewerPartsAreUnionsOfThoseThatWereFound) {
+  const Basins basins = rooms();
+  const Result<Segmentation> found = label_basins(basins);
+  ASSERT_TRUE(found.ok());
+  ASSERT_EQ(found->parts.size(), 3U);
+  for (int count = 3; count >= 1; --count) {
+    Scribbles scribbles;
+    scribbles.count = count;
+    const Result<Segmentation> s = label_basins(basins, scribbles);
+    ASSERT_TRUE(s.ok());
+    EXPECT_EQ(figure_of(*s), std::make_pair(figure_of(*found).first, static_cast<size_t>(count)));
+    std::map<uint16_t, uint16_t> part_of;
+    for (size_t i = 0; i < s->labels.pixels.size(); ++i) {
+      const auto entry = part_of.try_emplace(found->labels.pixels[i], s->labels.pixels[i]).first;
+      ASSERT_EQ(entry->second, s->labels.pixels[i]);
+    }
+  }
+}
+
+/// A dumb-bell without a line across: two halls and a passage between.
+Basins dumb_bell() {
+  InkDrawing ink(520, 240);
+  ink.line({20, 20}, {200, 20}).line({200, 20}, {200, 95}).line({200, 95}, {320, 95});
+  ink.line({320, 95}, {320, 20}).line({320, 20}, {500, 20}).line({500, 20}, {500, 220});
+  ink.line({500, 220}, {320, 220}).line({320, 220}, {320, 145}).line({320, 145}, {200, 145});
+  ink.line({200, 145}, {200, 220}).line({200, 220}, {20, 220}).line({20, 220}, {20, 20});
+  return *find_basins(ink.drawing());
+}
+
+TEST(LabelBasins, MorePartsDivideAnAreaWhereItIsNarrow) {
+  const Basins basins = dumb_bell();
+  Scribbles one;
+  one.count = 1;
+  const Result<Segmentation> whole = label_basins(basins, one);
+  ASSERT_TRUE(whole.ok());
+  ASSERT_EQ(whole->parts.size(), 1U);
+  Scribbles two;
+  two.count = 2;
+  const Result<Segmentation> s = label_basins(basins, two);
+  ASSERT_TRUE(s.ok());
+  EXPECT_EQ(figure_of(*s), std::make_pair(figure_of(*whole).first, size_t{2}));
+  EXPECT_NE(s->labels.at(110, 120), s->labels.at(410, 120));
+  EXPECT_EQ(s->labels.at(60, 60), s->labels.at(160, 180));
+  EXPECT_EQ(s->labels.at(360, 60), s->labels.at(460, 180));
+}
+
+TEST(LabelBasins, AsManyPartsAsCannotBeAreAsManyAsCan) {
+  const Basins basins = rooms();
+  Scribbles scribbles;
+  scribbles.count = 1000;
+  const Result<Segmentation> many = label_basins(basins, scribbles);
+  ASSERT_TRUE(many.ok());
+  EXPECT_GE(many->parts.size(), 3U);
+  EXPECT_LE(many->parts.size(), basins.basins.size());
+  scribbles.count = -1;
+  EXPECT_FALSE(label_basins(basins, scribbles).ok());
 }
 
 TEST(LabelBasins, OneStrokeOverSeveralAreasMakesThemOnePart) {

@@ -1,9 +1,10 @@
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { unzipSync } from 'fflate';
 import { expect, it } from 'vitest';
-import { root } from '../support/command_line.ts';
+import { relievo, root } from '../support/command_line.ts';
 import { gesture, names, save, type Spot } from './actions.ts';
-import { picture, settled, stageOfFile } from './browser.ts';
+import { picture, pictures, settled, stageOfFile } from './browser.ts';
 
 const stage = stageOfFile({ anew: true });
 const size: Spot = [900, 1000];
@@ -91,5 +92,35 @@ it('takes and refuses joins by a tap, and an order by a tap on the nearer part',
   expect(await page.locator('.notice').innerText()).toContain('in front');
   expect(await names(page)).toEqual([...drawn].reverse());
   await picture(page, 'order-tapped');
+  expect(stage.troubles).toEqual([]);
+});
+
+it('finds fewer parts or more, as the slider says, and the command line agrees', async () => {
+  const { page } = stage;
+  await page.setInputFiles('input[type=file]', join(root, 'examples/bear.png'));
+  await page.waitForSelector('.parts li');
+  await page.waitForSelector('.scribble-bar[data-tint-ms]');
+  await settled(page);
+  const guessed = await names(page);
+  const slider = page.locator('.part-count input');
+  expect(Number(await slider.inputValue())).toBe(guessed.length);
+  const settleAt = async (count: number): Promise<string[]> => {
+    await slider.fill(`${count}`);
+    await expect.poll(() => page.locator('.parts li').count()).not.toBe(guessed.length);
+    await page.waitForSelector('.scribble-bar[data-pending=false]');
+    await settled(page);
+    return names(page);
+  };
+  expect(await settleAt(6)).toHaveLength(6);
+  await picture(page, 'parts-fewer');
+  const again = join(pictures, 'six.json');
+  relievo('segment', join(root, 'examples/bear.png'), '--parts', '6', '-o', again);
+  const outlines = (scene: { parts: { outline: unknown }[] }): unknown => scene.parts.map(({ outline }) => outline);
+  expect(outlines((await project()).scene as never)).toEqual(outlines(JSON.parse(readFileSync(again, 'utf8'))));
+  await page.keyboard.press('Control+z');
+  await settled(page);
+  expect(await names(page)).toEqual(guessed);
+  expect((await settleAt(18)).length).toBeGreaterThan(guessed.length);
+  await picture(page, 'parts-more');
   expect(stage.troubles).toEqual([]);
 });
