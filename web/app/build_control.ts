@@ -2,6 +2,7 @@ import { Engine, EngineStopped } from '../engine/engine';
 import { type BuiltRelief, type EngineError, isFailure, told } from '../engine/messages';
 import type { Document } from '../document/document';
 import { sceneText } from '../document/scene_text';
+import { isSameLook, lookOf } from '../view/painted_drawing';
 import { t } from './catalogue';
 import type { Editor, Field } from './editor';
 import { smallPicture } from './pictures';
@@ -38,13 +39,13 @@ function requestFor(document: Document, field: Field, draft: boolean) {
 
 /** The drawing as small as the engine needs it for what is hidden, made anew where it has changed. */
 class SmallDrawing {
-  private of: readonly unknown[] = [];
+  private look: readonly unknown[] = [];
   private small: Promise<ImageBitmap> | null = null;
 
   take(document: Document, picture: ImageBitmap | null): Promise<ImageBitmap> {
-    const of = picture ? [picture] : [document.parts, document.joins];
-    if (this.small && of.every((value, i) => value === this.of[i])) return this.small;
-    this.of = of;
+    const look = lookOf(document, picture);
+    if (this.small && isSameLook(look, this.look)) return this.small;
+    this.look = look;
     this.small = smallPicture(document, picture, hiddenSide);
     return this.small;
   }

@@ -14,7 +14,7 @@ function joined(document: Document, join: Join): Document {
 
 /** What the drawing tool is told beside the page: to draw behind, and to join what was just drawn. */
 export function DrawBar({ editor }: { editor: Editor }) {
-  const { tool, behind, history, selected } = useStore(editor);
+  const { tool, behind, eyes, history, selected } = useStore(editor);
   if (tool !== 'draw') return null;
   const { document, done } = history;
   const drawn = done.at(-1)?.label === 'draw' ? suggestedJoins(document).find((join) => join.upper === selected || join.lower === selected) : undefined;
@@ -23,6 +23,9 @@ export function DrawBar({ editor }: { editor: Editor }) {
     <div class="scribble-bar draw-bar" role="group" aria-label={t('draw')}>
       <button type="button" id="behind" aria-pressed={behind} title={t('hintBehind')} onClick={() => editor.set({ behind: !behind })}>
         {t('behind')}
+      </button>
+      <button type="button" id="eyes" aria-pressed={eyes} title={t('hintEyes')} onClick={() => editor.set({ eyes: !eyes })}>
+        {t('eyes')}
       </button>
       {drawn && other !== undefined && (
         <button type="button" class="primary" id="join-offer" onClick={() => editor.edit('join', joined(document, drawn))}>

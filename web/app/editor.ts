@@ -9,7 +9,7 @@ import type { Brush } from '../tools/scribble_tool';
 import { type PrintChoice, usualPrint } from './print_choice';
 import { Store } from './store';
 
-export type ToolName = 'select' | 'draw' | 'join' | 'order' | 'range' | 'hand' | 'scribble' | 'outline' | 'cue';
+export type ToolName = 'select' | 'draw' | 'join' | 'order' | 'range' | 'hand' | 'scribble' | 'outline' | 'cue' | 'paint';
 export type Field = 'relief' | 'inflation' | 'shift';
 export type Shading = 'drawing' | 'clay' | 'normals';
 
@@ -79,6 +79,10 @@ export interface EditorState {
   brush: Brush;
   /** What the next line of the profile tool says. */
   cue: Pick<Cue, 'kind' | 'value'>;
+  /** What the painting tool paints, px of the page; whether it rubs out. */
+  paint: { color: string; width: number; rubs: boolean };
+  /** Whether the drawing tool puts eyes. */
+  eyes: boolean;
   /** Whether strokes of the drawing tool go behind all parts. */
   behind: boolean;
   /** The labels of the strokes that are shown, the gaps that are closed, and how long they took. */
@@ -124,6 +128,8 @@ function firstState(): EditorState {
     turned: 0,
     brush: { kind: 'auto', part: null, width: 12, soft: false },
     cue: { kind: 'crease', value: cueRanges.crease.usual },
+    paint: { color: '#e27d8a', width: 18, rubs: false },
+    eyes: false,
     behind: false,
     tint: null,
     doubt: null,

@@ -7,6 +7,7 @@ import { adopt } from '../document/scribbling';
 import { tourAnimal } from '../document/tour_animal';
 import type { Engine } from '../engine/engine';
 import { type ExportFormat, isFailure, type MapKind, type OutputFile, type SolidFormat, told } from '../engine/messages';
+import { isOverpainted } from '../view/painted_drawing';
 import { packProject, unpackOra, unpackProject, zipped } from './archives';
 import type { BuildControl } from './build_control';
 import { t } from './catalogue';
@@ -149,7 +150,7 @@ export class Files {
   saveProject = async (): Promise<void> => {
     await this.controls.segments.settle();
     const { document: doc, state } = this.editor;
-    const bytes = await packProject(doc, isOwnPicture(doc.segmentation) ? null : await pngOf(doc, state.picture));
+    const bytes = await packProject(doc, isOwnPicture(doc.segmentation) && !isOverpainted(doc) ? null : await pngOf(doc, state.picture));
     download({ name: `${doc.name}.relievo`, bytes });
   };
 

@@ -1,16 +1,20 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { emptyDocument } from '../document/document';
 import { isFailure, type Solid, told } from '../engine/messages';
+import type { Tool } from '../tools/tool';
 import { ModelView } from '../view/model_view';
 import { listenToOrbit } from '../view/orbit';
-import type { Painted } from '../view/painted_drawing';
+import { isSameLook, lookOf, type Painted } from '../view/painted_drawing';
 import { t } from './catalogue';
 import type { Editor, Shading } from './editor';
 import { EnergyCurve } from './energy_curve';
 import { FieldSwitch } from './field_switch';
+import { ReliefBrush } from './relief_brush';
 import { useStore } from './store';
 
 interface ModelPaneProps {
   editor: Editor;
+  tool(): Tool;
   attach(view: ModelView): void;
   lightHeld(): boolean;
   stop(): void;
@@ -24,8 +28,8 @@ function hovering(view: ModelView, editor: Editor): (spot: readonly [number, num
     asking = true;
     while (wanted) {
       const spot = wanted;
-      const hovered = await view.pick(...spot);
-      if (wanted) editor.set({ hovered });
+      const picked = await view.pick(...spot);
+      if (wanted) editor.set({ hovered: picked?.part ?? null });
       if (wanted === spot) wanted = null;
     }
     asking = false;
@@ -37,15 +41,19 @@ function hovering(view: ModelView, editor: Editor): (spot: readonly [number, num
   };
 }
 
-/** A click that did not turn the model chooses a part; with L held, dragging moves the light. */
-function listen(canvas: HTMLCanvasElement, view: ModelView, editor: Editor, lightHeld: () => boolean): void {
+/** A click that did not turn the model chooses a part; with L held, dragging moves the light; a brush paints. */
+function listen(canvas: HTMLCanvasElement, view: ModelView, editor: Editor, { tool, lightHeld }: Pick<ModelPaneProps, 'tool' | 'lightHeld'>): void {
   let down: [number, number] | null = null;
+  const brush = new ReliefBrush(view, tool);
+  const paints = (): boolean => editor.state.tool === 'paint' && !lightHeld();
   canvas.addEventListener('pointerdown', (event) => {
     down = [event.offsetX, event.offsetY];
+    if (paints() && event.button === 0) brush.down(down, { shift: event.shiftKey, alt: event.altKey });
   });
   canvas.addEventListener('pointerup', (event) => {
-    if (down && Math.hypot(event.offsetX - down[0], event.offsetY - down[1]) < 4)
-      void view.pick(event.offsetX, event.offsetY).then((part) => editor.select(part));
+    brush.up();
+    if (!paints() && down && Math.hypot(event.offsetX - down[0], event.offsetY - down[1]) < 4)
+      void view.pick(event.offsetX, event.offsetY).then((picked) => editor.select(picked?.part ?? null));
     down = null;
   });
   const hover = hovering(view, editor);
@@ -53,26 +61,31 @@ function listen(canvas: HTMLCanvasElement, view: ModelView, editor: Editor, ligh
     if (lightHeld())
       view.aimLight((2 * event.offsetX) / canvas.clientWidth - 1, 1 - (2 * event.offsetY) / canvas.clientHeight);
     else if (event.buttons === 0) hover([event.offsetX, event.offsetY]);
+    else brush.move([event.offsetX, event.offsetY]);
   });
+  canvas.addEventListener('pointercancel', () => brush.up());
   canvas.addEventListener('pointerleave', () => hover(null));
-  listenToOrbit(canvas, view, lightHeld, (angle) => editor.set({ turned: editor.state.turned + angle }));
+  listenToOrbit(canvas, view, () => lightHeld() || brush.isDown, (angle) => editor.set({ turned: editor.state.turned + angle }));
   canvas.addEventListener('dblclick', () => view.turn(0, 0));
 }
 
 /** The page that a solid's picture fills. */
 function sheetOf({ picture }: Solid): Painted {
-  return { width: picture.width, height: picture.height, parts: [], joins: [] };
+  return { ...emptyDocument(), width: picture.width, height: picture.height };
 }
 
 /** Brings the view up with the editor; each part of it only when it changed. */
 function follow(view: ModelView, editor: Editor): () => void {
   let before: readonly unknown[] = [];
+  let look: readonly unknown[] = [];
   const update = (): void => {
     const { relief, picture, shading, hovered, selected, history, preview, solid: made } = editor.state;
     const document = preview ?? history.document;
     const solid = made && !isFailure(made) ? made : null;
-    const now = [solid ?? relief, solid ?? picture ?? document.parts, shading, hovered ?? selected, document.name];
-    if (now[1] !== before[1] || now[4] !== before[4]) {
+    const now = [solid ?? relief, solid, shading, hovered ?? selected, document.name];
+    const looks = lookOf(document, picture);
+    if (now[1] !== before[1] || now[4] !== before[4] || !isSameLook(looks, look)) {
+      look = looks;
       if (solid) view.paint(sheetOf(solid), solid.picture);
       else view.paint(picture || document.parts.length > 0 ? document : null, picture, preview ? previewSide : undefined);
     }
@@ -92,7 +105,7 @@ function follow(view: ModelView, editor: Editor): () => void {
 }
 
 /** Of what is painted while the pen is down, so that it follows, px. */
-const previewSide = 512;
+const previewSide = 768;
 
 const shadings: readonly [Shading, () => string][] = [
   ['drawing', () => t('shadingDrawing')],
@@ -100,7 +113,7 @@ const shadings: readonly [Shading, () => string][] = [
   ['normals', () => t('shadingNormals')],
 ];
 
-export function ModelPane({ editor, attach, lightHeld, stop }: ModelPaneProps) {
+export function ModelPane({ editor, tool, attach, lightHeld, stop }: ModelPaneProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const view = useRef<ModelView>(null);
   const { shading, build, relief, history, plainGraphics, lighting } = useStore(editor);
@@ -117,7 +130,7 @@ export function ModelPane({ editor, attach, lightHeld, stop }: ModelPaneProps) {
     attach(shown);
     const observer = new ResizeObserver(() => shown.resize(node.clientWidth, node.clientHeight));
     observer.observe(node);
-    listen(node, shown, editor, lightHeld);
+    listen(node, shown, editor, { tool, lightHeld });
     const unfollow = follow(shown, editor);
     return () => {
       observer.disconnect();

@@ -1,10 +1,10 @@
 import type { Part, RelationKind } from '../document/document';
 import { partIndex } from '../document/document';
 import {
-  changePart, colorPart, inks, movePart, neighbours, ordered, type PartValues, relate, removePart, removeRanges, renamePart, toggleJoin,
+  changePart, colorPart, movePart, neighbours, ordered, type PartValues, relate, removePart, removeRanges, renamePart, toggleJoin,
 } from '../document/editing';
-import { detailInk } from '../document/strokes';
 import { t } from './catalogue';
+import { ColorChoice } from './color_choice';
 import type { Editor } from './editor';
 import { Icon } from './icons';
 import { Slider } from './slider';
@@ -41,23 +41,6 @@ function Neighbour({ editor, part, other }: { editor: Editor; part: Part; other:
   );
 }
 
-/** Colours for a part that the drawing does not paint. */
-function Swatches({ editor, part }: { editor: Editor; part: Part }) {
-  const { document } = editor;
-  const paint = (color: string, gesture: string | null): void => editor.edit('color', colorPart(document, part.id, color), gesture);
-  return (
-    <div class="swatches" role="group" aria-label={t('color')}>
-      {[...inks, detailInk, '#fffdf8'].map((color) => (
-        <button
-          type="button" key={color} data-color={color} aria-label={`${t('color')} ${color}`} aria-pressed={part.color === color}
-          style={{ background: color }} onClick={() => paint(color, null)}
-        />
-      ))}
-      <input type="color" aria-label={t('otherColor')} value={part.color ?? '#d9d4c7'} onInput={(event) => paint(event.currentTarget.value, `color ${part.id}`)} />
-    </div>
-  );
-}
-
 /** What can be said of the selected part. */
 export function PartPanel({ editor }: { editor: Editor }) {
   const { history, selected } = useStore(editor);
@@ -68,6 +51,8 @@ export function PartPanel({ editor }: { editor: Editor }) {
   const [leanRight, leanDown] = part.lean ?? [0, 0];
   const set = (values: PartValues, gesture: string): void =>
     editor.edit(gesture, changePart(document, part.id, values), `${gesture} ${part.id}`);
+  const paint = (color: string, drag: boolean): void =>
+    editor.edit('color', colorPart(document, part.id, color), drag ? `color ${part.id}` : null);
   const rename = (name: string): void => {
     const renamed = renamePart(document, part.id, name);
     editor.edit('rename', renamed);
@@ -87,7 +72,7 @@ export function PartPanel({ editor }: { editor: Editor }) {
           <Icon name="close" />
         </button>
       </div>
-      {(part.color !== undefined || !document.drawing) && <Swatches editor={editor} part={part} />}
+      {(part.color !== undefined || !document.drawing) && <ColorChoice label={t('color')} color={part.color ?? null} choose={paint} />}
       <Slider label={t('inflation')} value={part.c} min={0.25} max={8} step={0.05} onInput={(c) => set({ c }, 'c')} />
       <Slider label={t('depth')} value={Math.abs(part.d)} min={0.1} max={2.5} step={0.05} onInput={(d) => set({ d: Math.sign(part.d) * d }, 'd')} />
       <Slider label={t('profile')} value={part.flat ?? 0} min={0} max={1} step={0.05} onInput={(flat) => set({ flat }, 'profile')} />

@@ -1,6 +1,6 @@
 import type { Document, DrawingSource } from '../document/document';
 import type { Texture } from '../engine/messages';
-import { canvasOf, painted, vectorSide } from '../view/painted_drawing';
+import { canvasOf, isOverpainted, painted, vectorSide } from '../view/painted_drawing';
 
 const maxPixels = 4096 * 4096;
 /** Of a flat drawing, so that labels follow the pen. */
@@ -117,9 +117,10 @@ export function pixelsOf(picture: ImageBitmap, width: number, height: number): T
 /** The drawing at a smaller size, `side` px at most. The browser scales pictures beside the page's own thread. */
 export async function smallPicture(document: Document, picture: ImageBitmap | null, side: number): Promise<ImageBitmap> {
   if (!picture) return painted(document, null, side).canvas.transferToImageBitmap();
+  const whole = isOverpainted(document) ? painted(document, picture).canvas.transferToImageBitmap() : picture;
   const scale = Math.min(1, side / Math.max(picture.width, picture.height));
   const [resizeWidth, resizeHeight] = [picture.width, picture.height].map((length) => Math.max(1, Math.round(scale * length))) as [number, number];
-  return createImageBitmap(picture, { resizeWidth, resizeHeight, resizeQuality: 'medium' });
+  return createImageBitmap(whole, { resizeWidth, resizeHeight, resizeQuality: 'medium' });
 }
 
 /** What exported files embed. */

@@ -3,6 +3,7 @@ import type { BuildControl } from './build_control';
 import type { Editor } from './editor';
 import { smallPicture } from './pictures';
 import { solidOptions } from './print_choice';
+import { lookOf } from '../view/painted_drawing';
 
 /** Longest side of the picture on the solid that is shown. */
 const shownSide = 1024;
@@ -25,7 +26,7 @@ export class PrintControl {
   private follow(): void {
     const { panel, print, picture, relief, history } = this.editor.state;
     const open = panel === 'print' && history.document.parts.length > 0;
-    const of = open ? [print, picture, relief, history.document.settings.sizeMm] : [];
+    const of = open ? [print, relief, history.document.settings.sizeMm, ...lookOf(history.document, picture)] : [];
     if (of.length === this.of.length && of.every((value, i) => value === this.of[i])) return;
     this.of = of;
     clearTimeout(this.timer);

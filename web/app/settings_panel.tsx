@@ -35,6 +35,15 @@ export function SettingsPanel({ editor }: { editor: Editor }) {
           <Slider label={t('lambdaShift')} value={Math.log10(settings.lambdaShift)} min={-2} max={2} step={0.1} onInput={(power) => set({ lambdaShift: tenTo(power) }, 'shift')} />
         </>
       )}
+      {!document.drawing && (
+        <>
+          <Slider label={t('inkWidth')} value={settings.inkWidth} min={0} max={4} step={0.25} onInput={(inkWidth) => set({ inkWidth }, 'ink')} />
+          <label class="field">
+            <span>{t('inkColor')}</span>
+            <input type="color" id="ink-color" value={settings.inkColor} onInput={(event) => set({ inkColor: event.currentTarget.value }, 'ink color')} />
+          </label>
+        </>
+      )}
     </div>
   );
 }

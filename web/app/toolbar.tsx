@@ -14,6 +14,7 @@ export const tools: readonly { name: ToolName; key: string; label: MessageKey; h
   { name: 'scribble', key: '7', label: 'scribble', hint: 'hintScribble' },
   { name: 'outline', key: '8', label: 'outline', hint: 'hintOutline' },
   { name: 'cue', key: '9', label: 'cue', hint: 'hintCue' },
+  { name: 'paint', key: 'b', label: 'paint', hint: 'hintPaint' },
 ];
 
 /** One tab stop; arrows go from tool to tool. */
@@ -38,12 +39,12 @@ export function Toolbar({ editor }: { editor: Editor }) {
           data-tool={entry.name}
           tabIndex={entry.name === tool ? 0 : -1}
           aria-pressed={entry.name === tool}
-          title={`${t(entry.label)} (${entry.key}) — ${t(entry.hint)}`}
+          title={`${t(entry.label)} (${entry.key.toUpperCase()}) — ${t(entry.hint)}`}
           aria-label={`${t(entry.label)} ${entry.key}`}
           onClick={() => editor.set({ tool: entry.name, notice: '' })}
         >
           <Icon name={entry.name} />
-          <kbd>{entry.key}</kbd>
+          <kbd>{entry.key.toUpperCase()}</kbd>
         </button>
       ))}
     </div>

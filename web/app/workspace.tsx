@@ -6,6 +6,7 @@ import { DrawTool } from '../tools/draw_tool';
 import { JoinTool } from '../tools/join_tool';
 import { OutlineTool } from '../tools/outline_tool';
 import { OrderTool } from '../tools/order_tool';
+import { type PaintBrush, PaintTool } from '../tools/paint_tool';
 import { RangeTool } from '../tools/range_tool';
 import { type ScribbleHost, ScribbleTool } from '../tools/scribble_tool';
 import { SelectTool } from '../tools/select_tool';
@@ -25,6 +26,7 @@ import { KeysPanel } from './keys_panel';
 import { ModelPane } from './model_pane';
 import { type PaperControl, PaperPane } from './paper_pane';
 import { PaperPixels } from './paper_pixels';
+import { PaintBar } from './paint_bar';
 import { PartCount } from './part_count';
 import { PartList } from './part_list';
 import { PartPanel } from './part_panel';
@@ -38,18 +40,23 @@ import { Toolbar, tools } from './toolbar';
 import { Tour } from './tour';
 import { VersionsPanel } from './versions_panel';
 
-function makeTools(host: ToolHost, scribbles: ScribbleHost, behind: () => boolean, cue: () => EditorState['cue']): Record<ToolName, Tool> {
+function makeTools(editor: Editor, host: ToolHost, scribbles: ScribbleHost): Record<ToolName, Tool> {
+  const paint = (): PaintBrush => {
+    const { color, width, rubs } = editor.state.paint;
+    return { color: rubs ? null : color, width };
+  };
   const select = new SelectTool(host);
   return {
     select,
     hand: select,
-    draw: new DrawTool(host, () => t('part'), behind),
+    draw: new DrawTool(host, () => t('part'), () => editor.state.behind, () => editor.state.eyes),
     join: new JoinTool(host),
     order: new OrderTool(host),
     range: new RangeTool(host),
     scribble: new ScribbleTool(host, scribbles),
     outline: new OutlineTool(host),
-    cue: new CueTool(host, cue),
+    cue: new CueTool(host, () => editor.state.cue),
+    paint: new PaintTool(host, paint),
   };
 }
 
@@ -167,7 +174,7 @@ export function Workspace({ editor, files, keeper, segments, held, attachPaper, 
   const paper = useRef<PaperControl | null>(null);
   const model = useRef<ModelView | null>(null);
   const hands = useMemo(
-    () => makeTools(hostOf(editor, () => paper.current?.reach ?? 12), scribbleHostOf(editor, segments), () => editor.state.behind, () => editor.state.cue),
+    () => makeTools(editor, hostOf(editor, () => paper.current?.reach ?? 12), scribbleHostOf(editor, segments)),
     [],
   );
   const picture = (): Promise<Blob> => model.current?.picture() ?? Promise.reject(new Error('no view'));
@@ -189,8 +196,9 @@ export function Workspace({ editor, files, keeper, segments, held, attachPaper, 
       <ScribbleBar editor={editor} files={files} />
       <DrawBar editor={editor} />
       <CueBar editor={editor} />
+      <PaintBar editor={editor} />
       <DoubtBar editor={editor} segments={segments} />
-      <ModelPane editor={editor} attach={(view) => (model.current = view)} lightHeld={() => held.light || editor.state.lighting} stop={stop} />
+      <ModelPane editor={editor} tool={() => hands[editor.state.tool]} attach={(view) => (model.current = view)} lightHeld={() => held.light || editor.state.lighting} stop={stop} />
       <aside class="side" aria-label={t('parts')}>
         <h2>{t('parts')}</h2>
         <PartCount editor={editor} segments={segments} />

@@ -1,4 +1,4 @@
-import type { Cue, Join, Part, Relation, RobinRange } from './scene';
+import type { Cue, Join, Part, Relation, Ring, RobinRange } from './scene';
 import type { Segmentation } from './segmentation';
 
 export type { Cue, Join, Part, Point, Relation, RelationKind, Ring, RobinRange } from './scene';
@@ -14,6 +14,16 @@ export interface DrawingSource {
   readonly paintable?: string;
 }
 
+/** A stroke of a round brush over the drawing. */
+export interface PaintStroke {
+  /** #rrggbb; null rubs out what was painted before. */
+  readonly color: string | null;
+  /** px of the page. */
+  readonly width: number;
+  /** A single point is a dot. */
+  readonly points: Ring;
+}
+
 export interface Settings {
   readonly method: 'approximate' | 'nonlinear';
   readonly vertices: number;
@@ -21,6 +31,9 @@ export interface Settings {
   readonly lambdaBnd: number;
   readonly lambdaShift: number;
   readonly sizeMm: number;
+  /** Around parts that no drawing shows: #rrggbb, and times the usual width; 0: none. */
+  readonly inkColor: string;
+  readonly inkWidth: number;
 }
 
 export interface Document {
@@ -34,6 +47,7 @@ export interface Document {
   readonly relations: readonly Relation[];
   readonly robin: readonly RobinRange[];
   readonly cues: readonly Cue[];
+  readonly paint: readonly PaintStroke[];
   /** How a flat drawing was understood; null of all others. */
   readonly segmentation: Segmentation | null;
   readonly settings: Settings;
@@ -46,6 +60,8 @@ export const defaultSettings: Settings = {
   lambdaBnd: 0.01,
   lambdaShift: 1,
   sizeMm: 100,
+  inkColor: '#2b2d33',
+  inkWidth: 1,
 };
 
 export function emptyDocument(): Document {
@@ -59,6 +75,7 @@ export function emptyDocument(): Document {
     relations: [],
     robin: [],
     cues: [],
+    paint: [],
     segmentation: null,
     settings: defaultSettings,
   };

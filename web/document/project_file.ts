@@ -1,6 +1,7 @@
 import { strFromU8, strToU8, zipSync } from 'fflate';
 import { ArchiveTooLarge, unpackArchive } from './archive';
-import { defaultSettings, type Document, type DrawingSource, type Settings } from './document';
+import { defaultSettings, type Document, type DrawingSource, type PaintStroke, type Settings } from './document';
+import { soundPaint } from './paint';
 import { sceneContent, sceneText } from './scene_text';
 import { isOwnPicture, recordOf, type Segmentation, type SegmentationRecord } from './segmentation';
 
@@ -19,6 +20,7 @@ interface ProjectHead {
   settings: Settings;
   drawing: Omit<DrawingSource, 'bytes' | 'paintable'> | null;
   colors: Record<string, string>;
+  paint?: readonly PaintStroke[];
   segmentation?: SegmentationRecord;
 }
 
@@ -42,6 +44,7 @@ export function writeProject(document: Document, picture: Uint8Array | null): Ui
     colors: Object.fromEntries(
       document.parts.filter((part) => part.color).map((part) => [part.id, part.color as string]),
     ),
+    ...(document.paint.length > 0 ? { paint: document.paint } : {}),
     ...(labels ? { segmentation: recordOf(document.segmentation as Segmentation) } : {}),
   };
   const stored = { level: 0 as const, mtime: '1980-01-01T00:00:00' };
@@ -72,6 +75,7 @@ function soundSettings(settings: Partial<Settings> | undefined): Settings {
     const value = settings?.[key as keyof Settings];
     if (typeof value === typeof usual && (typeof value !== 'number' || Number.isFinite(value))) sound[key] = value;
   }
+  if (!/^#[0-9a-f]{6}$/i.test(String(sound['inkColor']))) sound['inkColor'] = defaultSettings.inkColor;
   if (sound['method'] !== 'nonlinear') sound['method'] = 'approximate';
   return sound as unknown as Settings;
 }
@@ -107,6 +111,7 @@ export function readProject(bytes: Uint8Array): Document {
       drawing: drawingOf(head, files),
       segmentation: segmentationOf(head, files),
       settings: soundSettings(head.settings),
+      paint: soundPaint(head.paint),
       ...scene,
       parts: scene.parts.map((part) => {
         const color = head.colors?.[part.id];

@@ -1,4 +1,5 @@
 import type { Point } from '../document/document';
+import { stampEyes } from '../document/eyes';
 import { distance } from '../document/outline';
 import { type Drawn, drawStroke, type Hand, isClosed, previewStroke } from '../document/strokes';
 import { marks } from '../view/colors';
@@ -19,6 +20,8 @@ export class DrawTool implements Tool {
     private readonly partName: () => string,
     /** Whether what is drawn lies behind all, as with Shift. */
     private readonly behind: () => boolean,
+    /** Whether strokes put eyes. */
+    private readonly eyes: () => boolean,
   ) {}
 
   down(point: Point): void {
@@ -33,13 +36,14 @@ export class DrawTool implements Tool {
     const last = this.shownAt ?? (this.stroke[0] as Point);
     if (distance(last, point) < this.host.reach) return;
     this.shownAt = point;
-    this.host.preview(previewStroke(this.host.document, this.hand(false), this.stroke));
+    if (!this.eyes()) this.host.preview(previewStroke(this.host.document, this.hand(false), this.stroke));
   }
 
   up(_point: Point, keys: Modifiers): void {
     const { stroke } = this;
     this.stroke = [];
-    if (stroke.length > 0) this.make(drawStroke(this.host.document, this.hand(keys.shift), stroke));
+    const { document, reach } = this.host;
+    if (stroke.length > 0) this.make(this.eyes() ? stampEyes(document, reach, stroke) : drawStroke(document, this.hand(keys.shift), stroke));
     // Only now, so that the relief goes from what was shown to what was made.
     this.cancel();
   }
@@ -83,7 +87,7 @@ export class DrawTool implements Tool {
 
   draw(context: CanvasRenderingContext2D, pixel: number): void {
     if (this.pen) drawDot(context, this.pen, { radius: 5, fill: this.stroke.length > 0 ? marks.select : '#fff', rim: marks.select, width: 2 }, pixel);
-    if (this.stroke.length < 2) return;
+    if (this.stroke.length < 2 || this.eyes()) return;
     strokeLine(context, this.stroke, marks.ink, 3 * pixel);
     const first = this.stroke[0] as Point;
     const last = this.stroke[this.stroke.length - 1] as Point;

@@ -2,7 +2,7 @@ import type { Part, Point } from '../document/document';
 import { bringBefore, nextInFront, partAt } from '../document/editing';
 import { distance } from '../document/outline';
 import { marks } from '../view/colors';
-import { tracePart } from '../view/paper_view';
+import { tracePart } from '../view/trace';
 import type { Tool, ToolHost } from './tool';
 
 /** An arrow from the nearer part to the farther one, or a tap on the nearer one of two that overlap. */

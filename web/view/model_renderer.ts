@@ -16,6 +16,12 @@ export interface Pose {
   readonly frame: readonly [number, number, number, number];
 }
 
+/** A part, and where on the page, px, it is seen. */
+export interface Picked {
+  readonly part: string;
+  readonly at: readonly [number, number];
+}
+
 /** Bytes of sRGB in linear light, as colours of vertices are taken to be. */
 function linearOf(bytes: Uint8Array): Float32Array<ArrayBuffer> {
   const color = new THREE.Color();
@@ -43,6 +49,8 @@ export class ModelRenderer {
   private shading: ModelShading = 'drawing';
   private highlighted: string | null = null;
   private frame = 0;
+  /** Of the page, px. */
+  private height = 0;
 
   constructor(private readonly canvas: OffscreenCanvas) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
@@ -80,6 +88,7 @@ export class ModelRenderer {
     this.clear();
     if (surface) for (const mesh of this.meshes(surface)) this.model.add(mesh);
     const scale = 2 / Math.max(width, height);
+    this.height = height;
     this.model.scale.setScalar(scale);
     this.model.position.set((-scale * width) / 2, (-scale * height) / 2, 0);
     this.redraw();
@@ -111,11 +120,14 @@ export class ModelRenderer {
     this.redraw();
   }
 
-  /** The part at a place of the view, right and up in [-1, 1]. */
-  pick(right: number, up: number): string | null {
+  /** What is seen at a place of the view, right and up in [-1, 1]. */
+  pick(right: number, up: number): Picked | null {
     this.camera.updateMatrixWorld();
     this.picker.setFromCamera(new THREE.Vector2(right, up), this.camera);
-    return this.picker.intersectObject(this.model)[0]?.object.name ?? null;
+    const [hit] = this.picker.intersectObject(this.model);
+    if (!hit) return null;
+    const { x, y } = this.model.worldToLocal(hit.point.clone());
+    return { part: hit.object.name, at: [x, this.height - y] };
   }
 
   /** Draws at once what was changed. */

@@ -1,6 +1,6 @@
 import * as Comlink from 'comlink';
 import type { Surface } from '../engine/messages';
-import type { ModelShading, Pose } from './model_renderer';
+import type { ModelShading, Picked, Pose } from './model_renderer';
 import type { StartRenderer } from './model_worker';
 import type { Painted } from './painted_drawing';
 import type { Renderer } from './software_renderer';
@@ -98,8 +98,8 @@ export class ModelView {
     this.tell((renderer) => renderer.highlight(part));
   }
 
-  /** The part under a point of the pane, CSS px. */
-  async pick(x: number, y: number): Promise<string | null> {
+  /** What is seen at a point of the pane, CSS px. */
+  async pick(x: number, y: number): Promise<Picked | null> {
     return (await this.renderer).pick((2 * x) / this.size[0] - 1, 1 - (2 * y) / this.size[1]);
   }
 
@@ -148,7 +148,7 @@ export class ModelView {
         this.toPaint = null;
         const { document, picture, side } = next;
         const copy = picture && (await createImageBitmap(picture));
-        const content = document && { width: document.width, height: document.height, parts: document.parts, joins: document.joins };
+        const content = document && { width: document.width, height: document.height, parts: document.parts, joins: document.joins, paint: document.paint, settings: document.settings };
         await (await this.renderer).paint(content, copy && Comlink.transfer(copy, [copy]), side);
       }
     } finally {

@@ -1,8 +1,23 @@
 import type { Document } from '../document/document';
-import { paintParts } from './paper_view';
+import { drawContent } from './paper_view';
 
-/** What of a document is painted where there is no picture of it. */
-export type Painted = Pick<Document, 'width' | 'height' | 'parts' | 'joins'>;
+/** What of a document can be seen, but for its picture. */
+export type Painted = Pick<Document, 'width' | 'height' | 'parts' | 'joins' | 'paint' | 'settings'>;
+
+/** Whether more is to be seen than the picture of a document. */
+export function isOverpainted({ parts, paint }: Pick<Painted, 'parts' | 'paint'>): boolean {
+  return paint.length > 0 || parts.some(({ color }) => color);
+}
+
+/** What changes how a document looks: two with the same look the same. */
+export function lookOf({ parts, joins, paint, settings }: Painted, picture: ImageBitmap | null): readonly unknown[] {
+  const shown = picture && !parts.some(({ color }) => color) ? [] : [parts, joins, settings.inkColor, settings.inkWidth];
+  return [picture, paint, ...shown];
+}
+
+export function isSameLook(a: readonly unknown[], b: readonly unknown[]): boolean {
+  return a.length === b.length && a.every((value, i) => value === b[i]);
+}
 
 /** Longest side of the texture made of a vector drawing or of parts: the command line's. */
 export const vectorSide = 2048;
@@ -14,23 +29,20 @@ export function canvasOf(width: number, height: number): [OffscreenCanvas, Offsc
   return [canvas, context];
 }
 
-/** The drawing, or the parts painted flat where there is none, `side` px long, as pixels. */
-export function painted(document: Painted, picture: ImageBitmap | null, side = vectorSide): OffscreenCanvasRenderingContext2D {
-  const scale = side / Math.max(document.width, document.height);
-  const [canvas, context] = picture
-    ? canvasOf(picture.width, picture.height)
-    : canvasOf(scale * document.width, scale * document.height);
-  if (picture) context.drawImage(picture, 0, 0);
-  else {
-    context.scale(canvas.width / document.width, canvas.height / document.height);
-    paintParts(context, document, document.width / 350);
-    context.resetTransform();
-  }
+/** The drawing, as large as it is, or the parts painted flat where there is none, as pixels; `side` px long at most. */
+export function painted(document: Painted, picture: ImageBitmap | null, side = Infinity): OffscreenCanvasRenderingContext2D {
+  const { width, height } = picture ?? document;
+  const longest = Math.min(side, picture ? Math.max(width, height) : vectorSide);
+  const scale = longest / Math.max(width, height);
+  const [canvas, context] = canvasOf(scale * width, scale * height);
+  context.scale(canvas.width / document.width, canvas.height / document.height);
+  drawContent(context, document, picture, document.width / 350);
+  context.resetTransform();
   return context;
 }
 
 /** The same for the view: what is transparent takes the colour beside it, so that rims show none of it. */
-export function bledTexture(document: Painted, picture: ImageBitmap | null, side = vectorSide): OffscreenCanvas {
+export function bledTexture(document: Painted, picture: ImageBitmap | null, side?: number): OffscreenCanvas {
   const sharp = painted(document, picture, side).canvas;
   const scale = Math.min(1, vectorSide / Math.max(sharp.width, sharp.height));
   const [canvas, context] = canvasOf(scale * sharp.width, scale * sharp.height);

@@ -3,6 +3,8 @@ import type { Doubt } from '../document/doubts';
 import { hiddenOutline } from '../document/hidden';
 import type { Overlays } from '../engine/messages';
 import { marks, rampColor } from './colors';
+import { drawAdded, drawPaint } from './paint_view';
+import { type Context, traceLine, tracePart } from './trace';
 import type { Viewport } from './viewport';
 
 /** All that the canvas on the left shows. */
@@ -20,22 +22,6 @@ export interface PaperContent {
   dark: boolean;
   /** What the tool in hand shows, in canvas px. */
   preview(context: CanvasRenderingContext2D, pixel: number): void;
-}
-
-/** Either kind of canvas. */
-type Context = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
-
-export function tracePart(context: Context, outline: readonly Ring[]): void {
-  context.beginPath();
-  for (const ring of outline) {
-    ring.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
-    context.closePath();
-  }
-}
-
-export function traceLine(context: Context, line: Ring): void {
-  context.beginPath();
-  line.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
 }
 
 /** Draws a line with round ends and corners, its width in canvas px. */
@@ -69,18 +55,20 @@ export function drawDot(context: CanvasRenderingContext2D, [x, y]: Point, { radi
  * Parts as a flat drawing: what stands for a drawing where there is none. No ink runs along joins,
  * where two parts are one surface.
  */
-export function paintParts(context: Context, document: Pick<Document, 'parts' | 'joins'>, pen: number): void {
+export function paintParts(context: Context, document: Pick<Document, 'parts' | 'joins' | 'settings'>, pen: number): void {
+  const { inkColor, inkWidth } = document.settings;
   context.lineJoin = 'round';
   for (const part of document.parts) {
     const color = part.color ?? '#d9d4c7';
     tracePart(context, part.outline);
     context.fillStyle = color;
     context.fill('nonzero');
-    context.strokeStyle = marks.ink;
-    context.lineWidth = pen;
+    if (inkWidth === 0) continue;
+    context.strokeStyle = inkColor;
+    context.lineWidth = pen * inkWidth;
     context.stroke();
     context.strokeStyle = color;
-    context.lineWidth = 1.6 * pen;
+    context.lineWidth = 1.6 * pen * inkWidth;
     for (const join of document.joins)
       if (join.upper === part.id) {
         traceLine(context, join.line);
@@ -120,8 +108,16 @@ function drawPage(context: CanvasRenderingContext2D, content: PaperContent, pixe
   context.strokeStyle = content.dark ? 'rgb(0 0 0 / 60%)' : 'rgb(60 50 30 / 16%)';
   context.lineWidth = pixel;
   context.strokeRect(0, 0, document.width, document.height);
-  if (picture) context.drawImage(picture, 0, 0, document.width, document.height);
-  else paintParts(context, document, 2 * pixel);
+  drawContent(context, document, picture, 2 * pixel);
+}
+
+/** The drawing, or the parts painted flat where there is none, and all that was drawn and painted over it. */
+export function drawContent(context: Context, document: Pick<Document, 'width' | 'height' | 'parts' | 'joins' | 'paint' | 'settings'>, picture: ImageBitmap | null, pen: number): void {
+  if (picture) {
+    context.drawImage(picture, 0, 0, document.width, document.height);
+    drawAdded(context, document, pen);
+  } else paintParts(context, document, pen);
+  drawPaint(context, document.paint);
 }
 
 /** Nearer parts are lighter, as in the paper's figure 3. */
@@ -211,11 +207,8 @@ export function drawStamp(context: CanvasRenderingContext2D, document: Document,
   context.setTransform(scale, 0, 0, scale, 0, 0);
   context.fillStyle = '#fffdf8';
   context.fillRect(0, 0, document.width, document.height);
-  if (!picture) {
-    paintParts(context, document, 3 / scale);
-    return;
-  }
-  context.drawImage(picture, 0, 0, document.width, document.height);
+  drawContent(context, document, picture, 3 / scale);
+  if (!picture) return;
   for (const part of document.parts) {
     tracePart(context, part.outline);
     context.strokeStyle = marks.select;

@@ -1,5 +1,5 @@
 import type { Surface } from '../engine/messages';
-import type { ModelRenderer, ModelShading, Pose } from './model_renderer';
+import type { ModelRenderer, ModelShading, Picked, Pose } from './model_renderer';
 import { bledTexture, type Painted } from './painted_drawing';
 import { pixelsOf } from './pixels_of';
 
@@ -31,6 +31,15 @@ interface Corners {
 }
 
 type Vector = readonly [number, number, number];
+
+/** To the right, up and towards whoever looks. */
+function axesOf({ yaw, pitch }: Pose): readonly [Vector, Vector, Vector] {
+  return [
+    [Math.cos(yaw), 0, -Math.sin(yaw)],
+    [-Math.sin(yaw) * Math.sin(pitch), Math.cos(pitch), -Math.cos(yaw) * Math.sin(pitch)],
+    [Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), Math.cos(yaw) * Math.cos(pitch)],
+  ];
+}
 
 function dot(a: Vector, x: number, y: number, z: number): number {
   return a[0] * x + a[1] * y + a[2] * z;
@@ -97,12 +106,19 @@ export class SoftwareRenderer implements Renderer {
     this.redraw();
   }
 
-  pick(right: number, up: number): string | null {
-    const { frame, surface } = this;
+  pick(right: number, up: number): Picked | null {
+    const { frame, surface, pose, size } = this;
     if (!frame || !surface) return null;
     const x = Math.floor(((right + 1) / 2) * frame.width);
     const y = Math.floor(((1 - up) / 2) * frame.height);
-    return surface.parts[frame.part[y * frame.width + x] ?? -1]?.id ?? null;
+    const seen = surface.parts[frame.part[y * frame.width + x] ?? -1];
+    if (!seen) return null;
+    const [left, most, top, bottom] = pose.frame;
+    const place: Vector = [left + ((right + 1) / 2) * (most - left), bottom + ((up + 1) / 2) * (top - bottom), frame.depth[y * frame.width + x] as number];
+    const axes = axesOf(pose);
+    const at = (k: 0 | 1): number => pose.target[k] + axes.reduce((sum, axis, i) => sum + axis[k] * (place[i] as number), 0);
+    const unit = 2 / Math.max(...size);
+    return { part: seen.id, at: [at(0) / unit + size[0] / 2, size[1] / 2 - at(1) / unit] };
   }
 
   drawn(): void {
@@ -146,11 +162,9 @@ export class SoftwareRenderer implements Renderer {
   }
 
   private project({ positions, normals }: Surface, width: number, height: number): Corners {
-    const { yaw, pitch, target, frame } = this.pose;
+    const { target, frame } = this.pose;
     const [left, right, top, bottom] = frame;
-    const across: Vector = [Math.cos(yaw), 0, -Math.sin(yaw)];
-    const up: Vector = [-Math.sin(yaw) * Math.sin(pitch), Math.cos(pitch), -Math.cos(yaw) * Math.sin(pitch)];
-    const near: Vector = [Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), Math.cos(yaw) * Math.cos(pitch)];
+    const [across, up, near] = axesOf(this.pose);
     const unit = 2 / Math.max(...this.size);
     const count = positions.length / 3;
     const screen = new Float32Array(3 * count);

@@ -255,6 +255,13 @@ export const english = {
   no: 'No',
   nearestHere: 'Nothing lies in front of this part.',
   partCount: 'How many',
+  paint: 'Paint',
+  hintPaint: 'Paint on the drawing or on the relief. Alt rubs out.',
+  hintRubPaint: 'Takes away what was painted; the drawing stays.',
+  eyes: 'Eyes',
+  hintEyes: 'A tap puts an eye, a stroke from eye to eye a pair.',
+  inkWidth: 'Width of the ink',
+  inkColor: 'Colour of the ink',
 };
 
 export type MessageKey = keyof typeof english;

@@ -256,4 +256,11 @@ export const french: Words = {
   no: 'Non',
   nearestHere: 'Rien n’est devant cette partie.',
   partCount: 'Combien',
+  paint: 'Peindre',
+  hintPaint: 'Peignez sur le dessin ou sur le relief. Alt efface.',
+  hintRubPaint: 'Enlève la peinture ; le dessin reste.',
+  eyes: 'Yeux',
+  hintEyes: 'Un toucher pose un œil, un trait d’œil à œil une paire.',
+  inkWidth: 'Largeur de l’encre',
+  inkColor: 'Couleur de l’encre',
 };

@@ -256,4 +256,11 @@ export const german: Words = {
   no: 'Nein',
   nearestHere: 'Vor diesem Teil liegt nichts.',
   partCount: 'Wie viele',
+  paint: 'Malen',
+  hintPaint: 'Male auf die Zeichnung oder auf das Relief. Alt radiert.',
+  hintRubPaint: 'Nimmt Gemaltes weg; die Zeichnung bleibt.',
+  eyes: 'Augen',
+  hintEyes: 'Ein Tipp setzt ein Auge, ein Strich von Auge zu Auge ein Paar.',
+  inkWidth: 'Breite der Tinte',
+  inkColor: 'Farbe der Tinte',
 };

@@ -256,4 +256,11 @@ export const japanese: Words = {
   no: 'いいえ',
   nearestHere: 'このパーツの手前には何もありません。',
   partCount: 'パーツの数',
+  paint: '塗る',
+  hintPaint: '絵にもレリーフにも塗れます。Alt で消します。',
+  hintRubPaint: '塗ったものを消します。絵は残ります。',
+  eyes: '目',
+  hintEyes: 'タップで片目、目から目への線で両目になります。',
+  inkWidth: '線の太さ',
+  inkColor: '線の色',
 };

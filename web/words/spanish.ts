@@ -256,4 +256,11 @@ export const spanish: Words = {
   no: 'No',
   nearestHere: 'No hay nada delante de esta parte.',
   partCount: 'Cuántas',
+  paint: 'Pintar',
+  hintPaint: 'Pinta sobre el dibujo o el relieve. Alt borra.',
+  hintRubPaint: 'Quita lo pintado; el dibujo queda.',
+  eyes: 'Ojos',
+  hintEyes: 'Un toque pone un ojo, un trazo de ojo a ojo un par.',
+  inkWidth: 'Ancho de la tinta',
+  inkColor: 'Color de la tinta',
 };

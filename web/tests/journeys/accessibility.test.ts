@@ -31,6 +31,7 @@ const states: [string, (page: Page) => Promise<unknown>][] = [
   ['tour', (page) => page.click('#tour')],
   ['draw', (page) => page.keyboard.press('Escape').then(() => page.keyboard.press('2'))],
   ['profile', (page) => page.keyboard.press('9')],
+  ['paint', (page) => page.keyboard.press('b')],
   ['a drawn part', async (page) => {
     await page.click('.brand');
     await page.click('#empty');

@@ -9,7 +9,8 @@ function sample(): Document {
   const drawn = addPart(emptyDocument(), 'body', [[100, 100], [300, 100], [300.25, 220.5], [100, 220]]);
   const bytes = strToU8('<svg/>');
   const drawing = { name: 'a.svg', kind: 'svg' as const, mime: 'image/svg+xml', bytes };
-  return { ...changeSettings(drawn, { rho: 0.3, sizeMm: 80 }), name: 'figure', drawing };
+  const paint = [{ color: '#e27d8a', width: 12, points: [[1, 2], [3.5, 4]] as const }, { color: null, width: 3, points: [[9, 9]] as const }];
+  return { ...changeSettings(drawn, { rho: 0.3, sizeMm: 80, inkColor: '#204080', inkWidth: 2 }), name: 'figure', drawing, paint };
 }
 
 describe('a project', () => {
@@ -17,6 +18,17 @@ describe('a project', () => {
     const bytes = writeProject(sample(), new Uint8Array([1, 2, 3]));
     expect(readProject(bytes)).toEqual(sample());
     expect(writeProject(readProject(bytes), new Uint8Array([1, 2, 3]))).toEqual(bytes);
+  });
+
+  it('leaves out strokes of paint that are none', () => {
+    const files = unzipSync(writeProject(sample(), null));
+    const head = JSON.parse(new TextDecoder().decode(files['project.json'])) as { paint: object[] };
+    const [sound] = head.paint;
+    const broken = [{ ...sound, color: 'red' }, { ...sound, width: 0 }, { ...sound, points: [] }, { ...sound, points: [[1, null]] }, 7, null];
+    const odd = zipSync({ ...files, 'project.json': strToU8(JSON.stringify({ ...head, paint: [sound, ...broken] })) });
+    expect(readProject(odd).paint).toEqual([sound]);
+    const none = zipSync({ ...files, 'project.json': strToU8(JSON.stringify({ ...head, paint: 'much' })) });
+    expect(readProject(none).paint).toEqual([]);
   });
 
   it('begins with what it is, stored', () => {

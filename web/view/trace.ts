@@ -1,0 +1,17 @@
+import type { Ring } from '../document/document';
+
+/** Either kind of canvas. */
+export type Context = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
+
+export function tracePart(context: Context, outline: readonly Ring[]): void {
+  context.beginPath();
+  for (const ring of outline) {
+    ring.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
+    context.closePath();
+  }
+}
+
+export function traceLine(context: Context, line: Ring): void {
+  context.beginPath();
+  line.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
+}
