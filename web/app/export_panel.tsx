@@ -4,6 +4,7 @@ import { type MessageKey, t } from './catalogue';
 import type { Editor } from './editor';
 import type { Files } from './files';
 import { LitMaps } from './lit_maps';
+import { RoomButton } from './room_button';
 import { SizeField } from './size_field';
 import { useStore } from './store';
 
@@ -49,6 +50,7 @@ export function ExportPanel({ editor, files, picture, turntable }: ExportPanelPr
       <button type="button" class="wide" data-export="picture" onClick={() => void files.exportPicture(picture())}>
         {t('exportPicture')}
       </button>
+      <RoomButton editor={editor} />
       <button type="button" class="wide" data-export="turntable" onClick={() => void files.exportTurntable(turntable)}>
         {t('exportTurntable')}
       </button>

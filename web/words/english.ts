@@ -262,6 +262,7 @@ export const english = {
   hintEyes: 'A tap puts an eye, a stroke from eye to eye a pair.',
   inkWidth: 'Width of the ink',
   inkColor: 'Colour of the ink',
+  viewInRoom: 'In your room',
 };
 
 export type MessageKey = keyof typeof english;

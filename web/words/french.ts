@@ -263,4 +263,5 @@ export const french: Words = {
   hintEyes: 'Un toucher pose un œil, un trait d’œil à œil une paire.',
   inkWidth: 'Largeur de l’encre',
   inkColor: 'Couleur de l’encre',
+  viewInRoom: 'Dans votre pièce',
 };

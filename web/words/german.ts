@@ -263,4 +263,5 @@ export const german: Words = {
   hintEyes: 'Ein Tipp setzt ein Auge, ein Strich von Auge zu Auge ein Paar.',
   inkWidth: 'Breite der Tinte',
   inkColor: 'Farbe der Tinte',
+  viewInRoom: 'In deinem Zimmer',
 };

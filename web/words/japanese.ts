@@ -263,4 +263,5 @@ export const japanese: Words = {
   hintEyes: 'タップで片目、目から目への線で両目になります。',
   inkWidth: '線の太さ',
   inkColor: '線の色',
+  viewInRoom: '部屋に置いて見る',
 };

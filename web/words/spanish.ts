@@ -263,4 +263,5 @@ export const spanish: Words = {
   hintEyes: 'Un toque pone un ojo, un trazo de ojo a ojo un par.',
   inkWidth: 'Ancho de la tinta',
   inkColor: 'Color de la tinta',
+  viewInRoom: 'En tu habitación',
 };
