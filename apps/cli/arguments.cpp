@@ -10,6 +10,7 @@
 #include "apps/cli/exit_code.h"
 #include "apps/cli/manual/manual.h"
 #include "apps/cli/relief_arguments.h"
+#include "apps/cli/solid_arguments.h"
 #include "apps/cli/version.h"
 #include "apps/cli/within.h"
 
@@ -33,7 +34,8 @@ is asked for: the scene as it was understood, to be edited and built, and a pict
 Examples:
   relievo check wolf.svg
   relievo check wolf.svg --overlay understood.png
-  relievo check wolf.svg -o wolf.json)";
+  relievo check wolf.svg -o wolf.json
+  relievo check wolf.svg --profile figure --size 60)";
 
 constexpr const char* render_help = R"(Makes a picture of a model, or of a drawing's relief.
 
@@ -61,6 +63,10 @@ void add_check(CLI::App& main, CheckArguments& check) {
   app.add_option("--overlay", check.overlay,
                  "Parts, joins, relations and soft ranges, over the drawing (.png)")
       ->check(extension({".png"}));
+  add_solid_options(app, check.relief);
+  app.add_option("--size", check.relief.solid_options.size,
+                 "Of solid and figure: longest side in mm (default 100)")
+      ->check(within(1.0, 10000.0));
 }
 
 void add_segment(CLI::App& main, SegmentArguments& segment) {

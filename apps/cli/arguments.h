@@ -42,6 +42,7 @@ struct ReliefArguments {
   Field field = Field::relief;
   bool solid = false;          ///< something to hold, in place of the surface
   SolidOptions solid_options;  ///< its size is that of the outputs
+  double nozzle = 0.4;         ///< mm, of the printer that a solid is checked for
 };
 
 struct BuildArguments {
@@ -54,20 +55,23 @@ struct BuildArguments {
   std::string normal_map;           ///< files; empty: not wanted
   std::string depth_map;
   std::string part_map;
+  std::string carve_map;
   std::string preview;
   std::string overlay;
   std::string convergence;
   std::string report;
   bool normal_y_down = false;
   int map_size = 2048;        ///< longest side of the maps, px
+  double px_per_mm = 10;      ///< of the carve map
   int preview_size = 1200;    ///< longest side, px
   bool print_report = false;  ///< on standard output
 };
 
 struct CheckArguments {
   CommonArguments common;
-  std::string output;   ///< scene .json; empty: not wanted
-  std::string overlay;  ///< file; empty: not wanted
+  std::string output;      ///< scene .json; empty: not wanted
+  std::string overlay;     ///< file; empty: not wanted
+  ReliefArguments relief;  ///< of which what is said of solids is used
 };
 
 struct RenderArguments {

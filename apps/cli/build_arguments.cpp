@@ -40,6 +40,8 @@ void add_picture_options(CLI::App& app, BuildArguments& build) {
       ->check(CLI::IsMember({"+", "-"}));
   app.add_option("--map-size", build.map_size, "Longest side of the maps in px (default 2048)")
       ->check(CLI::Range(1, 16384));
+  app.add_option("--px-per-mm", build.px_per_mm, "Of the carve map (default 10)")
+      ->check(within(0.1, 1000.0));
   app.add_option("--preview-size", build.preview_size,
                  "Longest side of the preview in px (default 1200)")
       ->check(CLI::Range(16, 8192));
@@ -57,6 +59,9 @@ void add_outputs(CLI::App& app, BuildArguments& build) {
       ->check(picture);
   app.add_option("--part-map", build.part_map, "Numbers of the parts, 16 bit (.png)")
       ->check(picture);
+  app.add_option("--carve-map", build.carve_map,
+                 "Heights of a solid above the bed, 16 bit, for mills (.png)")
+      ->check(picture);
   app.add_option("--preview", build.preview, "Picture of the model (.png)")->check(picture);
   app.add_option("--overlay", build.overlay, "What was understood, over the drawing (.png)")
       ->check(picture);
@@ -70,8 +75,9 @@ void add_outputs(CLI::App& app, BuildArguments& build) {
 
 bool wants_nothing(const BuildArguments& build) {
   return build.models.empty() && build.normal_map.empty() && build.depth_map.empty() &&
-         build.part_map.empty() && build.preview.empty() && build.overlay.empty() &&
-         build.convergence.empty() && build.report.empty() && !build.print_report;
+         build.part_map.empty() && build.carve_map.empty() && build.preview.empty() &&
+         build.overlay.empty() && build.convergence.empty() && build.report.empty() &&
+         !build.print_report;
 }
 
 bool wants_3mf(const BuildArguments& build) {
@@ -103,6 +109,9 @@ void settle_build(const BuildArguments& build) {
     throw CLI::ValidationError("--convergence needs --method nonlinear: the other has no steps");
   if (wants_3mf(build) && !build.relief.solid)
     throw CLI::ValidationError("a .3mf holds solids alone: add --profile solid");
+  const bool flat = build.relief.solid && build.relief.solid_options.back == BackSide::flat;
+  if (!build.carve_map.empty() && !flat)
+    throw CLI::ValidationError("a mill carves from one side: --carve-map needs --profile solid");
 }
 
 Result<BuildArguments> parse_build(const std::string& input,

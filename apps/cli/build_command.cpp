@@ -11,6 +11,7 @@
 #include "apps/cli/reconstruct.h"
 #include "apps/cli/report.h"
 #include "face/inputs.h"
+#include "io/maps/carve_map.h"
 #include "io/mesh/placement.h"
 #include "kernel/base/stopwatch.h"
 #include "kernel/image/image_size.h"
@@ -58,6 +59,13 @@ Status add_preview(Products& products, const BuildArguments& build, const RunCon
   return add(products, build.preview, draw_picture(drawn.model, drawn.drawing, picture, context));
 }
 
+Status add_carve_map(Products& products, const BuildArguments& build) {
+  if (build.carve_map.empty()) return Done{};
+  const double base = build.relief.solid_options.thickness;
+  return add(products, build.carve_map,
+             encode_carve_map(products.made->drawn.model, {build.px_per_mm, base}));
+}
+
 Status add_models(Products& products, const BuildArguments& build, const SceneInput& input,
                   const Relief& relief, const RunContext& context) {
   ReliefArguments arguments = build.relief;
@@ -77,9 +85,10 @@ Status add_models(Products& products, const BuildArguments& build, const SceneIn
     return Done{};
   };
   const auto [printed, shown] = sort_models(build);
-  if (!shown.empty() || !build.preview.empty()) {
+  if (!shown.empty() || !build.preview.empty() || !build.carve_map.empty()) {
     if (Status status = put(shown); !status) return status;
     if (Status status = add_preview(products, build, context); !status) return status;
+    if (Status status = add_carve_map(products, build); !status) return status;
   }
   if (printed.empty()) return Done{};
   if (!arguments.visibility) arguments.visibility = Visibility::relief;
@@ -135,14 +144,15 @@ std::vector<std::string> relief_warnings(const Relief& relief) {
   return warnings;
 }
 
-/// What is to be said of a solid.
-std::vector<std::string> solid_warnings(const Products& products) {
-  if (!products.made || !products.made->solid || products.made->solid->pieces < 2) return {};
-  const SolidFacts& facts = *products.made->solid;
-  std::string text = "the solid is in " + std::to_string(facts.pieces) + " pieces; loose:";
-  for (const std::string& part : facts.loose)
-    text += (&part == &facts.loose.front() ? " " : ", ") + part;
-  return {text + "; --profile solid with --base holds them together"};
+/// What is to be said of a solid. All figures hang over, which is in the report.
+std::vector<std::string> solid_warnings(const Products& products, double nozzle) {
+  std::vector<std::string> warnings;
+  if (!products.made || !products.made->solid) return warnings;
+  const double size = longest_side(products.made->drawn.model);
+  for (const PrintFinding& finding : products.made->print)
+    if (finding.trouble != PrintTrouble::overhang)
+      warnings.push_back(describe(finding, nozzle, size));
+  return warnings;
 }
 
 std::vector<std::string> joined(std::vector<std::string> warnings,
@@ -196,7 +206,7 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
   progress.reset();
 
   const std::vector<std::string> warnings =
-      joined(relief_warnings(*relief), solid_warnings(products));
+      joined(relief_warnings(*relief), solid_warnings(products, build.relief.nozzle));
   const std::string report = write_report(
       {build.common.input,
        input->scene,
@@ -204,6 +214,7 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
        build.relief.options.nonlinear,
        products.made ? &products.made->drawn.model : nullptr,
        products.made ? products.made->solid : std::nullopt,
+       products.made ? products.made->print : std::vector<PrintFinding>{},
        {{"read", read_time}, {"export", exporting.milliseconds()}, {"total", total.milliseconds()}},
        joined(input->warnings, warnings)});
   if (!build.report.empty()) products.files.push_back({build.report, bytes_of(report)});

@@ -11,10 +11,12 @@
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/overlay_picture.h"
+#include "apps/cli/reconstruct.h"
 #include "apps/cli/scene_output.h"
 #include "face/inputs.h"
 #include "io/files/number_text.h"
 #include "io/image/png_encode.h"
+#include "io/mesh/placement.h"
 #include "io/overlay/mesh_lines.h"
 #include "kernel/geometry/line_spans.h"
 #include "kernel/meshing/self_crossing.h"
@@ -170,6 +172,22 @@ Result<std::vector<OutputFile>> scene_outputs(const CheckArguments& check, const
   return scene_files(check.output, input.scene, {from, std::move(*bytes)});
 }
 
+/// What a printer makes of the solid or figure that is asked for.
+Status print_findings(const CheckArguments& check, SceneInput& input, const RunContext& context) {
+  ReliefArguments arguments = check.relief;
+  arguments.options.layers.vertex_budget = trial_vertices;
+  const auto relief = reconstruct(input.scene, arguments, context);
+  if (!relief) return relief.error();
+  const auto made = make_model(*relief, input, arguments, context);
+  if (!made) return made.error();
+  const double size = longest_side(made->drawn.model);
+  Table table({"to print", "part", "what, and what helps"});
+  for (const PrintFinding& finding : made->print)
+    table.add({name(finding.trouble), finding.part, describe(finding, arguments.nozzle, size)});
+  print_result(table.empty() ? "\nit prints as it is\n" : "\n" + table.text(), check.common.quiet);
+  return Done{};
+}
+
 /// Writes what was asked for.
 Status write_outputs(const CheckArguments& check, const InputFile& file, const SceneInput& input,
                      const LayeredMesh& mesh, Interruption& interruption) {
@@ -204,7 +222,7 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
   if (Status s = check_outputs(outputs_of(check), {check.common.input}); !s) return s;
   const auto file = read_input(check.common.input);
   if (!file) return file.error();
-  const auto input = load_scene(*file, check.common.connect, {interruption.flag(), {}});
+  auto input = load_scene(*file, check.common.connect, {interruption.flag(), {}});
   if (!input) return input.error();
   if (Status s = check_outputs(outputs_of(check), input->files); !s) return s;
   if (Status status = validate(input->scene); !status) return status;
@@ -229,6 +247,8 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
   print_warnings(mesh->warnings, quiet);
   if (const std::string table = overlap_table(scene, *mesh); !table.empty())
     print_result("\n" + table, quiet);
+  if (check.relief.solid)
+    if (Status s = print_findings(check, *input, {interruption.flag(), {}}); !s) return s;
   if (Status s = write_outputs(check, *file, *input, *mesh, interruption); !s) return s;
   print_note("nothing is wrong with " + check.common.input, quiet);
   return Done{};

@@ -7,6 +7,7 @@
 #include "relief/model/drawn_model.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
+#include "solid/check_print.h"
 #include "solid/make_solid.h"
 
 namespace relievo::cli {
@@ -15,6 +16,7 @@ namespace relievo::cli {
 struct MadeModel {
   DrawnModel drawn;
   std::optional<SolidFacts> solid;
+  std::vector<PrintFinding> print;
 };
 
 /// The relief of a scene by the chosen options, or the field of it that they ask for. They may

@@ -45,6 +45,14 @@ Json solver(const BoundQpReport& report) {
           {"energy", report.energy}};
 }
 
+Json findings(const std::vector<PrintFinding>& print) {
+  Json list = Json::array();
+  for (const PrintFinding& finding : print)
+    list.push_back(
+        {{"trouble", name(finding.trouble)}, {"part", finding.part}, {"measure", finding.measure}});
+  return list;
+}
+
 Json energies(const NonlinearEnergy& energy) {
   return {{"total", energy.total()},
           {"inflation", energy.inflation},
@@ -107,7 +115,8 @@ std::string write_report(const ReportInput& input) {
   if (input.solid)
     report["solid"] = {{"volume_mm3", input.solid->volume},
                        {"pieces", input.solid->pieces},
-                       {"loose", input.solid->loose}};
+                       {"loose", input.solid->loose},
+                       {"print", findings(input.print)}};
   report["timings_ms"] = times(input);
   report["warnings"] = input.warnings;
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

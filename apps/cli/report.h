@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "relief/pipeline/build_relief.h"
+#include "solid/check_print.h"
 #include "solid/make_solid.h"
 
 namespace relievo::cli {
@@ -16,7 +17,8 @@ struct ReportInput {
   const NonlinearOptions& options;  ///< of the non-linear method
   const Model* model = nullptr;     ///< where one was made
   std::optional<SolidFacts> solid;
-  std::vector<StageTime> times;  ///< of the program: "read", "export", "total"
+  std::vector<PrintFinding> print;  ///< what is wrong with the solid
+  std::vector<StageTime> times;     ///< of the program: "read", "export", "total"
   std::vector<std::string> warnings;
 };
 

@@ -66,7 +66,11 @@ void add_solid_options(CLI::App& app, ReliefArguments& relief) {
           ->check(within(0.5, 100.0)),
       app.add_option("--ring", solid.ring,
                      "Of solid: a loop above its base, its hole so many mm wide")
-          ->check(within(0.5, 100.0))};
+          ->check(within(0.5, 100.0)),
+      app.add_option("--nozzle", relief.nozzle,
+                     "Of solid and figure: width in mm that its walls are checked for (default "
+                     "0.4)")
+          ->check(within(0.05, 10.0))};
   for (CLI::Option* option : options) option->needs(profile);
 }
 

@@ -24,7 +24,7 @@ class PlaneRepair {
     for (int repairs = 0; repairs < most_repairs; ++repairs) {
       bad_ = first_bad();
       if (bad_ < 0) return Done{};
-      if (!drop_between() && !collapse()) break;
+      if (!drop_between() && !collapse() && !move_corner()) break;
     }
     return Error{ErrorCode::internal, "the surface folds over at this size", ""};
   }
@@ -118,6 +118,23 @@ class PlaneRepair {
       const int p = point(own[k]);
       const int q = point(own[(k + 1) % 3]);
       if (merge(p, q) || merge(q, p)) return true;
+    }
+    return false;
+  }
+
+  /// Moves a corner to one of its neighbours, the nearest first, so that nothing is turned over.
+  bool move_corner() {
+    for (const int v : Triangle(field_.triangles[bad_])) {
+      const int p = point(v);
+      std::vector<std::pair<double, int>> beside;
+      for (const Triangle& t : field_.triangles)
+        if (point(t[0]) == p || point(t[1]) == p || point(t[2]) == p)
+          for (const int w : t)
+            if (point(w) != p)
+              beside.emplace_back(length(field_.place(w), field_.place(v)), point(w));
+      std::sort(beside.begin(), beside.end());
+      for (const auto& [far, q] : beside)
+        if (merge(p, q)) return true;
     }
     return false;
   }

@@ -212,6 +212,18 @@ TEST_F(Build, ReportsASolid) {
     EXPECT_NE(solid(change)["volume_mm3"], plain["volume_mm3"]) << change.back();
 }
 
+TEST_F(Build, CarvesAMapOfASolid) {
+  const std::vector<std::string> carve = {"build", "scene.json", "--carve-map", "c.png"};
+  expect_failure(carve, 2, "--profile solid");
+  std::vector<std::string> options = with_small(carve);
+  options.insert(options.end(), {"--profile", "solid", "--size", "50", "--px-per-mm", "4"});
+  EXPECT_EQ(relievo(options).exit_code, 0);
+  const std::string text = read("c.png");
+  const auto map = decode_image(Bytes(text.begin(), text.end()));
+  ASSERT_TRUE(map.ok());
+  EXPECT_EQ(std::max(map->width, map->height), 200);
+}
+
 TEST_F(Build, OptionsReachTheirStages) {
   const auto glb = [&](std::vector<std::string> options) {
     std::vector<std::string> arguments = {"build", "scene.json", "-o", "m.glb", "-q"};

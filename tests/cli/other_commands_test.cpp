@@ -19,6 +19,26 @@ TEST_F(Check, ExplainsPartsAndJoinsAndWritesNothing) {
   EXPECT_EQ(folder_.names(), before);
 }
 
+TEST_F(Check, TellsWhatAPrinterMakesOfASolid) {
+  std::string text = scene_text;
+  for (const char* foot : {"180,320", "220,320"})
+    text.replace(text.find(foot), 7, std::string(foot, 4) + "380");
+  write("long.json", text);
+  const std::vector<std::string> solid = {"check", "long.json", "--profile", "solid"};
+  const Outcome large = relievo(solid);
+  EXPECT_EQ(large.exit_code, 0) << large.err;
+  EXPECT_NE(large.out.find("it prints as it is"), std::string::npos) << large.out;
+  // The leg is 40 px wide, of 280.
+  std::vector<std::string> tiny = solid;
+  tiny.insert(tiny.end(), {"--size", "7"});
+  const std::string found = relievo(tiny).out;
+  EXPECT_NE(found.find("leg hangs by 0."), std::string::npos) << found;
+  tiny.insert(tiny.end(), {"--nozzle", "0.2"});
+  EXPECT_NE(relievo(tiny).out.find("it prints as it is"), std::string::npos);
+  const std::string over = relievo({"check", "scene.json", "--profile", "figure"}).out;
+  EXPECT_NE(over.find("mm^2 of body hang over"), std::string::npos) << over;
+}
+
 TEST_F(Check, FindsThePartsThatStrokesEnclose) {
   write(
       "lines.svg",

@@ -1,7 +1,10 @@
 #include "io/mesh/obj_encode.h"
 
+#include <array>
 #include <initializer_list>
+#include <map>
 #include <string_view>
+#include <vector>
 
 #include "io/files/byte_writer.h"
 #include "io/files/number_text.h"
@@ -21,11 +24,24 @@ void append_line(Bytes& bytes, std::string_view keyword, std::initializer_list<d
   bytes.push_back('\n');
 }
 
-void append_vertices(Bytes& obj, const Model& model, const Placement& placement) {
+/// Writes every position once, by the numbers that the file holds; returns its number by vertex,
+/// from 1.
+std::vector<int> append_positions(Bytes& obj, const Model& model, const Placement& placement) {
+  std::map<std::array<float, 3>, int> numbers;
+  std::vector<int> number;
+  number.reserve(model.positions.size());
   for (const Point3& position : model.positions) {
     const Point3 p = place(placement, position);
-    append_line(obj, "v", {p.x, p.y, p.z});
+    const auto [at, fresh] = numbers.try_emplace(
+        {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
+        static_cast<int>(numbers.size()) + 1);
+    if (fresh) append_line(obj, "v", {p.x, p.y, p.z});
+    number.push_back(at->second);
   }
+  return number;
+}
+
+void append_attributes(Bytes& obj, const Model& model) {
   for (const Point2& uv : model.uvs) append_line(obj, "vt", {uv.x, 1 - uv.y});
   for (const Point3& normal : model.normals) {
     const Point3 n = file_normal(normal);
@@ -33,13 +49,14 @@ void append_vertices(Bytes& obj, const Model& model, const Placement& placement)
   }
 }
 
-void append_part(Bytes& obj, const Model& model, const ModelPart& part) {
+void append_part(Bytes& obj, const Model& model, const ModelPart& part,
+                 const std::vector<int>& position) {
   append_text(obj, "o " + obj_file_name(part.id) + "\nusemtl drawing\n");
   for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
     append_text(obj, "f");
     for (const int v : model.triangles[t]) {
       const std::string index = std::to_string(v + 1);
-      append_text(obj, " " + index + "/" + index + "/" + index);
+      append_text(obj, " " + std::to_string(position[v]) + "/" + index + "/" + index);
     }
     append_text(obj, "\n");
   }
@@ -73,9 +90,11 @@ Result<ObjFiles> encode_obj(const Model& model, const Drawing* drawing, const Ob
   }
   append_text(files.mtl, material(texture));
   append_text(files.obj, "# relievo " RELIEVO_VERSION ", millimetres\nmtllib " + name + ".mtl\n");
-  append_vertices(files.obj, model, centred_placement(model, options.size_mm));
+  const std::vector<int> position =
+      append_positions(files.obj, model, centred_placement(model, options.size_mm));
+  append_attributes(files.obj, model);
   for (const ModelPart& part : model.parts)
-    if (part.triangle_count > 0) append_part(files.obj, model, part);
+    if (part.triangle_count > 0) append_part(files.obj, model, part, position);
   return files;
 }
 

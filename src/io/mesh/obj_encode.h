@@ -22,9 +22,9 @@ struct ObjFiles {
 };
 
 /// The model as Wavefront OBJ: mm, right-handed, Y up, front towards +Z, middle at x = y = 0;
-/// vertices shared by all parts, one `o` a part, texture coordinates with v up. It refers to the
-/// other files as "<name>.mtl" and "<name>.png", where <name> is obj_file_name(options.name).
-/// Numbers do not depend on the locale. Errors: as check_exportable.
+/// every position once, shared by all parts, one `o` a part, texture coordinates with v up. It
+/// refers to the other files as "<name>.mtl" and "<name>.png", where <name> is
+/// obj_file_name(options.name). Numbers do not depend on the locale. Errors: as check_exportable.
 Result<ObjFiles> encode_obj(const Model& model, const Drawing* drawing,
                             const ObjOptions& options = {});
 

@@ -1,0 +1,281 @@
+#include "solid/check_print.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "solid/level_cuts.h"
+
+namespace relievo {
+namespace {
+
+using ClipperLib::IntPoint;
+using ClipperLib::Path;
+using ClipperLib::Paths;
+
+constexpr int most_cuts = 24;
+/// What counts, in nozzles: the length of thin walls, that of slender limbs, and the side of a
+/// square as large as what hangs by a neck, or over.
+constexpr double least_wall = 5;
+constexpr double least_limb = 8;
+constexpr double least_side = 10;
+/// A corner is no wall: what an opening leaves within this share of its radius.
+constexpr double opening_slack = 0.1;
+
+/// mm of each part, by its number.
+using ByPart = std::map<int, double>;
+
+Paths grown(const Paths& paths, double mm) {
+  ClipperLib::ClipperOffset offset(2, 0.01 * cut_steps);
+  offset.AddPaths(paths, ClipperLib::jtRound, ClipperLib::etClosedPolygon);
+  Paths result;
+  offset.Execute(result, mm * cut_steps);
+  return result;
+}
+
+/// An outer ring with the rings of its holes.
+std::vector<Paths> pieces_of(ClipperLib::ClipType operation, const Paths& subject,
+                             const Paths& clip) {
+  ClipperLib::Clipper clipper;
+  clipper.AddPaths(subject, ClipperLib::ptSubject, true);
+  clipper.AddPaths(clip, ClipperLib::ptClip, true);
+  ClipperLib::PolyTree tree;
+  clipper.Execute(operation, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  std::vector<Paths> pieces;
+  for (const ClipperLib::PolyNode* node = tree.GetFirst(); node != nullptr;
+       node = node->GetNext()) {
+    if (node->IsHole()) continue;
+    Paths& piece = pieces.emplace_back(1, node->Contour);
+    for (const ClipperLib::PolyNode* hole : node->Childs) piece.push_back(hole->Contour);
+  }
+  return pieces;
+}
+
+Paths united(const Paths& paths, const Paths& more) {
+  Paths result;
+  for (Paths& piece : pieces_of(ClipperLib::ctUnion, paths, more))
+    std::move(piece.begin(), piece.end(), std::back_inserter(result));
+  return result;
+}
+
+/// mm^2; holes run the other way.
+double area_of(const Paths& piece) {
+  double area = 0;
+  for (const Path& ring : piece) area += ClipperLib::Area(ring);
+  return area / (cut_steps * cut_steps);
+}
+
+/// Of a strip, which has its length twice in its outline, mm.
+double width_of(const Paths& piece) {
+  double length = 0;
+  for (const Path& ring : piece)
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const IntPoint a = ring[i];
+      const IntPoint b = ring[(i + 1) % ring.size()];
+      length += std::hypot(static_cast<double>(b.X - a.X), static_cast<double>(b.Y - a.Y));
+    }
+  return 2 * area_of(piece) * cut_steps / length;
+}
+
+bool touch(const Paths& piece, const std::vector<Paths>& others) {
+  return std::any_of(others.begin(), others.end(), [&piece](const Paths& other) {
+    return !pieces_of(ClipperLib::ctIntersection, piece, other).empty();
+  });
+}
+
+/// What of a region no disc of the given width reaches, where that is `length` long.
+std::vector<Paths> slender(const Paths& region, double width, double length) {
+  const Paths opened = grown(grown(region, -0.5 * width), 0.5 * (1 + opening_slack) * width);
+  std::vector<Paths> strips;
+  for (Paths& piece : pieces_of(ClipperLib::ctDifference, region, opened))
+    if (area_of(piece) > 0.5 * width * length) strips.push_back(std::move(piece));
+  return strips;
+}
+
+class PrintChecker {
+ public:
+  PrintChecker(const Model& model, double nozzle) : model_(model), nozzle_(nozzle), cutter_(model) {
+    for (const std::array<int, 3>& t : model.triangles)
+      for (const int v : t) depth_ = std::max(depth_, model.positions[v].z);
+    const int count = std::clamp(static_cast<int>(depth_ / (2 * nozzle)), 2, most_cuts);
+    for (int k = 0; k < count; ++k) cuts_.push_back(cutter_.cut((k + 0.5) * depth_ / count));
+  }
+
+  ByPart thin_walls() const {
+    std::vector<std::vector<Paths>> strips;
+    for (const LevelCut& cut : cuts_)
+      strips.push_back(slender(cut.rings, nozzle_, least_wall * nozzle_));
+    ByPart found;
+    for (size_t k = 0; k < strips.size(); ++k)
+      for (const Paths& strip : strips[k])
+        if ((k > 0 && touch(strip, strips[k - 1])) ||
+            (k + 1 < strips.size() && touch(strip, strips[k + 1])))
+          note(corner_part(strip, cuts_[k]), width_of(strip), found);
+    return found;
+  }
+
+  /// Parts beyond a neck, and slender ones.
+  ByPart necks() const {
+    Paths shadow;
+    for (const LevelCut& cut : cuts_) shadow = united(shadow, cut.rings);
+    ByPart found;
+    for (const Paths& whole : pieces_of(ClipperLib::ctUnion, shadow, {})) {
+      for (const double width : {nozzle_, 2 * nozzle_, 3 * nozzle_}) {
+        std::vector<Paths> apart = pieces_of(ClipperLib::ctUnion, grown(whole, -0.5 * width), {});
+        std::sort(apart.begin(), apart.end(),
+                  [](const Paths& a, const Paths& b) { return area_of(a) > area_of(b); });
+        for (size_t i = 1; i < apart.size(); ++i)
+          if (area_of(apart[i]) > least_side * nozzle_ * least_side * nozzle_)
+            found.try_emplace(covering_part(apart[i]), width);
+      }
+      for (const Paths& limb : slender(whole, 3 * nozzle_, least_limb * nozzle_))
+        note(covering_part(limb), width_of(limb), found);
+    }
+    return found;
+  }
+
+  ByPart overhangs() const {
+    ByPart found;
+    for (size_t p = 0; p < model_.parts.size(); ++p) {
+      double area = 0;
+      for (int i = 0; i < model_.parts[p].triangle_count; ++i)
+        area += hanging_area(model_.triangles[model_.parts[p].first_triangle + i]);
+      if (area > least_side * nozzle_ * least_side * nozzle_) found[static_cast<int>(p)] = area;
+    }
+    return found;
+  }
+
+ private:
+  /// Keeps the smaller one.
+  static void note(int part, double mm, ByPart& found) {
+    const auto [at, fresh] = found.try_emplace(part, mm);
+    if (!fresh) at->second = std::min(at->second, mm);
+  }
+
+  static int most_frequent(const std::map<int, double>& votes) {
+    if (votes.empty()) return 0;
+    return std::max_element(votes.begin(), votes.end(),
+                            [](const auto& a, const auto& b) { return a.second < b.second; })
+        ->first;
+  }
+
+  /// The part that most corners of a cut belong to that lie on the outline of a piece of it.
+  static int corner_part(const Paths& piece, const LevelCut& cut) {
+    std::map<int, double> votes;
+    for (const CutCorner& corner : cut.corners)
+      for (const Path& ring : piece)
+        if (ClipperLib::PointInPolygon(corner.place, ring) == -1) ++votes[corner.part];
+    return most_frequent(votes);
+  }
+
+  /// The part that is most of what the front shows of a piece of the plane.
+  int covering_part(const Paths& piece) const {
+    std::map<int, double> votes;
+    const ClipperLib::IntRect box = bounds(piece.front());
+    for (size_t p = 0; p < model_.parts.size(); ++p)
+      for (int i = 0; i < model_.parts[p].triangle_count; ++i) {
+        const auto& [a, b, c] = model_.triangles[model_.parts[p].first_triangle + i];
+        const Point3 at = model_.positions[a];
+        const Point3 up = cross(model_.positions[b] - at, model_.positions[c] - at);
+        if (!(up.z > 0)) continue;
+        const Point3 middle = (1.0 / 3) * (at + model_.positions[b] + model_.positions[c]);
+        const IntPoint place(std::llround(cut_steps * middle.x),
+                             std::llround(cut_steps * middle.y));
+        if (place.X < box.left || place.X > box.right || place.Y < box.top || place.Y > box.bottom)
+          continue;
+        if (ClipperLib::PointInPolygon(place, piece.front()) != 0)
+          votes[static_cast<int>(p)] += up.z;
+      }
+    return most_frequent(votes);
+  }
+
+  static ClipperLib::IntRect bounds(const Path& ring) {
+    ClipperLib::IntRect box{ring[0].X, ring[0].Y, ring[0].X, ring[0].Y};
+    for (const IntPoint p : ring) {
+      box.left = std::min(box.left, p.X);
+      box.right = std::max(box.right, p.X);
+      box.top = std::min(box.top, p.Y);
+      box.bottom = std::max(box.bottom, p.Y);
+    }
+    return box;
+  }
+
+  double hanging_area(const std::array<int, 3>& triangle) const {
+    const Point3 a = model_.positions[triangle[0]];
+    const Point3 b = model_.positions[triangle[1]];
+    const Point3 c = model_.positions[triangle[2]];
+    const Point3 twice = cross(b - a, c - a);
+    const bool level = twice.z < -norm(twice) / std::numbers::sqrt2;
+    return level && std::max({a.z, b.z, c.z}) > nozzle_ ? 0.5 * norm(twice) : 0;
+  }
+
+  const Model& model_;
+  double nozzle_;
+  LevelCutter cutter_;
+  double depth_ = 0;
+  std::vector<LevelCut> cuts_;
+};
+
+std::string rounded(double value, const char* format) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+}  // namespace
+
+std::vector<PrintFinding> check_print(const Model& model, const std::vector<std::string>& loose,
+                                      double nozzle) {
+  std::vector<PrintFinding> findings;
+  for (const std::string& part : loose) findings.push_back({PrintTrouble::loose, part, 0});
+  const PrintChecker checker(model, nozzle);
+  const ByPart thin = checker.thin_walls();
+  const auto add = [&](PrintTrouble trouble, const ByPart& parts) {
+    for (const auto& [part, measure] : parts)
+      if (trouble != PrintTrouble::neck || thin.count(part) == 0)
+        findings.push_back({trouble, model.parts[part].id, measure});
+  };
+  add(PrintTrouble::thin, thin);
+  add(PrintTrouble::neck, checker.necks());
+  add(PrintTrouble::overhang, checker.overhangs());
+  return findings;
+}
+
+const char* name(PrintTrouble trouble) {
+  switch (trouble) {
+    case PrintTrouble::loose:
+      return "loose";
+    case PrintTrouble::thin:
+      return "thin";
+    case PrintTrouble::neck:
+      return "neck";
+    case PrintTrouble::overhang:
+      break;
+  }
+  return "overhang";
+}
+
+std::string describe(const PrintFinding& finding, double nozzle, double size) {
+  const auto larger = [&](double wanted) {
+    return "--size " + rounded(std::ceil(size * wanted / finding.measure), "%.0f");
+  };
+  switch (finding.trouble) {
+    case PrintTrouble::loose:
+      return finding.part + " is loose; --base holds it";
+    case PrintTrouble::thin:
+      return finding.part + " is " + rounded(finding.measure, "%.2f") +
+             " mm thin, less than the nozzle; " + larger(nozzle) + ", or a finer --nozzle";
+    case PrintTrouble::neck:
+      return finding.part + " hangs by " + rounded(finding.measure, "%.2g") +
+             " mm and may break off; --base holds it, or " + larger(3 * nozzle);
+    case PrintTrouble::overhang:
+      break;
+  }
+  return rounded(finding.measure, "%.0f") + " mm^2 of " + finding.part +
+         " hang over; print with supports, or --profile solid";
+}
+
+}  // namespace relievo

@@ -1,0 +1,80 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "solid/solid_case.h"
+#include "support/random_scene.h"
+#include "support/solid_checks.h"
+
+namespace relievo {
+namespace {
+
+using namespace testing;
+
+constexpr int survey_scenes = 1000;
+
+/// What became of all solids of one kind.
+struct Tally {
+  std::string kind;
+  SolidOptions options;
+  int made = 0;
+  int open = 0;      ///< an edge without two triangles
+  int crossing = 0;  ///< triangles that cross
+  int empty = 0;     ///< no volume
+  int parted = 0;    ///< not as many pieces as are told, or not one on a plate
+  int single = 0;    ///< one piece
+  int most_triangles = 0;
+
+  void add(const Solid& solid) {
+    const SolidCensus found = census_of_stl(stl_of(solid.model));
+    const bool plate = options.base == BaseShape::plate || options.base == BaseShape::round;
+    ++made;
+    open += found.uneven > 0 || !found.manifold ? 1 : 0;
+    crossing += found.self_intersections > 0 ? 1 : 0;
+    empty += found.volume > 0 ? 0 : 1;
+    parted += found.pieces != solid.facts.pieces || (plate && found.pieces != 1) ? 1 : 0;
+    single += found.pieces == 1 ? 1 : 0;
+    most_triangles = std::max(most_triangles, found.triangles);
+  }
+};
+
+std::vector<Tally> kinds() {
+  std::vector<Tally> kinds(3);
+  kinds[0].kind = "solid";
+  kinds[1].kind = "solid on a plate";
+  kinds[1].options.base = BaseShape::plate;
+  kinds[2].kind = "figure";
+  kinds[2].options.back = BackSide::drawing;
+  return kinds;
+}
+
+TEST(SolidSurvey, RandomScenesAreClosedAndWhole) {
+  std::vector<Tally> tallies = kinds();
+  for (int seed = 0; seed < survey_scenes; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    // Other scenes than those of the quick tests.
+    const Scene scene = random_scene(static_cast<uint64_t>(100000 + seed));
+    const VisibleSheet sheet = sheet_of(scene, 1500, true);
+    for (Tally& tally : tallies) {
+      const auto solid = make_solid(sheet, {}, tally.options);
+      ASSERT_TRUE(solid.ok()) << tally.kind << ": " << to_string(solid.error());
+      tally.add(*solid);
+    }
+  }
+  std::cout
+      << "| of random scenes | made | open | crossing | without volume | parted | of one piece | "
+         "triangles at most |\n|---|---|---|---|---|---|---|---|\n";
+  for (const Tally& t : tallies) {
+    std::cout << "| " << t.kind << " | " << t.made << " | " << t.open << " | " << t.crossing
+              << " | " << t.empty << " | " << t.parted << " | " << t.single << " | "
+              << t.most_triangles << " |\n";
+    EXPECT_EQ(t.made, survey_scenes);
+    EXPECT_EQ(t.open + t.crossing + t.empty + t.parted, 0) << t.kind;
+  }
+}
+
+}  // namespace
+}  // namespace relievo
