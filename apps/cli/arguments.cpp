@@ -10,6 +10,7 @@
 #include "apps/cli/exit_code.h"
 #include "apps/cli/manual/manual.h"
 #include "apps/cli/relief_arguments.h"
+#include "apps/cli/sequence/sequence_arguments.h"
 #include "apps/cli/solid_arguments.h"
 #include "apps/cli/version.h"
 #include "apps/cli/within.h"
@@ -173,6 +174,7 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
   CompareArguments compare;
   RenderArguments render;
   SegmentArguments segment;
+  SequenceArguments sequence;
   BuildArguments choices;
   BatchArguments batch;
   add_build(app, build);
@@ -181,6 +183,7 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
   add_compare(app, compare);
   add_render(app, render);
   add_segment(app, segment);
+  add_sequence(app, sequence);
   ManualArguments manual;
   add_manual(app, manual);
   try {
@@ -197,8 +200,10 @@ ParsedArguments parse_arguments(int argc, const char* const* argv) {
       settle_batch(batch_app, batch);
       return Command(batch);
     }
+    if (app.got_subcommand("sequence")) return Command(sequence);
     if (!app.got_subcommand("build"))
-      throw CLI::RequiredError("A command (build, batch, check, compare, render or segment)");
+      throw CLI::RequiredError(
+          "A command (build, batch, check, compare, render, segment or sequence)");
     settle_build(build);
     return Command(build);
   } catch (const CLI::ParseError& error) {

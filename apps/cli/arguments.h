@@ -8,6 +8,7 @@
 
 #include "io/mesh/threemf_encode.h"
 #include "kernel/geometry/polygon.h"
+#include "kernel/image/image_size.h"
 #include "relief/pipeline/keep_field.h"
 #include "relievo/scene.h"
 #include "relievo/solid.h"
@@ -56,6 +57,7 @@ struct BuildArguments {
   std::string depth_map;
   std::string part_map;
   std::string carve_map;
+  std::string occlusion_map;
   std::string preview;
   std::string overlay;
   std::string convergence;
@@ -118,6 +120,18 @@ struct BatchArguments {
   bool merge = false;  ///< the journals of shards, and build nothing
 };
 
+struct SequenceArguments {
+  CommonArguments common;
+  ReliefArguments relief;
+  std::vector<std::string> inputs;  ///< drawings, or one sheet of sprites
+  std::string output;               ///< folder
+  std::vector<std::string> make = {"colour", "normal", "depth"};  ///< of each frame
+  std::optional<ImageSize> grid;  ///< columns and rows of a sheet without a list
+  int columns = 0;                ///< of the sheet that the frames are put on; 0: one file a frame
+  int map_size = 1024;            ///< longest side of a drawing's maps, px
+  bool normal_y_down = false;
+};
+
 struct CompareArguments {
   CommonArguments common;
   ReliefArguments relief;  ///< of which the mesh's options alone are used
@@ -133,7 +147,7 @@ struct CompareArguments {
 };
 
 using Command = std::variant<BuildArguments, CheckArguments, CompareArguments, RenderArguments,
-                             SegmentArguments, BatchArguments>;
+                             SegmentArguments, BatchArguments, SequenceArguments>;
 
 /// The command, or the exit code where there is nothing more to do: help or the version was
 /// printed on standard output, or what is wrong was told on standard error.

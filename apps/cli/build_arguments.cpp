@@ -62,6 +62,9 @@ void add_outputs(CLI::App& app, BuildArguments& build) {
   app.add_option("--carve-map", build.carve_map,
                  "Heights of a solid above the bed, 16 bit, for mills (.png)")
       ->check(picture);
+  app.add_option("--occlusion-map", build.occlusion_map,
+                 "Light of an even sky that reaches each pixel, white is all (.png)")
+      ->check(picture);
   app.add_option("--preview", build.preview, "Picture of the model (.png)")->check(picture);
   app.add_option("--overlay", build.overlay, "What was understood, over the drawing (.png)")
       ->check(picture);
@@ -75,9 +78,9 @@ void add_outputs(CLI::App& app, BuildArguments& build) {
 
 bool wants_nothing(const BuildArguments& build) {
   return build.models.empty() && build.normal_map.empty() && build.depth_map.empty() &&
-         build.part_map.empty() && build.carve_map.empty() && build.preview.empty() &&
-         build.overlay.empty() && build.convergence.empty() && build.report.empty() &&
-         !build.print_report;
+         build.part_map.empty() && build.occlusion_map.empty() && build.carve_map.empty() &&
+         build.preview.empty() && build.overlay.empty() && build.convergence.empty() &&
+         build.report.empty() && !build.print_report;
 }
 
 bool wants_3mf(const BuildArguments& build) {

@@ -11,10 +11,13 @@
 #include "apps/cli/reconstruct.h"
 #include "apps/cli/report.h"
 #include "face/inputs.h"
+#include "io/image/png_encode.h"
 #include "io/maps/carve_map.h"
+#include "io/maps/map_images.h"
 #include "io/mesh/placement.h"
 #include "kernel/base/stopwatch.h"
 #include "kernel/image/image_size.h"
+#include "relief/model/ambient_occlusion.h"
 #include "relievo/maps.h"
 
 namespace relievo::cli {
@@ -104,7 +107,9 @@ Result<ReliefMaps> make_maps(const BuildArguments& build, const Scene& scene, co
 
 Status add_maps(Products& products, const BuildArguments& build, const Scene& scene,
                 const Relief& relief, const RunContext& context) {
-  if (build.normal_map.empty() && build.depth_map.empty() && build.part_map.empty()) return Done{};
+  if (build.normal_map.empty() && build.depth_map.empty() && build.part_map.empty() &&
+      build.occlusion_map.empty())
+    return Done{};
   const auto maps = make_maps(build, scene, relief, context);
   if (!maps) return maps.error();
   const GreenAxis green = build.normal_y_down ? GreenAxis::down : GreenAxis::up;
@@ -114,6 +119,11 @@ Status add_maps(Products& products, const BuildArguments& build, const Scene& sc
     if (Status s = add(products, build.depth_map, encode_depth_map(*maps)); !s) return s;
   if (!build.part_map.empty())
     if (Status s = add(products, build.part_map, encode_part_map(*maps)); !s) return s;
+  if (!build.occlusion_map.empty()) {
+    const double pixel = scene.width / maps->height.width;
+    const Image8 open = share_image(ambient_occlusion(*maps, pixel));
+    if (Status s = add(products, build.occlusion_map, encode_png(open)); !s) return s;
+  }
   return Done{};
 }
 

@@ -12,6 +12,7 @@ Status run_build(const BuildArguments& build, Interruption& interruption);
 Status run_check(const CheckArguments& check, Interruption& interruption);
 Status run_compare(const CompareArguments& compare, Interruption& interruption);
 Status run_segment(const SegmentArguments& segment, Interruption& interruption);
+Status run_sequence(const SequenceArguments& sequence, Interruption& interruption);
 Status run_render(const RenderArguments& render, Interruption& interruption);
 
 /// Goes on where drawings fail. The exit code: that of the worst failure, 0 where all are built.

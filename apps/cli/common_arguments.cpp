@@ -4,6 +4,10 @@ namespace relievo::cli {
 
 void add_common(CLI::App& app, CommonArguments& common, const char* what) {
   app.add_option("INPUT", common.input, what)->required();
+  add_run_options(app, common);
+}
+
+void add_run_options(CLI::App& app, CommonArguments& common) {
   app.add_flag("-q,--quiet", common.quiet, "Say nothing but errors");
   app.add_option("--timeout", common.timeout, "Give up after so many seconds")
       ->check(CLI::PositiveNumber);

@@ -16,6 +16,9 @@ inline constexpr const char* input_help =
 /// Adds the input, `what` being its help, and what all commands take.
 void add_common(CLI::App& app, CommonArguments& common, const char* what);
 
+/// Adds what all commands take but the input.
+void add_run_options(CLI::App& app, CommonArguments& common);
+
 /// Adds how the parts of layered drawings connect.
 void add_connect(CLI::App& app, CommonArguments& common);
 

@@ -33,6 +33,8 @@ Result<int> run(const Command& command, Interruption& interruption) {
     return done(run_compare(*compare, interruption));
   if (const auto* segment = std::get_if<SegmentArguments>(&command))
     return done(run_segment(*segment, interruption));
+  if (const auto* sequence = std::get_if<SequenceArguments>(&command))
+    return done(run_sequence(*sequence, interruption));
   return done(run_render(std::get<RenderArguments>(command), interruption));
 }
 

@@ -38,8 +38,8 @@ std::vector<fs::path> planned_outputs(const BuildArguments& build) {
     paths.push_back(beside(obj, ".png"));
   }
   for (const std::string* name :
-       {&build.normal_map, &build.depth_map, &build.part_map, &build.carve_map, &build.preview,
-        &build.overlay, &build.convergence, &build.report})
+       {&build.normal_map, &build.depth_map, &build.part_map, &build.occlusion_map,
+        &build.carve_map, &build.preview, &build.overlay, &build.convergence, &build.report})
     if (!name->empty()) paths.emplace_back(*name);
   return paths;
 }

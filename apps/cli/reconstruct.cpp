@@ -27,8 +27,7 @@ Visibility shown(const ReliefArguments& arguments) {
 
 }  // namespace
 
-Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
-                           const RunContext& context) {
+Result<ReliefOptions> settle_options(Scene& scene, const ReliefArguments& arguments) {
   ReliefOptions options = arguments.options;
   options.hidden = arguments.solid ? arguments.solid_options.back != BackSide::flat
                                    : shown(arguments) != Visibility::relief;
@@ -45,7 +44,14 @@ Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
   if (arguments.lean)
     for (Part& part : scene.parts) part.lean = *arguments.lean;
   if (Status status = add_cues(arguments.cues, scene); !status) return status.error();
-  auto relief = build_relief(scene, options, context);
+  return options;
+}
+
+Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
+                           const RunContext& context) {
+  const auto options = settle_options(scene, arguments);
+  if (!options) return options.error();
+  auto relief = build_relief(scene, *options, context);
   if (!relief) return relief;
   keep_field(*relief, arguments.field);
   for (std::string& warning : warnings_about_cues(scene))

@@ -19,6 +19,9 @@ struct MadeModel {
   std::vector<PrintFinding> print;
 };
 
+/// The options of a relief, and what they change of the scene's own values.
+Result<ReliefOptions> settle_options(Scene& scene, const ReliefArguments& arguments);
+
 /// The relief of a scene by the chosen options, or the field of it that they ask for. They may
 /// change the scene's own values (c).
 Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,

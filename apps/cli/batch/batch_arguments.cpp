@@ -56,10 +56,10 @@ CLI::App& add_batch(CLI::App& main, BatchArguments& batch, BuildArguments& choic
   app.add_option(
          "--make", batch.make,
          "What to make of each, between commas: glb (the default), obj, ply, stl, 3mf, usdz, "
-         "html, normal, depth, part, preview, overlay, report")
+         "html, normal, depth, part, occlusion, preview, overlay, report")
       ->delimiter(',')
       ->check(CLI::IsMember({"glb", "obj", "ply", "stl", "3mf", "usdz", "html", "normal", "depth",
-                             "part", "preview", "overlay", "report"}));
+                             "part", "occlusion", "preview", "overlay", "report"}));
   add_work(app, batch);
   CLI::App& group = *app.add_option_group(choices_group);
   group.add_option("--timeout", choices.common.timeout, "Give up a drawing after so many seconds")

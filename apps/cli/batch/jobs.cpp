@@ -102,7 +102,7 @@ std::vector<std::string> output_words(const BatchArguments& batch, const std::st
       words.insert(words.end(), {"--preview-size", std::to_string(sheet_size)});
   }
   for (const std::string& what : batch.make) {
-    if (what == "normal" || what == "depth" || what == "part") {
+    if (what == "normal" || what == "depth" || what == "part" || what == "occlusion") {
       words.push_back("--" + what + "-map");
       words.push_back(stem + "-" + what + ".png");
     } else if (what == "preview" || what == "overlay") {

@@ -1,0 +1,144 @@
+#include "apps/cli/sequence/frame_maps.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace relievo::cli {
+namespace {
+
+constexpr int still_colour = 2;
+constexpr double still_px = 0.5;
+
+/// The pixels of the old picture that one of the new covers along a side.
+std::pair<int, int> covered(int i, int old_side, int new_side) {
+  const int from = static_cast<int>(static_cast<int64_t>(i) * old_side / new_side);
+  const int to = static_cast<int>(static_cast<int64_t>(i + 1) * old_side / new_side);
+  return {from, std::max(to, from + 1)};
+}
+
+bool same_shape(const Ring& a, const Ring& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](Point2 p, Point2 q) { return distance(p, q) <= still_px; });
+}
+
+/// Whether each part is the same in both frames.
+std::map<int, bool> parts_at_rest(const FrameMaps& a, const FrameMaps& b) {
+  std::map<int, bool> rests;
+  for (const auto& [number, outline] : a.outlines) {
+    const auto other = b.outlines.find(number);
+    rests[number] = other != b.outlines.end() &&
+                    std::equal(outline.begin(), outline.end(), other->second.begin(),
+                               other->second.end(), same_shape);
+  }
+  return rests;
+}
+
+bool same_colour(const FrameMaps& a, const FrameMaps& b, size_t i) {
+  for (size_t c = 4 * i; c < 4 * i + 4; ++c)
+    if (std::abs(a.colour.pixels[c] - b.colour.pixels[c]) > still_colour) return false;
+  return true;
+}
+
+}  // namespace
+
+FrameMaps blank_maps(const std::string& name, ImageSize size) {
+  const auto [w, h] = size;
+  const float nothing = std::numeric_limits<float>::quiet_NaN();
+  FrameMaps maps{name,
+                 Image8(w, h, 4),
+                 Image8(w, h, 3, 128),
+                 Image8(w, h, 1, 255),
+                 ImageF(w, h, 1, nothing),
+                 Image<int32_t>(w, h, 1, -1),
+                 {}};
+  for (size_t i = 2; i < maps.normal.pixels.size(); i += 3) maps.normal.pixels[i] = 255;
+  return maps;
+}
+
+Image8 resized(const Image8& rgba, ImageSize size) {
+  Image8 out(size.width, size.height, 4);
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) {
+      const auto [top, bottom] = covered(y, rgba.height, size.height);
+      const auto [left, right] = covered(x, rgba.width, size.width);
+      std::array<int64_t, 4> sum{};
+      for (int v = top; v < bottom; ++v)
+        for (int u = left; u < right; ++u) {
+          const int alpha = rgba.at(u, v, 3);
+          for (int c = 0; c < 3; ++c) sum[c] += int64_t{alpha} * rgba.at(u, v, c);
+          sum[3] += alpha;
+        }
+      if (sum[3] == 0) continue;
+      const int64_t count = int64_t{bottom - top} * (right - left);
+      for (int c = 0; c < 3; ++c)
+        out.at(x, y, c) = static_cast<uint8_t>((sum[c] + sum[3] / 2) / sum[3]);
+      out.at(x, y, 3) = static_cast<uint8_t>((sum[3] + count / 2) / count);
+    }
+  return out;
+}
+
+int PartNumbers::number_of(const std::string& name) {
+  const auto at = std::find(names_.begin(), names_.end(), name);
+  if (at == names_.end()) names_.push_back(name);
+  return static_cast<int>(std::find(names_.begin(), names_.end(), name) - names_.begin());
+}
+
+std::vector<int> PartNumbers::by_name(const Scene& scene) {
+  std::vector<int> number;
+  for (const Part& part : scene.parts) number.push_back(number_of(part.id));
+  return number;
+}
+
+std::vector<int> PartNumbers::by_place(const Scene& scene, const Image<int32_t>& part) {
+  std::map<std::pair<int, int>, int> common;
+  for (size_t i = 0; i < part.pixels.size() && !last_.empty(); ++i)
+    if (part.pixels[i] >= 0 && last_.pixels[i] >= 0) ++common[{part.pixels[i], last_.pixels[i]}];
+  std::vector<std::tuple<int, int, int>> most;  // less pixels, part, number
+  for (const auto& [pair, pixels] : common) most.emplace_back(-pixels, pair.first, pair.second);
+  std::sort(most.begin(), most.end());
+  std::vector<int> number(scene.parts.size(), -1);
+  std::vector<bool> taken(names_.size(), false);
+  for (const auto& [pixels, one, before] : most) {
+    if (number[one] >= 0 || taken[before]) continue;
+    number[one] = before;
+    taken[before] = true;
+  }
+  for (int& one : number)
+    if (one < 0) one = number_of("part-" + std::to_string(names_.size() + 1));
+  return number;
+}
+
+std::vector<int> PartNumbers::renumber(const Scene& scene, bool flat, Image<int32_t>& part) {
+  std::vector<int> number = flat ? by_place(scene, part) : by_name(scene);
+  for (int32_t& pixel : part.pixels)
+    if (pixel >= 0) pixel = number[pixel];
+  last_ = part;
+  return number;
+}
+
+Flicker measure_flicker(const FrameMaps& before, const FrameMaps& after, const HeightRange& range) {
+  std::map<int, bool> at_rest = parts_at_rest(before, after);
+  std::vector<double> changes;
+  size_t figure = 0;
+  for (size_t i = 0; i < before.height.pixels.size(); ++i) {
+    const int part = before.part.pixels[i];
+    figure += part >= 0 ? 1 : 0;
+    if (part < 0 || part != after.part.pixels[i] || !at_rest[part]) continue;
+    if (!same_colour(before, after, i)) continue;
+    const double change = std::abs(static_cast<double>(after.height.pixels[i]) -
+                                   static_cast<double>(before.height.pixels[i]));
+    changes.push_back(range.high > range.low ? change / (range.high - range.low) : 0);
+  }
+  if (changes.empty()) return {};
+  std::sort(changes.begin(), changes.end());
+  return {static_cast<double>(changes.size()) / static_cast<double>(figure),
+          changes[changes.size() / 2], changes[changes.size() * 99 / 100], changes.back()};
+}
+
+}  // namespace relievo::cli

@@ -1,0 +1,279 @@
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "apps/cli/commands.h"
+#include "apps/cli/cue_argument.h"
+#include "apps/cli/messages.h"
+#include "apps/cli/outputs.h"
+#include "apps/cli/reconstruct.h"
+#include "apps/cli/sequence/frame_maps.h"
+#include "apps/cli/sequence/frames.h"
+#include "io/image/png_encode.h"
+#include "relief/model/ambient_occlusion.h"
+#include "relief/pipeline/relief_session.h"
+
+namespace relievo::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using OrderedJson = nlohmann::ordered_json;
+
+/// Of all frames together.
+constexpr size_t max_pixels = size_t{1} << 27;
+
+bool wants(const SequenceArguments& sequence, const char* kind) {
+  return std::find(sequence.make.begin(), sequence.make.end(), kind) != sequence.make.end();
+}
+
+/// Makes the maps of one frame after the other, each from where the one before ended.
+class Animator {
+ public:
+  explicit Animator(const SequenceArguments& sequence) : sequence_(sequence) {}
+
+  Status add(const Frame& frame, SceneInput input, ImageSize size, const RunContext& context) {
+    auto options = settle_options(input.scene, sequence_.relief);
+    if (!options) return options.error();
+    options->hidden = false;
+    if (edge_length_ > 0) options->layers.edge_length = edge_length_;
+    if (Status s = session_.update(input.scene, *options, context); !s) return s;
+    const Relief& relief = session_.relief();
+    edge_length_ = relief.layers.edge_length;
+    for (const std::string& warning : relief.layers.warnings) warn(frame, warning);
+    for (const std::string& warning : input.warnings) warn(frame, warning);
+    auto maps = rasterize_relief(relief.layers, relief.inflation, relief.ordering, input.scene,
+                                 size.width, size.height, context);
+    if (!maps) return maps.error();
+    FrameMaps& made = frames_.emplace_back();
+    made.name = frame.name;
+    made.normal = normal_image(*maps, sequence_.normal_y_down ? GreenAxis::down : GreenAxis::up);
+    if (wants(sequence_, "occlusion"))
+      made.occlusion = share_image(ambient_occlusion(*maps, input.scene.width / size.width));
+    made.colour = input.drawing.rgba.empty() ? Image8(size.width, size.height, 4)
+                                             : resized(input.drawing.rgba, size);
+    const std::vector<int> number = numbers_.renumber(input.scene, frame.flat, maps->part);
+    for (size_t p = 0; p < number.size(); ++p)
+      made.outlines[number[p]] = std::move(input.scene.parts[p].outline);
+    made.part = std::move(maps->part);
+    made.height = std::move(maps->height);
+    range_.add(made.height);
+    return Done{};
+  }
+
+  void add_blank(const Frame& frame, ImageSize size) {
+    frames_.push_back(blank_maps(frame.name, size));
+  }
+
+  const std::vector<FrameMaps>& frames() const { return frames_; }
+  const HeightRange& range() const { return range_; }
+  const PartNumbers& numbers() const { return numbers_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  void warn(const Frame& frame, const std::string& text) {
+    warnings_.push_back(frame.name + ": " + text);
+  }
+
+  const SequenceArguments& sequence_;
+  ReliefSession session_;
+  double edge_length_ = 0;
+  PartNumbers numbers_;
+  HeightRange range_;
+  std::vector<FrameMaps> frames_;
+  std::vector<std::string> warnings_;
+};
+
+/// A picture of a kind: 8 bits, or 16 for depth and parts.
+using Picture = std::variant<Image8, Image16>;
+
+Result<Picture> picture_of(const FrameMaps& frame, const std::string& kind,
+                           const DepthScale& depth) {
+  if (kind == "colour") return Picture(frame.colour);
+  if (kind == "normal") return Picture(frame.normal);
+  if (kind == "occlusion") return Picture(frame.occlusion);
+  if (kind == "depth") return Picture(depth_image(frame.height, depth));
+  auto part = part_image(frame.part);
+  if (!part) return part.error();
+  return Picture(std::move(*part));
+}
+
+Result<Bytes> encode(const Picture& picture, const std::string& kind, const DepthScale& depth) {
+  if (const auto* small = std::get_if<Image8>(&picture)) return encode_png(*small);
+  const auto& large = std::get<Image16>(picture);
+  return kind == "depth" ? encode_depth_image(large, depth) : encode_png(large);
+}
+
+/// A sheet of a kind on which nothing lies yet.
+Picture empty_sheet(const std::string& kind, ImageSize size) {
+  const FrameMaps blank = blank_maps("", size);
+  if (kind == "colour") return blank.colour;
+  if (kind == "normal") return blank.normal;
+  if (kind == "occlusion") return blank.occlusion;
+  return Image16(size.width, size.height, 1);
+}
+
+/// All frames of a kind on one sheet.
+Result<Picture> sheet_of(const std::vector<FrameMaps>& frames, const std::string& kind,
+                         const DepthScale& depth, const Frames& layout) {
+  Picture sheet = empty_sheet(kind, layout.sheet_size);
+  for (size_t i = 0; i < frames.size(); ++i) {
+    const auto picture = picture_of(frames[i], kind, depth);
+    if (!picture) return picture.error();
+    std::visit(
+        [&](auto& whole) {
+          put_sprite(std::get<std::decay_t<decltype(whole)>>(*picture), layout.sheet->sprites[i],
+                     whole);
+        },
+        sheet);
+  }
+  return sheet;
+}
+
+OrderedJson report_of(const Animator& animator, const DepthScale& depth) {
+  OrderedJson json;
+  json["format"] = "relievo-sequence";
+  json["version"] = 1;
+  json["height_scale"] = depth.scale;
+  json["height_offset"] = depth.offset;
+  json["parts"] = animator.numbers().names();
+  json["frames"] = OrderedJson::array();
+  const std::vector<FrameMaps>& frames = animator.frames();
+  for (size_t i = 0; i < frames.size(); ++i) {
+    OrderedJson frame{{"name", frames[i].name}};
+    if (i > 0) {
+      const Flicker flicker = measure_flicker(frames[i - 1], frames[i], animator.range());
+      frame["still"] = flicker.still;
+      frame["change"] = {
+          {"median", flicker.median}, {"most99", flicker.most99}, {"most", flicker.most}};
+    }
+    json["frames"].push_back(std::move(frame));
+  }
+  return json;
+}
+
+Bytes bytes_of_text(const std::string& text) { return Bytes(text.begin(), text.end()); }
+
+/// Where the frames lie on their sheet: as they came, or in the columns that are asked for.
+void lay_out(const SequenceArguments& sequence, ImageSize size, Frames& frames) {
+  if (frames.sheet || sequence.columns == 0) return;
+  const int count = static_cast<int>(frames.frames.size());
+  frames.sheet = grid_sheet(size, sequence.columns, count);
+  for (int i = 0; i < count; ++i) frames.sheet->sprites[i].name = frames.frames[i].name;
+  frames.sheet->picture = "sheet-colour.png";
+  frames.sheet_size = extent(*frames.sheet);
+}
+
+std::string sheet_name(const SequenceArguments& sequence, const Frames& frames) {
+  return sequence.columns > 0 ? "sheet" : fs::path(frames.sheet->picture).stem().string();
+}
+
+Result<std::vector<OutputFile>> encode_all(const SequenceArguments& sequence,
+                                           const Animator& animator, const Frames& frames) {
+  const fs::path folder = sequence.output;
+  const DepthScale depth = depth_scale(animator.range());
+  std::vector<OutputFile> files;
+  const auto add = [&](const Result<Picture>& picture, const std::string& name,
+                       const std::string& kind) -> Status {
+    if (!picture) return picture.error();
+    auto bytes = encode(*picture, kind, depth);
+    if (!bytes) return bytes.error();
+    files.push_back({folder / (name + "-" + kind + ".png"), std::move(*bytes)});
+    return Done{};
+  };
+  for (const std::string& kind : sequence.make) {
+    if (frames.sheet) {
+      if (Status s = add(sheet_of(animator.frames(), kind, depth, frames),
+                         sheet_name(sequence, frames), kind);
+          !s)
+        return s.error();
+      continue;
+    }
+    for (const FrameMaps& frame : animator.frames())
+      if (Status s = add(picture_of(frame, kind, depth), frame.name, kind); !s) return s.error();
+  }
+  if (sequence.columns > 0)
+    files.push_back({folder / "sheet.json",
+                     bytes_of_text(write_sprite_sheet(*frames.sheet, frames.sheet_size))});
+  files.push_back(
+      {folder / "sequence.json", bytes_of_text(report_of(animator, depth).dump(1) + "\n")});
+  return files;
+}
+
+/// Size of the maps of a frame: that of the sprite, or fitted to the canvas, which is the same for
+/// all drawings.
+struct Canvas {
+  double width = 0;
+  double height = 0;
+};
+
+Status check_canvas(const Scene& scene, const Frame& frame, Canvas& canvas) {
+  if (canvas.width == 0) canvas = {scene.width, scene.height};
+  if (canvas.width == scene.width && canvas.height == scene.height) return Done{};
+  return Error{ErrorCode::bad_input, "has another size than the first frame", frame.name};
+}
+
+Status animate(const SequenceArguments& sequence, Frames& frames, Animator& animator,
+               const RunContext& context) {
+  Canvas canvas;
+  size_t pixels = 0;
+  for (size_t i = 0; i < frames.frames.size(); ++i) {
+    const Frame& frame = frames.frames[i];
+    if (context.cancelled()) return interrupted_error();
+    ImageSize size = frames.sheet ? frames.sheet->sprites[i].whole : ImageSize{};
+    std::optional<SceneInput> input;
+    if (!frame.empty) {
+      auto loaded = frame.load(context);
+      if (!loaded) return loaded.error();
+      input = std::move(*loaded);
+    }
+    if (input && !frames.sheet) {
+      if (Status s = check_canvas(input->scene, frame, canvas); !s) return s;
+      size = fitted_size(canvas.width, canvas.height, sequence.map_size);
+    }
+    pixels += static_cast<size_t>(size.width) * size.height;
+    if (pixels > max_pixels)
+      return Error{ErrorCode::limit,
+                   "the maps of all frames have too many pixels; make fewer "
+                   "frames or smaller ones at a time",
+                   "--map-size"};
+    if (!input) {
+      animator.add_blank(frame, size);
+      continue;
+    }
+    if (Status s = animator.add(frame, std::move(*input), size, context); !s) {
+      Error error = s.error();
+      error.where = frame.name + (error.where.empty() ? "" : ": " + error.where);
+      return error;
+    }
+  }
+  lay_out(sequence, fitted_size(canvas.width, canvas.height, sequence.map_size), frames);
+  return Done{};
+}
+
+}  // namespace
+
+Status run_sequence(const SequenceArguments& sequence, Interruption& interruption) {
+  const bool quiet = sequence.common.quiet;
+  auto frames = collect_frames(sequence);
+  if (!frames) return frames.error();
+  std::optional<Progress> progress(quiet);
+  RunContext context{interruption.flag()};
+  progress->watch(context);
+  Animator animator(sequence);
+  if (Status s = animate(sequence, *frames, animator, context); !s) return s;
+  progress.reset();
+  const auto files = encode_all(sequence, animator, *frames);
+  if (!files) return files.error();
+  std::error_code code;
+  fs::create_directories(sequence.output, code);
+  if (code) return Error{ErrorCode::file, "cannot be made: " + code.message(), sequence.output};
+  if (Status s = save(*files, frames->files, interruption); !s) return s;
+  print_warnings(animator.warnings(), quiet);
+  for (const OutputFile& file : *files) print_result(file.path.string(), quiet);
+  return Done{};
+}
+
+}  // namespace relievo::cli
