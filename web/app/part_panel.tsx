@@ -7,6 +7,7 @@ import { t } from './catalogue';
 import { ColorChoice } from './color_choice';
 import type { Editor } from './editor';
 import { Icon } from './icons';
+import { NameField } from './name_field';
 import { Slider } from './slider';
 import { useStore } from './store';
 
@@ -61,7 +62,7 @@ export function PartPanel({ editor }: { editor: Editor }) {
   return (
     <div class="card part-panel">
       <div class="row">
-        <input class="title" aria-label={t('rename')} value={part.id} maxLength={60} onChange={(event) => rename(event.currentTarget.value)} />
+        <NameField key={part.id} label={t('rename')} name={part.id} most={60} rename={rename} />
         <button type="button" class="bare" title={`${t('nearer')} (Page Up)`} aria-label={t('nearer')} onClick={() => editor.edit('order', movePart(document, part.id, index + 1))}>
           <Icon name="up" />
         </button>

@@ -26,6 +26,7 @@ import { KeysPanel } from './keys_panel';
 import { ModelPane } from './model_pane';
 import { type PaperControl, PaperPane } from './paper_pane';
 import { PaperPixels } from './paper_pixels';
+import { NameField } from './name_field';
 import { PaintBar } from './paint_bar';
 import { PartCount } from './part_count';
 import { PartList } from './part_list';
@@ -108,22 +109,18 @@ function scribbleHostOf(editor: Editor, segments: SegmentControl): ScribbleHost 
 }
 
 function TopBar({ editor, files, segments, choose }: Pick<WorkspaceProps, 'editor' | 'files' | 'segments' | 'choose'>) {
-  const { history, panel, saved, sideOpen } = useStore(editor);
+  const { history, panel, saved, shelf, sideOpen } = useStore(editor);
   const toggle = (name: EditorState['panel']): void => editor.set({ panel: panel === name ? 'none' : name });
-  const rename = (input: HTMLInputElement): void => {
+  const rename = (wanted: string): void => {
     const { document } = editor;
-    const name = input.value.trim();
-    if (name === '') input.value = document.name;
-    else if (name !== document.name) editor.edit('rename', { ...document, name });
+    const name = wanted.trim();
+    if (name !== '' && name !== document.name) editor.edit('rename', { ...document, name });
   };
   const savedText = { yes: t('saved'), no: t('notSaved'), failed: t('saveFailed') }[saved];
   return (
     <header class="top">
       <button type="button" class="bare brand" title={t('new')} onClick={() => editor.set({ open: false })}>{t('title')}</button>
-      <input
-        class="title document-name" aria-label={t('documentName')} value={history.document.name} maxLength={80}
-        onChange={(event) => rename(event.currentTarget)}
-      />
+      <NameField key={shelf?.id ?? ''} kind="document-name" label={t('documentName')} name={history.document.name} most={80} rename={rename} />
       <span class={`saved ${saved}`} title={savedText}><span class="hidden">{savedText}</span></span>
       <span class="gap" />
       <button type="button" class="bare" id="undo" disabled={history.done.length === 0} title={`${t('undo')} (Ctrl Z)`} aria-label={t('undo')} onClick={() => segments.forgetWishes() || editor.undo()}><Icon name="undo" /></button>
