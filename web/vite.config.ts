@@ -7,6 +7,11 @@ const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url
 /** The core as the wasm preset builds it. */
 const core = at('../build/wasm/bindings/wasm');
 
+const journeys = ['tests/journeys/**/*.test.ts'];
+/** Journeys that measure the page, with nothing beside them. */
+const measured = ['heap', 'responsive'].map((name) => `tests/journeys/${name}.test.ts`);
+const journey = { retry: 1, testTimeout: 120_000, hookTimeout: 120_000 };
+
 export default defineConfig({
   base: './',
   plugins: [contentPolicy(), offlineCopy()],
@@ -29,13 +34,11 @@ export default defineConfig({
       },
       {
         extends: true,
-        test: {
-          name: 'journeys', retry: 1,
-          include: ['tests/journeys/**/*.test.ts'],
-          testTimeout: 120_000,
-          hookTimeout: 120_000,
-          fileParallelism: false,
-        },
+        test: { ...journey, name: 'journeys', include: journeys, exclude: measured, maxWorkers: 2, sequence: { groupOrder: 1 } },
+      },
+      {
+        extends: true,
+        test: { ...journey, name: 'measured', include: measured, fileParallelism: false, sequence: { groupOrder: 2 } },
       },
     ],
   },

@@ -3,7 +3,7 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { disc } from '../support/pictures.ts';
 import { downloaded, pageView, type Spot } from './actions.ts';
-import { openStage, closeStage, picture, settled, stageOfFile } from './browser.ts';
+import { closeStage, openStage, picture, settled, stageOfFile, stillPicture } from './browser.ts';
 
 const stage = stageOfFile({ anew: true });
 const file = { name: 'disc.png', mimeType: 'image/png', buffer: Buffer.from(disc(400, 140, [200, 80, 60])) };
@@ -93,13 +93,11 @@ it('goes from a flat picture to a print by touch alone, on a phone', async () =>
     await touch('touchEnd', []);
     await page.waitForSelector('.stroke-list li', { state: 'attached' });
     await settled(page);
-    await page.waitForTimeout(800);
-    await picture(page, 'phone-paper');
+    await stillPicture(page, 'phone-paper');
     await tap('.model .swap');
     await page.waitForSelector('.workspace[data-pane=model]');
     await tap('#light');
-    await page.waitForTimeout(800);
-    await picture(page, 'phone-model');
+    await stillPicture(page, 'phone-model');
     await tap('#side');
     await page.waitForSelector('.parts li');
     await tap('.parts li');
@@ -114,8 +112,7 @@ it('goes from a flat picture to a print by touch alone, on a phone', async () =>
     await tap('#print');
     await tap('[data-kind=figure]');
     await page.waitForSelector('#solid-facts');
-    await page.waitForTimeout(1500);
-    await picture(page, 'phone-print');
+    await stillPicture(page, 'phone-print');
     expectPrint(await downloaded(page, () => tap('[data-solid="3mf"]'), 'touch.3mf'));
     expect(phone.troubles).toEqual([]);
   } finally {

@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { type BrowserContext, chromium, type Page } from 'playwright-core';
 import { preview, type PreviewServer } from 'vite';
-import { afterAll, beforeAll, beforeEach } from 'vitest';
+import { afterAll, beforeAll, beforeEach, expect } from 'vitest';
 
 const web = fileURLToPath(new URL('../..', import.meta.url));
 
@@ -119,4 +119,24 @@ export async function settled(page: Page): Promise<void> {
 
 export async function picture(page: Page, name: string): Promise<void> {
   await page.screenshot({ path: join(pictures, `${name}.png`) });
+}
+
+/** A picture once nothing moves any more: the relief is drawn by a worker, when that gets to it. */
+export async function stillPicture(page: Page, name: string): Promise<void> {
+  let before = await page.screenshot();
+  for (let tries = 0; tries < 20; tries++) {
+    await page.waitForTimeout(150);
+    const now = await page.screenshot();
+    if (now.equals(before)) break;
+    before = now;
+  }
+  await picture(page, name);
+}
+
+/** Does something and waits until the relief looks different. */
+export async function changedRelief(page: Page, act: () => Promise<void>): Promise<void> {
+  const canvas = page.locator('.model canvas');
+  const before = await canvas.screenshot();
+  await act();
+  await expect.poll(async () => (await canvas.screenshot()).equals(before), { timeout: 15_000 }).toBe(false);
 }

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { gesture, names, oval, type Spot } from './actions.ts';
-import { picture, settled, stageOfFile } from './browser.ts';
+import { picture, settled, stageOfFile, stillPicture } from './browser.ts';
 
 const stage = stageOfFile({ anew: false });
 
@@ -38,8 +38,7 @@ it('leans the page into depth while the key is held', async () => {
   await page.keyboard.down('v');
   await page.mouse.move(120, 420);
   await page.waitForSelector('canvas.peek.shown');
-  await page.waitForTimeout(500);
-  await picture(page, 'peek');
+  await stillPicture(page, 'peek');
   await page.keyboard.up('v');
   await page.waitForFunction(() => !document.querySelector('canvas.peek.shown, canvas.peek.leaving'));
   expect(stage.troubles).toEqual([]);

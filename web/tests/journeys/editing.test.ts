@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { choosePart, gesture, names, outlineOf, oval, pageView, sample, save } from './actions.ts';
-import { picture, settled, stageOfFile } from './browser.ts';
+import { picture, settled, stageOfFile, stillPicture } from './browser.ts';
 
 const stage = stageOfFile({ anew: true });
 
@@ -127,13 +127,29 @@ it('names the culprit of what cannot be built, and keeps the last good relief', 
   await page.mouse.move(...at([704, 450]));
   await page.mouse.up();
   await page.waitForSelector('.trouble');
-  await page.waitForTimeout(700);
-  await picture(page, 'trouble');
+  await stillPicture(page, 'trouble');
   expect(await page.locator('.parts li.culprit .name').innerText()).toBe('part 2');
   expect(await page.locator('.trouble').innerText()).toContain('join');
   expect(await page.locator('.numbers').getAttribute('data-nodes')).toBe(nodes);
   await page.keyboard.press('Control+z');
   await settled(page);
   expect(await page.locator('.trouble').count()).toBe(0);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('keeps a name that is being typed while the relief is made', async () => {
+  const { page } = stage;
+  await sample(page, 'lamb');
+  await choosePart(page, 'body');
+  await page.locator('.slider input').first().fill('5');
+  const field = page.locator('.part-panel input.title');
+  await field.fill('belly');
+  await settled(page);
+  expect(await field.inputValue()).toBe('belly');
+  await field.blur();
+  expect(await names(page)).toContain('belly');
+  await page.locator('.document-name').fill('');
+  await page.locator('.document-name').blur();
+  expect(await page.locator('.document-name').inputValue()).toBe('lamb');
   expect(stage.troubles).toEqual([]);
 });

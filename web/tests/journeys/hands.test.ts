@@ -1,7 +1,7 @@
 import type { CDPSession } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { gesture, names, oval, pageView, sample, type Spot } from './actions.ts';
-import { picture, settled, stageOfFile } from './browser.ts';
+import { changedRelief, settled, stageOfFile, stillPicture } from './browser.ts';
 
 const stage = stageOfFile({ anew: true });
 
@@ -95,8 +95,7 @@ it('pinches with two fingers, and draws with one', async () => {
   await page.waitForSelector('.parts li', { state: 'attached' });
   expect((await names(page)).length).toBe(1);
   await settled(page);
-  await page.waitForTimeout(1000);
-  await picture(page, 'phone');
+  await stillPicture(page, 'phone');
   const before = await paperBox();
   const [x, y] = (await pageView(page)).at([500, 400]);
   await touch(session, 'touchStart', [[x - 30, y], [x + 30, y]]);
@@ -139,12 +138,8 @@ it('orders by dragging in the list and by Page Up, Page Down, Home and End', asy
 it('turns the relief by arrow keys', async () => {
   const { page } = stage;
   await sample(page, 'lamb');
-  const canvas = page.locator('.model canvas');
-  const before = await canvas.screenshot();
-  await canvas.focus();
-  await page.keyboard.press('ArrowRight');
-  await page.waitForTimeout(1000);
-  expect((await canvas.screenshot()).equals(before)).toBe(false);
+  await page.locator('.model canvas').focus();
+  await changedRelief(page, () => page.keyboard.press('ArrowRight'));
   expect(stage.troubles).toEqual([]);
 });
 

@@ -2,7 +2,7 @@ import { unzipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { gesture, names, oval, pageView, sample, save, type Spot } from './actions.ts';
-import { picture, settled, stageOfFile } from './browser.ts';
+import { picture, settled, stageOfFile, stillPicture } from './browser.ts';
 
 const stage = stageOfFile({ anew: true });
 
@@ -49,8 +49,7 @@ it('puts eyes by a tap and a stroke, glued to the part below', async () => {
   expect((await head(page)).settings).toMatchObject({ inkColor: '#204080', inkWidth: 3 });
   await page.keyboard.press('Escape');
   await settled(page);
-  await page.waitForTimeout(1000);
-  await picture(page, 'eyes');
+  await stillPicture(page, 'eyes');
   expect(stage.troubles).toEqual([]);
 });
 
@@ -75,8 +74,7 @@ it('paints on the drawing and on the relief, rubs out, undoes, and keeps it in t
   await page.mouse.down();
   await page.mouse.move(middle[0] + 60, middle[1] + 20, { steps: 8 });
   await page.mouse.up();
-  await page.waitForTimeout(1000);
-  await picture(page, 'paint-relief');
+  await stillPicture(page, 'paint-relief');
   const painted = (await head(page)).paint ?? [];
   expect(painted.map(({ color, width }) => [color, width])).toEqual([['#e27d8a', 30], ['#8fb8de', 30]]);
   for (const [x, y] of painted[1]!.points) {

@@ -2,7 +2,7 @@ import { unzipSync } from 'fflate';
 import type { Page } from 'playwright-core';
 import { beforeEach, expect, it } from 'vitest';
 import { downloaded, sample } from './actions.ts';
-import { picture, settled, stageOfFile } from './browser.ts';
+import { picture, settled, stageOfFile, stillPicture } from './browser.ts';
 
 const stage = stageOfFile({ anew: true });
 
@@ -20,8 +20,7 @@ async function facts(page: Page, before = ''): Promise<{ text: string; numbers: 
 
 /** After the processor has drawn the model. */
 async function drawnPicture(page: Page, name: string): Promise<void> {
-  await page.waitForTimeout(1500);
-  await picture(page, name);
+  await stillPicture(page, name);
 }
 
 async function openPrint(page: Page): Promise<void> {

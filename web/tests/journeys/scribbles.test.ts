@@ -5,7 +5,7 @@ import { expect, it } from 'vitest';
 import { relievo, root } from '../support/command_line.ts';
 import { pngOf } from '../support/pictures.ts';
 import { choosePart, downloaded, gesture, names, pageView, save, type Spot } from './actions.ts';
-import { picture, pictures, reopen, settled, stageOfFile } from './browser.ts';
+import { picture, pictures, reopen, settled, stageOfFile, stillPicture } from './browser.ts';
 
 const bear: Spot = [900, 1000];
 
@@ -245,10 +245,10 @@ it('completes what a new order hides, as a part of the same step', async () => {
   const before = sceneOf(await save(page, 'bear-before.relievo'));
   await choosePart(page, (await names(page)).at(-1)!);
   await page.keyboard.press('Home');
-  await page.waitForTimeout(2000);
-  await settled(page);
-  await picture(page, 'scribble-reordered');
+  // What is saved waits until all is understood.
   const after = sceneOf(await save(page, 'bear-after.relievo'));
+  await settled(page);
+  await stillPicture(page, 'scribble-reordered');
   const front = after.parts.at(-1)!.id;
   expect(front).toBe(before.parts[0]!.id);
   const outline = (scene: Scene, id: string): string => JSON.stringify(scene.parts.find((part) => part.id === id));
@@ -256,7 +256,6 @@ it('completes what a new order hides, as a part of the same step', async () => {
   await page.keyboard.press('Control+z');
   expect(sceneOf(await save(page, 'bear-back.relievo'))).toEqual(before);
   await page.keyboard.press('Control+Shift+z');
-  await page.waitForTimeout(2000);
   expect(sceneOf(await save(page, 'bear-forth.relievo'))).toEqual(after);
   expect(stage.troubles).toEqual([]);
 });

@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { disc } from '../support/pictures.ts';
 import { randomNumbers } from '../unit/random.ts';
 import { choosePart, dash, fewVertices, names, oval, pageView, type Spot } from './actions.ts';
-import { picture, settled, stageOfFile } from './browser.ts';
+import { picture, settled, stageOfFile, stillPicture } from './browser.ts';
 import { shelfOf } from './storage.ts';
 
 const stage = stageOfFile({ anew: true });
@@ -112,8 +112,7 @@ it('makes an animal of twelve gestures, all of it joined', async () => {
   await settled(page);
   // Nothing is chosen, and the texture has arrived.
   await page.keyboard.press('Escape');
-  await page.waitForTimeout(1500);
-  await picture(page, 'animal');
+  await stillPicture(page, 'animal');
   expect(stage.troubles).toEqual([]);
 });
 
@@ -171,8 +170,7 @@ it('swells while the pen is down, and goes back when the stroke is left', async 
   for (const spot of spots.slice(1, 22)) await page.mouse.move(...at(spot), { steps: 2 });
   await page.waitForFunction(() => Number(document.querySelector<HTMLElement>('.numbers')?.dataset['nodes']) > 500);
   expect((await state(page)).parts).toBe(0);
-  await page.waitForTimeout(300);
-  await picture(page, 'swelling');
+  await stillPicture(page, 'swelling');
   await page.keyboard.press('Escape');
   await page.mouse.up();
   await page.waitForFunction(() => document.querySelector<HTMLElement>('.numbers')?.dataset['nodes'] === '0');
@@ -212,8 +210,7 @@ it('colours a part by a swatch, with the limbs that are one surface with it', as
   await page.keyboard.press('Escape');
   await page.waitForTimeout(500);
   for (const spot of [[620, 400], [445, 640]] as Spot[]) expect(await pixel(spot)).toEqual([0x85, 0xb7, 0x9d]);
-  await page.waitForTimeout(1000);
-  await picture(page, 'coloured');
+  await stillPicture(page, 'coloured');
   expect(stage.troubles).toEqual([]);
 });
 
@@ -231,8 +228,7 @@ it('folds a part to a ridge by a line on it, and takes that back', async () => {
   await stroke(page, [[300, 400], [400, 398], [500, 400], [600, 402], [700, 400]], at);
   await page.waitForSelector('[data-cue=clear]');
   await settled(page);
-  await page.waitForTimeout(1200);
-  await picture(page, 'cue');
+  await stillPicture(page, 'cue');
   expect((await state(page)).notice).toBe('');
   expect(await page.locator('.trouble').count()).toBe(0);
   await page.click('[data-cue=clear]');
