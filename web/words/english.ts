@@ -27,7 +27,7 @@ export const english = {
   range: 'Soft range',
   hand: 'Hand',
   hintSelect: 'Click a part. Drag the round ends of joins and ranges, or a part that you drew. Alt-click reaches the part below.',
-  hintJoin: 'Draw a line across the root of a part: it becomes one surface with the part below. Tap a dashed suggestion to take it, a join to undo it.',
+  hintJoin: 'Draw a line across the root of a part: it becomes one surface with the part below. A tap takes a suggestion or undoes a join.',
   hintOrder: 'Tap the nearer part, or drag from it to the farther one.',
   hintRange: 'Click where the outline should be soft, then where it should be firm again.',
   hintHand: 'Drag the page. Space does the same with any tool; the wheel with Ctrl zooms.',

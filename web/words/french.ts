@@ -28,7 +28,7 @@ export const french: Words = {
   range: 'Bord doux',
   hand: 'Main',
   hintSelect: 'Cliquez une partie. Tirez les bouts ronds des jonctions et des bords, ou une partie dessinée. Alt-clic : la partie dessous.',
-  hintJoin: 'Tracez une ligne en travers de la racine d’une partie : elle fait une surface avec celle du dessous. Touchez une suggestion en pointillé pour la prendre, une jonction pour la défaire.',
+  hintJoin: 'Tracez une ligne en travers de la racine d’une partie pour l’unir à celle du dessous. Touchez une suggestion ou une jonction.',
   hintOrder: 'Touchez la partie la plus proche, ou tirez d’elle vers la plus lointaine.',
   hintRange: 'Cliquez là où le contour doit être doux, puis là où il redevient ferme.',
   hintHand: 'Tirez la page. La barre d’espace fait de même avec tout outil ; la molette avec Ctrl agrandit.',

@@ -28,7 +28,7 @@ export const german: Words = {
   range: 'Weicher Bereich',
   hand: 'Hand',
   hintSelect: 'Einen Teil anklicken. Runde Enden von Verbindungen und Bereichen ziehen, oder einen gezeichneten Teil. Alt-Klick erreicht den Teil darunter.',
-  hintJoin: 'Zeichne eine Linie über die Wurzel eines Teils: Er wird eine Fläche mit dem darunter. Tippe einen gestrichelten Vorschlag an, um ihn zu nehmen, eine Verbindung, um sie zu lösen.',
+  hintJoin: 'Zeichne eine Linie über die Wurzel eines Teils: Er wird eins mit dem darunter. Ein Tipp nimmt Vorschläge und löst Verbindungen.',
   hintOrder: 'Tippe den näheren Teil an oder ziehe von ihm zum ferneren.',
   hintRange: 'Anklicken, wo der Umriss weich sein soll, dann, wo er wieder fest ist.',
   hintHand: 'Das Blatt ziehen. Die Leertaste tut das mit jedem Werkzeug; Rad mit Strg vergrößert.',

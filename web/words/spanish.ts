@@ -28,7 +28,7 @@ export const spanish: Words = {
   range: 'Borde suave',
   hand: 'Mano',
   hintSelect: 'Haz clic en una parte. Arrastra los extremos redondos de uniones y bordes, o una parte dibujada. Alt y clic: la de debajo.',
-  hintJoin: 'Traza una línea a través de la raíz de una parte: será una superficie con la de abajo. Toca una sugerencia punteada para aceptarla, una unión para deshacerla.',
+  hintJoin: 'Traza una línea a través de la raíz de una parte para unirla a la de abajo. Toca una sugerencia o una unión.',
   hintOrder: 'Toca la parte más cercana, o arrastra de ella a la más lejana.',
   hintRange: 'Haz clic donde el contorno debe ser suave y luego donde vuelve a ser firme.',
   hintHand: 'Arrastra la página. La barra espaciadora hace lo mismo con cualquier herramienta; la rueda con Ctrl amplía.',
