@@ -33,11 +33,14 @@ cmake --preset "$preset" > /dev/null
 cmake --build "build/$preset" -j "$jobs"
 
 if [ "$preset" = dev ]; then
-  cmake --preset package > /dev/null
-  cmake --build build/package -j "$jobs"
+  scripts/make-packages.sh
+  packed="$PWD/build/package/apps/cli/relievo"
   # Debian's Python, for which the module is built.
-  RELIEVO="$PWD/build/package/apps/cli/relievo" PYTHONPATH="$PWD/build/package/python" \
+  RELIEVO="$packed" PYTHONPATH="$PWD/build/package/python" \
     /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/python
+  tests/packages/packages.sh "$packed"
+  tests/packages/npm.sh "$packed"
+  tests/blender/blender.sh "$packed" "$PWD/build/package/python"
 fi
 
 # The editor: its modules, its engine against the command line, and journeys in a real browser.

@@ -4,7 +4,8 @@
 # build: to compile and run; web: those and for the editor; test: all of these and to test; bench:
 # the first and to measure; python: the first, and for the Python module and its tests; docs: to make
 # pages of the interface; fuzz: the first and to fuzz; figures: the first and to remake the pictures
-# of docs/figures.md; all: those of test and python, a slicer, and a Slurm cluster of one machine
+# of docs/figures.md; all: those of test and python, and for the tests
+# of packages, of printing, of Blender and of a Slurm cluster of one machine
 set -eu
 
 build="ca-certificates ccache cmake g++ libcgal-dev libcli11-dev libeigen3-dev libembree-dev
@@ -16,7 +17,7 @@ test="admesh chromium clang-format clang-tidy coinor-libipopt-dev lib3mf-dev lib
 bench="libbenchmark-dev libopenblas0-pthread libopenblas-pthread-dev libsuitesparse-dev python3"
 figures="imagemagick librsvg2-bin python3 python3-numpy python3-pil"
 python="libpython3-dev mypy pybind11-dev python3 python3-numpy python3-pil python3-pytest"
-all="munge prusa-slicer slurm-client slurmctld slurmd"
+all="blender debootstrap lintian munge prusa-slicer slurm-client slurmctld slurmd"
 
 # Any node serves; Debian's where there is none.
 command -v npm > /dev/null || web="$web nodejs npm"

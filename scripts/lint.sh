@@ -6,7 +6,7 @@ set -eu
 cd "$(dirname "$0")/.."
 find include src apps bindings tests benchmarks examples \( -name '*.h' -o -name '*.cpp' \) -print0 |
   xargs -0 clang-format --dry-run -Werror
-shellcheck run.sh test.sh .ci/run scripts/*.sh scripts/cluster/*.sh tests/cluster/*.sh
+shellcheck run.sh test.sh .ci/run scripts/*.sh scripts/cluster/*.sh tests/*/*.sh
 if [ "${1:-}" = --quick ]; then
   echo "lint: layout and scripts are as they should be"
   exit 0
