@@ -1,0 +1,81 @@
+"""Models as Blender's meshes."""
+
+import os
+import tempfile
+
+import bpy
+import numpy as np
+
+
+def set_mesh(thing, model):
+    """Gives the object the model's triangles in place of its own: texture, normals, a vertex group for
+    each part. The front faces -Y."""
+    mesh = thing.data
+    material = mesh.materials[0] if mesh.materials else None
+    mesh.clear_geometry()
+    x, y, z = model.vertices.T
+    mesh.vertices.add(len(model.vertices))
+    mesh.vertices.foreach_set("co", np.stack([x, -z, y], 1).ravel())
+    corners = model.faces.ravel()
+    mesh.loops.add(len(corners))
+    mesh.loops.foreach_set("vertex_index", corners)
+    mesh.polygons.add(len(model.faces))
+    starts = np.arange(0, len(corners), 3, dtype=np.int32)
+    mesh.polygons.foreach_set("loop_start", starts)
+    if bpy.app.version < (4, 1):
+        mesh.polygons.foreach_set("loop_total", np.full(len(starts), 3, np.int32))
+        mesh.use_auto_smooth = True
+    mesh.polygons.foreach_set("use_smooth", np.ones(len(starts), bool))
+    layer = mesh.uv_layers.new(name="drawing")
+    layer.data.foreach_set("uv", model.uvs[corners].astype(np.float32).ravel())
+    mesh.validate(clean_customdata=False)
+    mesh.update(calc_edges=True)
+    a, b, c = model.normals.T
+    mesh.normals_split_custom_set_from_vertices(np.stack([a, -c, b], 1))
+    set_groups(thing, model.parts)
+    if material is None and model.picture:
+        mesh.materials.append(textured(thing.name, picture_of(thing.name, model.picture)))
+    elif material and model.picture:
+        replace_picture(material, picture_of(thing.name, model.picture))
+
+
+def set_groups(thing, parts):
+    thing.vertex_groups.clear()
+    begin = 0
+    for name, count in parts:
+        thing.vertex_groups.new(name=name).add(list(range(begin, begin + count)), 1.0, "REPLACE")
+        begin += count
+
+
+def picture_of(name, png):
+    """The PNG file as a picture that is packed into the .blend file."""
+    handle, path = tempfile.mkstemp(suffix=".png")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(png)
+        picture = bpy.data.images.load(path)
+        picture.pack()
+    finally:
+        os.unlink(path)
+    picture.name = name
+    return picture
+
+
+def textured(name, picture):
+    material = bpy.data.materials.new(name)
+    material.use_nodes = True
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    texture = nodes.new("ShaderNodeTexImage")
+    texture.image = picture
+    shader = next(node for node in nodes if node.type == "BSDF_PRINCIPLED")
+    shader.inputs["Roughness"].default_value = 0.9
+    links.new(texture.outputs["Color"], shader.inputs["Base Color"])
+    return material
+
+
+def replace_picture(material, picture):
+    for node in material.node_tree.nodes if material.use_nodes else []:
+        if node.type == "TEX_IMAGE":
+            old, node.image = node.image, picture
+            if old and not old.users:
+                bpy.data.images.remove(old)
