@@ -1,12 +1,14 @@
 #include "relief/drawing/propose_regions.h"
 
 #include <algorithm>
+#include <limits>
 #include <queue>
 #include <tuple>
 #include <vector>
 
 #include "relief/drawing/background.h"
 #include "relief/drawing/region_merging.h"
+#include "relief/drawing/see_through.h"
 
 namespace relievo {
 namespace {
@@ -171,6 +173,29 @@ void unite_fragments(RegionMerging& regions, int background) {
   }
 }
 
+/// Where the outline of a limb is drawn through the body, gives what they share to the one whose
+/// colour it has, and of both to the smaller one: the limb is in front.
+void unite_overlaps(RegionMerging& regions, const Basins& basins, int background) {
+  if (regions.count() >= std::numeric_limits<uint16_t>::max()) return;
+  Image16 labels(basins.index.width, basins.index.height, 1);
+  for (size_t i = 0; i < labels.pixels.size(); ++i) {
+    const int region = regions.region_of(basins.index.pixels[i]);
+    labels.pixels[i] = static_cast<uint16_t>(region == background ? 0 : region + 1);
+  }
+  for (const Overlap& overlap : find_overlaps(labels, basins.line_width)) {
+    const auto now = [&](uint16_t label) { return regions.region_of(label - 1); };
+    const int shared = now(overlap.shared);
+    int front = now(overlap.a);
+    int behind = now(overlap.b);
+    const auto like = [&](int part) {
+      return regions.colour_distance(shared, part) < different_colour;
+    };
+    const bool larger = regions.region(front).area > regions.region(behind).area;
+    if (like(behind) && (larger || !like(front))) std::swap(front, behind);
+    if (shared != front && shared != behind && like(front)) regions.unite(shared, front);
+  }
+}
+
 }  // namespace
 
 void propose_regions(Basins& basins) {
@@ -181,6 +206,7 @@ void propose_regions(Basins& basins) {
     regions.ignore_edges();
     OpenMerger(regions, background).run();
   }
+  if (background >= 0) unite_overlaps(regions, basins, background);
   const double least_area = smallest_part * figure_box_area(regions, background);
   absorb_slivers(regions, background, least_area,
                  std::max(1.5, narrowest_part * basins.line_width));
