@@ -41,6 +41,19 @@ TEST_F(SegmentDrawing, PartsAreFoundAndBuilt) {
   EXPECT_TRUE(exists("figure.ply"));
 }
 
+TEST_F(SegmentDrawing, AsManyPartsAreFoundAsAreSaidAndTheProjectKeepsIt) {
+  const Outcome one = relievo({"segment", "figure.png", "--parts", "1", "-o", "one.relievo"});
+  ASSERT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_NE(one.err.find("1 parts"), std::string::npos) << one.err;
+  const auto project = decode_project(to_bytes(read("one.relievo")));
+  ASSERT_TRUE(project.ok());
+  EXPECT_EQ(project->segmentation->scribbles.count, 1);
+  const Outcome two = relievo({"segment", "one.relievo", "--parts", "2", "-o", "two.relievo"});
+  ASSERT_EQ(two.exit_code, 0) << two.err;
+  EXPECT_NE(two.err.find("2 parts"), std::string::npos) << two.err;
+  expect_failure({"segment", "figure.png", "--parts", "0", "-o", "a.relievo"}, 2, "--parts");
+}
+
 TEST_F(SegmentDrawing, StrokesNameTheirParts) {
   write("strokes.json", R"({"format": "relievo-scribbles", "version": 1, "parts": ["snow head"],
     "strokes": [{"kind": "hard", "part": "snow head", "width": 4, "points": [[110, 80], [130, 80]]},

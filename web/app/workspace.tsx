@@ -61,6 +61,8 @@ function makeTools(editor: Editor, host: ToolHost, scribbles: ScribbleHost): Rec
   };
 }
 
+const relationWords = { usual: 'relationDefault', equal: 'relationEqual', above: 'relationAbove', free: 'relationFree', below: 'farther' } as const;
+
 function hostOf(editor: Editor, reach: () => number): ToolHost {
   return {
     get document() {
@@ -76,6 +78,7 @@ function hostOf(editor: Editor, reach: () => number): ToolHost {
     preview: (document) => editor.set({ preview: document }),
     select: (id) => editor.select(id),
     hover: (id) => editor.set({ hovered: id }),
+    tellRelation: (pair, kind) => editor.set({ notice: t('relationNow', { ...pair, relation: t(relationWords[kind ?? 'usual']) }) }),
     refuse: (reason) => editor.set({ notice: t(reason) }),
   };
 }

@@ -1,12 +1,13 @@
 import type { Join, Point } from '../document/document';
 import { addJoin, joinOfLine, partAt, removeJoin } from '../document/editing';
 import { distance } from '../document/outline';
+import { pairAt, relationOf, turnRelation } from '../document/relations';
 import { joinAt, suggestedJoins } from '../document/suggestions';
 import { marks } from '../view/colors';
 import { strokeLine } from '../view/paper_view';
 import type { Tool, ToolHost } from './tool';
 
-/** A line across the root of a part joins it to the part below; so does a tap on a suggestion. A tap on a join separates. */
+/** A line across the root of a part joins it to the part below; so does a tap on a suggestion. A tap on a join separates, one on another outline says what else holds there. */
 export class JoinTool implements Tool {
   cursor = 'crosshair';
   private line: Point[] = [];
@@ -21,7 +22,7 @@ export class JoinTool implements Tool {
     if (pressed) this.line.push(point);
     else {
       const { document, reach } = this.host;
-      const near = joinAt([...suggestedJoins(document), ...document.joins], point, reach);
+      const near = this.joinNear(point) ?? pairAt(document, point, reach);
       this.cursor = near ? 'pointer' : 'crosshair';
       this.host.hover(near?.upper ?? partAt(document, point)?.id ?? null);
     }
@@ -29,8 +30,10 @@ export class JoinTool implements Tool {
 
   up(): void {
     const { document } = this.host;
-    const join = this.proposed() ?? this.tapped();
+    const spot = this.tapped();
+    const join = spot ? this.joinNear(spot) : this.proposed();
     this.line = [];
+    if (spot && !join) this.turnRelation(spot);
     if (!join) return;
     const isThere = document.joins.includes(join);
     this.host.edit('join', isThere ? removeJoin(document, join.upper, join.lower) : addJoin(document, join));
@@ -60,12 +63,25 @@ export class JoinTool implements Tool {
     context.setLineDash([]);
   }
 
-  /** What lies under a pen that did not move: a suggestion, or a join. */
-  private tapped(): Join | null {
-    const { document, reach } = this.host;
+  /** Where a pen was that did not move. */
+  private tapped(): Point | null {
     const [first] = this.line;
-    const stayed = first && this.line.every((point) => distance(point, first) < reach / 2);
-    return stayed ? joinAt([...suggestedJoins(document), ...document.joins], first, reach) : null;
+    return first && this.line.every((point) => distance(point, first) < this.host.reach / 2) ? first : null;
+  }
+
+  /** A suggestion, or a join. */
+  private joinNear(point: Point): Join | null {
+    const { document, reach } = this.host;
+    return joinAt([...suggestedJoins(document), ...document.joins], point, reach);
+  }
+
+  /** Says something else of the two parts at an outline. */
+  private turnRelation(point: Point): void {
+    const pair = pairAt(this.host.document, point, this.host.reach);
+    if (!pair) return;
+    this.host.edit('relation', turnRelation(this.host.document, pair));
+    this.host.select(pair.upper);
+    this.host.tellRelation(pair, relationOf(this.host.document, pair));
   }
 
   private proposed() {

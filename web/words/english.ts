@@ -263,6 +263,7 @@ export const english = {
   inkWidth: 'Width of the ink',
   inkColor: 'Colour of the ink',
   viewInRoom: 'In your room',
+  relationNow: '{upper} on {lower}: {relation}',
 };
 
 export type MessageKey = keyof typeof english;

@@ -264,4 +264,5 @@ export const french: Words = {
   inkWidth: 'Largeur de l’encre',
   inkColor: 'Couleur de l’encre',
   viewInRoom: 'Dans votre pièce',
+  relationNow: '{upper} sur {lower} : {relation}',
 };

@@ -264,4 +264,5 @@ export const german: Words = {
   inkWidth: 'Breite der Tinte',
   inkColor: 'Farbe der Tinte',
   viewInRoom: 'In deinem Zimmer',
+  relationNow: '{upper} auf {lower}: {relation}',
 };

@@ -264,4 +264,5 @@ export const japanese: Words = {
   inkWidth: '線の太さ',
   inkColor: '線の色',
   viewInRoom: '部屋に置いて見る',
+  relationNow: '{lower} の上の {upper}：{relation}',
 };

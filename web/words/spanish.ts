@@ -264,4 +264,5 @@ export const spanish: Words = {
   inkWidth: 'Ancho de la tinta',
   inkColor: 'Color de la tinta',
   viewInRoom: 'En tu habitación',
+  relationNow: '{upper} sobre {lower}: {relation}',
 };

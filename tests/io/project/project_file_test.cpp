@@ -35,6 +35,7 @@ Project everything(unsigned seed = 4) {
   record.labels = random_labels(seed);
   record.scribbles.parts = {"body", "leg"};
   record.scribbles.complete = true;
+  record.scribbles.count = 12;
   record.scribbles.strokes = {{ScribbleKind::soft, 1, {{1, 2}, {3.25, 4}}, 5},
                               {ScribbleKind::outside, 0, {{90, 70}}, 3}};
   record.parts = {{300, "body", CompletionKind::ellipse}, {2, "leg", CompletionKind::membrane}};
@@ -84,6 +85,7 @@ TEST(ProjectFile, KeepsEverything) {
   EXPECT_EQ(said.joining.no_joins, project.segmentation->corrections.joining.no_joins);
   EXPECT_EQ(again.segmentation->scribbles.strokes[0].part, 1);
   EXPECT_TRUE(again.segmentation->scribbles.complete);
+  EXPECT_EQ(again.segmentation->scribbles.count, 12);
   EXPECT_EQ(again.segmentation->order[1].kept, false);
 }
 

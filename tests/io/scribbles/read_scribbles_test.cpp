@@ -44,6 +44,20 @@ TEST(Scribbles, FilesAreCompleteUnlessTheySayOtherwise) {
   EXPECT_EQ(with("0").error().where, "complete");
 }
 
+TEST(Scribbles, TheNumberOfPartsIsAWholeNumberOrNotSaid) {
+  const auto with = [](const std::string& word) {
+    std::string text = write_scribbles(sample());
+    return read_scribbles(text.insert(text.find("\"parts\""), "\"count\": " + word + ", "));
+  };
+  EXPECT_EQ(read_scribbles(write_scribbles(sample()))->count, 0);
+  EXPECT_EQ(with("1")->count, 1);
+  EXPECT_EQ(with("1000")->count, 1000);
+  for (const char* word : {"0", "1001", "-3", "2.5", "\"many\"", "18446744073709551615"}) {
+    ASSERT_FALSE(with(word).ok()) << word;
+    EXPECT_EQ(with(word).error().where, "count") << word;
+  }
+}
+
 TEST(Scribbles, MistakesAreNamedWithTheirPlace) {
   const std::string good = write_scribbles(sample());
   const auto refuse = [&](const std::string& from, const std::string& to, const char* where) {

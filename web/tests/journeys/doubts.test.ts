@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { unzipSync } from 'fflate';
 import { expect, it } from 'vitest';
 import { relievo, root } from '../support/command_line.ts';
-import { gesture, names, save, type Spot } from './actions.ts';
+import { gesture, names, oval, save, type Spot } from './actions.ts';
 import { picture, pictures, settled, stageOfFile } from './browser.ts';
 
 const stage = stageOfFile({ anew: true });
@@ -92,6 +92,15 @@ it('takes and refuses joins by a tap, and an order by a tap on the nearer part',
   expect(await page.locator('.notice').innerText()).toContain('in front');
   expect(await names(page)).toEqual([...drawn].reverse());
   await picture(page, 'order-tapped');
+  // On the outline of what lies on another part a tap says what else holds there.
+  await page.keyboard.press('2');
+  await gesture(page, oval(300, 350, 30, 30));
+  await page.keyboard.press('3');
+  await gesture(page, [[330, 350]]);
+  expect(await page.locator('.notice').innerText()).toContain('free');
+  const file = unzipSync(await save(page, 'relation.relievo'));
+  const { relations } = JSON.parse(new TextDecoder().decode(file['scene.json'])) as { relations: { relation: string }[] };
+  expect(relations.map(({ relation }) => relation)).toEqual(['free']);
   expect(stage.troubles).toEqual([]);
 });
 

@@ -1,6 +1,6 @@
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
-import { gesture, names, type Spot } from './actions.ts';
+import { gesture, names, pageView, type Spot } from './actions.ts';
 import { picture, stageOfFile } from './browser.ts';
 
 const stage = stageOfFile({ anew: true });
@@ -78,5 +78,25 @@ it('is done by keys alone', async () => {
   await page.locator('#print').focus();
   await press('Enter');
   await atStep(page, 3);
+  expect(stage.troubles).toEqual([]);
+});
+
+it('leaves the drawing free on a phone', async () => {
+  const { page } = stage;
+  await page.setViewportSize({ width: 390, height: 844 });
+  try {
+    await page.click('#empty');
+    await page.locator('#tour').click();
+    await atStep(page, 0);
+    await picture(page, 'tour-phone');
+    const card = await page.locator('.tour').boundingBox();
+    const { at } = await pageView(page);
+    expect(card?.y).toBeGreaterThan(at([300, 700])[1]);
+    await gesture(page, tail);
+    await atStep(page, 1);
+    await picture(page, 'tour-phone-turn');
+  } finally {
+    await page.setViewportSize({ width: 1360, height: 800 });
+  }
   expect(stage.troubles).toEqual([]);
 });

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { type Document, emptyDocument } from '../../document/document';
 import { addJoin, addPart, relate } from '../../document/editing';
 import { contains } from '../../document/outline';
+import { pairAt, relationOf, turnRelation } from '../../document/relations';
 import { joinAt, suggestedJoins } from '../../document/suggestions';
 import { box } from './shapes';
 
@@ -13,6 +14,24 @@ function figure(): Document {
   document = addPart(document, 'strap', box(300, 150, 20, 300));
   return addPart(document, 'cloud', box(700, 20, 80, 50));
 }
+
+describe('what holds at an outline', () => {
+  it('is found by a point near it, for pairs that are not joined', () => {
+    expect(pairAt(figure(), [252, 261], 8)).toEqual({ upper: 'eye', lower: 'body' });
+    expect(pairAt(figure(), [260, 260], 4)).toBe(null);
+    expect(pairAt(figure(), [201, 300], 8)).toBe(null);
+    const [join] = suggestedJoins(figure());
+    expect(pairAt(figure(), [461, 310], 8)).toEqual({ upper: 'arm', lower: 'body' });
+    expect(pairAt(addJoin(figure(), join!), [461, 310], 8)).toBe(null);
+  });
+
+  it('turns through all that can be said and back to the usual', () => {
+    const pair = { upper: 'eye', lower: 'body' };
+    const said = [0, 1, 2, 3].map((turns) => Array.from({ length: turns }).reduce<Document>((document) => turnRelation(document, pair), figure()));
+    expect(said.map((document) => relationOf(document, pair))).toEqual([null, 'free', 'equal', 'above']);
+    expect(turnRelation(said[3]!, pair).relations).toEqual([]);
+  });
+});
 
 describe('suggested joins', () => {
   it('are those of parts whose outline dips into another once', () => {
