@@ -4,8 +4,8 @@
 # program built against the installed package and, as root, a batch on a Slurm cluster of this machine.
 set -eu
 cd "$(dirname "$0")"
-# Comparisons with slow reference solvers, many random scenes and solids, and a slicer.
-surveys='^NonlinearReferences|^Lambda/RandomScenes|^Slicer|^SolidSurvey'
+# Comparisons with slow reference solvers, many random scenes and solids, a slicer, Blender.
+surveys='^NonlinearReferences|^Lambda/RandomScenes|^Slicer|^SolidSurvey|^Blender'
 case "${1:-}" in
   "") preset=test packages=test left_out="$surveys|^consumer\$|^lint\$" ;;
   --all) preset=dev packages=all left_out='^$' ;;

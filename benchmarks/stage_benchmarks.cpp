@@ -7,9 +7,12 @@
 #include "benchmarks/characters.h"
 #include "benchmarks/suites.h"
 #include "io/mesh/glb_encode.h"
+#include "io/mesh/threemf_encode.h"
 #include "kernel/base/workers.h"
 #include "relief/model/assemble_model.h"
 #include "relief/pipeline/relief_session.h"
+#include "solid/check_print.h"
+#include "solid/make_solid.h"
 
 namespace relievo::benchmarks {
 namespace {
@@ -96,6 +99,32 @@ void model(State& state, const std::string& name, int vertices) {
   }
 }
 
+/// What is to be held, and its file to print, painted; `back` is flat or of a figure.
+void hold(State& state, const std::string& name, int vertices, BackSide back) {
+  ReliefOptions options = options_for(vertices);
+  options.hidden = back != BackSide::flat;
+  const Scene& scene = scene_of(name);
+  const auto relief = build_relief(scene, options);
+  SolidOptions solid_options;
+  solid_options.back = back;
+  for (auto _ : state) {
+    const auto sheet =
+        assemble_visible_sheet(relief->layers, relief->inflation, relief->ordering, scene, {});
+    const auto solid = make_solid(*sheet, {}, solid_options);
+    benchmark::DoNotOptimize(check_print(solid->model, solid->facts.loose, 0.4));
+    benchmark::DoNotOptimize(encode_3mf(solid->model, nullptr, {}));
+    state.counters["triangles"] = static_cast<double>(solid->model.triangles.size());
+  }
+}
+
+void solid(State& state, const std::string& name, int vertices) {
+  hold(state, name, vertices, BackSide::flat);
+}
+
+void figure(State& state, const std::string& name, int vertices) {
+  hold(state, name, vertices, BackSide::drawing);
+}
+
 struct Stage {
   const char* name;
   Case run;
@@ -110,6 +139,8 @@ const Stage stages[] = {
     {"solve", solve},
     {"build", build},
     {"model", model},
+    {"solid", solid},
+    {"figure", figure},
 };
 
 void add(const std::string& name, int vertices) {

@@ -64,6 +64,16 @@ outline --base outline --ring 4 --yaw -30
 plate --base plate --margin 8 --hole 4 --yaw -30
 round --base round --yaw -30
 END
+"$relievo" render examples/bunny.svg --profile solid --base outline --height 8 --height-mode detail \
+  --cutter 12 --size 480 --yaw -35 --pitch 30 --clay -o "$work/cutter.png" > /dev/null
+convert "$work/cutter.png" -resize 360x -colors 192 "$to/solid-cutter.png"
+
+# What a printer lays, where a slicer is installed.
+if command -v prusa-slicer > /dev/null; then
+  "$relievo" build examples/wolf.svg --profile figure -o "$work/wolf.stl" > /dev/null
+  prusa-slicer --export-gcode --layer-height 0.3 -o "$work/wolf.gcode" "$work/wolf.stl" > /dev/null
+  python3 scripts/draw-layers.py "$work/wolf.gcode" "$to/solid-layers.png"
+fi
 
 # The non-linear method: its fields, its steps, and the ends of joins.
 for field in inflation shift relief; do

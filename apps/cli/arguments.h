@@ -51,6 +51,9 @@ struct BuildArguments {
   ReliefArguments relief;
   std::vector<std::string> models;  ///< .glb, .obj, .ply, .stl, .3mf, .usdz, .html
   double size_mm = 100;             ///< longest side of the model
+  int triangles = 0;                ///< that models have at most; 0: any
+  int levels = 1;                   ///< files of each model, each with half of the triangles
+  bool one_mesh = false;            ///< all parts as one
   int filaments = 4;                ///< colours that a .3mf is painted with at most
   Slicer slicer = Slicer::prusa;    ///< that it is painted for
   std::string normal_map;           ///< files; empty: not wanted

@@ -33,6 +33,19 @@ void add_print_options(CLI::App& app, BuildArguments& build) {
       ->check(CLI::IsMember({"prusa", "bambu"}));
 }
 
+void add_level_options(CLI::App& app, BuildArguments& build) {
+  app.add_option("--triangles", build.triangles,
+                 "Triangles of a model at most, as far as its seams and outlines allow that")
+      ->check(CLI::Range(4, 100000000));
+  app.add_option(
+         "--lods", build.levels,
+         "Levels of detail: so many files of each model, wolf.glb, wolf-lod1.glb, ..., each "
+         "with half of the triangles")
+      ->check(CLI::Range(1, 8));
+  app.add_flag("--one-mesh", build.one_mesh,
+               "Models with all parts as one mesh: one draw call, no names of parts");
+}
+
 void add_picture_options(CLI::App& app, BuildArguments& build) {
   app.add_option_function<std::string>(
          "--normal-y", [&build](const std::string& sign) { build.normal_y_down = sign == "-"; },
@@ -83,9 +96,11 @@ bool wants_nothing(const BuildArguments& build) {
          build.report.empty() && !build.print_report;
 }
 
-bool wants_3mf(const BuildArguments& build) {
-  return std::any_of(build.models.begin(), build.models.end(),
-                     [](const std::string& name) { return name.ends_with(".3mf"); });
+bool wants(const BuildArguments& build, const std::vector<std::string>& endings) {
+  return std::any_of(build.models.begin(), build.models.end(), [&](const std::string& name) {
+    return std::any_of(endings.begin(), endings.end(),
+                       [&name](const std::string& ending) { return name.ends_with(ending); });
+  });
 }
 
 }  // namespace
@@ -100,6 +115,7 @@ void add_build(CLI::App& main, BuildArguments& build) {
 void add_build_choices(CLI::App& app, BuildArguments& build) {
   add_connect(app, build.common);
   add_print_options(app, build);
+  add_level_options(app, build);
   add_picture_options(app, build);
   add_relief_options(app, build.relief);
   add_visibility(app, build.relief);
@@ -110,8 +126,13 @@ void settle_build(const BuildArguments& build) {
     throw CLI::ValidationError("nothing to write: give -o, a map, --preview, --report or --json");
   if (!build.convergence.empty() && build.relief.options.method != Method::nonlinear)
     throw CLI::ValidationError("--convergence needs --method nonlinear: the other has no steps");
-  if (wants_3mf(build) && !build.relief.solid)
+  if (wants(build, {".3mf"}) && !build.relief.solid)
     throw CLI::ValidationError("a .3mf holds solids alone: add --profile solid");
+  const bool simpler = build.triangles > 0 || build.levels > 1;
+  if (simpler && build.relief.solid && wants(build, {".stl", ".3mf"}))
+    throw CLI::ValidationError(
+        "a solid to print needs the triangles that close it: give --vertices in place of "
+        "--triangles and --lods");
   const bool flat = build.relief.solid && build.relief.solid_options.back == BackSide::flat;
   if (!build.carve_map.empty() && !flat)
     throw CLI::ValidationError("a mill carves from one side: --carve-map needs --profile solid");

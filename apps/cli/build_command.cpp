@@ -17,6 +17,7 @@
 #include "io/mesh/placement.h"
 #include "kernel/base/stopwatch.h"
 #include "kernel/image/image_size.h"
+#include "lod/simplify_model.h"
 #include "relief/model/ambient_occlusion.h"
 #include "relievo/maps.h"
 
@@ -27,6 +28,8 @@ namespace {
 struct Products {
   std::vector<OutputFile> files;
   std::optional<MadeModel> made;
+  std::optional<Model> written;  ///< in place of the one that was made
+  std::vector<std::string> warnings;
 };
 
 Status add(Products& products, const std::string& name, Result<Bytes> bytes) {
@@ -69,6 +72,27 @@ Status add_carve_map(Products& products, const BuildArguments& build) {
              encode_carve_map(products.made->drawn.model, {build.px_per_mm, base}));
 }
 
+const Model* written_model(const Products& products) {
+  if (products.written) return &*products.written;
+  return products.made ? &products.made->drawn.model : nullptr;
+}
+
+/// What of the made model is written as a level of detail.
+void make_level(Products& products, const BuildArguments& build, int level) {
+  if (build.triangles == 0 && build.levels == 1 && !build.one_mesh) return;
+  const Model& made = products.made->drawn.model;
+  Model model = build.one_mesh ? unite_parts(made) : made;
+  const auto all = static_cast<int>(model.triangles.size());
+  const int most = (build.triangles > 0 ? std::min(build.triangles, all) : all) >> level;
+  products.written = simplify_model(model, std::max(most, 1));
+  const size_t left = products.written->triangles.size();
+  if (left > static_cast<size_t>(most))
+    products.warnings.push_back(std::to_string(left) + " triangles are left where " +
+                                std::to_string(most) +
+                                " were wanted: seams and outlines need them; fewer --vertices "
+                                "make fewer");
+}
+
 Status add_models(Products& products, const BuildArguments& build, const SceneInput& input,
                   const Relief& relief, const RunContext& context) {
   ReliefArguments arguments = build.relief;
@@ -79,11 +103,18 @@ Status add_models(Products& products, const BuildArguments& build, const SceneIn
     const auto& [model, drawing] = products.made.emplace(std::move(*made)).drawn;
     // A solid is in mm already.
     const double size = products.made->solid ? longest_side(model) : build.size_mm;
-    for (const std::string& name : names) {
-      auto files = encode_model(model, drawing, name, {size, build.filaments, build.slicer});
-      if (!files) return files.error();
-      std::move(files->begin(), files->end(), std::back_inserter(products.files));
-      if (context.cancelled()) return interrupted_error();
+    // The finest last, which the report tells of.
+    for (int level = names.empty() ? -1 : build.levels - 1; level >= 0; --level) {
+      make_level(products, build, level);
+      const Model& written = products.written ? *products.written : model;
+      const double share = longest_side(written) / longest_side(model);
+      for (const std::string& name : names) {
+        auto files = encode_model(written, drawing, level_name(name, level),
+                                  {share * size, build.filaments, build.slicer});
+        if (!files) return files.error();
+        std::move(files->begin(), files->end(), std::back_inserter(products.files));
+        if (context.cancelled()) return interrupted_error();
+      }
     }
     return Done{};
   };
@@ -216,13 +247,14 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
   progress.reset();
 
   const std::vector<std::string> warnings =
-      joined(relief_warnings(*relief), solid_warnings(products, build.relief.nozzle));
+      joined(joined(relief_warnings(*relief), solid_warnings(products, build.relief.nozzle)),
+             products.warnings);
   const std::string report = write_report(
       {build.common.input,
        input->scene,
        *relief,
        build.relief.options.nonlinear,
-       products.made ? &products.made->drawn.model : nullptr,
+       written_model(products),
        products.made ? products.made->solid : std::nullopt,
        products.made ? products.made->print : std::vector<PrintFinding>{},
        {{"read", read_time}, {"export", exporting.milliseconds()}, {"total", total.milliseconds()}},

@@ -30,18 +30,26 @@ fs::path identity(const fs::path& path) {
 
 std::vector<fs::path> planned_outputs(const BuildArguments& build) {
   std::vector<fs::path> paths;
-  for (const std::string& model : build.models) {
-    paths.emplace_back(model);
-    if (paths.back().extension() != ".obj") continue;
-    const fs::path obj = paths.back();
-    paths.push_back(beside(obj, ".mtl"));
-    paths.push_back(beside(obj, ".png"));
-  }
+  for (const std::string& model : build.models)
+    for (int level = 0; level < build.levels; ++level) {
+      const fs::path path = level_name(model, level);
+      paths.push_back(path);
+      if (path.extension() != ".obj") continue;
+      paths.push_back(beside(path, ".mtl"));
+      paths.push_back(beside(path, ".png"));
+    }
   for (const std::string* name :
        {&build.normal_map, &build.depth_map, &build.part_map, &build.occlusion_map,
         &build.carve_map, &build.preview, &build.overlay, &build.convergence, &build.report})
     if (!name->empty()) paths.emplace_back(*name);
   return paths;
+}
+
+std::string level_name(const std::string& name, int level) {
+  if (level == 0) return name;
+  const fs::path path = name;
+  const std::string stem = path.stem().string() + "-lod" + std::to_string(level);
+  return (path.parent_path() / (stem + path.extension().string())).string();
 }
 
 Status check_outputs(const std::vector<fs::path>& paths, const std::vector<fs::path>& inputs) {

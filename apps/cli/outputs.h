@@ -22,6 +22,9 @@ std::vector<std::filesystem::path> planned_outputs(const BuildArguments& build);
 Status check_outputs(const std::vector<std::filesystem::path>& paths,
                      const std::vector<std::filesystem::path>& inputs);
 
+/// wolf.glb, and of its coarser levels wolf-lod1.glb, wolf-lod2.glb, ...
+std::string level_name(const std::string& name, int level);
+
 struct FileOptions {
   double mm = 100;    ///< longest side of the model
   int filaments = 4;  ///< of .3mf

@@ -67,6 +67,11 @@ void add_solid_options(CLI::App& app, ReliefArguments& relief) {
       app.add_option("--ring", solid.ring,
                      "Of solid: a loop above its base, its hole so many mm wide")
           ->check(within(0.5, 100.0)),
+      app.add_option(
+             "--cutter", solid.cutter,
+             "Of solid: a wall of 0.8 mm around --base outline, so many mm above it, to cut "
+             "dough with")
+          ->check(within(1.0, 1000.0)),
       app.add_option("--nozzle", relief.nozzle,
                      "Of solid and figure: width in mm that its walls are checked for (default "
                      "0.4)")

@@ -34,6 +34,7 @@ struct SolidOptions {
   double corner = 3;     ///< mm, radius of a rectangle's corners; at most its half side counts
   double hole = 0;       ///< mm, diameter of a hole in the plate to hang it by; 0: none
   double ring = 0;       ///< mm, diameter of a hole in a loop at the plate's top; 0: none
+  double cutter = 0;     ///< mm, height above the plate of a thin wall around it; 0: none
 };
 
 struct SolidFacts {

@@ -43,6 +43,7 @@ Status check(const SolidOptions& options) {
   if (!within(options.corner, 0, 1000)) return out_of_range("corner", "from 0 to 1000 mm");
   if (!within(options.hole, 0, 100)) return out_of_range("hole", "from 0 to 100 mm");
   if (!within(options.ring, 0, 100)) return out_of_range("ring", "from 0 to 100 mm");
+  if (!within(options.cutter, 0, 1000)) return out_of_range("cutter", "from 0 to 1000 mm");
   return Done{};
 }
 

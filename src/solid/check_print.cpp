@@ -16,7 +16,7 @@ using ClipperLib::IntPoint;
 using ClipperLib::Path;
 using ClipperLib::Paths;
 
-constexpr int most_cuts = 24;
+constexpr int most_cuts = 16;
 /// What counts, in nozzles: the length of thin walls, that of slender limbs, and the side of a
 /// square as large as what hangs by a neck, or over.
 constexpr double least_wall = 5;
@@ -52,13 +52,6 @@ std::vector<Paths> pieces_of(ClipperLib::ClipType operation, const Paths& subjec
     for (const ClipperLib::PolyNode* hole : node->Childs) piece.push_back(hole->Contour);
   }
   return pieces;
-}
-
-Paths united(const Paths& paths, const Paths& more) {
-  Paths result;
-  for (Paths& piece : pieces_of(ClipperLib::ctUnion, paths, more))
-    std::move(piece.begin(), piece.end(), std::back_inserter(result));
-  return result;
 }
 
 /// mm^2; holes run the other way.
@@ -101,7 +94,10 @@ class PrintChecker {
     for (const std::array<int, 3>& t : model.triangles)
       for (const int v : t) depth_ = std::max(depth_, model.positions[v].z);
     const int count = std::clamp(static_cast<int>(depth_ / (2 * nozzle)), 2, most_cuts);
-    for (int k = 0; k < count; ++k) cuts_.push_back(cutter_.cut((k + 0.5) * depth_ / count));
+    for (int k = 0; k < count; ++k) {
+      cuts_.push_back(cutter_.cut((k + 0.5) * depth_ / count));
+      ClipperLib::CleanPolygons(cuts_.back().rings, 0.02 * nozzle * cut_steps);
+    }
   }
 
   ByPart thin_walls() const {
@@ -119,17 +115,15 @@ class PrintChecker {
 
   /// Parts beyond a neck, and slender ones.
   ByPart necks() const {
-    Paths shadow;
-    for (const LevelCut& cut : cuts_) shadow = united(shadow, cut.rings);
+    Paths all;
+    for (const LevelCut& cut : cuts_) all.insert(all.end(), cut.rings.begin(), cut.rings.end());
     ByPart found;
-    for (const Paths& whole : pieces_of(ClipperLib::ctUnion, shadow, {})) {
-      for (const double width : {nozzle_, 2 * nozzle_, 3 * nozzle_}) {
-        std::vector<Paths> apart = pieces_of(ClipperLib::ctUnion, grown(whole, -0.5 * width), {});
-        std::sort(apart.begin(), apart.end(),
-                  [](const Paths& a, const Paths& b) { return area_of(a) > area_of(b); });
-        for (size_t i = 1; i < apart.size(); ++i)
-          if (area_of(apart[i]) > least_side * nozzle_ * least_side * nozzle_)
-            found.try_emplace(covering_part(apart[i]), width);
+    for (const Paths& whole : pieces_of(ClipperLib::ctUnion, all, {})) {
+      // What the widest neck does not part, none does.
+      for (const double width : {3 * nozzle_, 2 * nozzle_, nozzle_}) {
+        const std::vector<int> apart = parted_by(whole, width);
+        for (const int part : apart) found[part] = width;
+        if (apart.empty()) break;
       }
       for (const Paths& limb : slender(whole, 3 * nozzle_, least_limb * nozzle_))
         note(covering_part(limb), width_of(limb), found);
@@ -149,6 +143,18 @@ class PrintChecker {
   }
 
  private:
+  /// The parts of all pieces but the largest that are left of a piece without its rim.
+  std::vector<int> parted_by(const Paths& whole, double width) const {
+    std::vector<Paths> apart = pieces_of(ClipperLib::ctUnion, grown(whole, -0.5 * width), {});
+    std::sort(apart.begin(), apart.end(),
+              [](const Paths& a, const Paths& b) { return area_of(a) > area_of(b); });
+    std::vector<int> parts;
+    for (size_t i = 1; i < apart.size(); ++i)
+      if (area_of(apart[i]) > least_side * nozzle_ * least_side * nozzle_)
+        parts.push_back(covering_part(apart[i]));
+    return parts;
+  }
+
   /// Keeps the smaller one.
   static void note(int part, double mm, ByPart& found) {
     const auto [at, fresh] = found.try_emplace(part, mm);

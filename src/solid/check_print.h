@@ -25,7 +25,7 @@ struct PrintFinding {
 /// order. `loose` are ids of parts. Walls are found in level cuts, by opening them with a disc as
 /// wide as the nozzle (mm, > 0), and count where a cut above or below has them too; necks are
 /// narrower than three nozzles; faces hang over that are more level than upright, off the plate.
-/// O(n log n) for each of at most 24 cuts.
+/// O(n log n) for each of at most 16 cuts.
 std::vector<PrintFinding> check_print(const Model& model, const std::vector<std::string>& loose,
                                       double nozzle);
 

@@ -27,6 +27,8 @@ constexpr double least_gap = 0.05;
 constexpr double least_depth = 0.4;
 /// Steps on its back are ramps so wide, of its size.
 constexpr double soft_share = 0.015;
+/// mm, of what cuts dough.
+constexpr double cutter_wall = 0.8;
 
 struct Extent {
   Point3 low{1e300, 1e300, 1e300};
@@ -68,7 +70,8 @@ Result<GridPlacement> place_on_grid(const VisibleSheet& sheet, const SolidOption
   const Extent extent = extent_of(sheet, backed);
   const double below = backed ? 0 : options.thickness;
   const Point3 sides = extent.high - extent.low;
-  const double around = options.base == BaseShape::none ? 0 : 2 * options.margin;
+  const double wall = options.cutter > 0 ? cutter_wall : 0;
+  const double around = options.base == BaseShape::none ? 0 : 2 * (options.margin + wall);
   const double wide = options.base == BaseShape::round ? 2 * radius_of(sheet.model, extent)
                                                        : std::max(sides.x, sides.y);
   double scale = (options.size - around) / wide;
@@ -131,9 +134,9 @@ std::vector<ModelPart> parts_with_base(const Model& model) {
   return parts;
 }
 
-/// Puts the plate around the field.
-Status add_plate(const SolidOptions& options, int part, Point2 uv, HeightField& field) {
-  if (options.base == BaseShape::none) return Done{};
+/// Puts a plate around the field, of a height in mm.
+Status add_around(const SolidOptions& options, double top, int part, Point2 uv,
+                  HeightField& field) {
   const FieldEdges edges = connect_field(field);
   Outline silhouette;
   for (const std::vector<int>& points : rim_rings(field, edges)) {
@@ -144,8 +147,18 @@ Status add_plate(const SolidOptions& options, int part, Point2 uv, HeightField& 
   }
   auto outline = plate_outline(silhouette, options, 1 / field.unit);
   if (!outline) return outline.error();
-  const int64_t height = std::llround(options.thickness / field.unit);
+  const int64_t height = std::llround(top / field.unit);
   return surround({std::move(*outline), height, part, uv}, edges, field);
+}
+
+/// Puts the plate around the field, and the cutter's wall around that.
+Status add_plate(const SolidOptions& options, int part, Point2 uv, HeightField& field) {
+  if (options.base == BaseShape::none) return Done{};
+  const Status plate = add_around(options, options.thickness, part, uv, field);
+  if (!plate || options.cutter == 0) return plate;
+  SolidOptions wall = options;
+  wall.margin = cutter_wall;
+  return add_around(wall, options.thickness + options.cutter, part, uv, field);
 }
 
 }  // namespace
@@ -154,6 +167,9 @@ Result<Solid> make_solid(const VisibleSheet& given, const Drawing& drawing,
                          const SolidOptions& options) {
   if (options.base == BaseShape::none && options.hole + options.ring > 0)
     return Error{ErrorCode::usage, "a hole or a ring to hang it by needs a base", "--base"};
+  if (options.cutter > 0 && (options.base != BaseShape::outline || options.hole + options.ring > 0))
+    return Error{ErrorCode::usage, "a cutter needs --base outline, without a hole or a ring",
+                 "--cutter"};
   const bool figure = options.back != BackSide::flat;
   if (figure && options.base != BaseShape::none)
     return Error{ErrorCode::usage, "a figure has no flat back to stand on a base with", "--base"};

@@ -208,7 +208,8 @@ TEST_F(Build, ReportsASolid) {
                                              {"--base", "plate", "--corner", "0"},
                                              {"--base", "round"},
                                              {"--base", "plate", "--margin", "5", "--hole", "3"},
-                                             {"--base", "outline", "--ring", "3"}})
+                                             {"--base", "outline", "--ring", "3"},
+                                             {"--base", "outline", "--cutter", "12"}})
     EXPECT_NE(solid(change)["volume_mm3"], plain["volume_mm3"]) << change.back();
 }
 
@@ -222,6 +223,39 @@ TEST_F(Build, CarvesAMapOfASolid) {
   const auto map = decode_image(Bytes(text.begin(), text.end()));
   ASSERT_TRUE(map.ok());
   EXPECT_EQ(std::max(map->width, map->height), 200);
+}
+
+TEST_F(Build, SimplifiesModelsAndWritesLevels) {
+  const auto triangles = [&](const std::string& name) {
+    const std::string bytes = read(name);
+    const auto glb = decode_glb(Bytes(bytes.begin(), bytes.end()));
+    EXPECT_TRUE(glb.ok()) << name;
+    return glb.ok() ? glb->model.triangles.size() : 0;
+  };
+  const std::vector<std::string> build = {"build", "scene.json", "-o", "m.glb", "-o", "m.obj"};
+  const auto with = [&build](std::vector<std::string> more) {
+    more.insert(more.begin(), build.begin(), build.end());
+    return more;
+  };
+  const Outcome outcome = relievo(with({"--triangles", "8000", "--lods", "3", "--json"}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(Json::parse(outcome.out)["model"]["faces"], triangles("m.glb"));
+  size_t most = 8000;
+  for (const char* name : {"m.glb", "m-lod1.glb", "m-lod2.glb"}) {
+    EXPECT_LE(triangles(name), most) << name;
+    EXPECT_GT(triangles(name), most * 8 / 10) << name;
+    most /= 2;
+  }
+  for (const char* name : {"m.obj", "m-lod1.obj", "m-lod2.obj", "m-lod2.mtl"})
+    EXPECT_TRUE(exists(name)) << name;
+  // What is asked for and cannot be done is said.
+  const Outcome few = relievo(with({"--triangles", "4"}));
+  EXPECT_NE(few.err.find("triangles are left"), std::string::npos) << few.err;
+  ASSERT_EQ(relievo(with({"--one-mesh", "-q"})).exit_code, 0);
+  const std::string bytes = read("m.glb");
+  EXPECT_EQ(decode_glb(Bytes(bytes.begin(), bytes.end()))->model.parts.size(), 1U);
+  expect_failure({"build", "scene.json", "-o", "s.stl", "--profile", "solid", "--triangles", "99"},
+                 2, "--vertices");
 }
 
 TEST_F(Build, OptionsReachTheirStages) {

@@ -82,7 +82,7 @@ const Names stage_verbs = {"completion/clip_to_order.h",
                            "stacking/stack_parts.h"};
 
 struct Place {
-  /// relievo, kernel, relief, io, render, solid, face, rivals, apps, tests, benchmarks
+  /// relievo, kernel, relief, io, lod, render, solid, face, rivals, apps, tests, benchmarks
   std::string top;
   std::string folder;  ///< below it
   std::string rest;    ///< folder/file
@@ -139,6 +139,10 @@ std::string check_render(const Place& to) {
   return "render uses the kernel, models, drawings and itself only";
 }
 
+std::string check_lod(const Place& to) {
+  return to.top == "lod" ? "" : "lod uses public models and itself only";
+}
+
 std::string check_solid(const Place& to) {
   if (to.top == "kernel" || to.top == "solid") return "";
   if (to.top == "relief" && (to.folder == "model" || to.folder == "drawing") &&
@@ -149,7 +153,7 @@ std::string check_solid(const Place& to) {
 
 /// For programs and bindings alike.
 std::string check_apps(const Place& from, const Place& to) {
-  for (const char* top : {"kernel", "io", "render", "solid", "face"})
+  for (const char* top : {"kernel", "io", "lod", "render", "solid", "face"})
     if (to.top == top || to.top == from.top) return "";
   if (to.top == "rivals" && from.top == "apps") return "";
   if (to.top != "relief") return from.top + " use the libraries only";
@@ -191,6 +195,7 @@ std::string include_violation(const std::string& from, const std::string& to) {
   if (source.top == "io") return check_io(target);
   if (source.top == "render") return check_render(target);
   if (source.top == "solid") return check_solid(target);
+  if (source.top == "lod") return check_lod(target);
   if (source.top == "rivals") return check_rivals(source, target);
   if (source.top == "apps" || source.top == "bindings" || source.top == "face")
     return check_apps(source, target);

@@ -112,6 +112,34 @@ TEST(MakeSolid, HangsByAHoleOrARing) {
   EXPECT_EQ(census(*both).pieces, 1);
 }
 
+TEST(MakeSolid, CutsWithAWallAroundItsPlate) {
+  SolidOptions options;
+  options.size = 100;
+  options.base = BaseShape::outline;
+  const auto plain = make_solid(ball(), {}, options);
+  ASSERT_TRUE(plain.ok());
+  options.cutter = 60;
+  const auto cutter = make_solid(ball(), {}, options);
+  ASSERT_TRUE(cutter.ok()) << to_string(cutter.error());
+  const SolidCensus found = census(*cutter);
+  EXPECT_EQ(what_is_wrong(found), "");
+  EXPECT_EQ(found.pieces, 1);
+  EXPECT_EQ(found.holes, 0);
+  EXPECT_NEAR(extent(cutter->model).max.z, options.thickness + options.cutter, 1e-4);
+  EXPECT_NEAR(longest_side(cutter->model), 100, 0.1);
+  // A ball of 92.4 mm, its plate of 3 mm and a tube of 0.8 mm around it.
+  const double r = 0.5 * (100 - 2 * (3 + 0.8));
+  const auto disc = [](double radius) { return std::numbers::pi * radius * radius; };
+  const double volume = disc(r) * 2 / 3 * r + disc(50) * options.thickness +
+                        (disc(50) - disc(50 - 0.8)) * options.cutter;
+  EXPECT_NEAR(found.volume, volume, 2e-3 * volume);
+  options.hole = 3;
+  EXPECT_FALSE(make_solid(ball(), {}, options).ok());
+  options.hole = 0;
+  options.base = BaseShape::plate;
+  EXPECT_FALSE(make_solid(ball(), {}, options).ok());
+}
+
 TEST(MakeSolid, RefusesWhatHasNoRoom) {
   SolidOptions options;
   options.size = 5;

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +9,7 @@
 #include "io/mesh/threemf_encode.h"
 #include "io/support/temporary_folder.h"
 #include "samples/drawing_relief.h"
+#include "solid/program_output.h"
 #include "solid/solid_case.h"
 
 namespace relievo {
@@ -18,17 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace testing;
-
-std::string output_of(const std::string& command) {
-  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  if (pipe == nullptr) return "";
-  std::string text;
-  std::array<char, 4096> buffer{};
-  for (size_t n = 0; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-    text.append(buffer.data(), n);
-  const bool done = pclose(pipe) == 0;
-  return done ? text : "failed: " + text;
-}
 
 double number_after(const std::string& text, const std::string& name) {
   const size_t at = text.find(name);
