@@ -17,7 +17,8 @@ std::string version_text() {
     return std::to_string(a) + "." + std::to_string(b) + "." + std::to_string(c);
   };
   std::string text = "relievo " RELIEVO_VERSION "\n";
-  if (std::string(RELIEVO_COMMIT) != "") text += "revision: " RELIEVO_COMMIT "\n";
+  const std::string commit = RELIEVO_COMMIT;
+  if (!commit.empty()) text += "revision: " + commit + "\n";
   text += "built: " RELIEVO_BUILD_TYPE ", C++ compiler " __VERSION__ "\n";
   text += "with: CGAL " RELIEVO_TEXT(CGAL_VERSION) ", Eigen " +
           dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION) +

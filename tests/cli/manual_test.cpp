@@ -58,7 +58,7 @@ TEST_F(Manual, PagesHoldNoRequestsByAccident) {
 }
 
 TEST_F(Manual, BashOffersCommandsOptionsAndTheirValues) {
-  EXPECT_EQ(offered("relievo s", 1), "segment\n");
+  EXPECT_EQ(offered("relievo ren", 1), "render\n");
   EXPECT_EQ(offered("relievo build --normal-", 2), "--normal-map --normal-y\n");
   EXPECT_EQ(offered("relievo build --method ''", 3), "approximate nonlinear\n");
   EXPECT_EQ(offered("relievo render --view s", 3), "side sheet\n");
