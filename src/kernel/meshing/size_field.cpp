@@ -6,6 +6,10 @@
 namespace relievo {
 namespace {
 
+// Of a cell: as fine as a lattice that fills it may be. What is smaller is a speck beside which such
+// a lattice would have points without end.
+constexpr double finest = 1.0 / 16;
+
 // Two sweeps of an 8-neighbour distance transform: size(x) = min over y of size(y) + g |x - y|.
 void spread(SizeField& field, double grading) {
   const double straight = grading * field.cell;
@@ -148,7 +152,7 @@ SizeField make_size_field(const std::vector<CurveSample>& samples,
   field.cover.assign(count, 0);
   for (const CurveSample& sample : samples) {
     double& size = field.size[field.index(sample.position)];
-    size = std::min(size, sample.spacing);
+    size = std::min(size, std::max(sample.spacing, finest * field.cell));
   }
   spread(field, options.grading);
   for (const Outline& region : regions) add_cover(field, region);
