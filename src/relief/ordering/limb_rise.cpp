@@ -185,6 +185,8 @@ void add_rise(const Limb& limb, double sign, VectorXd& rise) {
   double end = 0;
   for (size_t i = 0; i < limb.own; ++i)
     if (limb.distance[i] <= length) end = std::max(end, limb.reach[i]);
+  // No node lies beside a root that is shorter than the edges.
+  if (end == 0) return;
   for (size_t i = 0; i < limb.nodes.size(); ++i)
     rise[limb.nodes[i]] += sign * amount * smooth_step(0, end, limb.reach[i]);
 }
