@@ -137,7 +137,7 @@ class Connector {
     const int k = corner_towards(mesh_, other_triangle, triangle);
     for (int f = mesh_.stack_begin[other_triangle + 1] - 1;
          f >= surface_.kept_begin[other_triangle]; --f) {
-      if (face_across(mesh_, {f, k}, dropped, edge.face) < 0) continue;
+      if (!is_kept(f) || face_across(mesh_, {f, k}, dropped, edge.face) < 0) continue;
       surface_.open_edges.push_back({edge, {f, k}});
       return;
     }

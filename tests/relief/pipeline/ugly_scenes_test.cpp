@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -48,6 +49,10 @@ double worst_residual(const BoundQpReport& report) {
   return std::max({report.stationarity, report.primal, report.dual, report.complementarity});
 }
 
+/// Scenes that have found defects: a root shorter than an edge, faces left out beside a cut, a
+/// lattice beside a speck.
+constexpr std::array<uint64_t, 6> found_defects = {41474, 56105, 58849, 77152, 79830, 82743};
+
 /// What became of a scene: the kind of its error, "solved", or a defect.
 std::string outcome(const Scene& scene, const ReliefOptions& options) {
   if (!validate(scene)) return "not valid";
@@ -88,6 +93,11 @@ TEST(UglyScenes, EndInASoundModelOrANamedReason) {
   if (seeds.table)
     for (const auto& [result, count] : table) std::printf("%8d  %s\n", count, result.c_str());
   EXPECT_GT(table["solved"], 0);
+}
+
+TEST(UglyScenes, ThatHaveFoundDefectsFindNoneAnyMore) {
+  for (const uint64_t seed : found_defects)
+    EXPECT_EQ(outcome(ugly_scene(seed), options_of(seed)), "solved") << seed;
 }
 
 }  // namespace
