@@ -40,7 +40,7 @@ export function isTourOffered(): boolean {
   }
 }
 
-export function noteTourOffered(): void {
+function noteTourOffered(): void {
   try {
     localStorage.setItem(offeredKey, 'offered');
   } catch {

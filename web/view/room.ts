@@ -103,7 +103,7 @@ class RoomModel {
   }
 }
 
-export interface RoomContent {
+interface RoomContent {
   readonly surface: Surface;
   readonly drawing: TexImageSource;
   /** Longest side, mm. */

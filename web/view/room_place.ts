@@ -4,7 +4,7 @@ export type Mat4 = Float32Array;
 type Vector = readonly [number, number, number];
 
 /** A model around its own middle: what it is multiplied with, and the middle that comes to 0. */
-export interface Sized {
+interface Sized {
   readonly scale: number;
   readonly middle: Vector;
 }
