@@ -117,7 +117,8 @@ void bind_solid_options(py::module_& module) {
       .def_readwrite("margin", &SolidOptions::margin)
       .def_readwrite("corner", &SolidOptions::corner)
       .def_readwrite("hole", &SolidOptions::hole)
-      .def_readwrite("ring", &SolidOptions::ring);
+      .def_readwrite("ring", &SolidOptions::ring)
+      .def_readwrite("cutter", &SolidOptions::cutter);
 }
 
 void bind_render_options(py::module_& module) {

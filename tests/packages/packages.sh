@@ -12,7 +12,7 @@ root=$work/root
 
 clean() {
   umount "$root/proc" 2> /dev/null || true
-  rm -rf "$work"
+  rm -rf --one-file-system "$work"
 }
 trap clean EXIT
 

@@ -180,6 +180,12 @@ def test_scenes_come_back_as_they_went(examples, sample, kinds):
         relief.scene.parts[0].outline[0][0, 0] = 1
 
 
+def test_flat_pictures_are_understood(examples):
+    relief = relievo.build(examples / "bear.png", vertices=2000)
+    assert relief.proposed and len(relief.scene.parts) > 3
+    assert relief.drawing.shape[2] == 4
+
+
 def test_pictures_go_in_and_lie_on_the_model():
     picture = np.zeros((16, 20, 3), np.uint8)
     picture[..., 0] = 200

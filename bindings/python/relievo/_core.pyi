@@ -46,6 +46,7 @@ class SolidOptions:
     corner: float
     hole: float
     ring: float
+    cutter: float
 
 class RenderOptions:
     width: int

@@ -34,6 +34,7 @@ class SolidOptions(TypedDict, total=False):
     corner: float  #: mm, radius of a rectangle's corners
     hole: float  #: mm, diameter of a hole to hang it by; 0: none
     ring: float  #: mm, diameter of a hole in a loop at its top; 0: none
+    cutter: float  #: mm, height above the plate of a thin wall around it; 0: none
 
 
 class RenderOptions(TypedDict, total=False):
