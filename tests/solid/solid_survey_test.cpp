@@ -56,7 +56,7 @@ TEST(SolidSurvey, RandomScenesAreClosedAndWhole) {
   for (int seed = 0; seed < survey_scenes; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     // Other scenes than those of the quick tests.
-    const Scene scene = random_scene(static_cast<uint64_t>(100000 + seed));
+    const Scene scene = random_scene(uint64_t{100000} + static_cast<uint64_t>(seed));
     const VisibleSheet sheet = sheet_of(scene, 1500, true);
     for (Tally& tally : tallies) {
       const auto solid = make_solid(sheet, {}, tally.options);
