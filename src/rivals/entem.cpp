@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
-#include "kernel/operators/flat_mesh.h"
+#include "kernel/geometry/triangles.h"
 #include "rivals/contour.h"
 #include "rivals/medial_axis.h"
 #include "rivals/reconstructions.h"

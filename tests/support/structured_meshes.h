@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "kernel/operators/flat_mesh.h"
+#include "kernel/geometry/triangles.h"
 #include "relievo/point.h"
 
 namespace relievo::testing {

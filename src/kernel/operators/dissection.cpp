@@ -34,16 +34,16 @@ struct VertexGraph {
 };
 
 VertexGraph vertex_graph(const FlatMesh& mesh) {
-  const NodeCorners corners = corners_at_nodes(mesh);
+  const NodeCorners corners = corners_at_nodes(mesh.triangles, mesh.positions.size());
   VertexGraph graph;
   graph.begin.reserve(mesh.positions.size() + 1);
   graph.neighbour.reserve(4 * mesh.triangles.size());
-  for (size_t v = 0; v < mesh.positions.size(); ++v) {
+  for (int v = 0; v < static_cast<int>(mesh.positions.size()); ++v) {
     const auto first = static_cast<std::ptrdiff_t>(graph.neighbour.size());
-    for (int i = corners.begin[v]; i < corners.begin[v + 1]; ++i) {
-      const auto& triangle = mesh.triangles[corners.corner[i] / 3];
-      for (const int step : {1, 2})
-        graph.neighbour.push_back(triangle[(corners.corner[i] + step) % 3]);
+    for (const Corner corner : corners.at(v)) {
+      const Triangle& triangle = mesh.triangles[triangle_of(corner)];
+      graph.neighbour.push_back(triangle[next_place(place_of(corner))]);
+      graph.neighbour.push_back(triangle[last_place(place_of(corner))]);
     }
     const auto begin = graph.neighbour.begin() + first;
     std::sort(begin, graph.neighbour.end());

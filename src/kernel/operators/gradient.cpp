@@ -113,16 +113,15 @@ class Neighbourhoods {
     seen_[node] = node;
     add_ring(node, node);
     const size_t ring = nodes_.size();
-    const size_t faces = static_cast<size_t>(corners_.begin[node + 1] - corners_.begin[node]);
-    if (ring != faces || ring < enough_neighbours)
+    if (ring != corners_.at(node).size() || ring < enough_neighbours)
       for (size_t i = 0; i < ring; ++i) add_ring(nodes_[i], node);
     return nodes_;
   }
 
  private:
   void add_ring(int centre, int node) {
-    for (int i = corners_.begin[centre]; i < corners_.begin[centre + 1]; ++i)
-      for (const int other : mesh_.triangles[corners_.corner[i] / 3]) {
+    for (const Corner corner : corners_.at(centre))
+      for (const int other : mesh_.triangles[triangle_of(corner)]) {
         if (seen_[other] == node) continue;
         seen_[other] = node;
         nodes_.push_back(other);
@@ -172,18 +171,18 @@ Point2 face_gradient(const FlatMesh& mesh, std::span<const double> values, int f
 void append_mean(const FlatMesh& mesh, int node, const NodeCorners& corners,
                  GradientStencils& stencils) {
   double twice_area = 0;
-  for (int i = corners.begin[node]; i < corners.begin[node + 1]; ++i) {
-    const auto& [a, b, c] = mesh.triangles[corners.corner[i] / 3];
+  for (const Corner corner : corners.at(node)) {
+    const auto& [a, b, c] = mesh.triangles[triangle_of(corner)];
     twice_area +=
         cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
   }
   if (!(twice_area > 0)) return;
-  for (int i = corners.begin[node]; i < corners.begin[node + 1]; ++i) {
-    const auto& triangle = mesh.triangles[corners.corner[i] / 3];
+  for (const Corner corner : corners.at(node)) {
+    const Triangle& triangle = mesh.triangles[triangle_of(corner)];
     for (int k = 0; k < 3; ++k) {
       if (triangle[k] == node) continue;
       const Point2 across =
-          mesh.positions[triangle[(k + 2) % 3]] - mesh.positions[triangle[(k + 1) % 3]];
+          mesh.positions[triangle[last_place(k)]] - mesh.positions[triangle[next_place(k)]];
       stencils.neighbour.push_back(triangle[k]);
       stencils.weight.push_back((1 / twice_area) * Point2{-across.y, across.x});
     }
@@ -219,7 +218,7 @@ std::vector<Point2> face_gradients(const FlatMesh& mesh, std::span<const double>
 }
 
 GradientStencils gradient_stencils(const FlatMesh& mesh) {
-  const NodeCorners corners = corners_at_nodes(mesh);
+  const NodeCorners corners = corners_at_nodes(mesh.triangles, mesh.positions.size());
   const int nodes = static_cast<int>(mesh.positions.size());
   const int pieces = std::clamp(nodes / least_nodes, 1, most_pieces);
   std::vector<GradientStencils> parts(static_cast<size_t>(pieces));

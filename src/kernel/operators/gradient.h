@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "kernel/operators/flat_mesh.h"
+#include "kernel/geometry/triangles.h"
 
 namespace relievo {
 

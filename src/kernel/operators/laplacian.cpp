@@ -15,8 +15,8 @@ std::vector<std::array<double, 3>> half_cotangents(const FlatMesh& mesh) {
     const auto& triangle = mesh.triangles[t];
     for (int k = 0; k < 3; ++k) {
       const Point2 origin = mesh.positions[triangle[k]];
-      const Point2 e = mesh.positions[triangle[(k + 1) % 3]] - origin;
-      const Point2 f = mesh.positions[triangle[(k + 2) % 3]] - origin;
+      const Point2 e = mesh.positions[triangle[next_place(k)]] - origin;
+      const Point2 f = mesh.positions[triangle[last_place(k)]] - origin;
       weights[t][k] = 0.5 * dot(e, f) / cross(e, f);
     }
   }
@@ -77,15 +77,15 @@ class ColumnBuilder {
 
 SparseMatrix stiffness_matrix(const FlatMesh& mesh) {
   const std::vector<std::array<double, 3>> weights = half_cotangents(mesh);
-  const NodeCorners corners = corners_at_nodes(mesh);
+  const NodeCorners corners = corners_at_nodes(mesh.triangles, mesh.positions.size());
   const int n = static_cast<int>(mesh.positions.size());
   ColumnBuilder builder(n, n, n + 4 * static_cast<Eigen::Index>(mesh.triangles.size()));
   for (int node = 0; node < n; ++node) {
     builder.add(node, 0);
-    for (int i = corners.begin[node]; i < corners.begin[node + 1]; ++i) {
-      const int t = corners.corner[i] / 3;
-      const int next = (corners.corner[i] + 1) % 3;
-      const int last = (corners.corner[i] + 2) % 3;
+    for (const Corner corner : corners.at(node)) {
+      const int t = triangle_of(corner);
+      const int next = next_place(place_of(corner));
+      const int last = last_place(place_of(corner));
       builder.add(node, weights[t][next] + weights[t][last]);
       builder.add(mesh.triangles[t][next], -weights[t][last]);
       builder.add(mesh.triangles[t][last], -weights[t][next]);
@@ -113,8 +113,8 @@ Eigen::VectorXd divergence_load(const FlatMesh& mesh, std::span<const Point2> fi
   Eigen::VectorXd load = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.positions.size()));
   for (size_t t = 0; t < mesh.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
-      const Point2 next = mesh.positions[mesh.triangles[t][(k + 1) % 3]];
-      const Point2 last = mesh.positions[mesh.triangles[t][(k + 2) % 3]];
+      const Point2 next = mesh.positions[mesh.triangles[t][next_place(k)]];
+      const Point2 last = mesh.positions[mesh.triangles[t][last_place(k)]];
       load[mesh.triangles[t][k]] += 0.5 * cross(last - next, field[t]);
     }
   return load;

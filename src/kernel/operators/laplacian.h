@@ -4,7 +4,7 @@
 #include <span>
 
 #include "kernel/base/sparse_matrix.h"
-#include "kernel/operators/flat_mesh.h"
+#include "kernel/geometry/triangles.h"
 
 namespace relievo {
 

@@ -1,6 +1,5 @@
 #include "relief/cues/harmonic.h"
 
-#include "kernel/base/disjoint_sets.h"
 #include "kernel/operators/laplacian.h"
 #include "kernel/solvers/sparse_cholesky.h"
 
@@ -10,19 +9,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// The piece of each vertex, named by its smallest vertex.
-std::vector<int> pieces_of(const FlatMesh& mesh) {
-  DisjointSets pieces(static_cast<int>(mesh.positions.size()));
-  for (const auto& [a, b, c] : mesh.triangles) {
-    pieces.unite(a, b);
-    pieces.unite(a, c);
-  }
-  std::vector<int> piece;
-  piece.reserve(mesh.positions.size());
-  for (int v = 0; v < pieces.size(); ++v) piece.push_back(pieces.find(v));
-  return piece;
-}
 
 /// Solves L x = load where not fixed, x = value where fixed.
 MatrixXd solve_fixed(const SparseMatrix& L, const std::vector<uint8_t>& fixed, const MatrixXd& load,
@@ -47,7 +33,7 @@ MatrixXd solve_fixed(const SparseMatrix& L, const std::vector<uint8_t>& fixed, c
 
 MatrixXd harmonic_extension(const FlatMesh& mesh, std::vector<uint8_t> fixed, MatrixXd values,
                             double otherwise) {
-  const std::vector<int> piece = pieces_of(mesh);
+  const std::vector<int> piece = connected_pieces(mesh.triangles, mesh.positions.size());
   std::vector<uint8_t> held(fixed.size(), 0);
   for (size_t v = 0; v < fixed.size(); ++v)
     if (fixed[v] != 0) held[piece[v]] = 1;
@@ -61,7 +47,7 @@ MatrixXd harmonic_extension(const FlatMesh& mesh, std::vector<uint8_t> fixed, Ma
 }
 
 VectorXd nearest_potential(const FlatMesh& mesh, const std::vector<Point2>& field) {
-  const std::vector<int> piece = pieces_of(mesh);
+  const std::vector<int> piece = connected_pieces(mesh.triangles, mesh.positions.size());
   std::vector<uint8_t> fixed(piece.size(), 0);
   for (const int first : piece) fixed[first] = 1;
   const auto vertices = static_cast<Index>(piece.size());

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "kernel/operators/flat_mesh.h"
+#include "kernel/geometry/triangles.h"
 
 namespace relievo {
 

@@ -42,21 +42,20 @@ class SheetMaker {
   void connect(int face) {
     for (int k = 0; k < 3; ++k) {
       const int other = face_beside(mesh_, face, k);
-      if (other < 0) open_[3 * face + k] = 1;
-      if (other < 0 || cut_[3 * face + k] != 0) continue;
+      if (other < 0) open_[corner_of(face, k)] = 1;
+      if (other < 0 || cut_[corner_of(face, k)] != 0) continue;
       const auto& here = mesh_.triangles[mesh_.face_triangle[face]];
       const auto& there = mesh_.triangles[mesh_.face_triangle[other]];
-      for (const int i : {(k + 1) % 3, (k + 2) % 3})
-        for (int j = 0; j < 3; ++j)
-          if (there[j] == here[i]) corners_.unite(3 * face + i, 3 * other + j);
+      for (const int i : {next_place(k), last_place(k)})
+        corners_.unite(corner_of(face, i), corner_of(other, place_of_node(there, here[i])));
     }
   }
 
   void append(int face, const std::vector<uint8_t>& shared, double scale, PartSheet& sheet) {
-    std::array<int, 3> triangle{};
+    Triangle triangle{};
     for (int k = 0; k < 3; ++k) {
-      const int first = corners_.find(3 * face + k);
-      if (first == 3 * face + k) {
+      const Corner first = corners_.find(corner_of(face, k));
+      if (first == corner_of(face, k)) {
         number_.resize(cut_.size(), -1);
         number_[first] = static_cast<int>(sheet.positions.size());
         const int vertex = mesh_.triangles[mesh_.face_triangle[face]][k];
@@ -68,8 +67,8 @@ class SheetMaker {
     }
     for (int k = 0; k < 3; ++k) {
       if (shared[mesh_.faces[face][k]] != 0) sheet.seam[triangle[k]] = 1;
-      if (open_[3 * face + k] != 0)
-        sheet.rim[triangle[(k + 1) % 3]] = sheet.rim[triangle[(k + 2) % 3]] = 1;
+      if (open_[corner_of(face, k)] != 0)
+        sheet.rim[triangle[next_place(k)]] = sheet.rim[triangle[last_place(k)]] = 1;
     }
     sheet.faces.push_back(face);
     sheet.triangles.push_back(triangle);

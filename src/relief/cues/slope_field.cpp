@@ -54,8 +54,8 @@ Wanted wanted_beside_creases(const LayeredMesh& mesh, const Scene& scene, int pa
       if (mesh.face_part[corner / 3] != part) continue;
       const auto place = std::lower_bound(sheet.faces.begin(), sheet.faces.end(), corner / 3);
       const auto& triangle = sheet.triangles[place - sheet.faces.begin()];
-      const int from = triangle[(corner + 1) % 3];
-      const int to = triangle[(corner + 2) % 3];
+      const int from = triangle[next_place(corner)];
+      const int to = triangle[last_place(corner)];
       const Point2 along = sheet.positions[to] - sheet.positions[from];
       const double length = norm(along);
       // The faces run so that cross(along, towards the inside) > 0.

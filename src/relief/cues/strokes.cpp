@@ -26,7 +26,7 @@ bool on_one_side(const Triangle& triangle, Point2 a, Point2 b) {
 bool beyond_an_edge(const Triangle& triangle, Point2 a, Point2 b) {
   for (int k = 0; k < 3; ++k) {
     const Point2 p = triangle[k];
-    const Point2 edge = triangle[(k + 1) % 3] - p;
+    const Point2 edge = triangle[next_place(k)] - p;
     if (cross(edge, a - p) < 0 && cross(edge, b - p) < 0) return true;
   }
   return false;

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "kernel/base/disjoint_sets.h"
+#include "kernel/geometry/triangles.h"
 
 namespace relievo {
 namespace {
@@ -16,9 +17,11 @@ constexpr int rings = 4;
 
 std::vector<uint8_t> crease_nodes(const LayeredMesh& mesh) {
   std::vector<uint8_t> marked(mesh.node_vertex.size(), 0);
-  for (const CreaseEdge& edge : mesh.creases)
-    for (const int side : {1, 2})
-      marked[mesh.faces[edge.corner[0] / 3][(edge.corner[0] + side) % 3]] = 1;
+  for (const CreaseEdge& edge : mesh.creases) {
+    const Triangle& face = mesh.faces[triangle_of(edge.corner[0])];
+    const int k = place_of(edge.corner[0]);
+    marked[face[next_place(k)]] = marked[face[last_place(k)]] = 1;
+  }
   return marked;
 }
 
@@ -35,7 +38,7 @@ std::vector<int> grow(const LayeredMesh& mesh, std::vector<uint8_t>& marked) {
   return faces;
 }
 
-/// Corners that are one vertex of the patch cut along creases: 3 * place in `faces` + k.
+/// Corners of `faces` that are one vertex of the patch cut along creases.
 DisjointSets cut_corners(const LayeredMesh& mesh, const std::vector<int>& faces) {
   std::vector<int> cut;
   for (const CreaseEdge& edge : mesh.creases)
@@ -44,12 +47,12 @@ DisjointSets cut_corners(const LayeredMesh& mesh, const std::vector<int>& faces)
   std::vector<std::array<int, 4>> edges;  // both nodes, and the corners there, lower node first
   for (int i = 0; i < static_cast<int>(faces.size()); ++i)
     for (int k = 0; k < 3; ++k) {
-      if (std::binary_search(cut.begin(), cut.end(), 3 * faces[i] + k)) continue;
-      int a = (k + 1) % 3;
-      int b = (k + 2) % 3;
+      if (std::binary_search(cut.begin(), cut.end(), corner_of(faces[i], k))) continue;
+      int a = next_place(k);
+      int b = last_place(k);
       const auto& face = mesh.faces[faces[i]];
       if (face[a] > face[b]) std::swap(a, b);
-      edges.push_back({face[a], face[b], 3 * i + a, 3 * i + b});
+      edges.push_back({face[a], face[b], corner_of(i, a), corner_of(i, b)});
     }
   std::sort(edges.begin(), edges.end());
   DisjointSets corners(static_cast<int>(3 * faces.size()));
@@ -72,21 +75,21 @@ CreaseStencils crease_stencils(const LayeredMesh& mesh) {
   for (int ring = 1; ring < rings; ++ring) faces = grow(mesh, marked);
   DisjointSets corners = cut_corners(mesh, faces);
   std::vector<int> place(3 * faces.size());
-  std::vector<std::array<int, 3>> triangles(faces.size());
+  std::vector<Triangle> triangles(faces.size());
   std::vector<Point2> positions;
-  for (int i = 0; i < static_cast<int>(place.size()); ++i) {
-    const int node = mesh.faces[faces[i / 3]][i % 3];
+  for (Corner i = 0; i < static_cast<int>(place.size()); ++i) {
+    const int node = mesh.faces[faces[triangle_of(i)]][place_of(i)];
     if (corners.find(i) == i) {
       place[i] = static_cast<int>(stencils.node.size());
       stencils.node.push_back(node);
       positions.push_back(mesh.vertices[mesh.node_vertex[node]]);
     }
     place[i] = place[corners.find(i)];
-    triangles[i / 3][i % 3] = place[i];
+    triangles[triangle_of(i)][place_of(i)] = place[i];
   }
-  for (size_t i = 0; i < place.size(); ++i) {
+  for (Corner i = 0; i < static_cast<int>(place.size()); ++i) {
     if (near[stencils.node[place[i]]] == 0) continue;
-    stencils.corner.push_back(3 * faces[i / 3] + static_cast<int>(i % 3));
+    stencils.corner.push_back(corner_of(faces[triangle_of(i)], place_of(i)));
     stencils.place.push_back(place[i]);
   }
   stencils.gradients = gradient_stencils({positions, triangles});

@@ -10,8 +10,7 @@ namespace relievo {
 
 /// Gradients at the corners of faces beside creases, from values of nodes on their own side only.
 struct CreaseStencils {
-  std::vector<int> corner;     ///< as 3 * face + k, ascending: at nodes of creases and their
-                               ///< neighbours
+  std::vector<Corner> corner;  ///< ascending: at nodes of creases and their neighbours
   std::vector<int> place;      ///< of each of them, its place in `node`
   std::vector<int> node;       ///< of the mesh; one that has two sides occurs for each of them
   GradientStencils gradients;  ///< between places, 1 / px

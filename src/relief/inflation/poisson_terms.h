@@ -5,7 +5,7 @@
 
 #include "kernel/base/sparse_matrix.h"
 #include "kernel/geometry/polygon.h"
-#include "kernel/operators/flat_mesh.h"
+#include "kernel/geometry/triangles.h"
 #include "kernel/operators/gradient.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"

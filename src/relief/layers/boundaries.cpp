@@ -36,19 +36,13 @@ void compact_ramps(const std::vector<bool>& dropped, Boundaries& out) {
 
 class BoundaryFinder {
  public:
-  BoundaryFinder(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
-                 const Connection& connection, const Scene& scene, bool attach)
-      : base_(base),
-        sheets_(sheets),
-        loops_(loops),
-        connection_(connection),
-        scene_(scene),
-        attach_(attach) {
+  BoundaryFinder(const SheetMesh& mesh, const Scene& scene, bool attach)
+      : mesh_(mesh), scene_(scene), attach_(attach) {
     find_roles();
   }
 
   void lay_automatic_ramps() {
-    for (const Seam& seam : connection_.seams) {
+    for (const Seam& seam : mesh_.seams) {
       if (seam.bump) continue;
       if (seam.first_end_inside) lay_from(seam, seam.position, -1);
       if (seam.last_end_inside) lay_from(seam, seam.position + seam.edges, 1);
@@ -64,11 +58,11 @@ class BoundaryFinder {
     for (int i = 0; i < run.edges; ++i) {
       const int at = from_last ? start - i : start + i;
       add_step(range.upper, range.lower, run.loop, at, s, steps);
-      s += edge_length(run.loop, at, from_last ? -1 : 1);
+      s += mesh_.loop_step(run.loop, at, from_last ? -1 : 1);
     }
     drop_ramps_at(steps);
     RobinRamp ramp{range.upper, range.lower, s, range.alpha0.value_or(-1), range.rho.value_or(-1)};
-    add_ramp(ramp, steps, connection_.surface[range.upper] == connection_.surface[range.lower]);
+    add_ramp(ramp, steps, mesh_.surface[range.upper] == mesh_.surface[range.lower]);
   }
 
   Boundaries result() {
@@ -78,50 +72,41 @@ class BoundaryFinder {
 
  private:
   void find_roles() {
-    out_.role.assign(sheets_.node_vertex.size(), NodeRole::interior);
-    for (size_t f = 0; f < sheets_.faces.size(); ++f)
+    out_.role.assign(mesh_.node_vertex.size(), NodeRole::interior);
+    for (size_t f = 0; f < mesh_.faces.size(); ++f)
       for (int k = 0; k < 3; ++k) {
-        if (face_across(base_, sheets_, static_cast<int>(f), k) >= 0) continue;
-        const int beyond = base_.mesh.neighbours[sheets_.face_triangle[f]][k];
-        const bool flap = sheets_.face_of(beyond, sheets_.face_part[f]) >= 0;
-        for (const int corner : {(k + 1) % 3, (k + 2) % 3}) {
-          NodeRole& role = out_.role[sheets_.faces[f][corner]];
+        if (mesh_.face_across(static_cast<int>(f), k) >= 0) continue;
+        const int beyond = mesh_.base.neighbours[mesh_.face_triangle[f]][k];
+        const bool flap = mesh_.face_of(beyond, mesh_.face_part[f]) >= 0;
+        for (const int corner : {next_place(k), last_place(k)}) {
+          NodeRole& role = out_.role[mesh_.faces[f][corner]];
           if (role != NodeRole::outline) role = flap ? NodeRole::flap : NodeRole::outline;
         }
       }
-    for (const Seam& seam : connection_.seams)
+    for (const Seam& seam : mesh_.seams)
       for (int i = seam.bump ? seam.edges + 1 : 0; i <= seam.edges; ++i) {
         if ((i == 0 && !seam.first_end_inside) || (i == seam.edges && !seam.last_end_inside))
           continue;
         const int edge = seam.position + std::min(i, seam.edges - 1);
-        const int node =
-            outline_node(base_, sheets_, seam.upper, vertex_at(seam.loop, edge),
-                         vertex_at(seam.loop, edge + 1), vertex_at(seam.loop, seam.position + i));
+        const int node = mesh_.outline_node(seam.upper, vertex_at(seam.loop, edge),
+                                            vertex_at(seam.loop, edge + 1),
+                                            vertex_at(seam.loop, seam.position + i));
         if (node >= 0) out_.role[node] = NodeRole::seam;
       }
   }
 
-  int vertex_at(int loop, int position) const {
-    const std::vector<int>& vertices = loops_.vertices[loop];
-    const int n = static_cast<int>(vertices.size());
-    return vertices[((position % n) + n) % n];
-  }
-
-  double edge_length(int loop, int position, int direction) const {
-    return distance(base_.points[vertex_at(loop, position)],
-                    base_.points[vertex_at(loop, position + direction)]);
-  }
+  int vertex_at(int loop, int position) const { return mesh_.loops.vertex(loop, position); }
 
   // The frontmost node at `vertex` of the surface of `lower`, behind `upper`; -1 if there is none.
   int node_below(int vertex, int upper, int lower) const {
     int best = -1;
     int best_part = -1;
-    for (int i = base_.corner_begin[vertex]; i < base_.corner_begin[vertex + 1]; ++i) {
-      const Corner corner = base_.corners[i];
-      for (int f = sheets_.stack_begin[corner / 3]; f < sheets_.stack_begin[corner / 3 + 1]; ++f) {
-        const int part = sheets_.face_part[f];
-        if (part >= upper || connection_.surface[part] != connection_.surface[lower]) continue;
-        const int node = sheets_.faces[f][corner % 3];
+    for (const Corner corner : mesh_.base_corners.at(vertex)) {
+      const int t = triangle_of(corner);
+      for (int f = mesh_.stack_begin[t]; f < mesh_.stack_begin[t + 1]; ++f) {
+        const int part = mesh_.face_part[f];
+        if (part >= upper || mesh_.surface[part] != mesh_.surface[lower]) continue;
+        const int node = mesh_.faces[f][place_of(corner)];
         const bool better =
             part > best_part || (part == best_part && out_.role[best] == NodeRole::flap);
         if (!better) continue;
@@ -134,24 +119,23 @@ class BoundaryFinder {
 
   bool add_step(int upper, int lower, int loop, int at, double s, std::vector<Step>& steps) const {
     const int vertex = vertex_at(loop, at);
-    int node = outline_node(base_, sheets_, upper, vertex, vertex_at(loop, at + 1), vertex);
-    if (node < 0)
-      node = outline_node(base_, sheets_, upper, vertex_at(loop, at - 1), vertex, vertex);
+    int node = mesh_.outline_node(upper, vertex, vertex_at(loop, at + 1), vertex);
+    if (node < 0) node = mesh_.outline_node(upper, vertex_at(loop, at - 1), vertex, vertex);
     if (node < 0 || out_.role[node] != NodeRole::outline) return false;
-    const double mass = 0.5 * (edge_length(loop, at, -1) + edge_length(loop, at, 1));
+    const double mass = 0.5 * (mesh_.loop_step(loop, at, -1) + mesh_.loop_step(loop, at, 1));
     steps.push_back({node, node_below(vertex, upper, lower), s, mass});
     return true;
   }
 
   // Walks from a merged end until the exit, another seam, or all the way round.
   void lay_from(const Seam& seam, int start, int direction) {
-    const int n = static_cast<int>(loops_.vertices[seam.loop].size());
+    const int n = static_cast<int>(mesh_.loops.vertices[seam.loop].size());
     std::vector<Step> steps;
     double s = 0;
     bool exit = false;
     for (int i = 1; i < n; ++i) {
       const int at = start + direction * i;
-      s += edge_length(seam.loop, at - direction, direction);
+      s += mesh_.loop_step(seam.loop, at - direction, direction);
       if (!add_step(seam.upper, seam.lower, seam.loop, at, s, steps)) break;
       const int below = steps.back().below;
       exit = below < 0 || out_.role[below] == NodeRole::outline;
@@ -167,7 +151,7 @@ class BoundaryFinder {
 
   double seam_length(const Seam& seam) const {
     double length = 0;
-    for (int i = 0; i < seam.edges; ++i) length += edge_length(seam.loop, seam.position + i, 1);
+    for (int i = 0; i < seam.edges; ++i) length += mesh_.loop_step(seam.loop, seam.position + i, 1);
     return length;
   }
 
@@ -178,7 +162,7 @@ class BoundaryFinder {
     for (const Step& step : steps) {
       if (ramp_of(step.node) >= 0) continue;
       set_ramp_of(step.node, number);
-      const bool attached = attach_ && glued && has_one_sign(connection_, scene_, ramp.upper);
+      const bool attached = attach_ && glued && has_one_sign(mesh_, scene_, ramp.upper);
       const int below = attached ? step.below : -1;
       out_.ramp_nodes.push_back({step.node, number, below, step.s / ramp.length, step.mass});
       if (glued && step.below >= 0 && out_.role[step.below] != NodeRole::outline)
@@ -188,7 +172,7 @@ class BoundaryFinder {
 
   int ramp_of(int node) const { return ramp_of_.empty() ? -1 : ramp_of_[node]; }
   void set_ramp_of(int node, int ramp) {
-    if (ramp_of_.empty()) ramp_of_.assign(sheets_.node_vertex.size(), -1);
+    if (ramp_of_.empty()) ramp_of_.assign(mesh_.node_vertex.size(), -1);
     ramp_of_[node] = ramp;
   }
 
@@ -201,10 +185,7 @@ class BoundaryFinder {
       if (ramp >= 0 && dropped_[ramp]) ramp = -1;
   }
 
-  const BaseMesh& base_;
-  const Sheets& sheets_;
-  const Loops& loops_;
-  const Connection& connection_;
+  const SheetMesh& mesh_;
   const Scene& scene_;
   bool attach_;
   Boundaries out_;
@@ -214,35 +195,14 @@ class BoundaryFinder {
 
 }  // namespace
 
-bool has_one_sign(const Connection& connection, const Scene& scene, int part) {
-  const auto is_raised = [&](size_t p) { return scene.parts[p].d > 0; };
-  for (size_t p = 0; p < scene.parts.size(); ++p)
-    if (connection.surface[p] == connection.surface[part] && is_raised(p) != is_raised(part))
-      return false;
-  return true;
-}
-
-int outline_node(const BaseMesh& base, const Sheets& sheets, int part, int a, int b, int vertex) {
-  int inner = base.triangle_left_of(a, b);
-  int outer = base.triangle_left_of(b, a);
-  if (sheets.face_of(inner, part) < 0) std::swap(inner, outer);
-  const int face = sheets.face_of(inner, part);
-  if (face < 0 || sheets.face_of(outer, part) >= 0) return -1;
-  const auto& corners = base.mesh.triangles[inner];
-  const auto at = std::find(corners.begin(), corners.end(), vertex);
-  return sheets.faces[face][at - corners.begin()];
-}
-
-Boundaries find_boundaries(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
-                           const Connection& connection, const Scene& scene,
+Boundaries find_boundaries(const SheetMesh& mesh, const Scene& scene,
                            const std::vector<LoopRun>& robin_runs, bool attach) {
-  BoundaryFinder finder(base, sheets, loops, connection, scene, attach);
+  BoundaryFinder finder(mesh, scene, attach);
   finder.lay_automatic_ramps();
   for (size_t r = 0; r < scene.robin.size(); ++r)
     finder.lay_given_ramp(scene.robin[r], robin_runs[r]);
   Boundaries boundaries = finder.result();
-  boundaries.bump_nodes =
-      find_bump_outlines({base, sheets, loops, connection}, scene, robin_runs, boundaries.ramps);
+  boundaries.bump_nodes = find_bump_outlines(mesh, scene, robin_runs, boundaries.ramps);
   return boundaries;
 }
 

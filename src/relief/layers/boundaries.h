@@ -4,19 +4,12 @@
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
-#include "relief/layers/connect_sheets.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/layers/sample_outlines.h"
-#include "relief/layers/sheets.h"
+#include "relief/layers/sheet_mesh.h"
 #include "relievo/scene.h"
 
 namespace relievo {
-
-/// The outlines as loops of base vertices.
-struct Loops {
-  std::vector<std::vector<int>> vertices;
-  std::vector<int> part;  ///< per loop
-};
 
 /// A run of base vertices along one loop.
 struct LoopRun {
@@ -46,16 +39,7 @@ struct Boundaries {
 /// the length of the seam where there is no exit; and the ranges given by the scene, which
 /// replace automatic ones that they touch. Where `attach`, their nodes name those below them.
 /// Near-linear in the length of the outlines.
-Boundaries find_boundaries(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
-                           const Connection& connection, const Scene& scene,
+Boundaries find_boundaries(const SheetMesh& mesh, const Scene& scene,
                            const std::vector<LoopRun>& robin_runs, bool attach);
-
-/// Whether all parts of the surface of a part are raised, or all sunk. Other surfaces pass height 0
-/// in their midst; they are not attached beside joins and have no flaps. O(parts).
-bool has_one_sign(const Connection& connection, const Scene& scene, int part);
-
-/// The node of `part` at `vertex` beside the loop edge ab, or -1 where that edge is not on the
-/// part's outline.
-int outline_node(const BaseMesh& base, const Sheets& sheets, int part, int a, int b, int vertex);
 
 }  // namespace relievo

@@ -8,10 +8,10 @@ namespace {
 /// One loop of a bump.
 class BumpLoop {
  public:
-  BumpLoop(const BumpInput& input, int loop)
-      : input_(input),
+  BumpLoop(const SheetMesh& mesh, int loop)
+      : mesh_(mesh),
         loop_(loop),
-        size_(static_cast<int>(input.loops.vertices[loop].size())),
+        size_(static_cast<int>(mesh.loops.vertices[loop].size())),
         t_(size_, 1),
         ramp_(size_, -1) {}
 
@@ -51,21 +51,19 @@ class BumpLoop {
   }
 
   void append_nodes(std::vector<BumpNode>& nodes) const {
-    const int part = input_.loops.part[loop_];
+    const int part = mesh_.loops.part[loop_];
     for (int i = 0; i < size_; ++i) {
       const int vertex = vertex_at(i);
-      const int node =
-          outline_node(input_.base, input_.sheets, part, vertex, vertex_at(i + 1), vertex);
+      const int node = mesh_.outline_node(part, vertex, vertex_at(i + 1), vertex);
       if (node >= 0) nodes.push_back({node, part, ramp_[i], t_[i]});
     }
   }
 
  private:
   int wrap(int position) const { return ((position % size_) + size_) % size_; }
-  int vertex_at(int position) const { return input_.loops.vertices[loop_][wrap(position)]; }
+  int vertex_at(int position) const { return mesh_.loops.vertex(loop_, position); }
   double step(int position, int direction) const {
-    return distance(input_.base.points[vertex_at(position)],
-                    input_.base.points[vertex_at(position + direction)]);
+    return mesh_.loop_step(loop_, position, direction);
   }
   void set(int at, double t, int ramp) {
     t_[at] = t;
@@ -86,7 +84,7 @@ class BumpLoop {
     ramps.push_back({seam.upper, seam.lower, length, -1, -1});
   }
 
-  const BumpInput& input_;
+  const SheetMesh& mesh_;
   int loop_;
   int size_;
   std::vector<double> t_;
@@ -95,16 +93,16 @@ class BumpLoop {
 
 }  // namespace
 
-std::vector<BumpNode> find_bump_outlines(const BumpInput& input, const Scene& scene,
+std::vector<BumpNode> find_bump_outlines(const SheetMesh& mesh, const Scene& scene,
                                          const std::vector<LoopRun>& robin_runs,
                                          std::vector<RobinRamp>& ramps) {
-  const std::vector<Seam>& seams = input.connection.seams;
+  const std::vector<Seam>& seams = mesh.seams;
   std::vector<BumpNode> nodes;
-  for (int loop = 0; loop < static_cast<int>(input.loops.part.size()); ++loop) {
-    const int part = input.loops.part[loop];
+  for (int loop = 0; loop < static_cast<int>(mesh.loops.part.size()); ++loop) {
+    const int part = mesh.loops.part[loop];
     const auto on_bump = [&](const Seam& seam) { return seam.bump && seam.upper == part; };
     if (std::none_of(seams.begin(), seams.end(), on_bump)) continue;
-    BumpLoop outline(input, loop);
+    BumpLoop outline(mesh, loop);
     for (const Seam& seam : seams)
       if (on_bump(seam) && seam.loop == loop) outline.join(seam);
     for (const Seam& seam : seams)

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 #include <utility>
+
+#include "kernel/base/disjoint_sets.h"
 
 namespace relievo {
 namespace {
@@ -76,24 +77,18 @@ std::vector<Rule> rules_of(const Scene& scene, const std::vector<LoopRun>& runs,
 
 class Collector {
  public:
-  Collector(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
-            const Connection& connection, const Boundaries& boundaries, const LocalOrder& order)
-      : base_(base), sheets_(sheets), boundaries_(boundaries), order_(order) {
-    find_enclosed(loops, connection);
-  }
-
-  void set_rules(std::vector<Rule> rules) { rules_ = std::move(rules); }
-
-  void set_glued(bool glue) {
-    glued_below_.assign(sheets_.node_vertex.size(), -1);
-    if (!glue) return;
-    for (const GluedPair& pair : boundaries_.glued) glued_below_[pair.upper] = pair.lower;
+  Collector(const SheetMesh& mesh, const Boundaries& boundaries, const LocalOrder& order,
+            std::vector<Rule> rules)
+      : mesh_(mesh), boundaries_(boundaries), order_(order), rules_(std::move(rules)) {
+    find_enclosed();
+    glued_below_.assign(mesh.node_vertex.size(), -1);
+    for (const GluedPair& pair : boundaries.glued) glued_below_[pair.upper] = pair.lower;
   }
 
   std::vector<DepthPair> run() {
-    std::vector<int> nodes_at(base_.points.size(), 0);
-    for (const int vertex : sheets_.node_vertex) ++nodes_at[vertex];
-    for (size_t v = 0; v < base_.points.size(); ++v) {
+    std::vector<int> nodes_at(mesh_.points.size(), 0);
+    for (const int vertex : mesh_.node_vertex) ++nodes_at[vertex];
+    for (size_t v = 0; v < mesh_.points.size(); ++v) {
       if (nodes_at[v] < 2) continue;
       gather(static_cast<int>(v));
       if (local_.size() < 2) continue;
@@ -112,10 +107,10 @@ class Collector {
   void gather(int vertex) {
     local_.clear();
     uses_.clear();
-    for (int i = base_.corner_begin[vertex]; i < base_.corner_begin[vertex + 1]; ++i) {
-      const int t = base_.corners[i] / 3;
-      for (int f = sheets_.stack_begin[t]; f < sheets_.stack_begin[t + 1]; ++f)
-        note(sheets_.faces[f][base_.corners[i] % 3], sheets_.face_part[f]);
+    for (const Corner corner : mesh_.base_corners.at(vertex)) {
+      const int t = triangle_of(corner);
+      for (int f = mesh_.stack_begin[t]; f < mesh_.stack_begin[t + 1]; ++f)
+        note(mesh_.faces[f][place_of(corner)], mesh_.face_part[f]);
     }
     std::sort(local_.begin(), local_.end(), [](const LocalNode& a, const LocalNode& b) {
       return a.rank != b.rank ? a.rank < b.rank : a.node < b.node;
@@ -136,10 +131,11 @@ class Collector {
 
   // A loop of an unjoined part is enclosed where every vertex lies inside some lower part; a
   // hole only where all loops of its part are.
-  void find_enclosed(const Loops& loops, const Connection& connection) {
-    std::vector<bool> joined(connection.surface.size(), false);
-    for (const Seam& seam : connection.seams) joined[seam.upper] = true;
-    std::vector<bool> whole(connection.surface.size(), true);
+  void find_enclosed() {
+    const Loops& loops = mesh_.loops;
+    std::vector<bool> joined(mesh_.surface.size(), false);
+    for (const Seam& seam : mesh_.seams) joined[seam.upper] = true;
+    std::vector<bool> whole(mesh_.surface.size(), true);
     std::vector<bool> inside(loops.vertices.size(), true);
     for (size_t l = 0; l < loops.vertices.size(); ++l) {
       for (const int vertex : loops.vertices[l])
@@ -149,7 +145,7 @@ class Collector {
         }
       if (!inside[l]) whole[loops.part[l]] = false;
     }
-    enclosed_.assign(sheets_.node_vertex.size(), false);
+    enclosed_.assign(mesh_.node_vertex.size(), false);
     for (size_t l = 0; l < loops.vertices.size(); ++l) {
       const int part = loops.part[l];
       if (!inside[l] || joined[part] || (is_hole(loops.vertices[l]) && !whole[part])) continue;
@@ -159,7 +155,7 @@ class Collector {
 
   bool is_hole(const std::vector<int>& loop) const {
     Ring ring;
-    for (const int vertex : loop) ring.push_back(base_.points[vertex]);
+    for (const int vertex : loop) ring.push_back(mesh_.points[vertex]);
     return signed_area(ring) < 0;
   }
 
@@ -175,7 +171,7 @@ class Collector {
       const int a = loop[i];
       const int b = loop[(i + 1) % loop.size()];
       for (const int vertex : {a, b}) {
-        const int node = outline_node(base_, sheets_, part, a, b, vertex);
+        const int node = mesh_.outline_node(part, a, b, vertex);
         if (node >= 0) enclosed_[node] = true;
       }
     }
@@ -225,7 +221,7 @@ class Collector {
                  int vertex) const {
     if (rule != nullptr && rule->limited)
       return rule->kind == RelationKind::below ? Sense::swapped : Sense::usual;
-    return sense_at(base_, sheets_, order_, vertex, lower.rank, upper.rank);
+    return sense_at(mesh_, order_, vertex, lower.rank, upper.rank);
   }
 
   // Keeps the most important candidates that close no cycle: equalities, what goes against the
@@ -238,25 +234,17 @@ class Collector {
       if (x.upper_outline != y.upper_outline) return x.upper_outline;
       return x.upper != y.upper ? x.upper > y.upper : x.lower > y.lower;
     });
-    std::vector<int> root(local_.size());
-    std::iota(root.begin(), root.end(), 0);
-    const auto find = [&](int i) {
-      while (root[i] != i) i = root[i];
-      return i;
-    };
+    DisjointSets trees(static_cast<int>(local_.size()));
     for (const Candidate& candidate : candidates_) {
-      const int a = find(candidate.lower);
-      const int b = find(candidate.upper);
-      if (a == b) continue;
-      root[b] = a;
+      if (trees.find(candidate.lower) == trees.find(candidate.upper)) continue;
+      trees.unite(candidate.lower, candidate.upper);
       DepthPair pair{local_[candidate.lower].node, local_[candidate.upper].node, candidate.equal};
       if (candidate.swapped) std::swap(pair.lower, pair.upper);
       pairs_.push_back(pair);
     }
   }
 
-  const BaseMesh& base_;
-  const Sheets& sheets_;
+  const SheetMesh& mesh_;
   const Boundaries& boundaries_;
   const LocalOrder& order_;
   std::vector<Rule> rules_;
@@ -270,15 +258,11 @@ class Collector {
 
 }  // namespace
 
-std::vector<DepthPair> collect_constraints(const BaseMesh& base, const Sheets& sheets,
-                                           const Loops& loops, const Connection& connection,
-                                           const Boundaries& boundaries, const Scene& scene,
+std::vector<DepthPair> collect_constraints(const SheetMesh& mesh, const Boundaries& boundaries,
+                                           const Scene& scene,
                                            const std::vector<LoopRun>& relation_runs,
-                                           const LocalOrder& order, bool glue) {
-  Collector collector(base, sheets, loops, connection, boundaries, order);
-  collector.set_rules(rules_of(scene, relation_runs, loops));
-  collector.set_glued(glue);
-  return collector.run();
+                                           const LocalOrder& order) {
+  return Collector(mesh, boundaries, order, rules_of(scene, relation_runs, mesh.loops)).run();
 }
 
 }  // namespace relievo

@@ -16,10 +16,9 @@ namespace relievo {
 /// Where `order` has two parts the other way round, so are "above" and "below" between them; where
 /// it has them both ways around a vertex there is nothing but what relations say of that place.
 /// At each base vertex the pairs form a forest. `node_part` as in LayeredMesh. Near-linear.
-std::vector<DepthPair> collect_constraints(const BaseMesh& base, const Sheets& sheets,
-                                           const Loops& loops, const Connection& connection,
-                                           const Boundaries& boundaries, const Scene& scene,
+std::vector<DepthPair> collect_constraints(const SheetMesh& mesh, const Boundaries& boundaries,
+                                           const Scene& scene,
                                            const std::vector<LoopRun>& relation_runs,
-                                           const LocalOrder& order, bool glue);
+                                           const LocalOrder& order);
 
 }  // namespace relievo

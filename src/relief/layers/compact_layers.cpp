@@ -11,11 +11,10 @@ namespace {
 
 class Compactor {
  public:
-  Compactor(const BaseMesh& base, const Sheets& sheets, const FaceOrder& order)
-      : base_(base), sheets_(sheets), order_(order) {
-    triangle_.assign(base.mesh.triangles.size(), -1);
-    vertex_.assign(base.points.size(), -1);
-    node_.assign(sheets.node_vertex.size(), -1);
+  Compactor(const SheetMesh& mesh, const FaceOrder& order) : sheets_(mesh), order_(order) {
+    triangle_.assign(mesh.base.triangles.size(), -1);
+    vertex_.assign(mesh.points.size(), -1);
+    node_.assign(mesh.node_vertex.size(), -1);
   }
 
   LayeredMesh run(const Boundaries& boundaries, const std::vector<DepthPair>& pairs) {
@@ -67,14 +66,14 @@ class Compactor {
       if (covered(static_cast<int>(t))) triangle_[t] = count++;
     for (size_t t = 0; t < triangle_.size(); ++t) {
       if (triangle_[t] < 0) continue;
-      for (const int v : base_.mesh.triangles[t]) vertex_[v] = 0;
+      for (const int v : sheets_.base.triangles[t]) vertex_[v] = 0;
       std::array<int, 3> across{};
       for (int k = 0; k < 3; ++k) {
-        const int next = base_.mesh.neighbours[t][k];
+        const int next = sheets_.base.neighbours[t][k];
         across[k] = covered(next) ? triangle_[next] : -1;
       }
       out_.neighbours.push_back(across);
-      out_.triangles.push_back(base_.mesh.triangles[t]);
+      out_.triangles.push_back(sheets_.base.triangles[t]);
       for (int i = sheets_.stack_begin[t]; i < sheets_.stack_begin[t + 1]; ++i) {
         const int f = order_.local.is_usual() ? i : order_.local.faces[i];
         out_.faces.push_back(sheets_.faces[f]);
@@ -88,7 +87,7 @@ class Compactor {
     for (size_t v = 0; v < vertex_.size(); ++v) {
       if (vertex_[v] < 0) continue;
       vertex_[v] = static_cast<int>(out_.vertices.size());
-      out_.vertices.push_back(base_.points[v]);
+      out_.vertices.push_back(sheets_.points[v]);
     }
     for (auto& triangle : out_.triangles)
       for (int& v : triangle) v = vertex_[v];
@@ -106,8 +105,7 @@ class Compactor {
       for (int& n : face) n = node_[n];
   }
 
-  const BaseMesh& base_;
-  const Sheets& sheets_;
+  const SheetMesh& sheets_;
   const FaceOrder& order_;
   std::vector<int> triangle_;
   std::vector<int> vertex_;
@@ -117,16 +115,9 @@ class Compactor {
 
 }  // namespace
 
-std::vector<int> frontmost_parts(const Sheets& sheets) {
-  std::vector<int> part(sheets.node_vertex.size(), -1);
-  for (size_t f = 0; f < sheets.faces.size(); ++f)
-    for (const int n : sheets.faces[f]) part[n] = std::max(part[n], sheets.face_part[f]);
-  return part;
-}
-
-LayeredMesh compact_layers(const BaseMesh& base, const Sheets& sheets, const Boundaries& boundaries,
+LayeredMesh compact_layers(const SheetMesh& mesh, const Boundaries& boundaries,
                            const FaceOrder& faces, const std::vector<DepthPair>& pairs) {
-  return Compactor(base, sheets, faces).run(boundaries, pairs);
+  return Compactor(mesh, faces).run(boundaries, pairs);
 }
 
 }  // namespace relievo

@@ -6,12 +6,9 @@
 #include "relief/layers/boundaries.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/layers/local_order.h"
-#include "relief/layers/sheets.h"
+#include "relief/layers/sheet_mesh.h"
 
 namespace relievo {
-
-/// The frontmost part that uses each node, -1 where none does. O(F).
-std::vector<int> frontmost_parts(const Sheets& sheets);
 
 /// How the faces of the sheets come to lie.
 struct FaceOrder {
@@ -21,7 +18,7 @@ struct FaceOrder {
 
 /// The finished mesh: everything renumbered without uncovered triangles, unused vertices and
 /// unused nodes, faces as they lie, and with the pairs of nodes that are seen. O(T + F).
-LayeredMesh compact_layers(const BaseMesh& base, const Sheets& sheets, const Boundaries& boundaries,
+LayeredMesh compact_layers(const SheetMesh& mesh, const Boundaries& boundaries,
                            const FaceOrder& faces, const std::vector<DepthPair>& pairs);
 
 }  // namespace relievo

@@ -18,12 +18,6 @@ Seam seam_of(const JoinPath& join, int first, int last) {
   return seam;
 }
 
-/// Sheets and what they are copies of.
-struct SheetsOnBase {
-  const BaseMesh& base;
-  const Sheets& sheets;
-};
-
 /// The longest stretch of path edges with a face below, as [first, last).
 std::pair<int, int> longest_run(const std::vector<int>& below) {
   std::pair<int, int> best{0, 0};
@@ -37,30 +31,24 @@ std::pair<int, int> longest_run(const std::vector<int>& below) {
   return best;
 }
 
-int corner_at(const BaseMesh& base, int t, int vertex) {
-  const auto& corners = base.mesh.triangles[t];
-  return static_cast<int>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
-}
-
 /// The faces met when turning around `vertex` from `face`, away from the edge to `from`, until
 /// the edge to `until` (or -1: all the way), staying on the surface; complete is set where
 /// `until` was reached or the turn closed.
-std::vector<int> turn(const SheetsOnBase& on, int face, int vertex, int from, int until,
+std::vector<int> turn(const SheetMesh& mesh, int face, int vertex, int from, int until,
                       bool& complete) {
   std::vector<int> fan = {face};
   complete = false;
   while (true) {
-    const int t = on.sheets.face_triangle[face];
-    const int at = corner_at(on.base, t, vertex);
-    const auto& corners = on.base.mesh.triangles[t];
-    const int a = (at + 1) % 3;
-    const int b = (at + 2) % 3;
+    const Triangle& corners = mesh.base.triangles[mesh.face_triangle[face]];
+    const int at = place_of_node(corners, vertex);
+    const int a = next_place(at);
+    const int b = last_place(at);
     const int away = corners[a] == from ? b : a;  // corner of the edge that we leave through
     if (corners[away] == until) {
       complete = true;
       return fan;
     }
-    const int next = face_across(on.base, on.sheets, face, away == a ? b : a);
+    const int next = mesh.face_across(face, away == a ? b : a);
     if (next < 0) return fan;
     if (std::find(fan.begin(), fan.end(), next) != fan.end()) {
       complete = next == fan.front();
@@ -76,10 +64,12 @@ std::vector<int> turn(const SheetsOnBase& on, int face, int vertex, int from, in
 using Moves = std::vector<std::pair<Corner, int>>;
 
 /// All faces of the fan around `vertex` get `node` there.
-void move_all(const SheetsOnBase& on, const std::vector<int>& fan, int vertex, int node,
+void move_all(const SheetMesh& mesh, const std::vector<int>& fan, int vertex, int node,
               Moves& moves) {
-  for (const int face : fan)
-    moves.emplace_back(3 * face + corner_at(on.base, on.sheets.face_triangle[face], vertex), node);
+  for (const int face : fan) {
+    const Triangle& corners = mesh.base.triangles[mesh.face_triangle[face]];
+    moves.emplace_back(corner_of(face, place_of_node(corners, vertex)), node);
+  }
 }
 
 /// Both surfaces are one, named by the lower of their numbers.
@@ -92,14 +82,13 @@ void unite(int a, int b, std::vector<int>& surfaces) {
 
 class Connector {
  public:
-  Connector(const BaseMesh& base, int part_count, Sheets& sheets)
-      : base_(base), sheets_(sheets), on_{base, sheets} {
-    out_.surface.resize(part_count);
-    std::iota(out_.surface.begin(), out_.surface.end(), 0);
-    dropped_.assign(sheets.faces.size(), 0);
+  Connector(int part_count, SheetMesh& mesh) : mesh_(mesh) {
+    mesh.surface.resize(part_count);
+    std::iota(mesh.surface.begin(), mesh.surface.end(), 0);
+    dropped_.assign(mesh.faces.size(), 0);
     faces_of_.resize(part_count);
-    for (size_t f = 0; f < sheets.faces.size(); ++f)
-      faces_of_[sheets.face_part[f]].push_back(static_cast<int>(f));
+    for (size_t f = 0; f < mesh.faces.size(); ++f)
+      faces_of_[mesh.face_part[f]].push_back(static_cast<int>(f));
   }
 
   Status connect(const JoinPath& join) {
@@ -113,8 +102,7 @@ class Connector {
                    "the join hardly runs inside the lower part; move it inwards or remove it",
                    join.name};
     if (last - first < static_cast<int>(outer_.size()))
-      out_.warnings.push_back(join.name +
-                              ": only the part of the join inside the lower part is used");
+      warnings_.push_back(join.name + ": only the part of the join inside the lower part is used");
     follow(join, first, last);
     if (is_bump(join))
       replace_below(join, first, last);
@@ -123,17 +111,17 @@ class Connector {
                    "three surfaces would meet along the join; move it away from the other joins of "
                    "these parts or remove one of them",
                    join.name};
-    unite(join.upper, join.lower, out_.surface);
+    unite(join.upper, join.lower, mesh_.surface);
     return Done{};
   }
 
-  Connection result() {
-    const std::vector<int> number = drop_faces(dropped_, sheets_);
-    for (Seam& seam : out_.seams) {
+  std::vector<std::string> finish() {
+    const std::vector<int> number = drop_faces(dropped_, mesh_);
+    for (Seam& seam : mesh_.seams) {
       for (int& face : seam.covered) face = number[face];
       std::erase(seam.covered, -1);
     }
-    return std::move(out_);
+    return std::move(warnings_);
   }
 
  private:
@@ -142,17 +130,18 @@ class Connector {
     inner_.clear();
     outer_.clear();
     for (size_t i = 0; i + 1 < path_.size(); ++i) {
-      int inner = base_.triangle_left_of(path_[i], path_[i + 1]);
-      int outer = base_.triangle_left_of(path_[i + 1], path_[i]);
-      if (sheets_.face_of(inner, upper_) < 0) std::swap(inner, outer);
-      const bool outline =
-          sheets_.face_of(inner, upper_) >= 0 && sheets_.face_of(outer, upper_) < 0;
+      int inner = mesh_.triangle_left_of(path_[i], path_[i + 1]);
+      int outer = mesh_.triangle_left_of(path_[i + 1], path_[i]);
+      if (mesh_.face_of(inner, upper_) < 0) std::swap(inner, outer);
+      const bool outline = mesh_.face_of(inner, upper_) >= 0 && mesh_.face_of(outer, upper_) < 0;
       inner_.push_back(outline ? inner : -1);
       outer_.push_back(outline ? outer : -1);
     }
   }
 
-  bool same_surface(int part, int lower) const { return out_.surface[part] == out_.surface[lower]; }
+  bool same_surface(int part, int lower) const {
+    return mesh_.surface[part] == mesh_.surface[lower];
+  }
 
   // Per path edge the frontmost face of the lower surface on the outer side, or -1.
   void find_surface(const JoinPath& join) {
@@ -164,9 +153,9 @@ class Connector {
   int face_below(int t, const JoinPath& join) const {
     if (t < 0) return -1;
     int below = -1;
-    for (int f = sheets_.stack_begin[t]; f < sheets_.stack_begin[t + 1]; ++f)
-      if (sheets_.face_part[f] < upper_ && dropped_[f] == 0 &&
-          same_surface(sheets_.face_part[f], join.lower))
+    for (int f = mesh_.stack_begin[t]; f < mesh_.stack_begin[t + 1]; ++f)
+      if (mesh_.face_part[f] < upper_ && dropped_[f] == 0 &&
+          same_surface(mesh_.face_part[f], join.lower))
         below = f;
     return below;
   }
@@ -174,23 +163,23 @@ class Connector {
   // Whether the lower part lies under all of the upper one and on around it. A part that was joined
   // to other surfaces before, or to this one as no bump, is none.
   bool is_bump(const JoinPath& join) const {
-    if (out_.surface[upper_] != upper_) return is_bump_already(join);
+    if (mesh_.surface[upper_] != upper_) return is_bump_already(join);
     for (const int face : faces_of_[upper_]) {
-      const int t = sheets_.face_triangle[face];
+      const int t = mesh_.face_triangle[face];
       if (!is_next_below(t, join)) return false;
-      for (const int next : base_.mesh.neighbours[t])
-        if (sheets_.face_of(next, upper_) < 0 && !is_next_below(next, join)) return false;
+      for (const int next : mesh_.base.neighbours[t])
+        if (mesh_.face_of(next, upper_) < 0 && !is_next_below(next, join)) return false;
     }
     return true;
   }
 
   bool is_next_below(int t, const JoinPath& join) const {
     const int below = face_below(t, join);
-    return below >= 0 && sheets_.face_part[below] == join.lower;
+    return below >= 0 && mesh_.face_part[below] == join.lower;
   }
 
   bool is_bump_already(const JoinPath& join) const {
-    return std::any_of(out_.seams.begin(), out_.seams.end(), [&](const Seam& seam) {
+    return std::any_of(mesh_.seams.begin(), mesh_.seams.end(), [&](const Seam& seam) {
       return seam.upper == upper_ && seam.bump && same_surface(upper_, join.lower);
     });
   }
@@ -198,13 +187,13 @@ class Connector {
   void replace_below(const JoinPath& join, int first, int last) {
     Seam seam = seam_of(join, first, last);
     seam.bump = true;
-    out_.seams.push_back(std::move(seam));
-    if (out_.surface[upper_] != upper_) return;
+    mesh_.seams.push_back(std::move(seam));
+    if (mesh_.surface[upper_] != upper_) return;
     for (const int face : faces_of_[upper_]) {
-      const int below = face_below(sheets_.face_triangle[face], join);
-      sheets_.faces[face] = sheets_.faces[below];
-      sheets_.face_source[face] = sheets_.face_source[below];
-      sheets_.faces[below] = {-1, -1, -1};  // hangs together with nothing any more
+      const int below = face_below(mesh_.face_triangle[face], join);
+      mesh_.faces[face] = mesh_.faces[below];
+      mesh_.face_source[face] = mesh_.face_source[below];
+      mesh_.faces[below] = {-1, -1, -1};  // hangs together with nothing any more
       dropped_[below] = 1;
     }
   }
@@ -213,9 +202,9 @@ class Connector {
   // so that neighbouring edges refer to faces that hang together.
   void follow(const JoinPath& join, int first, int last) {
     int start = (first + last) / 2;
-    if (sheets_.face_part[below_[start]] != join.lower)
+    if (mesh_.face_part[below_[start]] != join.lower)
       for (int i = first; i < last; ++i)
-        if (sheets_.face_part[below_[i]] == join.lower) start = i;
+        if (mesh_.face_part[below_[i]] == join.lower) start = i;
     for (int i = start; i + 1 < last; ++i) carry(i, i + 1);
     for (int i = start; i > first; --i) carry(i, i - 1);
   }
@@ -224,13 +213,13 @@ class Connector {
     const int from = path_[j > i ? i : i + 1];
     const int until = path_[j > i ? j + 1 : j];
     bool complete = false;
-    const std::vector<int> fan = turn(on_, below_[i], path_[std::max(i, j)], from, until, complete);
+    const std::vector<int> fan =
+        turn(mesh_, below_[i], path_[std::max(i, j)], from, until, complete);
     if (complete) below_[j] = fan.back();
   }
 
   int upper_node(int i, int vertex) const {
-    const int face = sheets_.face_of(inner_[i], upper_);
-    return sheets_.faces[face][corner_at(base_, inner_[i], vertex)];
+    return mesh_.node_at(mesh_.face_of(inner_[i], upper_), vertex);
   }
 
   // Whether the surface stays one: no edge has more than two faces.
@@ -240,20 +229,21 @@ class Connector {
       const int vertex = path_[i];
       const int node = upper_node(i, vertex);
       bool complete = false;
-      move_all(on_, turn(on_, below_[i - 1], vertex, path_[i - 1], path_[i + 1], complete), vertex,
-               node, moves);
+      move_all(mesh_, turn(mesh_, below_[i - 1], vertex, path_[i - 1], path_[i + 1], complete),
+               vertex, node, moves);
       if (!complete)
-        move_all(on_, turn(on_, below_[i], vertex, path_[i + 1], path_[i - 1], complete), vertex,
-                 node, moves);
+        move_all(mesh_, turn(mesh_, below_[i], vertex, path_[i + 1], path_[i - 1], complete),
+                 vertex, node, moves);
     }
     Seam seam = seam_of(join, first, last);
     seam.covered = covered_faces(first, last);
     seam.first_end_inside = merge_end(first, path_[first], path_[first + 1], moves);
     seam.last_end_inside = merge_end(last - 1, path_[last], path_[last - 1], moves);
-    for (const auto& [corner, node] : moves) sheets_.faces[corner / 3][corner % 3] = node;
-    out_.seams.push_back(seam);
+    for (const auto& [corner, node] : moves)
+      mesh_.faces[triangle_of(corner)][place_of(corner)] = node;
+    mesh_.seams.push_back(seam);
     return std::all_of(moves.begin(), moves.end(), [&](const auto& move) {
-      return has_plain_edges(base_, sheets_, move.first / 3);
+      return has_plain_edges(mesh_, triangle_of(move.first));
     });
   }
 
@@ -261,10 +251,10 @@ class Connector {
   std::vector<int> covered_faces(int first, int last) const {
     std::vector<int> faces;
     for (int i = first; i < last; ++i) {
-      const auto& corners = base_.mesh.triangles[outer_[i]];
+      const auto& corners = mesh_.base.triangles[outer_[i]];
       int opposite = 0;
       while (corners[opposite] == path_[i] || corners[opposite] == path_[i + 1]) ++opposite;
-      const int face = face_across(base_, sheets_, below_[i], opposite);
+      const int face = mesh_.face_across(below_[i], opposite);
       if (face >= 0) faces.push_back(face);
     }
     return faces;
@@ -274,15 +264,13 @@ class Connector {
   // outline, and only what is reached from the outer side moves.
   bool merge_end(int edge, int vertex, int along, Moves& moves) const {
     bool closed = false;
-    move_all(on_, turn(on_, below_[edge], vertex, along, -1, closed), vertex,
+    move_all(mesh_, turn(mesh_, below_[edge], vertex, along, -1, closed), vertex,
              upper_node(edge, vertex), moves);
     return closed;
   }
 
-  const BaseMesh& base_;
-  Sheets& sheets_;
-  SheetsOnBase on_;
-  Connection out_;
+  SheetMesh& mesh_;
+  std::vector<std::string> warnings_;
   std::vector<uint8_t> dropped_;            // per face: replaced by a bump's
   std::vector<std::vector<int>> faces_of_;  // per part
   std::vector<int> path_;
@@ -294,16 +282,16 @@ class Connector {
 
 }  // namespace
 
-Result<Connection> connect_sheets(const BaseMesh& base, const std::vector<JoinPath>& joins,
-                                  int part_count, Sheets& sheets) {
+Result<std::vector<std::string>> connect_sheets(const std::vector<JoinPath>& joins, int part_count,
+                                                SheetMesh& mesh) {
   std::vector<size_t> order(joins.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](size_t a, size_t b) { return joins[a].upper < joins[b].upper; });
-  Connector connector(base, part_count, sheets);
+  Connector connector(part_count, mesh);
   for (const size_t j : order)
     if (Status status = connector.connect(joins[j]); !status) return status.error();
-  return connector.result();
+  return connector.finish();
 }
 
 }  // namespace relievo

@@ -58,21 +58,11 @@ InputCurve sampled_span(const std::vector<Point2>& line, LineSpan span, double s
   return curve;
 }
 
-/// The edge of a face opposite to corner k, where it is the one from a to b; -1 in all other cases.
-int corner_opposite(const BaseMesh& base, const Sheets& sheets, int part, int a, int b) {
-  const int t = base.triangle_left_of(a, b);
-  const int face = sheets.face_of(t, part);
-  if (face < 0) return -1;
-  int k = 0;
-  while (base.mesh.triangles[t][k] == a || base.mesh.triangles[t][k] == b) ++k;
-  return 3 * face + k;
-}
-
-bool share_edge(const Sheets& sheets, int corner, int other) {
-  const auto& face = sheets.faces[corner / 3];
-  const auto& across = sheets.faces[other / 3];
-  return face[(corner + 1) % 3] == across[(other + 2) % 3] &&
-         face[(corner + 2) % 3] == across[(other + 1) % 3];
+/// The corner of a face opposite to its edge from a to b; -1 where the part has none.
+Corner corner_opposite(const SheetMesh& mesh, int part, int a, int b) {
+  const int t = mesh.triangle_left_of(a, b);
+  const int face = mesh.face_of(t, part);
+  return face < 0 ? -1 : corner_of(face, next_place(place_of_node(mesh.base.triangles[t], b)));
 }
 
 }  // namespace
@@ -95,7 +85,7 @@ void sample_creases(const Scene& scene, double spacing, SampledOutlines& sampled
   }
 }
 
-std::vector<CreaseEdge> find_creases(const BaseMesh& base, const Sheets& sheets,
+std::vector<CreaseEdge> find_creases(const SheetMesh& mesh,
                                      const std::vector<std::vector<int>>& lines,
                                      const std::vector<int>& cue, const Scene& scene) {
   std::vector<CreaseEdge> creases;
@@ -103,9 +93,12 @@ std::vector<CreaseEdge> find_creases(const BaseMesh& base, const Sheets& sheets,
   for (size_t i = 0; i < lines.size(); ++i) {
     const int part = scene.cues[cue[i]].part;
     for (size_t k = 0; k + 1 < lines[i].size(); ++k) {
-      const int ahead = corner_opposite(base, sheets, part, lines[i][k], lines[i][k + 1]);
-      const int back = corner_opposite(base, sheets, part, lines[i][k + 1], lines[i][k]);
-      if (ahead < 0 || back < 0 || !share_edge(sheets, ahead, back)) continue;
+      const Corner ahead = corner_opposite(mesh, part, lines[i][k], lines[i][k + 1]);
+      const Corner back = corner_opposite(mesh, part, lines[i][k + 1], lines[i][k]);
+      if (ahead < 0 || back < 0 ||
+          !share_edge(mesh.faces[triangle_of(ahead)], place_of(ahead),
+                      mesh.faces[triangle_of(back)], place_of(back)))
+        continue;
       if (taken.insert(std::min(ahead, back)).second) creases.push_back({cue[i], {ahead, back}});
     }
   }

@@ -5,7 +5,7 @@
 #include "kernel/geometry/polygon.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/layers/sample_outlines.h"
-#include "relief/layers/sheets.h"
+#include "relief/layers/sheet_mesh.h"
 #include "relievo/scene.h"
 
 namespace relievo {
@@ -18,7 +18,7 @@ void sample_creases(const Scene& scene, double spacing, SampledOutlines& sampled
 
 /// The edges of the sheets along `lines`, polylines of base vertices, inside the part that each
 /// belongs to. `lines[i]` is of cue `cue[i]`. O(edges + height of the stacks).
-std::vector<CreaseEdge> find_creases(const BaseMesh& base, const Sheets& sheets,
+std::vector<CreaseEdge> find_creases(const SheetMesh& mesh,
                                      const std::vector<std::vector<int>>& lines,
                                      const std::vector<int>& cue, const Scene& scene);
 

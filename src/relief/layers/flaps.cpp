@@ -9,16 +9,16 @@ namespace {
 
 class FlapFinder {
  public:
-  FlapFinder(const BaseMesh& base, const Sheets& sheets, const LocalOrder& order)
-      : base_(base), sheets_(sheets), order_(order), flap_(sheets.faces.size(), Flap::none) {}
+  FlapFinder(const SheetMesh& mesh, const LocalOrder& order)
+      : mesh_(mesh), order_(order), flap_(mesh.faces.size(), Flap::none) {}
 
   void add(const Seam& seam, Flap kind) {
-    reached_.assign(sheets_.faces.size(), 0);
+    reached_.assign(mesh_.faces.size(), 0);
     for (const int face : seam.covered) take(face, seam.upper, kind);
     while (!pending_.empty()) {
       const int face = pending_.back();
       pending_.pop_back();
-      for (int k = 0; k < 3; ++k) take(face_across(base_, sheets_, face, k), seam.upper, kind);
+      for (int k = 0; k < 3; ++k) take(mesh_.face_across(face, k), seam.upper, kind);
     }
   }
 
@@ -29,7 +29,7 @@ class FlapFinder {
       released = false;
       const std::vector<uint8_t> held = held_nodes(role);
       for (int f = 0; f < static_cast<int>(flap_.size()); ++f)
-        if (flap_[f] != Flap::loose && held[sheets_.faces[f][0]] == 0)
+        if (flap_[f] != Flap::loose && held[mesh_.faces[f][0]] == 0)
           released = release_around(f) || released;
     }
   }
@@ -42,8 +42,8 @@ class FlapFinder {
   }
 
   void take(int face, int upper, Flap kind) {
-    if (face < 0 || reached_[face] != 0 || sheets_.face_part[face] >= upper) return;
-    const int cover = sheets_.face_of(sheets_.face_triangle[face], upper);
+    if (face < 0 || reached_[face] != 0 || mesh_.face_part[face] >= upper) return;
+    const int cover = mesh_.face_of(mesh_.face_triangle[face], upper);
     if (cover < 0 || !lies_behind(face, cover)) return;
     reached_[face] = 1;
     if (flap_[face] != Flap::loose) flap_[face] = kind;
@@ -56,7 +56,7 @@ class FlapFinder {
     DisjointSets pieces(nodes);
     for (size_t f = 0; f < flap_.size(); ++f)
       if (flap_[f] != Flap::loose)
-        for (const int k : {1, 2}) pieces.unite(sheets_.faces[f][0], sheets_.faces[f][k]);
+        for (const int k : {1, 2}) pieces.unite(mesh_.faces[f][0], mesh_.faces[f][k]);
     std::vector<uint8_t> held(role.size(), 0);
     for (int n = 0; n < nodes; ++n)
       if (role[n] == NodeRole::outline || role[n] == NodeRole::ramp) held[pieces.find(n)] = 1;
@@ -72,7 +72,7 @@ class FlapFinder {
       const int at = pending_.back();
       pending_.pop_back();
       for (int k = 0; k < 3; ++k) {
-        const int next = face_across(base_, sheets_, at, k);
+        const int next = mesh_.face_across(at, k);
         if (next < 0 || flap_[next] != Flap::loose) continue;
         flap_[next] = Flap::kept;
         any = true;
@@ -82,8 +82,7 @@ class FlapFinder {
     return any;
   }
 
-  const BaseMesh& base_;
-  const Sheets& sheets_;
+  const SheetMesh& mesh_;
   const LocalOrder& order_;
   std::vector<Flap> flap_;        // per face
   std::vector<uint8_t> reached_;  // per face, by the flap of the seam at hand
@@ -92,13 +91,11 @@ class FlapFinder {
 
 }  // namespace
 
-std::vector<Flap> find_flaps(const BaseMesh& base, const Sheets& sheets,
-                             const Connection& connection, const Boundaries& boundaries,
+std::vector<Flap> find_flaps(const SheetMesh& mesh, const Boundaries& boundaries,
                              const LocalOrder& order, const Scene& scene, bool loose) {
-  FlapFinder finder(base, sheets, order);
-  for (const Seam& seam : connection.seams)
-    finder.add(seam,
-               loose && has_one_sign(connection, scene, seam.upper) ? Flap::loose : Flap::kept);
+  FlapFinder finder(mesh, order);
+  for (const Seam& seam : mesh.seams)
+    finder.add(seam, loose && has_one_sign(mesh, scene, seam.upper) ? Flap::loose : Flap::kept);
   finder.release(boundaries.role);
   return finder.result();
 }

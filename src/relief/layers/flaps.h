@@ -12,8 +12,7 @@ namespace relievo {
 /// upper part covers the surface, in front of it. Kept where `loose` is false,
 /// where d changes its sign on that surface, and where what would be left of it has no outline. O(F
 /// + faces of the flaps).
-std::vector<Flap> find_flaps(const BaseMesh& base, const Sheets& sheets,
-                             const Connection& connection, const Boundaries& boundaries,
+std::vector<Flap> find_flaps(const SheetMesh& mesh, const Boundaries& boundaries,
                              const LocalOrder& order, const Scene& scene, bool loose);
 
 }  // namespace relievo

@@ -1,7 +1,7 @@
 #include "relief/layers/joined_surface.h"
 
-#include "kernel/base/disjoint_sets.h"
 #include "kernel/geometry/polygon.h"
+#include "kernel/geometry/triangles.h"
 
 namespace relievo {
 
@@ -37,16 +37,7 @@ std::vector<std::array<int, 3>> shaping_faces(const LayeredMesh& mesh) {
 }
 
 std::vector<int> joined_surfaces(const LayeredMesh& mesh) {
-  const int nodes = static_cast<int>(mesh.node_vertex.size());
-  DisjointSets surfaces(nodes);
-  for (const auto& [a, b, c] : mesh.faces) {
-    surfaces.unite(a, b);
-    surfaces.unite(a, c);
-  }
-  std::vector<int> surface;
-  surface.reserve(mesh.node_vertex.size());
-  for (int n = 0; n < nodes; ++n) surface.push_back(surfaces.find(n));
-  return surface;
+  return connected_pieces(mesh.faces, mesh.node_vertex.size());
 }
 
 }  // namespace relievo

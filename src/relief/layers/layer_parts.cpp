@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "relief/layers/collect_constraints.h"
 #include "relief/layers/compact_layers.h"
+#include "relief/layers/connect_sheets.h"
 #include "relief/layers/crease_lines.h"
 #include "relief/layers/flaps.h"
 #include "relief/layers/inner_points.h"
@@ -54,33 +54,38 @@ void drop_unused_points(SplicedCurves& spliced) {
   spliced.points = std::move(points);
 }
 
-/// `joined` has its base and edge length; the rest is made.
+/// What all parts will lie on.
+struct Triangulation {
+  std::vector<Point2> points;
+  PlanarTriangulation mesh;
+};
+
+/// The parts on a triangulation, joined.
 Result<JoinedSheets> join_on(const Scene& scene, const SampledOutlines& sampled,
-                             const SplicedCurves& spliced, JoinedSheets joined,
+                             const SplicedCurves& spliced, Triangulation triangulation,
                              const RunContext& context) {
-  joined.loops = {spliced.loops, sampled.curve_part};
-  Cover cover = cover_triangles(joined.base.mesh, joined.loops.vertices, joined.loops.part);
+  Loops loops{spliced.loops, sampled.curve_part};
+  Cover cover = cover_triangles(triangulation.mesh, loops.vertices, loops.part);
   const double speck = speck_side * sampled.detail;
-  drop_specks(joined.base.mesh, joined.base.points, speck * speck, cover);
-  joined.sheets = make_sheets(joined.base, cover);
+  drop_specks(triangulation.mesh, triangulation.points, speck * speck, cover);
+  JoinedSheets joined;
+  SheetMesh& mesh = joined.mesh;
+  mesh = make_sheets(std::move(triangulation.points), std::move(triangulation.mesh),
+                     std::move(loops), cover);
   if (context.cancelled()) return interrupted_error();
   const auto paths = join_paths(scene, spliced, locate_runs(spliced, sampled.joins));
   if (!paths) return paths.error();
-  auto connection =
-      connect_sheets(joined.base, *paths, static_cast<int>(scene.parts.size()), joined.sheets);
-  if (!connection) return connection.error();
-  joined.connection = std::move(*connection);
-  joined.copies = split_fans(joined.base, joined.sheets);
-  joined.sheets.node_part = frontmost_parts(joined.sheets);
+  const auto warnings = connect_sheets(*paths, static_cast<int>(scene.parts.size()), mesh);
+  if (!warnings) return warnings.error();
+  joined.copies = split_fans(mesh);
+  mesh.node_part = frontmost_parts(mesh);
   joined.robin = locate_runs(spliced, sampled.robin);
   const std::vector<LoopRun> ranges = locate_runs(spliced, sampled.relation_ranges);
   for (size_t r = 0; r < ranges.size(); ++r)
     if (scene.relations[r].range) joined.relation_ranges.push_back(ranges[r]);
-  joined.creases =
-      find_creases(joined.base, joined.sheets, spliced.lines, sampled.crease_cue, scene);
+  joined.creases = find_creases(mesh, spliced.lines, sampled.crease_cue, scene);
   joined.warnings = sampled.warnings;
-  joined.warnings.insert(joined.warnings.end(), joined.connection.warnings.begin(),
-                         joined.connection.warnings.end());
+  joined.warnings.insert(joined.warnings.end(), warnings->begin(), warnings->end());
   return joined;
 }
 
@@ -148,28 +153,25 @@ Result<JoinedSheets> join_sheets(const Scene& scene, const LayerOptions& options
   auto mesh = triangulate(points, edges, context);
   if (!mesh) return mesh.error();
   context.report("mesh", 0.7);
-  JoinedSheets joined;
-  joined.base = make_base_mesh(std::move(points), std::move(*mesh));
-  joined.edge_length = *spacing;
-  return join_on(scene, *sampled, *spliced, std::move(joined), context);
+  auto joined = join_on(scene, *sampled, *spliced, {std::move(points), std::move(*mesh)}, context);
+  if (joined) joined->edge_length = *spacing;
+  return joined;
 }
 
 Result<LayeredMesh> constrain_sheets(const JoinedSheets& joined, const Scene& scene,
                                      const LayerOptions& options) {
-  const auto& [base, sheets, loops, connection] =
-      std::tie(joined.base, joined.sheets, joined.loops, joined.connection);
-  const Boundaries boundaries =
-      find_boundaries(base, sheets, loops, connection, scene, joined.robin, options.attach);
+  const SheetMesh& mesh = joined.mesh;
+  Boundaries boundaries = find_boundaries(mesh, scene, joined.robin, options.attach);
+  if (!options.glue) boundaries.glued.clear();
   const std::vector<LoopRun> ranges = runs_of_relations(joined, scene);
-  const auto order = find_local_order(base, sheets, loops, scene, ranges);
+  const auto order = find_local_order(mesh, scene, ranges);
   if (!order) return order.error();
-  const std::vector<Flap> flaps =
-      find_flaps(base, sheets, connection, boundaries, *order, scene, options.attach);
+  const std::vector<Flap> flaps = find_flaps(mesh, boundaries, *order, scene, options.attach);
   std::vector<DepthPair> pairs = joined.copies;
-  const std::vector<DepthPair> ordered = collect_constraints(
-      base, sheets, loops, connection, boundaries, scene, ranges, *order, options.glue);
+  const std::vector<DepthPair> ordered =
+      collect_constraints(mesh, boundaries, scene, ranges, *order);
   pairs.insert(pairs.end(), ordered.begin(), ordered.end());
-  LayeredMesh layers = compact_layers(base, sheets, boundaries, {*order, flaps}, pairs);
+  LayeredMesh layers = compact_layers(mesh, boundaries, {*order, flaps}, pairs);
   const std::vector<DepthPair> resting = resting_pairs(layers, scene);
   layers.constraints.insert(layers.constraints.end(), resting.begin(), resting.end());
   if (layers.faces.empty()) return nothing_left(joined.edge_length);

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "kernel/geometry/polygon.h"
-#include "relief/layers/joined_sheets.h"
-#include "relief/layers/layered_mesh.h"
+#include "relief/layers/boundaries.h"
+#include "relief/layers/sheet_mesh.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
 #include "relievo/scene.h"
@@ -28,6 +31,17 @@ struct LayerOptions {
   bool attach = true;
   /// More nodes than this are refused before they are made.
   int max_nodes = 4000000;
+};
+
+/// All parts on one triangulation, joined: what the outlines and joins decide.
+struct JoinedSheets {
+  SheetMesh mesh;
+  std::vector<LoopRun> robin;            ///< per Robin range of the scene
+  std::vector<LoopRun> relation_ranges;  ///< per relation with a range
+  std::vector<DepthPair> copies;         ///< nodes that were split to keep the mesh manifold
+  std::vector<CreaseEdge> creases;
+  double edge_length = 0;  ///< spacing of the outlines, px
+  std::vector<std::string> warnings;
 };
 
 /// Puts all parts on one triangulation and joins them. Of the scene it reads the outlines, the

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "kernel/geometry/triangles.h"
 #include "relievo/point.h"
 
 namespace relievo {
@@ -62,8 +63,8 @@ struct DepthPair {
 
 /// An edge along a crease of a part. Both faces beside it share its nodes.
 struct CreaseEdge {
-  int cue = -1;                       ///< of the scene
-  std::array<int, 2> corner{-1, -1};  ///< opposite to it in both faces, as 3 * face + k
+  int cue = -1;                          ///< of the scene
+  std::array<Corner, 2> corner{-1, -1};  ///< opposite to it in both faces
 };
 
 /// All parts on one planar triangulation. A *face* is one part's copy of a base triangle; the
@@ -71,8 +72,8 @@ struct CreaseEdge {
 /// relations "below" say otherwise). A *node* is a vertex of the joined
 /// mesh: one surface's copy of a base vertex. Lengths are in canvas px, y down.
 struct LayeredMesh {
-  std::vector<Point2> vertices;               ///< #V base vertices
-  std::vector<std::array<int, 3>> triangles;  ///< #T, positive signed area in canvas px (y down)
+  std::vector<Point2> vertices;     ///< #V base vertices
+  std::vector<Triangle> triangles;  ///< #T, positive signed area in canvas px (y down)
   /// #T x 3, entry k is the triangle across the edge opposite to corner k, or -1.
   std::vector<std::array<int, 3>> neighbours;
 
@@ -83,8 +84,8 @@ struct LayeredMesh {
   /// #F, the part that inflates each face: another one only where it is a bump on that. Empty where
   /// there is no bump.
   std::vector<int> face_source;
-  std::vector<std::array<int, 3>> faces;  ///< #F nodes, corner k lies at corner k of the triangle
-  std::vector<Flap> face_flap;            ///< #F, or empty: all none
+  std::vector<Triangle> faces;  ///< #F nodes, corner k lies at corner k of the triangle
+  std::vector<Flap> face_flap;  ///< #F, or empty: all none
 
   std::vector<int> node_vertex;     ///< #N base vertex of each node
   std::vector<int> node_part;       ///< #N frontmost part that uses the node

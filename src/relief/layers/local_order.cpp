@@ -25,13 +25,12 @@ struct PartPair {
 
 class Finder {
  public:
-  Finder(const BaseMesh& base, const Sheets& sheets, const Loops& loops, const Scene& scene)
-      : base_(base), sheets_(sheets), loops_(loops), scene_(scene) {}
+  Finder(const SheetMesh& mesh, const Scene& scene) : mesh_(mesh), scene_(scene) {}
 
   Result<LocalOrder> run(const std::vector<LoopRun>& runs) {
     find_ranges(runs);
     if (below_.empty()) return std::move(order_);
-    order_.faces.resize(sheets_.faces.size());
+    order_.faces.resize(mesh_.faces.size());
     std::iota(order_.faces.begin(), order_.faces.end(), 0);
     order_.place = order_.faces;
     // From back to front: what a part is put behind lies in its place already.
@@ -47,8 +46,8 @@ class Finder {
       const bool below = relation.kind == RelationKind::below;
       if (runs[r].loop < 0 || (!below && relation.kind != RelationKind::above)) continue;
       (below ? below_ : above_)
-          .push_back(
-              {static_cast<int>(r), relation.upper, relation.lower, run_vertices(loops_, runs[r])});
+          .push_back({static_cast<int>(r), relation.upper, relation.lower,
+                      run_vertices(mesh_.loops, runs[r])});
     }
   }
 
@@ -63,20 +62,20 @@ class Finder {
   }
 
   bool is_inside(int vertex, int part) const {
-    const Corner* corner = base_.corners.data();
-    return std::all_of(corner + base_.corner_begin[vertex], corner + base_.corner_begin[vertex + 1],
-                       [&](Corner c) { return sheets_.face_of(c / 3, part) >= 0; });
+    const std::span<const Corner> corners = mesh_.base_corners.at(vertex);
+    return std::all_of(corners.begin(), corners.end(),
+                       [&](Corner c) { return mesh_.face_of(triangle_of(c), part) >= 0; });
   }
 
   bool overlap_at(int triangle, PartPair pair) const {
-    return sheets_.face_of(triangle, pair.upper) >= 0 && sheets_.face_of(triangle, pair.lower) >= 0;
+    return mesh_.face_of(triangle, pair.upper) >= 0 && mesh_.face_of(triangle, pair.lower) >= 0;
   }
 
   void swap(PartPair pair) {
     std::vector<int> queue;
     std::vector<int> sense = senses_at_outline(pair, queue);
     for (size_t i = 0; i < queue.size(); ++i)
-      for (const int next : base_.mesh.neighbours[queue[i]]) {
+      for (const int next : mesh_.base.neighbours[queue[i]]) {
         if (next < 0 || sense[next] != 0 || !overlap_at(next, pair)) continue;
         sense[next] = sense[queue[i]];
         queue.push_back(next);
@@ -88,18 +87,18 @@ class Finder {
   // Per triangle that has a corner on the upper outline inside the lower part: 1 or -1; listed in
   // `queue`.
   std::vector<int> senses_at_outline(PartPair pair, std::vector<int>& queue) const {
-    std::vector<uint8_t> behind(base_.points.size(), 0);
+    std::vector<uint8_t> behind(mesh_.points.size(), 0);
     for (const Range& range : below_)
       if (PartPair{range.upper, range.lower} == pair)
         for (const int vertex : range.vertices) behind[vertex] = 1;
-    std::vector<int> votes(base_.mesh.triangles.size(), 0);
-    for (size_t l = 0; l < loops_.vertices.size(); ++l) {
-      if (loops_.part[l] != pair.upper) continue;
-      for (const int vertex : loops_.vertices[l]) {
+    std::vector<int> votes(mesh_.base.triangles.size(), 0);
+    for (size_t l = 0; l < mesh_.loops.vertices.size(); ++l) {
+      if (mesh_.loops.part[l] != pair.upper) continue;
+      for (const int vertex : mesh_.loops.vertices[l]) {
         if (!is_inside(vertex, pair.lower)) continue;
-        for (int i = base_.corner_begin[vertex]; i < base_.corner_begin[vertex + 1]; ++i) {
-          const int triangle = base_.corners[i] / 3;
-          if (sheets_.face_of(triangle, pair.upper) < 0) continue;
+        for (const Corner corner : mesh_.base_corners.at(vertex)) {
+          const int triangle = triangle_of(corner);
+          if (mesh_.face_of(triangle, pair.upper) < 0) continue;
           queue.push_back(triangle);
           votes[triangle] += behind[vertex] != 0 ? -1 : 1;
         }
@@ -113,8 +112,8 @@ class Finder {
 
   // Moves the face of the upper part just behind that of the lower one, if it is not behind yet.
   void put_behind(int triangle, PartPair pair) {
-    const int from = order_.place[sheets_.face_of(triangle, pair.upper)];
-    const int to = order_.place[sheets_.face_of(triangle, pair.lower)];
+    const int from = order_.place[mesh_.face_of(triangle, pair.upper)];
+    const int to = order_.place[mesh_.face_of(triangle, pair.lower)];
     if (from < to) return;
     const auto faces = order_.faces.begin();
     std::rotate(faces + to, faces + from, faces + from + 1);
@@ -141,7 +140,7 @@ class Finder {
     if (ends_at(below) && ends_at(above)) return false;
     if (!is_inside(vertex, below.lower) || !is_inside(vertex, above.lower)) return false;
     return above.lower == below.lower ||
-           sense_at(base_, sheets_, order_, vertex, below.lower, above.lower) == Sense::usual;
+           sense_at(mesh_, order_, vertex, below.lower, above.lower) == Sense::usual;
   }
 
   Error contradiction(const Range& below, const Range& above) const {
@@ -154,9 +153,7 @@ class Finder {
             "relations[" + std::to_string(below.relation) + "]"};
   }
 
-  const BaseMesh& base_;
-  const Sheets& sheets_;
-  const Loops& loops_;
+  const SheetMesh& mesh_;
   const Scene& scene_;
   std::vector<Range> below_;
   std::vector<Range> above_;
@@ -172,19 +169,18 @@ std::vector<int> run_vertices(const Loops& loops, const LoopRun& run) {
   return vertices;
 }
 
-Result<LocalOrder> find_local_order(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
-                                    const Scene& scene, const std::vector<LoopRun>& runs) {
-  return Finder(base, sheets, loops, scene).run(runs);
+Result<LocalOrder> find_local_order(const SheetMesh& mesh, const Scene& scene,
+                                    const std::vector<LoopRun>& runs) {
+  return Finder(mesh, scene).run(runs);
 }
 
-Sense sense_at(const BaseMesh& base, const Sheets& sheets, const LocalOrder& order, int vertex,
-               int lower, int upper) {
+Sense sense_at(const SheetMesh& mesh, const LocalOrder& order, int vertex, int lower, int upper) {
   if (order.is_usual()) return Sense::usual;
   bool usual = false;
   bool swapped = false;
-  for (int i = base.corner_begin[vertex]; i < base.corner_begin[vertex + 1]; ++i) {
-    const int below = sheets.face_of(base.corners[i] / 3, lower);
-    const int above = sheets.face_of(base.corners[i] / 3, upper);
+  for (const Corner corner : mesh.base_corners.at(vertex)) {
+    const int below = mesh.face_of(triangle_of(corner), lower);
+    const int above = mesh.face_of(triangle_of(corner), upper);
     if (below < 0 || above < 0) continue;
     (order.place[below] < order.place[above] ? usual : swapped) = true;
   }

@@ -33,11 +33,10 @@ std::vector<int> run_vertices(const Loops& loops, const LoopRun& run);
 /// each relation of the scene, loop -1 where it has none. Fails with contradiction, naming both
 /// relations, where ranges put a part behind another and in front of it, or of one that covers
 /// that, at more than a common end. O(T) for each pair of parts that are related so.
-Result<LocalOrder> find_local_order(const BaseMesh& base, const Sheets& sheets, const Loops& loops,
-                                    const Scene& scene, const std::vector<LoopRun>& runs);
+Result<LocalOrder> find_local_order(const SheetMesh& mesh, const Scene& scene,
+                                    const std::vector<LoopRun>& runs);
 
 /// How two parts lie around a base vertex; usual where no triangle there is covered by both.
-Sense sense_at(const BaseMesh& base, const Sheets& sheets, const LocalOrder& order, int vertex,
-               int lower, int upper);
+Sense sense_at(const SheetMesh& mesh, const LocalOrder& order, int vertex, int lower, int upper);
 
 }  // namespace relievo

@@ -66,14 +66,14 @@ void add_cut_vertices(const CutSurface& surface, const Inflation& inflation,
   const size_t edges = surface.sheets.edge_owner.size();
   for (size_t e = 0; e < edges; ++e) {
     const auto [face, corner] = surface.sheets.edge_owner[e];
-    add_cuts_of(surface, e, {face, (corner + 1) % 3}, {face, (corner + 2) % 3}, inflation, ordering,
-                builder);
+    add_cuts_of(surface, e, {face, next_place(corner)}, {face, last_place(corner)}, inflation,
+                ordering, builder);
   }
   for (size_t e = 0; e < edges; ++e) {
     if (surface.cuts.twin[e] < 0) continue;
     const auto [face, corner] = surface.sheets.edge_twin[e];
-    add_cuts_of(surface, e, {face, (corner + 2) % 3}, {face, (corner + 1) % 3}, inflation, ordering,
-                builder);
+    add_cuts_of(surface, e, {face, last_place(corner)}, {face, next_place(corner)}, inflation,
+                ordering, builder);
   }
 }
 

@@ -48,8 +48,8 @@ class BackFinder {
   void append_cuts(size_t e, std::vector<BackPoint>& back) const {
     const auto [face, corner] = sheets_.edge_owner[e];
     const int triangle = mesh_.face_triangle[face];
-    const int from = mesh_.node_vertex[mesh_.faces[face][(corner + 1) % 3]];
-    const int to = mesh_.node_vertex[mesh_.faces[face][(corner + 2) % 3]];
+    const int from = mesh_.node_vertex[mesh_.faces[face][next_place(corner)]];
+    const int to = mesh_.node_vertex[mesh_.faces[face][last_place(corner)]];
     for (int i = cuts_.begin[e]; i < cuts_.begin[e + 1]; ++i) {
       BackPoint least = nothing;
       for (const int beside : {triangle, mesh_.neighbours[triangle][corner]})

@@ -17,7 +17,7 @@ RisingCorners rising_corners(const CutSurface& surface, int face) {
   const auto lower = [&surface, face](int a, int b) {
     const std::vector<double>& level = surface.cuts.vertex_level;
     const std::vector<int>& vertex = surface.sheets.vertex;
-    return level[vertex[3 * face + a]] < level[vertex[3 * face + b]];
+    return level[vertex[corner_of(face, a)]] < level[vertex[corner_of(face, b)]];
   };
   for (const int i : {0, 1, 0}) {
     if (!lower(rising.corner[i + 1], rising.corner[i])) continue;
@@ -34,7 +34,7 @@ class FaceCutter {
 
   void cut(int face) {
     if (whole(face)) {
-      const int* v = &surface_.sheets.vertex[3 * face];
+      const int* v = &surface_.sheets.vertex[corner_of(face, 0)];
       builder_.add_triangle(run_of(face), v[0], v[2], v[1]);
       return;
     }
@@ -61,12 +61,12 @@ class FaceCutter {
   }
 
   double z(int face, int corner) const {
-    return builder_.position(surface_.sheets.vertex[3 * face + corner]).z;
+    return builder_.position(surface_.sheets.vertex[corner_of(face, corner)]).z;
   }
 
   bool whole(int face) const {
     const std::vector<int>& begin = surface_.cuts.begin;
-    const int* edge = &surface_.sheets.edge[3 * face];
+    const int* edge = &surface_.sheets.edge[corner_of(face, 0)];
     return std::all_of(edge, edge + 3, [&begin](int e) { return begin[e] == begin[e + 1]; });
   }
 
@@ -110,7 +110,7 @@ void append_edge_points(const CutSurface& surface, FaceEdge edge, bool backwards
   const auto& [mesh, sheets, cuts] = surface;
   const int e = sheets.edge[3 * edge.face + edge.corner];
   const auto end_point = [&surface, edge](int side, double t) {
-    const int vertex = surface.sheets.vertex[3 * edge.face + (edge.corner + side) % 3];
+    const int vertex = surface.sheets.vertex[corner_of(edge.face, (edge.corner + side) % 3)];
     return EdgePoint{vertex, surface.cuts.vertex_level[vertex], t};
   };
   const int first_cut = static_cast<int>(sheets.vertex_node.size());
@@ -132,7 +132,7 @@ Status cut_faces(const CutSurface& surface, double hidden_depth, const RunContex
   const int faces = static_cast<int>(surface.mesh.faces.size());
   for (int f = 0; f < faces; ++f) {
     if (f % 4096 == 0 && context.cancelled()) return interrupted_error();
-    if (surface.sheets.edge[3 * f] >= 0) cutter.cut(f);
+    if (surface.sheets.edge[corner_of(f, 0)] >= 0) cutter.cut(f);
   }
   return Done{};
 }

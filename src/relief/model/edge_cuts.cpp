@@ -14,8 +14,8 @@ constexpr int64_t max_triangles = int64_t{1} << 24;
 /// The vertices at both ends of an edge, in its direction.
 std::array<int, 2> edge_ends(const SheetSurface& surface, int edge) {
   const FaceEdge owner = surface.edge_owner[edge];
-  return {surface.vertex[3 * owner.face + (owner.corner + 1) % 3],
-          surface.vertex[3 * owner.face + (owner.corner + 2) % 3]};
+  return {surface.vertex[corner_of(owner.face, next_place(owner.corner))],
+          surface.vertex[corner_of(owner.face, last_place(owner.corner))]};
 }
 
 std::vector<double> vertex_levels(const SheetSurface& surface, const Inflation& inflation,

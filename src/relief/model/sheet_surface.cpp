@@ -25,20 +25,13 @@ int corner_towards(const LayeredMesh& mesh, int t, int other) {
   return k;
 }
 
-bool share_edge(const LayeredMesh& mesh, FaceEdge a, FaceEdge b) {
-  const std::array<int, 3>& n = mesh.faces[a.face];
-  const std::array<int, 3>& m = mesh.faces[b.face];
-  return n[(a.corner + 1) % 3] == m[(b.corner + 2) % 3] &&
-         n[(a.corner + 2) % 3] == m[(b.corner + 1) % 3];
-}
-
 /// The last face of [begin, end) that shares the nodes of `edge`, or -1.
 int face_across(const LayeredMesh& mesh, FaceEdge edge, int begin, int end) {
   if (begin == end) return -1;
   const int t = mesh.face_triangle[begin];
   const int corner = corner_towards(mesh, t, mesh.face_triangle[edge.face]);
   for (int f = end - 1; f >= begin; --f)
-    if (share_edge(mesh, edge, {f, corner})) return f;
+    if (share_edge(mesh.faces[edge.face], edge.corner, mesh.faces[f], corner)) return f;
   return -1;
 }
 
@@ -84,7 +77,7 @@ class Connector {
   }
 
   void pair_edge(FaceEdge edge, int other_triangle) {
-    const int slot = 3 * edge.face + edge.corner;
+    const int slot = edge.index();
     if (surface_.edge[slot] >= 0) return;
     surface_.edge[slot] = static_cast<int>(surface_.edge_owner.size());
     surface_.edge_owner.push_back(edge);
@@ -94,21 +87,22 @@ class Connector {
                                   mesh_.stack_begin[other_triangle + 1]);
     if (other < 0 || !is_kept(other)) return;
     const int k = corner_towards(mesh_, other_triangle, mesh_.face_triangle[edge.face]);
-    if (surface_.edge[3 * other + k] >= 0) return;
-    surface_.edge[3 * other + k] = surface_.edge[slot];
+    if (surface_.edge[corner_of(other, k)] >= 0) return;
+    surface_.edge[corner_of(other, k)] = surface_.edge[slot];
     surface_.across[slot] = other;
-    surface_.across[3 * other + k] = edge.face;
+    surface_.across[corner_of(other, k)] = edge.face;
     if (std::binary_search(creased_.begin(), creased_.end(), slot)) {
       surface_.edge_twin.back() = {other, k};
       return;
     }
     for (const int side : {1, 2})
-      fans_.unite(3 * edge.face + (edge.corner + side) % 3, 3 * other + (k + 3 - side) % 3);
+      fans_.unite(corner_of(edge.face, (edge.corner + side) % 3),
+                  corner_of(other, (k + 3 - side) % 3));
   }
 
   void number_vertices() {
     for_each_kept_edge([this](FaceEdge corner, int) {
-      const int slot = 3 * corner.face + corner.corner;
+      const int slot = corner.index();
       const int first = fans_.find(slot);
       if (first == slot) {
         surface_.vertex[slot] = static_cast<int>(surface_.vertex_node.size());
@@ -121,7 +115,7 @@ class Connector {
 
   void find_step(FaceEdge edge, int other_triangle) {
     const int triangle = mesh_.face_triangle[edge.face];
-    if (other_triangle < triangle || surface_.across[3 * edge.face + edge.corner] >= 0) return;
+    if (other_triangle < triangle || surface_.across[edge.index()] >= 0) return;
     const int other = mesh_.stack_begin[other_triangle + 1] - 1;
     if (other < mesh_.stack_begin[other_triangle]) return;
     surface_.open_edges.push_back({edge, {other, corner_towards(mesh_, other_triangle, triangle)}});
@@ -133,7 +127,7 @@ class Connector {
     const int dropped = mesh_.stack_begin[triangle];
     if (other_triangle < 0 || edge.face != surface_.kept_begin[triangle] || edge.face == dropped)
       return;
-    if (surface_.across[3 * edge.face + edge.corner] >= 0) return;
+    if (surface_.across[edge.index()] >= 0) return;
     const int k = corner_towards(mesh_, other_triangle, triangle);
     for (int f = mesh_.stack_begin[other_triangle + 1] - 1;
          f >= surface_.kept_begin[other_triangle]; --f) {

@@ -14,6 +14,8 @@ namespace relievo {
 struct FaceEdge {
   int face = -1;
   int corner = -1;
+
+  Corner index() const { return corner_of(face, corner); }
 };
 
 /// Two faces beside one base edge between which the surface is open, to be closed by a wall.
@@ -22,8 +24,8 @@ struct OpenEdge {
   FaceEdge second;
 };
 
-/// The faces that a model keeps and how they hang together. Corners and edges are numbered
-/// 3 * face + k; entries of faces that are not kept are -1.
+/// The faces that a model keeps and how they hang together. Corners and edges are numbered as
+/// corner_of does; entries of faces that are not kept are -1.
 struct SheetSurface {
   std::vector<int> kept_begin;   ///< #T faces [kept_begin[t], stack_begin[t + 1]) are kept, but for
                                  ///< those left out

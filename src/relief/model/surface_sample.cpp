@@ -21,8 +21,8 @@ SurfaceSample corner_sample(const LayeredMesh& mesh, const Inflation& inflation,
                             const Ordering& ordering, int face, int corner) {
   SurfaceSample sample = node_sample(inflation, ordering, mesh.faces[face][corner]);
   const auto& [corners, gradients] = ordering.creases;
-  const auto at = std::lower_bound(corners.begin(), corners.end(), 3 * face + corner);
-  if (at != corners.end() && *at == 3 * face + corner)
+  const auto at = std::lower_bound(corners.begin(), corners.end(), corner_of(face, corner));
+  if (at != corners.end() && *at == corner_of(face, corner))
     sample.grad_g = gradients[at - corners.begin()];
   return sample;
 }

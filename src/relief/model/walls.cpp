@@ -40,7 +40,7 @@ class WallBuilder {
     for (EdgePoint& p : second_) p.vertex = builder_.copy_vertex(p.vertex, normal_at(p.t));
     const int triangle = surface_.mesh.face_triangle[open.first.face];
     const std::array<int, 3>& base = surface_.mesh.triangles[triangle];
-    zip(base[(open.first.corner + 1) % 3], base[(open.first.corner + 2) % 3]);
+    zip(base[next_place(open.first.corner)], base[last_place(open.first.corner)]);
   }
 
  private:
@@ -48,7 +48,7 @@ class WallBuilder {
     for (const OpenEdge& open : surface_.sheets.open_edges)
       for (const FaceEdge edge : {open.first, open.second})
         for (const int side : {1, 2}) {
-          const int v = surface_.sheets.vertex[3 * edge.face + (edge.corner + side) % 3];
+          const int v = surface_.sheets.vertex[corner_of(edge.face, (edge.corner + side) % 3)];
           const int node = surface_.sheets.vertex_node[v];
           corners_.push_back({surface_.mesh.node_vertex[node], z(v), v});
         }

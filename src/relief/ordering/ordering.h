@@ -9,7 +9,7 @@ namespace relievo {
 
 /// Gradients at corners of faces on and beside creases, each from its own side.
 struct CreaseGradients {
-  std::vector<int> corner;       ///< as 3 * face + k, ascending
+  std::vector<Corner> corner;    ///< ascending
   std::vector<Point2> gradient;  ///< of g, canvas axes (y down)
 };
 
