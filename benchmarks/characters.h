@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
-#include "relief/discretisation/discretise.h"
+#include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/depth_problem.h"

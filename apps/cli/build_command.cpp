@@ -143,9 +143,10 @@ Status add_maps(Products& products, const BuildArguments& build, const Scene& sc
     return Done{};
   const auto maps = make_maps(build, scene, relief, context);
   if (!maps) return maps.error();
-  const GreenAxis green = build.normal_y_down ? GreenAxis::down : GreenAxis::up;
   if (!build.normal_map.empty())
-    if (Status s = add(products, build.normal_map, encode_normal_map(*maps, green)); !s) return s;
+    if (Status s = add(products, build.normal_map, encode_normal_map(*maps, build.normal_y_down));
+        !s)
+      return s;
   if (!build.depth_map.empty())
     if (Status s = add(products, build.depth_map, encode_depth_map(*maps)); !s) return s;
   if (!build.part_map.empty())

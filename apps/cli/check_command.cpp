@@ -18,7 +18,7 @@
 #include "io/image/png_encode.h"
 #include "io/mesh/placement.h"
 #include "io/overlay/mesh_lines.h"
-#include "kernel/geometry/line_spans.h"
+#include "kernel/geometry/polyline.h"
 #include "kernel/meshing/self_crossing.h"
 #include "relief/inflation/inflate.h"
 #include "relief/layers/layer_parts.h"

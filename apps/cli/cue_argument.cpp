@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "kernel/geometry/line_spans.h"
+#include "kernel/geometry/polyline.h"
 
 namespace relievo::cli {
 namespace {

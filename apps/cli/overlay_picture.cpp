@@ -5,9 +5,8 @@
 
 #include "io/image/png_encode.h"
 #include "io/svg/render_svg.h"
+#include "kernel/image/compose.h"
 #include "kernel/image/image_size.h"
-#include "kernel/image/lay_over.h"
-#include "kernel/image/light_lines.h"
 
 namespace relievo::cli {
 namespace {

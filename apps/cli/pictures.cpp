@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "io/image/png_encode.h"
+#include "kernel/image/compose.h"
 #include "kernel/image/image_size.h"
-#include "kernel/image/paste.h"
 #include "relievo/render.h"
 
 namespace relievo::cli {

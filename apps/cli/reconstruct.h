@@ -4,7 +4,7 @@
 
 #include "apps/cli/arguments.h"
 #include "face/inputs.h"
-#include "relief/model/drawn_model.h"
+#include "relief/model/visible_sheet.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
 #include "solid/check_print.h"

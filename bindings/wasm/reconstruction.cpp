@@ -283,8 +283,7 @@ val Reconstruction::map(const std::string& kind, int side, bool green_down) {
   if (Status status = session_.make_exact(); !status) return failure(status.error());
   const auto maps = session_.maps(side);
   if (!maps) return failure(maps.error());
-  const auto bytes = kind == "normal"
-                         ? encode_normal_map(*maps, green_down ? GreenAxis::down : GreenAxis::up)
+  const auto bytes = kind == "normal"  ? encode_normal_map(*maps, green_down)
                      : kind == "depth" ? encode_depth_map(*maps)
                                        : encode_part_map(*maps);
   if (!bytes) return failure(bytes.error());

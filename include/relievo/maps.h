@@ -15,13 +15,10 @@ struct ReliefMaps {
   Image<int32_t> part;  ///< index of the visible part, -1 on the background
 };
 
-/// Which way the green channel of a normal map points: up (OpenGL, glTF, Blender, Godot, Unity)
-/// or down (DirectX, Unreal).
-enum class GreenAxis { up, down };
-
 /// Normals as an 8-bit RGB PNG: round(127.5 n + 127.5), with n = (0, 0, 1) written as
-/// (128, 128, 255), the background's colour too.
-Result<Bytes> encode_normal_map(const ReliefMaps& maps, GreenAxis green = GreenAxis::up);
+/// (128, 128, 255), the background's colour too. Green points up (OpenGL, glTF, Blender, Godot,
+/// Unity), or down (DirectX, Unreal).
+Result<Bytes> encode_normal_map(const ReliefMaps& maps, bool green_down = false);
 
 /// Heights as a 16-bit grey PNG, near = white: 0 is background and 1 to 65535 run linearly from the
 /// lowest to the highest height (all 65535 where these are the same). The file's texts

@@ -5,14 +5,13 @@
 #include <thread>
 
 #include "kernel/base/workers.h"
-#include "kernel/image/paste.h"
+#include "kernel/image/compose.h"
 #include "relief/model/model_texture.h"
 #include "relievo/render.h"
 #include "render/camera.h"
-#include "render/lighting.h"
 #include "render/low_discrepancy.h"
 #include "render/ray_scene.h"
-#include "render/texture_sampler.h"
+#include "render/shading.h"
 
 namespace relievo {
 namespace {

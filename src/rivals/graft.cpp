@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "kernel/solvers/sparse_cholesky.h"
-#include "relief/layers/joined_surface.h"
+#include "relief/layers/layered_mesh.h"
 #include "rivals/seam_chains.h"
 
 namespace relievo {

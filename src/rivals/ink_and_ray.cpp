@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "relief/discretisation/discretise.h"
-#include "relief/layers/joined_surface.h"
+#include "relief/discretisation/discretisation.h"
+#include "relief/layers/layered_mesh.h"
 #include "rivals/graft.h"
 #include "rivals/reconstructions.h"
 #include "rivals/separate_parts.h"

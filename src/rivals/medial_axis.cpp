@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "kernel/geometry/polygon.h"
-#include "kernel/geometry/ring_measure.h"
 #include "kernel/meshing/triangulate.h"
 
 namespace relievo {

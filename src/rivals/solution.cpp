@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "relief/discretisation/discretise.h"
+#include "relief/discretisation/discretisation.h"
 #include "relief/hiding/hide_sheets.h"
 #include "relief/inflation/inflate.h"
 #include "relief/model/assemble_model.h"

@@ -1,10 +1,9 @@
-#include "rivals/convolution.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "rivals/contour.h"
 #include "support/random_scene.h"
 
 namespace relievo {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "relief/discretisation/discretise.h"
+#include "relief/discretisation/discretisation.h"
 #include "rivals/rival_case.h"
 #include "rivals/seam_chains.h"
 #include "support/scenes.h"

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "rivals/front_probe.h"
+#include "rivals/measure.h"
 #include "rivals/rival_case.h"
 #include "support/random_limbs.h"
 #include "support/scenes.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "relief/layers/joined_surface.h"
+#include "relief/layers/layered_mesh.h"
 #include "rivals/rival_case.h"
 #include "support/random_limbs.h"
 #include "support/scenes.h"

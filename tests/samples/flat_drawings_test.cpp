@@ -9,7 +9,7 @@
 #include "io/image/decode_image.h"
 #include "io/scribbles/read_scribbles.h"
 #include "io/svg/render_svg.h"
-#include "kernel/image/fill_outline.h"
+#include "kernel/image/outlines.h"
 #include "relief/drawing/segment_drawing.h"
 #include "relief/pipeline/propose_scene.h"
 #include "relievo/files.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/svg/read_svg.h"
-#include "kernel/geometry/line_spans.h"
+#include "kernel/geometry/polyline.h"
 #include "relief/join_proposals/propose_layer_joins.h"
 #include "relievo/files.h"
 

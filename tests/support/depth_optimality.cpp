@@ -7,7 +7,7 @@
 #include <map>
 
 #include "kernel/base/disjoint_sets.h"
-#include "relief/layers/joined_surface.h"
+#include "relief/layers/layered_mesh.h"
 
 namespace relievo::testing {
 namespace {

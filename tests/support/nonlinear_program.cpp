@@ -6,7 +6,7 @@
 #include <set>
 
 #include "kernel/operators/laplacian.h"
-#include "relief/layers/joined_surface.h"
+#include "relief/layers/layered_mesh.h"
 #include "support/enforced_pairs.h"
 #include "support/shift_cost.h"
 

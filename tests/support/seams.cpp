@@ -9,7 +9,7 @@
 #include <set>
 #include <utility>
 
-#include "relief/layers/joined_surface.h"
+#include "relief/layers/layered_mesh.h"
 
 namespace relievo::testing {
 namespace {

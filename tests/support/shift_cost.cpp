@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kernel/operators/gradient.h"
-#include "relief/layers/joined_surface.h"
+#include "relief/layers/layered_mesh.h"
 
 namespace relievo::testing {
 namespace {

@@ -49,7 +49,7 @@ class Animator {
     if (!maps) return maps.error();
     FrameMaps& made = frames_.emplace_back();
     made.name = frame.name;
-    made.normal = normal_image(*maps, sequence_.normal_y_down ? GreenAxis::down : GreenAxis::up);
+    made.normal = normal_image(*maps, sequence_.normal_y_down);
     if (wants(sequence_, "occlusion"))
       made.occlusion = share_image(ambient_occlusion(*maps, input.scene.width / size.width));
     made.colour = input.drawing.rgba.empty() ? Image8(size.width, size.height, 4)

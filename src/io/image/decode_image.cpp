@@ -3,7 +3,6 @@
 #include "io/image/gif_decode.h"
 #include "io/image/jpeg_decode.h"
 #include "io/image/png_decode.h"
-#include "io/image/png_defects.h"
 
 namespace relievo {
 

@@ -15,4 +15,11 @@ bool is_jpeg(ByteView bytes);
 /// where the file is damaged or cut short (the reason is in the message), `limit`.
 Result<Image8> decode_jpeg(ByteView bytes, const ImageLimits& limits = {});
 
+/// The orientation, 1 to 8, that an EXIF block ("Exif\0\0" and a TIFF directory) asks for;
+/// 1 (upright) where it says nothing valid.
+int exif_orientation(ByteView exif);
+
+/// The image turned and mirrored so that it is upright, given its EXIF orientation.
+Image8 upright(const Image8& image, int orientation);
+
 }  // namespace relievo

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
-#include "io/layered/layer_color.h"
+#include "io/parts/figures.h"
 #include "io/parts/part_cover.h"
 #include "io/parts/propose_parts.h"
 #include "kernel/base/text_rules.h"
@@ -75,6 +76,42 @@ Part part_of(const RasterLayer& layer, Region region) {
   return part;
 }
 
+/// Width of what is taken for the rim, px.
+constexpr int rim_width = 2;
+
+/// Pixels of an image, 1 or 0 each.
+using Mask = std::vector<char>;
+
+Mask opaque_pixels(const RasterLayer& layer) {
+  Mask mask(layer.rgba.pixels.size() / 4);
+  for (size_t i = 0; i < mask.size(); ++i)
+    mask[i] = layer.opacity * layer.rgba.pixels[4 * i + 3] >= 127.5 ? 1 : 0;
+  return mask;
+}
+
+/// The pixels whose four neighbours are all in the mask.
+Mask eroded(const Mask& mask, int width, int height) {
+  Mask inner(mask.size());
+  for (int y = 1; y + 1 < height; ++y)
+    for (int x = 1; x + 1 < width; ++x) {
+      const size_t i = static_cast<size_t>(y) * width + x;
+      inner[i] = mask[i] & mask[i - 1] & mask[i + 1] & mask[i - width] & mask[i + width];
+    }
+  return inner;
+}
+
+struct MeanColor {
+  double sum[4] = {0, 0, 0, 0};
+  double count = 0;
+
+  void add(const uint8_t* rgba) {
+    for (int k = 0; k < 4; ++k) sum[k] += rgba[k] / 255.0;
+    ++count;
+  }
+
+  Color mean() const { return {sum[0] / count, sum[1] / count, sum[2] / count, sum[3] / count}; }
+};
+
 }  // namespace
 
 LayerRole named_role(const std::string& name, LayerRole of_group) {
@@ -144,6 +181,26 @@ Result<LayeredDrawing> scene_of_pile(LayerPile pile) {
     return Error{ErrorCode::bad_input, "no layer has anything opaque on the canvas", "layers"};
   result.drawing.rgba = std::move(pile.rgba);
   return result;
+}
+
+LayerColor color_of(const RasterLayer& layer) {
+  const Mask mask = opaque_pixels(layer);
+  Mask core = mask;
+  for (int k = 0; k < rim_width; ++k) core = eroded(core, layer.rgba.width, layer.rgba.height);
+  MeanColor inner;
+  MeanColor rim;
+  for (size_t i = 0; i < mask.size(); ++i)
+    if (mask[i]) (core[i] ? inner : rim).add(&layer.rgba.pixels[4 * i]);
+  LayerColor color;
+  if (inner.count == 0) {
+    if (rim.count > 0) color.inner = rim.mean();
+    color.inner.a *= layer.opacity;
+    return color;
+  }
+  color.inner = inner.mean();
+  color.inner.a *= layer.opacity;
+  color.outlined = rim.count > 0 && color_distance(color.inner, rim.mean()) > color_contrast;
+  return color;
 }
 
 }  // namespace relievo

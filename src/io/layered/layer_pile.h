@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/parts/color.h"
 #include "io/parts/figures.h"
 #include "kernel/geometry/polygon.h"
 #include "relievo/image.h"
@@ -78,5 +79,13 @@ void put_layer(LayerPile& pile, const RasterLayer& layer);
 /// The scene of the whole pile: the layers that are parts, else parts proposed as from vector
 /// shapes. Error: bad_input where nothing opaque is drawn.
 Result<LayeredDrawing> scene_of_pile(LayerPile pile);
+
+struct LayerColor {
+  Color inner;  ///< mean of what is opaque, its rim left out where there is more, with its alpha
+  bool outlined = false;  ///< the rim has another colour, as where a line is drawn around a fill
+};
+
+/// What colour a layer has as a whole. O(pixels).
+LayerColor color_of(const RasterLayer& layer);
 
 }  // namespace relievo

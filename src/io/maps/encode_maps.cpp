@@ -33,9 +33,9 @@ DepthScale depth_scale(const HeightRange& range) {
   return {scale > 0 ? range.low - scale : range.low, scale};
 }
 
-Image8 normal_image(const ReliefMaps& maps, GreenAxis green) {
+Image8 normal_image(const ReliefMaps& maps, bool green_down) {
   Image8 image(maps.normal.width, maps.normal.height, 3);
-  const float up = green == GreenAxis::up ? 1.0F : -1.0F;
+  const float up = green_down ? -1.0F : 1.0F;
   for (size_t i = 0; i < image.pixels.size(); i += 3) {
     image.pixels[i] = encode_component(maps.normal.pixels[i]);
     image.pixels[i + 1] = encode_component(up * maps.normal.pixels[i + 1]);
@@ -79,8 +79,8 @@ Result<Bytes> encode_depth_image(const Image16& image, const DepthScale& depth) 
                             {"height_offset", shortest_text(depth.offset)}});
 }
 
-Result<Bytes> encode_normal_map(const ReliefMaps& maps, GreenAxis green) {
-  return encode_png(normal_image(maps, green));
+Result<Bytes> encode_normal_map(const ReliefMaps& maps, bool green_down) {
+  return encode_png(normal_image(maps, green_down));
 }
 
 Result<Bytes> encode_depth_map(const ReliefMaps& maps) {

@@ -25,7 +25,7 @@ DepthScale depth_scale(const HeightRange& range);
 
 /// What the files of encode_normal_map, encode_depth_map (of the given scale) and encode_part_map
 /// hold, and 8 bits of a share, 255 is 1.
-Image8 normal_image(const ReliefMaps& maps, GreenAxis green);
+Image8 normal_image(const ReliefMaps& maps, bool green_down);
 Image16 depth_image(const ImageF& height, const DepthScale& depth);
 Result<Image16> part_image(const Image<int32_t>& part);
 Image8 share_image(const ImageF& share);

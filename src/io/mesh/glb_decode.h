@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "io/image/image_limits.h"
-#include "relief/model/drawn_model.h"
+#include "relief/model/visible_sheet.h"
 #include "relievo/bytes.h"
 #include "relievo/result.h"
 

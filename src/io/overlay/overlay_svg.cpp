@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "io/files/number_text.h"
-#include "kernel/geometry/ring_measure.h"
+#include "kernel/geometry/polygon.h"
 
 namespace relievo {
 namespace {

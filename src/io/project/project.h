@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
-#include "relief/corrections/segmentation_record.h"
+#include "relief/corrections/corrections.h"
 #include "relievo/bytes.h"
 #include "relievo/scene.h"
 

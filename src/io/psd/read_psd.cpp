@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "io/layered/layer_table.h"
-#include "io/psd/psd_channel.h"
 #include "io/psd/psd_file.h"
 #include "kernel/base/text_rules.h"
 

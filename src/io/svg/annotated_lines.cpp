@@ -4,6 +4,7 @@
 
 #include "io/svg/annotated_parts.h"
 #include "io/svg/scanner.h"
+#include "kernel/geometry/polygon.h"
 
 namespace relievo {
 namespace {
@@ -11,13 +12,6 @@ namespace {
 /// How far a line in a layer may be from the outline it follows, as a fraction of the canvas
 /// diagonal.
 constexpr double near_outline = 0.015;
-
-double distance_to_segment(Point2 p, Point2 a, Point2 b) {
-  const Point2 ab = b - a;
-  const double length2 = dot(ab, ab);
-  const double t = length2 > 0 ? std::clamp(dot(p - a, ab) / length2, 0.0, 1.0) : 0;
-  return distance(p, a + t * ab);
-}
 
 double distance_to_outline(Point2 p, const Outline& outline) {
   double least = std::numeric_limits<double>::infinity();

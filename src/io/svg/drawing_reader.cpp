@@ -5,9 +5,9 @@
 #include "io/svg/basic_shapes.h"
 #include "io/svg/svg_document.h"
 #include "io/svg/svg_drawing.h"
-#include "io/svg/svg_length.h"
 #include "io/svg/svg_region.h"
 #include "io/svg/svg_style.h"
+#include "io/svg/svg_units.h"
 
 namespace relievo {
 namespace {

@@ -1,12 +1,18 @@
 #include "io/svg/read_svg.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "io/parts/propose_parts.h"
 #include "io/svg/annotated_parts.h"
-#include "io/svg/paintable_svg.h"
+#include "io/svg/scanner.h"
+#include "io/svg/stylesheet.h"
+#include "io/svg/svg_document.h"
 #include "io/svg/svg_drawing.h"
+#include "io/svg/svg_units.h"
 
 namespace relievo {
 namespace {
@@ -25,7 +31,7 @@ bool uses_layers(const SvgDrawing& drawing, const SvgOptions& options) {
   return options.layers == SvgLayers::parts;
 }
 
-Status take_annotations(const SvgDrawing& drawing, bool layers, SvgImport& import, Notes& notes) {
+Status take_annotations(const SvgDrawing& drawing, bool layers, SvgImport& result, Notes& notes) {
   auto parts = annotated_parts(drawing, layers);
   if (!parts) return parts.error();
   auto joins = annotated_joins(drawing, *parts, layers);
@@ -34,10 +40,10 @@ Status take_annotations(const SvgDrawing& drawing, bool layers, SvgImport& impor
   if (!cues) return cues.error();
   auto relations = annotated_relations(drawing, *parts);
   if (!relations) return relations.error();
-  Scene& scene = import.scene;
+  Scene& scene = result.scene;
   for (AnnotatedPart& part : *parts) {
     scene.parts.push_back(std::move(part.part));
-    import.colors.push_back(std::move(part.colors));
+    result.colors.push_back(std::move(part.colors));
   }
   scene.joins = std::move(joins->joins);
   scene.relations = std::move(*relations);
@@ -47,7 +53,7 @@ Status take_annotations(const SvgDrawing& drawing, bool layers, SvgImport& impor
   return Done{};
 }
 
-Status propose(const SvgDrawing& drawing, const SvgOptions& options, SvgImport& import,
+Status propose(const SvgDrawing& drawing, const SvgOptions& options, SvgImport& result,
                Notes& notes) {
   if (drawing.shapes.size() > options.max_shapes) {
     return Error{ErrorCode::limit,
@@ -56,24 +62,173 @@ Status propose(const SvgDrawing& drawing, const SvgOptions& options, SvgImport& 
                  "svg"};
   }
   std::vector<Mark> marks = opaque_marks(drawing);
-  import.line_art =
-      !marks.empty() &&
-      std::none_of(marks.begin(), marks.end(), [](const Mark& mark) { return mark.filled;
-});
-const FigureList figures = group_figures(std::move(marks), drawing.canvas());
-ProposedParts proposed = propose_parts(figures);
-import.scene.parts = std::move(proposed.parts);
-import.colors = std::move(proposed.colors);
-import.warnings.insert(import.warnings.end(), figures.notes.begin(), figures.notes.end());
-import.proposed = true;
-for (const SvgShape& shape : drawing.shapes) {
-  if (!shape.is_note()) continue;
-  notes.push_back(shape.element);
-  import.warnings.push_back(std::string(shape.join ? "joins" : "cues") +
-                            " are ignored where no part is annotated");
+  result.line_art = !marks.empty() && std::none_of(marks.begin(), marks.end(),
+                                                   [](const Mark& mark) { return mark.filled; });
+  const FigureList figures = group_figures(std::move(marks), drawing.canvas());
+  ProposedParts proposed = propose_parts(figures);
+  result.scene.parts = std::move(proposed.parts);
+  result.colors = std::move(proposed.colors);
+  result.warnings.insert(result.warnings.end(), figures.notes.begin(), figures.notes.end());
+  result.proposed = true;
+  for (const SvgShape& shape : drawing.shapes) {
+    if (!shape.is_note()) continue;
+    notes.push_back(shape.element);
+    result.warnings.push_back(std::string(shape.join ? "joins" : "cues") +
+                              " are ignored where no part is annotated");
+  }
+  return Done{};
 }
-return Done{};
-}  // namespace
+
+constexpr size_t header_size = 24;
+
+int base64_value(char c) {
+  if (c >= 'A' && c <= 'Z') return c - 'A';
+  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+  if (c >= '0' && c <= '9') return c - '0' + 52;
+  if (c == '+') return 62;
+  return c == '/' ? 63 : -1;
+}
+
+/// The first bytes that the base64 text stands for.
+std::string decoded_front(std::string_view text, size_t count) {
+  std::string bytes;
+  uint32_t bits = 0;
+  int filled = 0;
+  for (const char c : text) {
+    const int value = base64_value(c);
+    if (value < 0 && (c == '=' || bytes.size() == count)) break;
+    if (value < 0) continue;
+    bits = bits << 6 | static_cast<uint32_t>(value);
+    filled += 6;
+    if (filled < 8) continue;
+    filled -= 8;
+    bytes.push_back(static_cast<char>(bits >> filled & 255));
+    if (bytes.size() == count) break;
+  }
+  return bytes;
+}
+
+uint32_t big_endian(std::string_view bytes) {
+  uint32_t value = 0;
+  for (const char c : bytes) value = value << 8 | static_cast<unsigned char>(c);
+  return value;
+}
+
+struct EmbeddedSize {
+  uint32_t width = 0;
+  uint32_t height = 0;
+};
+
+/// Size of the PNG file that an <image> carries in a data: reference, from its header alone;
+/// nothing for any other content, and for references to elsewhere.
+std::optional<EmbeddedSize> embedded_png_size(const pugi::xml_node& image) {
+  for (const pugi::xml_attribute& attribute : image.attributes()) {
+    if (local_name(attribute.name()) != "href") continue;
+    const std::string_view href = trimmed_svg(attribute.value());
+    constexpr std::string_view prefix = "data:image/png;base64,";
+    if (href.substr(0, prefix.size()) != prefix) return std::nullopt;
+    const std::string header = decoded_front(href.substr(prefix.size()), header_size);
+    const std::string_view view = header;
+    if (view.size() < header_size || view.substr(1, 3) != "PNG" || view.substr(12, 4) != "IHDR") {
+      return std::nullopt;
+    }
+    return EmbeddedSize{big_endian(view.substr(16, 4)), big_endian(view.substr(20, 4))};
+  }
+  return std::nullopt;
+}
+
+constexpr std::string_view svg_namespace = "http://www.w3.org/2000/svg";
+
+/// Whether the name belongs to SVG: prefixes are looked up, none means SVG unless another namespace
+/// is the default. Values that begin with & are entities of the document type, which are repaired.
+bool is_svg_name(const pugi::xml_node& element) {
+  const std::string_view name = element.name();
+  const size_t colon = name.find(':');
+  const bool plain = colon == std::string_view::npos;
+  const std::string key = plain ? "xmlns" : "xmlns:" + std::string(name.substr(0, colon));
+  for (pugi::xml_node at = element; at; at = at.parent())
+    if (const pugi::xml_attribute space = at.attribute(key.c_str()))
+      return space.value() == svg_namespace || space.value()[0] == '&';
+  return plain;
+}
+
+/// Whether the renderer may see the element: no scripts, nothing foreign, nothing from elsewhere,
+/// and no picture of unknown size.
+bool is_harmless(const pugi::xml_node& element) {
+  if (!is_svg_name(element)) return false;
+  const std::string_view name = local_name(element.name());
+  if (name == "script" || name == "foreignObject" || name == "feImage") return false;
+  if (trimmed_svg(element.attribute("data-relievo").value()) == "ignore") return false;
+  if (name != "image") return true;
+  const auto size = embedded_png_size(element);
+  return size && static_cast<int64_t>(size->width) * size->height <= 25000000;
+}
+
+void remove_harmful(pugi::xml_node parent) {
+  for (pugi::xml_node child = parent.first_child(); child;) {
+    const pugi::xml_node next = child.next_sibling();
+    if (child.type() == pugi::node_element) {
+      if (is_harmless(child)) {
+        remove_harmful(child);
+      } else {
+        parent.remove_child(child);
+      }
+    }
+    child = next;
+  }
+}
+
+void set_attribute(pugi::xml_node node, const char* name, const std::string& value) {
+  pugi::xml_attribute attribute = node.attribute(name);
+  if (!attribute) attribute = node.append_attribute(name);
+  attribute.set_value(value.c_str());
+}
+
+/// Namespaces that were written as entities of the document type are put in their place.
+void repair_namespaces(pugi::xml_node root) {
+  for (pugi::xml_attribute attribute : root.attributes()) {
+    const std::string_view name = attribute.name();
+    if (name.substr(0, 5) != "xmlns" || attribute.value()[0] != '&') continue;
+    const std::string_view prefix = local_name(name);
+    if (prefix == "xmlns" || prefix == "svg") attribute.set_value(svg_namespace.data());
+    if (prefix == "xlink") attribute.set_value("http://www.w3.org/1999/xlink");
+  }
+  if (local_name(root.name()) == root.name()) {
+    set_attribute(root, "xmlns", std::string(svg_namespace));
+  }
+  set_attribute(root, "xmlns:xlink", "http://www.w3.org/1999/xlink");
+}
+
+/// Gives the root the size that the canvas has for us, so that both agree on where things are.
+void fix_size(pugi::xml_node root, double px_width, double px_height) {
+  const std::string width = std::to_string(px_width);
+  const std::string height = std::to_string(px_height);
+  set_attribute(root, "width", width);
+  set_attribute(root, "height", height);
+  if (!parse_view_box(root.attribute("viewBox").value())) {
+    set_attribute(root, "viewBox", "0 0 " + width + " " + height);
+  }
+}
+
+struct StringWriter : pugi::xml_writer {
+  std::string text;
+  void write(const void* data, size_t size) override {
+    text.append(static_cast<const char*>(data), size);
+  }
+};
+
+/// The text of a PaintableSvg whose root has this size, px. The document becomes it; `notes` are
+/// elements of it that are left out.
+std::string paintable_text(SvgDocument& document, double width, double height,
+                           const std::vector<pugi::xml_node>& notes) {
+  for (pugi::xml_node note : notes) set_attribute(note, "data-relievo", "ignore");
+  remove_harmful(document.root);
+  repair_namespaces(document.root);
+  fix_size(document.root, width, height);
+  StringWriter writer;
+  document.root.print(writer, "", pugi::format_raw);
+  return std::move(writer.text);
+}
 
 /// A drawing with what it means, which may be nothing.
 Result<SvgImport> interpret(std::string_view bytes, const SvgOptions& options) {
@@ -81,34 +236,34 @@ Result<SvgImport> interpret(std::string_view bytes, const SvgOptions& options) {
   if (!document) return document.error();
   const auto drawing = read_drawing(**document, options);
   if (!drawing) return drawing.error();
-  SvgImport import;
+  SvgImport result;
   Notes notes;
-  import.warnings = drawing->warnings;
-  import.scene.width = drawing->width;
-  import.scene.height = drawing->height;
+  result.warnings = drawing->warnings;
+  result.scene.width = drawing->width;
+  result.scene.height = drawing->height;
   const bool annotated = is_annotated(*drawing);
   const bool layers = !annotated && uses_layers(*drawing, options);
-  const Status status = annotated || layers ? take_annotations(*drawing, layers, import, notes)
-                                            : propose(*drawing, options, import, notes);
+  const Status status = annotated || layers ? take_annotations(*drawing, layers, result, notes)
+                                            : propose(*drawing, options, result, notes);
   if (!status) return status.error();
-  import.paintable = {paintable_text(**document, drawing->px_width, drawing->px_height, notes),
+  result.paintable = {paintable_text(**document, drawing->px_width, drawing->px_height, notes),
                       drawing->px_width, drawing->px_height};
-  return import;
+  return result;
 }
 
-}  // namespace relievo
+}  // namespace
 
 Result<SvgImport> read_svg(std::string_view bytes, const SvgOptions& options) {
-  auto import = interpret(bytes, options);
-  if (import && import->scene.parts.empty())
+  auto result = interpret(bytes, options);
+  if (result && result->scene.parts.empty())
     return Error{ErrorCode::bad_input, "no filled shape is visible on the canvas", "svg"};
-  return import;
+  return result;
 }
 
 Result<PaintableSvg> paintable_svg(std::string_view bytes, const SvgOptions& options) {
-  auto import = interpret(bytes, options);
-  if (!import) return import.error();
-  return std::move(import->paintable);
+  auto result = interpret(bytes, options);
+  if (!result) return result.error();
+  return std::move(result->paintable);
 }
 
 }  // namespace relievo

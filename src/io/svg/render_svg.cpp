@@ -2,13 +2,27 @@
 
 #include <cairo.h>
 #include <librsvg/rsvg.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <memory>
+#include <new>
 #include <string>
 #include <utility>
 
-#include "io/svg/paint_apart.h"
+#ifdef __linux__
+#endif
 
 namespace relievo {
 namespace {
@@ -76,6 +90,161 @@ Status rasterize(const PaintableSvg& svg, Image8& image) {
   return Done{};
 }
 
+constexpr size_t max_message = 1000;
+constexpr rlim_t max_complaint = 1 << 16;  // bytes that the process may say
+constexpr int crashed = 2;                 // exit codes of the process
+constexpr int gave_up = 3;                 // it leaves an error
+
+Error too_little_memory() {
+  return {ErrorCode::limit, "there is not enough memory to paint the drawing; make it smaller",
+          "svg"};
+}
+
+/// What both processes see: how it ended, then the pixels.
+struct Report {
+  ErrorCode code;
+  char message[max_message];
+  char where[max_message];
+};
+
+class SharedMemory {
+ public:
+  explicit SharedMemory(size_t size)
+      : size_(size),
+        data_(mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {}
+  SharedMemory(const SharedMemory&) = delete;
+  SharedMemory& operator=(const SharedMemory&) = delete;
+  ~SharedMemory() {
+    if (ok()) munmap(data_, size_);
+  }
+  bool ok() const { return data_ != MAP_FAILED; }
+  Report& report() const { return *static_cast<Report*>(data_); }
+  uint8_t* pixels() const { return static_cast<uint8_t*>(data_) + sizeof(Report); }
+
+ private:
+  size_t size_;
+  void* data_;
+};
+
+/// Both ends of a pipe.
+struct Pipe {
+  int ends[2] = {-1, -1};
+  Pipe() {
+    if (pipe(ends) != 0) ends[0] = ends[1] = -1;
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  ~Pipe() {
+    close_end(0);
+    close_end(1);
+  }
+  void close_end(int which) {
+    if (ends[which] >= 0) close(ends[which]);
+    ends[which] = -1;
+  }
+};
+
+void bound(int resource, rlim_t most) {
+  struct rlimit limit = {};
+  if (getrlimit(static_cast<__rlimit_resource_t>(resource), &limit) != 0) return;
+  limit.rlim_max = limit.rlim_cur = std::min({limit.rlim_cur, limit.rlim_max, most});
+  setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
+}
+
+/// Bytes of address space that this process has taken.
+rlim_t present_memory() {
+  std::FILE* file = std::fopen("/proc/self/statm", "r");
+  unsigned long long pages = 0;
+  if (file == nullptr) return 0;
+  const int found = std::fscanf(file, "%llu", &pages);
+  std::fclose(file);
+  return found == 1 ? pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+/// Sanitizers take terabytes of address space, and read their own tables from files.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
+
+void confine(const PaintLimits& limits, uint64_t pixels) {
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+  for (const int signal : {SIGINT, SIGTERM, SIGABRT, SIGSEGV}) std::signal(signal, SIG_DFL);
+  bound(RLIMIT_CORE, 0);
+  bound(RLIMIT_FSIZE, max_complaint);
+  bound(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.seconds)));
+  if (sanitized) return;
+  bound(RLIMIT_AS, present_memory() + limits.memory + 16 * pixels);
+  if (!limits.fonts) bound(RLIMIT_NOFILE, 0);
+}
+
+void leave(const Error& error, Report& report) {
+  report.code = error.code;
+  std::strncpy(report.message, error.message.c_str(), max_message - 1);
+  std::strncpy(report.where, error.where.c_str(), max_message - 1);
+}
+
+/// The work of the process; its exit code.
+int work(int width, int height, const std::function<Status(Image8&)>& paint,
+         const SharedMemory& shared) {
+  try {
+    Image8 image(width, height, 4);
+    const Status status = paint(image);
+    if (status) {
+      std::copy(image.pixels.begin(), image.pixels.end(), shared.pixels());
+      return 0;
+    }
+    leave(status.error(), shared.report());
+  } catch (const std::bad_alloc&) {
+    leave(too_little_memory(), shared.report());
+  } catch (...) {
+    // Panics of libraries in other languages; nothing of ours goes on in this process.
+    return crashed;
+  }
+  return gave_up;
+}
+
+/// What the process has said until it ended, its last words at the end; nothing after `seconds`.
+std::string listen(int from, double seconds, bool& in_time) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  std::string said;
+  while (true) {
+    const std::chrono::duration<double, std::milli> left = end - Clock::now();
+    struct pollfd waiting = {from, POLLIN, 0};
+    const int ready = poll(&waiting, 1, std::max(0, static_cast<int>(left.count())));
+    if (ready < 0 && errno == EINTR) continue;
+    in_time = ready > 0;
+    if (!in_time) return said;
+    char buffer[4096];
+    const ssize_t count = read(from, buffer, sizeof buffer);
+    if (count <= 0) return said;
+    if (said.size() < max_complaint) said.append(buffer, static_cast<size_t>(count));
+  }
+}
+
+Error failure_of(int status, bool in_time, double seconds, const std::string& said,
+                 const Report& report) {
+  if (WIFEXITED(status) && WEXITSTATUS(status) == gave_up)
+    return {report.code, report.message, report.where};
+  if (!in_time || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU))
+    return {ErrorCode::limit,
+            "the drawing takes more than " + std::to_string(static_cast<int>(seconds)) +
+                " s to paint; simplify its filters, or export it as a picture and use that",
+            "svg"};
+  const bool out_of_memory = said.find("alloc") != std::string::npos ||
+                             said.find("temporarily unavailable") != std::string::npos ||
+                             said.find("annot allocate memory") != std::string::npos;
+  if (out_of_memory) return too_little_memory();
+  return {ErrorCode::bad_input,
+          "the drawing cannot be painted: the renderer of SVG gave up on one of its filters, "
+          "patterns or gradients; simplify it",
+          "svg"};
+}
+
 }  // namespace
 
 Result<Drawing> render_svg(const PaintableSvg& svg, int width, int height) {
@@ -100,6 +269,33 @@ Result<Drawing> render_svg(std::string_view bytes, int width, int height,
   const auto paintable = paintable_svg(bytes, options);
   if (!paintable) return paintable.error();
   return render_svg(*paintable, width, height);
+}
+
+Result<Image8> paint_apart(int width, int height, const PaintLimits& limits,
+                           const std::function<Status(Image8&)>& paint) {
+  const size_t pixels = static_cast<size_t>(width) * height;
+  const SharedMemory shared(sizeof(Report) + 4 * pixels);
+  Pipe complaints;
+  if (!shared.ok() || complaints.ends[0] < 0) return too_little_memory();
+  Image8 image(width, height, 4);
+  const pid_t child = fork();
+  if (child < 0) return too_little_memory();
+  if (child == 0) {
+    dup2(complaints.ends[1], STDERR_FILENO);
+    confine(limits, pixels);
+    _exit(work(width, height, paint, shared));
+  }
+  complaints.close_end(1);
+  bool in_time = false;
+  const std::string said = listen(complaints.ends[0], limits.seconds, in_time);
+  if (!in_time) kill(child, SIGKILL);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!in_time || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    return failure_of(status, in_time, limits.seconds, said, shared.report());
+  std::copy(shared.pixels(), shared.pixels() + 4 * pixels, image.pixels.begin());
+  return image;
 }
 
 }  // namespace relievo

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <string_view>
 
 #include "io/svg/read_svg.h"
@@ -16,5 +18,19 @@ Result<Drawing> render_svg(const PaintableSvg& svg, int width, int height);
 /// Likewise what paintable_svg makes of a file.
 Result<Drawing> render_svg(std::string_view bytes, int width, int height,
                            const SvgOptions& options = {});
+
+/// What a painting process may take.
+struct PaintLimits {
+  double seconds = 20;                  ///< of wall time, and of time on processors
+  uint64_t memory = uint64_t{1} << 30;  ///< bytes beyond what this process has, and the picture
+  bool fonts = false;                   ///< may open files, to read: text needs fonts
+};
+
+/// Paints in a process of its own, so that neither a crash of `paint` nor what it takes reaches
+/// this one: it writes no file, leaves no dump and ends with us. `paint` fills width x height RGBA
+/// pixels. Errors: those of `paint`; `limit` where it takes too long or too much memory;
+/// `bad_input` where it ends in any other way.
+Result<Image8> paint_apart(int width, int height, const PaintLimits& limits,
+                           const std::function<Status(Image8&)>& paint);
 
 }  // namespace relievo

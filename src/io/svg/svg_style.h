@@ -6,7 +6,7 @@
 #include "io/svg/stylesheet.h"
 #include "io/svg/svg_color.h"
 #include "io/svg/svg_document.h"
-#include "io/svg/svg_length.h"
+#include "io/svg/svg_units.h"
 
 namespace relievo {
 

@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "relievo/run_context.h"
+
 namespace relievo {
 
 /// Measures wall time.
@@ -22,6 +24,29 @@ class Stopwatch {
  private:
   using Clock = std::chrono::steady_clock;
   Clock::time_point last_ = Clock::now();
+};
+
+/// Tells a context how long a piece of work took: from construction to stop() or destruction.
+class PieceTimer {
+ public:
+  PieceTimer(const RunContext& context, const char* piece) : context_(context), piece_(piece) {}
+  PieceTimer(const PieceTimer&) = delete;
+  PieceTimer& operator=(const PieceTimer&) = delete;
+  ~PieceTimer() { stop(); }
+
+  void stop() {
+    if (piece_ == nullptr) return;
+    const std::chrono::duration<double, std::milli> elapsed = Clock::now() - begin_;
+    if (context_.timed) context_.timed(piece_, elapsed.count());
+    piece_ = nullptr;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  const RunContext& context_;
+  const char* piece_;
+  Clock::time_point begin_ = Clock::now();
 };
 
 }  // namespace relievo

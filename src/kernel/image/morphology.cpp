@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/image/pixel_ring.h"
-
 namespace relievo {
 namespace {
 

@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/meshing/predicates.h"
 #include "kernel/meshing/segment_grid.h"
+#include "kernel/meshing/triangulate.h"
 
 namespace relievo {
 namespace {

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <limits>
 
-#include "kernel/meshing/predicates.h"
 #include "kernel/meshing/segment_grid.h"
+#include "kernel/meshing/triangulate.h"
 
 namespace relievo {
 namespace {

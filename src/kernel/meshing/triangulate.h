@@ -23,4 +23,7 @@ Result<PlanarTriangulation> triangulate(const std::vector<Point2>& points,
                                         const std::vector<std::array<int, 2>>& edges,
                                         const RunContext& context = {});
 
+/// Sign of the signed area of the triangle abc, exact: 1, 0 or -1.
+int orientation(Point2 a, Point2 b, Point2 c);
+
 }  // namespace relievo

@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "kernel/solvers/face_solver.h"
-#include "kernel/solvers/local_relaxation.h"
-#include "kernel/solvers/sparse_products.h"
+#include "kernel/solvers/symmetric_graph.h"
 
 namespace relievo {
 namespace {

@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "kernel/base/workers.h"
-#include "kernel/solvers/eliminate_front.h"
-#include "kernel/solvers/factor_memory.h"
-#include "kernel/solvers/triangular_solves.h"
+#include "kernel/solvers/front_layout.h"
+#include "kernel/solvers/front_numerics.h"
 
 namespace relievo {
 namespace {

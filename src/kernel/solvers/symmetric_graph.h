@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,5 +29,16 @@ std::vector<int> rows_around(const SymmetricGraph& graph, std::span<const int> s
 
 /// Where each row comes in an order: the inverse of a permutation.
 std::vector<int> positions_in(const std::vector<int>& order);
+
+/// y = A x for a symmetric A of which only the lower triangle is stored. O(entries), on all
+/// workers where there are many.
+Eigen::VectorXd multiply_symmetric(const SparseMatrix& lower, const Eigen::VectorXd& x);
+
+/// Row i of A times x; `graph` is that of A's lower triangle. O(entries of the row).
+double multiply_row(const SparseMatrix& lower, const SymmetricGraph& graph, int i,
+                    const Eigen::VectorXd& x);
+
+/// A'x, or A x for a symmetric A of which both triangles are stored. O(entries), on all workers.
+Eigen::VectorXd multiply_transposed(const SparseMatrix& A, const Eigen::VectorXd& x);
 
 }  // namespace relievo

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "kernel/geometry/smooth_arc.h"
-#include "kernel/image/label_rings.h"
+#include "kernel/image/outlines.h"
 
 namespace relievo {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "kernel/image/label_rings.h"
 #include "kernel/image/mask.h"
+#include "kernel/image/outlines.h"
 #include "relievo/image.h"
 
 namespace relievo {

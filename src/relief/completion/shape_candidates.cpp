@@ -6,8 +6,8 @@
 
 #include "kernel/geometry/ellipse.h"
 #include "kernel/image/distance_transform.h"
-#include "kernel/image/fill_outline.h"
 #include "kernel/image/illusory_surface.h"
+#include "kernel/image/outlines.h"
 
 namespace relievo {
 namespace {

@@ -1,7 +1,6 @@
 #include "relief/drawing/basin_labelling.h"
 
-#include "kernel/graph/min_cut.h"
-#include "kernel/graph/potts.h"
+#include "kernel/graph/graph_cuts.h"
 #include "relief/drawing/join_regions.h"
 
 namespace relievo {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "kernel/image/along_edge.h"
+#include "kernel/image/image_size.h"
 
 namespace relievo {
 namespace {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/geometry/ring_measure.h"
-#include "kernel/image/fill_outline.h"
+#include "kernel/geometry/polygon.h"
+#include "kernel/image/outlines.h"
 #include "kernel/image/watershed.h"
 #include "relief/drawing/find_neck.h"
 #include "relief/drawing/line_map.h"

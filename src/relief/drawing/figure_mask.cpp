@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/image/along_edge.h"
 #include "kernel/image/components.h"
+#include "kernel/image/image_size.h"
 #include "kernel/image/morphology.h"
 #include "kernel/image/watershed.h"
 

@@ -5,7 +5,6 @@
 
 #include "kernel/image/blur.h"
 #include "kernel/image/distance_transform.h"
-#include "kernel/image/peak_basins.h"
 #include "kernel/image/watershed.h"
 #include "relief/drawing/basin_graph.h"
 #include "relief/drawing/cut_necks.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "kernel/base/cyclic_runs.h"
-#include "kernel/geometry/simplify_line.h"
-#include "kernel/image/label_rings.h"
+#include "kernel/geometry/polyline.h"
+#include "kernel/image/outlines.h"
 #include "relief/drawing/line_map.h"
 
 namespace relievo {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "kernel/base/exact_functions.h"
-#include "kernel/geometry/ring_measure.h"
+#include "kernel/geometry/polygon.h"
 #include "kernel/image/components.h"
 #include "kernel/image/distance_transform.h"
-#include "kernel/image/mask_outline.h"
+#include "kernel/image/outlines.h"
 
 namespace relievo {
 namespace {

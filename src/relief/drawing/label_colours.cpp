@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "kernel/image/lay_over.h"
+#include "kernel/image/compose.h"
 
 namespace relievo {
 namespace {

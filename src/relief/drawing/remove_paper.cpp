@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "kernel/image/blur.h"
-#include "kernel/image/lay_over.h"
-#include "kernel/image/light_lines.h"
+#include "kernel/image/compose.h"
 
 namespace relievo {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "kernel/base/cyclic_runs.h"
-#include "kernel/image/label_rings.h"
+#include "kernel/image/outlines.h"
 
 namespace relievo {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "kernel/base/exact_functions.h"
-#include "kernel/image/pixel_ring.h"
+#include "kernel/image/morphology.h"
 
 namespace relievo {
 namespace {

@@ -5,10 +5,10 @@
 #include <cassert>
 #include <cmath>
 
-#include "relief/discretisation/discretise.h"
-#include "relief/inflation/poisson_terms.h"
+#include "relief/discretisation/discretisation.h"
+#include "relief/inflation/poisson_system.h"
 #include "relief/inflation/raise_bumps.h"
-#include "relief/layers/joined_surface.h"
+#include "relief/layers/layered_mesh.h"
 
 namespace relievo {
 namespace {

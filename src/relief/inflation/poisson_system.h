@@ -6,10 +6,15 @@
 #include <vector>
 
 #include "kernel/base/sparse_matrix.h"
+#include "kernel/geometry/polygon.h"
+#include "kernel/geometry/triangles.h"
+#include "kernel/operators/gradient.h"
 #include "kernel/solvers/sparse_cholesky.h"
 #include "relief/discretisation/discretisation.h"
+#include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relievo/run_context.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 
@@ -60,5 +65,42 @@ class PoissonSystem {
   std::optional<PoissonBoundary> last_;  ///< in the factor, if there is one
   ForwardSweep sweep_;                   ///< of the last solution
 };
+
+/// -div grad u + screening u = density within a part, in scene units.
+struct Source {
+  double density = 0;
+  double screening = 0;
+};
+
+/// That of c, d and flat. `scale`: scene units per px. O(points of the outline).
+Source source_of(const Part& part, double scale);
+
+/// The right-hand side and the zeroth-order term of L u + screening u = load.
+struct InflationTerms {
+  Eigen::VectorXd load;       ///< #N, integral of b^2 c d|d| against each node's hat function
+  Eigen::VectorXd screening;  ///< #N, diagonal; 0 where parts are not flat
+};
+
+/// Both in units of 1 / `scale` px. A flat part has the source and the screening of
+///   -div grad u + (k/w)^2 u = c d|d| k^2 / (2 - 2 / cosh k),   k = 8 flat,
+/// w = area / perimeter of its outline: a strip, whose half-width w is, keeps its height, and u is
+/// even but for a border of width w/k. Bulges multiply the source with b^2 (bulge_factors).
+/// O(N + F + points) without any.
+InflationTerms inflation_terms(const LayeredMesh& mesh, const Scene& scene, double scale);
+
+/// The sign that u has by the maximum principle, #N: 1 or -1 where all parts of the node's surface
+/// have d of that sign, 0 where they differ. `surface` is the one of each node, #N. O(N + F).
+std::vector<int> surface_signs(const LayeredMesh& mesh, const std::vector<int>& surface,
+                               const Scene& scene);
+
+/// The lower triangle of the rows and columns n of A with place[n] >= 0, moved there. `place` rises
+/// along the nodes and has `size` entries that are not negative. O(entries).
+SparseMatrix lower_block(const SparseMatrix& A, const std::vector<int>& place, int size);
+
+/// The places that are not negative, in an order of the nodes. O(N).
+std::vector<int> order_of_places(const std::vector<int>& order, const std::vector<int>& place);
+
+/// u in px^2 and its gradients, from u in units of 1 / `scale` px. O(entries of the stencils).
+Inflation make_inflation(const GradientStencils& gradients, const Eigen::VectorXd& u, double scale);
 
 }  // namespace relievo

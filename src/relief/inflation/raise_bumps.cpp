@@ -7,9 +7,9 @@
 
 #include "kernel/operators/laplacian.h"
 #include "kernel/solvers/sparse_cholesky.h"
-#include "relief/cues/bulge_field.h"
-#include "relief/inflation/poisson_terms.h"
-#include "relief/layers/joined_surface.h"
+#include "relief/cues/cue_fields.h"
+#include "relief/inflation/poisson_system.h"
+#include "relief/layers/layered_mesh.h"
 
 namespace relievo {
 namespace {

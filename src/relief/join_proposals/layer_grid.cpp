@@ -5,7 +5,7 @@
 #include <limits>
 #include <queue>
 
-#include "kernel/image/fill_outline.h"
+#include "kernel/image/outlines.h"
 
 namespace relievo {
 

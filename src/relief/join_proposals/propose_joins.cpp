@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "kernel/geometry/ring_measure.h"
+#include "kernel/geometry/polygon.h"
 #include "relief/join_proposals/propose_layer_joins.h"
 #include "relief/join_proposals/roots.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "kernel/geometry/ring_measure.h"
+#include "kernel/geometry/polygon.h"
 #include "relief/join_proposals/hollow_parts.h"
 #include "relief/join_proposals/layer_grid.h"
 

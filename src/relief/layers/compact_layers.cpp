@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "relief/layers/joined_surface.h"
+#include "relief/layers/layered_mesh.h"
 
 namespace relievo {
 namespace {

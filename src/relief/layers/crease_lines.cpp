@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "kernel/geometry/line_spans.h"
+#include "kernel/geometry/polyline.h"
 
 namespace relievo {
 namespace {

@@ -12,10 +12,8 @@
 #include "relief/layers/connect_sheets.h"
 #include "relief/layers/crease_lines.h"
 #include "relief/layers/flaps.h"
-#include "relief/layers/inner_points.h"
 #include "relief/layers/loop_runs.h"
 #include "relief/layers/mesh_spacing.h"
-#include "relief/layers/resting_pairs.h"
 
 namespace relievo {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kernel/geometry/ring_measure.h"
+#include "kernel/geometry/polygon.h"
 #include "relief/layers/crease_lines.h"
 
 namespace relievo {

@@ -64,8 +64,8 @@ class Fans {
   std::vector<size_t> pending_;
 };
 
-/// Whether the faces at one node follow each other all around it, each sharing
-/// an edge with the next. `spokes` is memory to use.
+/// Whether the faces at one node follow each other all around it, each sharing an edge with the
+/// next. `spokes` is memory to use.
 bool is_closed_fan(const SheetMesh& mesh, std::span<const Corner> corners,
                    std::vector<std::pair<int, int>>& spokes) {
   spokes.clear();

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "relief/model/back_points.h"
 #include "relief/model/cut_faces.h"
-#include "relief/model/edge_cuts.h"
 #include "relief/model/model_builder.h"
 #include "relief/model/sheet_surface.h"
 #include "relief/model/surface_sample.h"

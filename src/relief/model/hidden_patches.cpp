@@ -8,7 +8,7 @@
 
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/blur.h"
-#include "kernel/image/lay_over.h"
+#include "kernel/image/compose.h"
 #include "kernel/image/pull_push.h"
 #include "relief/model/fill_triangle.h"
 

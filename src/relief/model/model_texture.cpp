@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "kernel/image/lay_over.h"
+#include "kernel/image/compose.h"
 #include "kernel/image/morphology.h"
 #include "relief/model/fill_triangle.h"
 

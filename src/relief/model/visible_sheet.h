@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "relievo/image.h"
 #include "relievo/model.h"
 
 namespace relievo {
@@ -32,6 +33,12 @@ struct VisibleSheet {
   Model model;                   ///< all of its triangles face the viewer
   std::vector<SheetStep> steps;  ///< where walls would stand, by base triangle
   std::vector<BackPoint> back;   ///< behind every vertex, a function of its place
+};
+
+/// A model and the picture that lies on it, which is empty where there is none.
+struct DrawnModel {
+  Model model;
+  Drawing drawing;
 };
 
 }  // namespace relievo

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <vector>
+
+#include "relief/inflation/inflation.h"
 #include "relief/model/cut_faces.h"
+#include "relief/model/visible_sheet.h"
+#include "relief/ordering/ordering.h"
 
 namespace relievo {
 
@@ -12,5 +17,11 @@ namespace relievo {
 /// surfaces meet over a base vertex, the points of all of them: after vertices at one place are
 /// merged, no edge is left open between two triangles. O(w log w) for w open edges.
 void close_open_edges(const CutSurface& surface, double weld_tolerance, ModelBuilder& builder);
+
+/// What lies behind the vertices of a cut surface, its cuts included, all sheets counted but
+/// hollows: of the part with the least g - |f|, the first of several.
+/// O(faces + cuts * height of a stack).
+std::vector<BackPoint> back_points(const CutSurface& surface, const Inflation& inflation,
+                                   const Ordering& ordering);
 
 }  // namespace relievo

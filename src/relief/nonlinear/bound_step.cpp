@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "kernel/solvers/sparse_products.h"
+#include "kernel/solvers/symmetric_graph.h"
 #include "relief/nonlinear/soft_matrix.h"
 
 namespace relievo {

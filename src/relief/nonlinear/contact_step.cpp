@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "kernel/solvers/sparse_products.h"
+#include "kernel/solvers/symmetric_graph.h"
 
 namespace relievo {
 

@@ -7,7 +7,7 @@
 
 #include "kernel/base/stopwatch.h"
 #include "kernel/solvers/anderson.h"
-#include "relief/ordering/finish_ordering.h"
+#include "relief/ordering/order_depth.h"
 
 namespace relievo {
 namespace {

@@ -6,10 +6,8 @@
 
 #include "relief/nonlinear/bound_step.h"
 #include "relief/nonlinear/contact_step.h"
-#include "relief/nonlinear/inflation_response.h"
 #include "relief/nonlinear/nonlinear_model.h"
 #include "relief/nonlinear/nonlinear_solution.h"
-#include "relief/nonlinear/smooth_root.h"
 #include "relief/ordering/depth_problem.h"
 #include "relievo/run_context.h"
 

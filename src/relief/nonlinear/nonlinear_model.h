@@ -1,9 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "kernel/base/sparse_matrix.h"
+#include "kernel/solvers/sparse_cholesky.h"
 #include "relief/inflation/inflation.h"
 #include "relief/nonlinear/nonlinear_solution.h"
 #include "relief/ordering/depth_forest.h"
@@ -51,5 +54,72 @@ bool hold_wrong_signs(const Eigen::VectorXd& u, NonlinearModel& model);
 /// The energy at any u and g in scene units, #N each. O(N).
 NonlinearEnergy nonlinear_energy(const NonlinearModel& model, const Eigen::VectorXd& u,
                                  const Eigen::VectorXd& g);
+
+/// How far the inflation exceeds c under a load.
+struct Excess {
+  Eigen::VectorXd s;      ///< #N, M^-1 L u - c
+  Eigen::VectorXd slope;  ///< #B, derivative of the inflation energy / 2 with respect to u there
+  double energy = 0;
+};
+
+/// Minimises the inflation energy minus twice a linear load over u off B: two Poisson solves with
+/// one factor, for the biharmonic matrix is L M^-1 L.
+class InflationResponse {
+ public:
+  explicit InflationResponse(const NonlinearModel& model);
+
+  /// False where the Poisson problem has no unique solution.
+  bool sound() const { return sound_; }
+
+  const NonlinearModel& model() const { return model_; }
+
+  /// load: #N, read at inner nodes.
+  Excess excess(const Eigen::VectorXd& load) const;
+
+  /// The u (#N) that has this excess and, on B, u_bound (#B).
+  Eigen::VectorXd inflate(const Excess& excess, const Eigen::VectorXd& u_bound) const;
+
+  /// How u answers to a load alone. #N
+  Eigen::VectorXd compliance(const Eigen::VectorXd& load) const;
+
+ private:
+  Eigen::VectorXd with_bound(Eigen::VectorXd u, const Eigen::VectorXd& u_bound) const;
+  void subtract_bound(const Eigen::VectorXd& u_bound, Eigen::VectorXd& load) const;
+  Eigen::VectorXd solve_poisson(const Eigen::VectorXd& load) const;
+
+  const NonlinearModel& model_;
+  Eigen::VectorXd own_load_;  ///< #N, without B and the excess
+  SparseCholesky factor_;
+  bool sound_ = false;
+};
+
+/// f = sgn(u) sqrt|u| and its inverse, in scene units. The slope of the root has no bound at 0;
+/// with a width w > 0 it is at most 1/w: f = u / (u^2 + w^4)^(1/4), the same to (w / f)^4 / 4.
+class SmoothRoot {
+ public:
+  explicit SmoothRoot(double width = 0) : w4_(width * width * width * width) {}
+
+  double f(double u) const {
+    if (w4_ == 0) return signed_root(u);
+    return u / std::sqrt(std::sqrt(u * u + w4_));
+  }
+
+  /// df / du; of the sharp root as at |f| = smallest_f where |f| is less.
+  double slope(double u) const {
+    if (w4_ == 0) return 1 / (2 * std::max(std::sqrt(std::abs(u)), smallest_f));
+    const double s = u * u + w4_;
+    return (u * u / 2 + w4_) / (s * std::sqrt(std::sqrt(s)));
+  }
+
+  /// The u whose root is f.
+  double u(double f) const {
+    const double f4 = f * f * f * f;
+    return std::copysign(std::sqrt((f4 + std::sqrt(f4 * (f4 + 4 * w4_))) / 2), f);
+  }
+
+ private:
+  static constexpr double smallest_f = 1e-3;
+  double w4_;
+};
 
 }  // namespace relievo

@@ -4,8 +4,8 @@
 
 #include "relief/layers/layered_mesh.h"
 #include "relief/nonlinear/nonlinear_map.h"
-#include "relief/nonlinear/nonlinear_memory.h"
 #include "relief/nonlinear/nonlinear_model.h"
+#include "relief/nonlinear/nonlinear_solution.h"
 
 namespace relievo {
 

@@ -8,14 +8,13 @@
 #include <utility>
 
 #include "kernel/base/workers.h"
-#include "relief/discretisation/discretise.h"
-#include "relief/inflation/poisson_terms.h"
+#include "relief/discretisation/discretisation.h"
+#include "relief/inflation/poisson_system.h"
 #include "relief/inflation/raise_bumps.h"
-#include "relief/nonlinear/inflation_response.h"
 #include "relief/nonlinear/nonlinear_iteration.h"
 #include "relief/nonlinear/nonlinear_model.h"
 #include "relief/nonlinear/recall.h"
-#include "relief/ordering/finish_ordering.h"
+#include "relief/ordering/order_depth.h"
 
 namespace relievo {
 namespace {

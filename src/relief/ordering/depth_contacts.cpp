@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "kernel/geometry/nearest_mark.h"
-#include "relief/layers/joined_surface.h"
+#include "relief/layers/layered_mesh.h"
 
 namespace relievo {
 namespace {

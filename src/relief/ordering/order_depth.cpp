@@ -1,10 +1,12 @@
 #include "relief/ordering/order_depth.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
-#include "relief/discretisation/discretise.h"
+#include "relief/discretisation/discretisation.h"
 #include "relief/ordering/depth_contacts.h"
-#include "relief/ordering/finish_ordering.h"
+#include "relief/ordering/shift_metric.h"
 
 namespace relievo {
 namespace {
@@ -16,6 +18,15 @@ std::vector<uint8_t> first_guess(const LayeredMesh& mesh, const OrderingOptions&
   if (!system.h.empty()) return closed_gaps(problem, system.h);
   if (!system.contacts.empty()) return gaps_like(mesh, problem, system.contacts);
   return options.start_active ? problem.variables.bounded : std::vector<uint8_t>();
+}
+
+double worst_violation(const std::vector<DepthPair>& pairs, const std::vector<double>& h) {
+  double worst = 0;
+  for (const DepthPair& pair : pairs) {
+    const double violation = h[pair.lower] - h[pair.upper];
+    worst = std::max(worst, pair.equal ? std::abs(violation) : violation);
+  }
+  return worst;
 }
 
 }  // namespace
@@ -58,6 +69,38 @@ Result<Ordering> order_depth(const LayeredMesh& mesh, const Inflation& inflation
   if (context.cancelled()) return interrupted_error();
   OrderingSystem system;
   return order_depth({mesh, discretisation, inflation, scene}, options, system, context);
+}
+
+Status check_options(const OrderingOptions& options) {
+  if (!(options.epsilon > 0 && std::isfinite(options.epsilon)))
+    return Error{ErrorCode::usage, "epsilon must be positive", "epsilon"};
+  return Done{};
+}
+
+Status check_solved(SolveStatus status) {
+  switch (status) {
+    case SolveStatus::solved:
+      return Done{};
+    case SolveStatus::interrupted:
+      return interrupted_error();
+    case SolveStatus::iteration_limit:
+      return Error{ErrorCode::limit, "the depth order took too many iterations", ""};
+    case SolveStatus::not_positive_definite:
+      break;
+  }
+  return Error{ErrorCode::internal, "the depth order has no finite solution", ""};
+}
+
+void finish_ordering(const OrderingInput& input, Ordering& ordering) {
+  const Eigen::VectorXd f = inflated_heights(input.inflation.u);
+  ordering.g.clear();
+  ordering.g.reserve(ordering.h.size());
+  for (size_t n = 0; n < ordering.h.size(); ++n)
+    ordering.g.push_back(ordering.h[n] - f[static_cast<Eigen::Index>(n)]);
+  const CreaseStencils& creases = input.discretisation.creases;
+  ordering.creases = {creases.corner, crease_gradients(creases, ordering.g)};
+  ordering.grad_g = node_gradients(input.discretisation.gradients, ordering.g);
+  ordering.max_violation = worst_violation(input.mesh.constraints, ordering.h);
 }
 
 }  // namespace relievo

@@ -43,4 +43,12 @@ Result<Ordering> order_depth(const LayeredMesh& mesh, const Inflation& inflation
                              const Scene& scene, const OrderingOptions& options,
                              const RunContext& context = {});
 
+Status check_options(const OrderingOptions& options);
+
+/// The error, if any, that a status of the solver stands for.
+Status check_solved(SolveStatus status);
+
+/// Fills in g = h - f, its gradients and the worst violation of the mesh's pairs. O(N + pairs).
+void finish_ordering(const OrderingInput& input, Ordering& ordering);
+
 }  // namespace relievo

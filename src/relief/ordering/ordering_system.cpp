@@ -2,12 +2,21 @@
 
 #include <utility>
 
-#include "kernel/base/piece_timer.h"
-#include "relief/ordering/lean_term.h"
+#include "kernel/base/stopwatch.h"
 #include "relief/ordering/limb_rise.h"
-#include "relief/ordering/pair_selection.h"
+#include "relief/ordering/shift_metric.h"
 
 namespace relievo {
+namespace {
+
+/// Whether nodes of one group are so in `wider` too.
+bool is_within(const std::vector<int>& group, const std::vector<int>& wider) {
+  for (size_t n = 0; n < group.size(); ++n)
+    if (wider[n] != wider[group[n]]) return false;
+  return true;
+}
+
+}  // namespace
 
 void set_surface(const SurfaceInput& surface, double epsilon, OrderingSystem& system,
                  const RunContext& context) {
@@ -42,6 +51,18 @@ void set_pairs(const SurfaceInput& surface, OrderingSystem& system, const RunCon
   }
   system.pairs = pairs;
   if (context.cancelled()) system.pairs.reset();  // it may be half made
+}
+
+bool select_pairs(const std::vector<int>& node_part, const std::vector<DepthPair>& pairs,
+                  const ShiftMetric& metric, DepthSystem& system) {
+  const DepthForest& last = system.problem.forest;
+  DepthForest forest = build_depth_forest(node_part, pairs);
+  if (!is_within(forest.group, last.group)) return false;
+  if (forest.gaps == last.gaps) return true;
+  forest.group = last.group;
+  GapVariables variables = make_gap_variables(forest);
+  set_problem({std::move(forest), std::move(variables)}, metric, system);
+  return true;
 }
 
 }  // namespace relievo

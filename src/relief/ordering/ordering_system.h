@@ -9,6 +9,7 @@
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/depth_contacts.h"
 #include "relief/ordering/depth_problem.h"
+#include "relief/ordering/shift_metric.h"
 #include "relievo/run_context.h"
 #include "relievo/scene.h"
 
@@ -46,5 +47,12 @@ void set_leans(const SurfaceInput& surface, const Inflation& inflation, bool str
 /// Makes the system one for the mesh's pairs; anew where its pattern cannot serve, which takes
 /// make_depth_system. For none if `context` is cancelled.
 void set_pairs(const SurfaceInput& surface, OrderingSystem& system, const RunContext& context);
+
+/// Makes a system one for `pairs` that link no nodes but those which it was built to link: matrix
+/// and factor keep their pattern, and what of the factor stays the same need not be computed again.
+/// False, and nothing changes, where other nodes are linked. `metric` is that of the system. Costs
+/// as making a system does, but for its analysis.
+bool select_pairs(const std::vector<int>& node_part, const std::vector<DepthPair>& pairs,
+                  const ShiftMetric& metric, DepthSystem& system);
 
 }  // namespace relievo

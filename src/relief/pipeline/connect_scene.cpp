@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
-#include "kernel/image/fill_outline.h"
+#include "kernel/image/outlines.h"
 #include "relief/join_proposals/propose_layer_joins.h"
 #include "relief/join_proposals/round_inflation.h"
 

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <map>
 
-#include "kernel/image/lay_over.h"
+#include "kernel/image/compose.h"
 
 namespace relievo {
 namespace {

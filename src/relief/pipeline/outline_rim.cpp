@@ -4,8 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "kernel/image/compose.h"
 #include "kernel/image/distance_transform.h"
-#include "kernel/image/lay_over.h"
 
 namespace relievo {
 namespace {

@@ -6,8 +6,7 @@
 #include <optional>
 
 #include "kernel/base/text_rules.h"
-#include "kernel/image/fill_outline.h"
-#include "kernel/image/mask_outline.h"
+#include "kernel/image/outlines.h"
 #include "relief/completion/clip_to_order.h"
 #include "relief/join_proposals/propose_leans.h"
 #include "relief/join_proposals/round_inflation.h"

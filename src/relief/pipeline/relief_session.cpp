@@ -6,7 +6,7 @@
 
 #include "kernel/base/workers.h"
 #include "kernel/geometry/nearest_mark.h"
-#include "relief/discretisation/discretise.h"
+#include "relief/discretisation/discretisation.h"
 #include "relief/hiding/hide_sheets.h"
 
 namespace relievo {

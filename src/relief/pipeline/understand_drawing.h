@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "relief/corrections/segmentation_record.h"
+#include "relief/corrections/corrections.h"
 #include "relief/drawing/segmentation.h"
 #include "relief/pipeline/propose_scene.h"
 

@@ -1,11 +1,10 @@
-#include "io/parts/mark_roles.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
+#include "io/parts/figures.h"
 #include "io/svg/svg_test_support.h"
 
 namespace relievo {

@@ -1,11 +1,11 @@
-#include "io/svg/paint_apart.h"
-
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <new>
+
+#include "io/svg/render_svg.h"
 
 namespace relievo {
 namespace {

@@ -2,10 +2,9 @@
 
 #include <cmath>
 
-#include "io/svg/affine.h"
 #include "io/svg/scanner.h"
 #include "io/svg/svg_color.h"
-#include "io/svg/svg_length.h"
+#include "io/svg/svg_units.h"
 
 namespace relievo {
 namespace {

@@ -1,8 +1,8 @@
-#include "kernel/geometry/line_spans.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
+
+#include "kernel/geometry/polyline.h"
 
 namespace relievo {
 namespace {

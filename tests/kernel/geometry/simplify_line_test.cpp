@@ -1,10 +1,9 @@
-#include "kernel/geometry/simplify_line.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "kernel/geometry/ring_measure.h"
+#include "kernel/geometry/polygon.h"
+#include "kernel/geometry/polyline.h"
 
 namespace relievo {
 namespace {

@@ -1,9 +1,9 @@
-#include "kernel/graph/min_cut.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
+
+#include "kernel/graph/graph_cuts.h"
 
 namespace relievo {
 namespace {

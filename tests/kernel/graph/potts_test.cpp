@@ -1,11 +1,9 @@
-#include "kernel/graph/potts.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "kernel/graph/min_cut.h"
+#include "kernel/graph/graph_cuts.h"
 
 namespace relievo {
 namespace {

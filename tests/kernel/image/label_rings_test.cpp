@@ -1,9 +1,8 @@
-#include "kernel/image/label_rings.h"
-
 #include <gtest/gtest.h>
 
 #include <map>
 
+#include "kernel/image/outlines.h"
 #include "support/label_maps.h"
 
 namespace relievo {

@@ -1,11 +1,9 @@
-#include "kernel/image/mask_outline.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "kernel/geometry/polygon.h"
-#include "kernel/image/fill_outline.h"
+#include "kernel/image/outlines.h"
 #include "support/label_maps.h"
 
 namespace relievo {

@@ -1,5 +1,3 @@
-#include "kernel/image/peak_basins.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include "kernel/image/distance_transform.h"
+#include "kernel/image/watershed.h"
 #include "support/random_image.h"
 
 namespace relievo {

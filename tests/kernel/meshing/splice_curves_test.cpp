@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "kernel/meshing/predicates.h"
+#include "kernel/meshing/triangulate.h"
 
 namespace relievo {
 namespace {

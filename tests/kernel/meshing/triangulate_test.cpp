@@ -6,8 +6,6 @@
 #include <random>
 #include <set>
 
-#include "kernel/meshing/predicates.h"
-
 namespace relievo {
 namespace {
 

@@ -1,11 +1,10 @@
-#include "kernel/solvers/elimination_tree.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <numeric>
 
+#include "kernel/solvers/supernodes.h"
 #include "support/sparse_patterns.h"
 
 namespace relievo {

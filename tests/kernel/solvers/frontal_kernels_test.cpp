@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kernel/base/workers.h"
-#include "kernel/solvers/eliminate_front.h"
+#include "kernel/solvers/front_numerics.h"
 
 namespace relievo {
 namespace {

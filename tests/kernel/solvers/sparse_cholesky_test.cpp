@@ -10,7 +10,7 @@
 
 #include "kernel/base/workers.h"
 #include "kernel/operators/laplacian.h"
-#include "kernel/solvers/sparse_products.h"
+#include "kernel/solvers/symmetric_graph.h"
 #include "support/sparse_patterns.h"
 #include "support/structured_meshes.h"
 

@@ -1,11 +1,10 @@
-#include "kernel/solvers/sparse_products.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "kernel/base/workers.h"
 #include "kernel/operators/laplacian.h"
+#include "kernel/solvers/symmetric_graph.h"
 #include "support/structured_meshes.h"
 
 namespace relievo {

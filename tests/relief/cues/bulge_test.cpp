@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "relief/cues/bulge_field.h"
+#include "relief/cues/cue_fields.h"
 #include "relief/inflation/inflate.h"
 #include "support/scenes.h"
 #include "support/stacked_parts.h"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "relief/cues/slope_field.h"
+#include "relief/cues/cue_fields.h"
 #include "relief/inflation/inflate.h"
-#include "relief/layers/joined_surface.h"
+#include "relief/layers/layered_mesh.h"
 #include "relief/ordering/order_depth.h"
 #include "relief/ordering/shift_metric.h"
 #include "support/stacked_parts.h"

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "kernel/geometry/ring_measure.h"
+#include "kernel/geometry/polygon.h"
 #include "relief/drawing/segment_drawing.h"
 #include "relief/pipeline/open_borders.h"
 

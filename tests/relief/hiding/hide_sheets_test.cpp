@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 
-#include "relief/discretisation/discretise.h"
+#include "relief/discretisation/discretisation.h"
 #include "relief/hiding/overlap.h"
 #include "relief/inflation/inflate.h"
-#include "relief/layers/joined_surface.h"
 #include "relief/layers/layer_parts.h"
+#include "relief/layers/layered_mesh.h"
 #include "relief/ordering/order_depth.h"
 #include "support/random_limbs.h"
 #include "support/random_scene.h"

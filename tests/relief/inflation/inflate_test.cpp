@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "kernel/operators/laplacian.h"
-#include "relief/layers/joined_surface.h"
+#include "relief/layers/layered_mesh.h"
 #include "support/stacked_parts.h"
 
 namespace relievo {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernel/image/mask_outline.h"
+#include "kernel/image/outlines.h"
 #include "support/label_maps.h"
 
 namespace relievo {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/geometry/line_spans.h"
+#include "kernel/geometry/polyline.h"
 #include "relief/pipeline/connect_scene.h"
 #include "support/random_limbs.h"
 

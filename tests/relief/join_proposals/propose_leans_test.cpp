@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-#include "kernel/image/mask_outline.h"
+#include "kernel/image/outlines.h"
 #include "relief/join_proposals/propose_joins.h"
 #include "support/label_maps.h"
 

@@ -1,9 +1,9 @@
-#include "relief/model/rim_levels.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
+
+#include "relief/model/cut_faces.h"
 
 namespace relievo {
 namespace {

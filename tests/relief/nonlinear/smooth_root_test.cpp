@@ -1,6 +1,6 @@
-#include "relief/nonlinear/smooth_root.h"
-
 #include <gtest/gtest.h>
+
+#include "relief/nonlinear/nonlinear_model.h"
 
 namespace relievo {
 namespace {

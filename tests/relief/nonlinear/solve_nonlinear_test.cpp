@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "relief/discretisation/discretise.h"
+#include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflate.h"
 #include "support/depth_optimality.h"
 #include "support/enforced_pairs.h"

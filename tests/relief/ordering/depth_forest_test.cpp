@@ -7,8 +7,6 @@
 #include <map>
 #include <set>
 
-#include "relief/ordering/depth_graph.h"
-
 namespace relievo {
 namespace {
 

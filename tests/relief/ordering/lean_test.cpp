@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "relief/inflation/inflate.h"
-#include "relief/layers/joined_surface.h"
+#include "relief/layers/layered_mesh.h"
 #include "relief/ordering/order_depth.h"
 #include "relief/ordering/shift_metric.h"
 #include "support/shift_cost.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "relief/discretisation/discretise.h"
+#include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflate.h"
 #include "relief/layers/layer_parts.h"
 #include "relief/ordering/limb_rise.h"

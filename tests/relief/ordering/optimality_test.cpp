@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "kernel/operators/laplacian.h"
-#include "relief/layers/joined_surface.h"
+#include "relief/layers/layered_mesh.h"
 #include "relief/ordering/order_depth.h"
 #include "support/depth_optimality.h"
 #include "support/enforced_pairs.h"

@@ -1,13 +1,12 @@
-#include "relief/ordering/pair_selection.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-#include "relief/discretisation/discretise.h"
+#include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflate.h"
+#include "relief/ordering/ordering_system.h"
 #include "support/stacked_parts.h"
 
 namespace relievo {

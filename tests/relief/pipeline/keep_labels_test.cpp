@@ -1,8 +1,8 @@
-#include "relief/pipeline/keep_labels.h"
-
 #include <gtest/gtest.h>
 
 #include <set>
+
+#include "relief/pipeline/keep_edits.h"
 
 namespace relievo {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "relief/discretisation/discretise.h"
+#include "relief/discretisation/discretisation.h"
 #include "relief/layers/layer_parts.h"
 #include "relief/ordering/order_depth.h"
 #include "relief/pipeline/relief_session.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "kernel/geometry/ring_measure.h"
+#include "kernel/geometry/polygon.h"
 #include "relief/drawing/segment_drawing.h"
 #include "relief/pipeline/build_relief.h"
 #include "support/ink_drawing.h"

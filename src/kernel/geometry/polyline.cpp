@@ -1,0 +1,125 @@
+#include "kernel/geometry/polyline.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "kernel/geometry/polygon.h"
+
+namespace relievo {
+namespace {
+
+/// Where a line crosses an outline, and by how much its winding number changes there.
+struct Crossing {
+  double s = 0;
+  int turn = 0;
+};
+
+/// Appends the crossings of segment ab, which begins at arc length `start`. Ends belong to the
+/// side that rounding puts them on, of the outline's edges and of the segment alike, so that a
+/// crossing through a vertex counts once.
+void add_crossings(Point2 a, Point2 b, double start, const Ring& ring,
+                   std::vector<Crossing>& crossings) {
+  const Point2 along = b - a;
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const Point2 p = ring[i];
+    const Point2 q = ring[(i + 1) % ring.size()];
+    const bool left_p = cross(along, p - a) < 0;
+    const bool left_q = cross(along, q - a) < 0;
+    if (left_p == left_q) continue;
+    const bool before = cross(q - p, a - p) < 0;
+    const bool after = cross(q - p, b - p) < 0;
+    if (before == after) continue;
+    const double t = std::clamp(cross(p - a, q - p) / cross(along, q - p), 0.0, 1.0);
+    crossings.push_back({start + t * norm(along), before ? 1 : -1});
+  }
+}
+
+/// A point from which the line is reached straight on from outside the outline.
+Point2 far_before(const std::vector<Point2>& line, const Outline& outline) {
+  Box2 box = bounding_box(outline);
+  box.add(line[0]);
+  size_t next = 1;
+  while (next + 1 < line.size() && line[next] == line[0]) ++next;
+  const Point2 along = line[next] - line[0];
+  const double length = norm(along);
+  return length > 0 ? line[0] - 2 * box.diagonal() / length * along : line[0];
+}
+
+}  // namespace
+
+std::vector<LineSpan> spans_inside(const std::vector<Point2>& line, const Outline& outline) {
+  if (line.size() < 2) return {};
+  // What the winding number is at the first point follows from the same tests as all changes of
+  // it, also where that point is on the outline.
+  const Point2 far = far_before(line, outline);
+  std::vector<Crossing> crossings;
+  for (const Ring& ring : outline)
+    add_crossings(far, line[0], -distance(far, line[0]), ring, crossings);
+  double length = 0;
+  for (size_t i = 0; i + 1 < line.size(); ++i) {
+    for (const Ring& ring : outline) add_crossings(line[i], line[i + 1], length, ring, crossings);
+    length += distance(line[i], line[i + 1]);
+  }
+  std::stable_sort(crossings.begin(), crossings.end(),
+                   [](const Crossing& a, const Crossing& b) { return a.s < b.s; });
+  int winding = 0;
+  std::vector<LineSpan> spans;
+  double from = 0;
+  const auto close = [&](double to) {
+    if (winding != 0 && to > from) spans.push_back({from, to});
+    from = std::max(from, to);
+  };
+  for (const Crossing& crossing : crossings) {
+    if ((winding == 0) != (winding + crossing.turn == 0)) close(crossing.s);
+    winding += crossing.turn;
+  }
+  close(length);
+  return spans;
+}
+
+double line_length(const std::vector<Point2>& line) {
+  double length = 0;
+  for (size_t i = 0; i + 1 < line.size(); ++i) length += distance(line[i], line[i + 1]);
+  return length;
+}
+
+Point2 point_on_line(const std::vector<Point2>& line, double s) {
+  size_t i = 0;
+  double length = distance(line[0], line[1]);
+  while (s > length && i + 2 < line.size()) {
+    s -= length;
+    ++i;
+    length = distance(line[i], line[i + 1]);
+  }
+  return line[i] + s / length * (line[i + 1] - line[i]);
+}
+
+std::vector<Point2> simplify_line(const std::vector<Point2>& line, double tolerance) {
+  if (line.size() < 3) return line;
+  std::vector<uint8_t> keep(line.size(), 0);
+  keep.front() = keep.back() = 1;
+  std::vector<std::pair<size_t, size_t>> open = {{0, line.size() - 1}};
+  while (!open.empty()) {
+    const auto [a, b] = open.back();
+    open.pop_back();
+    size_t farthest = a;
+    double largest = tolerance;
+    for (size_t i = a + 1; i < b; ++i) {
+      const double d = distance_to_segment(line[i], line[a], line[b]);
+      if (d <= largest) continue;
+      largest = d;
+      farthest = i;
+    }
+    if (farthest == a) continue;
+    keep[farthest] = 1;
+    open.emplace_back(a, farthest);
+    open.emplace_back(farthest, b);
+  }
+  std::vector<Point2> few;
+  for (size_t i = 0; i < line.size(); ++i)
+    if (keep[i] != 0) few.push_back(line[i]);
+  return few;
+}
+
+}  // namespace relievo

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "kernel/geometry/polygon.h"
+#include "relievo/point.h"
+
+namespace relievo {
+
+/// A stretch of a polyline, as arc lengths from its first point.
+struct LineSpan {
+  double from = 0;
+  double to = 0;
+};
+
+/// The stretches of the polyline inside the outline, by the non-zero rule, in order.
+/// O(points of the line * points of the outline).
+std::vector<LineSpan> spans_inside(const std::vector<Point2>& line, const Outline& outline);
+
+/// Sum of the segments' lengths. O(n).
+double line_length(const std::vector<Point2>& line);
+
+/// The point of the polyline at arc length s; beyond its ends it goes on straight. Precondition:
+/// consecutive points differ. O(n).
+Point2 point_on_line(const std::vector<Point2>& line, double s);
+
+/// The polyline with fewer of its points: its ends, and those from which the others depart by at
+/// most `tolerance` (Douglas, Peucker 1973). O(n log n) for lines without much detail, O(n^2) at
+/// worst.
+std::vector<Point2> simplify_line(const std::vector<Point2>& line, double tolerance);
+
+}  // namespace relievo

@@ -1,0 +1,130 @@
+#include "kernel/graph/graph_cuts.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace relievo {
+namespace {
+
+int64_t cost(const PottsProblem& problem, int node, int label) {
+  return problem.costs[static_cast<size_t>(node) * problem.label_count + label];
+}
+
+/// The cheapest way to change some nodes to `alpha`; those are the source side of a cut.
+std::vector<int> expanded(const PottsProblem& problem, const std::vector<int>& labels, int alpha) {
+  CutGraph graph(problem.node_count());
+  for (int i = 0; i < problem.node_count(); ++i)
+    graph.add_costs(i, cost(problem, i, alpha), cost(problem, i, labels[i]));
+  for (const PottsProblem::Edge& edge : problem.edges) {
+    const int64_t both_keep = labels[edge.a] != labels[edge.b] ? edge.weight : 0;
+    const int64_t only_b = labels[edge.a] != alpha ? edge.weight : 0;
+    const int64_t only_a = labels[edge.b] != alpha ? edge.weight : 0;
+    // both_keep + (only_a - both_keep) x_a - only_a x_b + (only_b + only_a - both_keep) x_b (1-x_a)
+    graph.add_costs(edge.a, only_a, both_keep);
+    graph.add_costs(edge.b, 0, only_a);
+    graph.add_edge(edge.b, edge.a, only_b + only_a - both_keep, 0);
+  }
+  graph.solve();
+  std::vector<int> result = labels;
+  for (int i = 0; i < problem.node_count(); ++i)
+    if (graph.on_source_side(i)) result[i] = alpha;
+  return result;
+}
+
+}  // namespace
+
+CutGraph::CutGraph(int node_count)
+    : source_(node_count),
+      sink_(node_count + 1),
+      out_(static_cast<size_t>(node_count) + 2),
+      source_cost_(static_cast<size_t>(node_count), 0),
+      sink_cost_(static_cast<size_t>(node_count), 0) {}
+
+void CutGraph::add_costs(int node, int64_t on_source_side, int64_t on_sink_side) {
+  source_cost_[node] += on_source_side;
+  sink_cost_[node] += on_sink_side;
+}
+
+void CutGraph::connect(int a, int b, int64_t forward, int64_t backward) {
+  out_[a].push_back(static_cast<int>(arcs_.size()));
+  arcs_.push_back({b, forward});
+  out_[b].push_back(static_cast<int>(arcs_.size()));
+  arcs_.push_back({a, backward});
+}
+
+void CutGraph::add_edge(int a, int b, int64_t forward, int64_t backward) {
+  assert(forward >= 0 && backward >= 0 && a != b);
+  connect(a, b, forward, backward);
+}
+
+bool CutGraph::measure_depths() {
+  depth_.assign(out_.size(), -1);
+  depth_[source_] = 0;
+  std::vector<int> queue = {source_};
+  for (size_t k = 0; k < queue.size(); ++k)
+    for (const int i : out_[queue[k]]) {
+      const Arc& arc = arcs_[i];
+      if (arc.left == 0 || depth_[arc.to] >= 0) continue;
+      depth_[arc.to] = depth_[queue[k]] + 1;
+      queue.push_back(arc.to);
+    }
+  return depth_[sink_] >= 0;
+}
+
+int64_t CutGraph::push(int node, int64_t flow) {
+  if (node == sink_) return flow;
+  int64_t pushed = 0;
+  for (size_t& k = next_[node]; k < out_[node].size(); ++k) {
+    const int i = out_[node][k];
+    if (arcs_[i].left == 0 || depth_[arcs_[i].to] != depth_[node] + 1) continue;
+    const int64_t part = push(arcs_[i].to, std::min(flow - pushed, arcs_[i].left));
+    arcs_[i].left -= part;
+    arcs_[i ^ 1].left += part;
+    pushed += part;
+    if (pushed == flow) return pushed;
+  }
+  return pushed;
+}
+
+int64_t CutGraph::solve() {
+  int64_t flow = 0;
+  for (size_t node = 0; node < source_cost_.size(); ++node) {
+    const int64_t difference = sink_cost_[node] - source_cost_[node];
+    flow += std::min(sink_cost_[node], source_cost_[node]);
+    if (difference > 0) connect(source_, static_cast<int>(node), difference, 0);
+    if (difference < 0) connect(static_cast<int>(node), sink_, -difference, 0);
+  }
+  while (measure_depths()) {
+    next_.assign(out_.size(), 0);
+    flow += push(source_, int64_t{1} << 62);
+  }
+  return flow;
+}
+
+int64_t potts_energy(const PottsProblem& problem, const std::vector<int>& labels) {
+  int64_t energy = 0;
+  for (int i = 0; i < problem.node_count(); ++i) energy += cost(problem, i, labels[i]);
+  for (const PottsProblem::Edge& edge : problem.edges)
+    if (labels[edge.a] != labels[edge.b]) energy += edge.weight;
+  return energy;
+}
+
+std::vector<int> minimize_potts(const PottsProblem& problem) {
+  // From one common label, the first cut is already the optimum for two.
+  std::vector<int> labels(static_cast<size_t>(problem.node_count()), 0);
+  int64_t energy = potts_energy(problem, labels);
+  int unchanged = 0;
+  for (int alpha = 0; unchanged < problem.label_count; alpha = (alpha + 1) % problem.label_count) {
+    std::vector<int> candidate = expanded(problem, labels, alpha);
+    const int64_t lower = potts_energy(problem, candidate);
+    ++unchanged;
+    if (lower >= energy) continue;
+    energy = lower;
+    labels = std::move(candidate);
+    unchanged = 1;
+  }
+  return labels;
+}
+
+}  // namespace relievo

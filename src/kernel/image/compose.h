@@ -1,0 +1,31 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "relievo/image.h"
+
+namespace relievo {
+
+/// What is seen of `below` through `above` of this opacity (255: nothing), rounded.
+inline uint8_t lay_over(int above, int below, int alpha) {
+  return static_cast<uint8_t>((above * alpha + below * (255 - alpha) + 127) / 255);
+}
+
+/// A colour of this opacity as seen on white paper.
+inline uint8_t on_paper(int colour, int alpha) { return lay_over(colour, 255, alpha); }
+
+/// Copies the whole of `picture` into `ground`, its left upper pixel to (left, top). Precondition:
+/// it lies inside and has as many channels. O(pixels of the picture).
+template <class T>
+void paste(Image<T>& ground, int left, int top, const Image<T>& picture) {
+  const size_t row = static_cast<size_t>(picture.width) * picture.channels;
+  for (int y = 0; y < picture.height; ++y)
+    std::copy_n(&picture.at(0, y), row, &ground.at(left, top + y));
+}
+
+/// Whether the opaque pixels are light and few: lines meant for a dark ground. `rgba` has 4
+/// channels. O(pixels).
+bool is_light_on_nothing(const Image8& rgba);
+
+}  // namespace relievo

@@ -1,0 +1,209 @@
+#include "kernel/image/outlines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "kernel/geometry/polyline.h"
+
+namespace relievo {
+namespace {
+
+Image16 as_labels(const Mask& mask) {
+  Image16 labels(mask.inside.width, mask.inside.height, 1);
+  std::copy(mask.inside.pixels.begin(), mask.inside.pixels.end(), labels.pixels.begin());
+  return labels;
+}
+
+/// Simplified in thirds, so that no piece is closed.
+Ring simplified(const Ring& ring, double tolerance) {
+  if (ring.size() < 8) return ring;
+  const auto third = static_cast<std::ptrdiff_t>(ring.size() / 3);
+  const auto last = static_cast<std::ptrdiff_t>(ring.size() - 1);
+  const std::array<std::ptrdiff_t, 4> ends = {0, third, 2 * third, last};
+  Ring few;
+  for (size_t k = 0; k < 3; ++k) {
+    const Ring piece =
+        simplify_line({ring.begin() + ends[k], ring.begin() + ends[k + 1] + 1}, tolerance);
+    few.insert(few.end(), piece.begin(), piece.end() - 1);
+  }
+  few.push_back(ring.back());
+  return few;
+}
+
+/// The points of a closed ring averaged with their neighbours, `passes` times.
+Ring smoothed(Ring ring, int passes) {
+  const size_t n = ring.size();
+  if (n < 3) return ring;
+  Ring next(n);
+  for (int pass = 0; pass < passes; ++pass) {
+    for (size_t i = 0; i < n; ++i)
+      next[i] = 0.25 * ring[(i + n - 1) % n] + (0.5 * ring[i] + 0.25 * ring[(i + 1) % n]);
+    ring.swap(next);
+  }
+  return ring;
+}
+
+/// Where a ring crosses the line through the centres of a row of pixels.
+struct RowCrossing {
+  double x = 0;
+  int direction = 0;
+};
+
+/// First pixel whose centre is at or after coordinate v, kept within [0, size].
+int first_centre(double v, int size) {
+  return static_cast<int>(std::clamp(std::ceil(v - 0.5), 0.0, static_cast<double>(size)));
+}
+
+void add_crossings(Point2 a, Point2 b, int top, std::vector<std::vector<RowCrossing>>& rows) {
+  if (a.y == b.y) return;
+  const int direction = a.y < b.y ? 1 : -1;
+  if (direction < 0) std::swap(a, b);
+  const int count = static_cast<int>(rows.size());
+  const int first = first_centre(a.y - top, count);
+  const int last = first_centre(b.y - top, count);
+  for (int y = first; y < last; ++y) {
+    const double t = (y + top + 0.5 - a.y) / (b.y - a.y);
+    rows[y].push_back({a.x + t * (b.x - a.x), direction});
+  }
+}
+
+void fill_row(std::vector<RowCrossing>& row, Mask& mask, int y) {
+  std::sort(row.begin(), row.end(), [](const RowCrossing& p, const RowCrossing& q) {
+    return p.x < q.x || (p.x == q.x && p.direction < q.direction);
+  });
+  int winding = 0;
+  for (size_t i = 0; i + 1 < row.size(); ++i) {
+    winding += row[i].direction;
+    if (winding == 0) continue;
+    const int first = first_centre(row[i].x - mask.left, mask.inside.width);
+    const int last = first_centre(row[i + 1].x - mask.left, mask.inside.width);
+    for (int x = first; x < last; ++x) mask.inside.at(x, y) = 1;
+  }
+}
+
+/// A side of a pixel: 0 top, 1 right, 2 bottom, 3 left, travelled clockwise.
+struct Side {
+  int x = 0;
+  int y = 0;
+  int side = 0;
+  friend bool operator==(const Side&, const Side&) = default;
+};
+
+constexpr std::array<int, 4> normal_x = {0, 1, 0, -1};
+constexpr std::array<int, 4> normal_y = {-1, 0, 1, 0};
+
+class RingTracer {
+ public:
+  explicit RingTracer(const Image16& labels)
+      : labels_(labels), visited_(labels.width, labels.height, 1) {}
+
+  std::vector<LabelRing> trace() {
+    std::vector<LabelRing> rings;
+    for (int y = 0; y < labels_.height; ++y)
+      for (int x = 0; x < labels_.width; ++x) {
+        if (is_inside(x, y)) continue;
+        for (int side = 0; side < 4; ++side)
+          if (starts_ring({x, y, side})) rings.push_back(ring({x, y, side}));
+      }
+    return rings;
+  }
+
+ private:
+  uint16_t label(int x, int y) const {
+    const bool inside = x >= 0 && y >= 0 && x < labels_.width && y < labels_.height;
+    return inside ? labels_.at(x, y) : uint16_t{0};
+  }
+  uint16_t beyond(const Side& s) const {
+    return label(s.x + normal_x[s.side], s.y + normal_y[s.side]);
+  }
+  /// Whether no ring runs along the pixel.
+  bool is_inside(int x, int y) const {
+    const uint16_t* p = &labels_.at(x, y);
+    if (*p == 0) return true;
+    if (x == 0 || y == 0 || x + 1 == labels_.width || y + 1 == labels_.height) return false;
+    const int w = labels_.width;
+    return p[-1] == *p && p[1] == *p && p[-w] == *p && p[w] == *p;
+  }
+  bool starts_ring(const Side& s) const {
+    const uint16_t own = labels_.at(s.x, s.y);
+    return own != 0 && beyond(s) != own && (visited_.at(s.x, s.y) & (1U << s.side)) == 0;
+  }
+
+  /// The side that follows: around the corner of the same pixel, straight on, or inwards.
+  Side next(const Side& s) const {
+    const int turn = (s.side + 1) % 4;
+    const uint16_t own = labels_.at(s.x, s.y);
+    const int ahead_x = s.x + normal_x[turn];
+    const int ahead_y = s.y + normal_y[turn];
+    if (label(ahead_x, ahead_y) != own) return {s.x, s.y, turn};
+    const int across_x = ahead_x + normal_x[s.side];
+    const int across_y = ahead_y + normal_y[s.side];
+    if (label(across_x, across_y) != own) return {ahead_x, ahead_y, s.side};
+    return {across_x, across_y, (s.side + 3) % 4};
+  }
+
+  LabelRing ring(const Side& start) {
+    LabelRing ring;
+    ring.label = labels_.at(start.x, start.y);
+    Side s = start;
+    double area = 0;
+    do {
+      visited_.at(s.x, s.y) = static_cast<uint8_t>(visited_.at(s.x, s.y) | (1U << s.side));
+      ring.sides.push_back(
+          {s.x + 0.5 + 0.5 * normal_x[s.side], s.y + 0.5 + 0.5 * normal_y[s.side]});
+      ring.beyond.push_back(beyond(s));
+      // The divergence theorem on vertical sides, which are one unit long.
+      area += normal_x[s.side] * ring.sides.back().x;
+      s = next(s);
+    } while (!(s == start));
+    ring.hole = area < 0;
+    return ring;
+  }
+
+  const Image16& labels_;
+  Image8 visited_;  ///< per pixel, one bit a side
+};
+
+}  // namespace
+
+Outline outline_of(const Mask& mask, const OutlineOptions& options) {
+  const std::vector<LabelRing> rings = trace_label_rings(as_labels(mask));
+  size_t longest = 0;
+  for (const LabelRing& ring : rings) longest = std::max(longest, ring.size());
+  const size_t least = std::min(static_cast<size_t>(options.min_sides), longest);
+  Outline outline;
+  for (const LabelRing& traced : rings) {
+    if (traced.size() < least) continue;
+    Ring ring = traced.sides;
+    const Point2 offset{static_cast<double>(mask.left), static_cast<double>(mask.top)};
+    for (Point2& p : ring) p = p + offset;
+    outline.push_back(simplified(smoothed(std::move(ring), options.smoothing), options.tolerance));
+  }
+  return outline;
+}
+
+Mask fill_outline(const Outline& outline, int width, int height) {
+  const Box2 box = bounding_box(outline);
+  if (box.empty()) return {};
+  const int left = first_centre(box.min.x, width);
+  const int top = first_centre(box.min.y, height);
+  const int right = first_centre(box.max.x, width);
+  const int bottom = first_centre(box.max.y, height);
+  if (right <= left || bottom <= top) return {};
+  Mask mask = empty_mask(left, top, right, bottom);
+  std::vector<std::vector<RowCrossing>> rows(mask.inside.height);
+  for (const Ring& ring : outline)
+    for (size_t i = 0; i < ring.size(); ++i)
+      add_crossings(ring[i], ring[(i + 1) % ring.size()], mask.top, rows);
+  for (int y = 0; y < mask.inside.height; ++y) fill_row(rows[y], mask, y);
+  return mask;
+}
+
+std::vector<LabelRing> trace_label_rings(const Image16& labels) {
+  return RingTracer(labels).trace();
+}
+
+}  // namespace relievo

@@ -1,0 +1,43 @@
+#include "relief/layers/layered_mesh.h"
+
+#include "kernel/geometry/polygon.h"
+#include "kernel/geometry/triangles.h"
+
+namespace relievo {
+
+double scene_scale(const LayeredMesh& mesh) {
+  Box2 box;
+  for (const int triangle : mesh.face_triangle)
+    for (const int vertex : mesh.triangles[triangle]) box.add(mesh.vertices[vertex]);
+  const double diagonal = box.diagonal();
+  return diagonal > 0 ? 2 / diagonal : 1;
+}
+
+std::vector<Point2> node_positions(const LayeredMesh& mesh, double scale) {
+  std::vector<Point2> positions;
+  positions.reserve(mesh.node_vertex.size());
+  for (const int vertex : mesh.node_vertex) positions.push_back(scale * mesh.vertices[vertex]);
+  return positions;
+}
+
+std::vector<uint8_t> seen_nodes(const LayeredMesh& mesh) {
+  std::vector<uint8_t> seen(mesh.node_vertex.size(), 0);
+  for (size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (mesh.stack_begin[t] < mesh.stack_begin[t + 1])
+      for (const int n : mesh.faces[mesh.stack_begin[t + 1] - 1]) seen[n] = 1;
+  return seen;
+}
+
+std::vector<std::array<int, 3>> shaping_faces(const LayeredMesh& mesh) {
+  std::vector<std::array<int, 3>> faces;
+  faces.reserve(mesh.faces.size());
+  for (size_t f = 0; f < mesh.faces.size(); ++f)
+    if (!mesh.is_flap(f)) faces.push_back(mesh.faces[f]);
+  return faces;
+}
+
+std::vector<int> joined_surfaces(const LayeredMesh& mesh) {
+  return connected_pieces(mesh.faces, mesh.node_vertex.size());
+}
+
+}  // namespace relievo

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "relievo/image.h"
+#include "relievo/point.h"
+#include "relievo/render.h"
+#include "render/camera.h"
+
+namespace relievo {
+
+/// A colour in linear light; 1 is the white of the picture.
+struct Rgb {
+  double r = 0;
+  double g = 0;
+  double b = 0;
+};
+
+inline Rgb operator+(Rgb a, Rgb b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
+inline Rgb operator*(Rgb a, Rgb b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
+inline Rgb operator*(double s, Rgb a) { return {s * a.r, s * a.g, s * a.b}; }
+inline Rgb mix(Rgb a, Rgb b, double t) { return (1 - t) * a + t * b; }
+
+/// The sRGB transfer functions on [0, 1].
+inline double to_linear(double srgb) {
+  return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
+}
+inline double to_srgb(double linear) {
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+/// An orthonormal basis around a unit vector.
+struct AxisFrame {
+  Point3 first;
+  Point3 second;
+  Point3 axis;
+};
+
+AxisFrame frame_around(Point3 axis);
+
+/// The lights of a picture. Directions are unit, in model space.
+struct LightRig {
+  AxisFrame key;       ///< its axis points to the middle of the key light
+  double key_tangent;  ///< tangent of its angular radius
+  Rgb key_light;       ///< what a surface that faces it receives
+  Point3 up;
+  Rgb sky;     ///< light from above ...
+  Rgb ground;  ///< ... and from below
+  Point3 rim;  ///< a broad glow behind the model that parts it from the background
+  Rgb rim_light;
+  double gloss;  ///< strength of the highlight
+};
+
+/// A key light with soft fill for clay, and more even, neutral light for a drawing, under which a
+/// surface that faces the viewer keeps its colour.
+LightRig light_rig(const RenderOptions& options, const Camera& camera);
+
+/// A direction to the key light; `square` is a point of the unit square.
+Point3 key_direction(const LightRig& rig, Point2 square);
+
+/// A direction above a surface, distributed with the cosine to its normal, the frame's axis.
+Point3 ambient_direction(const AxisFrame& surface, Point2 square);
+
+/// Light that comes from a direction where nothing is in the way.
+Rgb surroundings(const LightRig& rig, Point3 direction);
+
+/// The highlight of a surface under the key light.
+double highlight(const LightRig& rig, Point3 normal, Point3 to_light, Point3 to_viewer);
+
+/// Keeps what is below 0.7 and bends what is above towards 1, without a corner.
+Rgb tone_curve(Rgb colour);
+
+/// Colours of an opaque RGB image between its pixels, in linear light.
+class TextureSampler {
+ public:
+  /// Halves the image while it has more than `max_width` columns by a factor of 2 or more, so that
+  /// a picture smaller than the texture does not flicker between its pixels.
+  TextureSampler(Image8 rgb, double max_width);
+
+  /// The colour at `uv` in [0, 1]^2, origin top-left; outside, that of the border.
+  Rgb at(Point2 uv) const;
+
+ private:
+  Rgb pixel(int x, int y) const;
+
+  Image8 rgb_;
+  std::array<double, 256> linear_;
+};
+
+}  // namespace relievo
