@@ -6,8 +6,8 @@
 namespace relievo {
 namespace {
 
-// Of a cell: as fine as a lattice that fills it may be. What is smaller is a speck beside which such
-// a lattice would have points without end.
+// Of a cell: as fine as a lattice that fills it may be. What is smaller is a speck beside which
+// such a lattice would have points without end.
 constexpr double finest = 1.0 / 16;
 
 // Two sweeps of an 8-neighbour distance transform: size(x) = min over y of size(y) + g |x - y|.

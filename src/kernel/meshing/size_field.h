@@ -7,7 +7,8 @@
 namespace relievo {
 
 /// Wanted edge length over the plane, on a regular grid: small beside samples of curves, growing
-/// linearly with the distance from them, and nowhere below a sixteenth of a cell; and how many regions cover each cell.
+/// linearly with the distance from them, and nowhere below a sixteenth of a cell; and how many
+/// regions cover each cell.
 struct SizeField {
   Point2 origin;
   double cell = 1;
