@@ -53,6 +53,7 @@ Examples:
   relievo segment wolf.png -o wolf.relievo
   relievo segment photo.jpg --scribbles strokes.png -o wolf.relievo --overlay understood.png
   relievo segment wolf.png --labels wolf-parts.png -o wolf.json --overlay understood.png
+  relievo segment wolf.png -o wolf.psd
   relievo build wolf.relievo -o wolf.glb)";
 
 void add_check(CLI::App& main, CheckArguments& check) {
@@ -94,9 +95,11 @@ void add_segment(CLI::App& main, SegmentArguments& segment) {
          "divided (default: as many as lines and colours tell)")
       ->check(CLI::Range(1, 1000))
       ->excludes(labels);
-  app.add_option("-o,--output", segment.output, "Project (.relievo) or scene file (.json)")
+  app.add_option("-o,--output", segment.output,
+                 "Project (.relievo), scene file (.json), or the parts as layers "
+                 "to go on painting (.psd)")
       ->required()
-      ->check(extension({".relievo", ".json"}));
+      ->check(extension({".relievo", ".json", ".psd"}));
   app.add_option("--overlay", segment.overlay, "What was understood, over the drawing (.png)")
       ->check(extension({".png"}));
   app.add_option("--report", segment.report, "Parts, guesses and how sure they are (.json)")

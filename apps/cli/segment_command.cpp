@@ -18,10 +18,12 @@
 #include "io/image/png_encode.h"
 #include "io/project/project.h"
 #include "io/project/project_file.h"
+#include "io/psd/write_psd.h"
 #include "io/scribbles/read_scribbles.h"
 #include "io/scribbles/scribble_image.h"
 #include "kernel/base/stopwatch.h"
 #include "relief/drawing/segment_drawing.h"
+#include "relief/model/paint_layers.h"
 #include "relief/pipeline/understand_drawing.h"
 #include "relievo/files.h"
 
@@ -196,8 +198,6 @@ Result<SegmentInput> load(const SegmentArguments& segment, const RunContext& con
   return input;
 }
 
-bool is_project_name(const std::string& name) { return fs::path(name).extension() == ".relievo"; }
-
 using Files = std::vector<OutputFile>;
 
 /// The project that keeps the drawing and what was understood of it.
@@ -219,13 +219,31 @@ Result<Files> project_files(const SegmentArguments& segment, const SegmentInput&
   return Files{{segment.output, std::move(*bytes)}};
 }
 
+/// The parts as layers of a Photoshop document, and the drawing itself behind them, hidden.
+Result<Files> painted_files(const SegmentArguments& segment, const SegmentInput& input,
+                            const Understanding& understanding) {
+  const std::vector<PaintedLayer> layers = paint_layers(understanding.scene, input.pixels);
+  std::vector<PsdPicture> pictures = {{"drawing", &input.pixels, true}};
+  for (const PaintedLayer& layer : layers) pictures.push_back({layer.name, &layer.rgba});
+  auto bytes = encode_psd(pictures, input.pixels.width, input.pixels.height);
+  if (!bytes) return bytes.error();
+  return Files{{segment.output, std::move(*bytes)}};
+}
+
+/// What the output's name asks for.
+Result<Files> main_files(const SegmentArguments& segment, const SegmentInput& input,
+                         const Understanding& understanding) {
+  const fs::path ending = fs::path(segment.output).extension();
+  if (ending == ".relievo") return project_files(segment, input, understanding);
+  if (ending == ".psd") return painted_files(segment, input, understanding);
+  return scene_files(segment.output, understanding.scene,
+                     {input.drawing_file, input.drawing.bytes});
+}
+
 /// Every file that the command writes.
 Result<Files> files_of(const SegmentArguments& segment, const SegmentInput& input,
                        const Understanding& understanding, double milliseconds) {
-  auto files = is_project_name(segment.output)
-                   ? project_files(segment, input, understanding)
-                   : scene_files(segment.output, understanding.scene,
-                                 {input.drawing_file, input.drawing.bytes});
+  auto files = main_files(segment, input, understanding);
   if (!files) return files.error();
   if (!segment.overlay.empty()) {
     auto overlay = draw_overlay(understanding.scene, {input.bridges, {}}, input.pixels);

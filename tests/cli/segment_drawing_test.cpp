@@ -41,6 +41,16 @@ TEST_F(SegmentDrawing, PartsAreFoundAndBuilt) {
   EXPECT_TRUE(exists("figure.ply"));
 }
 
+TEST_F(SegmentDrawing, GivesThePartsAsLayersToPaintOn) {
+  const Outcome outcome = relievo({"segment", "figure.png", "-o", "figure.psd"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Outcome check = relievo({"check", "figure.psd"});
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  const auto parts_of = [](const std::string& text) { return text.substr(0, text.find(" part")); };
+  const std::string parts = parts_of(outcome.err).substr(std::string("relievo: ").size());
+  EXPECT_NE(check.out.find(", " + parts + " part"), std::string::npos) << check.out << outcome.err;
+}
+
 TEST_F(SegmentDrawing, AsManyPartsAreFoundAsAreSaidAndTheProjectKeepsIt) {
   const Outcome one = relievo({"segment", "figure.png", "--parts", "1", "-o", "one.relievo"});
   ASSERT_EQ(one.exit_code, 0) << one.err;

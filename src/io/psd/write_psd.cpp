@@ -1,0 +1,204 @@
+#include "io/psd/write_psd.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "io/files/byte_writer.h"
+#include "io/psd/psd_file.h"
+
+namespace relievo {
+namespace {
+
+constexpr int max_side = 30000;
+
+/// Numbers with the most significant byte first, as all of the format's.
+void put16(Bytes& bytes, uint32_t value) {
+  bytes.push_back(static_cast<uint8_t>(value >> 8 & 0xff));
+  bytes.push_back(static_cast<uint8_t>(value & 0xff));
+}
+void put32(Bytes& bytes, size_t value) {
+  put16(bytes, static_cast<uint32_t>(value >> 16 & 0xffff));
+  put16(bytes, static_cast<uint32_t>(value & 0xffff));
+}
+
+/// A block after its length.
+void put_block(Bytes& bytes, const Bytes& block) {
+  put32(bytes, block.size());
+  bytes.insert(bytes.end(), block.begin(), block.end());
+}
+
+/// One row by PackBits: runs of three and more equal values as one, others as they are.
+void pack_row(const std::vector<uint8_t>& row, Bytes& packed) {
+  const auto run_at = [&](size_t i) {
+    size_t end = i + 1;
+    while (end < row.size() && end - i < 128 && row[end] == row[i]) ++end;
+    return end - i;
+  };
+  for (size_t i = 0; i < row.size();) {
+    const size_t run = run_at(i);
+    if (run >= 3) {
+      packed.push_back(static_cast<uint8_t>(257 - run));
+      packed.push_back(row[i]);
+      i += run;
+      continue;
+    }
+    size_t end = i;
+    while (end < row.size() && end - i < 128 && run_at(end) < 3) ++end;
+    packed.push_back(static_cast<uint8_t>(end - i - 1));
+    packed.insert(packed.end(), row.begin() + static_cast<std::ptrdiff_t>(i),
+                  row.begin() + static_cast<std::ptrdiff_t>(end));
+    i = end;
+  }
+}
+
+/// Rows of a channel inside a box: their packed lengths, and what is packed.
+struct PackedRows {
+  Bytes lengths;
+  Bytes rows;
+};
+
+void pack(const Image8& rgba, int channel, const PsdBox& box, PackedRows& out) {
+  std::vector<uint8_t> row(static_cast<size_t>(box.width()));
+  for (int y = box.top; y < box.bottom; ++y) {
+    for (int x = box.left; x < box.right; ++x) row[x - box.left] = rgba.at(x, y, channel);
+    const size_t before = out.rows.size();
+    pack_row(row, out.rows);
+    put16(out.lengths, static_cast<uint32_t>(out.rows.size() - before));
+  }
+}
+
+PsdBox opaque_box(const Image8& rgba) {
+  PsdBox box{rgba.height, rgba.width, 0, 0};
+  for (int y = 0; y < rgba.height; ++y)
+    for (int x = 0; x < rgba.width; ++x) {
+      if (rgba.at(x, y, 3) == 0) continue;
+      box = {std::min(box.top, y), std::min(box.left, x), std::max(box.bottom, y + 1),
+             std::max(box.right, x + 1)};
+    }
+  return box.empty() ? PsdBox{} : box;
+}
+
+/// The code points of UTF-8 as counted UTF-16; what is not valid is replaced.
+Bytes unicode_name(const std::string& name) {
+  std::vector<uint32_t> units;
+  for (size_t i = 0; i < name.size();) {
+    const auto head = static_cast<uint8_t>(name[i++]);
+    const int more = head >= 0xf0 ? 3 : head >= 0xe0 ? 2 : head >= 0xc0 ? 1 : 0;
+    uint32_t code = more == 0 ? head : head & (0x3fU >> more);
+    for (int k = 0; k < more && i < name.size(); ++k)
+      code = code << 6 | (static_cast<uint8_t>(name[i++]) & 0x3fU);
+    if (head >= 0x80 && head < 0xc0) code = 0xfffd;
+    if (code >= 0x10000) {
+      units.push_back(0xd800 + ((code - 0x10000) >> 10 & 0x3ff));
+      code = 0xdc00 + ((code - 0x10000) & 0x3ff);
+    }
+    units.push_back(code);
+  }
+  Bytes bytes;
+  put32(bytes, units.size());
+  for (const uint32_t unit : units) put16(bytes, unit);
+  if (bytes.size() % 4 != 0) put16(bytes, 0);
+  return bytes;
+}
+
+/// The fields of a record behind the fixed ones: no mask, no blending ranges, both names.
+Bytes extra_of(const std::string& name) {
+  Bytes extra;
+  put32(extra, 0);
+  put32(extra, 0);
+  std::string plain;
+  for (const char c : name.substr(0, 255)) plain += static_cast<uint8_t>(c) < 0x80 ? c : '?';
+  extra.push_back(static_cast<uint8_t>(plain.size()));
+  append_text(extra, plain);
+  while (extra.size() % 4 != 0) extra.push_back(0);
+  append_text(extra, "8BIMluni");
+  put_block(extra, unicode_name(name));
+  return extra;
+}
+
+constexpr std::array<int, 4> channels = {-1, 0, 1, 2};  // as in PsdChannel
+
+void put_layer(const PsdPicture& layer, Bytes& records, Bytes& pixels) {
+  const PsdBox box = opaque_box(*layer.rgba);
+  for (const int side : {box.top, box.left, box.bottom, box.right})
+    put32(records, static_cast<size_t>(side));
+  put16(records, channels.size());
+  for (const int channel : channels) {
+    PackedRows packed;
+    pack(*layer.rgba, channel < 0 ? 3 : channel, box, packed);
+    put16(records, static_cast<uint16_t>(channel));
+    put32(records, 2 + packed.lengths.size() + packed.rows.size());
+    put16(pixels, 1);
+    pixels.insert(pixels.end(), packed.lengths.begin(), packed.lengths.end());
+    pixels.insert(pixels.end(), packed.rows.begin(), packed.rows.end());
+  }
+  append_text(records, "8BIMnorm");
+  records.push_back(255);
+  records.push_back(0);
+  records.push_back(layer.hidden ? 2 : 0);
+  records.push_back(0);
+  put_block(records, extra_of(layer.name));
+}
+
+Bytes layer_section(const std::vector<PsdPicture>& layers) {
+  Bytes info;
+  // Negative: the first channel behind the colours of the flattened picture is its alpha.
+  put16(info, static_cast<uint16_t>(-static_cast<int>(layers.size())));
+  Bytes pixels;
+  for (const PsdPicture& layer : layers) put_layer(layer, info, pixels);
+  info.insert(info.end(), pixels.begin(), pixels.end());
+  while (info.size() % 4 != 0) info.push_back(0);
+  Bytes section;
+  put_block(section, info);
+  put32(section, 0);  // no global mask
+  return section;
+}
+
+/// Lays a picture over another, straight alpha both.
+void lay_picture_over(const Image8& above, Image8& below) {
+  for (size_t i = 0; i < below.pixels.size(); i += 4) {
+    const int alpha = above.pixels[i + 3];
+    const int rest = (below.pixels[i + 3] * (255 - alpha) + 127) / 255;
+    if (alpha + rest == 0) continue;
+    for (size_t c = i; c < i + 3; ++c)
+      below.pixels[c] = static_cast<uint8_t>(
+          (above.pixels[c] * alpha + below.pixels[c] * rest + (alpha + rest) / 2) / (alpha + rest));
+    below.pixels[i + 3] = static_cast<uint8_t>(alpha + rest);
+  }
+}
+
+void put_merged(const std::vector<PsdPicture>& layers, int width, int height, Bytes& bytes) {
+  Image8 merged(width, height, 4);
+  for (const PsdPicture& layer : layers)
+    if (!layer.hidden) lay_picture_over(*layer.rgba, merged);
+  PackedRows packed;
+  for (const int channel : {0, 1, 2, 3}) pack(merged, channel, {0, 0, height, width}, packed);
+  put16(bytes, 1);
+  bytes.insert(bytes.end(), packed.lengths.begin(), packed.lengths.end());
+  bytes.insert(bytes.end(), packed.rows.begin(), packed.rows.end());
+}
+
+}  // namespace
+
+Result<Bytes> encode_psd(const std::vector<PsdPicture>& layers, int width, int height) {
+  if (width > max_side || height > max_side)
+    return Error{ErrorCode::limit, "a Photoshop document has at most 30,000 px a side", ""};
+  Bytes bytes;
+  append_text(bytes, "8BPS");
+  put16(bytes, 1);
+  put32(bytes, 0);
+  put16(bytes, 0);
+  put16(bytes, 4);
+  put32(bytes, static_cast<size_t>(height));
+  put32(bytes, static_cast<size_t>(width));
+  put16(bytes, 8);
+  put16(bytes, 3);
+  put32(bytes, 0);  // no palette
+  put32(bytes, 0);  // no resources
+  put_block(bytes, layer_section(layers));
+  put_merged(layers, width, height, bytes);
+  return bytes;
+}
+
+}  // namespace relievo
