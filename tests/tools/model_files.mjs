@@ -27,22 +27,29 @@ function readGlb(bytes) {
       mesh(accessor(attributes.POSITION), accessor(indices), accessor(attributes.NORMAL))));
 }
 
+/** Vertices are shared by all objects, which may touch each other: each is a mesh of its own. */
 function readObj(bytes) {
-  const positions = [], normals = [], triangles = [], normalOf = [];
+  const positions = [], normals = [], objects = [];
   for (const line of bytes.toString("utf8").split("\n")) {
     const [word, ...rest] = line.trim().split(/\s+/);
-    if (word === "v") positions.push(...rest.map(Number));
+    if (word === "v") positions.push(rest.map(Number));
     if (word === "vn") normals.push(...rest.map(Number));
+    if (word === "o") objects.push({ number: new Map(), corners: [] });
     if (word !== "f") continue;
     if (rest.length !== 3) throw new Error(`a face of ${rest.length} corners`);
+    const { number, corners } = objects.at(-1);
     for (const corner of rest) {
-      const [v, , n] = corner.split("/");
-      triangles.push(Number(v) - 1);
-      normalOf.push(Number(n) - 1);
+      const [v, , n] = corner.split("/").map((text) => Number(text) - 1);
+      if (!(n >= 0 && 3 * n < normals.length)) throw new Error("a normal that is not there");
+      if (!number.has(v)) number.set(v, number.size);
+      corners.push(number.get(v));
     }
   }
-  if (normalOf.some((n) => !(n >= 0 && 3 * n < normals.length))) throw new Error("a normal that is not there");
-  return [mesh(positions, triangles, normals)];
+  const used = new Set(objects.flatMap(({ number }) => [...number.keys()]));
+  if (used.size !== positions.length || [...used].some((v) => !(v in positions)))
+    throw new Error("vertices that are in no face, or faces with vertices that are not there");
+  return objects.map(({ number, corners }) =>
+    mesh([...number.keys()].flatMap((v) => positions[v]), corners, normals));
 }
 
 function readPly(bytes) {
