@@ -230,10 +230,10 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
   if (!input) return input.error();
   if (Status status = check_outputs(outputs, input->files); !status) return status;
   const double read_time = total.milliseconds();
-  print_warnings(input->warnings, build.common.quiet);
 
   Products products;
-  const auto relief = reconstruct(input->scene, relief_arguments(build), context);
+  const auto relief = reconstruct(*input, relief_arguments(build), context);
+  print_warnings(input->warnings, build.common.quiet);
   if (!relief) return relief.error();
   const Stopwatch exporting;
   if (Status s = finish_drawing(*file, *input); !s) return s;

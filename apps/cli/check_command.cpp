@@ -176,7 +176,7 @@ Result<std::vector<OutputFile>> scene_outputs(const CheckArguments& check, const
 Status print_findings(const CheckArguments& check, SceneInput& input, const RunContext& context) {
   ReliefArguments arguments = check.relief;
   arguments.options.layers.vertex_budget = trial_vertices;
-  const auto relief = reconstruct(input.scene, arguments, context);
+  const auto relief = reconstruct(input, arguments, context);
   if (!relief) return relief.error();
   const auto made = make_model(*relief, input, arguments, context);
   if (!made) return made.error();
@@ -241,9 +241,15 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
   print_warnings(warnings_about_outlines(scene), quiet);
   LayerOptions options;
   options.vertex_budget = trial_vertices;
-  const auto mesh = layer_parts(scene, options, {interruption.flag(), {}});
+  // A guess that is too short for this mesh alone is no mistake.
+  Scene tried = scene;
+  JoinProposals guesses = input->guesses;
+  std::vector<std::string> left_out;
+  const auto mesh = without_bad_guesses({tried, guesses, left_out}, [&] {
+    return layer_parts(tried, options, {interruption.flag(), {}});
+  });
   if (!mesh) return mesh.error();
-  if (Status status = check_held(*mesh, scene, {}); !status) return status;
+  if (Status status = check_held(*mesh, tried, {}); !status) return status;
   print_warnings(mesh->warnings, quiet);
   if (const std::string table = overlap_table(scene, *mesh); !table.empty())
     print_result("\n" + table, quiet);

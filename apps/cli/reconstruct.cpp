@@ -1,5 +1,7 @@
 #include "apps/cli/reconstruct.h"
 
+#include <algorithm>
+#include <cstdio>
 #include <utility>
 
 #include "apps/cli/cue_argument.h"
@@ -47,11 +49,35 @@ Result<ReliefOptions> settle_options(Scene& scene, const ReliefArguments& argume
   return options;
 }
 
-Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
+bool leave_out_guess(const Error& error, const GuessedScene& guessed) {
+  const auto& [scene, guesses, warnings] = guessed;
+  size_t index = 0;
+  if (std::sscanf(error.where.c_str(), "joins[%zu]", &index) != 1) return false;
+  if (index >= scene.joins.size()) return false;
+  const Join join = scene.joins[index];
+  const auto between = [&](const auto& other) {
+    return other.upper == join.upper && other.lower == join.lower;
+  };
+  const auto guess =
+      std::find_if(guesses.joins.begin(), guesses.joins.end(),
+                   [&](const ProposedJoin& one) { return !one.user && between(one.join); });
+  if (guess == guesses.joins.end()) return false;
+  guesses.joins.erase(guess);
+  scene.joins.erase(scene.joins.begin() + static_cast<std::ptrdiff_t>(index));
+  std::erase_if(scene.robin, between);
+  warnings.push_back("the guess that \"" + scene.parts[join.upper].id + "\" joins \"" +
+                     scene.parts[join.lower].id +
+                     "\" is left out, as it does not fit the mesh; use more vertices");
+  return true;
+}
+
+Result<Relief> reconstruct(SceneInput& input, const ReliefArguments& arguments,
                            const RunContext& context) {
+  Scene& scene = input.scene;
   const auto options = settle_options(scene, arguments);
   if (!options) return options.error();
-  auto relief = build_relief(scene, *options, context);
+  auto relief = without_bad_guesses({scene, input.guesses, input.warnings},
+                                    [&] { return build_relief(scene, *options, context); });
   if (!relief) return relief;
   keep_field(*relief, arguments.field);
   for (std::string& warning : warnings_about_cues(scene))

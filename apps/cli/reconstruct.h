@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "apps/cli/arguments.h"
 #include "face/inputs.h"
@@ -22,9 +24,29 @@ struct MadeModel {
 /// The options of a relief, and what they change of the scene's own values.
 Result<ReliefOptions> settle_options(Scene& scene, const ReliefArguments& arguments);
 
+/// A scene, what of it was guessed, and where to say that some of that is left out.
+struct GuessedScene {
+  Scene& scene;
+  JoinProposals& guesses;
+  std::vector<std::string>& warnings;
+};
+
+/// Takes a join that was guessed out of the scene where it is what an error is about; false where
+/// the error is about something else.
+bool leave_out_guess(const Error& error, const GuessedScene& guessed);
+
+/// What `work` makes of the scene, once no guessed join is in its way: one that is fine for a mesh
+/// may be too short for a coarser one.
+template <class Work>
+auto without_bad_guesses(const GuessedScene& guessed, Work work) {
+  auto done = work();
+  while (!done && leave_out_guess(done.error(), guessed)) done = work();
+  return done;
+}
+
 /// The relief of a scene by the chosen options, or the field of it that they ask for. They may
-/// change the scene's own values (c).
-Result<Relief> reconstruct(Scene& scene, const ReliefArguments& arguments,
+/// change the scene's own values (c), and guessed joins may be left out.
+Result<Relief> reconstruct(SceneInput& input, const ReliefArguments& arguments,
                            const RunContext& context);
 
 /// The solid of a relief where that is asked for; otherwise the surface that the chosen visibility

@@ -28,8 +28,8 @@ Result<Subject> build_model(const InputFile& input, const RenderArguments& rende
   if (Status s = check_cost(render.relief.options, render.common.quiet); !s) return s.error();
   auto loaded = load_scene(input, render.common.connect, context);
   if (!loaded) return loaded.error();
+  const auto relief = reconstruct(*loaded, render.relief, context);
   print_warnings(loaded->warnings, render.common.quiet);
-  const auto relief = reconstruct(loaded->scene, render.relief, context);
   if (!relief) return relief.error();
   auto drawn = make_model(*relief, *loaded, render.relief, context);
   if (!drawn) return drawn.error();

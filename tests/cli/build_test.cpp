@@ -82,6 +82,16 @@ TEST_F(Build, WritesEveryKindOfFileAndNothingElse) {
   EXPECT_EQ(drawn->model.parts[1].id, "head");
 }
 
+/// What was guessed must not stand in the way of a coarse model.
+TEST_F(Build, LeavesOutGuessedJoinsThatDoNotFitTheMesh) {
+  const std::filesystem::path drawing =
+      std::string(RELIEVO_SHARED_DATA) + "/flat/F05_gopher_pirate_pencil.png";
+  if (!std::filesystem::exists(drawing)) GTEST_SKIP() << "there are no shared drawings";
+  const Outcome outcome = relievo({"build", drawing.string(), "-o", "m.glb", "--vertices", "1000"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("is left out"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Build, SameInputGivesSameBytes) {
   const auto files = {"m.glb", "m.obj", "m.ply", "m.stl", "n.png", "d.png", "p.png", "v.png"};
   std::vector<std::string> first;

@@ -39,7 +39,11 @@ class Animator {
     if (!options) return options.error();
     options->hidden = false;
     if (edge_length_ > 0) options->layers.edge_length = edge_length_;
-    if (Status s = session_.update(input.scene, *options, context); !s) return s;
+    if (Status s =
+            without_bad_guesses({input.scene, input.guesses, input.warnings},
+                                [&] { return session_.update(input.scene, *options, context); });
+        !s)
+      return s;
     const Relief& relief = session_.relief();
     edge_length_ = relief.layers.edge_length;
     for (const std::string& warning : relief.layers.warnings) warn(frame, warning);
