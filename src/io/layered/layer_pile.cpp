@@ -1,7 +1,6 @@
 #include "io/layered/layer_pile.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -9,6 +8,7 @@
 #include "io/parts/part_cover.h"
 #include "io/parts/propose_parts.h"
 #include "kernel/base/text_rules.h"
+#include "kernel/image/compose.h"
 #include "kernel/image/level_contours.h"
 
 namespace relievo {
@@ -16,17 +16,6 @@ namespace {
 
 /// Outlines of layers are simplified by no more than this, px.
 constexpr double outline_tolerance = 0.05;
-
-/// Straight-alpha source over straight-alpha ground.
-void blend(uint8_t* ground, const uint8_t* source, double opacity) {
-  const double a = opacity * source[3] / 255;
-  const double b = ground[3] / 255.0 * (1 - a);
-  const double sum = a + b;
-  if (a <= 0) return;
-  for (int k = 0; k < 3; ++k)
-    ground[k] = static_cast<uint8_t>(std::lround((a * source[k] + b * ground[k]) / sum));
-  ground[3] = static_cast<uint8_t>(std::lround(255 * sum));
-}
 
 /// The layer as far as it lies on the canvas.
 RasterLayer cut_to_canvas(const RasterLayer& layer, const Image8& canvas) {
@@ -52,7 +41,7 @@ RasterLayer cut_to_canvas(const RasterLayer& layer, const Image8& canvas) {
 void paint(Image8& canvas, const RasterLayer& layer) {
   for (int y = 0; y < layer.rgba.height; ++y)
     for (int x = 0; x < layer.rgba.width; ++x)
-      blend(&canvas.at(x + layer.x, y + layer.y), &layer.rgba.at(x, y), layer.opacity);
+      lay_over(&canvas.at(x + layer.x, y + layer.y), &layer.rgba.at(x, y), layer.opacity);
 }
 
 Region opaque_region(const RasterLayer& layer) {

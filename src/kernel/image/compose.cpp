@@ -1,9 +1,19 @@
 #include "kernel/image/compose.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace relievo {
+
+void lay_over(uint8_t* below, const uint8_t* above, double opacity) {
+  const double a = opacity * above[3] / 255;
+  if (a <= 0) return;
+  const double b = below[3] / 255.0 * (1 - a);
+  for (int k = 0; k < 3; ++k)
+    below[k] = static_cast<uint8_t>(std::lround((a * above[k] + b * below[k]) / (a + b)));
+  below[3] = static_cast<uint8_t>(std::lround(255 * (a + b)));
+}
 
 bool is_light_on_nothing(const Image8& rgba) {
   int64_t opaque = 0;

@@ -12,6 +12,10 @@ inline uint8_t lay_over(int above, int below, int alpha) {
   return static_cast<uint8_t>((above * alpha + below * (255 - alpha) + 127) / 255);
 }
 
+/// Lays a pixel over another, RGBA with straight alpha both; `opacity` in [0, 1] is a factor to the
+/// alpha of the one above.
+void lay_over(uint8_t* below, const uint8_t* above, double opacity = 1);
+
 /// A colour of this opacity as seen on white paper.
 inline uint8_t on_paper(int colour, int alpha) { return lay_over(colour, 255, alpha); }
 
