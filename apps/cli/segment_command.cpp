@@ -223,8 +223,9 @@ Result<Files> project_files(const SegmentArguments& segment, const SegmentInput&
 Result<Files> painted_files(const SegmentArguments& segment, const SegmentInput& input,
                             const Understanding& understanding) {
   const std::vector<PaintedLayer> layers = paint_layers(understanding.scene, input.pixels);
-  std::vector<PsdPicture> pictures = {{"drawing", &input.pixels, true}};
-  for (const PaintedLayer& layer : layers) pictures.push_back({layer.name, &layer.rgba});
+  std::vector<PsdPicture> pictures = {{"drawing", &input.pixels, 0, 0, true}};
+  for (const PaintedLayer& layer : layers)
+    pictures.push_back({layer.name, &layer.rgba, layer.left, layer.top});
   auto bytes = encode_psd(pictures, input.pixels.width, input.pixels.height);
   if (!bytes) return bytes.error();
   return Files{{segment.output, std::move(*bytes)}};

@@ -6,6 +6,7 @@
 
 #include "io/files/byte_writer.h"
 #include "io/psd/psd_file.h"
+#include "kernel/image/compose.h"
 
 namespace relievo {
 namespace {
@@ -121,7 +122,8 @@ constexpr std::array<int, 4> channels = {-1, 0, 1, 2};  // as in PsdChannel
 
 void put_layer(const PsdPicture& layer, Bytes& records, Bytes& pixels) {
   const PsdBox box = opaque_box(*layer.rgba);
-  for (const int side : {box.top, box.left, box.bottom, box.right})
+  for (const int side :
+       {layer.top + box.top, layer.left + box.left, layer.top + box.bottom, layer.left + box.right})
     put32(records, static_cast<size_t>(side));
   put16(records, channels.size());
   for (const int channel : channels) {
@@ -155,23 +157,16 @@ Bytes layer_section(const std::vector<PsdPicture>& layers) {
   return section;
 }
 
-/// Lays a picture over another, straight alpha both.
-void lay_picture_over(const Image8& above, Image8& below) {
-  for (size_t i = 0; i < below.pixels.size(); i += 4) {
-    const int alpha = above.pixels[i + 3];
-    const int rest = (below.pixels[i + 3] * (255 - alpha) + 127) / 255;
-    if (alpha + rest == 0) continue;
-    for (size_t c = i; c < i + 3; ++c)
-      below.pixels[c] = static_cast<uint8_t>(
-          (above.pixels[c] * alpha + below.pixels[c] * rest + (alpha + rest) / 2) / (alpha + rest));
-    below.pixels[i + 3] = static_cast<uint8_t>(alpha + rest);
-  }
+void lay_layer_over(const PsdPicture& layer, Image8& below) {
+  for (int y = 0; y < layer.rgba->height; ++y)
+    for (int x = 0; x < layer.rgba->width; ++x)
+      lay_over(&below.at(layer.left + x, layer.top + y), &layer.rgba->at(x, y));
 }
 
 void put_merged(const std::vector<PsdPicture>& layers, int width, int height, Bytes& bytes) {
   Image8 merged(width, height, 4);
   for (const PsdPicture& layer : layers)
-    if (!layer.hidden) lay_picture_over(*layer.rgba, merged);
+    if (!layer.hidden) lay_layer_over(layer, merged);
   PackedRows packed;
   for (const int channel : {0, 1, 2, 3}) pack(merged, channel, {0, 0, height, width}, packed);
   put16(bytes, 1);

@@ -9,10 +9,11 @@
 
 namespace relievo {
 
-/// A layer of a document, as large as its canvas.
+/// A layer of a document.
 struct PsdPicture {
   std::string name;  ///< UTF-8
   const Image8* rgba = nullptr;
+  int left = 0, top = 0;  ///< px of the canvas, which holds the whole layer
   bool hidden = false;
 };
 

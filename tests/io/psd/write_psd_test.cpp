@@ -28,7 +28,7 @@ TEST(WritePsd, LayersComeBackAsTheyWere) {
   const Image8 below = motley(300, 60, 1);
   const Image8 above = motley(300, 60, 2);
   const auto bytes =
-      encode_psd({{"drawing", &below, true}, {"Körper \xf0\x9f\x90\xba", &above}}, 300, 60);
+      encode_psd({{"drawing", &below, 0, 0, true}, {"Körper \xf0\x9f\x90\xba", &above}}, 300, 60);
   ASSERT_TRUE(bytes);
   const auto file = read_psd_file(*bytes, {});
   ASSERT_TRUE(file) << file.error().message;
@@ -57,6 +57,23 @@ TEST(WritePsd, LayersComeBackAsTheyWere) {
         ASSERT_EQ((*merged)[1][300 * y + x], above.at(x, y, 1));
       }
     }
+}
+
+TEST(WritePsd, LaysALayerWhereItBelongs) {
+  Image8 dot(2, 1, 4, 255);
+  dot.at(1, 0, 3) = 0;
+  const auto bytes = encode_psd({{"dot", &dot, 7, 4}}, 20, 10);
+  ASSERT_TRUE(bytes);
+  const auto file = read_psd_file(*bytes, {});
+  ASSERT_TRUE(file) << file.error().message;
+  const PsdBox& box = file->layers[0].box;
+  EXPECT_EQ(box.left, 7);
+  EXPECT_EQ(box.right, 8);
+  EXPECT_EQ(box.top, 4);
+  EXPECT_EQ(box.bottom, 5);
+  const auto merged = decode_merged(file->merged, 4, 20, 10, 8);
+  ASSERT_TRUE(merged);
+  for (int i = 0; i < 200; ++i) EXPECT_EQ((*merged)[3][i], i == 4 * 20 + 7 ? 255 : 0);
 }
 
 TEST(WritePsd, TakesEmptyLayersAndRefusesWhatTheFormatCannotHold) {
