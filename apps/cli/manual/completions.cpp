@@ -5,20 +5,6 @@ namespace {
 
 using Kind = OptionValue::Kind;
 
-std::string joined(const std::vector<std::string>& words, const char* between) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
-  return text;
-}
-
-/// "-o", "--output" and so on.
-std::vector<std::string> dashed_names(const CLI::Option& option) {
-  std::vector<std::string> names;
-  for (const std::string& name : option.get_snames()) names.push_back("-" + name);
-  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
-  return names;
-}
-
 /// `text` with a backslash before each of `special`.
 std::string guarded(const std::string& text, const std::string& special) {
   std::string out;

@@ -55,6 +55,19 @@ std::vector<const CLI::Option*> shown_options(const CLI::App& command) {
   return options;
 }
 
+std::string joined(const std::vector<std::string>& words, const char* between) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+  return text;
+}
+
+std::vector<std::string> dashed_names(const CLI::Option& option) {
+  std::vector<std::string> names;
+  for (const std::string& name : option.get_snames()) names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
 OptionValue value_of(const CLI::Option& option) {
   using Kind = OptionValue::Kind;
   if (option.get_items_expected_max() == 0) return {};

@@ -40,11 +40,7 @@ std::string uncapitalised(std::string text) {
 std::string options(const CLI::App& app) {
   std::string text = ".SH OPTIONS\n";
   for (const CLI::Option* option : shown_options(app)) {
-    std::string names;
-    for (const std::string& name : option->get_snames()) names += "-" + name + ", ";
-    for (const std::string& name : option->get_lnames()) names += "--" + name + ", ";
-    names.resize(names.size() - 2);
-    text += ".TP\n\\fB" + escaped(names) + "\\fR";
+    text += ".TP\n\\fB" + escaped(joined(dashed_names(*option), ", ")) + "\\fR";
     if (const OptionValue value = value_of(*option); value.kind != OptionValue::Kind::none)
       text += " \\fI" + escaped(value.said) + "\\fR";
     text += "\n" + escaped(option->get_description()) + "\n";

@@ -24,6 +24,11 @@ HelpText split_help(const std::string& help);
 std::vector<const CLI::App*> shown_commands(const CLI::App& program);
 std::vector<const CLI::Option*> shown_options(const CLI::App& command);
 
+/// "-o", "--output" and so on.
+std::vector<std::string> dashed_names(const CLI::Option& option);
+
+std::string joined(const std::vector<std::string>& words, const char* between);
+
 /// What may follow an option: nothing (a flag), one of some words, a number, or anything.
 struct OptionValue {
   enum class Kind { none, word, number, text } kind = Kind::none;
