@@ -166,6 +166,8 @@ TEST_F(Sequence, NamesWhatIsWrong) {
   expect_failure({"sequence", "list.json", "-o", "maps"}, 3, "frames[0].frame.x");
   list(R"({"x":0,"y":0,"w":40,"h":40})", "../sheet.png");
   expect_failure({"sequence", "list.json", "-o", "maps"}, 3, "meta.image");
+  list(R"({"x":0,"y":0,"w":4,"h":4}, "sourceSize": {"w":32767,"h":32767})", "sheet.png");
+  expect_failure({"sequence", "list.json", "-o", "maps"}, 5, "too many pixels");
   expect_failure({"sequence", "sheet.png", "a.svg", "--grid", "1x1", "-o", "maps"}, 2, "sheet");
 }
 

@@ -84,9 +84,9 @@ Image8 resized(const Image8& rgba, ImageSize size) {
 }
 
 int PartNumbers::number_of(const std::string& name) {
-  const auto at = std::find(names_.begin(), names_.end(), name);
-  if (at == names_.end()) names_.push_back(name);
-  return static_cast<int>(std::find(names_.begin(), names_.end(), name) - names_.begin());
+  const auto number = std::find(names_.begin(), names_.end(), name) - names_.begin();
+  if (number == std::ssize(names_)) names_.push_back(name);
+  return static_cast<int>(number);
 }
 
 std::vector<int> PartNumbers::by_name(const Scene& scene) {

@@ -27,9 +27,12 @@ bool lists_sprites(const InputFile& file) {
          text_of(file.bytes).find("\"frames\"") != std::string_view::npos;
 }
 
-bool is_blank(const Image8& rgba) {
-  for (size_t i = 3; i < rgba.pixels.size(); i += 4)
-    if (rgba.pixels[i] != 0) return false;
+bool is_blank(const Image8& sheet, const Sprite& sprite) {
+  for (int y = 0; y < sprite.size.height; ++y)
+    for (int x = 0; x < sprite.size.width; ++x) {
+      const SheetPixel at = on_sheet(sprite, x, y);
+      if (sheet.at(at.x, at.y, 3) != 0) return false;
+    }
   return true;
 }
 
@@ -55,7 +58,7 @@ Frame sprite_frame(const std::shared_ptr<const Image8>& sheet, const Sprite& spr
   Frame frame;
   frame.name = sprite.name;
   frame.flat = true;
-  frame.empty = is_blank(cut_sprite(*sheet, sprite));
+  frame.empty = is_blank(*sheet, sprite);
   frame.load = [sheet, sprite, file](const RunContext& context) {
     const std::string name = file + ": " + sprite.name;
     auto input = understand_flat({cut_sprite(*sheet, sprite)}, name, context);

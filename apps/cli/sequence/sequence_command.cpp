@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "apps/cli/commands.h"
+#include "apps/cli/cost.h"
 #include "apps/cli/cue_argument.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
@@ -110,19 +111,11 @@ Result<Bytes> encode(const Picture& picture, const std::string& kind, const Dept
   return kind == "depth" ? encode_depth_image(large, depth) : encode_png(large);
 }
 
-/// A sheet of a kind on which nothing lies yet.
-Picture empty_sheet(const std::string& kind, ImageSize size) {
-  const FrameMaps blank = blank_maps("", size);
-  if (kind == "colour") return blank.colour;
-  if (kind == "normal") return blank.normal;
-  if (kind == "occlusion") return blank.occlusion;
-  return Image16(size.width, size.height, 1);
-}
-
 /// All frames of a kind on one sheet.
 Result<Picture> sheet_of(const std::vector<FrameMaps>& frames, const std::string& kind,
                          const DepthScale& depth, const Frames& layout) {
-  Picture sheet = empty_sheet(kind, layout.sheet_size);
+  auto sheet = picture_of(blank_maps("", layout.sheet_size), kind, depth);
+  if (!sheet) return sheet;
   for (size_t i = 0; i < frames.size(); ++i) {
     const auto picture = picture_of(frames[i], kind, depth);
     if (!picture) return picture.error();
@@ -131,7 +124,7 @@ Result<Picture> sheet_of(const std::vector<FrameMaps>& frames, const std::string
           put_sprite(std::get<std::decay_t<decltype(whole)>>(*picture), layout.sheet->sprites[i],
                      whole);
         },
-        sheet);
+        *sheet);
   }
   return sheet;
 }
@@ -219,6 +212,16 @@ Status check_canvas(const Scene& scene, const Frame& frame, Canvas& canvas) {
   return Error{ErrorCode::bad_input, "has another size than the first frame", frame.name};
 }
 
+/// Adds the pixels of a frame to those of all before.
+Status count_pixels(ImageSize size, size_t& pixels) {
+  pixels += static_cast<size_t>(size.width) * size.height;
+  if (pixels <= max_pixels) return Done{};
+  return Error{ErrorCode::limit,
+               "the maps of all frames have too many pixels; make fewer frames or smaller ones at "
+               "a time",
+               "--map-size"};
+}
+
 Status animate(const SequenceArguments& sequence, Frames& frames, Animator& animator,
                const RunContext& context) {
   Canvas canvas;
@@ -226,26 +229,21 @@ Status animate(const SequenceArguments& sequence, Frames& frames, Animator& anim
   for (size_t i = 0; i < frames.frames.size(); ++i) {
     const Frame& frame = frames.frames[i];
     if (context.cancelled()) return interrupted_error();
-    ImageSize size = frames.sheet ? frames.sheet->sprites[i].whole : ImageSize{};
-    std::optional<SceneInput> input;
-    if (!frame.empty) {
-      auto loaded = frame.load(context);
-      if (!loaded) return loaded.error();
-      input = std::move(*loaded);
+    ImageSize size;
+    if (frames.sheet) {
+      size = frames.sheet->sprites[i].whole;
+      if (Status s = count_pixels(size, pixels); !s) return s;
     }
-    if (input && !frames.sheet) {
-      if (Status s = check_canvas(input->scene, frame, canvas); !s) return s;
-      size = fitted_size(canvas.width, canvas.height, sequence.map_size);
-    }
-    pixels += static_cast<size_t>(size.width) * size.height;
-    if (pixels > max_pixels)
-      return Error{ErrorCode::limit,
-                   "the maps of all frames have too many pixels; make fewer "
-                   "frames or smaller ones at a time",
-                   "--map-size"};
-    if (!input) {
+    if (frame.empty) {
       animator.add_blank(frame, size);
       continue;
+    }
+    auto input = frame.load(context);
+    if (!input) return input.error();
+    if (!frames.sheet) {
+      if (Status s = check_canvas(input->scene, frame, canvas); !s) return s;
+      size = fitted_size(canvas.width, canvas.height, sequence.map_size);
+      if (Status s = count_pixels(size, pixels); !s) return s;
     }
     if (Status s = animator.add(frame, std::move(*input), size, context); !s) {
       Error error = s.error();
@@ -261,6 +259,7 @@ Status animate(const SequenceArguments& sequence, Frames& frames, Animator& anim
 
 Status run_sequence(const SequenceArguments& sequence, Interruption& interruption) {
   const bool quiet = sequence.common.quiet;
+  if (Status s = check_cost(sequence.relief.options, quiet); !s) return s;
   auto frames = collect_frames(sequence);
   if (!frames) return frames.error();
   std::optional<Progress> progress(quiet);
