@@ -187,11 +187,12 @@ std::vector<std::string> relief_warnings(const Relief& relief) {
 }
 
 /// What is to be said of a solid. All figures hang over, which is in the report.
-std::vector<std::string> solid_warnings(const Products& products, double nozzle) {
+std::vector<std::string> solid_warnings(const Products& products,
+                                        const std::vector<PrintFinding>& findings, double nozzle) {
   std::vector<std::string> warnings;
-  if (!products.made || !products.made->solid) return warnings;
+  if (findings.empty()) return warnings;
   const double size = longest_side(products.made->drawn.model);
-  for (const PrintFinding& finding : products.made->print)
+  for (const PrintFinding& finding : findings)
     if (finding.trouble != PrintTrouble::overhang)
       warnings.push_back(describe(finding, nozzle, size));
   return warnings;
@@ -247,8 +248,11 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
       return s;
   progress.reset();
 
+  const double nozzle = build.relief.nozzle;
+  const auto findings =
+      products.made ? print_findings(*products.made, nozzle) : std::vector<PrintFinding>{};
   const std::vector<std::string> warnings =
-      joined(joined(relief_warnings(*relief), solid_warnings(products, build.relief.nozzle)),
+      joined(joined(relief_warnings(*relief), solid_warnings(products, findings, nozzle)),
              products.warnings);
   const std::string report = write_report(
       {build.common.input,
@@ -257,7 +261,7 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
        build.relief.options.nonlinear,
        written_model(products),
        products.made ? products.made->solid : std::nullopt,
-       products.made ? products.made->print : std::vector<PrintFinding>{},
+       findings,
        {{"read", read_time}, {"export", exporting.milliseconds()}, {"total", total.milliseconds()}},
        joined(input->warnings, warnings)});
   if (!build.report.empty()) products.files.push_back({build.report, bytes_of(report)});

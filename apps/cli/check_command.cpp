@@ -173,7 +173,7 @@ Result<std::vector<OutputFile>> scene_outputs(const CheckArguments& check, const
 }
 
 /// What a printer makes of the solid or figure that is asked for.
-Status print_findings(const CheckArguments& check, SceneInput& input, const RunContext& context) {
+Status tell_of_print(const CheckArguments& check, SceneInput& input, const RunContext& context) {
   ReliefArguments arguments = check.relief;
   arguments.options.layers.vertex_budget = trial_vertices;
   const auto relief = reconstruct(input, arguments, context);
@@ -182,7 +182,7 @@ Status print_findings(const CheckArguments& check, SceneInput& input, const RunC
   if (!made) return made.error();
   const double size = longest_side(made->drawn.model);
   Table table({"to print", "part", "what, and what helps"});
-  for (const PrintFinding& finding : made->print)
+  for (const PrintFinding& finding : print_findings(*made, arguments.nozzle))
     table.add({name(finding.trouble), finding.part, describe(finding, arguments.nozzle, size)});
   print_result(table.empty() ? "\nit prints as it is\n" : "\n" + table.text(), check.common.quiet);
   return Done{};
@@ -254,7 +254,7 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
   if (const std::string table = overlap_table(scene, *mesh); !table.empty())
     print_result("\n" + table, quiet);
   if (check.relief.solid)
-    if (Status s = print_findings(check, *input, {interruption.flag(), {}}); !s) return s;
+    if (Status s = tell_of_print(check, *input, {interruption.flag(), {}}); !s) return s;
   if (Status s = write_outputs(check, *file, *input, *mesh, interruption); !s) return s;
   print_note("nothing is wrong with " + check.common.input, quiet);
   return Done{};

@@ -94,15 +94,18 @@ Result<MadeModel> make_model(const Relief& relief, const SceneInput& input,
     if (!sheet) return sheet.error();
     auto solid = make_solid(*sheet, input.drawing, arguments.solid_options);
     if (!solid) return solid.error();
-    auto print = check_print(solid->model, solid->facts.loose, arguments.nozzle);
-    return MadeModel{
-        {std::move(solid->model), std::move(solid->drawing)}, solid->facts, std::move(print)};
+    return MadeModel{{std::move(solid->model), std::move(solid->drawing)}, solid->facts};
   }
   options.visibility = shown(arguments);
   auto model = assemble_model(relief.layers, relief.inflation, relief.ordering, input.scene,
                               options, context);
   if (!model) return model.error();
-  return MadeModel{dress_hidden(std::move(*model), input.drawing), {}, {}};
+  return MadeModel{dress_hidden(std::move(*model), input.drawing), {}};
+}
+
+std::vector<PrintFinding> print_findings(const MadeModel& made, double nozzle) {
+  if (!made.solid) return {};
+  return check_print(made.drawn.model, made.solid->loose, nozzle);
 }
 
 }  // namespace relievo::cli

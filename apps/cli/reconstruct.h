@@ -18,8 +18,10 @@ namespace relievo::cli {
 struct MadeModel {
   DrawnModel drawn;
   std::optional<SolidFacts> solid;
-  std::vector<PrintFinding> print;
 };
+
+/// What is wrong with a solid for a nozzle, mm; nothing with other models. As check_print.
+std::vector<PrintFinding> print_findings(const MadeModel& made, double nozzle);
 
 /// The options of a relief, and what they change of the scene's own values.
 Result<ReliefOptions> settle_options(Scene& scene, const ReliefArguments& arguments);

@@ -4,7 +4,7 @@
 //        node campaign.mjs memory PROGRAM DRAWING [N]    N limits of memory from 40 MB to 2 GB (40)
 //        node campaign.mjs mutations PROGRAM DRAWING [N] N damaged models through `render` (200)
 import { spawn } from "node:child_process";
-import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { basename, extname, join, resolve } from "node:path";
 import { modelDefect } from "./model_files.mjs";
@@ -194,7 +194,6 @@ if (!(campaign in campaigns) || words.length === 0) {
   console.error("usage: node campaign.mjs outputs|kills|memory|mutations PROGRAM DRAWING... [N]");
   process.exit(2);
 }
-mkdirSync(folder, { recursive: true });
 try {
   await campaigns[campaign](words);
 } finally {
