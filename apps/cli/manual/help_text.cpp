@@ -69,13 +69,14 @@ std::vector<std::string> dashed_names(const CLI::Option& option) {
 }
 
 OptionValue value_of(const CLI::Option& option) {
-  using Kind = OptionValue::Kind;
   if (option.get_items_expected_max() == 0) return {};
   const std::string type = option.get_type_name();
-  OptionValue value{Kind::text, words_in_braces(type), type.substr(type.find(':') + 1)};
-  if (begins_with(type, "INT") || begins_with(type, "FLOAT")) value.kind = Kind::number;
+  OptionValue value{OptionValue::Kind::text, words_in_braces(type),
+                    type.substr(type.find(':') + 1)};
+  if (begins_with(type, "INT") || begins_with(type, "FLOAT"))
+    value.kind = OptionValue::Kind::number;
   if (value.words.empty()) return value;
-  value.kind = Kind::word;
+  value.kind = OptionValue::Kind::word;
   value.said.clear();
   for (const std::string& word : value.words) value.said += (value.said.empty() ? "" : "|") + word;
   return value;
