@@ -68,6 +68,15 @@ END
   --cutter 12 --size 480 --yaw -35 --pitch 30 --clay -o "$work/cutter.png" > /dev/null
 convert "$work/cutter.png" -resize 360x -colors 192 "$to/solid-cutter.png"
 
+while read -r drawing base; do
+  "$relievo" render "examples/$drawing.svg" --profile figure --base "$base" --size 480 --yaw -35 \
+    --pitch 20 -o "$work/figure.png" > /dev/null
+  convert "$work/figure.png" -resize x360 -colors 192 "$to/figure-$base.png"
+done << END
+wolf plate
+farmer round
+END
+
 # What a printer lays, where a slicer is installed.
 if command -v prusa-slicer > /dev/null; then
   "$relievo" build examples/wolf.svg --profile figure -o "$work/wolf.stl" > /dev/null

@@ -46,6 +46,12 @@ struct ReliefArguments {
   double nozzle = 0.4;         ///< mm, of the printer that a solid is checked for
 };
 
+/// Whether a figure on a base is made, which is printed upright.
+inline bool stands(const ReliefArguments& relief) {
+  return relief.solid && relief.solid_options.back != BackSide::flat &&
+         relief.solid_options.base != BaseShape::none;
+}
+
 struct BuildArguments {
   CommonArguments common;
   ReliefArguments relief;

@@ -110,7 +110,7 @@ Status add_models(Products& products, const BuildArguments& build, const SceneIn
       const double share = longest_side(written) / longest_side(model);
       for (const std::string& name : names) {
         auto files = encode_model(written, drawing, level_name(name, level),
-                                  {share * size, build.filaments, build.slicer});
+                                  {share * size, build.filaments, build.slicer, stands(arguments)});
         if (!files) return files.error();
         std::move(files->begin(), files->end(), std::back_inserter(products.files));
         if (context.cancelled()) return interrupted_error();
@@ -250,7 +250,7 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
 
   const double nozzle = build.relief.nozzle;
   const auto findings =
-      products.made ? print_findings(*products.made, nozzle) : std::vector<PrintFinding>{};
+      products.made ? print_findings(*products.made, build.relief) : std::vector<PrintFinding>{};
   const std::vector<std::string> warnings =
       joined(joined(relief_warnings(*relief), solid_warnings(products, findings, nozzle)),
              products.warnings);

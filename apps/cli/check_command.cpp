@@ -182,7 +182,7 @@ Status tell_of_print(const CheckArguments& check, SceneInput& input, const RunCo
   if (!made) return made.error();
   const double size = longest_side(made->drawn.model);
   Table table({"to print", "part", "what, and what helps"});
-  for (const PrintFinding& finding : print_findings(*made, arguments.nozzle))
+  for (const PrintFinding& finding : print_findings(*made, arguments))
     table.add({name(finding.trouble), finding.part, describe(finding, arguments.nozzle, size)});
   print_result(table.empty() ? "\nit prints as it is\n" : "\n" + table.text(), check.common.quiet);
   return Done{};

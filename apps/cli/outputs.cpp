@@ -4,6 +4,7 @@
 
 #include "io/mesh/html_encode.h"
 #include "io/mesh/obj_encode.h"
+#include "io/mesh/placement.h"
 #include "io/mesh/usdz_encode.h"
 #include "relievo/export.h"
 
@@ -73,6 +74,11 @@ Status check_outputs(const std::vector<fs::path>& paths, const std::vector<fs::p
 Result<Files> encode_model(const Model& model, const Drawing& drawing, const std::string& name,
                            const FileOptions& file) {
   const fs::path ending = fs::path(name).extension();
+  if (file.standing && (ending == ".stl" || ending == ".3mf")) {
+    FileOptions lying = file;
+    lying.standing = false;
+    return encode_model(stood_up(model), drawing, name, lying);
+  }
   const Drawing* texture = drawing.rgba.empty() ? nullptr : &drawing;
   const auto single = [&name](Result<Bytes> bytes) -> Result<Files> {
     if (!bytes) return bytes.error();

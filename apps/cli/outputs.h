@@ -29,6 +29,7 @@ struct FileOptions {
   double mm = 100;    ///< longest side of the model
   int filaments = 4;  ///< of .3mf
   Slicer slicer = Slicer::prusa;
+  bool standing = false;  ///< whether it stands on the bed of a printer, not lies
 };
 
 /// The files of a model in the format that the name's extension says. Precondition: a known one.

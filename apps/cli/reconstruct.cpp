@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "apps/cli/cue_argument.h"
+#include "io/mesh/placement.h"
 #include "relief/model/dress_hidden.h"
 
 namespace relievo::cli {
@@ -103,9 +104,11 @@ Result<MadeModel> make_model(const Relief& relief, const SceneInput& input,
   return MadeModel{dress_hidden(std::move(*model), input.drawing), {}};
 }
 
-std::vector<PrintFinding> print_findings(const MadeModel& made, double nozzle) {
+std::vector<PrintFinding> print_findings(const MadeModel& made, const ReliefArguments& arguments) {
   if (!made.solid) return {};
-  return check_print(made.drawn.model, made.solid->loose, nozzle);
+  const Model& model = made.drawn.model;
+  return check_print(stands(arguments) ? stood_up(model) : model, made.solid->loose,
+                     arguments.nozzle);
 }
 
 }  // namespace relievo::cli

@@ -20,8 +20,8 @@ struct MadeModel {
   std::optional<SolidFacts> solid;
 };
 
-/// What is wrong with a solid for a nozzle, mm; nothing with other models. As check_print.
-std::vector<PrintFinding> print_findings(const MadeModel& made, double nozzle);
+/// What is wrong with a solid as it lies, or stands, on the bed; nothing with other models.
+std::vector<PrintFinding> print_findings(const MadeModel& made, const ReliefArguments& arguments);
 
 /// The options of a relief, and what they change of the scene's own values.
 Result<ReliefOptions> settle_options(Scene& scene, const ReliefArguments& arguments);

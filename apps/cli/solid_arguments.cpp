@@ -43,10 +43,10 @@ void add_solid_options(CLI::App& app, ReliefArguments& relief) {
       app.add_option_function<std::string>(
              "--base", [&solid](const std::string& name) { solid.base = base_shape(name); },
              "Of solid: none (the default), or a plate below it: outline, plate (a rectangle) or "
-             "round")
+             "round; of figure: one under its feet, plate or round")
           ->check(CLI::IsMember({"none", "outline", "plate", "round"})),
       app.add_option("--thickness", solid.thickness,
-                     "Of solid: mm below its lowest visible point, and of its base (default 2)")
+                     "Of solid: mm below its lowest visible point; also of a base (default 2)")
           ->check(within(0.1, 1000.0)),
       app.add_option("--height", solid.height,
                      "Of solid and figure: mm, its depth at most; it shrinks where there is more")
@@ -56,8 +56,9 @@ void add_solid_options(CLI::App& app, ReliefArguments& relief) {
              [&solid](const std::string& name) { solid.detail = name == "detail"; },
              "How it shrinks: linear (evenly, the default), or detail (small forms stay)")
           ->check(CLI::IsMember({"linear", "detail"})),
-      app.add_option("--margin", solid.margin,
-                     "Of solid: mm from it to the edge of its base (default 3)")
+      app.add_option(
+             "--margin", solid.margin,
+             "Of solid and figure: mm from it, or its feet, to the edge of its base (default 3)")
           ->check(within(0.5, 1000.0)),
       app.add_option("--corner", solid.corner,
                      "Of solid: mm, radius of the corners of a plate (default 3)")

@@ -66,7 +66,7 @@ PaintedDrawing paint_back(const Drawing& drawing, const Model& model, BackSide s
   PaintedDrawing painted{drawing, 1, {}};
   painted.paint.parts = add_cells(colours, painted.drawing.rgba);
   painted.paint.plate = painted.paint.parts.back();
-  painted.paint.parts.pop_back();
+  if (side != BackSide::parts) painted.paint.parts.clear();
   painted.shrink = static_cast<double>(drawing.rgba.height) / painted.drawing.rgba.height;
   return painted;
 }

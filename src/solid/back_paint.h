@@ -10,8 +10,9 @@ namespace relievo {
 
 /// Where backs lie on the drawing.
 struct BackPaint {
-  Point2 plate;               ///< a flat one
-  std::vector<Point2> parts;  ///< a floor's, by part; empty: as what is in front of it
+  Point2 plate;  ///< a flat one
+  std::vector<Point2>
+      parts;  ///< a floor's, by part and of a base; empty: as what is in front of it
 };
 
 /// A drawing with plain colours below it.

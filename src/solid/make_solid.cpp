@@ -17,6 +17,7 @@
 #include "solid/repair_plane.h"
 #include "solid/settle_heights.h"
 #include "solid/snap_sheet.h"
+#include "solid/stand.h"
 
 namespace relievo {
 namespace {
@@ -72,11 +73,12 @@ Result<GridPlacement> place_on_grid(const VisibleSheet& sheet, const SolidOption
   const Point3 sides = extent.high - extent.low;
   const double wall = options.cutter > 0 ? cutter_wall : 0;
   const double around = options.base == BaseShape::none ? 0 : 2 * (options.margin + wall);
-  const double wide = options.base == BaseShape::round ? 2 * radius_of(sheet.model, extent)
-                                                       : std::max(sides.x, sides.y);
+  const bool disc = options.base == BaseShape::round && !backed;
+  const double wide = disc ? 2 * radius_of(sheet.model, extent) : std::max(sides.x, sides.y);
+  const double deep = backed ? around : below;
   double scale = (options.size - around) / wide;
   // Where the height is limited, depth has no part in the size.
-  if (sides.z > 0 && options.height == 0) scale = std::min(scale, (options.size - below) / sides.z);
+  if (sides.z > 0 && options.height == 0) scale = std::min(scale, (options.size - deep) / sides.z);
   if (!(scale > 0))
     return Error{ErrorCode::usage, "leaves no room beside the base's margin and thickness",
                  "--size"};
@@ -171,8 +173,9 @@ Result<Solid> make_solid(const VisibleSheet& given, const Drawing& drawing,
     return Error{ErrorCode::usage, "a cutter needs --base outline, without a hole or a ring",
                  "--cutter"};
   const bool figure = options.back != BackSide::flat;
-  if (figure && options.base != BaseShape::none)
-    return Error{ErrorCode::usage, "a figure has no flat back to stand on a base with", "--base"};
+  if (figure && (options.base == BaseShape::outline || options.hole + options.ring > 0))
+    return Error{ErrorCode::usage,
+                 "a figure stands on --base plate or round, without a hole or a ring", "--base"};
   auto placement = place_on_grid(given, options);
   if (!placement) return placement.error();
   VisibleSheet compressed;
@@ -185,19 +188,35 @@ Result<Solid> make_solid(const VisibleSheet& given, const Drawing& drawing,
     if (!placement) return placement.error();
   }
   const VisibleSheet& sheet = compressed.model.triangles.empty() ? given : compressed;
-  const std::vector<ModelPart> parts = figure ? sheet.model.parts : parts_with_base(sheet.model);
+  const bool stands = figure && options.base != BaseShape::none;
+  const std::vector<ModelPart> parts =
+      figure && !stands ? sheet.model.parts : parts_with_base(sheet.model);
   PaintedDrawing painted = paint_back(drawing, sheet.model, options.back);
   HeightField field = snap_sheet(sheet, *placement);
   for (Point2& uv : field.uvs) uv.y *= painted.shrink;
   const int base = static_cast<int>(parts.size()) - 1;
+  const int64_t sunk = std::llround(0.5 * options.thickness / field.unit);
+  if (stands)
+    if (Status status = cut_feet(sunk, field); !status) return status.error();
   if (Status status = repair_plane(least_gap / field.unit, field); !status) return status.error();
-  if (Status status = add_plate(options, base, painted.paint.plate, field); !status)
-    return status.error();
-  const FieldEdges edges = connect_field(field);
+  if (!figure)
+    if (Status status = add_plate(options, base, painted.paint.plate, field); !status)
+      return status.error();
+  FieldEdges edges = connect_field(field);
   if (figure) {
     const FloorLimits limits{std::llround(least_depth / field.unit),
                              std::llround(soft_share * options.size / field.unit)};
     if (Status status = lay_floor(limits, edges, field); !status) return status.error();
+  }
+  if (stands) {
+    const Stand stand{options.base == BaseShape::round,
+                      2 * sunk,
+                      std::llround(options.margin / field.unit),
+                      std::llround(options.size / field.unit),
+                      base,
+                      painted.paint.plate};
+    if (Status status = add_stand(stand, field); !status) return status.error();
+    edges = connect_field(field);
   }
   settle_heights(edges, field);
   auto model = raise_walls(field, edges, parts, painted.paint);

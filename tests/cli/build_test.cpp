@@ -198,43 +198,6 @@ TEST_F(Build, ReadsStandardInput) {
   }
 }
 
-TEST_F(Build, ReportsASolid) {
-  const auto solid = [&](std::vector<std::string> options) {
-    std::vector<std::string> arguments = with_small(
-        {"build", "scene.json", "-o", "m.stl", "--json", "--profile", "solid", "--size", "40"});
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const Outcome outcome = relievo(arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return Json::parse(outcome.out)["solid"];
-  };
-  const Json plain = solid({});
-  EXPECT_EQ(plain["pieces"], 1);
-  EXPECT_GT(plain["volume_mm3"], 0);
-  for (const std::vector<std::string>& change :
-       std::vector<std::vector<std::string>>{{"--thickness", "4"},
-                                             {"--base", "outline"},
-                                             {"--base", "plate"},
-                                             {"--base", "plate", "--margin", "5"},
-                                             {"--base", "plate", "--corner", "0"},
-                                             {"--base", "round"},
-                                             {"--base", "plate", "--margin", "5", "--hole", "3"},
-                                             {"--base", "outline", "--ring", "3"},
-                                             {"--base", "outline", "--cutter", "12"}})
-    EXPECT_NE(solid(change)["volume_mm3"], plain["volume_mm3"]) << change.back();
-}
-
-TEST_F(Build, CarvesAMapOfASolid) {
-  const std::vector<std::string> carve = {"build", "scene.json", "--carve-map", "c.png"};
-  expect_failure(carve, 2, "--profile solid");
-  std::vector<std::string> options = with_small(carve);
-  options.insert(options.end(), {"--profile", "solid", "--size", "50", "--px-per-mm", "4"});
-  EXPECT_EQ(relievo(options).exit_code, 0);
-  const std::string text = read("c.png");
-  const auto map = decode_image(Bytes(text.begin(), text.end()));
-  ASSERT_TRUE(map.ok());
-  EXPECT_EQ(std::max(map->width, map->height), 200);
-}
-
 TEST_F(Build, SimplifiesModelsAndWritesLevels) {
   const auto triangles = [&](const std::string& name) {
     const std::string bytes = read(name);

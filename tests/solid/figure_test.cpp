@@ -70,12 +70,53 @@ TEST(Figure, HasTheDrawingOrThePartsColoursBehind) {
   }
 }
 
-TEST(Figure, StandsOnNoBase) {
+TEST(Figure, StandsOnAPlateOrADiscUnderItsFeet) {
   SolidOptions options = figure_of(80);
+  options.thickness = 4;
+  options.margin = 10;
+  double rectangle = 0;
+  for (const BaseShape base : {BaseShape::plate, BaseShape::round}) {
+    options.base = base;
+    const auto solid = make_solid(whole_ball(), {}, options);
+    ASSERT_TRUE(solid.ok()) << to_string(solid.error());
+    const SolidCensus found = figure_census(*solid);
+    EXPECT_EQ(what_is_wrong(found), "");
+    EXPECT_EQ(found.pieces, 1);
+    // The ball of radius 30 touches with a disc as wide as it is 2 mm above its lowest point.
+    const double foot = std::sqrt(30.0 * 30 - 28.0 * 28);
+    const Model& model = solid->model;
+    double low = 1e300;
+    double left = 1e300;
+    double right = -1e300;
+    for (const Point3 p : model.positions) low = std::min(low, p.y);
+    for (const Point3 p : model.positions)
+      if (p.y == low) left = std::min(left, p.x), right = std::max(right, p.x);
+    const double side = 2 * foot + 20;
+    const double wide = base == BaseShape::plate ? side : std::sqrt(2.0) * 2 * foot + 20;
+    EXPECT_NEAR(right - left, wide, 0.05 * wide);
+    EXPECT_NEAR(extent(model).max.y - low, 62, 0.1);
+    double sole = 0;
+    for (const std::array<int, 3>& t : model.triangles) {
+      const Point3 a = model.positions[t[0]];
+      const Point3 twice = cross(model.positions[t[1]] - a, model.positions[t[2]] - a);
+      if (a.y == low && twice.x == 0 && twice.z == 0) sole -= 0.5 * twice.y;
+    }
+    const double area = base == BaseShape::plate ? side * side : std::numbers::pi / 4 * wide * wide;
+    EXPECT_NEAR(sole, area, 0.05 * area);
+    EXPECT_GT(std::abs(sole - rectangle), 1);
+    rectangle = sole;
+    const double volume = 4.0 / 3 * std::numbers::pi * 30 * 30 * 30;
+    EXPECT_NEAR(found.volume, volume + 4 * area, 0.02 * volume);
+  }
+}
+
+TEST(Figure, StandsOnNothingElse) {
+  SolidOptions options = figure_of(80);
+  options.base = BaseShape::outline;
+  EXPECT_EQ(make_solid(whole_ball(), {}, options).error().code, ErrorCode::usage);
   options.base = BaseShape::plate;
-  const auto solid = make_solid(whole_ball(), {}, options);
-  ASSERT_FALSE(solid.ok());
-  EXPECT_EQ(solid.error().code, ErrorCode::usage);
+  options.ring = 4;
+  EXPECT_EQ(make_solid(whole_ball(), {}, options).error().code, ErrorCode::usage);
 }
 
 TEST(Figure, KeepsWithinAHeight) {
@@ -122,6 +163,17 @@ TEST_P(RandomFigure, IsClosedAndShowsTheRelief) {
               : 1;
     }
   EXPECT_LE(missing, 6 + static_cast<int>(sheet.model.triangles.size()) / 500);
+}
+
+TEST_P(RandomFigure, StandsClosed) {
+  const Scene scene = random_scene(static_cast<uint64_t>(GetParam()));
+  SolidOptions options = figure_of(128, BackSide::parts);
+  options.base = GetParam() % 2 == 0 ? BaseShape::plate : BaseShape::round;
+  const auto solid = make_solid(sheet_of(scene, 1500, true), quarters(), options);
+  ASSERT_TRUE(solid.ok()) << to_string(solid.error());
+  const SolidCensus found = figure_census(*solid);
+  EXPECT_EQ(what_is_wrong(found), "");
+  EXPECT_EQ(found.pieces, solid->facts.pieces);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, RandomFigure, ::testing::Range(0, 100));

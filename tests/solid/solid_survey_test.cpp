@@ -30,7 +30,7 @@ struct Tally {
 
   void add(const Solid& solid) {
     const SolidCensus found = census_of_stl(stl_of(solid.model));
-    const bool plate = options.base == BaseShape::plate || options.base == BaseShape::round;
+    const bool plate = options.base == BaseShape::plate && options.back == BackSide::flat;
     ++made;
     open += found.uneven > 0 || !found.manifold ? 1 : 0;
     crossing += found.self_intersections > 0 ? 1 : 0;
@@ -42,12 +42,15 @@ struct Tally {
 };
 
 std::vector<Tally> kinds() {
-  std::vector<Tally> kinds(3);
+  std::vector<Tally> kinds(4);
   kinds[0].kind = "solid";
   kinds[1].kind = "solid on a plate";
   kinds[1].options.base = BaseShape::plate;
   kinds[2].kind = "figure";
   kinds[2].options.back = BackSide::drawing;
+  kinds[3].kind = "figure on a disc";
+  kinds[3].options.back = BackSide::drawing;
+  kinds[3].options.base = BaseShape::round;
   return kinds;
 }
 

@@ -38,6 +38,12 @@ Placement octant_placement(const Model& model, double size) {
   return {size / longest_side(box), box.min};
 }
 
+Model stood_up(Model model) {
+  for (std::vector<Point3>* all : {&model.positions, &model.normals})
+    for (Point3& p : *all) p = {p.x, -p.z, p.y};
+  return model;
+}
+
 Status check_exportable(const Model& model, double size_mm) {
   if (!std::isfinite(size_mm) || size_mm <= 0)
     return Error{ErrorCode::usage, "the size of the model must be a positive number of mm", ""};

@@ -35,6 +35,9 @@ Placement centred_placement(const Model& model, double size);
 /// three planes.
 Placement octant_placement(const Model& model, double size);
 
+/// The model turned so that what was up on the drawing is up on the bed: Y becomes Z.
+Model stood_up(Model model);
+
 /// The normal made exactly unit, towards the viewer where it is zero: files must not have others.
 inline Point3 file_normal(Point3 normal) {
   const Point3 n = normalized(normal);

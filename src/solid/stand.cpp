@@ -1,0 +1,308 @@
+#include "solid/stand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "kernel/meshing/triangulate.h"
+
+namespace relievo {
+namespace {
+
+constexpr int most_levels = 64;
+/// Sides of a disc, and the angle that its blunt ends leave.
+constexpr int disc_sides = 48;
+constexpr double blunt = 0.1;
+
+int64_t lowest(const HeightField& field) {
+  int64_t low = std::numeric_limits<int64_t>::max();
+  for (const std::array<int, 3>& t : field.triangles)
+    for (const int v : t) low = std::min(low, field.place(v).y);
+  return low;
+}
+
+/// What of a field lies above a level.
+class FeetCutter {
+ public:
+  FeetCutter(const HeightField& field, int64_t level) : field_(field), level_(level) {}
+
+  /// Whether no two edges meet the level in one point.
+  bool cut() {
+    const std::vector<std::array<int, 3>> triangles = std::exchange(field_.triangles, {});
+    const std::vector<int> parts = std::exchange(field_.triangle_part, {});
+    for (const std::array<int, 3>& t : triangles)
+      for (const int v : t)
+        if (field_.place(v).y == level_) return false;
+    for (size_t t = 0; t < triangles.size() && clean_; ++t) keep(triangles[t], parts[t]);
+    return clean_;
+  }
+
+  HeightField take() && { return std::move(field_); }
+
+ private:
+  bool above(int vertex) const { return field_.place(vertex).y > level_; }
+
+  void keep(const std::array<int, 3>& triangle, int part) {
+    std::vector<int> ring;
+    for (int k = 0; k < 3; ++k) {
+      const int a = triangle[k];
+      const int b = triangle[(k + 1) % 3];
+      if (above(a)) ring.push_back(a);
+      if (above(a) != above(b)) ring.push_back(above(a) ? crossing(a, b) : crossing(b, a));
+    }
+    for (size_t i = 2; i < ring.size(); ++i) {
+      field_.triangles.push_back({ring[0], ring[i - 1], ring[i]});
+      field_.triangle_part.push_back(part);
+    }
+  }
+
+  /// The vertex where the edge from a, above, to b meets the level.
+  int crossing(int a, int b) {
+    const auto [known, fresh] = vertices_.try_emplace({a, b}, 0);
+    if (!fresh) return known->second;
+    const GridPoint p = field_.place(a);
+    const GridPoint q = field_.place(b);
+    const double s = static_cast<double>(p.y - level_) / static_cast<double>(p.y - q.y);
+    known->second = static_cast<int>(field_.vertex_point.size());
+    field_.vertex_point.push_back(point(field_.vertex_point[a], field_.vertex_point[b], s));
+    field_.vertex_height.push_back(between(field_.vertex_height[a], field_.vertex_height[b], s));
+    field_.normals.push_back(normalized((1 - s) * field_.normals[a] + s * field_.normals[b]));
+    field_.uvs.push_back((1 - s) * field_.uvs[a] + s * field_.uvs[b]);
+    return known->second;
+  }
+
+  static int64_t between(int64_t from, int64_t to, double s) {
+    return from + std::llround(s * static_cast<double>(to - from));
+  }
+
+  int point(int a, int b, double s) {
+    const auto [known, fresh] = points_.try_emplace({a, b}, static_cast<int>(field_.points.size()));
+    if (!fresh) return known->second;
+    const int64_t x = between(field_.points[a].x, field_.points[b].x, s);
+    clean_ = taken_.insert(x).second && clean_;
+    field_.points.push_back({x, level_});
+    if (!field_.floor.empty())
+      field_.floor.push_back(
+          {between(field_.floor[a].height, field_.floor[b].height, s), field_.floor[a].part});
+    return known->second;
+  }
+
+  HeightField field_;
+  int64_t level_;
+  bool clean_ = true;
+  std::map<std::pair<int, int>, int> vertices_;
+  std::map<std::pair<int, int>, int> points_;
+  std::set<int64_t> taken_;
+};
+
+/// Seen from above: x along the drawing, z towards the viewer.
+struct Footprint {
+  int64_t left = std::numeric_limits<int64_t>::max();
+  int64_t right = std::numeric_limits<int64_t>::min();
+  int64_t back = std::numeric_limits<int64_t>::max();
+  int64_t front = std::numeric_limits<int64_t>::min();
+
+  void add(int64_t x, int64_t z) {
+    left = std::min(left, x);
+    right = std::max(right, x);
+    back = std::min(back, z);
+    front = std::max(front, z);
+  }
+};
+
+class StandBuilder {
+ public:
+  StandBuilder(const Stand& stand, HeightField& field)
+      : stand_(stand), field_(field), top_(lowest(field)) {}
+
+  Status add() {
+    if (Status status = find_feet(); !status) return status;
+    add_mass();
+    shape();
+    lay_points();
+    return triangulate_plate();
+  }
+
+ private:
+  int64_t above_plate(int vertex) const {
+    return field_.floor_height(field_.vertex_point[vertex]) + field_.vertex_height[vertex];
+  }
+
+  Status find_feet() {
+    for (const std::array<int, 3>& t : field_.triangles)
+      for (int k = 0; k < 3; ++k) {
+        const int a = t[k];
+        const int b = t[(k + 1) % 3];
+        if (field_.place(a).y == top_) touching_.insert(field_.vertex_point[a]);
+        if (field_.place(a).y != top_ || field_.place(b).y != top_) continue;
+        soles_.insert({field_.place(a).x, field_.vertex_point[a]});
+        soles_.insert({field_.place(b).x, field_.vertex_point[b]});
+        joined_to_right_.insert(field_.place(a).x);
+        for (const int v : {a, b}) {
+          feet_.add(field_.place(v).x, above_plate(v));
+          feet_.add(field_.place(v).x, field_.floor_height(field_.vertex_point[v]));
+        }
+      }
+    if (soles_.empty() || touching_.size() != soles_.size())
+      return Error{ErrorCode::internal, "the feet do not lie on one level", ""};
+    return Done{};
+  }
+
+  /// The centre of mass belongs over the plate.
+  void add_mass() {
+    double mass = 0;
+    double x = 0;
+    double z = 0;
+    for (const std::array<int, 3>& t : field_.triangles) {
+      const auto area =
+          static_cast<double>(turn(field_.place(t[0]), field_.place(t[1]), field_.place(t[2])));
+      for (const int v : t) {
+        const auto high = static_cast<double>(field_.vertex_height[v]);
+        const auto floor = static_cast<double>(field_.floor_height(field_.vertex_point[v]));
+        mass += area * high;
+        x += area * high * static_cast<double>(field_.place(v).x);
+        z += area * high * (floor + 0.5 * high);
+      }
+    }
+    if (mass > 0) feet_.add(std::llround(x / mass), std::llround(z / mass));
+  }
+
+  /// Where the plate ends to the left and right, and the places where its outline bends.
+  void shape() {
+    const int64_t x = (feet_.left + feet_.right) / 2;
+    middle_ = (feet_.back + feet_.front) / 2;
+    if (!stand_.round) {
+      const int64_t wide =
+          std::min((feet_.right - feet_.left) / 2 + stand_.margin, stand_.widest / 2);
+      half_depth_ = std::min((feet_.front - feet_.back) / 2 + stand_.margin, stand_.widest / 2);
+      bends_ = {{x - wide, half_depth_}, {x + wide, half_depth_}};
+      return;
+    }
+    const double radius = std::min(0.5 * std::hypot(static_cast<double>(feet_.right - feet_.left),
+                                                    static_cast<double>(feet_.front - feet_.back)) +
+                                       static_cast<double>(stand_.margin),
+                                   0.5 * static_cast<double>(stand_.widest));
+    for (int i = 0; i <= disc_sides / 2; ++i) {
+      const double angle =
+          blunt + (std::numbers::pi - 2 * blunt) * static_cast<double>(i) / (disc_sides / 2.0);
+      bends_[x - std::llround(radius * std::cos(angle))] = std::llround(radius * std::sin(angle));
+    }
+  }
+
+  int64_t depth_at(int64_t x) const {
+    auto right = bends_.upper_bound(x);
+    if (right == bends_.end()) return bends_.rbegin()->second;
+    if (right == bends_.begin()) return right->second;
+    const auto left = std::prev(right);
+    const double s =
+        static_cast<double>(x - left->first) / static_cast<double>(right->first - left->first);
+    return left->second + std::llround(s * static_cast<double>(right->second - left->second));
+  }
+
+  int lay_point(int64_t x, int64_t y) {
+    plate_.push_back(static_cast<int>(field_.points.size()));
+    field_.points.push_back({x, y});
+    field_.floor.push_back({middle_ - depth_at(x), stand_.part});
+    return static_cast<int>(plate_.size()) - 1;
+  }
+
+  /// The back of a foot and that of the plate are one surface: between them it falls within so
+  /// little that it counts as level.
+  void lay_points() {
+    const int64_t slope = std::max<int64_t>(stand_.thickness / 10, 2);
+    for (const auto& [x, point] : soles_) plate_.push_back(point);
+    std::set<int64_t> ends;
+    for (auto at = soles_.begin(); at != soles_.end(); ++at) {
+      const auto next = std::next(at);
+      if (next == soles_.end() || joined_to_right_.count(at->first) == 0)
+        if (next == soles_.end() || next->first - at->first > 3 * slope)
+          ends.insert(at->first + slope);
+      const bool first = at == soles_.begin();
+      if (first || (joined_to_right_.count(std::prev(at)->first) == 0 &&
+                    at->first - std::prev(at)->first > 3 * slope))
+        ends.insert(at->first - slope);
+    }
+    for (const auto& [x, depth] : bends_)
+      if (is_free(x, slope)) ends.insert(x);
+    for (const int64_t x : ends) lay_point(x, top_);
+    // Below that every line of the plate's outline goes straight on.
+    for (const auto& [x, point] : soles_) ends.insert(x);
+    for (const auto& [x, depth] : bends_) ends.insert(x);
+    int last = -1;
+    for (const int64_t x : ends) {
+      const int at = lay_point(x, top_ - slope);
+      if (last >= 0) lines_.push_back({last, at});
+      last = at;
+      if (bends_.count(x) > 0) lines_.push_back({at, lay_point(x, top_ - stand_.thickness)});
+    }
+  }
+
+  /// Whether a place on the upper edge is beside all feet.
+  bool is_free(int64_t x, int64_t slope) const {
+    const auto right = soles_.lower_bound({x, -1});
+    if (right != soles_.end() && right->first - x <= 2 * slope) return false;
+    if (right == soles_.begin()) return true;
+    const auto left = std::prev(right);
+    return x - left->first > 2 * slope && joined_to_right_.count(left->first) == 0;
+  }
+
+  Status triangulate_plate() {
+    std::vector<Point2> places;
+    for (const int p : plate_)
+      places.push_back(
+          {static_cast<double>(field_.points[p].x), static_cast<double>(field_.points[p].y)});
+    const auto mesh = triangulate(places, lines_);
+    if (!mesh) return mesh.error();
+    const auto first = static_cast<int>(field_.vertex_point.size());
+    for (const int p : plate_) {
+      field_.vertex_point.push_back(p);
+      const int64_t front = middle_ + depth_at(field_.points[p].x);
+      field_.vertex_height.push_back(std::max<int64_t>(front - field_.floor[p].height, 1));
+      field_.normals.push_back({0, 0, 1});
+      field_.uvs.push_back(stand_.uv);
+    }
+    for (std::array<int, 3> t : mesh->triangles) {
+      // A triangle's first corner tells what is behind it.
+      while (t[0] < static_cast<int>(soles_.size())) std::rotate(t.begin(), t.begin() + 1, t.end());
+      field_.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+      field_.triangle_part.push_back(stand_.part);
+    }
+    return Done{};
+  }
+
+  const Stand& stand_;
+  HeightField& field_;
+  int64_t top_;
+  std::set<int> touching_;                   ///< points on the level of the plate's top
+  std::set<std::pair<int64_t, int>> soles_;  ///< x and number of those along feet
+  std::set<int64_t> joined_to_right_;        ///< x of those where a foot goes on
+  Footprint feet_;
+  int64_t middle_ = 0;  ///< of the plate, towards the viewer
+  int64_t half_depth_ = 0;
+  std::map<int64_t, int64_t> bends_;       ///< half its depth, by x
+  std::vector<int> plate_;                 ///< points, those of feet first
+  std::vector<std::array<int, 2>> lines_;  ///< between them, by their places there
+};
+
+}  // namespace
+
+Status cut_feet(int64_t sunk, HeightField& field) {
+  const int64_t level = lowest(field) + sunk;
+  for (int above = 0; above < most_levels; ++above) {
+    FeetCutter cut(field, level + above);
+    if (!cut.cut()) continue;
+    field = std::move(cut).take();
+    return Done{};
+  }
+  return Error{ErrorCode::internal, "the feet cannot be cut level", ""};
+}
+
+Status add_stand(const Stand& stand, HeightField& field) {
+  return StandBuilder(stand, field).add();
+}
+
+}  // namespace relievo
