@@ -23,7 +23,6 @@
 #include "io/scribbles/scribble_image.h"
 #include "kernel/base/stopwatch.h"
 #include "relief/drawing/segment_drawing.h"
-#include "relief/model/paint_layers.h"
 #include "relief/pipeline/understand_drawing.h"
 #include "relievo/files.h"
 
@@ -219,14 +218,9 @@ Result<Files> project_files(const SegmentArguments& segment, const SegmentInput&
   return Files{{segment.output, std::move(*bytes)}};
 }
 
-/// The parts as layers of a Photoshop document, and the drawing itself behind them, hidden.
 Result<Files> painted_files(const SegmentArguments& segment, const SegmentInput& input,
                             const Understanding& understanding) {
-  const std::vector<PaintedLayer> layers = paint_layers(understanding.scene, input.pixels);
-  std::vector<PsdPicture> pictures = {{"drawing", &input.pixels, 0, 0, true}};
-  for (const PaintedLayer& layer : layers)
-    pictures.push_back({layer.name, &layer.rgba, layer.left, layer.top});
-  auto bytes = encode_psd(pictures, input.pixels.width, input.pixels.height);
+  auto bytes = encode_part_layers(understanding.scene, input.pixels);
   if (!bytes) return bytes.error();
   return Files{{segment.output, std::move(*bytes)}};
 }

@@ -7,6 +7,7 @@
 #include "io/files/byte_writer.h"
 #include "io/psd/psd_file.h"
 #include "kernel/image/compose.h"
+#include "relief/model/paint_layers.h"
 
 namespace relievo {
 namespace {
@@ -194,6 +195,14 @@ Result<Bytes> encode_psd(const std::vector<PsdPicture>& layers, int width, int h
   put_block(bytes, layer_section(layers));
   put_merged(layers, width, height, bytes);
   return bytes;
+}
+
+Result<Bytes> encode_part_layers(const Scene& scene, const Image8& rgba) {
+  const std::vector<PaintedLayer> parts = paint_layers(scene, rgba);
+  std::vector<PsdPicture> layers = {{"drawing", &rgba, 0, 0, true}};
+  for (const PaintedLayer& part : parts)
+    layers.push_back({"part:" + part.name, &part.rgba, part.left, part.top});
+  return encode_psd(layers, rgba.width, rgba.height);
 }
 
 }  // namespace relievo

@@ -6,6 +6,7 @@
 #include "relievo/bytes.h"
 #include "relievo/image.h"
 #include "relievo/result.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 
@@ -21,5 +22,10 @@ struct PsdPicture {
 /// PackBits, and the flattened picture of those that are not hidden. Each layer is cut to what is
 /// not transparent of it. Errors: `limit` for sides above 30,000 px, the format's own. O(pixels).
 Result<Bytes> encode_psd(const std::vector<PsdPicture>& layers, int width, int height);
+
+/// The parts of a drawing as layers to paint on (see paint_layers), each named `part:` and its id,
+/// so that layers that are added are texture, and the drawing itself behind them, hidden. `rgba`
+/// covers the canvas. Errors: as encode_psd. O(pixels of all parts).
+Result<Bytes> encode_part_layers(const Scene& scene, const Image8& rgba);
 
 }  // namespace relievo
