@@ -8,8 +8,8 @@ const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url
 const core = at('../build/wasm/bindings/wasm');
 
 const journeys = ['tests/journeys/**/*.test.ts'];
-/** Journeys that measure the page, with nothing beside them. */
-const measured = ['heap', 'responsive'].map((name) => `tests/journeys/${name}.test.ts`);
+/** Those that measure how long the page takes, with nothing beside them. */
+const measured = ['tests/journeys/responsive.test.ts'];
 const journey = { retry: 1, testTimeout: 120_000, hookTimeout: 120_000 };
 
 export default defineConfig({

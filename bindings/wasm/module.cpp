@@ -16,6 +16,8 @@
 #include "io/layered/read_ora.h"
 #include "io/psd/psd_file.h"
 #include "io/psd/read_psd.h"
+#include "io/psd/write_psd.h"
+#include "io/scene/read_scene.h"
 #include "io/scene/write_scene.h"
 #include "io/svg/read_svg.h"
 #include "relief/pipeline/connect_scene.h"
@@ -124,6 +126,17 @@ val import_layers(const val& files) {
   return read ? *read : failure(read.error());
 }
 
+/// {bytes}: the parts of a scene, the text of a scene file, as layers of a Photoshop document.
+val encode_layers(const std::string& text, const val& rgba, int width, int height) {
+  const auto scene = read_scene(text);
+  if (!scene) return failure(scene.error());
+  const auto bytes = encode_part_layers(*scene, to_image(rgba, width, height));
+  if (!bytes) return failure(bytes.error());
+  val result = val::object();
+  result.set("bytes", to_js(*bytes));
+  return result;
+}
+
 }  // namespace
 }  // namespace relievo::wasm
 
@@ -133,6 +146,7 @@ EMSCRIPTEN_BINDINGS(relievo) {
   emscripten::function("importSvg", &relievo::wasm::import_svg);
   emscripten::function("checkSegmentation", &relievo::wasm::check_segmentation);
   emscripten::function("importLayers", &relievo::wasm::import_layers);
+  emscripten::function("encodeLayers", &relievo::wasm::encode_layers);
   emscripten::class_<Reconstruction>("Reconstruction")
       .constructor<>()
       .function("build", &Reconstruction::build)

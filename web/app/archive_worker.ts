@@ -37,6 +37,13 @@ const endpoint = {
       return error instanceof ArchiveTooLarge ? 'tooLarge' : 'damagedFile';
     }
   },
+  async png(picture: ImageBitmap): Promise<Uint8Array<ArrayBuffer>> {
+    const canvas = new OffscreenCanvas(picture.width, picture.height);
+    canvas.getContext('2d', { willReadFrequently: true })?.drawImage(picture, 0, 0);
+    picture.close();
+    const bytes = new Uint8Array(await (await canvas.convertToBlob({ type: 'image/png' })).arrayBuffer());
+    return Comlink.transfer(bytes, [bytes.buffer]);
+  },
   zip(files: readonly OutputFile[]): Uint8Array<ArrayBuffer> {
     const bytes = zipSync(Object.fromEntries(files.map((file) => [file.name, file.bytes])));
     return Comlink.transfer(bytes, [bytes.buffer]);

@@ -35,3 +35,8 @@ export async function unpackOra(bytes: Uint8Array): Promise<OutputFile[]> {
 export function zipped(files: readonly OutputFile[]): Promise<Uint8Array<ArrayBuffer>> {
   return worker().zip(files) as Promise<Uint8Array<ArrayBuffer>>;
 }
+
+/** A picture as a PNG file. The page's own thread would wait for an idle moment, for seconds where there is none. */
+export function pngFile(picture: ImageBitmap): Promise<Uint8Array<ArrayBuffer>> {
+  return worker().png(picture) as Promise<Uint8Array<ArrayBuffer>>;
+}

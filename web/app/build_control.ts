@@ -159,11 +159,13 @@ export class BuildControl {
       this.editor.set({ relief: null, culprit: null, build: { phase: 'idle', progress: 0, error: null } });
       return;
     }
-    if (state.open) this.start(document);
+    this.start(document);
   }
 
+  /** The phase is idle again when the full relief is there; while the pen is down, when the coarse one is. */
   private start(document: Document): void {
     this.draftWanted = document;
+    this.editor.set({ build: { ...this.editor.state.build, phase: 'draft', progress: 0 } });
     if (!this.drafting) void this.runDrafts();
     if (!this.editor.state.preview) this.timer = setTimeout(() => void this.wantFull(document), rest);
   }
@@ -223,13 +225,13 @@ export class BuildControl {
 
   private accept(document: Document, relief: BuiltRelief, phase: 'draft' | 'full'): boolean {
     if (phase === 'full' && this.isStale(document)) return false;
-    const { build } = this.editor.state;
-    // The full build may have begun already, or be through where it had little to do.
-    const goesOn = phase === 'draft' && build.phase === 'full';
+    const { build, preview } = this.editor.state;
+    // The full build may be through where it had little to do.
     if (phase === 'draft' && this.isUpToDate()) {
       this.editor.set({ build: { ...build, phase: 'idle' } });
       return true;
     }
+    const goesOn = phase === 'draft' && !preview;
     if (phase === 'full') this.builtFull = document;
     this.editor.set({ relief, culprit: null, build: goesOn ? { ...build, error: null } : { phase: 'idle', progress: 1, error: null } });
     return true;

@@ -34,6 +34,8 @@ export interface EditorState {
   open: boolean;
   /** Where on the shelf the document is kept; what is only looked at is kept when it changes. */
   shelf: ShelfPlace | null;
+  /** How many files are being read. */
+  reading: number;
   /** What stays said until it is over. */
   standing: 'none' | 'unkept' | 'lost';
   /** A document that was asked for and that another tab has open. */
@@ -98,6 +100,7 @@ function firstState(): EditorState {
     history: startHistory(emptyDocument()),
     open: false,
     shelf: null,
+    reading: 0,
     standing: 'none',
     elsewhere: null,
     tool: 'select',

@@ -2,7 +2,7 @@ import { useState } from 'preact/hooks';
 import type { ExportFormat, MapKind } from '../engine/messages';
 import { type MessageKey, t } from './catalogue';
 import type { Editor } from './editor';
-import type { Files } from './files';
+import type { Exports } from './exports';
 import { LitMaps } from './lit_maps';
 import { RoomButton } from './room_button';
 import { SizeField } from './size_field';
@@ -18,13 +18,13 @@ const maps: readonly [MapKind, MessageKey][] = [
 
 interface ExportPanelProps {
   editor: Editor;
-  files: Files;
+  exports: Exports;
   picture(): Promise<Blob>;
   turntable(): Promise<Uint8Array<ArrayBuffer>>;
 }
 
-export function ExportPanel({ editor, files, picture, turntable }: ExportPanelProps) {
-  const { relief } = useStore(editor);
+export function ExportPanel({ editor, exports, picture, turntable }: ExportPanelProps) {
+  const { relief, history } = useStore(editor);
   const [greenDown, setGreenDown] = useState(false);
   return (
     <div class="sheet" role="group" aria-label={t('exportTitle')}>
@@ -32,26 +32,30 @@ export function ExportPanel({ editor, files, picture, turntable }: ExportPanelPr
       <button type="button" class="wide primary" id="print" onClick={() => editor.set({ panel: 'print', pane: 'model' })}>{t('printOpen')}</button>
       <h3>{t('exportModels')}</h3>
       {formats.map(([format, label]) => (
-        <button type="button" class="wide" key={format} data-export={format} onClick={() => void files.exportModel(format)}>
+        <button type="button" class="wide" key={format} data-export={format} onClick={() => void exports.model(format)}>
           {t(label)}
         </button>
       ))}
       <h3>{t('exportMaps')}</h3>
       {maps.map(([kind, label]) => (
-        <button type="button" class="wide" key={kind} data-export={kind} onClick={() => void files.exportMap(kind, greenDown)}>
+        <button type="button" class="wide" key={kind} data-export={kind} onClick={() => void exports.map(kind, greenDown)}>
           {t(label)}
         </button>
       ))}
       <label class="check">
         <input type="checkbox" checked={greenDown} onChange={() => setGreenDown(!greenDown)} /> {t('greenDown')}
       </label>
-      <LitMaps files={files} relief={relief} />
+      <LitMaps exports={exports} relief={relief} />
+      <h3>{t('exportPaint')}</h3>
+      <button type="button" class="wide" data-export="psd" disabled={history.document.parts.length === 0} onClick={() => void exports.layers()}>
+        {t('formatPsd')}
+      </button>
       <h3>{t('exportViews')}</h3>
-      <button type="button" class="wide" data-export="picture" onClick={() => void files.exportPicture(picture())}>
+      <button type="button" class="wide" data-export="picture" onClick={() => void exports.picture(picture())}>
         {t('exportPicture')}
       </button>
       <RoomButton editor={editor} />
-      <button type="button" class="wide" data-export="turntable" onClick={() => void files.exportTurntable(turntable)}>
+      <button type="button" class="wide" data-export="turntable" onClick={() => void exports.turntable(turntable)}>
         {t('exportTurntable')}
       </button>
     </div>

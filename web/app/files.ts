@@ -6,46 +6,36 @@ import { sceneContent } from '../document/scene_text';
 import { adopt } from '../document/scribbling';
 import { tourAnimal } from '../document/tour_animal';
 import type { Engine } from '../engine/engine';
-import { type ExportFormat, isFailure, type MapKind, type OutputFile, type SolidFormat, told } from '../engine/messages';
+import { isFailure, type OutputFile } from '../engine/messages';
 import { isOverpainted } from '../view/painted_drawing';
-import { packProject, unpackOra, unpackProject, zipped } from './archives';
+import { packProject, unpackOra, unpackProject } from './archives';
 import type { BuildControl } from './build_control';
 import { t } from './catalogue';
 import type { GivenFiles, PlacedFile } from './dropped_files';
 import type { Editor, ShelfPlace } from './editor';
+import { download, Exports, whyOf } from './exports';
 import type { Keeper } from './keeper';
 import { documentOfLayers, layersAmong, readLayers } from './layered_drawing';
-import { cutOut, flatDrawing, flatOfSvg, imageDataOf, pictureOf, pngOf, smallPicture, textureOf } from './pictures';
-import { solidOptions } from './print_choice';
+import { cutOut, flatDrawing, flatOfSvg, pictureOf, pngOf } from './pictures';
 import { documentOfScene } from './scene_files';
 import type { SegmentControl } from './segment_control';
-
-function whyOf(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
-}
 
 function baseName(name: string): string {
   return name.replace(/\.[^.]*$/, '') || 'untitled';
 }
 
-/** Hands a file to the person. */
-export function download(file: OutputFile): void {
-  const url = URL.createObjectURL(new Blob([file.bytes]));
-  const link = document.createElement('a');
-  link.href = url;
-  link.download = file.name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(url), 10_000);
-}
-
-/** Opening, keeping, saving and exporting. */
+/** Opening, keeping and saving. */
 export class Files {
+  readonly exports: Exports;
+
   constructor(
     private readonly editor: Editor,
     private readonly engine: Engine,
     private readonly controls: { control: BuildControl; segments: SegmentControl },
     private readonly keeper: Keeper,
-  ) {}
+  ) {
+    this.exports = new Exports(editor, engine, controls);
+  }
 
   /** Opens a file, or pictures that are the layers of one drawing. */
   async openAll({ name, files }: GivenFiles): Promise<void> {
@@ -154,66 +144,6 @@ export class Files {
     download({ name: `${doc.name}.relievo`, bytes });
   };
 
-  exportModel = async (format: ExportFormat): Promise<void> => {
-    await this.exporting(async () => {
-      const { document: doc, state } = this.editor;
-      const texture = format === 'stl' ? null : textureOf(doc, state.picture);
-      const files = await this.engine.encode(format, doc.name, doc.settings.sizeMm, texture);
-      if (isFailure(files)) throw new Error(files.error.message);
-      const [only, ...others] = files.files;
-      if (only && others.length === 0) download(only);
-      else download({ name: `${doc.name}-${format}.zip`, bytes: await zipped(files.files) });
-    });
-  };
-
-  exportSolid = async (format: SolidFormat): Promise<void> => {
-    await this.exporting(async () => {
-      const { document: doc, state } = this.editor;
-      const options = solidOptions(state.print, doc.settings.sizeMm);
-      const files = await this.engine.encodeSolid(format, doc.name, options, textureOf(doc, state.picture));
-      if (isFailure(files)) throw new Error(told(files.error));
-      const [only] = files.files;
-      if (format === '3mf') download({ name: `${doc.name}.3mf`, bytes: await zipped(files.files) });
-      else if (only) download(only);
-    });
-  };
-
-  exportMap = async (kind: MapKind, greenDown: boolean): Promise<void> => {
-    await this.exporting(async () => {
-      const map = await this.engine.map(kind, 2048, greenDown);
-      if (isFailure(map)) throw new Error(map.error.message);
-      download({ name: `${this.editor.document.name}-${kind}.png`, bytes: map.bytes as Uint8Array<ArrayBuffer> });
-    });
-  };
-
-  /** The drawing and its normal map at the same size, `side` px at most; null, and the reason told, where there is none. */
-  mapPixels = async (side: number): Promise<{ drawing: ImageData; normals: ImageData } | null> => {
-    let found: { drawing: ImageData; normals: ImageData } | null = null;
-    await this.exporting(async () => {
-      const map = await this.engine.map('normal', side, false);
-      if (isFailure(map)) throw new Error(map.error.message);
-      const normals = await createImageBitmap(new Blob([map.bytes as Uint8Array<ArrayBuffer>], { type: 'image/png' }), { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
-      const { document: doc, state } = this.editor;
-      const picture = await smallPicture(doc, state.picture, side);
-      found = { drawing: imageDataOf(picture, normals), normals: imageDataOf(normals, normals) };
-    });
-    return found;
-  };
-
-  exportPicture = async (picture: Promise<Blob>): Promise<void> => {
-    const bytes = new Uint8Array(await (await picture).arrayBuffer());
-    download({ name: `${this.editor.document.name}-view.png`, bytes });
-  };
-
-  exportTurntable = async (record: () => Promise<Uint8Array<ArrayBuffer>>): Promise<void> => {
-    await this.exporting(async () => {
-      this.editor.set({ notice: t('recording') });
-      const bytes = await record();
-      download({ name: `${this.editor.document.name}-turntable.gif`, bytes });
-      this.editor.set({ notice: '' });
-    });
-  };
-
   private async openLayers(name: string, entries: OutputFile[]): Promise<void> {
     const opened = await documentOfLayers(this.engine, baseName(name), entries);
     if ('flat' in opened) return this.openImage(`${baseName(name)}.png`, opened.flat, 'image/png');
@@ -222,20 +152,14 @@ export class Files {
   }
 
   private async opening(name: string, work: () => Promise<void>): Promise<void> {
+    const read = (files: number): void => this.editor.set({ reading: this.editor.state.reading + files });
+    read(1);
     try {
       await work();
     } catch (error) {
       this.editor.set({ notice: t('notReadable', { name, why: whyOf(error) }) });
-    }
-  }
-
-  private async exporting(work: () => Promise<void>): Promise<void> {
-    try {
-      await this.controls.segments.settle();
-      await this.controls.control.settle();
-      await work();
-    } catch (error) {
-      this.editor.set({ notice: `${t('failed')}: ${whyOf(error)}` });
+    } finally {
+      read(-1);
     }
   }
 

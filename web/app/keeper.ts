@@ -1,6 +1,6 @@
 import type { History } from '../document/history';
 import type { Entry, Shelf } from '../document/shelf';
-import { canvasOf } from '../view/painted_drawing';
+import { pngFile } from './archives';
 import { t } from './catalogue';
 import type { Editor } from './editor';
 import { smallPicture } from './pictures';
@@ -174,8 +174,7 @@ export class Keeper {
 /** A document at the size of a stamp, as a PNG file. */
 export async function thumbnailOf(document: History['document'], picture: ImageBitmap | null): Promise<Uint8Array> {
   const small = await smallPicture(document, picture, thumbnailSide);
-  const [canvas, context] = canvasOf(small.width, small.height);
-  context.drawImage(small, 0, 0);
+  const bytes = await pngFile(small);
   small.close();
-  return new Uint8Array(await (await canvas.convertToBlob({ type: 'image/png' })).arrayBuffer());
+  return bytes;
 }

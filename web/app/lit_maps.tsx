@@ -2,7 +2,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import type { BuiltRelief } from '../engine/messages';
 import { type Aim, litPicture } from '../view/lit_picture';
 import { t } from './catalogue';
-import type { Files } from './files';
+import type { Exports } from './exports';
 
 const side = 512;
 /** One press of an arrow key. */
@@ -13,7 +13,7 @@ function within(value: number): number {
 }
 
 /** The drawing under a lamp that is dragged over it, lit by the normal map as in a game. */
-export function LitMaps({ files, relief }: { files: Files; relief: BuiltRelief | null }) {
+export function LitMaps({ exports, relief }: { exports: Exports; relief: BuiltRelief | null }) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const [pixels, setPixels] = useState<{ drawing: ImageData; normals: ImageData } | null>(null);
   const [aim, setAim] = useState<Aim>([-0.5, 0.5]);
@@ -40,7 +40,7 @@ export function LitMaps({ files, relief }: { files: Files; relief: BuiltRelief |
     setAim([within(aim[0] + move[0]), within(aim[1] + move[1])]);
   };
   if (!pixels)
-    return <button type="button" class="wide" id="lit-maps" onClick={() => void files.mapPixels(side).then(setPixels)}>{t('litMaps')}</button>;
+    return <button type="button" class="wide" id="lit-maps" onClick={() => void exports.mapPixels(side).then(setPixels)}>{t('litMaps')}</button>;
   return (
     <canvas
       ref={canvas} class="lit-maps" tabIndex={0} role="application" aria-label={t('litMapsHint')} title={t('litMapsHint')}

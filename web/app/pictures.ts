@@ -1,5 +1,6 @@
 import type { Document, DrawingSource } from '../document/document';
 import type { Texture } from '../engine/messages';
+import { pngFile } from './archives';
 import { canvasOf, isOverpainted, painted, vectorSide } from '../view/painted_drawing';
 
 const maxPixels = 4096 * 4096;
@@ -49,7 +50,7 @@ export async function flatOfSvg(paintable: string, width: number, height: number
   context.fillRect(0, 0, canvas.width, canvas.height);
   context.drawImage(picture, 0, 0);
   picture.close();
-  return new Uint8Array(await (await canvas.convertToBlob({ type: 'image/png' })).arrayBuffer());
+  return pngFile(canvas.transferToImageBitmap());
 }
 
 /** A picture file, made smaller where it has more pixels than a page can bear. */
@@ -81,9 +82,9 @@ export async function flatDrawing(source: DrawingSource): Promise<{ drawing: Dra
   const [canvas, context] = canvasOf(scale * whole.width, scale * whole.height);
   context.drawImage(whole, 0, 0, canvas.width, canvas.height);
   whole.close();
-  const bytes = new Uint8Array(await (await canvas.convertToBlob({ type: 'image/png' })).arrayBuffer());
+  const picture = canvas.transferToImageBitmap();
   const name = `${source.name.replace(/\.[^.]*$/, '')}.png`;
-  return { drawing: { name, kind: 'image', mime: 'image/png', bytes }, picture: canvas.transferToImageBitmap() };
+  return { drawing: { name, kind: 'image', mime: 'image/png', bytes: await pngFile(picture) }, picture };
 }
 
 /** A picture without what a mask of the same size leaves out: where that is dark, or transparent if it is so anywhere. A PNG file. */
@@ -99,7 +100,7 @@ export async function cutOut(picture: ImageBitmap, mask: ImageBitmap): Promise<U
     if ((byAlpha ? alpha : Math.max(r, g, b)) < 128) cut.data[i + 3] = 0;
   }
   context.putImageData(cut, 0, 0);
-  return new Uint8Array(await (await canvas.convertToBlob({ type: 'image/png' })).arrayBuffer());
+  return pngFile(canvas.transferToImageBitmap());
 }
 
 /** A picture at another size. */
@@ -131,7 +132,6 @@ export function textureOf(document: Document, picture: ImageBitmap | null): Text
   return { rgba: new Uint8Array(data.buffer as ArrayBuffer), width, height };
 }
 
-export async function pngOf(document: Document, picture: ImageBitmap | null): Promise<Uint8Array> {
-  const blob = await painted(document, picture).canvas.convertToBlob({ type: 'image/png' });
-  return new Uint8Array(await blob.arrayBuffer());
+export function pngOf(document: Document, picture: ImageBitmap | null): Promise<Uint8Array> {
+  return pngFile(painted(document, picture).canvas.transferToImageBitmap());
 }

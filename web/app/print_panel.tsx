@@ -1,7 +1,7 @@
 import { type Failure, isFailure, type Solid, type SolidFormat, told } from '../engine/messages';
 import { type MessageKey, t } from './catalogue';
 import type { Editor } from './editor';
-import type { Files } from './files';
+import type { Exports } from './exports';
 import { leastWidth, type PrintChoice, type PrintKind, widths } from './print_choice';
 import { SizeField } from './size_field';
 import { Slider } from './slider';
@@ -42,7 +42,7 @@ function State({ editor, solid }: { editor: Editor; solid: Solid | Failure | nul
 }
 
 /** Something to hold: what it is, how large, and its files; the relief's pane shows it meanwhile. */
-export function PrintPanel({ editor, files }: { editor: Editor; files: Files }) {
+export function PrintPanel({ editor, exports }: { editor: Editor; exports: Exports }) {
   const { print, solid } = useStore(editor);
   const set = (values: Partial<PrintChoice>): void => editor.set({ print: { ...print, ...values } });
   return (
@@ -70,7 +70,7 @@ export function PrintPanel({ editor, files }: { editor: Editor; files: Files }) 
       )}
       <State editor={editor} solid={solid} />
       {formats.map(([format, label]) => (
-        <button type="button" class="wide" key={format} data-solid={format} onClick={() => void files.exportSolid(format)}>{t(label)}</button>
+        <button type="button" class="wide" key={format} data-solid={format} onClick={() => void exports.solid(format)}>{t(label)}</button>
       ))}
     </div>
   );

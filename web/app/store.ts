@@ -26,6 +26,11 @@ export class Store<State extends object> {
 /** The store's state; the component is drawn again whenever it changes. */
 export function useStore<State extends object>(store: Store<State>): State {
   const [, again] = useReducer((count: number) => count + 1, 0);
-  useEffect(() => store.subscribe(() => again(undefined as never)), [store]);
-  return store.state;
+  const { state } = store;
+  useEffect(() => {
+    // It may have changed since it was drawn, before anything listened.
+    if (store.state !== state) again(undefined as never);
+    return store.subscribe(() => again(undefined as never));
+  }, [store]);
+  return state;
 }

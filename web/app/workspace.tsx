@@ -170,7 +170,7 @@ interface WorkspaceProps {
 }
 
 export function Workspace({ editor, files, keeper, segments, held, attachPaper, choose, stop }: WorkspaceProps) {
-  const { panel, pane, sideOpen } = useStore(editor);
+  const { panel, pane, sideOpen, reading } = useStore(editor);
   const paper = useRef<PaperControl | null>(null);
   const model = useRef<ModelView | null>(null);
   const hands = useMemo(
@@ -188,7 +188,7 @@ export function Workspace({ editor, files, keeper, segments, held, attachPaper, 
     attachPaper(control);
   };
   return (
-    <main class="workspace" data-pane={pane} data-side={sideOpen}>
+    <main class="workspace" data-pane={pane} data-side={sideOpen} aria-busy={reading > 0}>
       <h1 class="hidden">{t('title')}</h1>
       <TopBar editor={editor} files={files} segments={segments} choose={choose} />
       <Toolbar editor={editor} />
@@ -206,8 +206,8 @@ export function Workspace({ editor, files, keeper, segments, held, attachPaper, 
         <StrokeList editor={editor} segments={segments} />
         <PartPanel editor={editor} />
       </aside>
-      {panel === 'export' && <ExportPanel editor={editor} files={files} picture={picture} turntable={turntable} />}
-      {panel === 'print' && <PrintPanel editor={editor} files={files} />}
+      {panel === 'export' && <ExportPanel editor={editor} exports={files.exports} picture={picture} turntable={turntable} />}
+      {panel === 'print' && <PrintPanel editor={editor} exports={files.exports} />}
       {panel === 'versions' && <VersionsPanel editor={editor} keeper={keeper} />}
       {panel === 'settings' && <SettingsPanel editor={editor} />}
       {panel === 'keys' && <KeysPanel />}

@@ -81,6 +81,10 @@ export class Engine {
     return this.call(async (remote) => await remote.importLayers(files));
   }
 
+  encodeLayers(scene: string, drawing: Texture): Promise<{ bytes: Uint8Array } | Failure> {
+    return this.call(async (remote) => await remote.encodeLayers(scene, drawing));
+  }
+
   surface(request: SurfaceRequest): Promise<Surface | Failure> {
     return this.call(async (remote) => await remote.surface(request));
   }

@@ -74,6 +74,9 @@ const endpoint = {
   async importLayers(files: OutputFile[]) {
     return (await started()).importLayers(files);
   },
+  async encodeLayers(scene: string, drawing: Texture) {
+    return (await started()).encodeLayers(scene, drawing);
+  },
   async surface(request: SurfaceRequest): Promise<Surface | Failure> {
     const surface = (await started()).surface(request);
     return isFailure(surface) ? surface : Comlink.transfer(surface, arraysOf(surface));

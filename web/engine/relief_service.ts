@@ -87,6 +87,11 @@ export class ReliefService {
     return this.module.importLayers(files);
   }
 
+  /** The parts of a scene as layers of a Photoshop document; `drawing` covers its canvas. */
+  encodeLayers(scene: string, { rgba, width, height }: Texture): { bytes: Uint8Array } | Failure {
+    return this.module.encodeLayers(scene, rgba, width, height);
+  }
+
   build(request: BuildRequest, progress: Progress): BuiltRelief | Failure {
     const report = this.reconstruction.build(request.scene, request.options, progress);
     if (isFailure(report)) return report;

@@ -33,6 +33,7 @@ declare module '#relievo' {
     importSvg(bytes: Uint8Array): SvgImport | Failure;
     checkSegmentation(project: string, labels: Uint8Array): object | Failure;
     importLayers(files: OutputFile[]): LayersImport | Failure;
+    encodeLayers(scene: string, rgba: Uint8Array, width: number, height: number): { bytes: Uint8Array } | Failure;
     Reconstruction: new () => Reconstruction;
     Segmenter: new () => Segmenter;
   }

@@ -130,9 +130,12 @@ export class ModelRenderer {
     return { part: hit.object.name, at: [x, this.height - y] };
   }
 
-  /** Draws at once what was changed. */
-  drawn(): void {
+  /** Draws at once what was changed; resolves when the graphics are through with it and it is handed to the page. */
+  async drawn(): Promise<void> {
     this.render();
+    const gl = this.renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    await new Promise((resolve) => requestAnimationFrame(resolve));
   }
 
   /** The view as a PNG file. */
@@ -173,11 +176,16 @@ export class ModelRenderer {
       color: attribute(linearOf(surface.colors), 3),
     };
     const corners = new THREE.BufferAttribute(surface.triangles, 1);
+    let sphere: THREE.Sphere | null = null;
     const mesh = (part: string, hidden: boolean, first: number, count: number): THREE.Mesh => {
       const geometry = new THREE.BufferGeometry();
       for (const [name, values] of Object.entries(attributes)) geometry.setAttribute(name, values);
       geometry.setIndex(corners);
       geometry.setDrawRange(3 * first, 3 * count);
+      // All have the vertices of the whole.
+      if (sphere) geometry.boundingSphere = sphere;
+      else geometry.computeBoundingSphere();
+      sphere = geometry.boundingSphere;
       const made = new THREE.Mesh(geometry);
       made.name = part;
       made.userData['hidden'] = hidden;
@@ -188,7 +196,9 @@ export class ModelRenderer {
     };
     return surface.parts.flatMap(({ id, firstTriangle, triangleCount, hiddenCount }) => {
       const seen = triangleCount - hiddenCount;
-      return [mesh(id, false, firstTriangle, seen), mesh(id, true, firstTriangle + seen, hiddenCount)];
+      const made = [mesh(id, false, firstTriangle, seen)];
+      if (hiddenCount > 0) made.push(mesh(id, true, firstTriangle + seen, hiddenCount));
+      return made;
     });
   }
 

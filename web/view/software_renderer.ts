@@ -121,7 +121,7 @@ export class SoftwareRenderer implements Renderer {
     return { part: seen.id, at: [at(0) / unit + size[0] / 2, size[1] / 2 - at(1) / unit] };
   }
 
-  drawn(): void {
+  async drawn(): Promise<void> {
     this.render();
   }
 

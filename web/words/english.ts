@@ -236,6 +236,8 @@ export const english = {
   format3mf: '3MF — 3D print in colours',
   formatUsdz: 'USDZ — phones, in your room',
   formatHtml: 'Web page — turns in any browser',
+  exportPaint: 'To paint on',
+  formatPsd: 'PSD — parts as layers',
   litMaps: 'See the maps in the light',
   litMapsHint: 'The drawing as a game lights it: drag, or press arrows, to move the lamp.',
   tourOffer: 'New here? Draw a tail, turn it, print it: it takes a minute.',

@@ -237,6 +237,8 @@ export const french: Words = {
   format3mf: '3MF — impression 3D en couleurs',
   formatUsdz: 'USDZ — téléphones, chez vous',
   formatHtml: 'Page web — tourne dans tout navigateur',
+  exportPaint: 'Pour peindre',
+  formatPsd: 'PSD — parties en calques',
   litMaps: 'Voir les cartes éclairées',
   litMapsHint: 'Le dessin éclairé comme dans un jeu : glissez, ou pressez les flèches, pour déplacer la lampe.',
   tourOffer: 'Nouveau ici ? Dessinez une queue, tournez-la, imprimez-la : une minute suffit.',

@@ -237,6 +237,8 @@ export const german: Words = {
   format3mf: '3MF — 3D-Druck in Farben',
   formatUsdz: 'USDZ — Telefone, im eigenen Zimmer',
   formatHtml: 'Webseite — dreht sich in jedem Browser',
+  exportPaint: 'Zum Weitermalen',
+  formatPsd: 'PSD — Teile als Ebenen',
   litMaps: 'Die Karten im Licht sehen',
   litMapsHint: 'Die Zeichnung, wie ein Spiel sie beleuchtet: Ziehen oder Pfeiltasten bewegen die Lampe.',
   tourOffer: 'Neu hier? Zeichne einen Schwanz, drehe ihn, drucke ihn: Das dauert eine Minute.',

@@ -237,6 +237,8 @@ export const japanese: Words = {
   format3mf: '3MF — カラー3Dプリント',
   formatUsdz: 'USDZ — スマートフォンのAR',
   formatHtml: 'ウェブページ — どのブラウザーでも回せる',
+  exportPaint: '描き続ける',
+  formatPsd: 'PSD — パーツごとのレイヤー',
   litMaps: 'マップを光に当てて見る',
   litMapsHint: 'ゲームでの見え方です。ドラッグか矢印キーで光を動かします。',
   tourOffer: 'はじめてですか？しっぽを描いて、回して、印刷。一分でできます。',

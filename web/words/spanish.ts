@@ -237,6 +237,8 @@ export const spanish: Words = {
   format3mf: '3MF — impresión 3D en colores',
   formatUsdz: 'USDZ — teléfonos, en tu cuarto',
   formatHtml: 'Página web — para todo navegador',
+  exportPaint: 'Para seguir pintando',
+  formatPsd: 'PSD — partes como capas',
   litMaps: 'Ver los mapas a la luz',
   litMapsHint: 'El dibujo como lo ilumina un juego: arrastra, o pulsa las flechas, para mover la lámpara.',
   tourOffer: '¿Primera vez? Dibuja una cola, gírala, imprímela: basta un minuto.',

@@ -46,15 +46,36 @@ export async function pageView(page: Page, [width, height]: Spot = [1000, 800]):
   return { scale, at: ([x, y]) => [origin[0] + scale * x, origin[1] + scale * y] };
 }
 
-/** A click or a drag over such a page; spots are its px. */
-export async function gesture(page: Page, spots: Spot[], size: Spot = [1000, 800]): Promise<void> {
-  const [first, ...others] = spots;
-  if (!first) throw new Error('nowhere to go');
+const sessions = new WeakMap<Page, Promise<CDPSession>>();
+
+function sessionOf(page: Page): Promise<CDPSession> {
+  const session = sessions.get(page) ?? page.context().newCDPSession(page);
+  sessions.set(page, session);
+  return session;
+}
+
+/** A click or a drag, as fast as the browser takes it: it hands many moves over at once, as of a fast hand. */
+export async function stroke(page: Page, spots: readonly Spot[], at: (spot: Spot) => Spot, { shift = false } = {}): Promise<void> {
+  const [first, last] = [spots[0], spots.at(-1)];
+  if (!first || !last) throw new Error('nowhere to go');
+  const session = await sessionOf(page);
+  const send = (type: 'mousePressed' | 'mouseMoved' | 'mouseReleased', spot: Spot, buttons: number): Promise<unknown> => {
+    const [x, y] = at(spot);
+    const button = buttons === 0 && type === 'mouseMoved' ? 'none' : 'left';
+    return session.send('Input.dispatchMouseEvent', { type, x, y, button, buttons, clickCount: 1, modifiers: shift ? 8 : 0 });
+  };
+  await Promise.all([
+    send('mouseMoved', first, 0), send('mousePressed', first, 1),
+    ...spots.slice(1).map((spot) => send('mouseMoved', spot, 1)), send('mouseReleased', last, 0),
+  ]);
+}
+
+/** A click or a drag over a page that fits its pane; spots are its px. */
+export async function gesture(page: Page, spots: readonly Spot[], size: Spot = [1000, 800], keys: { shift?: boolean } = {}): Promise<void> {
   const { at } = await pageView(page, size);
-  await page.mouse.move(...at(first));
-  await page.mouse.down();
-  for (const spot of others) await page.mouse.move(...at(spot), { steps: 3 });
-  await page.mouse.up();
+  const between = ([x, y]: Spot, [u, v]: Spot): Spot[] => [1, 2, 3].map((k) => [x + (k / 3) * (u - x), y + (k / 3) * (v - y)]);
+  const path = spots.flatMap((spot, i) => (i === 0 ? [spot] : between(spots[i - 1] as Spot, spot)));
+  await stroke(page, path, at, keys);
 }
 
 /** The outer outline of a part, as a saved project has it. */
@@ -86,13 +107,4 @@ export async function fewVertices(page: Page): Promise<void> {
   const slider = page.locator('.sheet .slider input').first();
   await slider.fill((await slider.getAttribute('min')) ?? '');
   await page.keyboard.press('Escape');
-}
-
-/** A stroke as fast as the browser takes it. */
-export async function dash(session: CDPSession, spots: readonly Spot[], at: (spot: Spot) => Spot): Promise<void> {
-  const send = (type: 'mousePressed' | 'mouseMoved' | 'mouseReleased', spot: Spot): Promise<unknown> => {
-    const [x, y] = at(spot);
-    return session.send('Input.dispatchMouseEvent', { type, x, y, button: 'left', buttons: type === 'mouseReleased' ? 0 : 1, clickCount: 1 });
-  };
-  await Promise.all([send('mousePressed', spots[0] as Spot), ...spots.slice(1).map((spot) => send('mouseMoved', spot)), send('mouseReleased', spots.at(-1) as Spot)]);
 }

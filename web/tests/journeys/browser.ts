@@ -1,4 +1,4 @@
-import { existsSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -106,10 +106,9 @@ export function stageOfFile({ anew, words = [] }: { anew: boolean; words?: reado
 
 /** Waits until the full relief of the present document is on the screen. */
 export async function settled(page: Page): Promise<void> {
-  await page.waitForTimeout(300);
   await page.waitForFunction(
     () => {
-      const numbers = document.querySelector<HTMLElement>('.numbers');
+      const numbers = document.querySelector<HTMLElement>('.workspace[aria-busy=false] .numbers');
       return numbers?.dataset['phase'] === 'idle' && Number(numbers.dataset['nodes']) > 5000;
     },
     undefined,
@@ -117,20 +116,31 @@ export async function settled(page: Page): Promise<void> {
   );
 }
 
+/** Waits until the present relief, if there is one, can be seen. */
+async function seen(page: Page): Promise<void> {
+  const isSeen = (): boolean => {
+    const numbers = document.querySelector<HTMLElement>('.numbers');
+    return !numbers || numbers.dataset['nodes'] === '0' || numbers.textContent !== '';
+  };
+  await page.waitForFunction(isSeen, undefined, { timeout: 5000 }).catch(() => undefined);
+}
+
 export async function picture(page: Page, name: string): Promise<void> {
+  await seen(page);
   await page.screenshot({ path: join(pictures, `${name}.png`) });
 }
 
 /** A picture once nothing moves any more: the relief is drawn by a worker, when that gets to it. */
 export async function stillPicture(page: Page, name: string): Promise<void> {
+  await seen(page);
   let before = await page.screenshot();
   for (let tries = 0; tries < 20; tries++) {
-    await page.waitForTimeout(150);
+    await page.waitForTimeout(100);
     const now = await page.screenshot();
     if (now.equals(before)) break;
     before = now;
   }
-  await picture(page, name);
+  writeFileSync(join(pictures, `${name}.png`), before);
 }
 
 /** Does something and waits until the relief looks different. */

@@ -1,10 +1,11 @@
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
 import { expect, it } from 'vitest';
+import { relievo, root } from '../support/command_line.ts';
 import { disc, photoshopOf } from '../support/pictures.ts';
-import { names } from './actions.ts';
-import { picture, settled, stageOfFile } from './browser.ts';
+import { downloaded, names } from './actions.ts';
+import { picture, pictures, settled, stageOfFile, stillPicture } from './browser.ts';
 
 const stage = stageOfFile({ anew: true });
 
@@ -83,5 +84,25 @@ it('refuses archives that are damaged or run away, in words', async () => {
     await page.setInputFiles('input[type=file]', { name, mimeType: '', buffer });
     await page.waitForFunction((file) => document.querySelector('[role=status]')?.textContent?.includes(file), name);
   }
+  expect(stage.troubles).toEqual([]);
+});
+
+it('writes the parts as layers to paint on, as the command line does, and opens them again as the same parts', async () => {
+  const { page } = stage;
+  const drawing = join(root, 'examples/bear.png');
+  await page.setInputFiles('input[type=file]', drawing);
+  await settled(page);
+  const guessed = await names(page);
+  await page.click('#export');
+  const psd = await downloaded(page, () => page.click('[data-export=psd]'), 'bear.psd');
+  const native = join(pictures, 'bear-native.psd');
+  relievo('segment', drawing, '-q', '-o', native);
+  expect(psd.equals(readFileSync(native))).toBe(true);
+  await page.setInputFiles('input[type=file]', join(pictures, 'bear.psd'));
+  await expect.poll(() => page.locator('.document-name').inputValue()).toBe('bear');
+  await page.waitForSelector('.scribble-bar', { state: 'detached' });
+  await settled(page);
+  expect(await names(page)).toEqual(guessed);
+  await stillPicture(page, 'psd-again');
   expect(stage.troubles).toEqual([]);
 });

@@ -66,9 +66,8 @@ it('makes a model of a flat drawing with scribbles, which stay editable in the s
   await scribble([360, 660], [350, 740]);
   expect((await names(page)).length).toBe(guessed.length + 1);
   await scribble([280, 170], [270, 130]);
-  await page.keyboard.down('Shift');
-  await scribble([300, 150], [450, 180]);
-  await page.keyboard.up('Shift');
+  await gesture(page, [[300, 150], [450, 180]], bear, { shift: true });
+  await understood();
   expect((await names(page)).length).toBe(guessed.length);
   await page.keyboard.press('Control+z');
   expect((await names(page)).length).toBe(guessed.length + 1);

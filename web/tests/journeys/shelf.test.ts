@@ -1,7 +1,7 @@
 import type { Page } from 'playwright-core';
 import { beforeEach, expect, it } from 'vitest';
 import { disc } from '../support/pictures.ts';
-import { clicks, dash, fewVertices, names, pageView, type Spot } from './actions.ts';
+import { clicks, fewVertices, names, pageView, type Spot, stroke } from './actions.ts';
 import { picture, reopen, stageOfFile } from './browser.ts';
 import { killBrowser, shelfOf } from './storage.ts';
 
@@ -12,15 +12,13 @@ const parts = edits - 2;
 // A small window: what counts here is what is kept.
 beforeEach(() => stage.page.setViewportSize({ width: 1200, height: 640 }));
 
-const stroke = Array.from({ length: 13 }, (_, i): Spot => [62 * Math.cos((i * Math.PI) / 6), 80 * Math.sin((i * Math.PI) / 6)]);
+const blob = Array.from({ length: 13 }, (_, i): Spot => [62 * Math.cos((i * Math.PI) / 6), 80 * Math.sin((i * Math.PI) / 6)]);
 
 /** Strokes, one part each, in rows. */
 async function drawParts(page: Page, from: number, to: number): Promise<void> {
   const { at } = await pageView(page);
-  const session = await page.context().newCDPSession(page);
   for (let i = from; i < to; i++)
-    await dash(session, stroke.map(([x, y]): Spot => [x + 90 + 90 * (i % 10), y + 110 + 140 * Math.floor(i / 10)]), at);
-  await session.detach();
+    await stroke(page, blob.map(([x, y]): Spot => [x + 90 + 90 * (i % 10), y + 110 + 140 * Math.floor(i / 10)]), at);
 }
 
 /** Waits until all is kept. */
