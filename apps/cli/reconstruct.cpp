@@ -7,6 +7,7 @@
 #include "apps/cli/cue_argument.h"
 #include "io/mesh/placement.h"
 #include "relief/model/dress_hidden.h"
+#include "relief/model/ink_rims.h"
 
 namespace relievo::cli {
 namespace {
@@ -101,6 +102,7 @@ Result<MadeModel> make_model(const Relief& relief, const SceneInput& input,
   auto model = assemble_model(relief.layers, relief.inflation, relief.ordering, input.scene,
                               options, context);
   if (!model) return model.error();
+  if (options.visibility == Visibility::orbit) narrow_inked_rims(*model, input.drawing);
   return MadeModel{dress_hidden(std::move(*model), input.drawing), {}};
 }
 

@@ -14,6 +14,7 @@
 #include "io/scene/read_scene.h"
 #include "relief/model/dress_hidden.h"
 #include "relief/model/hidden_patches.h"
+#include "relief/model/ink_rims.h"
 
 namespace relievo::wasm {
 namespace {
@@ -275,6 +276,7 @@ val Reconstruction::encode(const std::string& format, const std::string& name, d
   if (format == "stl") options.visibility = Visibility::relief;
   auto assembled = session_.model(options);
   if (!assembled) return failure(assembled.error());
+  if (options.visibility == Visibility::orbit) narrow_inked_rims(*assembled, texture_);
   const auto [model, drawing] = dress_hidden(std::move(*assembled), texture_);
   return encode_as(format, model, drawing, {size_mm, name});
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "io/image/png_encode.h"
 #include "io/mesh/glb_encode.h"
@@ -6,6 +7,7 @@
 #include "io/mesh/ply_encode.h"
 #include "io/mesh/stl_encode.h"
 #include "relief/model/dress_hidden.h"
+#include "relief/model/ink_rims.h"
 #include "relievo/export.h"
 
 namespace relievo {
@@ -50,7 +52,9 @@ Result<Files> export_model(const Model& model, const Drawing& drawing, const fs:
   const auto has_hidden = [](const ModelPart& part) { return part.hidden_count > 0; };
   if (std::none_of(model.parts.begin(), model.parts.end(), has_hidden))
     return encode_as(path, model, drawing, size_mm);
-  const DrawnModel dressed = dress_hidden(model, drawing);
+  Model narrowed = model;
+  narrow_inked_rims(narrowed, drawing);
+  const DrawnModel dressed = dress_hidden(std::move(narrowed), drawing);
   return encode_as(path, dressed.model, dressed.drawing, size_mm);
 }
 

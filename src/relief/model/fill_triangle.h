@@ -54,4 +54,19 @@ inline Image8 uncovered_pixels(const Model& model, ImageSize size) {
   return mask;
 }
 
+/// The part that is seen at every pixel of an image of this size, counted from 1; 0 where there is
+/// none.
+inline Image16 front_parts(const Model& model, ImageSize size) {
+  Image16 front(size.width, size.height, 1);
+  for (size_t p = 0; p < model.parts.size(); ++p) {
+    const ModelPart& part = model.parts[p];
+    const int end = part.first_triangle + part.triangle_count - part.hidden_count;
+    for (int t = part.first_triangle; t < end; ++t)
+      for_each_pixel_inside(corners_on_image(model, t, size), size, [&front, p](int x, int y) {
+        front.at(x, y) = static_cast<uint16_t>(p + 1);
+      });
+  }
+  return front;
+}
+
 }  // namespace relievo

@@ -48,19 +48,6 @@ Runs runs_of(const ModelPart& part) {
   return {part.first_triangle, end - part.hidden_count, end};
 }
 
-/// The part that is seen at every pixel, counted from 1; 0 where there is none.
-Image16 front_parts(const Model& model, ImageSize size) {
-  Image16 front(size.width, size.height, 1);
-  for (size_t p = 0; p < model.parts.size(); ++p) {
-    const Runs runs = runs_of(model.parts[p]);
-    for (int t = runs.begin; t < runs.seen_end; ++t)
-      for_each_pixel_inside(corners_on_image(model, t, size), size, [&front, p](int x, int y) {
-        front.at(x, y) = static_cast<uint16_t>(p + 1);
-      });
-  }
-  return front;
-}
-
 /// The pixels around triangles [begin, end).
 PixelBox box_around(const Model& model, int begin, int end, ImageSize size) {
   Box2 box;
