@@ -64,6 +64,17 @@ def stages(results):
     return table(["drawing", "vertices"] + columns + ["iterations", "cold"], rows)
 
 
+def solids(results):
+    rows = []
+    for size in sizes(results, "figure"):
+        name = "/".join(size)
+        row = [size[0], size[1]]
+        for kind in ["solid", "figure"]:
+            row += [ms(results, f"{kind}/{name}"), count(results, f"{kind}/{name}", "triangles")]
+        rows.append(row)
+    return table(["drawing", "vertices", "solid", "triangles", "figure", "triangles"], rows)
+
+
 def references(results):
     rows = []
     for size in sizes(results, "cholmod"):
@@ -135,6 +146,7 @@ def main():
     _, after = rest.split(END)
     parts = [("Stages, ms", stages(results)),
              ("Wall times with a thread for each of two cores, ms", walls(threaded)),
+             ("Solids and figures, ms", solids(results)),
              ("References", references(results)),
              ("Edits at 40,000 vertices", edits(results, threaded)),
              ("Non-linear, operators and inflation included", nonlinear(results, threaded)),
