@@ -125,26 +125,44 @@ class BoundaryFinder {
     return true;
   }
 
-  // Walks from a merged end until the exit, another seam, or all the way round.
+  // Walks from a merged end until the exit, another seam, or all the way round. What other parts
+  // hide beside the end is a part of the join as it is seen: the ramp begins beyond.
   void lay_from(const Seam& seam, int start, int direction) {
     const int n = static_cast<int>(mesh_.loops.vertices[seam.loop].size());
     std::vector<Step> steps;
     double s = 0;
+    double hidden = 0;
     bool exit = false;
     for (int i = 1; i < n; ++i) {
       const int at = start + direction * i;
       s += mesh_.loop_step(seam.loop, at - direction, direction);
-      if (!add_step(seam.upper, seam.lower, seam.loop, at, s, steps)) break;
+      const bool out = comes_out(seam.upper, vertex_at(seam.loop, at));
+      if (out) hidden = s;
+      if (!add_step(seam.upper, seam.lower, seam.loop, at, s, steps)) {
+        if (out) continue;
+        break;
+      }
       const int below = steps.back().below;
       exit = below < 0 || out_.role[below] == NodeRole::outline;
       if (!exit) continue;
       steps.pop_back();
       break;
     }
-    double length = s;
-    if (!exit) length = std::min(0.5 * s, seam_length(seam));
+    for (Step& step : steps) step.s = std::max(0.0, step.s - hidden);
+    double length = s - hidden;
+    if (!exit) length = std::min(0.5 * length, seam_length(seam));
     while (!steps.empty() && steps.back().s >= length) steps.pop_back();
     add_ramp({seam.upper, seam.lower, length, -1, -1}, steps, true);
+  }
+
+  // Whether the outline of the part comes out there from under a part that grows out of it.
+  bool comes_out(int part, int vertex) const {
+    const auto here = [&](const Mount& mount) {
+      return mount.part == part && mount.vertex == vertex;
+    };
+    return std::any_of(mesh_.seams.begin(), mesh_.seams.end(), [&](const Seam& seam) {
+      return std::any_of(seam.mounts.begin(), seam.mounts.end(), here);
+    });
   }
 
   double seam_length(const Seam& seam) const {

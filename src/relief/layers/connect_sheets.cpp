@@ -215,7 +215,13 @@ class Connector {
     bool complete = false;
     const std::vector<int> fan =
         turn(mesh_, below_[i], path_[std::max(i, j)], from, until, complete);
-    if (complete) below_[j] = fan.back();
+    if (complete && !comes_in_front(below_[j], fan.back())) below_[j] = fan.back();
+  }
+
+  // Whether a part of the surface begins in front of a face that the path has followed so far,
+  // with an outline: then what is seen goes on on that part.
+  bool comes_in_front(int face, int followed) const {
+    return mesh_.face_part[face] > mesh_.face_part[followed];
   }
 
   int upper_node(int i, int vertex) const {
@@ -225,18 +231,32 @@ class Connector {
   // Whether the surface stays one: no edge has more than two faces.
   bool reconnect(const JoinPath& join, int first, int last) {
     Moves moves;
+    std::vector<Mount> mounts;
     for (int i = first + 1; i < last; ++i) {
       const int vertex = path_[i];
       const int node = upper_node(i, vertex);
-      bool complete = false;
-      move_all(mesh_, turn(mesh_, below_[i - 1], vertex, path_[i - 1], path_[i + 1], complete),
-               vertex, node, moves);
-      if (!complete)
-        move_all(mesh_, turn(mesh_, below_[i], vertex, path_[i + 1], path_[i - 1], complete),
-                 vertex, node, moves);
+      bool onwards = false;
+      bool back = false;
+      const std::vector<int> fan =
+          turn(mesh_, below_[i - 1], vertex, path_[i - 1], path_[i + 1], onwards);
+      const std::vector<int> other =
+          turn(mesh_, below_[i], vertex, path_[i + 1], path_[i - 1], back);
+      if (onwards && fan.back() != below_[i]) {
+        merge_end(i - 1, vertex, path_[i - 1], moves);
+        move_all(mesh_, other, vertex, node, moves);
+        mounts.push_back({vertex, mesh_.face_part[below_[i]]});
+      } else if (back && other.back() != below_[i - 1]) {
+        merge_end(i, vertex, path_[i + 1], moves);
+        move_all(mesh_, fan, vertex, node, moves);
+        mounts.push_back({vertex, mesh_.face_part[below_[i - 1]]});
+      } else {
+        move_all(mesh_, fan, vertex, node, moves);
+        if (!onwards) move_all(mesh_, other, vertex, node, moves);
+      }
     }
     Seam seam = seam_of(join, first, last);
     seam.covered = covered_faces(first, last);
+    seam.mounts = std::move(mounts);
     seam.first_end_inside = merge_end(first, path_[first], path_[first + 1], moves);
     seam.last_end_inside = merge_end(last - 1, path_[last], path_[last - 1], moves);
     for (const auto& [corner, node] : moves)

@@ -12,6 +12,12 @@
 
 namespace relievo {
 
+/// A vertex where a join goes over from a sheet to that of a part in front of it, or back.
+struct Mount {
+  int vertex = -1;
+  int part = -1;  ///< the one in front, whose outline it lies on
+};
+
 /// A join as it was made.
 struct Seam {
   int upper = -1;
@@ -23,6 +29,7 @@ struct Seam {
   bool last_end_inside = false;
   bool bump = false;         ///< the upper part lies on the lower surface with all of its outline
   std::vector<int> covered;  ///< faces of the lower surface beside it, under the upper part
+  std::vector<Mount> mounts;
 };
 
 /// The outlines as loops of base vertices.

@@ -26,7 +26,8 @@ constexpr double least_fade = 1.5;  ///< of the root's width
 /// A limb comes forward by so much of its own height at most, or a thin leg would hang before a
 /// thick belly.
 constexpr double largest_rise = 1.5;
-/// Distances without ridges are to some of more points than this, from so many of their steps on.
+/// Distances without ridges are to some of more points than this, from so many of their steps on,
+/// little by little.
 constexpr size_t most_points = 64;
 constexpr double far_steps = 4;
 
@@ -114,20 +115,28 @@ class PointRuns {
   /// apart: that of the straight line which would make the integral of distance^-5 as large.
   /// `distance`: the least one, not 0.
   double smooth_distance_to(Point2 p, double distance, double step) const {
-    // An odd stride takes both arms of a bent root. From so far on it makes no difference.
-    const size_t most_stride = points_.size() / most_points * 2 + 1;
-    const bool far = distance > far_steps * step * static_cast<double>(most_stride);
-    const size_t stride = far ? most_stride : 1;
+    // An odd stride takes both arms of a bent root. From so far on it makes little difference.
+    const size_t stride = points_.size() / most_points * 2 + 1;
+    const double gap = step * static_cast<double>(stride);
+    const double far = smooth_step(far_steps * gap, 2 * far_steps * gap, distance);
     double sum = 0;
-    for (size_t i = 0; i < points_.size(); i += stride) {
-      const double square = dot(points_[i] - p, points_[i] - p);
-      sum += 1 / (square * square * std::sqrt(square));
-    }
+    if (far < 1) sum += (1 - far) * step * sum_to(p, 1);
+    if (far > 0) sum += far * gap * sum_to(p, stride);
     // Roots have the same bits everywhere, powers have not.
-    return 1 / std::sqrt(std::sqrt(0.75 * step * static_cast<double>(stride) * sum));
+    return 1 / std::sqrt(std::sqrt(0.75 * sum));
   }
 
  private:
+  /// Of distance^-5 to every stride-th point.
+  double sum_to(Point2 p, size_t stride) const {
+    double sum = 0;
+    for (size_t i = stride / 2; i < points_.size(); i += stride) {
+      const double square = dot(points_[i] - p, points_[i] - p);
+      sum += 1 / (square * square * std::sqrt(square));
+    }
+    return sum;
+  }
+
   std::vector<Point2> points_;
   std::vector<Box2> boxes_;
   size_t run_ = 1;

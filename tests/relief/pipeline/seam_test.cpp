@@ -109,6 +109,47 @@ TEST(Seam, IsSmoothWhereTwoPointsOfARoundRootAreEquallyNear) {
   }
 }
 
+/// How many edges along the join, in the middle of it, are open between the faces that are seen.
+int torn_edges(const LayeredMesh& mesh, const Join& join) {
+  const std::vector<Point2> middle(join.line.begin() + 2, join.line.end() - 2);
+  int torn = 0;
+  for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const int face = mesh.stack_begin[t + 1] - 1;
+    if (mesh.face_part[face] != join.upper) continue;
+    for (int k = 0; k < 3; ++k) {
+      const int other = mesh.neighbours[t][k];
+      if (other < 0) continue;
+      const int beyond = mesh.stack_begin[other + 1] - 1;
+      const int a = mesh.faces[face][(k + 1) % 3];
+      const int b = mesh.faces[face][(k + 2) % 3];
+      const Point2 at =
+          0.5 * (mesh.vertices[mesh.node_vertex[a]] + mesh.vertices[mesh.node_vertex[b]]);
+      if (mesh.face_part[beyond] == join.upper) continue;
+      if (distance_to_polyline(middle, at) > 0.5 * mesh.edge_length) continue;
+      const auto& nodes = mesh.faces[beyond];
+      torn += static_cast<int>(std::count(nodes.begin(), nodes.end(), a) == 0 ||
+                               std::count(nodes.begin(), nodes.end(), b) == 0);
+    }
+  }
+  return torn;
+}
+
+TEST(Seam, GrowsOutOfWhatIsSeenWhereRootsCross) {
+  ReliefOptions options;
+  options.layers.vertex_budget = 24000;
+  for (const uint64_t seed : {43, 171, 194}) {
+    const Scene scene = random_limbs(seed);
+    const Relief relief = relief_of(scene, options);
+    EXPECT_EQ(torn_edges(relief.layers, scene.joins[1]), 0) << seed;
+    for (const SeamChain& chain : seam_chains(relief.layers)) {
+      for (const double angle : seam_angles(relief.layers, relief.ordering.h, chain))
+        EXPECT_LE(angle, 2) << seed;
+      for (const double pit : pits(relief.layers, relief.ordering.h, chain))
+        EXPECT_LE(pit, 0.02) << seed;
+    }
+  }
+}
+
 TEST(Seam, HasNeitherPitsNorBumpsAtItsEnds) {
   for (const bool attach : {true, false}) {
     ReliefOptions options;
