@@ -30,4 +30,5 @@ for drawing in "$drawings"/*.png "$drawings"/*.jpg "$drawings"/*.gif "$drawings"
   "$relievo" render "$cell.relievo" --quiet --pitch 0 --yaw 0 --size 400 -o "$cell-3.png"
   "$relievo" render "$cell.relievo" --quiet --pitch 0 --yaw 45 --size 400 -o "$cell-4.png"
 done
-montage "$work"/*.png -tile 8x -geometry 200x200+2+2 -background white "$sheet"
+montage "$work"/*.png -tile 8x -geometry 149x149+2+2 -background white -depth 8 "$work/sheet.miff"
+convert "$work/sheet.miff" -colors 200 "$sheet"
