@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/geometry/polygon.h"
 #include "kernel/image/compose.h"
 #include "kernel/image/distance_transform.h"
 #include "relief/model/fill_triangle.h"
@@ -21,8 +22,8 @@ constexpr double widest_ink = 0.03;    ///< of the drawing's diagonal
 constexpr double least_contrast = 40;  ///< between ink and the paint beside it, of 255
 constexpr double inked_share = 0.5;    ///< of a part's silhouette
 constexpr double reach_of_ink = 2;     ///< in widths of ink, how far a rim comes forward
-constexpr double beside = 2;           ///< px, where to look on both sides of an outline
-constexpr int longest_side = 512;  ///< px, of the view in which distances between parts are taken
+constexpr double probe = 2;            ///< px, where to look on both sides of an outline
+constexpr int longest_view = 512;  ///< px, of the view in which distances between parts are taken
 constexpr double leaning = 0.1;    ///< z of normals that tell how round a rim is, at least
 
 /// An edge of a part beside which there is only paper, as its triangle runs along it.
@@ -43,7 +44,7 @@ class RimView {
         front_(front_parts(model, {rgba.width, rgba.height})),
         shrunk_front_(front_parts(
             model, fitted_size(rgba.width, rgba.height,
-                               std::min(longest_side, std::max(rgba.width, rgba.height))))) {}
+                               std::min(longest_view, std::max(rgba.width, rgba.height))))) {}
 
   double scale() const { return scale_; }
   const Image16& shrunk_front() const { return shrunk_front_; }
@@ -106,8 +107,8 @@ std::vector<RimEdge> find_rims(const Model& model, const RimView& view) {
     if (i + 1 < edges.size() && edges[i + 1].ends() == edge.ends()) continue;
     if (i > 0 && edges[i - 1].ends() == edge.ends()) continue;
     const auto [a, b] = edge.vertices;
-    if (view.part_at(0.5 * (view.inwards(a, -beside) + view.inwards(b, -beside))) == 0 &&
-        view.part_at(0.5 * (view.inwards(a, beside) + view.inwards(b, beside))) == edge.part + 1)
+    if (view.part_at(0.5 * (view.inwards(a, -probe) + view.inwards(b, -probe))) == 0 &&
+        view.part_at(0.5 * (view.inwards(a, probe) + view.inwards(b, probe))) == edge.part + 1)
       rims.push_back(edge);
   }
   return rims;
@@ -184,13 +185,6 @@ class Cells {
   int rows_;
   std::vector<std::vector<int>> items_;
 };
-
-double distance_to_segment(Point2 p, Point2 a, Point2 b) {
-  const Point2 along = b - a;
-  const double length = dot(along, along);
-  const double t = length > 0 ? std::clamp(dot(p - a, along) / length, 0.0, 1.0) : 0;
-  return distance(p, a + t * along);
-}
 
 /// Brings the rims of one part forward.
 class RimRaiser {
@@ -298,10 +292,10 @@ class RimRaiser {
 };
 
 /// Walls below raised edges, in the paint beside the ink.
-class WallBuilder {
+class RimWalls {
  public:
   /// `rise`: of every vertex, already in the model.
-  WallBuilder(Model& model, const RimView& view, const std::vector<double>& rise)
+  RimWalls(Model& model, const RimView& view, const std::vector<double>& rise)
       : model_(model), view_(view), rise_(rise), top_(rise.size(), -1), foot_(rise.size(), -1) {}
 
   /// `inside`: px of the drawing from the outline to where there is paint.
@@ -375,7 +369,7 @@ void narrow_inked_rims(Model& model, const Drawing& drawing) {
       rise[v] = std::max(rise[v], by);
   }
   for (size_t v = 0; v < rise.size(); ++v) model.positions[v].z += rise[v];
-  WallBuilder builder(model, view, rise);
+  RimWalls builder(model, view, rise);
   std::vector<std::vector<std::array<int, 3>>> walls(model.parts.size());
   for (const RimEdge& rim : rims) builder.add(rim, 1.25 * widths[rim.part] + 2, walls[rim.part]);
   insert_walls(walls, model);
