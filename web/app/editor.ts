@@ -60,8 +60,8 @@ export interface EditorState {
   relief: BuiltRelief | null;
   /** What is being drawn would make this. */
   preview: Document | null;
-  /** The relief that can be seen. */
-  shown: BuiltRelief | null;
+  /** The relief or solid that can be seen. */
+  shown: BuiltRelief | Solid | null;
   /** Whether the browser has no graphics, so that the relief is drawn more slowly and plainly. */
   plainGraphics: boolean;
   /** Counts the documents that were opened. */

@@ -82,18 +82,19 @@ function follow(view: ModelView, editor: Editor): () => void {
     const { relief, picture, shading, hovered, selected, history, preview, solid: made } = editor.state;
     const document = preview ?? history.document;
     const solid = made && !isFailure(made) ? made : null;
-    const now = [solid ?? relief, solid, shading, hovered ?? selected, document.name];
+    const shown = solid ?? relief;
+    const now = [shown, solid, shading, hovered ?? selected, document.name];
     const looks = lookOf(document, picture);
     if (now[1] !== before[1] || now[4] !== before[4] || !isSameLook(looks, look)) {
       look = looks;
       if (solid) view.paint(sheetOf(solid), solid.picture);
       else view.paint(picture || document.parts.length > 0 ? document : null, picture, preview ? previewSide : undefined);
     }
-    if (now[0] !== before[0]) {
+    if (shown !== before[0]) {
       if (solid) view.show(solid.surface, solid.size[0], solid.size[1]);
       else view.show(relief?.surface ?? null, document.width, document.height);
       void view.drawn().then(() => {
-        if (editor.state.relief === relief) editor.set({ shown: relief });
+        if (before[0] === shown) editor.set({ shown });
       });
     }
     if (now[2] !== before[2]) view.setShading(shading);

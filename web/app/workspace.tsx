@@ -1,6 +1,7 @@
 import { useMemo, useRef } from 'preact/hooks';
 import type { Document } from '../document/document';
 import { openQuestions } from '../document/gaps';
+import { isFailure } from '../engine/messages';
 import { CueTool } from '../tools/cue_tool';
 import { DrawTool } from '../tools/draw_tool';
 import { JoinTool } from '../tools/join_tool';
@@ -142,7 +143,8 @@ function TopBar({ editor, files, segments, choose }: Pick<WorkspaceProps, 'edito
 }
 
 function StatusBar({ editor }: { editor: Editor }) {
-  const { tool, notice, relief, shown, build, depthTint, showMarks } = useStore(editor);
+  const { tool, notice, relief, solid, shown, build, depthTint, showMarks } = useStore(editor);
+  const isSeen = relief && shown === (solid && !isFailure(solid) ? solid : relief);
   const hint = tools.find((entry) => entry.name === tool)?.hint ?? 'hintSelect';
   const ms = relief ? Object.values(relief.report.times).reduce((sum, time) => sum + time, 0) : 0;
   return (
@@ -152,7 +154,7 @@ function StatusBar({ editor }: { editor: Editor }) {
       <label class="check"><input type="checkbox" checked={depthTint} onChange={() => editor.set({ depthTint: !depthTint })} /> {t('depthTint')}</label>
       <label class="check"><input type="checkbox" checked={showMarks} onChange={() => editor.set({ showMarks: !showMarks })} /> {t('marks')}</label>
       <span class="numbers" data-nodes={relief?.report.nodes ?? 0} data-phase={build.phase}>
-        {relief && relief === shown && t('ready', { nodes: relief.report.nodes.toLocaleString(), ms: Math.round(ms) })}
+        {isSeen && t('ready', { nodes: relief.report.nodes.toLocaleString(), ms: Math.round(ms) })}
       </span>
     </footer>
   );
