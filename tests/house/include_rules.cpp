@@ -141,7 +141,7 @@ std::string check_lod(const Place& to) {
 std::string check_solid(const Place& to) {
   if (to.top == "kernel" || to.top == "solid") return "";
   if (to.top == "relief" && (to.folder == "model" || to.folder == "drawing") &&
-      stage_structs.count(to.rest) > 0)
+      (stage_structs.count(to.rest) > 0 || to.rest == "model/ink_rims.h"))
     return "";
   return "solid uses the kernel, models, drawings and itself only";
 }

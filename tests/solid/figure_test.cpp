@@ -70,6 +70,44 @@ TEST(Figure, HasTheDrawingOrThePartsColoursBehind) {
   }
 }
 
+/// A red disc below a ball of radius 40 px, with a contour of black ink 4 px wide.
+Drawing inked_disc() {
+  Drawing drawing{Image8(200, 200, 4, 255)};
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 200; ++x) {
+      const double from_rim = 80 - std::hypot(x + 0.5 - 100, y + 0.5 - 100);
+      if (from_rim < 0) continue;
+      drawing.rgba.at(x, y, 0) = from_rim < 8 ? 0 : 255;
+      drawing.rgba.at(x, y, 1) = drawing.rgba.at(x, y, 2) = 0;
+    }
+  return drawing;
+}
+
+/// The mm^2 of ink on a model.
+double inked_area(const Solid& solid) {
+  const Model& model = solid.model;
+  const Image8& rgba = solid.drawing.rgba;
+  double area = 0;
+  for (const std::array<int, 3>& t : model.triangles) {
+    const Point2 uv = (1.0 / 3) * (model.uvs[t[0]] + model.uvs[t[1]] + model.uvs[t[2]]);
+    if (rgba.at(static_cast<int>(uv.x * rgba.width), static_cast<int>(uv.y * rgba.height), 0) != 0)
+      continue;
+    const Point3 a = model.positions[t[0]];
+    area += 0.5 * norm(cross(model.positions[t[1]] - a, model.positions[t[2]] - a));
+  }
+  return area;
+}
+
+TEST(Figure, KeepsInkALineAroundItsSilhouette) {
+  const auto solid = make_solid(whole_ball(), inked_disc(), figure_of(80));
+  ASSERT_TRUE(solid.ok());
+  EXPECT_EQ(what_is_wrong(figure_census(*solid)), "");
+  const double around = 2 * std::numbers::pi * 40;
+  // Projected along the view, 4 mm of ink reach sqrt(40^2 - 36^2) deep to both sides.
+  EXPECT_LT(inked_area(*solid), 0.6 * around * 2 * std::sqrt(40.0 * 40 - 36.0 * 36));
+  EXPECT_GT(inked_area(*solid), around * 2 * 4 * 0.9);
+}
+
 TEST(Figure, StandsOnAPlateOrADiscUnderItsFeet) {
   SolidOptions options = figure_of(80);
   options.thickness = 4;
