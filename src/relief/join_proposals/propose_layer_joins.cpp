@@ -275,17 +275,19 @@ class Connector {
         most[pair.lower] =
             std::max(most[pair.lower], likeness(pair.lower, pair.upper) * pair.lower_beside);
     }
+    std::vector<uint8_t> joined(grid_.masks.size());
     std::vector<uint8_t> held(grid_.masks.size());
     for (size_t k = 0; k < overlaps.size(); ++k) {
       const Overlap& pair = overlaps[k];
       if (joins[k] && joins[k]->confidence >= std::max(most[pair.upper], least_trust)) {
-        held[pair.upper] = 1;
+        joined[pair.upper] = 1;
         joining.joins.push_back(std::move(*joins[k]));
-      } else if (is_tied(pair)) {
-        held[is_behind(pair) ? pair.lower : pair.upper] = 1;
+      } else if (is_behind(pair)) {
+        held[pair.lower] = 1;
         tie(pair, joining);
       }
     }
+    tie_lying(overlaps, joined, held, joining);
     tie_hidden(overlaps, held, joining);
     joining.hollows = hollow_parts(grid_, colors_, limbs(overlaps, joining));
     return joining;
@@ -295,6 +297,23 @@ class Connector {
   static void tie(const Overlap& pair, JoinProposals& joining) {
     joining.relations.push_back(
         {{pair.upper, pair.lower, RelationKind::equal, std::nullopt}, false});
+  }
+
+  /// What has no join lies on the larger parts behind it, and what hangs on one in front only on
+  /// those that it does not cross: tied to all, it would be drawn back to what is farthest. Marks
+  /// what is held.
+  void tie_lying(const std::vector<Overlap>& overlaps, const std::vector<uint8_t>& joined,
+                 std::vector<uint8_t>& held, JoinProposals& joining) const {
+    const std::vector<uint8_t> hangs = held;
+    for (const Overlap& pair : overlaps) {
+      const bool crosses = pair.upper_beside >= least_protrusion;
+      const bool is_free = joined[pair.upper] == 0 && (hangs[pair.upper] == 0 || !crosses);
+      if (!is_free || is_larger(grid_, pair.upper, pair.lower, 1)) continue;
+      held[pair.upper] = 1;
+      tie(pair, joining);
+    }
+    for (size_t part = 0; part < held.size(); ++part)
+      if (joined[part] != 0) held[part] = 1;
   }
 
   /// What nothing holds and a larger part mostly hides would float behind that.
@@ -377,10 +396,6 @@ class Connector {
   /// Whether the lower part is a limb that comes out from behind the upper one.
   bool is_behind(const Overlap& pair) const {
     return is_larger(grid_, pair.upper, pair.lower, 1) && pair.lower_beside > least_behind;
-  }
-
-  bool is_tied(const Overlap& pair) const {
-    return is_behind(pair) || !is_larger(grid_, pair.upper, pair.lower, 1);
   }
 
   LayerGrid grid_;

@@ -16,8 +16,9 @@ namespace relievo {
 ///    and of one that lies mostly on the other, that which is farthest from the limb's free end, as
 ///    measured inside the limb; between the two for what is between.
 ///  - equal: what lies inside another part, as an eye does; a limb in front without such a root;
-///    and a limb that comes out from behind a larger part, whose outline it touches all along. What
-///    nothing holds so hangs on the larger part that hides most of it.
+///    and a limb that comes out from behind a larger part, whose outline it touches all along. That
+///    is tied to nothing that it crosses behind it as well, and a joined limb to no other part
+///    behind it. What nothing holds so hangs on the larger part that hides most of it.
 ///  - all else is above, as everywhere, and not listed.
 /// A limb grows out of one part, in front of it or behind: that with the most confidence, which a
 /// clear change of colour halves, and a part that is not larger than the limb. What is of a foreign

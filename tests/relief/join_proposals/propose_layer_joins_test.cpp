@@ -133,6 +133,31 @@ TEST(ConnectParts, ALimbJoinsWhatLiesDirectlyUnderItsRoot) {
   EXPECT_EQ(joining.joins[0].join.lower, 1);
 }
 
+TEST(ConnectParts, AJoinedLimbIsNotTiedToTheLimbThatItCrosses) {
+  const Scene scene = disc_with({limb()}, {capsule({215, 200}, M_PI / 2, 150, 25)});
+  const JoinProposals joining = propose_layer_joins(scene);
+  ASSERT_EQ(joining.joins.size(), 1U);
+  EXPECT_EQ(joining.joins[0].join.lower, 1);
+  EXPECT_FALSE(is_equal(joining, 2, 0));
+  EXPECT_TRUE(is_equal(joining, 1, 0)) << "the far limb still hangs on the body";
+}
+
+TEST(ConnectParts, WhatAHandHoldsIsNotTiedToWhatItCrosses) {
+  const Ring bar = rectangle(60, 140, 340, 160);
+  const Ring hand = rectangle(10, 100, 100, 220);
+  const JoinProposals joining = propose_layer_joins(disc_with({bar, hand}));
+  EXPECT_TRUE(is_equal(joining, 2, 1));
+  EXPECT_FALSE(is_equal(joining, 1, 0));
+}
+
+TEST(ConnectParts, WhatMostlyLiesOnAPartIsTiedToItWhateverHidesTheRest) {
+  const Ring eye = circle({210, 150}, 20);
+  const Ring fringe = rectangle(210, 120, 330, 200);
+  const JoinProposals joining = propose_layer_joins(disc_with({eye, fringe}));
+  EXPECT_TRUE(is_equal(joining, 2, 1));
+  EXPECT_TRUE(is_equal(joining, 1, 0));
+}
+
 const PartColors::value_type fur = {{0.8, 0.6, 0.4}};
 const PartColors::value_type steel = {{0.1, 0.2, 0.9}};
 
