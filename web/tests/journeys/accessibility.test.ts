@@ -25,6 +25,10 @@ const states: [string, (page: Page) => Promise<unknown>][] = [
   ['workspace', (page) => sample(page, 'bunny')],
   ['a part', (page) => choosePart(page, 'body')],
   ['export', (page) => page.click('#export')],
+  ['something to hold', async (page) => {
+    await page.click('#print');
+    await page.waitForSelector('[data-solid="3mf"]:not([disabled])');
+  }],
   ['settings', (page) => page.click('#settings')],
   ['versions', (page) => page.click('#versions')],
   ['keys', (page) => page.click('#keys')],
