@@ -7,7 +7,6 @@
 
 #include "io/image/decode_image.h"
 #include "relief/drawing/find_basins.h"
-#include "relief/drawing/label_basins.h"
 #include "relief/pipeline/propose_scene.h"
 #include "relievo/files.h"
 

@@ -6,8 +6,7 @@
 
 #include "benchmarks/characters.h"
 #include "benchmarks/suites.h"
-#include "io/mesh/glb_encode.h"
-#include "io/mesh/threemf_encode.h"
+#include "io/mesh/encode_models.h"
 #include "kernel/base/workers.h"
 #include "relief/model/assemble_model.h"
 #include "relief/pipeline/relief_session.h"

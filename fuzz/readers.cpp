@@ -2,16 +2,15 @@
 
 #include <cstdlib>
 
-#include "io/archive/zip_archive.h"
+#include "io/archive/archive.h"
 #include "io/image/decode_image.h"
 #include "io/layered/layer_table.h"
 #include "io/layered/read_ora.h"
 #include "io/mesh/glb_decode.h"
 #include "io/project/project_file.h"
-#include "io/psd/read_psd.h"
-#include "io/scene/read_scene.h"
+#include "io/psd/psd.h"
+#include "io/scene/scene_file.h"
 #include "io/scribbles/read_scribbles.h"
-#include "io/scribbles/scribble_image.h"
 #include "io/svg/read_svg.h"
 
 namespace relievo::fuzz {

@@ -6,10 +6,10 @@
 #include <variant>
 #include <vector>
 
-#include "io/mesh/threemf_encode.h"
+#include "io/mesh/encode_models.h"
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/image_size.h"
-#include "relief/pipeline/keep_field.h"
+#include "relief/pipeline/build_relief.h"
 #include "relievo/scene.h"
 #include "relievo/solid.h"
 #include "rivals/rival.h"

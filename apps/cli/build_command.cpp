@@ -12,13 +12,12 @@
 #include "apps/cli/report.h"
 #include "face/inputs.h"
 #include "io/image/png_encode.h"
-#include "io/maps/carve_map.h"
 #include "io/maps/map_images.h"
 #include "io/mesh/placement.h"
 #include "kernel/base/stopwatch.h"
 #include "kernel/image/image_size.h"
 #include "lod/simplify_model.h"
-#include "relief/model/ambient_occlusion.h"
+#include "relief/model/relief_maps.h"
 #include "relievo/maps.h"
 
 namespace relievo::cli {

@@ -2,10 +2,8 @@
 
 #include <set>
 
-#include "io/mesh/html_encode.h"
-#include "io/mesh/obj_encode.h"
+#include "io/mesh/encode_models.h"
 #include "io/mesh/placement.h"
-#include "io/mesh/usdz_encode.h"
 #include "relievo/export.h"
 
 namespace relievo::cli {

@@ -6,7 +6,7 @@
 
 #include "apps/cli/arguments.h"
 #include "apps/cli/interruption.h"
-#include "io/mesh/threemf_encode.h"
+#include "io/mesh/encode_models.h"
 #include "relievo/files.h"
 #include "relievo/image.h"
 #include "relievo/model.h"

@@ -3,15 +3,9 @@
 #include <algorithm>
 
 #include "bindings/wasm/js_values.h"
-#include "io/mesh/glb_encode.h"
-#include "io/mesh/html_encode.h"
-#include "io/mesh/obj_encode.h"
+#include "io/mesh/encode_models.h"
 #include "io/mesh/placement.h"
-#include "io/mesh/ply_encode.h"
-#include "io/mesh/stl_encode.h"
-#include "io/mesh/threemf_encode.h"
-#include "io/mesh/usdz_encode.h"
-#include "io/scene/read_scene.h"
+#include "io/scene/scene_file.h"
 #include "relief/model/dress_hidden.h"
 #include "relief/model/hidden_patches.h"
 #include "relief/model/ink_rims.h"

@@ -5,13 +5,11 @@
 
 #include "bindings/wasm/js_values.h"
 #include "io/files/in_file.h"
-#include "io/image/png_decode.h"
+#include "io/image/decode_image.h"
 #include "io/image/png_encode.h"
-#include "io/project/project_json.h"
-#include "io/scene/read_scene.h"
-#include "io/scene/write_scene.h"
+#include "io/project/project_file.h"
+#include "io/scene/scene_file.h"
 #include "relief/drawing/find_basins.h"
-#include "relief/drawing/label_basins.h"
 #include "relief/pipeline/understand_drawing.h"
 
 namespace relievo::wasm {

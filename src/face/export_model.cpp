@@ -2,10 +2,7 @@
 #include <utility>
 
 #include "io/image/png_encode.h"
-#include "io/mesh/glb_encode.h"
-#include "io/mesh/obj_encode.h"
-#include "io/mesh/ply_encode.h"
-#include "io/mesh/stl_encode.h"
+#include "io/mesh/encode_models.h"
 #include "relief/model/dress_hidden.h"
 #include "relief/model/ink_rims.h"
 #include "relievo/export.h"

@@ -2,17 +2,16 @@
 
 #include <optional>
 
-#include "face/read_picture.h"
-#include "io/archive/zip_archive.h"
+#include "io/archive/archive.h"
 #include "io/files/in_file.h"
 #include "io/files/paths.h"
 #include "io/image/decode_image.h"
 #include "io/layered/read_layer_folder.h"
 #include "io/layered/read_ora.h"
 #include "io/project/project_file.h"
+#include "io/psd/psd.h"
 #include "io/psd/psd_file.h"
-#include "io/psd/read_psd.h"
-#include "io/scene/read_scene.h"
+#include "io/scene/scene_file.h"
 #include "io/svg/read_svg.h"
 #include "io/svg/render_svg.h"
 #include "kernel/base/workers.h"

@@ -1,7 +1,6 @@
 #include <utility>
 
 #include "face/inputs.h"
-#include "face/read_picture.h"
 #include "io/files/in_file.h"
 #include "relievo/read.h"
 

@@ -1,9 +1,8 @@
-#include "face/read_picture.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "face/inputs.h"
 #include "io/files/number_text.h"
 #include "io/image/decode_image.h"
 #include "relief/drawing/segment_drawing.h"

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <utility>
 
-#include "io/overlay/mesh_lines.h"
+#include "io/overlay/overlay_svg.h"
 #include "kernel/image/image_size.h"
 #include "relief/model/assemble_model.h"
 #include "relief/model/relief_maps.h"
-#include "relief/pipeline/keep_field.h"
+#include "relief/pipeline/build_relief.h"
 #include "relief/pipeline/relief_session.h"
 #include "solid/make_solid.h"
 

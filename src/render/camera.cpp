@@ -1,9 +1,9 @@
-#include "render/camera.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "render/shading.h"
 
 namespace relievo {
 namespace {

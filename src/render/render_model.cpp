@@ -8,8 +8,6 @@
 #include "kernel/image/compose.h"
 #include "relief/model/model_texture.h"
 #include "relievo/render.h"
-#include "render/camera.h"
-#include "render/low_discrepancy.h"
 #include "render/ray_scene.h"
 #include "render/shading.h"
 

@@ -2,13 +2,38 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "relievo/image.h"
+#include "relievo/model.h"
 #include "relievo/point.h"
 #include "relievo/render.h"
-#include "render/camera.h"
 
 namespace relievo {
+
+/// An orthographic camera. The axes are unit, in model space.
+struct Camera {
+  Point3 right{1, 0, 0};
+  Point3 up{0, 1, 0};
+  Point3 back{0, 0, 1};  ///< towards the viewer
+  Point3 centre;         ///< the point of model space in the picture's middle
+  double unit = 1;       ///< model px per picture px
+  double distance = 1;   ///< from the centre to where rays begin, outside of the model
+  int width = 1;         ///< of the picture, px
+  int height = 1;
+};
+
+/// Turned by yaw and pitch, with everything of the model in the picture and a margin around it.
+/// Precondition: the model has triangles.
+Camera framing_camera(const Model& model, const RenderOptions& options);
+
+/// Where the ray of a point of the picture (px, y down) begins; it runs along -camera.back.
+Point3 ray_origin(const Camera& camera, Point2 picture);
+
+/// The same vector given in the camera's axes, in model space.
+inline Point3 from_camera(const Camera& camera, Point3 v) {
+  return v.x * camera.right + v.y * camera.up + v.z * camera.back;
+}
 
 /// A colour in linear light; 1 is the white of the picture.
 struct Rgb {
@@ -87,5 +112,36 @@ class TextureSampler {
   Image8 rgb_;
   std::array<double, 256> linear_;
 };
+
+/// A well mixed function of its arguments.
+inline uint32_t hash(uint32_t a, uint32_t b, uint32_t c) {
+  uint32_t h = a * 0x9e3779b1U ^ (b + 0x7f4a7c15U) * 0x85ebca77U ^ (c + 0x165667b1U) * 0xc2b2ae3dU;
+  h ^= h >> 16;
+  h *= 0x7feb352dU;
+  h ^= h >> 15;
+  h *= 0x846ca68bU;
+  return h ^ h >> 16;
+}
+
+/// Point i of the additive recurrence over the plastic number (M. Roberts, 2018), in fixed-point
+/// numbers that wrap: any run of it fills the unit square evenly.
+inline Point2 even_point(uint32_t i) {
+  return {(i * 3242174889U + 0x80000000U) * 0x1p-32, (i * 2447445414U + 0x80000000U) * 0x1p-32};
+}
+
+/// The place of a pixel on a curve that visits every block of 2^k x 2^k pixels in one go, each in
+/// an order of its own; x, y < 16384. Pixels that take their samples from consecutive runs of one
+/// sequence in this order have errors that cancel between neighbours, which looks like fine, even
+/// grain (A. Ahmed, P. Wonka: Screen-space blue-noise diffusion of Monte Carlo sampling error via
+/// hierarchical ordering of pixels, 2020). `seed` gives another curve.
+inline uint32_t block_order(uint32_t x, uint32_t y, uint32_t seed) {
+  uint32_t order = 0;
+  for (int level = 13; level >= 0; --level) {
+    const uint32_t quarter = (x >> level & 1) | (y >> level & 1) << 1;
+    const uint32_t turn = hash(x >> (level + 1), y >> (level + 1), seed + level) & 3;
+    order = order << 2 | (quarter ^ turn);
+  }
+  return order;
+}
 
 }  // namespace relievo

@@ -8,7 +8,7 @@
 #include "kernel/geometry/triangles.h"
 #include "rivals/contour.h"
 #include "rivals/medial_axis.h"
-#include "rivals/reconstructions.h"
+#include "rivals/rival.h"
 
 namespace relievo {
 namespace {

@@ -1,5 +1,3 @@
-#include "rivals/graft.h"
-
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>

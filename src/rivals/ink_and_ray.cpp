@@ -5,9 +5,8 @@
 
 #include "relief/discretisation/discretisation.h"
 #include "relief/layers/layered_mesh.h"
-#include "rivals/graft.h"
-#include "rivals/reconstructions.h"
-#include "rivals/separate_parts.h"
+#include "rivals/rival.h"
+#include "rivals/seam_chains.h"
 #include "rivals/solution.h"
 
 namespace relievo {

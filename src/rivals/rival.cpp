@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "rivals/reconstructions.h"
-
 namespace relievo {
 namespace {
 

@@ -1,5 +1,3 @@
-#include "rivals/separate_parts.h"
-
 #include <algorithm>
 #include <array>
 #include <map>

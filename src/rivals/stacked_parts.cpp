@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "relief/pipeline/build_relief.h"
-#include "rivals/reconstructions.h"
-#include "rivals/separate_parts.h"
+#include "rivals/rival.h"
+#include "rivals/seam_chains.h"
 #include "rivals/solution.h"
 
 namespace relievo {

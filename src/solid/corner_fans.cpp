@@ -1,4 +1,4 @@
-#include "solid/corner_fans.h"
+#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {

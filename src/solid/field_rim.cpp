@@ -1,10 +1,9 @@
-#include "solid/field_rim.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "kernel/meshing/triangulate.h"
+#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {

@@ -1,5 +1,3 @@
-#include "solid/lay_floor.h"
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "kernel/operators/laplacian.h"
 #include "kernel/solvers/sparse_cholesky.h"
+#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {

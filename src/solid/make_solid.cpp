@@ -9,15 +9,7 @@
 
 #include "kernel/base/disjoint_sets.h"
 #include "relief/model/ink_rims.h"
-#include "solid/back_paint.h"
-#include "solid/compress_heights.h"
-#include "solid/field_rim.h"
-#include "solid/lay_floor.h"
-#include "solid/plate_outline.h"
-#include "solid/raise_walls.h"
-#include "solid/repair_plane.h"
-#include "solid/settle_heights.h"
-#include "solid/snap_sheet.h"
+#include "solid/solid_steps.h"
 #include "solid/stand.h"
 
 namespace relievo {

@@ -1,9 +1,9 @@
-#include "solid/plate_outline.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <polyclipping/clipper.hpp>
+
+#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {

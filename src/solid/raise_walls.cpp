@@ -1,5 +1,3 @@
-#include "solid/raise_walls.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,7 +5,7 @@
 #include <utility>
 
 #include "kernel/meshing/triangulate.h"
-#include "solid/field_rim.h"
+#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {

@@ -1,10 +1,10 @@
-#include "solid/snap_sheet.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
 #include <utility>
+
+#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {

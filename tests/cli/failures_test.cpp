@@ -70,9 +70,9 @@ TEST_F(Failures, UsageIsTwo) {
   expect_failure({"render", "scene.json", "-o", "a.png", "--view", "back"}, 2, "view");
 }
 
-TEST_F(Failures, FiguresStandOnNothingAndSolidsHaveOneBack) {
+TEST_F(Failures, BasesAndBacksBelongToTheirProfiles) {
   const std::vector<std::string> figure = with(build, {"--profile", "figure"});
-  expect_failure(with(figure, {"--base", "round"}), 2, "base");
+  expect_failure(with(figure, {"--base", "outline"}), 2, "base");
   expect_failure(with(figure, {"--back", "some"}), 2, "back");
   expect_failure(with(build, {"--profile", "solid", "--back", "parts"}), 2, "--profile figure");
   expect_failure(with(figure, {"--height", "5", "--height-mode", "some"}), 2, "height-mode");

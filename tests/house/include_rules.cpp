@@ -51,16 +51,15 @@ const Names stage_structs = {
 };
 
 /// Besides, files and pictures may use what the last stage derives from a model.
-const Names model_views = {"model/ambient_occlusion.h", "model/dress_hidden.h",
-                           "model/ink_rims.h",          "model/paint_layers.h",
-                           "model/fill_triangle.h",     "model/hidden_patches.h",
-                           "model/model_texture.h",     "model/relief_maps.h"};
+const Names model_views = {"model/dress_hidden.h",   "model/ink_rims.h",
+                           "model/paint_layers.h",   "model/fill_triangle.h",
+                           "model/hidden_patches.h", "model/model_texture.h",
+                           "model/relief_maps.h"};
 
 /// The verbs of the stages, for the pipeline alone.
 const Names stage_verbs = {"completion/clip_to_order.h",
                            "completion/complete_parts.h",
                            "drawing/find_basins.h",
-                           "drawing/label_basins.h",
                            "drawing/label_colours.h",
                            "drawing/segment_drawing.h",
                            "hiding/hide_sheets.h",

@@ -1,9 +1,9 @@
-#include "render/low_discrepancy.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
+
+#include "render/shading.h"
 
 namespace relievo {
 namespace {

@@ -1,5 +1,3 @@
-#include "rivals/graft.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,3 @@
-#include "rivals/reconstructions.h"
-
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -8,6 +6,7 @@
 #include <string>
 
 #include "rivals/measure.h"
+#include "rivals/rival.h"
 #include "rivals/rival_case.h"
 #include "support/random_limbs.h"
 #include "support/scenes.h"

@@ -1,5 +1,3 @@
-#include "rivals/separate_parts.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "relief/layers/layered_mesh.h"
 #include "rivals/rival_case.h"
+#include "rivals/seam_chains.h"
 #include "support/random_limbs.h"
 #include "support/scenes.h"
 

@@ -1,5 +1,3 @@
-#include "solid/compress_heights.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "relief/model/fill_triangle.h"
 #include "samples/drawing_relief.h"
 #include "solid/solid_case.h"
+#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "io/mesh/encode_models.h"
 #include "io/mesh/placement.h"
-#include "io/mesh/stl_encode.h"
 #include "relief/pipeline/build_relief.h"
 #include "solid/make_solid.h"
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "io/archive/zip_archive.h"
+#include "io/archive/archive.h"
+#include "io/mesh/encode_models.h"
 #include "io/mesh/filament_colours.h"
-#include "io/mesh/threemf_encode.h"
 #include "relief/model/model_texture.h"
 #include "solid/solid_case.h"
 #include "support/random_scene.h"

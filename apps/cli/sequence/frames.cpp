@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "face/read_picture.h"
+#include "face/inputs.h"
 #include "io/files/in_file.h"
 #include "io/files/paths.h"
 #include "io/image/decode_image.h"

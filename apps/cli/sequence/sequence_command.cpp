@@ -14,7 +14,7 @@
 #include "apps/cli/sequence/frame_maps.h"
 #include "apps/cli/sequence/frames.h"
 #include "io/image/png_encode.h"
-#include "relief/model/ambient_occlusion.h"
+#include "relief/model/relief_maps.h"
 #include "relief/pipeline/relief_session.h"
 
 namespace relievo::cli {

@@ -1,10 +1,9 @@
-#include "io/archive/aligned_archive.h"
-
 #include <zlib.h>
 
 #include <cstdint>
 #include <limits>
 
+#include "io/archive/archive.h"
 #include "io/files/byte_writer.h"
 
 namespace relievo {

@@ -1,13 +1,12 @@
-#include "io/archive/pack_archive.h"
-
 #include <zip.h>
 
+#include <algorithm>
 #include <ctime>
 #include <memory>
 #include <string>
 
-#include "io/image/jpeg_decode.h"
-#include "io/image/png_decode.h"
+#include "io/archive/archive.h"
+#include "io/image/decode_image.h"
 
 namespace relievo {
 namespace {
@@ -88,6 +87,12 @@ Result<Bytes> pack_archive(const std::vector<ArchiveEntry>& entries) {
   // zip_close has freed it.
   static_cast<void>(archive.release());
   return content(buffer.get());
+}
+
+const ArchiveEntry* find_entry(const std::vector<ArchiveEntry>& entries, const std::string& name) {
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&](const ArchiveEntry& entry) { return entry.name == name; });
+  return found == entries.end() ? nullptr : &*found;
 }
 
 }  // namespace relievo

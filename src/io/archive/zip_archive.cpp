@@ -1,5 +1,3 @@
-#include "io/archive/zip_archive.h"
-
 #include <zip.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "io/archive/archive.h"
 #include "kernel/base/text_rules.h"
 
 namespace relievo {

@@ -1,5 +1,3 @@
-#include "io/image/gif_decode.h"
-
 #include <gif_lib.h>
 
 #include <algorithm>
@@ -8,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "io/image/damaged_image.h"
+#include "io/image/decode_image.h"
+#include "io/image/image_limits.h"
 
 namespace relievo {
 namespace {

@@ -23,4 +23,9 @@ inline Status check_image_size(int64_t width, int64_t height, const ImageLimits&
   return Done{};
 }
 
+/// format: "PNG", say. reason: what is wrong in the file.
+inline Error damaged_image(const std::string& format, const std::string& reason) {
+  return {ErrorCode::bad_input, "the " + format + " file is damaged: " + reason, ""};
+}
+
 }  // namespace relievo

@@ -1,5 +1,3 @@
-#include "io/image/png_decode.h"
-
 #include <png.h>
 
 #include <algorithm>
@@ -7,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/image/damaged_image.h"
+#include "io/image/decode_image.h"
+#include "io/image/image_limits.h"
 
 namespace relievo {
 namespace {

@@ -1,8 +1,8 @@
-#include "io/layered/layer_names.h"
-
 #include <algorithm>
 #include <cctype>
 #include <utility>
+
+#include "io/layered/packed_layers.h"
 
 namespace relievo {
 namespace {

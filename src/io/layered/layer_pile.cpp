@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "io/parts/figures.h"
-#include "io/parts/part_cover.h"
 #include "io/parts/propose_parts.h"
+#include "io/parts/region.h"
 #include "kernel/base/text_rules.h"
 #include "kernel/image/compose.h"
 #include "kernel/image/level_contours.h"

@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "io/image/decode_image.h"
 #include "io/image/image_limits.h"
-#include "io/image/png_decode.h"
 #include "io/layered/layer_pile.h"
+#include "io/layered/layer_table.h"
 #include "relievo/bytes.h"
+#include "relievo/result.h"
 
 namespace relievo {
 
@@ -26,5 +28,9 @@ struct PackedLayer {
 /// Errors name the layer's file: bad_input (no PNG, damaged, nothing opaque), limit.
 Result<LayeredDrawing> unpack_layers(const std::vector<PackedLayer>& layers, ImageSize canvas,
                                      const ImageLimits& limits);
+
+/// The layers that pictures with these file names are, each named as its file without extension, in
+/// the natural order of the names (leg2 before leg10), back to front. Error: limit.
+Result<std::vector<LayerRow>> rows_of_names(std::vector<std::string> names);
 
 }  // namespace relievo

@@ -5,7 +5,6 @@
 
 #include "io/files/in_file.h"
 #include "io/files/paths.h"
-#include "io/layered/layer_names.h"
 #include "io/layered/layer_table.h"
 #include "io/layered/packed_layers.h"
 #include "kernel/base/text_rules.h"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "io/archive/archive_entry.h"
+#include "io/archive/archive.h"
 #include "io/image/image_limits.h"
 #include "io/layered/layer_pile.h"
 

@@ -1,10 +1,9 @@
-#include "io/maps/carve_map.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "io/files/number_text.h"
 #include "io/image/png_encode.h"
+#include "io/maps/map_images.h"
 #include "io/mesh/placement.h"
 #include "relief/model/fill_triangle.h"
 

@@ -1,5 +1,3 @@
-#include "io/mesh/glb_encode.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -9,6 +7,7 @@
 
 #include "io/files/byte_writer.h"
 #include "io/image/png_encode.h"
+#include "io/mesh/encode_models.h"
 #include "io/mesh/glb_format.h"
 #include "io/mesh/placement.h"
 #include "relief/model/model_texture.h"

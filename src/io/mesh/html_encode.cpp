@@ -1,11 +1,10 @@
-#include "io/mesh/html_encode.h"
-
 #include <algorithm>
 #include <cstdint>
 #include <string_view>
 
 #include "io/files/byte_writer.h"
 #include "io/image/png_encode.h"
+#include "io/mesh/encode_models.h"
 #include "io/mesh/html_viewer.h"
 #include "io/mesh/placement.h"
 #include "relief/model/model_texture.h"

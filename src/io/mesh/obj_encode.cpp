@@ -1,5 +1,3 @@
-#include "io/mesh/obj_encode.h"
-
 #include <array>
 #include <initializer_list>
 #include <map>
@@ -9,6 +7,7 @@
 #include "io/files/byte_writer.h"
 #include "io/files/number_text.h"
 #include "io/image/png_encode.h"
+#include "io/mesh/encode_models.h"
 #include "io/mesh/placement.h"
 #include "relief/model/model_texture.h"
 

@@ -1,9 +1,8 @@
-#include "io/mesh/ply_encode.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "io/files/byte_writer.h"
+#include "io/mesh/encode_models.h"
 #include "io/mesh/placement.h"
 #include "relief/model/model_texture.h"
 

@@ -1,5 +1,3 @@
-#include "io/mesh/threemf_encode.h"
-
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -12,6 +10,7 @@
 
 #include "io/files/number_text.h"
 #include "io/image/png_encode.h"
+#include "io/mesh/encode_models.h"
 #include "io/mesh/filament_colours.h"
 #include "io/mesh/placement.h"
 #include "relief/model/model_texture.h"

@@ -1,5 +1,5 @@
-#include "io/archive/pack_archive.h"
-#include "io/mesh/threemf_encode.h"
+#include "io/archive/archive.h"
+#include "io/mesh/encode_models.h"
 
 namespace relievo {
 

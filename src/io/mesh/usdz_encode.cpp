@@ -1,13 +1,12 @@
-#include "io/mesh/usdz_encode.h"
-
 #include <initializer_list>
 #include <string>
 #include <vector>
 
-#include "io/archive/aligned_archive.h"
+#include "io/archive/archive.h"
 #include "io/files/byte_writer.h"
 #include "io/files/number_text.h"
 #include "io/image/png_encode.h"
+#include "io/mesh/encode_models.h"
 #include "io/mesh/placement.h"
 #include "relief/model/model_texture.h"
 

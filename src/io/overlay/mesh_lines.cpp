@@ -1,8 +1,8 @@
-#include "io/overlay/mesh_lines.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
+
+#include "io/overlay/overlay_svg.h"
 
 namespace relievo {
 namespace {

@@ -1,9 +1,8 @@
-#include "io/parts/part_cover.h"
-
 #include <algorithm>
 #include <set>
 #include <string>
 
+#include "io/parts/region.h"
 #include "kernel/base/text_rules.h"
 
 namespace relievo {

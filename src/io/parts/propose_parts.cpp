@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/parts/part_cover.h"
+#include "io/parts/region.h"
 
 namespace relievo {
 namespace {

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "io/parts/clipper_paths.h"
-
 namespace relievo {
 using ClipperLib::Paths;
 

@@ -4,14 +4,11 @@
 #include <string>
 #include <string_view>
 
-#include "io/archive/pack_archive.h"
-#include "io/archive/zip_archive.h"
+#include "io/archive/archive.h"
 #include "io/files/in_file.h"
-#include "io/image/png_decode.h"
+#include "io/image/decode_image.h"
 #include "io/image/png_encode.h"
-#include "io/project/project_json.h"
-#include "io/scene/read_scene.h"
-#include "io/scene/write_scene.h"
+#include "io/scene/scene_file.h"
 
 namespace relievo {
 namespace {

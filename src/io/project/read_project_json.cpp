@@ -3,10 +3,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "io/project/project_json.h"
+#include "io/project/project_file.h"
 #include "io/scene/annotation_reader.h"
 #include "io/scene/json_parse.h"
-#include "io/scribbles/scribbles_json.h"
+#include "io/scribbles/read_scribbles.h"
 
 namespace relievo {
 namespace {

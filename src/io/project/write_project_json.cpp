@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
-#include "io/project/project_json.h"
-#include "io/scribbles/scribbles_json.h"
+#include "io/project/project_file.h"
+#include "io/scribbles/read_scribbles.h"
 
 namespace relievo {
 namespace {

@@ -1,10 +1,9 @@
-#include "io/psd/write_psd.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
 #include "io/files/byte_writer.h"
+#include "io/psd/psd.h"
 #include "io/psd/psd_file.h"
 #include "kernel/image/compose.h"
 #include "relief/model/paint_layers.h"

@@ -1,5 +1,3 @@
-#include "io/scene/read_scene.h"
-
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -7,6 +5,7 @@
 
 #include "io/scene/annotation_reader.h"
 #include "io/scene/json_parse.h"
+#include "io/scene/scene_file.h"
 
 namespace relievo {
 namespace {

@@ -1,7 +1,6 @@
 #include "io/scribbles/read_scribbles.h"
 
 #include "io/scene/json_parse.h"
-#include "io/scribbles/scribbles_json.h"
 
 namespace relievo {
 

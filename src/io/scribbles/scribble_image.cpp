@@ -1,5 +1,3 @@
-#include "io/scribbles/scribble_image.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -8,6 +6,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "io/scribbles/read_scribbles.h"
 
 namespace relievo {
 namespace {

@@ -1,8 +1,8 @@
-#include "io/scribbles/scribbles_json.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "io/scribbles/read_scribbles.h"
 
 namespace relievo {
 namespace {

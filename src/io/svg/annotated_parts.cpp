@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "io/parts/part_cover.h"
 #include "io/parts/propose_parts.h"
+#include "io/parts/region.h"
 #include "io/svg/scanner.h"
 #include "io/svg/svg_drawing.h"
 

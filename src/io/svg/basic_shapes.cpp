@@ -1,8 +1,7 @@
-#include "io/svg/basic_shapes.h"
-
 #include <algorithm>
 #include <optional>
 
+#include "io/svg/path_data.h"
 #include "io/svg/scanner.h"
 #include "io/svg/stylesheet.h"
 

@@ -1,5 +1,3 @@
-#include "kernel/meshing/self_crossing.h"
-
 #include <utility>
 #include <vector>
 

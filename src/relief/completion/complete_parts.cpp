@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "kernel/image/components.h"
-#include "relief/completion/shape_candidates.h"
+#include "relief/completion/contour_gaps.h"
 
 namespace relievo {
 namespace {

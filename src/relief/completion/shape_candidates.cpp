@@ -1,13 +1,12 @@
-#include "relief/completion/shape_candidates.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "kernel/geometry/ellipse.h"
-#include "kernel/image/distance_transform.h"
+#include "kernel/image/filters.h"
 #include "kernel/image/illusory_surface.h"
 #include "kernel/image/outlines.h"
+#include "relief/completion/contour_gaps.h"
 
 namespace relievo {
 namespace {

@@ -1,8 +1,7 @@
-#include "relief/drawing/background.h"
-
 #include <algorithm>
 #include <array>
 
+#include "relief/drawing/figure_mask.h"
 #include "relief/drawing/line_map.h"
 
 namespace relievo {

@@ -1,8 +1,7 @@
-#include "relief/drawing/basin_graph.h"
-
 #include <algorithm>
 #include <array>
 
+#include "relief/drawing/find_basins.h"
 #include "relief/drawing/line_map.h"
 
 namespace relievo {

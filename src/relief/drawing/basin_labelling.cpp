@@ -1,7 +1,6 @@
-#include "relief/drawing/basin_labelling.h"
-
 #include "kernel/graph/graph_cuts.h"
-#include "relief/drawing/join_regions.h"
+#include "relief/drawing/find_basins.h"
+#include "relief/drawing/find_regions.h"
 
 namespace relievo {
 namespace {

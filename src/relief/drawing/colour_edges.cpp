@@ -1,11 +1,9 @@
-#include "relief/drawing/colour_edges.h"
-
 #include <algorithm>
 #include <vector>
 
-#include "kernel/image/blur.h"
+#include "kernel/image/filters.h"
 #include "kernel/image/morphology.h"
-#include "relief/drawing/hysteresis.h"
+#include "relief/drawing/line_map.h"
 
 namespace relievo {
 namespace {

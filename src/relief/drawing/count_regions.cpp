@@ -1,5 +1,3 @@
-#include "relief/drawing/count_regions.h"
-
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -7,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "relief/drawing/find_regions.h"
 #include "relief/drawing/region_merging.h"
 
 namespace relievo {

@@ -1,5 +1,3 @@
-#include "relief/drawing/cut_necks.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,6 +11,7 @@
 #include "kernel/image/outlines.h"
 #include "kernel/image/watershed.h"
 #include "relief/drawing/find_neck.h"
+#include "relief/drawing/find_regions.h"
 #include "relief/drawing/line_map.h"
 
 namespace relievo {

@@ -1,5 +1,3 @@
-#include "relief/drawing/figure_ink.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -8,6 +6,7 @@
 
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/components.h"
+#include "relief/drawing/figure_mask.h"
 #include "relief/drawing/line_map.h"
 
 namespace relievo {

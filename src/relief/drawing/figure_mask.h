@@ -1,6 +1,11 @@
 #pragma once
 
+#include <vector>
+
 #include "relief/drawing/basins.h"
+#include "relief/drawing/mark_pixels.h"
+#include "relief/drawing/region_merging.h"
+#include "relievo/image.h"
 
 namespace relievo {
 
@@ -14,5 +19,35 @@ FigureMask find_figure(const Image8& rgba, const Image8& rgb, bool painted);
 /// `labels` has those of all pixels, `of_basin` those of basins. O(pixels).
 void keep_figure(const Basins& basins, const std::vector<int>& of_basin, int last_label,
                  Image<int32_t>& labels);
+
+/// Unites all regions that are background and returns that region, or -1 where there is none: what
+/// has the paper's colour and reaches the edge of the image, and what is quite open to it. A large
+/// region that reaches one edge only is taken for a figure that the edge cuts, and so is a small
+/// one that lines bound all around but there. Where areas of the drawing are opaque, all
+/// transparent ones are background. What lies in the figure's mask never is.
+int unite_background(RegionMerging& regions, const Basins& basins);
+
+/// Share of the lines, by area, on all sides of which lies the background.
+double unbounded_line_share(const Basins& basins);
+
+/// The drawing on pure white: composited over white (over black and inverted where everything
+/// opaque is light lines), the paper's colour and a slow change of light divided out. 8-bit RGB,
+/// 3 channels. `rgba` has 4. The light is a quadratic fitted to the bright part of each channel.
+/// O(pixels).
+Image8 remove_paper(const Image8& rgba);
+
+/// What strokes say of ink: pixels and the label that each stroke stands for.
+struct InkVotes {
+  std::vector<MarkedPixel> marks;
+  std::vector<int> label_of_stroke;  ///< [strokes] 0 for the background
+};
+
+/// Gives the ink that lies on the background to the figure, so that nothing drawn is lost: the
+/// outer half of outlines to the part that they bound, and strokes that bound nothing, as those of
+/// a stick figure, a tail or a twig, to new parts, at least `thinnest_tube` wide, unless a stroke
+/// says what they are. Specks, outlines of areas that strokes made background, and lines from edge
+/// to edge of the picture, as of ruled paper, stay background. `labels` has the labels of all
+/// pixels and is changed; new labels begin after `last_label`. O(pixels).
+void take_ink(const Basins& basins, const InkVotes& votes, int last_label, Image<int32_t>& labels);
 
 }  // namespace relievo

@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernel/image/blur.h"
-#include "kernel/image/distance_transform.h"
+#include "kernel/image/filters.h"
 #include "kernel/image/watershed.h"
-#include "relief/drawing/basin_graph.h"
-#include "relief/drawing/cut_necks.h"
 #include "relief/drawing/figure_mask.h"
+#include "relief/drawing/find_regions.h"
 #include "relief/drawing/line_map.h"
 #include "relief/drawing/open_roots.h"
-#include "relief/drawing/propose_regions.h"
-#include "relief/drawing/remove_paper.h"
 
 namespace relievo {
 namespace {

@@ -1,5 +1,3 @@
-#include "relief/drawing/find_bridges.h"
-
 #include <algorithm>
 #include <cmath>
 

@@ -9,7 +9,7 @@
 #include "kernel/base/exact_functions.h"
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/components.h"
-#include "kernel/image/distance_transform.h"
+#include "kernel/image/filters.h"
 #include "kernel/image/outlines.h"
 
 namespace relievo {

@@ -1,7 +1,7 @@
-#include "relief/drawing/hysteresis.h"
-
 #include <algorithm>
 #include <vector>
+
+#include "relief/drawing/line_map.h"
 
 namespace relievo {
 

@@ -1,5 +1,3 @@
-#include "relief/drawing/join_regions.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +5,8 @@
 #include <map>
 #include <numeric>
 #include <utility>
+
+#include "relief/drawing/find_regions.h"
 
 namespace relievo {
 namespace {

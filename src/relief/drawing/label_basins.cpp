@@ -1,18 +1,14 @@
-#include "relief/drawing/label_basins.h"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
 
 #include "kernel/image/watershed.h"
-#include "relief/drawing/basin_labelling.h"
 #include "relief/drawing/basin_votes.h"
-#include "relief/drawing/count_regions.h"
-#include "relief/drawing/figure_ink.h"
 #include "relief/drawing/figure_mask.h"
-#include "relief/drawing/find_bridges.h"
-#include "relief/drawing/split_basins.h"
+#include "relief/drawing/find_basins.h"
+#include "relief/drawing/find_regions.h"
+#include "relief/drawing/line_map.h"
 
 namespace relievo {
 namespace {

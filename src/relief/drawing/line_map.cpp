@@ -6,10 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/image/blur.h"
+#include "kernel/image/filters.h"
 #include "kernel/image/morphology.h"
-#include "relief/drawing/colour_edges.h"
-#include "relief/drawing/hysteresis.h"
 
 namespace relievo {
 namespace {

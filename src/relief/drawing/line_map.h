@@ -1,6 +1,10 @@
 #pragma once
 
+#include <vector>
+
+#include "relief/drawing/segmentation.h"
 #include "relievo/image.h"
+#include "relievo/point.h"
 
 namespace relievo {
 
@@ -24,5 +28,31 @@ constexpr double widest_line = 0.025;
 /// colours there (black top-hat with hysteresis), and then the edges between areas of different
 /// colour where no line runs (Canny's ridges of the gradient). O(pixels).
 LineMap find_lines(const Image8& rgb);
+
+/// Adds to map.barrier the edges between colours that no line marks, and to map.ink how strong
+/// they are. `rgb` is the drawing on white; map.barrier holds its lines. O(pixels).
+void add_colour_edges(const Image8& rgb, LineMap& map);
+
+/// 1 where `values` (one channel) reach `low` and hang together, over sides and corners, with a
+/// pixel that reaches `high`; 0 elsewhere. O(pixels).
+Image8 connected_above(const Image8& values, int low, int high);
+
+/// The pieces of the boundaries between labels along which neither side lies on a line or edge
+/// (`barrier` 0), as polylines within 1 px. Those shorter than the lines are wide are noise and
+/// left out. O(pixels).
+std::vector<Bridge> find_bridges(const Image16& labels, const Image8& barrier, double line_width);
+
+/// A loose end of a stroke that, followed from there, first passes the end of another line: the
+/// side on which that line ends lies behind the stroke.
+struct StrokeEnd {
+  Point2 at;          ///< px
+  Point2 inwards;     ///< unit vector from the end along the stroke
+  double length = 0;  ///< px along the stroke to where the other line ends
+  int behind = 0;     ///< the side that lies behind: 1 on the right of `inwards`, -1 on the left
+};
+
+/// Finds them in thinned lines (0 off the lines), in raster order. Strokes are followed for up to
+/// `longest` px. O(pixels + ends * longest).
+std::vector<StrokeEnd> find_stroke_ends(const Image8& thinned, double line_width, double longest);
 
 }  // namespace relievo

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "kernel/image/morphology.h"
-#include "relief/drawing/stroke_ends.h"
+#include "relief/drawing/line_map.h"
 
 namespace relievo {
 namespace {

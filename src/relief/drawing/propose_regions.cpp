@@ -1,14 +1,12 @@
-#include "relief/drawing/propose_regions.h"
-
 #include <algorithm>
 #include <limits>
 #include <queue>
 #include <tuple>
 #include <vector>
 
-#include "relief/drawing/background.h"
+#include "relief/drawing/figure_mask.h"
+#include "relief/drawing/find_regions.h"
 #include "relief/drawing/region_merging.h"
-#include "relief/drawing/see_through.h"
 
 namespace relievo {
 namespace {

@@ -1,5 +1,3 @@
-#include "relief/drawing/remove_paper.h"
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
@@ -7,8 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/image/blur.h"
 #include "kernel/image/compose.h"
+#include "kernel/image/filters.h"
+#include "relief/drawing/figure_mask.h"
 
 namespace relievo {
 namespace {

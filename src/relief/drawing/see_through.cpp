@@ -1,11 +1,10 @@
-#include "relief/drawing/see_through.h"
-
 #include <array>
 #include <map>
 #include <optional>
 
 #include "kernel/base/cyclic_runs.h"
 #include "kernel/image/outlines.h"
+#include "relief/drawing/find_regions.h"
 
 namespace relievo {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "relief/drawing/label_basins.h"
+#include "relief/drawing/find_basins.h"
 #include "relief/drawing/scribbles.h"
 #include "relief/drawing/segmentation.h"
 #include "relievo/image.h"

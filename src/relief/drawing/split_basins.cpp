@@ -1,11 +1,9 @@
-#include "relief/drawing/split_basins.h"
-
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/image/distance_transform.h"
+#include "kernel/image/filters.h"
 #include "kernel/image/watershed.h"
-#include "relief/drawing/basin_graph.h"
+#include "relief/drawing/find_basins.h"
 
 namespace relievo {
 namespace {

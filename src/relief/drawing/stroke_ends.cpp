@@ -1,5 +1,3 @@
-#include "relief/drawing/stroke_ends.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -8,6 +6,7 @@
 
 #include "kernel/base/exact_functions.h"
 #include "kernel/image/morphology.h"
+#include "relief/drawing/line_map.h"
 
 namespace relievo {
 namespace {

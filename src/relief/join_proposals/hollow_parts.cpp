@@ -1,8 +1,8 @@
-#include "relief/join_proposals/hollow_parts.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "relief/join_proposals/roots.h"
 
 namespace relievo {
 namespace {

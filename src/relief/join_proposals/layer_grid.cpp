@@ -1,13 +1,17 @@
-#include "relief/join_proposals/layer_grid.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <queue>
 
 #include "kernel/image/outlines.h"
+#include "relief/join_proposals/roots.h"
 
 namespace relievo {
+namespace {
+
+constexpr int64_t least_common = 12;  ///< grid pixels that two parts share, else they do not meet
+
+}  // namespace
 
 bool LayerGrid::has(int part, Point2 p) const {
   return masks[part].has(static_cast<int>(std::floor(p.x * scale)),
@@ -66,6 +70,20 @@ std::vector<double> distance_from_free_end(const LayerGrid& grid, int part, int 
       }
   }
   return distance;
+}
+
+std::vector<Overlap> find_overlaps(const LayerGrid& grid) {
+  std::vector<Overlap> overlaps;
+  for (int upper = 1; upper < static_cast<int>(grid.masks.size()); ++upper)
+    for (int lower = 0; lower < upper; ++lower) {
+      const int64_t common = common_area(grid, upper, lower);
+      if (common < least_common) continue;
+      const auto beside = [&](int part) {
+        return 1 - static_cast<double>(common) / static_cast<double>(grid.areas[part]);
+      };
+      overlaps.push_back({upper, lower, beside(upper), beside(lower)});
+    }
+  return overlaps;
 }
 
 }  // namespace relievo

@@ -5,8 +5,7 @@
 #include <optional>
 
 #include "kernel/geometry/polygon.h"
-#include "relief/join_proposals/hollow_parts.h"
-#include "relief/join_proposals/layer_grid.h"
+#include "relief/join_proposals/roots.h"
 
 namespace relievo {
 namespace {
@@ -46,7 +45,6 @@ constexpr double other_color = 0.6;
 constexpr double foreign_color = 0.75;  ///< a part of such a colour is held, and does not grow,
 constexpr double clothing = 0.35;       ///< unless it covers this share of the other
 constexpr double least_trust = 0.25;    ///< of a join; what is less sure is tied
-constexpr int64_t least_common = 12;    ///< grid pixels that two parts share, else they do not meet
 
 /// A run of one ring of a part inside another part.
 struct RingRun {
@@ -215,28 +213,6 @@ class CapFinder {
   int other_;
   std::vector<Point2> points_;
 };
-
-/// Two parts that overlap.
-struct Overlap {
-  int upper = -1;
-  int lower = -1;
-  double upper_beside = 0;  ///< share of the upper part that is not over the lower one
-  double lower_beside = 0;
-};
-
-std::vector<Overlap> find_overlaps(const LayerGrid& grid) {
-  std::vector<Overlap> overlaps;
-  for (int upper = 1; upper < static_cast<int>(grid.masks.size()); ++upper)
-    for (int lower = 0; lower < upper; ++lower) {
-      const int64_t common = common_area(grid, upper, lower);
-      if (common < least_common) continue;
-      const auto beside = [&](int part) {
-        return 1 - static_cast<double>(common) / static_cast<double>(grid.areas[part]);
-      };
-      overlaps.push_back({upper, lower, beside(upper), beside(lower)});
-    }
-  return overlaps;
-}
 
 bool is_larger(const LayerGrid& grid, int part, int other, double factor) {
   return static_cast<double>(grid.areas[part]) > factor * static_cast<double>(grid.areas[other]);

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
+#include "kernel/geometry/polygon.h"
+#include "kernel/image/mask.h"
 #include "relief/completion/part_regions.h"
+#include "relief/join_proposals/join_proposals.h"
 #include "relief/stacking/stacking.h"
+#include "relievo/scene.h"
 
 namespace relievo {
 
@@ -26,5 +31,42 @@ struct Surroundings {
 
 /// O(sides of the part).
 Surroundings surroundings(const PartRegions& regions, const Stacking& stacking, int part);
+
+/// The parts of a scene as sets of pixels of a coarse grid.
+struct LayerGrid {
+  double scale = 1;  ///< grid pixels per canvas px
+  std::vector<Mask> masks;
+  std::vector<int64_t> areas;  ///< in grid pixels
+
+  bool has(int part, Point2 p) const;
+};
+
+/// `side`: pixels along the longest side of the canvas. O(points + boxes).
+LayerGrid make_layer_grid(const Scene& scene, int side);
+
+/// Number of pixels that two parts have in common. O(the smaller box).
+int64_t common_area(const LayerGrid& grid, int a, int b);
+
+/// Two parts that overlap.
+struct Overlap {
+  int upper = -1;
+  int lower = -1;
+  double upper_beside = 0;  ///< share of the upper part that is not over the lower one
+  double lower_beside = 0;
+};
+
+/// All pairs of parts that have more than a few pixels in common, by the upper one. O(parts^2
+/// boxes).
+std::vector<Overlap> find_overlaps(const LayerGrid& grid);
+
+/// How far each pixel of the box of a part's mask is, inside the part, from where it lies beside
+/// another, in grid pixels; infinite where that cannot be reached. O(n log n) in its pixels.
+std::vector<double> distance_from_free_end(const LayerGrid& grid, int part, int other);
+
+/// The parts that look hollow by their colours: open mouths, wholly inside a larger part, wide, red
+/// and much darker than that; and the cups of ears, pink and not dark, which fill a good share of a
+/// limb. `limb` tells of each part whether it is one. Ascending; none where no colours are known.
+std::vector<int> hollow_parts(const LayerGrid& grid, const PartColors& colors,
+                              const std::vector<uint8_t>& limb);
 
 }  // namespace relievo

@@ -1,11 +1,10 @@
-#include "relief/layers/collect_constraints.h"
-
 #include <algorithm>
 #include <iterator>
 #include <tuple>
 #include <utility>
 
 #include "kernel/base/disjoint_sets.h"
+#include "relief/layers/layer_steps.h"
 #include "relief/layers/layered_mesh.h"
 
 namespace relievo {

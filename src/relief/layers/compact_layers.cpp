@@ -1,9 +1,8 @@
-#include "relief/layers/compact_layers.h"
-
 #include <algorithm>
 #include <array>
 #include <utility>
 
+#include "relief/layers/layer_steps.h"
 #include "relief/layers/layered_mesh.h"
 
 namespace relievo {

@@ -1,8 +1,7 @@
-#include "relief/layers/flaps.h"
-
 #include <utility>
 
 #include "kernel/base/disjoint_sets.h"
+#include "relief/layers/layer_steps.h"
 
 namespace relievo {
 namespace {

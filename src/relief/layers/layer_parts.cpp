@@ -7,13 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "relief/layers/collect_constraints.h"
-#include "relief/layers/compact_layers.h"
 #include "relief/layers/connect_sheets.h"
 #include "relief/layers/crease_lines.h"
-#include "relief/layers/flaps.h"
+#include "relief/layers/layer_steps.h"
 #include "relief/layers/loop_runs.h"
-#include "relief/layers/mesh_spacing.h"
 
 namespace relievo {
 namespace {

@@ -1,5 +1,3 @@
-#include "relief/layers/mesh_spacing.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include "kernel/base/workers.h"
 #include "kernel/geometry/polygon.h"
 #include "kernel/meshing/segment_grid.h"
+#include "relief/layers/layer_steps.h"
 
 namespace relievo {
 namespace {

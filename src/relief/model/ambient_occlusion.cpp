@@ -1,5 +1,3 @@
-#include "relief/model/ambient_occlusion.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <vector>
 
 #include "kernel/base/workers.h"
+#include "relief/model/relief_maps.h"
 #include "relievo/point.h"
 
 namespace relievo {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kernel/image/compose.h"
-#include "kernel/image/distance_transform.h"
+#include "kernel/image/filters.h"
 #include "relief/model/fill_triangle.h"
 #include "relief/model/hidden_patches.h"
 

@@ -7,9 +7,8 @@
 #include <utility>
 
 #include "kernel/geometry/polygon.h"
-#include "kernel/image/blur.h"
 #include "kernel/image/compose.h"
-#include "kernel/image/pull_push.h"
+#include "kernel/image/filters.h"
 #include "relief/model/fill_triangle.h"
 
 namespace relievo {

@@ -11,7 +11,7 @@
 
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/compose.h"
-#include "kernel/image/distance_transform.h"
+#include "kernel/image/filters.h"
 #include "relief/model/fill_triangle.h"
 
 namespace relievo {

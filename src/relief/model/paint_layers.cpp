@@ -4,10 +4,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "kernel/image/distance_transform.h"
+#include "kernel/image/filters.h"
 #include "kernel/image/mask.h"
 #include "kernel/image/outlines.h"
-#include "kernel/image/pull_push.h"
 
 namespace relievo {
 namespace {

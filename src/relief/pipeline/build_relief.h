@@ -50,4 +50,8 @@ struct Relief {
 Result<Relief> build_relief(const Scene& scene, const ReliefOptions& options,
                             const RunContext& context = {});
 
+/// Leaves only one of the fields in the relief, in place of h, so that it can be looked at.
+/// O(N).
+void keep_field(Relief& relief, Field field);
+
 }  // namespace relievo

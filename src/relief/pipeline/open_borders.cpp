@@ -1,10 +1,9 @@
-#include "relief/pipeline/open_borders.h"
-
 #include <algorithm>
 #include <cassert>
 #include <map>
 
 #include "kernel/image/compose.h"
+#include "relief/pipeline/outline_rim.h"
 
 namespace relievo {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "kernel/image/compose.h"
-#include "kernel/image/distance_transform.h"
+#include "kernel/image/filters.h"
 
 namespace relievo {
 namespace {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "kernel/image/mask.h"
@@ -21,5 +23,10 @@ Image16 without_rim(const Image16& labels, double rim);
 
 /// What is in either. O(boxes).
 Mask united(const Mask& a, const Mask& b);
+
+/// The pairs of labels, smaller one first, along most of whose common border the drawing shows
+/// nothing, neither a line nor a change of colour: what they are of has grown together there.
+/// `rgba` has the size of `labels`. O(pixels).
+std::vector<std::pair<uint16_t, uint16_t>> open_borders(const Image8& rgba, const Image16& labels);
 
 }  // namespace relievo

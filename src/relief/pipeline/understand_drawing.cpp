@@ -4,7 +4,6 @@
 
 #include "relief/drawing/label_colours.h"
 #include "relief/pipeline/keep_edits.h"
-#include "relief/pipeline/open_borders.h"
 #include "relief/pipeline/outline_rim.h"
 
 namespace relievo {

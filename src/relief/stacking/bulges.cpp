@@ -1,10 +1,9 @@
-#include "relief/stacking/bulges.h"
-
 #include <cmath>
 #include <map>
 
 #include "kernel/base/cyclic_runs.h"
 #include "kernel/base/exact_functions.h"
+#include "relief/stacking/order_graph.h"
 
 namespace relievo {
 namespace {

@@ -1,10 +1,9 @@
-#include "relief/stacking/junctions.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "kernel/base/exact_functions.h"
+#include "relief/stacking/order_graph.h"
 
 namespace relievo {
 namespace {

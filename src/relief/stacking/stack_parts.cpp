@@ -5,8 +5,6 @@
 #include <map>
 
 #include "kernel/base/exact_functions.h"
-#include "relief/stacking/bulges.h"
-#include "relief/stacking/junctions.h"
 #include "relief/stacking/order_graph.h"
 
 namespace relievo {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/archive/zip_archive.h"
+#include "io/archive/archive.h"
 #include "io/layered/layer_support.h"
 #include "io/support/damage.h"
 #include "io/support/test_archive.h"

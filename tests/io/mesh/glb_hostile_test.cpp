@@ -4,8 +4,8 @@
 #include <random>
 
 #include "io/files/byte_writer.h"
+#include "io/mesh/encode_models.h"
 #include "io/mesh/glb_decode.h"
-#include "io/mesh/glb_encode.h"
 #include "support/sample_models.h"
 
 namespace relievo {

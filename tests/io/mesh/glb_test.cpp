@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "io/image/decode_image.h"
+#include "io/mesh/encode_models.h"
 #include "io/mesh/glb_decode.h"
-#include "io/mesh/glb_encode.h"
 #include "io/support/byte_reader.h"
 #include "support/sample_models.h"
 

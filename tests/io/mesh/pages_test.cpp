@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "io/archive/zip_archive.h"
-#include "io/mesh/html_encode.h"
-#include "io/mesh/usdz_encode.h"
+#include "io/archive/archive.h"
+#include "io/mesh/encode_models.h"
 #include "support/sample_models.h"
 
 namespace relievo {

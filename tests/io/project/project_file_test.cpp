@@ -4,11 +4,9 @@
 
 #include <random>
 
-#include "io/archive/pack_archive.h"
-#include "io/archive/zip_archive.h"
+#include "io/archive/archive.h"
 #include "io/image/png_encode.h"
-#include "io/project/project_json.h"
-#include "io/scene/write_scene.h"
+#include "io/scene/scene_file.h"
 #include "io/support/damage.h"
 #include "io/support/temporary_folder.h"
 #include "support/label_maps.h"

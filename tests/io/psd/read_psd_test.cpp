@@ -1,7 +1,6 @@
-#include "io/psd/read_psd.h"
-
 #include <gtest/gtest.h>
 
+#include "io/psd/psd.h"
 #include "io/psd/psd_bytes.h"
 
 namespace relievo {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/scene/json_parse.h"
-#include "io/scene/read_scene.h"
+#include "io/scene/scene_file.h"
 
 namespace relievo {
 namespace {

@@ -1,10 +1,9 @@
-#include "io/scribbles/scribble_image.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <set>
 
+#include "io/scribbles/read_scribbles.h"
 #include "relief/drawing/mark_pixels.h"
 
 namespace relievo {

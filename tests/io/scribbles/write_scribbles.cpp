@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/scribbles/scribbles_json.h"
+#include "io/scribbles/read_scribbles.h"
 
 namespace relievo {
 std::string write_scribbles(const Scribbles& scribbles) {

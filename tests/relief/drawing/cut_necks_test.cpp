@@ -7,7 +7,7 @@
 
 #include "kernel/geometry/polygon.h"
 #include "relief/drawing/segment_drawing.h"
-#include "relief/pipeline/open_borders.h"
+#include "relief/pipeline/outline_rim.h"
 
 namespace relievo {
 namespace {

@@ -1,5 +1,3 @@
-#include "relief/drawing/label_basins.h"
-
 #include <gtest/gtest.h>
 
 #include <atomic>

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "relief/drawing/remove_paper.h"
+#include "relief/drawing/figure_mask.h"
 #include "relief/drawing/segment_drawing.h"
 #include "support/ink_drawing.h"
 

@@ -1,10 +1,9 @@
-#include "relief/drawing/see_through.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "relief/drawing/find_regions.h"
 #include "relief/drawing/segment_drawing.h"
 #include "support/ink_drawing.h"
 

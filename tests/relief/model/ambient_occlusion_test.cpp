@@ -1,11 +1,11 @@
-#include "relief/model/ambient_occlusion.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numbers>
+
+#include "relief/model/relief_maps.h"
 
 namespace relievo {
 namespace {

@@ -1,9 +1,8 @@
-#include "relief/pipeline/keep_field.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "relief/pipeline/build_relief.h"
 #include "support/probe.h"
 #include "support/random_scene.h"
 

@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "relief/completion/complete_parts.h"
-#include "relief/stacking/bulges.h"
-#include "relief/stacking/junctions.h"
+#include "relief/stacking/order_graph.h"
 #include "support/label_maps.h"
 
 namespace relievo {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 #include "kernel/geometry/polygon.h"
@@ -21,5 +22,9 @@ struct SceneLimits {
 /// is refused with "malformed JSON". `limit` where it is larger than `limits`. The result is valid
 /// (see validate) and its rings are oriented by nesting. Linear in bytes, but for the orientation.
 Result<Scene> read_scene(std::string_view json, const SceneLimits& limits = {});
+
+/// The scene as a file, version 1: the same scene always gives the same bytes, and reading them
+/// back gives the same numbers to the last bit. Refuses what validate refuses.
+Result<std::string> write_scene(const Scene& scene);
 
 }  // namespace relievo

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "relief/drawing/basins.h"
+#include "relievo/image.h"
+
+namespace relievo {
+
+/// Fills region, region_count and unbounded_ink: unites basins that are open to each other, finds
+/// the background at the edges of the image, and gives slivers and small enclosed details to what
+/// lies around them. O(borders log borders).
+void propose_regions(Basins& basins);
+
+/// Changes the proposed regions until there are `count`, or as near to it as can be: those that are
+/// likeliest one are united, or the least likely unions of basins undone. What was proposed as
+/// background stays. Precondition: count > 0. O(borders log borders), and O(basins) for each
+/// region that is divided.
+void count_regions(int count, Basins& basins);
+
+/// Gives proposed regions to the scribbled parts that they touch, the surest first: where the
+/// border is long and open, and the colour alike. `labels` has those of basins: 1 ... `part_count`
+/// are scribbled parts, more are proposed regions; what touches neither a scribbled part nor what
+/// joined one stays. O(regions * borders between regions).
+void join_regions(const Basins& basins, int part_count, std::vector<int>& labels);
+
+/// Divides proposed regions at their necks, where head, limbs, tail and ears of a figure grow out
+/// of it without a line. A neck is a chord inside a region, from a concave place of the region's
+/// own contour to the nearest other one. What it parts off is longer than the neck, or rounder than
+/// the neck is wide, and borders on the background for the most part; the rest is wider beside the
+/// neck. Returns whether there are any; then the basins have to be measured again. O(pixels), and
+/// the square of contours at a fixed size.
+bool cut_necks(Basins& basins);
+
+/// An area that two parts share, since the outline of either is drawn through the other.
+struct Overlap {
+  uint16_t shared = 0;  ///< labels
+  uint16_t a = 0;
+  uint16_t b = 0;
+};
+
+/// Areas between two others whose outlines cross there, twice: at both ends of what the area has in
+/// common with either, their outlines go straight on through each other, as at an X. `labels` are
+/// those of areas, 0 is background; they meet in the middle of lines `line_width` px wide.
+/// O(pixels).
+std::vector<Overlap> find_overlaps(const Image16& labels, double line_width);
+
+}  // namespace relievo
