@@ -1,7 +1,7 @@
+#include "io/parts/clipper_paths.h"
+
 #include <cmath>
 #include <utility>
-
-#include "io/parts/region.h"
 
 namespace relievo {
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "io/parts/clipper_paths.h"
+
 namespace relievo {
 using ClipperLib::Paths;
 

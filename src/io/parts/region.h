@@ -1,6 +1,5 @@
 #pragma once
 
-#include <polyclipping/clipper.hpp>
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
@@ -36,25 +35,6 @@ Region without_holes(const Region& region);
 /// Drops rings below `min_area` and points that change the outline by less than `tolerance`; no
 /// two points of the result coincide.
 Region tidied(const Region& region, double tolerance, double min_area);
-
-/// Clipper computes with integers; coordinates are rounded to 1/1024 px.
-constexpr double clipper_units_per_px = 1024;
-
-/// A circle drawn by Clipper departs from the true one by less than this, in its units.
-constexpr double clipper_arc_tolerance = 0.05 * clipper_units_per_px;
-
-ClipperLib::Path to_path(const Ring& ring);
-ClipperLib::Paths to_paths(const Region& region);
-
-/// The paths as rings; those of less than three points are dropped.
-Region to_region(const ClipperLib::Paths& paths);
-
-/// A boolean operation; `rule` is that of the subject, the clip is filled by the non-zero rule.
-/// A `simple` result has no two equal points.
-ClipperLib::Paths combine(ClipperLib::ClipType operation, const ClipperLib::Paths& subject,
-                          const ClipperLib::Paths& clip,
-                          ClipperLib::PolyFillType rule = ClipperLib::pftNonZero,
-                          bool simple = false);
 
 /// Shares out the ink that no part covers, as far as it is within `reach` of one: each point goes
 /// to the part that is nearest, the frontmost of equals.
