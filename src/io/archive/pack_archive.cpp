@@ -1,6 +1,5 @@
 #include <zip.h>
 
-#include <algorithm>
 #include <ctime>
 #include <memory>
 #include <string>
