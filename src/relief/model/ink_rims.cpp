@@ -24,7 +24,9 @@ constexpr double inked_share = 0.5;    ///< of a part's silhouette
 constexpr double reach_of_ink = 2;     ///< in widths of ink, how far a rim comes forward
 constexpr double probe = 2;            ///< px, where to look on both sides of an outline
 constexpr int longest_view = 512;  ///< px, of the view in which distances between parts are taken
-constexpr double leaning = 0.1;    ///< z of normals that tell how round a rim is, at least
+/// Canvas px; less is none, so that no file rounds a wall away.
+constexpr double least_rise = 0.01;
+constexpr double leaning = 0.1;  ///< z of normals that tell how round a rim is, at least
 
 /// An edge of a part beside which there is only paper, as its triangle runs along it.
 struct RimEdge {
@@ -304,8 +306,8 @@ class RimWalls {
     if (rise_[a] + rise_[b] <= 0) return;
     stand(a, rim.part, inside);
     stand(b, rim.part, inside);
-    walls.push_back({top_[b], top_[a], foot_[a]});
-    walls.push_back({top_[b], foot_[a], foot_[b]});
+    if (rise_[a] > 0) walls.push_back({top_[b], top_[a], foot_[a]});
+    if (rise_[b] > 0) walls.push_back({top_[b], foot_[a], foot_[b]});
   }
 
  private:
@@ -313,7 +315,7 @@ class RimWalls {
     if (top_[v] >= 0) return;
     const double most = inside + std::min(inside, rise_[v] * view_.scale());
     top_[v] = copy(v, 0, part, inside);
-    foot_[v] = copy(v, rise_[v], part, most);
+    foot_[v] = rise_[v] > 0 ? copy(v, rise_[v], part, most) : top_[v];
   }
 
   int copy(int v, double lower, int part, double inside) {
@@ -366,7 +368,7 @@ void narrow_inked_rims(Model& model, const Drawing& drawing) {
     if (widths[p] == 0) continue;
     const double reach = reach_of_ink * (widths[p] + 1) / view.scale();
     for (const auto& [v, by] : RimRaiser(model, view, static_cast<int>(p), reach).rises(rims))
-      rise[v] = std::max(rise[v], by);
+      if (by >= least_rise) rise[v] = std::max(rise[v], by);
   }
   for (size_t v = 0; v < rise.size(); ++v) model.positions[v].z += rise[v];
   RimWalls builder(model, view, rise);
