@@ -1,3 +1,5 @@
+#include "io/image/jpeg_decode.h"
+
 #include <jerror.h>
 #include <jpeglib.h>
 
@@ -7,7 +9,6 @@
 #include <cstring>
 #include <string>
 
-#include "io/image/decode_image.h"
 #include "io/image/image_limits.h"
 
 namespace relievo {
