@@ -1,6 +1,6 @@
-#include "io/archive/archive.h"
-
 #include <algorithm>
+
+#include "io/archive/archive.h"
 
 namespace relievo {
 
