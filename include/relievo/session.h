@@ -33,11 +33,11 @@ struct BuildReport {
 
 /// Where the annotations of a scene lie on its mesh, as segments of edges in canvas px.
 struct MeshLines {
-  std::vector<float> joins;  ///< #S x 4: x0 y0 x1 y1
+  std::vector<float> joins;  ///< S x 4: x0 y0 x1 y1
   std::vector<float> equal;  ///< likewise: outlines whose height is that of the part behind
   std::vector<float> above;  ///< likewise: outlines held apart from another part, either side
   std::vector<float> below;  ///< likewise: those that are so against the order of parts
-  std::vector<float> ramps;  ///< #S x 6: x0 y0 x1 y1, then alpha [P eq 9] at both ends
+  std::vector<float> ramps;  ///< S x 6: x0 y0 x1 y1, then alpha [P eq 9] at both ends
 };
 
 /// The relief of a scene, which may change: a build goes on from the one before and computes only
