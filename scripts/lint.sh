@@ -1,5 +1,5 @@
 #!/bin/sh
-# Checks the layout of all sources, looks over the scripts, and runs clang-tidy over the program
+# Checks the layout of all sources, the comments of the interface and the scripts, and runs clang-tidy over the program
 # and its libraries, which takes a while. Usage: lint.sh [BUILD_DIR with compile_commands.json]
 # lint.sh --quick leaves clang-tidy out.
 set -eu
@@ -7,6 +7,8 @@ cd "$(dirname "$0")/.."
 find include src apps bindings tests benchmarks examples \( -name '*.h' -o -name '*.cpp' \) -print0 |
   xargs -0 clang-format --dry-run -Werror
 shellcheck run.sh test.sh .ci/run scripts/*.sh scripts/cluster/*.sh tests/*/*.sh
+# Takes less than a second; where it is missing, ./test.sh --all looks.
+if command -v doxygen > /dev/null; then doxygen docs/Doxyfile; fi
 if [ "${1:-}" = --quick ]; then
   echo "lint: layout and scripts are as they should be"
   exit 0
