@@ -1,6 +1,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -35,7 +36,8 @@ struct Range {
 };
 
 Range range_of(const Model& model, const VectorXd& z) {
-  Range range{1e300, -1e300};
+  constexpr double unbounded = std::numeric_limits<double>::infinity();
+  Range range{unbounded, -unbounded};
   for (const std::array<int, 3>& t : model.triangles)
     for (const int v : t) range = {std::min(range.low, z[v]), std::max(range.high, z[v])};
   return range;

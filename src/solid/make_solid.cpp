@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -24,9 +25,11 @@ constexpr double soft_share = 0.015;
 /// mm, of what cuts dough.
 constexpr double cutter_wall = 0.8;
 
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
 struct Extent {
-  Point3 low{1e300, 1e300, 1e300};
-  Point3 high{-1e300, -1e300, -1e300};
+  Point3 low{unbounded, unbounded, unbounded};
+  Point3 high{-unbounded, -unbounded, -unbounded};
 };
 
 /// Of a sheet, and of its back where that is wanted.
