@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "kernel/geometry/polygon.h"
+#include "kernel/image/filters.h"
 #include "relief/join_proposals/roots.h"
 
 namespace relievo {
@@ -45,6 +46,12 @@ constexpr double other_color = 0.6;
 constexpr double foreign_color = 0.75;  ///< a part of such a colour is held, and does not grow,
 constexpr double clothing = 0.35;       ///< unless it covers this share of the other
 constexpr double least_trust = 0.25;    ///< of a join; what is less sure is tied
+/// A part this many times as thick as another is a body, and not a limb beside it.
+constexpr double thick_body = 1.35;
+/// What covers the root of a limb does not grow out of it: shares of the limb's reach from its own
+/// root, up to where nothing does, and from where anything may.
+constexpr double at_root = 0.2;
+constexpr double off_root = 0.5;
 
 /// A run of one ring of a part inside another part.
 struct RingRun {
@@ -218,6 +225,45 @@ bool is_larger(const LayerGrid& grid, int part, int other, double factor) {
   return static_cast<double>(grid.areas[part]) > factor * static_cast<double>(grid.areas[other]);
 }
 
+Point2 common_centre(const LayerGrid& grid, int part, int other) {
+  Point2 sum;
+  double n = 0;
+  for_each_pixel(grid.masks[part], [&](int x, int y) {
+    if (!grid.masks[other].has(x, y)) return;
+    sum = sum + Point2{x + 0.5, y + 0.5};
+    ++n;
+  });
+  return n > 0 ? 1 / n * sum : sum;
+}
+
+/// How far from its root on `root` a part meets another, as a share of its reach from there.
+double share_from_root(const LayerGrid& grid, int part, int root, int other) {
+  const Point2 from = common_centre(grid, part, root);
+  double reach = 1;
+  for_each_pixel(grid.masks[part], [&](int x, int y) {
+    reach = std::max(reach, distance(from, {x + 0.5, y + 0.5}));
+  });
+  return distance(from, common_centre(grid, part, other)) / reach;
+}
+
+/// The radius of the largest disc inside a part that touches another; that part itself for any.
+double thickness_at(const LayerGrid& grid, int part, int other) {
+  const Mask& mask = grid.masks[part];
+  Image8 outside(mask.inside.width + 2, mask.inside.height + 2, 1);
+  Image8 common = outside;
+  std::fill(outside.pixels.begin(), outside.pixels.end(), uint8_t{1});
+  for_each_pixel(mask, [&](int x, int y) {
+    outside.at(x - mask.left + 1, y - mask.top + 1) = 0;
+    common.at(x - mask.left + 1, y - mask.top + 1) = grid.masks[other].has(x, y) ? 1 : 0;
+  });
+  const Image<int32_t> radius = squared_distance_to(outside);
+  const Image<int32_t> away = squared_distance_to(common);
+  int32_t largest = 0;
+  for (size_t i = 0; i < radius.pixels.size(); ++i)
+    if (away.pixels[i] <= radius.pixels[i]) largest = std::max(largest, radius.pixels[i]);
+  return std::sqrt(static_cast<double>(largest));
+}
+
 /// The share of the points under which a third part lies between two.
 double share_between(const LayerGrid& grid, const std::vector<Point2>& line, const Overlap& pair) {
   double between = 0;
@@ -242,15 +288,9 @@ class Connector {
     JoinProposals joining;
     const std::vector<Overlap> overlaps = find_overlaps(grid_);
     std::vector<std::optional<ProposedJoin>> joins;
-    std::vector<double> most(grid_.masks.size());
-    for (const Overlap& pair : overlaps) {
-      joins.push_back(join_of(pair));
-      if (joins.back())
-        most[pair.upper] = std::max(most[pair.upper], joins.back()->confidence);
-      else if (is_behind(pair))
-        most[pair.lower] =
-            std::max(most[pair.lower], likeness(pair.lower, pair.upper) * pair.lower_beside);
-    }
+    for (const Overlap& pair : overlaps) joins.push_back(join_of(pair));
+    doubt_roots(overlaps, joins);
+    const std::vector<double> most = rooted(overlaps, joins).confidence;
     std::vector<uint8_t> joined(grid_.masks.size());
     std::vector<uint8_t> held(grid_.masks.size());
     for (size_t k = 0; k < overlaps.size(); ++k) {
@@ -270,6 +310,49 @@ class Connector {
   }
 
  private:
+  /// Of each part, the one that it most likely grows out of, -1 for none, and how likely.
+  struct Rooted {
+    std::vector<int> body;
+    std::vector<double> confidence;
+  };
+
+  Rooted rooted(const std::vector<Overlap>& overlaps,
+                const std::vector<std::optional<ProposedJoin>>& joins) const {
+    Rooted result{std::vector<int>(grid_.masks.size(), -1),
+                  std::vector<double>(grid_.masks.size())};
+    const auto note = [&](int limb, int body, double confidence) {
+      if (confidence <= result.confidence[limb]) return;
+      result.body[limb] = body;
+      result.confidence[limb] = confidence;
+    };
+    for (size_t k = 0; k < overlaps.size(); ++k) {
+      const Overlap& pair = overlaps[k];
+      if (joins[k])
+        note(pair.upper, pair.lower, joins[k]->confidence);
+      else if (is_behind(pair))
+        note(pair.lower, pair.upper, likeness(pair.lower, pair.upper) * pair.lower_beside);
+    }
+    return result;
+  }
+
+  /// A foot before the root of a tail, or a leg before that of another, stands beside it: such
+  /// joins lose their confidence, unless what they would join is much thicker.
+  void doubt_roots(const std::vector<Overlap>& overlaps,
+                   std::vector<std::optional<ProposedJoin>>& joins) const {
+    const std::vector<int> bodies = rooted(overlaps, joins).body;
+    for (size_t k = 0; k < overlaps.size(); ++k) {
+      const int limb = overlaps[k].upper;
+      const int body = overlaps[k].lower;
+      const int root = bodies[body];
+      if (!joins[k] || root < 0 || root == limb) continue;
+      const double share = share_from_root(grid_, body, root, limb);
+      if (share >= off_root ||
+          thickness_at(grid_, body, limb) >= thick_body * thickness_at(grid_, limb, limb))
+        continue;
+      joins[k]->confidence *= std::max(0.0, (share - at_root) / (off_root - at_root));
+    }
+  }
+
   static void tie(const Overlap& pair, JoinProposals& joining) {
     joining.relations.push_back(
         {{pair.upper, pair.lower, RelationKind::equal, std::nullopt}, false});

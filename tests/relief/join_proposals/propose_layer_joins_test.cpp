@@ -142,6 +142,18 @@ TEST(ConnectParts, AJoinedLimbIsNotTiedToTheLimbThatItCrosses) {
   EXPECT_TRUE(is_equal(joining, 1, 0)) << "the far limb still hangs on the body";
 }
 
+TEST(ConnectParts, WhatCoversTheRootOfALimbDoesNotGrowOutOfIt) {
+  const Ring tail = capsule({250, 200}, 0.785, 160, 14);
+  const auto lowers = [&](const Ring& foot) {
+    std::vector<int> lower;
+    for (const ProposedJoin& proposed : propose_layer_joins(disc_with({foot}, {tail})).joins)
+      lower.push_back(proposed.join.lower);
+    return lower;
+  };
+  EXPECT_EQ(lowers(capsule({285, 225}, M_PI / 2, 60, 24)), std::vector<int>{1}) << "a foot beside";
+  EXPECT_EQ(lowers(circle({362, 312}, 22)), std::vector<int>{0}) << "a tuft at its end";
+}
+
 TEST(ConnectParts, WhatAHandHoldsIsNotTiedToWhatItCrosses) {
   const Ring bar = rectangle(60, 140, 340, 160);
   const Ring hand = rectangle(10, 100, 100, 220);
