@@ -110,9 +110,11 @@ const PsdChannel* channel(const PsdLayer& record, int id) {
   return found == record.channels.end() ? nullptr : &*found;
 }
 
-/// A plane that is not there is `value` everywhere.
+/// A plane that is not there is `value` everywhere; none of a box without pixels, whose sides may
+/// be negative.
 Result<std::vector<uint8_t>> plane(const PsdLayer& record, int id, const PsdBox& box, int depth,
                                    uint8_t value) {
+  if (box.empty()) return std::vector<uint8_t>();
   const PsdChannel* packed = channel(record, id);
   if (packed == nullptr) return std::vector<uint8_t>(size_t(box.width()) * box.height(), value);
   return decode_channel(packed->data, box.width(), box.height(), depth);

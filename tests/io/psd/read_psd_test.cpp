@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "io/psd/psd.h"
 #include "io/psd/psd_bytes.h"
 
@@ -145,6 +147,27 @@ TEST(ReadPsdLayers, RefusesWithAReason) {
   spec = two_squares();
   spec.width = 40000;
   EXPECT_NE(reason(spec).find("over the limit"), std::string::npos);
+}
+
+TEST(ReadPsdLayers, NothingIsSeenOnABaseWhoseSidesAreNegative) {
+  PsdSpec spec = two_squares();
+  spec.layers.push_back(layer("shade", 0, 0, filled(40, 40, {0, 0, 0, 255})));
+  spec.layers[1].x = 9;
+  spec.layers[1].y = 7;
+  spec.layers[2].clipped = true;
+  Bytes bytes = psd_bytes(spec);
+  const Bytes corner = {0, 0, 0, 7, 0, 0, 0, 9};
+  const auto box = std::search(bytes.begin(), bytes.end(), corner.begin(), corner.end());
+  ASSERT_NE(box, bytes.end());
+  box[15] = 3;  // the right side, left of the left one
+  const Bytes alpha = {0xff, 0xff};
+  const auto channel = std::search(box, bytes.end(), alpha.begin(), alpha.end());
+  ASSERT_NE(channel, bytes.end());
+  channel[0] = 0;  // no alpha: opaque all over
+  channel[1] = 9;
+  const auto psd = read_psd(bytes);
+  ASSERT_TRUE(psd) << psd.error().message;
+  EXPECT_EQ(pixel(psd->flat ? psd->flat->rgba : psd->content.drawing.rgba, 10, 10), red);
 }
 
 TEST(ReadPsdLayers, NeverReadsBeyondWhatIsThere) {
