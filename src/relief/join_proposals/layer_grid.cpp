@@ -3,6 +3,7 @@
 #include <limits>
 #include <queue>
 
+#include "kernel/image/filters.h"
 #include "kernel/image/outlines.h"
 #include "relief/join_proposals/roots.h"
 
@@ -10,6 +11,17 @@ namespace relievo {
 namespace {
 
 constexpr int64_t least_common = 12;  ///< grid pixels that two parts share, else they do not meet
+
+Point2 common_centre(const LayerGrid& grid, int part, int other) {
+  Point2 sum;
+  double n = 0;
+  for_each_pixel(grid.masks[part], [&](int x, int y) {
+    if (!grid.masks[other].has(x, y)) return;
+    sum = sum + Point2{x + 0.5, y + 0.5};
+    ++n;
+  });
+  return n > 0 ? 1 / n * sum : sum;
+}
 
 }  // namespace
 
@@ -84,6 +96,32 @@ std::vector<Overlap> find_overlaps(const LayerGrid& grid) {
       overlaps.push_back({upper, lower, beside(upper), beside(lower)});
     }
   return overlaps;
+}
+
+double share_from_root(const LayerGrid& grid, int part, int root, int other) {
+  const Point2 from = common_centre(grid, part, root);
+  double reach = 1;
+  for_each_pixel(grid.masks[part], [&](int x, int y) {
+    reach = std::max(reach, distance(from, {x + 0.5, y + 0.5}));
+  });
+  return distance(from, common_centre(grid, part, other)) / reach;
+}
+
+double thickness_at(const LayerGrid& grid, int part, int other) {
+  const Mask& mask = grid.masks[part];
+  Image8 outside(mask.inside.width + 2, mask.inside.height + 2, 1);
+  Image8 common = outside;
+  std::fill(outside.pixels.begin(), outside.pixels.end(), uint8_t{1});
+  for_each_pixel(mask, [&](int x, int y) {
+    outside.at(x - mask.left + 1, y - mask.top + 1) = 0;
+    common.at(x - mask.left + 1, y - mask.top + 1) = grid.masks[other].has(x, y) ? 1 : 0;
+  });
+  const Image<int32_t> radius = squared_distance_to(outside);
+  const Image<int32_t> away = squared_distance_to(common);
+  int32_t largest = 0;
+  for (size_t i = 0; i < radius.pixels.size(); ++i)
+    if (away.pixels[i] <= radius.pixels[i]) largest = std::max(largest, radius.pixels[i]);
+  return std::sqrt(static_cast<double>(largest));
 }
 
 }  // namespace relievo

@@ -47,6 +47,14 @@ LayerGrid make_layer_grid(const Scene& scene, int side);
 /// Number of pixels that two parts have in common. O(the smaller box).
 int64_t common_area(const LayerGrid& grid, int a, int b);
 
+/// How far from what it has in common with `root` a part meets another, as a share of its reach
+/// from there. O(the part's box).
+double share_from_root(const LayerGrid& grid, int part, int root, int other);
+
+/// The radius of the largest disc inside a part that touches another, in grid pixels; that part
+/// itself for any. O(the part's box).
+double thickness_at(const LayerGrid& grid, int part, int other);
+
 /// Two parts that overlap.
 struct Overlap {
   int upper = -1;
@@ -58,6 +66,34 @@ struct Overlap {
 /// All pairs of parts that have more than a few pixels in common, by the upper one. O(parts^2
 /// boxes).
 std::vector<Overlap> find_overlaps(const LayerGrid& grid);
+
+/// A run of one ring of a part inside another part.
+struct RingRun {
+  const Ring* ring = nullptr;
+  RingMeasure measure;
+  double from = 0;
+  double length = 0;  ///< the whole ring's where it does not leave
+
+  Point2 at(double s) const { return point_at(*ring, measure, from + s); }
+};
+
+/// What lies beside another part with less than this share of its area lies mostly on it.
+constexpr double least_protrusion = 0.3;
+/// Steps along outlines that look for what lies inside other parts, in grid pixels.
+constexpr double root_step = 1.5;
+
+/// All runs of the outer rings of a part inside another, the longest first; single steps outside do
+/// not part them. The outline outlives them. O(its length / root_step).
+std::vector<RingRun> runs_inside(const LayerGrid& grid, const Outline& outline, int other);
+
+/// The cap of a limb's root, as arc lengths of the run.
+struct RootCap {
+  double from = 0;
+  double to = 0;
+};
+
+/// Where on the run of a part's outline inside another its join lies best: around its tip.
+RootCap find_root_cap(const LayerGrid& grid, const RingRun& run, int part, int other);
 
 /// How far each pixel of the box of a part's mask is, inside the part, from where it lies beside
 /// another, in grid pixels; infinite where that cannot be reached. O(n log n) in its pixels.
