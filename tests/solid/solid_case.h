@@ -30,11 +30,15 @@ inline VisibleSheet sheet_of(const Scene& scene, const Relief& relief) {
   return sheet.ok() ? std::move(*sheet) : VisibleSheet{};
 }
 
-inline VisibleSheet sheet_of(const Scene& scene, int vertices, bool hidden = false) {
+inline Result<Relief> relief_of(const Scene& scene, int vertices, bool hidden) {
   ReliefOptions options;
   options.layers.vertex_budget = vertices;
   options.hidden = hidden;
-  const auto relief = build_relief(scene, options);
+  return build_relief(scene, options);
+}
+
+inline VisibleSheet sheet_of(const Scene& scene, int vertices, bool hidden = false) {
+  const auto relief = relief_of(scene, vertices, hidden);
   EXPECT_TRUE(relief.ok()) << (relief.ok() ? "" : to_string(relief.error()));
   return relief.ok() ? sheet_of(scene, *relief) : VisibleSheet{};
 }

@@ -56,17 +56,25 @@ std::vector<Tally> kinds() {
 
 TEST(SolidSurvey, RandomScenesAreClosedAndWhole) {
   std::vector<Tally> tallies = kinds();
+  int refused = 0;
   for (int seed = 0; seed < survey_scenes; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     // Other scenes than those of the quick tests.
     const Scene scene = random_scene(uint64_t{100000} + static_cast<uint64_t>(seed));
-    const VisibleSheet sheet = sheet_of(scene, 1500, true);
+    const auto relief = relief_of(scene, 1500, true);
+    if (!relief && relief.error().code == ErrorCode::bad_input) {
+      ++refused;  // joins that cross at their ends
+      continue;
+    }
+    ASSERT_TRUE(relief.ok()) << to_string(relief.error());
+    const VisibleSheet sheet = sheet_of(scene, *relief);
     for (Tally& tally : tallies) {
       const auto solid = make_solid(sheet, {}, tally.options);
       ASSERT_TRUE(solid.ok()) << tally.kind << ": " << to_string(solid.error());
       tally.add(*solid);
     }
   }
+  EXPECT_LE(refused, survey_scenes / 100);
   std::cout
       << "| of random scenes | made | open | crossing | without volume | parted | of one piece | "
          "triangles at most |\n|---|---|---|---|---|---|---|---|\n";
@@ -74,7 +82,7 @@ TEST(SolidSurvey, RandomScenesAreClosedAndWhole) {
     std::cout << "| " << t.kind << " | " << t.made << " | " << t.open << " | " << t.crossing
               << " | " << t.empty << " | " << t.parted << " | " << t.single << " | "
               << t.most_triangles << " |\n";
-    EXPECT_EQ(t.made, survey_scenes);
+    EXPECT_EQ(t.made + refused, survey_scenes);
     EXPECT_EQ(t.open + t.crossing + t.empty + t.parted, 0) << t.kind;
   }
 }

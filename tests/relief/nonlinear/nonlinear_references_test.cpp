@@ -70,6 +70,8 @@ Comparison compare_with_ipopt(double lambda_bnd, int scenes, bool glue) {
   Comparison comparison;
   for (uint64_t seed = 1; comparison.scenes < scenes; ++seed) {
     const Scene scene = seed % 2 == 0 ? leaning(random_scene(seed), seed) : random_scene(seed);
+    // A few cannot be built: joins that cross at their ends.
+    if (!build_relief(scene, nonlinear_options(300, lambda_bnd))) continue;
     const NonlinearCase test = nonlinear_case(scene, 300, lambda_bnd, glue);
     const Relief& start = test.approximate;
     if (!start.layers.bump_nodes.empty()) continue;
