@@ -248,7 +248,9 @@ import relievo, sys
 relief = relievo.build(sys.argv[1], vertices=1000)
 print("begun", flush=True)
 try:
-    relief.rebuild(vertices=3000000)
+    while True:
+        relief.rebuild(vertices=100000)
+        relief.rebuild(vertices=120000)
 except KeyboardInterrupt:
     print("stopped", flush=True)
 print(relief.rebuild(vertices=1000).vertices > 500)
