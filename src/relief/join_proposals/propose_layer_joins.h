@@ -23,12 +23,11 @@ namespace relievo {
 /// A limb grows out of one part, in front of it or behind: that with the most confidence, which a
 /// clear change of colour halves, and a part that is not larger than the limb. What covers the root
 /// of another limb that is not much thicker, as a foot the root of a tail, does not grow out of
-/// that. What is of a foreign
-/// colour is held, and tied, unless it covers much of the other, as hair and clothes do; what is
-/// less sure than a quarter is tied as well. What lies mostly on another is a limb of that only
-/// where both have one colour. Without `colors` all are alike, but for the last. Shapes are
-/// compared on a grid of 512 pixels along the longest side. Near-linear in the points, plus the
-/// pixels of parts that overlap, pair by pair.
+/// that, unless limbs grow out of it. What is of a foreign colour is held, and tied, unless it
+/// covers much of the other, as hair and clothes do; what is less sure than a quarter is tied as
+/// well. What lies mostly on another is a limb of that only where both have one colour. Without
+/// `colors` all are alike, but for the last. Shapes are compared on a grid of 512 pixels along the
+/// longest side. Near-linear in the points, plus the pixels of parts that overlap, pair by pair.
 JoinProposals propose_layer_joins(const Scene& scene, const PartColors& colors = {});
 
 }  // namespace relievo
