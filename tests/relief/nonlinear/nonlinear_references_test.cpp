@@ -59,6 +59,7 @@ TEST(NonlinearProgram, AgreesWithTheReportedEnergy) {
 /// its.
 struct Comparison {
   int scenes = 0;
+  int refused = 0;
   int converged = 0;
   int lower = 0;
   double worst = 0;
@@ -70,8 +71,12 @@ Comparison compare_with_ipopt(double lambda_bnd, int scenes, bool glue) {
   Comparison comparison;
   for (uint64_t seed = 1; comparison.scenes < scenes; ++seed) {
     const Scene scene = seed % 2 == 0 ? leaning(random_scene(seed), seed) : random_scene(seed);
-    // A few cannot be built: joins that cross at their ends.
-    if (!build_relief(scene, nonlinear_options(300, lambda_bnd))) continue;
+    const auto relief = build_relief(scene, nonlinear_options(300, lambda_bnd));
+    if (!relief && relief.error().code == ErrorCode::bad_input) {
+      // Joins that cross at their ends: few scenes have any.
+      if (++comparison.refused > scenes) return comparison;
+      continue;
+    }
     const NonlinearCase test = nonlinear_case(scene, 300, lambda_bnd, glue);
     const Relief& start = test.approximate;
     if (!start.layers.bump_nodes.empty()) continue;
@@ -95,6 +100,7 @@ Comparison compare_with_ipopt(double lambda_bnd, int scenes, bool glue) {
 
 /// Where gaps on B are let go there may be several minima.
 void expect_no_lower_energy(const Comparison& comparison, int at_least) {
+  EXPECT_LE(comparison.refused, comparison.scenes / 5);
   EXPECT_GE(comparison.converged, at_least);
   EXPECT_LE(comparison.lower, 1);
   EXPECT_LE(comparison.worst, 1.002);
