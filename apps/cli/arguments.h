@@ -6,10 +6,10 @@
 #include <variant>
 #include <vector>
 
-#include "io/mesh/encode_models.h"
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/image_size.h"
 #include "relief/pipeline/build_relief.h"
+#include "relievo/export.h"
 #include "relievo/scene.h"
 #include "relievo/solid.h"
 #include "rivals/rival.h"
@@ -45,12 +45,6 @@ struct ReliefArguments {
   SolidOptions solid_options;  ///< its size is that of the outputs
   double nozzle = 0.4;         ///< mm, of the printer that a solid is checked for
 };
-
-/// Whether a figure on a base is made, which is printed upright.
-inline bool stands(const ReliefArguments& relief) {
-  return relief.solid && relief.solid_options.back != BackSide::flat &&
-         relief.solid_options.base != BaseShape::none;
-}
 
 struct BuildArguments {
   CommonArguments common;

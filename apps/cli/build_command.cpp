@@ -18,6 +18,7 @@
 #include "kernel/image/image_size.h"
 #include "lod/simplify_model.h"
 #include "relief/model/relief_maps.h"
+#include "relievo/export.h"
 #include "relievo/maps.h"
 
 namespace relievo::cli {
@@ -102,14 +103,15 @@ Status add_models(Products& products, const BuildArguments& build, const SceneIn
     const auto& [model, drawing] = products.made.emplace(std::move(*made)).drawn;
     // A solid is in mm already.
     const double size = products.made->solid ? longest_side(model) : build.size_mm;
+    const bool standing = arguments.solid && stands(arguments.solid_options);
     // The finest last, which the report tells of.
     for (int level = names.empty() ? -1 : build.levels - 1; level >= 0; --level) {
       make_level(products, build, level);
       const Model& written = products.written ? *products.written : model;
       const double share = longest_side(written) / longest_side(model);
       for (const std::string& name : names) {
-        auto files = encode_model(written, drawing, level_name(name, level),
-                                  {share * size, build.filaments, build.slicer, stands(arguments)});
+        auto files = export_model(written, drawing, level_name(name, level),
+                                  {share * size, standing, build.filaments, build.slicer});
         if (!files) return files.error();
         std::move(files->begin(), files->end(), std::back_inserter(products.files));
         if (context.cancelled()) return interrupted_error();

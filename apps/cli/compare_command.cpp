@@ -9,6 +9,7 @@
 #include "face/inputs.h"
 #include "io/image/decode_image.h"
 #include "kernel/base/stopwatch.h"
+#include "relievo/export.h"
 #include "relievo/maps.h"
 #include "rivals/measure.h"
 
@@ -95,7 +96,7 @@ Result<std::vector<OutputFile>> make_files(const Compared& compared, const Drawi
                                            const RunContext& context) {
   std::vector<OutputFile> files;
   for (const std::string& name : compare.models) {
-    auto model = encode_model(compared.model, drawing, name, {});
+    auto model = export_model(compared.model, drawing, name);
     if (!model) return model.error();
     std::move(model->begin(), model->end(), std::back_inserter(files));
   }

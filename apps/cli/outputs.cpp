@@ -3,8 +3,6 @@
 #include <set>
 
 #include "io/mesh/encode_models.h"
-#include "io/mesh/placement.h"
-#include "relievo/export.h"
 
 namespace relievo::cli {
 namespace {
@@ -67,26 +65,6 @@ Status check_outputs(const std::vector<fs::path>& paths, const std::vector<fs::p
         return Error{ErrorCode::usage, "is an input and is never overwritten", path.string()};
   }
   return Done{};
-}
-
-Result<Files> encode_model(const Model& model, const Drawing& drawing, const std::string& name,
-                           const FileOptions& file) {
-  const fs::path ending = fs::path(name).extension();
-  if (file.standing && (ending == ".stl" || ending == ".3mf")) {
-    FileOptions lying = file;
-    lying.standing = false;
-    return encode_model(stood_up(model), drawing, name, lying);
-  }
-  const Drawing* texture = drawing.rgba.empty() ? nullptr : &drawing;
-  const auto single = [&name](Result<Bytes> bytes) -> Result<Files> {
-    if (!bytes) return bytes.error();
-    return Files{{name, std::move(*bytes)}};
-  };
-  if (ending == ".3mf")
-    return single(encode_3mf(model, texture, {file.mm, file.filaments, file.slicer}));
-  if (ending == ".usdz") return single(encode_usdz(model, texture, file.mm));
-  if (ending == ".html") return single(encode_html(model, texture, fs::path(name).stem().string()));
-  return export_model(model, drawing, name, file.mm);
 }
 
 Status save(const Files& files, const std::vector<fs::path>& inputs, Interruption& interruption) {

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "apps/cli/cue_argument.h"
-#include "io/mesh/placement.h"
 #include "relief/model/dress_hidden.h"
 #include "relief/model/ink_rims.h"
 
@@ -108,9 +107,8 @@ Result<MadeModel> make_model(const Relief& relief, const SceneInput& input,
 
 std::vector<PrintFinding> print_findings(const MadeModel& made, const ReliefArguments& arguments) {
   if (!made.solid) return {};
-  const Model& model = made.drawn.model;
-  return check_print(stands(arguments) ? stood_up(model) : model, made.solid->loose,
-                     arguments.nozzle);
+  return check_print(made.drawn.model, made.solid->loose, arguments.nozzle,
+                     stands(arguments.solid_options));
 }
 
 }  // namespace relievo::cli

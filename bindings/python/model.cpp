@@ -16,8 +16,6 @@ namespace {
 namespace py = pybind11;
 namespace fs = std::filesystem;
 
-constexpr double usual_size = 100;  ///< mm
-
 double longest_side(const Model& model) {
   Point3 low = model.positions.front();
   Point3 high = low;
@@ -28,10 +26,16 @@ double longest_side(const Model& model) {
   return std::max({high.x - low.x, high.y - low.y, high.z - low.z});
 }
 
-Status save(const ShownModel& shown, const fs::path& path, std::optional<double> size) {
-  if (!size)
-    size = shown.solid && !shown.model.positions.empty() ? longest_side(shown.model) : usual_size;
-  const auto files = export_model(shown.model, shown.shown(), path, *size);
+Status save(const ShownModel& shown, const fs::path& path, std::optional<double> size,
+            ExportOptions options) {
+  if (path.extension() == ".3mf" && !shown.solid)
+    return Error{ErrorCode::usage, "holds solids alone: save relief.solid()", path.string()};
+  options.standing = shown.standing;
+  if (size)
+    options.size_mm = *size;
+  else if (shown.solid && !shown.model.positions.empty())
+    options.size_mm = longest_side(shown.model);
+  const auto files = export_model(shown.model, shown.shown(), path, options);
   if (!files) return files.error();
   return write_files(*files, shown.source->files);
 }
@@ -91,10 +95,14 @@ void bind_model(py::module_& module) {
       .def_property_readonly("solid", [](const ShownModel& self) { return self.solid; })
       .def(
           "save",
-          [](const ShownModel& self, const fs::path& path, std::optional<double> size) {
-            run([&](const RunContext&) { return save(self, path, size); });
+          [](const ShownModel& self, const fs::path& path, std::optional<double> size,
+             int filaments, Slicer slicer) {
+            ExportOptions options;
+            options.filaments = filaments;
+            options.slicer = slicer;
+            run([&](const RunContext&) { return save(self, path, size, options); });
           },
-          py::arg("path"), py::arg("size") = py::none())
+          py::arg("path"), py::arg("size"), py::arg("filaments"), py::arg("slicer"))
       .def("render", render, py::arg("options"));
 }
 
@@ -129,6 +137,7 @@ void bind_models(py::module_& module) {
       .def_readonly("first_face", &ModelPart::first_triangle)
       .def_readonly("face_count", &ModelPart::triangle_count)
       .def_readonly("hidden_count", &ModelPart::hidden_count);
+  py::enum_<Slicer>(module, "Slicer").value("prusa", Slicer::prusa).value("bambu", Slicer::bambu);
   py::class_<SolidFacts>(module, "SolidFacts")
       .def_readonly("volume", &SolidFacts::volume)
       .def_readonly("pieces", &SolidFacts::pieces)

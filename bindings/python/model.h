@@ -29,6 +29,7 @@ struct ShownModel {
   std::shared_ptr<const Source> source;
   std::optional<Drawing> drawing;   ///< in place of the source's
   std::optional<SolidFacts> solid;  ///< of a solid, whose model is in mm
+  bool standing = false;            ///< whether files to print have it upright
 
   const Drawing& shown() const { return drawing ? *drawing : source->drawing; }
 };

@@ -49,7 +49,8 @@ class LockedSession {
       const std::lock_guard lock(mutex_);
       return session_.solid(options, source_->drawing, context);
     });
-    return {std::move(solid.model), source_, std::move(solid.drawing), std::move(solid.facts)};
+    return {std::move(solid.model), source_, std::move(solid.drawing), std::move(solid.facts),
+            stands(options)};
   }
 
   ShownMaps maps(int longest) {

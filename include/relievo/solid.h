@@ -37,6 +37,14 @@ struct SolidOptions {
   double cutter = 0;     ///< mm, height above the plate of a thin wall around it; 0: none
 };
 
+/// Whether a printer makes it standing, not lying: a figure on a base.
+inline bool stands(const SolidOptions& options) {
+  return options.back != BackSide::flat && options.base != BaseShape::none;
+}
+
+/// The place of what stands: what was up on the drawing is up on the bed, Y becomes Z.
+inline Point3 stood_up(Point3 p) { return {p.x, -p.z, p.y}; }
+
 struct SolidFacts {
   double volume = 0;               ///< mm^3
   int pieces = 0;                  ///< that do not hang together

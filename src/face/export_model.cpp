@@ -32,27 +32,34 @@ Result<Files> obj_files(const Model& model, const Drawing* drawing, const fs::pa
 }
 
 Result<Files> encode_as(const fs::path& path, const Model& model, const Drawing& drawing,
-                        double size_mm) {
+                        const ExportOptions& options) {
   const Drawing* texture = drawing.rgba.empty() ? nullptr : &drawing;
+  const double size = options.size_mm;
   const fs::path ending = path.extension();
-  if (ending == ".obj") return obj_files(model, texture, path, size_mm);
-  if (ending == ".ply") return single(path, encode_ply(model, texture, {size_mm, ""}));
-  if (ending == ".stl") return single(path, encode_stl(model, size_mm));
-  if (ending == ".glb") return single(path, encode_glb(model, texture, size_mm));
-  return Error{ErrorCode::usage, "must end in .glb, .obj, .ply or .stl", path.string()};
+  if (ending == ".obj") return obj_files(model, texture, path, size);
+  if (ending == ".ply") return single(path, encode_ply(model, texture, {size, ""}));
+  if (ending == ".stl") return single(path, encode_stl(model, size, options.standing));
+  if (ending == ".glb") return single(path, encode_glb(model, texture, size));
+  if (ending == ".3mf") return single(path, encode_3mf(model, texture, options));
+  if (ending == ".usdz") return single(path, encode_usdz(model, texture, size));
+  if (ending == ".html") return single(path, encode_html(model, texture, path.stem().string()));
+  return Error{ErrorCode::usage, "must end in .glb, .obj, .ply, .stl, .3mf, .usdz or .html",
+               path.string()};
 }
 
 }  // namespace
 
 Result<Files> export_model(const Model& model, const Drawing& drawing, const fs::path& path,
-                           double size_mm) {
+                           const ExportOptions& options) {
+  if (options.filaments < 1 || options.filaments > 16)
+    return Error{ErrorCode::usage, "must be from 1 to 16", "filaments"};
   const auto has_hidden = [](const ModelPart& part) { return part.hidden_count > 0; };
   if (std::none_of(model.parts.begin(), model.parts.end(), has_hidden))
-    return encode_as(path, model, drawing, size_mm);
+    return encode_as(path, model, drawing, options);
   Model narrowed = model;
   narrow_inked_rims(narrowed, drawing);
   const DrawnModel dressed = dress_hidden(std::move(narrowed), drawing);
-  return encode_as(path, dressed.model, dressed.drawing, size_mm);
+  return encode_as(path, dressed.model, dressed.drawing, options);
 }
 
 Result<Bytes> encode_picture(const Image8& picture) { return encode_png(picture); }

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "relievo/solid.h"
 #include "solid/level_cuts.h"
 
 namespace relievo {
@@ -231,10 +232,16 @@ std::string rounded(double value, const char* format) {
   return text;
 }
 
+Model upright(Model model) {
+  for (Point3& p : model.positions) p = stood_up(p);
+  return model;
+}
+
 }  // namespace
 
 std::vector<PrintFinding> check_print(const Model& model, const std::vector<std::string>& loose,
-                                      double nozzle) {
+                                      double nozzle, bool standing) {
+  if (standing) return check_print(upright(model), loose, nozzle);
   std::vector<PrintFinding> findings;
   for (const std::string& part : loose) findings.push_back({PrintTrouble::loose, part, 0});
   const PrintChecker checker(model, nozzle);

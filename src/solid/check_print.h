@@ -21,13 +21,13 @@ struct PrintFinding {
   double measure = 0;  ///< mm of the thinnest wall or of the neck, mm^2 that hang over; or 0
 };
 
-/// What is wrong with a solid that lies on its back, of a model in mm: by kind, parts in their
-/// order. `loose` are ids of parts. Walls are found in level cuts, by opening them with a disc as
-/// wide as the nozzle (mm, > 0), and count where a cut above or below has them too; necks are
-/// narrower than three nozzles; faces hang over that are more level than upright, off the plate.
-/// O(n log n) for each of at most 16 cuts.
+/// What is wrong with a solid that lies on its back, or stands with the drawing's up as its own,
+/// of a model in mm: by kind, parts in their order. `loose` are ids of parts. Walls are found in
+/// level cuts, by opening them with a disc as wide as the nozzle (mm, > 0), and count where a cut
+/// above or below has them too; necks are narrower than three nozzles; faces hang over that are
+/// more level than upright, off the plate. O(n log n) for each of at most 16 cuts.
 std::vector<PrintFinding> check_print(const Model& model, const std::vector<std::string>& loose,
-                                      double nozzle);
+                                      double nozzle, bool standing = false);
 
 /// "loose", "thin", "neck" or "overhang".
 const char* name(PrintTrouble trouble);

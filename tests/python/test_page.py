@@ -30,5 +30,5 @@ def test_the_page_says_and_shows_what_happens(tmp_path, examples):
         made = np.asarray(Image.open(tmp_path / name).convert("RGB"), float)
         kept = np.asarray(Image.open(ROOT / "docs/pictures" / name).convert("RGB"), float)
         assert made.shape == kept.shape and np.abs(made - kept).mean() < 1, name
-    for file in ("wolf.glb", "deeper.obj", "plaque.stl", "wolf-depth.png"):
+    for file in ("wolf.glb", "deeper.obj", "plaque.stl", "plaque.3mf", "figure.3mf", "wolf-depth.png"):
         assert (tmp_path / file).stat().st_size > 1000

@@ -80,17 +80,45 @@ def test_faces_of_parts_are_disjoint_runs(discs):
     assert runs[0][1] == runs[1][0] and runs[1][1] == len(model.faces)
 
 
-@pytest.mark.parametrize("ending", ["glb", "obj", "ply", "stl"])
-def test_files_are_those_of_the_program(program, examples, tmp_path, ending):
-    relievo.build(examples / "wolf.svg", vertices=4000).save(tmp_path / f"a.{ending}")
-    built = tmp_path / "program"
+def assert_built_alike(program, drawing, files, *options):
+    """The program makes the same of a drawing, to the last byte."""
+    built = files[0].parent / "program"
     built.mkdir()
-    subprocess.run(
-        [program, "build", examples / "wolf.svg", "-q", "--vertices", "4000", "-o", built / f"a.{ending}"],
-        check=True,
-    )
+    outputs = [word for file in files for word in ("-o", built / file.name)]
+    subprocess.run([program, "build", drawing, "-q", "--vertices", "4000", *options, *outputs], check=True)
     for file in built.iterdir():
-        assert (tmp_path / file.name).read_bytes() == file.read_bytes(), file.name
+        assert (files[0].parent / file.name).read_bytes() == file.read_bytes(), file.name
+
+
+@pytest.mark.parametrize("ending", ["glb", "obj", "ply", "stl", "usdz", "html"])
+def test_files_are_those_of_the_program(program, examples, tmp_path, ending):
+    file = tmp_path / f"a.{ending}"
+    relievo.build(examples / "wolf.svg", vertices=4000).save(file)
+    assert_built_alike(program, examples / "wolf.svg", [file])
+
+
+def test_solids_are_those_of_the_program(program, examples, tmp_path):
+    file = tmp_path / "a.3mf"
+    relievo.build(examples / "wolf.svg", vertices=4000).save(file, size=60)
+    assert_built_alike(program, examples / "wolf.svg", [file], "--profile", "solid", "--size", "60")
+
+
+def test_standing_figures_are_those_of_the_program(program, examples, tmp_path):
+    figure = relievo.build(examples / "wolf.svg", vertices=4000).solid(back="drawing", base="round")
+    files = [tmp_path / f"a.{ending}" for ending in ("3mf", "stl", "glb")]
+    for file in files:
+        figure.save(file, filaments=6, slicer="bambu")
+    options = ["--profile", "figure", "--base", "round", "--filaments", "6", "--slicer", "bambu"]
+    assert_built_alike(program, examples / "wolf.svg", files, *options)
+
+
+def test_figures_on_a_base_are_printed_standing(examples, tmp_path):
+    figure = relievo.build(examples / "wolf.svg", vertices=2000).solid(back="drawing", base="plate")
+    figure.save(tmp_path / "a.stl")
+    triangles = np.frombuffer((tmp_path / "a.stl").read_bytes()[84:], np.uint8).reshape(-1, 50)
+    places = triangles[:, 12:48].copy().view("<f4").reshape(-1, 3)
+    lying = figure.vertices.max(0) - figure.vertices.min(0)
+    np.testing.assert_allclose(places.max(0) - places.min(0), lying[[0, 2, 1]], rtol=1e-5)
 
 
 def test_a_changed_relief_is_as_one_built_so(discs, tmp_path):
@@ -128,6 +156,9 @@ def test_options_that_are_not_named_stay():
         (lambda r: r.model(visible="some"), relievo.UsageError, "relief, orbit, all"),
         (lambda r: r.render(samples=0), relievo.UsageError, "samples"),
         (lambda r: r.render(view="back"), ValueError, "three-quarter"),
+        (lambda r: r.model().save("surface.3mf"), relievo.UsageError, "surface.3mf"),
+        (lambda r: r.solid().save("a.3mf", filaments=17), relievo.UsageError, "filaments"),
+        (lambda r: r.solid().save("a.3mf", slicer="cura"), relievo.UsageError, "slicer"),
         (lambda r: r.save("model.xyz"), relievo.UsageError, "model.xyz"),
         (lambda r: r.save("no/such/folder/a.glb"), relievo.FileError, "no/such/folder"),
         (lambda r: relievo.build("no-such-file.svg"), relievo.FileError, "no-such-file.svg"),

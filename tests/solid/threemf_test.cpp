@@ -70,8 +70,8 @@ TEST(Threemf, HoldsRandomSolidsAsManifolds) {
 
 TEST(Threemf, PaintsEveryTriangleForBothKindsOfSlicers) {
   const Solid solid = painted_ball();
-  const auto package = encode_3mf(solid.model, &solid.drawing, {100, 5});
-  const auto other = encode_3mf(solid.model, &solid.drawing, {100, 5, Slicer::bambu});
+  const auto package = encode_3mf(solid.model, &solid.drawing, {100, false, 5});
+  const auto other = encode_3mf(solid.model, &solid.drawing, {100, false, 5, Slicer::bambu});
   ASSERT_TRUE(package.ok() && other.ok());
   const std::string text = model_text(*package);
   const std::map<std::string, int> paint = values(text, "slic3rpe:mmu_segmentation");

@@ -87,3 +87,8 @@ def visibility(name: str) -> _core.Visibility:
 def field(name: str) -> _core.Field:
     found: _core.Field = member(_core.Field, "shown", name)
     return found
+
+
+def paint(name: str) -> _core.Slicer:
+    found: _core.Slicer = member(_core.Slicer, "slicer", name)
+    return found

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
+import pathlib
 from typing import TYPE_CHECKING, Any, List, Literal, Optional, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from .options import BuildOptions, RenderOptions, SolidOptions, apply, field, visibility
+from .options import BuildOptions, RenderOptions, SolidOptions, apply, field, paint, visibility
 from .scene import Scene
 
 if TYPE_CHECKING:
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
 
 Picture = npt.NDArray[np.uint8]
 PathLike = Union[str, "os.PathLike[str]"]
+Slicer = Literal["prusa", "bambu"]
 Visible = Literal["relief", "orbit", "all"]
 
 #: Degrees by which the camera moves to its right, and up.
@@ -61,10 +63,19 @@ class Model:
         """Volume and pieces of a solid; None of a surface."""
         return self._core.solid
 
-    def save(self, path: PathLike, *, size: Optional[float] = None) -> None:
-        """Writes .glb, .obj, .ply or .stl; the longest side is `size` mm (a solid's own, else 100).
+    def save(
+        self,
+        path: PathLike,
+        *,
+        size: Optional[float] = None,
+        filaments: int = 4,
+        slicer: Slicer = "prusa",
+    ) -> None:
+        """Writes .glb, .obj, .ply, .stl, .usdz, .html, or of a solid .3mf, painted with at most so
+        many `filaments` for PrusaSlicer and its kin or for those of Bambu Studio. The longest side
+        is `size` mm (a solid's own, else 100). In files to print a figure on a base is upright.
         Nothing is left half-written, and the drawing is not overwritten."""
-        self._core.save(path, size)
+        self._core.save(path, size, filaments, paint(slicer))
 
     def render(self, view: View = "three-quarter", **options: Unpack[RenderOptions]) -> Picture:
         """A picture, height x width x 4; `yaw` and `pitch` in place of the view's."""
@@ -127,10 +138,14 @@ class Relief:
         """Heights, normals and parts of the front view, `longest` px on the longer side."""
         return self._session.maps(longest)
 
-    def save(self, path: PathLike, *, size: Optional[float] = None) -> None:
-        """Writes the model as `relievo build` does: whole parts, or what the front shows for .stl."""
-        printed = os.fspath(path).endswith(".stl")
-        self.model(visible="relief" if printed else "orbit").save(path, size=size)
+    def save(self, path: PathLike, *, size: float = 100) -> None:
+        """Writes the model as `relievo build` does: whole parts, what the front shows for .stl, or a
+        solid for .3mf, which has nothing else."""
+        ending = pathlib.PurePath(path).suffix
+        if ending == ".3mf":
+            self.solid(size=size).save(path)
+        else:
+            self.model(visible="relief" if ending == ".stl" else "orbit").save(path, size=size)
 
     def render(self, view: View = "three-quarter", **options: Unpack[RenderOptions]) -> Picture:
         """As Model.render."""

@@ -5,6 +5,7 @@
 
 #include "io/archive/archive.h"
 #include "relievo/bytes.h"
+#include "relievo/export.h"
 #include "relievo/image.h"
 #include "relievo/model.h"
 #include "relievo/result.h"
@@ -57,32 +58,21 @@ Result<Bytes> encode_ply(const Model& model, const Drawing* drawing,
                          const PlyOptions& options = {});
 
 /// The model as binary STL: mm, longest side `size_mm`, lying on z = 0 with the height of the
-/// relief as Z, in the positive octant. Errors: as check_exportable.
-Result<Bytes> encode_stl(const Model& model, double size_mm = 100);
+/// relief as Z, or `standing` with the drawing's up as Z, in the positive octant. Errors: as
+/// check_exportable.
+Result<Bytes> encode_stl(const Model& model, double size_mm = 100, bool standing = false);
 
-/// Which programs' way of painting triangles a file has: they do not read each other's.
-enum class Slicer {
-  prusa,  ///< PrusaSlicer and its kin, by attributes in a namespace of their own
-  bambu,  ///< Bambu Studio and OrcaSlicer, by one that the format does not know
-};
-
-struct ThreemfOptions {
-  double size_mm = 100;  ///< longest side
-  int filaments = 4;     ///< at most so many colours are painted, in [1, 16]
-  Slicer slicer = Slicer::prusa;
-};
-
-/// The model as the files of a 3MF package: mm, lying on z = 0 in the positive octant, one object
-/// whose vertices at one place are one. With a drawing its triangles carry that as a texture
-/// (materials extension), and are painted for several filaments, whose colours are listed in the
-/// package's description. Precondition: the model is a closed manifold. Errors: as
-/// check_exportable; `internal` where it cannot be packed.
+/// The model as the files of a 3MF package: mm, lying or standing as in an STL, one object whose
+/// vertices at one place are one. With a drawing its triangles carry that as a texture (materials
+/// extension), and are painted for several filaments, whose colours are listed in the package's
+/// description. Precondition: the model is a closed manifold. Errors: as check_exportable;
+/// `internal` where it cannot be packed.
 Result<std::vector<ArchiveEntry>> threemf_entries(const Model& model, const Drawing* drawing,
-                                                  const ThreemfOptions& options = {});
+                                                  const ExportOptions& options = {});
 
 /// The same as the bytes of a file.
 Result<Bytes> encode_3mf(const Model& model, const Drawing* drawing,
-                         const ThreemfOptions& options = {});
+                         const ExportOptions& options = {});
 
 /// The model as a USDZ package, which phones show: one mesh with one material in USD's text form,
 /// metres, Y up, front towards +Z, standing on y = 0, longest side `size_mm`. The drawing (may be

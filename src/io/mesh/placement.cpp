@@ -33,15 +33,10 @@ Placement centred_placement(const Model& model, double size) {
   return {size / longest_side(box), {middle.x, middle.y, 0}};
 }
 
-Placement octant_placement(const Model& model, double size) {
+Placement octant_placement(const Model& model, double size, bool standing) {
   const Box3 box = extent(model);
-  return {size / longest_side(box), box.min};
-}
-
-Model stood_up(Model model) {
-  for (std::vector<Point3>* all : {&model.positions, &model.normals})
-    for (Point3& p : *all) p = {p.x, -p.z, p.y};
-  return model;
+  const Point3 corner = standing ? Point3{box.min.x, -box.max.z, box.min.y} : box.min;
+  return {size / longest_side(box), corner, standing};
 }
 
 Status check_exportable(const Model& model, double size_mm) {

@@ -2,6 +2,7 @@
 
 #include "relievo/model.h"
 #include "relievo/result.h"
+#include "relievo/solid.h"
 
 namespace relievo {
 
@@ -17,26 +18,25 @@ Box3 extent(const Model& model);
 /// The longest side of that box.
 double longest_side(const Model& model);
 
-/// Where a model lies in a file: position in the file = scale * (position - origin).
+/// Where a model lies in a file: position in the file = scale * (position - origin), the position
+/// stood up before where it stands.
 struct Placement {
   double scale = 1;
   Point3 origin;
+  bool standing = false;
 };
 
 inline Point3 place(const Placement& placement, Point3 p) {
-  return placement.scale * (p - placement.origin);
+  return placement.scale * ((placement.standing ? stood_up(p) : p) - placement.origin);
 }
 
 /// The longest side of the model becomes `size`; its middle lies at x = y = 0 and its drawing
 /// plane at z = 0.
 Placement centred_placement(const Model& model, double size);
 
-/// The longest side of the model becomes `size`; it lies in the positive octant and touches its
-/// three planes.
-Placement octant_placement(const Model& model, double size);
-
-/// The model turned so that what was up on the drawing is up on the bed: Y becomes Z.
-Model stood_up(Model model);
+/// The longest side of the model becomes `size`; it lies, or stands, in the positive octant and
+/// touches its three planes.
+Placement octant_placement(const Model& model, double size, bool standing = false);
 
 /// The normal made exactly unit, towards the viewer where it is zero: files must not have others.
 inline Point3 file_normal(Point3 normal) {

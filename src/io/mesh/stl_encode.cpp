@@ -18,9 +18,9 @@ void append_point(Bytes& bytes, Point3 p) {
 
 }  // namespace
 
-Result<Bytes> encode_stl(const Model& model, double size_mm) {
+Result<Bytes> encode_stl(const Model& model, double size_mm, bool standing) {
   if (Status status = check_exportable(model, size_mm); !status) return status.error();
-  const Placement placement = octant_placement(model, size_mm);
+  const Placement placement = octant_placement(model, size_mm, standing);
   Bytes stl;
   stl.reserve(header_size + 4 + triangle_size * model.triangles.size());
   append_text(stl, "relievo " RELIEVO_VERSION ", binary STL, millimetres");

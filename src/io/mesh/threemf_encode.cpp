@@ -183,9 +183,9 @@ Bytes xml_bytes(const std::string& text) {
 }  // namespace
 
 Result<std::vector<ArchiveEntry>> threemf_entries(const Model& model, const Drawing* drawing,
-                                                  const ThreemfOptions& options) {
+                                                  const ExportOptions& options) {
   if (Status status = check_exportable(model, options.size_mm); !status) return status.error();
-  ModelWriter writer(model, octant_placement(model, options.size_mm));
+  ModelWriter writer(model, octant_placement(model, options.size_mm, options.standing));
   std::vector<ArchiveEntry> entries = {
       {"[Content_Types].xml", xml_bytes(content_types)},
       {"_rels/.rels", xml_bytes(relationship("3dmodel", "/3D/3dmodel.model"))}};
