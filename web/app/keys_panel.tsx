@@ -26,7 +26,7 @@ const rows: readonly [string, MessageKey][] = [
 
 export function KeysPanel() {
   return (
-    <div class="sheet keys" role="group" aria-label={t('keys')}>
+    <div class="sheet keys" role="group" tabIndex={0} aria-label={t('keys')}>
       <dl>
         {rows.map(([keys, label]) => (
           <div key={label}>
