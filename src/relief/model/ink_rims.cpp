@@ -12,6 +12,7 @@
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/compose.h"
 #include "kernel/image/filters.h"
+#include "kernel/meshing/segment_grid.h"
 #include "relief/model/fill_triangle.h"
 
 namespace relievo {
@@ -155,38 +156,22 @@ std::vector<double> inked_parts(const Model& model, const RimView& view,
   return median;
 }
 
-/// Square cells of points, to find those near a place.
-class Cells {
- public:
-  Cells(Point2 extent, double size)
-      : size_(size),
-        columns_(static_cast<int>(extent.x / size) + 1),
-        rows_(static_cast<int>(extent.y / size) + 1),
-        items_(static_cast<size_t>(columns_) * rows_) {}
-
-  void add(Point2 place, int item) {
-    items_[static_cast<size_t>(row(place.y)) * columns_ + column(place.x)].push_back(item);
-  }
-
-  /// Visits the items of all cells that a box around two places grown by `by` touches.
-  template <class Visit>
-  void near(Point2 a, Point2 b, double by, const Visit& visit) const {
-    for (int y = row(std::min(a.y, b.y) - by); y <= row(std::max(a.y, b.y) + by); ++y)
-      for (int x = column(std::min(a.x, b.x) - by); x <= column(std::max(a.x, b.x) + by); ++x)
-        for (const int item : items_[static_cast<size_t>(y) * columns_ + x]) visit(item);
-  }
-
- private:
-  int column(double x) const {
-    return static_cast<int>(std::clamp(x / size_, 0.0, columns_ - 1.0));
-  }
-  int row(double y) const { return static_cast<int>(std::clamp(y / size_, 0.0, rows_ - 1.0)); }
-
-  double size_;
-  int columns_;
-  int rows_;
-  std::vector<std::vector<int>> items_;
+/// A vertex of what is seen of a part, near its silhouette.
+struct BandVertex {
+  int vertex = 0;
+  Point2 place;         ///< canvas px
+  double distance = 0;  ///< canvas px to the silhouette
+  double freedom = 0;   ///< 0 beside other parts, 1 away from them
 };
+
+/// Precondition: there are points.
+SegmentGrid point_grid(const std::vector<Point2>& points) {
+  Box2 box;
+  for (const Point2 p : points) box.add(p);
+  SegmentGrid grid(box, points.size());
+  grid.build(points.size(), [&](size_t i) { return std::pair(points[i], points[i]); });
+  return grid;
+}
 
 /// Brings the rims of one part forward.
 class RimRaiser {
@@ -198,22 +183,22 @@ class RimRaiser {
   /// How far each vertex near the part's silhouette comes forward.
   std::vector<std::pair<int, double>> rises(const std::vector<RimEdge>& rims) {
     find_band(rims);
-    const Image<int32_t> away = distance_to_others();
-    Cells steep({model_.width, model_.height}, reach_);
-    std::vector<double> roots(band_.size(), 0);
-    for (size_t i = 0; i < band_.size(); ++i) {
-      const auto [v, t] = band_[i];
-      const Point3 n = model_.normals[v];
-      if (t < 0.4 * reach_ || n.z < leaning || freedom(v, away) == 0) continue;
-      roots[i] = 2 * std::sqrt(t) * norm(Point2{n.x, n.y}) / n.z;
-      steep.add(place(v), static_cast<int>(i));
+    std::vector<Point2> steep;
+    std::vector<double> roots;
+    for (const BandVertex& near : band_) {
+      const Point3 n = model_.normals[near.vertex];
+      if (near.distance < 0.4 * reach_ || n.z < leaning) continue;
+      roots.push_back(2 * std::sqrt(near.distance) * norm(Point2{n.x, n.y}) / n.z);
+      steep.push_back(near.place);
     }
+    if (steep.empty()) return {};
+    const SegmentGrid grid = point_grid(steep);
     std::vector<std::pair<int, double>> found;
-    for (const auto& [v, t] : band_) {
-      const double root = mean_around(place(v), steep, roots);
-      const double rest = 1 - std::sqrt(t / reach_);
-      const double rise = freedom(v, away) * 0.5 * std::sqrt(reach_) * root * rest * rest;
-      if (rise > 0) found.emplace_back(v, rise);
+    for (const BandVertex& near : band_) {
+      const double root = mean_around(near.place, grid, steep, roots);
+      const double rest = 1 - std::sqrt(near.distance / reach_);
+      const double rise = near.freedom * 0.5 * std::sqrt(reach_) * root * rest * rest;
+      if (rise > 0) found.emplace_back(near.vertex, rise);
     }
     return found;
   }
@@ -221,7 +206,7 @@ class RimRaiser {
  private:
   Point2 place(int v) const { return {model_.positions[v].x, model_.positions[v].y}; }
 
-  /// The vertices of what is seen of the part within reach of its silhouette, and how far they are.
+  /// The vertices of what is seen of the part within reach of its silhouette, away from others.
   void find_band(const std::vector<RimEdge>& rims) {
     const ModelPart& part = model_.parts[part_];
     std::vector<int> seen;
@@ -230,19 +215,25 @@ class RimRaiser {
       seen.insert(seen.end(), model_.triangles[t].begin(), model_.triangles[t].end());
     std::sort(seen.begin(), seen.end());
     seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
-    Cells cells({model_.width, model_.height}, reach_);
-    for (size_t i = 0; i < seen.size(); ++i) cells.add(place(seen[i]), static_cast<int>(i));
+    if (seen.empty()) return;
+    std::vector<Point2> places;
+    for (const int v : seen) places.push_back(place(v));
+    const SegmentGrid grid = point_grid(places);
     std::vector<double> nearest(seen.size(), std::numeric_limits<double>::infinity());
     for (const RimEdge& rim : rims) {
       if (rim.part != part_) continue;
       const Point2 a = place(rim.vertices[0]);
       const Point2 b = place(rim.vertices[1]);
-      cells.near(a, b, reach_, [&](int i) {
-        nearest[i] = std::min(nearest[i], distance_to_segment(place(seen[i]), a, b));
+      grid.for_cells(a, b, reach_, [&](size_t cell) {
+        for (const int* i = grid.begin(cell); i != grid.end(cell); ++i)
+          nearest[*i] = std::min(nearest[*i], distance_to_segment(places[*i], a, b));
       });
     }
-    for (size_t i = 0; i < seen.size(); ++i)
-      if (nearest[i] < reach_) band_.emplace_back(seen[i], nearest[i]);
+    const Image<int32_t> away = distance_to_others();
+    for (size_t i = 0; i < seen.size(); ++i) {
+      const double free = nearest[i] < reach_ ? freedom(seen[i], away) : 0;
+      if (free > 0) band_.push_back({seen[i], places[i], nearest[i], free});
+    }
   }
 
   /// From every pixel of the shrunk view to the next that shows another part.
@@ -273,15 +264,18 @@ class RimRaiser {
     return t * t * (3 - 2 * t);
   }
 
-  double mean_around(Point2 p, const Cells& cells, const std::vector<double>& values) const {
+  double mean_around(Point2 p, const SegmentGrid& grid, const std::vector<Point2>& places,
+                     const std::vector<double>& values) const {
     const double radius = 2 * reach_;
     double sum = 0;
     double weight = 0;
-    cells.near(p, p, radius, [&](int i) {
-      const Point2 off = place(band_[i].first) - p;
-      const double w = std::max(0.0, 1 - dot(off, off) / (radius * radius));
-      sum += w * w * values[i];
-      weight += w * w;
+    grid.for_cells(p, p, radius, [&](size_t cell) {
+      for (const int* i = grid.begin(cell); i != grid.end(cell); ++i) {
+        const Point2 off = places[*i] - p;
+        const double w = std::max(0.0, 1 - dot(off, off) / (radius * radius));
+        sum += w * w * values[*i];
+        weight += w * w;
+      }
     });
     return weight > 0 ? sum / weight : 0;
   }
@@ -290,7 +284,7 @@ class RimRaiser {
   const RimView& view_;
   int part_;
   double reach_;
-  std::vector<std::pair<int, double>> band_;
+  std::vector<BandVertex> band_;
 };
 
 /// Walls below raised edges, in the paint beside the ink.
