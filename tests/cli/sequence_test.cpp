@@ -87,9 +87,9 @@ TEST_F(Sequence, OfAWalkDoesNotFlicker) {
   for (size_t k = 1; k < json["frames"].size(); ++k) {
     const auto& frame = json["frames"][k];
     EXPECT_GT(frame["still"], 0.6) << k;
-    EXPECT_LT(frame["change"]["median"], 0.004) << k;
-    EXPECT_LT(frame["change"]["most99"], 0.02) << k;
-    EXPECT_LT(frame["change"]["most"], 0.05) << k;
+    EXPECT_LT(frame["change"]["median"], 0.00001) << k;
+    EXPECT_LT(frame["change"]["most99"], 0.005) << k;
+    EXPECT_LT(frame["change"]["most"], 0.04) << k;
   }
 }
 

@@ -9,11 +9,17 @@
 #include <tuple>
 #include <utility>
 
+#include "kernel/image/diffusion.h"
+
 namespace relievo::cli {
 namespace {
 
 constexpr int still_colour = 2;
 constexpr double still_px = 0.5;
+
+/// As a share of the longer side: over what distance held heights give way to those that move, so
+/// that the border between them is no kink.
+constexpr float give_way = 0.005F;
 
 /// The pixels of the old picture that one of the new covers along a side.
 std::pair<int, int> covered(int i, int old_side, int new_side) {
@@ -43,6 +49,42 @@ bool same_colour(const FrameMaps& a, const FrameMaps& b, size_t i) {
   for (size_t c = 4 * i; c < 4 * i + 4; ++c)
     if (std::abs(a.colour.pixels[c] - b.colour.pixels[c]) > still_colour) return false;
   return true;
+}
+
+/// The pixels that stand still; none where the frames differ in size.
+std::vector<size_t> still_pixels(const FrameMaps& before, const FrameMaps& after) {
+  if (before.part.width != after.part.width || before.part.height != after.part.height) return {};
+  std::map<int, bool> at_rest = parts_at_rest(before, after);
+  std::vector<size_t> still;
+  for (size_t i = 0; i < before.part.pixels.size(); ++i) {
+    const int part = before.part.pixels[i];
+    if (part >= 0 && part == after.part.pixels[i] && at_rest[part] && same_colour(before, after, i))
+      still.push_back(i);
+  }
+  return still;
+}
+
+/// Adds heights to a surface and turns its normals as they do. `pixel`: canvas px per pixel.
+void add_heights(const ImageF& rise, double pixel, FrameMaps& frame, ImageF& normal) {
+  const auto [w, h] = std::pair(rise.width, rise.height);
+  for (int y = 0; y < h; ++y)
+    for (int x = 0; x < w; ++x) {
+      if (frame.part.at(x, y) < 0) continue;
+      frame.height.at(x, y) += rise.at(x, y);
+      const auto [left, right] = std::pair(std::max(x - 1, 0), std::min(x + 1, w - 1));
+      const auto [top, bottom] = std::pair(std::max(y - 1, 0), std::min(y + 1, h - 1));
+      const double nz = normal.at(x, y, 2);
+      double nx = normal.at(x, y, 0);
+      double ny = normal.at(x, y, 1);
+      if (right > left)
+        nx -= nz * (rise.at(right, y) - rise.at(left, y)) / (pixel * (right - left));
+      if (bottom > top)
+        ny += nz * (rise.at(x, bottom) - rise.at(x, top)) / (pixel * (bottom - top));
+      const double length = std::sqrt(nx * nx + ny * ny + nz * nz);
+      normal.at(x, y, 0) = static_cast<float>(nx / length);
+      normal.at(x, y, 1) = static_cast<float>(ny / length);
+      normal.at(x, y, 2) = static_cast<float>(nz / length);
+    }
 }
 
 }  // namespace
@@ -122,20 +164,30 @@ std::vector<int> PartNumbers::renumber(const Scene& scene, bool flat, Image<int3
   return number;
 }
 
+void hold_heights(const FrameMaps& before, double pixel, FrameMaps& frame, ImageF& normal) {
+  const std::vector<size_t> still = still_pixels(before, frame);
+  if (still.empty()) return;
+  const auto [w, h] = std::pair(frame.height.width, frame.height.height);
+  const float softness = give_way * static_cast<float>(std::max(w, h));
+  ImageF known(w, h, 2);
+  for (const size_t i : still) {
+    known.pixels[2 * i] = before.height.pixels[i] - frame.height.pixels[i];
+    known.pixels[2 * i + 1] = 1 / std::max(1.0F, softness * softness);
+  }
+  add_heights(diffuse(known), pixel, frame, normal);
+}
+
 Flicker measure_flicker(const FrameMaps& before, const FrameMaps& after, const HeightRange& range) {
-  std::map<int, bool> at_rest = parts_at_rest(before, after);
+  const double extent = range.high - range.low;
   std::vector<double> changes;
-  size_t figure = 0;
-  for (size_t i = 0; i < before.height.pixels.size(); ++i) {
-    const int part = before.part.pixels[i];
-    figure += part >= 0 ? 1 : 0;
-    if (part < 0 || part != after.part.pixels[i] || !at_rest[part]) continue;
-    if (!same_colour(before, after, i)) continue;
+  for (const size_t i : still_pixels(before, after)) {
     const double change = std::abs(static_cast<double>(after.height.pixels[i]) -
                                    static_cast<double>(before.height.pixels[i]));
-    changes.push_back(range.high > range.low ? change / (range.high - range.low) : 0);
+    changes.push_back(extent > 0 ? change / extent : 0);
   }
   if (changes.empty()) return {};
+  const auto figure = std::count_if(before.part.pixels.begin(), before.part.pixels.end(),
+                                    [](int part) { return part >= 0; });
   std::sort(changes.begin(), changes.end());
   return {static_cast<double>(changes.size()) / static_cast<double>(figure),
           changes[changes.size() / 2], changes[changes.size() * 99 / 100], changes.back()};

@@ -47,6 +47,11 @@ class PartNumbers {
   Image<int32_t> last_;             ///< the frame before
 };
 
+/// Gives what stands still in `frame` the heights of the frame before, and what moves those that
+/// bring it there smoothly: beside a join that moves, the surface is another one in each frame.
+/// `pixel`: canvas px per pixel; `normal`: of `frame`, as ReliefMaps. O(pixels).
+void hold_heights(const FrameMaps& before, double pixel, FrameMaps& frame, ImageF& normal);
+
 /// How heights change from one frame to the next where the drawing stands still: shares of the
 /// range of all heights.
 struct Flicker {

@@ -52,19 +52,23 @@ class Animator {
     auto maps = rasterize_relief(relief.layers, relief.inflation, relief.ordering, input.scene,
                                  size.width, size.height, context);
     if (!maps) return maps.error();
-    FrameMaps& made = frames_.emplace_back();
+    FrameMaps made;
     made.name = frame.name;
-    made.normal = normal_image(*maps, sequence_.normal_y_down);
-    if (wants(sequence_, "occlusion"))
-      made.occlusion = share_image(ambient_occlusion(*maps, input.scene.width / size.width));
     made.colour = input.drawing.rgba.empty() ? Image8(size.width, size.height, 4)
                                              : resized(input.drawing.rgba, size);
     const std::vector<int> number = numbers_.renumber(input.scene, frame.flat, maps->part);
     for (size_t p = 0; p < number.size(); ++p)
       made.outlines[number[p]] = std::move(input.scene.parts[p].outline);
-    made.part = std::move(maps->part);
-    made.height = std::move(maps->height);
+    made.part = maps->part;
+    made.height = maps->height;
+    const double pixel = input.scene.width / size.width;
+    if (!frames_.empty()) hold_heights(frames_.back(), pixel, made, maps->normal);
+    maps->height = made.height;
+    made.normal = normal_image(*maps, sequence_.normal_y_down);
+    if (wants(sequence_, "occlusion"))
+      made.occlusion = share_image(ambient_occlusion(*maps, pixel));
     range_.add(made.height);
+    frames_.push_back(std::move(made));
     return Done{};
   }
 

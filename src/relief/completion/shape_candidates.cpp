@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "kernel/geometry/ellipse.h"
+#include "kernel/image/diffusion.h"
 #include "kernel/image/filters.h"
-#include "kernel/image/illusory_surface.h"
 #include "kernel/image/outlines.h"
 #include "relief/completion/contour_gaps.h"
 
@@ -190,16 +190,18 @@ Mask membrane_shape(const HiddenPart& hidden) {
   const int top = std::max(0, static_cast<int>(box.min.y));
   const int right = std::min(labels.width, static_cast<int>(box.max.x) + 1);
   const int bottom = std::min(labels.height, static_cast<int>(box.max.y) + 1);
-  Image<Cell> cells(right - left, bottom - top, 1, Cell::open);
-  const auto fix = [&](int x, int y, Cell cell) {
-    if (x >= left && y >= top && x < right && y < bottom) cells.at(x - left, y - top) = cell;
+  ImageF known(right - left, bottom - top, 2);
+  const auto fix = [&](int x, int y, float value) {
+    if (x < left || y < top || x >= right || y >= bottom) return;
+    known.at(x - left, y - top, 0) = value;
+    known.at(x - left, y - top, 1) = fixed_weight;
   };
   const auto other_side = [&](int px, int py, int x, int y) {
     if (x < 0 || y < 0 || x >= labels.width || y >= labels.height) return;
     const int other = hidden.regions.part_at(x, y);
     if (other == hidden.part || (other >= 0 && hidden.hides[other] != 0)) return;
-    fix(px, py, Cell::one);
-    fix(x, y, Cell::zero);
+    fix(px, py, 1);
+    fix(x, y, 0);
   };
   for_each_pixel(hidden.visible(), [&](int x, int y) {
     other_side(x, y, x - 1, y);
@@ -207,7 +209,7 @@ Mask membrane_shape(const HiddenPart& hidden) {
     other_side(x, y, x, y - 1);
     other_side(x, y, x, y + 1);
   });
-  Mask shape{left, top, above_half(diffuse_contour(cells))};
+  Mask shape{left, top, above_half(diffuse(known))};
   if (reaches_border(shape)) cut_off(shape, hidden.visible());
   return shape;
 }
