@@ -18,7 +18,7 @@ constexpr int longest_side = 512;
 /// So far beside its outline a part is taken to be inked, px of the shrunk drawing.
 constexpr int ink_band = 4;
 /// Around what is hidden, so that colours between pixels are there too.
-constexpr int margin = 2;
+constexpr int patch_margin = 2;
 
 /// Pixels from (x0, y0) to before (x1, y1).
 struct PixelBox {
@@ -55,10 +55,10 @@ PixelBox box_around(const Model& model, int begin, int end, ImageSize size) {
   const auto pixel = [](double v, int length) {
     return std::clamp(static_cast<int>(std::floor(v * length)), 0, length - 1);
   };
-  return {std::max(0, pixel(box.min.x, size.width) - margin),
-          std::max(0, pixel(box.min.y, size.height) - margin),
-          std::min(size.width, pixel(box.max.x, size.width) + margin + 1),
-          std::min(size.height, pixel(box.max.y, size.height) + margin + 1)};
+  return {std::max(0, pixel(box.min.x, size.width) - patch_margin),
+          std::max(0, pixel(box.min.y, size.height) - patch_margin),
+          std::min(size.width, pixel(box.max.x, size.width) + patch_margin + 1),
+          std::min(size.height, pixel(box.max.y, size.height) + patch_margin + 1)};
 }
 
 /// How far each pixel of a part lies from what is not the part, in Chebyshev distance, at most
