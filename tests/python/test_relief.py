@@ -289,8 +289,12 @@ print(relief.rebuild(vertices=1000).vertices > 500)
 
 
 def test_ctrl_c_stops_a_build(examples):
+    # Background jobs of a shell ignore interrupts, and their children would too.
     child = subprocess.Popen(
-        [sys.executable, "-c", INTERRUPTED, examples / "wolf.svg"], stdout=subprocess.PIPE, text=True
+        [sys.executable, "-c", INTERRUPTED, examples / "wolf.svg"],
+        stdout=subprocess.PIPE,
+        text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
     assert child.stdout.readline() == "begun\n"
     time.sleep(0.5)
