@@ -105,9 +105,9 @@ it('makes an animal of twelve gestures, all of it joined', async () => {
   await stroke(page, ellipse(360, 275, 13, 17), at);
   const drawn = Date.now() - begun;
   expect((await names(page)).length).toBe(11);
-  await page.waitForTimeout(300);
   // Head, legs, ears and tail; the eyes are details that lie on the head.
-  expect((await shelfOf(page)).find(({ parts }) => parts.at(-1) === 11)?.joins.at(-1)).toBe(8);
+  const joins = async () => (await shelfOf(page)).find(({ parts }) => parts.at(-1) === 11)?.joins.at(-1);
+  await expect.poll(joins, { timeout: 10_000 }).toBe(8);
   expect(drawn).toBeLessThan(40_000);
   console.info(`drawn in ${(drawn / 1000).toFixed(1)} s`);
   await settled(page);
