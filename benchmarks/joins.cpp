@@ -14,7 +14,8 @@
 #include "support/regions.h"
 #include "support/seams.h"
 
-// Prints how sharp the joins of drawings are and how deep the pits at their ends.
+// Prints how sharp the joins of drawings are and what pits and bumps there are at their ends, in
+// the drawing and where each join's two parts are alone.
 // Usage: joins VERTICES approximate|nonlinear DRAWING|SEED|FIRST-LAST...
 
 namespace relievo {
@@ -44,12 +45,23 @@ struct Tally {
   std::vector<double> largest;
   std::vector<double> pits;  ///< at each end, relative to the join's length
   std::vector<double> bumps;
+  std::vector<double> pits_alone;  ///< where only the join's two parts are built
+  std::vector<double> bumps_alone;
 };
 
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;
   std::sort(values.begin(), values.end());
   return values[static_cast<size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+}
+
+/// A row's columns for what stands at both ends.
+void print_ends(const std::vector<double>& ends) {
+  for (const double end : ends) std::printf(",%.1f", 100 * end);
+}
+
+void add(const std::vector<double>& ends, std::vector<double>& all) {
+  all.insert(all.end(), ends.begin(), ends.end());
 }
 
 void study(const std::string& name, const Scene& scene, const ReliefOptions& options,
@@ -62,17 +74,19 @@ void study(const std::string& name, const Scene& scene, const ReliefOptions& opt
   const LayeredMesh& mesh = relief->layers;
   for (const SeamChain& chain : seam_chains(mesh)) {
     const std::vector<double> angles = testing::seam_angles(mesh, relief->ordering.h, chain);
-    std::vector<double> heights = relief->ordering.h;
-    const std::vector<double> pits = testing::pits(mesh, heights, chain);
-    for (double& height : heights) height = -height;
-    const std::vector<double> bumps = testing::pits(mesh, heights, chain);
+    const testing::JoinEnds ends = testing::join_ends(mesh, relief->ordering.h, chain);
+    const testing::JoinEnds alone = testing::join_ends_alone(scene, mesh, chain, options);
     const double median = angles.empty() ? 0 : angles[angles.size() / 2];
     const double most = angles.empty() ? 0 : angles.back();
-    std::printf("%s,%s,%zu,%.0f,%.2f,%.2f,%.1f,%.1f,%.1f,%.1f\n", name.c_str(),
-                scene.parts[chain.upper].id.c_str(), chain.nodes.size(), chain.length.back(),
-                median, most, 100 * pits[0], 100 * pits[1], 100 * bumps[0], 100 * bumps[1]);
-    tally.pits.insert(tally.pits.end(), pits.begin(), pits.end());
-    tally.bumps.insert(tally.bumps.end(), bumps.begin(), bumps.end());
+    std::printf("%s,%s,%zu,%.0f,%.2f,%.2f", name.c_str(), scene.parts[chain.upper].id.c_str(),
+                chain.nodes.size(), chain.length.back(), median, most);
+    for (const auto* values : {&ends.pits, &ends.bumps, &alone.pits, &alone.bumps})
+      print_ends(*values);
+    std::printf("\n");
+    add(ends.pits, tally.pits);
+    add(ends.bumps, tally.bumps);
+    add(alone.pits, tally.pits_alone);
+    add(alone.bumps, tally.bumps_alone);
     if (angles.empty()) continue;
     tally.medians.push_back(median);
     tally.largest.push_back(most);
@@ -97,7 +111,9 @@ int main(int argc, char** argv) {
   ReliefOptions options;
   options.layers.vertex_budget = std::atoi(argv[1]);
   if (argv[2][0] == 'n') options.method = Method::nonlinear;
-  std::printf("drawing,part,nodes,length,median,most,pit %%,pit %%,bump %%,bump %%\n");
+  std::printf(
+      "drawing,part,nodes,length,median,most,pit %%,pit %%,bump %%,bump %%,"
+      "pit alone %%,pit alone %%,bump alone %%,bump alone %%\n");
   Tally tally;
   for (int k = 3; k < argc; ++k) {
     const std::string name = argv[k];
@@ -119,5 +135,7 @@ int main(int argc, char** argv) {
   print("angle across joins, largest of each, degrees", tally.largest, 1);
   print("pits, % of the join's length", tally.pits, 100);
   print("bumps, % of the join's length", tally.bumps, 100);
+  print("pits where its two parts are alone", tally.pits_alone, 100);
+  print("bumps where its two parts are alone", tally.bumps_alone, 100);
   return 0;
 }

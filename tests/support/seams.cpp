@@ -7,8 +7,10 @@
 #include <map>
 #include <queue>
 #include <set>
+#include <type_traits>
 #include <utility>
 
+#include "kernel/geometry/polygon.h"
 #include "relief/layers/layered_mesh.h"
 
 namespace relievo::testing {
@@ -87,6 +89,20 @@ double deepest_water(const LayeredMesh& mesh, const std::vector<double>& h, Poin
   return deepest;
 }
 
+Point2 position(const LayeredMesh& mesh, int node) { return mesh.vertices[mesh.node_vertex[node]]; }
+
+std::vector<double> pits(const LayeredMesh& mesh, const std::vector<double>& h,
+                         const SeamChain& chain) {
+  const double total = chain.length.back();
+  const std::vector<uint8_t> seen = seen_nodes(mesh);
+  std::vector<double> result;
+  for (const int end : {chain.nodes.front(), chain.nodes.back()}) {
+    const Point2 at = mesh.vertices[mesh.node_vertex[end]];
+    result.push_back(seen[end] != 0 ? deepest_water(mesh, h, at, 0.5 * total) / total : 0);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<double> seam_angles(const LayeredMesh& mesh, const std::vector<double>& h,
@@ -120,16 +136,60 @@ std::vector<double> seam_angles(const LayeredMesh& mesh, const std::vector<doubl
   return angles;
 }
 
-std::vector<double> pits(const LayeredMesh& mesh, const std::vector<double>& h,
-                         const SeamChain& chain) {
-  const double total = chain.length.back();
-  const std::vector<uint8_t> seen = seen_nodes(mesh);
-  std::vector<double> result;
-  for (const int end : {chain.nodes.front(), chain.nodes.back()}) {
-    const Point2 at = mesh.vertices[mesh.node_vertex[end]];
-    result.push_back(seen[end] != 0 ? deepest_water(mesh, h, at, 0.5 * total) / total : 0);
+JoinEnds join_ends(const LayeredMesh& mesh, const std::vector<double>& h, const SeamChain& chain) {
+  std::vector<double> depths = h;
+  for (double& depth : depths) depth = -depth;
+  return {pits(mesh, h, chain), pits(mesh, depths, chain)};
+}
+
+Scene join_alone(const Scene& scene, const LayeredMesh& mesh, const SeamChain& chain) {
+  const Point2 middle = position(mesh, chain.nodes[chain.nodes.size() / 2]);
+  const Join* join = nullptr;
+  for (const Join& other : scene.joins)
+    if (other.upper == chain.upper &&
+        (join == nullptr ||
+         distance_to_polyline(other.line, middle) < distance_to_polyline(join->line, middle)))
+      join = &other;
+  Scene alone = scene;
+  alone.parts = {scene.parts[join->lower], scene.parts[join->upper]};
+  const auto keep = [&](auto& all) {
+    using Item = typename std::decay_t<decltype(all)>::value_type;
+    const auto is_of_others = [&](const Item& item) {
+      return item.upper != join->upper || item.lower != join->lower;
+    };
+    all.erase(std::remove_if(all.begin(), all.end(), is_of_others), all.end());
+    for (Item& item : all) item.upper = 1, item.lower = 0;
+  };
+  const Join own = *join;
+  alone.joins = {{1, 0, own.line}};
+  keep(alone.relations);
+  keep(alone.robin);
+  alone.cues.clear();
+  for (Cue cue : scene.cues) {
+    if (cue.part != own.lower && cue.part != own.upper) continue;
+    cue.part = cue.part == own.upper ? 1 : 0;
+    alone.cues.push_back(cue);
   }
-  return result;
+  return alone;
+}
+
+JoinEnds join_ends_alone(const Scene& scene, const LayeredMesh& mesh, const SeamChain& chain,
+                         ReliefOptions options) {
+  options.layers.edge_length = mesh.edge_length;
+  const Result<Relief> relief = build_relief(join_alone(scene, mesh, chain), options);
+  if (!relief) return {};
+  const std::vector<SeamChain> chains = seam_chains(relief->layers);
+  if (chains.empty()) return {};
+  SeamChain own = chains[0];
+  const Point2 first = position(mesh, chain.nodes.front());
+  if (distance(position(relief->layers, own.nodes.front()), first) >
+      distance(position(relief->layers, own.nodes.back()), first)) {
+    std::reverse(own.nodes.begin(), own.nodes.end());
+    const double total = own.length.back();
+    std::reverse(own.length.begin(), own.length.end());
+    for (double& length : own.length) length = total - length;
+  }
+  return join_ends(relief->layers, relief->ordering.h, own);
 }
 
 }  // namespace relievo::testing

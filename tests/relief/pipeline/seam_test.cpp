@@ -92,10 +92,9 @@ TEST(Seam, IsSmoothWhereALimbLiesOnWhatItGrowsOutOf) {
     const std::vector<SeamChain> chains = seam_chains(relief.layers);
     ASSERT_EQ(chains.size(), 2u);
     EXPECT_LE(seam_angles(relief.layers, relief.ordering.h, chains[1]).back(), 2) << seed;
-    std::vector<double> depths = relief.ordering.h;
-    for (double& depth : depths) depth = -depth;
-    for (const std::vector<double>& heights : {relief.ordering.h, depths})
-      for (const double pit : pits(relief.layers, heights, chains[1])) EXPECT_LE(pit, 0.01);
+    const JoinEnds ends = join_ends(relief.layers, relief.ordering.h, chains[1]);
+    for (const double pit : ends.pits) EXPECT_LE(pit, 0.01);
+    for (const double bump : ends.bumps) EXPECT_LE(bump, 0.01);
   }
 }
 
@@ -144,7 +143,7 @@ TEST(Seam, GrowsOutOfWhatIsSeenWhereRootsCross) {
     for (const SeamChain& chain : seam_chains(relief.layers)) {
       for (const double angle : seam_angles(relief.layers, relief.ordering.h, chain))
         EXPECT_LE(angle, 2) << seed;
-      for (const double pit : pits(relief.layers, relief.ordering.h, chain))
+      for (const double pit : join_ends(relief.layers, relief.ordering.h, chain).pits)
         EXPECT_LE(pit, 0.02) << seed;
     }
   }
@@ -156,14 +155,44 @@ TEST(Seam, HasNeitherPitsNorBumpsAtItsEnds) {
     options.layers.vertex_budget = 12000;
     options.layers.attach = attach;
     const Relief relief = relief_of(body_and_leg(), options);
-    std::vector<double> depths = relief.ordering.h;
-    for (double& depth : depths) depth = -depth;
     const std::vector<SeamChain> chains = seam_chains(relief.layers);
     ASSERT_EQ(chains.size(), 1u);
-    for (const double pit : pits(relief.layers, relief.ordering.h, chains[0])) EXPECT_LE(pit, 0.01);
+    const JoinEnds ends = join_ends(relief.layers, relief.ordering.h, chains[0]);
+    for (const double pit : ends.pits) EXPECT_LE(pit, 0.01);
     if (!attach) continue;
-    for (const double bump : pits(relief.layers, depths, chains[0])) EXPECT_LE(bump, 0.01);
+    for (const double bump : ends.bumps) EXPECT_LE(bump, 0.01);
   }
+}
+
+TEST(Seam, HasPitsOnlyWhereOtherPartsForkBesideItsEnds) {
+  ReliefOptions options;
+  options.layers.vertex_budget = 24000;
+  for (const uint64_t seed : {56, 128, 235}) {
+    const Scene scene = random_limbs(seed);
+    const Relief relief = relief_of(scene, options);
+    double deepest = 0;
+    for (const SeamChain& chain : seam_chains(relief.layers)) {
+      for (const double pit : join_ends(relief.layers, relief.ordering.h, chain).pits)
+        deepest = std::max(deepest, pit);
+      const JoinEnds alone = join_ends_alone(scene, relief.layers, chain, options);
+      ASSERT_EQ(alone.pits.size(), 2u);
+      for (const double pit : alone.pits) EXPECT_LE(pit, 0.005) << seed;
+    }
+    EXPECT_GE(deepest, 0.1) << seed << ": the fork, which is seen";
+  }
+}
+
+TEST(Seam, DirichletEndsArePitsOfTheirOwn) {
+  ReliefOptions options;
+  options.layers.vertex_budget = 6000;
+  options.inflation.alpha0 = 1;
+  const Scene scene = random_limbs(56);
+  const Relief relief = relief_of(scene, options);
+  const std::vector<SeamChain> chains = seam_chains(relief.layers);
+  ASSERT_FALSE(chains.empty());
+  const JoinEnds alone = join_ends_alone(scene, relief.layers, chains[0], options);
+  ASSERT_EQ(alone.pits.size(), 2u);
+  for (const double pit : alone.pits) EXPECT_GE(pit, 0.05);
 }
 
 /// A nose on a head that is a half ball where it is alone.
