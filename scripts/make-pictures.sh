@@ -67,6 +67,12 @@ END
 "$relievo" render examples/bunny.svg --profile solid --base outline --height 8 --height-mode detail \
   --cutter 12 --size 480 --yaw -35 --pitch 30 --clay -o "$work/cutter.png" > /dev/null
 convert "$work/cutter.png" -resize 360x -colors 192 "$to/solid-cutter.png"
+for mode in linear detail; do
+  "$relievo" render examples/wolf.svg --profile solid --base round --height 5 --height-mode "$mode" \
+    --clay --light -60 30 --yaw -20 --pitch 20 --size 480 -o "$work/coin-$mode.png" > /dev/null
+done
+convert "$work/coin-linear.png" "$work/coin-detail.png" +append -resize 720x -colors 192 \
+  "$to/solid-depth.png"
 
 while read -r drawing base; do
   "$relievo" render "examples/$drawing.svg" --profile figure --base "$base" --size 480 --yaw -35 \
