@@ -1,5 +1,7 @@
 #include "face/inputs.h"
 
+#include <algorithm>
+#include <map>
 #include <optional>
 
 #include "io/archive/archive.h"
@@ -101,10 +103,35 @@ Result<Drawing> drawing_from(const Bytes& bytes, const Scene& scene) {
   return Drawing{std::move(*pixels)};
 }
 
+/// The joins of a segmented drawing that nobody said, so that a mesh that cannot hold one may do
+/// without it.
+JoinProposals guessed_joins(const Scene& scene, const SegmentationRecord& record) {
+  std::map<std::string_view, PartLabel> labels;
+  for (const PartRecord& part : record.parts) labels[part.id] = part.label;
+  const auto is_of = [&](const Join& join, int upper, int lower) {
+    const auto above = labels.find(scene.parts[join.upper].id);
+    const auto below = labels.find(scene.parts[join.lower].id);
+    return above != labels.end() && below != labels.end() && above->second == upper &&
+           below->second == lower;
+  };
+  JoinProposals guesses;
+  for (const Join& join : scene.joins) {
+    const auto& said = record.corrections.joining.joins;
+    if (std::any_of(said.begin(), said.end(),
+                    [&](const Join& one) { return is_of(join, one.upper, one.lower); }))
+      continue;
+    for (const JoinRecord& known : record.joins)
+      if (is_of(join, known.upper, known.lower))
+        guesses.joins.push_back({join, known.confidence, false});
+  }
+  return guesses;
+}
+
 Result<SceneInput> load_project(const InputFile& input) {
   auto project = decode_project(input.bytes);
   if (!project) return project.error();
   SceneInput loaded;
+  if (project->segmentation) loaded.guesses = guessed_joins(project->scene, *project->segmentation);
   loaded.scene = std::move(project->scene);
   if (loaded.scene.drawing.empty()) return loaded;
   const Bytes& picture = project->picture.empty() ? project->drawing.bytes : project->picture;

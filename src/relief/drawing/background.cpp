@@ -11,6 +11,7 @@ constexpr double paper_distance = 70;      ///< from white within which backgrou
 constexpr double cut_figure_share = 0.12;  ///< of the picture, from which on a region is a figure
 constexpr double cut_share = 0.12;         ///< of a region's rim, up to which an edge cuts it off
 constexpr double cut_line_share = 0.8;     ///< of the rest, which are lines then
+constexpr double open_page_share = 0.3;    ///< of the picture's edge, that a page reaches at most
 constexpr double opaque_share = 0.05;      ///< of the picture off the lines: fills, not blots
 constexpr double spread_distance = 45;     ///< of mean colours, up to which background spreads
 constexpr double leak_width = 0.7;         ///< px of gap per px of inradius from which it spreads
@@ -25,7 +26,8 @@ double distance_from_white(const Basin& region) {
   return farthest;
 }
 
-bool is_paper(const Basin& region) { return distance_from_white(region) < paper_distance; }
+/// Whether most of a region is of the figure.
+bool is_in_figure(const Basin& region) { return 2 * region.in_figure > region.area; }
 
 /// Whether lines bound the region but for the little of it that the picture's edge cuts: a hand
 /// and not the paper beside it.
@@ -52,6 +54,38 @@ bool reaches_outside(const RegionMerging& regions, int r, int64_t picture_area) 
          !is_cut_off(regions, r);
 }
 
+/// Adds to the background what lies around the page of a photograph.
+int add_surroundings(RegionMerging& regions, const Basins& basins, int background) {
+  for (int r = 0; r < regions.count(); ++r) {
+    if (!regions.is_region(r) || r == background || is_in_figure(regions.region(r))) continue;
+    const Basin& region = regions.region(r);
+    if (!is_surroundings(region.at_edge, region.area, basins.index.width, basins.index.height))
+      continue;
+    regions.unite(background, r);
+    background = std::min(background, r);
+  }
+  return background;
+}
+
+/// Where the largest area of paper is a page with something else around it, adds both.
+int add_page(RegionMerging& regions, Basins& basins, int background) {
+  int paper = -1;
+  for (int r = 0; r < regions.count(); ++r)
+    if (regions.is_region(r) && is_paper(regions.region(r)) && !is_in_figure(regions.region(r)) &&
+        (paper < 0 || regions.region(r).area > regions.region(paper).area))
+      paper = r;
+  if (paper < 0) return background;
+  int64_t at_edge = 0;
+  for (const int64_t pixels : regions.region(paper).at_edge) at_edge += pixels;
+  const double perimeter = 2.0 * (basins.index.width + basins.index.height);
+  if (static_cast<double>(at_edge) > open_page_share * perimeter) return background;
+  const Image8 page = find_page(regions, basins, paper);
+  if (page.empty()) return background;
+  if (background >= 0 && background != paper) regions.unite(background, paper);
+  return unite_around_page(regions, basins, page,
+                           background < 0 ? paper : std::min(background, paper));
+}
+
 /// Whether the drawing has opaque areas, so that transparent ones are none of the figure.
 bool has_opaque_areas(RegionMerging& regions) {
   int64_t transparent = 0;
@@ -64,9 +98,6 @@ bool has_opaque_areas(RegionMerging& regions) {
   return transparent > 0 &&
          static_cast<double>(all - transparent) > opaque_share * static_cast<double>(all);
 }
-
-/// Whether most of a region is of the figure.
-bool is_in_figure(const Basin& region) { return 2 * region.in_figure > region.area; }
 
 bool is_transparent(const Basin& region) { return 2 * region.transparent > region.coloured; }
 
@@ -89,7 +120,9 @@ int leaking_neighbour(const RegionMerging& regions, int background) {
 
 }  // namespace
 
-int unite_background(RegionMerging& regions, const Basins& basins) {
+bool is_paper(const Basin& region) { return distance_from_white(region) < paper_distance; }
+
+int unite_background(RegionMerging& regions, Basins& basins) {
   const bool opaque = has_opaque_areas(regions);
   const auto picture_area = static_cast<int64_t>(basins.index.pixels.size());
   int background = -1;
@@ -104,7 +137,9 @@ int unite_background(RegionMerging& regions, const Basins& basins) {
     else
       regions.unite(background, r);
   }
+  background = add_page(regions, basins, background < 0 ? -1 : regions.region_of(background));
   if (background < 0) return background;
+  background = add_surroundings(regions, basins, background);
   for (int r = leaking_neighbour(regions, background); r >= 0;
        r = leaking_neighbour(regions, background)) {
     regions.unite(background, r);

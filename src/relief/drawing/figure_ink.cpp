@@ -156,11 +156,23 @@ class InkTaker {
            (piece.box.min.y < 2 && piece.box.max.y > labels_.height - 2);
   }
 
+  /// Whether the picture's edge cuts off most of it, as it cuts off what lies beside a page.
+  bool lies_along_edge(const LooseInk& piece) const {
+    const auto at_edge = std::count_if(piece.pixels.begin(), piece.pixels.end(), [&](int32_t i) {
+      const int x = i % labels_.width;
+      const int y = i / labels_.width;
+      return x == 0 || y == 0 || x == labels_.width - 1 || y == labels_.height - 1;
+    });
+    return static_cast<double>(at_edge) > 0.5 * distance(piece.box.min, piece.box.max);
+  }
+
   void settle(const LooseInk& piece, double diagonal, const std::map<int32_t, int>& said) {
     const auto wanted = divided(piece, said);
     for (const auto& [label, pixels] : wanted)
       if (label > 0) lay_tube(pixels, label, diagonal);
-    if (!wanted.empty() || crosses_the_picture(piece) || is_given_up(piece)) return;
+    if (!wanted.empty() || crosses_the_picture(piece) || lies_along_edge(piece) ||
+        is_given_up(piece))
+      return;
     const double extent = distance(piece.box.min, piece.box.max);
     const bool speck = extent < std::max(speck_length * basins_.line_width, tube_length * diagonal);
     if (!speck && (piece.beside != 0 || extent >= apart_length * diagonal))

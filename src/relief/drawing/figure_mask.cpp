@@ -1,6 +1,7 @@
 #include "relief/drawing/figure_mask.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "kernel/image/components.h"
@@ -19,6 +20,8 @@ constexpr double clean_share = 0.9;   ///< of the picture's edge that is so whit
 constexpr int faintest = 228;         ///< darkest channel of paint on clean paper at most
 constexpr double gap_width = 0.008;   ///< of the diagonal, up to which gaps in paint are closed
 constexpr double piece_share = 0.03;  ///< of the largest piece, from which on others count
+constexpr double along_share = 0.67;  ///< of a picture's side, from which an area runs along it
+constexpr double strip_share = 0.15;  ///< of the picture, up to which that is a strip
 constexpr double at_edge_share = 0.2;  ///< of the picture's edge; more is no figure on paper
 
 int64_t count_of(const Image8& mask) {
@@ -54,6 +57,29 @@ Image8 without_small_pieces(const Image8& mask) {
     const int32_t piece = pieces.label.pixels[i];
     const bool large = static_cast<double>(pieces.areas[piece]) >= piece_share * largest;
     result.pixels[i] = piece != 0 && large ? 1 : 0;
+  }
+  return result;
+}
+
+/// Without what lies around the page.
+Image8 without_surroundings(const Image8& mask) {
+  const Components pieces = connected_components(mask, Connectivity::sides);
+  const int w = mask.width;
+  const int h = mask.height;
+  std::vector<std::array<int64_t, 4>> at_edge(pieces.areas.size());
+  for (int y = 0; y < h; ++y) {
+    ++at_edge[pieces.label.at(0, y)][0];
+    ++at_edge[pieces.label.at(w - 1, y)][1];
+  }
+  for (int x = 0; x < w; ++x) {
+    ++at_edge[pieces.label.at(x, 0)][2];
+    ++at_edge[pieces.label.at(x, h - 1)][3];
+  }
+  Image8 result = mask;
+  for (size_t i = 0; i < result.pixels.size(); ++i) {
+    const int32_t piece = pieces.label.pixels[i];
+    if (piece != 0 && is_surroundings(at_edge[piece], pieces.areas[piece], w, h))
+      result.pixels[i] = 0;
   }
   return result;
 }
@@ -110,6 +136,15 @@ Image8 without_gaps(const Image8& mask, int half_gap) {
 
 }  // namespace
 
+bool is_surroundings(const std::array<int64_t, 4>& at_edge, int64_t area, int width, int height) {
+  const std::array<int, 4> sides = {height, height, width, width};
+  int along = 0;
+  for (size_t e = 0; e < sides.size(); ++e)
+    along += static_cast<double>(at_edge[e]) > along_share * sides[e] ? 1 : 0;
+  return along > 1 || (along == 1 && static_cast<double>(area) <
+                                         strip_share * static_cast<double>(width) * height);
+}
+
 FigureMask find_figure(const Image8& rgba, const Image8& rgb, bool painted) {
   const Image8 opaque = opaque_pixels(rgba);
   const int64_t pixels = count_of(opaque);
@@ -121,7 +156,8 @@ FigureMask find_figure(const Image8& rgba, const Image8& rgb, bool painted) {
   if (!painted) return {};
   const int half_gap =
       std::max(1, static_cast<int>(std::lround(gap_width / 2 * std::hypot(rgb.width, rgb.height))));
-  const Image8 figure = without_small_pieces(without_holes(without_gaps(paint(rgb), half_gap)));
+  const Image8 paint_on_page = without_surroundings(paint(rgb));
+  const Image8 figure = without_small_pieces(without_holes(without_gaps(paint_on_page, half_gap)));
   if (share_at_edge(figure) > at_edge_share) return {};
   // The blur of its rim is half paper.
   return {min_filter(figure, 1), false};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "relief/drawing/basins.h"
@@ -14,6 +16,10 @@ namespace relievo {
 /// in it and what it surrounds. `rgba` is the drawing, `rgb` the same on white. O(pixels).
 FigureMask find_figure(const Image8& rgba, const Image8& rgb, bool painted);
 
+/// Whether an area runs along the edges of a picture as a table around a page does: along two of
+/// them, or as a strip along one. `at_edge` are its pixels at the left, right, top and bottom.
+bool is_surroundings(const std::array<int64_t, 4>& at_edge, int64_t area, int width, int height);
+
 /// Lets nothing of the figure be lost: pixels of it that have no label take the nearest one, or
 /// where there is none a new one after `last_label`. Areas that strokes made background stay it.
 /// `labels` has those of all pixels, `of_basin` those of basins. O(pixels).
@@ -21,11 +27,24 @@ void keep_figure(const Basins& basins, const std::vector<int>& of_basin, int las
                  Image<int32_t>& labels);
 
 /// Unites all regions that are background and returns that region, or -1 where there is none: what
-/// has the paper's colour and reaches the edge of the image, and what is quite open to it. A large
-/// region that reaches one edge only is taken for a figure that the edge cuts, and so is a small
-/// one that lines bound all around but there. Where areas of the drawing are opaque, all
-/// transparent ones are background. What lies in the figure's mask never is.
-int unite_background(RegionMerging& regions, const Basins& basins);
+/// has the paper's colour and reaches the edge of the image, what lies around the page, and what is
+/// quite open to these. A large region that reaches one edge only is taken for a figure that the
+/// edge cuts, and so is a small one that lines bound all around but there. Where areas of the
+/// drawing are opaque, all transparent ones are background. What lies in the figure's mask never
+/// is.
+int unite_background(RegionMerging& regions, Basins& basins);
+
+/// Whether a region is as white as paper is, once its colour is divided out.
+bool is_paper(const Basin& region);
+
+/// [drawing size] The region `paper` with all that it surrounds, 1, where that is a page: a
+/// quadrilateral on a good part of the picture with hardly any paper around it; else empty.
+/// O(pixels).
+Image8 find_page(RegionMerging& regions, const Basins& basins, int paper);
+
+/// Unites what lies around the page with the background, takes the lines there out and returns the
+/// background. O(pixels).
+int unite_around_page(RegionMerging& regions, Basins& basins, const Image8& page, int background);
 
 /// Share of the lines, by area, on all sides of which lies the background.
 double unbounded_line_share(const Basins& basins);
