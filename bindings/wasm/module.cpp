@@ -31,8 +31,8 @@ val import_svg(const val& array) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const auto import = read_svg(text);
   if (!import) return failure(import.error());
-  const auto scene =
-      write_scene(connect_scene(import->scene, import->proposed, import->colors).scene);
+  const auto scene = write_scene(
+      connect_scene(import->scene, import->proposed, import->colors, import->anchors).scene);
   if (!scene) return failure(scene.error());
   val result = val::object();
   result.set("scene", *scene);

@@ -65,6 +65,7 @@ Result<SceneInput> load_svg(const InputFile& input, const RunContext& context) {
       [svg = std::move(import->paintable)] { return rasterize(svg, vector_texture_side); });
   loaded.scene = std::move(import->scene);
   loaded.colors = std::move(import->colors);
+  loaded.anchors = std::move(import->anchors);
   loaded.warnings = std::move(import->warnings);
   loaded.proposed = import->proposed;
   loaded.layered = true;
@@ -232,7 +233,8 @@ Result<SceneInput> load(const InputFile& input, const RunContext& context) {
 /// a flat picture are connected.
 void connect_layers(SceneInput& scene) {
   if (!scene.layered) return;
-  ConnectedScene connected = connect_scene(std::move(scene.scene), scene.proposed, scene.colors);
+  ConnectedScene connected =
+      connect_scene(std::move(scene.scene), scene.proposed, scene.colors, scene.anchors);
   scene.scene = std::move(connected.scene);
   scene.guesses = std::move(connected.proposals);
 }

@@ -40,6 +40,7 @@ struct SceneInput {
   bool connected = false;               ///< how they connect was guessed with them
   bool layered = false;                 ///< they are whole, and how they connect may be open
   PartColors colors;                    ///< of the parts of layered drawings; may be empty
+  std::vector<Point2> anchors;          ///< see SvgImport; may be empty
   JoinProposals guesses;  ///< how they connect, where that was guessed; as in the scene
 };
 

@@ -33,7 +33,8 @@ inline DrawnRelief drawn_svg(const std::string& path) {
   const auto import = read_svg(bytes);
   EXPECT_TRUE(import.ok()) << path << ": " << (import.ok() ? "" : to_string(import.error()));
   if (!import.ok()) return drawn;
-  drawn.scene = connect_scene(import->scene, import->proposed).scene;
+  drawn.scene =
+      connect_scene(import->scene, import->proposed, import->colors, import->anchors).scene;
   const auto drawing =
       render_svg(bytes, static_cast<int>(drawn.scene.width), static_cast<int>(drawn.scene.height));
   EXPECT_TRUE(drawing.ok()) << path;
@@ -46,7 +47,8 @@ inline DrawnRelief drawn_folder(const std::string& path) {
   const auto import = read_layer_folder(path);
   EXPECT_TRUE(import.ok()) << path << ": " << (import.ok() ? "" : to_string(import.error()));
   if (!import.ok()) return drawn;
-  drawn.scene = connect_scene(import->content.scene, import->content.proposed).scene;
+  drawn.scene =
+      connect_scene(import->content.scene, import->content.proposed, import->content.colors).scene;
   drawn.drawing = import->content.drawing;
   return drawn;
 }

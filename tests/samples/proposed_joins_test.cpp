@@ -35,7 +35,7 @@ TEST(ProposedJoins, AreMostlyThoseThatTheSamplesAuthorsDrew) {
   for (const char* name : {"bunny", "elephant", "farmer", "lamb", "unicorn", "wolf"}) {
     const SvgImport import = sample(name);
     const Scene& scene = import.scene;
-    const JoinProposals joining = propose_layer_joins(scene, import.colors);
+    const JoinProposals joining = propose_layer_joins(scene, import.colors, import.anchors);
     drawn += scene.joins.size();
     proposed += joining.joins.size();
     for (const Join& join : scene.joins)
@@ -52,8 +52,8 @@ TEST(ProposedJoins, AreMostlyThoseThatTheSamplesAuthorsDrew) {
             << " of their length in the median, of " << near << " by at most a tenth\n";
   EXPECT_GE(off.size(), drawn * 9 / 10);
   EXPECT_LE(proposed, 42U);
-  EXPECT_LE(median, 0.08);
-  EXPECT_GE(near, 16);
+  EXPECT_LE(median, 0.02);
+  EXPECT_GE(near, 23);
 }
 
 }  // namespace

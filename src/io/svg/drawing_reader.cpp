@@ -249,6 +249,9 @@ bool read_lines(const pugi::xml_node& element, const Surroundings& around, SvgSh
   bool complete = true;
   const PathData path = shape_path(element, around.lengths, &complete);
   if (path.empty()) return false;
+  for (const PathSegment& s : path)
+    if (s.kind == SegmentKind::cubic && local_name(element.name()) == "path")
+      shape.anchors.push_back(around.to_canvas(s.end));
   shape.name = name_of(element);
   const std::string label = shape.name.empty() ? "a shape" : "shape " + shape.name;
   if (!complete) reading.warn(label + ": its data has an error and is used up to there");

@@ -246,6 +246,9 @@ Result<SvgImport> interpret(std::string_view bytes, const SvgOptions& options) {
   const Status status = annotated || layers ? take_annotations(*drawing, layers, result, notes)
                                             : propose(*drawing, options, result, notes);
   if (!status) return status.error();
+  for (const SvgShape& shape : drawing->shapes)
+    if (shape.fill && !shape.is_note())
+      result.anchors.insert(result.anchors.end(), shape.anchors.begin(), shape.anchors.end());
   result.paintable = {paintable_text(**document, drawing->px_width, drawing->px_height, notes),
                       drawing->px_width, drawing->px_height};
   return result;

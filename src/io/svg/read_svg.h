@@ -24,6 +24,7 @@ struct PaintableSvg {
 struct SvgImport {
   Scene scene;
   std::vector<Palette> colors;  ///< [parts]
+  std::vector<Point2> anchors;  ///< ends of the curves of its filled paths, canvas px
   bool proposed = false;        ///< the parts were guessed, not annotated
   bool line_art = false;  ///< they were, and nothing is filled: lines enclose them, not shapes
   std::vector<std::string> warnings;

@@ -26,6 +26,7 @@ struct SvgShape {
   pugi::xml_node element;  ///< where it comes from, in the document
   int group = -1;          ///< innermost group, -1: none
   std::vector<Polyline> lines;
+  std::vector<Point2> anchors;  ///< ends of its curves, where it is a path
   FillRule fill_rule = FillRule::nonzero;
   std::optional<Color> fill;    ///< representative; alpha is that of the paint, all groups included
   std::optional<Color> stroke;  ///< likewise

@@ -55,15 +55,15 @@ int64_t common_area(const LayerGrid& grid, int a, int b) {
   return common;
 }
 
-std::vector<double> distance_from_free_end(const LayerGrid& grid, int part, int other) {
-  const Mask& mask = grid.masks[part];
+std::vector<double> distance_inside(const Mask& mask,
+                                    const std::function<bool(int, int)>& is_source) {
   const int width = mask.inside.width;
   std::vector<double> distance(mask.inside.pixels.size(), std::numeric_limits<double>::infinity());
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front;
   for_each_pixel(mask, [&](int x, int y) {
-    if (grid.masks[other].has(x, y)) return;
-    const int at = (y - mask.top) * width + x - mask.left;
+    if (!is_source(x, y)) return;
+    const int at = mask_index(mask, x, y);
     distance[at] = 0;
     front.emplace(0, at);
   });

@@ -55,8 +55,8 @@ double share_between(const LayerGrid& grid, const std::vector<Point2>& line, con
 
 class Connector {
  public:
-  Connector(const Scene& scene, const PartColors& colors)
-      : grid_(make_layer_grid(scene, grid_side)), colors_(colors) {
+  Connector(const Scene& scene, const PartColors& colors, const std::vector<Point2>& anchors)
+      : grid_(make_layer_grid(scene, grid_side)), colors_(colors), anchors_(anchors) {
     for (const Part& part : scene.parts) orient_by_nesting(outlines_.emplace_back(part.outline));
   }
 
@@ -212,7 +212,7 @@ class Connector {
     const double share = root.length / root.measure.length;
     const double second = runs.size() > 1 ? runs[1].length / root.length : 0;
     if (share < least_root || share > most_root || second > second_run) return std::nullopt;
-    const RootCap cap = find_root_cap(grid_, root, pair.upper, pair.lower);
+    const RootCap cap = find_root_cap(grid_, root, pair.upper, pair.lower, anchors_);
     const double step = root_step / grid_.scale;
     if (cap.to - cap.from < 4 * step) return std::nullopt;
     ProposedJoin proposed;
@@ -241,13 +241,15 @@ class Connector {
 
   LayerGrid grid_;
   const PartColors& colors_;
+  const std::vector<Point2>& anchors_;
   std::vector<Outline> outlines_;
 };
 
 }  // namespace
 
-JoinProposals propose_layer_joins(const Scene& scene, const PartColors& colors) {
-  return scene.parts.empty() ? JoinProposals() : Connector(scene, colors).run();
+JoinProposals propose_layer_joins(const Scene& scene, const PartColors& colors,
+                                  const std::vector<Point2>& anchors) {
+  return scene.parts.empty() ? JoinProposals() : Connector(scene, colors, anchors).run();
 }
 
 }  // namespace relievo

@@ -11,10 +11,12 @@ namespace relievo {
 ///    (its root), and a good share of the part lies beside it. The join is the cap of the root:
 ///    around its tip the outline as far as its normal turns by less than 57 degrees (one radian)
 ///    from the limb's axis, and not longer than 0.65 times the root of the limb's area; of a round
-///    part, whose neck is narrower than itself, 0.45 times. The tip is the point of the run that is
-///    farthest on the way from what lies beside the other part to what lies on it; of a round limb,
-///    and of one that lies mostly on the other, that which is farthest from the limb's free end, as
-///    measured inside the limb; between the two for what is between.
+///    part, whose neck is narrower than itself, 0.45 times. The axis is that of the last one and a
+///    half widths of the limb, and the tip what is farthest that way; where those are no longer
+///    than wide, the tip is what is farthest from the limb's free end, as measured inside it, and
+///    the axis the normal there. Each end goes to the nearest of the `anchors` (ends of the curves
+///    that the author drew, canvas px) on the outline, by a quarter of the join at most: whoever
+///    draws sets them where an outline changes.
 ///  - equal: what lies inside another part, as an eye does; a limb in front without such a root;
 ///    and a limb that comes out from behind a larger part, whose outline it touches all along. That
 ///    is tied to nothing that it crosses behind it as well, and a joined limb to no other part
@@ -28,6 +30,7 @@ namespace relievo {
 /// well. What lies mostly on another is a limb of that only where both have one colour. Without
 /// `colors` all are alike, but for the last. Shapes are compared on a grid of 512 pixels along the
 /// longest side. Near-linear in the points, plus the pixels of parts that overlap, pair by pair.
-JoinProposals propose_layer_joins(const Scene& scene, const PartColors& colors = {});
+JoinProposals propose_layer_joins(const Scene& scene, const PartColors& colors = {},
+                                  const std::vector<Point2>& anchors = {});
 
 }  // namespace relievo

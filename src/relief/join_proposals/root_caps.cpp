@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "kernel/geometry/moments.h"
 #include "kernel/geometry/polygon.h"
 #include "relief/join_proposals/roots.h"
 
@@ -19,6 +21,14 @@ constexpr double round_cap = 0.45;
 constexpr double hardly_round = 0.75;
 constexpr double fully_round = 0.95;
 constexpr double smoothing = 0.05;  ///< of normals, share of the root to either side
+/// A limb's axis is that of what lies within so many times its half width from its end, and is as
+/// sure as that is longer than wide, up to this ratio of a tube's standard deviations there.
+constexpr double end_reach = 3;
+constexpr double tube_ratio = 1.5;
+/// Anchors lie within so many grid pixels of the outline; an end moves to one by at most this share
+/// of the cap, so that half of it stays.
+constexpr double on_outline = 0.5;
+constexpr double most_moved = 0.25;
 
 /// The stretches of the ring inside `other`, single samples apart taken together.
 std::vector<RingRun> runs_inside(const LayerGrid& grid, const Ring& ring, int other) {
@@ -46,33 +56,45 @@ Point2 unit(Point2 p) {
   return length > 0 ? 1 / length * p : Point2{};
 }
 
+/// The direction in which a limb ends, and how sure that is, from 0 to 1.
+struct LimbAxis {
+  Point2 along;
+  double trust = 0;
+};
+
 class CapFinder {
  public:
   CapFinder(const LayerGrid& grid, const RingRun& run, int part, int other)
       : grid_(grid), run_(run), part_(part), other_(other) {
     for (int i = 0; i <= root_samples; ++i)
       points_.push_back(run.at(run.length * i / root_samples));
+    for (int i = 0; i <= root_samples; ++i) {
+      // Outer rings have positive area with y down: outwards is to the left of the direction.
+      const Point2 way =
+          unit(points_[std::min(i + reach, root_samples)] - points_[std::max(i - reach, 0)]);
+      normals_.push_back({way.y, -way.x});
+    }
   }
 
-  RootCap find() const {
-    const std::vector<Point2> normals = outward_normals();
-    const int low = static_cast<int>(root_margin * root_samples);
-    const int high = root_samples - low;
-    const int tip = find_tip(normals, low, high);
-    const Point2 axis = axis_at(tip, normals);
-    const auto in_cap = [&](int i) { return dot(normals[i], axis) > std::cos(cap_angle); };
+  RootCap find(const std::vector<Point2>& anchors) const {
+    const int deepest = innermost();
+    const LimbAxis limb = axis_towards(deepest);
+    const int tip = static_cast<int>(
+        std::lround(limb.trust * farthest(limb.along) + (1 - limb.trust) * deepest));
+    const Point2 axis = unit(limb.trust * limb.along + (1 - limb.trust) * normal_around(tip));
+    const auto in_cap = [&](int i) { return dot(normals_[i], axis) > std::cos(cap_angle); };
     int first = tip;
     int last = tip;
     while (first > low && in_cap(first - 1)) --first;
     while (last < high && in_cap(last + 1)) ++last;
     const double step = run_.length / root_samples;
-    const double room = longest() / std::max(step * (last - first), 1e-9);
-    const double keep = std::min(1.0, room);
-    return {step * (tip - keep * (tip - first)), step * (tip + keep * (last - tip))};
+    return anchored(trimmed({step * first, step * last}, step * tip), anchors);
   }
 
  private:
   static constexpr int reach = static_cast<int>(smoothing * root_samples);
+  static constexpr int low = static_cast<int>(root_margin * root_samples);
+  static constexpr int high = root_samples - low;
 
   double longest() const {
     return (long_cap + roundness() * (round_cap - long_cap)) * std::sqrt(signed_area(*run_.ring));
@@ -84,74 +106,106 @@ class CapFinder {
     return std::clamp((disc - hardly_round) / (fully_round - hardly_round), 0.0, 1.0);
   }
 
-  /// Outer rings have positive area with y down: outwards is to the left of the direction.
-  std::vector<Point2> outward_normals() const {
-    std::vector<Point2> normals;
-    for (int i = 0; i <= root_samples; ++i) {
-      const Point2 along =
-          unit(points_[std::min(i + reach, root_samples)] - points_[std::max(i - reach, 0)]);
-      normals.push_back({along.y, -along.x});
-    }
-    return normals;
+  Point2 normal_around(int tip) const {
+    Point2 sum;
+    for (int i = std::max(0, tip - reach); i <= std::min(root_samples, tip + reach); ++i)
+      sum = sum + normals_[i];
+    return unit(sum);
   }
 
-  /// Of a limb what is farthest on its way into the other part, of a round one or one that lies
-  /// mostly on the other what is farthest from its free end.
-  int find_tip(const std::vector<Point2>& normals, int low, int high) const {
-    const double common = static_cast<double>(common_area(grid_, part_, other_));
-    const double beside = 1 - common / static_cast<double>(grid_.areas[part_]);
-    const double t = beside < least_protrusion ? 1 : roundness();
-    const Point2 inwards = way_inwards();
-    const auto farthest =
+  /// The sample that is farthest in a direction.
+  int farthest(Point2 way) const {
+    const auto most =
         std::max_element(points_.begin() + low, points_.begin() + high + 1,
-                         [&](Point2 a, Point2 b) { return dot(a, inwards) < dot(b, inwards); });
-    const auto by_way = static_cast<double>(farthest - points_.begin());
-    return static_cast<int>(std::lround((1 - t) * by_way + t * innermost(normals, low, high)));
+                         [&](Point2 a, Point2 b) { return dot(a, way) < dot(b, way); });
+    return static_cast<int>(most - points_.begin());
   }
 
-  int innermost(const std::vector<Point2>& normals, int low, int high) const {
-    const std::vector<double> distance = distance_from_free_end(grid_, part_, other_);
+  /// Just inside the part, in grid pixels.
+  Point2 inside_of(int i) const { return grid_.scale * points_[i] - 1.5 * normals_[i]; }
+
+  /// The sample that is farthest from what lies beside the other part, on ways inside the limb.
+  int innermost() const {
     const Mask& mask = grid_.masks[part_];
+    const std::vector<double> away =
+        distance_inside(mask, [&](int x, int y) { return !grid_.masks[other_].has(x, y); });
     int tip = (low + high) / 2;
-    double farthest = -1;
+    double most = -1;
     for (int i = low; i <= high; ++i) {
-      const Point2 p = grid_.scale * points_[i] - 1.5 * normals[i];
+      const Point2 p = inside_of(i);
       const int x = static_cast<int>(std::floor(p.x));
       const int y = static_cast<int>(std::floor(p.y));
       if (!mask.has(x, y)) continue;
-      const double d = distance[(y - mask.top) * mask.inside.width + x - mask.left];
-      if (!std::isfinite(d) || d <= farthest) continue;
-      farthest = d;
+      const double d = away[mask_index(mask, x, y)];
+      if (!std::isfinite(d) || d <= most) continue;
+      most = d;
       tip = i;
     }
     return tip;
   }
 
-  /// The normal at the tip and, where that agrees, the way from what lies beside the other part to
-  /// what lies on it.
-  Point2 axis_at(int tip, const std::vector<Point2>& normals) const {
-    Point2 sum;
-    for (int i = std::max(0, tip - reach); i <= std::min(root_samples, tip + reach); ++i)
-      sum = sum + normals[i];
-    const Point2 normal = unit(sum);
-    const Point2 inwards = way_inwards();
-    return dot(normal, inwards) > 0.5 ? unit(normal + inwards) : normal;
+  /// The main axis of what of the limb is near its end, towards it.
+  LimbAxis axis_towards(int end) const {
+    const Mask& mask = grid_.masks[part_];
+    const Point2 from = inside_of(end);
+    const std::vector<double> away = distance_inside(mask, [&](int x, int y) {
+      return x == static_cast<int>(std::floor(from.x)) && y == static_cast<int>(std::floor(from.y));
+    });
+    const double near = end_reach * thickness_at(grid_, part_, other_);
+    Moments moments;
+    for_each_pixel(mask, [&](int x, int y) {
+      if (away[mask_index(mask, x, y)] <= near) moments.add(Point2{x + 0.5, y + 0.5} - from);
+    });
+    const MainAxes axes = moments.axes();
+    if (axes.longer == 0) return {};
+    const double agreement = dot(axes.along, unit(-1 * axes.centre));
+    const double ratio = std::sqrt(axes.longer / std::max(axes.shorter, 1e-9));
+    const double tube = std::clamp((ratio - 1) / (tube_ratio - 1), 0.0, 1.0);
+    return {agreement < 0 ? -1 * axes.along : axes.along, tube * tube * agreement * agreement};
   }
 
-  Point2 way_inwards() const {
-    Point2 inside, beside;
-    double n = 0, m = 0;
-    for_each_pixel(grid_.masks[part_], [&](int x, int y) {
-      const Point2 p{x + 0.5, y + 0.5};
-      if (grid_.masks[other_].has(x, y)) {
-        inside = inside + p;
-        ++n;
-      } else {
-        beside = beside + p;
-        ++m;
+  /// The cap, no longer than it may be, and then as much of it to both sides of its tip as it has.
+  RootCap trimmed(RootCap cap, double tip) const {
+    const double room = longest();
+    const double before = std::min(tip - cap.from, std::max(room / 2, room - (cap.to - tip)));
+    return {tip - before, std::min(cap.to, tip - before + room)};
+  }
+
+  /// The cap with its ends at the nearest anchors, where some are near.
+  RootCap anchored(RootCap cap, const std::vector<Point2>& anchors) const {
+    const double room = most_moved * (cap.to - cap.from);
+    RootCap moved = cap;
+    double from_off = room;
+    double to_off = room;
+    for (const Point2 anchor : anchors) {
+      const std::optional<double> at = place_of(anchor);
+      if (!at) continue;
+      if (std::abs(*at - cap.from) < from_off) {
+        from_off = std::abs(*at - cap.from);
+        moved.from = *at;
       }
-    });
-    return n > 0 && m > 0 ? unit(1 / n * inside - 1 / m * beside) : Point2{};
+      if (std::abs(*at - cap.to) < to_off) {
+        to_off = std::abs(*at - cap.to);
+        moved.to = *at;
+      }
+    }
+    return moved;
+  }
+
+  /// Where along the run a point lies, if on it.
+  std::optional<double> place_of(Point2 p) const {
+    double least = on_outline / grid_.scale;
+    std::optional<double> place;
+    for (int i = 0; i < root_samples; ++i) {
+      const Point2 side = points_[i + 1] - points_[i];
+      const double t =
+          std::clamp(dot(p - points_[i], side) / std::max(dot(side, side), 1e-12), 0.0, 1.0);
+      const double off = distance(p, points_[i] + t * side);
+      if (off >= least) continue;
+      least = off;
+      place = (i + t) * run_.length / root_samples;
+    }
+    return place;
   }
 
   const LayerGrid& grid_;
@@ -159,6 +213,7 @@ class CapFinder {
   int part_;
   int other_;
   std::vector<Point2> points_;
+  std::vector<Point2> normals_;  ///< outwards, smoothed
 };
 
 }  // namespace
@@ -173,8 +228,9 @@ std::vector<RingRun> runs_inside(const LayerGrid& grid, const Outline& outline, 
   return runs;
 }
 
-RootCap find_root_cap(const LayerGrid& grid, const RingRun& run, int part, int other) {
-  return CapFinder(grid, run, part, other).find();
+RootCap find_root_cap(const LayerGrid& grid, const RingRun& run, int part, int other,
+                      const std::vector<Point2>& anchors) {
+  return CapFinder(grid, run, part, other).find(anchors);
 }
 
 }  // namespace relievo

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
@@ -92,12 +93,20 @@ struct RootCap {
   double to = 0;
 };
 
-/// Where on the run of a part's outline inside another its join lies best: around its tip.
-RootCap find_root_cap(const LayerGrid& grid, const RingRun& run, int part, int other);
+/// Where on the run of a part's outline inside another its join lies best: around its tip, from
+/// anchor to anchor of those who drew it (canvas px) where there are some near the ends.
+RootCap find_root_cap(const LayerGrid& grid, const RingRun& run, int part, int other,
+                      const std::vector<Point2>& anchors);
 
-/// How far each pixel of the box of a part's mask is, inside the part, from where it lies beside
-/// another, in grid pixels; infinite where that cannot be reached. O(n log n) in its pixels.
-std::vector<double> distance_from_free_end(const LayerGrid& grid, int part, int other);
+/// Where in its pixels a mask has a point of its box.
+inline int mask_index(const Mask& mask, int x, int y) {
+  return (y - mask.top) * mask.inside.width + x - mask.left;
+}
+
+/// How far each pixel of the box of a mask is, inside it, from the pixels that `is_source` tells
+/// of, in pixels; infinite where that cannot be reached. O(n log n) in its pixels.
+std::vector<double> distance_inside(const Mask& mask,
+                                    const std::function<bool(int, int)>& is_source);
 
 /// The parts that look hollow by their colours: open mouths, wholly inside a larger part, wide, red
 /// and much darker than that; and the cups of ears, pink and not dark, which fill a good share of a

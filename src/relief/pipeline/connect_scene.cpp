@@ -80,7 +80,8 @@ void yield_to_author(const Scene& scene, JoinProposals& guesses) {
 
 }  // namespace
 
-ConnectedScene connect_scene(Scene scene, bool amounts, const PartColors& colors) {
+ConnectedScene connect_scene(Scene scene, bool amounts, const PartColors& colors,
+                             const std::vector<Point2>& anchors) {
   ConnectedScene connected{std::move(scene), {}};
   Scene& result = connected.scene;
   if (amounts)
@@ -89,7 +90,7 @@ ConnectedScene connect_scene(Scene scene, bool amounts, const PartColors& colors
                                      static_cast<int>(std::ceil(result.height)));
       part.c = std::round(round_inflation(mask) * 100) / 100;
     }
-  connected.proposals = propose_layer_joins(result, colors);
+  connected.proposals = propose_layer_joins(result, colors, anchors);
   yield_to_author(result, connected.proposals);
   for (const ProposedJoin& proposed : connected.proposals.joins)
     result.joins.push_back(proposed.join);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "kernel/geometry/polygon.h"
 #include "relief/join_proposals/join_proposals.h"
 #include "relievo/scene.h"
@@ -17,6 +19,7 @@ struct ConnectedScene {
 /// is any, no more joins are guessed, but what they would hold is tied. Where `amounts`, parts get
 /// a c that makes them about as deep as they are narrow, and those that look hollow a negative d.
 /// Near-linear as propose_layer_joins.
-ConnectedScene connect_scene(Scene scene, bool amounts, const PartColors& colors = {});
+ConnectedScene connect_scene(Scene scene, bool amounts, const PartColors& colors = {},
+                             const std::vector<Point2>& anchors = {});
 
 }  // namespace relievo

@@ -47,6 +47,17 @@ TEST(AnnotatedParts, AGroupIsTheUnionOfItsFilledShapes) {
   EXPECT_EQ(import.scene.parts[0].c, 4);
 }
 
+TEST(AnnotatedParts, AnchorsAreTheEndsOfCurvesOfFilledPathsAlone) {
+  const SvgImport import = import_of(
+      svg_file(std::string(body) +
+               "<g id='leg' data-relievo='part' transform='translate(100 0)'>"
+               "<path d='M100,100 C120,80 140,80 160,100 C180,120 180,140 160,160 L100,160Z'/>"
+               "<circle cx='130' cy='130' r='20'/>"
+               "<path d='M100,100 C110,100 110,110 110,120' fill='none' stroke='red'/>"
+               "<path class='join' data-lower='body' d='M100,100 C120,80 140,80 150,91'/></g>"));
+  EXPECT_EQ(import.anchors, (std::vector<Point2>{{260, 100}, {260, 160}}));
+}
+
 TEST(AnnotatedParts, HolesRunAgainstTheirRing) {
   const SvgImport import =
       import_of(svg_file("<path data-relievo='part' id='ring' fill-rule='evenodd' "

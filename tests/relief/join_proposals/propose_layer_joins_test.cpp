@@ -48,6 +48,42 @@ TEST(ConnectParts, TheJoinOfALimbIsOneRadianOfItsCapToEachSide) {
     EXPECT_NEAR(std::atan2(std::abs(end.x - 200), 200 - end.y), 1, 0.15);
 }
 
+TEST(ConnectParts, EndsOfAJoinGoToNearAnchorsOnItsOutline) {
+  const auto on_cap = [](double angle, double radius = 22) {
+    return Point2{200 + radius * std::sin(angle), 200 - radius * std::cos(angle)};
+  };
+  const auto ends = [](const std::vector<Point2>& anchors) {
+    const std::vector<Point2> line =
+        propose_layer_joins(disc_with({limb()}), {}, anchors).joins.at(0).join.line;
+    std::vector<double> angles;
+    for (const Point2 end : {line.front(), line.back()})
+      angles.push_back(std::atan2(end.x - 200, 200 - end.y));
+    std::sort(angles.begin(), angles.end());
+    return angles;
+  };
+  const std::vector<double> free = ends({});
+  const std::vector<double> drawn = ends({on_cap(-0.8), on_cap(1.3)});
+  EXPECT_NEAR(drawn[0], -0.8, 0.02);
+  EXPECT_NEAR(drawn[1], 1.3, 0.02);
+  EXPECT_EQ(ends({on_cap(0)}), free) << "too far from both";
+  EXPECT_EQ(ends({on_cap(-0.8, 18), on_cap(1.3, 26)}), free) << "not on the outline";
+}
+
+TEST(ConnectParts, ABentArmIsJoinedAtItsEnd) {
+  Ring arm = {{40, 175}, {180, 175}};
+  for (int i = 0; i <= 20; ++i)
+    arm.push_back(Point2{200, 120} +
+                  20.0 * Point2{-std::cos(M_PI * i / 20), -std::sin(M_PI * i / 20)});
+  arm.insert(arm.end(), {{220, 215}, {40, 215}});
+  const PartColors::value_type skin = {{0.8, 0.6, 0.4}};
+  const JoinProposals joining = propose_layer_joins(disc_with({arm}), {skin, skin});
+  ASSERT_EQ(joining.joins.size(), 1U);
+  const std::vector<Point2>& line = joining.joins[0].join.line;
+  for (const Point2 end : {line.front(), line.back()})
+    EXPECT_NEAR(std::atan2(std::abs(end.x - 200), 120 - end.y), 1, 0.3);
+  EXPECT_LT((line.front().x - 200) * (line.back().x - 200), 0) << "to both sides of its end";
+}
+
 TEST(ConnectParts, JoinsMoveWithTheDrawing) {
   for (const double angle : {0.3, 1.2, 2.5, 4.0}) {
     for (const double scale : {0.5, 3.0}) {
