@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -159,26 +158,13 @@ Status add_plate(const SolidOptions& options, int part, Point2 uv, HeightField& 
   return add_around(wall, options.thickness + options.cutter, part, uv, field);
 }
 
-/// Keeps ink narrow along the rims of a figure, in front as behind. Where the walls there lie on
-/// the drawing, by vertex; empty where nothing is drawn.
-std::vector<Point2> widen_rims(const Drawing& drawing, VisibleSheet& sheet) {
-  Model widened = sheet.model;
-  narrow_inked_rims(widened, drawing);
+/// Keeps ink narrow along the rims of a figure, in front as behind.
+void narrow_rims(const Drawing& drawing, VisibleSheet& sheet) {
   Model& model = sheet.model;
-  const size_t count = model.positions.size();
-  if (widened.positions.size() == count) return {};
-  std::map<std::pair<double, double>, Point2> walls;
-  for (size_t v = count; v < widened.positions.size(); ++v)
-    walls.try_emplace({widened.positions[v].x, widened.positions[v].y}, widened.uvs[v]);
-  std::vector<Point2> uvs = model.uvs;
-  for (size_t v = 0; v < count; ++v) {
-    const double rise = widened.positions[v].z - model.positions[v].z;
-    model.positions[v].z += rise;
-    sheet.back[v].z -= rise;
-    const auto wall = walls.find({model.positions[v].x, model.positions[v].y});
-    if (wall != walls.end()) uvs[v] = wall->second;
-  }
-  return uvs;
+  std::vector<double> rise;
+  for (const Point3& p : model.positions) rise.push_back(-p.z);
+  narrow_inked_rims(model, drawing);
+  for (size_t v = 0; v < rise.size(); ++v) sheet.back[v].z -= rise[v] + model.positions[v].z;
 }
 
 }  // namespace
@@ -195,8 +181,7 @@ Result<Solid> make_solid(const VisibleSheet& given, const Drawing& drawing,
     return Error{ErrorCode::usage,
                  "a figure stands on --base plate or round, without a hole or a ring", "--base"};
   VisibleSheet sheet = given;
-  std::vector<Point2> wall_uvs;
-  if (figure && !drawing.rgba.empty()) wall_uvs = widen_rims(drawing, sheet);
+  if (figure) narrow_rims(drawing, sheet);
   auto placement = place_on_grid(sheet, options);
   if (!placement) return placement.error();
   if (options.detail && placement->height_scale < placement->scale) {
@@ -211,9 +196,7 @@ Result<Solid> make_solid(const VisibleSheet& given, const Drawing& drawing,
       figure && !stands ? sheet.model.parts : parts_with_base(sheet.model);
   PaintedDrawing painted = paint_back(drawing, sheet.model, options.back);
   HeightField field = snap_sheet(sheet, *placement);
-  field.wall_uvs = std::move(wall_uvs);
-  for (std::vector<Point2>* uvs : {&field.uvs, &field.wall_uvs})
-    for (Point2& uv : *uvs) uv.y *= painted.shrink;
+  for (Point2& uv : field.uvs) uv.y *= painted.shrink;
   const int base = static_cast<int>(parts.size()) - 1;
   const int64_t sunk = std::llround(0.5 * options.thickness / field.unit);
   if (stands)

@@ -121,7 +121,7 @@ class WallRaiser {
     column.heights.assign(std::make_reverse_iterator(to), std::make_reverse_iterator(from));
     for (const int64_t height : column.heights)
       column.vertices.push_back(
-          add_vertex(field_.vertex_point[top], height, normal, field_.wall_uv(top)));
+          add_vertex(field_.vertex_point[top], height, normal, field_.uvs[top]));
   }
 
   void zip(std::vector<std::array<int, 3>>& triangles) const {

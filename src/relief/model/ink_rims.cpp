@@ -11,7 +11,7 @@
 
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/compose.h"
-#include "kernel/image/filters.h"
+#include "kernel/image/image_size.h"
 #include "kernel/meshing/segment_grid.h"
 #include "relief/model/fill_triangle.h"
 
@@ -21,20 +21,26 @@ namespace {
 constexpr double upright = 1e-6;       ///< z of normals at outlines, at most
 constexpr double widest_ink = 0.03;    ///< of the drawing's diagonal
 constexpr double least_contrast = 40;  ///< between ink and the paint beside it, of 255
-constexpr double inked_share = 0.5;    ///< of a part's silhouette
-constexpr double reach_of_ink = 2;     ///< in widths of ink, how far a rim comes forward
+constexpr double inked_share = 0.5;    ///< of what is seen of a part's outline
 constexpr double probe = 2;            ///< px, where to look on both sides of an outline
-constexpr int longest_view = 512;  ///< px, of the view in which distances between parts are taken
-/// Canvas px; less is none, so that no file rounds a wall away.
-constexpr double least_rise = 0.01;
-constexpr double leaning = 0.1;  ///< z of normals that tell how round a rim is, at least
+constexpr double blurred = 1.5;        ///< px beside ink that hold some of it
+constexpr double broad_share = 0.8;   ///< of the widths of ink nearby lie below the one that counts
+constexpr double nearby = 4;          ///< widths of ink
+constexpr double reach_of_ink = 6;    ///< widths of ink, up to where surfaces give way
+constexpr double deepest_ink = 0.5;   ///< of the squared height in the middle of a limb, at most
+constexpr double round_again = 4;     ///< squared heights of the ink's end, where nothing changes
+constexpr double edge_of_line = 0.5;  ///< widths of ink, how high the line's own edge is
+constexpr double above_others = 0.002;  ///< of the canvas, how far ink keeps above what lies below
+constexpr int longest_floor = 1024;     ///< px, of the view in which heights below are taken
 
-/// An edge of a part beside which there is only paper, as its triangle runs along it.
-struct RimEdge {
-  std::array<int, 2> vertices{};
-  int part = 0;
-
-  std::pair<int, int> ends() const { return std::minmax(vertices[0], vertices[1]); }
+/// A vertex of a part's outline where it is seen, with nothing nearer beyond it.
+struct RimVertex {
+  int vertex = 0;
+  Point2 place;      ///< canvas px
+  double z = 0;      ///< px
+  double width = 0;  ///< of the ink inwards, canvas px; 0 where there is none
+  double u = 0;      ///< px^2, the squared height over the rim where the ink ends
+  double fade = 0;   ///< the share of inked outline nearby, as a weight from 0 to 1
 };
 
 /// A drawing's pixels with what the model shows on each.
@@ -44,13 +50,10 @@ class RimView {
       : model_(model),
         rgba_(rgba),
         scale_(rgba.width / model.width),
-        front_(front_parts(model, {rgba.width, rgba.height})),
-        shrunk_front_(front_parts(
-            model, fitted_size(rgba.width, rgba.height,
-                               std::min(longest_view, std::max(rgba.width, rgba.height))))) {}
+        front_(front_parts(model, {rgba.width, rgba.height})) {}
 
+  /// Pixels of the drawing in one of the canvas.
   double scale() const { return scale_; }
-  const Image16& shrunk_front() const { return shrunk_front_; }
 
   /// A vertex's place moved towards the inside of its outline, in pixels.
   Point2 inwards(int vertex, double by) const {
@@ -68,6 +71,28 @@ class RimView {
     return on ? front_.at(x, y) : 0;
   }
 
+  /// Whether the part, from 0, is seen on one side of the vertex and none before it on the other.
+  bool ends_here(int vertex, int part) const {
+    return part_at(inwards(vertex, probe)) == part + 1 && part_at(inwards(vertex, -probe)) <= part;
+  }
+
+  /// The width of the ink from a vertex inwards, px of the drawing, where there is ink with paint
+  /// beside it.
+  std::optional<double> ink_width(int vertex, double widest) const {
+    std::vector<double> values;
+    for (double t = 0.5; t < 2 * widest; t += 1) values.push_back(brightness(inwards(vertex, t)));
+    const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    const auto darkest = std::min_element(values.begin(), half);
+    const double paint = *std::max_element(darkest, values.end());
+    if (paint - *darkest < least_contrast) return std::nullopt;
+    const double between = 0.5 * (paint + *darkest);
+    const auto end =
+        std::find_if(darkest, values.end(), [between](double v) { return v > between; });
+    const auto width = static_cast<double>(end - values.begin());
+    return width <= widest ? std::optional(width) : std::nullopt;
+  }
+
+ private:
   /// Of a place on the drawing, 0 to 255.
   double brightness(Point2 p) const {
     const int x = std::clamp(static_cast<int>(p.x), 0, rgba_.width - 1);
@@ -76,299 +101,264 @@ class RimView {
     return (on_paper(c[0], c[3]) + on_paper(c[1], c[3]) + on_paper(c[2], c[3])) / 3.0;
   }
 
- private:
   const Model& model_;
   const Image8& rgba_;
   double scale_;
   Image16 front_;
-  Image16 shrunk_front_;
 };
 
-/// The edges of all triangles along outlines, those with the same ends beside each other.
-std::vector<RimEdge> upright_edges(const Model& model) {
-  std::vector<RimEdge> edges;
-  for (size_t p = 0; p < model.parts.size(); ++p) {
-    const ModelPart& part = model.parts[p];
-    for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t)
-      for (size_t k = 0; k < 3; ++k) {
-        const int a = model.triangles[t][k];
-        const int b = model.triangles[t][(k + 1) % 3];
-        if (std::abs(model.normals[a].z) <= upright && std::abs(model.normals[b].z) <= upright)
-          edges.push_back({{a, b}, static_cast<int>(p)});
+/// The vertices of a part, ascending.
+std::vector<int> vertices_of(const Model& model, const ModelPart& part) {
+  std::vector<int> vertices;
+  for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t)
+    vertices.insert(vertices.end(), model.triangles[t].begin(), model.triangles[t].end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+/// The vertices along a part's outline where it is seen, ascending.
+std::vector<RimVertex> find_rim(const Model& model, const RimView& view, int part,
+                                const std::vector<int>& vertices) {
+  std::vector<RimVertex> rim;
+  const double widest = widest_ink * view.scale() * norm(Point2{model.width, model.height});
+  for (const int v : vertices) {
+    if (std::abs(model.normals[v].z) > upright || !view.ends_here(v, part)) continue;
+    const Point3 p = model.positions[v];
+    const double width = view.ink_width(v, widest).value_or(0);
+    rim.push_back({v, {p.x, p.y}, p.z, width > 0 ? (width + blurred) / view.scale() : 0});
+  }
+  return rim;
+}
+
+/// A height at a quantile of values, which it reorders. Precondition: there are some.
+double quantile(std::vector<double>& values, double share) {
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// The width of ink along most of a part's outline, canvas px; 0 where most has none.
+double common_width(const std::vector<RimVertex>& rim) {
+  std::vector<double> widths;
+  for (const RimVertex& v : rim)
+    if (v.width > 0) widths.push_back(v.width);
+  const double least = inked_share * static_cast<double>(rim.size());
+  return widths.empty() || static_cast<double>(widths.size()) < least
+             ? 0
+             : quantile(widths, broad_share);
+}
+
+/// Finds the points near a place. Precondition: there are points.
+class NearPoints {
+ public:
+  explicit NearPoints(std::vector<Point2> points)
+      : points_(std::move(points)), grid_(box(), points_.size()) {
+    grid_.build(points_.size(), [this](size_t i) { return std::pair(points_[i], points_[i]); });
+  }
+
+  /// Calls visit(index, distance) for all closer than `radius`.
+  template <class Visit>
+  void for_each(Point2 place, double radius, Visit visit) const {
+    grid_.for_cells(place, place, radius, [&](size_t cell) {
+      for (const int* i = grid_.begin(cell); i != grid_.end(cell); ++i) {
+        const double d = distance(points_[*i], place);
+        if (d < radius) visit(static_cast<size_t>(*i), d);
       }
+    });
   }
-  std::stable_sort(edges.begin(), edges.end(),
-                   [](const RimEdge& a, const RimEdge& b) { return a.ends() < b.ends(); });
-  return edges;
+
+ private:
+  Box2 box() const {
+    Box2 box;
+    for (const Point2 p : points_) box.add(p);
+    return box;
+  }
+
+  std::vector<Point2> points_;
+  SegmentGrid grid_;
+};
+
+template <class Item>
+std::vector<Point2> places_of(const std::vector<Item>& items) {
+  std::vector<Point2> places;
+  for (const Item& item : items) places.push_back(item.place);
+  return places;
 }
 
-std::vector<RimEdge> find_rims(const Model& model, const RimView& view) {
-  const std::vector<RimEdge> edges = upright_edges(model);
-  std::vector<RimEdge> rims;
-  for (size_t i = 0; i < edges.size(); ++i) {
-    const RimEdge& edge = edges[i];
-    if (i + 1 < edges.size() && edges[i + 1].ends() == edge.ends()) continue;
-    if (i > 0 && edges[i - 1].ends() == edge.ends()) continue;
-    const auto [a, b] = edge.vertices;
-    if (view.part_at(0.5 * (view.inwards(a, -probe) + view.inwards(b, -probe))) == 0 &&
-        view.part_at(0.5 * (view.inwards(a, probe) + view.inwards(b, probe))) == edge.part + 1)
-      rims.push_back(edge);
-  }
-  return rims;
-}
-
-/// The width of the ink from a vertex inwards, px of the drawing, where there is ink with paint
-/// beside it.
-std::optional<double> ink_width(const RimView& view, int vertex, double widest) {
-  std::vector<double> values;
-  for (double t = 0.5; t < 2 * widest; t += 1)
-    values.push_back(view.brightness(view.inwards(vertex, t)));
-  const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  const auto darkest = std::min_element(values.begin(), half);
-  const double paint = *std::max_element(darkest, values.end());
-  if (paint - *darkest < least_contrast) return std::nullopt;
-  const double between = 0.5 * (paint + *darkest);
-  const auto end = std::find_if(darkest, values.end(), [between](double v) { return v > between; });
-  return static_cast<double>(end - values.begin());
-}
-
-/// Which parts are inked along most of their silhouettes, and how broadly in the median, px of the
-/// drawing; 0 where none is.
-std::vector<double> inked_parts(const Model& model, const RimView& view,
-                                const std::vector<RimEdge>& rims, double widest) {
-  std::vector<std::vector<double>> widths(model.parts.size());
-  std::vector<size_t> all(model.parts.size(), 0);
-  for (const RimEdge& rim : rims) {
-    ++all[rim.part];
-    const auto width = ink_width(view, rim.vertices[0], widest);
-    if (width && *width <= widest) widths[rim.part].push_back(*width);
-  }
-  std::vector<double> median(model.parts.size(), 0);
-  for (size_t p = 0; p < model.parts.size(); ++p) {
-    std::vector<double>& found = widths[p];
-    if (found.empty() ||
-        static_cast<double>(found.size()) < inked_share * static_cast<double>(all[p]))
-      continue;
-    const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
-    std::nth_element(found.begin(), middle, found.end());
-    median[p] = *middle;
-  }
-  return median;
-}
-
-/// A vertex of what is seen of a part, near its silhouette.
+/// A vertex of a part near its rim.
 struct BandVertex {
   int vertex = 0;
   Point2 place;         ///< canvas px
-  double distance = 0;  ///< canvas px to the silhouette
-  double freedom = 0;   ///< 0 beside other parts, 1 away from them
+  double distance = 0;  ///< canvas px to the rim
+  double rim = 0;       ///< px, the height of the rim beside it
+  double f = 0;         ///< px, its own height over that
 };
 
-/// Precondition: there are points.
-SegmentGrid point_grid(const std::vector<Point2>& points) {
-  Box2 box;
-  for (const Point2 p : points) box.add(p);
-  SegmentGrid grid(box, points.size());
-  grid.build(points.size(), [&](size_t i) { return std::pair(points[i], points[i]); });
-  return grid;
-}
-
-/// Brings the rims of one part forward.
-class RimRaiser {
+/// Lets the surface of one part begin where its ink ends.
+class RimFlattener {
  public:
-  /// `reach`: canvas px from the silhouette.
-  RimRaiser(Model& model, const RimView& view, int part, double reach)
-      : model_(model), view_(view), part_(part), reach_(reach) {}
+  RimFlattener(const Model& model, const std::vector<int>& vertices, std::vector<RimVertex> rim,
+               double width)
+      : reach_(reach_of_ink * width), rim_(std::move(rim)), near_rim_(places_of(rim_)) {
+    find_band(model, vertices);
+    const NearPoints near_band(places_of(band_));
+    smooth_widths();
+    for (RimVertex& v : rim_)
+      if (v.width > 0) v.u = u_at_end(v, near_band);
+  }
 
-  /// How far each vertex near the part's silhouette comes forward.
-  std::vector<std::pair<int, double>> rises(const std::vector<RimEdge>& rims) {
-    find_band(rims);
-    std::vector<Point2> steep;
-    std::vector<double> roots;
-    for (const BandVertex& near : band_) {
-      const Point3 n = model_.normals[near.vertex];
-      if (near.distance < 0.4 * reach_ || n.z < leaning) continue;
-      roots.push_back(2 * std::sqrt(near.distance) * norm(Point2{n.x, n.y}) / n.z);
-      steep.push_back(near.place);
-    }
-    if (steep.empty()) return {};
-    const SegmentGrid grid = point_grid(steep);
+  /// How far each vertex near the rim goes back.
+  std::vector<std::pair<int, double>> drops() const {
     std::vector<std::pair<int, double>> found;
     for (const BandVertex& near : band_) {
-      const double root = mean_around(near.place, grid, steep, roots);
-      const double rest = 1 - std::sqrt(near.distance / reach_);
-      const double rise = near.freedom * 0.5 * std::sqrt(reach_) * root * rest * rest;
-      if (rise > 0) found.emplace_back(near.vertex, rise);
+      double u = 0;
+      double fade = 0;
+      double width = 0;
+      for_rim(near.place, near.distance, [&](const RimVertex& v, double weight) {
+        u += weight * v.u;
+        fade += weight * v.fade;
+        width += weight * v.width;
+      });
+      const double t = near.distance / reach_;
+      const double left = near.f - lowered(near.f, u, edge_of_line * width);
+      const double drop = fade * (1 - t * t) * (1 - t * t) * left;
+      if (drop > 0) found.emplace_back(near.vertex, drop);
     }
     return found;
   }
 
  private:
-  Point2 place(int v) const { return {model_.positions[v].x, model_.positions[v].y}; }
+  /// The height that a height f over the rim becomes where ink ends at the squared height u: the
+  /// root of a profile that begins there and is f from `round_again` times it on.
+  static double lowered(double f, double u, double edge) {
+    if (u <= 0 || f * f >= round_again * u) return f;
+    const double past = std::max(0.0, f * f / u - 1);
+    const double span = round_again - 1;
+    const double b = -1 / (span * span);
+    const double a = 1 - 2 * b * span;
+    return std::max(std::sqrt(u * past * (a + b * past)), std::min(f, edge));
+  }
 
-  /// The vertices of what is seen of the part within reach of its silhouette, away from others.
-  void find_band(const std::vector<RimEdge>& rims) {
-    const ModelPart& part = model_.parts[part_];
-    std::vector<int> seen;
-    for (int t = part.first_triangle;
-         t < part.first_triangle + part.triangle_count - part.hidden_count; ++t)
-      seen.insert(seen.end(), model_.triangles[t].begin(), model_.triangles[t].end());
-    std::sort(seen.begin(), seen.end());
-    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
-    if (seen.empty()) return;
-    std::vector<Point2> places;
-    for (const int v : seen) places.push_back(place(v));
-    const SegmentGrid grid = point_grid(places);
-    std::vector<double> nearest(seen.size(), std::numeric_limits<double>::infinity());
-    for (const RimEdge& rim : rims) {
-      if (rim.part != part_) continue;
-      const Point2 a = place(rim.vertices[0]);
-      const Point2 b = place(rim.vertices[1]);
-      grid.for_cells(a, b, reach_, [&](size_t cell) {
-        for (const int* i = grid.begin(cell); i != grid.end(cell); ++i)
-          nearest[*i] = std::min(nearest[*i], distance_to_segment(places[*i], a, b));
+  void find_band(const Model& model, const std::vector<int>& vertices) {
+    for (const int v : vertices) {
+      const Point3 p = model.positions[v];
+      BandVertex near{v, {p.x, p.y}, reach_};
+      near_rim_.for_each(near.place, reach_,
+                         [&](size_t, double d) { near.distance = std::min(near.distance, d); });
+      if (near.distance >= reach_) continue;
+      for_rim(near.place, near.distance,
+              [&](const RimVertex& r, double weight) { near.rim += weight * r.z; });
+      near.f = std::max(0.0, p.z - near.rim);
+      band_.push_back(near);
+    }
+  }
+
+  /// Visits the rim beside a place with weights that add up to 1.
+  template <class Visit>
+  void for_rim(Point2 place, double nearest, Visit visit) const {
+    const auto weight = [](double d) { return 1 / ((d * d + 0.01) * (d * d + 0.01)); };
+    const double radius = 3 * nearest + 1;
+    double sum = 0;
+    near_rim_.for_each(place, radius, [&](size_t, double d) { sum += weight(d); });
+    near_rim_.for_each(place, radius, [&](size_t i, double d) { visit(rim_[i], weight(d) / sum); });
+  }
+
+  void smooth_widths() {
+    std::vector<double> smooth;
+    for (RimVertex& v : rim_) {
+      std::vector<double> widths;
+      double all = 0;
+      near_rim_.for_each(v.place, nearby * reach_ / reach_of_ink, [&](size_t i, double) {
+        ++all;
+        if (rim_[i].width > 0) widths.push_back(rim_[i].width);
       });
+      const double share = std::clamp(2 * static_cast<double>(widths.size()) / all - 0.5, 0.0, 1.0);
+      v.fade = share * share * (3 - 2 * share);
+      smooth.push_back(widths.empty() ? 0 : quantile(widths, broad_share));
     }
-    const Image<int32_t> away = distance_to_others();
-    for (size_t i = 0; i < seen.size(); ++i) {
-      const double free = nearest[i] < reach_ ? freedom(seen[i], away) : 0;
-      if (free > 0) band_.push_back({seen[i], places[i], nearest[i], free});
-    }
+    for (size_t i = 0; i < rim_.size(); ++i) rim_[i].width = smooth[i];
   }
 
-  /// From every pixel of the shrunk view to the next that shows another part.
-  Image<int32_t> distance_to_others() const {
-    const Image16& front = view_.shrunk_front();
-    Image8 others(front.width, front.height, 1);
-    for (size_t i = 0; i < front.pixels.size(); ++i)
-      others.pixels[i] = front.pixels[i] != 0 && front.pixels[i] != part_ + 1 ? 1 : 0;
-    return squared_distance_to(others);
-  }
-
-  /// 0 beside other parts, 1 away from them.
-  double freedom(int v, const Image<int32_t>& away) const {
-    if (away.at(0, 0) == no_distance) return 1;
-    const double pixel = model_.width / away.width;
-    const double x = std::clamp(model_.uvs[v].x * away.width - 0.5, 0.0, away.width - 1.0);
-    const double y = std::clamp(model_.uvs[v].y * away.height - 0.5, 0.0, away.height - 1.0);
-    double far = 0;
-    for (const int u : {0, 1})
-      for (const int w : {0, 1}) {
-        const int column = std::min(static_cast<int>(x) + u, away.width - 1);
-        const int row = std::min(static_cast<int>(y) + w, away.height - 1);
-        const double share =
-            std::max(0.0, 1 - std::abs(x - column)) * std::max(0.0, 1 - std::abs(y - row));
-        far += share * std::sqrt(static_cast<double>(away.at(column, row)));
-      }
-    const double t = std::clamp((far - 1.5) * pixel / reach_, 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-  }
-
-  double mean_around(Point2 p, const SegmentGrid& grid, const std::vector<Point2>& places,
-                     const std::vector<double>& values) const {
-    const double radius = 2 * reach_;
+  /// Where f^2 is about s t at a distance t from the rim, s times the width of the ink.
+  double u_at_end(const RimVertex& v, const NearPoints& near_band) const {
     double sum = 0;
     double weight = 0;
-    grid.for_cells(p, p, radius, [&](size_t cell) {
-      for (const int* i = grid.begin(cell); i != grid.end(cell); ++i) {
-        const Point2 off = places[*i] - p;
-        const double w = std::max(0.0, 1 - dot(off, off) / (radius * radius));
-        sum += w * w * values[*i];
-        weight += w * w;
-      }
+    double most = 0;
+    near_band.for_each(v.place, nearby * v.width, [&](size_t i, double) {
+      const BandVertex& near = band_[i];
+      most = std::max(most, near.f * near.f);
+      if (near.distance < 0.4 * v.width || near.distance > 3 * v.width) return;
+      sum += near.f * near.f;
+      weight += near.distance;
     });
-    return weight > 0 ? sum / weight : 0;
+    return weight > 0 ? std::min(v.width * sum / weight, deepest_ink * most) : 0;
   }
 
-  Model& model_;
-  const RimView& view_;
-  int part_;
   double reach_;
+  std::vector<RimVertex> rim_;
+  NearPoints near_rim_;
   std::vector<BandVertex> band_;
 };
 
-/// Walls below raised edges, in the paint beside the ink.
-class RimWalls {
+/// The greatest height of the parts so far, on a small view of the canvas.
+class Floor {
  public:
-  /// `rise`: of every vertex, already in the model.
-  RimWalls(Model& model, const RimView& view, const std::vector<double>& rise)
-      : model_(model), view_(view), rise_(rise), top_(rise.size(), -1), foot_(rise.size(), -1) {}
+  explicit Floor(const Model& model)
+      : size_(fitted_size(model.width, model.height, longest_floor)),
+        height_(size_.width, size_.height, 1, std::numeric_limits<float>::lowest()) {}
 
-  /// `inside`: px of the drawing from the outline to where there is paint.
-  void add(const RimEdge& rim, double inside, std::vector<std::array<int, 3>>& walls) {
-    const auto [a, b] = rim.vertices;
-    if (rise_[a] + rise_[b] <= 0) return;
-    stand(a, rim.part, inside);
-    stand(b, rim.part, inside);
-    if (rise_[a] > 0) walls.push_back({top_[b], top_[a], foot_[a]});
-    if (rise_[b] > 0) walls.push_back({top_[b], foot_[a], foot_[b]});
+  void add(const Model& model, const ModelPart& part) {
+    for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
+      const auto [a, b, c] = corners_on_image(model, t, size_);
+      const double area = cross(b - a, c - a);
+      const auto z = [&](size_t k) { return model.positions[model.triangles[t][k]].z; };
+      for_each_pixel_inside({a, b, c}, size_, [&, a = a, b = b, c = c](int x, int y) {
+        const Point2 p{x + 0.5, y + 0.5};
+        const double v = cross(p - a, c - a) / area;
+        const double w = cross(b - a, p - a) / area;
+        float& most = height_.at(x, y);
+        most = std::max(most, static_cast<float>((1 - v - w) * z(0) + v * z(1) + w * z(2)));
+      });
+    }
+  }
+
+  /// The greatest height around a vertex, lowest() where there is nothing.
+  double at(Point2 uv) const {
+    const int x = static_cast<int>(std::floor(uv.x * size_.width - 0.5));
+    const int y = static_cast<int>(std::floor(uv.y * size_.height - 0.5));
+    float most = std::numeric_limits<float>::lowest();
+    for (const int u : {x, x + 1})
+      for (const int v : {y, y + 1})
+        most = std::max(most, height_.at(std::clamp(u, 0, size_.width - 1),
+                                         std::clamp(v, 0, size_.height - 1)));
+    return most;
   }
 
  private:
-  void stand(int v, int part, double inside) {
-    if (top_[v] >= 0) return;
-    const double most = inside + std::min(inside, rise_[v] * view_.scale());
-    top_[v] = copy(v, 0, part, inside);
-    foot_[v] = rise_[v] > 0 ? copy(v, rise_[v], part, most) : top_[v];
-  }
-
-  int copy(int v, double lower, int part, double inside) {
-    const Point3 position = model_.positions[v];
-    const Point3 normal = model_.normals[v];
-    Point2 uv = model_.uvs[v];
-    const Point2 paint = view_.inwards(v, inside);
-    if (view_.part_at(paint) == part + 1) {
-      const Point2 edge = view_.inwards(v, 0);
-      uv = {uv.x * (edge.x != 0 ? paint.x / edge.x : 1),
-            uv.y * (edge.y != 0 ? paint.y / edge.y : 1)};
-    }
-    model_.positions.push_back({position.x, position.y, position.z - lower});
-    model_.normals.push_back(normal);
-    model_.uvs.push_back(uv);
-    return static_cast<int>(model_.positions.size()) - 1;
-  }
-
-  Model& model_;
-  const RimView& view_;
-  const std::vector<double>& rise_;
-  std::vector<int> top_;
-  std::vector<int> foot_;
+  ImageSize size_;
+  ImageF height_;
 };
-
-void insert_walls(const std::vector<std::vector<std::array<int, 3>>>& walls, Model& model) {
-  std::vector<std::array<int, 3>> triangles;
-  for (size_t p = 0; p < walls.size(); ++p) {
-    ModelPart& part = model.parts[p];
-    const auto begin = model.triangles.begin() + part.first_triangle;
-    part.first_triangle = static_cast<int>(triangles.size());
-    triangles.insert(triangles.end(), walls[p].begin(), walls[p].end());
-    triangles.insert(triangles.end(), begin, begin + part.triangle_count);
-    part.triangle_count += static_cast<int>(walls[p].size());
-  }
-  model.triangles = std::move(triangles);
-}
 
 }  // namespace
 
 void narrow_inked_rims(Model& model, const Drawing& drawing) {
-  const Image8& rgba = drawing.rgba;
-  if (rgba.empty()) return;
-  const RimView view(model, rgba);
-  const std::vector<RimEdge> rims = find_rims(model, view);
-  const double widest = widest_ink * norm(Point2{1.0 * rgba.width, 1.0 * rgba.height});
-  const std::vector<double> widths = inked_parts(model, view, rims, widest);
-  std::vector<double> rise(model.positions.size(), 0);
+  if (drawing.rgba.empty()) return;
+  const RimView view(model, drawing.rgba);
+  const double lift = above_others * std::max(model.width, model.height);
+  Floor floor(model);
   for (size_t p = 0; p < model.parts.size(); ++p) {
-    if (widths[p] == 0) continue;
-    const double reach = reach_of_ink * (widths[p] + 1) / view.scale();
-    for (const auto& [v, by] : RimRaiser(model, view, static_cast<int>(p), reach).rises(rims))
-      if (by >= least_rise) rise[v] = std::max(rise[v], by);
+    const std::vector<int> vertices = vertices_of(model, model.parts[p]);
+    std::vector<RimVertex> rim = find_rim(model, view, static_cast<int>(p), vertices);
+    const double width = common_width(rim);
+    if (width > 0)
+      for (const auto& [v, drop] : RimFlattener(model, vertices, std::move(rim), width).drops()) {
+        double& z = model.positions[v].z;
+        z = std::max(z - drop, std::min(z, floor.at(model.uvs[v]) + lift));
+      }
+    floor.add(model, model.parts[p]);
   }
-  for (size_t v = 0; v < rise.size(); ++v) model.positions[v].z += rise[v];
-  RimWalls builder(model, view, rise);
-  std::vector<std::vector<std::array<int, 3>>> walls(model.parts.size());
-  for (const RimEdge& rim : rims) builder.add(rim, 1.25 * widths[rim.part] + 2, walls[rim.part]);
-  insert_walls(walls, model);
 }
 
 }  // namespace relievo
