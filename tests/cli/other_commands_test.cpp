@@ -51,6 +51,20 @@ TEST_F(Check, FindsThePartsThatStrokesEnclose) {
   EXPECT_NE(outcome.err.find("nothing is filled"), std::string::npos) << outcome.err;
 }
 
+TEST_F(Check, NamesTheLayerOfADrawingThatIsTextAlone) {
+  write("words.svg",
+        "<svg xmlns='http://www.w3.org/2000/svg' width='200' height='100'><g id='title'>"
+        "<text x='10' y='50'>Once upon a time</text></g></svg>");
+  for (const char* command : {"check", "build"}) {
+    std::vector<std::string> arguments = {command, "words.svg"};
+    if (command == std::string("build")) arguments.insert(arguments.end(), {"-o", "words.glb"});
+    const Outcome outcome = relievo(arguments);
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+    for (const char* word : {"words.svg", "title", "text", "convert it to paths"})
+      EXPECT_NE(outcome.err.find(word), std::string::npos) << word << " in " << outcome.err;
+  }
+}
+
 TEST_F(Check, ListsCuesAndSaysWhichHaveNoEffect) {
   std::string text = scene_text;
   text.insert(text.rfind('}'), R"(, "cues": [

@@ -259,7 +259,10 @@ Result<SvgImport> interpret(std::string_view bytes, const SvgOptions& options) {
 Result<SvgImport> read_svg(std::string_view bytes, const SvgOptions& options) {
   auto result = interpret(bytes, options);
   if (result && result->scene.parts.empty())
-    return Error{ErrorCode::bad_input, "no filled shape is visible on the canvas", "svg"};
+    return Error{ErrorCode::bad_input,
+                 "no filled shape is visible on the canvas" +
+                     (result->warnings.empty() ? "" : ": " + result->warnings.front()),
+                 "svg"};
   return result;
 }
 
