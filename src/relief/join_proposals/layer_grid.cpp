@@ -10,8 +10,12 @@
 namespace relievo {
 namespace {
 
+/// A part whose root is nearer to its middle than this share of its reach is held there, not at an
+/// end.
+constexpr double off_end = 0.1;
 constexpr int64_t least_common = 12;  ///< grid pixels that two parts share, else they do not meet
 
+/// The middle of what a part has in common with another; of itself with itself.
 Point2 common_centre(const LayerGrid& grid, int part, int other) {
   Point2 sum;
   double n = 0;
@@ -104,6 +108,7 @@ double share_from_root(const LayerGrid& grid, int part, int root, int other) {
   for_each_pixel(grid.masks[part], [&](int x, int y) {
     reach = std::max(reach, distance(from, {x + 0.5, y + 0.5}));
   });
+  if (distance(from, common_centre(grid, part, part)) < off_end * reach) return 1;
   return distance(from, common_centre(grid, part, other)) / reach;
 }
 

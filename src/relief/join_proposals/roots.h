@@ -49,7 +49,8 @@ LayerGrid make_layer_grid(const Scene& scene, int side);
 int64_t common_area(const LayerGrid& grid, int a, int b);
 
 /// How far from what it has in common with `root` a part meets another, as a share of its reach
-/// from there. O(the part's box).
+/// from there; 1 where the part has that root in its middle, as the brim of a hat. O(the part's
+/// box).
 double share_from_root(const LayerGrid& grid, int part, int root, int other);
 
 /// The radius of the largest disc inside a part that touches another, in grid pixels; that part

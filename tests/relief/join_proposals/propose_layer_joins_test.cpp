@@ -190,6 +190,27 @@ TEST(ConnectParts, WhatCoversTheRootOfALimbDoesNotGrowOutOfIt) {
   EXPECT_EQ(lowers(circle({362, 312}, 22)), std::vector<int>{0}) << "a tuft at its end";
 }
 
+Ring ellipse(Point2 centre, double a, double b) {
+  Ring ring;
+  for (int i = 0; i < 60; ++i) {
+    const double t = 2 * M_PI * i / 60;
+    ring.push_back({centre.x + a * std::cos(t), centre.y + b * std::sin(t)});
+  }
+  return ring;
+}
+
+TEST(ConnectParts, WhatIsHeldInItsMiddleHasNoRootToStandBeside) {
+  const auto crown_grows = [](double shift) {
+    const JoinProposals joining = propose_layer_joins(
+        disc_with({ellipse({200 + shift, 80}, 130, 16), circle({200, 50}, 45)}));
+    return std::any_of(joining.joins.begin(), joining.joins.end(), [](const ProposedJoin& guess) {
+      return guess.join.upper == 2 && guess.join.lower == 1;
+    });
+  };
+  EXPECT_TRUE(crown_grows(0)) << "a hat";
+  EXPECT_FALSE(crown_grows(80)) << "a ball before the root of a beak";
+}
+
 TEST(ConnectParts, WhatAHandHoldsIsNotTiedToWhatItCrosses) {
   const Ring bar = rectangle(60, 140, 340, 160);
   const Ring hand = rectangle(10, 100, 100, 220);
@@ -258,15 +279,6 @@ TEST(ConnectParts, NecksAreNarrowerThanHeads) {
   const JoinProposals joining = propose_layer_joins(disc_with({circle({200, 60}, 60)}));
   ASSERT_EQ(joining.joins.size(), 1U);
   EXPECT_NEAR(line_length(joining.joins[0].join.line), 0.45 * std::sqrt(M_PI) * 60, 4);
-}
-
-Ring ellipse(Point2 centre, double a, double b) {
-  Ring ring;
-  for (int i = 0; i < 60; ++i) {
-    const double t = 2 * M_PI * i / 60;
-    ring.push_back({centre.x + a * std::cos(t), centre.y + b * std::sin(t)});
-  }
-  return ring;
 }
 
 TEST(ConnectParts, WideDarkRedPatchesAreOpenMouths) {
