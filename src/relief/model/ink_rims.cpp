@@ -4,16 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/compose.h"
-#include "kernel/image/image_size.h"
-#include "kernel/meshing/segment_grid.h"
 #include "relief/model/fill_triangle.h"
+#include "relief/model/rim_surroundings.h"
 
 namespace relievo {
 namespace {
@@ -30,8 +28,8 @@ constexpr double reach_of_ink = 6;    ///< widths of ink, up to where surfaces g
 constexpr double deepest_ink = 0.5;   ///< of the squared height in the middle of a limb, at most
 constexpr double round_again = 4;     ///< squared heights of the ink's end, where nothing changes
 constexpr double edge_of_line = 0.5;  ///< widths of ink, how high the line's own edge is
+constexpr double reach_of_others = 2;   ///< widths of ink, within which what ends on it follows
 constexpr double above_others = 0.002;  ///< of the canvas, how far ink keeps above what lies below
-constexpr int longest_floor = 1024;     ///< px, of the view in which heights below are taken
 
 /// A vertex of a part's outline where it is seen, with nothing nearer beyond it.
 struct RimVertex {
@@ -118,13 +116,13 @@ std::vector<int> vertices_of(const Model& model, const ModelPart& part) {
 }
 
 /// The vertices along a part's outline where it is seen, ascending.
-std::vector<RimVertex> find_rim(const Model& model, const RimView& view, int part,
-                                const std::vector<int>& vertices) {
+std::vector<RimVertex> find_rim(const Model& model, const std::vector<Point3>& given,
+                                const RimView& view, int part, const std::vector<int>& vertices) {
   std::vector<RimVertex> rim;
   const double widest = widest_ink * view.scale() * norm(Point2{model.width, model.height});
   for (const int v : vertices) {
     if (std::abs(model.normals[v].z) > upright || !view.ends_here(v, part)) continue;
-    const Point3 p = model.positions[v];
+    const Point3 p = given[v];
     const double width = view.ink_width(v, widest).value_or(0);
     rim.push_back({v, {p.x, p.y}, p.z, width > 0 ? (width + blurred) / view.scale() : 0});
   }
@@ -150,36 +148,6 @@ double common_width(const std::vector<RimVertex>& rim) {
              : quantile(widths, broad_share);
 }
 
-/// Finds the points near a place. Precondition: there are points.
-class NearPoints {
- public:
-  explicit NearPoints(std::vector<Point2> points)
-      : points_(std::move(points)), grid_(box(), points_.size()) {
-    grid_.build(points_.size(), [this](size_t i) { return std::pair(points_[i], points_[i]); });
-  }
-
-  /// Calls visit(index, distance) for all closer than `radius`.
-  template <class Visit>
-  void for_each(Point2 place, double radius, Visit visit) const {
-    grid_.for_cells(place, place, radius, [&](size_t cell) {
-      for (const int* i = grid_.begin(cell); i != grid_.end(cell); ++i) {
-        const double d = distance(points_[*i], place);
-        if (d < radius) visit(static_cast<size_t>(*i), d);
-      }
-    });
-  }
-
- private:
-  Box2 box() const {
-    Box2 box;
-    for (const Point2 p : points_) box.add(p);
-    return box;
-  }
-
-  std::vector<Point2> points_;
-  SegmentGrid grid_;
-};
-
 template <class Item>
 std::vector<Point2> places_of(const std::vector<Item>& items) {
   std::vector<Point2> places;
@@ -192,17 +160,16 @@ struct BandVertex {
   int vertex = 0;
   Point2 place;         ///< canvas px
   double distance = 0;  ///< canvas px to the rim
-  double rim = 0;       ///< px, the height of the rim beside it
-  double f = 0;         ///< px, its own height over that
+  double f = 0;         ///< px, the height over the rim beside it
 };
 
 /// Lets the surface of one part begin where its ink ends.
 class RimFlattener {
  public:
-  RimFlattener(const Model& model, const std::vector<int>& vertices, std::vector<RimVertex> rim,
-               double width)
-      : reach_(reach_of_ink * width), rim_(std::move(rim)), near_rim_(places_of(rim_)) {
-    find_band(model, vertices);
+  RimFlattener(const std::vector<Point3>& given, const std::vector<int>& vertices,
+               std::vector<RimVertex> rim, double width)
+      : width_(width), rim_(std::move(rim)), beside_(places_of(rim_), reach_of_ink * width) {
+    find_band(given, vertices);
     const NearPoints near_band(places_of(band_));
     smooth_widths();
     for (RimVertex& v : rim_)
@@ -216,14 +183,13 @@ class RimFlattener {
       double u = 0;
       double fade = 0;
       double width = 0;
-      for_rim(near.place, near.distance, [&](const RimVertex& v, double weight) {
-        u += weight * v.u;
-        fade += weight * v.fade;
-        width += weight * v.width;
+      beside_.for_each(near.place, near.distance, [&](size_t i, double weight) {
+        u += weight * rim_[i].u;
+        fade += weight * rim_[i].fade;
+        width += weight * rim_[i].width;
       });
-      const double t = near.distance / reach_;
       const double left = near.f - lowered(near.f, u, edge_of_line * width);
-      const double drop = fade * (1 - t * t) * (1 - t * t) * left;
+      const double drop = fade * beside_.share_at(near.distance) * left;
       if (drop > 0) found.emplace_back(near.vertex, drop);
     }
     return found;
@@ -241,28 +207,18 @@ class RimFlattener {
     return std::max(std::sqrt(u * past * (a + b * past)), std::min(f, edge));
   }
 
-  void find_band(const Model& model, const std::vector<int>& vertices) {
+  void find_band(const std::vector<Point3>& given, const std::vector<int>& vertices) {
     for (const int v : vertices) {
-      const Point3 p = model.positions[v];
-      BandVertex near{v, {p.x, p.y}, reach_};
-      near_rim_.for_each(near.place, reach_,
-                         [&](size_t, double d) { near.distance = std::min(near.distance, d); });
-      if (near.distance >= reach_) continue;
-      for_rim(near.place, near.distance,
-              [&](const RimVertex& r, double weight) { near.rim += weight * r.z; });
-      near.f = std::max(0.0, p.z - near.rim);
+      const Point3 p = given[v];
+      BandVertex near{v, {p.x, p.y}};
+      near.distance = beside_.distance_to(near.place);
+      if (near.distance >= reach_of_ink * width_) continue;
+      double rim = 0;
+      beside_.for_each(near.place, near.distance,
+                       [&](size_t i, double weight) { rim += weight * rim_[i].z; });
+      near.f = std::max(0.0, p.z - rim);
       band_.push_back(near);
     }
-  }
-
-  /// Visits the rim beside a place with weights that add up to 1.
-  template <class Visit>
-  void for_rim(Point2 place, double nearest, Visit visit) const {
-    const auto weight = [](double d) { return 1 / ((d * d + 0.01) * (d * d + 0.01)); };
-    const double radius = 3 * nearest + 1;
-    double sum = 0;
-    near_rim_.for_each(place, radius, [&](size_t, double d) { sum += weight(d); });
-    near_rim_.for_each(place, radius, [&](size_t i, double d) { visit(rim_[i], weight(d) / sum); });
   }
 
   void smooth_widths() {
@@ -270,7 +226,7 @@ class RimFlattener {
     for (RimVertex& v : rim_) {
       std::vector<double> widths;
       double all = 0;
-      near_rim_.for_each(v.place, nearby * reach_ / reach_of_ink, [&](size_t i, double) {
+      beside_.rim().for_each(v.place, nearby * width_, [&](size_t i, double) {
         ++all;
         if (rim_[i].width > 0) widths.push_back(rim_[i].width);
       });
@@ -281,64 +237,78 @@ class RimFlattener {
     for (size_t i = 0; i < rim_.size(); ++i) rim_[i].width = smooth[i];
   }
 
-  /// Where f^2 is about s t at a distance t from the rim, s times the width of the ink.
+  /// The squared height where ink of this width ends, rather too much than too little: what is
+  /// left of the ink beyond would be a streak down the wall. Nearer to the rim f^2 / t is larger,
+  /// t being the distance.
   double u_at_end(const RimVertex& v, const NearPoints& near_band) const {
-    double sum = 0;
-    double weight = 0;
+    std::vector<double> at_end;
     double most = 0;
+    double farther = 0;
+    double distances = 0;
     near_band.for_each(v.place, nearby * v.width, [&](size_t i, double) {
       const BandVertex& near = band_[i];
-      most = std::max(most, near.f * near.f);
-      if (near.distance < 0.4 * v.width || near.distance > 3 * v.width) return;
-      sum += near.f * near.f;
-      weight += near.distance;
+      const double u = near.f * near.f;
+      most = std::max(most, u);
+      if (near.distance < 0.5 * v.width || near.distance > 3 * v.width) return;
+      farther += u;
+      distances += near.distance;
+      if (near.distance < 1.2 * v.width) at_end.push_back(u * v.width / near.distance);
     });
-    return weight > 0 ? std::min(v.width * sum / weight, deepest_ink * most) : 0;
+    if (distances == 0) return 0;
+    const double u = at_end.empty() ? v.width * farther / distances : quantile(at_end, broad_share);
+    return std::min(u, deepest_ink * most);
   }
 
-  double reach_;
+  double width_;
   std::vector<RimVertex> rim_;
-  NearPoints near_rim_;
+  BesideRim beside_;
   std::vector<BandVertex> band_;
 };
 
-/// The greatest height of the parts so far, on a small view of the canvas.
-class Floor {
+/// Parts that end on others that went back go with them.
+class RimFollower {
  public:
-  explicit Floor(const Model& model)
-      : size_(fitted_size(model.width, model.height, longest_floor)),
-        height_(size_.width, size_.height, 1, std::numeric_limits<float>::lowest()) {}
+  /// `touching`: px, between heights that count as one; `reach`: canvas px, of what follows.
+  RimFollower(const Floor& before, const Floor& after, double touching, double reach)
+      : before_(before), after_(after), touching_(touching), reach_(reach) {}
 
-  void add(const Model& model, const ModelPart& part) {
-    for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
-      const auto [a, b, c] = corners_on_image(model, t, size_);
-      const double area = cross(b - a, c - a);
-      const auto z = [&](size_t k) { return model.positions[model.triangles[t][k]].z; };
-      for_each_pixel_inside({a, b, c}, size_, [&, a = a, b = b, c = c](int x, int y) {
-        const Point2 p{x + 0.5, y + 0.5};
-        const double v = cross(p - a, c - a) / area;
-        const double w = cross(b - a, p - a) / area;
-        float& most = height_.at(x, y);
-        most = std::max(most, static_cast<float>((1 - v - w) * z(0) + v * z(1) + w * z(2)));
-      });
+  /// How far each vertex near an outline goes back.
+  std::vector<std::pair<int, double>> drops(const Model& model, const std::vector<Point3>& given,
+                                            const std::vector<int>& vertices) const {
+    std::vector<Point2> rim;
+    std::vector<double> gaps;
+    for (const int v : vertices) {
+      if (std::abs(model.normals[v].z) > upright) continue;
+      rim.push_back({given[v].x, given[v].y});
+      gaps.push_back(gap(model.uvs[v], given[v].z));
     }
-  }
-
-  /// The greatest height around a vertex, lowest() where there is nothing.
-  double at(Point2 uv) const {
-    const int x = static_cast<int>(std::floor(uv.x * size_.width - 0.5));
-    const int y = static_cast<int>(std::floor(uv.y * size_.height - 0.5));
-    float most = std::numeric_limits<float>::lowest();
-    for (const int u : {x, x + 1})
-      for (const int v : {y, y + 1})
-        most = std::max(most, height_.at(std::clamp(u, 0, size_.width - 1),
-                                         std::clamp(v, 0, size_.height - 1)));
-    return most;
+    std::vector<std::pair<int, double>> found;
+    if (std::none_of(gaps.begin(), gaps.end(), [](double gap) { return gap > 0; })) return found;
+    const BesideRim beside(std::move(rim), reach_);
+    for (const int v : vertices) {
+      const Point2 place{given[v].x, given[v].y};
+      const double distance = beside.distance_to(place);
+      if (distance >= reach_) continue;
+      double drop = 0;
+      beside.for_each(place, distance, [&](size_t i, double weight) { drop += weight * gaps[i]; });
+      if (drop > 0) found.emplace_back(v, drop * beside.share_at(distance));
+    }
+    return found;
   }
 
  private:
-  ImageSize size_;
-  ImageF height_;
+  /// How far what touched a place at a height from below went back.
+  double gap(Point2 uv, double z) const {
+    const auto [least, most] = before_.range_at(uv);
+    if (z < least - touching_ || z > most + touching_) return 0;
+    const auto now = after_.range_at(uv);
+    return std::max(0.0, 0.5 * (least + most - now[0] - now[1]));
+  }
+
+  const Floor& before_;
+  const Floor& after_;
+  double touching_;
+  double reach_;
 };
 
 }  // namespace
@@ -347,17 +317,31 @@ void narrow_inked_rims(Model& model, const Drawing& drawing) {
   if (drawing.rgba.empty()) return;
   const RimView view(model, drawing.rgba);
   const double lift = above_others * std::max(model.width, model.height);
-  Floor floor(model);
+  const std::vector<Point3> given = model.positions;
+  Floor before(model);
+  Floor after(model);
+  double broadest = 0;
   for (size_t p = 0; p < model.parts.size(); ++p) {
     const std::vector<int> vertices = vertices_of(model, model.parts[p]);
-    std::vector<RimVertex> rim = find_rim(model, view, static_cast<int>(p), vertices);
+    std::vector<double> back(given.size(), 0);
+    const auto go_back = [&](int v, double by) {
+      const double z = given[v].z - back[v];
+      const double least = std::min(z, after.range_at(model.uvs[v])[1] + lift);
+      back[v] = given[v].z - std::max(z - by, least);
+      model.positions[v].z = std::min(model.positions[v].z, given[v].z - back[v]);
+    };
+    std::vector<RimVertex> rim = find_rim(model, given, view, static_cast<int>(p), vertices);
     const double width = common_width(rim);
     if (width > 0)
-      for (const auto& [v, drop] : RimFlattener(model, vertices, std::move(rim), width).drops()) {
-        double& z = model.positions[v].z;
-        z = std::max(z - drop, std::min(z, floor.at(model.uvs[v]) + lift));
-      }
-    floor.add(model, model.parts[p]);
+      for (const auto& [v, by] : RimFlattener(given, vertices, std::move(rim), width).drops())
+        go_back(v, by);
+    if (broadest > 0)
+      for (const auto& [v, by] : RimFollower(before, after, lift, reach_of_others * broadest)
+                                     .drops(model, given, vertices))
+        go_back(v, by);
+    broadest = std::max(broadest, width);
+    before.add(model, model.parts[p], given);
+    after.add(model, model.parts[p], model.positions);
   }
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "relief/model/assemble_model.h"
@@ -141,6 +143,30 @@ TEST(InkRims, InkBetweenPartsLiesOnWhatIsBelow) {
     moved += after.positions[v].z < was ? 1 : 0;
   }
   EXPECT_GT(moved, 0);
+}
+
+TEST(InkRims, WhatEndsNearARimGoesBackWithIt) {
+  // Touches the ball with all of its outline, within reach of the ball's ink.
+  const double radius = 73;
+  const Disc cap{inked_ball.centre, radius, 1,
+                 std::sqrt(inked_ball.radius * inked_ball.radius - radius * radius)};
+  const Model before = model_of({inked_ball, cap});
+  Model after = before;
+  narrow_inked_rims(after, drawn({inked_ball, cap}, ink_width));
+  std::map<std::pair<double, double>, int> below;
+  for (const int v : corners_of(before, 0))
+    below[{before.positions[v].x, before.positions[v].y}] = v;
+  int touching = 0;
+  for (const int v : corners_of(before, 1)) {
+    const Point3 p = before.positions[v];
+    const auto at = below.find({p.x, p.y});
+    if (at == below.end() || std::abs(before.normals[v].z) > 1e-6) continue;
+    const Point3 ball = after.positions[at->second];
+    EXPECT_LT(ball.z, p.z - 5);
+    EXPECT_NEAR(after.positions[v].z, ball.z, 0.2 * (p.z - ball.z));
+    ++touching;
+  }
+  EXPECT_GT(touching, 0);
 }
 
 }  // namespace

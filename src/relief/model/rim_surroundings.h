@@ -1,0 +1,129 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "kernel/geometry/polygon.h"
+#include "kernel/image/image_size.h"
+#include "kernel/meshing/segment_grid.h"
+#include "relief/model/fill_triangle.h"
+
+namespace relievo {
+
+/// Finds the points near a place. Precondition: there are points.
+class NearPoints {
+ public:
+  explicit NearPoints(std::vector<Point2> points)
+      : points_(std::move(points)), grid_(box(), points_.size()) {
+    grid_.build(points_.size(), [this](size_t i) { return std::pair(points_[i], points_[i]); });
+  }
+
+  /// Calls visit(index, distance) for all closer than `radius`.
+  template <class Visit>
+  void for_each(Point2 place, double radius, Visit visit) const {
+    grid_.for_cells(place, place, radius, [&](size_t cell) {
+      for (const int* i = grid_.begin(cell); i != grid_.end(cell); ++i) {
+        const double d = distance(points_[*i], place);
+        if (d < radius) visit(static_cast<size_t>(*i), d);
+      }
+    });
+  }
+
+ private:
+  Box2 box() const {
+    Box2 box;
+    for (const Point2 p : points_) box.add(p);
+    return box;
+  }
+
+  std::vector<Point2> points_;
+  SegmentGrid grid_;
+};
+
+/// Carries what is known at the vertices of a rim to the places beside it.
+class BesideRim {
+ public:
+  /// `reach`: canvas px. Precondition: there are places.
+  BesideRim(std::vector<Point2> rim, double reach) : near_(std::move(rim)), reach_(reach) {}
+
+  const NearPoints& rim() const { return near_; }
+
+  /// The distance to the rim, `reach` at most.
+  double distance_to(Point2 place) const {
+    double nearest = reach_;
+    near_.for_each(place, reach_, [&](size_t, double d) { nearest = std::min(nearest, d); });
+    return nearest;
+  }
+
+  /// Calls visit(index, weight) for the rim beside a place at a distance below `reach`; weights
+  /// add up to 1.
+  template <class Visit>
+  void for_each(Point2 place, double nearest, Visit visit) const {
+    const auto weight = [](double d) { return 1 / ((d * d + 0.01) * (d * d + 0.01)); };
+    const double radius = 3 * nearest + 1;
+    double sum = 0;
+    near_.for_each(place, radius, [&](size_t, double d) { sum += weight(d); });
+    near_.for_each(place, radius, [&](size_t i, double d) { visit(i, weight(d) / sum); });
+  }
+
+  /// 1 at the rim, 0 at `reach`, smooth.
+  double share_at(double distance) const {
+    const double t = distance / reach_;
+    return (1 - t * t) * (1 - t * t);
+  }
+
+ private:
+  NearPoints near_;
+  double reach_;
+};
+
+/// The greatest height of the parts so far, on a small view of the canvas.
+class Floor {
+ public:
+  explicit Floor(const Model& model)
+      : size_(fitted_size(model.width, model.height, longest_floor)),
+        height_(size_.width, size_.height, 1, std::numeric_limits<float>::lowest()) {}
+
+  /// Adds a part with its vertices at `positions`.
+  void add(const Model& model, const ModelPart& part, const std::vector<Point3>& positions) {
+    for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
+      const auto [a, b, c] = corners_on_image(model, t, size_);
+      const double area = cross(b - a, c - a);
+      const auto z = [&](size_t k) { return positions[model.triangles[t][k]].z; };
+      for_each_pixel_inside({a, b, c}, size_, [&, a = a, b = b, c = c](int x, int y) {
+        const Point2 p{x + 0.5, y + 0.5};
+        const double v = cross(p - a, c - a) / area;
+        const double w = cross(b - a, p - a) / area;
+        float& most = height_.at(x, y);
+        most = std::max(most, static_cast<float>((1 - v - w) * z(0) + v * z(1) + w * z(2)));
+      });
+    }
+  }
+
+  /// The least and the greatest height around a vertex, both lowest() where there is nothing.
+  std::array<double, 2> range_at(Point2 uv) const {
+    const int x = static_cast<int>(std::floor(uv.x * size_.width - 0.5));
+    const int y = static_cast<int>(std::floor(uv.y * size_.height - 0.5));
+    constexpr double nothing = std::numeric_limits<float>::lowest();
+    std::array<double, 2> range{-nothing, nothing};
+    for (const int u : {x, x + 1})
+      for (const int v : {y, y + 1}) {
+        const double z =
+            height_.at(std::clamp(u, 0, size_.width - 1), std::clamp(v, 0, size_.height - 1));
+        if (z == nothing) continue;
+        range = {std::min(range[0], z), std::max(range[1], z)};
+      }
+    return {std::min(range[0], range[1]), range[1]};
+  }
+
+ private:
+  static constexpr int longest_floor = 1024;  ///< px
+  ImageSize size_;
+  ImageF height_;
+};
+
+}  // namespace relievo
