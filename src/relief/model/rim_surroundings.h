@@ -55,16 +55,20 @@ class BesideRim {
   /// The distance to the rim, `reach` at most.
   double distance_to(Point2 place) const {
     double nearest = reach_;
-    near_.for_each(place, reach_, [&](size_t, double d) { nearest = std::min(nearest, d); });
+    for (double radius = reach_ / 16; radius <= reach_ && nearest == reach_; radius *= 2)
+      near_.for_each(place, radius, [&](size_t, double d) { nearest = std::min(nearest, d); });
     return nearest;
   }
 
   /// Calls visit(index, weight) for the rim beside a place at a distance below `reach`; weights
-  /// add up to 1.
+  /// add up to 1 and vary smoothly from place to place.
   template <class Visit>
   void for_each(Point2 place, double nearest, Visit visit) const {
-    const auto weight = [](double d) { return 1 / ((d * d + 0.01) * (d * d + 0.01)); };
-    const double radius = 3 * nearest + 1;
+    const double radius = 1.5 * nearest + 1;
+    const auto weight = [radius](double d) {
+      const double inside = 1 - d / radius;
+      return inside * inside / ((d * d + 0.01) * (d * d + 0.01));
+    };
     double sum = 0;
     near_.for_each(place, radius, [&](size_t, double d) { sum += weight(d); });
     near_.for_each(place, radius, [&](size_t i, double d) { visit(i, weight(d) / sum); });
