@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <queue>
 #include <tuple>
+#include <utility>
 #include <vector>
 
+#include "kernel/base/exact_functions.h"
 #include "relief/drawing/figure_mask.h"
 #include "relief/drawing/find_regions.h"
 #include "relief/drawing/region_merging.h"
@@ -22,49 +25,64 @@ constexpr double detail_share = 0.08;     ///< of the area around it, up to whic
 constexpr double enclosed_share = 0.8;    ///< of a detail's border that is with one region
 constexpr size_t usual_parts = 20;        ///< of a character, up to which fragments stay
 constexpr double fragment_share = 0.02;   ///< of the figure, below which a part is a fragment
+constexpr double one_part = 5.8;          ///< log-odds of two neighbours to be that, of which go
+constexpr double marked_weight = 10.3;    ///< of the share of their border that is marked
+constexpr double small_weight = 0.73;     ///< of -log of the smaller one's share of the figure
+constexpr double large_weight = 2.7;      ///< of the larger one's share of the figure
 constexpr double narrowest_part =
     0.75;  ///< inradius in widths of lines: narrower are gaps in strokes
 
-/// Unites regions, those most open to each other first, until lines part all of them.
-class OpenMerger {
+/// What uniting two neighbours is worth, and what decides between equals; they stay two where the
+/// first is not positive.
+using Worth = std::function<std::pair<double, int64_t>(int, int)>;
+
+/// Unites neighbours, those of most worth first, until none has any. Nothing is united with
+/// `background`; -1 where there is none yet.
+class Merger {
  public:
-  /// Regions open to `background` stay apart from it; -1 where there is none yet.
-  OpenMerger(RegionMerging& regions, int background) : regions_(regions), background_(background) {
+  Merger(RegionMerging& regions, int background, Worth worth)
+      : regions_(regions), background_(background), worth_(std::move(worth)) {
     for (int a = 0; a < regions.count(); ++a)
       for (const auto& [b, border] : regions.borders(a))
-        if (a < b) propose(a, b, border);
+        if (a < b) propose(a, b);
   }
 
   void run() {
     while (!queue_.empty()) {
-      const auto [share, minus_pairs, a, b] = queue_.top();
+      const auto [worth, a, b] = queue_.top();
       queue_.pop();
-      if (!regions_.is_region(a) || !regions_.is_region(b)) continue;
-      const auto border = regions_.borders(a).find(b);
       // An entry that later unions made out of date has a newer one.
-      if (border == regions_.borders(a).end() || border->second.pairs != -minus_pairs ||
-          regions_.open_share(a, b) != share)
+      if (!regions_.is_region(a) || !regions_.is_region(b) || regions_.borders(a).count(b) == 0 ||
+          worth_(a, b) != worth)
         continue;
       regions_.unite(a, b);
       const int merged = std::min(a, b);
-      for (const auto& [neighbour, joint] : regions_.borders(merged))
-        propose(merged, neighbour, joint);
+      for (const auto& [neighbour, border] : regions_.borders(merged)) propose(merged, neighbour);
     }
   }
 
  private:
-  void propose(int a, int b, const RegionBorder& border) {
+  void propose(int a, int b) {
     if (a == background_ || b == background_) return;
-    const double share = regions_.open_share(a, b);
-    if (share <= open_share) return;
-    if (share < quite_open_share && regions_.colour_distance(a, b) > different_colour) return;
-    queue_.push({share, -border.pairs, std::min(a, b), std::max(a, b)});
+    const auto worth = worth_(a, b);
+    if (worth.first > 0) queue_.push({worth, std::min(a, b), std::max(a, b)});
   }
 
   RegionMerging& regions_;
   int background_;
-  std::priority_queue<std::tuple<double, int64_t, int, int>> queue_;
+  Worth worth_;
+  std::priority_queue<std::tuple<std::pair<double, int64_t>, int, int>> queue_;
 };
+
+/// Unites regions that are open to each other, until lines part all of them.
+void unite_open(RegionMerging& regions, int background) {
+  Merger(regions, background, [&regions](int a, int b) -> std::pair<double, int64_t> {
+    const double share = regions.open_share(a, b);
+    const bool parted = share <= open_share || (share < quite_open_share &&
+                                                regions.colour_distance(a, b) > different_colour);
+    return {parted ? 0 : share, -regions.borders(a).at(b).pairs};
+  }).run();
+}
 
 /// Whether ink runs along the outline of the figure.
 bool is_outlined(const RegionMerging& regions, int background) {
@@ -89,6 +107,14 @@ double figure_box_area(RegionMerging& regions, int background) {
   for (int r = 0; r < regions.count(); ++r)
     if (regions.is_region(r) && r != background) box.add(regions.region(r).box);
   return box.empty() ? 0 : (box.max.x - box.min.x) * (box.max.y - box.min.y);
+}
+
+/// Of all that is not background, px.
+int64_t figure_area(RegionMerging& regions, int background) {
+  int64_t area = 0;
+  for (int r = 0; r < regions.count(); ++r)
+    if (regions.is_region(r) && r != background) area += regions.region(r).area;
+  return area;
 }
 
 /// The neighbour with the longest common border, the background left out, or -1.
@@ -151,13 +177,10 @@ void absorb_details(RegionMerging& regions, int background) {
 /// Where there are more parts than a character has, unites fragments, as the stripes of a scarf,
 /// with what they touch most, smallest first.
 void unite_fragments(RegionMerging& regions, int background) {
+  const int64_t figure = figure_area(regions, background);
   std::vector<std::pair<int64_t, int>> order;
-  int64_t figure = 0;
-  for (int r = 0; r < regions.count(); ++r) {
-    if (!regions.is_region(r) || r == background) continue;
-    order.emplace_back(regions.region(r).area, r);
-    figure += regions.region(r).area;
-  }
+  for (int r = 0; r < regions.count(); ++r)
+    if (regions.is_region(r) && r != background) order.emplace_back(regions.region(r).area, r);
   std::sort(order.begin(), order.end());
   size_t count = order.size();
   for (const auto& [area, r] : order) {
@@ -169,6 +192,19 @@ void unite_fragments(RegionMerging& regions, int background) {
     regions.unite(r, host);
     --count;
   }
+}
+
+/// Unites neighbours that are likelier one part than two: log-odds of that, by how much of their
+/// border is marked and by their sizes.
+void unite_likely(RegionMerging& regions, int background) {
+  const auto figure = static_cast<double>(figure_area(regions, background));
+  Merger(regions, background, [&regions, figure](int a, int b) -> std::pair<double, int64_t> {
+    const auto [smaller, larger] = std::minmax(regions.region(a).area, regions.region(b).area);
+    return {one_part - marked_weight * (1 - regions.open_share(a, b)) -
+                small_weight * exact::log(static_cast<double>(smaller) / figure) -
+                large_weight * static_cast<double>(larger) / figure,
+            0};
+  }).run();
 }
 
 /// Where the outline of a limb is drawn through the body, gives what they share to the one whose
@@ -198,11 +234,11 @@ void unite_overlaps(RegionMerging& regions, const Basins& basins, int background
 
 void propose_regions(Basins& basins) {
   RegionMerging regions(basins);
-  OpenMerger(regions, -1).run();
+  unite_open(regions, -1);
   int background = unite_background(regions, basins);
   if (background >= 0 && is_outlined(regions, background)) {
     regions.ignore_edges();
-    OpenMerger(regions, background).run();
+    unite_open(regions, background);
   }
   if (background >= 0) unite_overlaps(regions, basins, background);
   const double least_area = smallest_part * figure_box_area(regions, background);
@@ -211,6 +247,7 @@ void propose_regions(Basins& basins) {
   if (background >= 0) background = regions.region_of(background);
   absorb_details(regions, background);
   unite_fragments(regions, background);
+  unite_likely(regions, background);
 
   std::vector<int> number(basins.basins.size(), -1);
   basins.region.resize(basins.basins.size());

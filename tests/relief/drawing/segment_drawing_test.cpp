@@ -337,29 +337,6 @@ TEST(SegmentDrawing, PalePaintIsOfTheFigureAndPaperIsNot) {
   EXPECT_EQ(label_at(*s, 5, 5), 0);
 }
 
-TEST(SegmentDrawing, ColoursInsideAnInkedOutlineAreTexture) {
-  InkDrawing ball(240, 240);
-  ball.disc({120, 120}, 80, 240, 200, 60).disc({120, 150}, 30, 60, 90, 200);
-  ball.disc({120, 95}, 25, 60, 160, 80);
-  const Result<Segmentation> bare = segment_drawing(ball.drawing());
-  const Result<Segmentation> inked = segment_drawing(ball.circle({120, 120}, 80).drawing());
-  ASSERT_TRUE(bare.ok() && inked.ok());
-  EXPECT_GT(bare->parts.size(), 1U);
-  EXPECT_EQ(inked->parts.size(), 1U);
-}
-
-TEST(SegmentDrawing, AScarfOfManyStripesIsNotManyParts) {
-  InkDrawing figure(600, 400);
-  figure.circle({160, 200}, 120).circle({160, 160}, 20);
-  for (int k = 0; k < 26; ++k) figure.line({300.0 + 10 * k, 180}, {300.0 + 10 * k, 220}, 2);
-  figure.line({280, 180}, {560, 180}, 2).line({280, 220}, {560, 220}, 2);
-  figure.line({280, 180}, {280, 220}, 2).line({560, 180}, {560, 220}, 2);
-  const Result<Segmentation> s = segment_drawing(figure.drawing());
-  ASSERT_TRUE(s.ok()) << to_string(s.error());
-  EXPECT_LE(s->parts.size(), 20U);
-  for (int k = 0; k < 27; ++k) EXPECT_NE(label_at(*s, 295 + 10 * k, 200), 0) << k;
-}
-
 TEST(SegmentDrawing, DrawingsOfNothingSayWhatToDo) {
   for (const Drawing& drawing : {Drawing(), InkDrawing(50, 40).drawing(),
                                  InkDrawing(99, 99).line({0, 50}, {99, 50}).drawing()}) {
