@@ -22,6 +22,13 @@ constexpr double most_hidden = 0.9;
 constexpr double least_protrusion = 0.02;
 constexpr double mostly_inside = 0.75;
 
+/// A frame has so many holes, is this share of what it goes round, that is this share at least of
+/// each figure that shows in its holes, and they fill this share of those.
+constexpr size_t least_holes = 2;
+constexpr double least_frame = 0.25;
+constexpr double least_framed = 0.5;
+constexpr double mostly_filled = 0.9;
+
 /// What speaks for or against a figure as a part of its own. Fractions are of its own area unless
 /// said otherwise.
 struct Evidence {
@@ -39,6 +46,31 @@ struct Evidence {
 
 double fraction_of(const Region& region, const Region& other) {
   return area(intersect(region, other)) / area(region);
+}
+
+size_t hole_count(const Region& region) {
+  return static_cast<size_t>(std::count_if(region.begin(), region.end(),
+                                           [](const Ring& ring) { return signed_area(ring) < 0; }));
+}
+
+/// Whether figures behind fill the holes of one that goes round most of them, as the plates of a
+/// shell between its ribs and the panes of a window do.
+bool is_frame(const std::vector<Figure>& figures, size_t i) {
+  const Region& region = figures[i].region;
+  if (hole_count(region) < least_holes) return false;
+  const Region whole = without_holes(region);
+  if (area(region) < least_frame * area(whole)) return false;
+  std::vector<Region> behind;
+  for (size_t k = 0; k < i; ++k)
+    if (area(figures[k].region) * least_framed < area(whole)) behind.push_back(figures[k].region);
+  return fraction_of(subtract(whole, region), unite(behind)) > mostly_filled;
+}
+
+/// What shows through the holes of a frame is paint on one surface with it.
+std::vector<Figure> without_frames(std::vector<Figure> figures) {
+  for (size_t i = 0; i < figures.size(); ++i)
+    if (is_frame(figures, i)) figures[i].region = without_holes(figures[i].region);
+  return figures;
 }
 
 /// Decides figure by figure, back to front.
@@ -176,7 +208,9 @@ class Proposer {
 
 }  // namespace
 
-ProposedParts propose_parts(const FigureList& list) {
+ProposedParts propose_parts(const FigureList& drawn) {
+  FigureList list = drawn;
+  list.figures = without_frames(std::move(list.figures));
   auto [parts, colors] = Proposer(list).run();
   cover_ink(parts, list.ink, pen_reach * list.diagonal);
   cover_rest(parts, list.covered);

@@ -13,8 +13,9 @@ struct ProposedParts {
   std::vector<Palette> colors;  ///< of their topmost fills
 };
 
-/// Parts guessed from the figures. Together they cover all that the list covers. None where nothing
-/// is drawn.
-ProposedParts propose_parts(const FigureList& list);
+/// Parts guessed from the figures. Together they cover all that the list covers. A frame is one
+/// with what shows through its holes, as the ribs and plates of a shell. None where nothing is
+/// drawn.
+ProposedParts propose_parts(const FigureList& drawn);
 
 }  // namespace relievo

@@ -33,6 +33,23 @@ TEST(ProposeParts, WhatStandsOutIsAPartAndWhatLiesInsideIsTexture) {
       (Names{"body", "ear"}));
 }
 
+TEST(ProposeParts, AFrameIsOneWithWhatShowsThroughItsHoles) {
+  const std::string head = "<circle id='head' cx='160' cy='600' r='90' fill='#8c4'/>";
+  const std::string frame =
+      "<path id='frame' fill='#264' fill-rule='evenodd' d='M250 300H750V700H250ZM300 "
+      "350H470V650H300Z"
+      "M530 350H700V650H530Z'/>";
+  const auto rings_of_last = [](const std::string& content) {
+    const SvgImport import = import_of(svg_file(content));
+    EXPECT_EQ(import.scene.parts.back().id, "frame");
+    return import.scene.parts.back().outline.size();
+  };
+  const std::string plates =
+      "<rect id='plates' x='200' y='340' width='600' height='400' fill='#4a7'/>";
+  EXPECT_EQ(rings_of_last(head + plates + frame), 1u);
+  EXPECT_EQ(rings_of_last(head + frame), 3u) << "nothing shows through";
+}
+
 TEST(ProposeParts, ADarkTwinBehindIsOnePartWithItsFill) {
   const SvgImport import = import_of(svg_file(
       "<circle id='line' cx='500' cy='500' r='310'/>" + large_circle +
