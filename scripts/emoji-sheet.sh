@@ -23,9 +23,9 @@ const { body, width = all.width ?? 16, height = all.height ?? 16 } = all.icons[n
 console.log(`<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"
   width="${(1024 * width) / height}" height="1024" viewBox="0 0 ${width} ${height}">${body}</svg>`);
 EOF
-for set in $(printf '%s\n' "$@" | cut -d/ -f1 | sort -u); do
-  npm install --silent --no-save --prefix "$work" "@iconify-json/$set" > /dev/null
-done
+packages=$(printf '@iconify-json/%s\n' "$@" | cut -d/ -f1,2 | sort -u)
+# shellcheck disable=SC2086 # names without spaces
+npm install --silent --no-save --prefix "$work" $packages > /dev/null
 for emoji in "$@"; do
   name=$(echo "$emoji" | tr / -)
   node "$work/extract.js" "$work" "$emoji" > "$work/$name.svg"
