@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "apps/cli/cue_argument.h"
+#include "relief/model/assemble_model.h"
 #include "relief/model/dress_hidden.h"
 #include "relief/model/ink_rims.h"
 
@@ -93,7 +94,10 @@ Result<MadeModel> make_model(const Relief& relief, const SceneInput& input,
     const auto sheet = assemble_visible_sheet(relief.layers, relief.inflation, relief.ordering,
                                               input.scene, options, context);
     if (!sheet) return sheet.error();
-    auto solid = make_solid(*sheet, input.drawing, arguments.solid_options);
+    const auto limbs = assemble_limbs(relief.layers, relief.inflation, relief.ordering, input.scene,
+                                      arguments.solid_options.mirror, context);
+    if (!limbs) return limbs.error();
+    auto solid = make_solid(*sheet, *limbs, input.drawing, arguments.solid_options);
     if (!solid) return solid.error();
     return MadeModel{{std::move(solid->model), std::move(solid->drawing)}, solid->facts};
   }

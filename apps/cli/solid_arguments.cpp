@@ -40,6 +40,11 @@ void add_solid_options(CLI::App& app, ReliefArguments& relief) {
              "Of a figure: what is on its back, the drawing (the default) or the mean colours of "
              "its parts")
           ->check(CLI::IsMember({"drawing", "parts"})),
+      app.add_option("--mirror", solid.mirror,
+                     "Of figure: the id of a limb that its far side gets too, a part joined to one "
+                     "behind it (repeatable)")
+          ->take_all()
+          ->expected(1),
       app.add_option_function<std::string>(
              "--base", [&solid](const std::string& name) { solid.base = base_shape(name); },
              "Of solid: none (the default), or a plate below it: outline, plate (a rectangle) or "

@@ -112,6 +112,7 @@ void bind_solid_options(py::module_& module) {
       .def_readwrite("size", &SolidOptions::size)
       .def_readwrite("back", &SolidOptions::back)
       .def_readwrite("base", &SolidOptions::base)
+      .def_readwrite("mirror", &SolidOptions::mirror)
       .def_readwrite("height", &SolidOptions::height)
       .def_readwrite("detail", &SolidOptions::detail)
       .def_readwrite("thickness", &SolidOptions::thickness)

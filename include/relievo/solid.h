@@ -27,6 +27,8 @@ struct SolidOptions {
   double size = 100;  ///< mm, longest side of the whole, a ring aside; > 0
   BackSide back = BackSide::flat;
   BaseShape base = BaseShape::none;  ///< none behind what has no flat back
+  /// Ids of parts of a figure that its far side gets too: limbs joined to a part behind them.
+  std::vector<std::string> mirror;
   double height = 0;     ///< mm, of the whole at most: depth shrinks where there is more; 0: any
   bool detail = false;   ///< whether small forms keep their depth then, as far as that goes
   double thickness = 2;  ///< mm below the lowest point that is seen, and of the plate; > 0

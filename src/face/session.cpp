@@ -156,7 +156,10 @@ Result<Solid> Session::solid(const SolidOptions& options, const Drawing& drawing
   const auto sheet = assemble_visible_sheet(relief.layers, relief.inflation, relief.ordering,
                                             state_->scene, {}, context);
   if (!sheet) return sheet.error();
-  return make_solid(*sheet, drawing, options);
+  const auto limbs = assemble_limbs(relief.layers, relief.inflation, relief.ordering, state_->scene,
+                                    options.mirror, context);
+  if (!limbs) return limbs.error();
+  return make_solid(*sheet, *limbs, drawing, options);
 }
 
 Result<MeshLines> Session::lines() const {

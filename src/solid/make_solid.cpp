@@ -9,6 +9,7 @@
 
 #include "kernel/base/disjoint_sets.h"
 #include "relief/model/ink_rims.h"
+#include "solid/mirror_limbs.h"
 #include "solid/solid_steps.h"
 #include "solid/stand.h"
 
@@ -31,12 +32,16 @@ struct Extent {
   Point3 high{-unbounded, -unbounded, -unbounded};
 };
 
-/// Of a sheet, and of its back where that is wanted.
-Extent extent_of(const VisibleSheet& sheet, bool backed) {
+/// Of a sheet, and of its back and of limbs on the far side where that is wanted.
+Extent extent_of(const VisibleSheet& sheet, const std::vector<LimbSheet>& limbs, bool backed) {
   const Model& model = sheet.model;
   Extent extent;
   if (backed)
     for (const BackPoint& back : sheet.back) extent.low.z = std::min(extent.low.z, back.z);
+  for (const LimbSheet& limb : limbs)
+    for (const std::array<int, 3>& triangle : limb.sheet.model.triangles)
+      for (const int v : triangle)
+        extent.low.z = std::min(extent.low.z, 2 * limb.middle - limb.sheet.model.positions[v].z);
   for (const std::array<int, 3>& triangle : model.triangles)
     for (const int v : triangle) {
       const Point3 p = model.positions[v];
@@ -61,9 +66,10 @@ double radius_of(const Model& model, const Extent& extent) {
 }
 
 /// The scale with which the whole gets its size.
-Result<GridPlacement> place_on_grid(const VisibleSheet& sheet, const SolidOptions& options) {
+Result<GridPlacement> place_on_grid(const VisibleSheet& sheet, const std::vector<LimbSheet>& limbs,
+                                    const SolidOptions& options) {
   const bool backed = options.back != BackSide::flat;
-  const Extent extent = extent_of(sheet, backed);
+  const Extent extent = extent_of(sheet, limbs, backed);
   const double below = backed ? 0 : options.thickness;
   const Point3 sides = extent.high - extent.low;
   const double wall = options.cutter > 0 ? cutter_wall : 0;
@@ -167,10 +173,7 @@ void narrow_rims(const Drawing& drawing, VisibleSheet& sheet) {
   for (size_t v = 0; v < rise.size(); ++v) sheet.back[v].z -= rise[v] + model.positions[v].z;
 }
 
-}  // namespace
-
-Result<Solid> make_solid(const VisibleSheet& given, const Drawing& drawing,
-                         const SolidOptions& options) {
+Status check_options(const SolidOptions& options) {
   if (options.base == BaseShape::none && options.hole + options.ring > 0)
     return Error{ErrorCode::usage, "a hole or a ring to hang it by needs a base", "--base"};
   if (options.cutter > 0 && (options.base != BaseShape::outline || options.hole + options.ring > 0))
@@ -180,53 +183,142 @@ Result<Solid> make_solid(const VisibleSheet& given, const Drawing& drawing,
   if (figure && (options.base == BaseShape::outline || options.hole + options.ring > 0))
     return Error{ErrorCode::usage,
                  "a figure stands on --base plate or round, without a hole or a ring", "--base"};
+  if (!options.mirror.empty() && (!figure || options.detail))
+    return Error{ErrorCode::usage, "is of figures, without --height-mode detail", "--mirror"};
+  return Done{};
+}
+
+/// What fields have in common.
+struct FieldMaker {
+  const SolidOptions& options;
+  const GridPlacement& placement;
+  const PaintedDrawing& painted;
+
+  int64_t steps(double mm) const { return std::llround(mm / placement.unit); }
+  /// How far the feet are sunk into a plate.
+  int64_t sunk() const { return steps(0.5 * options.thickness); }
+
+  HeightField field_of(const VisibleSheet& sheet) const {
+    HeightField field = snap_sheet(sheet, placement);
+    for (Point2& uv : field.uvs) uv.y *= painted.shrink;
+    return field;
+  }
+
+  Status repair(HeightField& field) const {
+    return repair_plane(least_gap / placement.unit, field);
+  }
+
+  Status add_back(const FieldEdges& edges, HeightField& field) const {
+    return lay_floor({steps(least_depth), steps(soft_share * options.size)}, edges, field);
+  }
+
+  Status stand(int part, std::vector<GridPoint> others, HeightField& field) const {
+    return add_stand({options.base == BaseShape::round, 2 * sunk(), steps(options.margin),
+                      steps(options.size), part, painted.paint.plate, std::move(others)},
+                     field);
+  }
+};
+
+GridPoint low_corner(const HeightField& field) {
+  GridPoint low{std::numeric_limits<int64_t>::max(), std::numeric_limits<int64_t>::max()};
+  for (const GridPoint p : field.points) low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+  return low;
+}
+
+/// The solids of limbs, in the places that they have in the figure but for their corners.
+struct LimbFields {
+  std::vector<SolidLimb> solids;
+  std::vector<GridPoint> low;  ///< of each
+  std::vector<GridPoint> far;  ///< x, and z when it is mirrored, of what is below a level
+};
+
+Status add_limb(const FieldMaker& maker, const Drawing& drawing, const LimbSheet& limb,
+                const std::vector<ModelPart>& parts, int64_t level, LimbFields& fields) {
+  VisibleSheet sheet = limb.sheet;
+  narrow_rims(drawing, sheet);
+  HeightField field = maker.field_of(sheet);
+  if (Status status = maker.repair(field); !status) return status;
+  const FieldEdges edges = connect_field(field);
+  if (Status status = maker.add_back(edges, field); !status) return status;
+  settle_heights(edges, field);
+  auto model = raise_walls(field, edges, parts, maker.painted.paint);
+  if (!model) return model.error();
+  const GridPlacement& placement = maker.placement;
+  const int64_t twice =
+      maker.steps(2 * placement.height_scale * (limb.middle - placement.origin.z));
+  for (const std::array<int, 3>& t : field.triangles)
+    for (const int v : t)
+      if (const GridPoint p = field.place(v); p.y <= level) {
+        const int64_t inner = twice - field.floor_height(field.vertex_point[v]);
+        fields.far.push_back({p.x, inner});
+        fields.far.push_back({p.x, inner - field.vertex_height[v]});
+      }
+  fields.low.push_back(low_corner(field));
+  fields.solids.push_back(
+      {limb.id, placement.unit * static_cast<double>(twice), std::move(*model)});
+  return Done{};
+}
+
+/// Moves limbs to the corner that a figure's model is counted from.
+void align(GridPoint low, double unit, LimbFields& fields) {
+  for (size_t i = 0; i < fields.solids.size(); ++i)
+    for (Point3& p : fields.solids[i].model.positions)
+      p = p + Point3{unit * static_cast<double>(fields.low[i].x - low.x),
+                     unit * static_cast<double>(fields.low[i].y - low.y), 0};
+}
+
+}  // namespace
+
+Result<Solid> make_solid(const VisibleSheet& given, const std::vector<LimbSheet>& limbs,
+                         const Drawing& drawing, const SolidOptions& options) {
+  if (Status status = check_options(options); !status) return status.error();
+  const bool figure = options.back != BackSide::flat;
   VisibleSheet sheet = given;
   if (figure) narrow_rims(drawing, sheet);
-  auto placement = place_on_grid(sheet, options);
+  auto placement = place_on_grid(sheet, limbs, options);
   if (!placement) return placement.error();
   if (options.detail && placement->height_scale < placement->scale) {
     if (Status status = compress_heights(placement->height_scale / placement->scale, sheet);
         !status)
       return status.error();
-    placement = place_on_grid(sheet, options);
+    placement = place_on_grid(sheet, limbs, options);
     if (!placement) return placement.error();
   }
   const bool stands = figure && options.base != BaseShape::none;
   const std::vector<ModelPart> parts =
       figure && !stands ? sheet.model.parts : parts_with_base(sheet.model);
   PaintedDrawing painted = paint_back(drawing, sheet.model, options.back);
-  HeightField field = snap_sheet(sheet, *placement);
-  for (Point2& uv : field.uvs) uv.y *= painted.shrink;
+  const FieldMaker maker{options, *placement, painted};
+  HeightField field = maker.field_of(sheet);
   const int base = static_cast<int>(parts.size()) - 1;
-  const int64_t sunk = std::llround(0.5 * options.thickness / field.unit);
   if (stands)
-    if (Status status = cut_feet(sunk, field); !status) return status.error();
-  if (Status status = repair_plane(least_gap / field.unit, field); !status) return status.error();
+    if (Status status = cut_feet(maker.sunk(), field); !status) return status.error();
+  if (Status status = maker.repair(field); !status) return status.error();
   if (!figure)
     if (Status status = add_plate(options, base, painted.paint.plate, field); !status)
       return status.error();
   FieldEdges edges = connect_field(field);
-  if (figure) {
-    const FloorLimits limits{std::llround(least_depth / field.unit),
-                             std::llround(soft_share * options.size / field.unit)};
-    if (Status status = lay_floor(limits, edges, field); !status) return status.error();
-  }
+  if (figure)
+    if (Status status = maker.add_back(edges, field); !status) return status.error();
+  LimbFields mirrored;
+  for (const LimbSheet& limb : limbs)
+    if (Status status = add_limb(maker, drawing, limb, parts, lowest(field), mirrored); !status)
+      return status.error();
   if (stands) {
-    const Stand stand{options.base == BaseShape::round,
-                      2 * sunk,
-                      std::llround(options.margin / field.unit),
-                      std::llround(options.size / field.unit),
-                      base,
-                      painted.paint.plate};
-    if (Status status = add_stand(stand, field); !status) return status.error();
+    if (Status status = maker.stand(base, std::move(mirrored.far), field); !status)
+      return status.error();
     edges = connect_field(field);
   }
   settle_heights(edges, field);
   auto model = raise_walls(field, edges, parts, painted.paint);
   if (!model) return model.error();
-  SolidFacts facts = find_pieces(field, parts);
-  facts.volume = volume_of(*model);
-  return Solid{std::move(*model), std::move(painted.drawing), std::move(facts)};
+  Solid solid{std::move(*model), std::move(painted.drawing), find_pieces(field, parts)};
+  align(low_corner(field), field.unit, mirrored);
+  if (Status status = unite_with_limbs(mirrored.solids, field.unit, painted.paint.parts, solid);
+      !status)
+    return status.error();
+  solid.facts.volume = volume_of(solid.model);
+  return solid;
 }
 
 }  // namespace relievo

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "relief/model/visible_sheet.h"
 #include "relievo/result.h"
 #include "relievo/solid.h"
@@ -9,10 +11,15 @@ namespace relievo {
 /// Everything below what the front shows, down to a flat back or to what lies behind, with upright
 /// walls where depth changes: closed, a manifold and free of self-intersections, also when its
 /// coordinates are kept in single precision. The last part of its model is the base, if its back is
-/// flat. The drawing has a strip of plain colour at its lower end for that. Fails with usage where
-/// size, thickness and margin leave no room, or a hole or ring is asked for without a base.
-/// Near-linear in triangles.
-Result<Solid> make_solid(const VisibleSheet& given, const Drawing& drawing,
-                         const SolidOptions& options);
+/// flat. The drawing has a strip of plain colour at its lower end for that. `limbs` are on the far
+/// side too. Fails with usage where size, thickness and margin leave no room, options exclude each
+/// other, or a limb does not become one solid with the figure. Near-linear in triangles.
+Result<Solid> make_solid(const VisibleSheet& given, const std::vector<LimbSheet>& limbs,
+                         const Drawing& drawing, const SolidOptions& options);
+
+inline Result<Solid> make_solid(const VisibleSheet& given, const Drawing& drawing,
+                                const SolidOptions& options) {
+  return make_solid(given, {}, drawing, options);
+}
 
 }  // namespace relievo

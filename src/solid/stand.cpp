@@ -18,13 +18,6 @@ constexpr int most_levels = 64;
 constexpr int disc_sides = 48;
 constexpr double blunt = 0.1;
 
-int64_t lowest(const HeightField& field) {
-  int64_t low = std::numeric_limits<int64_t>::max();
-  for (const std::array<int, 3>& t : field.triangles)
-    for (const int v : t) low = std::min(low, field.place(v).y);
-  return low;
-}
-
 /// What of a field lies above a level.
 class FeetCutter {
  public:
@@ -121,6 +114,7 @@ class StandBuilder {
 
   Status add() {
     if (Status status = find_feet(); !status) return status;
+    for (const GridPoint p : stand_.others) feet_.add(p.x, p.y);
     add_mass();
     shape();
     lay_points();
@@ -289,6 +283,13 @@ class StandBuilder {
 };
 
 }  // namespace
+
+int64_t lowest(const HeightField& field) {
+  int64_t low = std::numeric_limits<int64_t>::max();
+  for (const std::array<int, 3>& t : field.triangles)
+    for (const int v : t) low = std::min(low, field.place(v).y);
+  return low;
+}
 
 Status cut_feet(int64_t sunk, HeightField& field) {
   const int64_t level = lowest(field) + sunk;

@@ -2,6 +2,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -59,17 +60,13 @@ int count_uneven(const Soup& soup) {
   return uneven;
 }
 
-}  // namespace
-
-SolidCensus census_of_stl(std::string_view stl) {
-  const Soup soup = read_soup(stl);
-  SolidCensus census;
-  census.triangles = static_cast<int>(soup.triangles.size());
-  census.uneven = count_uneven(soup);
-  census.manifold = pmp::is_polygon_soup_a_polygon_mesh(soup.triangles);
-  if (!census.manifold) return census;
+Mesh mesh_of(const Soup& soup) {
   Mesh mesh;
   pmp::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
+  return mesh;
+}
+
+void measure(Mesh& mesh, SolidCensus& census) {
   std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> crossing;
   pmp::self_intersections(mesh, std::back_inserter(crossing));
   census.self_intersections = static_cast<int>(crossing.size());
@@ -80,6 +77,31 @@ SolidCensus census_of_stl(std::string_view stl) {
                     static_cast<int>(mesh.number_of_faces());
   census.holes = census.pieces - euler / 2;
   if (CGAL::is_closed(mesh)) census.volume = pmp::volume(mesh);
+}
+
+}  // namespace
+
+SolidCensus census_of_stl(std::string_view stl) {
+  const Soup soup = read_soup(stl);
+  SolidCensus census;
+  census.triangles = static_cast<int>(soup.triangles.size());
+  census.uneven = count_uneven(soup);
+  census.manifold = pmp::is_polygon_soup_a_polygon_mesh(soup.triangles);
+  if (!census.manifold) return census;
+  Mesh mesh = mesh_of(soup);
+  measure(mesh, census);
+  return census;
+}
+
+SolidCensus shared_by_stl(std::string_view one, std::string_view other) {
+  Mesh first = mesh_of(read_soup(one));
+  Mesh second = mesh_of(read_soup(other));
+  Mesh shared;
+  SolidCensus census;
+  census.manifold = pmp::corefine_and_compute_intersection(first, second, shared);
+  shared.collect_garbage();
+  census.triangles = static_cast<int>(shared.number_of_faces());
+  measure(shared, census);
   return census;
 }
 

@@ -18,6 +18,9 @@ struct SolidCensus {
 
 SolidCensus census_of_stl(std::string_view stl);
 
+/// The same of what lies in both of two solids, as it is before anything is rounded.
+SolidCensus shared_by_stl(std::string_view one, std::string_view other);
+
 /// The first property that a printable solid lacks, or "".
 std::string what_is_wrong(const SolidCensus& census);
 

@@ -40,6 +40,7 @@ class SolidOptions:
     size: float
     back: BackSide
     base: BaseShape
+    mirror: List[str]
     height: float
     detail: bool
     thickness: float

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from typing import Any, Literal, Mapping, Optional, Tuple, TypedDict, TypeVar
+from typing import Any, List, Literal, Mapping, Optional, Tuple, TypedDict, TypeVar
 
 from . import _core
 from .errors import UsageError
@@ -27,6 +27,7 @@ class SolidOptions(TypedDict, total=False):
     size: float  #: mm, longest side
     back: Literal["flat", "drawing", "parts"]
     base: Literal["none", "outline", "plate", "round"]
+    mirror: List[str]  #: of a figure: parts that its far side gets too
     height: float  #: mm at most; 0: any
     detail: bool  #: small forms keep their depth where there is more than `height`
     thickness: float  #: mm below the lowest point that is seen

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "kernel/geometry/polygon.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
@@ -27,5 +30,13 @@ Result<VisibleSheet> assemble_visible_sheet(const LayeredMesh& mesh, const Infla
                                             const Ordering& ordering, const Scene& scene,
                                             const ModelOptions& options,
                                             const RunContext& context = {});
+
+/// The limbs that `ids` lists, parts joined to one behind them. Fails with usage, naming the part,
+/// where there is none of that name, it is joined to no part behind it or lies in that one's
+/// middle; else as assemble_visible_sheet. Near-linear for each limb.
+Result<std::vector<LimbSheet>> assemble_limbs(const LayeredMesh& mesh, const Inflation& inflation,
+                                              const Ordering& ordering, const Scene& scene,
+                                              const std::vector<std::string>& ids,
+                                              const RunContext& context = {});
 
 }  // namespace relievo

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "relievo/image.h"
@@ -33,6 +34,15 @@ struct VisibleSheet {
   Model model;                   ///< all of its triangles face the viewer
   std::vector<SheetStep> steps;  ///< where walls would stand, by base triangle
   std::vector<BackPoint> back;   ///< behind every vertex, a function of its place
+};
+
+/// A limb by itself, with what grows out of it and lies on it, as it would be if the part that it
+/// grows out of were not there. Mirrored about `middle` it is the limb of the far side; its root is
+/// drawn in so that it then ends inside of that part.
+struct LimbSheet {
+  std::string id;     ///< of the part
+  double middle = 0;  ///< px, where the part that it grows out of is neither in front nor behind
+  VisibleSheet sheet;
 };
 
 /// A model and the picture that lies on it, which is empty where there is none.
