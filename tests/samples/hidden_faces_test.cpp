@@ -61,9 +61,7 @@ int pixels_in_front(const DrawnRelief& drawn) {
 
 void expect_nothing_in_front(const std::filesystem::path& path) {
   SCOPED_TRACE(path.filename().string());
-  ReliefOptions options;
-  options.layers.vertex_budget = 20000;
-  EXPECT_EQ(pixels_in_front(relief_of(path.string(), options)), 0);
+  EXPECT_EQ(pixels_in_front(relief_of(path.string(), ReliefOptions())), 0);
 }
 
 TEST(HiddenFaces, LieBehindWhatIsSeenOfTheSamples) {

@@ -8,6 +8,7 @@
 #include "samples/drawing_relief.h"
 #include "support/mesh_checks.h"
 #include "support/probe.h"
+#include "support/seams.h"
 
 namespace relievo {
 namespace {
@@ -67,6 +68,24 @@ TEST_P(SampleRelief, DoesNotDependOnTheFirstGuess) {
   for (size_t n = 0; n < a.relief.ordering.h.size(); ++n)
     worst = std::max(worst, std::abs(a.relief.ordering.h[n] - b.relief.ordering.h[n]));
   EXPECT_LE(worst, 1e-5);  // px
+}
+
+TEST_P(SampleRelief, HasNoEdgeAlongItsJoins) {
+  for (const Method method : {Method::approximate, Method::nonlinear}) {
+    ReliefOptions with_method = options();
+    with_method.method = method;
+    const Relief relief = relief_of(path(), with_method).relief;
+    std::vector<double> medians;
+    for (const SeamChain& chain : seam_chains(relief.layers)) {
+      const std::vector<double> angles = seam_angles(relief.layers, relief.ordering.h, chain);
+      if (angles.empty()) continue;
+      EXPECT_LE(angles.back(), 2) << "part " << chain.upper;
+      medians.push_back(angles[angles.size() / 2]);
+    }
+    ASSERT_FALSE(medians.empty());
+    std::sort(medians.begin(), medians.end());
+    EXPECT_LE(medians[medians.size() / 2], 1.2);
+  }
 }
 
 /// The lowest ratio of the height at a join's end to the mean height on a circle around it, a

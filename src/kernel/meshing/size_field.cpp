@@ -10,32 +10,38 @@ namespace {
 // such a lattice would have points without end.
 constexpr double finest = 1.0 / 16;
 
+/// Growth from one cell to the next, beside and across.
+struct Growth {
+  double straight;
+  double diagonal;
+};
+
+/// Takes over what the cells of the row before, which is done, allow.
+void spread_from(const double* before, Growth growth, int columns, double* row) {
+  for (int x = 0; x < columns; ++x) {
+    const double aside = std::min(before[std::max(x - 1, 0)], before[std::min(x + 1, columns - 1)]);
+    row[x] = std::min({row[x], before[x] + growth.straight, aside + growth.diagonal});
+  }
+}
+
 // Two sweeps of an 8-neighbour distance transform: size(x) = min over y of size(y) + g |x - y|.
 void spread(SizeField& field, double grading) {
-  const double straight = grading * field.cell;
-  const double diagonal = straight * std::sqrt(2.0);
-  auto relax = [&](int x, int y, int dx, int dy) {
-    const int nx = x + dx;
-    const int ny = y + dy;
-    if (nx < 0 || ny < 0 || nx >= field.columns || ny >= field.rows) return;
-    double& here = field.size[static_cast<size_t>(y) * field.columns + x];
-    const double there = field.size[static_cast<size_t>(ny) * field.columns + nx];
-    here = std::min(here, there + (dx != 0 && dy != 0 ? diagonal : straight));
+  const Growth growth{grading * field.cell, grading * field.cell * std::sqrt(2.0)};
+  const auto row = [&](int y) {
+    return field.size.data() + static_cast<size_t>(y) * field.columns;
   };
-  for (int y = 0; y < field.rows; ++y)
-    for (int x = 0; x < field.columns; ++x) {
-      relax(x, y, -1, 0);
-      relax(x, y, -1, -1);
-      relax(x, y, 0, -1);
-      relax(x, y, 1, -1);
-    }
-  for (int y = field.rows - 1; y >= 0; --y)
-    for (int x = field.columns - 1; x >= 0; --x) {
-      relax(x, y, 1, 0);
-      relax(x, y, 1, 1);
-      relax(x, y, 0, 1);
-      relax(x, y, -1, 1);
-    }
+  for (int y = 0; y < field.rows; ++y) {
+    double* size = row(y);
+    if (y > 0) spread_from(row(y - 1), growth, field.columns, size);
+    for (int x = 1; x < field.columns; ++x)
+      size[x] = std::min(size[x], size[x - 1] + growth.straight);
+  }
+  for (int y = field.rows - 1; y >= 0; --y) {
+    double* size = row(y);
+    if (y + 1 < field.rows) spread_from(row(y + 1), growth, field.columns, size);
+    for (int x = field.columns - 2; x >= 0; --x)
+      size[x] = std::min(size[x], size[x + 1] + growth.straight);
+  }
 }
 
 struct Crossing {

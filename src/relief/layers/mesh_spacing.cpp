@@ -148,7 +148,7 @@ SizeField size_field_for(const SampledOutlines& sampled, double spacing,
   size.grading = options.grading;
   size.max_size = spacing * options.max_growth;
   const double longest = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
-  size.cells = std::clamp(static_cast<int>(longest / (2 * spacing)), 64, 2048);
+  size.cells = std::clamp(static_cast<int>(longest / spacing), 64, 2048);
   return make_size_field(sampled.samples, outlines_of(sampled), size);
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "kernel/geometry/polygon.h"
+#include "kernel/geometry/polyline.h"
 #include "relief/layers/crease_lines.h"
 
 namespace relievo {
@@ -14,6 +15,10 @@ constexpr double corner_angle = 0.61;  // 35 degrees
 constexpr double max_sagitta = 0.08;   // of the spacing
 constexpr int min_ring_samples = 12;
 constexpr int min_join_edges = 6;
+constexpr int fine_join_edges = 64;       // below which edges become as short as `finest_at_join`
+constexpr double coarse_at_join = 0.5;    // of the spacing
+constexpr double finest_at_join = 0.25;   // of the spacing
+constexpr double least_refined = 8;       // spacings: the whole mesh is coarse for shorter joins
 constexpr double line_reach = 0.08;       // of the canvas diagonal
 constexpr double speck = 0.02;            // of the detail: smaller rings are lost
 constexpr double coarsest_detail = 0.01;  // of the drawing, however few vertices there are
@@ -80,18 +85,32 @@ std::vector<double> corners(const Ring& ring, const RingMeasure& m, double windo
   return kept;
 }
 
-/// Mean distance between the arc from a forward to b and the line, both ways.
-double gap_to_line(const PartRing& ring, double a, double b, const std::vector<Point2>& line) {
-  constexpr int probes = 32;
+/// The arc from a forward to b, in chords.
+constexpr int chords = 32;
+std::vector<Point2> chords_of_arc(const PartRing& ring, double a, double b) {
   const double length = forward(a, b, ring.measure.length);
   std::vector<Point2> arc;
-  for (int i = 0; i <= probes; ++i)
-    arc.push_back(point_at(*ring.ring, ring.measure, a + length * i / probes));
+  for (int i = 0; i <= chords; ++i)
+    arc.push_back(point_at(*ring.ring, ring.measure, a + length * i / chords));
+  return arc;
+}
+
+/// Mean distance between the arc from a forward to b and the line, both ways.
+double gap_to_line(const PartRing& ring, double a, double b, const std::vector<Point2>& line) {
+  const std::vector<Point2> arc = chords_of_arc(ring, a, b);
   double sum = 0;
-  for (const Point2 p : arc) sum += distance_to_polyline(line, p) / probes;
+  for (const Point2 p : arc) sum += distance_to_polyline(line, p) / chords;
   for (const Point2 p : line)
     sum += distance_to_polyline(arc, p) / static_cast<double>(line.size());
   return sum;
+}
+
+/// How much of the arc lies inside the outline.
+double length_inside(const PartRing& ring, const ArcRange& arc, const Outline& outline) {
+  double length = 0;
+  for (const LineSpan span : spans_inside(chords_of_arc(ring, arc.from, arc.to), outline))
+    length += span.to - span.from;
+  return length;
 }
 
 /// Corners next to a mark give way to it.
@@ -228,6 +247,11 @@ class Sampler {
     const bool as_drawn = gap_to_line(ring, a, b, join.line) <= gap_to_line(ring, b, a, join.line);
     joins_.push_back(as_drawn ? ArcRange{best, a, b, false} : ArcRange{best, b, a, true});
     mark(joins_.back(), rings_);
+    // Flat faces meet at an angle that grows with their size, where one smooth surface is meant.
+    const double inside = length_inside(ring, joins_.back(), scene_.parts[join.lower].outline);
+    const double fine =
+        std::clamp(inside / fine_join_edges, finest_at_join * spacing_, coarse_at_join * spacing_);
+    join_spacing_.push_back(inside < least_refined * spacing_ ? spacing_ : fine);
     return Done{};
   }
 
@@ -248,16 +272,21 @@ class Sampler {
     return settled(ring, nearest_on_ring(*ring.ring, ring.measure, p).s, same_mark * spacing_);
   }
 
-  // Spacing for a stretch: short rings and short joins keep enough edges.
+  /// Short rings keep enough edges.
+  double spacing_of_ring(size_t r) const {
+    return std::min(spacing_, rings_[r].measure.length / min_ring_samples);
+  }
+
   double spacing_between(size_t r, double from, double to) const {
     const double length = rings_[r].measure.length;
-    double spacing = std::min(spacing_, length / min_ring_samples);
+    double spacing = spacing_of_ring(r);
     const double middle = from + 0.5 * (to - from);
-    for (const ArcRange& join : joins_) {
+    for (size_t j = 0; j < joins_.size(); ++j) {
+      const ArcRange& join = joins_[j];
       if (join.ring != static_cast<int>(r)) continue;
       const double arc = forward(join.from, join.to, length);
       if (forward(join.from, middle, length) < arc)
-        spacing = std::min(spacing, arc / min_join_edges);
+        spacing = std::min({spacing, arc / min_join_edges, join_spacing_[j]});
     }
     return spacing;
   }
@@ -267,7 +296,7 @@ class Sampler {
     InputCurve curve;
     ring_samples_.emplace_back();
     if (ring.ring->size() >= 3 && ring.measure.length > 0) {
-      std::vector<double> stops = corners(*ring.ring, ring.measure, 0.5 * spacing_between(r, 0, 0));
+      std::vector<double> stops = corners(*ring.ring, ring.measure, 0.5 * spacing_of_ring(r));
       keep_clear(ring, 0.3 * spacing_, stops);
       stops.insert(stops.end(), ring.marks.begin(), ring.marks.end());
       refine_at_ends(r, stops);
@@ -287,7 +316,7 @@ class Sampler {
   // The surface has a crease that starts at a join's end: short edges there resolve it.
   void refine_at_ends(size_t r, std::vector<double>& stops) const {
     const double length = rings_[r].measure.length;
-    const double spacing = spacing_between(r, 0, 0);
+    const double spacing = spacing_of_ring(r);
     const std::vector<double> plain = stops;
     for (const ArcRange& join : joins_) {
       if (join.ring != static_cast<int>(r)) continue;
@@ -353,6 +382,7 @@ class Sampler {
   std::vector<PartRing> rings_;
   std::vector<std::vector<double>> ring_samples_;  // per ring: arc length of each sample
   std::vector<ArcRange> joins_;
+  std::vector<double> join_spacing_;  // per join
   std::vector<ArcRange> robin_;
   std::vector<ArcRange> relations_;
   SampledOutlines out_;

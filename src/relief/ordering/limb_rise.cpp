@@ -1,6 +1,7 @@
 #include "relief/ordering/limb_rise.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -38,19 +39,20 @@ double smooth_step(double from, double to, double x) {
 
 /// Nodes by part, each once, of faces that no part grows out of.
 struct PartNodes {
+  std::vector<std::vector<int>> faces;  ///< by part
   std::vector<std::vector<int>> of_part;
   std::vector<int> parts;  ///< #N how many parts share the node
 };
 
 PartNodes nodes_by_part(const LayeredMesh& mesh) {
-  std::vector<std::vector<int>> faces(mesh.part_count);
-  for (size_t face = 0; face < mesh.faces.size(); ++face)
-    if (!mesh.is_flap(face)) faces[mesh.face_part[face]].push_back(static_cast<int>(face));
   PartNodes nodes{std::vector<std::vector<int>>(mesh.part_count),
+                  std::vector<std::vector<int>>(mesh.part_count),
                   std::vector<int>(mesh.node_vertex.size(), 0)};
+  for (size_t face = 0; face < mesh.faces.size(); ++face)
+    if (!mesh.is_flap(face)) nodes.faces[mesh.face_part[face]].push_back(static_cast<int>(face));
   std::vector<int> last(mesh.node_vertex.size(), -1);
   for (int part = 0; part < mesh.part_count; ++part)
-    for (const int face : faces[part])
+    for (const int face : nodes.faces[part])
       for (const int n : mesh.faces[face])
         if (std::exchange(last[n], part) != part) {
           nodes.of_part[part].push_back(n);
@@ -61,13 +63,14 @@ PartNodes nodes_by_part(const LayeredMesh& mesh) {
 
 /// A joined part with all that grows out of it.
 struct Limb {
-  std::vector<int> nodes;        ///< the limb's own first, then those of what grows out of it alone
-  size_t own = 0;                ///< how many are its own
-  std::vector<double> height;    ///< of each node, f, scene units
-  std::vector<double> distance;  ///< of each node to the root, scene units
-  std::vector<double> reach;     ///< the same without ridges
-  double width = 0;              ///< of the root
-  double top = 0;                ///< largest height there
+  std::vector<int> nodes;  ///< the limb's own first, then those of what grows out of it alone
+  size_t own = 0;          ///< how many are its own
+  std::vector<std::array<int, 2>> edges;  ///< its own, places in `nodes`, some twice
+  std::vector<double> height;             ///< of each node, f, scene units
+  std::vector<double> distance;           ///< of each node to the root, scene units
+  std::vector<double> reach;              ///< the same without ridges
+  double width = 0;                       ///< of the root
+  double top = 0;                         ///< largest height there
 };
 
 /// The part, then what grows out of it.
@@ -81,19 +84,28 @@ std::vector<int> grown_from(int part, const std::vector<Join>& by_upper, size_t 
   return grown;
 }
 
+/// A point of a root with the length of it that the point stands for.
+struct RootPoint {
+  Point2 at;
+  double length = 0;
+};
+
 /// Points in runs of about the square root of their number, each run with its box.
 class PointRuns {
  public:
-  explicit PointRuns(std::vector<Point2> points, const Box2& box) : points_(std::move(points)) {
+  explicit PointRuns(std::vector<RootPoint> points, const Box2& box) : points_(std::move(points)) {
     const bool wide = box.max.x - box.min.x > box.max.y - box.min.y;
-    std::sort(points_.begin(), points_.end(), [&](Point2 p, Point2 q) {
+    std::sort(points_.begin(), points_.end(), [&](const RootPoint& a, const RootPoint& b) {
+      const Point2 p = a.at;
+      const Point2 q = b.at;
       return wide ? std::tie(p.x, p.y) < std::tie(q.x, q.y)
                   : std::tie(p.y, p.x) < std::tie(q.y, q.x);
     });
     run_ = static_cast<size_t>(std::ceil(std::sqrt(static_cast<double>(points_.size()))));
     for (size_t i = 0; i < points_.size(); ++i) {
       if (i % run_ == 0) boxes_.emplace_back();
-      boxes_.back().add(points_[i]);
+      boxes_.back().add(points_[i].at);
+      length_ += points_[i].length;
     }
   }
 
@@ -106,41 +118,91 @@ class PointRuns {
       if (dot(out, out) > least) continue;
       const size_t end = std::min(points_.size(), (k + 1) * run_);
       for (size_t i = k * run_; i < end; ++i)
-        least = std::min(least, dot(points_[i] - p, points_[i] - p));
+        least = std::min(least, dot(points_[i].at - p, points_[i].at - p));
     }
     return std::sqrt(least);
   }
 
-  /// A distance without ridges where two points are equally near, of points along a curve `step`
-  /// apart: that of the straight line which would make the integral of distance^-5 as large.
-  /// `distance`: the least one, not 0.
-  double smooth_distance_to(Point2 p, double distance, double step) const {
+  /// A distance without ridges where two points are equally near: that of the straight line which
+  /// would make the integral of distance^-5 along it as large. `distance`: the least one, not 0.
+  double smooth_distance_to(Point2 p, double distance) const {
     // An odd stride takes both arms of a bent root. From so far on it makes little difference.
     const size_t stride = points_.size() / most_points * 2 + 1;
-    const double gap = step * static_cast<double>(stride);
+    const double gap = length_ / static_cast<double>(points_.size()) * static_cast<double>(stride);
     const double far = smooth_step(far_steps * gap, 2 * far_steps * gap, distance);
     double sum = 0;
-    if (far < 1) sum += (1 - far) * step * sum_to(p, 1);
-    if (far > 0) sum += far * gap * sum_to(p, stride);
+    if (far < 1) sum += (1 - far) * integral_to(p, 1);
+    if (far > 0) sum += far * integral_to(p, stride);
     // Roots have the same bits everywhere, powers have not.
     return 1 / std::sqrt(std::sqrt(0.75 * sum));
   }
 
  private:
-  /// Of distance^-5 to every stride-th point.
-  double sum_to(Point2 p, size_t stride) const {
+  /// Of distance^-5, by every stride-th point.
+  double integral_to(Point2 p, size_t stride) const {
     double sum = 0;
+    double length = 0;
     for (size_t i = stride / 2; i < points_.size(); i += stride) {
-      const double square = dot(points_[i] - p, points_[i] - p);
-      sum += 1 / (square * square * std::sqrt(square));
+      const double square = dot(points_[i].at - p, points_[i].at - p);
+      sum += points_[i].length / (square * square * std::sqrt(square));
+      length += points_[i].length;
     }
-    return sum;
+    return length_ / length * sum;
   }
 
-  std::vector<Point2> points_;
+  std::vector<RootPoint> points_;
+  double length_ = 0;
   std::vector<Box2> boxes_;
   size_t run_ = 1;
 };
+
+/// The edges between the limb and what it grows out of, ends ascending: those of one face of it.
+/// `is_root`: #N flags.
+std::vector<std::array<int, 2>> root_edges(const LayeredMesh& mesh, const PartNodes& nodes,
+                                           const std::vector<int>& grown,
+                                           const std::vector<uint8_t>& is_root) {
+  std::vector<std::array<int, 2>> edges;
+  for (const int part : grown)
+    for (const int face : nodes.faces[part])
+      for (int k = 0; k < 3; ++k) {
+        const auto [a, b] = std::minmax(mesh.faces[face][k], mesh.faces[face][(k + 1) % 3]);
+        if (is_root[a] != 0 && is_root[b] != 0) edges.push_back({a, b});
+      }
+  std::sort(edges.begin(), edges.end());
+  std::vector<std::array<int, 2>> once;
+  for (size_t i = 0; i < edges.size(); ++i)
+    if ((i == 0 || edges[i] != edges[i - 1]) && (i + 1 == edges.size() || edges[i] != edges[i + 1]))
+      once.push_back(edges[i]);
+  return once;
+}
+
+/// The edges of a part's faces, by the places of its nodes in `own`, which begins with them.
+std::vector<std::array<int, 2>> own_edges(const LayeredMesh& mesh, const std::vector<int>& faces,
+                                          const std::vector<int>& own) {
+  std::vector<int> place(mesh.node_vertex.size(), -1);
+  for (size_t i = 0; i < own.size(); ++i) place[own[i]] = static_cast<int>(i);
+  std::vector<std::array<int, 2>> edges;
+  for (const int face : faces)
+    for (int k = 0; k < 3; ++k)
+      edges.push_back({place[mesh.faces[face][k]], place[mesh.faces[face][(k + 1) % 3]]});
+  return edges;
+}
+
+/// The largest value on the limb's edges where the level is at least `least`, both linear along
+/// them: nodes are far apart in the middle of a limb. 0 where it is so nowhere.
+double largest_where(const Limb& limb, const std::vector<double>& value,
+                     const std::vector<double>& level, double least) {
+  double largest = 0;
+  for (const auto& [a, b] : limb.edges) {
+    const bool reached[2] = {level[a] >= least, level[b] >= least};
+    if (reached[0]) largest = std::max(largest, value[a]);
+    if (reached[1]) largest = std::max(largest, value[b]);
+    if (reached[0] == reached[1]) continue;
+    const double share = (least - level[a]) / (level[b] - level[a]);
+    largest = std::max(largest, value[a] + share * (value[b] - value[a]));
+  }
+  return largest;
+}
 
 /// Heights are in the direction in which the part is inflated.
 Limb make_limb(const SurfaceInput& surface, const VectorXd& f, const PartNodes& nodes,
@@ -154,25 +216,28 @@ Limb make_limb(const SurfaceInput& surface, const VectorXd& f, const PartNodes& 
       if (in_limb[n]++ == 0) limb.nodes.push_back(n);
     if (part == grown.front()) limb.own = limb.nodes.size();
   }
-  std::vector<Point2> root;
+  std::vector<uint8_t> is_root(mesh.node_vertex.size(), 0);
+  std::vector<RootPoint> root;
   Box2 box;
   const double scale = surface.discretisation.scale;
   const auto at = [&](int n) { return scale * mesh.vertices[mesh.node_vertex[n]]; };
   for (const int n : limb.nodes) {
     limb.height.push_back(sign * f[n]);
     if (in_limb[n] == nodes.parts[n]) continue;
-    root.push_back(at(n));
+    is_root[n] = 1;
     box.add(at(n));
     limb.top = std::max(limb.top, limb.height.back());
   }
+  limb.edges = own_edges(mesh, nodes.faces[grown.front()], limb.nodes);
+  for (const auto& [a, b] : root_edges(mesh, nodes, grown, is_root))
+    root.push_back({0.5 * (at(a) + at(b)), distance(at(a), at(b))});
   if (root.empty()) return limb;
   limb.width = box.diagonal();
   const PointRuns runs(std::move(root), box);
-  const double step = scale * mesh.edge_length;
   for (const int n : limb.nodes) {
-    limb.distance.push_back(runs.distance_to(at(n)));
-    const double distance = limb.distance.back();
-    limb.reach.push_back(distance > 0 ? runs.smooth_distance_to(at(n), distance, step) : 0);
+    limb.distance.push_back(is_root[n] != 0 ? 0 : runs.distance_to(at(n)));
+    const double least = limb.distance.back();
+    limb.reach.push_back(least > 0 ? runs.smooth_distance_to(at(n), least) : 0);
   }
   return limb;
 }
@@ -181,19 +246,17 @@ Limb make_limb(const SurfaceInput& surface, const VectorXd& f, const PartNodes& 
 void add_rise(const Limb& limb, double sign, VectorXd& rise) {
   double reach = 0;
   for (size_t i = 0; i < limb.own; ++i) reach = std::max(reach, limb.distance[i]);
-  double crest = 0;
-  for (size_t i = 0; i < limb.own; ++i)
-    if (limb.distance[i] > far_share * reach) crest = std::max(crest, limb.height[i]);
+  const double crest = largest_where(limb, limb.height, limb.distance, far_share * reach);
   const double fall = limb.top - crest;
   const double amount =
       smooth_step(lump, slender, reach / limb.width) * std::min(fall, largest_rise * crest);
   if (!(amount > 0)) return;
-  double length = least_fade * limb.width;
-  for (size_t i = 0; i < limb.own; ++i)
-    if (limb.height[i] > crest + rest_of_fall * fall) length = std::max(length, limb.distance[i]);
-  double end = 0;
-  for (size_t i = 0; i < limb.own; ++i)
-    if (limb.distance[i] <= length) end = std::max(end, limb.reach[i]);
+  const double length =
+      std::max(least_fade * limb.width,
+               largest_where(limb, limb.distance, limb.height, crest + rest_of_fall * fall));
+  std::vector<double> nearness = limb.distance;
+  for (double& distance : nearness) distance = -distance;
+  const double end = largest_where(limb, limb.reach, nearness, -length);
   // No node lies beside a root that is shorter than the edges.
   if (end == 0) return;
   for (size_t i = 0; i < limb.nodes.size(); ++i)

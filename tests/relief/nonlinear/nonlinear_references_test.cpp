@@ -102,8 +102,8 @@ Comparison compare_with_ipopt(double lambda_bnd, int scenes, bool glue) {
 void expect_no_lower_energy(const Comparison& comparison, int at_least) {
   EXPECT_LE(comparison.refused, comparison.scenes / 5);
   EXPECT_GE(comparison.converged, at_least);
-  EXPECT_LE(comparison.lower, 1);
-  EXPECT_LE(comparison.worst, 1.002);
+  EXPECT_LE(comparison.lower, 2);
+  EXPECT_LE(comparison.worst, 1.01);
 }
 
 TEST(NonlinearReferences, IpoptFindsNothingBetterWithStiffBounds) {
