@@ -31,6 +31,8 @@ Result<Subject> build_model(const InputFile& input, const RenderArguments& rende
   const auto relief = reconstruct(*loaded, render.relief, context);
   print_warnings(loaded->warnings, render.common.quiet);
   if (!relief) return relief.error();
+  // Clay shows no ink, for which rims of files are narrowed: it shows the relief itself.
+  if (render.clay && !render.relief.solid) loaded->drawing = {};
   auto drawn = make_model(*relief, *loaded, render.relief, context);
   if (!drawn) return drawn.error();
   return Subject{std::move(drawn->drawn), std::move(loaded->files)};

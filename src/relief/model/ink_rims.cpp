@@ -19,9 +19,11 @@ namespace {
 constexpr double upright = 1e-6;       ///< z of normals at outlines, at most
 constexpr double widest_ink = 0.03;    ///< of the drawing's diagonal
 constexpr double least_contrast = 40;  ///< between ink and the paint beside it, of 255
-constexpr double inked_share = 0.5;    ///< of what is seen of a part's outline
-constexpr double probe = 2;            ///< px, where to look on both sides of an outline
-constexpr double blurred = 1.5;        ///< px beside ink that hold some of it
+constexpr double paint_share = 0.35;  ///< of the greatest contrast to ink, which paint has at least
+constexpr double level_share = 0.1;   ///< of the contrast to ink, by which paint varies
+constexpr double inked_share = 0.5;   ///< of what is seen of a part's outline
+constexpr double probe = 2;           ///< px, where to look on both sides of an outline
+constexpr double blurred = 1.5;       ///< px beside ink that hold some of it
 constexpr double broad_share = 0.8;   ///< of the widths of ink nearby lie below the one that counts
 constexpr double nearby = 4;          ///< widths of ink
 constexpr double reach_of_ink = 6;    ///< widths of ink, up to where surfaces give way
@@ -81,9 +83,18 @@ class RimView {
     for (double t = 0.5; t < 2 * widest; t += 1) values.push_back(brightness(inwards(vertex, t)));
     const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     const auto darkest = std::min_element(values.begin(), half);
-    const double paint = *std::max_element(darkest, values.end());
-    if (paint - *darkest < least_contrast) return std::nullopt;
-    const double between = 0.5 * (paint + *darkest);
+    const double most = *std::max_element(darkest, values.end()) - *darkest;
+    if (most < least_contrast) return std::nullopt;
+    // Paint is the first that stays about as bright, not the brightest patch farther in.
+    const auto is_paint = [&](auto v) {
+      const double contrast = *v - *darkest;
+      const auto ahead = v + std::min<std::ptrdiff_t>(4, values.end() - v);
+      return contrast >= std::max(least_contrast, paint_share * most) &&
+             *std::max_element(v, ahead) - *v <= level_share * contrast;
+    };
+    auto paint = darkest;
+    while (!is_paint(paint)) ++paint;
+    const double between = 0.5 * (*paint + *darkest);
     const auto end =
         std::find_if(darkest, values.end(), [between](double v) { return v > between; });
     const auto width = static_cast<double>(end - values.begin());
