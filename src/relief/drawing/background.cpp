@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "relief/drawing/figure_mask.h"
 #include "relief/drawing/line_map.h"
@@ -29,11 +30,14 @@ double distance_from_white(const Basin& region) {
 /// Whether most of a region is of the figure.
 bool is_in_figure(const Basin& region) { return 2 * region.in_figure > region.area; }
 
+int64_t pixels_at_edge(const Basin& region) {
+  return std::accumulate(region.at_edge.begin(), region.at_edge.end(), int64_t{0});
+}
+
 /// Whether lines bound the region but for the little of it that the picture's edge cuts: a hand
 /// and not the paper beside it.
 bool is_cut_off(const RegionMerging& regions, int r) {
-  int64_t at_edge = 0;
-  for (const int64_t pixels : regions.region(r).at_edge) at_edge += pixels;
+  const int64_t at_edge = pixels_at_edge(regions.region(r));
   int64_t pairs = 0;
   int64_t line_pairs = 0;
   for (const auto& [neighbour, border] : regions.borders(r)) {
@@ -75,8 +79,7 @@ int add_page(RegionMerging& regions, Basins& basins, int background) {
         (paper < 0 || regions.region(r).area > regions.region(paper).area))
       paper = r;
   if (paper < 0) return background;
-  int64_t at_edge = 0;
-  for (const int64_t pixels : regions.region(paper).at_edge) at_edge += pixels;
+  const int64_t at_edge = pixels_at_edge(regions.region(paper));
   const double perimeter = 2.0 * (basins.index.width + basins.index.height);
   if (static_cast<double>(at_edge) > open_page_share * perimeter) return background;
   const Image8 page = find_page(regions, basins, paper);

@@ -34,19 +34,6 @@ Image8 complement(const Image8& mask) {
   return result;
 }
 
-/// With all that it surrounds.
-Image8 without_holes(const Image8& mask) {
-  const Components outside = connected_components(complement(mask), Connectivity::sides);
-  std::vector<uint8_t> reaches_edge(outside.areas.size(), 0);
-  along_edge(mask.width, mask.height,
-             [&](int x, int y) { reaches_edge[outside.label.at(x, y)] = 1; });
-  reaches_edge[0] = 0;
-  Image8 result(mask.width, mask.height, 1);
-  for (size_t i = 0; i < result.pixels.size(); ++i)
-    result.pixels[i] = 1 - reaches_edge[outside.label.pixels[i]];
-  return result;
-}
-
 Image8 without_small_pieces(const Image8& mask) {
   const Components pieces = connected_components(mask, Connectivity::corners);
   if (pieces.areas.size() < 2) return mask;
@@ -135,6 +122,18 @@ Image8 without_gaps(const Image8& mask, int half_gap) {
 }
 
 }  // namespace
+
+Image8 without_holes(const Image8& mask) {
+  const Components outside = connected_components(complement(mask), Connectivity::sides);
+  std::vector<uint8_t> reaches_edge(outside.areas.size(), 0);
+  along_edge(mask.width, mask.height,
+             [&](int x, int y) { reaches_edge[outside.label.at(x, y)] = 1; });
+  reaches_edge[0] = 0;
+  Image8 result(mask.width, mask.height, 1);
+  for (size_t i = 0; i < result.pixels.size(); ++i)
+    result.pixels[i] = 1 - reaches_edge[outside.label.pixels[i]];
+  return result;
+}
 
 bool is_surroundings(const std::array<int64_t, 4>& at_edge, int64_t area, int width, int height) {
   const std::array<int, 4> sides = {height, height, width, width};

@@ -16,6 +16,9 @@ namespace relievo {
 /// in it and what it surrounds. `rgba` is the drawing, `rgb` the same on white. O(pixels).
 FigureMask find_figure(const Image8& rgba, const Image8& rgb, bool painted);
 
+/// A mask with all that it surrounds. O(pixels).
+Image8 without_holes(const Image8& mask);
+
 /// Whether an area runs along the edges of a picture as a table around a page does: along two of
 /// them, or as a strip along one. `at_edge` are its pixels at the left, right, top and bottom.
 bool is_surroundings(const std::array<int64_t, 4>& at_edge, int64_t area, int width, int height);

@@ -3,8 +3,6 @@
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
-#include "kernel/image/components.h"
-#include "kernel/image/image_size.h"
 #include "kernel/image/morphology.h"
 #include "relief/drawing/figure_mask.h"
 #include "relief/drawing/line_map.h"
@@ -17,18 +15,10 @@ constexpr double quad_share = 0.88;  ///< of a page, which the area between its 
 
 /// A region with all that it surrounds.
 Image8 filled(RegionMerging& regions, const Basins& basins, int r) {
-  const Image<int32_t>& index = basins.index;
-  Image8 others(index.width, index.height, 1);
-  for (size_t i = 0; i < index.pixels.size(); ++i)
-    others.pixels[i] = regions.region_of(index.pixels[i]) == r ? 0 : 1;
-  const Components pieces = connected_components(others, Connectivity::sides);
-  std::vector<uint8_t> is_outside(pieces.areas.size(), 0);
-  along_edge(index.width, index.height,
-             [&](int x, int y) { is_outside[pieces.label.at(x, y)] = 1; });
-  is_outside[0] = 0;
-  for (size_t i = 0; i < others.pixels.size(); ++i)
-    others.pixels[i] = 1 - is_outside[pieces.label.pixels[i]];
-  return others;
+  Image8 mask(basins.index.width, basins.index.height, 1);
+  for (size_t i = 0; i < mask.pixels.size(); ++i)
+    mask.pixels[i] = regions.region_of(basins.index.pixels[i]) == r ? 1 : 0;
+  return without_holes(mask);
 }
 
 /// The pixel of a mask that lies farthest by some measure of its place.
