@@ -60,12 +60,11 @@ std::vector<char> joined_to(const Scene& scene, int limb, int trunk) {
   return member;
 }
 
-/// Adds what is joined to nothing and lies on the limb.
+/// Adds what is joined to nothing and lies on the limb. `areas`: of triangles, `whole`: of parts.
 void add_resting(const LayeredMesh& mesh, const Scene& scene, const std::vector<double>& areas,
-                 std::vector<char>& member) {
+                 const std::vector<double>& whole, std::vector<char>& member) {
   std::vector<char> free(scene.parts.size(), 1);
   for (const Join& join : scene.joins) free[join.upper] = free[join.lower] = 0;
-  const std::vector<double> whole = part_areas(mesh, areas);
   for (int part = 0; part < static_cast<int>(scene.parts.size()); ++part) {
     if (free[part] == 0) continue;
     double resting = 0;
@@ -316,7 +315,7 @@ Result<std::vector<LimbSheet>> assemble_limbs(const LayeredMesh& mesh, const Inf
     if (!part) return part.error();
     const int trunk = trunk_of(scene, of_parts, *part);
     std::vector<char> member = joined_to(scene, *part, trunk);
-    add_resting(mesh, scene, areas, member);
+    add_resting(mesh, scene, areas, of_parts, member);
     const LimbRoot root(mesh, member, trunk);
     if (trunk < 0 || root.joined().empty())
       return Error{ErrorCode::usage, "\"" + id + "\" is joined to no part behind it", "--mirror"};
