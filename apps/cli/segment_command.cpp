@@ -11,7 +11,7 @@
 #include "apps/cli/scene_output.h"
 #include "apps/cli/segment_report.h"
 #include "face/inputs.h"
-#include "io/files/in_file.h"
+#include "io/files/paths.h"
 #include "io/image/decode_image.h"
 #include "io/image/png_encode.h"
 #include "io/project/project.h"

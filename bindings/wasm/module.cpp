@@ -8,7 +8,7 @@
 #include "bindings/wasm/js_values.h"
 #include "bindings/wasm/reconstruction.h"
 #include "bindings/wasm/segmenter.h"
-#include "io/files/in_file.h"
+#include "io/files/paths.h"
 #include "io/image/png_encode.h"
 #include "io/layered/layer_table.h"
 #include "io/layered/packed_layers.h"

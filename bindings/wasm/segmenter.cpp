@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bindings/wasm/js_values.h"
-#include "io/files/in_file.h"
+#include "io/files/paths.h"
 #include "io/image/decode_image.h"
 #include "io/image/png_encode.h"
 #include "io/project/project_file.h"

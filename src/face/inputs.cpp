@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "io/archive/archive.h"
-#include "io/files/in_file.h"
 #include "io/files/paths.h"
 #include "io/image/decode_image.h"
 #include "io/layered/read_layer_folder.h"

@@ -1,7 +1,7 @@
 #include <utility>
 
 #include "face/inputs.h"
-#include "io/files/in_file.h"
+#include "io/files/paths.h"
 #include "relievo/read.h"
 
 namespace relievo {

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "face/inputs.h"
-#include "io/files/in_file.h"
 #include "io/files/paths.h"
 #include "io/image/decode_image.h"
 #include "relievo/files.h"

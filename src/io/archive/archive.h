@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -15,7 +16,12 @@ struct ArchiveEntry {
 };
 
 /// The entry with a name, or null.
-const ArchiveEntry* find_entry(const std::vector<ArchiveEntry>& entries, const std::string& name);
+inline const ArchiveEntry* find_entry(const std::vector<ArchiveEntry>& entries,
+                                      const std::string& name) {
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&](const ArchiveEntry& entry) { return entry.name == name; });
+  return found == entries.end() ? nullptr : &*found;
+}
 
 /// What an archive may ask for; checked from its directory, before anything is unpacked.
 struct ArchiveLimits {

@@ -3,7 +3,6 @@
 #include <string>
 #include <utility>
 
-#include "io/files/in_file.h"
 #include "io/files/paths.h"
 #include "io/layered/layer_table.h"
 #include "io/layered/packed_layers.h"

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "io/image/decode_image.h"
-#include "io/mesh/glb_format.h"
 #include "io/mesh/placement.h"
 #include "relievo/scene.h"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "io/image/image_limits.h"
@@ -8,6 +9,11 @@
 #include "relievo/result.h"
 
 namespace relievo {
+
+/// glTF 2.0's numbers for the types of an accessor's components.
+constexpr size_t component_u16 = 5123;
+constexpr size_t component_u32 = 5125;
+constexpr size_t component_f32 = 5126;
 
 struct GlbLimits {
   int64_t max_vertices = 20'000'000;

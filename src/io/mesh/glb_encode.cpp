@@ -8,7 +8,7 @@
 #include "io/files/byte_writer.h"
 #include "io/image/png_encode.h"
 #include "io/mesh/encode_models.h"
-#include "io/mesh/glb_format.h"
+#include "io/mesh/glb_decode.h"
 #include "io/mesh/placement.h"
 #include "relief/model/model_texture.h"
 

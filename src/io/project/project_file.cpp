@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "io/archive/archive.h"
-#include "io/files/in_file.h"
+#include "io/files/paths.h"
 #include "io/image/decode_image.h"
 #include "io/image/png_encode.h"
 #include "io/scene/scene_file.h"

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/geometry/smooth_arc.h"
+#include "kernel/geometry/polyline.h"
 #include "kernel/image/outlines.h"
 #include "relief/completion/part_regions.h"
 

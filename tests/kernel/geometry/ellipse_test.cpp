@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "kernel/geometry/smooth_arc.h"
+#include "kernel/geometry/polyline.h"
 
 namespace relievo {
 namespace {
