@@ -110,7 +110,7 @@ void hold(State& state, const std::string& name, int vertices, BackSide back) {
     const auto sheet =
         assemble_visible_sheet(relief->layers, relief->inflation, relief->ordering, scene, {});
     const auto solid = make_solid(*sheet, {}, solid_options);
-    benchmark::DoNotOptimize(check_print(solid->model, solid->facts.loose, 0.4));
+    benchmark::DoNotOptimize(check_print(solid->model, solid->facts.loose, usual_nozzle));
     benchmark::DoNotOptimize(encode_3mf(solid->model, nullptr, {}));
     state.counters["triangles"] = static_cast<double>(solid->model.triangles.size());
   }

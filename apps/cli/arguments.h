@@ -13,6 +13,7 @@
 #include "relievo/scene.h"
 #include "relievo/solid.h"
 #include "rivals/rival.h"
+#include "solid/check_print.h"
 
 namespace relievo::cli {
 
@@ -41,9 +42,9 @@ struct ReliefArguments {
   bool as_in_paper = false;       ///< c, d, profile and lean of all parts as the paper has them
   std::optional<Visibility> visibility;  ///< orbit where nothing is said, relief in files to print
   Field field = Field::relief;
-  bool solid = false;          ///< something to hold, in place of the surface
-  SolidOptions solid_options;  ///< its size is that of the outputs
-  double nozzle = 0.4;         ///< mm, of the printer that a solid is checked for
+  bool solid = false;            ///< something to hold, in place of the surface
+  SolidOptions solid_options;    ///< its size is that of the outputs
+  double nozzle = usual_nozzle;  ///< mm, of the printer that a solid is checked for
 };
 
 struct BuildArguments {

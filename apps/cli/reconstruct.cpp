@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "apps/cli/cue_argument.h"
+#include "face/solid_of.h"
 #include "relief/model/assemble_model.h"
 #include "relief/model/dress_hidden.h"
 #include "relief/model/ink_rims.h"
@@ -89,18 +90,12 @@ Result<Relief> reconstruct(SceneInput& input, const ReliefArguments& arguments,
 
 Result<MadeModel> make_model(const Relief& relief, const SceneInput& input,
                              const ReliefArguments& arguments, const RunContext& context) {
-  ModelOptions options;
   if (arguments.solid) {
-    const auto sheet = assemble_visible_sheet(relief.layers, relief.inflation, relief.ordering,
-                                              input.scene, options, context);
-    if (!sheet) return sheet.error();
-    const auto limbs = assemble_limbs(relief.layers, relief.inflation, relief.ordering, input.scene,
-                                      arguments.solid_options.mirror, context);
-    if (!limbs) return limbs.error();
-    auto solid = make_solid(*sheet, *limbs, input.drawing, arguments.solid_options);
+    auto solid = solid_of(relief, input.scene, input.drawing, arguments.solid_options, context);
     if (!solid) return solid.error();
     return MadeModel{{std::move(solid->model), std::move(solid->drawing)}, solid->facts};
   }
+  ModelOptions options;
   options.visibility = shown(arguments);
   auto model = assemble_model(relief.layers, relief.inflation, relief.ordering, input.scene,
                               options, context);

@@ -1,20 +1,13 @@
 #include "apps/cli/solid_arguments.h"
 
+#include <iterator>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "apps/cli/within.h"
 
 namespace relievo::cli {
-namespace {
-
-BaseShape base_shape(const std::string& name) {
-  if (name == "outline") return BaseShape::outline;
-  if (name == "plate") return BaseShape::plate;
-  return name == "round" ? BaseShape::round : BaseShape::none;
-}
-
-}  // namespace
 
 void add_solid_options(CLI::App& app, ReliefArguments& relief) {
   SolidOptions& solid = relief.solid_options;
@@ -29,7 +22,8 @@ void add_solid_options(CLI::App& app, ReliefArguments& relief) {
              "flat back, to print or to carve; figure: closed too, with a back as round as its "
              "front")
           ->check(CLI::IsMember({"relief", "solid", "figure"}));
-  const std::vector<CLI::Option*> options = {
+  const std::map<std::string, BaseShape> bases(std::begin(base_shapes), std::end(base_shapes));
+  std::vector<CLI::Option*> options = {
       app.add_option_function<std::string>(
              "--back",
              [&solid](const std::string& name) {
@@ -46,42 +40,24 @@ void add_solid_options(CLI::App& app, ReliefArguments& relief) {
           ->take_all()
           ->expected(1),
       app.add_option_function<std::string>(
-             "--base", [&solid](const std::string& name) { solid.base = base_shape(name); },
+             "--base", [&solid, bases](const std::string& name) { solid.base = bases.at(name); },
              "Of solid: none (the default), or a plate below it: outline, plate (a rectangle) or "
              "round; of figure: one under its feet, plate or round")
-          ->check(CLI::IsMember({"none", "outline", "plate", "round"})),
-      app.add_option("--thickness", solid.thickness,
-                     "Of solid: mm below its lowest visible point; also of a base (default 2)")
-          ->check(within(0.1, 1000.0)),
-      app.add_option("--height", solid.height,
-                     "Of solid and figure: mm, its depth at most; it shrinks where there is more")
-          ->check(within(0.2, 1000.0)),
+          ->check(CLI::IsMember(bases)),
       app.add_option_function<std::string>(
              "--height-mode",
              [&solid](const std::string& name) { solid.detail = name == "detail"; },
              "How it shrinks: linear (evenly, the default), or detail (small forms stay)")
           ->check(CLI::IsMember({"linear", "detail"})),
-      app.add_option(
-             "--margin", solid.margin,
-             "Of solid and figure: mm from it, or its feet, to the edge of its base (default 3)")
-          ->check(within(0.5, 1000.0)),
-      app.add_option("--corner", solid.corner,
-                     "Of solid: mm, radius of the corners of a plate (default 3)")
-          ->check(within(0.0, 1000.0)),
-      app.add_option("--hole", solid.hole, "Of solid: a hole so many mm wide in its base")
-          ->check(within(0.5, 100.0)),
-      app.add_option("--ring", solid.ring,
-                     "Of solid: a loop above its base, its hole so many mm wide")
-          ->check(within(0.5, 100.0)),
-      app.add_option(
-             "--cutter", solid.cutter,
-             "Of solid: a wall of 0.8 mm around --base outline, so many mm above it, to cut "
-             "dough with")
-          ->check(within(1.0, 1000.0)),
       app.add_option("--nozzle", relief.nozzle,
                      "Of solid and figure: width in mm that its walls are checked for (default "
                      "0.4)")
           ->check(within(0.05, 10.0))};
+  for (const auto& [name, length, least, most, text] : solid_lengths)
+    // A size is of every model.
+    if (length != &SolidOptions::size)
+      options.push_back(app.add_option(std::string("--") + name, solid.*length, text)
+                            ->check(within(least, most)));
   for (CLI::Option* option : options) option->needs(profile);
 }
 

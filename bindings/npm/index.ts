@@ -33,9 +33,6 @@ const usualBuild: BuildOptions = {
   method: 'approximate', vertices: 40000, edge: 0, rho: 0.25, alpha0: 0, lambdaBnd: 0.01, lambdaShift: 1,
   glue: true,
 };
-const usualSolid: SolidOptions = {
-  size: 100, back: 'flat', base: 'none', height: 0, detail: false, thickness: 2, hole: 0, ring: 0,
-};
 
 /** `usual` with what is given; a name that there is not is refused. */
 function settled<T extends object>(usual: T, given: Partial<T>): T {
@@ -87,13 +84,13 @@ export class Relief {
   }
 
   /** Volume, pieces and size of a closed solid, and its surface in mm. */
-  solid(options: Partial<SolidOptions> = {}): SolidFacts & { surface: Surface } {
-    return taken(this.#core.solid(settled(usualSolid, options)));
+  solid(options: SolidOptions = {}): SolidFacts & { surface: Surface } {
+    return taken(this.#core.solid(options));
   }
 
   /** Its files; as '3mf' the files of its package, to be zipped. */
-  encodeSolid(format: SolidFormat, name: string, options: Partial<SolidOptions> = {}): OutputFile[] {
-    return taken(this.#core.encodeSolid(format, name, settled(usualSolid, options))).files;
+  encodeSolid(format: SolidFormat, name: string, options: SolidOptions = {}): OutputFile[] {
+    return taken(this.#core.encodeSolid(format, name, options)).files;
   }
 
   /** A map of the front view as a PNG file, `longest` px on the longer side. */

@@ -98,29 +98,18 @@ void bind_options(py::module_& module) {
 }
 
 void bind_solid_options(py::module_& module) {
-  py::enum_<BaseShape>(module, "BaseShape")
-      .value("none", BaseShape::none)
-      .value("outline", BaseShape::outline)
-      .value("plate", BaseShape::plate)
-      .value("round", BaseShape::round);
-  py::enum_<BackSide>(module, "BackSide")
-      .value("flat", BackSide::flat)
-      .value("drawing", BackSide::drawing)
-      .value("parts", BackSide::parts);
-  py::class_<SolidOptions>(module, "SolidOptions")
-      .def(py::init())
-      .def_readwrite("size", &SolidOptions::size)
+  py::enum_<BaseShape> shapes(module, "BaseShape");
+  for (const auto& [name, shape] : base_shapes) shapes.value(name, shape);
+  py::enum_<BackSide> sides(module, "BackSide");
+  for (const auto& [name, side] : back_sides) sides.value(name, side);
+  py::class_<SolidOptions> options(module, "SolidOptions");
+  options.def(py::init())
       .def_readwrite("back", &SolidOptions::back)
       .def_readwrite("base", &SolidOptions::base)
       .def_readwrite("mirror", &SolidOptions::mirror)
-      .def_readwrite("height", &SolidOptions::height)
-      .def_readwrite("detail", &SolidOptions::detail)
-      .def_readwrite("thickness", &SolidOptions::thickness)
-      .def_readwrite("margin", &SolidOptions::margin)
-      .def_readwrite("corner", &SolidOptions::corner)
-      .def_readwrite("hole", &SolidOptions::hole)
-      .def_readwrite("ring", &SolidOptions::ring)
-      .def_readwrite("cutter", &SolidOptions::cutter);
+      .def_readwrite("detail", &SolidOptions::detail);
+  for (const SolidLength& length : solid_lengths)
+    options.def_readwrite(length.name, length.value, length.text);
 }
 
 void bind_render_options(py::module_& module) {

@@ -1,6 +1,7 @@
 #include "bindings/wasm/reconstruction.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "bindings/wasm/js_values.h"
 #include "io/mesh/encode_models.h"
@@ -9,6 +10,7 @@
 #include "relief/model/dress_hidden.h"
 #include "relief/model/hidden_patches.h"
 #include "relief/model/ink_rims.h"
+#include "solid/check_print.h"
 
 namespace relievo::wasm {
 namespace {
@@ -46,28 +48,37 @@ val report(const BuildReport& report) {
   return what;
 }
 
-BackSide back_named(const std::string& name) {
-  if (name == "drawing") return BackSide::drawing;
-  return name == "parts" ? BackSide::parts : BackSide::flat;
+template <class Choices, class Choice>
+Status choose(const Choices& choices, const std::string& option, const val& name, Choice& chosen) {
+  for (const auto& [one, choice] : choices)
+    if (name.as<std::string>() == one) {
+      chosen = choice;
+      return Done{};
+    }
+  return Error{ErrorCode::usage, "has no such value", option};
 }
 
-BaseShape base_named(const std::string& name) {
-  if (name == "outline") return BaseShape::outline;
-  if (name == "plate") return BaseShape::plate;
-  return name == "round" ? BaseShape::round : BaseShape::none;
+Status set_option(const std::string& name, const val& value, SolidOptions& options) {
+  if (name == "back") return choose(back_sides, name, value, options.back);
+  if (name == "base") return choose(base_shapes, name, value, options.base);
+  const auto length = std::find_if(std::begin(solid_lengths), std::end(solid_lengths),
+                                   [&name](const SolidLength& one) { return name == one.name; });
+  if (length != std::end(solid_lengths))
+    options.*length->value = value.as<double>();
+  else if (name == "detail")
+    options.detail = value.as<bool>();
+  else
+    return Error{ErrorCode::usage, "there is no such option", name};
+  return Done{};
 }
 
-SolidOptions to_solid_options(const val& options) {
-  SolidOptions solid;
-  solid.size = options["size"].as<double>();
-  solid.back = back_named(options["back"].as<std::string>());
-  solid.base = base_named(options["base"].as<std::string>());
-  solid.height = options["height"].as<double>();
-  solid.detail = options["detail"].as<bool>();
-  solid.thickness = options["thickness"].as<double>();
-  solid.hole = options["hole"].as<double>();
-  solid.ring = options["ring"].as<double>();
-  return solid;
+/// Those that are given; others are as usual.
+Result<SolidOptions> to_solid_options(const val& given) {
+  SolidOptions options;
+  const val names = val::global("Object").call<val>("keys", given);
+  for (const auto& name : emscripten::vecFromJSArray<std::string>(names))
+    if (Status status = set_option(name, given[name], options); !status) return status.error();
+  return options;
 }
 
 Visibility visibility_named(const std::string& name) {
@@ -127,6 +138,20 @@ val to_js(const Model& model, const HiddenPatches& hidden) {
   return surface;
 }
 
+val findings(const Solid& solid, bool standing) {
+  val list = val::array();
+  for (const PrintFinding& finding :
+       check_print(solid.model, solid.facts.loose, usual_nozzle, standing)) {
+    val told = val::object();
+    told.set("trouble", std::string(name(finding.trouble)));
+    told.set("part", finding.part);
+    told.set("measure", finding.measure);
+    told.set("enough", enough_size(finding, usual_nozzle, longest_side(solid.model)));
+    list.call<void>("push", told);
+  }
+  return list;
+}
+
 /// A list of files under construction; keeps the first error.
 class Files {
  public:
@@ -165,8 +190,8 @@ val encode_obj_files(const Model& model, const Drawing* texture, const ObjOption
   return files.finish();
 }
 
-val threemf_files(const Model& model, const Drawing* texture, double size_mm) {
-  const auto entries = threemf_entries(model, texture, {size_mm});
+val threemf_files(const Model& model, const Drawing* texture, const ExportOptions& options) {
+  const auto entries = threemf_entries(model, texture, options);
   if (!entries) return failure(entries.error());
   Files files;
   for (const ArchiveEntry& entry : *entries) files.add(entry.name, entry.bytes);
@@ -174,14 +199,14 @@ val threemf_files(const Model& model, const Drawing* texture, double size_mm) {
 }
 
 val encode_as(const std::string& format, const Model& model, const Drawing& drawing,
-              const ObjOptions& options) {
+              const ObjOptions& options, bool standing = false) {
   const Drawing* texture = drawing.rgba.empty() ? nullptr : &drawing;
   if (format == "obj") return encode_obj_files(model, texture, options);
-  if (format == "3mf") return threemf_files(model, texture, options.size_mm);
+  if (format == "3mf") return threemf_files(model, texture, {options.size_mm, standing});
   Files files;
   const std::string file = options.name + "." + format;
   if (format == "ply") files.add(file, encode_ply(model, texture, {options.size_mm, ""}));
-  if (format == "stl") files.add(file, encode_stl(model, options.size_mm));
+  if (format == "stl") files.add(file, encode_stl(model, options.size_mm, standing));
   if (format == "glb") files.add(file, encode_glb(model, texture, options.size_mm));
   if (format == "usdz") files.add(file, encode_usdz(model, texture, options.size_mm));
   if (format == "html") files.add(file, encode_html(model, texture, options.name));
@@ -233,7 +258,9 @@ void Reconstruction::set_shown(const val& rgba, int width, int height) {
 }
 
 val Reconstruction::solid(const val& options) const {
-  const auto made = session_.solid(to_solid_options(options), texture_);
+  const auto chosen = to_solid_options(options);
+  if (!chosen) return failure(chosen.error());
+  const auto made = session_.solid(*chosen, texture_);
   if (!made) return failure(made.error());
   const Box3 box = extent(made->model);
   const Image8& rgba = made->drawing.rgba;
@@ -247,7 +274,7 @@ val Reconstruction::solid(const val& options) const {
   result.set("size", sizes);
   result.set("volume", made->facts.volume);
   result.set("pieces", made->facts.pieces);
-  result.set("loose", wasm::to_js(made->facts.loose));
+  result.set("findings", findings(*made, stands(*chosen)));
   result.set("rgba", wasm::to_js(rgba.pixels));
   result.set("width", rgba.width);
   result.set("height", rgba.height);
@@ -257,10 +284,12 @@ val Reconstruction::solid(const val& options) const {
 val Reconstruction::encode_solid(const std::string& format, const std::string& name,
                                  const val& options) {
   if (Status status = session_.make_exact(); !status) return failure(status.error());
-  const SolidOptions solid = to_solid_options(options);
-  const auto made = session_.solid(solid, texture_);
+  const auto solid = to_solid_options(options);
+  if (!solid) return failure(solid.error());
+  const auto made = session_.solid(*solid, texture_);
   if (!made) return failure(made.error());
-  return encode_as(format, made->model, made->drawing, {longest_side(made->model), name});
+  return encode_as(format, made->model, made->drawing, {longest_side(made->model), name},
+                   stands(*solid));
 }
 
 val Reconstruction::encode(const std::string& format, const std::string& name, double size_mm) {

@@ -41,10 +41,10 @@ class Reconstruction {
   /// "html", as the command line writes it, to the last bit.
   emscripten::val encode(const std::string& format, const std::string& name, double size_mm);
 
-  /// A closed solid of what is built. `options`: {size, back: "flat", "drawing" or "parts", base:
-  /// "none", "outline", "plate" or "round", height, detail, thickness, hole, ring}, all there, see
-  /// SolidOptions. Returns {surface, size: [mm, mm, mm], volume, pieces, loose, rgba, width,
-  /// height}: a surface in mm, from x = y = 0 on and around z = 0, and its picture.
+  /// A closed solid of what is built. `options`: those of SolidOptions that are not as usual, by
+  /// their names; limbs cannot be mirrored here. Returns {surface, size: [mm, mm, mm], volume,
+  /// pieces, findings: [{trouble, part, measure, enough}], rgba, width, height}: a surface in mm,
+  /// from x = y = 0 on and around z = 0, its picture, and what check_print finds.
   emscripten::val solid(const emscripten::val& options) const;
 
   /// {files}: such a solid, likewise; as "3mf" the files of its package.

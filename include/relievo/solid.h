@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "relievo/image.h"
@@ -38,6 +39,39 @@ struct SolidOptions {
   double ring = 0;       ///< mm, diameter of a hole in a loop at the plate's top; 0: none
   double cutter = 0;     ///< mm, height above the plate of a thin wall around it; 0: none
 };
+
+/// What choices are called on the command line, in Python and in the browser.
+inline constexpr std::pair<const char*, BaseShape> base_shapes[] = {{"none", BaseShape::none},
+                                                                    {"outline", BaseShape::outline},
+                                                                    {"plate", BaseShape::plate},
+                                                                    {"round", BaseShape::round}};
+inline constexpr std::pair<const char*, BackSide> back_sides[] = {
+    {"flat", BackSide::flat}, {"drawing", BackSide::drawing}, {"parts", BackSide::parts}};
+
+/// A length among the options.
+struct SolidLength {
+  const char* name;
+  double SolidOptions::*value;
+  double least;  ///< mm; where 0 stands for none, that is taken too
+  double most;   ///< mm
+  const char* text;
+};
+
+inline constexpr SolidLength solid_lengths[] = {
+    {"size", &SolidOptions::size, 1, 10000, "Longest side in mm (default 100)"},
+    {"thickness", &SolidOptions::thickness, 0.1, 1000,
+     "Of solid: mm below its lowest visible point; also of a base (default 2)"},
+    {"height", &SolidOptions::height, 0.2, 1000,
+     "Of solid and figure: mm, its depth at most; it shrinks where there is more"},
+    {"margin", &SolidOptions::margin, 0.5, 1000,
+     "Of solid and figure: mm from it, or its feet, to the edge of its base (default 3)"},
+    {"corner", &SolidOptions::corner, 0, 1000,
+     "Of solid: mm, radius of the corners of a plate (default 3)"},
+    {"hole", &SolidOptions::hole, 0.5, 100, "Of solid: a hole so many mm wide in its base"},
+    {"ring", &SolidOptions::ring, 0.5, 100,
+     "Of solid: a loop above its base, its hole so many mm wide"},
+    {"cutter", &SolidOptions::cutter, 1, 1000,
+     "Of solid: a wall of 0.8 mm around --base outline, so many mm above it, to cut dough with"}};
 
 /// Whether a printer makes it standing, not lying: a figure on a base.
 inline bool stands(const SolidOptions& options) {

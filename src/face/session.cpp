@@ -3,13 +3,13 @@
 #include <cmath>
 #include <utility>
 
+#include "face/solid_of.h"
 #include "io/overlay/overlay_svg.h"
 #include "kernel/image/image_size.h"
 #include "relief/model/assemble_model.h"
 #include "relief/model/relief_maps.h"
 #include "relief/pipeline/build_relief.h"
 #include "relief/pipeline/relief_session.h"
-#include "solid/make_solid.h"
 
 namespace relievo {
 namespace {
@@ -31,19 +31,6 @@ Status check(const BuildOptions& options) {
     return out_of_range("lambda_bnd", "from 1e-6 to 1e6");
   if (!within(options.lambda_shift, min_lambda_shift, max_lambda_shift))
     return out_of_range("lambda_shift", "from 1e-3 to 100");
-  return Done{};
-}
-
-Status check(const SolidOptions& options) {
-  if (!within(options.size, 1, 10000)) return out_of_range("size", "from 1 to 10000 mm");
-  if (!within(options.height, 0, 10000)) return out_of_range("height", "from 0 to 10000 mm");
-  if (!within(options.thickness, 0.1, 1000))
-    return out_of_range("thickness", "from 0.1 to 1000 mm");
-  if (!within(options.margin, 0.5, 1000)) return out_of_range("margin", "from 0.5 to 1000 mm");
-  if (!within(options.corner, 0, 1000)) return out_of_range("corner", "from 0 to 1000 mm");
-  if (!within(options.hole, 0, 100)) return out_of_range("hole", "from 0 to 100 mm");
-  if (!within(options.ring, 0, 100)) return out_of_range("ring", "from 0 to 100 mm");
-  if (!within(options.cutter, 0, 1000)) return out_of_range("cutter", "from 0 to 1000 mm");
   return Done{};
 }
 
@@ -151,15 +138,7 @@ Result<ReliefMaps> Session::maps(int longest, const RunContext& context) const {
 Result<Solid> Session::solid(const SolidOptions& options, const Drawing& drawing,
                              const RunContext& context) const {
   if (state_->value == State::Value::none) return nothing_built;
-  if (Status status = check(options); !status) return status.error();
-  const Relief& relief = state_->session.relief();
-  const auto sheet = assemble_visible_sheet(relief.layers, relief.inflation, relief.ordering,
-                                            state_->scene, {}, context);
-  if (!sheet) return sheet.error();
-  const auto limbs = assemble_limbs(relief.layers, relief.inflation, relief.ordering, state_->scene,
-                                    options.mirror, context);
-  if (!limbs) return limbs.error();
-  return make_solid(*sheet, *limbs, drawing, options);
+  return solid_of(state_->session.relief(), state_->scene, drawing, options, context);
 }
 
 Result<MeshLines> Session::lines() const {

@@ -271,19 +271,23 @@ const char* name(PrintTrouble trouble) {
   return "overhang";
 }
 
+double enough_size(const PrintFinding& finding, double nozzle, double size) {
+  const bool thin = finding.trouble == PrintTrouble::thin;
+  if (!thin && finding.trouble != PrintTrouble::neck) return 0;
+  return std::ceil(size * (thin ? nozzle : 3 * nozzle) / finding.measure);
+}
+
 std::string describe(const PrintFinding& finding, double nozzle, double size) {
-  const auto larger = [&](double wanted) {
-    return "--size " + rounded(std::ceil(size * wanted / finding.measure), "%.0f");
-  };
+  const std::string larger = "--size " + rounded(enough_size(finding, nozzle, size), "%.0f");
   switch (finding.trouble) {
     case PrintTrouble::loose:
-      return finding.part + " is loose; --base holds it";
+      return finding.part + " is loose; --profile solid with --base plate or round holds it";
     case PrintTrouble::thin:
       return finding.part + " is " + rounded(finding.measure, "%.2f") +
-             " mm thin, less than the nozzle; " + larger(nozzle) + ", or a finer --nozzle";
+             " mm thin, less than the nozzle; " + larger + ", or a finer --nozzle";
     case PrintTrouble::neck:
       return finding.part + " hangs by " + rounded(finding.measure, "%.2g") +
-             " mm and may break off; --base holds it, or " + larger(3 * nozzle);
+             " mm and may break off; " + larger + ", or --profile solid with a --base";
     case PrintTrouble::overhang:
       break;
   }

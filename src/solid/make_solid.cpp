@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <set>
@@ -173,7 +174,21 @@ void narrow_rims(const Drawing& drawing, VisibleSheet& sheet) {
   for (size_t v = 0; v < rise.size(); ++v) sheet.back[v].z -= rise[v] + model.positions[v].z;
 }
 
+Status check_lengths(const SolidOptions& options) {
+  for (const auto& [name, length, least, most, text] : solid_lengths) {
+    const double value = options.*length;
+    const bool none = SolidOptions().*length == 0;
+    if ((none && value == 0) || (value >= least && value <= most)) continue;
+    char range[64];
+    std::snprintf(range, sizeof range, "must be from %g to %g mm%s", least, most,
+                  none ? ", or 0 for none" : "");
+    return Error{ErrorCode::usage, range, name};
+  }
+  return Done{};
+}
+
 Status check_options(const SolidOptions& options) {
+  if (Status status = check_lengths(options); !status) return status;
   if (options.base == BaseShape::none && options.hole + options.ring > 0)
     return Error{ErrorCode::usage, "a hole or a ring to hang it by needs a base", "--base"};
   if (options.cutter > 0 && (options.base != BaseShape::outline || options.hole + options.ring > 0))

@@ -155,6 +155,21 @@ TEST(MakeSolid, RefusesWhatHasNoRoom) {
   EXPECT_EQ(drilled.error().where, "--hole");
 }
 
+TEST(MakeSolid, NamesALengthThatIsOutOfItsRange) {
+  for (const auto& [name, length, least, most, text] : solid_lengths) {
+    SCOPED_TRACE(name);
+    for (const double value : {least - 0.01, 1.01 * most, std::nan("")}) {
+      SolidOptions options;
+      options.*length = value;
+      const auto solid = make_solid(ball(), {}, options);
+      ASSERT_FALSE(solid.ok());
+      EXPECT_EQ(solid.error().code, ErrorCode::usage);
+      EXPECT_EQ(solid.error().where, name);
+    }
+    EXPECT_TRUE(SolidOptions().*length == 0 || SolidOptions().*length >= least);
+  }
+}
+
 TEST(MakeSolid, NamesWhatIsLoose) {
   Model model = empty_model(300, 100);
   add_ellipsoid(model, {"large", {60, 50}, 0, {40, 40, 40}});

@@ -1,8 +1,8 @@
-import { type Failure, isFailure, type Solid, type SolidFormat, told } from '../engine/messages';
+import { type Failure, isFailure, type PrintFinding, type Solid, type SolidFormat, told } from '../engine/messages';
 import { type MessageKey, t } from './catalogue';
 import type { Editor } from './editor';
 import type { Exports } from './exports';
-import { leastWidth, type PrintChoice, type PrintKind, widths } from './print_choice';
+import type { PrintChoice, PrintKind } from './print_choice';
 import { SizeField } from './size_field';
 import { Slider } from './slider';
 import { useStore } from './store';
@@ -14,31 +14,31 @@ const hangs: readonly [PrintChoice['hang'], MessageKey][] = [['none', 'hangNone'
 const formats: readonly [SolidFormat, MessageKey][] = [
   ['3mf', 'format3mf'], ['stl', 'formatStl'], ['glb', 'formatGlb'], ['usdz', 'formatUsdz'],
 ];
+const troubles: readonly [PrintFinding['trouble'], MessageKey][] = [
+  ['loose', 'printLoose'], ['thin', 'printThin'], ['neck', 'printNeck'], ['overhang', 'printOverhang'],
+];
 const mostNamed = 3;
 
-function named(ids: readonly string[]): string {
-  return ids.slice(0, mostNamed).join(', ') + (ids.length > mostNamed ? ' …' : '');
-}
-
 /** What is to be known of a solid before it is printed, and what to do about it. */
-function Findings({ editor, solid }: { editor: Editor; solid: Solid }) {
-  const { document, state } = editor;
-  const { sizeMm } = document.settings;
-  const thin = state.print.kind === 'figure' ? widths(document, sizeMm).filter(({ width }) => width < leastWidth) : [];
-  const enough = thin[0] ? Math.ceil((sizeMm * leastWidth) / thin[0].width) : 0;
+function Findings({ solid }: { solid: Solid }) {
   const sides = solid.size.map((side) => side.toFixed(1)).join(' × ');
   return (
     <>
       <p role="status" id="solid-facts">{sides} mm, {(solid.volume / 1000).toFixed(1)} cm³</p>
-      {solid.loose.length > 0 && <p class="finding">{t('printLoose', { parts: named(solid.loose) })}</p>}
-      {thin.length > 0 && <p class="finding">{t('printThin', { parts: named(thin.map(({ id }) => id)), least: leastWidth, size: enough })}</p>}
+      {troubles.map(([trouble, message]) => {
+        const found = solid.findings.filter((finding) => finding.trouble === trouble);
+        if (found.length === 0) return null;
+        const parts = found.slice(0, mostNamed).map(({ part }) => part).join(', ') + (found.length > mostNamed ? ' …' : '');
+        const size = Math.max(...found.map(({ enough }) => enough));
+        return <p class="finding" key={trouble} data-trouble={trouble}>{t(message, { parts, size })}</p>;
+      })}
     </>
   );
 }
 
-function State({ editor, solid }: { editor: Editor; solid: Solid | Failure | null }) {
+function State({ solid }: { solid: Solid | Failure | null }) {
   if (!solid) return <p role="status">{t('printWorking')}</p>;
-  return isFailure(solid) ? <p class="finding" role="status">{told(solid.error)}</p> : <Findings editor={editor} solid={solid} />;
+  return isFailure(solid) ? <p class="finding" role="status">{told(solid.error)}</p> : <Findings solid={solid} />;
 }
 
 /** Something to hold: what it is, how large, and its files; the relief's pane shows it meanwhile. */
@@ -68,7 +68,7 @@ export function PrintPanel({ editor, exports }: { editor: Editor; exports: Expor
           </label>
         </>
       )}
-      <State editor={editor} solid={solid} />
+      <State solid={solid} />
       {formats.map(([format, label]) => (
         <button type="button" class="wide" key={format} data-solid={format} onClick={() => void exports.solid(format)}>{t(label)}</button>
       ))}

@@ -69,18 +69,32 @@ export interface Surface {
 /** What a closed solid is like; lengths in mm, see the command line's --profile. */
 export interface SolidOptions {
   /** Longest side of the whole. */
-  size: number;
+  readonly size?: number;
   /** The plate's side, or a figure's. */
-  back: 'flat' | 'drawing' | 'parts';
-  base: 'none' | 'outline' | 'plate' | 'round';
+  readonly back?: 'flat' | 'drawing' | 'parts';
+  readonly base?: 'none' | 'outline' | 'plate' | 'round';
   /** Of the whole at most; 0: as deep as it is. */
-  height: number;
+  readonly height?: number;
   /** Whether small forms keep their depth then. */
-  detail: boolean;
-  thickness: number;
+  readonly detail?: boolean;
+  readonly thickness?: number;
+  readonly margin?: number;
+  readonly corner?: number;
   /** Diameters of a hole in the plate and of one in a loop above it; 0: none. */
-  hole: number;
-  ring: number;
+  readonly hole?: number;
+  readonly ring?: number;
+  /** Of a wall around the plate, above it; 0: none. */
+  readonly cutter?: number;
+}
+
+/** What a printer, or a hand, makes of a part. */
+export interface PrintFinding {
+  trouble: 'loose' | 'thin' | 'neck' | 'overhang';
+  part: string;
+  /** mm of the thinnest wall or of the neck, mm^2 that hang over; or 0. */
+  measure: number;
+  /** Longest side with which it is wide enough, mm; 0 where none helps. */
+  enough: number;
 }
 
 export interface SolidFacts {
@@ -89,8 +103,7 @@ export interface SolidFacts {
   /** mm^3 */
   volume: number;
   pieces: number;
-  /** Parts of all pieces but the largest. */
-  loose: string[];
+  findings: PrintFinding[];
 }
 
 /** A solid as it is shown, in mm from x = y = 0 on, around z = 0, with its picture. */

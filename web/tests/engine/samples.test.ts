@@ -93,11 +93,15 @@ describe('the engine and the command line', () => {
     const figure = { ...plaque, size: 100, back: 'parts', base: 'none', height: 0, detail: false, hole: 0 } as const;
     same('stl', 'figure', figure);
     same('usdz', 'figure', figure);
+    native('standing', scene, '-o', join(folder, 'standing.stl'), '--profile', 'figure', '--base', 'round');
+    same('stl', 'standing', { back: 'drawing', base: 'round' });
     const packed = unzipSync(readFileSync(join(folder, 'figure.3mf')));
     for (const { name, bytes } of must(service.encodeSolid('3mf', 'figure', figure, none)).files)
       expect(Buffer.from(bytes).equals(packed[name]!), name).toBe(true);
-    const refused = service.solid({ ...plaque, size: -1 }, none);
-    expect(isFailure(refused) && refused.error.code).toBe('usage');
+    for (const [wrong, where] of [[{ size: -1 }, 'size'], [{ base: 'square' }, 'base'], [{ sizes: 1 }, 'sizes']] as const) {
+      const refused = service.solid(wrong as SolidOptions, none);
+      expect(isFailure(refused) && refused.error).toMatchObject({ code: 'usage', where });
+    }
   });
 });
 

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "relief/pipeline/build_relief.h"
+#include "relievo/result.h"
+#include "relievo/run_context.h"
+#include "relievo/scene.h"
+#include "relievo/solid.h"
+
+namespace relievo {
+
+/// The solid of a relief and its drawing. Errors: those of assemble_limbs and make_solid.
+Result<Solid> solid_of(const Relief& relief, const Scene& scene, const Drawing& drawing,
+                       const SolidOptions& options, const RunContext& context = {});
+
+}  // namespace relievo
