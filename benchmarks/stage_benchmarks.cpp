@@ -6,12 +6,12 @@
 
 #include "benchmarks/characters.h"
 #include "benchmarks/suites.h"
+#include "face/solid_of.h"
 #include "io/mesh/encode_models.h"
 #include "kernel/base/workers.h"
 #include "relief/model/assemble_model.h"
 #include "relief/pipeline/relief_session.h"
 #include "solid/check_print.h"
-#include "solid/make_solid.h"
 
 namespace relievo::benchmarks {
 namespace {
@@ -98,30 +98,38 @@ void model(State& state, const std::string& name, int vertices) {
   }
 }
 
-/// What is to be held, and its file to print, painted; `back` is flat or of a figure.
-void hold(State& state, const std::string& name, int vertices, BackSide back) {
+/// What is to be held, checked, and its file to print, painted.
+void hold(State& state, const std::string& name, int vertices, const SolidOptions& kind) {
   ReliefOptions options = options_for(vertices);
-  options.hidden = back != BackSide::flat;
+  options.hidden = kind.back != BackSide::flat;
   const Scene& scene = scene_of(name);
   const auto relief = build_relief(scene, options);
-  SolidOptions solid_options;
-  solid_options.back = back;
   for (auto _ : state) {
-    const auto sheet =
-        assemble_visible_sheet(relief->layers, relief->inflation, relief->ordering, scene, {});
-    const auto solid = make_solid(*sheet, {}, solid_options);
+    const auto solid = solid_of(*relief, scene, {}, kind);
     benchmark::DoNotOptimize(check_print(solid->model, solid->facts.loose, usual_nozzle));
     benchmark::DoNotOptimize(encode_3mf(solid->model, nullptr, {}));
     state.counters["triangles"] = static_cast<double>(solid->model.triangles.size());
   }
 }
 
-void solid(State& state, const std::string& name, int vertices) {
-  hold(state, name, vertices, BackSide::flat);
+void solid(State& state, const std::string& name, int vertices) { hold(state, name, vertices, {}); }
+
+SolidOptions as_figure() {
+  SolidOptions options;
+  options.back = BackSide::drawing;
+  return options;
 }
 
 void figure(State& state, const std::string& name, int vertices) {
-  hold(state, name, vertices, BackSide::drawing);
+  hold(state, name, vertices, as_figure());
+}
+
+/// A figure united with a leg of its far side.
+void mirrored(State& state, const std::string& name, int vertices) {
+  SolidOptions options = as_figure();
+  for (const Part& part : scene_of(name).parts)
+    if (part.id.starts_with("near-") && part.id.ends_with("leg")) options.mirror = {part.id};
+  hold(state, name, vertices, options);
 }
 
 struct Stage {
@@ -140,6 +148,7 @@ const Stage stages[] = {
     {"model", model},
     {"solid", solid},
     {"figure", figure},
+    {"mirrored", mirrored},
 };
 
 void add(const std::string& name, int vertices) {

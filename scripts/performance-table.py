@@ -69,10 +69,11 @@ def solids(results):
     for size in sizes(results, "figure"):
         name = "/".join(size)
         row = [size[0], size[1]]
-        for kind in ["solid", "figure"]:
+        for kind in ["solid", "figure", "mirrored"]:
             row += [ms(results, f"{kind}/{name}"), count(results, f"{kind}/{name}", "triangles")]
         rows.append(row)
-    return table(["drawing", "vertices", "solid", "triangles", "figure", "triangles"], rows)
+    return table(["drawing", "vertices", "solid", "triangles", "figure", "triangles", "a leg mirrored",
+                  "triangles"], rows)
 
 
 def references(results):
