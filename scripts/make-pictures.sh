@@ -83,6 +83,35 @@ wolf plate
 farmer round
 END
 
+# Figures from all sides, and those of drawings without far limbs, which the near ones make.
+while read -r sheet drawing options; do
+  row=$work/$sheet-$drawing
+  if [ "$sheet" = figure-mirrored ]; then
+    sed '/<g id="far-/,/<\/g>/d' "examples/$drawing.svg" > "$row.svg"
+  else
+    cp "examples/$drawing.svg" "$row.svg"
+  fi
+  # shellcheck disable=SC2086
+  "$relievo" build "$row.svg" --quiet --profile figure $options -o "$row.glb"
+  for yaw in 000 045 090 135 180; do
+    "$relievo" render "$row.glb" --quiet --yaw "$yaw" --pitch 0 --size 400 -o "$row-$yaw.png"
+  done
+  montage "$row"-[01]*.png -tile 5x -geometry 250x190 -background '#dcdcdc' "$row-row.png"
+done << END
+figures wolf
+figures elephant
+figures bunny
+figures farmer
+figures lamb
+figures unicorn
+figure-mirrored elephant --mirror near-hind-leg --mirror near-front-leg --mirror near-ear
+figure-mirrored wolf --mirror near-hind-leg --mirror near-front-leg --mirror near-ear
+figure-mirrored unicorn --mirror near-hind-leg --mirror near-front-leg
+END
+for sheet in figures figure-mirrored; do
+  convert "$work/$sheet"-*-row.png -append +repage -quality 85 "$to/$sheet.jpg"
+done
+
 # What a printer lays, where a slicer is installed.
 if command -v prusa-slicer > /dev/null; then
   "$relievo" build examples/wolf.svg --profile figure -o "$work/wolf.stl" > /dev/null
