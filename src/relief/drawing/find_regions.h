@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "relief/drawing/basins.h"
@@ -44,5 +45,11 @@ struct Overlap {
 /// those of areas, 0 is background; they meet in the middle of lines `line_width` px wide.
 /// O(pixels).
 std::vector<Overlap> find_overlaps(const Image16& labels, double line_width);
+
+/// Pairs of areas that are likelier pieces of one part than two parts, the likeliest first: where a
+/// third one hides both, as junctions tell, and the contour of one goes on in that of the other
+/// behind it, by how it bends, how far that is, their sizes and whether they stand side by side.
+/// `labels` are those of areas, 0 is background. O(pixels + contour ends at an area, squared).
+std::vector<std::pair<uint16_t, uint16_t>> find_pieces(const Image16& labels);
 
 }  // namespace relievo

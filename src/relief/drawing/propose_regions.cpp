@@ -29,6 +29,7 @@ constexpr double one_part = 5.8;          ///< log-odds of two neighbours to be 
 constexpr double marked_weight = 10.3;    ///< of the share of their border that is marked
 constexpr double small_weight = 0.73;     ///< of -log of the smaller one's share of the figure
 constexpr double large_weight = 2.7;      ///< of the larger one's share of the figure
+constexpr double like_paint = 35;         ///< distance of mean colours of pieces of one part
 constexpr double narrowest_part =
     0.75;  ///< inradius in widths of lines: narrower are gaps in strokes
 
@@ -207,15 +208,21 @@ void unite_likely(RegionMerging& regions, int background) {
   }).run();
 }
 
-/// Where the outline of a limb is drawn through the body, gives what they share to the one whose
-/// colour it has, and of both to the smaller one: the limb is in front.
-void unite_overlaps(RegionMerging& regions, const Basins& basins, int background) {
-  if (regions.count() >= std::numeric_limits<uint16_t>::max()) return;
+/// Labels of pixels, region + 1 or 0 for the background. Precondition: fewer than 65535 basins.
+Image16 label_image(RegionMerging& regions, const Basins& basins, int background) {
   Image16 labels(basins.index.width, basins.index.height, 1);
   for (size_t i = 0; i < labels.pixels.size(); ++i) {
     const int region = regions.region_of(basins.index.pixels[i]);
     labels.pixels[i] = static_cast<uint16_t>(region == background ? 0 : region + 1);
   }
+  return labels;
+}
+
+/// Where the outline of a limb is drawn through the body, gives what they share to the one whose
+/// colour it has, and of both to the smaller one: the limb is in front.
+void unite_overlaps(RegionMerging& regions, const Basins& basins, int background) {
+  if (regions.count() >= std::numeric_limits<uint16_t>::max()) return;
+  const Image16 labels = label_image(regions, basins, background);
   for (const Overlap& overlap : find_overlaps(labels, basins.line_width)) {
     const auto now = [&](uint16_t label) { return regions.region_of(label - 1); };
     const int shared = now(overlap.shared);
@@ -228,6 +235,14 @@ void unite_overlaps(RegionMerging& regions, const Basins& basins, int background
     if (like(behind) && (larger || !like(front))) std::swap(front, behind);
     if (shared != front && shared != behind && like(front)) regions.unite(shared, front);
   }
+}
+
+/// Unites pieces of one paint that are likely one part, as those of a cape to both sides of a leg.
+void unite_pieces(RegionMerging& regions, const Basins& basins, int background) {
+  if (regions.count() >= std::numeric_limits<uint16_t>::max()) return;
+  for (const auto& [a, b] : find_pieces(label_image(regions, basins, background)))
+    if (regions.colour_distance(a - 1, b - 1) < like_paint)
+      regions.unite(regions.region_of(a - 1), regions.region_of(b - 1));
 }
 
 }  // namespace
@@ -248,6 +263,7 @@ void propose_regions(Basins& basins) {
   absorb_details(regions, background);
   unite_fragments(regions, background);
   unite_likely(regions, background);
+  if (background >= 0) unite_pieces(regions, basins, background);
 
   std::vector<int> number(basins.basins.size(), -1);
   basins.region.resize(basins.basins.size());
