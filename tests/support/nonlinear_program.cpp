@@ -51,21 +51,12 @@ double source_screening(const Part& part, double scale) {
   return std::pow(8 * part.flat * length / area, 2);
 }
 
-/// Those that are glued and, where nothing under a range is, those that pairs can hold against the
-/// pull to the drawing plane.
+/// Those that are glued, and those that pairs can hold against the pull to the drawing plane.
 std::set<int> liftable_nodes(const LayeredMesh& mesh, const VectorXd& sign) {
   std::set<int> nodes;
-  for (const DepthPair& pair : mesh.constraints)
-    if (pair.equal) nodes.insert({pair.lower, pair.upper});
-  std::set<int> ranges;
-  for (const RampNode& node : mesh.ramp_nodes)
-    if (nodes.count(node.node) > 0) ranges.insert(node.ramp);
-  std::set<int> beside_glue;
-  for (const RampNode& node : mesh.ramp_nodes)
-    if (ranges.count(node.ramp) > 0) beside_glue.insert(node.node);
   for (const DepthPair& pair : mesh.constraints) {
-    if (sign[pair.upper] > 0 && beside_glue.count(pair.upper) == 0) nodes.insert(pair.upper);
-    if (sign[pair.lower] < 0 && beside_glue.count(pair.lower) == 0) nodes.insert(pair.lower);
+    if (pair.equal || sign[pair.upper] > 0) nodes.insert(pair.upper);
+    if (pair.equal || sign[pair.lower] < 0) nodes.insert(pair.lower);
   }
   return nodes;
 }

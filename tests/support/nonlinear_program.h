@@ -40,8 +40,8 @@ struct NonlinearPoint {
   Eigen::VectorXd g;  ///< #N
 };
 
-/// B are the nodes under ranges that are glued, and those that pairs may lift where nothing of the
-/// range is. The others, and free nodes with u = 0, are held at the u of `inflation`.
+/// B are the nodes under ranges that are glued or that pairs may lift. The others, and free nodes
+/// with u = 0, are held at the u of `inflation`.
 NonlinearProgram make_nonlinear_program(const LayeredMesh& mesh, const Scene& scene,
                                         const NonlinearOptions& options,
                                         const Inflation& inflation);
