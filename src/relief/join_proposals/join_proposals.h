@@ -39,6 +39,9 @@ struct JoinProposals {
   std::vector<RobinRange> robin;
   std::vector<ProposedLean> leans;  ///< of parts of which the user said none
   std::vector<int> hollows;         ///< parts of layers that look like open mouths and ear cups
+  /// Small compact parts of layers that lie within others, as eyes, and their share of the
+  /// smallest.
+  std::vector<std::pair<int, double>> features;
 };
 
 /// What the user said about how parts connect, by part index. It replaces every proposal for the

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "kernel/geometry/polygon.h"
 #include "relief/join_proposals/roots.h"
+#include "relief/join_proposals/round_inflation.h"
 
 namespace relievo {
 namespace {
@@ -37,6 +39,11 @@ constexpr double thick_body = 1.35;
 /// root, up to where nothing does, and from where anything may.
 constexpr double at_root = 0.2;
 constexpr double off_root = 0.5;
+/// A feature lies within another part but for this share of its area,
+constexpr double most_beside = 0.03;
+/// takes at most this share of that, and is at least as round as an ellipse of two to one.
+constexpr double largest_feature = 0.1;
+constexpr double least_round = 2.5;
 
 bool is_larger(const LayerGrid& grid, int part, int other, double factor) {
   return static_cast<double>(grid.areas[part]) > factor * static_cast<double>(grid.areas[other]);
@@ -84,6 +91,7 @@ class Connector {
     tie_lying(overlaps, joined, held, joining);
     tie_hidden(overlaps, held, joining);
     joining.hollows = hollow_parts(grid_, colors_, limbs(overlaps, joining));
+    joining.features = features(overlaps, joined);
     return joining;
   }
 
@@ -167,6 +175,24 @@ class Connector {
         nearest[pair.lower] = &pair;
     for (const Overlap* pair : nearest)
       if (pair != nullptr) tie(*pair, joining);
+  }
+
+  /// Of the parts that a feature lies within the largest tells that it is one, and the smallest how
+  /// much it bulges, as the white of an eye does for a pupil.
+  std::vector<std::pair<int, double>> features(const std::vector<Overlap>& overlaps,
+                                               const std::vector<uint8_t>& joined) const {
+    std::map<int, std::vector<double>> shares;
+    for (const Overlap& pair : overlaps)
+      if (joined[pair.upper] == 0 && pair.upper_beside <= most_beside &&
+          round_inflation(grid_.masks[pair.upper]) >= least_round)
+        shares[pair.upper].push_back(static_cast<double>(grid_.areas[pair.upper]) /
+                                     static_cast<double>(grid_.areas[pair.lower]));
+    std::vector<std::pair<int, double>> found;
+    for (const auto& [part, of] : shares)
+      if (const auto [least, most] = std::minmax_element(of.begin(), of.end());
+          *least <= largest_feature)
+        found.emplace_back(part, *most);
+    return found;
   }
 
   /// Which parts are limbs, joined or behind.

@@ -92,6 +92,10 @@ ConnectedScene connect_scene(Scene scene, bool amounts, const PartColors& colors
     }
   connected.proposals = propose_layer_joins(result, colors, anchors);
   yield_to_author(result, connected.proposals);
+  for (const auto& [part, share] : connected.proposals.features)
+    if (amounts)
+      result.parts[part].c =
+          std::round(result.parts[part].c * feature_inflation(share) * 100) / 100;
   for (const ProposedJoin& proposed : connected.proposals.joins)
     result.joins.push_back(proposed.join);
   for (const int part : connected.proposals.hollows)

@@ -20,7 +20,6 @@ constexpr double overlap_share = 0.005;
 constexpr double min_overlap = 2;  ///< px
 /// Arrows that are surer than this tell that a surrounded part's contour is its own.
 constexpr double sure_arrow = 0.97;
-constexpr double least_feature_inflation = 0.02;
 
 Error no_such_label(int label) {
   return {ErrorCode::bad_input, "no part has this label", "label " + std::to_string(label)};
@@ -164,10 +163,8 @@ void add_rim(const PartRegions& seen, Completion& clipped) {
     clipped.parts[part].shape = united(clipped.parts[part].shape, seen.visible[part]);
 }
 
-/// Features bulge the less the larger they are: an eye does, a patch on the belly does not. With q
-/// the ratio of their area to that of all parts on which they lie, c is multiplied by
-/// 1 - 1.5 sqrt(q).
-double feature_inflation(const Proposal& proposal, const Completion& clipped, int part) {
+/// By what c is multiplied: features lie on all parts that they are tied to and touch.
+double inflation_factor(const Proposal& proposal, const Completion& clipped, int part) {
   if (touches_background(proposal.regions, part)) return 1;
   const auto touch = [&](int lower) {
     return std::any_of(proposal.evidence.begin(), proposal.evidence.end(), [&](const auto& pair) {
@@ -181,8 +178,7 @@ double feature_inflation(const Proposal& proposal, const Completion& clipped, in
     if (relation.upper == part && relation.kind == RelationKind::equal && touch(relation.lower))
       below += area(relation.lower);
   }
-  if (below == 0) return 1;
-  return std::max(1 - 1.5 * std::sqrt(area(part) / below), least_feature_inflation);
+  return below == 0 ? 1 : feature_inflation(area(part) / below);
 }
 
 /// The outlines in the scene: as the user drew them, or those of the shapes after the order.
@@ -249,7 +245,7 @@ Scene scene_of(const Corrections& corrections, const Proposal& proposal, const C
   for (const int part : proposal.stacking.back_to_front)
     scene.parts.push_back(scene_part(
         corrections, proposal.regions.labels[part], outlines[part],
-        round_inflation(clipped.parts[part].shape) * feature_inflation(proposal, clipped, part),
+        round_inflation(clipped.parts[part].shape) * inflation_factor(proposal, clipped, part),
         proposed_lean(proposal, part)));
   const auto renumbered = [&](auto item) {
     item.upper = rank[item.upper];

@@ -315,6 +315,21 @@ TEST(ConnectScene, HollowsAreDishesOnlyWhereAmountsAreGuessed) {
   EXPECT_GT(connect_scene(mouth, false, colors).scene.parts[1].d, 0);
 }
 
+TEST(ConnectScene, FeaturesBulgeLessThanBallsAndTheLargerTheLess) {
+  const auto amount = [](const std::vector<Ring>& front, bool guessed = true) {
+    return connect_scene(disc_with(front), guessed).scene.parts.back().c;
+  };
+  const Ring eye = circle({200, 160}, 9);  // a hundredth of the disc
+  EXPECT_NEAR(amount({eye}), 4 * 0.4 * (1 - 1.5 * 0.1), 0.03);
+  EXPECT_LT(amount({circle({200, 160}, 18)}), amount({eye}));
+  EXPECT_NEAR(amount({circle({200, 160}, 18), eye}), 4 * 0.4 * (1 - 1.5 * 0.5), 0.03)
+      << "a pupil lies on its eye";
+  EXPECT_NEAR(amount({circle({200, 160}, 40)}), 4, 0.01) << "a heart that is held";
+  EXPECT_NEAR(amount({circle({200, 250}, 9)}), 4, 0.01) << "reaches beyond";
+  EXPECT_GT(amount({ellipse({200, 160}, 24, 6)}), 2) << "an arm before the body";
+  EXPECT_EQ(amount({eye}, false), disc_with({eye}).parts.back().c);
+}
+
 TEST(ConnectParts, WhatALargerPartMostlyHidesHangsOnThat) {
   for (const Ring& hidden : {circle({200, 80}, 30), circle({200, 180}, 80)}) {
     const JoinProposals joining = propose_layer_joins(disc_with({}, {hidden}));
