@@ -14,12 +14,14 @@
 
 namespace relievo::testing {
 
-/// The drawings of a folder that have layers, by name; none where it is absent.
+/// The drawings of a folder that have layers, SVG or a folder of pictures with their list, by name;
+/// none where it is absent.
 inline std::vector<std::string> drawings_in(const std::string& folder) {
   std::vector<std::string> paths;
   if (!std::filesystem::exists(folder)) return paths;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().extension() == ".svg") paths.push_back(entry.path().string());
+    if (entry.path().extension() == ".svg" || std::filesystem::exists(entry.path() / "layers.tsv"))
+      paths.push_back(entry.path().string());
   std::sort(paths.begin(), paths.end());
   return paths;
 }

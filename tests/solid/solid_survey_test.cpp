@@ -1,10 +1,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "face/solid_of.h"
+#include "io/support/temporary_folder.h"
+#include "relievo/read.h"
 #include "solid/solid_case.h"
 #include "support/random_scene.h"
 #include "support/solid_checks.h"
@@ -85,6 +92,69 @@ TEST(SolidSurvey, RandomScenesAreClosedAndWhole) {
     EXPECT_EQ(t.made + refused, survey_scenes);
     EXPECT_EQ(t.open + t.crossing + t.empty + t.parted, 0) << t.kind;
   }
+}
+
+/// Pictures without layers, by name; a drawing's folder holds it beside other files.
+std::vector<std::string> flat_drawings() {
+  std::vector<std::string> paths;
+  const std::filesystem::path folder = RELIEVO_SHARED_DATA "/flat";
+  if (!std::filesystem::exists(folder)) return paths;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::filesystem::path texture = entry.path() / "texture.png";
+    paths.push_back((std::filesystem::exists(texture) ? texture : entry.path()).string());
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+void expect_closed(const Solid& solid) {
+  const std::string stl = stl_of(solid.model);
+  const SolidCensus census = census_of_stl(stl);
+  EXPECT_EQ(what_is_wrong(census), "");
+  EXPECT_EQ(census.pieces, solid.facts.pieces);
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "solid.stl").string();
+  std::ofstream(file, std::ios::binary) << stl;
+  EXPECT_EQ(admesh_complaints(file), "");
+}
+
+/// The figure with the first of its limbs that can be mirrored.
+std::optional<Solid> mirrored(const Relief& relief, const DrawnScene& drawn, SolidOptions options) {
+  for (const Join& join : drawn.scene.joins) {
+    options.mirror = {drawn.scene.parts[join.upper].id};
+    auto solid = solid_of(relief, drawn.scene, drawn.drawing, options);
+    if (solid) return std::move(*solid);
+    EXPECT_EQ(solid.error().code, ErrorCode::usage) << to_string(solid.error());
+  }
+  return std::nullopt;
+}
+
+TEST(SolidSurvey, DrawingsAreClosedAndTheirMirroredLimbs) {
+  std::vector<std::string> paths = drawings_in(RELIEVO_EXAMPLES);
+  for (const auto& more : {drawings_in(RELIEVO_SHARED_DATA "/layered"), flat_drawings()})
+    paths.insert(paths.end(), more.begin(), more.end());
+  int limbs = 0;
+  for (const std::string& path : paths) {
+    SCOPED_TRACE(path);
+    const auto drawn = read_drawing(path);
+    ASSERT_TRUE(drawn.ok()) << to_string(drawn.error());
+    ReliefOptions options;
+    options.hidden = true;
+    const auto relief = build_relief(drawn->scene, options);
+    ASSERT_TRUE(relief.ok()) << to_string(relief.error());
+    SolidOptions figure;
+    figure.back = BackSide::drawing;
+    for (const SolidOptions& kind : {SolidOptions(), figure}) {
+      const auto solid = solid_of(*relief, drawn->scene, drawn->drawing, kind);
+      ASSERT_TRUE(solid.ok()) << to_string(solid.error());
+      expect_closed(*solid);
+    }
+    const auto doubled = mirrored(*relief, *drawn, figure);
+    if (doubled) expect_closed(*doubled);
+    limbs += doubled ? 1 : 0;
+  }
+  std::cout << paths.size() << " drawings, a limb mirrored of " << limbs << "\n";
+  EXPECT_GE(limbs, 6);  // the samples'
 }
 
 }  // namespace
