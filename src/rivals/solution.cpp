@@ -1,5 +1,6 @@
 #include "rivals/solution.h"
 
+#include <optional>
 #include <utility>
 
 #include "relief/discretisation/discretisation.h"
@@ -45,8 +46,9 @@ void make_linear(const std::vector<double>& h, Solution& solution) {
 }
 
 Result<Model> model_of(const Solution& solution, const Scene& scene, const RunContext& context) {
+  std::optional<FlapSystem> flaps;
   const HiddenSheets all = hide_sheets(
-      {solution.mesh, solution.discretisation, scene, solution.inflation, solution.ordering},
+      {solution.mesh, solution.discretisation, scene, solution.inflation, solution.ordering}, flaps,
       context);
   if (context.cancelled()) return interrupted_error();
   return assemble_model(solution.mesh, all.inflation, all.ordering, scene, {}, context);

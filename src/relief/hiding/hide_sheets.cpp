@@ -155,108 +155,99 @@ using Eigen::VectorXd;
 /// Pull to 0, in scene units: for flaps that hang on nothing.
 constexpr double weakest = 1e-4;
 
-/// The flaps' matrix: nodes inside are unknown, the others have values.
-class FlapSystem {
- public:
-  FlapSystem(const Flaps& flaps, const Discretisation& discretisation, const RunContext& context)
-      : flaps_(flaps) {
-    const double scale = discretisation.scale;
-    const FlatMesh flat{flaps.positions, flaps.faces};
-    L_ = stiffness_matrix(flat);
-    L_.diagonal() += weakest * scale * scale * lumped_mass(flat);
-    const auto size = static_cast<Index>(flaps.nodes.size());
-    std::vector<Eigen::Triplet<double>> entries;
-    for (const int j : flaps.nodes)
-      for (SparseMatrix::InnerIterator entry(L_, j); entry; ++entry) {
-        const int row = flaps.place[entry.row()];
-        if (row >= flaps.place[j]) entries.emplace_back(row, flaps.place[j], entry.value());
-      }
-    K_ = SparseMatrix(size, size);
-    K_.setFromTriplets(entries.begin(), entries.end());
-    std::vector<int> order;
-    for (const int n : discretisation.elimination)
-      if (flaps.place[n] >= 0) order.push_back(flaps.place[n]);
-    analysed_ = factor_.analyse(K_, Refactorisation::complete, order, context);
-  }
-
-  /// Solves for the values inside, 0 where fixed, and puts them into `values`.
-  bool solve(const VectorXd& load, const std::vector<uint8_t>& fixed, const RunContext& context,
-             std::vector<double>& values) {
-    VectorXd known = VectorXd::Map(values.data(), static_cast<Index>(values.size()));
-    for (const int n : flaps_.nodes) known[n] = 0;
-    const VectorXd pull = load - L_ * known;
-    VectorXd b(K_.rows());
-    for (Index i = 0; i < b.size(); ++i) b[i] = fixed[i] != 0 ? 0 : pull[flaps_.nodes[i]];
-    if (!analysed_ || !factor_.factorise(K_, fixed, context)) return false;
-    const VectorXd x = factor_.solve(b);
-    for (Index i = 0; i < b.size(); ++i) values[flaps_.nodes[i]] = x[i];
-    return true;
-  }
-
- private:
-  const Flaps& flaps_;
-  SparseMatrix L_;
-  SparseMatrix K_;
-  SparseCholesky factor_;
-  bool analysed_ = false;
-};
-
 }  // namespace
 
-HiddenSheets hide_sheets(const HidingInput& input, const RunContext& context) {
+HiddenSheets hide_sheets(const HidingInput& input, std::optional<FlapSystem>& flaps,
+                         const RunContext& context) {
   HiddenSheets sheets{input.inflation, input.ordering};
-  const Flaps flaps = collect_flaps(input);
-  fill_flaps(input, flaps, sheets, context);
+  if (!flaps) flaps.emplace(input.mesh, input.discretisation, context);
+  if (context.cancelled()) {
+    flaps.reset();
+    return sheets;
+  }
+  flaps->fill(input, context, sheets);
   Lowering lowering(input, sheets);
   lowering.run();
-  const std::vector<double>& g = sheets.ordering.g;
-  const std::vector<Point2> gradients = node_gradients(input.discretisation.gradients, g);
+  const std::vector<Point2> gradients =
+      node_gradients(input.discretisation.gradients, sheets.ordering.g);
   for (size_t n = 0; n < gradients.size(); ++n)
     if (lowering.is_lowered(n)) sheets.ordering.grad_g[n] = gradients[n];
-  if (flaps.nodes.empty()) return sheets;
-  const std::vector<Point2> on_flaps = node_gradients(flaps.gradients, g);
-  for (const int n : flaps.nodes) sheets.ordering.grad_g[n] = on_flaps[n];
+  flaps->set_slopes(sheets.ordering);
   return sheets;
 }
 
-Flaps collect_flaps(const HidingInput& input) {
-  const LayeredMesh& mesh = input.mesh;
-  Flaps flaps;
-  flaps.place.assign(mesh.node_vertex.size(), -1);
+FlapSystem::FlapSystem(const LayeredMesh& mesh, const Discretisation& discretisation,
+                       const RunContext& context) {
+  std::vector<int> place(mesh.node_vertex.size(), -1);  // in nodes_
   for (size_t f = 0; f < mesh.faces.size(); ++f) {
     if (!mesh.is_flap(f)) continue;
-    const Part& part = input.scene.parts[mesh.source(f)];
-    flaps.faces.push_back(mesh.faces[f]);
-    flaps.density.push_back(part.c * part.d * std::abs(part.d));
+    flaps_.push_back(static_cast<int>(f));
+    faces_.push_back(mesh.faces[f]);
     for (const int n : mesh.faces[f])
-      if (input.discretisation.mass[n] == 0) flaps.place[n] = 0;
+      if (discretisation.mass[n] == 0) place[n] = 0;
   }
-  if (flaps.faces.empty()) return flaps;
-  for (size_t n = 0; n < flaps.place.size(); ++n) {
-    if (flaps.place[n] < 0) continue;
-    flaps.place[n] = static_cast<int>(flaps.nodes.size());
-    flaps.nodes.push_back(static_cast<int>(n));
+  if (faces_.empty()) return;
+  for (size_t n = 0; n < place.size(); ++n) {
+    if (place[n] < 0) continue;
+    place[n] = static_cast<int>(nodes_.size());
+    nodes_.push_back(static_cast<int>(n));
   }
-  flaps.positions = node_positions(mesh);
-  flaps.gradients = gradient_stencils({flaps.positions, flaps.faces});
-  return flaps;
+  positions_ = node_positions(mesh);
+  const FlatMesh flat{positions_, faces_};
+  gradients_ = gradient_stencils(flat);
+  const double scale = discretisation.scale;
+  L_ = stiffness_matrix(flat);
+  L_.diagonal() += weakest * scale * scale * lumped_mass(flat);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const int j : nodes_)
+    for (SparseMatrix::InnerIterator entry(L_, j); entry; ++entry)
+      if (const int row = place[entry.row()]; row >= place[j])
+        entries.emplace_back(row, place[j], entry.value());
+  K_ = SparseMatrix(static_cast<Index>(nodes_.size()), static_cast<Index>(nodes_.size()));
+  K_.setFromTriplets(entries.begin(), entries.end());
+  std::vector<int> order;
+  for (const int n : discretisation.elimination)
+    if (place[n] >= 0) order.push_back(place[n]);
+  factor_.analyse(K_, Refactorisation::complete, order, context);
 }
 
-void fill_flaps(const HidingInput& input, const Flaps& flaps, HiddenSheets& sheets,
-                const RunContext& context) {
-  if (flaps.nodes.empty()) return;
-  FlapSystem system(flaps, input.discretisation, context);
-  const FlatMesh flat{flaps.positions, flaps.faces};
-  const VectorXd load = load_vector(flat, flaps.density);
+void FlapSystem::fill(const HidingInput& input, const RunContext& context, HiddenSheets& sheets) {
+  if (nodes_.empty()) return;
+  std::vector<double> density;
+  for (const int f : flaps_) {
+    const Part& part = input.scene.parts[input.mesh.source(f)];
+    density.push_back(part.c * part.d * std::abs(part.d));
+  }
+  const VectorXd load = load_vector({positions_, faces_}, density);
   std::vector<uint8_t> outline;
-  for (const int n : flaps.nodes) outline.push_back(input.mesh.node_role[n] == NodeRole::outline);
+  for (const int n : nodes_) outline.push_back(input.mesh.node_role[n] == NodeRole::outline);
   const std::vector<uint8_t> none(outline.size(), 0);
   auto& [u, grad_u] = sheets.inflation;
-  if (!system.solve(load, outline, context, u)) return;
-  if (!system.solve(VectorXd::Zero(load.size()), none, context, sheets.ordering.g)) return;
-  const std::vector<Point2> gradients = node_gradients(flaps.gradients, u);
-  for (const int n : flaps.nodes) grad_u[n] = gradients[n];
-  for (const int n : flaps.nodes) sheets.ordering.h[n] = sheets.ordering.g[n] + signed_root(u[n]);
+  if (!solve(load, outline, context, u)) return;
+  if (!solve(VectorXd::Zero(load.size()), none, context, sheets.ordering.g)) return;
+  const std::vector<Point2> gradients = node_gradients(gradients_, u);
+  for (const int n : nodes_) grad_u[n] = gradients[n];
+  for (const int n : nodes_) sheets.ordering.h[n] = sheets.ordering.g[n] + signed_root(u[n]);
+}
+
+/// Solves for the values inside, 0 where fixed, and puts them into `values`.
+bool FlapSystem::solve(const VectorXd& load, const std::vector<uint8_t>& fixed,
+                       const RunContext& context, std::vector<double>& values) {
+  VectorXd known = VectorXd::Map(values.data(), static_cast<Index>(values.size()));
+  for (const int n : nodes_) known[n] = 0;
+  const VectorXd pull = load - L_ * known;
+  VectorXd b(K_.rows());
+  for (Index i = 0; i < b.size(); ++i) b[i] = fixed[i] != 0 ? 0 : pull[nodes_[i]];
+  if (!factor_.factorise(K_, fixed, context)) return false;
+  const VectorXd x = factor_.solve(b);
+  for (Index i = 0; i < b.size(); ++i) values[nodes_[i]] = x[i];
+  return true;
+}
+
+void FlapSystem::set_slopes(Ordering& ordering) const {
+  if (nodes_.empty()) return;
+  const std::vector<Point2> gradients = node_gradients(gradients_, ordering.g);
+  for (const int n : nodes_) ordering.grad_g[n] = gradients[n];
 }
 
 }  // namespace relievo

@@ -7,7 +7,6 @@
 #include "kernel/base/workers.h"
 #include "kernel/geometry/nearest_mark.h"
 #include "relief/discretisation/discretisation.h"
-#include "relief/hiding/hide_sheets.h"
 
 namespace relievo {
 
@@ -146,6 +145,7 @@ Status ReliefSession::update_surface(const Request& request) {
 void ReliefSession::begin_like(const Scene& scene) {
   std::vector<DepthContact> contacts = std::move(ordering_system_.contacts);
   ordering_system_ = {};
+  flaps_.reset();
   const auto number = [&](int& part) {
     const auto same = [&](const Part& other) { return other.id == part_ids_[part]; };
     const auto found = std::find_if(scene.parts.begin(), scene.parts.end(), same);
@@ -264,7 +264,8 @@ Status ReliefSession::update_hidden(const Request& request) {
   return hidden_state_.refresh(Key().add(heights_state_.version()), [&]() -> Status {
     HiddenSheets sheets = hide_sheets(
         {relief_.layers, discretisation_, request.scene, relief_.inflation, relief_.ordering},
-        request.context);
+        flaps_, request.context);
+    if (use_ != Use::many) flaps_.reset();
     if (request.context.cancelled()) return interrupted_error();
     relief_.inflation = std::move(sheets.inflation);
     relief_.ordering = std::move(sheets.ordering);

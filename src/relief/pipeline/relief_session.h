@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "relief/hiding/hide_sheets.h"
 #include "relief/pipeline/build_relief.h"
 #include "relief/pipeline/stage_keys.h"
 
@@ -100,6 +101,7 @@ class ReliefSession {
   std::optional<PoissonSystem> poisson_;
   Inflation inflation_;
   OrderingSystem ordering_system_;
+  std::optional<FlapSystem> flaps_;  ///< of the discretisation
   NonlinearMemory nonlinear_memory_;
   std::vector<std::string> part_ids_;  ///< that the contacts' and marks' parts had
   Relief relief_;

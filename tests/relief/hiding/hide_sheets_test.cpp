@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "relief/discretisation/discretisation.h"
 #include "relief/hiding/overlap.h"
@@ -36,8 +37,9 @@ Hidden hide(LayeredMesh mesh, const Scene& scene) {
   result.discretisation = discretise(result.mesh);
   result.inflation = *inflate(result.mesh, scene, {});
   result.ordering = *order_depth(result.mesh, result.inflation, scene, {});
+  std::optional<FlapSystem> flaps;
   result.sheets = hide_sheets(
-      {result.mesh, result.discretisation, result.scene, result.inflation, result.ordering});
+      {result.mesh, result.discretisation, result.scene, result.inflation, result.ordering}, flaps);
   return result;
 }
 
