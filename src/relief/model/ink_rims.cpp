@@ -23,7 +23,8 @@ constexpr double paint_share = 0.35;  ///< of the greatest contrast to ink, whic
 constexpr double level_share = 0.1;   ///< of the contrast to ink, by which paint varies
 constexpr double inked_share = 0.5;   ///< of what is seen of a part's outline
 constexpr double probe = 2;           ///< px, where to look on both sides of an outline
-constexpr double blurred = 1.5;       ///< px beside ink that hold some of it
+constexpr std::ptrdiff_t antialiased = 3;  ///< px inside an outline that may hold paper
+constexpr double blurred = 1.5;            ///< px beside ink that hold some of it
 constexpr double broad_share = 0.8;   ///< of the widths of ink nearby lie below the one that counts
 constexpr double nearby = 4;          ///< widths of ink
 constexpr double reach_of_ink = 6;    ///< widths of ink, up to where surfaces give way
@@ -81,8 +82,10 @@ class RimView {
   std::optional<double> ink_width(int vertex, double widest) const {
     std::vector<double> values;
     for (double t = 0.5; t < 2 * widest; t += 1) values.push_back(brightness(inwards(vertex, t)));
-    const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    const auto darkest = std::min_element(values.begin(), half);
+    // An eye farther in may be darker than the ink.
+    auto darkest = values.begin();
+    for (auto v = values.begin(); v != values.end() && *v - *darkest < least_contrast; ++v)
+      if (*v < *darkest) darkest = v;
     const double most = *std::max_element(darkest, values.end()) - *darkest;
     if (most < least_contrast) return std::nullopt;
     // Paint is the first that stays about as bright, not the brightest patch farther in.
@@ -95,8 +98,11 @@ class RimView {
     auto paint = darkest;
     while (!is_paint(paint)) ++paint;
     const double between = 0.5 * (*paint + *darkest);
-    const auto end =
-        std::find_if(darkest, values.end(), [between](double v) { return v > between; });
+    const auto is_light = [between](double v) { return v > between; };
+    if (std::any_of(values.begin() + std::min(antialiased, darkest - values.begin()), darkest,
+                    is_light))
+      return std::nullopt;
+    const auto end = std::find_if(darkest, values.end(), is_light);
     const auto width = static_cast<double>(end - values.begin());
     return width <= widest ? std::optional(width) : std::nullopt;
   }

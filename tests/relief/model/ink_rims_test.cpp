@@ -126,6 +126,20 @@ TEST(InkRims, PartsWithoutInkStay) {
   }
 }
 
+TEST(InkRims, AnEyeBesideAnOutlineIsNoInk) {
+  const Drawing drawing = drawn({inked_ball}, ink_width);
+  Drawing eyed = drawing;
+  const Point2 eye{inked_ball.centre.x + inked_ball.radius - 2 * ink_width, inked_ball.centre.y};
+  for (int y = 0; y < canvas_height; ++y)
+    for (int x = 0; x < canvas_width; ++x)
+      if (distance({x + 0.5, y + 0.5}, eye) < 3.5) std::fill_n(&eyed.rgba.at(x, y), 3, 0);
+  Model plain = model_of({inked_ball});
+  Model seeing = plain;
+  narrow_inked_rims(plain, drawing);
+  narrow_inked_rims(seeing, eyed);
+  EXPECT_TRUE(seeing.positions == plain.positions);
+}
+
 TEST(InkRims, InkBetweenPartsLiesOnWhatIsBelow) {
   const Drawing drawing = drawn({inked_ball, nearer}, ink_width);
   const Model before = model_of({inked_ball, nearer});
