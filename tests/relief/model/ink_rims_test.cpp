@@ -129,10 +129,13 @@ TEST(InkRims, PartsWithoutInkStay) {
 TEST(InkRims, AnEyeBesideAnOutlineIsNoInk) {
   const Drawing drawing = drawn({inked_ball}, ink_width);
   Drawing eyed = drawing;
-  const Point2 eye{inked_ball.centre.x + inked_ball.radius - 2 * ink_width, inked_ball.centre.y};
   for (int y = 0; y < canvas_height; ++y)
-    for (int x = 0; x < canvas_width; ++x)
-      if (distance({x + 0.5, y + 0.5}, eye) < 3.5) std::fill_n(&eyed.rgba.at(x, y), 3, 0);
+    for (int x = 0; x < canvas_width; ++x) {
+      const Point2 p = Point2{x + 0.5, y + 0.5} - inked_ball.centre;
+      const double inside = inked_ball.radius - norm(p);
+      if (inside > 7.5 && inside < 10.5 && p.x > 2 * std::abs(p.y))
+        std::fill_n(&eyed.rgba.at(x, y), 3, 0);
+    }
   Model plain = model_of({inked_ball});
   Model seeing = plain;
   narrow_inked_rims(plain, drawing);
