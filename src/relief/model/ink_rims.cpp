@@ -26,6 +26,7 @@ constexpr double probe = 2;           ///< px, where to look on both sides of an
 constexpr std::ptrdiff_t antialiased = 3;  ///< px inside an outline that may hold paper
 constexpr double blurred = 1.5;            ///< px beside ink that hold some of it
 constexpr double broad_share = 0.8;   ///< of the widths of ink nearby lie below the one that counts
+constexpr double broadest_line = 3;   ///< of the usual width, up to which darkness is ink
 constexpr double nearby = 4;          ///< widths of ink
 constexpr double reach_of_ink = 6;    ///< widths of ink, up to where surfaces give way
 constexpr double deepest_ink = 0.7;   ///< of the squared height in the middle of a limb, at most
@@ -154,15 +155,20 @@ double quantile(std::vector<double>& values, double share) {
   return *at;
 }
 
-/// The width of ink along most of a part's outline, canvas px; 0 where most has none.
-double common_width(const std::vector<RimVertex>& rim) {
+/// The width of ink along most of a part's outline, canvas px; 0 where most has none. Where dark
+/// paint reaches the outline, as on a hoof, the ink has the width that is usual elsewhere.
+double settle_widths(std::vector<RimVertex>& rim) {
   std::vector<double> widths;
   for (const RimVertex& v : rim)
     if (v.width > 0) widths.push_back(v.width);
   const double least = inked_share * static_cast<double>(rim.size());
-  return widths.empty() || static_cast<double>(widths.size()) < least
-             ? 0
-             : quantile(widths, broad_share);
+  if (widths.empty() || static_cast<double>(widths.size()) < least) return 0;
+  const double usual = quantile(widths, 0.5);
+  const auto is_paint = [usual](double width) { return width > broadest_line * usual; };
+  std::replace_if(widths.begin(), widths.end(), is_paint, usual);
+  for (RimVertex& v : rim)
+    if (is_paint(v.width)) v.width = usual;
+  return quantile(widths, broad_share);
 }
 
 template <class Item>
@@ -348,7 +354,7 @@ void narrow_inked_rims(Model& model, const Drawing& drawing) {
       model.positions[v].z = std::min(model.positions[v].z, given[v].z - back[v]);
     };
     std::vector<RimVertex> rim = find_rim(model, given, view, static_cast<int>(p), vertices);
-    const double width = common_width(rim);
+    const double width = settle_widths(rim);
     if (width > 0)
       for (const auto& [v, by] : RimFlattener(given, vertices, std::move(rim), width).drops())
         go_back(v, by);

@@ -143,6 +143,28 @@ TEST(InkRims, AnEyeBesideAnOutlineIsNoInk) {
   EXPECT_TRUE(seeing.positions == plain.positions);
 }
 
+TEST(InkRims, DarkPaintAtAnOutlineIsNoBroaderInk) {
+  constexpr double thin = 2;
+  Drawing drawing = drawn({inked_ball}, thin);
+  for (int y = 0; y < canvas_height; ++y)
+    for (int x = 0; x < canvas_width; ++x) {
+      const Point2 p = Point2{x + 0.5, y + 0.5} - inked_ball.centre;
+      const double inside = inked_ball.radius - norm(p);
+      if (inside > 0 && inside < 11 && std::abs(p.y) > 1.7 * std::abs(p.x))
+        std::fill_n(&drawing.rgba.at(x, y), 3, 20);
+    }
+  const Model before = model_of({inked_ball});
+  Model after = before;
+  narrow_inked_rims(after, drawing);
+  EXPECT_FALSE(after.positions == before.positions);
+  for (size_t v = 0; v < before.positions.size(); ++v) {
+    const double r = distance(place(before.positions[v]), inked_ball.centre);
+    if (r < inked_ball.radius - 16 * thin) {
+      EXPECT_EQ(after.positions[v].z, before.positions[v].z);
+    }
+  }
+}
+
 TEST(InkRims, InkBetweenPartsLiesOnWhatIsBelow) {
   const Drawing drawing = drawn({inked_ball, nearer}, ink_width);
   const Model before = model_of({inked_ball, nearer});
