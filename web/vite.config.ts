@@ -10,7 +10,7 @@ const core = at('../build/wasm/bindings/wasm');
 const journeys = ['tests/journeys/**/*.test.ts'];
 /** Those that measure how long the page takes, with nothing beside them. */
 const measured = ['tests/journeys/responsive.test.ts'];
-const journey = { retry: 1, testTimeout: 120_000, hookTimeout: 120_000 };
+const journey = { retry: 1, testTimeout: 120_000, hookTimeout: 120_000, expect: { poll: { timeout: 30_000 } } };
 
 export default defineConfig({
   base: './',
