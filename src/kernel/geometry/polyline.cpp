@@ -48,9 +48,6 @@ Point2 far_before(const std::vector<Point2>& line, const Outline& outline) {
   return length > 0 ? line[0] - 2 * box.diagonal() / length * along : line[0];
 }
 
-/// Signed angle from a to b.
-double angle(Point2 a, Point2 b) { return exact::angle_of(cross(a, b), dot(a, b)); }
-
 /// Length of a Bezier handle relative to the chord, given the angles of both ends to it.
 double handle(double own, double other) {
   const double sqrt5 = std::sqrt(5.0);
@@ -138,17 +135,21 @@ std::vector<Point2> simplify_line(const std::vector<Point2>& line, double tolera
   return few;
 }
 
+double turn_between(Point2 from, Point2 to) {
+  return exact::angle_of(cross(from, to), dot(from, to));
+}
+
 double turning(const DirectedPoint& from, const DirectedPoint& to) {
   const Point2 chord = to.at - from.at;
-  return angle(from.direction, chord) + angle(chord, to.direction);
+  return turn_between(from.direction, chord) + turn_between(chord, to.direction);
 }
 
 std::vector<Point2> smooth_arc(const DirectedPoint& from, const DirectedPoint& to, double step) {
   const Point2 chord = to.at - from.at;
   const double length = norm(chord);
   if (length <= step) return {};
-  const double start = angle(from.direction, chord);
-  const double end = angle(chord, to.direction);
+  const double start = turn_between(from.direction, chord);
+  const double end = turn_between(chord, to.direction);
   const double h0 = length * handle(start, end);
   const double h1 = length * handle(end, start);
   const Point2 b = from.at + h0 * from.direction;

@@ -29,6 +29,9 @@ Point2 point_on_line(const std::vector<Point2>& line, double s);
 /// worst.
 std::vector<Point2> simplify_line(const std::vector<Point2>& line, double tolerance);
 
+/// The angle from one direction to another, in (-pi, pi]; positive clockwise on the screen.
+double turn_between(Point2 from, Point2 to);
+
 /// A point with a direction of travel (unit length).
 struct DirectedPoint {
   Point2 at;

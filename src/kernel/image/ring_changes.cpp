@@ -1,7 +1,5 @@
 #include "kernel/image/ring_changes.h"
 
-#include "kernel/base/exact_functions.h"
-
 namespace relievo {
 namespace {
 
@@ -32,10 +30,6 @@ std::vector<RingChange> ring_changes(const LabelRing& ring, size_t near, size_t 
     changes.push_back(change);
   }
   return changes;
-}
-
-double turn_between(Point2 from, Point2 to) {
-  return exact::angle_of(cross(from, to), dot(from, to));
 }
 
 }  // namespace relievo

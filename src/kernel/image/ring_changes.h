@@ -22,7 +22,4 @@ struct RingChange {
 /// of more than `near` + 1 sides. O(sides * far).
 std::vector<RingChange> ring_changes(const LabelRing& ring, size_t near, size_t far);
 
-/// The angle from one direction to another, in (-pi, pi]; positive clockwise on the screen.
-double turn_between(Point2 from, Point2 to);
-
 }  // namespace relievo

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/base/exact_functions.h"
 #include "kernel/geometry/polygon.h"
+#include "kernel/geometry/polyline.h"
 #include "kernel/image/components.h"
 #include "kernel/image/filters.h"
 #include "kernel/image/outlines.h"
@@ -85,7 +85,7 @@ double turn_at(const std::vector<Point2>& ring, size_t k) {
   const size_t n = ring.size();
   const Point2 in = ring[k] - ring[(k + n - turn_reach) % n];
   const Point2 out = ring[(k + turn_reach) % n] - ring[k];
-  return exact::angle_of(cross(in, out), dot(in, out));
+  return turn_between(in, out);
 }
 
 /// The outer contour of the largest piece, clockwise on the screen.

@@ -8,6 +8,7 @@
 
 #include "kernel/base/cyclic_runs.h"
 #include "kernel/base/exact_functions.h"
+#include "kernel/geometry/polyline.h"
 #include "kernel/image/ring_changes.h"
 #include "relief/drawing/find_regions.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "kernel/base/exact_functions.h"
+#include "kernel/geometry/polyline.h"
 #include "kernel/image/morphology.h"
 #include "relief/drawing/line_map.h"
 
@@ -17,7 +17,7 @@ constexpr double turn_off = 50 * std::numbers::pi / 180;     ///< the other line
 /// Pixels at one number of steps from an end.
 using Front = std::vector<int>;
 
-double angle(Point2 a, Point2 b) { return std::abs(exact::angle_of(cross(a, b), dot(a, b))); }
+double angle(Point2 a, Point2 b) { return std::abs(turn_between(a, b)); }
 
 /// Follows strokes from their ends in steps to neighbouring pixels.
 class StrokeWalk {

@@ -20,7 +20,6 @@ constexpr double least_pink = 0.06;
 constexpr double pink_range = 0.15;
 constexpr double smallest_cup = 0.15;
 constexpr double largest_cup = 0.7;
-constexpr double most_outside = 0.03;  ///< share of them beside what they lie in
 
 double brightness(const Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 

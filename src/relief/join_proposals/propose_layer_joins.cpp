@@ -39,9 +39,8 @@ constexpr double thick_body = 1.35;
 /// root, up to where nothing does, and from where anything may.
 constexpr double at_root = 0.2;
 constexpr double off_root = 0.5;
-/// A feature lies within another part but for this share of its area,
-constexpr double most_beside = 0.03;
-/// takes at most this share of that, and is at least as round as an ellipse of two to one.
+/// A feature takes at most this share of what it lies within, and is at least as round as an
+/// ellipse of two to one.
 constexpr double largest_feature = 0.1;
 constexpr double least_round = 2.5;
 
@@ -183,7 +182,7 @@ class Connector {
                                                const std::vector<uint8_t>& joined) const {
     std::map<int, std::vector<double>> shares;
     for (const Overlap& pair : overlaps)
-      if (joined[pair.upper] == 0 && pair.upper_beside <= most_beside &&
+      if (joined[pair.upper] == 0 && pair.upper_beside <= most_outside &&
           round_inflation(grid_.masks[pair.upper]) >= least_round)
         shares[pair.upper].push_back(static_cast<double>(grid_.areas[pair.upper]) /
                                      static_cast<double>(grid_.areas[pair.lower]));

@@ -81,6 +81,8 @@ struct RingRun {
 
 /// What lies beside another part with less than this share of its area lies mostly on it.
 constexpr double least_protrusion = 0.3;
+/// What lies within another part has at most this share of its area beside that.
+constexpr double most_outside = 0.03;
 /// Steps along outlines that look for what lies inside other parts, in grid pixels.
 constexpr double root_step = 1.5;
 

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "kernel/base/exact_functions.h"
+#include "kernel/geometry/polyline.h"
 #include "kernel/image/ring_changes.h"
 #include "relief/stacking/order_graph.h"
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "kernel/geometry/polyline.h"
+
 namespace relievo {
 namespace {
 
