@@ -7,7 +7,7 @@
 #include "io/layered/layer_table.h"
 #include "io/layered/read_ora.h"
 #include "io/mesh/glb_decode.h"
-#include "io/project/project_file.h"
+#include "io/project/project.h"
 #include "io/psd/psd.h"
 #include "io/scene/scene_file.h"
 #include "io/scribbles/read_scribbles.h"

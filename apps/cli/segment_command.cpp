@@ -15,7 +15,6 @@
 #include "io/image/decode_image.h"
 #include "io/image/png_encode.h"
 #include "io/project/project.h"
-#include "io/project/project_file.h"
 #include "io/psd/psd.h"
 #include "io/scribbles/read_scribbles.h"
 #include "kernel/base/stopwatch.h"

@@ -7,7 +7,7 @@
 #include "io/files/paths.h"
 #include "io/image/decode_image.h"
 #include "io/image/png_encode.h"
-#include "io/project/project_file.h"
+#include "io/project/project.h"
 #include "io/scene/scene_file.h"
 #include "relief/drawing/find_basins.h"
 #include "relief/pipeline/understand_drawing.h"

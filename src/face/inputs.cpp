@@ -9,7 +9,7 @@
 #include "io/image/decode_image.h"
 #include "io/layered/read_layer_folder.h"
 #include "io/layered/read_ora.h"
-#include "io/project/project_file.h"
+#include "io/project/project.h"
 #include "io/psd/psd.h"
 #include "io/psd/psd_file.h"
 #include "io/scene/scene_file.h"

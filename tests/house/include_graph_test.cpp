@@ -102,7 +102,7 @@ TEST(IncludeRules, AllowTheDataFlow) {
       {"rivals/entem.cpp", "render/ray_scene.h"},
       {"rivals/solution.cpp", "relief/ordering/order_depth.h"},
       {"apps/cli/main.cpp", "rivals/rival.h"},
-      {"tests/io/scene_test.cpp", "io/scene/json_parse.h"},
+      {"tests/io/scene_test.cpp", "io/scene/json_reader.h"},
   };
   for (const Edge& edge : edges)
     EXPECT_EQ(include_violation(edge.from, edge.to), "") << edge.from << " -> " << edge.to;

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "io/image/image_limits.h"
-#include "io/image/jpeg_decode.h"
 #include "kernel/image/image_size.h"
 #include "relievo/bytes.h"
 #include "relievo/image.h"
@@ -46,6 +45,21 @@ std::string signature_defect(ByteView bytes);
 /// What libpng's message says of a file, with the part of the file that it is about. `bytes` have a
 /// whole header.
 std::string png_defect(ByteView bytes, const std::string& message);
+
+/// Whether `bytes` begin as a JPEG file does.
+bool is_jpeg(ByteView bytes);
+
+/// A JPEG file (grey, colour or CMYK, baseline or progressive) as 8-bit sRGB with alpha 255,
+/// 4 channels, upright by its EXIF orientation. Colour profiles are ignored. Errors: `bad_input`
+/// where the file is damaged or cut short (the reason is in the message), `limit`.
+Result<Image8> decode_jpeg(ByteView bytes, const ImageLimits& limits = {});
+
+/// The orientation, 1 to 8, that an EXIF block ("Exif\0\0" and a TIFF directory) asks for;
+/// 1 (upright) where it says nothing valid.
+int exif_orientation(ByteView exif);
+
+/// The image turned and mirrored so that it is upright, given its EXIF orientation.
+Image8 upright(const Image8& image, int orientation);
 
 /// Whether `bytes` begin as a GIF file does.
 bool is_gif(ByteView bytes);

@@ -1,5 +1,3 @@
-#include "io/image/jpeg_decode.h"
-
 #include <jerror.h>
 #include <jpeglib.h>
 
@@ -9,6 +7,7 @@
 #include <cstring>
 #include <string>
 
+#include "io/image/decode_image.h"
 #include "io/image/image_limits.h"
 
 namespace relievo {

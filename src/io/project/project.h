@@ -3,11 +3,13 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
 #include "relief/corrections/corrections.h"
 #include "relievo/bytes.h"
+#include "relievo/result.h"
 #include "relievo/scene.h"
 
 namespace relievo {
@@ -30,5 +32,26 @@ struct Project {
   /// What project.json holds besides, by key, as JSON: the settings and colours of the web editor.
   std::map<std::string, std::string> other_keys;
 };
+
+/// Whether an archive says that it is a project file.
+bool is_project(ByteView bytes);
+
+/// The project as a file [docs/project.md]. The same project gives the same bytes. Errors: those
+/// of its scene (`bad_input`), `internal`.
+Result<Bytes> encode_project(const Project& project);
+
+/// Errors: `bad_input` with the entry and the key that is wrong, `limit`.
+Result<Project> decode_project(ByteView bytes);
+
+/// The newest version of project files that is read, and the one that is written.
+constexpr int project_version = 1;
+
+/// project.json without the scene, the labels and the drawing's bytes, which are entries of their
+/// own.
+std::string write_project_json(const Project& project);
+
+/// Reads what write_project_json wrote; keys that only the web editor understands are kept as text.
+/// Errors: `bad_input` with the path of the key, `limit`.
+Result<Project> read_project_json(std::string_view json);
 
 }  // namespace relievo

@@ -1,5 +1,3 @@
-#include "io/project/project_file.h"
-
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -8,6 +6,7 @@
 #include "io/files/paths.h"
 #include "io/image/decode_image.h"
 #include "io/image/png_encode.h"
+#include "io/project/project.h"
 #include "io/scene/scene_file.h"
 
 namespace relievo {

@@ -3,9 +3,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "io/project/project_file.h"
+#include "io/project/project.h"
 #include "io/scene/annotation_reader.h"
-#include "io/scene/json_parse.h"
+#include "io/scene/json_reader.h"
 #include "io/scribbles/read_scribbles.h"
 
 namespace relievo {

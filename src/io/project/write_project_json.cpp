@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "io/project/project_file.h"
+#include "io/project/project.h"
 #include "io/scribbles/read_scribbles.h"
 
 namespace relievo {

@@ -1,10 +1,10 @@
-#include "io/scene/json_parse.h"
-
 #include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "io/scene/json_reader.h"
 
 namespace relievo {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "io/scene/annotation_reader.h"
-#include "io/scene/json_parse.h"
+#include "io/scene/json_reader.h"
 #include "io/scene/scene_file.h"
 
 namespace relievo {

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "io/scene/json_reader.h"
 #include "io/scribbles/read_scribbles.h"
 
 namespace relievo {
@@ -124,6 +125,17 @@ nlohmann::ordered_json stroke_json(const Scribble& stroke, const Scribbles& scri
   json["points"] = nlohmann::ordered_json::array();
   for (const Point2 p : stroke.points) json["points"].push_back({p.x, p.y});
   return json;
+}
+
+Result<Scribbles> read_scribbles(std::string_view json, const ScribbleLimits& limits) {
+  JsonLimits json_limits;
+  json_limits.max_bytes = limits.max_bytes;
+  const auto parsed = parse_json(json, json_limits);
+  if (!parsed) return parsed.error();
+  ScribblesReader reader(limits);
+  Scribbles scribbles = reader.file(*parsed);
+  if (reader.error()) return *reader.error();
+  return scribbles;
 }
 
 }  // namespace relievo

@@ -7,7 +7,6 @@
 
 #include "relief/discretisation/discretisation.h"
 #include "relief/inflation/poisson_system.h"
-#include "relief/inflation/raise_bumps.h"
 #include "relief/layers/layered_mesh.h"
 
 namespace relievo {

@@ -1,5 +1,3 @@
-#include "relief/inflation/raise_bumps.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,7 @@
 #include "kernel/operators/laplacian.h"
 #include "kernel/solvers/sparse_cholesky.h"
 #include "relief/cues/cue_fields.h"
+#include "relief/inflation/inflate.h"
 #include "relief/inflation/poisson_system.h"
 #include "relief/layers/layered_mesh.h"
 

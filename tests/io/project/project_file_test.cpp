@@ -1,11 +1,10 @@
-#include "io/project/project_file.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "io/archive/archive.h"
 #include "io/image/png_encode.h"
+#include "io/project/project.h"
 #include "io/scene/scene_file.h"
 #include "io/support/damage.h"
 #include "io/support/temporary_folder.h"

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <vector>
 
-#include "io/scene/json_parse.h"
+#include "io/scene/json_reader.h"
 #include "io/scene/scene_file.h"
 
 namespace relievo {
