@@ -5,7 +5,7 @@
 #include "io/archive/archive.h"
 #include "io/image/decode_image.h"
 #include "io/layered/layer_table.h"
-#include "io/layered/read_ora.h"
+#include "io/layered/read_layers.h"
 #include "io/mesh/glb_decode.h"
 #include "io/project/project.h"
 #include "io/psd/psd.h"

@@ -12,7 +12,7 @@
 #include "io/image/png_encode.h"
 #include "io/layered/layer_table.h"
 #include "io/layered/packed_layers.h"
-#include "io/layered/read_ora.h"
+#include "io/layered/read_layers.h"
 #include "io/psd/psd.h"
 #include "io/psd/psd_file.h"
 #include "io/scene/scene_file.h"

@@ -10,9 +10,7 @@
 
 #include "kernel/base/disjoint_sets.h"
 #include "relief/model/ink_rims.h"
-#include "solid/mirror_limbs.h"
 #include "solid/solid_steps.h"
-#include "solid/stand.h"
 
 namespace relievo {
 namespace {

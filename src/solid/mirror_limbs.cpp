@@ -1,5 +1,3 @@
-#include "solid/mirror_limbs.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -7,6 +5,7 @@
 #include <utility>
 
 #include "kernel/meshing/unite_meshes.h"
+#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {

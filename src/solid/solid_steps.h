@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
@@ -125,5 +126,42 @@ PaintedDrawing paint_back(const Drawing& drawing, const Model& model, BackSide s
 /// triangles after vertices at one place are merged. O(F log F).
 Result<Model> raise_walls(const HeightField& field, const FieldEdges& edges,
                           const std::vector<ModelPart>& parts, const BackPaint& paint);
+
+/// A plate that a figure stands on, all lengths in grid steps.
+struct Stand {
+  bool round = false;             ///< a disc, not a rectangle
+  int64_t thickness = 1;          ///< of the plate, whose upper half the feet are sunk into
+  int64_t margin = 1;             ///< from the feet to its edge
+  int64_t widest = 1;             ///< its sides at most
+  int part = 0;                   ///< of its triangles
+  Point2 uv;                      ///< of its vertices
+  std::vector<GridPoint> others;  ///< x and z of what else stands on it
+};
+
+/// Where the triangles of a field reach down to.
+int64_t lowest(const HeightField& field);
+
+/// Cuts the field off, level and about `sunk` grid steps above its lowest point. Fails with
+/// internal where no clean cut is found. O(F log F).
+Status cut_feet(int64_t sunk, HeightField& field);
+
+/// Adds a level plate below the lowest points of a field with a floor, which cut_feet has made,
+/// wide enough for all of them and for the centre of mass. Fails with internal where they do not
+/// lie on one level. O(F).
+Status add_stand(const Stand& stand, HeightField& field);
+
+/// A limb as a solid where the figure has it, which has the same parts.
+struct SolidLimb {
+  std::string id;
+  double twice_middle = 0;  ///< mm; mirrored, z becomes so much less z
+  Model model;
+};
+
+/// Unites a figure with its limbs mirrored to the far side, on a grid of `unit` mm; not its volume.
+/// `colours`: by part, in place of the limbs' own, or empty. A limb is moved by 0.01 to 0.04 mm, as
+/// it has the figure's outline. Fails with usage, naming the limb, where they do not become one.
+/// Near-linear for each limb.
+Status unite_with_limbs(const std::vector<SolidLimb>& limbs, double unit,
+                        const std::vector<Point2>& colours, Solid& solid);
 
 }  // namespace relievo

@@ -1,5 +1,3 @@
-#include "solid/stand.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "kernel/meshing/triangulate.h"
+#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <string>
 
-#include "io/layered/read_layer_folder.h"
+#include "io/layered/read_layers.h"
 #include "io/svg/read_svg.h"
 #include "io/svg/render_svg.h"
 #include "relief/pipeline/connect_scene.h"

@@ -25,4 +25,8 @@ constexpr size_t max_layers = 1000;
 /// are texture. Errors name the line: bad_input, limit (more than `max_layers` rows).
 Result<std::vector<LayerRow>> read_layer_table(std::string_view text);
 
+/// The layers that pictures with these file names are, each named as its file without extension, in
+/// the natural order of the names (leg2 before leg10), back to front. Error: limit.
+Result<std::vector<LayerRow>> rows_of_names(std::vector<std::string> names);
+
 }  // namespace relievo

@@ -29,8 +29,4 @@ struct PackedLayer {
 Result<LayeredDrawing> unpack_layers(const std::vector<PackedLayer>& layers, ImageSize canvas,
                                      const ImageLimits& limits);
 
-/// The layers that pictures with these file names are, each named as its file without extension, in
-/// the natural order of the names (leg2 before leg10), back to front. Error: limit.
-Result<std::vector<LayerRow>> rows_of_names(std::vector<std::string> names);
-
 }  // namespace relievo

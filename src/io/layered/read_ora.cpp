@@ -1,5 +1,3 @@
-#include "io/layered/read_ora.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -8,6 +6,7 @@
 
 #include "io/layered/layer_table.h"
 #include "io/layered/packed_layers.h"
+#include "io/layered/read_layers.h"
 
 namespace relievo {
 namespace {

@@ -1,5 +1,3 @@
-#include "io/svg/svg_color.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "io/svg/scanner.h"
+#include "io/svg/svg_style.h"
 #include "kernel/base/text_rules.h"
 
 namespace relievo {

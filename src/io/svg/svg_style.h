@@ -2,9 +2,10 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
+#include "io/parts/color.h"
 #include "io/svg/stylesheet.h"
-#include "io/svg/svg_color.h"
 #include "io/svg/svg_document.h"
 #include "io/svg/svg_units.h"
 
@@ -60,5 +61,9 @@ std::string local_reference(std::string_view text);
 /// gradient, or grey for a pattern. A gradient is as transparent as its most transparent stop, for
 /// one that fades out is shading. Nothing where the paint draws nothing.
 std::optional<Color> representative_color(const SvgPaint& paint, const SvgDocument& document);
+
+/// #rgb, #rgba, #rrggbb, #rrggbbaa, rgb(), rgba(), hsl(), hsla(), transparent and the named
+/// colours; nothing where it is none of them.
+std::optional<Color> parse_color(std::string_view text);
 
 }  // namespace relievo

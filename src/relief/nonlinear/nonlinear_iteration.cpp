@@ -1,18 +1,76 @@
 #include "relief/nonlinear/nonlinear_iteration.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <limits>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "kernel/base/stopwatch.h"
-#include "kernel/solvers/anderson.h"
 #include "relief/ordering/order_depth.h"
 
 namespace relievo {
 namespace {
 
 using Eigen::VectorXd;
+
+/// Accelerates a fixed-point iteration x = F(x) by Anderson's method (type II): the next point
+/// combines the last ones so that their residuals F(x) - x, or what is measured of them by some
+/// linear map, cancel as far as possible in the Euclidean norm (Walker and Ni 2011). Depth 0 is the
+/// plain iteration.
+class AndersonMixer {
+ public:
+  explicit AndersonMixer(int depth) : depth_(depth) {}
+
+  /// The point to try after x, given F(x) and what is measured of its residual.
+  /// O(#x depth + #residual depth^2).
+  VectorXd next(const VectorXd& F_x, const VectorXd& residual);
+
+  /// Forgets the points seen so far.
+  void restart();
+
+ private:
+  void remember(const VectorXd& F_x, const VectorXd& residual);
+
+  int depth_;
+  VectorXd last_image_;
+  VectorXd last_residual_;
+  std::vector<VectorXd> image_steps_;
+  std::vector<VectorXd> residual_steps_;
+};
+
+VectorXd AndersonMixer::next(const VectorXd& F_x, const VectorXd& residual) {
+  remember(F_x, residual);
+  if (image_steps_.empty()) return F_x;
+  const auto columns = static_cast<Eigen::Index>(image_steps_.size());
+  Eigen::MatrixXd R(residual.size(), columns);
+  for (Eigen::Index k = 0; k < columns; ++k) R.col(k) = residual_steps_[k];
+  const VectorXd weights = R.colPivHouseholderQr().solve(residual);
+  VectorXd mixed = F_x;
+  for (Eigen::Index k = 0; k < columns; ++k) mixed -= weights[k] * image_steps_[k];
+  return mixed;
+}
+
+void AndersonMixer::remember(const VectorXd& F_x, const VectorXd& residual) {
+  if (depth_ > 0 && last_image_.size() == F_x.size()) {
+    image_steps_.push_back(F_x - last_image_);
+    residual_steps_.push_back(residual - last_residual_);
+    if (static_cast<int>(image_steps_.size()) > depth_) {
+      image_steps_.erase(image_steps_.begin());
+      residual_steps_.erase(residual_steps_.begin());
+    }
+  }
+  last_image_ = F_x;
+  last_residual_ = residual;
+}
+
+void AndersonMixer::restart() {
+  image_steps_.clear();
+  residual_steps_.clear();
+  last_image_.resize(0);
+  last_residual_.resize(0);
+}
 
 /// The accelerator forgets its past when the residual has grown by so much.
 constexpr double growth_limit = 100;
