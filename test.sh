@@ -4,7 +4,7 @@
 # program built against the installed package and, as root, a batch on a Slurm cluster of this machine.
 set -eu
 cd "$(dirname "$0")"
-# Comparisons with slow reference solvers, many random scenes and solids, a slicer, Blender.
+# Comparisons with slow reference solvers, many scenes and solids, a slicer, Blender.
 surveys='^NonlinearReferences|^Lambda/RandomScenes|^Slicer|^SolidSurvey|^Blender'
 case "${1:-}" in
   "") preset=test packages=test left_out="$surveys|^consumer\$|^lint\$" ;;
@@ -20,6 +20,7 @@ if command -v npm > /dev/null; then
 fi
 
 if [ "$preset" = dev ]; then
+  export RELIEVO_LONG=1
   scripts/build-docs.sh
   cmake --preset asan > /dev/null
   cmake --build build/asan -j "$jobs"

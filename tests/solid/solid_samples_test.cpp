@@ -62,7 +62,7 @@ TEST(SolidSamples, AreClosedOnPlates) {
     expect_sound(wolf, on(base));
 }
 
-TEST(SolidSamples, OfLayeredDrawingsAreClosed) {
+TEST(SolidSurvey, OfLayeredDrawingsAreClosed) {
   const std::vector<std::string> paths = drawings_in(RELIEVO_SHARED_DATA "/layered");
   if (paths.empty()) GTEST_SKIP() << "no drawings in " RELIEVO_SHARED_DATA "/layered";
   for (const std::string& path : paths) {

@@ -38,7 +38,10 @@ function fewParts(page: Page): Promise<void> {
   });
 }
 
-it('makes something of 300 random strokes, or says why not', async () => {
+/** More in the long run of all tests. */
+const randomStrokes = process.env['RELIEVO_LONG'] ? 300 : 60;
+
+it(`makes something of ${randomStrokes} random strokes, or says why not`, async () => {
   const { page } = stage;
   await page.setViewportSize({ width: 1000, height: 560 });
   await page.click('#empty');
@@ -59,7 +62,7 @@ it('makes something of 300 random strokes, or says why not', async () => {
   await stroke(page, ellipse(500, 400, 180, 130), at);
   let before = await state(page);
   let [made, refused] = [0, 0];
-  for (let i = 0; i < 300; i++) {
+  for (let i = 0; i < randomStrokes; i++) {
     await stroke(page, (shapes[i % shapes.length] as () => Spot[])(), at);
     const after = await state(page);
     if (after.parts > before.parts) made++;
@@ -73,7 +76,7 @@ it('makes something of 300 random strokes, or says why not', async () => {
     expect(before).toEqual({ parts: after.parts > 5 ? 1 : after.parts, notice: '' });
   }
   console.info(`${made} strokes made something, ${refused} were refused with a message`);
-  expect(made).toBeGreaterThan(250);
+  expect(made).toBeGreaterThan(randomStrokes * 5 / 6);
   expect(stage.troubles).toEqual([]);
 }, 300_000);
 
