@@ -1,9 +1,13 @@
-#include <jerror.h>
+// libjpeg's headers need these before them.
+// clang-format off
+#include <cstddef>
+#include <cstdio>
 #include <jpeglib.h>
+#include <jerror.h>
+// clang-format on
 
 #include <array>
 #include <csetjmp>
-#include <cstdio>
 #include <cstring>
 #include <string>
 
