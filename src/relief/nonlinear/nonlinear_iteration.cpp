@@ -73,7 +73,7 @@ void AndersonMixer::restart() {
 }
 
 /// The accelerator forgets its past when the residual has grown by so much.
-constexpr double growth_limit = 100;
+constexpr double growth_limit = 10;
 /// The same where u may have either sign.
 constexpr double mixed_growth_limit = 3;
 

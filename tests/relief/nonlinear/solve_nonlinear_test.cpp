@@ -178,6 +178,7 @@ TEST(SolveNonlinear, HasTheSameBitsWhereTheOrderWasPrepared) {
 
 TEST(SolveNonlinear, GoesOnWithTheSystemOfAnotherInflation) {
   NonlinearCase test = nonlinear_case(body_and_leg(), 2000, 0.01);
+  test.options.nonlinear.tolerance = 1e-6;
   const LayeredMesh& mesh = test.approximate.layers;
   const Discretisation discretisation = discretise(mesh);
   OrderingSystem system;
@@ -197,13 +198,26 @@ TEST(SolveNonlinear, GoesOnWithTheSystemOfAnotherInflation) {
 }
 
 TEST(SolveNonlinear, TakesFewerStepsFromWhatACoarseMeshKnows) {
-  const NonlinearCase test = nonlinear_case(body_and_leg(), 8000, 0.01);
+  NonlinearCase test = nonlinear_case(body_and_leg(), 8000, 0.01);
+  test.options.nonlinear.tolerance = 1e-6;
   const auto known = solve_from(solve(nonlinear_case(body_and_leg(), 1000, 0.01)).memory, test);
   const NonlinearSolution unaided = solve(test);
   ASSERT_TRUE(known.ok());
   EXPECT_LT(known->report.steps.size(), unaided.report.steps.size());
   EXPECT_NEAR(known->report.energy.total(), unaided.report.energy.total(),
               1e-9 * unaided.report.energy.total());
+}
+
+TEST(SolveNonlinear, EndsWhereFurtherStepsCannotBeSeen) {
+  NonlinearCase test = nonlinear_case(body_and_leg(), 8000, 0.01);
+  const NonlinearSolution usual = solve(test);
+  test.options.nonlinear.tolerance = 1e-9;
+  const NonlinearSolution further = solve(test);
+  EXPECT_GT(further.report.steps.size(), usual.report.steps.size());
+  EXPECT_NEAR(usual.report.energy.total(), further.report.energy.total(),
+              1e-7 * further.report.energy.total());
+  for (size_t n = 0; n < usual.ordering.h.size(); ++n)
+    ASSERT_NEAR(usual.ordering.h[n], further.ordering.h[n], 0.02);  // px
 }
 
 TEST(SolveNonlinear, RecordsEveryStep) {
