@@ -48,9 +48,11 @@ std::vector<Point2> add_cells(const std::vector<Colour>& colours, Image8& rgba) 
       rgba.pixels.insert(rgba.pixels.end(), colours[at].begin(), colours[at].end());
     }
   std::vector<Point2> middles;
-  for (int k = 0; k < count; ++k)
+  for (int k = 0; k < count; ++k) {
+    const int row = k / in_row;
     middles.push_back({(k % in_row + 0.5) * std::min(cell, width) / width,
-                       (top + (k / in_row + 0.5) * cell) / rgba.height});
+                       (top + (row + 0.5) * cell) / rgba.height});
+  }
   return middles;
 }
 
