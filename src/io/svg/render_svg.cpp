@@ -21,14 +21,13 @@
 #include <string>
 #include <utility>
 
-#ifdef __linux__
-#endif
-
 namespace relievo {
 namespace {
 
 constexpr int max_side = 16384;
 constexpr int64_t max_pixels = 100000000;
+/// How many times as long as on its own a process may take beside others.
+constexpr double patience = 10;
 
 struct Release {
   void operator()(RsvgHandle* handle) const { g_object_unref(handle); }
@@ -245,6 +244,33 @@ Error failure_of(int status, bool in_time, double seconds, const std::string& sa
           "svg"};
 }
 
+Result<Image8> paint_once(int width, int height, const PaintLimits& limits,
+                          const std::function<Status(Image8&)>& paint) {
+  const size_t pixels = static_cast<size_t>(width) * height;
+  const SharedMemory shared(sizeof(Report) + 4 * pixels);
+  Pipe complaints;
+  if (!shared.ok() || complaints.ends[0] < 0) return too_little_memory();
+  Image8 image(width, height, 4);
+  const pid_t child = fork();
+  if (child < 0) return too_little_memory();
+  if (child == 0) {
+    dup2(complaints.ends[1], STDERR_FILENO);
+    confine(limits, pixels);
+    _exit(work(width, height, paint, shared));
+  }
+  complaints.close_end(1);
+  bool in_time = false;
+  const std::string said = listen(complaints.ends[0], patience * limits.seconds, in_time);
+  if (!in_time) kill(child, SIGKILL);
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!in_time || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    return failure_of(status, in_time, limits.seconds, said, shared.report());
+  std::copy(shared.pixels(), shared.pixels() + 4 * pixels, image.pixels.begin());
+  return image;
+}
+
 }  // namespace
 
 Result<Drawing> render_svg(const PaintableSvg& svg, int width, int height) {
@@ -273,28 +299,12 @@ Result<Drawing> render_svg(std::string_view bytes, int width, int height,
 
 Result<Image8> paint_apart(int width, int height, const PaintLimits& limits,
                            const std::function<Status(Image8&)>& paint) {
-  const size_t pixels = static_cast<size_t>(width) * height;
-  const SharedMemory shared(sizeof(Report) + 4 * pixels);
-  Pipe complaints;
-  if (!shared.ok() || complaints.ends[0] < 0) return too_little_memory();
-  Image8 image(width, height, 4);
-  const pid_t child = fork();
-  if (child < 0) return too_little_memory();
-  if (child == 0) {
-    dup2(complaints.ends[1], STDERR_FILENO);
-    confine(limits, pixels);
-    _exit(work(width, height, paint, shared));
+  Result<Image8> image = paint_once(width, height, limits, paint);
+  // A sanitizer's allocator that another thread was in at the fork stays locked in the new process.
+  for (int again = 0; sanitized && again < 2; ++again) {
+    if (image || image.error().code != ErrorCode::limit) break;
+    image = paint_once(width, height, limits, paint);
   }
-  complaints.close_end(1);
-  bool in_time = false;
-  const std::string said = listen(complaints.ends[0], limits.seconds, in_time);
-  if (!in_time) kill(child, SIGKILL);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (!in_time || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    return failure_of(status, in_time, limits.seconds, said, shared.report());
-  std::copy(shared.pixels(), shared.pixels() + 4 * pixels, image.pixels.begin());
   return image;
 }
 

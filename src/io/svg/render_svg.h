@@ -21,7 +21,7 @@ Result<Drawing> render_svg(std::string_view bytes, int width, int height,
 
 /// What a painting process may take.
 struct PaintLimits {
-  double seconds = 20;                  ///< of wall time, and of time on processors
+  double seconds = 20;                  ///< of time on processors; ten times that of wall time
   uint64_t memory = uint64_t{1} << 30;  ///< bytes beyond what this process has, and the picture
   bool fonts = false;                   ///< may open files, to read: text needs fonts
 };

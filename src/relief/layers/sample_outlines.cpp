@@ -18,7 +18,6 @@ constexpr int min_join_edges = 6;
 constexpr int fine_join_edges = 64;       // below which edges become as short as `finest_at_join`
 constexpr double coarse_at_join = 0.5;    // of the spacing
 constexpr double finest_at_join = 0.25;   // of the spacing
-constexpr double least_refined = 8;       // spacings: the whole mesh is coarse for shorter joins
 constexpr double line_reach = 0.08;       // of the canvas diagonal
 constexpr double speck = 0.02;            // of the detail: smaller rings are lost
 constexpr double coarsest_detail = 0.01;  // of the drawing, however few vertices there are
@@ -249,9 +248,8 @@ class Sampler {
     mark(joins_.back(), rings_);
     // Flat faces meet at an angle that grows with their size, where one smooth surface is meant.
     const double inside = length_inside(ring, joins_.back(), scene_.parts[join.lower].outline);
-    const double fine =
-        std::clamp(inside / fine_join_edges, finest_at_join * spacing_, coarse_at_join * spacing_);
-    join_spacing_.push_back(inside < least_refined * spacing_ ? spacing_ : fine);
+    join_spacing_.push_back(
+        std::clamp(inside / fine_join_edges, finest_at_join * spacing_, coarse_at_join * spacing_));
     return Done{};
   }
 

@@ -24,7 +24,7 @@ struct NonlinearOptions {
   double epsilon = 1e-4;        ///< weight of the pull to g = 0, in scene units
   bool straight_limbs = false;  ///< limb_rise by the inflation of the start; not in the paper
   InflationOptions bumps;       ///< by which bumps are raised on the solution (raise_bumps)
-  double tolerance = 3e-5;      ///< on the residual of the iteration
+  double tolerance = 1e-4;      ///< on the residual of the iteration
   int max_iterations = 150;     ///< of one attempt
   int anderson_depth = 16;
   std::vector<int> snapshots;  ///< after which steps the surface is kept, ascending, from 1
