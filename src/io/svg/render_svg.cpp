@@ -26,8 +26,6 @@ namespace {
 
 constexpr int max_side = 16384;
 constexpr int64_t max_pixels = 100000000;
-/// How many times as long as on its own a process may take beside others.
-constexpr double patience = 10;
 
 struct Release {
   void operator()(RsvgHandle* handle) const { g_object_unref(handle); }
@@ -166,6 +164,8 @@ constexpr bool sanitized = true;
 #else
 constexpr bool sanitized = false;
 #endif
+/// How many times as long as on its own a process may take beside others, or hang (see paint_apart).
+constexpr double patience = sanitized ? 1 : 10;
 
 void confine(const PaintLimits& limits, uint64_t pixels) {
 #ifdef __linux__
