@@ -164,7 +164,7 @@ constexpr bool sanitized = true;
 #else
 constexpr bool sanitized = false;
 #endif
-/// How many times as long as on its own a process may take beside others, or hang (see paint_apart).
+/// How many times as long as alone a process may take beside others; it may hang (paint_apart).
 constexpr double patience = sanitized ? 1 : 10;
 
 void confine(const PaintLimits& limits, uint64_t pixels) {
