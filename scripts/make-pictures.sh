@@ -119,6 +119,14 @@ if command -v prusa-slicer > /dev/null; then
   python3 scripts/draw-layers.py "$work/wolf.gcode" "$to/solid-layers.png"
 fi
 
+# A hat before a head, and closed round it.
+for caps in loose closed; do
+  "$relievo" render examples/farmer.svg --quiet --caps "$caps" --yaw 65 --pitch 0 --clay \
+    --light -60 30 --size 1000 -o "$work/caps-$caps.png"
+done
+convert "$work/caps-loose.png" "$work/caps-closed.png" -crop 380x330+200+40 +repage +append \
+  "$to/caps.png"
+
 # The non-linear method: its fields, its steps, and the ends of joins.
 for field in inflation shift relief; do
   "$relievo" render examples/wolf.svg --method nonlinear --field "$field" --clay --yaw -20 \

@@ -40,7 +40,7 @@ Result<ReliefOptions> settle_options(Scene& scene, const ReliefArguments& argume
     for (Part& part : scene.parts) part = as_in_paper(std::move(part));
     options.layers.attach = false;
     options.inflation.alpha0 = paper_alpha0;
-    options.ordering.straight_limbs = false;
+    options.ordering.wanted = {false, false};
   }
   if (arguments.c)
     for (Part& part : scene.parts) part.c = *arguments.c;

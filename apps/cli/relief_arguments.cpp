@@ -103,17 +103,26 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
   app.add_option_function<std::string>(
          "--limbs",
          [&relief](const std::string& name) {
-           relief.options.ordering.straight_limbs = name == "straight";
+           relief.options.ordering.wanted.straight_limbs = name == "straight";
          },
          "Joined limbs: straight, as far forward as they begin (the default); back, each falling "
          "back to the drawing plane, as in the paper")
       ->check(CLI::IsMember({"straight", "back"}));
+  app.add_option_function<std::string>(
+         "--caps",
+         [&relief](const std::string& name) {
+           relief.options.ordering.wanted.close_caps = name == "closed";
+         },
+         "Hats and the like: closed, round what they lie on (the default); loose, as far forward "
+         "as where they cross it, as in the paper")
+      ->check(CLI::IsMember({"closed", "loose"}));
   auto* preset = app.add_option_function<std::string>(
       "--preset", [&relief](const std::string& name) { relief.as_in_paper = name == "paper"; },
       "default: the parts' own values; paper: its c = 4 and d = 1 or -1 for all, round and "
-      "upright, with its ranges beside joins and no straight limbs");
+      "upright, with its ranges beside joins and neither straight limbs nor closed caps");
   preset->check(CLI::IsMember({"default", "paper"}));
-  for (const char* value : {"--c", "--flat", "--lean", "--rho", "--alpha0", "--ramps", "--limbs"})
+  for (const char* value :
+       {"--c", "--flat", "--lean", "--rho", "--alpha0", "--ramps", "--limbs", "--caps"})
     preset->excludes(app.get_option(value));
   app.add_flag_callback(
       "--no-glue", [&relief] { relief.options.layers.glue = false; },

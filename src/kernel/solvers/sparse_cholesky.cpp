@@ -296,4 +296,27 @@ MatrixXd SparseCholesky::schur_complement(std::span<const int> rows) const {
   return result;
 }
 
+SparseMatrix lower_block(const SparseMatrix& A, const std::vector<int>& place, int size) {
+  SparseMatrix block(size, size);
+  block.reserve(A.nonZeros() / 2 + size);
+  for (int j = 0; j < A.outerSize(); ++j) {
+    if (place[j] < 0) continue;
+    block.startVec(place[j]);
+    for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry) {
+      const int i = static_cast<int>(entry.row());
+      if (i >= j && place[i] >= 0) block.insertBack(place[i], place[j]) = entry.value();
+    }
+  }
+  block.finalize();
+  return block;
+}
+
+std::vector<int> order_of_places(const std::vector<int>& order, const std::vector<int>& place) {
+  std::vector<int> places;
+  places.reserve(order.size());
+  for (const int n : order)
+    if (place[n] >= 0) places.push_back(place[n]);
+  return places;
+}
+
 }  // namespace relievo

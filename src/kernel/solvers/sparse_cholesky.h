@@ -84,4 +84,11 @@ class SparseCholesky {
   std::unique_ptr<Implementation> implementation_;
 };
 
+/// The lower triangle of the rows and columns n of A with place[n] >= 0, moved there. `place` rises
+/// along the nodes and has `size` entries that are not negative. O(entries).
+SparseMatrix lower_block(const SparseMatrix& A, const std::vector<int>& place, int size);
+
+/// The places that are not negative, in an order of the nodes. O(N).
+std::vector<int> order_of_places(const std::vector<int>& order, const std::vector<int>& place);
+
 }  // namespace relievo

@@ -93,13 +93,6 @@ InflationTerms inflation_terms(const LayeredMesh& mesh, const Scene& scene, doub
 std::vector<int> surface_signs(const LayeredMesh& mesh, const std::vector<int>& surface,
                                const Scene& scene);
 
-/// The lower triangle of the rows and columns n of A with place[n] >= 0, moved there. `place` rises
-/// along the nodes and has `size` entries that are not negative. O(entries).
-SparseMatrix lower_block(const SparseMatrix& A, const std::vector<int>& place, int size);
-
-/// The places that are not negative, in an order of the nodes. O(N).
-std::vector<int> order_of_places(const std::vector<int>& order, const std::vector<int>& place);
-
 /// u in px^2 and its gradients, from u in units of 1 / `scale` px. O(entries of the stencils).
 Inflation make_inflation(const GradientStencils& gradients, const Eigen::VectorXd& u, double scale);
 

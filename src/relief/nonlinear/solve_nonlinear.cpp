@@ -273,7 +273,7 @@ Result<NonlinearSolution> solve_nonlinear(const OrderingInput& input,
   if (Status status = check_options(options); !status) return status.error();
   const SurfaceInput surface{input.mesh, input.discretisation, input.scene};
   set_surface(surface, options.epsilon, system, context);
-  set_leans(surface, input.inflation, options.straight_limbs, system);
+  set_leans(surface, input.inflation, options.wanted, system);
   NonlinearSolver solver(input, options, known, system, context);
   NonlinearSolution solution;
   if (Status status = solver.solve(solution); !status) return status.error();

@@ -19,13 +19,13 @@ constexpr double min_lambda_shift = 1e-3;  ///< bounds of lambda_shift
 constexpr double max_lambda_shift = 100;   ///< above it the iteration need not converge
 
 struct NonlinearOptions {
-  double lambda_bnd = 0.01;     ///< pull of B to the drawing plane, in scene units
-  double lambda_shift = 1;      ///< weight of the shift against the inflation
-  double epsilon = 1e-4;        ///< weight of the pull to g = 0, in scene units
-  bool straight_limbs = false;  ///< limb_rise by the inflation of the start; not in the paper
-  InflationOptions bumps;       ///< by which bumps are raised on the solution (raise_bumps)
-  double tolerance = 1e-4;      ///< on the residual of the iteration
-  int max_iterations = 150;     ///< of one attempt
+  double lambda_bnd = 0.01;           ///< pull of B to the drawing plane, in scene units
+  double lambda_shift = 1;            ///< weight of the shift against the inflation
+  double epsilon = 1e-4;              ///< weight of the pull to g = 0, in scene units
+  WantedShifts wanted{false, false};  ///< by the inflation of the start
+  InflationOptions bumps;             ///< by which bumps are raised on the solution (raise_bumps)
+  double tolerance = 1e-4;            ///< on the residual of the iteration
+  int max_iterations = 150;           ///< of one attempt
   int anderson_depth = 16;
   std::vector<int> snapshots;  ///< after which steps the surface is kept, ascending, from 1
 };

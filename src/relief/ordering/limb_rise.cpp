@@ -73,17 +73,6 @@ struct Limb {
   double top = 0;                         ///< largest height there
 };
 
-/// The part, then what grows out of it.
-std::vector<int> grown_from(int part, const std::vector<Join>& by_upper, size_t parts) {
-  std::vector<uint8_t> is_grown(parts, 0);
-  is_grown[part] = 1;
-  std::vector<int> grown = {part};
-  for (const Join& join : by_upper)
-    if (is_grown[join.lower] != 0 && std::exchange(is_grown[join.upper], 1) == 0)
-      grown.push_back(join.upper);
-  return grown;
-}
-
 /// A point of a root with the length of it that the point stands for.
 struct RootPoint {
   Point2 at;
@@ -265,12 +254,27 @@ void add_rise(const Limb& limb, double sign, VectorXd& rise) {
 
 }  // namespace
 
-VectorXd limb_rise(const SurfaceInput& surface, const Inflation& inflation) {
-  const Scene& scene = surface.scene;
-  VectorXd rise = VectorXd::Zero(static_cast<Index>(inflation.u.size()));
+std::vector<Join> joins_by_upper(const Scene& scene) {
   std::vector<Join> joins = scene.joins;
   std::stable_sort(joins.begin(), joins.end(),
                    [](const Join& a, const Join& b) { return a.upper < b.upper; });
+  return joins;
+}
+
+std::vector<int> grown_from(int part, const std::vector<Join>& by_upper, size_t parts) {
+  std::vector<uint8_t> is_grown(parts, 0);
+  is_grown[part] = 1;
+  std::vector<int> grown = {part};
+  for (const Join& join : by_upper)
+    if (is_grown[join.lower] != 0 && std::exchange(is_grown[join.upper], 1) == 0)
+      grown.push_back(join.upper);
+  return grown;
+}
+
+VectorXd limb_rise(const SurfaceInput& surface, const Inflation& inflation) {
+  const Scene& scene = surface.scene;
+  VectorXd rise = VectorXd::Zero(static_cast<Index>(inflation.u.size()));
+  const std::vector<Join> joins = joins_by_upper(scene);
   const VectorXd f = surface.discretisation.scale * inflated_heights(inflation.u);
   const PartNodes nodes = nodes_by_part(surface.mesh);
   for (size_t i = 0; i < joins.size(); ++i) {

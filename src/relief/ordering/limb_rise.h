@@ -1,11 +1,18 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "relief/inflation/inflation.h"
 #include "relief/ordering/ordering_system.h"
 
 namespace relievo {
+
+/// All joins, ascending by their upper parts. O(J log J).
+std::vector<Join> joins_by_upper(const Scene& scene);
+
+/// The part, then all that grows out of it. O(J + parts).
+std::vector<int> grown_from(int part, const std::vector<Join>& by_upper, size_t parts);
 
 /// The shift by which joined limbs hang straight, #N in scene units, 0 but on them. At its root a
 /// limb is as high as what it grows out of, f being one surface, and away from there as its own

@@ -47,7 +47,7 @@ Result<Ordering> order_depth(const OrderingInput& input, const OrderingOptions& 
   if (Status status = check_options(options); !status) return status.error();
   context.report("order", 0);
   set_surface(surface, options.epsilon, system, context);
-  set_leans(surface, input.inflation, options.straight_limbs, system);
+  set_leans(surface, input.inflation, options.wanted, system);
   set_pairs(surface, system, context);
   if (context.cancelled()) return interrupted_error();
   if (system.system.closed.empty()) system.system.closed = first_guess(mesh, options, system);

@@ -13,9 +13,9 @@
 namespace relievo {
 
 struct OrderingOptions {
-  double epsilon = 1e-4;       ///< weight of the pull to h = f, in scene units (box diagonal 2)
-  bool start_active = false;   ///< first guess of the active set: all gaps closed, or none
-  bool straight_limbs = true;  ///< whether limbs keep the height of their roots (limb_rise)
+  double epsilon = 1e-4;      ///< weight of the pull to h = f, in scene units (box diagonal 2)
+  bool start_active = false;  ///< first guess of the active set: all gaps closed, or none
+  WantedShifts wanted = {};
 };
 
 /// The joined surface and what was computed of it.

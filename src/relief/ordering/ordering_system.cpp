@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "kernel/base/stopwatch.h"
+#include "relief/ordering/cap_rise.h"
 #include "relief/ordering/limb_rise.h"
 #include "relief/ordering/shift_metric.h"
 
@@ -28,11 +29,12 @@ void set_surface(const SurfaceInput& surface, double epsilon, OrderingSystem& sy
   }
 }
 
-void set_leans(const SurfaceInput& surface, const Inflation& inflation, bool straight_limbs,
+void set_leans(const SurfaceInput& surface, const Inflation& inflation, const WantedShifts& wanted,
                OrderingSystem& system) {
   ShiftMetric& metric = system.metric;
   metric.lean = lean_term(surface.mesh, surface.scene, metric.scale, system.epsilon);
-  if (straight_limbs) add_wanted(limb_rise(surface, inflation), metric);
+  if (wanted.straight_limbs) add_wanted(limb_rise(surface, inflation), metric);
+  if (wanted.close_caps) add_wanted(cap_rise(surface, inflation, metric), metric);
 }
 
 void set_pairs(const SurfaceInput& surface, OrderingSystem& system, const RunContext& context) {

@@ -22,6 +22,12 @@ struct SurfaceInput {
   const Scene& scene;
 };
 
+/// What is wanted of shifts besides leans. The paper has neither.
+struct WantedShifts {
+  bool straight_limbs = true;  ///< limbs keep the height of their roots (limb_rise)
+  bool close_caps = true;      ///< caps close round what they lie on (cap_rise)
+};
+
 /// What the ordering of one surface leaves behind for the next one on it.
 struct OrderingSystem {
   double epsilon = 0;  ///< that of the metric; 0: there is none yet
@@ -39,9 +45,9 @@ struct OrderingSystem {
 void set_surface(const SurfaceInput& surface, double epsilon, OrderingSystem& system,
                  const RunContext& context);
 
-/// Brings up to date what the metric says of leans and, where `straight_limbs`, of limbs.
-/// Precondition: the surface was set. As lean_term and limb_rise.
-void set_leans(const SurfaceInput& surface, const Inflation& inflation, bool straight_limbs,
+/// Brings up to date what the metric says of leans, limbs and caps. Precondition: the surface was
+/// set. As lean_term, limb_rise and cap_rise.
+void set_leans(const SurfaceInput& surface, const Inflation& inflation, const WantedShifts& wanted,
                OrderingSystem& system);
 
 /// Makes the system one for the mesh's pairs; anew where its pattern cannot serve, which takes

@@ -286,7 +286,7 @@ Status ReliefSession::update_nonlinear(const Request& request) {
   return heights_state_.refresh(std::move(key), [&]() -> Status {
     NonlinearOptions nonlinear = options.nonlinear;
     nonlinear.epsilon = options.ordering.epsilon;
-    nonlinear.straight_limbs = options.ordering.straight_limbs;
+    nonlinear.wanted = options.ordering.wanted;
     nonlinear.bumps = options.inflation;
     auto solution = solve_nonlinear({relief_.layers, discretisation_, inflation_, scene}, nonlinear,
                                     nonlinear_memory_, ordering_system_, context);

@@ -69,7 +69,10 @@ Key ordering_key(const LayeredMesh& mesh, const Scene& scene, const OrderingOpti
   add_cues(scene, false, key);
   for (const Relation& relation : scene.relations)
     key.add(relation.upper).add(relation.lower).add(relation.kind).add(relation.range.has_value());
-  return key.add(options.epsilon).add(options.start_active).add(options.straight_limbs);
+  return key.add(options.epsilon)
+      .add(options.start_active)
+      .add(options.wanted.straight_limbs)
+      .add(options.wanted.close_caps);
 }
 
 Key nonlinear_key(const NonlinearOptions& options) {

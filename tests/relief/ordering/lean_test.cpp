@@ -19,7 +19,7 @@ Ordering ordered(const LayeredMesh& mesh, const Scene& scene) {
   const Result<Inflation> inflation = inflate(mesh, scene, {});
   EXPECT_TRUE(inflation) << to_string(inflation.error());
   OrderingOptions options;
-  options.straight_limbs = false;  // leans alone
+  options.wanted.straight_limbs = false;  // leans alone
   const Result<Ordering> ordering = order_depth(mesh, *inflation, scene, options);
   EXPECT_TRUE(ordering) << to_string(ordering.error());
   return *ordering;

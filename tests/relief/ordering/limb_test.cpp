@@ -51,7 +51,7 @@ Solved solved(const Scene& scene, bool straight_limbs) {
   Result<Inflation> inflation = inflate(*mesh, scene, {});
   EXPECT_TRUE(inflation) << to_string(inflation.error());
   OrderingOptions ordering;
-  ordering.straight_limbs = straight_limbs;
+  ordering.wanted.straight_limbs = straight_limbs;
   Result<Ordering> order = order_depth(*mesh, *inflation, scene, ordering);
   EXPECT_TRUE(order) << to_string(order.error());
   return {std::move(*mesh), std::move(*inflation), std::move(*order)};
