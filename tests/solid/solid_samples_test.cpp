@@ -52,7 +52,7 @@ SolidOptions as_figure() {
   return options;
 }
 
-TEST(SolidSamples, AreClosedFigures) {
+TEST(SolidSurvey, SamplesAreClosedFigures) {
   for (const std::string& path : drawings_in(RELIEVO_EXAMPLES)) expect_sound(path, as_figure());
 }
 
