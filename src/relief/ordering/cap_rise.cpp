@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -15,212 +17,172 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Of the outline of what it lies on a cap covers a share, and of its own it has a share on that:
-/// up to the first share of either there is no cap, from the second on it is one altogether.
+/// Of the outline of what it lies on a cap covers a share, of its own it has one on that, and one
+/// with nothing behind it: up to the first share of any there is no cap, from the second on of all
+/// it is one altogether.
 constexpr double no_cap = 0.17;
 constexpr double whole_cap = 0.25;
 
-double smooth_step(double x) {
-  const double t = std::clamp((x - no_cap) / (whole_cap - no_cap), 0.0, 1.0);
+/// From 0 to 1 with the share of a length in a whole.
+double capped(double length, double whole) {
+  if (!(whole > 0)) return 0;
+  const double t = std::clamp((length / whole - no_cap) / (whole_cap - no_cap), 0.0, 1.0);
   return t * t * (3 - 2 * t);
 }
 
-/// The faces of parts, but for flaps.
-class PartFaces {
- public:
-  explicit PartFaces(const SurfaceInput& surface)
-      : mesh_(surface.mesh), of_part_(mesh_.part_count), surface_(mesh_.part_count, -1) {
-    for (size_t face = 0; face < mesh_.faces.size(); ++face) {
-      if (mesh_.is_flap(face)) continue;
-      const int part = mesh_.face_part[face];
-      of_part_[part].push_back(static_cast<int>(face));
-      surface_[part] = surface.discretisation.surface[mesh_.faces[face][0]];
-    }
+/// The faces of each part, but for flaps.
+std::vector<std::vector<int>> faces_by_part(const LayeredMesh& mesh) {
+  std::vector<std::vector<int>> faces(mesh.part_count);
+  for (size_t face = 0; face < mesh.faces.size(); ++face)
+    if (!mesh.is_flap(face)) faces[mesh.face_part[face]].push_back(static_cast<int>(face));
+  return faces;
+}
+
+/// Whether the edge opposite to a corner of a face lies on the outline of its joined surface.
+bool is_on_outline(const LayeredMesh& mesh, int face, int corner) {
+  const int across = mesh.neighbours[mesh.face_triangle[face]][corner];
+  if (across < 0) return true;
+  const int a = mesh.faces[face][(corner + 1) % 3];
+  const int b = mesh.faces[face][(corner + 2) % 3];
+  for (int other = mesh.stack_begin[across]; other < mesh.stack_begin[across + 1]; ++other) {
+    const Triangle& nodes = mesh.faces[other];
+    if (!mesh.is_flap(other) && std::count(nodes.begin(), nodes.end(), a) > 0 &&
+        std::count(nodes.begin(), nodes.end(), b) > 0)
+      return false;
   }
+  return true;
+}
 
-  const std::vector<int>& operator[](int part) const { return of_part_[part]; }
-  bool are_joined(int part, int other) const { return surface_[part] == surface_[other]; }
-  int part_count() const { return mesh_.part_count; }
-
-  /// Calls visit(a, b) for the edges of the part that lie on the outline of its joined surface.
-  template <class Visit>
-  void visit_outline(int part, const Visit& visit) const {
-    for (const int face : of_part_[part])
-      for (int k = 0; k < 3; ++k) {
-        const int a = mesh_.faces[face][(k + 1) % 3];
-        const int b = mesh_.faces[face][(k + 2) % 3];
-        if (is_edge_of_surface(mesh_.neighbours[mesh_.face_triangle[face]][k], a, b)) visit(a, b);
-      }
-  }
-
- private:
-  /// Whether no face of that triangle has both nodes.
-  bool is_edge_of_surface(int triangle, int a, int b) const {
-    if (triangle < 0) return true;
-    for (int face = mesh_.stack_begin[triangle]; face < mesh_.stack_begin[triangle + 1]; ++face) {
-      const auto& corners = mesh_.faces[face];
-      if (!mesh_.is_flap(face) && std::count(corners.begin(), corners.end(), a) > 0 &&
-          std::count(corners.begin(), corners.end(), b) > 0)
-        return false;
-    }
-    return true;
-  }
-
-  const LayeredMesh& mesh_;
-  std::vector<std::vector<int>> of_part_;
-  std::vector<int> surface_;
-};
-
-/// Base vertices that belong to a set for now.
-class VertexSet {
- public:
-  explicit VertexSet(const LayeredMesh& mesh) : mesh_(mesh), stamp_(mesh.vertices.size(), 0) {}
-
-  void restart() { ++now_; }
-  void add(const std::vector<int>& faces) {
-    for (const int face : faces)
-      for (const int n : mesh_.faces[face]) stamp_[mesh_.node_vertex[n]] = now_;
-  }
-  bool has(int node) const { return stamp_[mesh_.node_vertex[node]] == now_; }
-
- private:
-  const LayeredMesh& mesh_;
-  std::vector<int> stamp_;
-  int now_ = 0;
-};
-
-/// The share of an outline within a set, of all parts or of one.
-struct Share {
-  double within = 0;
+/// How much of the outline of its joined surface belongs to a face, px.
+double outline_length(const LayeredMesh& mesh, int face) {
   double length = 0;
-  double value() const { return length > 0 ? within / length : 0; }
-};
-
-void add_outline(const LayeredMesh& mesh, const PartFaces& faces, int part, const VertexSet& set,
-                 Share& share) {
-  faces.visit_outline(part, [&](int a, int b) {
-    const double length =
-        distance(mesh.vertices[mesh.node_vertex[a]], mesh.vertices[mesh.node_vertex[b]]);
-    share.length += length;
-    if (set.has(a) && set.has(b)) share.within += length;
-  });
+  const Triangle& vertices = mesh.triangles[mesh.face_triangle[face]];
+  for (int k = 0; k < 3; ++k)
+    if (is_on_outline(mesh, face, k))
+      length +=
+          distance(mesh.vertices[vertices[(k + 1) % 3]], mesh.vertices[vertices[(k + 2) % 3]]);
+  return length;
 }
 
-/// What a cap lies on, and how much of a cap it is.
-struct Cap {
-  std::vector<int> lower;
-  double amount = 0;
+/// What parts lie on each other with, px.
+struct Contact {
+  double own = 0;    ///< of the upper part's outline
+  double other = 0;  ///< of the lower part's outline
 };
 
-Cap find_cap(const SurfaceInput& surface, const PartFaces& faces, int part, VertexSet& set) {
-  const Scene& scene = surface.scene;
-  Cap cap;
-  const bool grows = std::any_of(scene.joins.begin(), scene.joins.end(),
-                                 [&](const Join& join) { return join.upper == part; });
-  if (grows || scene.parts[part].lean != Point2{} || scene.parts[part].d < 0) return cap;
-  for (const Relation& relation : scene.relations) {
-    if (relation.upper != part || relation.kind != RelationKind::equal || relation.range ||
-        scene.parts[relation.lower].d < 0 || faces.are_joined(part, relation.lower))
-      continue;
-    cap.lower.push_back(relation.lower);
-    Share contact;
-    set.restart();
-    set.add(faces[relation.lower]);
-    add_outline(surface.mesh, faces, part, set, contact);
-    if (contact.value() <= no_cap) continue;
-    Share cover;
-    set.restart();
-    set.add(faces[part]);
-    add_outline(surface.mesh, faces, relation.lower, set, cover);
-    const double amount = smooth_step(cover.value()) * smooth_step(contact.value());
-    cap.amount = std::max(cap.amount, amount);
+/// How much of a cap the part is, from 0 to 1. `outline`: length of each part's, px. `tied`: parts
+/// that it may be a cap of.
+double cap_share(const LayeredMesh& mesh, const std::vector<int>& faces, int part,
+                 const std::vector<double>& outline, const std::set<int>& tied) {
+  std::map<int, Contact> contacts;
+  double open = 0;
+  for (const int face : faces) {
+    const double length = outline_length(mesh, face);
+    const int begin = mesh.stack_begin[mesh.face_triangle[face]];
+    if (face == begin) open += length;
+    for (int below = begin; below < face; ++below) {
+      if (mesh.is_flap(below) || tied.count(mesh.face_part[below]) == 0) continue;
+      Contact& contact = contacts[mesh.face_part[below]];
+      contact.own += length;
+      contact.other += outline_length(mesh, below);
+    }
   }
-  if (!(cap.amount > 0)) return cap;
-  Share beside;
-  set.restart();
-  for (const int face : faces[part])
-    if (face > surface.mesh.stack_begin[surface.mesh.face_triangle[face]]) set.add({face});
-  add_outline(surface.mesh, faces, part, set, beside);
-  cap.amount *= smooth_step(1 - beside.value());
-  return cap;
+  double most = 0;
+  for (const auto& [lower, contact] : contacts)
+    most =
+        std::max(most, capped(contact.own, outline[part]) * capped(contact.other, outline[lower]));
+  return most * capped(open, outline[part]);
 }
 
-/// #N flags: nodes of the part on triangles where something lies behind it.
-std::vector<uint8_t> nodes_on_others(const LayeredMesh& mesh, const std::vector<int>& faces) {
+/// The heights that are wanted along the part's outline, NaN where they are not known and inside.
+VectorXd wanted_on_outline(const LayeredMesh& mesh, const std::vector<int>& faces,
+                           const std::set<int>& tied, const VectorXd& f) {
+  VectorXd height = VectorXd::Constant(f.size(), -1);
   std::vector<uint8_t> on_others(mesh.node_vertex.size(), 0);
   for (const int face : faces)
-    if (face > mesh.stack_begin[mesh.face_triangle[face]])
-      for (const int n : mesh.faces[face]) on_others[n] = 1;
-  return on_others;
-}
-
-/// The heights that are wanted along the cap's outline: NaN where they are not known.
-void set_rim(const SurfaceInput& surface, const PartFaces& faces, int part, const Cap& cap,
-             const VectorXd& f, VectorXd& wanted) {
-  const LayeredMesh& mesh = surface.mesh;
-  const std::vector<uint8_t> on_others = nodes_on_others(mesh, faces[part]);
-  std::vector<double> below(mesh.vertices.size(), -1);
-  for (const int lower : cap.lower)
-    for (const int face : faces[lower])
-      for (const int n : mesh.faces[face])
-        below[mesh.node_vertex[n]] = std::max(below[mesh.node_vertex[n]], f[n]);
-  const auto set = [&](int n) {
-    const double height = below[mesh.node_vertex[n]];
-    if (height >= 0 || on_others[n] == 0) wanted[n] = std::max(0.0, height);
-  };
-  faces.visit_outline(part, [&](int a, int b) {
-    set(a);
-    set(b);
-  });
-}
-
-/// Fills in what is NaN on the parts so that the wanted heights cost least.
-bool fill(const SurfaceInput& surface, const ShiftMetric& metric, const PartFaces& faces,
-          const std::vector<int>& parts, VectorXd& wanted) {
-  std::vector<int> place(surface.mesh.node_vertex.size(), -1);
-  std::vector<int> inner;
-  VectorXd held = VectorXd::Zero(wanted.size());
-  for (const int part : parts)
-    for (const int face : faces[part])
-      for (const int n : surface.mesh.faces[face]) {
-        if (!std::isnan(wanted[n]))
-          held[n] = wanted[n];
-        else
-          inner.push_back(n);
+    for (int below = mesh.stack_begin[mesh.face_triangle[face]]; below < face; ++below)
+      for (int k = 0; k < 3; ++k) {
+        const int n = mesh.faces[face][k];
+        on_others[n] = 1;
+        if (tied.count(mesh.face_part[below]) > 0)
+          height[n] = std::max(height[n], f[mesh.faces[below][k]]);
       }
-  std::sort(inner.begin(), inner.end());
-  inner.erase(std::unique(inner.begin(), inner.end()), inner.end());
-  for (size_t i = 0; i < inner.size(); ++i) place[inner[i]] = static_cast<int>(i);
-  const SparseMatrix block = lower_block(metric.A, place, static_cast<int>(inner.size()));
+  VectorXd wanted = VectorXd::Constant(f.size(), std::nan(""));
+  for (const int face : faces)
+    for (int k = 0; k < 3; ++k) {
+      if (!is_on_outline(mesh, face, k)) continue;
+      for (const int n : {mesh.faces[face][(k + 1) % 3], mesh.faces[face][(k + 2) % 3]})
+        if (height[n] >= 0 || on_others[n] == 0) wanted[n] = std::max(0.0, height[n]);
+    }
+  return wanted;
+}
+
+/// Fills in what is NaN at these nodes so that the wanted heights cost least; false where there is
+/// nothing to fill in.
+bool fill(const Discretisation& discretisation, const SparseMatrix& A, std::vector<int> nodes,
+          VectorXd& wanted) {
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  std::vector<int> place(static_cast<size_t>(wanted.size()), -1);
+  std::vector<int> free;
+  VectorXd held = VectorXd::Zero(wanted.size());
+  for (const int n : nodes) {
+    if (!std::isnan(wanted[n])) {
+      held[n] = wanted[n];
+    } else {
+      place[n] = static_cast<int>(free.size());
+      free.push_back(n);
+    }
+  }
+  if (free.empty()) return false;
+  const SparseMatrix block = lower_block(A, place, static_cast<int>(free.size()));
   SparseCholesky factor;
   factor.analyse(block, Refactorisation::complete,
-                 order_of_places(surface.discretisation.elimination, place));
+                 order_of_places(discretisation.elimination, place));
   if (!factor.factorise(block)) return false;
-  const VectorXd load = -(metric.A * held);
-  wanted(inner) = factor.solve(load(inner));
+  const VectorXd load = -(A * held);
+  wanted(free) = factor.solve(load(free));
   return true;
+}
+
+/// The parts behind it that each part may be a cap of: those that it is tied to all along.
+std::vector<std::set<int>> tied_parts(const Scene& scene) {
+  std::vector<std::set<int>> tied(scene.parts.size());
+  for (const Relation& relation : scene.relations)
+    if (relation.kind == RelationKind::equal && !relation.range &&
+        scene.parts[relation.lower].d > 0)
+      tied[relation.upper].insert(relation.lower);
+  for (const Join& join : scene.joins) tied[join.upper].clear();
+  for (size_t part = 0; part < tied.size(); ++part)
+    if (scene.parts[part].lean != Point2{} || scene.parts[part].d < 0) tied[part].clear();
+  return tied;
 }
 
 }  // namespace
 
 VectorXd cap_rise(const SurfaceInput& surface, const Inflation& inflation,
                   const ShiftMetric& metric) {
-  const auto nodes = static_cast<Eigen::Index>(inflation.u.size());
-  VectorXd rise = VectorXd::Zero(nodes);
-  const PartFaces faces(surface);
+  const LayeredMesh& mesh = surface.mesh;
+  const std::vector<std::vector<int>> faces = faces_by_part(mesh);
+  const std::vector<std::set<int>> tied = tied_parts(surface.scene);
   const std::vector<Join> joins = joins_by_upper(surface.scene);
-  VertexSet set(surface.mesh);
-  VectorXd f;
-  for (int part = 0; part < faces.part_count(); ++part) {
-    const Cap cap = find_cap(surface, faces, part, set);
-    if (!(cap.amount > 0)) continue;
-    if (f.size() == 0) f = surface.discretisation.scale * inflated_heights(inflation.u);
-    VectorXd wanted = VectorXd::Constant(nodes, std::nan(""));
-    set_rim(surface, faces, part, cap, f, wanted);
-    const std::vector<int> grown = grown_from(part, joins, surface.scene.parts.size());
-    if (!fill(surface, metric, faces, grown, wanted)) continue;
-    for (Eigen::Index n = 0; n < nodes; ++n)
-      if (!std::isnan(wanted[n])) rise[n] = cap.amount * wanted[n];
+  std::vector<double> outline(faces.size(), 0);
+  for (size_t part = 0; part < faces.size(); ++part)
+    for (const int face : faces[part]) outline[part] += outline_length(mesh, face);
+  const VectorXd f = surface.discretisation.scale * inflated_heights(inflation.u);
+  VectorXd rise = VectorXd::Zero(f.size());
+  for (int part = 0; part < mesh.part_count; ++part) {
+    if (tied[part].empty()) continue;
+    const double share = cap_share(mesh, faces[part], part, outline, tied[part]);
+    if (!(share > 0)) continue;
+    VectorXd wanted = wanted_on_outline(mesh, faces[part], tied[part], f);
+    std::vector<int> nodes;
+    for (const int grown : grown_from(part, joins, surface.scene.parts.size()))
+      for (const int face : faces[grown])
+        nodes.insert(nodes.end(), mesh.faces[face].begin(), mesh.faces[face].end());
+    if (!fill(surface.discretisation, metric.A, std::move(nodes), wanted)) continue;
+    for (Eigen::Index n = 0; n < rise.size(); ++n)
+      if (!std::isnan(wanted[n])) rise[n] = share * wanted[n];
   }
   return rise;
 }
