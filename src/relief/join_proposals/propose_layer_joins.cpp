@@ -33,6 +33,9 @@ constexpr double other_color = 0.6;
 constexpr double foreign_color = 0.75;  ///< a part of such a colour is held, and does not grow,
 constexpr double clothing = 0.35;       ///< unless it covers this share of the other
 constexpr double least_trust = 0.25;    ///< of a join; what is less sure is tied
+/// So is what is less sure than this and covers such a share of the body's outline, as hair does.
+constexpr double sure_join = 0.5;
+constexpr double least_cover = 0.5;
 /// A part this many times as thick as another is a body, and not a limb beside it.
 constexpr double thick_body = 1.35;
 /// What covers the root of a limb does not grow out of it: shares of the limb's reach from its own
@@ -79,7 +82,12 @@ class Connector {
     std::vector<uint8_t> held(grid_.masks.size());
     for (size_t k = 0; k < overlaps.size(); ++k) {
       const Overlap& pair = overlaps[k];
-      if (joins[k] && joins[k]->confidence >= std::max(most[pair.upper], least_trust)) {
+      const bool is_joined =
+          joins[k] && joins[k]->confidence >= std::max(most[pair.upper], least_trust);
+      if (is_joined && joins[k]->confidence < sure_join && is_cap(pair)) {
+        held[pair.upper] = 1;
+        tie(pair, joining);
+      } else if (is_joined) {
         joined[pair.upper] = 1;
         joining.joins.push_back(std::move(*joins[k]));
       } else if (is_behind(pair)) {
@@ -251,6 +259,17 @@ class Connector {
                           std::min(1.0, 0.5 + pair.upper_beside / 2) *
                           likeness(pair.upper, pair.lower);
     return proposed;
+  }
+
+  /// Whether the upper part covers the outline of the lower one, as hair or a hat does.
+  bool is_cap(const Overlap& pair) const {
+    double length = 0;
+    double whole = 0;
+    for (const RingRun& run : runs_inside(grid_, outlines_[pair.lower], pair.upper)) {
+      length += run.length;
+      whole = std::max(whole, run.measure.length);
+    }
+    return length > least_cover * whole;
   }
 
   /// Whether the upper part is a thing in front of the lower one; hair and clothes, which cover

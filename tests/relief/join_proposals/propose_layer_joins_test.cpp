@@ -84,6 +84,17 @@ TEST(ConnectParts, ABentArmIsJoinedAtItsEnd) {
   EXPECT_LT((line.front().x - 200) * (line.back().x - 200), 0) << "to both sides of its end";
 }
 
+TEST(ConnectParts, HairThatCoversAHeadIsTiedAndNotJoined) {
+  const PartColors::value_type skin = {{0.9, 0.7, 0.5}};
+  const PartColors::value_type brown = {{0.7, 0.5, 0.3}};
+  const Ring hair = rectangle(100, 50, 300, 180);
+  const Ring fringe = rectangle(100, 50, 300, 120);
+  const JoinProposals joining = propose_layer_joins(disc_with({hair}), {skin, skin});
+  EXPECT_TRUE(joining.joins.empty());
+  EXPECT_TRUE(is_equal(joining, 1, 0));
+  EXPECT_EQ(propose_layer_joins(disc_with({fringe}), {skin, brown}).joins.size(), 1U);
+}
+
 TEST(ConnectParts, JoinsMoveWithTheDrawing) {
   for (const double angle : {0.3, 1.2, 2.5, 4.0}) {
     for (const double scale : {0.5, 3.0}) {
