@@ -221,7 +221,9 @@ TEST(SolveNonlinear, EndsWhereFurtherStepsCannotBeSeen) {
 }
 
 TEST(SolveNonlinear, RecordsEveryStep) {
-  const NonlinearSolution solution = solve(nonlinear_case(body_and_leg(), 2000, 100));
+  NonlinearCase test = nonlinear_case(body_and_leg(), 2000, 100);
+  test.options.nonlinear.tolerance = 1e-6;  // the energy of the last step is one of two halves
+  const NonlinearSolution solution = solve(test);
   const std::vector<NonlinearStep>& steps = solution.report.steps;
   ASSERT_GE(steps.size(), 3u);
   EXPECT_GT(steps.front().residual, steps.back().residual);
@@ -229,7 +231,7 @@ TEST(SolveNonlinear, RecordsEveryStep) {
   EXPECT_GE(steps.front().factorisations, 1);
   EXPECT_EQ(steps.back().factorisations, 1);
   EXPECT_NEAR(steps.back().energy.total(), solution.report.energy.total(),
-              1e-4 * solution.report.energy.total());
+              1e-6 * solution.report.energy.total());
 }
 
 TEST(SolveNonlinear, KeepsSurfacesOnTheWay) {

@@ -229,6 +229,7 @@ TEST(ReliefSession, TheNonlinearMethodBeginsWhereItEnded) {
   Scene scene = body_and_leg();
   ReliefOptions options = options_for(4000);
   options.method = Method::nonlinear;
+  options.nonlinear.tolerance = 3e-5;  // or energies agree to 1e-6 alone
   ReliefSession session;
   ASSERT_TRUE(session.update(scene, options).ok());
   const size_t first = session.relief().nonlinear.steps.size();
@@ -240,7 +241,7 @@ TEST(ReliefSession, TheNonlinearMethodBeginsWhereItEnded) {
   EXPECT_LT(warm.steps[0].residual, 0.1);
   const Result<Relief> cold = build_relief(scene, options);
   ASSERT_TRUE(cold.ok());
-  EXPECT_NEAR(warm.energy.total(), cold->nonlinear.energy.total(), 1e-6 * warm.energy.total());
+  EXPECT_NEAR(warm.energy.total(), cold->nonlinear.energy.total(), 1e-7 * warm.energy.total());
   for (size_t n = 0; n < cold->ordering.h.size(); ++n)
     EXPECT_NEAR(session.relief().ordering.h[n], cold->ordering.h[n], 1e-2);
 }
