@@ -1,5 +1,8 @@
 #include "apps/cli/relief_arguments.h"
 
+#include <array>
+#include <string>
+
 #include "apps/cli/cue_argument.h"
 #include "apps/cli/solid_arguments.h"
 #include "apps/cli/within.h"
@@ -15,6 +18,15 @@ Visibility visibility(const std::string& name) {
 Field field(const std::string& name) {
   if (name == "inflation") return Field::inflation;
   return name == "shift" ? Field::shift : Field::relief;
+}
+
+/// An option that takes one of two words, of which the first sets the flag.
+void add_choice(CLI::App& app, const char* option, const std::array<std::string, 2>& words,
+                bool& flag, const char* meaning) {
+  app.add_option_function<std::string>(
+         option, [&flag, first = words[0]](const std::string& word) { flag = word == first; },
+         meaning)
+      ->check(CLI::IsMember({words[0], words[1]}));
 }
 
 void add_cue_option(CLI::App& app, ReliefArguments& relief) {
@@ -94,28 +106,16 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
   add_mesh_options(app, relief);
   add_method_options(app, relief);
   add_shape_options(app, relief);
-  app.add_option_function<std::string>(
-         "--ramps",
-         [&relief](const std::string& name) { relief.options.layers.attach = name == "auto"; },
-         "Outlines beside joins: auto, attached to the part below at first (the default); robin, "
-         "as in the paper")
-      ->check(CLI::IsMember({"auto", "robin"}));
-  app.add_option_function<std::string>(
-         "--limbs",
-         [&relief](const std::string& name) {
-           relief.options.ordering.wanted.straight_limbs = name == "straight";
-         },
-         "Joined limbs: straight, as far forward as they begin (the default); back, each falling "
-         "back to the drawing plane, as in the paper")
-      ->check(CLI::IsMember({"straight", "back"}));
-  app.add_option_function<std::string>(
-         "--caps",
-         [&relief](const std::string& name) {
-           relief.options.ordering.wanted.close_caps = name == "closed";
-         },
-         "Hats and the like: closed, round what they lie on (the default); loose, as far forward "
-         "as where they cross it, as in the paper")
-      ->check(CLI::IsMember({"closed", "loose"}));
+  add_choice(app, "--ramps", {"auto", "robin"}, relief.options.layers.attach,
+             "Outlines beside joins: auto, attached to the part below at first (the default); "
+             "robin, as in the paper");
+  WantedShifts& wanted = relief.options.ordering.wanted;
+  add_choice(app, "--limbs", {"straight", "back"}, wanted.straight_limbs,
+             "Joined limbs: straight, as far forward as they begin (the default); back, each "
+             "falling back to the drawing plane, as in the paper");
+  add_choice(app, "--caps", {"closed", "loose"}, wanted.close_caps,
+             "Hats and the like: closed, round what they lie on (the default); loose, as far "
+             "forward as where they cross it, as in the paper");
   auto* preset = app.add_option_function<std::string>(
       "--preset", [&relief](const std::string& name) { relief.as_in_paper = name == "paper"; },
       "default: the parts' own values; paper: its c = 4 and d = 1 or -1 for all, round and "
