@@ -7,20 +7,6 @@
 namespace relievo {
 namespace {
 
-/// The face across the edge of `face` opposite to its corner, or -1.
-int face_beyond(const LayeredMesh& mesh, int face, int corner) {
-  const int other = mesh.neighbours[mesh.face_triangle[face]][corner];
-  if (other < 0) return -1;
-  const int a = mesh.faces[face][(corner + 1) % 3];
-  const int b = mesh.faces[face][(corner + 2) % 3];
-  for (int f = mesh.stack_begin[other]; f < mesh.stack_begin[other + 1]; ++f) {
-    const std::array<int, 3>& nodes = mesh.faces[f];
-    for (int k = 0; k < 3; ++k)
-      if (nodes[k] == b && nodes[(k + 1) % 3] == a) return f;
-  }
-  return -1;
-}
-
 using Edges = std::map<int, std::vector<int>>;
 
 /// Takes the chain that begins at `node` out of the edges.
@@ -55,7 +41,7 @@ std::vector<SeamChain> seam_chains(const LayeredMesh& mesh) {
   const std::set<int> rims = loose_rims(mesh);
   for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f)
     for (int k = 0; k < 3; ++k) {
-      const int other = face_beyond(mesh, f, k);
+      const int other = face_across(mesh, f, k);
       if (other < 0 || mesh.face_part[other] >= mesh.face_part[f]) continue;
       const int a = mesh.faces[f][(k + 1) % 3];
       const int b = mesh.faces[f][(k + 2) % 3];

@@ -28,6 +28,23 @@ std::vector<uint8_t> seen_nodes(const LayeredMesh& mesh) {
   return seen;
 }
 
+int face_across(const LayeredMesh& mesh, int face, int k) {
+  const int triangle = mesh.face_triangle[face];
+  const int other = mesh.neighbours[triangle][k];
+  if (other < 0) return -1;
+  const int corner = place_of_node(mesh.neighbours[other], triangle);
+  for (int f = mesh.stack_begin[other]; f < mesh.stack_begin[other + 1]; ++f)
+    if (share_edge(mesh.faces[face], k, mesh.faces[f], corner)) return f;
+  return -1;
+}
+
+std::vector<std::vector<int>> faces_by_part(const LayeredMesh& mesh) {
+  std::vector<std::vector<int>> faces(mesh.part_count);
+  for (size_t f = 0; f < mesh.faces.size(); ++f)
+    if (!mesh.is_flap(f)) faces[mesh.face_part[f]].push_back(static_cast<int>(f));
+  return faces;
+}
+
 std::vector<std::array<int, 3>> shaping_faces(const LayeredMesh& mesh) {
   std::vector<std::array<int, 3>> faces;
   faces.reserve(mesh.faces.size());

@@ -127,6 +127,13 @@ std::vector<Point2> node_positions(const LayeredMesh& mesh, double scale = 1);
 /// Whether each node is at a face that is in front of all others, #N. O(T + N).
 std::vector<uint8_t> seen_nodes(const LayeredMesh& mesh);
 
+/// The face that shares both nodes of the edge opposite to corner k, in whatever part, or -1 where
+/// the joined surface ends. O(height of the stack).
+int face_across(const LayeredMesh& mesh, int face, int k);
+
+/// The faces of each part, ascending, but for flaps. O(F).
+std::vector<std::vector<int>> faces_by_part(const LayeredMesh& mesh);
+
 /// The faces that shape the surface: all but flaps. O(F).
 std::vector<std::array<int, 3>> shaping_faces(const LayeredMesh& mesh);
 

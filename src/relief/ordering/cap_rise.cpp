@@ -1,8 +1,8 @@
 #include "relief/ordering/cap_rise.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -11,6 +11,7 @@
 #include "kernel/geometry/polygon.h"
 #include "kernel/solvers/sparse_cholesky.h"
 #include "relief/ordering/limb_rise.h"
+#include "relief/ordering/shift_metric.h"
 
 namespace relievo {
 namespace {
@@ -25,32 +26,13 @@ constexpr double whole_cap = 0.25;
 
 /// From 0 to 1 with the share of a length in a whole.
 double capped(double length, double whole) {
-  if (!(whole > 0)) return 0;
-  const double t = std::clamp((length / whole - no_cap) / (whole_cap - no_cap), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
-
-/// The faces of each part, but for flaps.
-std::vector<std::vector<int>> faces_by_part(const LayeredMesh& mesh) {
-  std::vector<std::vector<int>> faces(mesh.part_count);
-  for (size_t face = 0; face < mesh.faces.size(); ++face)
-    if (!mesh.is_flap(face)) faces[mesh.face_part[face]].push_back(static_cast<int>(face));
-  return faces;
+  return whole > 0 ? smooth_step(no_cap, whole_cap, length / whole) : 0;
 }
 
 /// Whether the edge opposite to a corner of a face lies on the outline of its joined surface.
 bool is_on_outline(const LayeredMesh& mesh, int face, int corner) {
-  const int across = mesh.neighbours[mesh.face_triangle[face]][corner];
-  if (across < 0) return true;
-  const int a = mesh.faces[face][(corner + 1) % 3];
-  const int b = mesh.faces[face][(corner + 2) % 3];
-  for (int other = mesh.stack_begin[across]; other < mesh.stack_begin[across + 1]; ++other) {
-    const Triangle& nodes = mesh.faces[other];
-    if (!mesh.is_flap(other) && std::count(nodes.begin(), nodes.end(), a) > 0 &&
-        std::count(nodes.begin(), nodes.end(), b) > 0)
-      return false;
-  }
-  return true;
+  const int across = face_across(mesh, face, corner);
+  return across < 0 || mesh.is_flap(across);
 }
 
 /// How much of the outline of its joined surface belongs to a face, px.
@@ -60,7 +42,7 @@ double outline_length(const LayeredMesh& mesh, int face) {
   for (int k = 0; k < 3; ++k)
     if (is_on_outline(mesh, face, k))
       length +=
-          distance(mesh.vertices[vertices[(k + 1) % 3]], mesh.vertices[vertices[(k + 2) % 3]]);
+          distance(mesh.vertices[vertices[next_place(k)]], mesh.vertices[vertices[last_place(k)]]);
   return length;
 }
 
@@ -94,58 +76,70 @@ double cap_share(const LayeredMesh& mesh, const std::vector<int>& faces, int par
   return most * capped(open, outline[part]);
 }
 
-/// The heights that are wanted along the part's outline, NaN where they are not known and inside.
-VectorXd wanted_on_outline(const LayeredMesh& mesh, const std::vector<int>& faces,
-                           const std::set<int>& tied, const VectorXd& f) {
-  VectorXd height = VectorXd::Constant(f.size(), -1);
-  std::vector<uint8_t> on_others(mesh.node_vertex.size(), 0);
+/// #N: of nodes on the part's outline, 1 where nothing lies behind them and 2 elsewhere.
+std::vector<uint8_t> outline_nodes(const LayeredMesh& mesh, const std::vector<int>& faces) {
+  std::vector<uint8_t> kind(mesh.node_vertex.size(), 0);
   for (const int face : faces)
-    for (int below = mesh.stack_begin[mesh.face_triangle[face]]; below < face; ++below)
-      for (int k = 0; k < 3; ++k) {
-        const int n = mesh.faces[face][k];
-        on_others[n] = 1;
-        if (tied.count(mesh.face_part[below]) > 0)
-          height[n] = std::max(height[n], f[mesh.faces[below][k]]);
-      }
-  VectorXd wanted = VectorXd::Constant(f.size(), std::nan(""));
+    for (int k = 0; k < 3; ++k)
+      if (is_on_outline(mesh, face, k))
+        for (const int corner : {next_place(k), last_place(k)}) kind[mesh.faces[face][corner]] = 1;
   for (const int face : faces)
-    for (int k = 0; k < 3; ++k) {
-      if (!is_on_outline(mesh, face, k)) continue;
-      for (const int n : {mesh.faces[face][(k + 1) % 3], mesh.faces[face][(k + 2) % 3]})
-        if (height[n] >= 0 || on_others[n] == 0) wanted[n] = std::max(0.0, height[n]);
-    }
-  return wanted;
+    if (face > mesh.stack_begin[mesh.face_triangle[face]])
+      for (const int n : mesh.faces[face])
+        if (kind[n] != 0) kind[n] = 2;
+  return kind;
 }
 
-/// Fills in what is NaN at these nodes so that the wanted heights cost least; false where there is
-/// nothing to fill in.
-bool fill(const Discretisation& discretisation, const SparseMatrix& A, std::vector<int> nodes,
-          VectorXd& wanted) {
+void sort_once(std::vector<int>& nodes) {
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  std::vector<int> place(static_cast<size_t>(wanted.size()), -1);
-  std::vector<int> free;
-  VectorXd held = VectorXd::Zero(wanted.size());
-  for (const int n : nodes) {
-    if (!std::isnan(wanted[n])) {
-      held[n] = wanted[n];
-    } else {
-      place[n] = static_cast<int>(free.size());
-      free.push_back(n);
-    }
-  }
-  if (free.empty()) return false;
-  const SparseMatrix block = lower_block(A, place, static_cast<int>(free.size()));
-  SparseCholesky factor;
-  factor.analyse(block, Refactorisation::complete,
-                 order_of_places(discretisation.elimination, place));
-  if (!factor.factorise(block)) return false;
-  const VectorXd load = -(A * held);
-  wanted(free) = factor.solve(load(free));
-  return true;
 }
 
-/// The parts behind it that each part may be a cap of: those that it is tied to all along.
+/// Fills in the cap's rim, and what it lies on.
+void find_rim(const LayeredMesh& mesh, const std::vector<int>& faces, const std::set<int>& tied,
+              Cap& cap) {
+  const std::vector<uint8_t> kind = outline_nodes(mesh, faces);
+  std::set<std::array<int, 2>> on;
+  for (const int face : faces)
+    for (int k = 0; k < 3; ++k) {
+      const int n = mesh.faces[face][k];
+      if (kind[n] == 1) cap.rim.push_back(n);
+      if (kind[n] != 2) continue;
+      for (int below = mesh.stack_begin[mesh.face_triangle[face]]; below < face; ++below)
+        if (tied.count(mesh.face_part[below]) > 0) on.insert({n, mesh.faces[below][k]});
+    }
+  for (const auto& [n, below] : on) cap.rim.push_back(n);
+  sort_once(cap.rim);
+  for (const auto& [n, below] : on) {
+    const auto at = std::lower_bound(cap.rim.begin(), cap.rim.end(), n);
+    cap.on.push_back({static_cast<int>(at - cap.rim.begin()), below});
+  }
+}
+
+/// Fills in what is between, among these nodes; false where there is nothing, or no factor.
+bool find_inner(const std::vector<int>& elimination, const SparseMatrix& A, std::vector<int> nodes,
+                Cap& cap) {
+  sort_once(nodes);
+  std::set_difference(nodes.begin(), nodes.end(), cap.rim.begin(), cap.rim.end(),
+                      std::back_inserter(cap.inner));
+  if (cap.inner.empty()) return false;
+  const auto size = static_cast<int>(cap.inner.size());
+  std::vector<int> place(static_cast<size_t>(A.cols()), -1);
+  for (int i = 0; i < size; ++i) place[cap.inner[i]] = i;
+  const SparseMatrix block = lower_block(A, place, size);
+  cap.factor.analyse(block, Refactorisation::complete, order_of_places(elimination, place));
+  cap.coupling.resize(size, static_cast<Eigen::Index>(cap.rim.size()));
+  for (int j = 0; j < cap.coupling.cols(); ++j) {
+    cap.coupling.startVec(j);
+    for (SparseMatrix::InnerIterator entry(A, cap.rim[j]); entry; ++entry)
+      if (place[entry.row()] >= 0) cap.coupling.insertBack(place[entry.row()], j) = entry.value();
+  }
+  cap.coupling.finalize();
+  return cap.factor.factorise(block);
+}
+
+}  // namespace
+
 std::vector<std::set<int>> tied_parts(const Scene& scene) {
   std::vector<std::set<int>> tied(scene.parts.size());
   for (const Relation& relation : scene.relations)
@@ -158,31 +152,38 @@ std::vector<std::set<int>> tied_parts(const Scene& scene) {
   return tied;
 }
 
-}  // namespace
-
-VectorXd cap_rise(const SurfaceInput& surface, const Inflation& inflation,
-                  const ShiftMetric& metric) {
-  const LayeredMesh& mesh = surface.mesh;
+Caps find_caps(const LayeredMesh& mesh, const Discretisation& discretisation, const Scene& scene,
+               const SparseMatrix& A) {
+  Caps caps{tied_parts(scene), {}};
   const std::vector<std::vector<int>> faces = faces_by_part(mesh);
-  const std::vector<std::set<int>> tied = tied_parts(surface.scene);
-  const std::vector<Join> joins = joins_by_upper(surface.scene);
+  const std::vector<Join> joins = joins_by_upper(scene);
   std::vector<double> outline(faces.size(), 0);
   for (size_t part = 0; part < faces.size(); ++part)
     for (const int face : faces[part]) outline[part] += outline_length(mesh, face);
-  const VectorXd f = surface.discretisation.scale * inflated_heights(inflation.u);
-  VectorXd rise = VectorXd::Zero(f.size());
   for (int part = 0; part < mesh.part_count; ++part) {
-    if (tied[part].empty()) continue;
-    const double share = cap_share(mesh, faces[part], part, outline, tied[part]);
-    if (!(share > 0)) continue;
-    VectorXd wanted = wanted_on_outline(mesh, faces[part], tied[part], f);
+    const std::set<int>& tied = caps.tied[part];
+    Cap cap;
+    if (!tied.empty()) cap.share = cap_share(mesh, faces[part], part, outline, tied);
+    if (!(cap.share > 0)) continue;
+    find_rim(mesh, faces[part], tied, cap);
     std::vector<int> nodes;
-    for (const int grown : grown_from(part, joins, surface.scene.parts.size()))
+    for (const int grown : grown_from(part, joins, scene.parts.size()))
       for (const int face : faces[grown])
         nodes.insert(nodes.end(), mesh.faces[face].begin(), mesh.faces[face].end());
-    if (!fill(surface.discretisation, metric.A, std::move(nodes), wanted)) continue;
-    for (Eigen::Index n = 0; n < rise.size(); ++n)
-      if (!std::isnan(wanted[n])) rise[n] = share * wanted[n];
+    if (find_inner(discretisation.elimination, A, std::move(nodes), cap))
+      caps.caps.push_back(std::move(cap));
+  }
+  return caps;
+}
+
+VectorXd cap_rise(const Caps& caps, const Inflation& inflation, double scale) {
+  const VectorXd f = scale * inflated_heights(inflation.u);
+  VectorXd rise = VectorXd::Zero(f.size());
+  for (const Cap& cap : caps.caps) {
+    VectorXd height = VectorXd::Zero(static_cast<Eigen::Index>(cap.rim.size()));
+    for (const auto& [place, below] : cap.on) height[place] = std::max(height[place], f[below]);
+    rise(cap.rim) = cap.share * height;
+    rise(cap.inner) = cap.share * cap.factor.solve(-(cap.coupling * height));
   }
   return rise;
 }

@@ -32,11 +32,6 @@ constexpr double largest_rise = 1.5;
 constexpr size_t most_points = 64;
 constexpr double far_steps = 4;
 
-double smooth_step(double from, double to, double x) {
-  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
-
 /// Nodes by part, each once, of faces that no part grows out of.
 struct PartNodes {
   std::vector<std::vector<int>> faces;  ///< by part
@@ -45,11 +40,8 @@ struct PartNodes {
 };
 
 PartNodes nodes_by_part(const LayeredMesh& mesh) {
-  PartNodes nodes{std::vector<std::vector<int>>(mesh.part_count),
-                  std::vector<std::vector<int>>(mesh.part_count),
+  PartNodes nodes{faces_by_part(mesh), std::vector<std::vector<int>>(mesh.part_count),
                   std::vector<int>(mesh.node_vertex.size(), 0)};
-  for (size_t face = 0; face < mesh.faces.size(); ++face)
-    if (!mesh.is_flap(face)) nodes.faces[mesh.face_part[face]].push_back(static_cast<int>(face));
   std::vector<int> last(mesh.node_vertex.size(), -1);
   for (int part = 0; part < mesh.part_count; ++part)
     for (const int face : nodes.faces[part])
@@ -253,6 +245,11 @@ void add_rise(const Limb& limb, double sign, VectorXd& rise) {
 }
 
 }  // namespace
+
+double smooth_step(double from, double to, double x) {
+  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
 
 std::vector<Join> joins_by_upper(const Scene& scene) {
   std::vector<Join> joins = scene.joins;

@@ -8,6 +8,9 @@
 
 namespace relievo {
 
+/// 0 up to `from`, 1 from `to` on, a cubic between.
+double smooth_step(double from, double to, double x);
+
 /// All joins, ascending by their upper parts. O(J log J).
 std::vector<Join> joins_by_upper(const Scene& scene);
 

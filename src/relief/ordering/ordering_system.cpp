@@ -24,6 +24,7 @@ void set_surface(const SurfaceInput& surface, double epsilon, OrderingSystem& sy
   if (system.epsilon != epsilon) {
     const PieceTimer assembling(context, "assemble");
     system.pairs.reset();
+    system.caps.reset();
     system.metric = make_shift_metric(surface.discretisation, epsilon);
     system.epsilon = epsilon;
   }
@@ -34,7 +35,10 @@ void set_leans(const SurfaceInput& surface, const Inflation& inflation, const Wa
   ShiftMetric& metric = system.metric;
   metric.lean = lean_term(surface.mesh, surface.scene, metric.scale, system.epsilon);
   if (wanted.straight_limbs) add_wanted(limb_rise(surface, inflation), metric);
-  if (wanted.close_caps) add_wanted(cap_rise(surface, inflation, metric), metric);
+  if (!wanted.close_caps) return;
+  if (!system.caps || system.caps->tied != tied_parts(surface.scene))
+    system.caps = find_caps(surface.mesh, surface.discretisation, surface.scene, metric.A);
+  add_wanted(cap_rise(*system.caps, inflation, metric.scale), metric);
 }
 
 void set_pairs(const SurfaceInput& surface, OrderingSystem& system, const RunContext& context) {

@@ -7,6 +7,7 @@
 #include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
+#include "relief/ordering/cap_rise.h"
 #include "relief/ordering/depth_contacts.h"
 #include "relief/ordering/depth_problem.h"
 #include "relief/ordering/shift_metric.h"
@@ -32,6 +33,7 @@ struct WantedShifts {
 struct OrderingSystem {
   double epsilon = 0;  ///< that of the metric; 0: there is none yet
   ShiftMetric metric;
+  std::optional<Caps> caps;                     ///< with that metric, once they were asked for
   std::optional<std::vector<DepthPair>> pairs;  ///< that `system` is for now, if there is one
   DepthSystem system;
   /// Where a first solve begins: heights on this mesh, or else contacts on another, or else as the
@@ -46,7 +48,7 @@ void set_surface(const SurfaceInput& surface, double epsilon, OrderingSystem& sy
                  const RunContext& context);
 
 /// Brings up to date what the metric says of leans, limbs and caps. Precondition: the surface was
-/// set. As lean_term, limb_rise and cap_rise.
+/// set. As lean_term, limb_rise and cap_rise, and find_caps where other parts are tied.
 void set_leans(const SurfaceInput& surface, const Inflation& inflation, const WantedShifts& wanted,
                OrderingSystem& system);
 

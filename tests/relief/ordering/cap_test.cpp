@@ -2,20 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "relief/discretisation/discretisation.h"
-#include "relief/inflation/inflate.h"
-#include "relief/layers/layer_parts.h"
 #include "relief/ordering/cap_rise.h"
-#include "relief/ordering/order_depth.h"
 #include "support/scenes.h"
+#include "support/shifted_scene.h"
 
 namespace relievo {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+using testing::shifted;
+using testing::ShiftedScene;
+
+constexpr WantedShifts loose_caps = {true, false};
 
 /// A hat on the upper half of a head, `by` times as large.
 Scene head_and_hat(double by = 1) {
@@ -27,38 +27,18 @@ Scene head_and_hat(double by = 1) {
   return scene;
 }
 
-/// A scene as far as its shift.
-struct Capped {
-  LayeredMesh mesh;
-  Discretisation discretisation;
-  Inflation inflation;
-  Ordering ordering;
-  VectorXd wanted;
-  ShiftMetric metric;
+ShiftMetric metric_of(const ShiftedScene& relief) {
+  return make_shift_metric(relief.discretisation, OrderingOptions().epsilon);
+}
 
-  Point2 at(size_t n) const { return mesh.vertices[mesh.node_vertex[n]]; }
-};
-
-Capped capped(const Scene& scene, bool close_caps = true) {
-  LayerOptions options;
-  options.vertex_budget = 3000;
-  Result<LayeredMesh> mesh = layer_parts(scene, options);
-  EXPECT_TRUE(mesh) << to_string(mesh.error());
-  Result<Inflation> inflation = inflate(*mesh, scene, {});
-  EXPECT_TRUE(inflation) << to_string(inflation.error());
-  OrderingOptions ordering;
-  ordering.wanted.close_caps = close_caps;
-  Result<Ordering> order = order_depth(*mesh, *inflation, scene, ordering);
-  EXPECT_TRUE(order) << to_string(order.error());
-  Discretisation discretisation = discretise(*mesh);
-  ShiftMetric metric = make_shift_metric(discretisation, ordering.epsilon);
-  VectorXd wanted = cap_rise({*mesh, discretisation, scene}, *inflation, metric);
-  return {std::move(*mesh),  std::move(discretisation), std::move(*inflation),
-          std::move(*order), std::move(wanted),         std::move(metric)};
+VectorXd wanted_of(const ShiftedScene& relief, const Scene& scene) {
+  const ShiftMetric metric = metric_of(relief);
+  return cap_rise(find_caps(relief.mesh, relief.discretisation, scene, metric.A), relief.inflation,
+                  metric.scale);
 }
 
 /// The farthest that the hat's outline beside and above the head is from the drawing plane.
-double rim_height(const Capped& relief) {
+double rim_height(const ShiftedScene& relief) {
   double most = 0;
   for (size_t n = 0; n < relief.ordering.h.size(); ++n) {
     const bool is_rim =
@@ -70,8 +50,8 @@ double rim_height(const Capped& relief) {
 }
 
 TEST(Cap, ClosesRoundWhatItLiesOn) {
-  const Capped closed = capped(head_and_hat());
-  const Capped loose = capped(head_and_hat(), false);
+  const ShiftedScene closed = shifted(head_and_hat());
+  const ShiftedScene loose = shifted(head_and_hat(), loose_caps);
   const double top = *std::max_element(loose.ordering.h.begin(), loose.ordering.h.end());
   EXPECT_GT(rim_height(loose), 0.25 * top);
   EXPECT_LT(rim_height(closed), 0.02 * top);
@@ -79,7 +59,7 @@ TEST(Cap, ClosesRoundWhatItLiesOn) {
 }
 
 TEST(Cap, IsAsFarForwardAsTheHeadWhereItCrossesThat) {
-  const Capped relief = capped(head_and_hat());
+  const ShiftedScene relief = shifted(head_and_hat());
   size_t crossing = 0;
   for (const DepthPair& pair : relief.mesh.constraints) {
     if (!pair.equal || relief.at(pair.upper).y < 219) continue;
@@ -90,13 +70,14 @@ TEST(Cap, IsAsFarForwardAsTheHeadWhereItCrossesThat) {
 }
 
 TEST(Cap, IsASoapFilmBetween) {
-  const Capped relief = capped(head_and_hat());
-  const VectorXd force = relief.metric.A * relief.wanted;
+  const ShiftedScene relief = shifted(head_and_hat());
+  const VectorXd wanted = wanted_of(relief, head_and_hat());
+  const VectorXd force = metric_of(relief).A * wanted;
   double within = 0;
   double along = 0;
   for (size_t n = 0; n < relief.mesh.node_part.size(); ++n) {
     if (relief.mesh.node_part[n] != 1) {
-      EXPECT_EQ(relief.wanted[static_cast<Index>(n)], 0);
+      EXPECT_EQ(wanted[static_cast<Index>(n)], 0);
       continue;
     }
     double& most = relief.mesh.node_role[n] == NodeRole::interior ? within : along;
@@ -110,13 +91,14 @@ TEST(Cap, TakesAlongWhatGrowsOutOfIt) {
   Scene scene = head_and_hat();
   scene.parts.push_back(testing::part("feather", testing::rectangle(180, 20, 220, 150)));
   scene.joins = {{2, 1, {{180, 150}, {220, 150}}}};
-  const Capped relief = capped(scene);
+  const ShiftedScene relief = shifted(scene);
+  const VectorXd wanted = wanted_of(relief, scene);
   double least = 1e9;
   double most = 0;
   for (size_t n = 0; n < relief.mesh.node_part.size(); ++n) {
     if (relief.mesh.node_part[n] != 2 || relief.at(n).y > 55) continue;
-    least = std::min(least, relief.wanted[static_cast<Index>(n)]);
-    most = std::max(most, relief.wanted[static_cast<Index>(n)]);
+    least = std::min(least, wanted[static_cast<Index>(n)]);
+    most = std::max(most, wanted[static_cast<Index>(n)]);
   }
   EXPECT_GT(least, 0);
   EXPECT_LT(most, 1.3 * least);
@@ -135,22 +117,36 @@ TEST(Cap, IsNoneWhereItGrowsLeansCrossesOrLiesWithin) {
   Scene badge = head_and_hat();
   badge.parts[1] = testing::part("badge", testing::circle({200, 250}, 40));
   for (const Scene& scene : {leaning, above, grown, sword, badge}) {
-    const Capped relief = capped(scene);
-    EXPECT_TRUE(relief.wanted.isZero(0)) << scene.parts[1].id;
-    EXPECT_EQ(relief.ordering.h, capped(scene, false).ordering.h) << scene.parts[1].id;
+    const ShiftedScene relief = shifted(scene);
+    EXPECT_TRUE(wanted_of(relief, scene).isZero(0)) << scene.parts[1].id;
+    EXPECT_EQ(relief.ordering.h, shifted(scene, loose_caps).ordering.h) << scene.parts[1].id;
   }
 }
 
 TEST(Cap, GrowsWithTheDrawingAndHasNoName) {
   Scene scene = head_and_hat();
-  const Capped once = capped(scene);
-  const Capped twice = capped(head_and_hat(2));
+  const ShiftedScene once = shifted(scene);
+  const ShiftedScene twice = shifted(head_and_hat(2));
   for (Part& part : scene.parts) part.id += "-renamed";
-  const Capped renamed = capped(scene);
+  const ShiftedScene renamed = shifted(scene);
   ASSERT_EQ(once.ordering.h.size(), twice.ordering.h.size());
   for (size_t n = 0; n < once.ordering.h.size(); ++n)
     EXPECT_NEAR(2 * once.ordering.h[n], twice.ordering.h[n], 1e-6);
   EXPECT_EQ(once.ordering.h, renamed.ordering.h);
+}
+
+TEST(Cap, IsFoundAnewWhereOtherPartsAreTied) {
+  const Scene upright = head_and_hat();
+  Scene leaning = upright;
+  leaning.parts[1].lean = {0, 0.1};
+  const ShiftedScene relief = shifted(upright);
+  OrderingSystem system;
+  for (const Scene& scene : {upright, leaning, upright}) {
+    const Result<Ordering> ordering =
+        order_depth({relief.mesh, relief.discretisation, relief.inflation, scene}, {}, system);
+    ASSERT_TRUE(ordering);
+    EXPECT_EQ(ordering->h, shifted(scene).ordering.h);
+  }
 }
 
 }  // namespace

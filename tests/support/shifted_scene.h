@@ -1,0 +1,39 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "relief/discretisation/discretisation.h"
+#include "relief/inflation/inflate.h"
+#include "relief/layers/layer_parts.h"
+#include "relief/ordering/order_depth.h"
+
+namespace relievo::testing {
+
+/// A scene as far as its shift.
+struct ShiftedScene {
+  LayeredMesh mesh;
+  Discretisation discretisation;
+  Inflation inflation;
+  Ordering ordering;
+
+  Point2 at(size_t n) const { return mesh.vertices[mesh.node_vertex[n]]; }
+};
+
+inline ShiftedScene shifted(const Scene& scene, const WantedShifts& wanted = {}) {
+  LayerOptions options;
+  options.vertex_budget = 3000;
+  Result<LayeredMesh> mesh = layer_parts(scene, options);
+  EXPECT_TRUE(mesh) << to_string(mesh.error());
+  Result<Inflation> inflation = inflate(*mesh, scene, {});
+  EXPECT_TRUE(inflation) << to_string(inflation.error());
+  OrderingOptions ordering;
+  ordering.wanted = wanted;
+  Result<Ordering> order = order_depth(*mesh, *inflation, scene, ordering);
+  EXPECT_TRUE(order) << to_string(order.error());
+  Discretisation discretisation = discretise(*mesh);
+  return {std::move(*mesh), std::move(discretisation), std::move(*inflation), std::move(*order)};
+}
+
+}  // namespace relievo::testing
