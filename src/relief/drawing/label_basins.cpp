@@ -9,6 +9,7 @@
 #include "relief/drawing/find_basins.h"
 #include "relief/drawing/find_regions.h"
 #include "relief/drawing/line_map.h"
+#include "relief/drawing/segment_drawing.h"
 
 namespace relievo {
 namespace {
@@ -186,6 +187,14 @@ Result<Segmentation> label_basins(const Basins& basins, const Scribbles& scribbl
                  "each part with a hard stroke",
                  ""};
   return segmentation;
+}
+
+Result<Segmentation> segment_drawing(const Drawing& drawing, const Scribbles& scribbles,
+                                     const RunContext& context) {
+  const Result<Basins> basins = find_basins(drawing, context);
+  if (!basins) return basins.error();
+  if (context.cancelled()) return interrupted_error();
+  return label_basins(*basins, scribbles);
 }
 
 }  // namespace relievo
