@@ -98,6 +98,7 @@ void nonlinear(State& state, const std::string& name, int vertices, double lambd
   const Surface& surface = surface_of(name, vertices);
   NonlinearOptions options;
   options.lambda_bnd = lambda_bnd;
+  options.wanted = OrderingOptions().wanted;
   const NonlinearMemory known = coarse_memory(name, vertices, options);
   LeastTimes other;
   LeastTimes own;
