@@ -27,9 +27,6 @@ double distance_from_white(const Basin& region) {
   return farthest;
 }
 
-/// Whether most of a region is of the figure.
-bool is_in_figure(const Basin& region) { return 2 * region.in_figure > region.area; }
-
 int64_t pixels_at_edge(const Basin& region) {
   return std::accumulate(region.at_edge.begin(), region.at_edge.end(), int64_t{0});
 }

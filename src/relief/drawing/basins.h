@@ -21,6 +21,9 @@ struct Basin {
   int64_t in_figure = 0;                   ///< pixels inside the figure's mask
 };
 
+/// Whether most of it is inside the figure's mask.
+inline bool is_in_figure(const Basin& basin) { return 2 * basin.in_figure > basin.area; }
+
 /// Where two basins meet.
 struct BasinBorder {
   int a = 0;               ///< basin index, < b
@@ -35,6 +38,9 @@ struct BasinBorder {
 struct FigureMask {
   Image8 inside;      ///< [drawing size] 1 where it is; empty where nothing can be said
   bool said = false;  ///< what is outside is background for certain: the picture was cut out
+  /// Its rim is that of the figure, however pale: the picture was cut out, or painted on pure
+  /// white.
+  bool sharp = false;
 };
 
 /// A drawing divided into basins, each inside one area of the drawing as far as lines tell. What a

@@ -12,16 +12,23 @@
 namespace relievo {
 namespace {
 
-constexpr double solid_share = 0.6;   ///< of what opaque pixels surround, from which they are areas
-constexpr int colourful = 44;         ///< difference of channels, of 255, of what is no paper
-constexpr int dark = 120;             ///< brightest channel up to which it is ink or dark paint
-constexpr int clean_white = 248;      ///< darkest channel of white paper at least
-constexpr double clean_share = 0.9;   ///< of the picture's edge that is so white on clean paper
-constexpr int faintest = 228;         ///< darkest channel of paint on clean paper at most
-constexpr double gap_width = 0.008;   ///< of the diagonal, up to which gaps in paint are closed
-constexpr double piece_share = 0.03;  ///< of the largest piece, from which on others count
-constexpr double along_share = 0.67;  ///< of a picture's side, from which an area runs along it
-constexpr double strip_share = 0.15;  ///< of the picture, up to which that is a strip
+constexpr double solid_share = 0.6;  ///< of what opaque pixels surround, from which they are areas
+constexpr int colourful = 44;        ///< difference of channels, of 255, of what is no paper
+constexpr int dark = 120;            ///< brightest channel up to which it is ink or dark paint
+constexpr int clean_white = 248;     ///< darkest channel of white paper at least
+constexpr double clean_share = 0.9;  ///< of the picture's edge that is so white on clean paper
+constexpr int faintest = 228;        ///< darkest channel of paint on clean paper at most
+constexpr int pure_white = 254;      ///< darkest channel of paper that nothing has blurred
+constexpr int palest = 246;          ///< darkest channel of areas of paint on it at most
+constexpr double framed_share =
+    0.9;                             ///< of its box, from which on it is a picture in a white frame
+constexpr int half_halo = 2;         ///< px, of what a codec leaves beside an outline
+constexpr int rim_margin = 2;        ///< px, within which an edge is that of the figure
+constexpr uint8_t rim_ink = 44;      ///< of LineMap::ink, that the rim has at least
+constexpr double gap_width = 0.008;  ///< of the diagonal, up to which gaps in paint are closed
+constexpr double piece_share = 0.03;   ///< of the largest piece, from which on others count
+constexpr double along_share = 0.67;   ///< of a picture's side, from which an area runs along it
+constexpr double strip_share = 0.15;   ///< of the picture, up to which that is a strip
 constexpr double at_edge_share = 0.2;  ///< of the picture's edge; more is no figure on paper
 
 int64_t count_of(const Image8& mask) {
@@ -88,6 +95,14 @@ int darkest_channel(const Image8& rgb, int x, int y) {
   return std::min({rgb.at(x, y, 0), rgb.at(x, y, 1), rgb.at(x, y, 2)});
 }
 
+/// What is pale, but no paper, and broader than what a codec leaves beside an outline.
+Image8 pale_areas(const Image8& rgb) {
+  Image8 pale(rgb.width, rgb.height, 1);
+  for (int y = 0; y < rgb.height; ++y)
+    for (int x = 0; x < rgb.width; ++x) pale.at(x, y) = darkest_channel(rgb, x, y) < palest ? 1 : 0;
+  return max_filter(min_filter(pale, half_halo), half_halo);
+}
+
 /// Whether the picture's edge is white paper without grain or shadows.
 bool is_on_clean_paper(const Image8& rgb) {
   int64_t white = 0;
@@ -97,15 +112,15 @@ bool is_on_clean_paper(const Image8& rgb) {
 }
 
 /// What is no paper: on clean paper whatever is not white, else what no shadow is.
-Image8 paint(const Image8& rgb) {
+Image8 paint(const Image8& rgb, bool on_pure_white) {
   const bool clean = is_on_clean_paper(rgb);
-  Image8 mask(rgb.width, rgb.height, 1);
+  Image8 mask = on_pure_white ? pale_areas(rgb) : Image8(rgb.width, rgb.height, 1);
   for (size_t i = 0; i < mask.pixels.size(); ++i) {
     const uint8_t* p = &rgb.pixels[3 * i];
     const int brightest = std::max({p[0], p[1], p[2]});
     const int darkest = std::min({p[0], p[1], p[2]});
     const bool coloured = clean ? darkest < faintest : brightest - darkest > colourful;
-    mask.pixels[i] = coloured || brightest < dark ? 1 : 0;
+    if (coloured || brightest < dark) mask.pixels[i] = 1;
   }
   return mask;
 }
@@ -150,16 +165,49 @@ FigureMask find_figure(const Image8& rgba, const Image8& rgb, bool painted) {
   if (pixels < static_cast<int64_t>(opaque.pixels.size())) {
     const auto surrounded = static_cast<double>(count_of(without_holes(opaque)));
     if (static_cast<double>(pixels) < solid_share * surrounded || pixels == 0) return {};
-    return {opaque, true};
+    return {opaque, true, true};
   }
   if (!painted) return {};
+  const bool on_pure_white = is_on_pure_white(rgba);
   const int half_gap =
       std::max(1, static_cast<int>(std::lround(gap_width / 2 * std::hypot(rgb.width, rgb.height))));
-  const Image8 paint_on_page = without_surroundings(paint(rgb));
+  const Image8 paint_on_page = without_surroundings(paint(rgb, on_pure_white));
   const Image8 figure = without_small_pieces(without_holes(without_gaps(paint_on_page, half_gap)));
   if (share_at_edge(figure) > at_edge_share) return {};
   // The blur of its rim is half paper.
-  return {min_filter(figure, 1), false};
+  return {min_filter(figure, 1), false, on_pure_white};
+}
+
+void mark_rim(const FigureMask& figure, LineMap& map) {
+  if (figure.inside.empty() || !figure.sharp) return;
+  const Image8 near_barrier = max_filter(map.barrier, rim_margin);
+  const Image8 core = min_filter(figure.inside, 1);
+  for (size_t i = 0; i < core.pixels.size(); ++i) {
+    if (figure.inside.pixels[i] == core.pixels[i] || near_barrier.pixels[i] != 0) continue;
+    map.barrier.pixels[i] = LineMap::edge;
+    map.ink.pixels[i] = std::max(map.ink.pixels[i], rim_ink);
+  }
+}
+
+bool is_on_pure_white(const Image8& rgba) {
+  const auto is_brighter = [&rgba](int x, int y, int level) {
+    return rgba.at(x, y, 3) == 0 || darkest_channel(rgba, x, y) >= level;
+  };
+  int64_t white = 0;
+  along_edge(rgba.width, rgba.height,
+             [&](int x, int y) { white += is_brighter(x, y, pure_white) ? 1 : 0; });
+  if (static_cast<double>(white) < clean_share * 2.0 * (rgba.width + rgba.height)) return false;
+  int64_t area = 0;
+  Box2 box;
+  for (int y = 0; y < rgba.height; ++y)
+    for (int x = 0; x < rgba.width; ++x) {
+      if (is_brighter(x, y, palest)) continue;
+      ++area;
+      box.add(Point2{x * 1.0, y * 1.0});
+      box.add(Point2{x + 1.0, y + 1.0});
+    }
+  return box.empty() || static_cast<double>(area) <
+                            framed_share * (box.max.x - box.min.x) * (box.max.y - box.min.y);
 }
 
 void keep_figure(const Basins& basins, const std::vector<int>& of_basin, int last_label,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "relief/drawing/basins.h"
+#include "relief/drawing/line_map.h"
 #include "relief/drawing/mark_pixels.h"
 #include "relief/drawing/region_merging.h"
 #include "relievo/image.h"
@@ -15,6 +16,14 @@ namespace relievo {
 /// transparent ground say nothing), or of paint on paper: what is coloured or dark, the narrow gaps
 /// in it and what it surrounds. `rgba` is the drawing, `rgb` the same on white. O(pixels).
 FigureMask find_figure(const Image8& rgba, const Image8& rgb, bool painted);
+
+/// Marks the rim of a sharp mask as an edge where no line or edge runs along it. O(pixels).
+void mark_rim(const FigureMask& figure, LineMap& map);
+
+/// Whether a drawing (4 channels) lies on nothing or on white as no scanner and no camera gives it:
+/// then whatever is not white is paint, unless it fills a box, as a photograph in a white frame does.
+/// O(pixels).
+bool is_on_pure_white(const Image8& rgba);
 
 /// A mask with all that it surrounds. O(pixels).
 Image8 without_holes(const Image8& mask);

@@ -47,13 +47,15 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   if (!go_on(context, 0)) return interrupted_error();
   const Image8 rgb = remove_paper(drawing.rgba);
   if (!go_on(context, 0.1)) return interrupted_error();
-  LineMap map = find_lines(rgb);
+  LineMap map = find_lines(rgb, is_on_pure_white(drawing.rgba));
   if (std::count(map.barrier.pixels.begin(), map.barrier.pixels.end(), LineMap::none) ==
       static_cast<ptrdiff_t>(map.barrier.pixels.size()))
     return Error{ErrorCode::bad_input, "the drawing is blank: no line or edge was found in it", ""};
   for (const OpenRoot& root : find_open_roots(map)) close_root(root, map.barrier);
   if (!go_on(context, 0.5)) return interrupted_error();
   Basins basins;
+  basins.figure = find_figure(drawing.rgba, rgb, map.painted);
+  mark_rim(basins.figure, map);
   basins.index = watershed(map, basins.basins);
   if (basins.basins.empty())
     return Error{ErrorCode::bad_input, "the drawing has no areas between its lines", ""};
@@ -62,7 +64,6 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   basins.barrier = std::move(map.barrier);
   basins.line_width = map.line_width;
   basins.painted = map.painted;
-  basins.figure = find_figure(drawing.rgba, rgb, basins.painted);
   measure_basins(drawing.rgba, rgb, basins);
   propose_regions(basins);
   if (cut_necks(basins)) measure_basins(drawing.rgba, rgb, basins);

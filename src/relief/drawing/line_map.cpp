@@ -13,6 +13,8 @@ namespace relievo {
 namespace {
 
 constexpr double painted_share = 0.01;  ///< of the picture that is covered by wide colour
+constexpr int faintest_on_paper = 220;  ///< darkest channel of paint at most, of 255
+constexpr int faintest_on_white = 240;  ///< the same on pure white
 constexpr int paper_level = 200;        ///< darkest that paper between lines gets, of 255
 constexpr int dark_paint = 64;      ///< of 255; on paint up to 2.5 times as bright, ink is judged
 constexpr int least_contrast = 96;  ///< by what contrast it can have, but not by less than this
@@ -24,13 +26,14 @@ int widest_half_line(const Image8& image) {
 }
 
 /// Whether colour covers more of the picture than lines could.
-bool is_painted(const Image8& rgb) {
+bool is_painted(const Image8& rgb, bool on_pure_white) {
   const int factor = std::max(1, std::max(rgb.width, rgb.height) / 100);
   const Image8 cells = shrink(rgb, factor);
+  const int faintest = on_pure_white ? faintest_on_white : faintest_on_paper;
   Image8 covered(cells.width, cells.height, 1);
   for (size_t i = 0; i < covered.pixels.size(); ++i) {
     const uint8_t* cell = &cells.pixels[3 * i];
-    covered.pixels[i] = std::min({cell[0], cell[1], cell[2]}) < 220 ? 1 : 0;
+    covered.pixels[i] = std::min({cell[0], cell[1], cell[2]}) < faintest ? 1 : 0;
   }
   const Image8 wide = min_filter(covered, widest_half_line(cells) + 1);
   const auto count = std::count(wide.pixels.begin(), wide.pixels.end(), 1);
@@ -169,9 +172,9 @@ Image8 connected_above(const Image8& values, int low, int high) {
   return result;
 }
 
-LineMap find_lines(const Image8& rgb) {
+LineMap find_lines(const Image8& rgb, bool on_pure_white) {
   LineMap map;
-  map.painted = is_painted(rgb);
+  map.painted = is_painted(rgb, on_pure_white);
   const Image8 values = line_values(rgb, map.painted);
   map.ink = darker_than_around(values, map.painted);
   const LineThresholds thresholds = line_thresholds(map.ink, map.painted);

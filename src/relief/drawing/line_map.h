@@ -26,8 +26,9 @@ constexpr double widest_line = 0.025;
 
 /// Finds the lines of a drawing on white (3 channels): darker than both sides, whatever the
 /// colours there (black top-hat with hysteresis), and then the edges between areas of different
-/// colour where no line runs (Canny's ridges of the gradient). O(pixels).
-LineMap find_lines(const Image8& rgb);
+/// colour where no line runs (Canny's ridges of the gradient). On pure white pale colours are paint
+/// as well. O(pixels).
+LineMap find_lines(const Image8& rgb, bool on_pure_white = false);
 
 /// Adds to map.barrier the edges between colours that no line marks, and to map.ink how strong
 /// they are. `rgb` is the drawing on white; map.barrier holds its lines. O(pixels).

@@ -21,7 +21,8 @@ bool is_as_dark_as_ink(const Basin& region) {
 RegionMerging::RegionMerging(const Basins& basins)
     : sets_(static_cast<int>(basins.basins.size())),
       regions_(basins.basins),
-      borders_(basins.basins.size()) {
+      borders_(basins.basins.size()),
+      figure_is_sharp_(basins.figure.sharp) {
   for (const BasinBorder& border : basins.borders) {
     borders_[border.a][border.b] = {border.pairs, border.line_pairs, border.edge_pairs};
     borders_[border.b][border.a] = {border.pairs, border.line_pairs, border.edge_pairs};
@@ -60,6 +61,7 @@ void RegionMerging::unite(int a, int b) {
 }
 
 double RegionMerging::open_share(int a, int b) const {
+  if (figure_is_sharp_ && is_in_figure(regions_[a]) != is_in_figure(regions_[b])) return 0;
   const RegionBorder& border = borders_[a].at(b);
   const bool marked =
       (edges_count_ || is_as_dark_as_ink(regions_[a]) || is_as_dark_as_ink(regions_[b])) &&

@@ -30,7 +30,7 @@ class RegionMerging {
   void unite(int a, int b);
 
   /// Share of the border of two neighbours that nothing marks; an edge between areas of similar
-  /// colour is texture and marks nothing.
+  /// colour is texture and marks nothing, but for the rim of the figure where that is sharp.
   double open_share(int a, int b) const;
 
   /// From now on edges mark nothing, but for those of areas that are as dark as ink: where ink
@@ -45,6 +45,7 @@ class RegionMerging {
   DisjointSets sets_;
   std::vector<Basin> regions_;
   std::vector<std::map<int, RegionBorder>> borders_;
+  bool figure_is_sharp_;
 };
 
 }  // namespace relievo

@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "relief/drawing/figure_mask.h"
+#include "relief/drawing/segment_drawing.h"
+#include "support/ink_drawing.h"
+
+namespace relievo {
+namespace {
+
+/// A grey head with two ears, without a line, whose grey differs from white by `contrast`.
+Drawing mouse(int contrast) {
+  const auto grey = static_cast<uint8_t>(255 - contrast);
+  InkDrawing mouse(400, 360);
+  mouse.disc({110, 100}, 70, grey, grey, grey).disc({290, 100}, 70, grey, grey, grey);
+  mouse.disc({110, 100}, 45, 255, 190, 205).disc({290, 100}, 45, 255, 190, 205);
+  mouse.disc({200, 220}, 100, grey, grey, grey);
+  mouse.disc({160, 200}, 14, 50, 50, 60).disc({240, 200}, 14, 50, 50, 60);
+  return mouse.drawing();
+}
+
+class PaleFigure : public ::testing::TestWithParam<int> {};
+
+TEST_P(PaleFigure, IsWholeOnPureWhite) {
+  const Result<Segmentation> s = segment_drawing(mouse(GetParam()));
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  int off = 0;
+  for (int y = 0; y < 360; ++y)
+    for (int x = 0; x < 400; ++x) {
+      const Point2 p{x + 0.5, y + 0.5};
+      const double outside = std::min({distance(p, {110, 100}) - 70, distance(p, {290, 100}) - 70,
+                                       distance(p, {200, 220}) - 100});
+      if (std::abs(outside) < 3) continue;
+      off += (outside < 0) != (s->labels.at(x, y) != 0) ? 1 : 0;
+    }
+  EXPECT_LT(off, 40) << "px that are figure and should not be, or the other way round";
+  EXPECT_EQ(s->labels.at(120, 240), s->labels.at(280, 240)) << "both cheeks";
+  EXPECT_EQ(s->labels.at(200, 140), s->labels.at(200, 300)) << "forehead and chin";
+}
+
+INSTANTIATE_TEST_SUITE_P(Contrasts, PaleFigure, ::testing::Values(14, 25, 35, 58, 90));
+
+TEST(PureWhite, IsNotThePaperOfAPhotographOrAScan) {
+  EXPECT_TRUE(is_on_pure_white(mouse(40).rgba));
+  Image8 grainy = mouse(40).rgba;
+  for (size_t i = 0; i < grainy.pixels.size(); i += 4)
+    for (size_t c = 0; c < 3; ++c)
+      grainy.pixels[i + c] = static_cast<uint8_t>(grainy.pixels[i + c] - (i / 4) % 5);
+  EXPECT_FALSE(is_on_pure_white(grainy));
+  Image8 framed(300, 200, 4, 255);
+  for (int y = 20; y < 180; ++y)
+    for (int x = 20; x < 280; ++x)
+      for (int c = 0; c < 3; ++c) framed.at(x, y, c) = static_cast<uint8_t>(225 + (x + y) % 7);
+  EXPECT_FALSE(is_on_pure_white(framed)) << "a photograph in a white frame";
+}
+
+TEST(PureWhite, IsWhatLiesUnderNothing) {
+  Drawing cut_out = mouse(20);
+  for (size_t i = 0; i < cut_out.rgba.pixels.size(); i += 4)
+    if (cut_out.rgba.pixels[i + 1] == 255)
+      for (size_t c = 0; c < 4; ++c) cut_out.rgba.pixels[i + c] = 0;
+  EXPECT_TRUE(is_on_pure_white(cut_out.rgba));
+  const Result<Segmentation> s = segment_drawing(cut_out);
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  EXPECT_NE(s->labels.at(200, 260), 0);
+  EXPECT_EQ(s->labels.at(5, 5), 0);
+}
+
+}  // namespace
+}  // namespace relievo
