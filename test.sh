@@ -31,24 +31,24 @@ if [ "$preset" = dev ]; then
 fi
 
 cmake --preset "$preset" > /dev/null
-cmake --build "build/$preset" -j "$jobs" --target relievo
-
 if [ "$preset" = dev ]; then
   scripts/make-packages.sh
-  packed="$PWD/build/package/apps/cli/relievo"
+  export RELIEVO="$PWD/build/package/apps/cli/relievo"
   # Debian's Python, for which the module is built.
-  RELIEVO="$packed" PYTHONPATH="$PWD/build/package/python" \
+  PYTHONPATH="$PWD/build/package/python" \
     /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/python
-  tests/packages/packages.sh "$packed"
-  tests/packages/npm.sh "$packed"
-  tests/blender/blender.sh "$packed" "$PWD/build/package/python"
+  tests/packages/packages.sh "$RELIEVO"
+  tests/packages/npm.sh "$RELIEVO"
+  tests/blender/blender.sh "$RELIEVO" "$PWD/build/package/python"
+else
+  export RELIEVO="$PWD/build/$preset/apps/cli/relievo"
+  cmake --build "build/$preset" -j "$jobs" --target relievo
 fi
 
 # The editor: its modules, its engine against the command line, and journeys in a real browser,
 # which mostly wait. The program's tests are compiled meanwhile, with what the journeys leave of the
 # processors; journeys that measure come after that.
 scripts/build-web.sh
-export RELIEVO="$PWD/build/$preset/apps/cli/relievo"
 nice -n 19 cmake --build "build/$preset" -j "$jobs" > "build/$preset/tests.log" 2>&1 &
 compiling=$!
 trap 'kill "$compiling" 2> /dev/null || true' EXIT
