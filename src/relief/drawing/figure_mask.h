@@ -21,8 +21,8 @@ FigureMask find_figure(const Image8& rgba, const Image8& rgb, bool painted);
 void mark_rim(const FigureMask& figure, LineMap& map);
 
 /// Whether a drawing (4 channels) lies on nothing or on white as no scanner and no camera gives it:
-/// then whatever is not white is paint, unless it fills a box, as a photograph in a white frame does.
-/// O(pixels).
+/// then whatever is not white is paint, unless it fills a box, as a photograph in a white frame
+/// does. O(pixels).
 bool is_on_pure_white(const Image8& rgba);
 
 /// A mask with all that it surrounds. O(pixels).
@@ -66,6 +66,11 @@ double unbounded_line_share(const Basins& basins);
 /// 3 channels. `rgba` has 4. The light is a quadratic fitted to the bright part of each channel.
 /// O(pixels).
 Image8 remove_paper(const Image8& rgba);
+
+/// An opaque drawing (4 channels) on a ground of one colour other than white, cut out: transparent
+/// where the ground is, with the blend at the rim gone. Nothing where there is no such ground.
+/// O(pixels).
+Image8 cut_from_plain_ground(const Image8& rgba);
 
 /// What strokes say of ink: pixels and the label that each stroke stands for.
 struct InkVotes {

@@ -45,16 +45,18 @@ bool go_on(const RunContext& context, double done) {
 Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   if (drawing.rgba.empty()) return Error{ErrorCode::bad_input, "the drawing has no pixels", ""};
   if (!go_on(context, 0)) return interrupted_error();
-  const Image8 rgb = remove_paper(drawing.rgba);
+  const Image8 cut = cut_from_plain_ground(drawing.rgba);
+  const Image8& rgba = cut.empty() ? drawing.rgba : cut;
+  const Image8 rgb = remove_paper(rgba);
   if (!go_on(context, 0.1)) return interrupted_error();
-  LineMap map = find_lines(rgb, is_on_pure_white(drawing.rgba));
+  LineMap map = find_lines(rgb, is_on_pure_white(rgba));
   if (std::count(map.barrier.pixels.begin(), map.barrier.pixels.end(), LineMap::none) ==
       static_cast<ptrdiff_t>(map.barrier.pixels.size()))
     return Error{ErrorCode::bad_input, "the drawing is blank: no line or edge was found in it", ""};
   for (const OpenRoot& root : find_open_roots(map)) close_root(root, map.barrier);
   if (!go_on(context, 0.5)) return interrupted_error();
   Basins basins;
-  basins.figure = find_figure(drawing.rgba, rgb, map.painted);
+  basins.figure = find_figure(rgba, rgb, map.painted);
   mark_rim(basins.figure, map);
   basins.index = watershed(map, basins.basins);
   if (basins.basins.empty())
@@ -64,9 +66,9 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   basins.barrier = std::move(map.barrier);
   basins.line_width = map.line_width;
   basins.painted = map.painted;
-  measure_basins(drawing.rgba, rgb, basins);
+  measure_basins(rgba, rgb, basins);
   propose_regions(basins);
-  if (cut_necks(basins)) measure_basins(drawing.rgba, rgb, basins);
+  if (cut_necks(basins)) measure_basins(rgba, rgb, basins);
   context.report("find areas", 1);
   return basins;
 }

@@ -5,8 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/image/components.h"
 #include "kernel/image/compose.h"
 #include "kernel/image/filters.h"
+#include "kernel/image/image_size.h"
+#include "kernel/image/morphology.h"
 #include "relief/drawing/figure_mask.h"
 
 namespace relievo {
@@ -16,6 +19,19 @@ constexpr int fit_side = 48;          ///< cells along the longer side that the 
 constexpr int fit_rounds = 12;        ///< of reweighting at most; weights settle in about eight
 constexpr double dark_weight = 0.02;  ///< of cells below the fit, which may be ink or paint
 constexpr float darkest_paper = 40;   ///< light below which nothing is divided out
+
+constexpr int whitest_ground = 248;     ///< darkest channel of grounds that are no white paper
+constexpr int plain_noise = 3;          ///< difference of channels within one colour
+constexpr double plain_share = 0.9;     ///< of the picture's edge that has it
+constexpr int ground_noise = 6;         ///< difference of channels of the ground
+constexpr int speck_noise = 20;         ///< the same of specks on it
+constexpr int half_speck = 2;           ///< px
+constexpr double through_share = 0.2;   ///< of the figure, up to which ground shows through it
+constexpr int darkest_through = 60;     ///< brightest channel; darker may be ink
+constexpr double smallest_hole = 1e-4;  ///< of the picture
+constexpr double framed_share = 0.9;    ///< of its box, from which on it is a picture in a frame
+constexpr double page_share = 0.6;      ///< the same where most of it is white
+constexpr int rim = 2;                  ///< px, within which paint and ground blend
 
 uint8_t least_alpha(const Image8& rgba) {
   uint8_t least = 255;
@@ -135,7 +151,142 @@ void divide_by(Image8& rgb, const std::array<Quadratic, 3>& lights) {
   }
 }
 
+/// A colour of opaque pixels, channels of 255.
+using Colour = std::array<int, 3>;
+
+int difference(const Image8& rgba, size_t i, const Colour& colour) {
+  const uint8_t* p = &rgba.pixels[4 * i];
+  return std::max(
+      {std::abs(p[0] - colour[0]), std::abs(p[1] - colour[1]), std::abs(p[2] - colour[2])});
+}
+
+/// The commonest value of each channel along the picture's edge.
+Colour colour_of_edge(const Image8& rgba) {
+  std::array<std::array<int, 256>, 3> counts = {};
+  along_edge(rgba.width, rgba.height, [&](int x, int y) {
+    for (int c = 0; c < 3; ++c) ++counts[c][rgba.at(x, y, c)];
+  });
+  Colour colour = {};
+  for (size_t c = 0; c < 3; ++c)
+    colour[c] =
+        static_cast<int>(std::max_element(counts[c].begin(), counts[c].end()) - counts[c].begin());
+  return colour;
+}
+
+/// Whether nearly all of an opaque picture's edge has this colour, which is not white.
+bool is_plain(const Image8& rgba, const Colour& colour) {
+  if (least_alpha(rgba) < 255 || *std::min_element(colour.begin(), colour.end()) >= whitest_ground)
+    return false;
+  int64_t like = 0;
+  along_edge(rgba.width, rgba.height, [&](int x, int y) {
+    const auto i = static_cast<size_t>(y) * rgba.width + x;
+    like += difference(rgba, i, colour) <= plain_noise ? 1 : 0;
+  });
+  return static_cast<double>(like) > plain_share * 2.0 * (rgba.width + rgba.height);
+}
+
+/// 1 where the ground is: what has its colour and reaches the edge, and what it shows through a
+/// painted figure.
+Image8 ground_of(const Image8& rgba, const Colour& colour) {
+  Image8 like(rgba.width, rgba.height, 1);
+  Image8 other(rgba.width, rgba.height, 1);
+  for (size_t i = 0; i < like.pixels.size(); ++i) {
+    const int far = difference(rgba, i, colour);
+    like.pixels[i] = far <= ground_noise ? 1 : 0;
+    other.pixels[i] = 1 - like.pixels[i];
+  }
+  // A codec leaves specks beside outlines.
+  const Image8 broad = max_filter(min_filter(other, half_speck), half_speck);
+  for (size_t i = 0; i < like.pixels.size(); ++i)
+    if (broad.pixels[i] == 0 && difference(rgba, i, colour) <= speck_noise) like.pixels[i] = 1;
+  const Components pieces = connected_components(like, Connectivity::sides);
+  std::vector<uint8_t> reaches(pieces.areas.size(), 0);
+  along_edge(rgba.width, rgba.height, [&](int x, int y) { reaches[pieces.label.at(x, y)] = 1; });
+  int64_t outside = 0;
+  int64_t enclosed = 0;
+  for (size_t k = 1; k < reaches.size(); ++k)
+    (reaches[k] != 0 ? outside : enclosed) += pieces.areas[k];
+  const auto surrounded = static_cast<double>(like.pixels.size()) - static_cast<double>(outside);
+  const bool through = static_cast<double>(
+      enclosed)<through_share * surrounded&& * std::max_element(colour.begin(), colour.end())>
+      darkest_through;
+  const double least = smallest_hole * static_cast<double>(like.pixels.size());
+  reaches[0] = 0;
+  for (size_t k = 1; k < reaches.size(); ++k)
+    if (through && static_cast<double>(pieces.areas[k]) > least) reaches[k] = 1;
+  for (size_t i = 0; i < like.pixels.size(); ++i) like.pixels[i] = reaches[pieces.label.pixels[i]];
+  return like;
+}
+
+/// Whether what is not ground is a page or a picture in a frame.
+bool is_framed(const Image8& rgba, const Image8& ground) {
+  int64_t area = 0;
+  int64_t white = 0;
+  Box2 box;
+  for (int y = 0; y < rgba.height; ++y)
+    for (int x = 0; x < rgba.width; ++x) {
+      if (ground.at(x, y) != 0) continue;
+      ++area;
+      white += std::min({rgba.at(x, y, 0), rgba.at(x, y, 1), rgba.at(x, y, 2)}) > 200 ? 1 : 0;
+      box.add(Point2{x * 1.0, y * 1.0});
+      box.add(Point2{x + 1.0, y + 1.0});
+    }
+  if (area == 0) return true;
+  const double filled =
+      static_cast<double>(area) / ((box.max.x - box.min.x) * (box.max.y - box.min.y));
+  return filled > (2 * white > area ? page_share : framed_share);
+}
+
+/// The pixel within `rim` px of (x, y) that is nearest of those that no ground is so near to, or
+/// -1.
+int64_t nearest_core(const Image8& near_ground, int x, int y) {
+  int64_t best = -1;
+  int least = 2 * rim * rim + 1;
+  for (int v = std::max(0, y - rim); v <= std::min(near_ground.height - 1, y + rim); ++v)
+    for (int u = std::max(0, x - rim); u <= std::min(near_ground.width - 1, x + rim); ++u) {
+      const int distance = (u - x) * (u - x) + (v - y) * (v - y);
+      if (near_ground.at(u, v) != 0 || distance >= least) continue;
+      least = distance;
+      best = static_cast<int64_t>(v) * near_ground.width + u;
+    }
+  return best;
+}
+
+/// How much of a pixel is paint of one colour, the rest of it ground: 0 to 1 and beyond.
+double share_of_paint(const uint8_t* pixel, const uint8_t* paint, const Colour& ground) {
+  double along = 0;
+  double all = 0;
+  for (size_t c = 0; c < 3; ++c) {
+    along += (pixel[c] - ground[c]) * (paint[c] - ground[c]);
+    all += (paint[c] - ground[c]) * (paint[c] - ground[c]);
+  }
+  return all > 0 ? along / all : 1;
+}
+
 }  // namespace
+
+Image8 cut_from_plain_ground(const Image8& rgba) {
+  assert(rgba.channels == 4);
+  const Colour colour = colour_of_edge(rgba);
+  if (!is_plain(rgba, colour)) return {};
+  const Image8 ground = ground_of(rgba, colour);
+  if (is_framed(rgba, ground)) return {};
+  const Image8 near_ground = max_filter(ground, rim);
+  Image8 cut = rgba;
+  for (int y = 0; y < rgba.height; ++y)
+    for (int x = 0; x < rgba.width; ++x) {
+      const auto i = static_cast<size_t>(y) * rgba.width + x;
+      if (ground.pixels[i] != 0) cut.pixels[4 * i + 3] = 0;
+      if (ground.pixels[i] != 0 || near_ground.pixels[i] == 0) continue;
+      const int64_t core = nearest_core(near_ground, x, y);
+      if (core < 0) continue;
+      const uint8_t* paint = &rgba.pixels[4 * static_cast<size_t>(core)];
+      const bool most = share_of_paint(&rgba.pixels[4 * i], paint, colour) >= 0.5;
+      std::copy(paint, paint + 3, &cut.pixels[4 * i]);
+      cut.pixels[4 * i + 3] = most ? 255 : 0;
+    }
+  return cut;
+}
 
 Image8 remove_paper(const Image8& rgba) {
   assert(rgba.channels == 4);
