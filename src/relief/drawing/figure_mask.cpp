@@ -12,23 +12,21 @@
 namespace relievo {
 namespace {
 
-constexpr double solid_share = 0.6;  ///< of what opaque pixels surround, from which they are areas
-constexpr int colourful = 44;        ///< difference of channels, of 255, of what is no paper
-constexpr int dark = 120;            ///< brightest channel up to which it is ink or dark paint
-constexpr int clean_white = 248;     ///< darkest channel of white paper at least
-constexpr double clean_share = 0.9;  ///< of the picture's edge that is so white on clean paper
-constexpr int faintest = 228;        ///< darkest channel of paint on clean paper at most
-constexpr int pure_white = 254;      ///< darkest channel of paper that nothing has blurred
-constexpr int palest = 246;          ///< darkest channel of areas of paint on it at most
-constexpr double framed_share =
-    0.9;                             ///< of its box, from which on it is a picture in a white frame
-constexpr int half_halo = 2;         ///< px, of what a codec leaves beside an outline
-constexpr int rim_margin = 2;        ///< px, within which an edge is that of the figure
-constexpr uint8_t rim_ink = 44;      ///< of LineMap::ink, that the rim has at least
-constexpr double gap_width = 0.008;  ///< of the diagonal, up to which gaps in paint are closed
-constexpr double piece_share = 0.03;   ///< of the largest piece, from which on others count
-constexpr double along_share = 0.67;   ///< of a picture's side, from which an area runs along it
-constexpr double strip_share = 0.15;   ///< of the picture, up to which that is a strip
+constexpr double solid_share = 0.6;   ///< of what opaque pixels surround, from which they are areas
+constexpr int colourful = 44;         ///< difference of channels, of 255, of what is no paper
+constexpr int dark = 120;             ///< brightest channel up to which it is ink or dark paint
+constexpr int clean_white = 248;      ///< darkest channel of white paper at least
+constexpr double clean_share = 0.9;   ///< of the picture's edge that is so white on clean paper
+constexpr int faintest = 228;         ///< darkest channel of paint on clean paper at most
+constexpr int pure_white = 254;       ///< darkest channel of paper that nothing has blurred
+constexpr int palest = 246;           ///< darkest channel of areas of paint on it at most
+constexpr int half_halo = 2;          ///< px, of what a codec leaves beside an outline
+constexpr int rim_margin = 2;         ///< px, within which an edge is that of the figure
+constexpr uint8_t rim_ink = 44;       ///< of LineMap::ink, that the rim has at least
+constexpr double gap_width = 0.008;   ///< of the diagonal, up to which gaps in paint are closed
+constexpr double piece_share = 0.03;  ///< of the largest piece, from which on others count
+constexpr double along_share = 0.67;  ///< of a picture's side, from which an area runs along it
+constexpr double strip_share = 0.15;  ///< of the picture, up to which that is a strip
 constexpr double at_edge_share = 0.2;  ///< of the picture's edge; more is no figure on paper
 
 int64_t count_of(const Image8& mask) {
@@ -189,6 +187,20 @@ void mark_rim(const FigureMask& figure, LineMap& map) {
   }
 }
 
+double share_of_box(const Image8& mask) {
+  int64_t area = 0;
+  Box2 box;
+  for (int y = 0; y < mask.height; ++y)
+    for (int x = 0; x < mask.width; ++x) {
+      if (mask.at(x, y) == 0) continue;
+      ++area;
+      box.add(Point2{x * 1.0, y * 1.0});
+      box.add(Point2{x + 1.0, y + 1.0});
+    }
+  if (box.empty()) return 0;
+  return static_cast<double>(area) / ((box.max.x - box.min.x) * (box.max.y - box.min.y));
+}
+
 bool is_on_pure_white(const Image8& rgba) {
   const auto is_brighter = [&rgba](int x, int y, int level) {
     return rgba.at(x, y, 3) == 0 || darkest_channel(rgba, x, y) >= level;
@@ -197,17 +209,10 @@ bool is_on_pure_white(const Image8& rgba) {
   along_edge(rgba.width, rgba.height,
              [&](int x, int y) { white += is_brighter(x, y, pure_white) ? 1 : 0; });
   if (static_cast<double>(white) < clean_share * 2.0 * (rgba.width + rgba.height)) return false;
-  int64_t area = 0;
-  Box2 box;
+  Image8 paint(rgba.width, rgba.height, 1);
   for (int y = 0; y < rgba.height; ++y)
-    for (int x = 0; x < rgba.width; ++x) {
-      if (is_brighter(x, y, palest)) continue;
-      ++area;
-      box.add(Point2{x * 1.0, y * 1.0});
-      box.add(Point2{x + 1.0, y + 1.0});
-    }
-  return box.empty() || static_cast<double>(area) <
-                            framed_share * (box.max.x - box.min.x) * (box.max.y - box.min.y);
+    for (int x = 0; x < rgba.width; ++x) paint.at(x, y) = is_brighter(x, y, palest) ? 0 : 1;
+  return share_of_box(paint) < framed_share;
 }
 
 void keep_figure(const Basins& basins, const std::vector<int>& of_basin, int last_label,

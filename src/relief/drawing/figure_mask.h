@@ -25,6 +25,12 @@ void mark_rim(const FigureMask& figure, LineMap& map);
 /// does. O(pixels).
 bool is_on_pure_white(const Image8& rgba);
 
+/// What fills so much of its box is a picture in a frame.
+constexpr double framed_share = 0.9;
+
+/// The share of the box around the ones of a mask that they fill; 0 of none. O(pixels).
+double share_of_box(const Image8& mask);
+
 /// A mask with all that it surrounds. O(pixels).
 Image8 without_holes(const Image8& mask);
 

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "kernel/image/image_size.h"
 #include "kernel/image/morphology.h"
 #include "relief/drawing/figure_mask.h"
+#include "relief/drawing/line_map.h"
 
 namespace relievo {
 namespace {
@@ -26,10 +29,12 @@ constexpr double plain_share = 0.9;     ///< of the picture's edge that has it
 constexpr int ground_noise = 6;         ///< difference of channels of the ground
 constexpr int speck_noise = 20;         ///< the same of specks on it
 constexpr int half_speck = 2;           ///< px
+constexpr double painted_share = 0.01;  ///< of the picture, that is wider than lines
+constexpr int darkest_ground = 128;     ///< brightest channel of a ground that no ink is on
 constexpr double through_share = 0.2;   ///< of the figure, up to which ground shows through it
 constexpr int darkest_through = 60;     ///< brightest channel; darker may be ink
 constexpr double smallest_hole = 1e-4;  ///< of the picture
-constexpr double framed_share = 0.9;    ///< of its box, from which on it is a picture in a frame
+constexpr int whitest_page = 55;        ///< difference of channels of a page from white
 constexpr double page_share = 0.6;      ///< the same where most of it is white
 constexpr int rim = 2;                  ///< px, within which paint and ground blend
 
@@ -185,20 +190,38 @@ bool is_plain(const Image8& rgba, const Colour& colour) {
   return static_cast<double>(like) > plain_share * 2.0 * (rgba.width + rgba.height);
 }
 
-/// 1 where the ground is: what has its colour and reaches the edge, and what it shows through a
-/// painted figure.
-Image8 ground_of(const Image8& rgba, const Colour& colour) {
-  Image8 like(rgba.width, rgba.height, 1);
+/// 1 where a pixel has the ground's colour, specks that a codec leaves beside outlines included.
+Image8 like_ground(const Image8& rgba, const Colour& colour) {
   Image8 other(rgba.width, rgba.height, 1);
-  for (size_t i = 0; i < like.pixels.size(); ++i) {
-    const int far = difference(rgba, i, colour);
-    like.pixels[i] = far <= ground_noise ? 1 : 0;
-    other.pixels[i] = 1 - like.pixels[i];
-  }
-  // A codec leaves specks beside outlines.
+  for (size_t i = 0; i < other.pixels.size(); ++i)
+    other.pixels[i] = difference(rgba, i, colour) > ground_noise ? 1 : 0;
   const Image8 broad = max_filter(min_filter(other, half_speck), half_speck);
-  for (size_t i = 0; i < like.pixels.size(); ++i)
-    if (broad.pixels[i] == 0 && difference(rgba, i, colour) <= speck_noise) like.pixels[i] = 1;
+  Image8 like(rgba.width, rgba.height, 1);
+  for (size_t i = 0; i < like.pixels.size(); ++i) {
+    const bool speck = broad.pixels[i] == 0 && difference(rgba, i, colour) <= speck_noise;
+    like.pixels[i] = other.pixels[i] == 0 || speck ? 1 : 0;
+  }
+  return like;
+}
+
+/// Whether what is not ground covers areas, rather than lines bounding them.
+bool is_paint_on(const Image8& like) {
+  Image8 other = like;
+  for (uint8_t& value : other.pixels) value = 1 - value;
+  const int half_line = static_cast<int>(widest_line / 2 * std::hypot(like.width, like.height));
+  const Image8 wide = min_filter(other, std::max(3, half_line));
+  const auto count = std::count(wide.pixels.begin(), wide.pixels.end(), 1);
+  return static_cast<double>(count) > painted_share * static_cast<double>(wide.pixels.size());
+}
+
+/// 1 where the ground is: what has its colour and reaches the edge, and what a painted figure or
+/// chalk lines enclose. Nothing where ink lines on a bright ground may bound areas that it fills.
+Image8 ground_of(const Image8& rgba, const Colour& colour) {
+  Image8 like = like_ground(rgba, colour);
+  const bool painted = is_paint_on(like);
+  const int brightest = *std::max_element(colour.begin(), colour.end());
+  const bool dark = brightest < darkest_ground;
+  if (!painted && !dark) return {};
   const Components pieces = connected_components(like, Connectivity::sides);
   std::vector<uint8_t> reaches(pieces.areas.size(), 0);
   along_edge(rgba.width, rgba.height, [&](int x, int y) { reaches[pieces.label.at(x, y)] = 1; });
@@ -206,10 +229,10 @@ Image8 ground_of(const Image8& rgba, const Colour& colour) {
   int64_t enclosed = 0;
   for (size_t k = 1; k < reaches.size(); ++k)
     (reaches[k] != 0 ? outside : enclosed) += pieces.areas[k];
-  const auto surrounded = static_cast<double>(like.pixels.size()) - static_cast<double>(outside);
-  const bool through = static_cast<double>(
-      enclosed)<through_share * surrounded&& * std::max_element(colour.begin(), colour.end())>
-      darkest_through;
+  const auto figure = static_cast<double>(like.pixels.size()) - static_cast<double>(outside);
+  const bool little = static_cast<double>(enclosed) < through_share * figure;
+  if (painted && !little && !dark) return {};
+  const bool through = !painted || (little && brightest > darkest_through);
   const double least = smallest_hole * static_cast<double>(like.pixels.size());
   reaches[0] = 0;
   for (size_t k = 1; k < reaches.size(); ++k)
@@ -220,21 +243,16 @@ Image8 ground_of(const Image8& rgba, const Colour& colour) {
 
 /// Whether what is not ground is a page or a picture in a frame.
 bool is_framed(const Image8& rgba, const Image8& ground) {
+  Image8 rest = ground;
   int64_t area = 0;
   int64_t white = 0;
-  Box2 box;
-  for (int y = 0; y < rgba.height; ++y)
-    for (int x = 0; x < rgba.width; ++x) {
-      if (ground.at(x, y) != 0) continue;
-      ++area;
-      white += std::min({rgba.at(x, y, 0), rgba.at(x, y, 1), rgba.at(x, y, 2)}) > 200 ? 1 : 0;
-      box.add(Point2{x * 1.0, y * 1.0});
-      box.add(Point2{x + 1.0, y + 1.0});
-    }
-  if (area == 0) return true;
-  const double filled =
-      static_cast<double>(area) / ((box.max.x - box.min.x) * (box.max.y - box.min.y));
-  return filled > (2 * white > area ? page_share : framed_share);
+  for (size_t i = 0; i < rest.pixels.size(); ++i) {
+    rest.pixels[i] = 1 - ground.pixels[i];
+    area += rest.pixels[i];
+    const bool is_white = difference(rgba, i, {255, 255, 255}) < whitest_page;
+    white += rest.pixels[i] != 0 && is_white ? 1 : 0;
+  }
+  return area == 0 || share_of_box(rest) > (2 * white > area ? page_share : framed_share);
 }
 
 /// The pixel within `rim` px of (x, y) that is nearest of those that no ground is so near to, or
@@ -270,7 +288,7 @@ Image8 cut_from_plain_ground(const Image8& rgba) {
   const Colour colour = colour_of_edge(rgba);
   if (!is_plain(rgba, colour)) return {};
   const Image8 ground = ground_of(rgba, colour);
-  if (is_framed(rgba, ground)) return {};
+  if (ground.empty() || is_framed(rgba, ground)) return {};
   const Image8 near_ground = max_filter(ground, rim);
   Image8 cut = rgba;
   for (int y = 0; y < rgba.height; ++y)

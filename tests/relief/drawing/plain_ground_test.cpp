@@ -71,6 +71,37 @@ TEST(PlainGround, LeavesNoBlendAtTheRim) {
   }
 }
 
+/// A circle with a gap and a whole one, in lines of one colour on a ground of another.
+Drawing lines_on(const Colour& ground, const Colour& ink) {
+  InkDrawing lines(400, 300);
+  lines.arc({130, 150}, 80, 0.02, 0.98, 7).circle({290, 150}, 70, 7);
+  Drawing drawing = lines.drawing();
+  for (size_t i = 0; i < drawing.rgba.pixels.size(); i += 4) {
+    const double share = drawing.rgba.pixels[i] / 255.0;
+    for (size_t c = 0; c < 3; ++c)
+      drawing.rgba.pixels[i + c] =
+          static_cast<uint8_t>(share * ground[c] + (1 - share) * ink[c] + 0.5);
+  }
+  return drawing;
+}
+
+TEST(PlainGround, FillsWhatLinesBound) {
+  for (const Colour& ground : {cream, sky, Colour{255, 255, 255}}) {
+    const Result<Segmentation> s = segment_drawing(lines_on(ground, {20, 20, 20}));
+    ASSERT_TRUE(s.ok()) << to_string(s.error());
+    EXPECT_NE(s->labels.at(130, 150), 0) << int{ground[2]} << ", with a gap";
+    EXPECT_NE(s->labels.at(290, 150), 0) << int{ground[2]};
+    EXPECT_EQ(s->labels.at(8, 8), 0) << int{ground[2]};
+  }
+}
+
+TEST(PlainGround, IsABlackboardUnderChalk) {
+  const Result<Segmentation> s = segment_drawing(lines_on(night, {245, 245, 245}));
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  EXPECT_NE(s->labels.at(290, 150), 0);
+  EXPECT_EQ(s->labels.at(8, 8), 0);
+}
+
 TEST(PlainGround, IsNoWhitePaperAndNoFrame) {
   EXPECT_TRUE(cut_from_plain_ground(ring_on({255, 255, 255}).rgba).empty());
   Image8 framed(300, 200, 4, 255);
