@@ -31,6 +31,10 @@ constexpr double framed_share = 0.9;
 /// The share of the box around the ones of a mask that they fill; 0 of none. O(pixels).
 double share_of_box(const Image8& mask);
 
+/// A drawing (4 channels) on pure white without a soft grey shadow on the ground below the figure.
+/// Nothing where there is none. O(pixels).
+Image8 without_cast_shadow(const Image8& rgba);
+
 /// A mask with all that it surrounds. O(pixels).
 Image8 without_holes(const Image8& mask);
 

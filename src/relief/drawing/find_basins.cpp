@@ -45,7 +45,8 @@ bool go_on(const RunContext& context, double done) {
 Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   if (drawing.rgba.empty()) return Error{ErrorCode::bad_input, "the drawing has no pixels", ""};
   if (!go_on(context, 0)) return interrupted_error();
-  const Image8 cut = cut_from_plain_ground(drawing.rgba);
+  Image8 cut = cut_from_plain_ground(drawing.rgba);
+  if (cut.empty()) cut = without_cast_shadow(drawing.rgba);
   const Image8& rgba = cut.empty() ? drawing.rgba : cut;
   const Image8 rgb = remove_paper(rgba);
   if (!go_on(context, 0.1)) return interrupted_error();

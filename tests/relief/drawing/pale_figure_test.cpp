@@ -68,5 +68,32 @@ TEST(PureWhite, IsWhatLiesUnderNothing) {
   EXPECT_EQ(s->labels.at(5, 5), 0);
 }
 
+/// A ball above a grey ellipse on the ground that fades within `blur` px.
+Drawing ball_above_shadow(double blur) {
+  InkDrawing ball(400, 360);
+  ball.disc({200, 180}, 110, 230, 120, 40);
+  Drawing drawing = ball.drawing();
+  for (int y = 0; y < 360; ++y)
+    for (int x = 0; x < 400; ++x) {
+      if (drawing.rgba.at(x, y, 2) != 255) continue;
+      const double inside = 22 * (1 - std::hypot((x + 0.5 - 200) / 120, (y + 0.5 - 300) / 22));
+      const double share = std::clamp(0.5 + inside / blur, 0.0, 1.0);
+      for (int c = 0; c < 3; ++c) drawing.rgba.at(x, y, c) = static_cast<uint8_t>(255 - 75 * share);
+    }
+  return drawing;
+}
+
+TEST(CastShadow, IsNoPartWhereItIsSoft) {
+  const Result<Segmentation> soft = segment_drawing(ball_above_shadow(30));
+  ASSERT_TRUE(soft.ok()) << to_string(soft.error());
+  EXPECT_EQ(soft->labels.at(110, 302), 0);
+  EXPECT_EQ(soft->labels.at(200, 304), 0);
+  EXPECT_NE(soft->labels.at(200, 270), 0) << "the ball";
+  EXPECT_EQ(soft->parts.size(), 1U);
+  const Result<Segmentation> hard = segment_drawing(ball_above_shadow(1));
+  ASSERT_TRUE(hard.ok()) << to_string(hard.error());
+  EXPECT_NE(hard->labels.at(110, 302), 0) << "a plate";
+}
+
 }  // namespace
 }  // namespace relievo
