@@ -7,8 +7,8 @@ cd "$(dirname "$0")"
 # Comparisons with slow reference solvers, many scenes and solids, a slicer, Blender.
 surveys='^NonlinearReferences|^Lambda/RandomScenes|^Slicer|^SolidSurvey|^Blender'
 case "${1:-}" in
-  "") preset=test packages=test left_out="$surveys|^consumer\$|^lint\$" ;;
-  --all) preset=dev packages=all left_out='^$' ;;
+  "") all='' packages=test left_out="$surveys|^consumer\$|^lint\$" ;;
+  --all) all=yes packages=all left_out='^$' ;;
   *) echo "usage: $0 [--all]" >&2; exit 2 ;;
 esac
 jobs=$(nproc 2> /dev/null || echo 2)
@@ -19,7 +19,7 @@ if command -v npm > /dev/null; then
     echo "No glTF validator from npm; the tests that need it are skipped." >&2
 fi
 
-if [ "$preset" = dev ]; then
+if [ "$all" ]; then
   export RELIEVO_LONG=1
   scripts/build-docs.sh
   cmake --preset asan > /dev/null
@@ -30,8 +30,8 @@ if [ "$preset" = dev ]; then
     ctest --test-dir build/asan -j "$jobs" --output-on-failure --no-tests=error -E "$surveys"
 fi
 
-cmake --preset "$preset" > /dev/null
-if [ "$preset" = dev ]; then
+cmake --preset test > /dev/null
+if [ "$all" ]; then
   scripts/make-packages.sh
   export RELIEVO="$PWD/build/package/apps/cli/relievo"
   # Debian's Python, for which the module is built.
@@ -41,24 +41,24 @@ if [ "$preset" = dev ]; then
   tests/packages/npm.sh "$RELIEVO"
   tests/blender/blender.sh "$RELIEVO" "$PWD/build/package/python"
 else
-  export RELIEVO="$PWD/build/$preset/apps/cli/relievo"
-  cmake --build "build/$preset" -j "$jobs" --target relievo
+  export RELIEVO="$PWD/build/test/apps/cli/relievo"
+  cmake --build build/test -j "$jobs" --target relievo
 fi
 
 # The editor: its modules, its engine against the command line, and journeys in a real browser,
 # which mostly wait. The program's tests are compiled meanwhile, with what the journeys leave of the
 # processors; journeys that measure come after that.
 scripts/build-web.sh
-nice -n 19 cmake --build "build/$preset" -j "$jobs" > "build/$preset/tests.log" 2>&1 &
+nice -n 19 cmake --build build/test -j "$jobs" > build/test/tests.log 2>&1 &
 compiling=$!
 trap 'kill "$compiling" 2> /dev/null || true' EXIT
 (cd web && npm run --silent test && npm run --silent journeys)
-wait "$compiling" || { cat "build/$preset/tests.log" >&2; exit 1; }
+wait "$compiling" || { cat build/test/tests.log >&2; exit 1; }
 trap - EXIT
 (cd web && npm run --silent measured)
 
-if [ "$preset" = dev ] && [ "$(id -u)" -eq 0 ]; then
+if [ "$all" ] && [ "$(id -u)" -eq 0 ]; then
   tests/cluster/slurm.sh "$RELIEVO"
 fi
 
-ctest --test-dir "build/$preset" -j "$jobs" --output-on-failure --no-tests=error -E "$left_out"
+ctest --test-dir build/test -j "$jobs" --output-on-failure --no-tests=error -E "$left_out"
