@@ -143,32 +143,39 @@ Image8 without_gaps(const Image8& mask, int half_gap) {
   return closed;
 }
 
-/// 1 where one gets from the picture's edge over white and grey without a step.
+/// 1 where one gets from white into grey, and on in it, without a step.
 Image8 smoothly_reached(const Image8& rgba) {
   const int w = rgba.width;
   const auto is_grey = [&](int x, int y) {
     const uint8_t* p = &rgba.at(x, y);
     const auto [darkest, brightest] = std::minmax({p[0], p[1], p[2]});
-    return brightest - darkest <= shadow_tint && darkest >= darkest_shadow;
+    return brightest - darkest <= shadow_tint && darkest >= darkest_shadow && darkest < palest;
+  };
+  const auto visit_smooth = [&](int x, int y, const auto& visit) {
+    const int own = darkest_channel(rgba, x, y);
+    for (const auto& [u, v] : {std::pair(x - 1, y), {x + 1, y}, {x, y - 1}, {x, y + 1}}) {
+      if (u < 0 || v < 0 || u >= w || v >= rgba.height) continue;
+      const int other = darkest_channel(rgba, u, v);
+      if (std::abs(other - own) <= shadow_step) visit(u, v, other);
+    }
   };
   Image8 reached(w, rgba.height, 1);
   std::vector<int> open;
   const auto take = [&](int x, int y) {
+    if (reached.at(x, y) != 0 || !is_grey(x, y)) return;
     reached.at(x, y) = 1;
     open.push_back(y * w + x);
   };
-  along_edge(w, rgba.height, [&](int x, int y) {
-    if (darkest_channel(rgba, x, y) >= pure_white) take(x, y);
-  });
+  for (int y = 0; y < rgba.height; ++y)
+    for (int x = 0; x < w; ++x)
+      if (is_grey(x, y))
+        visit_smooth(x, y, [&](int, int, int other) {
+          if (other >= palest) take(x, y);
+        });
   while (!open.empty()) {
-    const int x = open.back() % w;
-    const int y = open.back() / w;
+    const int i = open.back();
     open.pop_back();
-    for (const auto& [u, v] : {std::pair(x - 1, y), {x + 1, y}, {x, y - 1}, {x, y + 1}}) {
-      if (u < 0 || v < 0 || u >= w || v >= rgba.height || reached.at(u, v) != 0) continue;
-      const int step = std::abs(darkest_channel(rgba, u, v) - darkest_channel(rgba, x, y));
-      if (step <= shadow_step && is_grey(u, v)) take(u, v);
-    }
+    visit_smooth(i % w, i / w, [&](int u, int v, int) { take(u, v); });
   }
   return reached;
 }
@@ -232,12 +239,8 @@ Image8 lying_pieces(const Image8& grey, const Image8& rgba) {
 }  // namespace
 
 Image8 without_cast_shadow(const Image8& rgba) {
-  if (!is_on_pure_white(rgba)) return {};
-  Image8 shadow = smoothly_reached(rgba);
-  for (int y = 0; y < rgba.height; ++y)
-    for (int x = 0; x < rgba.width; ++x)
-      if (darkest_channel(rgba, x, y) >= palest) shadow.at(x, y) = 0;
-  shadow = lying_pieces(shadow, rgba);
+  if (count_of(opaque_pixels(rgba)) < static_cast<int64_t>(rgba.pixels.size() / 4)) return {};
+  const Image8 shadow = lying_pieces(smoothly_reached(rgba), rgba);
   if (count_of(shadow) == 0) return {};
   Image8 lit = rgba;
   for (size_t i = 0; i < shadow.pixels.size(); ++i)
@@ -266,7 +269,7 @@ bool is_surroundings(const std::array<int64_t, 4>& at_edge, int64_t area, int wi
                                          strip_share * static_cast<double>(width) * height);
 }
 
-FigureMask find_figure(const Image8& rgba, const Image8& rgb, bool painted) {
+FigureMask find_figure(const Image8& rgba, const Image8& rgb, bool painted, bool on_pure_white) {
   const Image8 opaque = opaque_pixels(rgba);
   const int64_t pixels = count_of(opaque);
   if (pixels < static_cast<int64_t>(opaque.pixels.size())) {
@@ -275,7 +278,6 @@ FigureMask find_figure(const Image8& rgba, const Image8& rgb, bool painted) {
     return {opaque, true, true};
   }
   if (!painted) return {};
-  const bool on_pure_white = is_on_pure_white(rgba);
   const int half_gap =
       std::max(1, static_cast<int>(std::lround(gap_width / 2 * std::hypot(rgb.width, rgb.height))));
   const Image8 paint_on_page = without_surroundings(paint(rgb, on_pure_white));

@@ -15,7 +15,7 @@ namespace relievo {
 /// The figure of a picture on a transparent ground whose opaque areas are it (lines on a
 /// transparent ground say nothing), or of paint on paper: what is coloured or dark, the narrow gaps
 /// in it and what it surrounds. `rgba` is the drawing, `rgb` the same on white. O(pixels).
-FigureMask find_figure(const Image8& rgba, const Image8& rgb, bool painted);
+FigureMask find_figure(const Image8& rgba, const Image8& rgb, bool painted, bool on_pure_white);
 
 /// Marks the rim of a sharp mask as an edge where no line or edge runs along it. O(pixels).
 void mark_rim(const FigureMask& figure, LineMap& map);
@@ -31,8 +31,8 @@ constexpr double framed_share = 0.9;
 /// The share of the box around the ones of a mask that they fill; 0 of none. O(pixels).
 double share_of_box(const Image8& mask);
 
-/// A drawing (4 channels) on pure white without a soft grey shadow on the ground below the figure.
-/// Nothing where there is none. O(pixels).
+/// An opaque drawing (4 channels) on pure white without a soft grey shadow on the ground below the
+/// figure. Nothing where there is none. O(pixels).
 Image8 without_cast_shadow(const Image8& rgba);
 
 /// A mask with all that it surrounds. O(pixels).

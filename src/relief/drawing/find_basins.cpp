@@ -46,18 +46,19 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   if (drawing.rgba.empty()) return Error{ErrorCode::bad_input, "the drawing has no pixels", ""};
   if (!go_on(context, 0)) return interrupted_error();
   Image8 cut = cut_from_plain_ground(drawing.rgba);
-  if (cut.empty()) cut = without_cast_shadow(drawing.rgba);
+  const bool on_pure_white = !cut.empty() || is_on_pure_white(drawing.rgba);
+  if (cut.empty() && on_pure_white) cut = without_cast_shadow(drawing.rgba);
   const Image8& rgba = cut.empty() ? drawing.rgba : cut;
   const Image8 rgb = remove_paper(rgba);
   if (!go_on(context, 0.1)) return interrupted_error();
-  LineMap map = find_lines(rgb, is_on_pure_white(rgba));
+  LineMap map = find_lines(rgb, on_pure_white);
   if (std::count(map.barrier.pixels.begin(), map.barrier.pixels.end(), LineMap::none) ==
       static_cast<ptrdiff_t>(map.barrier.pixels.size()))
     return Error{ErrorCode::bad_input, "the drawing is blank: no line or edge was found in it", ""};
   for (const OpenRoot& root : find_open_roots(map)) close_root(root, map.barrier);
   if (!go_on(context, 0.5)) return interrupted_error();
   Basins basins;
-  basins.figure = find_figure(rgba, rgb, map.painted);
+  basins.figure = find_figure(rgba, rgb, map.painted, on_pure_white);
   mark_rim(basins.figure, map);
   basins.index = watershed(map, basins.basins);
   if (basins.basins.empty())
