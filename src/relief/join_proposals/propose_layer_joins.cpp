@@ -62,6 +62,47 @@ double share_between(const LayerGrid& grid, const std::vector<Point2>& line, con
   return between / static_cast<double>(line.size());
 }
 
+void tie(const Overlap& pair, JoinProposals& joining) {
+  joining.relations.push_back({{pair.upper, pair.lower, RelationKind::equal, std::nullopt}, false});
+}
+
+/// Of the parts that a feature lies within the largest tells that it is one, and the smallest how
+/// much it bulges, as the white of an eye does for a pupil.
+std::vector<std::pair<int, double>> features(const LayerGrid& grid,
+                                             const std::vector<Overlap>& overlaps,
+                                             const std::vector<uint8_t>& joined) {
+  std::map<int, std::vector<double>> shares;
+  for (const Overlap& pair : overlaps)
+    if (joined[pair.upper] == 0 && pair.upper_beside <= most_outside &&
+        round_inflation(grid.masks[pair.upper]) >= least_round)
+      shares[pair.upper].push_back(static_cast<double>(grid.areas[pair.upper]) /
+                                   static_cast<double>(grid.areas[pair.lower]));
+  std::vector<std::pair<int, double>> found;
+  for (const auto& [part, of] : shares)
+    if (const auto [least, most] = std::minmax_element(of.begin(), of.end());
+        *least <= largest_feature)
+      found.emplace_back(part, *most);
+  return found;
+}
+
+/// How different the main colour of a limb is from all of a body; 0 where one is not known.
+double color_difference(const PartColors& colors, int limb, int body) {
+  const size_t known = colors.size();
+  if (std::max<size_t>(limb, body) >= known || colors[limb].empty() || colors[body].empty())
+    return 0;
+  double least = 2;
+  const std::array<double, 3>& own = colors[limb].front();
+  for (const auto& color : colors[body])
+    least = std::min(least, std::hypot(own[0] - color[0], own[1] - color[1], own[2] - color[2]));
+  return least;
+}
+
+/// Whether the upper part is a thing in front of the lower one; hair and clothes, which cover
+/// much of it, are not.
+bool is_held(const Overlap& pair, double difference) {
+  return difference > foreign_color && pair.lower_beside > 1 - clothing;
+}
+
 class Connector {
  public:
   Connector(const Scene& scene, const PartColors& colors, const std::vector<Point2>& anchors)
@@ -98,7 +139,7 @@ class Connector {
     tie_lying(overlaps, joined, held, joining);
     tie_hidden(overlaps, held, joining);
     joining.hollows = hollow_parts(grid_, colors_, limbs(overlaps, joining));
-    joining.features = features(overlaps, joined);
+    joining.features = features(grid_, overlaps, joined);
     return joining;
   }
 
@@ -150,11 +191,6 @@ class Connector {
     }
   }
 
-  static void tie(const Overlap& pair, JoinProposals& joining) {
-    joining.relations.push_back(
-        {{pair.upper, pair.lower, RelationKind::equal, std::nullopt}, false});
-  }
-
   /// What has no join lies on the larger parts behind it, and what hangs on one in front only on
   /// those that it does not cross: tied to all, it would be drawn back to what is farthest. Marks
   /// what is held.
@@ -184,24 +220,6 @@ class Connector {
       if (pair != nullptr) tie(*pair, joining);
   }
 
-  /// Of the parts that a feature lies within the largest tells that it is one, and the smallest how
-  /// much it bulges, as the white of an eye does for a pupil.
-  std::vector<std::pair<int, double>> features(const std::vector<Overlap>& overlaps,
-                                               const std::vector<uint8_t>& joined) const {
-    std::map<int, std::vector<double>> shares;
-    for (const Overlap& pair : overlaps)
-      if (joined[pair.upper] == 0 && pair.upper_beside <= most_outside &&
-          round_inflation(grid_.masks[pair.upper]) >= least_round)
-        shares[pair.upper].push_back(static_cast<double>(grid_.areas[pair.upper]) /
-                                     static_cast<double>(grid_.areas[pair.lower]));
-    std::vector<std::pair<int, double>> found;
-    for (const auto& [part, of] : shares)
-      if (const auto [least, most] = std::minmax_element(of.begin(), of.end());
-          *least <= largest_feature)
-        found.emplace_back(part, *most);
-    return found;
-  }
-
   /// Which parts are limbs, joined or behind.
   std::vector<uint8_t> limbs(const std::vector<Overlap>& overlaps,
                              const JoinProposals& joining) const {
@@ -212,21 +230,10 @@ class Connector {
     return limb;
   }
 
-  /// How different the main colour of a limb is from all of a body; 0 where one is not known.
-  double color_difference(int limb, int body) const {
-    const size_t known = colors_.size();
-    if (std::max<size_t>(limb, body) >= known || colors_[limb].empty() || colors_[body].empty())
-      return 0;
-    double least = 2;
-    const std::array<double, 3>& own = colors_[limb].front();
-    for (const auto& color : colors_[body])
-      least = std::min(least, std::hypot(own[0] - color[0], own[1] - color[1], own[2] - color[2]));
-    return least;
-  }
-
   /// From 1 to one half.
   double likeness(int limb, int body) const {
-    const double change = (color_difference(limb, body) - same_color) / (other_color - same_color);
+    const double change =
+        (color_difference(colors_, limb, body) - same_color) / (other_color - same_color);
     const double ratio =
         static_cast<double>(grid_.areas[body]) / static_cast<double>(grid_.areas[limb]);
     return (1 - 0.5 * std::clamp(change, 0.0, 1.0)) * std::clamp(0.45 * ratio, 0.4, 1.0);
@@ -234,7 +241,7 @@ class Connector {
 
   /// The join of a limb, if the upper part is one.
   std::optional<ProposedJoin> join_of(const Overlap& pair) const {
-    const double difference = color_difference(pair.upper, pair.lower);
+    const double difference = color_difference(colors_, pair.upper, pair.lower);
     const bool alike = !colors_.empty() && difference < same_color;
     if (pair.upper_beside < (alike ? least_same_color : least_protrusion) ||
         is_held(pair, difference) || is_larger(grid_, pair.upper, pair.lower, limb_to_body))
@@ -270,12 +277,6 @@ class Connector {
       whole = std::max(whole, run.measure.length);
     }
     return length > least_cover * whole;
-  }
-
-  /// Whether the upper part is a thing in front of the lower one; hair and clothes, which cover
-  /// much of it, are not.
-  static bool is_held(const Overlap& pair, double difference) {
-    return difference > foreign_color && pair.lower_beside > 1 - clothing;
   }
 
   /// Whether the lower part is a limb that comes out from behind the upper one.
