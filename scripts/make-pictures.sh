@@ -19,7 +19,7 @@ for name in wolf bunny farmer unicorn elephant lamb; do
   # What the editor's first screen shows.
   "$relievo" render "examples/$name.svg" -o "$work/$name.png" --yaw $((yaw * 8 / 5)) --pitch 10 \
     --light -50 35 --size 720 > /dev/null
-  convert "$work/$name.png" -resize 320x256 -quality 80 -define webp:method=6 "web/thumbnails/$name.webp"
+  convert "$work/$name.png" -resize 320x256 -quality 68 -define webp:method=6 "web/thumbnails/$name.webp"
 done
 
 # Creases, with light from the left.
