@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "kernel/base/disjoint_sets.h"
+#include "kernel/image/image_size.h"
 
 namespace relievo {
 namespace {
@@ -63,6 +64,14 @@ Mask connected_to(const Mask& mask, const Mask& seed) {
   for (size_t i = 0; i < pieces.label.pixels.size(); ++i)
     result.inside.pixels[i] = reached[pieces.label.pixels[i]];
   return result;
+}
+
+std::vector<uint8_t> pieces_at_edge(const Components& pieces) {
+  std::vector<uint8_t> reaches(pieces.areas.size(), 0);
+  along_edge(pieces.label.width, pieces.label.height,
+             [&](int x, int y) { reaches[pieces.label.at(x, y)] = 1; });
+  reaches[0] = 0;
+  return reaches;
 }
 
 }  // namespace relievo

@@ -19,6 +19,9 @@ struct Components {
 /// The connected pieces of the pixels of `mask` (one channel) that are not 0. O(pixels).
 Components connected_components(const Image8& mask, Connectivity connectivity);
 
+/// Of each piece, 1 where it reaches the picture's edge; [0] is 0. O(edge).
+std::vector<uint8_t> pieces_at_edge(const Components& pieces);
+
 /// The pixels of `mask` that are connected by sides within it to a pixel of `seed`. O(box).
 Mask connected_to(const Mask& mask, const Mask& seed);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace relievo {
 
@@ -30,6 +31,14 @@ void along_edge(int width, int height, Visit visit) {
     visit(0, y);
     if (width > 1) visit(width - 1, y);
   }
+}
+
+/// The share of the pixels of the picture's edge of which is(x, y) is true.
+template <class Is>
+double share_of_edge(int width, int height, Is is) {
+  int64_t count = 0;
+  along_edge(width, height, [&](int x, int y) { count += is(x, y) ? 1 : 0; });
+  return static_cast<double>(count) / (2.0 * (width + height));
 }
 
 }  // namespace relievo

@@ -188,6 +188,16 @@ Image8 close_gaps(const Image8& image, int radius) {
   return min_filter(max_filter(image, radius), radius);
 }
 
+Image8 remove_specks(const Image8& image, int radius) {
+  return max_filter(min_filter(image, radius), radius);
+}
+
+Image8 complement(const Image8& mask) {
+  Image8 result = mask;
+  for (uint8_t& value : result.pixels) value = 1 - value;
+  return result;
+}
+
 Image8 thin(const Image8& mask) {
   assert(mask.channels == 1);
   std::array<std::array<bool, 256>, 2> removable = {};

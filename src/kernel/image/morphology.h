@@ -20,6 +20,12 @@ Image8 min_filter(const Image8& image, int radius);
 /// Removes what is darker than its surroundings and narrower than the square.
 Image8 close_gaps(const Image8& image, int radius);
 
+/// Removes what is brighter than its surroundings and narrower than the square.
+Image8 remove_specks(const Image8& image, int radius);
+
+/// The zeros of a mask, as ones.
+Image8 complement(const Image8& mask);
+
 /// The mask's pixels, thinned to connected curves of one pixel that keep their ends: 255 on them,
 /// 0 elsewhere. `mask` has one channel. O(pixels * widest half width) (Zhang, Suen 1984).
 Image8 thin(const Image8& mask);

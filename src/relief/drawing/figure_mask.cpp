@@ -42,12 +42,6 @@ int64_t count_of(const Image8& mask) {
   return std::count(mask.pixels.begin(), mask.pixels.end(), 1);
 }
 
-Image8 complement(const Image8& mask) {
-  Image8 result = mask;
-  for (uint8_t& value : result.pixels) value = 1 - value;
-  return result;
-}
-
 Image8 without_small_pieces(const Image8& mask) {
   const Components pieces = connected_components(mask, Connectivity::corners);
   if (pieces.areas.size() < 2) return mask;
@@ -85,12 +79,6 @@ Image8 without_surroundings(const Image8& mask) {
   return result;
 }
 
-double share_at_edge(const Image8& mask) {
-  int64_t inside = 0;
-  along_edge(mask.width, mask.height, [&](int x, int y) { inside += mask.at(x, y); });
-  return static_cast<double>(inside) / (2.0 * (mask.width + mask.height));
-}
-
 Image8 opaque_pixels(const Image8& rgba) {
   Image8 mask(rgba.width, rgba.height, 1);
   for (size_t i = 0; i < mask.pixels.size(); ++i)
@@ -102,26 +90,40 @@ int darkest_channel(const Image8& rgb, int x, int y) {
   return std::min({rgb.at(x, y, 0), rgb.at(x, y, 1), rgb.at(x, y, 2)});
 }
 
-/// What is pale, but no paper, and broader than what a codec leaves beside an outline.
-Image8 pale_areas(const Image8& rgb) {
-  Image8 pale(rgb.width, rgb.height, 1);
-  for (int y = 0; y < rgb.height; ++y)
-    for (int x = 0; x < rgb.width; ++x) pale.at(x, y) = darkest_channel(rgb, x, y) < palest ? 1 : 0;
-  return max_filter(min_filter(pale, half_halo), half_halo);
+/// 1 where a picture on pure white, or on nothing, is not white.
+Image8 tinted_pixels(const Image8& image) {
+  Image8 mask(image.width, image.height, 1);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const bool nothing = image.channels == 4 && image.at(x, y, 3) == 0;
+      mask.at(x, y) = !nothing && darkest_channel(image, x, y) < palest ? 1 : 0;
+    }
+  return mask;
+}
+
+Box2 box_of(const Image8& mask) {
+  Box2 box;
+  for (int y = 0; y < mask.height; ++y)
+    for (int x = 0; x < mask.width; ++x) {
+      if (mask.at(x, y) == 0) continue;
+      box.add(Point2{x * 1.0, y * 1.0});
+      box.add(Point2{x + 1.0, y + 1.0});
+    }
+  return box;
 }
 
 /// Whether the picture's edge is white paper without grain or shadows.
 bool is_on_clean_paper(const Image8& rgb) {
-  int64_t white = 0;
-  along_edge(rgb.width, rgb.height,
-             [&](int x, int y) { white += darkest_channel(rgb, x, y) >= clean_white ? 1 : 0; });
-  return static_cast<double>(white) > clean_share * 2.0 * (rgb.width + rgb.height);
+  const auto is_white = [&](int x, int y) { return darkest_channel(rgb, x, y) >= clean_white; };
+  return share_of_edge(rgb.width, rgb.height, is_white) > clean_share;
 }
 
 /// What is no paper: on clean paper whatever is not white, else what no shadow is.
 Image8 paint(const Image8& rgb, bool on_pure_white) {
   const bool clean = is_on_clean_paper(rgb);
-  Image8 mask = on_pure_white ? pale_areas(rgb) : Image8(rgb.width, rgb.height, 1);
+  // Broader than what a codec leaves beside an outline.
+  Image8 mask = on_pure_white ? remove_specks(tinted_pixels(rgb), half_halo)
+                              : Image8(rgb.width, rgb.height, 1);
   for (size_t i = 0; i < mask.pixels.size(); ++i) {
     const uint8_t* p = &rgb.pixels[3 * i];
     const int brightest = std::max({p[0], p[1], p[2]});
@@ -134,7 +136,7 @@ Image8 paint(const Image8& rgb, bool on_pure_white) {
 
 /// With the gaps in it closed, but for those between it and the picture's edge.
 Image8 without_gaps(const Image8& mask, int half_gap) {
-  Image8 closed = min_filter(max_filter(mask, half_gap), half_gap);
+  Image8 closed = close_gaps(mask, half_gap);
   for (int y = 0; y < mask.height; ++y)
     for (int x = 0; x < mask.width; ++x) {
       const int to_edge = std::min({x, y, mask.width - 1 - x, mask.height - 1 - y});
@@ -204,23 +206,15 @@ std::vector<GreyPiece> measure_pieces(const Components& pieces, const Image8& rg
   return measured;
 }
 
-/// The middle of all that is not white, px from the top.
-double middle_of(const Image8& rgba) {
-  Box2 box;
-  for (int y = 0; y < rgba.height; ++y)
-    for (int x = 0; x < rgba.width; ++x)
-      if (darkest_channel(rgba, x, y) < palest) box.add(Point2{x * 1.0, y * 1.0});
-  return box.empty() ? 0 : (box.min.y + box.max.y) / 2;
-}
-
 /// Of the grey that is reached, what lies as a shadow does: broad, in the lower half of the figure,
 /// and bounded by the page. What it touches of the figure in the same grey is cut off where that is
 /// narrow.
 Image8 lying_pieces(const Image8& grey, const Image8& rgba) {
-  const Image8 broad = max_filter(min_filter(grey, half_leak), half_leak);
-  const Components pieces = connected_components(broad, Connectivity::sides);
+  const Components pieces =
+      connected_components(remove_specks(grey, half_leak), Connectivity::sides);
   const std::vector<GreyPiece> measured = measure_pieces(pieces, rgba);
-  const double middle = middle_of(rgba);
+  const Box2 all = box_of(tinted_pixels(rgba));
+  const double middle = (all.min.y + all.max.y - 1) / 2;
   std::vector<uint8_t> lies(measured.size(), 0);
   for (size_t k = 1; k < measured.size(); ++k) {
     const auto& [box, to_page, to_rest] = measured[k];
@@ -250,10 +244,7 @@ Image8 without_cast_shadow(const Image8& rgba) {
 
 Image8 without_holes(const Image8& mask) {
   const Components outside = connected_components(complement(mask), Connectivity::sides);
-  std::vector<uint8_t> reaches_edge(outside.areas.size(), 0);
-  along_edge(mask.width, mask.height,
-             [&](int x, int y) { reaches_edge[outside.label.at(x, y)] = 1; });
-  reaches_edge[0] = 0;
+  const std::vector<uint8_t> reaches_edge = pieces_at_edge(outside);
   Image8 result(mask.width, mask.height, 1);
   for (size_t i = 0; i < result.pixels.size(); ++i)
     result.pixels[i] = 1 - reaches_edge[outside.label.pixels[i]];
@@ -282,7 +273,8 @@ FigureMask find_figure(const Image8& rgba, const Image8& rgb, bool painted, bool
       std::max(1, static_cast<int>(std::lround(gap_width / 2 * std::hypot(rgb.width, rgb.height))));
   const Image8 paint_on_page = without_surroundings(paint(rgb, on_pure_white));
   const Image8 figure = without_small_pieces(without_holes(without_gaps(paint_on_page, half_gap)));
-  if (share_at_edge(figure) > at_edge_share) return {};
+  const auto is_inside = [&](int x, int y) { return figure.at(x, y) != 0; };
+  if (share_of_edge(rgb.width, rgb.height, is_inside) > at_edge_share) return {};
   // The blur of its rim is half paper.
   return {min_filter(figure, 1), false, on_pure_white};
 }
@@ -299,31 +291,17 @@ void mark_rim(const FigureMask& figure, LineMap& map) {
 }
 
 double share_of_box(const Image8& mask) {
-  int64_t area = 0;
-  Box2 box;
-  for (int y = 0; y < mask.height; ++y)
-    for (int x = 0; x < mask.width; ++x) {
-      if (mask.at(x, y) == 0) continue;
-      ++area;
-      box.add(Point2{x * 1.0, y * 1.0});
-      box.add(Point2{x + 1.0, y + 1.0});
-    }
+  const Box2 box = box_of(mask);
   if (box.empty()) return 0;
-  return static_cast<double>(area) / ((box.max.x - box.min.x) * (box.max.y - box.min.y));
+  return static_cast<double>(count_of(mask)) / ((box.max.x - box.min.x) * (box.max.y - box.min.y));
 }
 
 bool is_on_pure_white(const Image8& rgba) {
-  const auto is_brighter = [&rgba](int x, int y, int level) {
-    return rgba.at(x, y, 3) == 0 || darkest_channel(rgba, x, y) >= level;
+  const auto is_white = [&](int x, int y) {
+    return rgba.at(x, y, 3) == 0 || darkest_channel(rgba, x, y) >= pure_white;
   };
-  int64_t white = 0;
-  along_edge(rgba.width, rgba.height,
-             [&](int x, int y) { white += is_brighter(x, y, pure_white) ? 1 : 0; });
-  if (static_cast<double>(white) < clean_share * 2.0 * (rgba.width + rgba.height)) return false;
-  Image8 paint(rgba.width, rgba.height, 1);
-  for (int y = 0; y < rgba.height; ++y)
-    for (int x = 0; x < rgba.width; ++x) paint.at(x, y) = is_brighter(x, y, palest) ? 0 : 1;
-  return share_of_box(paint) < framed_share;
+  return share_of_edge(rgba.width, rgba.height, is_white) >= clean_share &&
+         share_of_box(tinted_pixels(rgba)) < framed_share;
 }
 
 void keep_figure(const Basins& basins, const std::vector<int>& of_basin, int last_label,

@@ -182,12 +182,10 @@ Colour colour_of_edge(const Image8& rgba) {
 bool is_plain(const Image8& rgba, const Colour& colour) {
   if (least_alpha(rgba) < 255 || *std::min_element(colour.begin(), colour.end()) >= whitest_ground)
     return false;
-  int64_t like = 0;
-  along_edge(rgba.width, rgba.height, [&](int x, int y) {
-    const auto i = static_cast<size_t>(y) * rgba.width + x;
-    like += difference(rgba, i, colour) <= plain_noise ? 1 : 0;
-  });
-  return static_cast<double>(like) > plain_share * 2.0 * (rgba.width + rgba.height);
+  const auto is_like = [&](int x, int y) {
+    return difference(rgba, static_cast<size_t>(y) * rgba.width + x, colour) <= plain_noise;
+  };
+  return share_of_edge(rgba.width, rgba.height, is_like) > plain_share;
 }
 
 /// 1 where a pixel has the ground's colour, specks that a codec leaves beside outlines included.
@@ -195,7 +193,7 @@ Image8 like_ground(const Image8& rgba, const Colour& colour) {
   Image8 other(rgba.width, rgba.height, 1);
   for (size_t i = 0; i < other.pixels.size(); ++i)
     other.pixels[i] = difference(rgba, i, colour) > ground_noise ? 1 : 0;
-  const Image8 broad = max_filter(min_filter(other, half_speck), half_speck);
+  const Image8 broad = remove_specks(other, half_speck);
   Image8 like(rgba.width, rgba.height, 1);
   for (size_t i = 0; i < like.pixels.size(); ++i) {
     const bool speck = broad.pixels[i] == 0 && difference(rgba, i, colour) <= speck_noise;
@@ -206,10 +204,8 @@ Image8 like_ground(const Image8& rgba, const Colour& colour) {
 
 /// Whether what is not ground covers areas, rather than lines bounding them.
 bool is_paint_on(const Image8& like) {
-  Image8 other = like;
-  for (uint8_t& value : other.pixels) value = 1 - value;
   const int half_line = static_cast<int>(widest_line / 2 * std::hypot(like.width, like.height));
-  const Image8 wide = min_filter(other, std::max(3, half_line));
+  const Image8 wide = min_filter(complement(like), std::max(3, half_line));
   const auto count = std::count(wide.pixels.begin(), wide.pixels.end(), 1);
   return static_cast<double>(count) > painted_share * static_cast<double>(wide.pixels.size());
 }
@@ -223,8 +219,7 @@ Image8 ground_of(const Image8& rgba, const Colour& colour) {
   const bool dark = brightest < darkest_ground;
   if (!painted && !dark) return {};
   const Components pieces = connected_components(like, Connectivity::sides);
-  std::vector<uint8_t> reaches(pieces.areas.size(), 0);
-  along_edge(rgba.width, rgba.height, [&](int x, int y) { reaches[pieces.label.at(x, y)] = 1; });
+  std::vector<uint8_t> reaches = pieces_at_edge(pieces);
   int64_t outside = 0;
   int64_t enclosed = 0;
   for (size_t k = 1; k < reaches.size(); ++k)
@@ -234,7 +229,6 @@ Image8 ground_of(const Image8& rgba, const Colour& colour) {
   if (painted && !little && !dark) return {};
   const bool through = !painted || (little && brightest > darkest_through);
   const double least = smallest_hole * static_cast<double>(like.pixels.size());
-  reaches[0] = 0;
   for (size_t k = 1; k < reaches.size(); ++k)
     if (through && static_cast<double>(pieces.areas[k]) > least) reaches[k] = 1;
   for (size_t i = 0; i < like.pixels.size(); ++i) like.pixels[i] = reaches[pieces.label.pixels[i]];
@@ -243,11 +237,10 @@ Image8 ground_of(const Image8& rgba, const Colour& colour) {
 
 /// Whether what is not ground is a page or a picture in a frame.
 bool is_framed(const Image8& rgba, const Image8& ground) {
-  Image8 rest = ground;
+  const Image8 rest = complement(ground);
   int64_t area = 0;
   int64_t white = 0;
   for (size_t i = 0; i < rest.pixels.size(); ++i) {
-    rest.pixels[i] = 1 - ground.pixels[i];
     area += rest.pixels[i];
     const bool is_white = difference(rgba, i, {255, 255, 255}) < whitest_page;
     white += rest.pixels[i] != 0 && is_white ? 1 : 0;
