@@ -84,19 +84,30 @@ std::string part_table(const Scene& scene) {
   return table.text();
 }
 
+std::string guessed(double confidence) {
+  return "guessed, " + number(std::round(100 * confidence)) + " % sure";
+}
+
 /// How sure a guess is; empty for what was said.
 std::string trust(const JoinProposals& guesses, const Join& join) {
   for (const ProposedJoin& guess : guesses.joins)
     if (guess.join.upper == join.upper && guess.join.lower == join.lower)
-      return "guessed, " + number(std::round(100 * guess.confidence)) + " % sure";
+      return guessed(guess.confidence);
   return "";
 }
 
 std::string trust(const JoinProposals& guesses, const Relation& relation) {
   for (const ProposedRelation& guess : guesses.relations)
     if (guess.relation.upper == relation.upper && guess.relation.lower == relation.lower)
-      return "guessed";
+      return relation.kind == RelationKind::joined ? guessed(guess.confidence) : "guessed";
   return "";
+}
+
+/// What is said of a relation, from which its kind can be told.
+std::string detail_of(const Relation& relation) {
+  const std::string kind =
+      relation.kind == RelationKind::joined ? "from behind" : name(relation.kind);
+  return kind + (relation.range ? " along a range" : "");
 }
 
 std::string annotation_table(const SceneInput& input) {
@@ -107,9 +118,9 @@ std::string annotation_table(const SceneInput& input) {
     table.add({"join", id(join.upper), id(join.lower), counted(join.line.size(), "point"),
                trust(input.guesses, join)});
   for (const Relation& relation : scene.relations)
-    table.add({"relation", id(relation.upper), id(relation.lower),
-               std::string(name(relation.kind)) + (relation.range ? " along a range" : ""),
-               trust(input.guesses, relation)});
+    table.add({relation.kind == RelationKind::joined ? "join" : "relation", id(relation.upper),
+               id(relation.lower),
+               detail_of(relation), trust(input.guesses, relation)});
   for (const RobinRange& range : scene.robin)
     table.add({"robin", id(range.upper), id(range.lower),
                "alpha0 " + (range.alpha0 ? number(*range.alpha0) : "default") + ", rho " +

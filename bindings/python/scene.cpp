@@ -89,7 +89,7 @@ Part to_part(const Value& from) {
 
 Relation to_relation(const Value& from, const PartNumbers& parts) {
   Relation relation{part_number(from["upper"], parts), part_number(from["lower"], parts),
-                    kind_named<RelationKind>(from["kind"], 4), std::nullopt};
+                    kind_named<RelationKind>(from["kind"], 5), std::nullopt};
   const Value range = from["range"];
   if (range.value.is_none()) return relation;
   const auto ends = range.points();
@@ -142,6 +142,7 @@ Scene to_scene(const py::handle& object) {
   for (const Value& cue : from["cues"].items())
     scene.cues.push_back({part_number(cue["part"], parts), kind_named<CueKind>(cue["kind"], 3),
                           cue["line"].points(), cue["value"].number()});
+  turn_joins_from_behind(scene);
   return scene;
 }
 

@@ -41,8 +41,15 @@ struct Join {
 };
 
 /// `equal` holds where the lower part is the nearest behind; where another lies between, as
-/// `above`. `below`, only of a range, puts the upper part behind the lower one there.
-enum class RelationKind { equal, above, free, below };
+/// `above`. `below`, only of a range, puts the upper part behind the lower one there. `joined` is
+/// the join of a lower part that grows out from behind the upper one, as a far leg does: both meet
+/// along the upper outline, which stays an edge of the surface. Heights are as with `equal`.
+enum class RelationKind { equal, above, free, below, joined };
+
+/// Whether the kind makes heights equal along the upper outline.
+constexpr bool is_tie(RelationKind kind) {
+  return kind == RelationKind::equal || kind == RelationKind::joined;
+}
 
 /// The kind as scene files spell it.
 const char* name(RelationKind kind);
@@ -101,6 +108,11 @@ struct Scene {
   std::vector<RobinRange> robin;
   std::vector<Cue> cues;
 };
+
+/// Makes relations of the joins whose upper part lies behind the lower one: such a limb is joined
+/// along the run of the front part's outline that the line follows. Joins without a line, or of
+/// parts that do not exist, stay. Linear in points, times those of the lines.
+void turn_joins_from_behind(Scene& scene);
 
 /// Checks what the types cannot say: a canvas and coordinates in bounds, unique ids,
 /// indices in range, outlines with area, upper in front of lower, ranges where they are needed,

@@ -30,6 +30,7 @@ function Neighbour({ editor, part, other }: { editor: Editor; part: Part; other:
       <select aria-label={`${t('touches')}: ${other.id}`} value={relation} onChange={(event) => setRelation(event.currentTarget.value)}>
         <option value="">{t('relationDefault')}</option>
         <option value="equal">{t('relationEqual')}</option>
+        <option value="joined">{t('relationJoined')}</option>
         <option value="above">{t('relationAbove')}</option>
         <option value="free">{t('relationFree')}</option>
       </select>

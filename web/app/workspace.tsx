@@ -62,7 +62,7 @@ function makeTools(editor: Editor, host: ToolHost, scribbles: ScribbleHost): Rec
   };
 }
 
-const relationWords = { usual: 'relationDefault', equal: 'relationEqual', above: 'relationAbove', free: 'relationFree', below: 'farther' } as const;
+const relationWords = { usual: 'relationDefault', equal: 'relationEqual', joined: 'relationJoined', above: 'relationAbove', free: 'relationFree', below: 'farther' } as const;
 
 function hostOf(editor: Editor, reach: () => number): ToolHost {
   return {

@@ -9,7 +9,7 @@ export interface Pair {
 }
 
 /** What can be said of a pair, one after the other; null is the usual. */
-const kinds: readonly (RelationKind | null)[] = [null, 'free', 'equal', 'above'];
+const kinds: readonly (RelationKind | null)[] = [null, 'free', 'equal', 'joined', 'above'];
 
 /** The pair whose upper outline passes a point within `reach` px, inside the lower part; none that is joined. */
 export function pairAt({ parts, joins }: Document, point: Point, reach: number): Pair | null {

@@ -3,7 +3,7 @@
 export type Point = readonly [number, number];
 export type Ring = readonly Point[];
 /** `below` has a range. */
-export type RelationKind = 'equal' | 'above' | 'free' | 'below';
+export type RelationKind = 'equal' | 'above' | 'free' | 'below' | 'joined';
 
 export interface Part {
   /** Unique name. */

@@ -50,6 +50,7 @@ export const english = {
   touches: 'Where it meets others',
   relationDefault: 'as usual',
   relationEqual: 'glued',
+  relationJoined: 'grown on from behind',
   relationAbove: 'in front',
   relationFree: 'free',
   joinPair: 'Join',

@@ -51,6 +51,7 @@ export const german: Words = {
   touches: 'Wo er andere berührt',
   relationDefault: 'wie üblich',
   relationEqual: 'geklebt',
+  relationJoined: 'von hinten angewachsen',
   relationAbove: 'davor',
   relationFree: 'frei',
   joinPair: 'Verbinden',

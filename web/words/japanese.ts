@@ -51,6 +51,7 @@ export const japanese: Words = {
   touches: 'ほかと接する所',
   relationDefault: '標準',
   relationEqual: 'くっつける',
+  relationJoined: '後ろから生える',
   relationAbove: '前に置く',
   relationFree: '離す',
   joinPair: 'つなぐ',

@@ -51,6 +51,7 @@ export const spanish: Words = {
   touches: 'Donde toca a otras',
   relationDefault: 'como siempre',
   relationEqual: 'pegada',
+  relationJoined: 'unida por detrás',
   relationAbove: 'delante',
   relationFree: 'libre',
   joinPair: 'Unir',

@@ -39,7 +39,7 @@ class Relation:
 
     upper: str
     lower: str
-    kind: Literal["equal", "above", "free", "below"] = "above"
+    kind: Literal["equal", "above", "free", "below", "joined"] = "above"
     range: Optional[Tuple[Point, Point]] = None  #: of the upper outline; None: everywhere
 
 

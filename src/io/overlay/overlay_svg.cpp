@@ -56,6 +56,7 @@ std::string outline_data(const Outline& outline) {
 
 const char* colour_of(RelationKind kind) {
   if (kind == RelationKind::equal) return equal_colour;
+  if (kind == RelationKind::joined) return join_colour;
   return kind == RelationKind::below ? below_colour : above_colour;
 }
 

@@ -88,10 +88,11 @@ Outline JsonReader::outline(const Json& json, const JsonPath& path) {
 }
 
 RelationKind JsonReader::relation_kind(const Json& json, const JsonPath& path) {
-  if (json == "equal") return RelationKind::equal;
-  if (json == "free") return RelationKind::free;
-  if (json == "below") return RelationKind::below;
-  if (json != "above") fail(path, "must be \"equal\", \"above\", \"free\" or \"below\"");
+  for (const RelationKind kind : {RelationKind::equal, RelationKind::free, RelationKind::below,
+                                  RelationKind::joined})
+    if (json == name(kind)) return kind;
+  if (json != "above")
+    fail(path, "must be \"equal\", \"above\", \"free\", \"below\" or \"joined\"");
   return RelationKind::above;
 }
 

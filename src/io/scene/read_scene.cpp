@@ -40,6 +40,7 @@ class SceneReader final : public AnnotationReader {
     list(json, root, "relations", scene.relations, &SceneReader::relation);
     list(json, root, "robin", scene.robin, &SceneReader::robin);
     list(json, root, "cues", scene.cues, &SceneReader::cue);
+    if (!error()) turn_joins_from_behind(scene);
     check(scene);
     return scene;
   }

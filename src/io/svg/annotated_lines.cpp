@@ -65,7 +65,7 @@ class JoinFinder {
       std::vector<Point2> line = without_repeats(polyline.points);
       if (line.size() < 2) continue;
       const int behind = *lower >= 0 ? *lower : part_behind(line, upper);
-      if (behind < 0 || behind >= upper) {
+      if (behind < 0 || behind == upper) {
         return Error{ErrorCode::contradiction, "the join lies over no part behind its own", where};
       }
       found.joins.push_back({upper, behind, std::move(line)});

@@ -29,10 +29,11 @@ struct AnnotatedJoins {
 };
 
 /// Joins of the drawing. A marked line is a join of the part it lies in (or data-upper) to
-/// data-lower, or else to the nearest part behind that contains most of it. With `layers`, a
-/// stroke without a fill that runs along the outline of its part, over a part behind, is one too.
-/// Fails with bad_input where a name is unknown or the upper part is not said, with contradiction
-/// where the line lies over no part behind.
+/// data-lower, which may lie in front of it (turn_joins_from_behind), or else to the nearest part
+/// behind that contains most of it. With `layers`, a stroke without a fill that runs along the
+/// outline of its part, over a part behind, is one too. Fails with bad_input where a name is
+/// unknown or the upper part is not said, with contradiction where the line lies over no part
+/// behind.
 Result<AnnotatedJoins> annotated_joins(const SvgDrawing& drawing,
                                        const std::vector<AnnotatedPart>& parts, bool layers);
 

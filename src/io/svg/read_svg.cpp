@@ -48,6 +48,7 @@ Status take_annotations(const SvgDrawing& drawing, bool layers, SvgImport& resul
   scene.joins = std::move(joins->joins);
   scene.relations = std::move(*relations);
   scene.cues = std::move(cues->cues);
+  turn_joins_from_behind(scene);
   notes = std::move(joins->elements);
   notes.insert(notes.end(), cues->elements.begin(), cues->elements.end());
   return Done{};

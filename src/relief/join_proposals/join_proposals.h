@@ -23,6 +23,7 @@ struct ProposedJoin {
 struct ProposedRelation {
   Relation relation;
   bool user = false;
+  double confidence = 0;  ///< in [0, 1], of `joined`
 };
 
 /// A proposed lean of a part.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -129,9 +130,9 @@ class JoinProposer {
     const JoinProposals whole = connect_whole(regions_, stacking_, outlines_, options_);
     grow_limbs(whole.joins);
     for (const ProposedRelation& proposed : whole.relations)
-      tied_.insert({proposed.relation.upper, proposed.relation.lower});
+      tied_.insert({{proposed.relation.upper, proposed.relation.lower}, proposed.relation.kind});
     for (int part = 0; part < regions_.count(); ++part) propose(part);
-    for (const Pair& pair : tied_) propose_relation(pair, RelationKind::equal);
+    for (const auto& [pair, kind] : tied_) propose_relation(pair, kind);
     return std::move(out_);
   }
 
@@ -178,8 +179,9 @@ class JoinProposer {
     const Surroundings around = surroundings(regions_, stacking_, part);
     for (const Root& root : around.roots) propose_join(part, root, around);
     for (const int lower : around.lower) {
-      const bool tied = around.enclosed || tied_.count({part, lower}) > 0;
-      propose_relation({part, lower}, tied ? RelationKind::equal : RelationKind::above);
+      const auto tie = tied_.find({part, lower});
+      const RelationKind apart = around.enclosed ? RelationKind::equal : RelationKind::above;
+      propose_relation({part, lower}, tie != tied_.end() ? tie->second : apart);
     }
   }
 
@@ -254,7 +256,7 @@ class JoinProposer {
   const JoinProposalOptions& options_;
   std::set<int> said_;   ///< parts that the user joined to something
   std::set<int> limbs_;  ///< parts that grow out of another as their whole outlines tell
-  std::set<Pair> tied_;  ///< as whole outlines tell
+  std::map<Pair, RelationKind> tied_;  ///< as whole outlines tell
   std::set<Pair> joined_;
   std::set<Pair> unjoined_;
   std::set<Pair> related_;

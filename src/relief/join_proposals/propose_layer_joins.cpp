@@ -103,6 +103,15 @@ bool is_held(const Overlap& pair, double difference) {
   return difference > foreign_color && pair.lower_beside > 1 - clothing;
 }
 
+/// The parts that lie on one behind them, as eyes do.
+std::vector<uint8_t> lying_parts(const LayerGrid& grid, const std::vector<Overlap>& overlaps) {
+  std::vector<uint8_t> lying(grid.masks.size());
+  for (const Overlap& pair : overlaps)
+    if (pair.upper_beside <= most_outside && is_larger(grid, pair.lower, pair.upper, 1))
+      lying[pair.upper] = 1;
+  return lying;
+}
+
 class Connector {
  public:
   Connector(const Scene& scene, const PartColors& colors, const std::vector<Point2>& anchors)
@@ -118,13 +127,14 @@ class Connector {
     std::vector<std::optional<ProposedJoin>> joins;
     for (const Overlap& pair : overlaps) joins.push_back(join_of(pair));
     doubt_roots(overlaps, joins);
-    const std::vector<double> most = rooted(overlaps, joins).confidence;
+    const Rooted roots = rooted(overlaps, joins);
+    const std::vector<uint8_t> lying = lying_parts(grid_, overlaps);
     std::vector<uint8_t> joined(grid_.masks.size());
     std::vector<uint8_t> held(grid_.masks.size());
     for (size_t k = 0; k < overlaps.size(); ++k) {
       const Overlap& pair = overlaps[k];
       const bool is_joined =
-          joins[k] && joins[k]->confidence >= std::max(most[pair.upper], least_trust);
+          joins[k] && joins[k]->confidence >= std::max(roots.confidence[pair.upper], least_trust);
       if (is_joined && joins[k]->confidence < sure_join && is_cap(pair)) {
         held[pair.upper] = 1;
         tie(pair, joining);
@@ -133,7 +143,8 @@ class Connector {
         joining.joins.push_back(std::move(*joins[k]));
       } else if (is_behind(pair)) {
         held[pair.lower] = 1;
-        tie(pair, joining);
+        const bool grows = roots.body[pair.lower] == pair.upper && lying[pair.lower] == 0;
+        joining.relations.push_back(hang_behind(pair, grows));
       }
     }
     tie_lying(overlaps, joined, held, joining);
@@ -164,7 +175,7 @@ class Connector {
       if (joins[k])
         note(pair.upper, pair.lower, joins[k]->confidence);
       else if (is_behind(pair))
-        note(pair.lower, pair.upper, likeness(pair.lower, pair.upper) * pair.lower_beside);
+        note(pair.lower, pair.upper, trust_behind(pair));
     }
     return result;
   }
@@ -266,6 +277,21 @@ class Connector {
                           std::min(1.0, 0.5 + pair.upper_beside / 2) *
                           likeness(pair.upper, pair.lower);
     return proposed;
+  }
+
+  /// How sure it is that the lower part grows out from behind the upper one.
+  double trust_behind(const Overlap& pair) const {
+    return likeness(pair.lower, pair.upper) * pair.lower_beside;
+  }
+
+  /// What comes out from behind the upper part is joined there where it `grows` and has no foreign
+  /// colour, as a weapon behind a hand has, and else tied.
+  ProposedRelation hang_behind(const Overlap& pair, bool grows) const {
+    const double trust = trust_behind(pair);
+    const bool is_limb = grows && trust >= least_trust &&
+                         color_difference(colors_, pair.lower, pair.upper) <= foreign_color;
+    const RelationKind kind = is_limb ? RelationKind::joined : RelationKind::equal;
+    return {{pair.upper, pair.lower, kind, std::nullopt}, false, is_limb ? trust : 0};
   }
 
   /// Whether the upper part covers the outline of the lower one, as hair or a hat does.

@@ -143,8 +143,7 @@ bool find_inner(const std::vector<int>& elimination, const SparseMatrix& A, std:
 std::vector<std::set<int>> tied_parts(const Scene& scene) {
   std::vector<std::set<int>> tied(scene.parts.size());
   for (const Relation& relation : scene.relations)
-    if (relation.kind == RelationKind::equal && !relation.range &&
-        scene.parts[relation.lower].d > 0)
+    if (is_tie(relation.kind) && !relation.range && scene.parts[relation.lower].d > 0)
       tied[relation.upper].insert(relation.lower);
   for (const Join& join : scene.joins) tied[join.upper].clear();
   for (size_t part = 0; part < tied.size(); ++part)

@@ -31,7 +31,7 @@ struct Caps {
   std::vector<Cap> caps;
 };
 
-/// By part, those behind it that it may be a cap of: to which it is tied (`equal`, without a
+/// By part, those behind it that it may be a cap of: to which it is tied (is_tie, without a
 /// range), all with d > 0; none where it has a lean or grows. O(parts + joins + relations log).
 std::vector<std::set<int>> tied_parts(const Scene& scene);
 

@@ -61,6 +61,7 @@ void tie_limbs(const Scene& scene, JoinProposals& guesses) {
     guesses.relations.push_back({{limb, body, RelationKind::equal, std::nullopt}, false});
   }
   guesses.joins.clear();
+  for (ProposedRelation& guess : guesses.relations) guess.relation.kind = RelationKind::equal;
 }
 
 /// Keeps of the guesses those on parts that the author did not place. Where anything is said, what

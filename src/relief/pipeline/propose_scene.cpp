@@ -175,7 +175,7 @@ double inflation_factor(const Proposal& proposal, const Completion& clipped, int
   double below = 0;
   for (const ProposedRelation& proposed : proposal.joining.relations) {
     const Relation& relation = proposed.relation;
-    if (relation.upper == part && relation.kind == RelationKind::equal && touch(relation.lower))
+    if (relation.upper == part && is_tie(relation.kind) && touch(relation.lower))
       below += area(relation.lower);
   }
   return below == 0 ? 1 : feature_inflation(area(part) / below);

@@ -172,7 +172,51 @@ Status check_drawing(const Scene& scene) {
              "'..'");
 }
 
+/// The ring that all of the line is nearest to. Precondition: there is one.
+const Ring& followed_ring(const Outline& outline, const std::vector<Point2>& line) {
+  const auto gap = [&](const Ring& ring) {
+    const RingMeasure m = measure(ring);
+    double sum = 0;
+    for (const Point2 p : line) sum += nearest_on_ring(ring, m, p).distance;
+    return sum;
+  };
+  return *std::min_element(outline.begin(), outline.end(), [&](const Ring& a, const Ring& b) {
+    return gap(a) < gap(b);
+  });
+}
+
+/// Whether the feet of the line's points go round the ring in its direction.
+bool runs_forward(const Ring& ring, const std::vector<Point2>& line) {
+  const RingMeasure m = measure(ring);
+  const auto foot = [&](Point2 p) { return nearest_on_ring(ring, m, p).s; };
+  double forward = 0;
+  for (size_t i = 0; i + 1 < line.size(); ++i)
+    forward += std::remainder(foot(line[i + 1]) - foot(line[i]), m.length);
+  return forward >= 0;
+}
+
+/// A join of a limb behind `front` as the relation that it is.
+Relation from_behind(const Join& join, Outline front) {
+  orient_by_nesting(front);
+  Relation relation{join.lower, join.upper, RelationKind::joined, {}};
+  relation.range = {join.line.front(), join.line.back()};
+  if (!runs_forward(followed_ring(front, join.line), join.line))
+    std::swap(relation.range->first, relation.range->second);
+  return relation;
+}
+
 }  // namespace
+
+void turn_joins_from_behind(Scene& scene) {
+  const int count = static_cast<int>(scene.parts.size());
+  std::erase_if(scene.joins, [&](const Join& join) {
+    if (join.upper < 0 || join.upper >= join.lower || join.lower >= count) return false;
+    const Outline& front = scene.parts[join.lower].outline;
+    if (join.line.size() < 2 || front.empty()) return false;
+    scene.relations.push_back(from_behind(join, front));
+    return true;
+  });
+}
 
 Status validate(const Scene& scene) {
   for (const auto check : {check_canvas, check_drawing, check_parts, check_joins, check_relations,
@@ -196,6 +240,8 @@ const char* name(RelationKind kind) {
       return "free";
     case RelationKind::below:
       return "below";
+    case RelationKind::joined:
+      return "joined";
   }
   return "";
 }

@@ -134,8 +134,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"\"d\": -0.5", "\"d\": 1e9", "parts[1].d", "1000"},
         Refusal{"\"upper\": \"leg\"", "\"upper\": \"arm\"", "joins[0].upper", "\"arm\""},
         Refusal{"\"upper\": \"leg\"", "\"upper\": \"body\"", "joins[0]", "same part"},
-        Refusal{"\"upper\": \"leg\", \"lower\": \"body\"",
-                "\"upper\": \"body\", \"lower\": \"leg\"", "joins[0]", "lies behind"},
+        Refusal{"\"lower\": \"body\", \"from\"", "\"lower\": \"toe\", \"from\"", "robin[0].lower",
+                "\"toe\""},
+        Refusal{"\"upper\": \"leg\", \"lower\": \"body\", \"from\"",
+                "\"upper\": \"body\", \"lower\": \"leg\", \"from\"", "robin[0]", "lies behind"},
         Refusal{"[[20,70],[35,70]] }", "[[20,70]] }", "joins[0].line", "no length"},
         Refusal{"[[20,70],[35,70]] }", "[] }", "joins[0].line", "no length"},
         Refusal{"[[20,70],[35,70]] }", "[[20,70],[2e6,70]] }", "joins[0].line[1]", "1000000"},
@@ -163,6 +165,29 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"\"value\": -30", "\"value\": -76", "cues[1].value", "-75 to 75"},
         Refusal{"\"value\": 45", "\"value\": \"steep\"", "cues[2].value", "must be a number"},
         Refusal{"\"cues\": [", "\"cues\": [ 5, ", "cues[0]", "must be an object"}));
+
+TEST(ReadScene, JoinsOfLimbsBehindFollowTheOutlineInFront) {
+  const auto relation_of = [](const std::string& line) {
+    const auto scene = read_scene(
+        R"({ "format": "relievo-scene", "version": 1, "canvas": { "width": 100, "height": 100 },
+             "parts": [ { "id": "leg", "outline": [[[40,40],[60,40],[60,90],[40,90]]] },
+                        { "id": "body", "outline": [[[10,10],[10,60],[90,60],[90,10]]] } ],
+             "joins": [ { "upper": "leg", "lower": "body", "line": )" +
+        line + " } ] }");
+    EXPECT_TRUE(scene.ok());
+    EXPECT_TRUE(scene->joins.empty());
+    EXPECT_EQ(scene->relations.size(), 1U);
+    return scene->relations.at(0);
+  };
+  for (const char* line : {"[[38,60],[62,60]]", "[[62,60],[38,60]]"}) {
+    const Relation relation = relation_of(line);
+    EXPECT_EQ(relation.upper, 1);
+    EXPECT_EQ(relation.lower, 0);
+    EXPECT_EQ(relation.kind, RelationKind::joined);
+    EXPECT_EQ(relation.range->first, (Point2{62, 60})) << "clockwise on the page";
+    EXPECT_EQ(relation.range->second, (Point2{38, 60}));
+  }
+}
 
 TEST(ReadScene, LocatesMalformedJson) {
   const auto scene = read_scene("{\n  \"format\": nope\n}");

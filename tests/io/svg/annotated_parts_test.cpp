@@ -201,9 +201,16 @@ TEST(AnnotatedJoins, NamesOverrideWhatContainsTheLine) {
   EXPECT_EQ(error_of(parts + "<path class='join' data-upper='nose' d='M300 100V190'/>").code,
             ErrorCode::bad_input);
   const Error order = error_of(
-      parts + "<path id='j' class='join' data-upper='back' data-lower='arm' d='M300 100V190'/>");
+      parts + "<path id='j' class='join' data-upper='back' data-lower='back' d='M300 100V190'/>");
   EXPECT_EQ(order.code, ErrorCode::contradiction);
   EXPECT_EQ(order.where, "j");
+  const SvgImport behind = import_of(svg_file(
+      parts + "<path class='join' data-upper='back' data-lower='arm' d='M300 100V190'/>"));
+  EXPECT_TRUE(behind.scene.joins.empty());
+  ASSERT_EQ(behind.scene.relations.size(), 1u);
+  EXPECT_EQ(behind.scene.relations[0].upper, 2);
+  EXPECT_EQ(behind.scene.relations[0].lower, 0);
+  EXPECT_EQ(behind.scene.relations[0].kind, RelationKind::joined);
   EXPECT_EQ(error_of(parts + "<path class='join' data-upper='arm' d='M950 950V990'/>").code,
             ErrorCode::contradiction);
 }

@@ -63,7 +63,7 @@ TEST(JoinParts, BodyOverAFarArmIsNotJoined) {
   const JoinProposals thin = join({400, 300, {box(20, 80, 60, 220), box(50, 10, 350, 290)}});
   EXPECT_TRUE(thin.joins.empty());
   ASSERT_EQ(thin.relations.size(), 1U);
-  EXPECT_EQ(thin.relations[0].relation.kind, RelationKind::equal) << "it touches the outline";
+  EXPECT_EQ(thin.relations[0].relation.kind, RelationKind::joined) << "it touches the outline";
   // Of a lower part that is not much smaller the upper one may be the continuation.
   const JoinProposals wide = join({400, 300, {box(5, 20, 60, 280), box(50, 10, 350, 290)}});
   EXPECT_EQ(wide.joins.size(), 1U);
@@ -103,7 +103,7 @@ TEST(JoinParts, ALimbBehindALargePartTouchesItsOutline) {
       join(Drawing{320, 260, {box(150, 200, 166, 240), disc(160, 110, 100)}});
   EXPECT_TRUE(joining.joins.empty());
   ASSERT_EQ(joining.relations.size(), 1U);
-  EXPECT_EQ(joining.relations[0].relation.kind, RelationKind::equal);
+  EXPECT_EQ(joining.relations[0].relation.kind, RelationKind::joined);
 }
 
 TEST(JoinParts, TheUserIsNotOverruled) {

@@ -27,9 +27,9 @@ describe('what holds at an outline', () => {
 
   it('turns through all that can be said and back to the usual', () => {
     const pair = { upper: 'eye', lower: 'body' };
-    const said = [0, 1, 2, 3].map((turns) => Array.from({ length: turns }).reduce<Document>((document) => turnRelation(document, pair), figure()));
-    expect(said.map((document) => relationOf(document, pair))).toEqual([null, 'free', 'equal', 'above']);
-    expect(turnRelation(said[3]!, pair).relations).toEqual([]);
+    const said = [0, 1, 2, 3, 4].map((turns) => Array.from({ length: turns }).reduce<Document>((document) => turnRelation(document, pair), figure()));
+    expect(said.map((document) => relationOf(document, pair))).toEqual([null, 'free', 'equal', 'joined', 'above']);
+    expect(turnRelation(said[4]!, pair).relations).toEqual([]);
   });
 });
 
