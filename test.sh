@@ -24,10 +24,11 @@ if [ "$all" ]; then
   scripts/build-docs.sh
   cmake --preset asan > /dev/null
   cmake --build build/asan -j "$jobs"
-  # The surveys tell nothing more here; they run below.
+  # Surveys and measurements tell nothing more here; they run below.
   UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=detect_stack_use_after_return=1 \
     LSAN_OPTIONS=suppressions=$PWD/tests/leaks.supp:print_suppressions=0 \
-    ctest --test-dir build/asan -j "$jobs" --output-on-failure --no-tests=error -E "$surveys"
+    ctest --test-dir build/asan -j "$jobs" --output-on-failure --no-tests=error \
+      -E "$surveys|^Seam|^SolidSamples|Invariance|^OperationCounts"
 fi
 
 cmake --preset test > /dev/null

@@ -159,14 +159,30 @@ TEST_F(Check, ReadsAFolderOfLayers) {
   expect_failure({"build", "empty", "-o", "m.glb"}, 3, "holds no layers");
 }
 
+/// A layer of 100 x 120 px with a rectangle.
+std::string layer(int x0, int y0, int x1, int y1) {
+  Image8 image(100, 120, 4);
+  for (int y = y0; y < y1; ++y)
+    for (int x = x0; x < x1; ++x) image.at(x, y, 3) = 255;
+  return std::string(to_text(*encode_png(image)));
+}
+
+TEST_F(Check, ListsJoinsOfLimbsBehind) {
+  std::filesystem::create_directory(folder_.path() / "layers");
+  write("layers/1-far-leg.png", layer(40, 40, 56, 110));
+  write("layers/2-body.png", layer(10, 10, 90, 70));
+  const Outcome guessed = relievo({"check", "layers", "-o", "scene-of-layers.json"});
+  ASSERT_EQ(guessed.exit_code, 0) << guessed.err;
+  const std::string line = guessed.out.substr(guessed.out.find("\njoin ") + 1);
+  for (const char* word : {"2-body", "1-far-leg", "from behind", "% sure"})
+    EXPECT_LT(line.find(word), line.find('\n')) << word << " in " << guessed.out;
+  const Outcome said = relievo({"check", "scene-of-layers.json"});
+  EXPECT_NE(said.out.find("from behind"), std::string::npos) << said.out;
+  EXPECT_EQ(said.out.find("guessed"), std::string::npos) << said.out;
+}
+
 TEST_F(Check, GuessesHowLayersConnectAndWritesTheScene) {
   std::filesystem::create_directory(folder_.path() / "layers");
-  const auto layer = [](int x0, int y0, int x1, int y1) {
-    Image8 image(100, 120, 4);
-    for (int y = y0; y < y1; ++y)
-      for (int x = x0; x < x1; ++x) image.at(x, y, 3) = 255;
-    return std::string(to_text(*encode_png(image)));
-  };
   write("layers/1-body.png", layer(10, 10, 90, 70));
   write("layers/2-leg.png", layer(40, 40, 56, 110));
   const Outcome outcome = relievo({"check", "layers", "-o", "scene-of-layers.json"});

@@ -26,9 +26,13 @@ class Part:
 
 @dataclass
 class Join:
-    """A line along which one part is one surface with another."""
+    """A line along which one part is one surface with another.
 
-    upper: str  #: id of the part in front
+    A limb that lies behind the other part meets it along that one's outline; it comes back as a
+    relation ``joined``.
+    """
+
+    upper: str  #: id of the part that grows out of the other
     lower: str
     line: Line
 
