@@ -119,8 +119,7 @@ std::string annotation_table(const SceneInput& input) {
                trust(input.guesses, join)});
   for (const Relation& relation : scene.relations)
     table.add({relation.kind == RelationKind::joined ? "join" : "relation", id(relation.upper),
-               id(relation.lower),
-               detail_of(relation), trust(input.guesses, relation)});
+               id(relation.lower), detail_of(relation), trust(input.guesses, relation)});
   for (const RobinRange& range : scene.robin)
     table.add({"robin", id(range.upper), id(range.lower),
                "alpha0 " + (range.alpha0 ? number(*range.alpha0) : "default") + ", rho " +

@@ -88,8 +88,8 @@ Outline JsonReader::outline(const Json& json, const JsonPath& path) {
 }
 
 RelationKind JsonReader::relation_kind(const Json& json, const JsonPath& path) {
-  for (const RelationKind kind : {RelationKind::equal, RelationKind::free, RelationKind::below,
-                                  RelationKind::joined})
+  for (const RelationKind kind :
+       {RelationKind::equal, RelationKind::free, RelationKind::below, RelationKind::joined})
     if (json == name(kind)) return kind;
   if (json != "above")
     fail(path, "must be \"equal\", \"above\", \"free\", \"below\" or \"joined\"");

@@ -210,8 +210,7 @@ class Collector {
     const Sense sense = sense_of(rule, lower, upper, vertex);
     if (sense == Sense::mixed) return;
     const bool glued = glued_below_[upper.node] == lower.node;
-    const bool tied =
-        rule != nullptr ? is_tie(rule->kind) : glued || enclosed_[upper.node];
+    const bool tied = rule != nullptr ? is_tie(rule->kind) : glued || enclosed_[upper.node];
     const bool swapped = sense == Sense::swapped;
     candidates_.push_back(
         {a, b, tied && !swapped && upper_outline && nearest, swapped, upper_outline});

@@ -180,9 +180,8 @@ const Ring& followed_ring(const Outline& outline, const std::vector<Point2>& lin
     for (const Point2 p : line) sum += nearest_on_ring(ring, m, p).distance;
     return sum;
   };
-  return *std::min_element(outline.begin(), outline.end(), [&](const Ring& a, const Ring& b) {
-    return gap(a) < gap(b);
-  });
+  return *std::min_element(outline.begin(), outline.end(),
+                           [&](const Ring& a, const Ring& b) { return gap(a) < gap(b); });
 }
 
 /// Whether the feet of the line's points go round the ring in its direction.

@@ -204,8 +204,8 @@ TEST(AnnotatedJoins, NamesOverrideWhatContainsTheLine) {
       parts + "<path id='j' class='join' data-upper='back' data-lower='back' d='M300 100V190'/>");
   EXPECT_EQ(order.code, ErrorCode::contradiction);
   EXPECT_EQ(order.where, "j");
-  const SvgImport behind = import_of(svg_file(
-      parts + "<path class='join' data-upper='back' data-lower='arm' d='M300 100V190'/>"));
+  const SvgImport behind = import_of(
+      svg_file(parts + "<path class='join' data-upper='back' data-lower='arm' d='M300 100V190'/>"));
   EXPECT_TRUE(behind.scene.joins.empty());
   ASSERT_EQ(behind.scene.relations.size(), 1u);
   EXPECT_EQ(behind.scene.relations[0].upper, 2);

@@ -68,9 +68,8 @@ TEST(JoinsFromBehind, ShareAllVerticesOfTheOutlineInFront) {
     for (int part = 0; part <= body; ++part) places.push_back(places_of(*model, part));
     for (const std::vector<int>& nodes : nodes_at_vertices(mesh)) {
       if (nodes.size() != 2) continue;
-      const auto [limb, rim] = std::minmax(nodes[0], nodes[1], [&](int a, int b) {
-        return mesh.node_part[a] < mesh.node_part[b];
-      });
+      const auto [limb, rim] = std::minmax(
+          nodes[0], nodes[1], [&](int a, int b) { return mesh.node_part[a] < mesh.node_part[b]; });
       if (mesh.node_part[rim] != body || mesh.node_role[rim] != NodeRole::outline ||
           !is_inside(mesh.node_role[limb]))
         continue;
