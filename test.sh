@@ -1,5 +1,5 @@
 #!/bin/sh
-# Builds the program and the editor and runs their tests. With --all also all tests under the address
+# Builds the program and the editor and runs their tests. With --all also the tests under the address
 # and undefined-behaviour sanitizers, the long surveys, the linter, the pages of the interface, a
 # program built against the installed package and, as root, a batch on a Slurm cluster of this machine.
 set -eu

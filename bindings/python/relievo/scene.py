@@ -28,8 +28,7 @@ class Part:
 class Join:
     """A line along which one part is one surface with another.
 
-    A limb that lies behind the other part meets it along that one's outline; it comes back as a
-    relation ``joined``.
+    A limb that lies behind the other part meets it along that one's outline, at a crease.
     """
 
     upper: str  #: id of the part that grows out of the other
