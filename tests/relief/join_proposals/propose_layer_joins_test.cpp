@@ -27,19 +27,16 @@ Scene disc_with(const std::vector<Ring>& front, const std::vector<Ring>& behind 
 
 Ring limb(double half_width = 22) { return capsule({200, 200}, M_PI / 2, 150, half_width); }
 
-bool has_relation(const JoinProposals& joining, int upper, int lower, RelationKind kind) {
+bool is_equal(const JoinProposals& joining, int upper, int lower,
+              RelationKind kind = RelationKind::equal) {
   return std::any_of(joining.relations.begin(), joining.relations.end(), [&](const auto& proposed) {
     const Relation& relation = proposed.relation;
     return relation.upper == upper && relation.lower == lower && relation.kind == kind;
   });
 }
 
-bool is_equal(const JoinProposals& joining, int upper, int lower) {
-  return has_relation(joining, upper, lower, RelationKind::equal);
-}
-
 bool is_joined_from_behind(const JoinProposals& joining, int upper, int lower) {
-  return has_relation(joining, upper, lower, RelationKind::joined);
+  return is_equal(joining, upper, lower, RelationKind::joined);
 }
 
 const PartColors::value_type fur = {{0.8, 0.6, 0.4}};
