@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -137,10 +138,36 @@ constexpr int outside = 3;  ///< px beyond it that get paint, for what lies betw
 
 using Colour = std::array<int, 3>;
 
+constexpr Colour white = {255, 255, 255};
+constexpr int dark = 3 * 128;  ///< the sum of a colour's channels up to which it is dark
+
+/// The colour of a pixel as it looks on paper.
+Colour seen_colour(const Image8& rgba, size_t i) {
+  const uint8_t* p = &rgba.pixels[4 * i];
+  return {on_paper(p[0], p[3]), on_paper(p[1], p[3]), on_paper(p[2], p[3])};
+}
+
+/// What the model stands on: the mean of what it leaves open where that is dark, else white paper.
+Colour ground_of(const Image8& open, const Image8& rgba) {
+  std::array<int64_t, 3> sum = {};
+  int64_t count = 0;
+  for (size_t i = 0; i < open.pixels.size(); ++i) {
+    if (open.pixels[i] == 0) continue;
+    const Colour colour = seen_colour(rgba, i);
+    for (size_t c = 0; c < 3; ++c) sum[c] += colour[c];
+    ++count;
+  }
+  if (count == 0 || sum[0] + sum[1] + sum[2] > dark * count) return white;
+  Colour mean;
+  for (size_t c = 0; c < 3; ++c) mean[c] = static_cast<int>(sum[c] / count);
+  return mean;
+}
+
 /// Goes outwards from what is painted for certain, one pixel a step.
 class PaintCarrier {
  public:
-  PaintCarrier(const Image8& open, Image8& rgba) : open_(open), rgba_(rgba), known_(open) {
+  PaintCarrier(const Image8& open, Image8& rgba)
+      : open_(open), rgba_(rgba), ground_(ground_of(open, rgba)), known_(open) {
     const Image<int32_t> depth = squared_distance_to(open);
     for (size_t i = 0; i < known_.pixels.size(); ++i)
       known_.pixels[i] = depth.pixels[i] > blended * blended ? 1 : 0;
@@ -157,17 +184,18 @@ class PaintCarrier {
       if (known_.pixels[i] == 0) add_if_beside(i % known_.width, i / known_.width, found);
     for (const auto& [i, colour] : found) {
       known_.pixels[i] = 1;
-      if (open_.pixels[i] != 0 || brightness(colour) < brightness(seen(i))) paint(i, colour);
+      if (open_.pixels[i] != 0 || off_ground(colour) > off_ground(seen(i))) paint(i, colour);
     }
   }
 
  private:
-  static int brightness(const Colour& colour) { return colour[0] + colour[1] + colour[2]; }
-
-  Colour seen(int i) const {
-    const uint8_t* p = &rgba_.pixels[4 * static_cast<size_t>(i)];
-    return {on_paper(p[0], p[3]), on_paper(p[1], p[3]), on_paper(p[2], p[3])};
+  int off_ground(const Colour& colour) const {
+    int sum = 0;
+    for (size_t c = 0; c < 3; ++c) sum += std::abs(colour[c] - ground_[c]);
+    return sum;
   }
+
+  Colour seen(int i) const { return seen_colour(rgba_, static_cast<size_t>(i)); }
 
   void paint(int i, const Colour& colour) {
     uint8_t* p = &rgba_.pixels[4 * static_cast<size_t>(i)];
@@ -192,6 +220,7 @@ class PaintCarrier {
 
   const Image8& open_;
   Image8& rgba_;
+  Colour ground_;
   Image8 known_;
   std::vector<int> waiting_;  ///< pixels that can be reached
 };

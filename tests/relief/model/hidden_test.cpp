@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "kernel/geometry/polygon.h"
@@ -86,6 +87,28 @@ TEST(Hidden, PaperBesideTheInkDoesNotShow) {
         EXPECT_LT(dressed.rgba.at(x, y, 0), 60) << x << " " << y;
       } else if (r > back.radius + 6) {
         EXPECT_EQ(dressed.rgba.at(x, y, 0), drawing.rgba.at(x, y, 0));
+      }
+    }
+}
+
+TEST(Hidden, ADarkGroundBesideThePaintDoesNotShow) {
+  const Model model = assemble(make_discs({back}, width, height, 6), Visibility::orbit);
+  // Paint without ink on black, into which it blends over the last pixel.
+  Drawing drawing{Image8(width, height, 4, 255)};
+  const auto radius = [](int x, int y) { return distance({x + 0.5, y + 0.5}, back.centre); };
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const double paint = std::clamp(back.radius - 0.5 - radius(x, y), 0.0, 1.0);
+      for (int c = 0; c < 3; ++c)
+        drawing.rgba.at(x, y, c) = static_cast<uint8_t>(paint * (c == 0 ? 230 : 120));
+    }
+  const Drawing dressed = dress_hidden(model, drawing).drawing;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      if (radius(x, y) < back.radius + 1.5) {
+        EXPECT_EQ(dressed.rgba.at(x, y, 0), 230) << x << " " << y;
+      } else if (radius(x, y) > back.radius + 6) {
+        EXPECT_EQ(dressed.rgba.at(x, y, 0), 0);
       }
     }
 }
