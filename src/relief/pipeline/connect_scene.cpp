@@ -32,15 +32,16 @@ struct Said {
 
 Said said_in(const Scene& scene) {
   Said said;
-  const auto note = [&](const auto& items) {
-    for (const auto& item : items) {
-      said.pairs.insert({item.upper, item.lower});
-      said.placed.insert(item.upper);
-    }
+  const auto note = [&](int upper, int lower, int placed) {
+    said.pairs.insert({upper, lower});
+    said.placed.insert(placed);
   };
-  note(scene.joins);
-  note(scene.relations);
-  note(scene.robin);
+  for (const Join& join : scene.joins) note(join.upper, join.lower, join.upper);
+  for (const RobinRange& range : scene.robin) note(range.upper, range.lower, range.upper);
+  for (const Relation& relation : scene.relations) {
+    const bool behind = relation.kind == RelationKind::joined;
+    note(relation.upper, relation.lower, behind ? relation.lower : relation.upper);
+  }
   return said;
 }
 

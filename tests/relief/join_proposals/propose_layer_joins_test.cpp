@@ -7,33 +7,12 @@
 
 #include "kernel/geometry/polyline.h"
 #include "relief/pipeline/connect_scene.h"
-#include "support/random_limbs.h"
+#include "support/disc_with_limbs.h"
 
 namespace relievo {
 namespace {
 
 using namespace testing;
-
-/// A disc with parts of given outlines in front of it, or the first of them behind it.
-Scene disc_with(const std::vector<Ring>& front, const std::vector<Ring>& behind = {}) {
-  Scene scene = canvas();
-  for (const Ring& ring : behind)
-    scene.parts.push_back(part("b" + std::to_string(scene.parts.size()), ring));
-  scene.parts.push_back(part("body", circle({200, 160}, 90)));
-  for (const Ring& ring : front)
-    scene.parts.push_back(part("f" + std::to_string(scene.parts.size()), ring));
-  return scene;
-}
-
-Ring limb(double half_width = 22) { return capsule({200, 200}, M_PI / 2, 150, half_width); }
-
-bool is_equal(const JoinProposals& joining, int upper, int lower,
-              RelationKind kind = RelationKind::equal) {
-  return std::any_of(joining.relations.begin(), joining.relations.end(), [&](const auto& proposed) {
-    const Relation& relation = proposed.relation;
-    return relation.upper == upper && relation.lower == lower && relation.kind == kind;
-  });
-}
 
 bool is_joined_from_behind(const JoinProposals& joining, int upper, int lower) {
   return is_equal(joining, upper, lower, RelationKind::joined);
@@ -354,45 +333,6 @@ TEST(ConnectParts, WhatALargerPartMostlyHidesHangsOnThat) {
     EXPECT_TRUE(joining.joins.empty());
     EXPECT_TRUE(is_equal(joining, 1, 0));
   }
-}
-
-TEST(ConnectScene, TheAuthorsWordStandsForThePartsThatItPlaces) {
-  Scene scene = disc_with({limb(), circle({210, 120}, 20)});
-  scene.relations.push_back({1, 0, RelationKind::above, std::nullopt});
-  const ConnectedScene connected = connect_scene(scene, false);
-  EXPECT_TRUE(connected.scene.joins.empty());
-  ASSERT_EQ(connected.scene.relations.size(), 2U);
-  EXPECT_EQ(connected.scene.relations[0].kind, RelationKind::above);
-  EXPECT_FALSE(is_equal(connected.proposals, 1, 0));
-  EXPECT_TRUE(is_equal(connected.proposals, 2, 0));
-}
-
-TEST(ConnectScene, NothingElseGrowsWhereTheAuthorSaysWhatDoes) {
-  Scene scene = disc_with({limb(), capsule({240, 160}, 0, 150, 22)});
-  const std::vector<ProposedJoin> guesses = propose_layer_joins(scene).joins;
-  ASSERT_EQ(guesses.size(), 2U);
-  scene.joins.push_back(guesses[0].join);
-  const ConnectedScene connected = connect_scene(scene, false);
-  ASSERT_EQ(connected.scene.joins.size(), 1U);
-  EXPECT_EQ(connected.scene.joins[0].upper, guesses[0].join.upper);
-  EXPECT_TRUE(connected.proposals.joins.empty());
-  EXPECT_TRUE(is_equal(connected.proposals, 2, 0));
-}
-
-TEST(ConnectScene, WhatIsSaidOfAnEarsCupSaysNothingOfTheEar) {
-  const Ring ear = capsule({200, 100}, -M_PI / 2, 90, 26);
-  Scene scene = disc_with({}, {ear, capsule({200, 40}, -M_PI / 2, 25, 14)});
-  scene.relations.push_back({1, 0, RelationKind::equal, std::nullopt});
-  EXPECT_TRUE(is_equal(connect_scene(scene, false).proposals, 2, 0));
-}
-
-TEST(ConnectScene, ProposalsAreWhatTheSceneHas) {
-  const ConnectedScene connected = connect_scene(disc_with({limb(), circle({210, 120}, 20)}), true);
-  ASSERT_EQ(connected.scene.joins.size(), connected.proposals.joins.size());
-  ASSERT_EQ(connected.scene.relations.size(), connected.proposals.relations.size());
-  EXPECT_TRUE(validate(connected.scene));
-  EXPECT_NEAR(connected.scene.parts[0].c, 4, 0.05);  // a disc becomes a hemisphere
-  EXPECT_LT(connected.scene.parts[1].c, 2.5);        // a long limb a half cylinder
 }
 
 }  // namespace
