@@ -8,7 +8,7 @@ cd "$(dirname "$0")"
 surveys='^NonlinearReferences|^Lambda/RandomScenes|^Slicer|^SolidSurvey|^Blender'
 case "${1:-}" in
   "") all='' packages=test left_out="$surveys|^consumer\$|^lint\$" ;;
-  --all) all=yes packages=all left_out=$surveys ;;
+  --all) all=yes packages=all left_out='^$' ;;
   *) echo "usage: $0 [--all]" >&2; exit 2 ;;
 esac
 jobs=$(nproc 2> /dev/null || echo 2)
@@ -48,18 +48,13 @@ fi
 
 # The editor: its modules, its engine against the command line, and journeys in a real browser,
 # which mostly wait. The program's tests are compiled meanwhile, with what the journeys leave of the
-# processors, and the surveys run; journeys that measure come after that.
-beside_journeys() {
-  nice -n 19 cmake --build build/test -j "$jobs"
-  [ -z "$all" ] || nice -n 19 ctest --test-dir build/test -j "$jobs" --output-on-failure \
-    --no-tests=error -R "$surveys"
-}
+# processors; journeys that measure come after that.
 scripts/build-web.sh
-(set -e; beside_journeys) > build/test/tests.log 2>&1 &
-beside=$!
-trap 'kill "$beside" 2> /dev/null || true' EXIT
+nice -n 19 cmake --build build/test -j "$jobs" > build/test/tests.log 2>&1 &
+compiling=$!
+trap 'kill "$compiling" 2> /dev/null || true' EXIT
 (cd web && npm run --silent test && npm run --silent journeys)
-wait "$beside" || { cat build/test/tests.log >&2; exit 1; }
+wait "$compiling" || { cat build/test/tests.log >&2; exit 1; }
 trap - EXIT
 (cd web && npm run --silent measured)
 
