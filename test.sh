@@ -29,32 +29,35 @@ if [ "$all" ]; then
     LSAN_OPTIONS=suppressions=$PWD/tests/leaks.supp:print_suppressions=0 \
     ctest --test-dir build/asan -j "$jobs" --output-on-failure --no-tests=error \
       -E "$surveys|^Seam|^SolidSamples|Invariance|^OperationCounts"
-fi
-
-cmake --preset test > /dev/null
-if [ "$all" ]; then
+  # The tests that follow run on the libraries that are packed.
   scripts/make-packages.sh
-  export RELIEVO="$PWD/build/package/apps/cli/relievo"
+  build=build/package
+  cmake --preset package -DRELIEVO_TESTS=ON > /dev/null
+else
+  build=build/test
+  cmake --preset test > /dev/null
+fi
+export RELIEVO="$PWD/$build/apps/cli/relievo"
+cmake --build "$build" -j "$jobs" --target relievo
+
+if [ "$all" ]; then
   # Debian's Python, for which the module is built.
   PYTHONPATH="$PWD/build/package/python" \
     /usr/bin/python3 -m pytest -q -p no:cacheprovider tests/python
   tests/packages/packages.sh "$RELIEVO"
   tests/packages/npm.sh "$RELIEVO"
   tests/blender/blender.sh "$RELIEVO" "$PWD/build/package/python"
-else
-  export RELIEVO="$PWD/build/test/apps/cli/relievo"
-  cmake --build build/test -j "$jobs" --target relievo
 fi
 
 # The editor: its modules, its engine against the command line, and journeys in a real browser,
-# which mostly wait. The program's tests are compiled meanwhile, with what the journeys leave of the
-# processors; journeys that measure come after that.
+# which wait now and then. The program's tests are compiled meanwhile, with what the journeys leave of
+# the processors; journeys that measure come after that.
 scripts/build-web.sh
-nice -n 19 cmake --build build/test -j "$jobs" > build/test/tests.log 2>&1 &
+nice -n 19 cmake --build "$build" -j "$jobs" > "$build/tests.log" 2>&1 &
 compiling=$!
 trap 'kill "$compiling" 2> /dev/null || true' EXIT
 (cd web && npm run --silent test && npm run --silent journeys)
-wait "$compiling" || { cat build/test/tests.log >&2; exit 1; }
+wait "$compiling" || { cat "$build/tests.log" >&2; exit 1; }
 trap - EXIT
 (cd web && npm run --silent measured)
 
@@ -62,4 +65,4 @@ if [ "$all" ] && [ "$(id -u)" -eq 0 ]; then
   tests/cluster/slurm.sh "$RELIEVO"
 fi
 
-ctest --test-dir build/test -j "$jobs" --output-on-failure --no-tests=error -E "$left_out"
+ctest --test-dir "$build" -j "$jobs" --output-on-failure --no-tests=error -E "$left_out"

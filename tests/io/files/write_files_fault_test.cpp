@@ -17,7 +17,8 @@ int failing_rename = 0;
 }  // namespace
 
 /// Takes the place of the C library's, so that the tests can make it fail.
-extern "C" int rename(const char* from, const char* to) noexcept {
+extern "C" __attribute__((visibility("default"))) int rename(const char* from,
+                                                             const char* to) noexcept {
   if (failing_rename > 0 && --failing_rename == 0) {
     errno = EIO;
     return -1;
