@@ -9,6 +9,27 @@ using Check = CliTest;
 using Render = CliTest;
 using Help = CliTest;
 
+/// A layer of 100 x 120 px with a rectangle.
+std::string layer(int x0, int y0, int x1, int y1) {
+  Image8 image(100, 120, 4);
+  for (int y = y0; y < y1; ++y)
+    for (int x = x0; x < x1; ++x) image.at(x, y, 3) = 255;
+  return std::string(to_text(*encode_png(image)));
+}
+
+class CheckLayers : public CliTest {
+ protected:
+  /// What `check` says of a folder of two such layers, back to front, of which it writes the scene.
+  Outcome check(const std::pair<std::string, std::string>& back,
+                const std::pair<std::string, std::string>& front) {
+    std::filesystem::create_directory(folder_.path() / "layers");
+    for (const auto& [name, bytes] : {back, front}) write("layers/" + name + ".png", bytes);
+    Outcome outcome = relievo({"check", "layers", "-o", "scene-of-layers.json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome;
+  }
+};
+
 TEST_F(Check, ExplainsPartsAndJoinsAndWritesNothing) {
   const auto before = folder_.names();
   const Outcome outcome = relievo({"check", "scene.json"});
@@ -137,19 +158,13 @@ TEST_F(Check, OverlayObeysTheRulesOfFiles) {
   expect_failure({"check", "scene.json", "--overlay", "seen.jpg"}, 2, ".png");
   expect_failure({"check", "scene.json", "--overlay", "nowhere/seen.png"}, 6, "folder");
   std::filesystem::create_directory(folder_.path() / "layers");
-  Image8 layer(100, 80, 4);
-  for (int y = 20; y < 60; ++y)
-    for (int x = 10; x < 90; ++x) layer.at(x, y, 3) = 255;
-  write("layers/body.png", std::string(to_text(*encode_png(layer))));
+  write("layers/body.png", layer(10, 20, 90, 60));
   expect_failure({"check", "layers", "--overlay", "layers/body.png"}, 2, "never overwritten");
 }
 
 TEST_F(Check, ReadsAFolderOfLayers) {
   std::filesystem::create_directory(folder_.path() / "layers");
-  Image8 layer(100, 80, 4);
-  for (int y = 20; y < 60; ++y)
-    for (int x = 10; x < 90; ++x) layer.at(x, y, 3) = 255;
-  write("layers/body.png", std::string(to_text(*encode_png(layer))));
+  write("layers/body.png", layer(10, 20, 90, 60));
   const Outcome outcome = relievo({"check", "layers"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("body"), std::string::npos) << outcome.out;
@@ -159,20 +174,10 @@ TEST_F(Check, ReadsAFolderOfLayers) {
   expect_failure({"build", "empty", "-o", "m.glb"}, 3, "holds no layers");
 }
 
-/// A layer of 100 x 120 px with a rectangle.
-std::string layer(int x0, int y0, int x1, int y1) {
-  Image8 image(100, 120, 4);
-  for (int y = y0; y < y1; ++y)
-    for (int x = x0; x < x1; ++x) image.at(x, y, 3) = 255;
-  return std::string(to_text(*encode_png(image)));
-}
-
-TEST_F(Check, ListsJoinsOfLimbsBehind) {
-  std::filesystem::create_directory(folder_.path() / "layers");
-  write("layers/1-far-leg.png", layer(40, 40, 56, 110));
-  write("layers/2-body.png", layer(10, 10, 90, 70));
-  const Outcome guessed = relievo({"check", "layers", "-o", "scene-of-layers.json"});
-  ASSERT_EQ(guessed.exit_code, 0) << guessed.err;
+TEST_F(CheckLayers, ListsJoinsOfLimbsBehind) {
+  const Outcome guessed =
+      check({"1-far-leg", layer(40, 40, 56, 110)}, {"2-body", layer(10, 10, 90, 70)});
+  ASSERT_EQ(guessed.exit_code, 0);
   const std::string line = guessed.out.substr(guessed.out.find("\njoin ") + 1);
   for (const char* word : {"2-body", "1-far-leg", "from behind", "% sure"})
     EXPECT_LT(line.find(word), line.find('\n')) << word << " in " << guessed.out;
@@ -181,12 +186,10 @@ TEST_F(Check, ListsJoinsOfLimbsBehind) {
   EXPECT_EQ(said.out.find("guessed"), std::string::npos) << said.out;
 }
 
-TEST_F(Check, GuessesHowLayersConnectAndWritesTheScene) {
-  std::filesystem::create_directory(folder_.path() / "layers");
-  write("layers/1-body.png", layer(10, 10, 90, 70));
-  write("layers/2-leg.png", layer(40, 40, 56, 110));
-  const Outcome outcome = relievo({"check", "layers", "-o", "scene-of-layers.json"});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+TEST_F(CheckLayers, GuessesHowLayersConnectAndWritesTheScene) {
+  const Outcome outcome =
+      check({"1-body", layer(10, 10, 90, 70)}, {"2-leg", layer(40, 40, 56, 110)});
+  ASSERT_EQ(outcome.exit_code, 0);
   EXPECT_NE(outcome.out.find("guessed"), std::string::npos) << outcome.out;
   EXPECT_NE(read("scene-of-layers.json").find("\"upper\": \"2-leg\""), std::string::npos);
   EXPECT_TRUE(exists("scene-of-layers.png"));

@@ -88,11 +88,10 @@ Outline JsonReader::outline(const Json& json, const JsonPath& path) {
 }
 
 RelationKind JsonReader::relation_kind(const Json& json, const JsonPath& path) {
-  for (const RelationKind kind :
-       {RelationKind::equal, RelationKind::free, RelationKind::below, RelationKind::joined})
+  for (const RelationKind kind : {RelationKind::equal, RelationKind::above, RelationKind::free,
+                                  RelationKind::below, RelationKind::joined})
     if (json == name(kind)) return kind;
-  if (json != "above")
-    fail(path, "must be \"equal\", \"above\", \"free\", \"below\" or \"joined\"");
+  fail(path, "must be \"equal\", \"above\", \"free\", \"below\" or \"joined\"");
   return RelationKind::above;
 }
 
