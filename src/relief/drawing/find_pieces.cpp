@@ -23,7 +23,7 @@ constexpr double silent_votes = 0.5;    ///< of junctions, beside which those th
 constexpr double hiding_vote = 0.2;     ///< of junctions for what hides another, at least
 constexpr double most_turn = 1.6;       ///< rad, at either end of a hidden contour
 constexpr double outside_worth = 3;     ///< rad^2, of one that runs outside the figure
-constexpr double most_bend = 1;         ///< rad^2
+constexpr double most_bend = 2;         ///< rad^2
 constexpr double widest_gap = 0.4;      ///< of the figure's height
 /// Log-odds of two such areas to be one part, fitted by logistic regression, and from which on they
 /// are taken for one (docs/stages/segmentation.md).
