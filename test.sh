@@ -28,7 +28,7 @@ if [ "$all" ]; then
   UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=detect_stack_use_after_return=1 \
     LSAN_OPTIONS=suppressions=$PWD/tests/leaks.supp:print_suppressions=0 \
     ctest --test-dir build/asan -j "$jobs" --output-on-failure --no-tests=error \
-      -E "$surveys|^Seam|^SolidSamples|Invariance|^OperationCounts"
+      -E "$surveys|^Seam|^SolidSamples|Invariance|^OperationCounts|DoesNotFlicker|^PaperSizes|^Scenes/Random.*/[12]"
   # The tests that follow run on the libraries that are packed.
   scripts/make-packages.sh
   build=build/package
