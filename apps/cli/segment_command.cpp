@@ -251,9 +251,12 @@ Result<Files> files_of(const SegmentArguments& segment, const SegmentInput& inpu
 std::string summary(const Scene& scene) {
   const auto leaning = std::count_if(scene.parts.begin(), scene.parts.end(),
                                      [](const Part& part) { return part.lean != Point2{}; });
+  const auto flat = std::count_if(scene.parts.begin(), scene.parts.end(),
+                                  [](const Part& part) { return part.flat > 0; });
   return std::to_string(scene.parts.size()) + " parts, " + std::to_string(scene.joins.size()) +
          " joins, " + std::to_string(scene.relations.size()) + " relations" +
-         (leaning > 0 ? ", " + std::to_string(leaning) + " leaning" : "");
+         (leaning > 0 ? ", " + std::to_string(leaning) + " leaning" : "") +
+         (flat > 0 ? ", " + std::to_string(flat) + " flat" : "");
 }
 
 }  // namespace

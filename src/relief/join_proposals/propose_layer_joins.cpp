@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "kernel/geometry/polygon.h"
+#include "relief/join_proposals/part_profile.h"
 #include "relief/join_proposals/roots.h"
-#include "relief/join_proposals/round_inflation.h"
 
 namespace relievo {
 namespace {

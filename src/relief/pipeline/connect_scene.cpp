@@ -8,8 +8,8 @@
 
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/outlines.h"
+#include "relief/join_proposals/part_profile.h"
 #include "relief/join_proposals/propose_layer_joins.h"
-#include "relief/join_proposals/round_inflation.h"
 
 namespace relievo {
 namespace {

@@ -8,8 +8,8 @@
 #include "kernel/base/text_rules.h"
 #include "kernel/image/outlines.h"
 #include "relief/completion/clip_to_order.h"
+#include "relief/join_proposals/part_profile.h"
 #include "relief/join_proposals/propose_leans.h"
-#include "relief/join_proposals/round_inflation.h"
 #include "relief/pipeline/outline_rim.h"
 
 namespace relievo {
@@ -222,18 +222,16 @@ std::string proposed_id(const Corrections& corrections, PartLabel label) {
   return free_name("part-" + std::to_string(label), is_said);
 }
 
-Part scene_part(const Corrections& corrections, PartLabel label, Outline outline, double inflation,
-                Point2 lean) {
+/// A part as proposed, but for what the user said of it.
+Part corrected(const Corrections& corrections, PartLabel label, Part part) {
   const auto found = corrections.parts.find(label);
   const PartCorrection said = found == corrections.parts.end() ? PartCorrection{} : found->second;
-  Part result;
-  result.id = said.id ? *said.id : proposed_id(corrections, label);
-  result.outline = std::move(outline);
-  result.c = said.c.value_or(std::round(inflation * 100) / 100);
-  result.d = said.d.value_or(1);
-  result.flat = said.flat.value_or(0);
-  result.lean = said.lean.value_or(lean);
-  return result;
+  part.id = said.id ? *said.id : proposed_id(corrections, label);
+  part.c = said.c.value_or(std::round(part.c * 100) / 100);
+  part.d = said.d.value_or(1);
+  part.flat = said.flat.value_or(part.flat);
+  part.lean = said.lean.value_or(part.lean);
+  return part;
 }
 
 Scene scene_of(const Corrections& corrections, const Proposal& proposal, const Completion& clipped,
@@ -242,11 +240,21 @@ Scene scene_of(const Corrections& corrections, const Proposal& proposal, const C
   Scene scene;
   scene.width = proposal.regions.map.width;
   scene.height = proposal.regions.map.height;
-  for (const int part : proposal.stacking.back_to_front)
-    scene.parts.push_back(scene_part(
-        corrections, proposal.regions.labels[part], outlines[part],
-        round_inflation(clipped.parts[part].shape) * inflation_factor(proposal, clipped, part),
-        proposed_lean(proposal, part)));
+  const std::vector<uint8_t> backdrops =
+      find_backdrops(clipped, proposal.stacking, proposal.joining.joins);
+  for (const int part : proposal.stacking.back_to_front) {
+    Part proposed;
+    proposed.outline = outlines[part];
+    proposed.c =
+        round_inflation(clipped.parts[part].shape) * inflation_factor(proposal, clipped, part);
+    proposed.lean = proposed_lean(proposal, part);
+    if (backdrops[part] != 0) {
+      proposed.c *= backdrop_inflation;
+      proposed.flat = backdrop_flat;
+    }
+    scene.parts.push_back(
+        corrected(corrections, proposal.regions.labels[part], std::move(proposed)));
+  }
   const auto renumbered = [&](auto item) {
     item.upper = rank[item.upper];
     item.lower = rank[item.lower];

@@ -106,6 +106,22 @@ TEST(ProposeScene, LeansOfTheUserStayAlsoWhereTheyAreNone) {
   }
 }
 
+TEST(ProposeScene, ACapeIsFlatUnlessTheUserSaysOtherwise) {
+  const Image16 labels = painted(300, 300, {oval(150, 210, 70, 75, 0), oval(150, 150, 55, 100, 0)});
+  const auto cape = [&](const Corrections& corrections) {
+    const Proposal proposal = propose(labels, corrections);
+    return proposal.scene.parts.at(proposal.stacking.rank.at(0));
+  };
+  const Part proposed = cape({});
+  EXPECT_EQ(proposed.flat, 1);
+  Corrections corrections;
+  corrections.parts[1].flat = 0;
+  EXPECT_EQ(cape(corrections).flat, 0);
+  EXPECT_EQ(cape(corrections).c, proposed.c);
+  corrections.parts[1].c = 3;
+  EXPECT_EQ(cape(corrections).c, 3);
+}
+
 TEST(ProposeScene, AJoinOfTheUserPutsItsPartInFront) {
   Corrections corrections;
   corrections.joining.joins = {{1, 2, {{90, 124}, {130, 124}}}};
