@@ -10,6 +10,9 @@ const core = at('../build/wasm/bindings/wasm');
 const journeys = ['tests/journeys/**/*.test.ts'];
 /** Those that measure how long the page takes, with nothing beside them. */
 const measured = ['tests/journeys/responsive.test.ts'];
+/** Those through all states, languages and edits, or that wait for recordings; in the long run of all tests. */
+const long = ['accessibility', 'graphics', 'heap', 'languages', 'room', 'turntable'].map((name) => `tests/journeys/${name}.test.ts`);
+const leftOut = process.env['RELIEVO_LONG'] ? measured : [...measured, ...long];
 const journey = { retry: 1, testTimeout: 120_000, hookTimeout: 120_000, expect: { poll: { timeout: 30_000 } } };
 
 export default defineConfig({
@@ -34,7 +37,7 @@ export default defineConfig({
       },
       {
         extends: true,
-        test: { ...journey, name: 'journeys', include: journeys, exclude: measured, maxWorkers: 2, sequence: { groupOrder: 1 } },
+        test: { ...journey, name: 'journeys', include: journeys, exclude: leftOut, maxWorkers: 2, sequence: { groupOrder: 1 } },
       },
       {
         extends: true,

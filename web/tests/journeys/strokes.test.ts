@@ -39,7 +39,7 @@ function fewParts(page: Page): Promise<void> {
 }
 
 /** More in the long run of all tests. */
-const randomStrokes = process.env['RELIEVO_LONG'] ? 300 : 60;
+const randomStrokes = process.env['RELIEVO_LONG'] ? 300 : 20;
 
 it(`makes something of ${randomStrokes} random strokes, or says why not`, async () => {
   const { page } = stage;
