@@ -5,6 +5,7 @@
 
 #include "kernel/image/mask.h"
 #include "relief/completion/completion.h"
+#include "relief/completion/part_regions.h"
 #include "relief/join_proposals/join_proposals.h"
 #include "relief/stacking/stacking.h"
 
@@ -32,8 +33,10 @@ constexpr double backdrop_flat = 1;
 /// a good share of the figure; less than half of it is seen, nowhere more than about half as thick
 /// as it is itself; a good part of the edge of what is seen is towards the background; next to
 /// nothing lies behind it; and nothing of some size that lies within it grows out of it, as a face
-/// does out of hair. `shapes` are those of the parts in the scene. O(pixels of the shapes).
-std::vector<uint8_t> find_backdrops(const Completion& shapes, const Stacking& stacking,
+/// does out of hair. `shapes` are those of the parts in the scene, `regions` what is seen of them,
+/// the ink of their outlines with it. O(pixels of the shapes).
+std::vector<uint8_t> find_backdrops(const PartRegions& regions, const Stacking& stacking,
+                                    const Completion& shapes,
                                     const std::vector<ProposedJoin>& joins);
 
 }  // namespace relievo

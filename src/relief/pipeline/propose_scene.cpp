@@ -234,14 +234,15 @@ Part corrected(const Corrections& corrections, PartLabel label, Part part) {
   return part;
 }
 
-Scene scene_of(const Corrections& corrections, const Proposal& proposal, const Completion& clipped,
-               const std::vector<Outline>& outlines) {
+/// `seen` are the regions with the ink of their outlines.
+Scene scene_of(const Corrections& corrections, const Proposal& proposal, const PartRegions& seen,
+               const Completion& clipped, const std::vector<Outline>& outlines) {
   const std::vector<int>& rank = proposal.stacking.rank;
   Scene scene;
   scene.width = proposal.regions.map.width;
   scene.height = proposal.regions.map.height;
   const std::vector<uint8_t> backdrops =
-      find_backdrops(clipped, proposal.stacking, proposal.joining.joins);
+      find_backdrops(seen, proposal.stacking, clipped, proposal.joining.joins);
   for (const int part : proposal.stacking.back_to_front) {
     Part proposed;
     proposed.outline = outlines[part];
@@ -319,7 +320,8 @@ Result<Proposal> propose_scene(const Image16& labels, const Corrections& correct
   if (Status s = propose(proposal, corrections, options, context); !s) return s.error();
   auto clipped = shapes_in_order(proposal, context);
   if (!clipped) return clipped.error();
-  if (options.rim > 0) add_rim(find_regions(seen), *clipped);
+  std::optional<PartRegions> with_rim;
+  if (options.rim > 0) add_rim(with_rim.emplace(find_regions(seen)), *clipped);
   const std::vector<Outline> outlines = scene_outlines(corrections, proposal.regions, *clipped);
   proposal.joining =
       propose_joins(proposal.regions, proposal.stacking, outlines,
@@ -327,7 +329,8 @@ Result<Proposal> propose_scene(const Image16& labels, const Corrections& correct
   proposal.joining.leans =
       leans_without(corrections, proposal.regions,
                     propose_leans(proposal.regions, proposal.stacking, *clipped, proposal.joining));
-  proposal.scene = scene_of(corrections, proposal, *clipped, outlines);
+  proposal.scene =
+      scene_of(corrections, proposal, with_rim ? *with_rim : proposal.regions, *clipped, outlines);
   if (Status s = validate(proposal.scene); !s) return s.error();
   return proposal;
 }

@@ -23,7 +23,7 @@ std::vector<uint8_t> backdrops_of(const std::vector<Inside>& shapes, const Joins
     completion.parts.push_back(
         {find_regions(painted(300, 300, {shape})).visible[0], CompletionKind::whole});
   }
-  return find_backdrops(completion, stacking, joins);
+  return find_backdrops(find_regions(painted(300, 300, shapes)), stacking, completion, joins);
 }
 
 using Flags = std::vector<uint8_t>;
