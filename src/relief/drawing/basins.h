@@ -38,8 +38,8 @@ struct BasinBorder {
 struct FigureMask {
   Image8 inside;      ///< [drawing size] 1 where it is; empty where nothing can be said
   bool said = false;  ///< what is outside is background for certain: the picture was cut out
-  /// Its rim is that of the figure, however pale: the picture was cut out, or painted on pure
-  /// white.
+  /// Its rim parts areas, however pale: the picture was cut out, painted on pure white, or is line
+  /// art, of which `inside` holds the dark shapes.
   bool sharp = false;
 };
 

@@ -17,7 +17,6 @@ namespace {
 
 constexpr double solid_share = 0.6;  ///< of what opaque pixels surround, from which they are areas
 constexpr int colourful = 44;        ///< difference of channels, of 255, of what is no paper
-constexpr int dark = 120;            ///< brightest channel up to which it is ink or dark paint
 constexpr int clean_white = 248;     ///< darkest channel of white paper at least
 constexpr double clean_share = 0.9;  ///< of the picture's edge that is so white on clean paper
 constexpr int faintest = 228;        ///< darkest channel of paint on clean paper at most
@@ -129,9 +128,17 @@ Image8 paint(const Image8& rgb, bool on_pure_white) {
     const int brightest = std::max({p[0], p[1], p[2]});
     const int darkest = std::min({p[0], p[1], p[2]});
     const bool coloured = clean ? darkest < faintest : brightest - darkest > colourful;
-    if (coloured || brightest < dark) mask.pixels[i] = 1;
+    if (coloured || is_dark(p)) mask.pixels[i] = 1;
   }
   return mask;
+}
+
+/// What is as dark as ink and too wide for a line.
+Image8 dark_shapes(const Image8& rgb, const Image8& barrier) {
+  Image8 mask(rgb.width, rgb.height, 1);
+  for (size_t i = 0; i < mask.pixels.size(); ++i)
+    mask.pixels[i] = is_dark(&rgb.pixels[3 * i]) && barrier.pixels[i] != LineMap::line ? 1 : 0;
+  return without_surroundings(remove_specks(mask, 1));
 }
 
 /// With the gaps in it closed, but for those between it and the picture's edge.
@@ -260,7 +267,8 @@ bool is_surroundings(const std::array<int64_t, 4>& at_edge, int64_t area, int wi
                                          strip_share * static_cast<double>(width) * height);
 }
 
-FigureMask find_figure(const Image8& rgba, const Image8& rgb, bool painted, bool on_pure_white) {
+FigureMask find_figure(const Image8& rgba, const Image8& rgb, const LineMap& map,
+                       bool on_pure_white) {
   const Image8 opaque = opaque_pixels(rgba);
   const int64_t pixels = count_of(opaque);
   if (pixels < static_cast<int64_t>(opaque.pixels.size())) {
@@ -268,7 +276,7 @@ FigureMask find_figure(const Image8& rgba, const Image8& rgb, bool painted, bool
     if (static_cast<double>(pixels) < solid_share * surrounded || pixels == 0) return {};
     return {opaque, true, true};
   }
-  if (!painted) return {};
+  if (!map.painted) return {dark_shapes(rgb, map.barrier), false, true};
   const int half_gap =
       std::max(1, static_cast<int>(std::lround(gap_width / 2 * std::hypot(rgb.width, rgb.height))));
   const Image8 paint_on_page = without_surroundings(paint(rgb, on_pure_white));

@@ -58,7 +58,7 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   for (const OpenRoot& root : find_open_roots(map)) close_root(root, map.barrier);
   if (!go_on(context, 0.5)) return interrupted_error();
   Basins basins;
-  basins.figure = find_figure(rgba, rgb, map.painted, on_pure_white);
+  basins.figure = find_figure(rgba, rgb, map, on_pure_white);
   mark_rim(basins.figure, map);
   basins.index = watershed(map, basins.basins);
   if (basins.basins.empty())

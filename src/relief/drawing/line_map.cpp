@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -16,9 +17,10 @@ constexpr double painted_share = 0.01;  ///< of the picture that is covered by w
 constexpr int faintest_on_paper = 220;  ///< darkest channel of paint at most, of 255
 constexpr int faintest_on_white = 240;  ///< the same on pure white
 constexpr int paper_level = 200;        ///< darkest that paper between lines gets, of 255
-constexpr int dark_paint = 64;      ///< of 255; on paint up to 2.5 times as bright, ink is judged
-constexpr int least_contrast = 96;  ///< by what contrast it can have, but not by less than this
-constexpr int faintest_line = 14;   ///< contrast below which everything is grain, of 255
+constexpr int dark_paint = 64;        ///< of 255; on paint up to 2.5 times as bright, ink is judged
+constexpr int least_contrast = 96;    ///< by what contrast it can have, but not by less than this
+constexpr double least_grain = 0.03;  ///< of the picture, that grain covers at least
+constexpr int faintest_line = 14;     ///< contrast below which everything is grain, of 255
 
 int widest_half_line(const Image8& image) {
   return std::max(
@@ -93,16 +95,6 @@ int otsu_threshold(const std::array<int64_t, 256>& counts) {
   return threshold;
 }
 
-/// What three quarters of the contrasts between none and `line` stay below.
-int grain_contrast(const std::array<int64_t, 256>& counts, int line) {
-  int64_t total = 0;
-  for (int v = 1; v < line; ++v) total += counts[v];
-  int64_t below = 0;
-  for (int v = 1; v < line; ++v)
-    if ((below += counts[v]) * 4 >= total * 3) return v;
-  return 0;
-}
-
 /// A histogram. Pixels in turn count in one of four, since additions to one number wait for each
 /// other.
 std::array<int64_t, 256> count_values(const Image8& image) {
@@ -114,6 +106,23 @@ std::array<int64_t, 256> count_values(const Image8& image) {
   return counts;
 }
 
+/// What three quarters of the contrasts stay below that are not within a line's width of a line;
+/// none where next to nothing is there, since what is left then is faint lines.
+int grain_contrast(const Image8& ink, int line) {
+  Image8 lines(ink.width, ink.height, 1);
+  for (size_t i = 0; i < lines.pixels.size(); ++i) lines.pixels[i] = ink.pixels[i] >= line ? 1 : 0;
+  const Image8 near_line = max_filter(lines, widest_half_line(ink));
+  std::array<int64_t, 256> counts = {};
+  for (size_t i = 0; i < lines.pixels.size(); ++i)
+    if (near_line.pixels[i] == 0) ++counts[ink.pixels[i]];
+  const auto all = std::accumulate(counts.begin(), counts.end(), int64_t{0});
+  const auto least = static_cast<int64_t>(least_grain * static_cast<double>(all));
+  int64_t left = std::max((all - counts[0]) / 4, least);
+  int contrast = 255;
+  while (contrast > 0 && (left -= counts[contrast]) >= 0) --contrast;
+  return contrast;
+}
+
 /// Contrasts that a line certainly has somewhere, and that it has at least.
 struct LineThresholds {
   int sure = 0;
@@ -123,12 +132,11 @@ struct LineThresholds {
 /// From the contrasts above the grain. On paper, a line may get as faint as the grain allows; among
 /// paint it must stay darker than the strokes that fill areas.
 LineThresholds line_thresholds(const Image8& ink, bool painted) {
-  const std::array<int64_t, 256> counts = count_values(ink);
-  std::array<int64_t, 256> above_grain = counts;
+  std::array<int64_t, 256> above_grain = count_values(ink);
   std::fill(above_grain.begin(), above_grain.begin() + faintest_line / 2, 0);
   const int typical = otsu_threshold(above_grain);
   const int sure = std::max(faintest_line, painted ? typical : 3 * typical / 5);
-  const int possible = painted ? 2 * sure / 3 : 7 * grain_contrast(counts, typical) / 2;
+  const int possible = painted ? 2 * sure / 3 : 7 * grain_contrast(ink, sure) / 2;
   return {sure, std::clamp(possible, faintest_line, sure)};
 }
 
@@ -145,6 +153,12 @@ double typical_width(const Image8& barrier) {
   // Sides of pixels are 4 / pi times as long as a rim in a random direction.
   const double length = static_cast<double>(rim) * 0.785;
   return rim > 0 ? std::max(1.0, 2 * static_cast<double>(area) / length) : 1;
+}
+
+/// As dark as ink, but hardly darker than what lies around it: the inside of a dark shape.
+void clear_wide_shapes(const Image8& rgb, int sure, LineMap& map) {
+  for (size_t i = 0; i < map.barrier.pixels.size(); ++i)
+    if (is_dark(&rgb.pixels[3 * i]) && 2 * map.ink.pixels[i] < sure) map.barrier.pixels[i] = 0;
 }
 
 }  // namespace
@@ -179,6 +193,7 @@ LineMap find_lines(const Image8& rgb, bool on_pure_white) {
   map.ink = darker_than_around(values, map.painted);
   const LineThresholds thresholds = line_thresholds(map.ink, map.painted);
   map.barrier = connected_above(map.ink, thresholds.possible, thresholds.sure);
+  if (!map.painted) clear_wide_shapes(rgb, thresholds.sure, map);
   map.line_width = typical_width(map.barrier);
   std::array<uint8_t, 256> full = {};
   for (int v = 0; v < 256; ++v)

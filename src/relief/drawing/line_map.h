@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "relief/drawing/segmentation.h"
@@ -23,6 +24,9 @@ struct LineMap {
 
 /// Lines are narrower than this share of the diagonal; wider dark shapes are areas.
 constexpr double widest_line = 0.025;
+
+/// Whether a pixel (3 channels) is ink or dark paint.
+inline bool is_dark(const uint8_t* rgb) { return std::max({rgb[0], rgb[1], rgb[2]}) < 120; }
 
 /// Finds the lines of a drawing on white (3 channels): darker than both sides, whatever the
 /// colours there (black top-hat with hysteresis), and then the edges between areas of different
