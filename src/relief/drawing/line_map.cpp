@@ -7,13 +7,14 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/geometry/polygon.h"
 #include "kernel/image/filters.h"
 #include "kernel/image/morphology.h"
 
 namespace relievo {
 namespace {
 
-constexpr double painted_share = 0.01;  ///< of the picture that is covered by wide colour
+constexpr double painted_share = 0.01;  ///< of the box around a drawing that wide colour covers
 constexpr int faintest_on_paper = 220;  ///< darkest channel of paint at most, of 255
 constexpr int faintest_on_white = 240;  ///< the same on pure white
 constexpr int paper_level = 200;        ///< darkest that paper between lines gets, of 255
@@ -22,24 +23,35 @@ constexpr int least_contrast = 96;    ///< by what contrast it can have, but not
 constexpr double least_grain = 0.03;  ///< of the picture, that grain covers at least
 constexpr int faintest_line = 14;     ///< contrast below which everything is grain, of 255
 
-int widest_half_line(const Image8& image) {
-  return std::max(
-      3, static_cast<int>(std::lround(widest_line / 2 * std::hypot(image.width, image.height))));
+/// Half the width of the widest line, px.
+double half_line(const Image8& image) {
+  return widest_line / 2 * std::hypot(image.width, image.height);
 }
 
-/// Whether colour covers more of the picture than lines could.
+int widest_half_line(const Image8& image) {
+  return std::max(3, static_cast<int>(std::lround(half_line(image))));
+}
+
+/// Whether colour covers more of the drawing than lines could.
 bool is_painted(const Image8& rgb, bool on_pure_white) {
   const int factor = std::max(1, std::max(rgb.width, rgb.height) / 100);
   const Image8 cells = shrink(rgb, factor);
   const int faintest = on_pure_white ? faintest_on_white : faintest_on_paper;
   Image8 covered(cells.width, cells.height, 1);
-  for (size_t i = 0; i < covered.pixels.size(); ++i) {
-    const uint8_t* cell = &cells.pixels[3 * i];
-    covered.pixels[i] = std::min({cell[0], cell[1], cell[2]}) < faintest ? 1 : 0;
-  }
-  const Image8 wide = min_filter(covered, widest_half_line(cells) + 1);
+  Box2 drawn;
+  for (int y = 0; y < cells.height; ++y)
+    for (int x = 0; x < cells.width; ++x) {
+      const uint8_t* cell = &cells.at(x, y);
+      if (std::min({cell[0], cell[1], cell[2]}) >= faintest) continue;
+      covered.at(x, y) = 1;
+      drawn.add(Point2{x * 1.0, y * 1.0});
+      drawn.add(Point2{x + 1.0, y + 1.0});
+    }
+  if (drawn.empty()) return false;
+  const Image8 wide = min_filter(covered, static_cast<int>(std::lround(half_line(cells))) + 1);
   const auto count = std::count(wide.pixels.begin(), wide.pixels.end(), 1);
-  return static_cast<double>(count) > painted_share * static_cast<double>(wide.pixels.size());
+  const double box = (drawn.max.x - drawn.min.x) * (drawn.max.y - drawn.min.y);
+  return static_cast<double>(count) > painted_share * box;
 }
 
 /// One value a pixel in which lines are dark: on paint, ink is dark in every channel and paint is

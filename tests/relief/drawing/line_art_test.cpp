@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "kernel/geometry/polygon.h"
+#include "relief/drawing/line_map.h"
 #include "relief/drawing/segment_drawing.h"
 
 namespace relievo {
@@ -68,7 +69,7 @@ Drawing figure_with_black_neck() {
   for (int y = 0; y < 700; ++y)
     for (int x = 0; x < 500; ++x) {
       const Point2 p{x + 0.5, y + 0.5};
-      const bool neck = p.y > 270 && p.y < 450 && std::abs(p.x - 250) < 12 + 0.2 * (p.y - 270);
+      const bool neck = p.y > 270 && p.y < 450 && std::abs(p.x - 250) < 11 + 0.09 * (p.y - 270);
       if (neck || ring(p, {250, 160}) || ring(p, {250, 560})) darken(drawing.rgba, x, y, 235);
     }
   return drawing;
@@ -83,6 +84,27 @@ TEST(LineArt, LosesNoDarkShape) {
     for (int x = 0; x < 500; ++x)
       lost += drawing.rgba.at(x, y) < 128 && s->labels.at(x, y) == 0 ? 1 : 0;
   EXPECT_EQ(lost, 0) << "px of the neck";
+}
+
+/// A face filled by slanted strokes of a yellow pencil with paper between them, in a black outline,
+/// in the middle of a page.
+Image8 crayon_face(int page) {
+  Image8 rgb(page, page, 3, 255);
+  for (int y = 0; y < page; ++y)
+    for (int x = 0; x < page; ++x) {
+      const double r = distance({x + 0.5, y + 0.5}, {page / 2.0, page / 2.0});
+      if (r > 52) continue;
+      const bool outline = r > 50;
+      const bool stroke = (x + 2 * y) % 11 < 10;
+      if (outline || stroke) rgb.at(x, y, 0) = outline ? 30 : 240;
+      if (outline || stroke) rgb.at(x, y, 1) = outline ? 30 : 200;
+      if (outline || stroke) rgb.at(x, y, 2) = outline ? 30 : 40;
+    }
+  return rgb;
+}
+
+TEST(LineArt, IsNoneWhereASmallFigureIsColoured) {
+  for (const int page : {200, 400, 700}) EXPECT_TRUE(find_lines(crayon_face(page)).painted) << page;
 }
 
 }  // namespace
