@@ -118,14 +118,20 @@ std::array<int64_t, 256> count_values(const Image8& image) {
   return counts;
 }
 
+/// 1 where the values (one channel) reach `level`.
+Image8 reached(const Image8& values, int level) {
+  Image8 mask(values.width, values.height, 1);
+  for (size_t i = 0; i < mask.pixels.size(); ++i)
+    mask.pixels[i] = values.pixels[i] >= level ? 1 : 0;
+  return mask;
+}
+
 /// What three quarters of the contrasts stay below that are not within a line's width of a line;
 /// none where next to nothing is there, since what is left then is faint lines.
 int grain_contrast(const Image8& ink, int line) {
-  Image8 lines(ink.width, ink.height, 1);
-  for (size_t i = 0; i < lines.pixels.size(); ++i) lines.pixels[i] = ink.pixels[i] >= line ? 1 : 0;
-  const Image8 near_line = max_filter(lines, widest_half_line(ink));
+  const Image8 near_line = max_filter(reached(ink, line), widest_half_line(ink));
   std::array<int64_t, 256> counts = {};
-  for (size_t i = 0; i < lines.pixels.size(); ++i)
+  for (size_t i = 0; i < ink.pixels.size(); ++i)
     if (near_line.pixels[i] == 0) ++counts[ink.pixels[i]];
   const auto all = std::accumulate(counts.begin(), counts.end(), int64_t{0});
   const auto least = static_cast<int64_t>(least_grain * static_cast<double>(all));
@@ -206,7 +212,9 @@ LineMap find_lines(const Image8& rgb, bool on_pure_white) {
   const LineThresholds thresholds = line_thresholds(map.ink, map.painted);
   map.barrier = connected_above(map.ink, thresholds.possible, thresholds.sure);
   if (!map.painted) clear_wide_shapes(rgb, thresholds.sure, map);
-  map.line_width = typical_width(map.barrier);
+  // Where lines may be faint, the barrier holds their blur as well.
+  const int middling = (thresholds.sure + thresholds.possible) / 2;
+  map.line_width = typical_width(map.painted ? map.barrier : reached(map.ink, middling));
   std::array<uint8_t, 256> full = {};
   for (int v = 0; v < 256; ++v)
     full[v] = static_cast<uint8_t>(std::min(255, 128 * v / thresholds.sure));
