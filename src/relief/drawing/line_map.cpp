@@ -176,7 +176,8 @@ double typical_width(const Image8& barrier) {
 /// As dark as ink, but hardly darker than what lies around it: the inside of a dark shape.
 void clear_wide_shapes(const Image8& rgb, int sure, LineMap& map) {
   for (size_t i = 0; i < map.barrier.pixels.size(); ++i)
-    if (is_dark(&rgb.pixels[3 * i]) && 2 * map.ink.pixels[i] < sure) map.barrier.pixels[i] = 0;
+    if (is_dark(&rgb.pixels[3 * i]) && 2 * map.ink.pixels[i] < sure)
+      map.barrier.pixels[i] = LineMap::none;
 }
 
 }  // namespace
