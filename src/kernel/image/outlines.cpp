@@ -185,6 +185,17 @@ Outline outline_of(const Mask& mask, const OutlineOptions& options) {
   return outline;
 }
 
+Box2 box_of(const Image8& mask) {
+  Box2 box;
+  for (int y = 0; y < mask.height; ++y)
+    for (int x = 0; x < mask.width; ++x) {
+      if (mask.at(x, y) == 0) continue;
+      box.add(Point2{x * 1.0, y * 1.0});
+      box.add(Point2{x + 1.0, y + 1.0});
+    }
+  return box;
+}
+
 Mask fill_outline(const Outline& outline, int width, int height) {
   const Box2 box = bounding_box(outline);
   if (box.empty()) return {};

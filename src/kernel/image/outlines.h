@@ -21,6 +21,10 @@ struct OutlineOptions {
 /// O(box + boundary * log boundary).
 Outline outline_of(const Mask& mask, const OutlineOptions& options = {});
 
+/// The box around the pixels of a mask (one channel) that are not 0, px; empty where there is none.
+/// O(pixels).
+Box2 box_of(const Image8& mask);
+
 /// The pixels of a width x height canvas whose centres are inside the outline by the non-zero
 /// rule. O(points + crossed rows + box).
 Mask fill_outline(const Outline& outline, int width, int height);

@@ -10,6 +10,7 @@
 #include "kernel/image/components.h"
 #include "kernel/image/image_size.h"
 #include "kernel/image/morphology.h"
+#include "kernel/image/outlines.h"
 #include "kernel/image/watershed.h"
 
 namespace relievo {
@@ -98,17 +99,6 @@ Image8 tinted_pixels(const Image8& image) {
       mask.at(x, y) = !nothing && darkest_channel(image, x, y) < palest ? 1 : 0;
     }
   return mask;
-}
-
-Box2 box_of(const Image8& mask) {
-  Box2 box;
-  for (int y = 0; y < mask.height; ++y)
-    for (int x = 0; x < mask.width; ++x) {
-      if (mask.at(x, y) == 0) continue;
-      box.add(Point2{x * 1.0, y * 1.0});
-      box.add(Point2{x + 1.0, y + 1.0});
-    }
-  return box;
 }
 
 /// Whether the picture's edge is white paper without grain or shadows.

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/geometry/polygon.h"
 #include "kernel/image/filters.h"
 #include "kernel/image/morphology.h"
+#include "kernel/image/outlines.h"
 
 namespace relievo {
 namespace {
@@ -38,15 +38,11 @@ bool is_painted(const Image8& rgb, bool on_pure_white) {
   const Image8 cells = shrink(rgb, factor);
   const int faintest = on_pure_white ? faintest_on_white : faintest_on_paper;
   Image8 covered(cells.width, cells.height, 1);
-  Box2 drawn;
-  for (int y = 0; y < cells.height; ++y)
-    for (int x = 0; x < cells.width; ++x) {
-      const uint8_t* cell = &cells.at(x, y);
-      if (std::min({cell[0], cell[1], cell[2]}) >= faintest) continue;
-      covered.at(x, y) = 1;
-      drawn.add(Point2{x * 1.0, y * 1.0});
-      drawn.add(Point2{x + 1.0, y + 1.0});
-    }
+  for (size_t i = 0; i < covered.pixels.size(); ++i) {
+    const uint8_t* cell = &cells.pixels[3 * i];
+    covered.pixels[i] = std::min({cell[0], cell[1], cell[2]}) < faintest ? 1 : 0;
+  }
+  const Box2 drawn = box_of(covered);
   if (drawn.empty()) return false;
   const Image8 wide = min_filter(covered, static_cast<int>(std::lround(half_line(cells))) + 1);
   const auto count = std::count(wide.pixels.begin(), wide.pixels.end(), 1);
@@ -215,7 +211,8 @@ LineMap find_lines(const Image8& rgb, bool on_pure_white) {
   if (!map.painted) clear_wide_shapes(rgb, thresholds.sure, map);
   // Where lines may be faint, the barrier holds their blur as well.
   const int middling = (thresholds.sure + thresholds.possible) / 2;
-  map.line_width = typical_width(map.painted ? map.barrier : reached(map.ink, middling));
+  map.line_width =
+      map.painted ? typical_width(map.barrier) : typical_width(reached(map.ink, middling));
   std::array<uint8_t, 256> full = {};
   for (int v = 0; v < 256; ++v)
     full[v] = static_cast<uint8_t>(std::min(255, 128 * v / thresholds.sure));

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 #include <utility>
 
@@ -93,12 +93,10 @@ Image8 crayon_face(int page) {
   for (int y = 0; y < page; ++y)
     for (int x = 0; x < page; ++x) {
       const double r = distance({x + 0.5, y + 0.5}, {page / 2.0, page / 2.0});
-      if (r > 52) continue;
       const bool outline = r > 50;
-      const bool stroke = (x + 2 * y) % 11 < 10;
-      if (outline || stroke) rgb.at(x, y, 0) = outline ? 30 : 240;
-      if (outline || stroke) rgb.at(x, y, 1) = outline ? 30 : 200;
-      if (outline || stroke) rgb.at(x, y, 2) = outline ? 30 : 40;
+      if (r > 52 || (!outline && (x + 2 * y) % 11 == 10)) continue;
+      const std::array<uint8_t, 3> yellow = {240, 200, 40};
+      for (int c = 0; c < 3; ++c) rgb.at(x, y, c) = outline ? 30 : yellow[c];
     }
   return rgb;
 }
