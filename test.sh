@@ -4,8 +4,8 @@
 # program built against the installed package and, as root, a batch on a Slurm cluster of this machine.
 set -eu
 cd "$(dirname "$0")"
-# Comparisons with slow reference solvers, many scenes and solids, a slicer, Blender.
-surveys='^NonlinearReferences|^Lambda/RandomScenes|^Slicer|^SolidSurvey|^Blender'
+# Comparisons with slow reference solvers, many scenes, solids and kills, a slicer, Blender.
+surveys='^NonlinearReferences|^Lambda/RandomScenes|^Slicer|^SolidSurvey|^Blender|^campaign_(kills|memory)$'
 case "${1:-}" in
   "") all='' packages=test left_out="$surveys|^consumer\$|^lint\$" ;;
   --all) all=yes packages=all left_out='^$' ;;

@@ -7,12 +7,12 @@ const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url
 /** The core as the wasm preset builds it. */
 const core = at('../build/wasm/bindings/wasm');
 
-const journeys = ['tests/journeys/**/*.test.ts'];
+const journeysOf = (...names: string[]): string[] => names.map((name) => `tests/journeys/${name}.test.ts`);
 /** Those that measure how long the page takes, with nothing beside them. */
-const measured = ['tests/journeys/responsive.test.ts'];
-/** Those through all states, languages and edits, or that wait for recordings; in the long run of all tests. */
-const long = ['accessibility', 'graphics', 'heap', 'languages', 'room', 'turntable'].map((name) => `tests/journeys/${name}.test.ts`);
-const leftOut = process.env['RELIEVO_LONG'] ? measured : [...measured, ...long];
+const measured = journeysOf('responsive');
+/** What everyone does: opens, draws, scribbles, corrects and saves. All others are for the long run. */
+const everyday = journeysOf('doubts', 'drawing', 'editing', 'gaps', 'hands', 'layers', 'pictures', 'projects', 'safety', 'samples', 'scribbles', 'strokes');
+const journeys = process.env['RELIEVO_LONG'] ? journeysOf('*') : everyday;
 const journey = { retry: 1, testTimeout: 120_000, hookTimeout: 120_000, expect: { poll: { timeout: 30_000 } } };
 
 export default defineConfig({
@@ -37,7 +37,7 @@ export default defineConfig({
       },
       {
         extends: true,
-        test: { ...journey, name: 'journeys', include: journeys, exclude: leftOut, maxWorkers: 2, sequence: { groupOrder: 1 } },
+        test: { ...journey, name: 'journeys', include: journeys, exclude: measured, maxWorkers: 2, sequence: { groupOrder: 1 } },
       },
       {
         extends: true,
