@@ -212,8 +212,7 @@ it('colours a part by a swatch, with the limbs that are one surface with it', as
     }, [x, y]);
   };
   await page.keyboard.press('Escape');
-  await page.waitForTimeout(500);
-  for (const spot of [[620, 400], [445, 640]] as Spot[]) expect(await pixel(spot)).toEqual([0x85, 0xb7, 0x9d]);
+  for (const spot of [[620, 400], [445, 640]] as Spot[]) await expect.poll(() => pixel(spot)).toEqual([0x85, 0xb7, 0x9d]);
   await stillPicture(page, 'coloured');
   expect(stage.troubles).toEqual([]);
 });
