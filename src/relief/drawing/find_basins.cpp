@@ -7,8 +7,8 @@
 #include "kernel/image/watershed.h"
 #include "relief/drawing/figure_mask.h"
 #include "relief/drawing/find_regions.h"
+#include "relief/drawing/line_gaps.h"
 #include "relief/drawing/line_map.h"
-#include "relief/drawing/open_roots.h"
 
 namespace relievo {
 namespace {
@@ -34,6 +34,14 @@ Image<int32_t> watershed(const LineMap& map, std::vector<Basin>& basins) {
   return std::move(found.label);
 }
 
+void close_line_gaps(LineMap& map) {
+  const std::vector<StrokeEnd> ends = find_loose_ends(map);
+  for (const LineGap& gap : find_open_roots(ends, map))
+    close_gap(gap, LineMap::bridge, map.barrier);
+  for (const LineGap& gap : find_broken_outlines(ends, map))
+    close_gap(gap, LineMap::gap, map.barrier);
+}
+
 /// Tells what share is done; false where the rest is not wanted.
 bool go_on(const RunContext& context, double done) {
   context.report("find areas", done);
@@ -55,7 +63,7 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   if (std::count(map.barrier.pixels.begin(), map.barrier.pixels.end(), LineMap::none) ==
       static_cast<ptrdiff_t>(map.barrier.pixels.size()))
     return Error{ErrorCode::bad_input, "the drawing is blank: no line or edge was found in it", ""};
-  for (const OpenRoot& root : find_open_roots(map)) close_root(root, map.barrier);
+  close_line_gaps(map);
   if (!go_on(context, 0.5)) return interrupted_error();
   Basins basins;
   basins.figure = find_figure(rgba, rgb, map, on_pure_white);

@@ -11,13 +11,13 @@ namespace relievo {
 
 /// What separates the areas of a drawing.
 struct LineMap {
-  enum Barrier : uint8_t { none = 0, line = 1, edge = 2, bridge = 3 };
+  enum Barrier : uint8_t { none = 0, line = 1, edge = 2, bridge = 3, gap = 4 };
 
   /// Whether it parts areas whatever their colours.
   static bool is_wall(uint8_t barrier) { return barrier == line || barrier == bridge; }
 
   Image8 ink;      ///< how much darker a pixel is than what lies around it, 255 = full
-  Image8 barrier;  ///< [Barrier] lines, edges between colours where there is no line, closed roots
+  Image8 barrier;  ///< [Barrier] lines, edges between colours where there is no line, closed gaps
   double line_width = 1;  ///< typical width of a line, px
   bool painted = false;   ///< whether colours fill areas, rather than lines bounding white ones
 };
@@ -47,12 +47,12 @@ Image8 connected_above(const Image8& values, int low, int high);
 /// left out. O(pixels).
 std::vector<Bridge> find_bridges(const Image16& labels, const Image8& barrier, double line_width);
 
-/// A loose end of a stroke that, followed from there, first passes the end of another line: the
-/// side on which that line ends lies behind the stroke.
+/// A loose end of a stroke. Where the stroke, followed from there, first passes the end of another
+/// line, the side on which that line ends lies behind it.
 struct StrokeEnd {
   Point2 at;          ///< px
   Point2 inwards;     ///< unit vector from the end along the stroke
-  double length = 0;  ///< px along the stroke to where the other line ends
+  double length = 0;  ///< px along the stroke to its other end or the first other line
   int behind = 0;     ///< the side that lies behind: 1 on the right of `inwards`, -1 on the left
 };
 

@@ -245,9 +245,24 @@ void unite_pieces(RegionMerging& regions, const Basins& basins, int background) 
       regions.unite(regions.region_of(a - 1), regions.region_of(b - 1));
 }
 
+/// Opens the gaps that do not part the figure from the background again: inside, strokes end where
+/// they like.
+void open_inner_gaps(Basins& basins) {
+  if (std::none_of(basins.borders.begin(), basins.borders.end(),
+                   [](const BasinBorder& border) { return border.gap_pairs > 0; }))
+    return;
+  RegionMerging regions(basins);
+  unite_open(regions, -1);
+  const int background = unite_background(regions, basins);
+  for (BasinBorder& border : basins.borders)
+    if ((regions.region_of(border.a) == background) == (regions.region_of(border.b) == background))
+      border.gap_pairs = 0;
+}
+
 }  // namespace
 
 void propose_regions(Basins& basins) {
+  open_inner_gaps(basins);
   RegionMerging regions(basins);
   unite_open(regions, -1);
   int background = unite_background(regions, basins);

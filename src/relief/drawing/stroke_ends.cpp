@@ -40,32 +40,31 @@ class StrokeWalk {
     visit(end);
     std::vector<Point2> way = {point(end)};
     double length = 0;
+    int behind = 0;
     for (Front front = next({end}); !front.empty() && length < longest_; front = next(front)) {
       std::vector<Front> branches = pieces(front);
       if (branches.size() > 1) branches = long_branches(branches);
-      if (branches.empty() || branches.size() > 2) return std::nullopt;
-      if (branches.size() == 2)
-        return passing(way, length, middle(branches[0]), middle(branches[1]));
+      if (branches.size() == 2) behind = side_behind(way, middle(branches[0]), middle(branches[1]));
+      if (branches.size() != 1) break;
       front = branches[0];
       length += distance(way.back(), middle(front));
       way.push_back(middle(front));
     }
-    return std::nullopt;
+    if (way.size() <= reach_) return std::nullopt;
+    const Point2 inwards = way[reach_] - way[0];
+    return StrokeEnd{way[0], (1 / norm(inwards)) * inwards, length, behind};
   }
 
-  /// The end of a stroke that has come this way and goes on in one of two directions.
-  std::optional<StrokeEnd> passing(const std::vector<Point2>& way, double length, Point2 first,
-                                   Point2 second) const {
-    if (way.size() <= reach_) return std::nullopt;
+  /// The side of a stroke that has come this way on which the other of two directions lies, or 0
+  /// where neither goes on with it.
+  int side_behind(const std::vector<Point2>& way, Point2 first, Point2 second) const {
+    if (way.size() <= reach_) return 0;
     const Point2 forwards = way.back() - way[way.size() - 1 - reach_];
     Point2 ahead = first - way.back();
     Point2 aside = second - way.back();
     if (angle(forwards, aside) < angle(forwards, ahead)) std::swap(ahead, aside);
-    if (angle(forwards, ahead) > straight_on || angle(forwards, aside) < turn_off)
-      return std::nullopt;
-    const Point2 inwards = way[reach_] - way[0];
-    return StrokeEnd{way[0], (1 / norm(inwards)) * inwards, length,
-                     cross(forwards, aside) > 0 ? 1 : -1};
+    if (angle(forwards, ahead) > straight_on || angle(forwards, aside) < turn_off) return 0;
+    return cross(forwards, aside) > 0 ? 1 : -1;
   }
 
   /// Those that go on for the reach, from where they have got.

@@ -1,4 +1,4 @@
-#include "relief/drawing/open_roots.h"
+#include "relief/drawing/line_gaps.h"
 
 #include <gtest/gtest.h>
 
@@ -42,8 +42,9 @@ struct Arm {
   }
 };
 
-std::vector<OpenRoot> roots_of(const InkDrawing& ink) {
-  return find_open_roots(find_lines(remove_paper(ink.drawing().rgba)));
+std::vector<LineGap> roots_of(const InkDrawing& ink) {
+  const LineMap map = find_lines(remove_paper(ink.drawing().rgba));
+  return find_open_roots(find_loose_ends(map), map);
 }
 
 TEST(OpenRoots, AnArmThatIsOpenAtTheShoulderIsAPart) {
@@ -71,7 +72,7 @@ TEST(OpenRoots, AnArmThatIsOpenAtTheShoulderIsAPart) {
 
 TEST(OpenRoots, LieBetweenTheEndsOfTheLines) {
   const Arm arm{0.1, 20};
-  const std::vector<OpenRoot> roots = roots_of(arm.ink());
+  const std::vector<LineGap> roots = roots_of(arm.ink());
   ASSERT_EQ(roots.size(), 1U);
   const auto [a, b] = roots[0];
   EXPECT_LT(std::min(distance(a, arm.at(shoulder, 20)), distance(b, arm.at(shoulder, 20))), 4);
@@ -110,6 +111,68 @@ TEST(OpenRoots, ALineBetweenTheEndsPartsThem) {
   EXPECT_EQ(roots_of(ink).size(), 1U);
   ink.line(arm.at(shoulder - 30, 0), arm.at(shoulder + 30, 0));
   EXPECT_TRUE(roots_of(ink).empty());
+}
+
+int label_of_point(const Segmentation& segmentation, Point2 p) {
+  return segmentation.labels.at(static_cast<int>(p.x), static_cast<int>(p.y));
+}
+
+TEST(BrokenOutlines, ACircleOfArcsIsAPart) {
+  for (const int arcs : {2, 3, 4})
+    for (int k = 0; k < 5; ++k) {
+      InkDrawing ink(500, 500);
+      for (int a = 0; a < arcs; ++a) {
+        const double from = 0.03 + k / 37.0 + static_cast<double>(a) / arcs;
+        ink.arc(middle, body_radius, from, from + 1.0 / arcs - 0.1);
+      }
+      const Result<Segmentation> s = segment_drawing(ink.drawing());
+      ASSERT_TRUE(s.ok()) << to_string(s.error());
+      EXPECT_EQ(s->parts.size(), 1U) << arcs << ", " << k;
+      for (const Point2 p : {middle, middle + Point2{100, 0}, middle + Point2{-50, 80}})
+        EXPECT_NE(label_of_point(*s, p), 0) << arcs << ", " << k;
+    }
+}
+
+TEST(BrokenOutlines, AnEndGoesOnToTheLineAhead) {
+  for (int k = 0; k < 5; ++k) {
+    const Arm arm{k / 5.0 + 0.02, 25};
+    InkDrawing ink(500, 500);
+    ink.circle(middle, 95);
+    for (const double aside : {-25.0, 25.0}) ink.line(arm.at(120, aside), arm.at(hand, aside));
+    ink.line(arm.at(hand, -25), arm.at(hand, 25));
+    const Result<Segmentation> s = segment_drawing(ink.drawing());
+    ASSERT_TRUE(s.ok()) << to_string(s.error());
+    EXPECT_EQ(s->parts.size(), 2U) << k;
+    EXPECT_NE(label_of_point(*s, arm.at(180, 0)), 0) << k;
+    EXPECT_NE(label_of_point(*s, arm.at(180, 0)), label_of_point(*s, middle)) << k;
+  }
+}
+
+TEST(BrokenOutlines, StrokesThatFaceEachOtherInsideDivideNothing) {
+  InkDrawing ink(500, 500);
+  ink.circle(middle, 150);
+  ink.line({125, 250}, {220, 250});
+  ink.line({280, 250}, {375, 250});
+  const Result<Segmentation> s = segment_drawing(ink.drawing());
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  EXPECT_EQ(s->parts.size(), 1U);
+}
+
+TEST(BrokenOutlines, AStickFigureGetsNoWings) {
+  InkDrawing ink(500, 500);
+  ink.circle({250, 130}, 50);
+  ink.line({250, 180}, {250, 340});
+  for (const double way : {-1.0, 1.0}) {
+    ink.line({250, 220}, {250 + 90 * way, 230});
+    ink.line({250 + 90 * way, 230}, {250 + 90 * way, 120});
+    ink.line({250, 340}, {250 + 50 * way, 450});
+  }
+  const Result<Segmentation> s = segment_drawing(ink.drawing());
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  for (const double way : {-1.0, 1.0}) {
+    EXPECT_EQ(label_of_point(*s, {250 + 60 * way, 190}), 0);
+    EXPECT_EQ(label_of_point(*s, {250 + 12 * way, 430}), 0);
+  }
 }
 
 }  // namespace
