@@ -61,15 +61,6 @@ int unite_background(RegionMerging& regions, Basins& basins);
 /// Whether a region is as white as paper is, once its colour is divided out.
 bool is_paper(const Basin& region);
 
-/// [drawing size] The region `paper` with all that it surrounds, 1, where that is a page: a
-/// quadrilateral on a good part of the picture with hardly any paper around it; else empty.
-/// O(pixels).
-Image8 find_page(RegionMerging& regions, const Basins& basins, int paper);
-
-/// Unites what lies around the page with the background, takes the lines there out and returns the
-/// background. O(pixels).
-int unite_around_page(RegionMerging& regions, Basins& basins, const Image8& page, int background);
-
 /// Share of the lines, by area, on all sides of which lies the background.
 double unbounded_line_share(const Basins& basins);
 
@@ -78,6 +69,13 @@ double unbounded_line_share(const Basins& basins);
 /// 3 channels. `rgba` has 4. The light is a quadratic fitted to the bright part of each channel.
 /// O(pixels).
 Image8 remove_paper(const Image8& rgba);
+
+/// A drawing (4 channels) without the lines of ruled or squared paper, or nothing where there are
+/// none: five or more thin ones at equal distances across most of the picture, level or upright to a
+/// tenth, and what crosses them likewise, as a margin. They are followed through what hides them,
+/// and may be bent. Their pixels take the colour of their darker side, unless they are so dark that
+/// ink lies there. O(pixels).
+Image8 without_rulings(const Image8& drawing);
 
 /// An opaque drawing (4 channels) on a ground of one colour other than white, cut out: transparent
 /// where the ground is, with the blend at the rim gone. Nothing where there is no such ground.

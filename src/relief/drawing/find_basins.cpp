@@ -53,10 +53,12 @@ bool go_on(const RunContext& context, double done) {
 Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   if (drawing.rgba.empty()) return Error{ErrorCode::bad_input, "the drawing has no pixels", ""};
   if (!go_on(context, 0)) return interrupted_error();
-  Image8 cut = cut_from_plain_ground(drawing.rgba);
-  const bool on_pure_white = !cut.empty() || is_on_pure_white(drawing.rgba);
-  if (cut.empty() && on_pure_white) cut = without_cast_shadow(drawing.rgba);
-  const Image8& rgba = cut.empty() ? drawing.rgba : cut;
+  const Image8 unruled = without_rulings(drawing.rgba);
+  const Image8& drawn = unruled.empty() ? drawing.rgba : unruled;
+  Image8 cut = cut_from_plain_ground(drawn);
+  const bool on_pure_white = !cut.empty() || is_on_pure_white(drawn);
+  if (cut.empty() && on_pure_white) cut = without_cast_shadow(drawn);
+  const Image8& rgba = cut.empty() ? drawn : cut;
   const Image8 rgb = remove_paper(rgba);
   if (!go_on(context, 0.1)) return interrupted_error();
   LineMap map = find_lines(rgb, on_pure_white);
