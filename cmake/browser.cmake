@@ -35,7 +35,7 @@ function(relievo_sources name target folder)
   add_library(${name} STATIC ${ARGN})
   target_include_directories(${name} SYSTEM PUBLIC ${folder})
   # Pages wait for the download.
-  target_compile_options(${name} PRIVATE -w -Os)
+  target_compile_options(${name} PRIVATE -w -Oz)
   add_library(${target} ALIAS ${name})
 endfunction()
 relievo_sources(zlib ZLIB::ZLIB ${RELIEVO_SOURCES}/zlib

@@ -87,14 +87,17 @@ bool is_end_of(const std::vector<LineGap>& gaps, Point2 end) {
                      [end](const LineGap& gap) { return gap.a == end || gap.b == end; });
 }
 
-/// Pairs of ends that belong together, narrowest first, each end in one at most.
 template <class Belong>
-std::vector<LineGap> pair_ends(const std::vector<StrokeEnd>& ends, const LineMap& map,
-                               const Belong& belong) {
+std::vector<LineGap> pairs_that(const std::vector<StrokeEnd>& ends, const Belong& belong) {
   std::vector<LineGap> pairs;
   for (size_t i = 0; i < ends.size(); ++i)
     for (size_t j = i + 1; j < ends.size(); ++j)
       if (belong(ends[i], ends[j])) pairs.push_back({ends[i].at, ends[j].at});
+  return pairs;
+}
+
+/// Those that nothing lies in, narrowest first, each end in one at most.
+std::vector<LineGap> choose(std::vector<LineGap> pairs, const LineMap& map) {
   std::stable_sort(pairs.begin(), pairs.end(), [](const LineGap& x, const LineGap& y) {
     return distance(x.a, x.b) < distance(y.a, y.b);
   });
@@ -140,9 +143,10 @@ std::vector<StrokeEnd> find_loose_ends(const LineMap& map) {
 
 std::vector<LineGap> find_open_roots(std::vector<StrokeEnd> ends, const LineMap& map) {
   std::erase_if(ends, [](const StrokeEnd& end) { return end.behind == 0; });
-  return pair_ends(ends, map, [&map](const StrokeEnd& a, const StrokeEnd& b) {
+  const auto belong = [&map](const StrokeEnd& a, const StrokeEnd& b) {
     return are_sides_of_limb(a, b, map.line_width);
-  });
+  };
+  return choose(pairs_that(ends, belong), map);
 }
 
 std::vector<LineGap> find_broken_outlines(std::vector<StrokeEnd> ends, const LineMap& map) {
@@ -150,9 +154,10 @@ std::vector<LineGap> find_broken_outlines(std::vector<StrokeEnd> ends, const Lin
   const double diagonal = std::hypot(map.barrier.width, map.barrier.height);
   std::erase_if(
       ends, [diagonal](const StrokeEnd& end) { return end.length < shortest_outline * diagonal; });
-  std::vector<LineGap> gaps = pair_ends(ends, map, [&](const StrokeEnd& a, const StrokeEnd& b) {
+  const auto belong = [diagonal](const StrokeEnd& a, const StrokeEnd& b) {
     return face_each_other(a, b, widest_break * diagonal);
-  });
+  };
+  std::vector<LineGap> gaps = choose(pairs_that(ends, belong), map);
   for (const StrokeEnd& end : ends)
     if (!is_end_of(gaps, end.at))
       if (const auto gap = gap_ahead(end, map, widest_contact * diagonal)) gaps.push_back(*gap);

@@ -41,7 +41,7 @@ Image8 darkness_of(const Image8& rgba) {
   Image8 dark(rgba.width, rgba.height, 1);
   for (size_t i = 0; i < dark.pixels.size(); ++i) {
     const uint8_t* p = &rgba.pixels[4 * i];
-    dark.pixels[i] = static_cast<uint8_t>(255 - std::min({p[0], p[1], p[2]}));
+    dark.pixels[i] = static_cast<uint8_t>((255 - std::min({p[0], p[1], p[2]})) * p[3] / 255);
   }
   return dark;
 }
@@ -133,9 +133,8 @@ std::vector<std::array<double, 2>> follow(const std::vector<std::vector<double>>
 }
 
 double middle_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
 }
 
 Ruling ruling_through(const std::vector<std::array<double, 2>>& seen, const Profiles& profiles) {
@@ -169,11 +168,11 @@ std::vector<Ruling> lines_across(const Image8& dark, int reach) {
           static_cast<double>(seen.size()) < least_seen * strip_count)
         continue;
       for (const auto& [s, at] : seen) std::erase(peaks[static_cast<size_t>(s)], at);
-      lines.push_back(ruling_through(seen, profiles));
+      const Ruling line = ruling_through(seen, profiles);
+      auto below = lines.begin();
+      while (below != lines.end() && below->y[strip_count / 2] < line.y[strip_count / 2]) ++below;
+      lines.insert(below, line);
     }
-  std::sort(lines.begin(), lines.end(), [](const Ruling& a, const Ruling& b) {
-    return a.y[strip_count / 2] < b.y[strip_count / 2];
-  });
   return lines;
 }
 
