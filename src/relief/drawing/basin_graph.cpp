@@ -88,7 +88,6 @@ class PairCollector {
       merged.back().pairs += pair.pairs;
       merged.back().line_pairs += pair.line_pairs;
       merged.back().edge_pairs += pair.edge_pairs;
-      merged.back().gap_pairs += pair.gap_pairs;
       merged.back().weight += pair.weight;
     }
     return merged;
@@ -102,9 +101,8 @@ class PairCollector {
     const uint8_t q = basins_.barrier.pixels[j];
     const bool line = LineMap::is_wall(p) || LineMap::is_wall(q);
     const bool edge = !line && (p == LineMap::edge || q == LineMap::edge);
-    const bool gap = !line && !edge && (p == LineMap::gap || q == LineMap::gap);
     const int64_t white = 255 - std::max(basins_.ink.pixels[i], basins_.ink.pixels[j]);
-    pairs_.push_back({std::min(a, b), std::max(a, b), 1, line ? 1 : 0, edge ? 1 : 0, gap ? 1 : 0,
+    pairs_.push_back({std::min(a, b), std::max(a, b), 1, line ? 1 : 0, edge ? 1 : 0,
                       1 + unit_ * white * white / (255 * 255)});
   }
 

@@ -31,7 +31,6 @@ struct BasinBorder {
   int64_t pairs = 0;       ///< pairs of pixels that share a side across the border
   int64_t line_pairs = 0;  ///< of those, where one lies on a line
   int64_t edge_pairs = 0;  ///< of the others, where one lies on an edge between colours
-  int64_t gap_pairs = 0;   ///< of the others, where one lies across a gap in an outline
   int64_t weight = 0;      ///< what LazyBrush pays for parting them
 };
 

@@ -14,7 +14,9 @@ struct LineMap {
   enum Barrier : uint8_t { none = 0, line = 1, edge = 2, bridge = 3, gap = 4 };
 
   /// Whether it parts areas whatever their colours.
-  static bool is_wall(uint8_t barrier) { return barrier == line || barrier == bridge; }
+  static bool is_wall(uint8_t barrier) {
+    return barrier == line || barrier == bridge || barrier == gap;
+  }
 
   Image8 ink;      ///< how much darker a pixel is than what lies around it, 255 = full
   Image8 barrier;  ///< [Barrier] lines, edges between colours where there is no line, closed gaps

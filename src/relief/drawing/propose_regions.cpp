@@ -8,7 +8,9 @@
 
 #include "kernel/base/exact_functions.h"
 #include "relief/drawing/figure_mask.h"
+#include "relief/drawing/find_basins.h"
 #include "relief/drawing/find_regions.h"
+#include "relief/drawing/line_map.h"
 #include "relief/drawing/region_merging.h"
 
 namespace relievo {
@@ -245,24 +247,36 @@ void unite_pieces(RegionMerging& regions, const Basins& basins, int background) 
       regions.unite(regions.region_of(a - 1), regions.region_of(b - 1));
 }
 
-/// Opens the gaps that do not part the figure from the background again: inside, strokes end where
-/// they like.
-void open_inner_gaps(Basins& basins) {
-  if (std::none_of(basins.borders.begin(), basins.borders.end(),
-                   [](const BasinBorder& border) { return border.gap_pairs > 0; }))
-    return;
+/// Makes bridges of the gaps in outlines that part the figure from the background, and opens the
+/// others: inside, strokes end where they like.
+void settle_gaps(Basins& basins) {
+  std::vector<uint8_t>& barrier = basins.barrier.pixels;
+  if (std::find(barrier.begin(), barrier.end(), LineMap::gap) == barrier.end()) return;
   RegionMerging regions(basins);
   unite_open(regions, -1);
   const int background = unite_background(regions, basins);
-  for (BasinBorder& border : basins.borders)
-    if ((regions.region_of(border.a) == background) == (regions.region_of(border.b) == background))
-      border.gap_pairs = 0;
+  const int w = basins.index.width;
+  const int h = basins.index.height;
+  const auto is_outside = [&](int x, int y) {
+    const int basin = basins.index.at(std::clamp(x, 0, w - 1), std::clamp(y, 0, h - 1));
+    return regions.region_of(basin) == background;
+  };
+  for (int y = 0; y < h; ++y)
+    for (int x = 0; x < w; ++x) {
+      uint8_t& value = basins.barrier.at(x, y);
+      if (value != LineMap::gap) continue;
+      const bool outside = is_outside(x, y);
+      const bool parts = is_outside(x - 1, y) != outside || is_outside(x + 1, y) != outside ||
+                         is_outside(x, y - 1) != outside || is_outside(x, y + 1) != outside;
+      value = parts ? LineMap::bridge : LineMap::none;
+    }
+  basins.borders = borders_within(basins, 0, 0, w, h);
 }
 
 }  // namespace
 
 void propose_regions(Basins& basins) {
-  open_inner_gaps(basins);
+  settle_gaps(basins);
   RegionMerging regions(basins);
   unite_open(regions, -1);
   int background = unite_background(regions, basins);

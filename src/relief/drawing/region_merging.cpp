@@ -24,9 +24,8 @@ RegionMerging::RegionMerging(const Basins& basins)
       borders_(basins.basins.size()),
       figure_is_sharp_(basins.figure.sharp) {
   for (const BasinBorder& border : basins.borders) {
-    const int64_t lines = border.line_pairs + border.gap_pairs;
-    borders_[border.a][border.b] = {border.pairs, lines, border.edge_pairs};
-    borders_[border.b][border.a] = {border.pairs, lines, border.edge_pairs};
+    borders_[border.a][border.b] = {border.pairs, border.line_pairs, border.edge_pairs};
+    borders_[border.b][border.a] = {border.pairs, border.line_pairs, border.edge_pairs};
   }
 }
 

@@ -11,7 +11,7 @@ namespace relievo {
 /// How two regions meet.
 struct RegionBorder {
   int64_t pairs = 0;
-  int64_t line_pairs = 0;  ///< of lines and gaps in them
+  int64_t line_pairs = 0;
   int64_t edge_pairs = 0;
 };
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
@@ -7,6 +6,7 @@
 #include <vector>
 
 #include "relief/drawing/figure_mask.h"
+#include "relievo/point.h"
 
 namespace relievo {
 namespace {
@@ -99,32 +99,31 @@ std::optional<double> nearest(const std::vector<double>& peaks, double y, double
   return best;
 }
 
-/// Where a line through the last places that were seen would cross strip `s`.
-double expected_at(const std::vector<std::array<double, 2>>& seen, double s) {
+/// Where a line through the last places that were seen would cross strip `s`. Places are strips
+/// and px from the top.
+double expected_at(const std::vector<Point2>& seen, double s) {
   const size_t n = std::min<size_t>(seen.size(), 10);
-  if (n < 3) return seen.back()[1];
-  double ms = 0;
-  double my = 0;
-  for (size_t k = seen.size() - n; k < seen.size(); ++k) {
-    ms += seen[k][0] / static_cast<double>(n);
-    my += seen[k][1] / static_cast<double>(n);
-  }
+  if (n < 3) return seen.back().y;
+  Point2 mean;
+  for (size_t k = seen.size() - n; k < seen.size(); ++k)
+    mean = mean + (1 / static_cast<double>(n)) * seen[k];
   double ss = 0;
   double sy = 0;
   for (size_t k = seen.size() - n; k < seen.size(); ++k) {
-    ss += (seen[k][0] - ms) * (seen[k][0] - ms);
-    sy += (seen[k][0] - ms) * (seen[k][1] - my);
+    const Point2 d = seen[k] - mean;
+    ss += d.x * d.x;
+    sy += d.x * d.y;
   }
-  return my + sy / ss * (s - ms);
+  return mean.y + sy / ss * (s - mean.x);
 }
 
 /// Follows a line of the paper from a peak in strip `first` to the last strip, through what hides
 /// it.
-std::vector<std::array<double, 2>> follow(const std::vector<std::vector<double>>& peaks, int first,
-                                          double y, double strip_width) {
-  std::vector<std::array<double, 2>> seen = {{static_cast<double>(first), y}};
+std::vector<Point2> follow(const std::vector<std::vector<double>>& peaks, int first, double y,
+                           double strip_width) {
+  std::vector<Point2> seen = {{static_cast<double>(first), y}};
   for (int s = first + 1; s < strip_count; ++s) {
-    const double since = s - seen.back()[0];
+    const double since = s - seen.back().x;
     const double within = seen.size() < 3 ? stray + steepest * strip_width * since : stray;
     if (const auto found = nearest(peaks[s], expected_at(seen, s), within))
       seen.push_back({static_cast<double>(s), *found});
@@ -137,16 +136,16 @@ double middle_of(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-Ruling ruling_through(const std::vector<std::array<double, 2>>& seen, const Profiles& profiles) {
+Ruling ruling_through(const std::vector<Point2>& seen, const Profiles& profiles) {
   Ruling ruling;
   ruling.seen = static_cast<int>(seen.size());
   std::vector<double> dark;
   size_t k = 0;
   for (int s = 0; s < strip_count; ++s) {
-    while (k + 2 < seen.size() && seen[k + 1][0] <= s) ++k;
-    const auto& a = seen[k];
-    const auto& b = seen[k + 1];
-    ruling.y.push_back(a[1] + (b[1] - a[1]) * (s - a[0]) / (b[0] - a[0]));
+    while (k + 2 < seen.size() && seen[k + 1].x <= s) ++k;
+    const Point2 a = seen[k];
+    const Point2 d = seen[k + 1] - a;
+    ruling.y.push_back(a.y + d.y * (s - a.x) / d.x);
   }
   for (const auto& [s, y] : seen) dark.push_back(profiles[static_cast<size_t>(s)][std::lround(y)]);
   ruling.darkness = middle_of(dark);
@@ -164,7 +163,7 @@ std::vector<Ruling> lines_across(const Image8& dark, int reach) {
   for (int first = 0; first < (1 - least_span) * strip_count; ++first)
     for (const double y : std::vector<double>(peaks[first])) {
       const auto seen = follow(peaks, first, y, strip_width);
-      if (seen.back()[0] - first < least_span * strip_count ||
+      if (seen.back().x - first < least_span * strip_count ||
           static_cast<double>(seen.size()) < least_seen * strip_count)
         continue;
       for (const auto& [s, at] : seen) std::erase(peaks[static_cast<size_t>(s)], at);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "relief/drawing/figure_mask.h"
+#include "relief/drawing/find_basins.h"
 #include "relief/drawing/segment_drawing.h"
 #include "support/ink_drawing.h"
 
@@ -156,6 +157,18 @@ TEST(BrokenOutlines, StrokesThatFaceEachOtherInsideDivideNothing) {
   const Result<Segmentation> s = segment_drawing(ink.drawing());
   ASSERT_TRUE(s.ok()) << to_string(s.error());
   EXPECT_EQ(s->parts.size(), 1U);
+}
+
+TEST(BrokenOutlines, AreBridgesOrOpenOnceTheBackgroundIsKnown) {
+  InkDrawing ink(500, 500);
+  ink.arc(middle, 150, 0.04, 0.96);
+  ink.line({125, 250}, {220, 250});
+  ink.line({280, 250}, {340, 250});
+  const Result<Basins> basins = find_basins(ink.drawing());
+  ASSERT_TRUE(basins.ok()) << to_string(basins.error());
+  EXPECT_EQ(basins->barrier.at(250, 250), LineMap::none);
+  const uint8_t* row = &basins->barrier.at(0, 250);
+  EXPECT_EQ(std::count(row + 385, row + 400, LineMap::bridge), 1);
 }
 
 TEST(BrokenOutlines, AStickFigureGetsNoWings) {
