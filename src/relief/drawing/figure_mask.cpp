@@ -33,6 +33,8 @@ constexpr int half_halo = 2;            ///< px, of what a codec leaves beside a
 constexpr int rim_margin = 2;           ///< px, within which an edge is that of the figure
 constexpr uint8_t rim_ink = 44;         ///< of LineMap::ink, that the rim has at least
 constexpr double gap_width = 0.008;     ///< of the diagonal, up to which gaps in paint are closed
+constexpr double grain_share = 0.02;    ///< of the figure; gaps in grainy paint are more
+constexpr double slit_hole = 0.2;       ///< of the figure; a hole behind a slit is less
 constexpr double piece_share = 0.03;    ///< of the largest piece, from which on others count
 constexpr double along_share = 0.67;    ///< of a picture's side, from which an area runs along it
 constexpr double strip_share = 0.15;    ///< of the picture, up to which that is a strip
@@ -140,6 +142,34 @@ Image8 without_gaps(const Image8& mask, int half_gap) {
       if (to_edge < half_gap) closed.at(x, y) = mask.at(x, y);
     }
   return closed;
+}
+
+/// Opens again what was closed before a hole, as the slit between the feet of legs that stand
+/// together, unless the hole is large. Grainy paint, as that of crayons, has gaps all over, which
+/// say nothing.
+void open_slits(const Image8& paint, Image8& closed) {
+  Image8 added = closed;
+  for (size_t i = 0; i < added.pixels.size(); ++i)
+    if (paint.pixels[i] != 0) added.pixels[i] = 0;
+  const auto figure = static_cast<double>(count_of(closed));
+  if (static_cast<double>(count_of(added)) > grain_share * figure) return;
+  const Components gaps = connected_components(added, Connectivity::sides);
+  const Components open = connected_components(complement(closed), Connectivity::sides);
+  const std::vector<uint8_t> is_page = pieces_at_edge(open);
+  std::vector<int64_t> hole(gaps.areas.size(), 0);  // the largest beside each gap, px
+  for (int y = 1; y + 1 < closed.height; ++y)
+    for (int x = 1; x + 1 < closed.width; ++x) {
+      const int32_t gap = gaps.label.at(x, y);
+      if (gap == 0) continue;
+      for (const auto& [u, v] : {std::pair(x - 1, y), {x + 1, y}, {x, y - 1}, {x, y + 1}}) {
+        const int32_t piece = open.label.at(u, v);
+        if (piece != 0 && is_page[piece] == 0) hole[gap] = std::max(hole[gap], open.areas[piece]);
+      }
+    }
+  for (size_t i = 0; i < closed.pixels.size(); ++i) {
+    const int64_t area = hole[gaps.label.pixels[i]];
+    if (area > 0 && static_cast<double>(area) < slit_hole * figure) closed.pixels[i] = 0;
+  }
 }
 
 /// 1 where one gets from white into grey, and on in it, without a step.
@@ -270,7 +300,9 @@ FigureMask find_figure(const Image8& rgba, const Image8& rgb, const LineMap& map
   const int half_gap =
       std::max(1, static_cast<int>(std::lround(gap_width / 2 * std::hypot(rgb.width, rgb.height))));
   const Image8 paint_on_page = without_surroundings(paint(rgb, on_pure_white));
-  const Image8 figure = without_small_pieces(without_holes(without_gaps(paint_on_page, half_gap)));
+  Image8 closed = without_gaps(paint_on_page, half_gap);
+  open_slits(paint_on_page, closed);
+  const Image8 figure = without_small_pieces(without_holes(closed));
   const auto is_inside = [&](int x, int y) { return figure.at(x, y) != 0; };
   if (share_of_edge(rgb.width, rgb.height, is_inside) > at_edge_share) return {};
   // The blur of its rim is half paper.

@@ -14,8 +14,8 @@ namespace relievo {
 
 /// The figure of a picture on a transparent ground whose opaque areas are it (lines on a
 /// transparent ground say nothing), or of paint on paper: what is coloured or dark, the narrow gaps
-/// in it and what it surrounds; of line art its dark shapes alone. `rgba` is the drawing, `rgb` the
-/// same on white. O(pixels).
+/// in it but for slits before small holes, and what it surrounds; of line art its dark shapes
+/// alone. `rgba` is the drawing, `rgb` the same on white. O(pixels).
 FigureMask find_figure(const Image8& rgba, const Image8& rgb, const LineMap& map,
                        bool on_pure_white);
 
