@@ -34,11 +34,11 @@ Image<int32_t> watershed(const LineMap& map, std::vector<Basin>& basins) {
   return std::move(found.label);
 }
 
-void close_line_gaps(LineMap& map) {
+void close_line_gaps(const Image8& rgb, LineMap& map) {
   const std::vector<StrokeEnd> ends = find_loose_ends(map);
   for (const LineGap& gap : find_open_roots(ends, map))
     close_gap(gap, LineMap::bridge, map.barrier);
-  for (const LineGap& gap : find_broken_outlines(ends, map))
+  for (const LineGap& gap : find_broken_outlines(ends, map, rgb))
     close_gap(gap, LineMap::gap, map.barrier);
 }
 
@@ -65,7 +65,7 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   if (std::count(map.barrier.pixels.begin(), map.barrier.pixels.end(), LineMap::none) ==
       static_cast<ptrdiff_t>(map.barrier.pixels.size()))
     return Error{ErrorCode::bad_input, "the drawing is blank: no line or edge was found in it", ""};
-  close_line_gaps(map);
+  close_line_gaps(rgb, map);
   if (!go_on(context, 0.5)) return interrupted_error();
   Basins basins;
   basins.figure = find_figure(rgba, rgb, map, on_pure_white);

@@ -18,6 +18,7 @@ constexpr double narrowest_root = 3;       ///< widths of a line
 constexpr double shortest_outline = 0.06;  ///< per diagonal: shorter strokes are texture
 constexpr double widest_break = 0.12;      ///< between ends, per diagonal of the picture
 constexpr double widest_contact = 0.05;    ///< between an end and a line, per diagonal
+constexpr int palest_paint = 245;          ///< darkest channel, of 255
 constexpr double onwards = 0.64;  ///< cosine of the bend from an end to the other, at least
 
 /// Calls visit(x, y) for the pixels from a to b, each of which shares a side with the next.
@@ -45,6 +46,20 @@ Image8 line_cells(const Image8& barrier, int side) {
       if (row[x] == LineMap::line) out[x / side] = 1;
   }
   return cells;
+}
+
+/// Whether paint, which is not white, lies beside a stroke near its end.
+bool bounds_paint(const StrokeEnd& end, double line_width, const Image8& rgb) {
+  const Point2 aside{-end.inwards.y, end.inwards.x};
+  for (const double along : {1.0, 2.5})
+    for (const double beside : {-1.5, 1.5}) {
+      const Point2 p = end.at + line_width * (along * end.inwards + beside * aside);
+      const int x = std::clamp(static_cast<int>(p.x), 0, rgb.width - 1);
+      const int y = std::clamp(static_cast<int>(p.y), 0, rgb.height - 1);
+      if (std::min({rgb.at(x, y, 0), rgb.at(x, y, 1), rgb.at(x, y, 2)}) <= palest_paint)
+        return true;
+    }
+  return false;
 }
 
 /// Whether lines end on the other side of the stroke than `point` lies.
@@ -149,8 +164,11 @@ std::vector<LineGap> find_open_roots(std::vector<StrokeEnd> ends, const LineMap&
   return choose(pairs_that(ends, belong), map);
 }
 
-std::vector<LineGap> find_broken_outlines(std::vector<StrokeEnd> ends, const LineMap& map) {
-  if (map.painted) return {};
+std::vector<LineGap> find_broken_outlines(std::vector<StrokeEnd> ends, const LineMap& map,
+                                          const Image8& rgb) {
+  if (map.painted)
+    std::erase_if(ends,
+                  [&](const StrokeEnd& end) { return bounds_paint(end, map.line_width, rgb); });
   const double diagonal = std::hypot(map.barrier.width, map.barrier.height);
   std::erase_if(
       ends, [diagonal](const StrokeEnd& end) { return end.length < shortest_outline * diagonal; });

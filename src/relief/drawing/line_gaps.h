@@ -20,11 +20,13 @@ struct LineGap {
 /// ends. `ends` are those of find_loose_ends. O(pixels + ends^2).
 std::vector<LineGap> find_open_roots(std::vector<StrokeEnd> ends, const LineMap& map);
 
-/// Finds where the outlines of line art are broken: strokes, longer than the gap, of which each
-/// would go on to the other's end by a bend of less than a right angle (Kellman, Shipley: A theory
-/// of visual interpolation in object perception, 1991), narrowest first, or of which one would run
-/// straight into another line. O(ends^2 + ends * widest gap).
-std::vector<LineGap> find_broken_outlines(std::vector<StrokeEnd> ends, const LineMap& map);
+/// Finds where outlines around white are broken: strokes without paint beside their ends, longer
+/// than the gap, of which each would go on to the other's end by a bend of less than a right angle
+/// (Kellman, Shipley: A theory of visual interpolation in object perception, 1991), narrowest
+/// first, or of which one would run straight into another line. `rgb` is the drawing on white.
+/// O(ends^2 + ends * widest gap).
+std::vector<LineGap> find_broken_outlines(std::vector<StrokeEnd> ends, const LineMap& map,
+                                          const Image8& rgb);
 
 /// The loose ends of all lines. O(pixels + ends * length followed).
 std::vector<StrokeEnd> find_loose_ends(const LineMap& map);

@@ -171,6 +171,36 @@ TEST(BrokenOutlines, AreBridgesOrOpenOnceTheBackgroundIsKnown) {
   EXPECT_EQ(std::count(row + 385, row + 400, LineMap::bridge), 1);
 }
 
+TEST(BrokenOutlines, AreClosedAroundWhiteAmongPaint) {
+  for (int k = 0; k < 5; ++k) {
+    InkDrawing ink(500, 500);
+    ink.disc({120, 120}, 50, 200, 120, 40).disc({380, 120}, 50, 200, 120, 40);
+    for (int a = 0; a < 3; ++a) {
+      const double from = 0.03 + k / 37.0 + a / 3.0;
+      ink.arc(middle, body_radius, from, from + 0.26);
+    }
+    const Result<Segmentation> s = segment_drawing(ink.drawing());
+    ASSERT_TRUE(s.ok()) << to_string(s.error());
+    for (const Point2 p : {middle, middle + Point2{100, 0}, middle + Point2{-50, 80}})
+      EXPECT_NE(label_of_point(*s, p), 0) << k;
+  }
+}
+
+TEST(BrokenOutlines, AreNotWherePaintEnds) {
+  // Two strokes in line with each other: on white, and along two limbs.
+  for (const bool limbs : {false, true}) {
+    InkDrawing ink(500, 500);
+    ink.disc({250, 420}, 60, 200, 120, 40);
+    for (double x = 90; limbs && x < 220; x += 5)
+      ink.disc({x, 215}, 15, 200, 120, 40).disc({500 - x, 215}, 15, 200, 120, 40);
+    ink.line({80, 200}, {230, 200}).line({270, 200}, {420, 200});
+    const Image8 rgb = remove_paper(ink.drawing().rgba);
+    const LineMap map = find_lines(rgb, true);
+    ASSERT_TRUE(map.painted);
+    EXPECT_EQ(find_broken_outlines(find_loose_ends(map), map, rgb).empty(), limbs);
+  }
+}
+
 TEST(BrokenOutlines, AStickFigureGetsNoWings) {
   InkDrawing ink(500, 500);
   ink.circle({250, 130}, 50);
