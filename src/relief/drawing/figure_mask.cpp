@@ -22,7 +22,6 @@ constexpr int clean_white = 248;     ///< darkest channel of white paper at leas
 constexpr double clean_share = 0.9;  ///< of the picture's edge that is so white on clean paper
 constexpr int faintest = 228;        ///< darkest channel of paint on clean paper at most
 constexpr int pure_white = 254;      ///< darkest channel of paper that nothing has blurred
-constexpr int palest = 246;          ///< darkest channel of areas of paint on it at most
 constexpr int shadow_tint = 14;      ///< difference of channels of a shadow at most
 constexpr int darkest_shadow = 80;   ///< darkest channel of one at least
 constexpr int shadow_step = 4;       ///< between neighbouring pixels of one at most
@@ -39,6 +38,11 @@ constexpr double piece_share = 0.03;    ///< of the largest piece, from which on
 constexpr double along_share = 0.67;    ///< of a picture's side, from which an area runs along it
 constexpr double strip_share = 0.15;    ///< of the picture, up to which that is a strip
 constexpr double at_edge_share = 0.2;   ///< of the picture's edge; more is no figure on paper
+
+/// The pixels that share a side with (x, y).
+std::array<std::pair<int, int>, 4> sides_of(int x, int y) {
+  return {{{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}}};
+}
 
 int64_t count_of(const Image8& mask) {
   return std::count(mask.pixels.begin(), mask.pixels.end(), 1);
@@ -86,10 +90,6 @@ Image8 opaque_pixels(const Image8& rgba) {
   for (size_t i = 0; i < mask.pixels.size(); ++i)
     mask.pixels[i] = rgba.pixels[4 * i + 3] >= 128 ? 1 : 0;
   return mask;
-}
-
-int darkest_channel(const Image8& rgb, int x, int y) {
-  return std::min({rgb.at(x, y, 0), rgb.at(x, y, 1), rgb.at(x, y, 2)});
 }
 
 /// 1 where a picture on pure white, or on nothing, is not white.
@@ -161,7 +161,7 @@ void open_slits(const Image8& paint, Image8& closed) {
     for (int x = 1; x + 1 < closed.width; ++x) {
       const int32_t gap = gaps.label.at(x, y);
       if (gap == 0) continue;
-      for (const auto& [u, v] : {std::pair(x - 1, y), {x + 1, y}, {x, y - 1}, {x, y + 1}}) {
+      for (const auto& [u, v] : sides_of(x, y)) {
         const int32_t piece = open.label.at(u, v);
         if (piece != 0 && is_page[piece] == 0) hole[gap] = std::max(hole[gap], open.areas[piece]);
       }
@@ -182,7 +182,7 @@ Image8 smoothly_reached(const Image8& rgba) {
   };
   const auto visit_smooth = [&](int x, int y, const auto& visit) {
     const int own = darkest_channel(rgba, x, y);
-    for (const auto& [u, v] : {std::pair(x - 1, y), {x + 1, y}, {x, y - 1}, {x, y + 1}}) {
+    for (const auto& [u, v] : sides_of(x, y)) {
       if (u < 0 || v < 0 || u >= w || v >= rgba.height) continue;
       const int other = darkest_channel(rgba, u, v);
       if (std::abs(other - own) <= shadow_step) visit(u, v, other);
@@ -224,7 +224,7 @@ std::vector<GreyPiece> measure_pieces(const Components& pieces, const Image8& rg
       const int32_t piece = pieces.label.at(x, y);
       if (piece == 0) continue;
       measured[piece].box.add(Point2{x + 0.5, y + 0.5});
-      for (const auto& [u, v] : {std::pair(x - 1, y), {x + 1, y}, {x, y - 1}, {x, y + 1}}) {
+      for (const auto& [u, v] : sides_of(x, y)) {
         if (pieces.label.at(u, v) == piece) continue;
         const bool page = darkest_channel(rgba, u, v) >= palest;
         ++(page ? measured[piece].to_page : measured[piece].to_rest);

@@ -18,7 +18,6 @@ constexpr double narrowest_root = 3;       ///< widths of a line
 constexpr double shortest_outline = 0.06;  ///< per diagonal: shorter strokes are texture
 constexpr double widest_break = 0.12;      ///< between ends, per diagonal of the picture
 constexpr double widest_contact = 0.05;    ///< between an end and a line, per diagonal
-constexpr int palest_paint = 245;          ///< darkest channel, of 255
 constexpr double onwards = 0.64;  ///< cosine of the bend from an end to the other, at least
 
 /// Calls visit(x, y) for the pixels from a to b, each of which shares a side with the next.
@@ -56,8 +55,7 @@ bool bounds_paint(const StrokeEnd& end, double line_width, const Image8& rgb) {
       const Point2 p = end.at + line_width * (along * end.inwards + beside * aside);
       const int x = std::clamp(static_cast<int>(p.x), 0, rgb.width - 1);
       const int y = std::clamp(static_cast<int>(p.y), 0, rgb.height - 1);
-      if (std::min({rgb.at(x, y, 0), rgb.at(x, y, 1), rgb.at(x, y, 2)}) <= palest_paint)
-        return true;
+      if (darkest_channel(rgb, x, y) < palest) return true;
     }
   return false;
 }

@@ -27,6 +27,14 @@ struct LineMap {
 /// Lines are narrower than this share of the diagonal; wider dark shapes are areas.
 constexpr double widest_line = 0.025;
 
+/// The least of a pixel's red, green and blue.
+inline int darkest_channel(const Image8& rgb, int x, int y) {
+  return std::min({rgb.at(x, y, 0), rgb.at(x, y, 1), rgb.at(x, y, 2)});
+}
+
+/// Paint on pure white is darker than this in one channel at least.
+constexpr int palest = 246;
+
 /// Whether a pixel (3 channels) is ink or dark paint.
 inline bool is_dark(const uint8_t* rgb) { return std::max({rgb[0], rgb[1], rgb[2]}) < 120; }
 
