@@ -85,11 +85,11 @@ TEST_F(Build, WritesEveryKindOfFileAndNothingElse) {
 /// What was guessed must not stand in the way of a coarse model.
 TEST_F(Build, LeavesOutGuessedJoinsThatDoNotFitTheMesh) {
   const std::filesystem::path drawing =
-      std::string(RELIEVO_SHARED_DATA) + "/truth/knight_sit_floor_pose_yaw35/drawing.png";
+      std::string(RELIEVO_SHARED_DATA) + "/truth/knight_walking_a_yaw35/drawing.png";
   if (!std::filesystem::exists(drawing)) GTEST_SKIP() << "there are no shared drawings";
   ASSERT_EQ(relievo({"segment", drawing.string(), "-o", "p.relievo"}).exit_code, 0);
   for (const std::string& input : {drawing.string(), std::string("p.relievo")}) {
-    const Outcome outcome = relievo({"build", input, "-o", "m.glb", "--vertices", "1000"});
+    const Outcome outcome = relievo({"build", input, "-o", "m.glb", "--vertices", "600"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_NE(outcome.err.find("is left out"), std::string::npos) << outcome.err;
   }

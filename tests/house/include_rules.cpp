@@ -16,7 +16,7 @@ const std::map<std::string, Names> kernel_rules = {
     {"base", {}},
     {"geometry", {"base"}},
     {"graph", {"base"}},
-    {"image", {"base", "geometry"}},
+    {"image", {"base", "geometry", "solvers"}},
     {"meshing", {"base", "geometry"}},
     {"operators", {"base", "geometry"}},
     {"solvers", {"base"}},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernel/geometry/polyline.h"
+#include "kernel/solvers/sparse_cholesky.h"
 
 namespace relievo {
 namespace {
@@ -33,17 +34,73 @@ Ring simplified(const Ring& ring, double tolerance) {
   return few;
 }
 
-/// The points of a closed ring averaged with their neighbours, `passes` times.
-Ring smoothed(Ring ring, int passes) {
-  const size_t n = ring.size();
-  if (n < 3) return ring;
-  Ring next(n);
-  for (int pass = 0; pass < passes; ++pass) {
-    for (size_t i = 0; i < n; ++i)
-      next[i] = 0.25 * ring[(i + n - 1) % n] + (0.5 * ring[i] + 0.25 * ring[(i + 1) % n]);
-    ring.swap(next);
+/// Of D'D, where D takes the third differences of a closed ring: entries by distance from the
+/// diagonal.
+constexpr std::array<double, 4> jerk_stencil = {20, -15, 6, -1};
+constexpr double most_of_width = 0.125;  ///< mean, by which outlines move
+constexpr int least_fair = 8;            ///< points; shorter rings stay
+constexpr int most_rounds = 12;
+constexpr double least_growth = 1.5;  ///< of weights in a round
+
+/// Lower triangle of `stiffness` D'D on n points, n > 6.
+SparseMatrix jerk_matrix(int n, double stiffness) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < static_cast<int>(jerk_stencil.size()); ++k) {
+      const int j = (i + k) % n;
+      entries.emplace_back(std::max(i, j), std::min(i, j), stiffness * jerk_stencil[k]);
+    }
+  SparseMatrix J(n, n);
+  J.setFromTriplets(entries.begin(), entries.end());
+  return J;
+}
+
+/// From both sides in turn, so that a ring fills in no more than a chain.
+std::vector<int> order_of_ring(int n) {
+  std::vector<int> order;
+  for (int i = 0; 2 * i < n; ++i) {
+    order.push_back(i);
+    if (n - 1 - i > i) order.push_back(n - 1 - i);
   }
-  return ring;
+  return order;
+}
+
+/// A point's coordinate moved to `to`, by no more than `reach`.
+double moved(double from, double to, double reach) {
+  return std::clamp(to, from - reach, from + reach);
+}
+
+/// The fair curve near a ring p of equally spaced points: it minimises sum w |x - p|^2 + stiffness
+/// |D x|^2, which takes half of waves of the given length, in points, and leaves circles round:
+/// that of the ring itself is three times as long at least. The weights w are 1 at first; where x
+/// is farther than `reach` from p in x or y they grow, for a few rounds, so that corners stay.
+/// O(n) a round.
+Ring fair(const Ring& ring, double wavelength, double reach) {
+  const int n = static_cast<int>(ring.size());
+  if (n < least_fair || wavelength <= 0) return ring;
+  const double length = std::min(wavelength, n / 3.0) / (2 * M_PI);
+  const double cube = length * length * length;
+  const SparseMatrix J = jerk_matrix(n, cube * cube);
+  SparseCholesky factor;
+  factor.analyse(J, Refactorisation::complete, order_of_ring(n));
+  Eigen::MatrixX2d p(n, 2);
+  for (int i = 0; i < n; ++i) p.row(i) << ring[i].x, ring[i].y;
+  Eigen::MatrixX2d x = p;
+  Eigen::VectorXd w = Eigen::VectorXd::Ones(n);
+  for (int round = 0; round < most_rounds; ++round) {
+    SparseMatrix K = J;
+    K.diagonal() += w;
+    if (!factor.factorise(K)) break;
+    for (int k = 0; k < 2; ++k) x.col(k) = factor.solve(w.cwiseProduct(p.col(k)));
+    const Eigen::VectorXd off = (x - p).rowwise().lpNorm<Eigen::Infinity>() / reach;
+    if (off.maxCoeff() <= 1) break;
+    for (int i = 0; i < n; ++i)
+      if (off[i] > 1) w[i] *= least_growth * off[i] * off[i];
+  }
+  Ring fair;
+  for (int i = 0; i < n; ++i)
+    fair.push_back({moved(p(i, 0), x(i, 0), reach), moved(p(i, 1), x(i, 1), reach)});
+  return fair;
 }
 
 /// Where a ring crosses the line through the centres of a row of pixels.
@@ -172,15 +229,23 @@ class RingTracer {
 Outline outline_of(const Mask& mask, const OutlineOptions& options) {
   const std::vector<LabelRing> rings = trace_label_rings(as_labels(mask));
   size_t longest = 0;
-  for (const LabelRing& ring : rings) longest = std::max(longest, ring.size());
+  size_t sides = 0;
+  for (const LabelRing& ring : rings) {
+    longest = std::max(longest, ring.size());
+    sides += ring.size();
+  }
   const size_t least = std::min(static_cast<size_t>(options.min_sides), longest);
+  if (sides == 0) return {};
+  const double width = 2 * static_cast<double>(pixel_count(mask)) / static_cast<double>(sides);
+  const double reach = std::min(options.reach, most_of_width * width);
+  const double wavelength = options.wavelength * reach / options.reach;
+  const Point2 offset{static_cast<double>(mask.left), static_cast<double>(mask.top)};
   Outline outline;
   for (const LabelRing& traced : rings) {
     if (traced.size() < least) continue;
     Ring ring = traced.sides;
-    const Point2 offset{static_cast<double>(mask.left), static_cast<double>(mask.top)};
     for (Point2& p : ring) p = p + offset;
-    outline.push_back(simplified(smoothed(std::move(ring), options.smoothing), options.tolerance));
+    outline.push_back(simplified(fair(ring, wavelength, reach), options.tolerance));
   }
   return outline;
 }

@@ -11,13 +11,16 @@
 namespace relievo {
 
 struct OutlineOptions {
-  int min_sides = 12;       ///< rings with fewer pixel sides are dropped
-  int smoothing = 4;        ///< passes of a (1, 2, 1) / 4 average, against the staircase
-  double tolerance = 0.05;  ///< points that are so close to the line between others go, px
+  int min_sides = 12;      ///< rings with fewer pixel sides are dropped
+  double wavelength = 40;  ///< pixel sides: shorter waves of an outline go; 0: none does
+  /// Px in x and in y, by which an outline moves for that at most; both are less for what is thin.
+  double reach = 1;
+  double tolerance = 0.02;  ///< points that are so close to the line between others go, px
 };
 
-/// Sub-pixel outline of a mask in canvas px: the middles of its pixel sides, smoothed. Outer rings
-/// have positive area, holes negative. The largest ring is kept whatever its size.
+/// Sub-pixel outline of a mask in canvas px: the fair curve near the middles of its pixel sides,
+/// which is smooth like a line by hand and rounds corners by no more than `reach`. Outer rings have
+/// positive area, holes negative. The largest ring is kept whatever its size.
 /// O(box + boundary * log boundary).
 Outline outline_of(const Mask& mask, const OutlineOptions& options = {});
 

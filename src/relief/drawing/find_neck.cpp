@@ -16,6 +16,8 @@ namespace relievo {
 namespace {
 
 constexpr double contour_step = 1.5;  ///< cells between points of a contour
+/// Against the staircase alone.
+constexpr OutlineOptions contour_options{.wavelength = 12, .reach = 0.5};
 constexpr int turn_reach = 4;         ///< points to either side, over which a contour turns
 constexpr double concave_turn = 0.6;  ///< rad, from which on a place is concave
 constexpr int contour_look = 4;       ///< cells outwards, for what is beyond a line
@@ -92,7 +94,7 @@ double turn_at(const std::vector<Point2>& ring, size_t k) {
 Contour contour_of(const NeckGrid& grid, int region, const Mask& cells) {
   Contour contour;
   Ring outer;
-  for (const Ring& ring : outline_of(cells))
+  for (const Ring& ring : outline_of(cells, contour_options))
     if (outer.empty() || signed_area(ring) > signed_area(outer)) outer = ring;
   const RingMeasure along = measure(outer);
   const auto count = static_cast<size_t>(along.length / contour_step);

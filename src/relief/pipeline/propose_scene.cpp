@@ -18,6 +18,8 @@ namespace {
 /// How far parts reach below their neighbours at least: a share of the drawing's diagonal.
 constexpr double overlap_share = 0.005;
 constexpr double min_overlap = 2;  ///< px
+/// How far a hand, and what is found of its lines, trembles: a share of the diagonal.
+constexpr double tremor_share = 0.0015;
 /// Arrows that are surer than this tell that a surrounded part's contour is its own.
 constexpr double sure_arrow = 0.97;
 
@@ -181,14 +183,25 @@ double inflation_factor(const Proposal& proposal, const Completion& clipped, int
   return below == 0 ? 1 : feature_inflation(area(part) / below);
 }
 
+/// For outlines as smooth as those that a hand draws on a canvas of this size.
+OutlineOptions smooth_outlines(const Image16& map) {
+  OutlineOptions options;
+  const double scale = std::max(1.0, tremor_share * std::hypot(map.width, map.height));
+  options.reach *= scale;
+  options.wavelength *= scale;
+  return options;
+}
+
 /// The outlines in the scene: as the user drew them, or those of the shapes after the order.
 std::vector<Outline> scene_outlines(const Corrections& corrections, const PartRegions& regions,
                                     const Completion& clipped) {
+  const OutlineOptions options = smooth_outlines(regions.map);
   std::vector<Outline> outlines;
   for (int part = 0; part < regions.count(); ++part) {
     const auto found = corrections.parts.find(regions.labels[part]);
     const bool given = found != corrections.parts.end() && found->second.outline;
-    outlines.push_back(given ? *found->second.outline : outline_of(clipped.parts[part].shape));
+    outlines.push_back(given ? *found->second.outline
+                             : outline_of(clipped.parts[part].shape, options));
     orient_by_nesting(outlines.back());
   }
   return outlines;
