@@ -16,24 +16,20 @@
 namespace relievo {
 namespace {
 
-constexpr double upright = 1e-6;       ///< z of normals at outlines, at most
-constexpr double widest_ink = 0.03;    ///< of the drawing's diagonal
-constexpr double least_contrast = 40;  ///< between ink and the paint beside it, of 255
-constexpr double paint_share = 0.35;  ///< of the greatest contrast to ink, which paint has at least
-constexpr double level_share = 0.1;   ///< of the contrast to ink, by which paint varies
+constexpr double upright = 1e-6;      ///< z of normals at outlines, at most
+constexpr double widest_ink = 0.03;   ///< of the drawing's diagonal
 constexpr double inked_share = 0.5;   ///< of what is seen of a part's outline
-constexpr double probe = 2;           ///< px, where to look on both sides of an outline
-constexpr std::ptrdiff_t antialiased = 3;  ///< px inside an outline that may hold paper
-constexpr double blurred = 1.5;            ///< px beside ink that hold some of it
+constexpr double blurred = 1.5;       ///< px beside ink that hold some of it
 constexpr double broad_share = 0.8;   ///< of the widths of ink nearby lie below the one that counts
 constexpr double broadest_line = 3;   ///< of the usual width, up to which darkness is ink
 constexpr double nearby = 4;          ///< widths of ink
 constexpr double reach_of_ink = 6;    ///< widths of ink, up to where surfaces give way
-constexpr double deepest_ink = 0.7;   ///< of the squared height in the middle of a limb, at most
-constexpr double round_again = 4;     ///< squared heights of the ink's end, where nothing changes
-constexpr double edge_of_line = 0.5;  ///< widths of ink, how high the line's own edge is
-constexpr double reach_of_others = 2;   ///< widths of ink, within which what ends on it follows
-constexpr double above_others = 0.002;  ///< of the canvas, how far ink keeps above what lies below
+constexpr double deepest_ink = 0.25;  ///< of the squared height in the middle of a limb, at most
+constexpr double begin_of_paint = 0.85;  ///< heights of the ink's end, where the surface begins
+constexpr double edge_of_line = 0.5;     ///< widths of ink, how high the line's own edge is
+constexpr double reach_of_others = 2;    ///< widths of ink, within which what ends on it follows
+constexpr double reach_of_joins = 3;     ///< widths of ink, within which nothing gives way at joins
+constexpr double above_others = 0.002;   ///< of the canvas, how far ink keeps above what lies below
 
 /// A vertex of a part's outline where it is seen, with nothing nearer beyond it.
 struct RimVertex {
@@ -43,84 +39,6 @@ struct RimVertex {
   double width = 0;  ///< of the ink inwards, canvas px; 0 where there is none
   double u = 0;      ///< px^2, the squared height over the rim where the ink ends
   double fade = 0;   ///< the share of inked outline nearby, as a weight from 0 to 1
-};
-
-/// A drawing's pixels with what the model shows on each.
-class RimView {
- public:
-  RimView(const Model& model, const Image8& rgba)
-      : model_(model),
-        rgba_(rgba),
-        scale_(rgba.width / model.width),
-        front_(front_parts(model, {rgba.width, rgba.height})) {}
-
-  /// Pixels of the drawing in one of the canvas.
-  double scale() const { return scale_; }
-
-  /// A vertex's place moved towards the inside of its outline, in pixels.
-  Point2 inwards(int vertex, double by) const {
-    const Point2 uv = model_.uvs[vertex];
-    const Point3 n = model_.normals[vertex];
-    const double length = std::max(1e-12, norm(Point2{n.x, n.y}));
-    return {uv.x * rgba_.width - by * n.x / length, uv.y * rgba_.height + by * n.y / length};
-  }
-
-  /// The part seen there, from 1; 0 where there is paper.
-  int part_at(Point2 p) const {
-    const int x = static_cast<int>(std::floor(p.x));
-    const int y = static_cast<int>(std::floor(p.y));
-    const bool on = x >= 0 && y >= 0 && x < front_.width && y < front_.height;
-    return on ? front_.at(x, y) : 0;
-  }
-
-  /// Whether the part, from 0, is seen on one side of the vertex and none before it on the other.
-  bool ends_here(int vertex, int part) const {
-    return part_at(inwards(vertex, probe)) == part + 1 && part_at(inwards(vertex, -probe)) <= part;
-  }
-
-  /// The width of the ink from a vertex inwards, px of the drawing, where there is ink with paint
-  /// beside it.
-  std::optional<double> ink_width(int vertex, double widest) const {
-    std::vector<double> values;
-    for (double t = 0.5; t < 2 * widest; t += 1) values.push_back(brightness(inwards(vertex, t)));
-    // An eye farther in may be darker than the ink.
-    auto darkest = values.begin();
-    for (auto v = values.begin(); v != values.end() && *v - *darkest < least_contrast; ++v)
-      if (*v < *darkest) darkest = v;
-    const double most = *std::max_element(darkest, values.end()) - *darkest;
-    if (most < least_contrast) return std::nullopt;
-    // Paint is the first that stays about as bright, not the brightest patch farther in.
-    const auto is_paint = [&](auto v) {
-      const double contrast = *v - *darkest;
-      const auto ahead = v + std::min<std::ptrdiff_t>(4, values.end() - v);
-      return contrast >= std::max(least_contrast, paint_share * most) &&
-             *std::max_element(v, ahead) - *v <= level_share * contrast;
-    };
-    auto paint = darkest;
-    while (!is_paint(paint)) ++paint;
-    const double between = 0.5 * (*paint + *darkest);
-    const auto is_light = [between](double v) { return v > between; };
-    if (std::any_of(values.begin() + std::min(antialiased, darkest - values.begin()), darkest,
-                    is_light))
-      return std::nullopt;
-    const auto end = std::find_if(darkest, values.end(), is_light);
-    const auto width = static_cast<double>(end - values.begin());
-    return width <= widest ? std::optional(width) : std::nullopt;
-  }
-
- private:
-  /// Of a place on the drawing, 0 to 255.
-  double brightness(Point2 p) const {
-    const int x = std::clamp(static_cast<int>(p.x), 0, rgba_.width - 1);
-    const int y = std::clamp(static_cast<int>(p.y), 0, rgba_.height - 1);
-    const uint8_t* c = &rgba_.at(x, y);
-    return (on_paper(c[0], c[3]) + on_paper(c[1], c[3]) + on_paper(c[2], c[3])) / 3.0;
-  }
-
-  const Model& model_;
-  const Image8& rgba_;
-  double scale_;
-  Image16 front_;
 };
 
 /// The vertices of a part, ascending.
@@ -197,6 +115,7 @@ class RimFlattener {
     smooth_widths();
     for (RimVertex& v : rim_)
       if (v.width > 0) v.u = u_at_end(v, near_band);
+    smooth_ends();
   }
 
   /// How far each vertex near the rim goes back.
@@ -219,15 +138,15 @@ class RimFlattener {
   }
 
  private:
-  /// The height that a height f over the rim becomes where ink ends at the squared height u: the
-  /// root of a profile that begins there and is f from `round_again` times it on.
+  /// The height that a height f over the rim becomes where ink ends at the squared height u: there
+  /// the surface begins, without an edge, and from twice that height on it is f.
   static double lowered(double f, double u, double edge) {
-    if (u <= 0 || f * f >= round_again * u) return f;
-    const double past = std::max(0.0, f * f / u - 1);
-    const double span = round_again - 1;
-    const double b = -1 / (span * span);
-    const double a = 1 - 2 * b * span;
-    return std::max(std::sqrt(u * past * (a + b * past)), std::min(f, edge));
+    const double end = std::sqrt(u);
+    if (end <= 0 || f >= 2 * end) return f;
+    // The cubic from 0 with slope 0 to 2 with slope 1.
+    const double s = std::max(0.0, (f / end - begin_of_paint) / (2 - begin_of_paint));
+    const double rise = s * s * (6 - 4 * s - (2 - begin_of_paint) * (1 - s));
+    return std::max(end * rise, std::min(f, edge));
   }
 
   void find_band(const std::vector<Point3>& given, const std::vector<int>& vertices) {
@@ -258,6 +177,23 @@ class RimFlattener {
       smooth.push_back(widths.empty() ? 0 : quantile(widths, broad_share));
     }
     for (size_t i = 0; i < rim_.size(); ++i) rim_[i].width = smooth[i];
+  }
+
+  /// What is measured of heights varies from vertex to vertex, which would be folds of the surface.
+  void smooth_ends() {
+    std::vector<double> smooth;
+    for (const RimVertex& v : rim_) {
+      double sum = 0;
+      double all = 0;
+      beside_.rim().for_each(v.place, nearby * width_, [&](size_t i, double distance) {
+        const double weight = 1 - distance / (nearby * width_);
+        if (rim_[i].width <= 0) return;
+        sum += weight * rim_[i].u;
+        all += weight;
+      });
+      smooth.push_back(all > 0 ? sum / all : 0);
+    }
+    for (size_t i = 0; i < rim_.size(); ++i) rim_[i].u = smooth[i];
   }
 
   /// The squared height where ink of this width ends, rather too much than too little: what is
@@ -334,6 +270,31 @@ class RimFollower {
   double reach_;
 };
 
+/// 1 for the vertices of several parts, which lie at joins.
+std::vector<uint8_t> sewn_vertices(const Model& model) {
+  std::vector<int> part_of(model.positions.size(), -1);
+  std::vector<uint8_t> sewn(model.positions.size(), 0);
+  for (size_t p = 0; p < model.parts.size(); ++p)
+    for (const int v : vertices_of(model, model.parts[p])) {
+      sewn[v] = part_of[v] >= 0 ? 1 : 0;
+      part_of[v] = static_cast<int>(p);
+    }
+  return sewn;
+}
+
+/// Joins stay as they are: what goes back does so the less the nearer to one, within `reach`
+/// (canvas px).
+void keep_joins(const std::vector<Point3>& given, const std::vector<int>& part,
+                const std::vector<uint8_t>& sewn, double reach, std::vector<double>& back) {
+  std::vector<Point2> join;
+  for (const int v : part)
+    if (sewn[v] != 0) join.push_back({given[v].x, given[v].y});
+  if (join.empty() || reach <= 0) return;
+  const BesideRim beside(std::move(join), reach);
+  for (const int v : part)
+    if (back[v] > 0) back[v] *= 1 - beside.share_at(beside.distance_to({given[v].x, given[v].y}));
+}
+
 }  // namespace
 
 void narrow_inked_rims(Model& model, const Drawing& drawing) {
@@ -341,6 +302,7 @@ void narrow_inked_rims(Model& model, const Drawing& drawing) {
   const RimView view(model, drawing.rgba);
   const double lift = above_others * std::max(model.width, model.height);
   const std::vector<Point3> given = model.positions;
+  const std::vector<uint8_t> sewn = sewn_vertices(model);
   Floor before(model);
   Floor after(model);
   double broadest = 0;
@@ -351,7 +313,6 @@ void narrow_inked_rims(Model& model, const Drawing& drawing) {
       const double z = given[v].z - back[v];
       const double least = std::min(z, after.range_at(model.uvs[v])[1] + lift);
       back[v] = given[v].z - std::max(z - by, least);
-      model.positions[v].z = std::min(model.positions[v].z, given[v].z - back[v]);
     };
     std::vector<RimVertex> rim = find_rim(model, given, view, static_cast<int>(p), vertices);
     const double width = settle_widths(rim);
@@ -363,6 +324,8 @@ void narrow_inked_rims(Model& model, const Drawing& drawing) {
                                      .drops(model, given, vertices))
         go_back(v, by);
     broadest = std::max(broadest, width);
+    keep_joins(given, vertices, sewn, reach_of_joins * broadest, back);
+    for (const int v : vertices) model.positions[v].z = given[v].z - back[v];
     before.add(model, model.parts[p], given);
     after.add(model, model.parts[p], model.positions);
   }

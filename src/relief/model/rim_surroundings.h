@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
+#include "kernel/image/compose.h"
 #include "kernel/image/image_size.h"
 #include "kernel/meshing/segment_grid.h"
 #include "relief/model/fill_triangle.h"
@@ -83,6 +86,91 @@ class BesideRim {
  private:
   NearPoints near_;
   double reach_;
+};
+
+/// A drawing's pixels with what the model shows on each.
+class RimView {
+ public:
+  RimView(const Model& model, const Image8& rgba)
+      : model_(model),
+        rgba_(rgba),
+        scale_(rgba.width / model.width),
+        front_(front_parts(model, {rgba.width, rgba.height})) {}
+
+  /// Pixels of the drawing in one of the canvas.
+  double scale() const { return scale_; }
+
+  /// A vertex's place moved towards the inside of its outline, in pixels.
+  Point2 inwards(int vertex, double by) const {
+    const Point2 uv = model_.uvs[vertex];
+    const Point3 n = model_.normals[vertex];
+    const double length = std::max(1e-12, norm(Point2{n.x, n.y}));
+    return {uv.x * rgba_.width - by * n.x / length, uv.y * rgba_.height + by * n.y / length};
+  }
+
+  /// The part seen there, from 1; 0 where there is paper.
+  int part_at(Point2 p) const {
+    const int x = static_cast<int>(std::floor(p.x));
+    const int y = static_cast<int>(std::floor(p.y));
+    const bool on = x >= 0 && y >= 0 && x < front_.width && y < front_.height;
+    return on ? front_.at(x, y) : 0;
+  }
+
+  /// Whether the part, from 0, is seen on one side of the vertex and none before it on the other.
+  bool ends_here(int vertex, int part) const {
+    return part_at(inwards(vertex, probe)) == part + 1 && part_at(inwards(vertex, -probe)) <= part;
+  }
+
+  /// The width of the ink from a vertex inwards, px of the drawing, where there is ink with paint
+  /// beside it.
+  std::optional<double> ink_width(int vertex, double widest) const {
+    std::vector<double> values;
+    for (double t = 0.5; t < 2 * widest; t += 1) values.push_back(brightness(inwards(vertex, t)));
+    // An eye farther in may be darker than the ink.
+    auto darkest = values.begin();
+    for (auto v = values.begin(); v != values.end() && *v - *darkest < least_contrast; ++v)
+      if (*v < *darkest) darkest = v;
+    const double most = *std::max_element(darkest, values.end()) - *darkest;
+    if (most < least_contrast) return std::nullopt;
+    // Paint is the first that stays about as bright, not the brightest patch farther in.
+    const auto is_paint = [&](auto v) {
+      const double contrast = *v - *darkest;
+      const auto ahead = v + std::min<std::ptrdiff_t>(4, values.end() - v);
+      return contrast >= std::max(least_contrast, paint_share * most) &&
+             *std::max_element(v, ahead) - *v <= level_share * contrast;
+    };
+    auto paint = darkest;
+    while (!is_paint(paint)) ++paint;
+    const double between = 0.5 * (*paint + *darkest);
+    const auto is_light = [between](double v) { return v > between; };
+    if (std::any_of(values.begin() + std::min(antialiased, darkest - values.begin()), darkest,
+                    is_light))
+      return std::nullopt;
+    const auto end = std::find_if(darkest, values.end(), is_light);
+    const auto width = static_cast<double>(end - values.begin());
+    return width <= widest ? std::optional(width) : std::nullopt;
+  }
+
+ private:
+  /// Of a place on the drawing, 0 to 255.
+  double brightness(Point2 p) const {
+    const int x = std::clamp(static_cast<int>(p.x), 0, rgba_.width - 1);
+    const int y = std::clamp(static_cast<int>(p.y), 0, rgba_.height - 1);
+    const uint8_t* c = &rgba_.at(x, y);
+    return (on_paper(c[0], c[3]) + on_paper(c[1], c[3]) + on_paper(c[2], c[3])) / 3.0;
+  }
+
+  static constexpr double least_contrast = 40;  ///< between ink and the paint beside it, of 255
+  /// Of the greatest contrast to ink, which paint has at least.
+  static constexpr double paint_share = 0.35;
+  static constexpr double level_share = 0.1;  ///< of the contrast to ink, by which paint varies
+  static constexpr double probe = 2;          ///< px, where to look on both sides of an outline
+  static constexpr std::ptrdiff_t antialiased = 3;  ///< px inside an outline that may hold paper
+
+  const Model& model_;
+  const Image8& rgba_;
+  double scale_;
+  Image16 front_;
 };
 
 /// The greatest height of the parts so far, on a small view of the canvas.

@@ -5,15 +5,20 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "relief/model/assemble_model.h"
+#include "relief/pipeline/build_relief.h"
 #include "support/analytic_discs.h"
 #include "support/model_checks.h"
+#include "support/scenes.h"
 
 namespace relievo {
 namespace {
+
+using namespace testing;
 
 constexpr int canvas_width = 320;
 constexpr int canvas_height = 240;
@@ -114,6 +119,49 @@ TEST(InkRims, FrontStaysAsDrawn) {
       EXPECT_EQ(after.positions[v].z, before.positions[v].z);
     }
   }
+}
+
+/// Two balls drawn as one outline with a line between them, joined there.
+TEST(InkRims, JoinsStay) {
+  const Disc body{{110, 120}, 80};
+  const Disc head{{215, 120}, 60};
+  Scene scene;
+  scene.width = canvas_width;
+  scene.height = canvas_height;
+  scene.parts = {part("body", circle(body.centre, body.radius)),
+                 part("head", circle(head.centre, head.radius))};
+  std::vector<Point2> line;
+  for (double a = -0.7; a < 0.75; a += 0.1)
+    line.push_back(head.centre - head.radius * Point2{std::cos(a), std::sin(a)});
+  scene.joins = {{1, 0, line}};
+  ReliefOptions options;
+  options.hidden = true;
+  options.layers.vertex_budget = 6000;
+  const auto relief = build_relief(scene, options);
+  ASSERT_TRUE(relief.ok());
+  const auto before =
+      assemble_model(relief->layers, relief->inflation, relief->ordering, scene, {});
+  ASSERT_TRUE(before.ok());
+  Model after = *before;
+  narrow_inked_rims(after, drawn({body, head}, ink_width));
+  std::vector<int> shared;
+  const std::vector<int> of_body = corners_of(after, 0);
+  const std::set<int> in_body(of_body.begin(), of_body.end());
+  for (const int v : corners_of(after, 1))
+    if (in_body.count(v) != 0) shared.push_back(v);
+  ASSERT_GT(shared.size(), 20U);
+  double most = 0;
+  for (size_t v = 0; v < after.positions.size(); ++v) {
+    const Point3 p = before->positions[v];
+    double near = 1e9;
+    for (const int s : shared)
+      near = std::min(near, distance({p.x, p.y}, {before->positions[s].x, before->positions[s].y}));
+    const double went = p.z - after.positions[v].z;
+    most = std::max(most, went);
+    // Flat at the join: a step there would be a gap that shows when the model is turned.
+    EXPECT_LE(went, 2 * near * near / ink_width) << near;
+  }
+  EXPECT_GT(most, 2 * ink_width);
 }
 
 TEST(InkRims, PartsWithoutInkStay) {
