@@ -83,23 +83,30 @@ Ring fair(const Ring& ring, double wavelength, double reach) {
   const SparseMatrix J = jerk_matrix(n, cube * cube);
   SparseCholesky factor;
   factor.analyse(J, Refactorisation::complete, order_of_ring(n));
-  Eigen::MatrixX2d p(n, 2);
-  for (int i = 0; i < n; ++i) p.row(i) << ring[i].x, ring[i].y;
-  Eigen::MatrixX2d x = p;
-  Eigen::VectorXd w = Eigen::VectorXd::Ones(n);
+  Ring fair = ring;
+  std::vector<double> weight(n, 1);
   for (int round = 0; round < most_rounds; ++round) {
     SparseMatrix K = J;
-    K.diagonal() += w;
+    Eigen::VectorXd x(n);
+    Eigen::VectorXd y(n);
+    for (int i = 0; i < n; ++i) {
+      K.valuePtr()[K.outerIndexPtr()[i]] += weight[i];
+      x[i] = weight[i] * ring[i].x;
+      y[i] = weight[i] * ring[i].y;
+    }
     if (!factor.factorise(K)) break;
-    for (int k = 0; k < 2; ++k) x.col(k) = factor.solve(w.cwiseProduct(p.col(k)));
-    const Eigen::VectorXd off = (x - p).rowwise().lpNorm<Eigen::Infinity>() / reach;
-    if (off.maxCoeff() <= 1) break;
-    for (int i = 0; i < n; ++i)
-      if (off[i] > 1) w[i] *= least_growth * off[i] * off[i];
+    x = factor.solve(x);
+    y = factor.solve(y);
+    bool within = true;
+    for (int i = 0; i < n; ++i) {
+      fair[i] = {moved(ring[i].x, x[i], reach), moved(ring[i].y, y[i], reach)};
+      const double off = std::max(std::abs(x[i] - ring[i].x), std::abs(y[i] - ring[i].y)) / reach;
+      if (off <= 1) continue;
+      weight[i] *= least_growth * off * off;
+      within = false;
+    }
+    if (within) break;
   }
-  Ring fair;
-  for (int i = 0; i < n; ++i)
-    fair.push_back({moved(p(i, 0), x(i, 0), reach), moved(p(i, 1), x(i, 1), reach)});
   return fair;
 }
 
