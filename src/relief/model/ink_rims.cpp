@@ -16,15 +16,15 @@
 namespace relievo {
 namespace {
 
-constexpr double upright = 1e-6;      ///< z of normals at outlines, at most
-constexpr double widest_ink = 0.03;   ///< of the drawing's diagonal
-constexpr double inked_share = 0.5;   ///< of what is seen of a part's outline
-constexpr double blurred = 1.5;       ///< px beside ink that hold some of it
-constexpr double broad_share = 0.8;   ///< of the widths of ink nearby lie below the one that counts
-constexpr double broadest_line = 3;   ///< of the usual width, up to which darkness is ink
-constexpr double nearby = 4;          ///< widths of ink
-constexpr double reach_of_ink = 6;    ///< widths of ink, up to where surfaces give way
-constexpr double deepest_ink = 0.25;  ///< of the squared height in the middle of a limb, at most
+constexpr double upright = 1e-6;     ///< z of normals at outlines, at most
+constexpr double widest_ink = 0.03;  ///< of the drawing's diagonal
+constexpr double inked_share = 0.5;  ///< of what is seen of a part's outline
+constexpr double blurred = 1.5;      ///< px beside ink that hold some of it
+constexpr double broad_share = 0.8;  ///< of the widths of ink nearby lie below the one that counts
+constexpr double broadest_line = 3;  ///< of the usual width, up to which darkness is ink
+constexpr double nearby = 4;         ///< widths of ink
+constexpr double reach_of_ink = 6;   ///< widths of ink, up to where surfaces give way
+constexpr double deepest_ink = 0.5;  ///< of the squared height in the middle of a limb, at most
 constexpr double begin_of_paint = 0.85;  ///< heights of the ink's end, where the surface begins
 constexpr double edge_of_line = 0.5;     ///< widths of ink, how high the line's own edge is
 constexpr double reach_of_others = 2;    ///< widths of ink, within which what ends on it follows
@@ -38,6 +38,7 @@ struct RimVertex {
   double z = 0;      ///< px
   double width = 0;  ///< of the ink inwards, canvas px; 0 where there is none
   double u = 0;      ///< px^2, the squared height over the rim where the ink ends
+  double most = 0;   ///< px^2, the greatest squared height nearby
   double fade = 0;   ///< the share of inked outline nearby, as a weight from 0 to 1
 };
 
@@ -114,7 +115,7 @@ class RimFlattener {
     const NearPoints near_band(places_of(band_));
     smooth_widths();
     for (RimVertex& v : rim_)
-      if (v.width > 0) v.u = u_at_end(v, near_band);
+      if (v.width > 0) find_heights(near_band, v);
     smooth_ends();
   }
 
@@ -123,14 +124,16 @@ class RimFlattener {
     std::vector<std::pair<int, double>> found;
     for (const BandVertex& near : band_) {
       double u = 0;
+      double most = 0;
       double fade = 0;
       double width = 0;
       beside_.for_each(near.place, near.distance, [&](size_t i, double weight) {
         u += weight * rim_[i].u;
+        most += weight * rim_[i].most;
         fade += weight * rim_[i].fade;
         width += weight * rim_[i].width;
       });
-      const double left = near.f - lowered(near.f, u, edge_of_line * width);
+      const double left = near.f - lowered(near.f, {u, most, edge_of_line * width});
       const double drop = fade * beside_.share_at(near.distance) * left;
       if (drop > 0) found.emplace_back(near.vertex, drop);
     }
@@ -138,15 +141,25 @@ class RimFlattener {
   }
 
  private:
-  /// The height that a height f over the rim becomes where ink ends at the squared height u: there
-  /// the surface begins, without an edge, and from twice that height on it is f.
-  static double lowered(double f, double u, double edge) {
-    const double end = std::sqrt(u);
-    if (end <= 0 || f >= 2 * end) return f;
-    // The cubic from 0 with slope 0 to 2 with slope 1.
-    const double s = std::max(0.0, (f / end - begin_of_paint) / (2 - begin_of_paint));
-    const double rise = s * s * (6 - 4 * s - (2 - begin_of_paint) * (1 - s));
-    return std::max(end * rise, std::min(f, edge));
+  /// What a surface rises from at a rim.
+  struct Start {
+    double u = 0;     ///< px^2, the squared height where ink ends
+    double most = 0;  ///< px^2, the greatest squared height
+    double edge = 0;  ///< px, of the line itself
+  };
+
+  /// The height that a height f over the rim becomes where ink ends: there the surface begins,
+  /// without an edge, and from twice that height, or the greatest, on it is f.
+  static double lowered(double f, const Start& start) {
+    const double end = std::sqrt(start.u);
+    if (end <= 0) return f;
+    const double again = std::min(2.0, std::sqrt(start.most) / end);
+    if (f >= again * end) return f;
+    // The cubic from 0 with slope 0 to `again` with slope 1.
+    const double span = again - begin_of_paint;
+    const double s = std::max(0.0, (f / end - begin_of_paint) / span);
+    const double rise = s * s * (again * (3 - 2 * s) - span * (1 - s));
+    return std::max(end * rise, std::min(f, start.edge));
   }
 
   void find_band(const std::vector<Point3>& given, const std::vector<int>& vertices) {
@@ -181,41 +194,43 @@ class RimFlattener {
 
   /// What is measured of heights varies from vertex to vertex, which would be folds of the surface.
   void smooth_ends() {
-    std::vector<double> smooth;
+    std::vector<Point2> smooth;
     for (const RimVertex& v : rim_) {
-      double sum = 0;
+      Point2 sum;
       double all = 0;
       beside_.rim().for_each(v.place, nearby * width_, [&](size_t i, double distance) {
-        const double weight = 1 - distance / (nearby * width_);
         if (rim_[i].width <= 0) return;
-        sum += weight * rim_[i].u;
+        const double weight = 1 - distance / (nearby * width_);
+        sum = sum + weight * Point2{rim_[i].u, rim_[i].most};
         all += weight;
       });
-      smooth.push_back(all > 0 ? sum / all : 0);
+      smooth.push_back(all > 0 ? (1 / all) * sum : Point2{});
     }
-    for (size_t i = 0; i < rim_.size(); ++i) rim_[i].u = smooth[i];
+    for (size_t i = 0; i < rim_.size(); ++i) {
+      rim_[i].u = smooth[i].x;
+      rim_[i].most = smooth[i].y;
+    }
   }
 
   /// The squared height where ink of this width ends, rather too much than too little: what is
   /// left of the ink beyond would be a streak down the wall. Nearer to the rim f^2 / t is larger,
   /// t being the distance.
-  double u_at_end(const RimVertex& v, const NearPoints& near_band) const {
+  void find_heights(const NearPoints& near_band, RimVertex& v) const {
     std::vector<double> at_end;
-    double most = 0;
     double farther = 0;
     double distances = 0;
     near_band.for_each(v.place, nearby * v.width, [&](size_t i, double) {
       const BandVertex& near = band_[i];
       const double u = near.f * near.f;
-      most = std::max(most, u);
+      v.most = std::max(v.most, u);
       if (near.distance < 0.5 * v.width || near.distance > 3 * v.width) return;
       farther += u;
       distances += near.distance;
       if (near.distance < 1.2 * v.width) at_end.push_back(u * v.width / near.distance);
     });
-    if (distances == 0) return 0;
+    if (distances == 0) return;
     const double u = at_end.empty() ? v.width * farther / distances : quantile(at_end, broad_share);
-    return std::min(u, deepest_ink * most);
+    v.u = std::min(u, deepest_ink * v.most);
   }
 
   double width_;
@@ -324,7 +339,7 @@ void narrow_inked_rims(Model& model, const Drawing& drawing) {
                                      .drops(model, given, vertices))
         go_back(v, by);
     broadest = std::max(broadest, width);
-    keep_joins(given, vertices, sewn, reach_of_joins * broadest, back);
+    keep_joins(given, vertices, sewn, reach_of_joins * (width > 0 ? width : broadest), back);
     for (const int v : vertices) model.positions[v].z = given[v].z - back[v];
     before.add(model, model.parts[p], given);
     after.add(model, model.parts[p], model.positions);
