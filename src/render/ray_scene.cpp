@@ -26,6 +26,9 @@ bool keep_building(void* context, double) {
   return !static_cast<const RunContext*>(context)->cancelled();
 }
 
+/// Cosine between a face and a vertex's normal, below which that says nothing of a curved surface.
+constexpr double least_agreement = 0.35;
+
 RTCRay make_ray(Point3 origin, Point3 direction, float length) {
   RTCRay ray = {};
   ray.org_x = static_cast<float>(origin.x);
@@ -117,11 +120,13 @@ SurfacePoint surface_point(const Model& model, const RayHit& hit, Point3 back, d
   Point3 bulge;
   for (size_t k = 0; k < 3; ++k) {
     const Point3 normal = side * model.normals[corners[k]];
+    if (dot(normal, side * face) < least_agreement) continue;
     const double below = dot(position - model.positions[corners[k]], normal);
     bulge = bulge + weights[k] * std::max(0.0, -below) * normal;
   }
   smooth = normalized(side * smooth);
   point.normal = facing(smooth == Point3{} ? side * face : smooth, back);
+  point.face = side * face;
   point.ray_origin = position + bulge + lift * (side * face);
   return point;
 }

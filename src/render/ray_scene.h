@@ -45,6 +45,7 @@ class RayScene {
 /// What shading needs to know of a hit.
 struct SurfacePoint {
   Point3 normal;      ///< smooth, unit, on the viewer's side
+  Point3 face;        ///< the flat triangle's, unit, on the same side
   Point3 ray_origin;  ///< just above the smooth surface: where rays to the light begin
   Point2 uv;
 };

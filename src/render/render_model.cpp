@@ -20,6 +20,9 @@ constexpr Rgb clay{0.80, 0.735, 0.665};
 /// Share of the surroundings' light that comes back from a surface that is in the way.
 constexpr double bounce = 0.15;
 constexpr uint32_t key_rays = 2;  ///< per sample
+/// Of the model's size: so far above a face that looks away from the light, where its smooth normal
+/// does not, rays to the light begin. They would meet the face's neighbours.
+constexpr double terminator_lift = 0.008;
 
 /// Everything that a pixel depends on; constant while rows are worked on.
 struct Renderer {
@@ -111,7 +114,10 @@ KeyLight key_light(const Renderer& renderer, const SurfacePoint& point, uint32_t
   for (uint32_t k = 0; k < key_rays; ++k) {
     const Point3 to_light = key_direction(renderer.rig, even_point(first_ray + k));
     const double cosine = dot(point.normal, to_light);
-    if (cosine <= 0 || renderer.scene.blocked(point.ray_origin, to_light, renderer.reach)) continue;
+    const bool turned_away = dot(point.face, to_light) < 0;
+    const Point3 origin =
+        point.ray_origin + (turned_away ? terminator_lift * renderer.reach : 0.0) * point.normal;
+    if (cosine <= 0 || renderer.scene.blocked(origin, to_light, renderer.reach)) continue;
     sum.diffuse += cosine / key_rays;
     sum.gloss += highlight(renderer.rig, point.normal, to_light, renderer.camera.back) / key_rays;
   }

@@ -136,6 +136,27 @@ TEST(RenderModel, ShadingOfCoarseTrianglesIsThatOfTheSmoothSurface) {
   EXPECT_LT(worst, 16);
 }
 
+TEST(RenderModel, SteeperAndFlatterSurfacesAreShadedByTheirNormals) {
+  const Model round = hemisphere(100, 64);
+  RenderOptions options = canvas_view(round, 250);
+  options.light = {-1, 0, 1};
+  options.samples = 16;
+  options.ambient_rays = 0;
+  const Image8 expected = picture(round, options);
+  for (const double steep : {1.6, 0.0}) {
+    Model model = round;
+    for (Point3& p : model.positions) p.z *= steep;
+    const Image8 image = picture(model, options);
+    double worst = 0;
+    for (int y = 30; y <= 220; ++y)
+      for (int x = 30; x <= 220; ++x)
+        if (distance({1.0 * x, 1.0 * y}, {125, 125}) < 98)
+          worst =
+              std::max(worst, std::abs(brightness(image, x, y, 1) - brightness(expected, x, y, 1)));
+    EXPECT_LT(worst, 4) << steep;
+  }
+}
+
 TEST(RenderModel, SameBytesForAnyNumberOfThreads) {
   const Model model = split_hemisphere(50);
   const Drawing drawing = quarters();
