@@ -19,9 +19,9 @@ struct OutlineOptions {
 };
 
 /// Sub-pixel outline of a mask in canvas px: the fair curve near the middles of its pixel sides,
-/// which is smooth like a line by hand and rounds corners by no more than `reach`. Outer rings have
-/// positive area, holes negative. The largest ring is kept whatever its size.
-/// O(box + boundary * log boundary).
+/// which is smooth like a line by hand and moves no middle by more than `reach`, so that corners
+/// stay. Outer rings have positive area, holes negative. The largest ring is kept whatever its
+/// size. O(box + boundary * log boundary).
 Outline outline_of(const Mask& mask, const OutlineOptions& options = {});
 
 /// The box around the pixels of a mask (one channel) that are not 0, px; empty where there is none.

@@ -192,7 +192,7 @@ class RimFlattener {
     for (size_t i = 0; i < rim_.size(); ++i) rim_[i].width = smooth[i];
   }
 
-  /// What is measured of heights varies from vertex to vertex, which would be folds of the surface.
+  /// What is measured of heights varies from vertex to vertex, which would fold the surface.
   void smooth_ends() {
     std::vector<Point2> smooth;
     for (const RimVertex& v : rim_) {
@@ -212,9 +212,9 @@ class RimFlattener {
     }
   }
 
-  /// The squared height where ink of this width ends, rather too much than too little: what is
-  /// left of the ink beyond would be a streak down the wall. Nearer to the rim f^2 / t is larger,
-  /// t being the distance.
+  /// The greatest squared height nearby and the one where ink of this width ends, rather too much
+  /// than too little: what is left of the ink beyond would be a streak down the wall. Nearer to the
+  /// rim f^2 / t is larger, t being the distance.
   void find_heights(const NearPoints& near_band, RimVertex& v) const {
     std::vector<double> at_end;
     double farther = 0;

@@ -75,8 +75,8 @@ TEST(MaskOutline, HasNoStairs) {
   }
 }
 
-/// What a trembling hand adds to a disc goes with the greater reach, and in proportion: twice the
-/// size gives twice the outline.
+/// What a trembling hand adds to a disc stays within the usual reach, and goes within a greater
+/// one.
 TEST(MaskOutline, WavesOfTheReachGo) {
   const Mask mask =
       mask_of(painted(240, 240, {[](double x, double y) {
