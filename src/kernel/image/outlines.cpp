@@ -83,7 +83,7 @@ Ring fair(const Ring& ring, double wavelength, double reach) {
   const SparseMatrix J = jerk_matrix(n, cube * cube);
   SparseCholesky factor;
   factor.analyse(J, Refactorisation::complete, order_of_ring(n));
-  Ring fair = ring;
+  Ring curve = ring;
   std::vector<double> weight(n, 1);
   for (int round = 0; round < most_rounds; ++round) {
     SparseMatrix K = J;
@@ -99,7 +99,7 @@ Ring fair(const Ring& ring, double wavelength, double reach) {
     y = factor.solve(y);
     bool within = true;
     for (int i = 0; i < n; ++i) {
-      fair[i] = {moved(ring[i].x, x[i], reach), moved(ring[i].y, y[i], reach)};
+      curve[i] = {moved(ring[i].x, x[i], reach), moved(ring[i].y, y[i], reach)};
       const double off = std::max(std::abs(x[i] - ring[i].x), std::abs(y[i] - ring[i].y)) / reach;
       if (off <= 1) continue;
       weight[i] *= least_growth * off * off;
@@ -107,7 +107,7 @@ Ring fair(const Ring& ring, double wavelength, double reach) {
     }
     if (within) break;
   }
-  return fair;
+  return curve;
 }
 
 /// Where a ring crosses the line through the centres of a row of pixels.
