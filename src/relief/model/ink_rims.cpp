@@ -285,14 +285,14 @@ class RimFollower {
   double reach_;
 };
 
-/// 1 for the vertices of several parts, which lie at joins.
-std::vector<uint8_t> sewn_vertices(const Model& model) {
-  std::vector<int> part_of(model.positions.size(), -1);
-  std::vector<uint8_t> sewn(model.positions.size(), 0);
-  for (size_t p = 0; p < model.parts.size(); ++p)
-    for (const int v : vertices_of(model, model.parts[p])) {
-      sewn[v] = part_of[v] >= 0 ? 1 : 0;
-      part_of[v] = static_cast<int>(p);
+/// 1 for those of `count` vertices that several parts have, which lie at joins.
+std::vector<uint8_t> sewn_vertices(const std::vector<std::vector<int>>& parts, size_t count) {
+  std::vector<uint8_t> taken(count, 0);
+  std::vector<uint8_t> sewn(count, 0);
+  for (const std::vector<int>& part : parts)
+    for (const int v : part) {
+      sewn[v] = taken[v];
+      taken[v] = 1;
     }
   return sewn;
 }
@@ -317,12 +317,14 @@ void narrow_inked_rims(Model& model, const Drawing& drawing) {
   const RimView view(model, drawing.rgba);
   const double lift = above_others * std::max(model.width, model.height);
   const std::vector<Point3> given = model.positions;
-  const std::vector<uint8_t> sewn = sewn_vertices(model);
+  std::vector<std::vector<int>> parts;
+  for (const ModelPart& part : model.parts) parts.push_back(vertices_of(model, part));
+  const std::vector<uint8_t> sewn = sewn_vertices(parts, given.size());
   Floor before(model);
   Floor after(model);
   double broadest = 0;
   for (size_t p = 0; p < model.parts.size(); ++p) {
-    const std::vector<int> vertices = vertices_of(model, model.parts[p]);
+    const std::vector<int>& vertices = parts[p];
     std::vector<double> back(given.size(), 0);
     const auto go_back = [&](int v, double by) {
       const double z = given[v].z - back[v];
