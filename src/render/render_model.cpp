@@ -114,10 +114,10 @@ KeyLight key_light(const Renderer& renderer, const SurfacePoint& point, uint32_t
   for (uint32_t k = 0; k < key_rays; ++k) {
     const Point3 to_light = key_direction(renderer.rig, even_point(first_ray + k));
     const double cosine = dot(point.normal, to_light);
-    const bool turned_away = dot(point.face, to_light) < 0;
-    const Point3 origin =
-        point.ray_origin + (turned_away ? terminator_lift * renderer.reach : 0.0) * point.normal;
-    if (cosine <= 0 || renderer.scene.blocked(origin, to_light, renderer.reach)) continue;
+    if (cosine <= 0) continue;
+    const double higher = dot(point.face, to_light) < 0 ? terminator_lift * renderer.reach : 0;
+    const Point3 origin = point.ray_origin + higher * point.normal;
+    if (renderer.scene.blocked(origin, to_light, renderer.reach)) continue;
     sum.diffuse += cosine / key_rays;
     sum.gloss += highlight(renderer.rig, point.normal, to_light, renderer.camera.back) / key_rays;
   }

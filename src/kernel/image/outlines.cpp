@@ -90,7 +90,7 @@ Ring fair(const Ring& ring, double wavelength, double reach) {
     Eigen::VectorXd x(n);
     Eigen::VectorXd y(n);
     for (int i = 0; i < n; ++i) {
-      K.valuePtr()[K.outerIndexPtr()[i]] += weight[i];
+      K.valuePtr()[K.outerIndexPtr()[i]] += weight[i];  // the diagonal comes first in its column
       x[i] = weight[i] * ring[i].x;
       y[i] = weight[i] * ring[i].y;
     }

@@ -13,7 +13,8 @@ namespace relievo {
 struct OutlineOptions {
   int min_sides = 12;      ///< rings with fewer pixel sides are dropped
   double wavelength = 40;  ///< pixel sides: shorter waves of an outline go; 0: none does
-  /// Px in x and in y, by which an outline moves for that at most; both are less for what is thin.
+  /// Px in x and in y, more than 0, by which an outline moves for that at most; both are less for
+  /// what is thin.
   double reach = 1;
   double tolerance = 0.02;  ///< points that are so close to the line between others go, px
 };
