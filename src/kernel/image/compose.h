@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "relievo/image.h"
 
@@ -31,5 +33,10 @@ void paste(Image<T>& ground, int left, int top, const Image<T>& picture) {
 /// Whether the opaque pixels are light and few: lines meant for a dark ground. `rgba` has 4
 /// channels. O(pixels).
 bool is_light_on_nothing(const Image8& rgba);
+
+/// Mean colour of every label of a drawing on white, 0 to 255 a channel, by label from 0 to the
+/// largest. Pixels less than 3 px from another label, where outlines run, do not count; a label
+/// that has no others is taken whole. `rgba` has the size of `labels`. O(pixels).
+std::vector<std::array<double, 3>> label_colours(const Image8& rgba, const Image16& labels);
 
 }  // namespace relievo

@@ -12,9 +12,9 @@
 namespace relievo {
 namespace {
 
-constexpr double page_share = 0.35;  ///< of the picture, at least
-constexpr double quad_share = 0.88;  ///< of a page, which the area between its corners has at least
-constexpr double paper_distance = 70;      ///< from white within which background may be, of 255
+constexpr double page_share = 0.35;    ///< of the picture, at least
+constexpr double quad_share = 0.8;     ///< of a page and what lies between its corners, in common
+constexpr double paper_distance = 70;  ///< from white within which background may be, of 255
 constexpr double cut_figure_share = 0.12;  ///< of the picture, from which on a region is a figure
 constexpr double cut_share = 0.12;         ///< of a region's rim, up to which an edge cuts it off
 constexpr double cut_line_share = 0.8;     ///< of the rest, which are lines then
@@ -99,9 +99,9 @@ Point2 farthest(const Image8& mask, Measure measure) {
   return best;
 }
 
-/// Area between two opposite corners of a mask and what lies farthest off their line at either
-/// side, px^2: all of a page, however it is turned and seen aslant, and 0.64 of an ellipse.
-double area_between_corners(const Image8& mask) {
+/// Two opposite corners of a mask and what lies farthest off their line at either side: all of the
+/// corners of a page, however it is turned and seen aslant.
+std::array<Point2, 4> corners_of(const Image8& mask) {
   Point2 sum;
   double count = 0;
   for (int y = 0; y < mask.height; ++y)
@@ -114,25 +114,21 @@ double area_between_corners(const Image8& mask) {
   const Point2 centre{sum.x / count, sum.y / count};
   const Point2 a = farthest(mask, [&](Point2 p) { return distance(p, centre); });
   const Point2 b = farthest(mask, [&](Point2 p) { return distance(p, a); });
-  const auto side = [&](Point2 p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); };
-  const Point2 left = farthest(mask, side);
-  const Point2 right = farthest(mask, [&](Point2 p) { return -side(p); });
-  return (side(left) - side(right)) / 2;
+  const auto side = [&](Point2 p) { return cross(b - a, p - a); };
+  return {a, farthest(mask, side), b, farthest(mask, [&](Point2 p) { return -side(p); })};
 }
 
 /// [drawing size] The region `paper` with all that it surrounds, 1, where that is a page: a
 /// quadrilateral on a good part of the picture with hardly any paper around it; else empty.
 Image8 find_page(RegionMerging& regions, const Basins& basins, int paper) {
   const Image8 page = filled(regions, basins, paper);
-  const auto area = std::count(page.pixels.begin(), page.pixels.end(), 1);
-  if (static_cast<double>(area) < page_share * static_cast<double>(page.pixels.size()) ||
-      area_between_corners(page) < quad_share * static_cast<double>(area))
-    return {};
+  if (page_overlap(page) < quad_share) return {};
   int64_t paper_around = 0;
   for (size_t i = 0; i < page.pixels.size(); ++i)
     if (page.pixels[i] == 0)
       paper_around += is_paper(regions.region(regions.region_of(basins.index.pixels[i]))) ? 1 : 0;
-  return 2 * paper_around < static_cast<int64_t>(page.pixels.size()) - area ? page : Image8{};
+  const auto around = std::count(page.pixels.begin(), page.pixels.end(), 0);
+  return 2 * paper_around < around ? page : Image8{};
 }
 
 /// Unites what lies around the page with the background, takes the lines there out and returns the
@@ -207,6 +203,26 @@ int leaking_neighbour(const RegionMerging& regions, int background) {
 }
 
 }  // namespace
+
+double page_overlap(const Image8& mask) {
+  const auto area = static_cast<double>(std::count(mask.pixels.begin(), mask.pixels.end(), 1));
+  if (area < page_share * static_cast<double>(mask.pixels.size())) return 0;
+  const std::array<Point2, 4> corners = corners_of(mask);
+  const auto is_between = [&](Point2 p) {
+    for (size_t k = 0; k < 4; ++k)
+      if (cross(corners[(k + 1) % 4] - corners[k], p - corners[k]) > 0) return false;
+    return true;
+  };
+  double both = 0;
+  double either = 0;
+  for (int y = 0; y < mask.height; ++y)
+    for (int x = 0; x < mask.width; ++x) {
+      const bool between = is_between({x + 0.5, y + 0.5});
+      both += between && mask.at(x, y) != 0 ? 1 : 0;
+      either += between || mask.at(x, y) != 0 ? 1 : 0;
+    }
+  return both / either;
+}
 
 bool is_paper(const Basin& region) { return distance_from_white(region) < paper_distance; }
 

@@ -48,20 +48,6 @@ int64_t count_of(const Image8& mask) {
   return std::count(mask.pixels.begin(), mask.pixels.end(), 1);
 }
 
-Image8 without_small_pieces(const Image8& mask) {
-  const Components pieces = connected_components(mask, Connectivity::corners);
-  if (pieces.areas.size() < 2) return mask;
-  const auto largest =
-      static_cast<double>(*std::max_element(pieces.areas.begin() + 1, pieces.areas.end()));
-  Image8 result(mask.width, mask.height, 1);
-  for (size_t i = 0; i < result.pixels.size(); ++i) {
-    const int32_t piece = pieces.label.pixels[i];
-    const bool large = static_cast<double>(pieces.areas[piece]) >= piece_share * largest;
-    result.pixels[i] = piece != 0 && large ? 1 : 0;
-  }
-  return result;
-}
-
 /// Without what lies around the page.
 Image8 without_surroundings(const Image8& mask) {
   const Components pieces = connected_components(mask, Connectivity::sides);
@@ -258,6 +244,20 @@ Image8 lying_pieces(const Image8& grey, const Image8& rgba) {
 }
 
 }  // namespace
+
+Image8 without_small_pieces(const Image8& mask) {
+  const Components pieces = connected_components(mask, Connectivity::corners);
+  if (pieces.areas.size() < 2) return mask;
+  const auto largest =
+      static_cast<double>(*std::max_element(pieces.areas.begin() + 1, pieces.areas.end()));
+  Image8 result(mask.width, mask.height, 1);
+  for (size_t i = 0; i < result.pixels.size(); ++i) {
+    const int32_t piece = pieces.label.pixels[i];
+    const bool large = static_cast<double>(pieces.areas[piece]) >= piece_share * largest;
+    result.pixels[i] = piece != 0 && large ? 1 : 0;
+  }
+  return result;
+}
 
 Image8 without_cast_shadow(const Image8& rgba) {
   if (count_of(opaque_pixels(rgba)) < static_cast<int64_t>(rgba.pixels.size() / 4)) return {};

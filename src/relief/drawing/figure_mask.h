@@ -33,6 +33,13 @@ constexpr double framed_share = 0.9;
 /// The share of the box around the ones of a mask that they fill; 0 of none. O(pixels).
 double share_of_box(const Image8& mask);
 
+/// A mask without the pieces of less than 3 % of the largest. O(pixels).
+Image8 without_small_pieces(const Image8& mask);
+
+/// What a mask and the quadrilateral between its corners have in common, of both together: about 1
+/// of a page, however it is turned and seen aslant; 0 of what is too small for one. O(pixels).
+double page_overlap(const Image8& mask);
+
 /// An opaque drawing (4 channels) on pure white without a soft grey shadow on the ground below the
 /// figure. Nothing where there is none. O(pixels).
 Image8 without_cast_shadow(const Image8& rgba);
@@ -77,9 +84,14 @@ Image8 remove_paper(const Image8& rgba);
 /// ink lies there. O(pixels).
 Image8 without_rulings(const Image8& drawing);
 
+/// The photograph of a page on a table of one colour (4 channels), the page continued over the
+/// table in its own light. Nothing where it is none. O(pixels).
+Image8 spread_page(const Image8& rgba);
+
 /// An opaque drawing (4 channels) on a ground of one colour other than white, cut out: transparent
-/// where the ground is, with the blend at the rim gone. Nothing where there is no such ground.
-/// O(pixels).
+/// where the ground is, with the blend at the rim gone. The ground may have grain and lie in slowly
+/// changing light where a good part of the figure is lighter than it in some channel; then small
+/// pieces are left out. Nothing where there is no such ground, or a page on it. O(pixels).
 Image8 cut_from_plain_ground(const Image8& rgba);
 
 /// What strokes say of ink: pixels and the label that each stroke stands for.

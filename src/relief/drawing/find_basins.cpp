@@ -54,7 +54,9 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   if (drawing.rgba.empty()) return Error{ErrorCode::bad_input, "the drawing has no pixels", ""};
   if (!go_on(context, 0)) return interrupted_error();
   const Image8 unruled = without_rulings(drawing.rgba);
-  const Image8& drawn = unruled.empty() ? drawing.rgba : unruled;
+  const Image8& photo = unruled.empty() ? drawing.rgba : unruled;
+  const Image8 page = spread_page(photo);
+  const Image8& drawn = page.empty() ? photo : page;
   Image8 cut = cut_from_plain_ground(drawn);
   const bool on_pure_white = !cut.empty() || is_on_pure_white(drawn);
   if (cut.empty() && on_pure_white) cut = without_cast_shadow(drawn);

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "relief/drawing/label_colours.h"
+#include "kernel/image/compose.h"
 #include "relief/pipeline/keep_edits.h"
 #include "relief/pipeline/outline_rim.h"
 

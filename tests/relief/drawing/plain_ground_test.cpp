@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "relief/drawing/figure_mask.h"
 #include "relief/drawing/segment_drawing.h"
@@ -112,6 +113,101 @@ TEST(PlainGround, IsNoWhitePaperAndNoFrame) {
         framed.at(x, y, c) = static_cast<uint8_t>(frame ? 0 : 205 + (x * 7 + y * 3) % 40);
     }
   EXPECT_TRUE(cut_from_plain_ground(framed).empty());
+}
+
+/// As a camera sees it: light that falls off to one corner by 30 %, and grain.
+Drawing photographed(Drawing drawing) {
+  Image8& rgba = drawing.rgba;
+  for (int y = 0; y < rgba.height; ++y)
+    for (int x = 0; x < rgba.width; ++x) {
+      const double light = 1 - 0.3 * (x + y) / (rgba.width + rgba.height);
+      const int grain = (x * 7919 + y * 104729 + x * y * 31) % 13 - 6;
+      for (int c = 0; c < 3; ++c)
+        rgba.at(x, y, c) =
+            static_cast<uint8_t>(std::clamp(rgba.at(x, y, c) * light + grain, 0.0, 255.0));
+    }
+  return drawing;
+}
+
+constexpr Colour kraft = {184, 148, 107};
+constexpr Colour moss = {100, 114, 97};
+
+TEST(PlainGround, MayHaveGrainAndShadows) {
+  for (const Colour& ground : {kraft, moss, night}) {
+    const Result<Segmentation> s = segment_drawing(photographed(ring_on(ground)));
+    ASSERT_TRUE(s.ok()) << to_string(s.error());
+    EXPECT_EQ(s->parts.size(), ground == night ? 3U : 2U) << int{ground[0]};
+    for (const auto& [x, y] : {std::pair(3, 3), {396, 3}, {3, 296}, {396, 296}, {200, 20}})
+      EXPECT_EQ(s->labels.at(x, y), 0) << int{ground[0]} << " at " << x << ", " << y;
+    EXPECT_EQ(s->labels.at(150, 150) == 0, ground != night) << int{ground[0]};
+    EXPECT_NE(s->labels.at(150, 70), 0) << int{ground[0]};
+    EXPECT_NE(s->labels.at(320, 150), s->labels.at(150, 70)) << int{ground[0]};
+  }
+}
+
+TEST(PlainGround, IsWhereMostOfTheEdgeIs) {
+  const Drawing whole = ring_on(moss);
+  Drawing bust{Image8(400, 180, 4, 255)};
+  std::copy_n(whole.rgba.pixels.begin(), bust.rgba.pixels.size(), bust.rgba.pixels.begin());
+  for (const Drawing& drawing : {bust, photographed(bust)}) {
+    const Result<Segmentation> s = segment_drawing(drawing);
+    ASSERT_TRUE(s.ok()) << to_string(s.error());
+    EXPECT_EQ(s->labels.at(5, 170), 0);
+    EXPECT_NE(s->labels.at(70, 176), 0);
+    EXPECT_NE(s->labels.at(300, 176), 0);
+  }
+}
+
+TEST(PlainGround, LeavesWhatPaintOnPaperMayBe) {
+  const Drawing dark = lines_on(kraft, {60, 40, 30});
+  EXPECT_TRUE(cut_from_plain_ground(photographed(dark).rgba).empty());
+  Drawing shaded = ring_on({215, 212, 205});
+  for (size_t i = 0; i < shaded.rgba.pixels.size(); ++i)
+    shaded.rgba.pixels[i] = i % 4 == 0 && shaded.rgba.pixels[i] > 200 ? 200 : shaded.rgba.pixels[i];
+  EXPECT_TRUE(cut_from_plain_ground(photographed(shaded).rgba).empty());
+}
+
+/// The ring's drawing on a page that lies turned on a table.
+Drawing page_on(const Colour& table) {
+  Drawing photo{Image8(480, 420, 4, 255)};
+  const Drawing page = ring_on({250, 246, 240});
+  for (int y = 0; y < 420; ++y)
+    for (int x = 0; x < 480; ++x) {
+      const int u = x - 40 + y / 15;
+      const int v = y - 60 - x / 20;
+      const bool on_page = u >= 0 && v >= 0 && u < 400 && v < 300;
+      for (int c = 0; c < 3; ++c)
+        photo.rgba.at(x, y, c) = on_page ? page.rgba.at(u, v, c) : table[c];
+    }
+  return photographed(photo);
+}
+
+TEST(SpreadPage, CoversTheTable) {
+  for (const Colour& table : {kraft, moss, night}) {
+    const Drawing photo = page_on(table);
+    const Image8 spread = spread_page(photo.rgba);
+    ASSERT_FALSE(spread.empty()) << int{table[0]};
+    EXPECT_NEAR(spread.at(2, 2, 1), 246, 12) << int{table[0]};
+    EXPECT_NEAR(spread.at(470, 410, 1), 246 * 0.7, 12) << int{table[0]};
+    EXPECT_EQ(spread.at(240, 230, 0), photo.rgba.at(240, 230, 0)) << int{table[0]};
+    const Result<Segmentation> s = segment_drawing(photo);
+    ASSERT_TRUE(s.ok()) << to_string(s.error());
+    EXPECT_EQ(s->parts.size(), 3U) << int{table[0]};  // with what the ring encloses
+    for (const auto& [x, y] : {std::pair(3, 3), {476, 3}, {3, 416}, {476, 416}, {30, 90}})
+      EXPECT_EQ(s->labels.at(x, y), 0) << int{table[0]} << " at " << x << ", " << y;
+  }
+}
+
+TEST(SpreadPage, IsNoFigureOnPaper) {
+  EXPECT_TRUE(spread_page(photographed(ring_on(moss)).rgba).empty());
+  Drawing robot{Image8(400, 300, 4, 255)};  // a box whose rim has two colours
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 400; ++x) {
+      const bool inside = x > 60 && x < 340 && y > 40 && y < 260;
+      for (int c = 0; c < 3; ++c)
+        robot.rgba.at(x, y, c) = static_cast<uint8_t>(!inside ? moss[c] : y < 150 ? 230 : 60 * c);
+    }
+  EXPECT_TRUE(spread_page(photographed(robot).rgba).empty());
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-#include "relief/drawing/label_colours.h"
-
 #include <gtest/gtest.h>
+
+#include "kernel/image/compose.h"
 
 namespace relievo {
 namespace {
