@@ -122,13 +122,16 @@ std::array<Point2, 4> corners_of(const Image8& mask) {
 /// quadrilateral on a good part of the picture with hardly any paper around it; else empty.
 Image8 find_page(RegionMerging& regions, const Basins& basins, int paper) {
   const Image8 page = filled(regions, basins, paper);
-  if (page_overlap(page) < quad_share) return {};
+  const auto area = std::count(page.pixels.begin(), page.pixels.end(), 1);
+  const auto all = static_cast<int64_t>(page.pixels.size());
+  if (static_cast<double>(area) < page_share * static_cast<double>(all) ||
+      page_overlap(page) < quad_share)
+    return {};
   int64_t paper_around = 0;
   for (size_t i = 0; i < page.pixels.size(); ++i)
     if (page.pixels[i] == 0)
       paper_around += is_paper(regions.region(regions.region_of(basins.index.pixels[i]))) ? 1 : 0;
-  const auto around = std::count(page.pixels.begin(), page.pixels.end(), 0);
-  return 2 * paper_around < around ? page : Image8{};
+  return 2 * paper_around < all - area ? page : Image8{};
 }
 
 /// Unites what lies around the page with the background, takes the lines there out and returns the
@@ -205,8 +208,7 @@ int leaking_neighbour(const RegionMerging& regions, int background) {
 }  // namespace
 
 double page_overlap(const Image8& mask) {
-  const auto area = static_cast<double>(std::count(mask.pixels.begin(), mask.pixels.end(), 1));
-  if (area < page_share * static_cast<double>(mask.pixels.size())) return 0;
+  if (std::count(mask.pixels.begin(), mask.pixels.end(), 1) == 0) return 0;
   const std::array<Point2, 4> corners = corners_of(mask);
   const auto is_between = [&](Point2 p) {
     for (size_t k = 0; k < 4; ++k)

@@ -37,7 +37,7 @@ double share_of_box(const Image8& mask);
 Image8 without_small_pieces(const Image8& mask);
 
 /// What a mask and the quadrilateral between its corners have in common, of both together: about 1
-/// of a page, however it is turned and seen aslant; 0 of what is too small for one. O(pixels).
+/// of a page, however it is turned and seen aslant; 0 of nothing. O(pixels).
 double page_overlap(const Image8& mask);
 
 /// An opaque drawing (4 channels) on pure white without a soft grey shadow on the ground below the
@@ -84,15 +84,17 @@ Image8 remove_paper(const Image8& rgba);
 /// ink lies there. O(pixels).
 Image8 without_rulings(const Image8& drawing);
 
-/// The photograph of a page on a table of one colour (4 channels), the page continued over the
-/// table in its own light. Nothing where it is none. O(pixels).
-Image8 spread_page(const Image8& rgba);
+/// A drawing (4 channels) without the ground of one colour around it.
+struct WithoutGround {
+  Image8 rgba;          ///< empty where there is no such ground, or it is white
+  bool is_cut = false;  ///< a figure, transparent where the ground is; else a page on a table
+};
 
-/// An opaque drawing (4 channels) on a ground of one colour other than white, cut out: transparent
-/// where the ground is, with the blend at the rim gone. The ground may have grain and lie in slowly
-/// changing light where a good part of the figure is lighter than it in some channel; then small
-/// pieces are left out. Nothing where there is no such ground, or a page on it. O(pixels).
-Image8 cut_from_plain_ground(const Image8& rgba);
+/// Cuts a painted figure out of an opaque drawing, with the blend at its rim gone, or continues a
+/// page over the table that it lies on, in its own light. The ground may have grain and lie in
+/// slowly changing light where a good part of the figure is lighter than it in some channel; then
+/// small pieces are left out. O(pixels).
+WithoutGround without_ground(const Image8& rgba);
 
 /// What strokes say of ink: pixels and the label that each stroke stands for.
 struct InkVotes {

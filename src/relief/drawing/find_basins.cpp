@@ -55,23 +55,22 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   if (!go_on(context, 0)) return interrupted_error();
   const Image8 unruled = without_rulings(drawing.rgba);
   const Image8& photo = unruled.empty() ? drawing.rgba : unruled;
-  const Image8 page = spread_page(photo);
-  const Image8& drawn = page.empty() ? photo : page;
-  Image8 cut = cut_from_plain_ground(drawn);
-  const bool on_pure_white = !cut.empty() || is_on_pure_white(drawn);
-  if (cut.empty() && on_pure_white) cut = without_cast_shadow(drawn);
-  const Image8& rgba = cut.empty() ? drawn : cut;
+  const WithoutGround figure = without_ground(photo);
+  const Image8& drawn = figure.rgba.empty() ? photo : figure.rgba;
+  const bool on_pure_white = figure.is_cut || is_on_pure_white(drawn);
+  const Image8 lit = on_pure_white && !figure.is_cut ? without_cast_shadow(drawn) : Image8{};
+  const Image8& rgba = lit.empty() ? drawn : lit;
   const Image8 rgb = remove_paper(rgba);
   if (!go_on(context, 0.1)) return interrupted_error();
   LineMap map = find_lines(rgb, on_pure_white);
-  if (std::count(map.barrier.pixels.begin(), map.barrier.pixels.end(), LineMap::none) ==
-      static_cast<ptrdiff_t>(map.barrier.pixels.size()))
-    return Error{ErrorCode::bad_input, "the drawing is blank: no line or edge was found in it", ""};
   close_line_gaps(rgb, map);
   if (!go_on(context, 0.5)) return interrupted_error();
   Basins basins;
   basins.figure = find_figure(rgba, rgb, map, on_pure_white);
   mark_rim(basins.figure, map);
+  if (std::count(map.barrier.pixels.begin(), map.barrier.pixels.end(), LineMap::none) ==
+      static_cast<ptrdiff_t>(map.barrier.pixels.size()))
+    return Error{ErrorCode::bad_input, "the drawing is blank: no line or edge was found in it", ""};
   basins.index = watershed(map, basins.basins);
   if (basins.basins.empty())
     return Error{ErrorCode::bad_input, "the drawing has no areas between its lines", ""};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "kernel/image/components.h"
@@ -33,14 +34,13 @@ constexpr int darkest_ground = 128;     ///< brightest channel of a ground that 
 constexpr double through_share = 0.2;   ///< of the figure, up to which ground shows through it
 constexpr int darkest_through = 60;     ///< brightest channel; darker may be ink
 constexpr double smallest_hole = 1e-4;  ///< of the picture
-constexpr int whitest_page = 55;        ///< difference of channels of a page from white
-constexpr double white_page_share = 0.6;  ///< of its box; what fills more and is white is a page
-constexpr double least_overlap = 0.94;    ///< page_overlap of a page, at least
-constexpr double cut_page_share = 0.05;   ///< of the picture's edge that a page reaches at most
-constexpr int margin = 4;                 ///< px, of the band at the rim that tells a page
-constexpr int page_noise = 40;            ///< difference of channels within it
-constexpr double rim_share = 0.8;         ///< of it, that has one colour
-constexpr int rim = 2;                    ///< px, within which paint and ground blend
+constexpr double least_page = 0.15;     ///< of the picture
+constexpr double least_overlap = 0.94;  ///< page_overlap of a page, at least
+constexpr double cut_page_share = 0.05;  ///< of the picture's edge that a page reaches at most
+constexpr int margin = 4;                ///< px, of the band at the rim that tells a page
+constexpr int page_noise = 40;           ///< difference of channels within it
+constexpr double rim_share = 0.8;        ///< of it, that has one colour
+constexpr int rim = 2;                   ///< px, within which paint and ground blend
 
 /// What lies around a figure: one colour in slowly changing light.
 struct Ground {
@@ -191,10 +191,9 @@ bool is_paint_on(const Image8& like) {
   return static_cast<double>(count) > painted_share * static_cast<double>(wide.pixels.size());
 }
 
-/// 1 where the ground is: what has its colour and reaches the edge, and what a painted figure or
+/// 1 where the ground is: of what is `like` it what reaches the edge, and what a painted figure or
 /// chalk lines enclose. Nothing where ink lines on a bright ground may bound areas that it fills.
-Image8 ground_of(const Image8& rgba, const Ground& ground) {
-  Image8 like = like_ground(rgba, ground);
+Image8 ground_of(const Image8& rgba, const Ground& ground, Image8 like) {
   if (!ground.even && !is_lighter(rgba, ground, like)) return {};
   const bool painted = is_paint_on(like);
   const uint8_t* middle = &ground.colour.at(like.width / 2, like.height / 2);
@@ -239,30 +238,17 @@ std::optional<std::array<uint8_t, 3>> colour_of_rim(const Image8& rgba, const Im
   return colour;
 }
 
-/// Whether what lies on the ground is a page: on a ground without grain and shadows, which may be
-/// painted, only if it is lighter.
+/// Whether what lies on the ground is a page: lighter, not small, and a quadrilateral.
 bool is_page(const Image8& rgba, const Ground& ground, const Image8& mask) {
+  const auto area = static_cast<double>(std::count(mask.pixels.begin(), mask.pixels.end(), 1));
   const auto is_inside = [&](int x, int y) { return mask.at(x, y) != 0; };
-  if (share_of_edge(mask.width, mask.height, is_inside) > cut_page_share ||
+  if (area < least_page * static_cast<double>(mask.pixels.size()) ||
+      share_of_edge(mask.width, mask.height, is_inside) > cut_page_share ||
       page_overlap(mask) < least_overlap)
     return false;
   const auto colour = colour_of_rim(rgba, mask);
-  const uint8_t* around = &ground.colour.pixels[0];
-  return colour && (!ground.even || ((*colour)[0] > around[0] && (*colour)[1] > around[1] &&
-                                     (*colour)[2] > around[2]));
-}
-
-/// Whether what is not ground is a page or a picture in a frame.
-bool is_framed(const Image8& rgba, const Image8& rest) {
-  constexpr std::array<uint8_t, 3> paper = {255, 255, 255};
-  int64_t area = 0;
-  int64_t white = 0;
-  for (size_t i = 0; i < rest.pixels.size(); ++i) {
-    area += rest.pixels[i];
-    const bool is_white = difference(&rgba.pixels[4 * i], paper.data()) < whitest_page;
-    white += rest.pixels[i] != 0 && is_white ? 1 : 0;
-  }
-  return area == 0 || share_of_box(rest) > (2 * white > area ? white_page_share : framed_share);
+  const uint8_t* around = &ground.colour.at(mask.width / 2, mask.height / 2);
+  return colour && (*colour)[0] > around[0] && (*colour)[1] > around[1] && (*colour)[2] > around[2];
 }
 
 /// The pixel within `rim` px of (x, y) that is nearest of those that no ground is so near to, or
@@ -291,14 +277,8 @@ double share_of_paint(const uint8_t* pixel, const uint8_t* paint, const uint8_t*
   return all > 0 ? along / all : 1;
 }
 
-}  // namespace
-
-Image8 spread_page(const Image8& rgba) {
-  assert(rgba.channels == 4);
-  const std::optional<Ground> ground = find_ground(rgba);
-  if (!ground) return {};
-  const Image8 page = without_holes(without_small_pieces(complement(like_ground(rgba, *ground))));
-  if (!is_page(rgba, *ground, page)) return {};
+/// The page continued over the table in its own light; empty where it is too narrow to have one.
+Image8 spread_page(const Image8& rgba, const Image8& page) {
   const Image8 within = min_filter(page, margin);
   const LightCells cells = light_cells(rgba);
   std::vector<uint8_t> on_page(cells.terms.size(), 0);
@@ -314,15 +294,8 @@ Image8 spread_page(const Image8& rgba) {
   return spread;
 }
 
-Image8 cut_from_plain_ground(const Image8& rgba) {
-  assert(rgba.channels == 4);
-  const std::optional<Ground> found = find_ground(rgba);
-  if (!found) return {};
-  Image8 ground = ground_of(rgba, *found);
-  if (ground.empty()) return {};
-  const Image8 rest = complement(ground);
-  if (found->even && is_framed(rgba, rest)) return {};
-  if (!found->even) ground = complement(without_small_pieces(rest));
+/// The drawing cut out, transparent where `ground` is, with the blend at the rim gone.
+Image8 cut_out(const Image8& rgba, const Image8& ground, const Image8& colour) {
   const Image8 near_ground = max_filter(ground, rim);
   Image8 cut = rgba;
   for (int y = 0; y < rgba.height; ++y)
@@ -333,12 +306,33 @@ Image8 cut_from_plain_ground(const Image8& rgba) {
       const int64_t core = nearest_core(near_ground, x, y);
       if (core < 0) continue;
       const uint8_t* paint = &rgba.pixels[4 * static_cast<size_t>(core)];
-      const bool most =
-          share_of_paint(&rgba.pixels[4 * i], paint, &found->colour.pixels[3 * i]) >= 0.5;
+      const bool most = share_of_paint(&rgba.pixels[4 * i], paint, &colour.pixels[3 * i]) >= 0.5;
       std::copy(paint, paint + 3, &cut.pixels[4 * i]);
       cut.pixels[4 * i + 3] = most ? 255 : 0;
     }
   return cut;
+}
+
+}  // namespace
+
+WithoutGround without_ground(const Image8& rgba) {
+  assert(rgba.channels == 4);
+  const std::optional<Ground> found = find_ground(rgba);
+  if (!found) return {};
+  Image8 like = like_ground(rgba, *found);
+  const Image8 page = without_holes(without_small_pieces(complement(like)));
+  if (is_page(rgba, *found, page)) {
+    WithoutGround spread{spread_page(rgba, page), false};
+    WithoutGround cut = without_ground(spread.rgba);  // the page may be coloured
+    return cut.is_cut ? cut : spread;
+  }
+  Image8 ground = ground_of(rgba, *found, std::move(like));
+  if (ground.empty()) return {};
+  const Image8 rest = complement(ground);
+  const double filled = share_of_box(rest);
+  if (found->even && (filled == 0 || filled > framed_share)) return {};
+  if (!found->even) ground = complement(without_small_pieces(rest));
+  return {cut_out(rgba, ground, found->colour), true};
 }
 
 }  // namespace relievo

@@ -57,7 +57,7 @@ TEST(PlainGround, ShowsThroughAPaintedFigureUnlessItMayBeInk) {
 }
 
 TEST(PlainGround, LeavesNoBlendAtTheRim) {
-  const Image8 cut = cut_from_plain_ground(ring_on(night).rgba);
+  const Image8 cut = without_ground(ring_on(night).rgba).rgba;
   ASSERT_FALSE(cut.empty());
   for (size_t i = 0; i < cut.pixels.size(); i += 4) {
     if (cut.pixels[i + 3] == 0) continue;
@@ -70,6 +70,19 @@ TEST(PlainGround, LeavesNoBlendAtTheRim) {
     const bool at_other_paint = distance({x + 0.5, y + 0.5}, {300, 150}) < 62;
     EXPECT_TRUE(red || yellow || through || to_hole < 52 || at_other_paint) << x << ", " << y;
   }
+}
+
+TEST(PlainGround, LetsGoOfWhiteFigures) {
+  Drawing drawing{Image8(400, 300, 4, 255)};
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 400; ++x)
+      for (int c = 0; c < 3 && distance({x + 0.5, y + 0.5}, {200, 150}) > 100; ++c)
+        drawing.rgba.at(x, y, c) = static_cast<uint8_t>(60 + 50 * c);
+  EXPECT_TRUE(without_ground(drawing.rgba).is_cut);
+  const Result<Segmentation> s = segment_drawing(drawing);
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  EXPECT_EQ(s->labels.at(5, 5), 0);
+  EXPECT_NE(s->labels.at(200, 150), 0);
 }
 
 /// A circle with a gap and a whole one, in lines of one colour on a ground of another.
@@ -104,7 +117,7 @@ TEST(PlainGround, IsABlackboardUnderChalk) {
 }
 
 TEST(PlainGround, IsNoWhitePaperAndNoFrame) {
-  EXPECT_TRUE(cut_from_plain_ground(ring_on({255, 255, 255}).rgba).empty());
+  EXPECT_TRUE(without_ground(ring_on({255, 255, 255}).rgba).rgba.empty());
   Image8 framed(300, 200, 4, 255);
   for (int y = 0; y < 200; ++y)
     for (int x = 0; x < 300; ++x) {
@@ -112,7 +125,7 @@ TEST(PlainGround, IsNoWhitePaperAndNoFrame) {
       for (int c = 0; c < 3; ++c)
         framed.at(x, y, c) = static_cast<uint8_t>(frame ? 0 : 205 + (x * 7 + y * 3) % 40);
     }
-  EXPECT_TRUE(cut_from_plain_ground(framed).empty());
+  EXPECT_FALSE(without_ground(framed).is_cut);
 }
 
 /// As a camera sees it: light that falls off to one corner by 30 %, and grain.
@@ -160,11 +173,11 @@ TEST(PlainGround, IsWhereMostOfTheEdgeIs) {
 
 TEST(PlainGround, LeavesWhatPaintOnPaperMayBe) {
   const Drawing dark = lines_on(kraft, {60, 40, 30});
-  EXPECT_TRUE(cut_from_plain_ground(photographed(dark).rgba).empty());
+  EXPECT_TRUE(without_ground(photographed(dark).rgba).rgba.empty());
   Drawing shaded = ring_on({215, 212, 205});
   for (size_t i = 0; i < shaded.rgba.pixels.size(); ++i)
     shaded.rgba.pixels[i] = i % 4 == 0 && shaded.rgba.pixels[i] > 200 ? 200 : shaded.rgba.pixels[i];
-  EXPECT_TRUE(cut_from_plain_ground(photographed(shaded).rgba).empty());
+  EXPECT_TRUE(without_ground(photographed(shaded).rgba).rgba.empty());
 }
 
 /// The ring's drawing on a page that lies turned on a table.
@@ -182,11 +195,11 @@ Drawing page_on(const Colour& table) {
   return photographed(photo);
 }
 
-TEST(SpreadPage, CoversTheTable) {
+TEST(PageOnATable, IsContinuedOverIt) {
   for (const Colour& table : {kraft, moss, night}) {
     const Drawing photo = page_on(table);
-    const Image8 spread = spread_page(photo.rgba);
-    ASSERT_FALSE(spread.empty()) << int{table[0]};
+    const auto [spread, is_cut] = without_ground(photo.rgba);
+    ASSERT_FALSE(spread.empty() || is_cut) << int{table[0]};
     EXPECT_NEAR(spread.at(2, 2, 1), 246, 12) << int{table[0]};
     EXPECT_NEAR(spread.at(470, 410, 1), 246 * 0.7, 12) << int{table[0]};
     EXPECT_EQ(spread.at(240, 230, 0), photo.rgba.at(240, 230, 0)) << int{table[0]};
@@ -198,8 +211,8 @@ TEST(SpreadPage, CoversTheTable) {
   }
 }
 
-TEST(SpreadPage, IsNoFigureOnPaper) {
-  EXPECT_TRUE(spread_page(photographed(ring_on(moss)).rgba).empty());
+TEST(PageOnATable, IsNoFigureOnPaper) {
+  EXPECT_TRUE(without_ground(photographed(ring_on(moss)).rgba).is_cut);
   Drawing robot{Image8(400, 300, 4, 255)};  // a box whose rim has two colours
   for (int y = 0; y < 300; ++y)
     for (int x = 0; x < 400; ++x) {
@@ -207,7 +220,7 @@ TEST(SpreadPage, IsNoFigureOnPaper) {
       for (int c = 0; c < 3; ++c)
         robot.rgba.at(x, y, c) = static_cast<uint8_t>(!inside ? moss[c] : y < 150 ? 230 : 60 * c);
     }
-  EXPECT_TRUE(spread_page(photographed(robot).rgba).empty());
+  EXPECT_TRUE(without_ground(photographed(robot).rgba).is_cut);
 }
 
 }  // namespace
