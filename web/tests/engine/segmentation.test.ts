@@ -78,6 +78,31 @@ describe('a flat drawing', () => {
     if (complete) expect(own.parts.length).toBe(2);
   });
 
+  it('is understood on coloured paper in uneven light as by the command line, to the last number', () => {
+    const [width, height] = [400, 300];
+    const snowman = (x: number, y: number): readonly number[] => {
+      if (Math.hypot(x - 200, y - 100) < 50) return [240, 210, 80];
+      return Math.hypot(x - 200, y - 200) < 75 ? [230, 235, 245] : [100, 114, 97];
+    };
+    const png = pngOf(width, height, (x, y) => {
+      const light = 1 - (0.3 * (x + y)) / (width + height);
+      const grain = ((x * 7919 + y * 104729 + x * y * 31) % 13) - 6;
+      const [red, green, blue] = snowman(x, y).map((value) => Math.round(value * light + grain));
+      return [red!, green!, blue!, 255];
+    });
+    const folder = mkdtempSync(join(tmpdir(), 'relievo-'));
+    writeFileSync(join(folder, 'snowman.png'), png);
+    relievo('segment', join(folder, 'snowman.png'), '-q', '-o', join(folder, 'snowman.relievo'));
+    const theirs = readProject(readFileSync(join(folder, 'snowman.relievo')));
+    must(service.openDrawing({ png }));
+    const drawing = { name: 'snowman.png', kind: 'image' as const, mime: 'image/png', bytes: png };
+    const own = understood({ ...emptyDocument(), name: 'snowman', width, height, drawing });
+    expect(own.parts).toEqual(theirs.parts);
+    expect(own.parts.flatMap(({ outline }) => outline.flat()).every(([x]) => x > 120 && x < 280)).toBe(true);
+    expect(Buffer.from(own.segmentation!.labels).equals(Buffer.from(theirs.segmentation!.labels))).toBe(true);
+    must(service.openDrawing({ png: bear }));
+  });
+
   it('is understood within a mask and under strokes as by the command line, to the last number', () => {
     const folder = mkdtempSync(join(tmpdir(), 'relievo-'));
     const [mask, strokes] = [join(folder, 'mask.png'), join(folder, 'strokes.json')];
