@@ -82,21 +82,20 @@ Image8 filled(RegionMerging& regions, const Basins& basins, int r) {
   return without_holes(mask);
 }
 
-/// The pixel of a mask that lies farthest by some measure of its place.
-template <class Measure>
-Point2 farthest(const Image8& mask, Measure measure) {
-  Point2 best;
-  double most = -1;
-  for (int y = 0; y < mask.height; ++y)
-    for (int x = 0; x < mask.width; ++x) {
-      if (mask.at(x, y) == 0) continue;
-      const Point2 p{x + 0.5, y + 0.5};
-      const double value = measure(p);
-      if (value <= most) continue;
-      most = value;
-      best = p;
-    }
-  return best;
+/// The first and the last pixel of a mask in each row: of those of a row one is farthest from
+/// whatever point or line.
+std::vector<Point2> ends_of_rows(const Image8& mask) {
+  std::vector<Point2> ends;
+  for (int y = 0; y < mask.height; ++y) {
+    int first = 0;
+    int last = mask.width - 1;
+    while (first <= last && mask.at(first, y) == 0) ++first;
+    while (last >= first && mask.at(last, y) == 0) --last;
+    if (first > last) continue;
+    ends.push_back({first + 0.5, y + 0.5});
+    ends.push_back({last + 0.5, y + 0.5});
+  }
+  return ends;
 }
 
 /// Two opposite corners of a mask and what lies farthest off their line at either side: all of the
@@ -112,10 +111,15 @@ std::array<Point2, 4> corners_of(const Image8& mask) {
         ++count;
       }
   const Point2 centre{sum.x / count, sum.y / count};
-  const Point2 a = farthest(mask, [&](Point2 p) { return distance(p, centre); });
-  const Point2 b = farthest(mask, [&](Point2 p) { return distance(p, a); });
+  const std::vector<Point2> ends = ends_of_rows(mask);
+  const auto farthest = [&](auto measure) {
+    return *std::max_element(ends.begin(), ends.end(),
+                             [&](Point2 p, Point2 q) { return measure(p) < measure(q); });
+  };
+  const Point2 a = farthest([&](Point2 p) { return distance(p, centre); });
+  const Point2 b = farthest([&](Point2 p) { return distance(p, a); });
   const auto side = [&](Point2 p) { return cross(b - a, p - a); };
-  return {a, farthest(mask, side), b, farthest(mask, [&](Point2 p) { return -side(p); })};
+  return {a, farthest(side), b, farthest([&](Point2 p) { return -side(p); })};
 }
 
 /// [drawing size] The region `paper` with all that it surrounds, 1, where that is a page: a

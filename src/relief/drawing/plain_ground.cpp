@@ -42,6 +42,8 @@ constexpr int page_noise = 40;           ///< difference of channels within it
 constexpr double rim_share = 0.8;        ///< of it, that has one colour
 constexpr int rim = 2;                   ///< px, within which paint and ground blend
 
+using ByteColour = std::array<uint8_t, 3>;
+
 /// What lies around a figure: one colour in slowly changing light.
 struct Ground {
   Image8 colour;  ///< RGB
@@ -60,37 +62,43 @@ int difference(const uint8_t* p, const uint8_t* q) {
   return std::max({std::abs(p[0] - q[0]), std::abs(p[1] - q[1]), std::abs(p[2] - q[2])});
 }
 
-uint8_t median(std::vector<uint8_t> values) {
-  const auto middle = values.begin() + static_cast<ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+/// The value of a rank, 0 being the least. Precondition: rank < number of values.
+template <class T>
+T ranked(std::vector<T> values, size_t rank) {
+  const auto nth = values.begin() + static_cast<ptrdiff_t>(rank);
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
 }
 
-/// The median of each channel of some cells.
-Light colour_of(const Image8& cells, const std::vector<uint8_t>& of) {
-  Light light;
-  for (int c = 0; c < 3; ++c) {
+/// The median of each channel of some pixels. Precondition: there are some.
+ByteColour median_colour(const Image8& image, const std::vector<size_t>& pixels) {
+  ByteColour colour;
+  for (size_t c = 0; c < 3; ++c) {
     std::vector<uint8_t> values;
-    for (size_t k = 0; k < of.size(); ++k)
-      if (of[k] != 0) values.push_back(cells.pixels[k * cells.channels + c]);
-    light[c] = Quadratic::Unit(0) * median(std::move(values));
+    for (const size_t i : pixels) values.push_back(image.pixels[i * image.channels + c]);
+    colour[c] = ranked(std::move(values), pixels.size() / 2);
   }
-  return light;
+  return colour;
 }
 
-std::vector<uint8_t> cells_at_edge(const Image8& cells) {
-  std::vector<uint8_t> at_edge(static_cast<size_t>(cells.width) * cells.height, 0);
-  along_edge(cells.width, cells.height, [&](int x, int y) { at_edge[y * cells.width + x] = 1; });
+std::vector<size_t> cells_at_edge(const Image8& cells) {
+  std::vector<size_t> at_edge;
+  along_edge(cells.width, cells.height,
+             [&](int x, int y) { at_edge.push_back(static_cast<size_t>(y) * cells.width + x); });
   return at_edge;
 }
 
-/// The light of the `first` cells, then of all that agree with it.
-Light fit_ground(const LightCells& cells, const std::vector<uint8_t>& first) {
-  Light light = colour_of(cells.mean, first);
+/// The light of the `first` cells, of which there are some, then of all that agree with it.
+Light fit_ground(const LightCells& cells, const std::vector<size_t>& first) {
+  std::vector<uint8_t> is_first(cells.terms.size(), 0);
+  for (const size_t k : first) is_first[k] = 1;
+  const ByteColour start = median_colour(cells.mean, first);
+  Light light;
+  for (size_t c = 0; c < 3; ++c) light[c] = Quadratic::Unit(0) * start[c];
   for (size_t round = 0; round < ground_tolerances.size(); ++round) {
     std::vector<double> weights(cells.terms.size(), 0);
     for (size_t k = 0; k < weights.size(); ++k) {
-      const bool counts = first[k] != 0 || 2 * round >= ground_tolerances.size();
+      const bool counts = is_first[k] != 0 || 2 * round >= ground_tolerances.size();
       const uint8_t* cell = &cells.mean.pixels[k * cells.mean.channels];
       const double off = difference(cell, light, cells.terms[k]);
       weights[k] = counts && off <= ground_tolerances[round] ? 1 : 0;
@@ -129,9 +137,9 @@ std::optional<int> noise_of_edge(const Image8& rgba, const Image8& ground) {
     if (off <= 2 * most_noise) shown.push_back(off);
   });
   if (static_cast<double>(shown.size()) < plain_share * static_cast<double>(all)) return {};
-  const auto nth = shown.begin() + static_cast<ptrdiff_t>(shown.size() * 9 / 10);
-  std::nth_element(shown.begin(), nth, shown.end());
-  return *nth <= most_noise ? std::optional(*nth) : std::nullopt;
+  const size_t rank = shown.size() * 9 / 10;
+  const int noise = ranked(std::move(shown), rank);
+  return noise <= most_noise ? std::optional(noise) : std::nullopt;
 }
 
 /// The ground of an opaque picture, where most of its edge shows one that is not white.
@@ -218,21 +226,16 @@ Image8 ground_of(const Image8& rgba, const Ground& ground, Image8 like) {
 }
 
 /// The colour that most of a mask has along its rim, as a page has; nothing where there is none.
-std::optional<std::array<uint8_t, 3>> colour_of_rim(const Image8& rgba, const Image8& mask) {
+std::optional<ByteColour> colour_of_rim(const Image8& rgba, const Image8& mask) {
   const Image8 outer = min_filter(mask, margin);
   const Image8 inner = min_filter(outer, margin);
   std::vector<size_t> band;
   for (size_t i = 0; i < mask.pixels.size(); ++i)
-    if (outer.pixels[i] != inner.pixels[i]) band.push_back(4 * i);
+    if (outer.pixels[i] != inner.pixels[i]) band.push_back(i);
   if (band.empty()) return {};
-  std::array<uint8_t, 3> colour;
-  for (size_t c = 0; c < 3; ++c) {
-    std::vector<uint8_t> values;
-    for (const size_t i : band) values.push_back(rgba.pixels[i + c]);
-    colour[c] = median(std::move(values));
-  }
+  const ByteColour colour = median_colour(rgba, band);
   const auto like = std::count_if(band.begin(), band.end(), [&](size_t i) {
-    return difference(&rgba.pixels[i], colour.data()) <= page_noise;
+    return difference(&rgba.pixels[4 * i], colour.data()) <= page_noise;
   });
   if (static_cast<double>(like) < rim_share * static_cast<double>(band.size())) return {};
   return colour;
@@ -246,7 +249,7 @@ bool is_page(const Image8& rgba, const Ground& ground, const Image8& mask) {
       share_of_edge(mask.width, mask.height, is_inside) > cut_page_share ||
       page_overlap(mask) < least_overlap)
     return false;
-  const auto colour = colour_of_rim(rgba, mask);
+  const std::optional<ByteColour> colour = colour_of_rim(rgba, mask);
   const uint8_t* around = &ground.colour.at(mask.width / 2, mask.height / 2);
   return colour && (*colour)[0] > around[0] && (*colour)[1] > around[1] && (*colour)[2] > around[2];
 }
@@ -281,12 +284,12 @@ double share_of_paint(const uint8_t* pixel, const uint8_t* paint, const uint8_t*
 Image8 spread_page(const Image8& rgba, const Image8& page) {
   const Image8 within = min_filter(page, margin);
   const LightCells cells = light_cells(rgba);
-  std::vector<uint8_t> on_page(cells.terms.size(), 0);
+  std::vector<size_t> on_page;
   for (int y = 0; y < cells.mean.height; ++y)
     for (int x = 0; x < cells.mean.width; ++x)
-      on_page[y * cells.mean.width + x] =
-          within.at(x * rgba.width / cells.mean.width, y * rgba.height / cells.mean.height);
-  if (std::count(on_page.begin(), on_page.end(), 1) == 0) return {};
+      if (within.at(x * rgba.width / cells.mean.width, y * rgba.height / cells.mean.height) != 0)
+        on_page.push_back(static_cast<size_t>(y) * cells.mean.width + x);
+  if (on_page.empty()) return {};
   const Image8 light = paint_light(fit_ground(cells, on_page), rgba.width, rgba.height);
   Image8 spread = rgba;
   for (size_t i = 0; i < within.pixels.size(); ++i)
@@ -313,6 +316,18 @@ Image8 cut_out(const Image8& rgba, const Image8& ground, const Image8& colour) {
   return cut;
 }
 
+/// The painted figure on a ground, to which what is `like` it belongs, cut out; empty where it is
+/// none.
+Image8 cut_figure(const Image8& rgba, const Ground& found, Image8 like) {
+  Image8 ground = ground_of(rgba, found, std::move(like));
+  if (ground.empty()) return {};
+  const Image8 rest = complement(ground);
+  const double filled = share_of_box(rest);
+  if (found.even && (filled == 0 || filled > framed_share)) return {};
+  if (!found.even) ground = complement(without_small_pieces(rest));
+  return cut_out(rgba, ground, found.colour);
+}
+
 }  // namespace
 
 WithoutGround without_ground(const Image8& rgba) {
@@ -321,18 +336,16 @@ WithoutGround without_ground(const Image8& rgba) {
   if (!found) return {};
   Image8 like = like_ground(rgba, *found);
   const Image8 page = without_holes(without_small_pieces(complement(like)));
-  if (is_page(rgba, *found, page)) {
-    WithoutGround spread{spread_page(rgba, page), false};
-    WithoutGround cut = without_ground(spread.rgba);  // the page may be coloured
-    return cut.is_cut ? cut : spread;
+  if (!is_page(rgba, *found, page)) {
+    Image8 cut = cut_figure(rgba, *found, std::move(like));
+    const bool is_cut = !cut.empty();
+    return {std::move(cut), is_cut};
   }
-  Image8 ground = ground_of(rgba, *found, std::move(like));
-  if (ground.empty()) return {};
-  const Image8 rest = complement(ground);
-  const double filled = share_of_box(rest);
-  if (found->even && (filled == 0 || filled > framed_share)) return {};
-  if (!found->even) ground = complement(without_small_pieces(rest));
-  return {cut_out(rgba, ground, found->colour), true};
+  Image8 spread = spread_page(rgba, page);
+  const std::optional<Ground> paper = find_ground(spread);  // which may be coloured
+  Image8 cut = paper ? cut_figure(spread, *paper, like_ground(spread, *paper)) : Image8{};
+  const bool is_cut = !cut.empty();
+  return {is_cut ? std::move(cut) : std::move(spread), is_cut};
 }
 
 }  // namespace relievo
