@@ -148,6 +148,7 @@ EMSCRIPTEN_BINDINGS(relievo) {
       .constructor<>()
       .function("build", &Reconstruction::build)
       .function("surface", &Reconstruction::surface)
+      .function("dressed", &Reconstruction::dressed)
       .function("overlays", &Reconstruction::overlays)
       .function("setShown", &Reconstruction::set_shown)
       .function("setTexture", &Reconstruction::set_texture)

@@ -30,6 +30,12 @@ BuildOptions to_options(const val& options) {
   return build;
 }
 
+void set_picture(val& result, const Image8& rgba) {
+  result.set("rgba", to_js(rgba.pixels));
+  result.set("width", rgba.width);
+  result.set("height", rgba.height);
+}
+
 val report(const BuildReport& report) {
   val times = val::object();
   for (const auto& [stage, milliseconds] : report.milliseconds) times.set(stage, milliseconds);
@@ -237,6 +243,20 @@ val Reconstruction::surface(const std::string& visibility, double tolerance,
   return model ? to_js(*model, hidden_patches(*model, shown_)) : failure(model.error());
 }
 
+val Reconstruction::dressed(double tolerance) const {
+  ModelOptions options;
+  options.rim_tolerance = tolerance;
+  auto model = session_.model(options);
+  if (!model) return failure(model.error());
+  narrow_inked_rims(*model, texture_);
+  Image8 rgba = texture_.rgba;
+  extend_paint(*model, rgba);
+  val result = val::object();
+  result.set("surface", to_js(*model, hidden_patches(*model, shown_)));
+  set_picture(result, rgba);
+  return result;
+}
+
 val Reconstruction::overlays() const {
   const auto found = session_.lines();
   if (!found) return failure(found.error());
@@ -275,9 +295,7 @@ val Reconstruction::solid(const val& options) const {
   result.set("volume", made->facts.volume);
   result.set("pieces", made->facts.pieces);
   result.set("findings", findings(*made, stands(*chosen)));
-  result.set("rgba", wasm::to_js(rgba.pixels));
-  result.set("width", rgba.width);
-  result.set("height", rgba.height);
+  set_picture(result, rgba);
   return result;
 }
 

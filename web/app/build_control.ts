@@ -15,8 +15,11 @@ const rest = 160;
 /** A build that has become useless may go on for so long: the next one goes on from it. ms. */
 const patience = 1000;
 
+/** Departure of surfaces of full reliefs, px. */
+export const fullTolerance = 0.25;
+
 function surfaceFor(field: Field, draft: boolean) {
-  return { visibility: 'orbit' as const, tolerance: draft ? 1 : 0.25, field };
+  return { visibility: 'orbit' as const, tolerance: draft ? 1 : fullTolerance, field };
 }
 
 function requestFor(document: Document, field: Field, draft: boolean) {
@@ -134,7 +137,8 @@ export class BuildControl {
     }
   }
 
-  private isUpToDate(): boolean {
+  /** Whether the full engine holds the relief of the present document. */
+  isUpToDate(): boolean {
     return this.builtFull !== null && !this.isStale(this.builtFull);
   }
 

@@ -1,4 +1,4 @@
-import type { BuiltRelief, EngineError, Failure, Solid } from '../engine/messages';
+import type { BuiltRelief, Dressed, EngineError, Failure, Solid } from '../engine/messages';
 import { noteCorrections } from '../document/corrections';
 import { cueRanges } from '../document/cues';
 import { type Cue, type Document, emptyDocument } from '../document/document';
@@ -6,6 +6,7 @@ import type { Doubt } from '../document/doubts';
 import type { Gap } from '../document/gaps';
 import { amend, type History, record, redo, startHistory, undo } from '../document/history';
 import type { Brush } from '../tools/scribble_tool';
+import { isSameLook } from '../view/painted_drawing';
 import { type PrintChoice, usualPrint } from './print_choice';
 import { Store } from './store';
 
@@ -21,6 +22,12 @@ export interface BuildState {
   error: EngineError | null;
   /** Of the non-linear method, step by step. */
   energies?: readonly number[];
+}
+
+/** A relief as its files hold it, and the look that its picture was made of. */
+export interface DressedRelief extends Dressed {
+  relief: BuiltRelief;
+  look: readonly unknown[];
 }
 
 export interface ShelfPlace {
@@ -58,6 +65,8 @@ export interface EditorState {
   sideOpen: boolean;
   build: BuildState;
   relief: BuiltRelief | null;
+  /** The last full relief that was dressed, shown in its place as long as it is the present one. */
+  dressed: DressedRelief | null;
   /** What is being drawn would make this. */
   preview: Document | null;
   /** The relief or solid that can be seen. */
@@ -95,6 +104,11 @@ export interface EditorState {
   pending: Document | null;
 }
 
+/** Whether the present relief is dressed, with a drawing of this look. */
+export function isDressed({ relief, dressed }: EditorState, look: readonly unknown[]): boolean {
+  return dressed !== null && dressed.relief === relief && isSameLook(dressed.look, look);
+}
+
 function firstState(): EditorState {
   return {
     history: startHistory(emptyDocument()),
@@ -117,6 +131,7 @@ function firstState(): EditorState {
     sideOpen: false,
     build: { phase: 'idle', progress: 0, error: null },
     relief: null,
+    dressed: null,
     preview: null,
     shown: null,
     plainGraphics: false,

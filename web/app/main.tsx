@@ -3,6 +3,7 @@ import coreUrl from '#core.wasm?url';
 import { Shelf } from '../document/shelf';
 import { compileCore, Engine } from '../engine/engine';
 import { BuildControl } from './build_control';
+import { DressControl } from './dress_control';
 import { speak, visitorsLanguage } from './catalogue';
 import { filesOf, givenFiles } from './dropped_files';
 import { Editor } from './editor';
@@ -90,6 +91,7 @@ async function main(): Promise<void> {
   const editor = new Editor();
   const full = new Engine(compiled);
   const control = new BuildControl(editor, new Engine(compiled), full);
+  new DressControl(editor, full, control);
   new PrintControl(editor, full, control);
   const keeper = new Keeper(editor, await openShelf());
   const segments = new SegmentControl(editor, () => new Engine(compiled));

@@ -1,6 +1,6 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { emptyDocument } from '../document/document';
-import { isFailure, type Solid, told } from '../engine/messages';
+import { type Dressed, isFailure, told } from '../engine/messages';
 import type { Tool } from '../tools/tool';
 import { ModelView } from '../view/model_view';
 import { listenToOrbit } from '../view/orbit';
@@ -69,8 +69,8 @@ function listen(canvas: HTMLCanvasElement, view: ModelView, editor: Editor, { to
   canvas.addEventListener('dblclick', () => view.turn(0, 0));
 }
 
-/** The page that a solid's picture fills. */
-function sheetOf({ picture }: Solid): Painted {
+/** The page that a picture fills. */
+export function sheetOf({ picture }: Dressed): Painted {
   return { ...emptyDocument(), width: picture.width, height: picture.height };
 }
 
@@ -79,22 +79,25 @@ function follow(view: ModelView, editor: Editor): () => void {
   let before: readonly unknown[] = [];
   let look: readonly unknown[] = [];
   const update = (): void => {
-    const { relief, picture, shading, hovered, selected, history, preview, solid: made } = editor.state;
+    const { relief, dressed, picture, shading, hovered, selected, history, preview, solid: made } = editor.state;
     const document = preview ?? history.document;
     const solid = made && !isFailure(made) ? made : null;
-    const shown = solid ?? relief;
-    const now = [shown, solid, shading, hovered ?? selected, document.name];
     const looks = lookOf(document, picture);
+    // Paint around the rims of a relief does no harm to the next one.
+    const pictured = solid ?? (dressed && isSameLook(dressed.look, looks) ? dressed : null);
+    const surface = solid?.surface ?? (dressed?.relief === relief ? dressed?.surface : relief?.surface) ?? null;
+    const now = [surface, pictured, shading, hovered ?? selected, document.name];
     if (now[1] !== before[1] || now[4] !== before[4] || !isSameLook(looks, look)) {
       look = looks;
-      if (solid) view.paint(sheetOf(solid), solid.picture);
+      if (pictured) view.paint(sheetOf(pictured), pictured.picture);
       else view.paint(picture || document.parts.length > 0 ? document : null, picture, preview ? previewSide : undefined);
     }
-    if (shown !== before[0]) {
-      if (solid) view.show(solid.surface, solid.size[0], solid.size[1]);
-      else view.show(relief?.surface ?? null, document.width, document.height);
+    if (surface !== before[0]) {
+      const [width, height] = solid?.size ?? [document.width, document.height];
+      view.show(surface, width, height);
+      const shown = solid ?? relief;
       void view.drawn().then(() => {
-        if (before[0] === shown) editor.set({ shown });
+        if (before[0] === surface) editor.set({ shown });
       });
     }
     if (now[2] !== before[2]) view.setShading(shading);

@@ -1,7 +1,8 @@
 import { useEffect, useState } from 'preact/hooks';
-import { bledTexture } from '../view/painted_drawing';
+import { bledTexture, lookOf } from '../view/painted_drawing';
 import { t } from './catalogue';
-import type { Editor } from './editor';
+import { type Editor, isDressed } from './editor';
+import { sheetOf } from './model_pane';
 
 /** The kinds of sessions that show a room, the real one first. */
 const modes = ['immersive-ar', 'immersive-vr'] as const;
@@ -15,7 +16,7 @@ async function supportedMode(): Promise<XRSessionMode | null> {
 export function RoomButton({ editor }: { editor: Editor }) {
   const [mode, setMode] = useState<XRSessionMode | null>(null);
   useEffect(() => void supportedMode().then(setMode), []);
-  const { relief, picture } = editor.state;
+  const { relief, dressed, picture } = editor.state;
   if (!mode || !relief) return null;
   const enter = async (): Promise<void> => {
     try {
@@ -24,7 +25,10 @@ export function RoomButton({ editor }: { editor: Editor }) {
       if (!session) return;
       const { document } = editor;
       const { showInRoom } = await import('../view/room');
-      await showInRoom(session, { surface: relief.surface, drawing: bledTexture(document, picture), sizeMm: document.settings.sizeMm });
+      const [surface, drawing] = isDressed(editor.state, lookOf(document, picture)) && dressed
+        ? [dressed.surface, bledTexture(sheetOf(dressed), dressed.picture)]
+        : [relief.surface, bledTexture(document, picture)];
+      await showInRoom(session, { surface, drawing, sizeMm: document.settings.sizeMm });
     } catch (error) {
       editor.set({ notice: `${t('failed')}: ${error instanceof Error ? error.message : String(error)}` });
     }

@@ -1,7 +1,7 @@
 import * as Comlink from 'comlink';
 import type { EngineEndpoint } from './engine_worker';
 import type {
-  BuiltRelief, ExportFormat, Failure, Files, FlatDrawing, LayersImport, MapKind, OutputFile, Progress,
+  BuiltRelief, Dressed, ExportFormat, Failure, Files, FlatDrawing, LayersImport, MapKind, OutputFile, Progress,
   SegmentationRequest, Solid, SolidFormat, SolidOptions, Surface, SvgImport, Texture, TintedLabels, Understanding, UnderstandingRequest,
 } from './messages';
 import type { BuildRequest, SurfaceRequest } from './relief_service';
@@ -87,6 +87,11 @@ export class Engine {
 
   surface(request: SurfaceRequest): Promise<Surface | Failure> {
     return this.call(async (remote) => await remote.surface(request));
+  }
+
+  /** What was built last, as files hold it. */
+  dress(tolerance: number, drawing: ImageBitmap): Promise<Dressed | Failure> {
+    return this.call(async (remote) => (await remote.dress(tolerance, drawing)) as Dressed | Failure);
   }
 
   /** `drawing`: see BuildRequest. */

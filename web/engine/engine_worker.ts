@@ -1,6 +1,6 @@
 import * as Comlink from 'comlink';
 import {
-  type BuiltRelief, type Failure, type FlatDrawing, isFailure, type OutputFile, type Progress, type SegmentationRequest,
+  type BuiltRelief, type Dressed, type Failure, type FlatDrawing, isFailure, type OutputFile, type Progress, type SegmentationRequest,
   type Solid, type SolidOptions, type Surface, type Texture, type TintedLabels, type UnderstandingRequest,
 } from './messages';
 import { type BuildRequest, ReliefService, type SurfaceRequest } from './relief_service';
@@ -23,6 +23,14 @@ function pixelsOf(picture: ImageBitmap): Texture {
   context.drawImage(picture, 0, 0);
   const { data } = context.getImageData(0, 0, width, height);
   return { rgba: new Uint8Array(data.buffer as ArrayBuffer), width, height };
+}
+
+function pictureOf({ rgba, width, height }: Texture): Promise<ImageBitmap> {
+  return createImageBitmap(new ImageData(new Uint8ClampedArray(rgba), width, height));
+}
+
+function handedOver<T extends Dressed>(made: T): T {
+  return Comlink.transfer(made, [...arraysOf(made.surface), made.picture]);
 }
 
 let service: Promise<ReliefService> | undefined;
@@ -81,6 +89,10 @@ const endpoint = {
     const surface = (await started()).surface(request);
     return isFailure(surface) ? surface : Comlink.transfer(surface, arraysOf(surface));
   },
+  async dress(tolerance: number, drawing: ImageBitmap): Promise<Dressed | Failure> {
+    const made = (await started()).dress(tolerance, pixelsOf(drawing));
+    return isFailure(made) ? made : handedOver({ surface: made.surface, picture: await pictureOf(made) });
+  },
   async encode(...arguments_: Parameters<ReliefService['encode']>) {
     return (await started()).encode(...arguments_);
   },
@@ -88,8 +100,7 @@ const endpoint = {
     const made = (await started()).solid(options, pixelsOf(drawing));
     if (isFailure(made)) return made;
     const { rgba, width, height, ...solid } = made;
-    const picture = await createImageBitmap(new ImageData(new Uint8ClampedArray(rgba), width, height));
-    return Comlink.transfer({ ...solid, picture }, [...arraysOf(solid.surface), picture]);
+    return handedOver({ ...solid, picture: await pictureOf({ rgba, width, height }) });
   },
   async encodeSolid(...arguments_: Parameters<ReliefService['encodeSolid']>) {
     return (await started()).encodeSolid(...arguments_);

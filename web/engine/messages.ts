@@ -106,11 +106,14 @@ export interface SolidFacts {
   findings: PrintFinding[];
 }
 
-/** A solid as it is shown, in mm from x = y = 0 on, around z = 0, with its picture. */
-export interface Solid extends SolidFacts {
+/** A surface with the picture that its texture coordinates are on. */
+export interface Dressed {
   surface: Surface;
   picture: ImageBitmap;
 }
+
+/** A solid as it is shown, in mm from x = y = 0 on, around z = 0. */
+export interface Solid extends SolidFacts, Dressed {}
 
 /** Segments of edges in canvas px, four numbers each; ramps have alpha at both ends besides. */
 export interface Overlays {

@@ -108,6 +108,12 @@ export class ReliefService {
     return this.reconstruction.surface(visibility, tolerance, field);
   }
 
+  /** The last build as files hold it: ink stays thin at its rims, and `texture` goes on around them. */
+  dress(tolerance: number, texture: Texture) {
+    this.reconstruction.setTexture(texture.rgba, texture.width, texture.height);
+    return this.reconstruction.dressed(tolerance);
+  }
+
   encode(format: ExportFormat, name: string, sizeMm: number, texture: Texture | null): Files | Failure {
     const drawn = texture ?? noTexture;
     this.reconstruction.setTexture(drawn.rgba, drawn.width, drawn.height);

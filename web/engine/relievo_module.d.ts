@@ -2,7 +2,7 @@
 declare module '#relievo' {
   import type {
     Failure, Files, Labelled, LayersImport, OutputFile, Overlays, Report, SolidFacts, SvgImport, Surface,
-    Understanding,
+    Texture, Understanding,
   } from './messages';
   import type {
     BuildOptions, ExportFormat, Field, MapKind, Progress, SolidFormat, SolidOptions, Visibility,
@@ -11,6 +11,7 @@ declare module '#relievo' {
   export interface Reconstruction {
     build(scene: string, options: BuildOptions, progress: Progress): Report | Failure;
     surface(visibility: Visibility, tolerance: number, field: Field): Surface | Failure;
+    dressed(tolerance: number): (Texture & { surface: Surface }) | Failure;
     overlays(): Overlays | Failure;
     setShown(rgba: Uint8Array, width: number, height: number): void;
     setTexture(rgba: Uint8Array, width: number, height: number): void;

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "kernel/image/components.h"
 #include "kernel/image/compose.h"
 #include "kernel/image/filters.h"
+#include "kernel/image/morphology.h"
 #include "relief/model/fill_triangle.h"
 #include "relief/model/hidden_patches.h"
 
@@ -133,13 +136,15 @@ void dress_parts(const HiddenPatches& found, const std::vector<PatchPlace>& plac
   for (size_t k = 0; k < places.size(); ++k) dresser.dress(found.patches[k], places[k]);
 }
 
-constexpr int blended = 2;  ///< px inside the outline that paper may blend into
-constexpr int outside = 3;  ///< px beyond it that get paint, for what lies between pixels
+constexpr int blended = 3;          ///< px inside the outline that paper may blend into
+constexpr int outside = 3;          ///< px beyond it that get paint, for what lies between pixels
+constexpr int widest_sliver = 3;    ///< px, half the width of paper that an outline cut off
+constexpr int ink_outside = 4;      ///< px beyond the outline that may hold half of its line
+constexpr int least_contrast = 60;  ///< between paper and paint that can be told apart
+constexpr double most_off_blend = 0.4;  ///< of that contrast, where a colour still is a blend
+constexpr double least_paint = 0.7;     ///< of what is no sliver
 
 using Colour = std::array<int, 3>;
-
-constexpr Colour white = {255, 255, 255};
-constexpr int dark = 3 * 128;  ///< the sum of a colour's channels up to which it is dark
 
 /// The colour of a pixel as it looks on paper.
 Colour seen_colour(const Image8& rgba, size_t i) {
@@ -147,52 +152,130 @@ Colour seen_colour(const Image8& rgba, size_t i) {
   return {on_paper(p[0], p[3]), on_paper(p[1], p[3]), on_paper(p[2], p[3])};
 }
 
-/// What the model stands on: the mean of what it leaves open where that is dark, else white paper.
-Colour ground_of(const Image8& open, const Image8& rgba) {
-  std::array<int64_t, 3> sum = {};
-  int64_t count = 0;
-  for (size_t i = 0; i < open.pixels.size(); ++i) {
-    if (open.pixels[i] == 0) continue;
-    const Colour colour = seen_colour(rgba, i);
-    for (size_t c = 0; c < 3; ++c) sum[c] += colour[c];
-    ++count;
+/// The colours of pixels spread over the picture, a cell for `size` x `size` of its pixels.
+class SpreadColours {
+ public:
+  /// `of`: not 0 on the pixels whose colours are spread.
+  SpreadColours(const Image8& of, const Image8& rgba, int size) : size_(size) {
+    ImageF cells((of.width + size - 1) / size, (of.height + size - 1) / size, 4);
+    for (size_t i = 0; i < of.pixels.size(); ++i) {
+      if (of.pixels[i] == 0) continue;
+      float* cell =
+          &cells.at(static_cast<int>(i) % of.width / size, static_cast<int>(i) / of.width / size);
+      const Colour colour = seen_colour(rgba, i);
+      for (int c = 0; c < 3; ++c) cell[c] += static_cast<float>(colour[c]);
+      ++cell[3];
+    }
+    for (size_t i = 0; i < cells.pixels.size(); i += 4) {
+      float* cell = &cells.pixels[i];
+      for (int c = 0; c < 3 && cell[3] > 0; ++c) cell[c] /= cell[3];
+      cell[3] = std::min(cell[3], 1.0F);
+    }
+    colours_ = pull_push(cells);
   }
-  if (count == 0 || sum[0] + sum[1] + sum[2] > dark * count) return white;
-  Colour mean;
-  for (size_t c = 0; c < 3; ++c) mean[c] = static_cast<int>(sum[c] / count);
-  return mean;
+
+  Colour at(int x, int y) const {
+    const float* cell = &colours_.at(x / size_, y / size_);
+    return {static_cast<int>(cell[0]), static_cast<int>(cell[1]), static_cast<int>(cell[2])};
+  }
+
+ private:
+  int size_;
+  ImageF colours_;
+};
+
+/// How much of a colour is paint and the rest of it paper; nothing where it is neither, as ink is,
+/// or where the two are much the same.
+std::optional<double> share_of_paint(const Colour& seen, const Colour& paint, const Colour& paper) {
+  double along = 0;
+  double contrast = 0;
+  double departure = 0;
+  for (size_t c = 0; c < 3; ++c) {
+    const double to_paint = paint[c] - paper[c];
+    const double here = seen[c] - paper[c];
+    along += here * to_paint;
+    contrast += to_paint * to_paint;
+    departure += here * here;
+  }
+  if (contrast < least_contrast * least_contrast) return std::nullopt;
+  const double off = departure - along * along / contrast;
+  if (off > most_off_blend * most_off_blend * contrast) return std::nullopt;
+  return along / contrast;
+}
+
+/// The pixels farther than `distance` px from those of a mask.
+Image8 beyond(const Image8& mask, int distance) {
+  const Image<int32_t> away = squared_distance_to(mask);
+  Image8 far(mask.width, mask.height, 1);
+  for (size_t i = 0; i < far.pixels.size(); ++i)
+    far.pixels[i] = away.pixels[i] > distance * distance ? 1 : 0;
+  return far;
+}
+
+/// The paper around a model, spread below it.
+SpreadColours paper_around(const Image8& open, const Image8& rgba) {
+  constexpr int cells = 64;  // along the longer side
+  const Image8 off_ink = beyond(complement(open), ink_outside);
+  const bool is_known = std::count(off_ink.pixels.begin(), off_ink.pixels.end(), 0) <
+                        static_cast<std::ptrdiff_t>(off_ink.pixels.size());
+  const int size = std::max(1, std::max(rgba.width, rgba.height) / cells);
+  return {is_known ? off_ink : open, rgba, size};
+}
+
+/// The slivers of paper that outlines cut off: narrow, and open to the paper around.
+void open_slivers(const Image8& rgba, const SpreadColours& paper, Image8& open) {
+  constexpr int cell = 8;  // px
+  const SpreadColours paint(beyond(open, blended + widest_sliver), rgba, cell);
+  Image8 like = open;
+  for (int y = 0; y < like.height; ++y)
+    for (int x = 0; x < like.width; ++x) {
+      if (like.at(x, y) != 0) continue;
+      const size_t i = static_cast<size_t>(y) * like.width + x;
+      const auto share = share_of_paint(seen_colour(rgba, i), paint.at(x, y), paper.at(x, y));
+      like.at(x, y) = share && *share < least_paint ? 1 : 0;
+    }
+  Image8 slivers = like;
+  for (size_t i = 0; i < like.pixels.size(); ++i)
+    if (open.pixels[i] != 0) slivers.pixels[i] = 0;
+  const Image8 broad = max_filter(min_filter(slivers, widest_sliver), widest_sliver);
+  for (size_t i = 0; i < like.pixels.size(); ++i)
+    if (broad.pixels[i] != 0) like.pixels[i] = 0;
+  open = connected_to({0, 0, std::move(like)}, {0, 0, open}).inside;
 }
 
 /// Goes outwards from what is painted for certain, one pixel a step.
 class PaintCarrier {
  public:
-  PaintCarrier(const Image8& open, Image8& rgba)
-      : open_(open), rgba_(rgba), ground_(ground_of(open, rgba)), known_(open) {
-    const Image<int32_t> depth = squared_distance_to(open);
+  /// `open`: 1 where the model is not.
+  PaintCarrier(Image8 open, Image8& rgba)
+      : open_(std::move(open)), rgba_(rgba), paper_(paper_around(open_, rgba)) {
+    const Image8 covered = complement(open_);
+    open_slivers(rgba, paper_, open_);
+    known_ = beyond(open_, blended);
+    const Image8 out_of_reach = beyond(known_, blended + outside);
     for (size_t i = 0; i < known_.pixels.size(); ++i)
-      known_.pixels[i] = depth.pixels[i] > blended * blended ? 1 : 0;
-    const Image<int32_t> away = squared_distance_to(known_);
-    constexpr int reach = blended + outside;
-    for (size_t i = 0; i < known_.pixels.size(); ++i)
-      if (known_.pixels[i] == 0 && away.pixels[i] <= reach * reach)
+      if (known_.pixels[i] == 0 && (covered.pixels[i] != 0 || out_of_reach.pixels[i] == 0))
         waiting_.push_back(static_cast<int>(i));
   }
 
-  void step() {
+  /// False where there is nothing left to paint.
+  bool step() {
     std::vector<std::pair<int, Colour>> found;
-    for (const int i : waiting_)
-      if (known_.pixels[i] == 0) add_if_beside(i % known_.width, i / known_.width, found);
+    for (const int i : waiting_) add_if_beside(i % known_.width, i / known_.width, found);
     for (const auto& [i, colour] : found) {
       known_.pixels[i] = 1;
-      if (open_.pixels[i] != 0 || off_ground(colour) > off_ground(seen(i))) paint(i, colour);
+      if (open_.pixels[i] != 0 || is_blend(i, colour)) paint(i, colour);
     }
+    const auto is_known = [this](int i) { return known_.pixels[i] != 0; };
+    waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), is_known), waiting_.end());
+    return !found.empty();
   }
 
  private:
-  int off_ground(const Colour& colour) const {
-    int sum = 0;
-    for (size_t c = 0; c < 3; ++c) sum += std::abs(colour[c] - ground_[c]);
-    return sum;
+  /// Whether paper blends into a pixel whose paint would be of this colour.
+  bool is_blend(int i, const Colour& colour) const {
+    const auto share = share_of_paint(seen(i), colour, paper_.at(i % rgba_.width, i / rgba_.width));
+    return share && *share < 1;
   }
 
   Colour seen(int i) const { return seen_colour(rgba_, static_cast<size_t>(i)); }
@@ -218,9 +301,9 @@ class PaintCarrier {
     found.emplace_back(y * known_.width + x, sum);
   }
 
-  const Image8& open_;
+  Image8 open_;
   Image8& rgba_;
-  Colour ground_;
+  SpreadColours paper_;
   Image8 known_;
   std::vector<int> waiting_;  ///< pixels that can be reached
 };
@@ -244,9 +327,9 @@ DrawnModel dress_hidden(Model model, Drawing drawing) {
 
 void extend_paint(const Model& model, Image8& rgba) {
   if (rgba.empty()) return;
-  const Image8 open = uncovered_pixels(model, {rgba.width, rgba.height});
-  PaintCarrier carrier(open, rgba);
-  for (int step = 0; step < blended + outside; ++step) carrier.step();
+  PaintCarrier carrier(uncovered_pixels(model, {rgba.width, rgba.height}), rgba);
+  while (carrier.step()) {
+  }
 }
 
 }  // namespace relievo

@@ -13,11 +13,11 @@ namespace relievo {
 /// rim (see extend_paint). Linear in pixels and triangles.
 DrawnModel dress_hidden(Model model, Drawing drawing);
 
-/// Carries the paint, or ink, along the outline of a model over its rim: where paper, or a dark
-/// ground, blends into the two pixels beside the outline that the model covers, and beyond them,
-/// the picture gets the colours that lie further inside. Surfaces are steep there, so that a
-/// fraction of a pixel shows as a broad white strip when the model is turned. Texture coordinates
-/// are on the whole picture (4 channels). O(pixels).
+/// Carries the paint, or ink, along the outline of a model over its rim: where the paper around
+/// blends into the three pixels beside the outline that the model covers, in narrow slivers of it
+/// that the outline cut off, and beyond the outline, the picture gets the colours that lie further
+/// inside. Surfaces are steep there, so that a fraction of a pixel shows as a broad strip of paper
+/// when the model is turned. Texture coordinates are on the whole picture (4 channels). O(pixels).
 void extend_paint(const Model& model, Image8& rgba);
 
 }  // namespace relievo

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "kernel/geometry/polygon.h"
 #include "relief/model/assemble_model.h"
@@ -17,6 +19,9 @@ constexpr int width = 240;
 constexpr int height = 180;
 const Disc back{{90, 90}, 60};
 const Disc front{{120, 90}, 40, 1, 60};
+
+using Rgb = std::array<double, 3>;
+constexpr Rgb brown = {160, 100, 50};
 
 /// The discs as the front view shows them: the back one blue, the other red, both inked in black.
 Drawing drawn_discs() {
@@ -111,6 +116,81 @@ TEST(Hidden, ADarkGroundBesideThePaintDoesNotShow) {
         EXPECT_EQ(dressed.rgba.at(x, y, 0), 0);
       }
     }
+}
+
+/// Green paper, the darker the farther to the right.
+Rgb green_paper(int x) {
+  const double light = 1 - 0.4 * x / width;
+  return {light * 150, light * 210, light * 120};
+}
+
+/// The back disc on that paper, painted where `paint` says how much of a pixel is.
+template <class Paint>
+Drawing brown_on_green(Paint paint) {
+  Drawing drawing{Image8(width, height, 4, 255)};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const double share = paint(x, y);
+      for (size_t c = 0; c < 3; ++c)
+        drawing.rgba.at(x, y, static_cast<int>(c)) =
+            static_cast<uint8_t>(share * brown[c] + (1 - share) * green_paper(x)[c]);
+    }
+  return drawing;
+}
+
+double from_centre(int x, int y) { return distance({x + 0.5, y + 0.5}, back.centre); }
+
+/// How far a pixel is from the brown, the sum of all channels.
+double off_brown(const Image8& rgba, int x, int y) {
+  double sum = 0;
+  for (size_t c = 0; c < 3; ++c) sum += std::abs(rgba.at(x, y, static_cast<int>(c)) - brown[c]);
+  return sum;
+}
+
+TEST(Hidden, ColouredPaperInUnevenLightBesideThePaintDoesNotShow) {
+  const Model model = assemble(make_discs({back}, width, height, 6), Visibility::orbit);
+  const Drawing drawing = brown_on_green(
+      [](int x, int y) { return std::clamp((back.radius - from_centre(x, y)) / 2, 0.0, 1.0); });
+  const Drawing dressed = dress_hidden(model, drawing).drawing;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      if (from_centre(x, y) < back.radius + 1.5) {
+        EXPECT_LT(off_brown(dressed.rgba, x, y), 6) << x << " " << y;
+      } else if (from_centre(x, y) > back.radius + 6) {
+        EXPECT_EQ(dressed.rgba.at(x, y, 1), drawing.rgba.at(x, y, 1));
+      }
+    }
+}
+
+TEST(Hidden, InkOnColouredPaperStays) {
+  const Model model = assemble(make_discs({back}, width, height, 6), Visibility::orbit);
+  Drawing drawing = brown_on_green([](int x, int y) { return from_centre(x, y) < 60 ? 1 : 0; });
+  const auto is_ink = [](int x, int y) { return std::abs(from_centre(x, y) - 59) < 1.5; };
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < 3 && is_ink(x, y); ++c) drawing.rgba.at(x, y, c) = 20;
+  const Drawing dressed = dress_hidden(model, drawing).drawing;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      if (is_ink(x, y)) {
+        EXPECT_LT(dressed.rgba.at(x, y, 1), 60) << x << " " << y;
+      }
+}
+
+TEST(Hidden, PaperThatAnOutlineCutOffIsPaintedWhereItIsNarrow) {
+  const Model model = assemble(make_discs({back}, width, height, 6), Visibility::orbit);
+  // From the left a sliver reaches into the disc, from below a broad bay.
+  const auto is_sliver = [](int x, int y) { return x < 50 && std::abs(y - 90) < 2; };
+  const auto is_bay = [](int x, int y) { return y > 130 && std::abs(x - 90) < 10; };
+  const Drawing drawing = brown_on_green([&](int x, int y) {
+    return from_centre(x, y) < back.radius && !is_sliver(x, y) && !is_bay(x, y) ? 1 : 0;
+  });
+  const Drawing dressed = dress_hidden(model, drawing).drawing;
+  for (int x = 31; x < 52; ++x)
+    for (int y = 84; y < 96; ++y) EXPECT_LT(off_brown(dressed.rgba, x, y), 6) << x << " " << y;
+  for (int x = 84; x < 96; ++x)
+    for (int y = 134; y < 144; ++y)
+      EXPECT_EQ(dressed.rgba.at(x, y, 1), drawing.rgba.at(x, y, 1)) << x << " " << y;
 }
 
 TEST(Hidden, WhatTouchesGoesOnWithTheDrawing) {
