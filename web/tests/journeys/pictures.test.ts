@@ -1,4 +1,6 @@
+import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
+import { pngOf } from '../support/pictures.ts';
 import { names } from './actions.ts';
 import { picture, settled, stageOfFile } from './browser.ts';
 
@@ -23,6 +25,41 @@ function snowman(): Promise<string> {
   }
   return new Promise((resolve) => resolve(canvas.toDataURL('image/png')));
 }
+
+/** An orange ball on green paper, into which it blends over two pixels. */
+function ballOnGreen(): Buffer {
+  return Buffer.from(pngOf(600, 600, (x, y) => {
+    const share = Math.min(1, Math.max(0, (200.5 - Math.hypot(x - 299.5, y - 299.5)) / 2));
+    const mix = (paint: number, paper: number): number => Math.round(share * paint + (1 - share) * paper);
+    return [mix(230, 40), mix(130, 170), mix(40, 60), 255];
+  }));
+}
+
+/** How many pixels of the relief are rather green. */
+async function green(page: Page): Promise<number> {
+  const shot = (await page.locator('.model canvas').screenshot()).toString('base64');
+  return page.evaluate(async (data) => {
+    const image = await createImageBitmap(new Blob([Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0))]));
+    const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+    context?.drawImage(image, 0, 0);
+    const { data: pixels } = context?.getImageData(0, 0, image.width, image.height) ?? { data: [] };
+    let count = 0;
+    for (let i = 0; i < pixels.length; i += 4) if ((pixels[i + 1] as number) > 1.15 * (pixels[i] as number)) count++;
+    return count;
+  }, shot);
+}
+
+it('shows none of the paper on the rim of a turned relief', async () => {
+  const { page } = stage;
+  await page.setInputFiles('input[type=file]', { name: 'ball.png', mimeType: 'image/png', buffer: ballOnGreen() });
+  await page.waitForSelector('.parts li');
+  await settled(page);
+  await page.locator('.model canvas').focus();
+  for (let i = 0; i < 8; i++) await page.keyboard.press('ArrowRight');
+  await expect.poll(() => green(page)).toBe(0);
+  await picture(page, 'rim-without-paper');
+  expect(stage.troubles).toEqual([]);
+});
 
 it('guesses the parts of a flat picture, which can then be changed as any others', async () => {
   const { page } = stage;
