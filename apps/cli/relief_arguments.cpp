@@ -114,7 +114,7 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
              "Joined limbs: straight, as far forward as they begin (the default); back, each "
              "falling back to the drawing plane, as in the paper");
   add_choice(app, "--caps", {"closed", "loose"}, wanted.close_caps,
-             "Hats and the like: closed, round what they lie on (the default); loose, as far "
+             "Hats and eyes: closed, round what they lie on and on it (the default); loose, as far "
              "forward as where they cross it, as in the paper");
   auto* preset = app.add_option_function<std::string>(
       "--preset", [&relief](const std::string& name) { relief.as_in_paper = name == "paper"; },

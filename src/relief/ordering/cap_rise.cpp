@@ -1,6 +1,7 @@
 #include "relief/ordering/cap_rise.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <map>
@@ -28,6 +29,10 @@ constexpr double whole_cap = 0.25;
 double capped(double length, double whole) {
   return whole > 0 ? smooth_step(no_cap, whole_cap, length / whole) : 0;
 }
+
+/// Of the area of a spot this much lies on what it is tied to, and all of it counts as doing so.
+constexpr double no_spot = 0.9;
+constexpr double whole_spot = 0.98;
 
 /// Whether the edge opposite to a corner of a face lies on the outline of its joined surface.
 bool is_on_outline(const LayeredMesh& mesh, int face, int corner) {
@@ -138,6 +143,77 @@ bool find_inner(const std::vector<int>& elimination, const SparseMatrix& A, std:
   return cap.factor.factorise(block);
 }
 
+/// A node of parts that lie on others.
+struct RestingNode {
+  double below = 0;   ///< the height of what it lies on
+  double weight = 0;  ///< px^2, of the faces around it that lie on something
+};
+
+/// What parts lie on, of those that one is tied to.
+struct Rest {
+  double area = 0;     ///< px^2, of the parts
+  double resting = 0;  ///< that of it which lies on others
+  std::map<int, RestingNode> nodes;
+};
+
+/// Adds what one part lies on. `height`: of all nodes.
+void add_rest(const LayeredMesh& mesh, const std::vector<int>& faces, const std::set<int>& tied,
+              const VectorXd& height, Rest& rest) {
+  for (const int face : faces) {
+    const Triangle& corners = mesh.triangles[mesh.face_triangle[face]];
+    const Point2 a = mesh.vertices[corners[0]];
+    const double area =
+        std::abs(cross(mesh.vertices[corners[1]] - a, mesh.vertices[corners[2]] - a)) / 2;
+    rest.area += area;
+    const int begin = mesh.stack_begin[mesh.face_triangle[face]];
+    int below = face - 1;
+    while (below >= begin && (mesh.is_flap(below) || tied.count(mesh.face_part[below]) == 0))
+      --below;
+    if (below < begin) continue;
+    rest.resting += area;
+    for (int k = 0; k < 3; ++k) {
+      RestingNode& node = rest.nodes[mesh.faces[face][k]];
+      node.below = std::max(node.below, height[mesh.faces[below][k]]);
+      node.weight += area / 3;
+    }
+  }
+}
+
+/// A plane over the canvas.
+struct Plane {
+  Point2 middle;
+  double height = 0;
+  Point2 slope;
+
+  double at(Point2 p) const { return height + dot(slope, p - middle); }
+};
+
+/// The plane that departs least from what parts lie on, by its mean square. Precondition: they do.
+Plane plane_below(const LayeredMesh& mesh, const Rest& rest) {
+  const auto place = [&mesh](int n) { return mesh.vertices[mesh.node_vertex[n]]; };
+  Plane plane;
+  for (const auto& [n, node] : rest.nodes) {
+    plane.middle = plane.middle + node.weight / rest.resting * place(n);
+    plane.height += node.weight / rest.resting * node.below;
+  }
+  double xx = 0;
+  double xy = 0;
+  double yy = 0;
+  Point2 moment;
+  for (const auto& [n, node] : rest.nodes) {
+    const Point2 r = place(n) - plane.middle;
+    xx += node.weight * r.x * r.x;
+    xy += node.weight * r.x * r.y;
+    yy += node.weight * r.y * r.y;
+    moment = moment + node.weight * (node.below - plane.height) * r;
+  }
+  const double determinant = xx * yy - xy * xy;
+  if (determinant > 0)
+    plane.slope = {(yy * moment.x - xy * moment.y) / determinant,
+                   (xx * moment.y - xy * moment.x) / determinant};
+  return plane;
+}
+
 }  // namespace
 
 std::vector<std::set<int>> tied_parts(const Scene& scene) {
@@ -162,6 +238,7 @@ Caps find_caps(const LayeredMesh& mesh, const Discretisation& discretisation, co
   for (int part = 0; part < mesh.part_count; ++part) {
     const std::set<int>& tied = caps.tied[part];
     Cap cap;
+    cap.part = part;
     if (!tied.empty()) cap.share = cap_share(mesh, faces[part], part, outline, tied);
     if (!(cap.share > 0)) continue;
     find_rim(mesh, faces[part], tied, cap);
@@ -183,6 +260,28 @@ VectorXd cap_rise(const Caps& caps, const Inflation& inflation, double scale) {
     for (const auto& [place, below] : cap.on) height[place] = std::max(height[place], f[below]);
     rise(cap.rim) = cap.share * height;
     rise(cap.inner) = cap.share * cap.factor.solve(-(cap.coupling * height));
+  }
+  return rise;
+}
+
+VectorXd spot_rise(const LayeredMesh& mesh, const Scene& scene, const Caps& caps, VectorXd height) {
+  const std::vector<std::vector<int>> faces = faces_by_part(mesh);
+  const std::vector<Join> joins = joins_by_upper(scene);
+  std::vector<double> share(scene.parts.size(), 1);
+  for (const Cap& cap : caps.caps) share[cap.part] -= cap.share;
+  VectorXd rise = VectorXd::Zero(height.size());
+  for (int part = 0; part < mesh.part_count; ++part) {
+    if (caps.tied[part].empty() || share[part] <= 0) continue;
+    Rest rest;
+    for (const int grown : grown_from(part, joins, scene.parts.size()))
+      add_rest(mesh, faces[grown], caps.tied[part], height, rest);
+    if (!(rest.resting > no_spot * rest.area)) continue;
+    share[part] *= smooth_step(no_spot, whole_spot, rest.resting / rest.area);
+    const Plane plane = plane_below(mesh, rest);
+    for (const auto& [n, node] : rest.nodes) {
+      rise[n] = share[part] * plane.at(mesh.vertices[mesh.node_vertex[n]]);
+      height[n] += rise[n];
+    }
   }
   return rise;
 }

@@ -17,6 +17,7 @@ namespace relievo {
 /// A cap is a part that grows out of nothing, is tied to one behind it and covers a run of the
 /// outline of that: a hat on a head, a head on a neck. Here is all of it but its heights.
 struct Cap {
+  int part = 0;
   double share = 0;                    ///< how much of a cap it is, in (0, 1]
   std::vector<int> rim;                ///< nodes of its outline where a height is wanted, ascending
   std::vector<std::array<int, 2>> on;  ///< places in `rim`, each with a node that it lies on
@@ -47,5 +48,15 @@ Caps find_caps(const LayeredMesh& mesh, const Discretisation& discretisation, co
 /// own outline, at 0 where nothing lies behind that, and between as a soap film. What grows out of
 /// it comes along. `scale`: scene units per px. O(N), and a solve for each cap.
 Eigen::VectorXd cap_rise(const Caps& caps, const Inflation& inflation, double scale);
+
+/// The shift by which spots lie on what they are tied to, #N in scene units, 0 but on them. Eyes,
+/// noses and patches are glued along an outline that is higher at one end than at the other, and
+/// with the least gradient they would bend what they lie on, off the drawing plane. So a spot is
+/// wanted on the plane that departs least from what lies below it. It is a part that may be a cap,
+/// is none, and lies on what it is tied to with all its area and that of what grows out of it; it
+/// is less of a spot the more sticks out, up to a tenth. `height`: #N scene units, of all parts
+/// without spots. O(F + height of the stacks).
+Eigen::VectorXd spot_rise(const LayeredMesh& mesh, const Scene& scene, const Caps& caps,
+                          Eigen::VectorXd height);
 
 }  // namespace relievo

@@ -34,11 +34,16 @@ void set_leans(const SurfaceInput& surface, const Inflation& inflation, const Wa
                OrderingSystem& system) {
   ShiftMetric& metric = system.metric;
   metric.lean = lean_term(surface.mesh, surface.scene, metric.scale, system.epsilon);
-  if (wanted.straight_limbs) add_wanted(limb_rise(surface, inflation), metric);
-  if (!wanted.close_caps) return;
-  if (!system.caps || system.caps->tied != tied_parts(surface.scene))
-    system.caps = find_caps(surface.mesh, surface.discretisation, surface.scene, metric.A);
-  add_wanted(cap_rise(*system.caps, inflation, metric.scale), metric);
+  Eigen::VectorXd rise = Eigen::VectorXd::Zero(metric.A.rows());
+  if (wanted.straight_limbs) rise += limb_rise(surface, inflation);
+  if (wanted.close_caps) {
+    if (!system.caps || system.caps->tied != tied_parts(surface.scene))
+      system.caps = find_caps(surface.mesh, surface.discretisation, surface.scene, metric.A);
+    rise += cap_rise(*system.caps, inflation, metric.scale);
+    rise += spot_rise(surface.mesh, surface.scene, *system.caps,
+                      rise + metric.scale * inflated_heights(inflation.u));
+  }
+  add_wanted(rise, metric);
 }
 
 void set_pairs(const SurfaceInput& surface, OrderingSystem& system, const RunContext& context) {

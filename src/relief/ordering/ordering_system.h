@@ -26,7 +26,7 @@ struct SurfaceInput {
 /// What is wanted of shifts besides leans. The paper has neither.
 struct WantedShifts {
   bool straight_limbs = true;  ///< limbs keep the height of their roots (limb_rise)
-  bool close_caps = true;      ///< caps close round what they lie on (cap_rise)
+  bool close_caps = true;      ///< caps and spots keep to what they lie on (cap_rise, spot_rise)
 };
 
 /// What the ordering of one surface leaves behind for the next one on it.
@@ -47,8 +47,8 @@ struct OrderingSystem {
 void set_surface(const SurfaceInput& surface, double epsilon, OrderingSystem& system,
                  const RunContext& context);
 
-/// Brings up to date what the metric says of leans, limbs and caps. Precondition: the surface was
-/// set. As lean_term, limb_rise and cap_rise, and find_caps where other parts are tied.
+/// Brings up to date what the metric says of leans, limbs, caps and spots. Precondition: the
+/// surface was set. As lean_term and the rises, and find_caps where other parts are tied.
 void set_leans(const SurfaceInput& surface, const Inflation& inflation, const WantedShifts& wanted,
                OrderingSystem& system);
 

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "relief/ordering/cap_rise.h"
 #include "support/scenes.h"
@@ -104,7 +106,7 @@ TEST(Cap, TakesAlongWhatGrowsOutOfIt) {
   EXPECT_LT(most, 1.3 * least);
 }
 
-TEST(Cap, IsNoneWhereItGrowsLeansCrossesOrLiesWithin) {
+TEST(Cap, IsNoneWhereItGrowsLeansOrCrosses) {
   Scene leaning = head_and_hat();
   leaning.parts[1].lean = {0, 0.1};
   Scene above = head_and_hat();
@@ -114,9 +116,7 @@ TEST(Cap, IsNoneWhereItGrowsLeansCrossesOrLiesWithin) {
   grown.joins = {{1, 0, {{120, 220}, {280, 220}}}};
   Scene sword = head_and_hat();
   sword.parts[1] = testing::part("sword", testing::rectangle(20, 240, 380, 260));
-  Scene badge = head_and_hat();
-  badge.parts[1] = testing::part("badge", testing::circle({200, 250}, 40));
-  for (const Scene& scene : {leaning, above, grown, sword, badge}) {
+  for (const Scene& scene : {leaning, above, grown, sword}) {
     const ShiftedScene relief = shifted(scene);
     EXPECT_TRUE(wanted_of(relief, scene).isZero(0)) << scene.parts[1].id;
     EXPECT_EQ(relief.ordering.h, shifted(scene, loose_caps).ordering.h) << scene.parts[1].id;
@@ -147,6 +147,100 @@ TEST(Cap, IsFoundAnewWhereOtherPartsAreTied) {
     ASSERT_TRUE(ordering);
     EXPECT_EQ(ordering->h, shifted(scene).ordering.h);
   }
+}
+
+/// A head with an eye beside its middle, glued to it, and a pupil on that.
+Scene head_and_eye(double by = 1) {
+  Scene scene = head_and_hat(by);
+  scene.parts[1] = testing::part("eye", testing::circle({by * 260, by * 220}, by * 30));
+  scene.parts.push_back(testing::part("pupil", testing::circle({by * 265, by * 220}, by * 12)));
+  scene.relations.push_back({2, 1, RelationKind::equal, std::nullopt});
+  return scene;
+}
+
+/// How far the head's shift is from being the same all over.
+double bend(const ShiftedScene& relief) {
+  double least = 1e9;
+  double most = -1e9;
+  for (size_t n = 0; n < relief.ordering.h.size(); ++n) {
+    if (relief.mesh.node_part[n] != 0 || relief.mesh.node_role[n] != NodeRole::outline) continue;
+    least = std::min(least, relief.ordering.h[n]);
+    most = std::max(most, relief.ordering.h[n]);
+  }
+  return most - least;
+}
+
+/// What spots of these heights, in scene units, come forward by.
+VectorXd spots_of(const ShiftedScene& relief, const Scene& scene, const VectorXd& height) {
+  const Caps caps = find_caps(relief.mesh, relief.discretisation, scene, metric_of(relief).A);
+  return spot_rise(relief.mesh, scene, caps, height);
+}
+
+TEST(Spot, BendsWhatItLiesOnLess) {
+  const ShiftedScene spot = shifted(head_and_eye());
+  const ShiftedScene loose = shifted(head_and_eye(), loose_caps);
+  const double top = *std::max_element(spot.ordering.h.begin(), spot.ordering.h.end());
+  EXPECT_GT(bend(loose), 0.01 * top);
+  EXPECT_LT(bend(spot), 0.25 * bend(loose));
+  EXPECT_EQ(spot.ordering.max_violation, 0);
+}
+
+TEST(Spot, LiesOnAPlaneThatIsWhatItLiesOnWhereThatIsOne) {
+  const ShiftedScene relief = shifted(head_and_eye());
+  VectorXd height = VectorXd::Zero(static_cast<Index>(relief.ordering.h.size()));
+  const auto slope = [&relief](Index n) {
+    return 1 + 0.003 * relief.at(n).x - 0.002 * relief.at(n).y;
+  };
+  for (Index n = 0; n < height.size(); ++n)
+    if (relief.mesh.node_part[n] == 0) height[n] = slope(n);
+  const VectorXd rise = spots_of(relief, head_and_eye(), height);
+  for (Index n = 0; n < height.size(); ++n)
+    EXPECT_NEAR(rise[n], relief.mesh.node_part[n] == 0 ? 0 : slope(n), 1e-12);
+}
+
+TEST(Spot, IsLessOneTheMoreSticksOut) {
+  std::vector<double> shares;
+  for (const double x : {285.0, 296.0, 298.0, 310.0}) {
+    Scene scene = head_and_eye();
+    scene.parts.pop_back();
+    scene.relations.pop_back();
+    scene.parts[1] = testing::part("eye", testing::circle({x, 250}, 30));
+    const ShiftedScene relief = shifted(scene);
+    const VectorXd f = metric_of(relief).scale * inflated_heights(relief.inflation.u);
+    const VectorXd rise = spots_of(relief, scene, f);
+    shares.push_back(rise.maxCoeff() / f.maxCoeff());
+  }
+  EXPECT_GT(shares[0], 0.5);
+  EXPECT_LT(shares[1], 0.9 * shares[0]);
+  EXPECT_LT(shares[2], shares[1]);
+  EXPECT_GT(shares[2], 0.001);
+  EXPECT_EQ(shares[3], 0);
+}
+
+TEST(Spot, IsNoneWhereItGrowsLeansOrIsNotTied) {
+  Scene leaning = head_and_eye();
+  leaning.parts[1].lean = {0, 0.1};
+  Scene above = head_and_eye();
+  above.relations.clear();
+  Scene grown = head_and_eye();
+  grown.relations.clear();
+  grown.joins = {{1, 0, {{260, 190}, {260, 250}}}};
+  for (Scene scene : {leaning, above, grown}) {
+    scene.parts.pop_back();
+    std::erase_if(scene.relations, [](const Relation& relation) { return relation.upper == 2; });
+    EXPECT_EQ(shifted(scene).ordering.h, shifted(scene, loose_caps).ordering.h);
+  }
+}
+
+TEST(Spot, GrowsWithTheDrawingAndHasNoName) {
+  Scene scene = head_and_eye();
+  const ShiftedScene once = shifted(scene);
+  const ShiftedScene twice = shifted(head_and_eye(2));
+  for (Part& part : scene.parts) part.id += "-renamed";
+  EXPECT_EQ(once.ordering.h, shifted(scene).ordering.h);
+  ASSERT_EQ(once.ordering.h.size(), twice.ordering.h.size());
+  for (size_t n = 0; n < once.ordering.h.size(); ++n)
+    EXPECT_NEAR(2 * once.ordering.h[n], twice.ordering.h[n], 1e-6);
 }
 
 }  // namespace
