@@ -40,7 +40,7 @@ constexpr double cut_page_share = 0.05;  ///< of the picture's edge that a page 
 constexpr int margin = 4;                ///< px, of the band at the rim that tells a page
 constexpr int page_noise = 40;           ///< difference of channels within it
 constexpr double rim_share = 0.8;        ///< of it, that has one colour
-constexpr int rim = 2;                   ///< px, within which paint and ground blend
+constexpr int rim = 3;                   ///< px, within which paint and ground blend
 
 using ByteColour = std::array<uint8_t, 3>;
 
