@@ -199,6 +199,22 @@ bool is_paint_on(const Image8& like) {
   return static_cast<double>(count) > painted_share * static_cast<double>(wide.pixels.size());
 }
 
+/// By piece of what is like the ground, how far its mean is from that, the largest of the channels.
+std::vector<double> mean_differences(const Image8& rgba, const Ground& ground,
+                                     const Components& pieces) {
+  std::vector<std::array<double, 3>> sums(pieces.areas.size());
+  for (size_t i = 0; i < pieces.label.pixels.size(); ++i)
+    for (size_t c = 0; c < 3; ++c)
+      sums[pieces.label.pixels[i]][c] += rgba.pixels[4 * i + c] - ground.colour.pixels[3 * i + c];
+  std::vector<double> differences;
+  for (size_t k = 0; k < sums.size(); ++k) {
+    const double most =
+        std::max({std::abs(sums[k][0]), std::abs(sums[k][1]), std::abs(sums[k][2])});
+    differences.push_back(most / static_cast<double>(std::max(int64_t{1}, pieces.areas[k])));
+  }
+  return differences;
+}
+
 /// 1 where the ground is: of what is `like` it what reaches the edge, and what a painted figure or
 /// chalk lines enclose. Nothing where ink lines on a bright ground may bound areas that it fills.
 Image8 ground_of(const Image8& rgba, const Ground& ground, Image8 like) {
@@ -219,8 +235,11 @@ Image8 ground_of(const Image8& rgba, const Ground& ground, Image8 like) {
   if (painted && !little && !dark) return {};
   const bool through = !painted || (little && brightest > darkest_through);
   const double least = smallest_hole * static_cast<double>(like.pixels.size());
+  // Eyes may be nearly as dark as a dark ground; what shows through is the ground itself.
+  const std::vector<double> off = mean_differences(rgba, ground, pieces);
   for (size_t k = 1; k < reaches.size(); ++k)
-    if (through && static_cast<double>(pieces.areas[k]) > least) reaches[k] = 1;
+    if (through && static_cast<double>(pieces.areas[k]) > least && off[k] <= plain_noise)
+      reaches[k] = 1;
   for (size_t i = 0; i < like.pixels.size(); ++i) like.pixels[i] = reaches[pieces.label.pixels[i]];
   return like;
 }

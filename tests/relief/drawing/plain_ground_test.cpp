@@ -158,6 +158,15 @@ TEST(PlainGround, MayHaveGrainAndShadows) {
   }
 }
 
+TEST(PlainGround, DoesNotShowThroughWhatIsNearlyOfItsColour) {
+  Drawing drawing = ring_on(moss);
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 400; ++x)
+      for (int c = 0; c < 3 && distance({x + 0.5, y + 0.5}, {150, 150}) < 50; ++c)
+        drawing.rgba.at(x, y, c) = static_cast<uint8_t>(moss[c] - 8);
+  EXPECT_NE(segment_drawing(photographed(drawing))->labels.at(150, 150), 0);
+}
+
 TEST(PlainGround, IsWhereMostOfTheEdgeIs) {
   const Drawing whole = ring_on(moss);
   Drawing bust{Image8(400, 180, 4, 255)};
