@@ -222,14 +222,17 @@ SpreadColours paper_around(const Image8& open, const Image8& rgba) {
   return {is_known ? off_ink : open, rgba, size};
 }
 
-/// The slivers of paper that outlines cut off: narrow, and open to the paper around.
-void open_slivers(const Image8& rgba, const SpreadColours& paper, Image8& open) {
+/// The paper and the slivers of it that outlines cut off: narrow, beside broad paint, and open to
+/// the paper around.
+Image8 with_slivers(const Image8& open, const Image8& rgba, const SpreadColours& paper) {
   constexpr int cell = 8;  // px
-  const SpreadColours paint(beyond(open, blended + widest_sliver), rgba, cell);
+  const Image8 deep = beyond(open, blended + widest_sliver);
+  const Image8 off_paint = beyond(deep, blended + 2 * widest_sliver);
+  const SpreadColours paint(deep, rgba, cell);
   Image8 like = open;
   for (int y = 0; y < like.height; ++y)
     for (int x = 0; x < like.width; ++x) {
-      if (like.at(x, y) != 0) continue;
+      if (like.at(x, y) != 0 || off_paint.at(x, y) != 0) continue;
       const size_t i = static_cast<size_t>(y) * like.width + x;
       const auto share = share_of_paint(seen_colour(rgba, i), paint.at(x, y), paper.at(x, y));
       like.at(x, y) = share && *share < least_paint ? 1 : 0;
@@ -240,22 +243,24 @@ void open_slivers(const Image8& rgba, const SpreadColours& paper, Image8& open) 
   const Image8 broad = max_filter(min_filter(slivers, widest_sliver), widest_sliver);
   for (size_t i = 0; i < like.pixels.size(); ++i)
     if (broad.pixels[i] != 0) like.pixels[i] = 0;
-  open = connected_to({0, 0, std::move(like)}, {0, 0, open}).inside;
+  return connected_to({0, 0, std::move(like)}, {0, 0, open}).inside;
 }
 
 /// Goes outwards from what is painted for certain, one pixel a step.
 class PaintCarrier {
  public:
   /// `open`: 1 where the model is not.
-  PaintCarrier(Image8 open, Image8& rgba)
-      : open_(std::move(open)), rgba_(rgba), paper_(paper_around(open_, rgba)) {
-    const Image8 covered = complement(open_);
-    open_slivers(rgba, paper_, open_);
-    known_ = beyond(open_, blended);
+  PaintCarrier(const Image8& open, Image8& rgba)
+      : rgba_(rgba),
+        paper_(paper_around(open, rgba)),
+        open_(with_slivers(open, rgba, paper_)),
+        known_(beyond(open_, blended)) {
     const Image8 out_of_reach = beyond(known_, blended + outside);
-    for (size_t i = 0; i < known_.pixels.size(); ++i)
-      if (known_.pixels[i] == 0 && (covered.pixels[i] != 0 || out_of_reach.pixels[i] == 0))
+    for (size_t i = 0; i < known_.pixels.size(); ++i) {
+      const bool sliver = open_.pixels[i] != 0 && open.pixels[i] == 0;
+      if (known_.pixels[i] == 0 && (sliver || out_of_reach.pixels[i] == 0))
         waiting_.push_back(static_cast<int>(i));
+    }
   }
 
   /// False where there is nothing left to paint.
@@ -301,9 +306,9 @@ class PaintCarrier {
     found.emplace_back(y * known_.width + x, sum);
   }
 
-  Image8 open_;
   Image8& rgba_;
   SpreadColours paper_;
+  Image8 open_;  ///< with slivers
   Image8 known_;
   std::vector<int> waiting_;  ///< pixels that can be reached
 };

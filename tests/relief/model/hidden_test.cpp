@@ -193,6 +193,22 @@ TEST(Hidden, PaperThatAnOutlineCutOffIsPaintedWhereItIsNarrow) {
       EXPECT_EQ(dressed.rgba.at(x, y, 1), drawing.rgba.at(x, y, 1)) << x << " " << y;
 }
 
+TEST(Hidden, ThinLimbsKeepTheirColour) {
+  // A grey limb of 6 px on black: as grey as black that blends into white.
+  std::vector<Disc> discs = {back};
+  for (int k = 0; k < 12; ++k) discs.push_back({{149.0 + 4 * k, 90}, 3, 1, 10});
+  const Model model = assemble(make_discs(discs, width, height, 2), Visibility::orbit);
+  Drawing drawing{Image8(width, height, 4, 255)};
+  const auto is_limb = [](int x, int y) { return x > 151 && x < 196 && std::abs(y - 89.5) < 3; };
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < 3; ++c)
+        drawing.rgba.at(x, y, c) = from_centre(x, y) < back.radius ? 0 : is_limb(x, y) ? 120 : 255;
+  const Drawing dressed = dress_hidden(model, drawing).drawing;
+  for (int x = 165; x < 190; ++x)
+    for (int y = 88; y < 92; ++y) EXPECT_EQ(dressed.rgba.at(x, y, 0), 120) << x << " " << y;
+}
+
 TEST(Hidden, WhatTouchesGoesOnWithTheDrawing) {
   // Over its middle the back disc is nearly flat: the front one lies less than 1 px above it.
   const DiscRelief relief = make_discs({back, {{90, 90}, 6, 0.01, 60.2}}, width, height, 3);
