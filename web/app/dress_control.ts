@@ -5,9 +5,12 @@ import { type BuildControl, fullTolerance } from './build_control';
 import { type DressedRelief, type Editor, isDressed } from './editor';
 import { smallPicture } from './pictures';
 
+/** A relief is dressed when it has been the last one for so long, ms. */
+const rest = 500;
+
 /** Shows the full relief as its files hold it when the hand rests: ink thin at rims, no paper on them. */
 export class DressControl {
-  private dressing = false;
+  private waiting = false;
   private tried: object | null = null;
 
   /** `engine`: the one that holds the full relief. */
@@ -21,18 +24,20 @@ export class DressControl {
 
   private async follow(): Promise<void> {
     const { relief } = this.editor.state;
+    if (this.waiting || !relief || !this.isWanted()) return;
+    this.waiting = true;
+    await new Promise((resolve) => setTimeout(resolve, rest));
     const look = lookOf(this.editor.document, this.editor.state.picture);
-    if (this.dressing || !relief || !this.isWanted() || isDressed(this.editor.state, look)) return;
-    this.dressing = true;
-    const dressed = await this.dress({ relief, look }).finally(() => {
-      this.dressing = false;
-    });
+    const dressed = relief === this.editor.state.relief && this.isWanted() ? await this.dress({ relief, look }) : null;
+    this.waiting = false;
     if (dressed) this.editor.set({ dressed });
+    else void this.follow();
   }
 
   private isWanted(): boolean {
-    const { build, preview, field, relief } = this.editor.state;
-    return build.phase === 'idle' && !preview && field === 'relief' && this.control.isUpToDate() && relief !== this.tried;
+    const { build, preview, field, relief, picture } = this.editor.state;
+    const isBuilt = build.phase === 'idle' && !preview && field === 'relief' && this.control.isUpToDate();
+    return isBuilt && relief !== this.tried && !isDressed(this.editor.state, lookOf(this.editor.document, picture));
   }
 
   /** Null where the engine has something else to do by then. */
