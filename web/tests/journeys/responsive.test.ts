@@ -100,6 +100,8 @@ it('needs little time of the processor for a coarse relief, for the full one and
   await page.setInputFiles('input[type=file]', join(root, 'examples/bear.png'));
   await page.waitForSelector('.scribble-bar[data-tint-ms]');
   await settled(page);
+  // The relief is dressed when the hand has rested.
+  await page.waitForTimeout(2500);
   const { at } = await pageView(page, [900, 1000]);
   await page.mouse.move(...at([430, 620]));
   await page.mouse.down();
