@@ -236,10 +236,10 @@ Image8 ground_of(const Image8& rgba, const Ground& ground, Image8 like) {
   const bool through = !painted || (little && brightest > darkest_through);
   const double least = smallest_hole * static_cast<double>(like.pixels.size());
   // Eyes may be nearly as dark as a dark ground; what shows through is the ground itself.
-  const std::vector<double> off = mean_differences(rgba, ground, pieces);
-  for (size_t k = 1; k < reaches.size(); ++k)
-    if (through && static_cast<double>(pieces.areas[k]) > least && off[k] <= plain_noise)
-      reaches[k] = 1;
+  const std::vector<double> off =
+      through ? mean_differences(rgba, ground, pieces) : std::vector<double>();
+  for (size_t k = 1; k < off.size(); ++k)
+    if (static_cast<double>(pieces.areas[k]) > least && off[k] <= plain_noise) reaches[k] = 1;
   for (size_t i = 0; i < like.pixels.size(); ++i) like.pixels[i] = reaches[pieces.label.pixels[i]];
   return like;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <optional>
@@ -216,8 +215,7 @@ Image8 beyond(const Image8& mask, int distance) {
 SpreadColours paper_around(const Image8& open, const Image8& rgba) {
   constexpr int cells = 64;  // along the longer side
   const Image8 off_ink = beyond(complement(open), ink_outside);
-  const bool is_known = std::count(off_ink.pixels.begin(), off_ink.pixels.end(), 0) <
-                        static_cast<std::ptrdiff_t>(off_ink.pixels.size());
+  const bool is_known = *std::max_element(off_ink.pixels.begin(), off_ink.pixels.end()) != 0;
   const int size = std::max(1, std::max(rgba.width, rgba.height) / cells);
   return {is_known ? off_ink : open, rgba, size};
 }
@@ -229,20 +227,17 @@ Image8 with_slivers(const Image8& open, const Image8& rgba, const SpreadColours&
   const Image8 deep = beyond(open, blended + widest_sliver);
   const Image8 off_paint = beyond(deep, blended + 2 * widest_sliver);
   const SpreadColours paint(deep, rgba, cell);
-  Image8 like = open;
+  Image8 like(open.width, open.height, 1);
   for (int y = 0; y < like.height; ++y)
     for (int x = 0; x < like.width; ++x) {
-      if (like.at(x, y) != 0 || off_paint.at(x, y) != 0) continue;
+      if (open.at(x, y) != 0 || off_paint.at(x, y) != 0) continue;
       const size_t i = static_cast<size_t>(y) * like.width + x;
       const auto share = share_of_paint(seen_colour(rgba, i), paint.at(x, y), paper.at(x, y));
       like.at(x, y) = share && *share < least_paint ? 1 : 0;
     }
-  Image8 slivers = like;
+  const Image8 broad = max_filter(min_filter(like, widest_sliver), widest_sliver);
   for (size_t i = 0; i < like.pixels.size(); ++i)
-    if (open.pixels[i] != 0) slivers.pixels[i] = 0;
-  const Image8 broad = max_filter(min_filter(slivers, widest_sliver), widest_sliver);
-  for (size_t i = 0; i < like.pixels.size(); ++i)
-    if (broad.pixels[i] != 0) like.pixels[i] = 0;
+    like.pixels[i] = open.pixels[i] != 0 || like.pixels[i] > broad.pixels[i] ? 1 : 0;
   return connected_to({0, 0, std::move(like)}, {0, 0, open}).inside;
 }
 

@@ -150,3 +150,18 @@ export async function changedRelief(page: Page, act: () => Promise<void>): Promi
   await act();
   await expect.poll(async () => (await canvas.screenshot()).equals(before), { timeout: 15_000 }).toBe(false);
 }
+
+/** Every colour of a screenshot of the relief, once: red, green and blue. */
+export async function coloursOfRelief(page: Page): Promise<[number, number, number][]> {
+  const shot = (await page.locator('.model canvas').screenshot()).toString('base64');
+  const packed = await page.evaluate(async (data) => {
+    const image = await createImageBitmap(new Blob([Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0))]));
+    const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
+    context?.drawImage(image, 0, 0);
+    const { data: pixels } = context?.getImageData(0, 0, image.width, image.height) ?? { data: [] };
+    const seen = new Set<number>();
+    for (let i = 0; i < pixels.length; i += 4) seen.add(((pixels[i] as number) << 16) + ((pixels[i + 1] as number) << 8) + (pixels[i + 2] as number));
+    return [...seen];
+  }, shot);
+  return packed.map((colour) => [colour >> 16, (colour >> 8) & 255, colour & 255]);
+}

@@ -1,22 +1,13 @@
 import { expect, it } from 'vitest';
 import { choosePart, sample } from './actions.ts';
-import { changedRelief, closeStage, openStage, picture, settled, stageOfFile } from './browser.ts';
+import { changedRelief, closeStage, coloursOfRelief, openStage, picture, settled, stageOfFile } from './browser.ts';
 import { killGraphics } from './storage.ts';
 
 const stage = stageOfFile({ anew: true });
 
-/** How many colours a screenshot of the relief has: a blank pane has few. */
+/** A blank pane has few. */
 async function colours(page: typeof stage.page): Promise<number> {
-  const shot = (await page.locator('.model canvas').screenshot()).toString('base64');
-  return page.evaluate(async (data) => {
-    const image = await createImageBitmap(new Blob([Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0))]));
-    const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
-    context?.drawImage(image, 0, 0);
-    const { data: pixels } = context?.getImageData(0, 0, image.width, image.height) ?? { data: [] };
-    const seen = new Set<number>();
-    for (let i = 0; i < pixels.length; i += 4) seen.add(((pixels[i] as number) << 16) + ((pixels[i + 1] as number) << 8) + (pixels[i + 2] as number));
-    return seen.size;
-  }, shot);
+  return (await coloursOfRelief(page)).length;
 }
 
 it('brings the relief back, as it was turned, when the graphics end', async () => {

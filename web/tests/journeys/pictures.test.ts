@@ -2,7 +2,7 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { pngOf } from '../support/pictures.ts';
 import { names } from './actions.ts';
-import { picture, settled, stageOfFile } from './browser.ts';
+import { coloursOfRelief, picture, settled, stageOfFile } from './browser.ts';
 
 const stage = stageOfFile({ anew: false });
 
@@ -35,18 +35,9 @@ function ballOnGreen(): Buffer {
   }));
 }
 
-/** How many pixels of the relief are rather green. */
+/** How many colours of the relief are rather green. */
 async function green(page: Page): Promise<number> {
-  const shot = (await page.locator('.model canvas').screenshot()).toString('base64');
-  return page.evaluate(async (data) => {
-    const image = await createImageBitmap(new Blob([Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0))]));
-    const context = new OffscreenCanvas(image.width, image.height).getContext('2d');
-    context?.drawImage(image, 0, 0);
-    const { data: pixels } = context?.getImageData(0, 0, image.width, image.height) ?? { data: [] };
-    let count = 0;
-    for (let i = 0; i < pixels.length; i += 4) if ((pixels[i + 1] as number) > 1.15 * (pixels[i] as number)) count++;
-    return count;
-  }, shot);
+  return (await coloursOfRelief(page)).filter(([red, green_]) => green_ > 1.15 * red).length;
 }
 
 it('shows none of the paper on the rim of a turned relief', async () => {
