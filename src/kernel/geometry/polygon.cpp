@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace relievo {
 namespace {
@@ -52,6 +53,26 @@ Box2 bounding_box(const Outline& outline) {
   Box2 box;
   for (const Ring& ring : outline) box.add(bounding_box(ring));
   return box;
+}
+
+Ring convex_hull(std::vector<Point2> points) {
+  if (points.size() < 3) return points;
+  std::sort(points.begin(), points.end(),
+            [](Point2 a, Point2 b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); });
+  Ring hull;
+  const auto add_chain = [&hull](auto first, auto last) {
+    const size_t start = hull.size();
+    for (auto p = first; p != last; ++p) {
+      while (hull.size() >= start + 2 &&
+             cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 0)
+        hull.pop_back();
+      hull.push_back(*p);
+    }
+    hull.pop_back();
+  };
+  add_chain(points.begin(), points.end());
+  add_chain(points.rbegin(), points.rend());
+  return hull;
 }
 
 int winding_number(const Ring& ring, Point2 p) {

@@ -27,6 +27,10 @@ double perimeter(const Ring& ring);
 Box2 bounding_box(const Ring& ring);
 Box2 bounding_box(const Outline& outline);
 
+/// The least convex ring around the points, clockwise as seen on the screen, without points along
+/// its sides (Andrew 1979). Fewer than three points are kept. O(n log n).
+Ring convex_hull(std::vector<Point2> points);
+
 /// Winding number of `ring` around `p`; on the ring itself it is that of one of its sides. O(n).
 int winding_number(const Ring& ring, Point2 p);
 

@@ -48,4 +48,10 @@ std::vector<Point2> smooth_arc(const DirectedPoint& from, const DirectedPoint& t
 /// the right on the screen (clockwise).
 double turning(const DirectedPoint& from, const DirectedPoint& to);
 
+/// Energy of the cubic that leaves its chord by one angle and comes back to it by another, in
+/// rad^2 and up to a factor; 0 where both are, least where both turn the same way.
+inline double bend_energy(double first, double second) {
+  return first * first + second * second - first * second;
+}
+
 }  // namespace relievo

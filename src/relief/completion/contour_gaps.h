@@ -33,8 +33,13 @@ constexpr size_t junction_sides = 3;
 /// gap, over 8 % of the ring's length (8 to 40 sides). O(sides).
 KnownContour find_gaps(const LabelRing& ring, std::vector<uint8_t> may_be_hidden);
 
-/// The ring with a smooth arc across every gap. Precondition: not known.nothing.
-std::vector<Point2> bridge_gaps(const LabelRing& ring, const KnownContour& known);
+/// The rings of a part with a smooth arc across every gap; rings of which nothing is known are
+/// kept where they are outer ones and filled where they are holes. A part in several pieces becomes
+/// one: its contour goes on from each gap at the one that makes the arcs bend least. Nothing where
+/// an arc would turn by more than 243 degrees, or pieces have more than six gaps together.
+/// O(sides + gaps!).
+std::optional<Outline> bridge_gaps(const std::vector<LabelRing>& rings,
+                                   const std::vector<KnownContour>& known);
 
 /// A part and what may hide it.
 struct HiddenPart {
@@ -58,14 +63,12 @@ HiddenPart hidden_part(const PartRegions& regions, int part, const std::vector<i
 /// contains the hidden one, where there is one. O(sides).
 std::optional<Mask> ellipse_shape(const HiddenPart& hidden, double tolerance);
 
-/// The rings with an arc across every gap; rings of which nothing is known are kept where they
-/// are outer ones and filled where they are holes. Nothing where an arc would turn too far, or
-/// where two outer rings have gaps, so that it is open which ends belong together. O(sides + box).
+/// The rings with their gaps bridged, where they can be. O(sides + box).
 std::optional<Mask> continued_shape(const HiddenPart& hidden);
 
 /// Where the diffusion of the known contour exceeds one half, in a box around the part that is
-/// twice as large. Where contours drift apart, so that it has no end in that box, it goes on for a
-/// quarter of the part's size. O(box).
+/// twice as large, and what lies between what is seen: its convex hull. Where contours drift apart,
+/// so that the first has no end in that box, it goes on for a quarter of the part's size. O(box).
 Mask membrane_shape(const HiddenPart& hidden);
 
 }  // namespace relievo

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "kernel/geometry/ellipse.h"
 #include "kernel/image/diffusion.h"
@@ -19,7 +18,6 @@ constexpr double ellipse_noise = 0.8;          ///< px
 constexpr double ellipse_noise_share = 0.012;  ///< of the part's size
 /// How far a contour without an end of its own goes on, as a share of the visible part's size.
 constexpr double endless_share = 0.25;
-constexpr double max_turn = 1.35 * std::numbers::pi;
 
 double size_of(const Mask& mask) { return std::sqrt(static_cast<double>(pixel_count(mask))); }
 
@@ -126,6 +124,14 @@ void cut_off(Mask& shape, const Mask& visible) {
     if (squares.pixels[i] > reach * reach) shape.inside.pixels[i] = 0;
 }
 
+Mask hull_of(const HiddenPart& hidden) {
+  std::vector<Point2> sides;
+  for (const LabelRing& ring : hidden.rings())
+    sides.insert(sides.end(), ring.sides.begin(), ring.sides.end());
+  return fill_outline({convex_hull(std::move(sides))}, hidden.regions.map.width,
+                      hidden.regions.map.height);
+}
+
 Box2 grown(const Mask& mask, double share) {
   const double margin = share * std::max(mask.inside.width, mask.inside.height) + 2;
   return {{mask.left - margin, mask.top - margin}, {mask.right() + margin, mask.bottom() + margin}};
@@ -166,21 +172,9 @@ std::optional<Mask> ellipse_shape(const HiddenPart& hidden, double tolerance) {
 }
 
 std::optional<Mask> continued_shape(const HiddenPart& hidden) {
-  Outline outline;
-  int open_rings = 0;
-  for (size_t r = 0; r < hidden.rings().size(); ++r) {
-    const LabelRing& ring = hidden.rings()[r];
-    const KnownContour& known = hidden.known[r];
-    if (known.nothing) {
-      if (!ring.hole) outline.push_back(ring.sides);
-      continue;
-    }
-    if (!ring.hole && !known.gaps.empty() && ++open_rings > 1) return std::nullopt;
-    for (const ContourGap& gap : known.gaps)
-      if (std::abs(turning(gap.from, gap.to)) > max_turn) return std::nullopt;
-    outline.push_back(bridge_gaps(ring, known));
-  }
-  return fill_outline(outline, hidden.regions.map.width, hidden.regions.map.height);
+  const auto outline = bridge_gaps(hidden.rings(), hidden.known);
+  if (!outline) return std::nullopt;
+  return fill_outline(*outline, hidden.regions.map.width, hidden.regions.map.height);
 }
 
 Mask membrane_shape(const HiddenPart& hidden) {
@@ -211,6 +205,7 @@ Mask membrane_shape(const HiddenPart& hidden) {
   });
   Mask shape{left, top, above_half(diffuse(known))};
   if (reaches_border(shape)) cut_off(shape, hidden.visible());
+  for_each_pixel(hull_of(hidden), [&](int x, int y) { shape.add(x, y); });
   return shape;
 }
 

@@ -116,7 +116,7 @@ double bend(const Image16& labels, const ContourEnd& from, const ContourEnd& to)
     const Point2 p = from.at + (static_cast<double>(k) / steps) * way;
     outside += labels.at(static_cast<int>(p.x), static_cast<int>(p.y)) == 0 ? 1 : 0;
   }
-  return first * first + second * second - first * second + outside_worth * outside / (steps - 1);
+  return bend_energy(first, second) + outside_worth * outside / (steps - 1);
 }
 
 /// The contour on which two areas go on into each other.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 namespace relievo {
 namespace {
@@ -36,6 +37,26 @@ TEST(Polygon, NestedRingsAlternate) {
   EXPECT_TRUE(contains(outline, {0.5, 0.5}));
   EXPECT_FALSE(contains(outline, {1.5, 1.5}));
   EXPECT_TRUE(contains(outline, {4, 4}));
+}
+
+TEST(Polygon, ConvexHullIsTheLeastConvexRingAround) {
+  std::mt19937 random(7);
+  std::vector<Point2> points;
+  for (int i = 0; i < 300; ++i) {
+    const double x = static_cast<double>(random() % 41);
+    points.push_back({x, static_cast<double>(random() % 31)});
+  }
+  const Ring hull = convex_hull(points);
+  for (size_t i = 0; i < hull.size(); ++i) {
+    const Point2 a = hull[i];
+    const Point2 b = hull[(i + 1) % hull.size()];
+    EXPECT_GT(cross(b - a, hull[(i + 2) % hull.size()] - b), 0) << i;
+    for (const Point2 p : points) EXPECT_GE(cross(b - a, p - a), 0) << i;
+    EXPECT_TRUE(std::any_of(points.begin(), points.end(), [a](Point2 p) { return p == a; })) << i;
+  }
+  EXPECT_GT(signed_area(hull), 0);
+  std::shuffle(points.begin(), points.end(), random);
+  EXPECT_EQ(convex_hull(points), hull);
 }
 
 }  // namespace

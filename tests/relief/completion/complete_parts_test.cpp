@@ -102,8 +102,48 @@ TEST(CompleteParts, PiecesOnBothSidesOfAnOccluderAreBridged) {
   const Inside band = box(20, 70, 220, 100);
   const Image16 labels = painted(240, 170, {band, disc(120, 85, 28)});
   const Completion completion = complete(find_regions(labels), {{1}, {}});
+  EXPECT_EQ(completion.parts[0].kind, CompletionKind::continuation);
+  EXPECT_GE(overlap_ratio(completion.parts[0].shape, band, labels), 0.99);
+}
+
+TEST(CompleteParts, CapeBehindABodyIsWhole) {
+  // Its pieces are to both sides of the body and between the legs.
+  const Inside cape = [](double x, double y) {
+    const double u = (x - 120) / (55 + 0.15 * (y - 40));
+    const double top = 60 - 40 * std::sqrt(std::max(0.0, 1 - u * u));
+    return std::abs(u) < 1 && y > top && y < 220;
+  };
+  const Image16 labels = painted(240, 260,
+                                 {cape, box(85, 180, 105, 250), box(135, 180, 155, 250),
+                                  oval(120, 125, 50, 80, 0), disc(120, 35, 33)});
+  const PartRegions regions = find_regions(labels);
+  const Completion completion = complete(regions, painted_later(5));
+  EXPECT_EQ(completion.parts[0].kind, CompletionKind::continuation);
+  EXPECT_LE(overlap_ratio(regions.visible[0], cape, labels), 0.45);
+  EXPECT_GE(overlap_ratio(completion.parts[0].shape, cape, labels), 0.95);
+}
+
+TEST(CompleteParts, RingBehindTwoDiscsKeepsItsHole) {
+  const Inside ring = [](double x, double y) {
+    const double r = std::hypot(x - 100, y - 100);
+    return r > 45 && r < 75;
+  };
+  const Image16 labels = painted(200, 200, {ring, disc(40, 100, 22), disc(160, 110, 22)});
+  const Completion completion = complete(find_regions(labels), {{1, 2}, {}, {}});
+  EXPECT_EQ(completion.parts[0].kind, CompletionKind::continuation);
+  EXPECT_GE(overlap_ratio(completion.parts[0].shape, ring, labels), 0.98);
+}
+
+TEST(CompleteParts, SquareBehindALatticeHasAllBetweenItsPieces) {
+  const Inside square = box(30, 30, 170, 170);
+  const Inside lattice = [](double x, double y) {
+    const auto bar = [](double t) { return std::abs(std::abs(t - 100) - 25) < 15; };
+    return bar(x) || bar(y);
+  };
+  const Image16 labels = painted(200, 200, {square, lattice});
+  const Completion completion = complete(find_regions(labels), {{1}, {}});
   EXPECT_EQ(completion.parts[0].kind, CompletionKind::membrane);
-  EXPECT_GE(overlap_ratio(completion.parts[0].shape, band, labels), 0.95);
+  EXPECT_GE(overlap_ratio(completion.parts[0].shape, square, labels), 0.98);
 }
 
 TEST(CompleteParts, MembraneEndsWhereContoursDriftApart) {
