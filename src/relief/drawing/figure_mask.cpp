@@ -16,33 +16,22 @@
 namespace relievo {
 namespace {
 
-constexpr double solid_share = 0.6;  ///< of what opaque pixels surround, from which they are areas
-constexpr int colourful = 44;        ///< difference of channels, of 255, of what is no paper
-constexpr int clean_white = 248;     ///< darkest channel of white paper at least
-constexpr double clean_share = 0.9;  ///< of the picture's edge that is so white on clean paper
-constexpr int faintest = 228;        ///< darkest channel of paint on clean paper at most
-constexpr int pure_white = 254;      ///< darkest channel of paper that nothing has blurred
-constexpr int shadow_tint = 14;      ///< difference of channels of a shadow at most
-constexpr int darkest_shadow = 80;   ///< darkest channel of one at least
-constexpr int shadow_step = 4;       ///< between neighbouring pixels of one at most
-constexpr double least_shadow = 0.002;  ///< of the picture
-constexpr int half_leak = 3;            ///< px
-constexpr double shadow_breadth = 1.5;  ///< of a shadow, in its heights
-constexpr int half_halo = 2;            ///< px, of what a codec leaves beside an outline
-constexpr int rim_margin = 2;           ///< px, within which an edge is that of the figure
-constexpr uint8_t rim_ink = 44;         ///< of LineMap::ink, that the rim has at least
-constexpr double gap_width = 0.008;     ///< of the diagonal, up to which gaps in paint are closed
-constexpr double grain_share = 0.02;    ///< of the figure; gaps in grainy paint are more
-constexpr double slit_hole = 0.2;       ///< of the figure; a hole behind a slit is less
-constexpr double piece_share = 0.03;    ///< of the largest piece, from which on others count
-constexpr double along_share = 0.67;    ///< of a picture's side, from which an area runs along it
-constexpr double strip_share = 0.15;    ///< of the picture, up to which that is a strip
-constexpr double at_edge_share = 0.2;   ///< of the picture's edge; more is no figure on paper
-
-/// The pixels that share a side with (x, y).
-std::array<std::pair<int, int>, 4> sides_of(int x, int y) {
-  return {{{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}}};
-}
+constexpr double solid_share = 0.6;   ///< of what opaque pixels surround, from which they are areas
+constexpr int colourful = 44;         ///< difference of channels, of 255, of what is no paper
+constexpr int clean_white = 248;      ///< darkest channel of white paper at least
+constexpr double clean_share = 0.9;   ///< of the picture's edge that is so white on clean paper
+constexpr int faintest = 228;         ///< darkest channel of paint on clean paper at most
+constexpr int pure_white = 254;       ///< darkest channel of paper that nothing has blurred
+constexpr int half_halo = 2;          ///< px, of what a codec leaves beside an outline
+constexpr int rim_margin = 2;         ///< px, within which an edge is that of the figure
+constexpr uint8_t rim_ink = 44;       ///< of LineMap::ink, that the rim has at least
+constexpr double gap_width = 0.008;   ///< of the diagonal, up to which gaps in paint are closed
+constexpr double grain_share = 0.02;  ///< of the figure; gaps in grainy paint are more
+constexpr double slit_hole = 0.2;     ///< of the figure; a hole behind a slit is less
+constexpr double piece_share = 0.03;  ///< of the largest piece, from which on others count
+constexpr double along_share = 0.67;  ///< of a picture's side, from which an area runs along it
+constexpr double strip_share = 0.15;  ///< of the picture, up to which that is a strip
+constexpr double at_edge_share = 0.2;  ///< of the picture's edge; more is no figure on paper
 
 int64_t count_of(const Image8& mask) {
   return std::count(mask.pixels.begin(), mask.pixels.end(), 1);
@@ -75,17 +64,6 @@ Image8 opaque_pixels(const Image8& rgba) {
   Image8 mask(rgba.width, rgba.height, 1);
   for (size_t i = 0; i < mask.pixels.size(); ++i)
     mask.pixels[i] = rgba.pixels[4 * i + 3] >= 128 ? 1 : 0;
-  return mask;
-}
-
-/// 1 where a picture on pure white, or on nothing, is not white.
-Image8 tinted_pixels(const Image8& image) {
-  Image8 mask(image.width, image.height, 1);
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) {
-      const bool nothing = image.channels == 4 && image.at(x, y, 3) == 0;
-      mask.at(x, y) = !nothing && darkest_channel(image, x, y) < palest ? 1 : 0;
-    }
   return mask;
 }
 
@@ -158,92 +136,17 @@ void open_slits(const Image8& paint, Image8& closed) {
   }
 }
 
-/// 1 where one gets from white into grey, and on in it, without a step.
-Image8 smoothly_reached(const Image8& rgba) {
-  const int w = rgba.width;
-  const auto is_grey = [&](int x, int y) {
-    const uint8_t* p = &rgba.at(x, y);
-    const auto [darkest, brightest] = std::minmax({p[0], p[1], p[2]});
-    return brightest - darkest <= shadow_tint && darkest >= darkest_shadow && darkest < palest;
-  };
-  const auto visit_smooth = [&](int x, int y, const auto& visit) {
-    const int own = darkest_channel(rgba, x, y);
-    for (const auto& [u, v] : sides_of(x, y)) {
-      if (u < 0 || v < 0 || u >= w || v >= rgba.height) continue;
-      const int other = darkest_channel(rgba, u, v);
-      if (std::abs(other - own) <= shadow_step) visit(u, v, other);
-    }
-  };
-  Image8 reached(w, rgba.height, 1);
-  std::vector<int> open;
-  const auto take = [&](int x, int y) {
-    if (reached.at(x, y) != 0 || !is_grey(x, y)) return;
-    reached.at(x, y) = 1;
-    open.push_back(y * w + x);
-  };
-  for (int y = 0; y < rgba.height; ++y)
-    for (int x = 0; x < w; ++x)
-      if (is_grey(x, y))
-        visit_smooth(x, y, [&](int, int, int other) {
-          if (other >= palest) take(x, y);
-        });
-  while (!open.empty()) {
-    const int i = open.back();
-    open.pop_back();
-    visit_smooth(i % w, i / w, [&](int u, int v, int) { take(u, v); });
-  }
-  return reached;
-}
-
-/// What a piece of grey is like.
-struct GreyPiece {
-  Box2 box;
-  int64_t to_page = 0;  ///< pairs of its pixels with white ones
-  int64_t to_rest = 0;  ///< pairs with others that are not its own
-};
-
-/// [pieces + 1]
-std::vector<GreyPiece> measure_pieces(const Components& pieces, const Image8& rgba) {
-  std::vector<GreyPiece> measured(pieces.areas.size());
-  for (int y = 1; y + 1 < rgba.height; ++y)
-    for (int x = 1; x + 1 < rgba.width; ++x) {
-      const int32_t piece = pieces.label.at(x, y);
-      if (piece == 0) continue;
-      measured[piece].box.add(Point2{x + 0.5, y + 0.5});
-      for (const auto& [u, v] : sides_of(x, y)) {
-        if (pieces.label.at(u, v) == piece) continue;
-        const bool page = darkest_channel(rgba, u, v) >= palest;
-        ++(page ? measured[piece].to_page : measured[piece].to_rest);
-      }
-    }
-  return measured;
-}
-
-/// Of the grey that is reached, what lies as a shadow does: broad, in the lower half of the figure,
-/// and bounded by the page. What it touches of the figure in the same grey is cut off where that is
-/// narrow.
-Image8 lying_pieces(const Image8& grey, const Image8& rgba) {
-  const Components pieces =
-      connected_components(remove_specks(grey, half_leak), Connectivity::sides);
-  const std::vector<GreyPiece> measured = measure_pieces(pieces, rgba);
-  const Box2 all = box_of(tinted_pixels(rgba));
-  const double middle = (all.min.y + all.max.y - 1) / 2;
-  std::vector<uint8_t> lies(measured.size(), 0);
-  for (size_t k = 1; k < measured.size(); ++k) {
-    const auto& [box, to_page, to_rest] = measured[k];
-    const bool large = static_cast<double>(pieces.areas[k]) >
-                       least_shadow * static_cast<double>(grey.pixels.size());
-    lies[k] = large && box.min.y > middle && to_page > to_rest &&
-              box.max.x - box.min.x > shadow_breadth * (box.max.y - box.min.y);
-  }
-  Image8 result(grey.width, grey.height, 1);
-  for (size_t i = 0; i < grey.pixels.size(); ++i) result.pixels[i] = lies[pieces.label.pixels[i]];
-  result = max_filter(result, half_leak);
-  for (size_t i = 0; i < grey.pixels.size(); ++i) result.pixels[i] &= grey.pixels[i];
-  return result;
-}
-
 }  // namespace
+
+Image8 tinted_pixels(const Image8& image) {
+  Image8 mask(image.width, image.height, 1);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const bool nothing = image.channels == 4 && image.at(x, y, 3) == 0;
+      mask.at(x, y) = !nothing && darkest_channel(image, x, y) < palest ? 1 : 0;
+    }
+  return mask;
+}
 
 Image8 without_small_pieces(const Image8& mask) {
   const Components pieces = connected_components(mask, Connectivity::corners);
@@ -257,16 +160,6 @@ Image8 without_small_pieces(const Image8& mask) {
     result.pixels[i] = piece != 0 && large ? 1 : 0;
   }
   return result;
-}
-
-Image8 without_cast_shadow(const Image8& rgba) {
-  if (count_of(opaque_pixels(rgba)) < static_cast<int64_t>(rgba.pixels.size() / 4)) return {};
-  const Image8 shadow = lying_pieces(smoothly_reached(rgba), rgba);
-  if (count_of(shadow) == 0) return {};
-  Image8 lit = rgba;
-  for (size_t i = 0; i < shadow.pixels.size(); ++i)
-    if (shadow.pixels[i] != 0) std::fill_n(&lit.pixels[4 * i], 3, uint8_t{255});
-  return lit;
 }
 
 Image8 without_holes(const Image8& mask) {

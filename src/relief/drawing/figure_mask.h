@@ -40,8 +40,12 @@ Image8 without_small_pieces(const Image8& mask);
 /// of a page, however it is turned and seen aslant; 0 of nothing. O(pixels).
 double page_overlap(const Image8& mask);
 
-/// An opaque drawing (4 channels) on pure white without a soft grey shadow on the ground below the
-/// figure. Nothing where there is none. O(pixels).
+/// 1 where a picture on pure white, or on nothing, is not white. O(pixels).
+Image8 tinted_pixels(const Image8& image);
+
+/// An opaque drawing (4 channels) on pure white without a grey shadow on the ground below the
+/// figure: a soft one, or one of one grey below a figure whose outlines are inked while nothing
+/// bounds it. Nothing where there is none. O(pixels).
 Image8 without_cast_shadow(const Image8& rgba);
 
 /// A mask with all that it surrounds. O(pixels).

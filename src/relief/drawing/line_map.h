@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "relief/drawing/segmentation.h"
@@ -30,6 +32,11 @@ constexpr double widest_line = 0.025;
 /// The least of a pixel's red, green and blue.
 inline int darkest_channel(const Image8& rgb, int x, int y) {
   return std::min({rgb.at(x, y, 0), rgb.at(x, y, 1), rgb.at(x, y, 2)});
+}
+
+/// The pixels that share a side with (x, y).
+inline std::array<std::pair<int, int>, 4> sides_of(int x, int y) {
+  return {{{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}}};
 }
 
 /// Paint on pure white is darker than this in one channel at least.

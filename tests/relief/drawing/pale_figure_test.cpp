@@ -68,10 +68,11 @@ TEST(PureWhite, IsWhatLiesUnderNothing) {
   EXPECT_EQ(s->labels.at(5, 5), 0);
 }
 
-/// A ball above a grey ellipse on the ground that fades within `blur` px.
-Drawing ball_above_shadow(double blur) {
+/// A ball, with an outline of that width, above a grey ellipse on the ground that fades within
+/// `blur` px.
+Drawing ball_above_shadow(double blur, double outline = 0) {
   InkDrawing ball(400, 360);
-  ball.disc({200, 180}, 110, 230, 120, 40);
+  ball.disc({200, 180}, 110, 40, 30, 35).disc({200, 180}, 110 - outline, 230, 120, 40);
   Drawing drawing = ball.drawing();
   for (int y = 0; y < 360; ++y)
     for (int x = 0; x < 400; ++x) {
@@ -93,6 +94,23 @@ TEST(CastShadow, IsNoPartWhereItIsSoft) {
   const Result<Segmentation> hard = segment_drawing(ball_above_shadow(1));
   ASSERT_TRUE(hard.ok()) << to_string(hard.error());
   EXPECT_NE(hard->labels.at(110, 302), 0) << "a plate";
+}
+
+TEST(CastShadow, IsNoPartWhereItIsHardBelowAnOutlinedFigure) {
+  const Result<Segmentation> hard = segment_drawing(ball_above_shadow(1, 8));
+  ASSERT_TRUE(hard.ok()) << to_string(hard.error());
+  EXPECT_EQ(hard->labels.at(110, 302), 0);
+  EXPECT_EQ(hard->labels.at(200, 310), 0);
+  EXPECT_NE(hard->labels.at(200, 270), 0) << "the ball";
+  Drawing plate = ball_above_shadow(1, 8);
+  for (int y = 0; y < 360; ++y)
+    for (int x = 0; x < 400; ++x) {
+      const double r = std::hypot((x + 0.5 - 200) / 120, (y + 0.5 - 300) / 22);
+      if (plate.rgba.at(x, y, 2) == 180 && r > 0.8) std::fill_n(&plate.rgba.at(x, y), 3, 35);
+    }
+  const Result<Segmentation> outlined = segment_drawing(plate);
+  ASSERT_TRUE(outlined.ok()) << to_string(outlined.error());
+  EXPECT_NE(outlined->labels.at(110, 302), 0) << "a plate";
 }
 
 }  // namespace
