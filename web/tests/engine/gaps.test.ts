@@ -1,5 +1,4 @@
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { type Document, emptyDocument, type Point } from '../../document/document';
@@ -7,12 +6,14 @@ import { type Gap, keepGap, openGap, openQuestions } from '../../document/gaps';
 import { readProject, writeProject } from '../../document/project_file';
 import { adopt, questionOf } from '../../document/scribbling';
 import type { ReliefService } from '../../engine/relief_service';
-import { relievo } from '../support/command_line';
+import { relievo, temporaryFolder } from '../support/command_line';
 import { openRing, openRingSize } from '../support/pictures';
 import { must, startService } from './service';
 
 const [width, height] = openRingSize;
 const png = openRing();
+
+const temporary = temporaryFolder();
 
 let service: ReliefService;
 beforeAll(async () => {
@@ -37,7 +38,7 @@ function gapsOf(document: Document): readonly Gap[] {
 
 /** What the command line makes of the saved project when it proposes again. */
 function native(document: Document): Document {
-  const [saved, again] = ['saved.relievo', 'again.relievo'].map((name) => join(mkdtempSync(join(tmpdir(), 'relievo-')), name));
+  const [saved, again] = ['saved.relievo', 'again.relievo'].map((name) => join(mkdtempSync(join(temporary, 'case-')), name));
   writeFileSync(saved!, writeProject(document, null));
   relievo('segment', saved!, '-q', '-o', again!);
   return readProject(new Uint8Array(readFileSync(again!)));

@@ -1,11 +1,10 @@
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { isFailure, type OutputFile } from '../../engine/messages';
 import type { ReliefService } from '../../engine/relief_service';
-import { relievo, root } from '../support/command_line';
+import { relievo, root, temporaryFolder } from '../support/command_line';
 import { disc, photoshopOf } from '../support/pictures';
 import { must, shown, startService, usual } from './service';
 
@@ -14,7 +13,7 @@ beforeAll(async () => {
   service = await startService();
 });
 
-const folder = mkdtempSync(join(tmpdir(), 'relievo-'));
+const folder = temporaryFolder();
 const body = disc(200, 80, [200, 80, 60]);
 const head = disc(100, 45, [60, 120, 190]);
 

@@ -1,12 +1,11 @@
-import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { unzipSync } from 'fflate';
 import validator from 'gltf-validator';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { type BuildOptions, isFailure, type SolidFormat, type SolidOptions, type Texture } from '../../engine/messages';
 import type { ReliefService } from '../../engine/relief_service';
-import { relievo, root } from '../support/command_line';
+import { relievo, root, temporaryFolder } from '../support/command_line';
 import { must, shown, startService, usual } from './service';
 
 const samples = ['bunny', 'elephant', 'farmer', 'lamb', 'unicorn', 'wolf'];
@@ -33,7 +32,7 @@ function build(scene: string, changed: Partial<BuildOptions> = {}) {
 }
 
 describe('the engine and the command line', () => {
-  const folder = mkdtempSync(join(tmpdir(), 'relievo-'));
+  const folder = temporaryFolder();
 
   /** What the command line makes of the same scene. */
   function native(name: string, scene: string, ...more: string[]): void {

@@ -1,5 +1,4 @@
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { unzipSync } from 'fflate';
 import { beforeAll, describe, expect, it } from 'vitest';
@@ -11,11 +10,13 @@ import { sceneText } from '../../document/scene_text';
 import { addStroke, adopt, clearStrokes, partOfStroke, questionOf, segmentationOf } from '../../document/scribbling';
 import { isFailure } from '../../engine/messages';
 import type { ReliefService } from '../../engine/relief_service';
-import { relievo, root } from '../support/command_line';
+import { relievo, root, temporaryFolder } from '../support/command_line';
 import { pngOf } from '../support/pictures';
 import { must, shown, startService, usual } from './service';
 
 const bear = readFileSync(join(root, 'examples/bear.png'));
+
+const temporary = temporaryFolder();
 
 let service: ReliefService;
 
@@ -45,7 +46,7 @@ function edited(document: Document, next: Document): Document {
 
 /** What the command line makes of the drawing by itself. */
 function native(...more: string[]): Buffer {
-  const file = join(mkdtempSync(join(tmpdir(), 'relievo-')), 'bear.relievo');
+  const file = join(mkdtempSync(join(temporary, 'case-')), 'bear.relievo');
   relievo('segment', join(root, 'examples/bear.png'), '-q', ...more, '-o', file);
   return readFileSync(file);
 }
@@ -67,7 +68,7 @@ describe('a flat drawing', () => {
     const one = scribbled(blank(), [450, 700], [470, 760]);
     const two = scribbled(one, [380, 650], [370, 700]);
     const scribbles = complete ? { ...two.segmentation!.scribbles, complete } : one.segmentation!.scribbles;
-    const file = join(mkdtempSync(join(tmpdir(), 'relievo-')), 'strokes.json');
+    const file = join(mkdtempSync(join(temporary, 'case-')), 'strokes.json');
     writeFileSync(file, JSON.stringify({ format: 'relievo-scribbles', version: 1, ...scribbles, complete }));
     const theirs = readProject(native('--scribbles', file));
     const own = understood({ ...blank(), segmentation: { ...segmentationOf(blank()), scribbles } });
@@ -90,7 +91,7 @@ describe('a flat drawing', () => {
       const [red, green, blue] = snowman(x, y).map((value) => Math.round(value * light + grain));
       return [red!, green!, blue!, 255];
     });
-    const folder = mkdtempSync(join(tmpdir(), 'relievo-'));
+    const folder = mkdtempSync(join(temporary, 'case-'));
     writeFileSync(join(folder, 'snowman.png'), png);
     relievo('segment', join(folder, 'snowman.png'), '-q', '-o', join(folder, 'snowman.relievo'));
     const theirs = readProject(readFileSync(join(folder, 'snowman.relievo')));
@@ -104,7 +105,7 @@ describe('a flat drawing', () => {
   });
 
   it('is understood within a mask and under strokes as by the command line, to the last number', () => {
-    const folder = mkdtempSync(join(tmpdir(), 'relievo-'));
+    const folder = mkdtempSync(join(temporary, 'case-'));
     const [mask, strokes] = [join(folder, 'mask.png'), join(folder, 'strokes.json')];
     writeFileSync(mask, pngOf(900, 1000, (_, y) => (y < 660 ? [255, 255, 255, 255] : [0, 0, 0, 255])));
     const { scribbles } = scribbled(blank(), [450, 560], [470, 600]).segmentation!;
@@ -231,7 +232,7 @@ describe('a project of a flat drawing', () => {
   it('builds as in the editor, by the command line, and can be proposed anew there', () => {
     let document = scribbled(readProject(native()), [380, 650], [370, 700]);
     document = edited(document, changePart(document, document.parts[1]!.id, { c: 3.5, flat: 0.7 }));
-    const folder = mkdtempSync(join(tmpdir(), 'relievo-'));
+    const folder = mkdtempSync(join(temporary, 'case-'));
     const [file, model, anew] = ['a.relievo', 'a.glb', 'b.relievo'].map((name) => join(folder, name)) as [string, string, string];
     writeFileSync(file, writeProject(document, null));
     relievo('build', file, '-q', '--vertices', '20000', '-o', model, '-o', join(folder, 'a.stl'));
