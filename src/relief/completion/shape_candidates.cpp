@@ -124,6 +124,7 @@ void cut_off(Mask& shape, const Mask& visible) {
     if (squares.pixels[i] > reach * reach) shape.inside.pixels[i] = 0;
 }
 
+/// The convex hull of what is seen.
 Mask hull_of(const HiddenPart& hidden) {
   std::vector<Point2> sides;
   for (const LabelRing& ring : hidden.rings())
