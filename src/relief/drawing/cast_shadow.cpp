@@ -67,6 +67,7 @@ Image8 smoothly_reached(const Image8& rgba) {
 /// What a piece of grey is like.
 struct GreyPiece {
   Box2 box;
+  double mean = 0;      ///< of the darkest channel
   int64_t to_page = 0;  ///< pairs of its pixels with white ones
   int64_t to_rest = 0;  ///< pairs with others that are not its own
 };
@@ -79,6 +80,8 @@ std::vector<GreyPiece> measure_pieces(const Components& pieces, const Image8& rg
       const int32_t piece = pieces.label.at(x, y);
       if (piece == 0) continue;
       measured[piece].box.add(Point2{x + 0.5, y + 0.5});
+      measured[piece].mean += static_cast<double>(darkest_channel(rgba, x, y)) /
+                              static_cast<double>(pieces.areas[piece]);
       for (const auto& [u, v] : sides_of(x, y)) {
         if (pieces.label.at(u, v) == piece) continue;
         const bool page = darkest_channel(rgba, u, v) >= palest;
@@ -86,12 +89,6 @@ std::vector<GreyPiece> measure_pieces(const Components& pieces, const Image8& rg
       }
     }
   return measured;
-}
-
-/// Row halfway down the figure.
-double middle_of(const Image8& rgba) {
-  const Box2 all = box_of(tinted_pixels(rgba));
-  return (all.min.y + all.max.y - 1) / 2;
 }
 
 double share_of(const Components& pieces, size_t piece) {
@@ -105,18 +102,16 @@ bool lies_below(const Box2& box, double share, double middle) {
          box.max.x - box.min.x > shadow_breadth * (box.max.y - box.min.y);
 }
 
-/// Of the grey that is reached, what lies as a shadow does: broad, in the lower half of the figure,
-/// and bounded by the page. What it touches of the figure in the same grey is cut off where that is
-/// narrow.
-Image8 lying_pieces(const Image8& grey, const Image8& rgba) {
+/// Soft shadows: of the grey that is reached, what lies as one does and is bounded by the page.
+/// What it touches of the figure in the same grey is cut off where that is narrow.
+Image8 lying_pieces(const Image8& grey, const Image8& rgba, double middle) {
   const Components pieces =
       connected_components(remove_specks(grey, half_leak), Connectivity::sides);
   const std::vector<GreyPiece> measured = measure_pieces(pieces, rgba);
-  const double middle = middle_of(rgba);
   std::vector<uint8_t> lies(measured.size(), 0);
   for (size_t k = 1; k < measured.size(); ++k) {
-    const auto& [box, to_page, to_rest] = measured[k];
-    lies[k] = to_page > to_rest && lies_below(box, share_of(pieces, k), middle);
+    const GreyPiece& piece = measured[k];
+    lies[k] = piece.to_page > piece.to_rest && lies_below(piece.box, share_of(pieces, k), middle);
   }
   Image8 result(grey.width, grey.height, 1);
   for (size_t i = 0; i < grey.pixels.size(); ++i) result.pixels[i] = lies[pieces.label.pixels[i]];
@@ -125,14 +120,10 @@ Image8 lying_pieces(const Image8& grey, const Image8& rgba) {
   return result;
 }
 
-/// What is a soft shadow.
-Image8 soft_shadow(const Image8& rgba) { return lying_pieces(smoothly_reached(rgba), rgba); }
-
 /// Grey without steps, in pieces.
 struct FlatGrey {
   Components pieces;
-  std::vector<double> mean;  ///< [pieces + 1] of the darkest channel
-  std::vector<Box2> box;     ///< [pieces + 1]
+  std::vector<GreyPiece> measured;  ///< [pieces + 1]
 };
 
 FlatGrey flat_grey(const Image8& rgba) {
@@ -146,18 +137,9 @@ FlatGrey flat_grey(const Image8& rgba) {
         return std::abs(darkest_channel(rgba, side.first, side.second) - own) <= smooth_step;
       });
     }
-  FlatGrey grey{connected_components(flat, Connectivity::sides), {}, {}};
-  grey.mean.resize(grey.pieces.areas.size());
-  grey.box.resize(grey.pieces.areas.size());
-  for (int y = 0; y < rgba.height; ++y)
-    for (int x = 0; x < rgba.width; ++x) {
-      const int32_t piece = grey.pieces.label.at(x, y);
-      if (piece == 0) continue;
-      grey.mean[piece] += static_cast<double>(darkest_channel(rgba, x, y)) /
-                          static_cast<double>(grey.pieces.areas[piece]);
-      grey.box[piece].add(Point2{x + 0.5, y + 0.5});
-    }
-  return grey;
+  Components pieces = connected_components(flat, Connectivity::sides);
+  std::vector<GreyPiece> measured = measure_pieces(pieces, rgba);
+  return {std::move(pieces), std::move(measured)};
 }
 
 /// What the page meets of a picture.
@@ -167,11 +149,10 @@ struct PageContacts {
   int64_t bare = 0;           ///< where neither does
 };
 
-PageContacts find_contacts(const FlatGrey& grey, const Image8& rgba) {
-  const Components open =
-      connected_components(complement(tinted_pixels(rgba)), Connectivity::sides);
+PageContacts find_contacts(const FlatGrey& grey, const Image8& tinted, const Image8& rgba) {
+  const Components open = connected_components(complement(tinted), Connectivity::sides);
   const std::vector<uint8_t> is_page = pieces_at_edge(open);
-  PageContacts contacts{std::vector<int64_t>(grey.box.size()), 0, 0};
+  PageContacts contacts{std::vector<int64_t>(grey.measured.size()), 0, 0};
   const auto meet = [&](int x, int y, int step_x, int step_y) {
     for (int k = 0; k < deepest_rim; ++k, x += step_x, y += step_y) {
       if (x < 0 || y < 0 || x >= rgba.width || y >= rgba.height) break;
@@ -197,9 +178,9 @@ bool is_like(const Image8& rgba, int x, int y, double mean) {
 
 /// Whether a piece ends openly to its left and right: page above and below.
 bool has_open_ends(const FlatGrey& grey, int32_t piece, const Image8& rgba) {
-  const Box2& box = grey.box[piece];
+  const Box2& box = grey.measured[piece].box;
   const auto reaches_page = [&](int x, int y, int step) {
-    while (y >= 0 && y < rgba.height && is_like(rgba, x, y, grey.mean[piece])) y += step;
+    while (y >= 0 && y < rgba.height && is_like(rgba, x, y, grey.measured[piece].mean)) y += step;
     return y < 0 || y >= rgba.height || darkest_channel(rgba, x, y) >= palest;
   };
   const int left = static_cast<int>(box.min.x);
@@ -224,37 +205,36 @@ Image8 around(const FlatGrey& grey, int32_t piece, const Image8& rgba) {
   Image8 pieces(rgba.width, rgba.height, 1);
   for_each_pixel(hull, [&](int x, int y) {
     const int32_t other = grey.pieces.label.at(x, y);
-    const bool like = other != 0 && std::abs(grey.mean[other] - grey.mean[piece]) <= smooth_step;
+    const bool like = other != 0 && std::abs(grey.measured[other].mean -
+                                             grey.measured[piece].mean) <= smooth_step;
     pieces.at(x, y) = like ? 1 : 0;
   });
   Image8 all = max_filter(pieces, half_leak);
   for (int y = 0; y < rgba.height; ++y)
     for (int x = 0; x < rgba.width; ++x)
-      if (!is_like(rgba, x, y, grey.mean[piece])) all.at(x, y) = pieces.at(x, y);
+      if (!is_like(rgba, x, y, grey.measured[piece].mean)) all.at(x, y) = pieces.at(x, y);
   return all;
 }
 
 /// What is a shadow with a hard edge: one grey below a figure with outlines, and without one
 /// towards the page. Empty where there is none.
-Image8 hard_shadow(const Image8& rgba) {
+Image8 hard_shadow(const Image8& rgba, const Image8& tinted, double middle) {
   const FlatGrey grey = flat_grey(rgba);
-  const double middle = middle_of(rgba);
   std::vector<int32_t> lying;
-  for (int32_t k = 1; k < static_cast<int32_t>(grey.box.size()); ++k)
-    if (lies_below(grey.box[k], share_of(grey.pieces, k), middle) && has_open_ends(grey, k, rgba))
+  for (int32_t k = 1; k < static_cast<int32_t>(grey.measured.size()); ++k)
+    if (lies_below(grey.measured[k].box, share_of(grey.pieces, k), middle) &&
+        has_open_ends(grey, k, rgba))
       lying.push_back(k);
   if (lying.empty()) return {};
-  PageContacts contacts = find_contacts(grey, rgba);
+  PageContacts contacts = find_contacts(grey, tinted, rgba);
   for (const int32_t k : lying) contacts.grey[k] = 0;
   const int64_t bare = std::accumulate(contacts.grey.begin(), contacts.grey.end(), contacts.bare);
   const auto inked = static_cast<double>(contacts.ink);
   if (inked < inked_share * (inked + static_cast<double>(bare))) return {};
-  return around(grey,
-                *std::max_element(lying.begin(), lying.end(),
-                                  [&](int32_t a, int32_t b) {
-                                    return grey.pieces.areas[a] < grey.pieces.areas[b];
-                                  }),
-                rgba);
+  const int32_t largest = *std::max_element(lying.begin(), lying.end(), [&](int32_t a, int32_t b) {
+    return grey.pieces.areas[a] < grey.pieces.areas[b];
+  });
+  return around(grey, largest, rgba);
 }
 
 }  // namespace
@@ -262,9 +242,12 @@ Image8 hard_shadow(const Image8& rgba) {
 Image8 without_cast_shadow(const Image8& rgba) {
   for (size_t i = 3; i < rgba.pixels.size(); i += 4)
     if (rgba.pixels[i] < 128) return {};
-  Image8 shadow = soft_shadow(rgba);
+  const Image8 tinted = tinted_pixels(rgba);
+  const Box2 figure = box_of(tinted);
+  const double middle = (figure.min.y + figure.max.y - 1) / 2;
+  Image8 shadow = lying_pieces(smoothly_reached(rgba), rgba, middle);
   if (std::count(shadow.pixels.begin(), shadow.pixels.end(), 1) == 0) {
-    shadow = hard_shadow(rgba);
+    shadow = hard_shadow(rgba, tinted, middle);
     if (shadow.empty()) return {};
   }
   Image8 lit = rgba;
