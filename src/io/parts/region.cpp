@@ -49,12 +49,6 @@ bool boxes_meet(const Box2& p, const Box2& q) {
   return p.min.x <= q.max.x && q.min.x <= p.max.x && p.min.y <= q.max.y && q.min.y <= p.max.y;
 }
 
-double area(const Region& region) {
-  double sum = 0;
-  for (const Ring& ring : region) sum += signed_area(ring);
-  return sum;
-}
-
 std::vector<Region> pieces(const Region& region) {
   ClipperLib::Clipper clipper;
   clipper.AddPaths(to_paths(region), ClipperLib::ptSubject, true);

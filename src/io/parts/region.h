@@ -23,9 +23,6 @@ Region grow(const Region& region, double distance);
 /// Whether the closed boxes have a point in common.
 bool boxes_meet(const Box2& p, const Box2& q);
 
-/// Sum of the rings' signed areas, px^2.
-double area(const Region& region);
-
 /// The connected pieces, each with its holes, the largest first.
 std::vector<Region> pieces(const Region& region);
 

@@ -37,6 +37,12 @@ double signed_area(const Ring& ring) {
   return 0.5 * twice;
 }
 
+double area(const Outline& outline) {
+  double sum = 0;
+  for (const Ring& ring : outline) sum += signed_area(ring);
+  return sum;
+}
+
 double perimeter(const Ring& ring) {
   double length = 0;
   for (size_t i = 0; i < ring.size(); ++i) length += distance(ring[i], ring[(i + 1) % ring.size()]);

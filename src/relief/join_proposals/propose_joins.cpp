@@ -129,8 +129,13 @@ class JoinProposer {
     for (int part = 0; part < regions_.count(); ++part) grow_open(part);
     const JoinProposals whole = connect_whole(regions_, stacking_, outlines_, options_);
     grow_limbs(whole.joins);
-    for (const ProposedRelation& proposed : whole.relations)
-      tied_.insert({{proposed.relation.upper, proposed.relation.lower}, proposed.relation.kind});
+    for (const ProposedRelation& proposed : whole.relations) {
+      const Relation& tie = proposed.relation;
+      const Pair pair{tie.upper, tie.lower};
+      tied_.insert({pair, tie.kind});
+      if (tie.kind == RelationKind::joined && !is_decided(pair))
+        behind_[tie.lower] = proposed.confidence;
+    }
     for (int part = 0; part < regions_.count(); ++part) propose(part);
     for (const auto& [pair, kind] : tied_) propose_relation(pair, kind);
     return std::move(out_);
@@ -195,7 +200,9 @@ class JoinProposer {
     if (share < options_.min_root || root.count < static_cast<size_t>(options_.min_root_sides))
       return;
     if (is_far_larger(part, root.lower)) return;
-    lay_join(part, root, colour_trust(part, root.lower) * std::min(1.0, 0.5 + share));
+    const double confidence = colour_trust(part, root.lower) * std::min(1.0, 0.5 + share);
+    const auto behind = behind_.find(part);
+    if (behind == behind_.end() || behind->second <= confidence) lay_join(part, root, confidence);
   }
 
   bool is_far_larger(int part, int lower) const {
@@ -256,6 +263,8 @@ class JoinProposer {
   const JoinProposalOptions& options_;
   std::set<int> said_;   ///< parts that the user joined to something
   std::set<int> limbs_;  ///< parts that grow out of another as their whole outlines tell
+  /// Limbs that grow out from behind another part, and how sure that is.
+  std::map<int, double> behind_;
   std::map<Pair, RelationKind> tied_;  ///< as whole outlines tell
   std::set<Pair> joined_;
   std::set<Pair> unjoined_;

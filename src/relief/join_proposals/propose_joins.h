@@ -32,7 +32,9 @@ struct JoinProposalOptions {
 ///    is the middle of that run; the ramps beside it are as long as the run exceeds its chord, so
 ///    that they end where a limb leaves the lower part, and become Robin ranges;
 ///    A clear change of colour halves the confidence, since hats are not grown on, but sleeves are;
-///    where the two have grown together, neither the root's share nor the size matters;
+///    where the two have grown together, neither the root's share nor the size matters. What more
+///    surely grows out from behind another part, as legs from behind a skirt, has no such join: a
+///    cape behind it is not what it grows out of;
 ///  - equal: the outline does not touch the background: an eye, a button, a spot; or the completed
 ///    outlines tie the two, as a limb that comes out from behind a larger part;
 ///  - above: everything else.

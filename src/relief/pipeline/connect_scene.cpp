@@ -17,11 +17,9 @@ namespace {
 /// A dish, not a hole.
 constexpr double hollow_amount = 1;
 
-double area(Outline outline) {
-  orient_by_nesting(outline);
-  double sum = 0;
-  for (const Ring& ring : outline) sum += signed_area(ring);
-  return sum;
+double area_of(Part part) {
+  orient_by_nesting(part.outline);
+  return area(part.outline);
 }
 
 /// What the author says of how parts connect.
@@ -73,7 +71,7 @@ void yield_to_author(const Scene& scene, JoinProposals& guesses) {
                 [&](const ProposedJoin& guess) { return said.placed.count(guess.join.upper) > 0; });
   std::erase_if(guesses.relations, [&](const ProposedRelation& guess) {
     const Relation& tie = guess.relation;
-    const bool behind = area(scene.parts[tie.lower].outline) < area(scene.parts[tie.upper].outline);
+    const bool behind = area_of(scene.parts[tie.lower]) < area_of(scene.parts[tie.upper]);
     return said.pairs.count({tie.upper, tie.lower}) > 0 ||
            said.placed.count(behind ? tie.lower : tie.upper) > 0;
   });

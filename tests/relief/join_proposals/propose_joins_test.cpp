@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "kernel/image/outlines.h"
 #include "support/label_maps.h"
 
@@ -104,6 +106,29 @@ TEST(JoinParts, ALimbBehindALargePartTouchesItsOutline) {
   EXPECT_TRUE(joining.joins.empty());
   ASSERT_EQ(joining.relations.size(), 1U);
   EXPECT_EQ(joining.relations[0].relation.kind, RelationKind::joined);
+}
+
+/// A leg comes out from behind a coat, all of it in front of a cape of another colour.
+TEST(JoinParts, WhatHangsBehindOnePartIsNotJoinedToABackdrop) {
+  const Drawing figure{
+      220, 200, {box(20, 20, 200, 170), box(90, 90, 130, 178), box(40, 10, 180, 120)}};
+  JoinProposalOptions options;
+  options.colours = {{255, 255, 255}, {20, 120, 40}, {150, 90, 60}, {150, 100, 60}};
+  const auto joins_of_leg = [](const JoinProposals& joining) {
+    return std::count_if(joining.joins.begin(), joining.joins.end(),
+                         [](const ProposedJoin& proposed) { return proposed.join.upper == 1; });
+  };
+  const JoinProposals joining = join(figure, {}, options);
+  EXPECT_EQ(joins_of_leg(joining), 0);
+  const auto of_leg = [&](const ProposedRelation& proposed) {
+    return proposed.relation.upper == 2 && proposed.relation.lower == 1 &&
+           proposed.relation.kind == RelationKind::joined;
+  };
+  EXPECT_EQ(std::count_if(joining.relations.begin(), joining.relations.end(), of_leg), 1);
+
+  JoinCorrections apart;
+  apart.relations = {{2, 1, RelationKind::above, std::nullopt}};
+  EXPECT_EQ(joins_of_leg(join(figure, apart, options)), 1) << "it may grow out of the cape";
 }
 
 TEST(JoinParts, TheUserIsNotOverruled) {
