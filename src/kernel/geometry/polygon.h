@@ -21,7 +21,7 @@ struct Box2 {
 /// Signed area; positive where the ring runs clockwise as seen on the screen (y down). O(n).
 double signed_area(const Ring& ring);
 
-/// Of an outline whose rings run as orient_by_nesting lets them. O(n).
+/// Area, without holes, of an outline whose rings run as after orient_by_nesting. O(n).
 double area(const Outline& outline);
 
 /// Length of the closed ring. O(n).
