@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "relief/drawing/find_regions.h"
 #include "relief/drawing/segment_drawing.h"
@@ -36,6 +38,25 @@ TEST(FindPieces, WhatDoesNotGoOnBehindTheBodyStaysApart) {
   EXPECT_TRUE(find_pieces(beside_body(left, {{130, 160}, {150, 220}})).empty());
   // Nothing hides what ends before the body.
   EXPECT_TRUE(find_pieces(beside_body({{45, 60}, {65, 120}}, {{135, 60}, {155, 120}})).empty());
+}
+
+/// As `beside_body`, where the body is stout in the middle: its contour bends at what it hides.
+Image16 beside_stout_body(double slope) {
+  Image16 labels = beside_body({{56, 120}, {70, 180}}, {{130, 120}, {144, 180}});
+  for (int y = 20; y < 280; ++y) {
+    const double width = std::max(12.0, 30 - slope * std::max({0.0, 120.5 - y, y - 179.5}));
+    for (int x = 0; x < labels.width; ++x)
+      if (std::abs(x - 99.5) < width)
+        labels.at(x, y) = 1;
+      else if (labels.at(x, y) == 1)
+        labels.at(x, y) = 0;
+  }
+  return labels;
+}
+
+TEST(FindPieces, WhatHidesMayBendAtWhatItHides) {
+  for (const double slope : {0.0, 0.5, 1.0})
+    EXPECT_EQ(find_pieces(beside_stout_body(slope)), (Pieces{{2, 3}})) << slope;
 }
 
 TEST(FindPieces, ArmsThatAreSpreadStayTwo) {
