@@ -45,11 +45,8 @@ Image16 beside_stout_body(double slope) {
   Image16 labels = beside_body({{56, 120}, {70, 180}}, {{130, 120}, {144, 180}});
   for (int y = 20; y < 280; ++y) {
     const double width = std::max(12.0, 30 - slope * std::max({0.0, 120.5 - y, y - 179.5}));
-    for (int x = 0; x < labels.width; ++x)
-      if (std::abs(x - 99.5) < width)
-        labels.at(x, y) = 1;
-      else if (labels.at(x, y) == 1)
-        labels.at(x, y) = 0;
+    for (int x = 70; x < 130; ++x)
+      if (std::abs(x - 99.5) >= width) labels.at(x, y) = 0;
   }
   return labels;
 }
