@@ -146,14 +146,14 @@ bool find_inner(const std::vector<int>& elimination, const SparseMatrix& A, std:
 /// A node of parts that lie on others.
 struct RestingNode {
   double below = 0;   ///< the height of what it lies on
-  double weight = 0;  ///< px^2, of the faces around it that lie on something
+  double weight = 0;  ///< px^2, of the faces around it that lie on something, 0 where none does
 };
 
 /// What parts lie on, of those that one is tied to.
 struct Rest {
-  double area = 0;     ///< px^2, of the parts
-  double resting = 0;  ///< that of it which lies on others
-  std::map<int, RestingNode> nodes;
+  double area = 0;                   ///< px^2, of the parts
+  double resting = 0;                ///< that of it which lies on others
+  std::map<int, RestingNode> nodes;  ///< of the parts, all of them
 };
 
 /// Adds what one part lies on. `height`: of all nodes.
@@ -165,6 +165,7 @@ void add_rest(const LayeredMesh& mesh, const std::vector<int>& faces, const std:
     const double area =
         std::abs(cross(mesh.vertices[corners[1]] - a, mesh.vertices[corners[2]] - a)) / 2;
     rest.area += area;
+    for (const int n : mesh.faces[face]) rest.nodes[n];
     const int begin = mesh.stack_begin[mesh.face_triangle[face]];
     int below = face - 1;
     while (below >= begin && (mesh.is_flap(below) || tied.count(mesh.face_part[below]) == 0))

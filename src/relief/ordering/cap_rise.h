@@ -54,8 +54,8 @@ Eigen::VectorXd cap_rise(const Caps& caps, const Inflation& inflation, double sc
 /// with the least gradient they would bend what they lie on, off the drawing plane. So a spot is
 /// wanted on the plane that departs least from what lies below it. It is a part that may be a cap,
 /// is none, and lies on what it is tied to with all its area and that of what grows out of it; it
-/// is less of a spot the more sticks out, up to a tenth. `height`: #N scene units, of all parts
-/// without spots. O(F + height of the stacks).
+/// is less of a spot the more sticks out, up to a tenth, which comes along. `height`: #N scene
+/// units, of all parts without spots. O(F + height of the stacks).
 Eigen::VectorXd spot_rise(const LayeredMesh& mesh, const Scene& scene, const Caps& caps,
                           Eigen::VectorXd height);
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -215,6 +216,26 @@ TEST(Spot, IsLessOneTheMoreSticksOut) {
   EXPECT_LT(shares[2], shares[1]);
   EXPECT_GT(shares[2], 0.001);
   EXPECT_EQ(shares[3], 0);
+}
+
+TEST(Spot, ComesForwardAsOneWithWhatSticksOut) {
+  Scene scene = head_and_eye();
+  scene.parts.pop_back();
+  scene.relations.pop_back();
+  scene.parts[1] = testing::part("eye", testing::circle({296, 250}, 30));
+  const ShiftedScene relief = shifted(scene);
+  const VectorXd f = metric_of(relief).scale * inflated_heights(relief.inflation.u);
+  const VectorXd rise = spots_of(relief, scene, f);
+  std::vector<Index> eye;
+  for (Index n = 0; n < rise.size(); ++n)
+    if (relief.mesh.node_part[n] == 1) eye.push_back(n);
+  Eigen::MatrixX3d places(eye.size(), 3);
+  for (Index i = 0; i < places.rows(); ++i)
+    places.row(i) << 1, relief.at(eye[i]).x, relief.at(eye[i]).y;
+  const VectorXd on_eye = rise(eye);
+  const Eigen::Vector3d plane = places.colPivHouseholderQr().solve(on_eye);
+  EXPECT_GT(on_eye.norm(), 0);
+  EXPECT_LT((places * plane - on_eye).norm(), 1e-12 * on_eye.norm());
 }
 
 TEST(Spot, IsNoneWhereItGrowsLeansOrIsNotTied) {
