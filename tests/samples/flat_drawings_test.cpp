@@ -39,12 +39,15 @@ class FlatDrawings : public testing::Test {
   }
 
   Result<Segmentation> segment(const std::string& name, const std::string& strokes) const {
-    const Result<Bytes> bytes =
-        read_file(fs::path(RELIEVO_TEST_DATA) / "scribbles" / (strokes + ".json"));
+    return segment_drawing(drawing(name), scribbles("scribbles/" + strokes));
+  }
+
+  Scribbles scribbles(const std::string& name) const {
+    const Result<Bytes> bytes = read_file(fs::path(RELIEVO_TEST_DATA) / (name + ".json"));
     const Result<Scribbles> scribbles =
         read_scribbles({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
     EXPECT_TRUE(scribbles.ok()) << (scribbles.ok() ? "" : to_string(scribbles.error()));
-    return segment_drawing(drawing(name), *scribbles);
+    return *scribbles;
   }
 
   /// Intersection over union of all parts and the figure as another person cut it out.
@@ -200,6 +203,72 @@ TEST_F(FlatDrawings, PhotographsAndScansNeedOneStrokeAPart) {
       (part.proposed ? proposed : drawn) += static_cast<double>(part.area);
     EXPECT_LT(proposed, 0.05 * drawn) << name;
     EXPECT_EQ(s->labels.at(2, 2), 0) << name;
+  }
+}
+
+/// What is not understood of a drawing alone takes eight strokes at most.
+TEST_F(FlatDrawings, FewStrokesMendWhatIsWrong) {
+  const std::map<std::string, std::vector<Spot>> spots = {{"F01_kid_man/texture.png",
+                                                           {{10, 10, ""},
+                                                            {250, 310, "trunk"},
+                                                            {110, 260, "left arm"},
+                                                            {400, 235, "right arm"},
+                                                            {225, 110, "head"},
+                                                            {180, 440, "left leg"},
+                                                            {370, 430, "right leg"}}},
+                                                          {"F02_kid_bug/texture.png",
+                                                           {{5, 5, ""},
+                                                            {225, 127, ""},
+                                                            {250, 131, ""},
+                                                            {215, 109, "upper arm"},
+                                                            {225, 143, "lower arm"},
+                                                            {130, 180, "body"}}},
+                                                          {"F04_gopher_dandy_pencil.png",
+                                                           {{5, 5, ""},
+                                                            {92, 425, ""},
+                                                            {66, 425, "umbrella"},
+                                                            {105, 540, "umbrella"},
+                                                            {232, 627, "left foot"},
+                                                            {394, 624, "right foot"},
+                                                            {240, 290, "body"}}},
+                                                          {"F05_gopher_pirate_pencil.png",
+                                                           {{5, 5, ""},
+                                                            {40, 205, "parrot"},
+                                                            {85, 280, "parrot"},
+                                                            {150, 425, "belly"},
+                                                            {140, 360, "left coat"},
+                                                            {320, 320, "right coat"}}},
+                                                          {"F09_pig_lear.gif",
+                                                           {{10, 10, ""},
+                                                            {105, 205, ""},
+                                                            {140, 200, ""},
+                                                            {12, 112, "head"},
+                                                            {50, 95, "head"},
+                                                            {200, 120, "body"},
+                                                            {95, 185, "body"},
+                                                            {248, 205, "body"}}},
+                                                          {"F11_rabbits_potter.jpg",
+                                                           {{5, 5, ""},
+                                                            {240, 485, ""},
+                                                            {60, 440, ""},
+                                                            {150, 45, "mother"},
+                                                            {187, 50, "mother"},
+                                                            {150, 150, "mother"},
+                                                            {30, 250, "dress"},
+                                                            {70, 300, "dress"},
+                                                            {180, 290, "heads"},
+                                                            {150, 345, "coats"},
+                                                            {250, 340, "coats"},
+                                                            {380, 310, "son's head"},
+                                                            {400, 400, "son"}}}};
+  for (const auto& [name, places] : spots) {
+    SCOPED_TRACE(name);
+    const std::string stem = name.substr(0, name.find_first_of("./"));
+    const Scribbles strokes = scribbles("few_strokes/" + stem);
+    EXPECT_LE(strokes.strokes.size(), 8U);
+    const Result<Segmentation> s = segment_drawing(drawing(name), strokes);
+    ASSERT_TRUE(s.ok()) << to_string(s.error());
+    expect_parts(*s, places);
   }
 }
 
