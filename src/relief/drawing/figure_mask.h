@@ -75,11 +75,12 @@ bool is_paper(const Basin& region);
 /// Share of the lines, by area, on all sides of which lies the background.
 double unbounded_line_share(const Basins& basins);
 
-/// The drawing on pure white: composited over white (over black and inverted where everything
-/// opaque is light lines), the paper's colour and a slow change of light divided out. 8-bit RGB,
-/// 3 channels. `rgba` has 4. The light is a quadratic fitted to the bright part of each channel.
-/// O(pixels).
-Image8 remove_paper(const Image8& rgba);
+/// The drawing laid on white: composited over it (over black and inverted where everything opaque
+/// is light lines), the paper's colour and a slow change of light divided out. 8-bit RGB, 3
+/// channels. `rgba` has 4. The light is a quadratic fitted to the bright part of each channel. A
+/// pale figure `on_pure_white` can be that part: where paint would become white, nothing is divided
+/// out. O(pixels).
+Image8 remove_paper(const Image8& rgba, bool on_pure_white = false);
 
 /// A drawing (4 channels) without the lines of ruled or squared paper, or nothing where there are
 /// none: five or more thin ones at equal distances across most of the picture, level or upright to

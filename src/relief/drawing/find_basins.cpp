@@ -60,7 +60,7 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   const bool on_pure_white = figure.is_cut || is_on_pure_white(drawn);
   const Image8 lit = on_pure_white && !figure.is_cut ? without_cast_shadow(drawn) : Image8{};
   const Image8& rgba = lit.empty() ? drawn : lit;
-  const Image8 rgb = remove_paper(rgba);
+  const Image8 rgb = remove_paper(rgba, on_pure_white);
   if (!go_on(context, 0.1)) return interrupted_error();
   LineMap map = find_lines(rgb, on_pure_white);
   close_line_gaps(rgb, map);

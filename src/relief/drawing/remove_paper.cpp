@@ -2,21 +2,24 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "kernel/image/compose.h"
 #include "kernel/image/filters.h"
 #include "relief/drawing/figure_mask.h"
+#include "relief/drawing/line_map.h"
 #include "relief/drawing/paper_light.h"
 
 namespace relievo {
 namespace {
 
-constexpr int fit_side = 48;          ///< cells along the longer side that the light is fitted to
-constexpr int fit_rounds = 12;        ///< of reweighting at most; weights settle in about eight
-constexpr double dark_weight = 0.02;  ///< of cells below the fit, which may be ink or paint
-constexpr float darkest_paper = 40;   ///< light below which nothing is divided out
+constexpr int fit_side = 48;           ///< cells along the longer side that the light is fitted to
+constexpr int fit_rounds = 12;         ///< of reweighting at most; weights settle in about eight
+constexpr double dark_weight = 0.02;   ///< of cells below the fit, which may be ink or paint
+constexpr double erased_share = 0.06;  ///< of the paint, from which on the light is that on paint
+constexpr float darkest_paper = 40;    ///< light below which nothing is divided out
 
 double position(int i, int n) { return n < 2 ? 0 : 2.0 * i / (n - 1) - 1; }
 
@@ -98,6 +101,19 @@ void divide_by(Image8& rgb, const Light& lights) {
   }
 }
 
+/// Whether a good part of what is no white in a picture is white in another of the same size.
+bool erases_paint(const Image8& rgb, const Image8& lit) {
+  int64_t paint = 0;
+  int64_t erased = 0;
+  for (int y = 0; y < rgb.height; ++y)
+    for (int x = 0; x < rgb.width; ++x) {
+      if (darkest_channel(rgb, x, y) >= palest) continue;
+      ++paint;
+      erased += darkest_channel(lit, x, y) >= palest ? 1 : 0;
+    }
+  return static_cast<double>(erased) > erased_share * static_cast<double>(paint);
+}
+
 }  // namespace
 
 Quadratic light_terms(int x, int y, int width, int height) {
@@ -138,7 +154,7 @@ uint8_t least_alpha(const Image8& rgba) {
   return least;
 }
 
-Image8 remove_paper(const Image8& rgba) {
+Image8 remove_paper(const Image8& rgba, bool on_pure_white) {
   assert(rgba.channels == 4);
   const uint8_t alpha = least_alpha(rgba);
   const bool transparent = alpha < 128;
@@ -147,8 +163,10 @@ Image8 remove_paper(const Image8& rgba) {
   const LightCells cells = light_cells(rgb);
   Light lights;
   for (int c = 0; c < 3; ++c) lights[c] = light_on_paper(cells, c);
-  if (!std::all_of(lights.begin(), lights.end(), is_white)) divide_by(rgb, lights);
-  return rgb;
+  if (std::all_of(lights.begin(), lights.end(), is_white)) return rgb;
+  Image8 lit = rgb;
+  divide_by(lit, lights);
+  return on_pure_white && erases_paint(rgb, lit) ? rgb : lit;
 }
 
 }  // namespace relievo

@@ -42,6 +42,26 @@ TEST_P(PaleFigure, IsWholeOnPureWhite) {
 
 INSTANTIATE_TEST_SUITE_P(Contrasts, PaleFigure, ::testing::Values(14, 25, 35, 58, 90));
 
+/// The light on a pale ball is no light on paper.
+TEST(PureWhite, IsNoneOfABallWhereLightFallsOnIt) {
+  Image8 ball(300, 300, 4, 255);
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 300; ++x) {
+      if (distance({x + 0.5, y + 0.5}, {150, 150}) >= 120) continue;
+      const auto grey = static_cast<uint8_t>(std::lround(219 + 0.14 * (x - y)));
+      for (int c = 0; c < 3; ++c) ball.at(x, y, c) = grey;
+    }
+  const Result<Segmentation> s = segment_drawing({ball});
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  EXPECT_EQ(s->parts.size(), 1U);
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 300; ++x) {
+      const double outside = distance({x + 0.5, y + 0.5}, {150, 150}) - 120;
+      if (std::abs(outside) < 3) continue;
+      ASSERT_EQ(outside < 0, s->labels.at(x, y) != 0) << x << ", " << y;
+    }
+}
+
 TEST(PureWhite, IsNotThePaperOfAPhotographOrAScan) {
   EXPECT_TRUE(is_on_pure_white(mouse(40).rgba));
   Image8 grainy = mouse(40).rgba;
