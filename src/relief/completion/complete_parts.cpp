@@ -1,7 +1,10 @@
 #include "relief/completion/complete_parts.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
+#include "kernel/base/workers.h"
 #include "kernel/image/components.h"
 #include "relief/completion/contour_gaps.h"
 
@@ -94,12 +97,13 @@ int shared_sides(const PartRegions& regions, int part, int other) {
 
 Result<Completion> complete_parts(const PartRegions& regions, const Occluders& occluders,
                                   const RunContext& context) {
-  Completion completion;
-  for (int part = 0; part < regions.count(); ++part) {
-    if (context.cancelled()) return interrupted_error();
-    context.report("complete", static_cast<double>(part) / regions.count());
-    completion.parts.push_back(complete(hidden_part(regions, part, occluders[part])));
-  }
+  context.report("complete", 0);
+  Completion completion{std::vector<CompletedPart>(static_cast<size_t>(regions.count()))};
+  run_tasks(regions.count(), [&](int part) {
+    if (context.cancelled()) return;
+    completion.parts[part] = complete(hidden_part(regions, part, occluders[part]));
+  });
+  if (context.cancelled()) return interrupted_error();
   return completion;
 }
 
@@ -113,14 +117,20 @@ Result<std::vector<NeighbourEvidence>> compare_neighbours(const PartRegions& reg
   std::vector<NeighbourEvidence> evidence;
   const auto adjacent = neighbours(regions, options.min_shared_sides);
   for (int a = 0; a < regions.count(); ++a)
-    for (const int b : adjacent[a]) {
-      if (b < a) continue;
-      if (context.cancelled()) return interrupted_error();
-      evidence.push_back({a, b, shared_sides(regions, a, b),
-                          pixels_of(regions, b, completion->parts[a].shape),
-                          pixels_of(regions, a, completion->parts[b].shape),
-                          is_shaped(regions, a, b), is_shaped(regions, b, a)});
-    }
+    for (const int b : adjacent[a])
+      if (a < b) evidence.push_back({a, b});
+  run_tasks(static_cast<int>(evidence.size()), [&](int pair) {
+    if (context.cancelled()) return;
+    const auto [a, b] = std::pair(evidence[pair].a, evidence[pair].b);
+    evidence[pair] = {a,
+                      b,
+                      shared_sides(regions, a, b),
+                      pixels_of(regions, b, completion->parts[a].shape),
+                      pixels_of(regions, a, completion->parts[b].shape),
+                      is_shaped(regions, a, b),
+                      is_shaped(regions, b, a)};
+  });
+  if (context.cancelled()) return interrupted_error();
   return evidence;
 }
 
