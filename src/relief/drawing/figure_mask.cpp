@@ -20,6 +20,7 @@ constexpr double solid_share = 0.6;   ///< of what opaque pixels surround, from 
 constexpr int colourful = 44;         ///< difference of channels, of 255, of what is no paper
 constexpr int clean_white = 248;      ///< darkest channel of white paper at least
 constexpr double clean_share = 0.9;   ///< of the picture's edge that is so white on clean paper
+constexpr double bust_share = 0.6;    ///< the same of pure white, which a bust leaves of it
 constexpr int faintest = 228;         ///< darkest channel of paint on clean paper at most
 constexpr int pure_white = 254;       ///< darkest channel of paper that nothing has blurred
 constexpr int half_halo = 2;          ///< px, of what a codec leaves beside an outline
@@ -197,7 +198,8 @@ FigureMask find_figure(const Image8& rgba, const Image8& rgb, const LineMap& map
   open_slits(paint_on_page, closed);
   const Image8 figure = without_small_pieces(without_holes(closed));
   const auto is_inside = [&](int x, int y) { return figure.at(x, y) != 0; };
-  if (share_of_edge(rgb.width, rgb.height, is_inside) > at_edge_share) return {};
+  const double most = on_pure_white ? 1 - bust_share : at_edge_share;
+  if (share_of_edge(rgb.width, rgb.height, is_inside) > most) return {};
   // The blur of its rim is half paper.
   return {min_filter(figure, 1), false, on_pure_white};
 }
@@ -223,7 +225,7 @@ bool is_on_pure_white(const Image8& rgba) {
   const auto is_white = [&](int x, int y) {
     return rgba.at(x, y, 3) == 0 || darkest_channel(rgba, x, y) >= pure_white;
   };
-  return share_of_edge(rgba.width, rgba.height, is_white) >= clean_share &&
+  return share_of_edge(rgba.width, rgba.height, is_white) >= bust_share &&
          share_of_box(tinted_pixels(rgba)) < framed_share;
 }
 

@@ -42,6 +42,25 @@ TEST_P(PaleFigure, IsWholeOnPureWhite) {
 
 INSTANTIATE_TEST_SUITE_P(Contrasts, PaleFigure, ::testing::Values(14, 25, 35, 58, 90));
 
+/// Cut by the picture's lower edge, along four fifths of that.
+TEST(PureWhite, IsWhatABustLeavesOfTheEdge) {
+  for (const int level : {230, 220, 165}) {
+    const auto grey = static_cast<uint8_t>(level);
+    InkDrawing bust(300, 260);
+    bust.disc({150, 240}, 120, grey, grey, grey).disc({150, 90}, 70, grey, grey, grey);
+    bust.disc({120, 80}, 10, 50, 50, 60).disc({180, 80}, 10, 50, 50, 60);
+    const Result<Segmentation> s = segment_drawing(bust.drawing());
+    ASSERT_TRUE(s.ok()) << to_string(s.error());
+    for (int y = 0; y < 260; ++y)
+      for (int x = 0; x < 300; ++x) {
+        const Point2 p{x + 0.5, y + 0.5};
+        const double outside = std::min(distance(p, {150, 240}) - 120, distance(p, {150, 90}) - 70);
+        if (std::abs(outside) < 4) continue;
+        ASSERT_EQ(outside < 0, s->labels.at(x, y) != 0) << level << " at " << x << ", " << y;
+      }
+  }
+}
+
 /// The light on a pale ball is no light on paper.
 TEST(PureWhite, IsNoneOfABallWhereLightFallsOnIt) {
   Image8 ball(300, 300, 4, 255);
