@@ -1,7 +1,6 @@
 #include "relief/completion/complete_parts.h"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 #include "kernel/base/workers.h"
@@ -121,14 +120,12 @@ Result<std::vector<NeighbourEvidence>> compare_neighbours(const PartRegions& reg
       if (a < b) evidence.push_back({a, b});
   run_tasks(static_cast<int>(evidence.size()), [&](int pair) {
     if (context.cancelled()) return;
-    const auto [a, b] = std::pair(evidence[pair].a, evidence[pair].b);
-    evidence[pair] = {a,
-                      b,
-                      shared_sides(regions, a, b),
-                      pixels_of(regions, b, completion->parts[a].shape),
-                      pixels_of(regions, a, completion->parts[b].shape),
-                      is_shaped(regions, a, b),
-                      is_shaped(regions, b, a)};
+    NeighbourEvidence& found = evidence[pair];
+    found.shared = shared_sides(regions, found.a, found.b);
+    found.a_below_b = pixels_of(regions, found.b, completion->parts[found.a].shape);
+    found.b_below_a = pixels_of(regions, found.a, completion->parts[found.b].shape);
+    found.a_shaped = is_shaped(regions, found.a, found.b);
+    found.b_shaped = is_shaped(regions, found.b, found.a);
   });
   if (context.cancelled()) return interrupted_error();
   return evidence;

@@ -9,7 +9,6 @@
 #include "kernel/image/compose.h"
 #include "kernel/image/filters.h"
 #include "relief/drawing/figure_mask.h"
-#include "relief/drawing/line_map.h"
 #include "relief/drawing/paper_light.h"
 
 namespace relievo {
@@ -101,16 +100,15 @@ void divide_by(Image8& rgb, const Light& lights) {
   }
 }
 
-/// Whether a good part of what is no white in a picture is white in another of the same size.
+int64_t paint_pixels(const Image8& rgb) {
+  const Image8 paint = tinted_pixels(rgb);
+  return std::count(paint.pixels.begin(), paint.pixels.end(), 1);
+}
+
+/// Whether a good part of the paint in a picture is white where the light on it is divided out.
 bool erases_paint(const Image8& rgb, const Image8& lit) {
-  int64_t paint = 0;
-  int64_t erased = 0;
-  for (int y = 0; y < rgb.height; ++y)
-    for (int x = 0; x < rgb.width; ++x) {
-      if (darkest_channel(rgb, x, y) >= palest) continue;
-      ++paint;
-      erased += darkest_channel(lit, x, y) >= palest ? 1 : 0;
-    }
+  const int64_t paint = paint_pixels(rgb);
+  const int64_t erased = paint - paint_pixels(lit);
   return static_cast<double>(erased) > erased_share * static_cast<double>(paint);
 }
 
