@@ -1,5 +1,6 @@
 #include "kernel/image/components.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "kernel/base/disjoint_sets.h"
@@ -8,24 +9,50 @@
 namespace relievo {
 namespace {
 
-/// Labels the pixel from those of its neighbours before it, uniting them where they differ.
-int32_t label_of(const Image<int32_t>& label, int x, int y, Connectivity connectivity,
-                 DisjointSets& sets) {
-  int32_t found = 0;
-  const auto join = [&](int nx, int ny) {
-    if (nx < 0 || ny < 0 || nx >= label.width) return;
-    const int32_t other = label.at(nx, ny);
-    if (other == 0 || other == found) return;
-    if (found != 0) sets.unite(found, other);
-    found = other;
-  };
-  join(x - 1, y);
-  join(x, y - 1);
-  if (connectivity == Connectivity::corners) {
-    join(x - 1, y - 1);
-    join(x + 1, y - 1);
+/// Pixels of a row that follow each other in the mask.
+struct Run {
+  int32_t begin = 0;
+  int32_t end = 0;  ///< one past the last
+  int32_t label = 0;
+};
+
+/// The runs of all rows; those of row y are from row[y] to before row[y + 1].
+struct Runs {
+  std::vector<Run> runs;
+  std::vector<size_t> row;
+};
+
+Runs find_runs(const Image8& mask) {
+  Runs found;
+  for (int y = 0; y < mask.height; ++y) {
+    found.row.push_back(found.runs.size());
+    const uint8_t* row = mask.pixels.data() + static_cast<size_t>(y) * mask.width;
+    for (int x = 0; x < mask.width; ++x) {
+      if (row[x] == 0) continue;
+      const int begin = x;
+      while (x < mask.width && row[x] != 0) ++x;
+      found.runs.push_back({begin, x, 0});
+    }
   }
-  return found != 0 ? found : sets.add();
+  found.row.push_back(found.runs.size());
+  return found;
+}
+
+/// Labels the runs of a row from those of the row above that are no farther than `reach` beside
+/// them, uniting labels where several are.
+void label_row(Runs& found, int y, int reach, DisjointSets& sets) {
+  size_t first = y > 0 ? found.row[y - 1] : found.row[y];
+  const size_t end = found.row[y];
+  for (size_t i = found.row[y]; i < found.row[y + 1]; ++i) {
+    Run& run = found.runs[i];
+    while (first < end && found.runs[first].end + reach <= run.begin) ++first;
+    for (size_t k = first; k < end && found.runs[k].begin < run.end + reach; ++k) {
+      const int32_t above = found.runs[k].label;
+      if (run.label != 0 && run.label != above) sets.unite(run.label, above);
+      run.label = above;
+    }
+    if (run.label == 0) run.label = sets.add();
+  }
 }
 
 /// Numbers the sets but the first without gaps, in the order of their smallest members.
@@ -41,16 +68,25 @@ std::vector<int32_t> number(DisjointSets& sets, int32_t& count) {
 
 Components connected_components(const Image8& mask, Connectivity connectivity) {
   assert(mask.channels == 1);
-  Components result{Image<int32_t>(mask.width, mask.height, 1), {}};
+  Runs found = find_runs(mask);
   DisjointSets sets(1);
   for (int y = 0; y < mask.height; ++y)
-    for (int x = 0; x < mask.width; ++x)
-      if (mask.at(x, y) != 0)
-        result.label.at(x, y) = label_of(result.label, x, y, connectivity, sets);
+    label_row(found, y, connectivity == Connectivity::corners ? 1 : 0, sets);
   int32_t count = 0;
   const std::vector<int32_t> numbers = number(sets, count);
+  Components result{Image<int32_t>(mask.width, mask.height, 1), {}};
   result.areas.assign(static_cast<size_t>(count) + 1, 0);
-  for (int32_t& label : result.label.pixels) ++result.areas[label = numbers[label]];
+  result.areas[0] = static_cast<int64_t>(mask.pixels.size());
+  for (int y = 0; y < mask.height; ++y) {
+    int32_t* row = result.label.pixels.data() + static_cast<size_t>(y) * mask.width;
+    for (size_t i = found.row[y]; i < found.row[y + 1]; ++i) {
+      const Run& run = found.runs[i];
+      const int32_t label = numbers[run.label];
+      std::fill(row + run.begin, row + run.end, label);
+      result.areas[label] += run.end - run.begin;
+      result.areas[0] -= run.end - run.begin;
+    }
+  }
   return result;
 }
 

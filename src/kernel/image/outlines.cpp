@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 #include "kernel/geometry/polyline.h"
@@ -259,12 +260,17 @@ Outline outline_of(const Mask& mask, const OutlineOptions& options) {
 
 Box2 box_of(const Image8& mask) {
   Box2 box;
-  for (int y = 0; y < mask.height; ++y)
-    for (int x = 0; x < mask.width; ++x) {
-      if (mask.at(x, y) == 0) continue;
-      box.add(Point2{x * 1.0, y * 1.0});
-      box.add(Point2{x + 1.0, y + 1.0});
-    }
+  for (int y = 0; y < mask.height; ++y) {
+    const auto begin = mask.pixels.begin() + static_cast<std::ptrdiff_t>(y) * mask.width;
+    const auto end = begin + mask.width;
+    const auto is_inside = [](uint8_t value) { return value != 0; };
+    const auto first = std::find_if(begin, end, is_inside);
+    if (first == end) continue;
+    const auto last =
+        std::find_if(std::make_reverse_iterator(end), std::make_reverse_iterator(first), is_inside);
+    box.add(Point2{static_cast<double>(first - begin), y * 1.0});
+    box.add(Point2{static_cast<double>(last.base() - begin), y + 1.0});
+  }
   return box;
 }
 

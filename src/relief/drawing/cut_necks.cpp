@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <numeric>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -92,15 +92,15 @@ void cut_region(int region, double least_area, NeckGrid& grid, int& regions,
 class CutRegions {
  public:
   CutRegions(const NeckGrid& grid, const std::vector<NeckCut>& cuts, int regions)
-      : grid_(grid), cuts_(cuts), origin_(regions + 1) {
+      : grid_(grid), cuts_(cuts), origin_(regions + 1), divided_(regions + 1, 0) {
     std::iota(origin_.begin(), origin_.end(), 0);
     for (const NeckCut& cut : cuts) {
       origin_[cut.limb] = origin_[cut.region];
-      divided_.insert(origin_[cut.region]);
+      divided_[origin_[cut.region]] = 1;
     }
   }
 
-  bool is_divided(int region) const { return divided_.count(region) > 0; }
+  bool is_divided(int region) const { return divided_[region] != 0; }
 
   /// Of a pixel in a divided region: what its cell, or the nearest one that was in this region, has
   /// become, and beside a cut what lies to its side of it.
@@ -135,7 +135,7 @@ class CutRegions {
   const NeckGrid& grid_;
   const std::vector<NeckCut>& cuts_;
   std::vector<int> origin_;  ///< per region, the proposed one that it is of
-  std::set<int> divided_;
+  std::vector<uint8_t> divided_;
 };
 
 }  // namespace

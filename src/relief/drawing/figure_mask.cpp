@@ -141,11 +141,13 @@ void open_slits(const Image8& paint, Image8& closed) {
 
 Image8 tinted_pixels(const Image8& image) {
   Image8 mask(image.width, image.height, 1);
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) {
-      const bool nothing = image.channels == 4 && image.at(x, y, 3) == 0;
-      mask.at(x, y) = !nothing && darkest_channel(image, x, y) < palest ? 1 : 0;
-    }
+  const bool has_alpha = image.channels == 4;
+  const uint8_t* p = image.pixels.data();
+  for (uint8_t& tinted : mask.pixels) {
+    const bool nothing = has_alpha && p[3] == 0;
+    tinted = !nothing && std::min({p[0], p[1], p[2]}) < palest ? 1 : 0;
+    p += image.channels;
+  }
   return mask;
 }
 

@@ -27,6 +27,7 @@ constexpr double body_radius = 0.85;  ///< likewise, of the rest beside the neck
 constexpr double body_reach = 1.5;    ///< lengths of the neck in which that disc's middle lies
 constexpr double free_share = 0.6;    ///< of a limb's contour that is towards the background
 constexpr double body_share = 0.3;   ///< likewise of the rest; what lies on others is a limb itself
+constexpr double least_whole = 2;    ///< of a limb, the area of the region that it is part of
 constexpr double widest_neck = 1.2;  ///< beside the root of the limb's area
 constexpr double both_concave = 0.75;  ///< what a neck between two concave places seems long
 
@@ -48,26 +49,46 @@ struct Chord {
   double cost = std::numeric_limits<double>::infinity();
 };
 
-/// The cells of a region between its lines, holes that no background lies in filled, in a box with
-/// a margin.
-Mask cells_of(const NeckGrid& grid, int region) {
-  Image8 other(grid.region.width + 2, grid.region.height + 2, 1);
-  std::fill(other.pixels.begin(), other.pixels.end(), uint8_t{1});
+/// The box of a region's cells between its lines, with a margin of one.
+Mask box_of_cells(const NeckGrid& grid, int region) {
+  int left = grid.region.width;
+  int top = grid.region.height;
+  int right = 0;
+  int bottom = 0;
   for (int y = 0; y < grid.region.height; ++y)
-    for (int x = 0; x < grid.region.width; ++x)
-      if (grid.region.at(x, y) == region && grid.wall.at(x, y) == 0) other.at(x + 1, y + 1) = 0;
-  const Components holes = connected_components(other, Connectivity::corners);
-  std::vector<uint8_t> open(holes.areas.size(), 0);
+    for (int x = 0; x < grid.region.width; ++x) {
+      if (grid.region.at(x, y) != region || grid.wall.at(x, y) != 0) continue;
+      left = std::min(left, x);
+      right = std::max(right, x + 1);
+      top = std::min(top, y);
+      bottom = y + 1;
+    }
+  if (right == 0) return {};
+  return empty_mask(left - 1, top - 1, right + 1, bottom + 1);
+}
+
+/// The cells of a region between its lines in their box, holes that no background lies in filled.
+Mask cells_of(const NeckGrid& grid, int region, Mask cells) {
+  Image8 other(cells.inside.width, cells.inside.height, 1);
+  const auto has = [&](int x, int y) { return grid.has(cells.left + x, cells.top + y); };
+  const auto region_at = [&](int x, int y) {
+    return grid.region.at(cells.left + x, cells.top + y);
+  };
   for (int y = 0; y < other.height; ++y)
     for (int x = 0; x < other.width; ++x)
-      if (!grid.has(x - 1, y - 1) || grid.region.at(x - 1, y - 1) == 0)
-        open[holes.label.at(x, y)] = 1;
-  Image8 inside(other.width, other.height, 1);
-  for (size_t i = 0; i < inside.pixels.size(); ++i) {
+      other.at(x, y) = !has(x, y) || region_at(x, y) != region ||
+                       grid.wall.at(cells.left + x, cells.top + y) != 0;
+  const Components holes = connected_components(other, Connectivity::corners);
+  // The margin is connected to what lies around the box.
+  std::vector<uint8_t> open = pieces_at_edge(holes);
+  for (int y = 0; y < other.height; ++y)
+    for (int x = 0; x < other.width; ++x)
+      if (has(x, y) && region_at(x, y) == 0) open[holes.label.at(x, y)] = 1;
+  for (size_t i = 0; i < other.pixels.size(); ++i) {
     const int32_t hole = holes.label.pixels[i];
-    inside.pixels[i] = hole == 0 || open[hole] == 0 ? 1 : 0;
+    cells.inside.pixels[i] = hole == 0 || open[hole] == 0 ? 1 : 0;
   }
-  return {-1, -1, std::move(inside)};
+  return cells;
 }
 
 /// What is beyond the line at a point of the contour, looking out of the region.
@@ -116,8 +137,8 @@ Contour contour_of(const NeckGrid& grid, int region, const Mask& cells) {
 /// Finds the best neck of one region.
 class NeckFinder {
  public:
-  NeckFinder(const NeckGrid& grid, int region, double least_area)
-      : cells_(cells_of(grid, region)),
+  NeckFinder(const NeckGrid& grid, int region, Mask cells, double least_area)
+      : cells_(std::move(cells)),
         contour_(contour_of(grid, region, cells_)),
         least_area_(least_area) {
     Image8 outside = cells_.inside;
@@ -242,7 +263,7 @@ class NeckFinder {
   /// Whether what the chord parts off is large enough, and bounded by the background.
   bool is_limb(const Chord& chord) const {
     const double area = limb_area(chord);
-    return area >= least_area_ && 4 * area <= twice_area_.back() &&
+    return area >= least_area_ && 2 * least_whole * area <= twice_area_.back() &&
            chord.length < widest_neck * std::sqrt(area) && free_of(chord) >= free_share &&
            free_of({chord.to, chord.from}) >= body_share;
   }
@@ -264,7 +285,10 @@ class NeckFinder {
 }  // namespace
 
 std::optional<Neck> find_neck(const NeckGrid& grid, int region, double least_area) {
-  return NeckFinder(grid, region, least_area).find();
+  Mask box = box_of_cells(grid, region);
+  const double most_area = static_cast<double>(box.inside.pixels.size());
+  if (most_area < least_whole * least_area) return std::nullopt;
+  return NeckFinder(grid, region, cells_of(grid, region, std::move(box)), least_area).find();
 }
 
 }  // namespace relievo
