@@ -1,11 +1,16 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "relief/drawing/find_basins.h"
 #include "relief/drawing/line_map.h"
 
 namespace relievo {
 namespace {
+
+/// Of the picture's diagonal, from a border to where the colours beside it are taken: past a soft
+/// edge, and not across much shading.
+constexpr double beside_share = 0.015;
 
 /// Adds pixels [begin, end), which lie in one row and basin.
 void add_run(const Image8& rgba, const Image8& rgb, const Basins& basins, size_t begin, size_t end,
@@ -65,14 +70,23 @@ void measure_edges(Basins& basins) {
 /// Collects the pairs of neighbouring pixels that lie in different basins.
 class PairCollector {
  public:
-  explicit PairCollector(const Basins& basins)
-      : basins_(basins), unit_(white_cost(basins.index.width, basins.index.height)) {}
+  /// Without a picture there are no steps of colour.
+  PairCollector(const Basins& basins, const Image8* rgb)
+      : basins_(basins),
+        rgb_(rgb),
+        unit_(white_cost(basins.index.width, basins.index.height)),
+        beside_(std::max(2, static_cast<int>(beside_share * std::hypot(basins.index.width,
+                                                                       basins.index.height)))) {}
 
-  /// Pairs of a pixel with the one to its right, unless the row ends there, and with the one below.
-  void add(size_t i, bool with_right, bool with_below) {
-    const int32_t* own = &basins_.index.pixels[i];
-    if (with_right && own[1] != *own) add_pair(i, i + 1);
-    if (with_below && own[basins_.index.width] != *own) add_pair(i, i + basins_.index.width);
+  /// Pairs of the pixels x0 ... x1 - 1 of a row with those to their right, and with those below.
+  void add_row(int y, int x0, int x1, bool with_below) {
+    const size_t w = basins_.index.width;
+    const int32_t* row = &basins_.index.at(0, y);
+    for (int x = x0; x < x1; ++x) {
+      const size_t i = y * w + x;
+      if (x + 1 < x1 && row[x + 1] != row[x]) add_pair(i, i + 1);
+      if (with_below && row[x + w] != row[x]) add_pair(i, i + w);
+    }
   }
 
   std::vector<BasinBorder> borders() {
@@ -89,6 +103,7 @@ class PairCollector {
       merged.back().line_pairs += pair.line_pairs;
       merged.back().edge_pairs += pair.edge_pairs;
       merged.back().weight += pair.weight;
+      for (size_t c = 0; c < 3; ++c) merged.back().step[c] += pair.step[c];
     }
     return merged;
   }
@@ -102,24 +117,62 @@ class PairCollector {
     const bool line = LineMap::is_wall(p) || LineMap::is_wall(q);
     const bool edge = !line && (p == LineMap::edge || q == LineMap::edge);
     const int64_t white = 255 - std::max(basins_.ink.pixels[i], basins_.ink.pixels[j]);
-    pairs_.push_back({std::min(a, b), std::max(a, b), 1, line ? 1 : 0, edge ? 1 : 0,
-                      1 + unit_ * white * white / (255 * 255)});
+    pairs_.push_back({std::min(a, b),
+                      std::max(a, b),
+                      1,
+                      line ? 1 : 0,
+                      edge ? 1 : 0,
+                      1 + unit_ * white * white / (255 * 255),
+                      {}});
+    if (rgb_ == nullptr || line || edge) return;
+    const size_t in_a = pixel_beside(a < b ? i : j, a < b ? j : i);
+    const size_t in_b = pixel_beside(a < b ? j : i, a < b ? i : j);
+    for (size_t c = 0; c < 3; ++c)
+      pairs_.back().step[c] =
+          int64_t{rgb_->pixels[3 * in_b + c]} - int64_t{rgb_->pixels[3 * in_a + c]};
+  }
+
+  /// The pixel farthest from a pair, as far as its own basin goes without line and edge.
+  size_t pixel_beside(size_t own, size_t other) const {
+    const int x = static_cast<int>(own % basins_.index.width);
+    const int y = static_cast<int>(own / basins_.index.width);
+    const int way_x = x - static_cast<int>(other % basins_.index.width);
+    const int way_y = y - static_cast<int>(other / basins_.index.width);
+    const auto step = static_cast<ptrdiff_t>(own) - static_cast<ptrdiff_t>(other);
+    size_t found = own;
+    for (int k = 1; k <= beside_; ++k) {
+      const int u = x + k * way_x;
+      const int v = y + k * way_y;
+      if (u < 0 || v < 0 || u >= basins_.index.width || v >= basins_.index.height) break;
+      const auto next = static_cast<size_t>(static_cast<ptrdiff_t>(found) + step);
+      if (basins_.index.pixels[next] != basins_.index.pixels[own] ||
+          basins_.barrier.pixels[next] != LineMap::none)
+        break;
+      found = next;
+    }
+    return found;
   }
 
   const Basins& basins_;
+  const Image8* rgb_;
   int64_t unit_;
+  int beside_;  ///< px, from a pair to where its colours are
   std::vector<BasinBorder> pairs_;
 };
 
 }  // namespace
 
 std::vector<BasinBorder> borders_within(const Basins& basins, int x0, int y0, int x1, int y1) {
-  PairCollector pairs(basins);
-  for (int y = y0; y < y1; ++y) {
-    const size_t row = static_cast<size_t>(y) * basins.index.width;
-    for (int x = x0; x < x1; ++x) pairs.add(row + x, x + 1 < x1, y + 1 < y1);
-  }
+  PairCollector pairs(basins, nullptr);
+  for (int y = y0; y < y1; ++y) pairs.add_row(y, x0, x1, y + 1 < y1);
   return pairs.borders();
+}
+
+void measure_borders(const Image8& rgb, Basins& basins) {
+  PairCollector pairs(basins, &rgb);
+  const int h = basins.index.height;
+  for (int y = 0; y < h; ++y) pairs.add_row(y, 0, basins.index.width, y + 1 < h);
+  basins.borders = pairs.borders();
 }
 
 void measure_basins(const Image8& rgba, const Image8& rgb, Basins& basins) {
@@ -130,7 +183,7 @@ void measure_basins(const Image8& rgba, const Image8& rgb, Basins& basins) {
   }
   measure_areas(rgba, rgb, basins);
   measure_edges(basins);
-  basins.borders = borders_within(basins, 0, 0, basins.index.width, basins.index.height);
+  measure_borders(rgb, basins);
 }
 
 }  // namespace relievo

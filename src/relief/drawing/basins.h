@@ -32,6 +32,8 @@ struct BasinBorder {
   int64_t line_pairs = 0;  ///< of those, where one lies on a line
   int64_t edge_pairs = 0;  ///< of the others, where one lies on an edge between colours
   int64_t weight = 0;      ///< what LazyBrush pays for parting them
+  /// Sum over the pairs without line and edge: the colour beside them in b less that in a.
+  std::array<int64_t, 3> step = {};
 };
 
 /// What of the picture is the figure, found without its parts.

@@ -80,7 +80,7 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   basins.line_width = map.line_width;
   basins.painted = map.painted;
   measure_basins(rgba, rgb, basins);
-  propose_regions(basins);
+  propose_regions(rgb, basins);
   if (cut_necks(basins)) measure_basins(rgba, rgb, basins);
   context.report("find areas", 1);
   return basins;

@@ -30,7 +30,11 @@ Basins split_basins(Basins basins, BasinVotes& votes);
 /// the same on white. O(pixels + border pixels log border pixels).
 void measure_basins(const Image8& rgba, const Image8& rgb, Basins& basins);
 
-/// The borders between basins inside a window of pixels, its end excluded; sorted by a, b.
+/// Fills `borders` from index, ink and barrier. O(border pixels log border pixels).
+void measure_borders(const Image8& rgb, Basins& basins);
+
+/// The borders between basins inside a window of pixels, its end excluded; sorted by a, b. Without
+/// steps of colour.
 std::vector<BasinBorder> borders_within(const Basins& basins, int x0, int y0, int x1, int y1);
 
 /// The label of every basin: 0 background, k + 1 Scribbles::parts[k] (#P of them), #P + r the

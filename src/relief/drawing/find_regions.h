@@ -10,8 +10,8 @@ namespace relievo {
 
 /// Fills region, region_count and unbounded_ink: unites basins that are open to each other, finds
 /// the background at the edges of the image, and gives slivers and small enclosed details to what
-/// lies around them. O(borders log borders).
-void propose_regions(Basins& basins);
+/// lies around them. `rgb` is the drawing on white. O(pixels + borders log borders).
+void propose_regions(const Image8& rgb, Basins& basins);
 
 /// Changes the proposed regions until there are `count`, or as near to it as can be: those that are
 /// likeliest one are united, or the least likely unions of basins undone. What was proposed as

@@ -19,6 +19,7 @@ namespace {
 constexpr int no_region = -1;
 constexpr double open_share = 0.24;       ///< of a border without line, above which areas are one
 constexpr double different_colour = 55;   ///< of areas that are not one, unless quite open
+constexpr double least_step = 30;         ///< of colour across what is open; less is shading
 constexpr double quite_open_share = 0.7;  ///< above which colour does not matter
 constexpr double outlined_share = 0.8;    ///< of the figure's outline that is ink
 constexpr double smallest_part = 0.0008;  ///< of the box around the figure
@@ -81,8 +82,9 @@ class Merger {
 void unite_open(RegionMerging& regions, int background) {
   Merger(regions, background, [&regions](int a, int b) -> std::pair<double, int64_t> {
     const double share = regions.open_share(a, b);
-    const bool parted = share <= open_share || (share < quite_open_share &&
-                                                regions.colour_distance(a, b) > different_colour);
+    const bool changes =
+        regions.colour_distance(a, b) > different_colour && regions.colour_step(a, b) > least_step;
+    const bool parted = share <= open_share || (share < quite_open_share && changes);
     return {parted ? 0 : share, -regions.borders(a).at(b).pairs};
   }).run();
 }
@@ -249,7 +251,7 @@ void unite_pieces(RegionMerging& regions, const Basins& basins, int background) 
 
 /// Makes bridges of the gaps in outlines that part the figure from the background, and opens the
 /// others: inside, strokes end where they like.
-void settle_gaps(Basins& basins) {
+void settle_gaps(const Image8& rgb, Basins& basins) {
   std::vector<uint8_t>& barrier = basins.barrier.pixels;
   if (std::find(barrier.begin(), barrier.end(), LineMap::gap) == barrier.end()) return;
   RegionMerging regions(basins);
@@ -270,13 +272,13 @@ void settle_gaps(Basins& basins) {
                          is_outside(x, y - 1) != outside || is_outside(x, y + 1) != outside;
       value = parts ? LineMap::bridge : LineMap::none;
     }
-  basins.borders = borders_within(basins, 0, 0, w, h);
+  measure_borders(rgb, basins);
 }
 
 }  // namespace
 
-void propose_regions(Basins& basins) {
-  settle_gaps(basins);
+void propose_regions(const Image8& rgb, Basins& basins) {
+  settle_gaps(rgb, basins);
   RegionMerging regions(basins);
   unite_open(regions, -1);
   int background = unite_background(regions, basins);

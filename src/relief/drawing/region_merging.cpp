@@ -16,6 +16,11 @@ bool is_as_dark_as_ink(const Basin& region) {
   return region.coloured > 0 && most < darkest_paint * static_cast<double>(region.coloured);
 }
 
+RegionBorder from_beyond(RegionBorder border) {
+  for (int64_t& step : border.step) step = -step;
+  return border;
+}
+
 }  // namespace
 
 RegionMerging::RegionMerging(const Basins& basins)
@@ -24,8 +29,9 @@ RegionMerging::RegionMerging(const Basins& basins)
       borders_(basins.basins.size()),
       figure_is_sharp_(basins.figure.sharp) {
   for (const BasinBorder& border : basins.borders) {
-    borders_[border.a][border.b] = {border.pairs, border.line_pairs, border.edge_pairs};
-    borders_[border.b][border.a] = {border.pairs, border.line_pairs, border.edge_pairs};
+    const RegionBorder seen = {border.pairs, border.line_pairs, border.edge_pairs, border.step};
+    borders_[border.a][border.b] = seen;
+    borders_[border.b][border.a] = from_beyond(seen);
   }
 }
 
@@ -52,11 +58,12 @@ void RegionMerging::unite(int a, int b) {
     sum.pairs += border.pairs;
     sum.line_pairs += border.line_pairs;
     sum.edge_pairs += border.edge_pairs;
+    for (size_t c = 0; c < 3; ++c) sum.step[c] += border.step[c];
   }
   borders_[goes].clear();
   for (const auto& [neighbour, border] : borders_[keeps]) {
     borders_[neighbour].erase(goes);
-    borders_[neighbour][keeps] = border;
+    borders_[neighbour][keeps] = from_beyond(border);
   }
 }
 
@@ -68,6 +75,16 @@ double RegionMerging::open_share(int a, int b) const {
       colour_distance(a, b) >= similar_colour;
   const int64_t edges = marked ? border.edge_pairs : 0;
   return 1 - static_cast<double>(border.line_pairs + edges) / static_cast<double>(border.pairs);
+}
+
+double RegionMerging::colour_step(int a, int b) const {
+  const RegionBorder& border = borders_[a].at(b);
+  const int64_t open = border.pairs - border.line_pairs - border.edge_pairs;
+  if (open == 0) return colour_distance(a, b);
+  double sum = 0;
+  for (const int64_t step : border.step)
+    sum += static_cast<double>(step) * static_cast<double>(step);
+  return std::sqrt(sum) / static_cast<double>(open);
 }
 
 double RegionMerging::colour_distance(int a, int b) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <vector>
 
@@ -13,6 +14,7 @@ struct RegionBorder {
   int64_t pairs = 0;
   int64_t line_pairs = 0;
   int64_t edge_pairs = 0;
+  std::array<int64_t, 3> step = {};  ///< see BasinBorder, towards the neighbour
 };
 
 /// Basins that are united step by step; a region is known by its smallest basin.
@@ -39,6 +41,11 @@ class RegionMerging {
 
   /// Euclidean distance of mean colours, of 255 a channel; 0 where one has no colour.
   double colour_distance(int a, int b) const;
+
+  /// The same of the colours beside that part of the border of two neighbours that has neither
+  /// line nor edge: small between areas that differ since light changes over both. Where no part
+  /// has, that of the means.
+  double colour_step(int a, int b) const;
 
  private:
   bool edges_count_ = true;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -53,6 +54,33 @@ TEST(ProposeRegions, SmallPiecesUniteMoreEasilyThanLargeOnes) {
   const Result<Segmentation> whole = segment_drawing(body_with_boot(1));
   ASSERT_TRUE(whole.ok()) << to_string(whole.error());
   EXPECT_NE(whole->labels.at(150, 300), whole->labels.at(150, 344)) << "leg and boot";
+}
+
+/// A block that is brown to the left and yellow to the right, which changes over `width` px at its
+/// middle; a line parts both there but for a fifth above and below.
+Drawing block_with_change(double width) {
+  constexpr std::array<int, 3> brown = {140, 80, 30};
+  constexpr std::array<int, 3> yellow = {240, 200, 60};
+  Drawing drawing{Image8(400, 300, 4, 255)};
+  for (int y = 60; y < 240; ++y)
+    for (int x = 40; x < 360; ++x) {
+      const double to_right = std::clamp(0.5 + (x + 0.5 - 200) / width, 0.0, 1.0);
+      const bool line = std::abs(x + 0.5 - 200) < 3 && y >= 96 && y < 204;
+      for (int c = 0; c < 3; ++c)
+        drawing.rgba.at(x, y, c) =
+            static_cast<uint8_t>(line ? 20 : brown[c] + to_right * (yellow[c] - brown[c]));
+    }
+  return drawing;
+}
+
+TEST(ProposeRegions, AreasThatShadingAloneDiffersInAreOne) {
+  const Result<Segmentation> shaded = segment_drawing(block_with_change(320));
+  const Result<Segmentation> soft = segment_drawing(block_with_change(16));
+  const Result<Segmentation> hard = segment_drawing(block_with_change(1));
+  ASSERT_TRUE(shaded.ok() && soft.ok() && hard.ok());
+  EXPECT_EQ(shaded->parts.size(), 1U);
+  EXPECT_EQ(soft->parts.size(), 2U);
+  EXPECT_EQ(hard->parts.size(), 2U);
 }
 
 TEST(ProposeRegions, AScarfOfManyStripesIsNotManyParts) {
