@@ -126,15 +126,25 @@ bool lies_on(const Image8& image, Point2 p) {
   return p.x >= 0 && p.y >= 0 && p.x < image.width && p.y < image.height;
 }
 
-/// The gap between an end and the line that its stroke would run straight into.
-std::optional<LineGap> gap_ahead(const StrokeEnd& end, const LineMap& map, double widest) {
+/// Whether a stroke that goes straight on is over ink half a line's width after `way` px.
+bool is_ink_beyond(const StrokeEnd& end, double way, double line_width, const Image8& rgb) {
+  const Point2 p = end.at - (way + line_width / 2) * end.inwards;
+  return lies_on(rgb, p) && is_dark(&rgb.at(static_cast<int>(p.x), static_cast<int>(p.y)));
+}
+
+/// The gap between an end and the line, or the shape of ink, that its stroke would run straight
+/// into.
+std::optional<LineGap> gap_ahead(const StrokeEnd& end, const LineMap& map, const Image8& rgb,
+                                 double widest) {
   const double reach = std::min(widest, end.length / length_per_gap);
   for (double t = map.line_width + 1; t < reach; t += 0.5) {
     const Point2 p = end.at - t * end.inwards;
     if (!lies_on(map.barrier, p)) return std::nullopt;
     const uint8_t barrier = map.barrier.at(static_cast<int>(p.x), static_cast<int>(p.y));
     if (barrier == LineMap::line) return LineGap{end.at, p};
-    if (barrier != LineMap::none) return std::nullopt;
+    if (barrier != LineMap::none && !is_ink_beyond(end, t, map.line_width, rgb))
+      return std::nullopt;
+    if (barrier != LineMap::none) return LineGap{end.at, p};
   }
   return std::nullopt;
 }
@@ -176,7 +186,8 @@ std::vector<LineGap> find_broken_outlines(std::vector<StrokeEnd> ends, const Lin
   std::vector<LineGap> gaps = choose(pairs_that(ends, belong), map);
   for (const StrokeEnd& end : ends)
     if (!is_end_of(gaps, end.at))
-      if (const auto gap = gap_ahead(end, map, widest_contact * diagonal)) gaps.push_back(*gap);
+      if (const auto gap = gap_ahead(end, map, rgb, widest_contact * diagonal))
+        gaps.push_back(*gap);
   return gaps;
 }
 

@@ -134,11 +134,14 @@ TEST(BrokenOutlines, ACircleOfArcsIsAPart) {
     }
 }
 
-TEST(BrokenOutlines, AnEndGoesOnToTheLineAhead) {
-  for (int k = 0; k < 5; ++k) {
-    const Arm arm{k / 5.0 + 0.02, 25};
+TEST(BrokenOutlines, AnEndGoesOnToTheLineOrTheDarkShapeAhead) {
+  for (int k = 0; k < 10; ++k) {
+    const Arm arm{k % 5 / 5.0 + 0.02, 25};
     InkDrawing ink(500, 500);
-    ink.circle(middle, 95);
+    if (k < 5)
+      ink.circle(middle, 95);
+    else
+      ink.disc(middle, 95, 20, 20, 20);
     for (const double aside : {-25.0, 25.0}) ink.line(arm.at(120, aside), arm.at(hand, aside));
     ink.line(arm.at(hand, -25), arm.at(hand, 25));
     const Result<Segmentation> s = segment_drawing(ink.drawing());
