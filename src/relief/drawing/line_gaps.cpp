@@ -78,7 +78,7 @@ bool are_sides_of_limb(const StrokeEnd& a, const StrokeEnd& b, double line_width
 /// Whether each stroke would go on to the other's end by a bend of less than a right angle.
 bool face_each_other(const StrokeEnd& a, const StrokeEnd& b, double widest) {
   const double gap = distance(a.at, b.at);
-  if (gap > std::min(widest, std::min(a.length, b.length) / length_per_gap)) return false;
+  if (gap > std::min(widest, (a.length + b.length) / 2 / length_per_gap)) return false;
   const Point2 way = b.at - a.at;
   const double towards = std::min(-dot(a.inwards, way), dot(b.inwards, way));
   return towards > onwards * gap && dot(a.inwards, b.inwards) < 0;

@@ -20,12 +20,11 @@ struct LineGap {
 /// ends. `ends` are those of find_loose_ends. O(pixels + ends^2).
 std::vector<LineGap> find_open_roots(std::vector<StrokeEnd> ends, const LineMap& map);
 
-/// Finds where outlines around white are broken: strokes without paint beside their ends, longer
-/// than the gap, of which each would go on to the other's end by a bend of less than a right angle
-/// (Kellman, Shipley: A theory of visual interpolation in object perception, 1991), narrowest
-/// first, or of which one would run straight into another line or a dark shape. `rgb` is the
-/// drawing on white.
-/// O(ends^2 + ends * widest gap).
+/// Finds where outlines around white are broken: strokes without paint beside their ends, together
+/// longer than one and a half gaps, of which each would go on to the other's end by a bend of less
+/// than a right angle (Kellman, Shipley: A theory of visual interpolation in object perception,
+/// 1991), narrowest first, or of which one would run straight into another line or a dark shape.
+/// `rgb` is the drawing on white. O(ends^2 + ends * widest gap).
 std::vector<LineGap> find_broken_outlines(std::vector<StrokeEnd> ends, const LineMap& map,
                                           const Image8& rgb);
 

@@ -152,6 +152,16 @@ TEST(BrokenOutlines, AnEndGoesOnToTheLineOrTheDarkShapeAhead) {
   }
 }
 
+TEST(BrokenOutlines, AStubGoesOnToALongLine) {
+  InkDrawing ink(500, 500);
+  ink.circle({90, 260}, 60).line({134, 220}, {181, 220});
+  ink.line({246, 220}, {440, 220}).line({440, 220}, {440, 310}).line({440, 310}, {123, 310});
+  const Result<Segmentation> s = segment_drawing(ink.drawing());
+  ASSERT_TRUE(s.ok()) << to_string(s.error());
+  EXPECT_NE(label_of_point(*s, {300, 265}), 0);
+  EXPECT_NE(label_of_point(*s, {300, 265}), label_of_point(*s, {90, 260}));
+}
+
 TEST(BrokenOutlines, StrokesThatFaceEachOtherInsideDivideNothing) {
   InkDrawing ink(500, 500);
   ink.circle(middle, 150);
