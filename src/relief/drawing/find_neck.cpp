@@ -287,7 +287,7 @@ class NeckFinder {
 std::optional<Neck> find_neck(const NeckGrid& grid, int region, double least_area) {
   Mask box = box_of_cells(grid, region);
   const double most_area = static_cast<double>(box.inside.pixels.size());
-  if (most_area < least_whole * least_area) return std::nullopt;
+  if (most_area <= least_whole * least_area) return std::nullopt;
   return NeckFinder(grid, region, cells_of(grid, region, std::move(box)), least_area).find();
 }
 

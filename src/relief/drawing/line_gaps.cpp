@@ -141,10 +141,10 @@ std::optional<LineGap> gap_ahead(const StrokeEnd& end, const LineMap& map, const
     const Point2 p = end.at - t * end.inwards;
     if (!lies_on(map.barrier, p)) return std::nullopt;
     const uint8_t barrier = map.barrier.at(static_cast<int>(p.x), static_cast<int>(p.y));
-    if (barrier == LineMap::line) return LineGap{end.at, p};
-    if (barrier != LineMap::none && !is_ink_beyond(end, t, map.line_width, rgb))
-      return std::nullopt;
-    if (barrier != LineMap::none) return LineGap{end.at, p};
+    if (barrier == LineMap::none) continue;
+    if (barrier == LineMap::line || is_ink_beyond(end, t, map.line_width, rgb))
+      return LineGap{end.at, p};
+    return std::nullopt;
   }
   return std::nullopt;
 }
