@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "relief/drawing/find_basins.h"
 #include "relief/drawing/line_map.h"
@@ -125,8 +126,9 @@ class PairCollector {
                       1 + unit_ * white * white / (255 * 255),
                       {}});
     if (rgb_ == nullptr || line || edge) return;
-    const size_t in_a = pixel_beside(a < b ? i : j, a < b ? j : i);
-    const size_t in_b = pixel_beside(a < b ? j : i, a < b ? i : j);
+    if (b < a) std::swap(i, j);
+    const size_t in_a = pixel_beside(i, j);
+    const size_t in_b = pixel_beside(j, i);
     for (size_t c = 0; c < 3; ++c)
       pairs_.back().step[c] =
           int64_t{rgb_->pixels[3 * in_b + c]} - int64_t{rgb_->pixels[3 * in_a + c]};
