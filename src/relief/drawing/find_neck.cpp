@@ -50,35 +50,46 @@ struct Chord {
   double cost = std::numeric_limits<double>::infinity();
 };
 
-/// The cells of a region between its lines, in their box with a margin of one; empty without any.
-Mask own_cells(const NeckGrid& grid, int region) {
-  Image8 own(grid.region.width, grid.region.height, 1);
-  for (size_t i = 0; i < own.pixels.size(); ++i)
-    own.pixels[i] = grid.region.pixels[i] == region && grid.wall.pixels[i] == 0 ? 1 : 0;
-  const Box2 box = box_of(own);
-  if (box.empty()) return {};
-  Mask cells = empty_mask(static_cast<int>(box.min.x) - 1, static_cast<int>(box.min.y) - 1,
-                          static_cast<int>(box.max.x) + 1, static_cast<int>(box.max.y) + 1);
-  for_each_pixel({0, 0, std::move(own)}, [&](int x, int y) { cells.add(x, y); });
-  return cells;
+/// The box of a region's cells between its lines, with a margin of one.
+Mask box_of_cells(const NeckGrid& grid, int region) {
+  int left = grid.region.width;
+  int top = grid.region.height;
+  int right = 0;
+  int bottom = 0;
+  for (int y = 0; y < grid.region.height; ++y)
+    for (int x = 0; x < grid.region.width; ++x) {
+      if (grid.region.at(x, y) != region || grid.wall.at(x, y) != 0) continue;
+      left = std::min(left, x);
+      right = std::max(right, x + 1);
+      top = std::min(top, y);
+      bottom = y + 1;
+    }
+  if (right == 0) return {};
+  return empty_mask(left - 1, top - 1, right + 1, bottom + 1);
 }
 
-/// Fills the holes of a region's cells that no background lies in.
-void fill_holes(const NeckGrid& grid, Mask& cells) {
-  Image8& inside = cells.inside;
-  const Components holes = connected_components(complement(inside), Connectivity::corners);
+/// The cells of a region between its lines in their box, holes that no background lies in filled.
+Mask cells_of(const NeckGrid& grid, int region, Mask cells) {
+  Image8 other(cells.inside.width, cells.inside.height, 1);
+  const auto has = [&](int x, int y) { return grid.has(cells.left + x, cells.top + y); };
+  const auto region_at = [&](int x, int y) {
+    return grid.region.at(cells.left + x, cells.top + y);
+  };
+  for (int y = 0; y < other.height; ++y)
+    for (int x = 0; x < other.width; ++x)
+      other.at(x, y) = !has(x, y) || region_at(x, y) != region ||
+                       grid.wall.at(cells.left + x, cells.top + y) != 0;
+  const Components holes = connected_components(other, Connectivity::corners);
   // The margin is connected to what lies around the box.
   std::vector<uint8_t> open = pieces_at_edge(holes);
-  for (int y = 0; y < inside.height; ++y)
-    for (int x = 0; x < inside.width; ++x) {
-      const int u = cells.left + x;
-      const int v = cells.top + y;
-      if (grid.has(u, v) && grid.region.at(u, v) == 0) open[holes.label.at(x, y)] = 1;
-    }
-  for (size_t i = 0; i < inside.pixels.size(); ++i) {
+  for (int y = 0; y < other.height; ++y)
+    for (int x = 0; x < other.width; ++x)
+      if (has(x, y) && region_at(x, y) == 0) open[holes.label.at(x, y)] = 1;
+  for (size_t i = 0; i < other.pixels.size(); ++i) {
     const int32_t hole = holes.label.pixels[i];
-    if (hole != 0 && open[hole] == 0) inside.pixels[i] = 1;
+    cells.inside.pixels[i] = hole == 0 || open[hole] == 0 ? 1 : 0;
   }
+  return cells;
 }
 
 /// What is beyond the line at a point of the contour, looking out of the region.
@@ -273,11 +284,10 @@ class NeckFinder {
 }  // namespace
 
 std::optional<Neck> find_neck(const NeckGrid& grid, int region, double least_area) {
-  Mask cells = own_cells(grid, region);
-  const double most_area = static_cast<double>(cells.inside.pixels.size());
+  Mask box = box_of_cells(grid, region);
+  const double most_area = static_cast<double>(box.inside.pixels.size());
   if (most_area <= least_whole * least_area) return std::nullopt;
-  fill_holes(grid, cells);
-  return NeckFinder(grid, region, std::move(cells), least_area).find();
+  return NeckFinder(grid, region, cells_of(grid, region, std::move(box)), least_area).find();
 }
 
 }  // namespace relievo
