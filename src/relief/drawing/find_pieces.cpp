@@ -35,12 +35,15 @@ constexpr double small_part_weight = 1.2;
 constexpr double bend_weight = 1.1;
 constexpr double unequal_weight = 0.4;
 constexpr double sure_odds = 0.4;
+constexpr double most_hole_cost = 0.7;    ///< of bend and gap, by the weights above
+constexpr double most_hole_touch = 0.02;  ///< of a hole's contour that lies on the background
 
 using Pair = std::pair<uint16_t, uint16_t>;
 
 /// Where the contour of an area ends at what hides the rest of it.
 struct ContourEnd {
   uint16_t area = 0;
+  uint16_t along = 0;  ///< what lies on its other side
   Point2 at;
   Point2 onwards;  ///< unit, into what hides it
 };
@@ -61,10 +64,11 @@ void add_change(const LabelRing& ring, const RingChange& change, Areas& areas) {
   const bool arrives = change.run_before > near_beside + 1;
   const bool leaves = change.run_after > near_beside + 1;
   if (arrives && change.after != 0)
-    areas.ends[change.after][0].push_back({ring.label, last, (1 / norm(change.in)) * change.in});
+    areas.ends[change.after][0].push_back(
+        {ring.label, change.before, last, (1 / norm(change.in)) * change.in});
   if (leaves && change.before != 0)
     areas.ends[change.before][1].push_back(
-        {ring.label, ring.sides[change.at], (-1 / norm(change.out)) * change.out});
+        {ring.label, change.after, ring.sides[change.at], (-1 / norm(change.out)) * change.out});
   if (!arrives || !leaves) return;
   const double vote = exact::exp(-std::abs(turn_between(change.in, change.out)) / straight_turn);
   areas.votes[{ring.label, change.before}] += vote;
@@ -156,6 +160,13 @@ double beside(const Box2& a, const Box2& b) {
   return std::max(0.0, common) / std::max(1.0, lower);
 }
 
+/// Whether an area lies on the edge of the picture, or more than hardly on the background.
+bool is_open_to(const Areas& areas, uint16_t area, uint16_t ground) {
+  const auto touch = areas.sides.find({area, ground});
+  return areas.sides.count({area, 0}) > 0 ||
+         (touch != areas.sides.end() && touch->second > most_hole_touch * areas.perimeter[area]);
+}
+
 }  // namespace
 
 std::vector<std::pair<uint16_t, uint16_t>> find_pieces(const Image16& labels) {
@@ -184,6 +195,33 @@ std::vector<std::pair<uint16_t, uint16_t>> find_pieces(const Image16& labels) {
   std::vector<Pair> pieces;
   for (const auto& [odds, pair] : likely) pieces.push_back(pair);
   return pieces;
+}
+
+std::vector<HoleCue> find_holes(const Image16& labels) {
+  // The background has a label here, since its contours count as well; 0 is outside the picture.
+  const auto ground =
+      static_cast<uint16_t>(*std::max_element(labels.pixels.begin(), labels.pixels.end()) + 1);
+  Image16 all = labels;
+  std::replace(all.pixels.begin(), all.pixels.end(), uint16_t{0}, ground);
+  const Areas areas = measure(all);
+  Box2 box;
+  for (size_t label = 1; label < ground; ++label)
+    if (!areas.box[label].empty()) box.add(areas.box[label]);
+  const double extent = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
+  const auto is_part = [ground](uint16_t label) { return label != 0 && label != ground; };
+  std::vector<HoleCue> cues;
+  for (const auto& [occluder, ends] : areas.ends)
+    for (const ContourEnd& from : ends[0])
+      for (const ContourEnd& to : ends[1]) {
+        const uint16_t area = std::min(from.area, to.area);
+        const bool one_is_ground = area != ground && std::max(from.area, to.area) == ground;
+        const bool in_figure = is_part(from.along) && is_part(to.along) && is_part(occluder);
+        if (!one_is_ground || !in_figure || is_open_to(areas, area, ground)) continue;
+        const double cost =
+            bend_weight * bend(all, from, to) + gap_weight * distance(from.at, to.at) / extent;
+        if (cost < most_hole_cost) cues.push_back({area, from.along, to.along});
+      }
+  return cues;
 }
 
 }  // namespace relievo

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernel/base/exact_functions.h"
+#include "kernel/image/morphology.h"
 #include "relief/drawing/figure_mask.h"
 #include "relief/drawing/find_basins.h"
 #include "relief/drawing/find_regions.h"
@@ -32,6 +33,9 @@ constexpr double one_part = 5.8;          ///< log-odds of two neighbours to be 
 constexpr double marked_weight = 10.3;    ///< of the share of their border that is marked
 constexpr double small_weight = 0.73;     ///< of -log of the smaller one's share of the figure
 constexpr double large_weight = 2.7;      ///< of the larger one's share of the figure
+constexpr double longest_wall = 0.68;     ///< share of a hole's border, that is with one region
+constexpr double pale_share = 0.02;       ///< of it, that is with what is like it
+constexpr double mark_share = 0.01;       ///< of a hole, that may lie on lines away from its rim
 constexpr double like_paint = 35;         ///< distance of mean colours of pieces of one part
 constexpr double narrowest_part =
     0.75;  ///< inradius in widths of lines: narrower are gaps in strokes
@@ -249,6 +253,62 @@ void unite_pieces(RegionMerging& regions, const Basins& basins, int background) 
       regions.unite(regions.region_of(a - 1), regions.region_of(b - 1));
 }
 
+/// Whether a region has the colour of the background and lies between several that have not.
+bool may_be_hole(const RegionMerging& regions, int r, int background) {
+  const auto is_like_ground = [&](int region) {
+    return regions.colour_distance(region, background) < like_paint;
+  };
+  if (r == background || !is_like_ground(r)) return false;
+  int64_t longest = 0;
+  int64_t pale = 0;
+  for (const auto& [neighbour, border] : regions.borders(r)) {
+    longest = std::max(longest, border.pairs);
+    pale += is_like_ground(neighbour) ? border.pairs : 0;
+  }
+  const auto around = static_cast<double>(border_length(regions, r));
+  return static_cast<double>(longest) < longest_wall * around &&
+         static_cast<double>(pale) < pale_share * around;
+}
+
+/// Takes back those regions in which something is drawn, as pupils in eyes: background is empty.
+void leave_marked(RegionMerging& regions, const Basins& basins, std::vector<uint8_t>& may_be) {
+  Image8 within(basins.index.width, basins.index.height, 1);
+  for (size_t i = 0; i < within.pixels.size(); ++i)
+    within.pixels[i] = may_be[regions.region_of(basins.index.pixels[i])];
+  within = min_filter(within, static_cast<int>(basins.line_width) + 1);
+  std::vector<int64_t> marks(regions.count(), 0);
+  for (size_t i = 0; i < within.pixels.size(); ++i)
+    if (within.pixels[i] != 0 && basins.barrier.pixels[i] == LineMap::line)
+      ++marks[regions.region_of(basins.index.pixels[i])];
+  for (int r = 0; r < regions.count(); ++r)
+    if (static_cast<double>(marks[r]) > mark_share * static_cast<double>(regions.region(r).area))
+      may_be[r] = 0;
+}
+
+/// Unites with the background what is seen of it through the figure, which its mask then is
+/// without. Returns the background.
+int unite_holes(RegionMerging& regions, Basins& basins, int background) {
+  std::vector<uint8_t> may_be(regions.count(), 0);
+  for (int r = 0; r < regions.count(); ++r)
+    may_be[r] = regions.is_region(r) && may_be_hole(regions, r, background) ? 1 : 0;
+  if (basins.figure.said || std::find(may_be.begin(), may_be.end(), 1) == may_be.end() ||
+      regions.count() >= std::numeric_limits<uint16_t>::max() - 1)
+    return background;
+  leave_marked(regions, basins, may_be);
+  std::vector<uint8_t> is_hole(regions.count(), 0);
+  for (const HoleCue& cue : find_holes(label_image(regions, basins, background)))
+    if (may_be[cue.area - 1] != 0 &&
+        regions.colour_distance(cue.before - 1, cue.after - 1) < like_paint)
+      is_hole[cue.area - 1] = 1;
+  for (size_t b = 0; b < basins.basins.size(); ++b)
+    if (is_hole[regions.region_of(static_cast<int>(b))] != 0) basins.basins[b].in_figure = 0;
+  for (size_t i = 0; i < basins.figure.inside.pixels.size(); ++i)
+    if (is_hole[regions.region_of(basins.index.pixels[i])] != 0) basins.figure.inside.pixels[i] = 0;
+  for (int r = 0; r < regions.count(); ++r)
+    if (is_hole[r] != 0) regions.unite(background, r);
+  return regions.region_of(background);
+}
+
 /// Makes bridges of the gaps in outlines that part the figure from the background, and opens the
 /// others: inside, strokes end where they like.
 void settle_gaps(const Image8& rgb, Basins& basins) {
@@ -294,6 +354,7 @@ void propose_regions(const Image8& rgb, Basins& basins) {
   absorb_details(regions, background);
   unite_fragments(regions, background);
   unite_likely(regions, background);
+  if (background >= 0) background = unite_holes(regions, basins, background);
   if (background >= 0) unite_pieces(regions, basins, background);
 
   std::vector<int> number(basins.basins.size(), -1);
