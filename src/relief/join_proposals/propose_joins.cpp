@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
 #include <set>
 
+#include "kernel/base/disjoint_sets.h"
 #include "kernel/geometry/polygon.h"
 #include "relief/join_proposals/propose_layer_joins.h"
 #include "relief/join_proposals/roots.h"
@@ -19,6 +21,8 @@ using Pair = std::pair<int, int>;
 /// Colours that differ by less, of 255 a channel, may be shades; by more, they are others.
 constexpr double same_colour = 40;
 constexpr double other_colour = 100;
+/// Of what may hold it, that a piece may be which nothing holds.
+constexpr double loose_share = 0.25;
 constexpr double line_step = 3;  ///< between the points of a join's line, px
 /// A root's arc on the outline is at most so many times as long as its pixel sides.
 constexpr double max_stretch = 1.5;
@@ -138,6 +142,7 @@ class JoinProposer {
     }
     for (int part = 0; part < regions_.count(); ++part) propose(part);
     for (const auto& [pair, kind] : tied_) propose_relation(pair, kind);
+    hold_loose();
     return std::move(out_);
   }
 
@@ -255,6 +260,47 @@ class JoinProposer {
   void propose_relation(const Pair& pair, RelationKind kind) {
     if (joined_.count(pair) > 0 || !related_.insert(pair).second) return;
     out_.relations.push_back({{pair.first, pair.second, kind, std::nullopt}, false});
+  }
+
+  /// Sides of pixels that two parts share.
+  size_t border(const Pair& pair) const {
+    size_t sides = 0;
+    for (const LabelRing& ring : regions_.rings[pair.second])
+      sides += static_cast<size_t>(
+          std::count(ring.beyond.begin(), ring.beyond.end(), regions_.labels[pair.first]));
+    return sides;
+  }
+
+  /// What nothing holds grows out from behind what it borders on most: it would come off where the
+  /// model is turned.
+  void hold_loose() {
+    DisjointSets held(regions_.count());
+    for (const ProposedJoin& proposed : out_.joins)
+      held.unite(proposed.join.upper, proposed.join.lower);
+    std::vector<std::pair<size_t, size_t>> free;
+    for (size_t i = 0; i < out_.relations.size(); ++i) {
+      const auto& [relation, user, confidence] = out_.relations[i];
+      if (is_tie(relation.kind)) held.unite(relation.upper, relation.lower);
+      const Pair pair{relation.upper, relation.lower};
+      if (!user && !is_tie(relation.kind) && unjoined_.count(pair) == 0)
+        free.emplace_back(border(pair), i);
+    }
+    std::vector<int64_t> seen(regions_.count(), 0);
+    for (int part = 0; part < regions_.count(); ++part)
+      seen[held.find(part)] += pixel_count(regions_.visible[part]);
+    std::sort(free.begin(), free.end(), std::greater<>());
+    for (const auto& [sides, i] : free) {
+      Relation& relation = out_.relations[i].relation;
+      const int upper = held.find(relation.upper);
+      const int lower = held.find(relation.lower);
+      if (upper == lower ||
+          static_cast<double>(seen[lower]) > loose_share * static_cast<double>(seen[upper]))
+        continue;
+      if (sides < static_cast<size_t>(options_.min_root_sides)) break;
+      relation.kind = RelationKind::joined;
+      held.unite(upper, lower);
+      seen[std::min(upper, lower)] = seen[upper] + seen[lower];
+    }
   }
 
   const PartRegions& regions_;

@@ -131,6 +131,23 @@ TEST(JoinParts, WhatHangsBehindOnePartIsNotJoinedToABackdrop) {
   EXPECT_EQ(joins_of_leg(join(figure, apart, options)), 1) << "it may grow out of the cape";
 }
 
+/// A shin is larger than the thigh in front of it, and narrow at the knee.
+TEST(JoinParts, WhatNothingHoldsGrowsOutFromBehind) {
+  const Drawing leg{
+      220, 360, {box(98, 150, 122, 340), box(10, 10, 210, 100), box(90, 60, 130, 155)}};
+  const auto kinds_at_knee = [&](const JoinCorrections& corrections) {
+    std::vector<RelationKind> kinds;
+    for (const ProposedRelation& proposed : join(leg, corrections).relations)
+      if (proposed.relation.upper == 2 && proposed.relation.lower == 0)
+        kinds.push_back(proposed.relation.kind);
+    return kinds;
+  };
+  EXPECT_EQ(kinds_at_knee({}), (std::vector<RelationKind>{RelationKind::joined}));
+  JoinCorrections apart;
+  apart.no_joins = {{2, 0}};
+  EXPECT_EQ(kinds_at_knee(apart), (std::vector<RelationKind>{RelationKind::above}));
+}
+
 TEST(JoinParts, TheUserIsNotOverruled) {
   JoinCorrections none;
   none.no_joins = {{1, 0}};
