@@ -291,10 +291,11 @@ int unite_holes(RegionMerging& regions, Basins& basins, int background) {
   std::vector<uint8_t> may_be(regions.count(), 0);
   for (int r = 0; r < regions.count(); ++r)
     may_be[r] = regions.is_region(r) && may_be_hole(regions, r, background) ? 1 : 0;
-  if (basins.figure.said || std::find(may_be.begin(), may_be.end(), 1) == may_be.end() ||
-      regions.count() >= std::numeric_limits<uint16_t>::max() - 1)
+  const auto none = [&] { return std::find(may_be.begin(), may_be.end(), 1) == may_be.end(); };
+  if (basins.figure.said || none() || regions.count() >= std::numeric_limits<uint16_t>::max() - 1)
     return background;
   leave_marked(regions, basins, may_be);
+  if (none()) return background;
   std::vector<uint8_t> is_hole(regions.count(), 0);
   for (const HoleCue& cue : find_holes(label_image(regions, basins, background)))
     if (may_be[cue.area - 1] != 0 &&
