@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 
 namespace relievo {
 namespace {
@@ -53,16 +52,19 @@ PartRegions find_regions(const Image16& labels) {
   return regions;
 }
 
+std::map<int, int> shared_sides(const PartRegions& regions, int part) {
+  std::map<int, int> sides;
+  for (const LabelRing& ring : regions.rings[part])
+    for (const uint16_t label : ring.beyond)
+      if (label != 0) ++sides[regions.part_of(label)];
+  return sides;
+}
+
 std::vector<std::vector<int>> neighbours(const PartRegions& regions, int min_sides) {
   std::vector<std::vector<int>> result(regions.labels.size());
-  for (int part = 0; part < regions.count(); ++part) {
-    std::map<int, int> sides;
-    for (const LabelRing& ring : regions.rings[part])
-      for (const uint16_t label : ring.beyond)
-        if (label != 0) ++sides[regions.part_of(label)];
-    for (const auto& [other, count] : sides)
+  for (int part = 0; part < regions.count(); ++part)
+    for (const auto& [other, count] : shared_sides(regions, part))
       if (count >= min_sides) result[part].push_back(other);
-  }
   return result;
 }
 

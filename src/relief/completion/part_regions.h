@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "kernel/image/mask.h"
@@ -24,6 +25,9 @@ struct PartRegions {
 
 /// O(pixels).
 PartRegions find_regions(const Image16& labels);
+
+/// How many pixel sides a part shares with each part that it touches. O(sides of the part).
+std::map<int, int> shared_sides(const PartRegions& regions, int part);
 
 /// Per part, the sorted parts that share at least `min_sides` pixel sides with it.
 std::vector<std::vector<int>> neighbours(const PartRegions& regions, int min_sides);

@@ -160,6 +160,14 @@ double beside(const Box2& a, const Box2& b) {
   return std::max(0.0, common) / std::max(1.0, lower);
 }
 
+/// Around all areas but one, or but the background where that has no label.
+Box2 figure_box(const Areas& areas, uint16_t ground = 0) {
+  Box2 box;
+  for (size_t label = 1; label < areas.box.size(); ++label)
+    if (label != ground && !areas.box[label].empty()) box.add(areas.box[label]);
+  return box;
+}
+
 /// Whether an area lies on the edge of the picture, or more than hardly on the background.
 bool is_open_to(const Areas& areas, uint16_t area, uint16_t ground) {
   const auto touch = areas.sides.find({area, ground});
@@ -171,9 +179,7 @@ bool is_open_to(const Areas& areas, uint16_t area, uint16_t ground) {
 
 std::vector<std::pair<uint16_t, uint16_t>> find_pieces(const Image16& labels) {
   const Areas areas = measure(labels);
-  Box2 box;
-  for (const Box2& area : areas.box)
-    if (!area.empty()) box.add(area);
+  const Box2 box = figure_box(areas);
   const double figure = std::accumulate(areas.size.begin(), areas.size.end(), 0.0);
   std::vector<std::pair<double, Pair>> likely;
   for (const auto& [pair, continuation] : find_continuations(labels, areas)) {
@@ -204,9 +210,7 @@ std::vector<HoleCue> find_holes(const Image16& labels) {
   Image16 all = labels;
   std::replace(all.pixels.begin(), all.pixels.end(), uint16_t{0}, ground);
   const Areas areas = measure(all);
-  Box2 box;
-  for (size_t label = 1; label < ground; ++label)
-    if (!areas.box[label].empty()) box.add(areas.box[label]);
+  const Box2 box = figure_box(areas, ground);
   const double extent = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
   const auto is_part = [ground](uint16_t label) { return label != 0 && label != ground; };
   std::vector<HoleCue> cues;

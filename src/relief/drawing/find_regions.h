@@ -61,8 +61,8 @@ struct HoleCue {
 
 /// What tells by contours alone that the background shows in an area, as between the legs of an
 /// animal: it hardly touches the background and not the picture's edge, and a contour goes on
-/// nearly straight from one into the other. `labels` are those of areas, 0 is background. O(pixels
-/// + contour ends at an area, squared).
+/// nearly straight from one into the other. `labels` are those of areas, 0 is background.
+/// Precondition: none is 65535. O(pixels + contour ends at an area, squared).
 std::vector<HoleCue> find_holes(const Image16& labels);
 
 }  // namespace relievo

@@ -262,41 +262,35 @@ class JoinProposer {
     out_.relations.push_back({{pair.first, pair.second, kind, std::nullopt}, false});
   }
 
-  /// Sides of pixels that two parts share.
-  size_t border(const Pair& pair) const {
-    size_t sides = 0;
-    for (const LabelRing& ring : regions_.rings[pair.second])
-      sides += static_cast<size_t>(
-          std::count(ring.beyond.begin(), ring.beyond.end(), regions_.labels[pair.first]));
-    return sides;
-  }
-
   /// What nothing holds grows out from behind what it borders on most: it would come off where the
   /// model is turned.
   void hold_loose() {
     DisjointSets held(regions_.count());
     for (const ProposedJoin& proposed : out_.joins)
       held.unite(proposed.join.upper, proposed.join.lower);
-    std::vector<std::pair<size_t, size_t>> free;
+    std::vector<std::map<int, int>> sides;
+    for (int part = 0; part < regions_.count(); ++part)
+      sides.push_back(shared_sides(regions_, part));
+    std::vector<std::pair<int, size_t>> loose;  // sides, index of the relation
     for (size_t i = 0; i < out_.relations.size(); ++i) {
       const auto& [relation, user, confidence] = out_.relations[i];
       if (is_tie(relation.kind)) held.unite(relation.upper, relation.lower);
       const Pair pair{relation.upper, relation.lower};
       if (!user && !is_tie(relation.kind) && unjoined_.count(pair) == 0)
-        free.emplace_back(border(pair), i);
+        loose.emplace_back(sides[pair.second][pair.first], i);
     }
     std::vector<int64_t> seen(regions_.count(), 0);
     for (int part = 0; part < regions_.count(); ++part)
       seen[held.find(part)] += pixel_count(regions_.visible[part]);
-    std::sort(free.begin(), free.end(), std::greater<>());
-    for (const auto& [sides, i] : free) {
+    std::sort(loose.begin(), loose.end(), std::greater<>());
+    for (const auto& [shared, i] : loose) {
+      if (shared < options_.min_root_sides) break;
       Relation& relation = out_.relations[i].relation;
       const int upper = held.find(relation.upper);
       const int lower = held.find(relation.lower);
       if (upper == lower ||
           static_cast<double>(seen[lower]) > loose_share * static_cast<double>(seen[upper]))
         continue;
-      if (sides < static_cast<size_t>(options_.min_root_sides)) break;
       relation.kind = RelationKind::joined;
       held.unite(upper, lower);
       seen[std::min(upper, lower)] = seen[upper] + seen[lower];

@@ -50,7 +50,7 @@ class Painting {
   Image8 rgba_;
 };
 
-/// The label at a place of the drawing, which is segmented as it is and turned.
+/// Whether a place of the painting becomes background, as it is and turned.
 void expect_background(const Painting& painting, Point2 place, bool expected) {
   for (const bool turned : {false, true}) {
     const auto s = segment_drawing(painting.drawing(turned));
@@ -61,7 +61,7 @@ void expect_background(const Painting& painting, Point2 place, bool expected) {
   }
 }
 
-/// A trunk with legs that cross at (200, 290).
+/// A trunk with legs that cross at (200, 265).
 Painting crossing_legs() {
   Painting painting;
   painting.limb({110, 130}, {290, 130}, 50);
