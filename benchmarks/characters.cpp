@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "io/svg/read_svg.h"
-#include "relief/pipeline/relief_session.h"
+#include "relief/session/relief_session.h"
 
 namespace relievo::benchmarks {
 namespace {
@@ -31,12 +31,14 @@ Scene read_example(const std::string& name) {
 Surface make_surface(const std::string& name, int vertices) {
   const Scene& scene = scene_of(name);
   Surface surface;
-  surface.mesh = value_or_exit(layer_parts(scene, options_for(vertices).layers), name);
-  surface.discretisation = discretise(surface.mesh);
-  PoissonSystem poisson(surface.mesh, surface.discretisation, Refactorisation::complete, {});
-  surface.inflation = value_or_exit(
-      inflate({surface.mesh, surface.discretisation, scene}, InflationOptions(), poisson), name);
-  ReliefSession coarse(ReliefSession::Use::guess);
+  surface.mesh = value_or_exit(relief::layer_parts(scene, options_for(vertices).layers), name);
+  surface.discretisation = relief::discretise(surface.mesh);
+  relief::PoissonSystem poisson(surface.mesh, surface.discretisation, Refactorisation::complete,
+                                {});
+  surface.inflation = value_or_exit(relief::inflate({surface.mesh, surface.discretisation, scene},
+                                                    relief::InflationOptions(), poisson),
+                                    name);
+  relief::ReliefSession coarse(relief::ReliefSession::Use::guess);
   if (coarse.update(scene, options_for(vertices / 8))) surface.coarse = coarse.contacts();
   return surface;
 }
@@ -57,8 +59,8 @@ const Scene& scene_of(const std::string& name) {
   return found->second;
 }
 
-ReliefOptions options_for(int vertices) {
-  ReliefOptions options;
+relief::ReliefOptions options_for(int vertices) {
+  relief::ReliefOptions options;
   options.layers.vertex_budget = vertices;
   return options;
 }
@@ -73,12 +75,13 @@ const Surface& surface_of(const std::string& name, int vertices) {
 
 Program program_of(const Surface& surface) {
   Program program;
-  program.metric = make_shift_metric(surface.discretisation, OrderingOptions().epsilon);
-  program.system =
-      make_depth_system(make_depth_problem(surface.mesh.node_part, surface.mesh.constraints),
-                        program.metric, surface.discretisation.elimination, {}, {});
-  solve_heights(program.system, program.metric, inflated_heights(surface.inflation.u),
-                program.ordering, {});
+  program.metric =
+      relief::make_shift_metric(surface.discretisation, relief::OrderingOptions().epsilon);
+  program.system = relief::make_depth_system(
+      relief::make_depth_problem(surface.mesh.node_part, surface.mesh.constraints), program.metric,
+      surface.discretisation.elimination, {}, {});
+  relief::solve_heights(program.system, program.metric,
+                        relief::inflated_heights(surface.inflation.u), program.ordering, {});
   return program;
 }
 

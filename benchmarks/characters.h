@@ -8,7 +8,7 @@
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/depth_problem.h"
-#include "relief/pipeline/build_relief.h"
+#include "relief/session/build_relief.h"
 #include "relievo/scene.h"
 
 namespace relievo::benchmarks {
@@ -24,23 +24,23 @@ const std::vector<Character>& characters();
 /// The scene of examples/<name>.svg; ends the program where it cannot be read.
 const Scene& scene_of(const std::string& name);
 
-ReliefOptions options_for(int vertices);
+relief::ReliefOptions options_for(int vertices);
 
 /// Everything up to the order, computed once for each name and number of vertices.
 struct Surface {
-  LayeredMesh mesh;
-  Discretisation discretisation;
-  Inflation inflation;
-  std::vector<DepthContact> coarse;  ///< contacts on a mesh with an eighth of the vertices
+  relief::LayeredMesh mesh;
+  relief::Discretisation discretisation;
+  relief::Inflation inflation;
+  std::vector<relief::DepthContact> coarse;  ///< contacts on a mesh with an eighth of the vertices
 };
 
 const Surface& surface_of(const std::string& name, int vertices);
 
 /// The quadratic program of the first round, solved from nothing, and its metric.
 struct Program {
-  ShiftMetric metric;
-  DepthSystem system;
-  Ordering ordering;
+  relief::ShiftMetric metric;
+  relief::DepthSystem system;
+  relief::Ordering ordering;
 };
 
 Program program_of(const Surface& surface);

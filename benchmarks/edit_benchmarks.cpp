@@ -9,7 +9,7 @@
 
 #include "benchmarks/characters.h"
 #include "benchmarks/suites.h"
-#include "relief/pipeline/relief_session.h"
+#include "relief/session/relief_session.h"
 
 namespace relievo::benchmarks {
 namespace {
@@ -18,29 +18,32 @@ using benchmark::State;
 
 struct Edit {
   const char* name;
-  std::function<void(Scene&, ReliefOptions&)> make;
+  std::function<void(Scene&, relief::ReliefOptions&)> make;
 };
 
 const Edit edits[] = {
-    {"c_of_one_part_a_tenth_more", [](Scene& s, ReliefOptions&) { s.parts.back().c *= 1.1; }},
-    {"d_of_one_part_a_tenth_less", [](Scene& s, ReliefOptions&) { s.parts.back().d *= 0.9; }},
-    {"c_of_the_largest_part_doubled", [](Scene& s, ReliefOptions&) { s.parts.front().c *= 2; }},
-    {"flatter", [](Scene& s, ReliefOptions&) { s.parts.back().flat = 0.3; }},
+    {"c_of_one_part_a_tenth_more",
+     [](Scene& s, relief::ReliefOptions&) { s.parts.back().c *= 1.1; }},
+    {"d_of_one_part_a_tenth_less",
+     [](Scene& s, relief::ReliefOptions&) { s.parts.back().d *= 0.9; }},
+    {"c_of_the_largest_part_doubled",
+     [](Scene& s, relief::ReliefOptions&) { s.parts.front().c *= 2; }},
+    {"flatter", [](Scene& s, relief::ReliefOptions&) { s.parts.back().flat = 0.3; }},
     {"leaning",
-     [](Scene& s, ReliefOptions&) {
+     [](Scene& s, relief::ReliefOptions&) {
        s.parts.front().lean = {0.2, 0.1};
      }},
-    {"alpha0_a_tenth", [](Scene&, ReliefOptions& o) { o.inflation.alpha0 = 0.1; }},
-    {"rho_a_fifth_more", [](Scene&, ReliefOptions& o) { o.inflation.rho *= 1.2; }},
+    {"alpha0_a_tenth", [](Scene&, relief::ReliefOptions& o) { o.inflation.alpha0 = 0.1; }},
+    {"rho_a_fifth_more", [](Scene&, relief::ReliefOptions& o) { o.inflation.rho *= 1.2; }},
     {"a_relation_dropped",
-     [](Scene& s, ReliefOptions&) {
+     [](Scene& s, relief::ReliefOptions&) {
        const int front = static_cast<int>(s.parts.size()) - 1;
        for (int lower = 0; lower < front; ++lower)
          s.relations.push_back({front, lower, RelationKind::free, std::nullopt});
      }},
-    {"a_join_removed", [](Scene& s, ReliefOptions&) { s.joins.pop_back(); }},
+    {"a_join_removed", [](Scene& s, relief::ReliefOptions&) { s.joins.pop_back(); }},
     {"an_outline_moved",
-     [](Scene& s, ReliefOptions&) {
+     [](Scene& s, relief::ReliefOptions&) {
        for (Ring& ring : s.parts.back().outline)
          for (Point2& p : ring) p.x += 1;
      }},
@@ -49,9 +52,9 @@ const Edit edits[] = {
 using Touch = std::tuple<int, int, double, double>;
 
 /// Where parts touch, in order.
-std::vector<Touch> touches(const std::vector<DepthContact>& contacts) {
+std::vector<Touch> touches(const std::vector<relief::DepthContact>& contacts) {
   std::vector<Touch> result;
-  for (const DepthContact& contact : contacts)
+  for (const relief::DepthContact& contact : contacts)
     if (contact.closed)
       result.emplace_back(contact.lower, contact.upper, contact.position.x, contact.position.y);
   std::sort(result.begin(), result.end());
@@ -68,11 +71,11 @@ int changes(const std::vector<Touch>& before, const std::vector<Touch>& after) {
 /// Makes the edit and takes it back in turn; the time is of one of the two.
 void run(State& state, const Edit& edit, const std::string& name) {
   const Scene plain = scene_of(name);
-  const ReliefOptions plain_options = options_for(40000);
+  const relief::ReliefOptions plain_options = options_for(40000);
   Scene scene = plain;
-  ReliefOptions options = plain_options;
+  relief::ReliefOptions options = plain_options;
   edit.make(scene, options);
-  ReliefSession session;
+  relief::ReliefSession session;
   bool ok = session.update(plain, plain_options).ok();
   const std::vector<Point2> vertices = session.relief().layers.vertices;
   const std::vector<Touch> before = touches(session.contacts());

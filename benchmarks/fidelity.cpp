@@ -20,8 +20,8 @@ namespace relievo {
 namespace {
 
 struct Surface {
-  Inflation inflation;
-  Ordering ordering;
+  relief::Inflation inflation;
+  relief::Ordering ordering;
 };
 
 /// Differences over the faces that are seen from the front.
@@ -55,7 +55,7 @@ double quantile(const std::vector<std::pair<double, double>>& sorted, double sha
   return 0;
 }
 
-Difference compare(const LayeredMesh& mesh, const Surface& a, const Surface& b) {
+Difference compare(const relief::LayeredMesh& mesh, const Surface& a, const Surface& b) {
   std::vector<std::pair<double, double>> angles;
   double area_sum = 0, square = 0, height = 0, height_square = 0;
   for (size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -97,26 +97,26 @@ std::string read_file(const char* name) {
 bool study(const char* name, int vertices) {
   const auto drawing = read_svg(read_file(name));
   if (!drawing) return false;
-  LayerOptions layer_options;
+  relief::LayerOptions layer_options;
   layer_options.vertex_budget = vertices;
   layer_options.attach = false;  // as in the paper
-  const auto mesh = layer_parts(drawing->scene, layer_options);
+  const auto mesh = relief::layer_parts(drawing->scene, layer_options);
   if (!mesh) return false;
   std::vector<Surface> approximate;
   for (const Robin& robin : robins) {
-    auto inflation = inflate(*mesh, drawing->scene, {robin.alpha0, robin.rho});
+    auto inflation = relief::inflate(*mesh, drawing->scene, {robin.alpha0, robin.rho});
     if (!inflation) return false;
-    OrderingOptions as_in_paper;
+    relief::OrderingOptions as_in_paper;
     as_in_paper.wanted = {false, false};
-    auto ordering = order_depth(*mesh, *inflation, drawing->scene, as_in_paper);
+    auto ordering = relief::order_depth(*mesh, *inflation, drawing->scene, as_in_paper);
     if (!ordering) return false;
     approximate.push_back({*inflation, *ordering});
   }
-  const auto start = inflate(*mesh, drawing->scene, {});
+  const auto start = relief::inflate(*mesh, drawing->scene, {});
   for (const double lambda : lambdas) {
-    NonlinearOptions options;
+    relief::NonlinearOptions options;
     options.lambda_bnd = lambda;
-    const auto solution = solve_nonlinear(*mesh, drawing->scene, *start, options);
+    const auto solution = relief::solve_nonlinear(*mesh, drawing->scene, *start, options);
     if (!solution) return false;
     const Surface exact{solution->inflation, solution->ordering};
     for (size_t i = 0; i < approximate.size(); ++i) {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "io/scene/scene_file.h"
+#include "io/scene/read_scene.h"
 #include "io/svg/read_svg.h"
-#include "relief/pipeline/build_relief.h"
+#include "relief/session/build_relief.h"
 #include "support/random_limbs.h"
 #include "support/regions.h"
 #include "support/seams.h"
@@ -64,14 +64,14 @@ void add(const std::vector<double>& ends, std::vector<double>& all) {
   all.insert(all.end(), ends.begin(), ends.end());
 }
 
-void study(const std::string& name, const Scene& scene, const ReliefOptions& options,
+void study(const std::string& name, const Scene& scene, const relief::ReliefOptions& options,
            Tally& tally) {
-  const Result<Relief> relief = build_relief(scene, options);
+  const Result<relief::Relief> relief = relief::build_relief(scene, options);
   if (!relief) {
     std::printf("%s: %s\n", name.c_str(), to_string(relief.error()).c_str());
     return;
   }
-  const LayeredMesh& mesh = relief->layers;
+  const relief::LayeredMesh& mesh = relief->layers;
   for (const SeamChain& chain : seam_chains(mesh)) {
     const std::vector<double> angles = testing::seam_angles(mesh, relief->ordering.h, chain);
     const testing::JoinEnds ends = testing::join_ends(mesh, relief->ordering.h, chain);
@@ -108,7 +108,7 @@ int main(int argc, char** argv) {
                  "usage: joins VERTICES approximate|nonlinear DRAWING|SEED|FIRST-LAST...\n");
     return 2;
   }
-  ReliefOptions options;
+  relief::ReliefOptions options;
   options.layers.vertex_budget = std::atoi(argv[1]);
   if (argv[2][0] == 'n') options.method = Method::nonlinear;
   std::printf(

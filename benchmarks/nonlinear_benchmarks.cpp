@@ -11,7 +11,7 @@
 #include "benchmarks/characters.h"
 #include "benchmarks/suites.h"
 #include "kernel/base/workers.h"
-#include "relief/pipeline/relief_session.h"
+#include "relief/session/relief_session.h"
 #include "support/augmented_lagrangian.h"
 #include "support/lbfgs.h"
 
@@ -53,23 +53,26 @@ struct LeastTimes {
 };
 
 /// What a mesh with an eighth of the vertices tells.
-NonlinearMemory coarse_memory(const std::string& name, int vertices,
-                              const NonlinearOptions& options) {
-  ReliefOptions coarse = options_for(vertices / 8);
+relief::NonlinearMemory coarse_memory(const std::string& name, int vertices,
+                                      const relief::NonlinearOptions& options) {
+  relief::ReliefOptions coarse = options_for(vertices / 8);
   coarse.method = Method::nonlinear;
   coarse.nonlinear = options;
-  ReliefSession session(ReliefSession::Use::guess);
-  return session.update(scene_of(name), coarse) ? session.nonlinear_memory() : NonlinearMemory();
+  relief::ReliefSession session(relief::ReliefSession::Use::guess);
+  return session.update(scene_of(name), coarse) ? session.nonlinear_memory()
+                                                : relief::NonlinearMemory();
 }
 
 /// The inflation, and beside it the matrix of the depth order.
-Inflation inflation_of(const SurfaceInput& surface, OrderingSystem& system) {
-  Inflation inflation;
+relief::Inflation inflation_of(const relief::SurfaceInput& surface,
+                               relief::OrderingSystem& system) {
+  relief::Inflation inflation;
   run_tasks(2, [&](int task) {
-    if (task == 1) return prepare_ordering(surface, {}, system);
-    PoissonSystem poisson(surface.mesh, surface.discretisation, Refactorisation::complete, {});
-    inflation = *inflate({surface.mesh, surface.discretisation, surface.scene}, InflationOptions(),
-                         poisson);
+    if (task == 1) return relief::prepare_ordering(surface, {}, system);
+    relief::PoissonSystem poisson(surface.mesh, surface.discretisation, Refactorisation::complete,
+                                  {});
+    inflation = *inflate({surface.mesh, surface.discretisation, surface.scene},
+                         relief::InflationOptions(), poisson);
   });
   return inflation;
 }
@@ -77,29 +80,32 @@ Inflation inflation_of(const SurfaceInput& surface, OrderingSystem& system) {
 /// Operators, inflation and order from the coarse guess.
 void approximate(const std::string& name, const Surface& surface) {
   const Scene& scene = scene_of(name);
-  const Discretisation operators = discretise(surface.mesh);
-  OrderingSystem system;
+  const relief::Discretisation operators = relief::discretise(surface.mesh);
+  relief::OrderingSystem system;
   system.contacts = surface.coarse;
-  const Inflation inflation = inflation_of({surface.mesh, operators, scene}, system);
-  benchmark::DoNotOptimize(order_depth({surface.mesh, operators, inflation, scene}, {}, system));
+  const relief::Inflation inflation = inflation_of({surface.mesh, operators, scene}, system);
+  benchmark::DoNotOptimize(
+      relief::order_depth({surface.mesh, operators, inflation, scene}, {}, system));
 }
 
 /// The same by the non-linear method.
-Result<NonlinearSolution> solve(const std::string& name, const Surface& surface,
-                                const NonlinearOptions& options, const NonlinearMemory& known) {
+Result<relief::NonlinearSolution> solve(const std::string& name, const Surface& surface,
+                                        const relief::NonlinearOptions& options,
+                                        const relief::NonlinearMemory& known) {
   const Scene& scene = scene_of(name);
-  const Discretisation operators = discretise(surface.mesh);
-  OrderingSystem system;
-  const Inflation inflation = inflation_of({surface.mesh, operators, scene}, system);
-  return solve_nonlinear({surface.mesh, operators, inflation, scene}, options, known, system);
+  const relief::Discretisation operators = relief::discretise(surface.mesh);
+  relief::OrderingSystem system;
+  const relief::Inflation inflation = inflation_of({surface.mesh, operators, scene}, system);
+  return relief::solve_nonlinear({surface.mesh, operators, inflation, scene}, options, known,
+                                 system);
 }
 
 void nonlinear(State& state, const std::string& name, int vertices, double lambda_bnd) {
   const Surface& surface = surface_of(name, vertices);
-  NonlinearOptions options;
+  relief::NonlinearOptions options;
   options.lambda_bnd = lambda_bnd;
-  options.wanted = OrderingOptions().wanted;
-  const NonlinearMemory known = coarse_memory(name, vertices, options);
+  options.wanted = relief::OrderingOptions().wanted;
+  const relief::NonlinearMemory known = coarse_memory(name, vertices, options);
   LeastTimes other;
   LeastTimes own;
   for (auto _ : state) {
@@ -107,7 +113,7 @@ void nonlinear(State& state, const std::string& name, int vertices, double lambd
       other.add([&] { approximate(name, surface); });
       own.add([&] {
         const auto solution = solve(name, surface, options, known);
-        if (!solution || solution->report.status != NonlinearStatus::solved)
+        if (!solution || solution->report.status != relief::NonlinearStatus::solved)
           state.SkipWithError("not solved");
         else
           state.counters["steps"] = static_cast<double>(solution->report.steps.size());
@@ -123,7 +129,7 @@ void nonlinear(State& state, const std::string& name, int vertices, double lambd
 /// The paper's way: L-BFGS on the augmented Lagrangian, until its energy is near enough.
 void descent(State& state, const std::string& name, int vertices, double lambda_bnd) {
   const Surface& surface = surface_of(name, vertices);
-  NonlinearOptions options;
+  relief::NonlinearOptions options;
   options.lambda_bnd = lambda_bnd;
   const double start = processor_ms();
   const auto ours = solve(name, surface, options, {});
@@ -131,7 +137,8 @@ void descent(State& state, const std::string& name, int vertices, double lambda_
   if (!ours) return state.SkipWithError("not solved");
   const testing::NonlinearProgram program =
       testing::make_nonlinear_program(surface.mesh, scene_of(name), options, ours->inflation);
-  const Ordering ordering = *order_depth(surface.mesh, surface.inflation, scene_of(name), {});
+  const relief::Ordering ordering =
+      *order_depth(surface.mesh, surface.inflation, scene_of(name), {});
   for (auto _ : state) {
     const double begin = processor_ms();
     VectorXd x =

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "relief/pipeline/build_relief.h"
+#include "relief/session/build_relief.h"
 #include "support/random_scene.h"
 
 // Solves random scenes by the non-linear method and prints a row for each and the distribution of
@@ -27,11 +27,11 @@ bool has_mixed_joins(const Scene& scene) {
 
 void survey(uint64_t seed, int vertices, double lambda_bnd, Tally (&tallies)[2]) {
   const Scene scene = testing::random_scene(seed);
-  ReliefOptions options;
+  relief::ReliefOptions options;
   options.method = Method::nonlinear;
   options.layers.vertex_budget = vertices;
   options.nonlinear.lambda_bnd = lambda_bnd;
-  const Result<Relief> relief = build_relief(scene, options);
+  const Result<relief::Relief> relief = relief::build_relief(scene, options);
   const bool mixed = has_mixed_joins(scene);
   if (!relief) {
     ++tallies[mixed].failed;
@@ -39,11 +39,11 @@ void survey(uint64_t seed, int vertices, double lambda_bnd, Tally (&tallies)[2])
                 to_string(relief.error()).c_str());
     return;
   }
-  const NonlinearReport& report = relief->nonlinear;
+  const relief::NonlinearReport& report = relief->nonlinear;
   const int steps = static_cast<int>(report.steps.size());
-  const bool solved = report.status == NonlinearStatus::solved;
+  const bool solved = report.status == relief::NonlinearStatus::solved;
   double milliseconds = 0;
-  for (const NonlinearStep& step : report.steps) milliseconds += step.milliseconds;
+  for (const relief::NonlinearStep& step : report.steps) milliseconds += step.milliseconds;
   if (solved) tallies[mixed].steps.push_back(steps);
   tallies[mixed].failed += solved ? 0 : 1;
   std::printf("%d,%g,%d,%s,%d,%.1e,%.1e,%.0f\n", static_cast<int>(seed), lambda_bnd, mixed,

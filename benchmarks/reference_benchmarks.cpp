@@ -7,7 +7,7 @@
 #include "benchmarks/references/interior_point.h"
 #include "benchmarks/references/lagrange_active_set.h"
 #include "benchmarks/suites.h"
-#include "relief/pipeline/relief_session.h"
+#include "relief/session/relief_session.h"
 
 namespace relievo::benchmarks {
 namespace {

@@ -6,9 +6,10 @@
 #include <string>
 
 #include "io/image/decode_image.h"
-#include "relief/drawing/find_basins.h"
-#include "relief/pipeline/propose_scene.h"
 #include "relievo/files.h"
+#include "understanding/areas/find_basins.h"
+#include "understanding/labels/label_basins.h"
+#include "understanding/scene/propose_scene.h"
 
 // Prints what segmentation, a changed stroke, and completing, ordering and joining 15 parts cost,
 // and how that grows with the size of a drawing. CPU time of all threads, so that other work on the
@@ -74,18 +75,19 @@ double time_of(const std::function<void()>& work) {
 /// Prints one line and returns the time per megapixel.
 double measure(const Drawing& drawing) {
   const double megapixels = 1e-6 * drawing.rgba.width * drawing.rgba.height;
-  Result<Basins> basins = find_basins(drawing);
+  Result<understanding::Basins> basins = understanding::find_basins(drawing);
   if (!basins) {
     std::printf("%s\n", to_string(basins.error()).c_str());
     return 0;
   }
   const double x = drawing.rgba.width / 2.0;
   const double y = drawing.rgba.height / 2.0;
-  const Scribbles strokes{{"a", "b"},
-                          {{ScribbleKind::hard, 0, {{x - 30, y}, {x - 30, y + 20}}, 5},
-                           {ScribbleKind::hard, 1, {{x + 30, y}, {x + 30, y + 20}}, 5}}};
-  const double find = time_of([&] { basins = find_basins(drawing); });
-  const double label = time_of([&] { (void)label_basins(*basins, strokes); });
+  const understanding::Scribbles strokes{
+      {"a", "b"},
+      {{understanding::ScribbleKind::hard, 0, {{x - 30, y}, {x - 30, y + 20}}, 5},
+       {understanding::ScribbleKind::hard, 1, {{x + 30, y}, {x + 30, y + 20}}, 5}}};
+  const double find = time_of([&] { basins = understanding::find_basins(drawing); });
+  const double label = time_of([&] { (void)understanding::label_basins(*basins, strokes); });
   std::printf("%7.2f MP  basins %7.1f ms/MP  strokes %6.1f ms/MP (%4.1f %%)\n", megapixels,
               find / megapixels, label / megapixels, 100 * label / find);
   return find / megapixels;
@@ -95,7 +97,7 @@ double measure(const Drawing& drawing) {
 double measure_proposal(int side) {
   const Image16 labels = pile(side);
   const double megapixels = 1e-6 * side * side;
-  const double time = time_of([&] { (void)propose_scene(labels); });
+  const double time = time_of([&] { (void)understanding::propose_scene(labels); });
   std::printf("%7.2f MP  15 parts completed, ordered, joined %7.1f ms/MP\n", megapixels,
               time / megapixels);
   return time / megapixels;

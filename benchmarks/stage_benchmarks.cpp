@@ -7,10 +7,11 @@
 #include "benchmarks/characters.h"
 #include "benchmarks/suites.h"
 #include "face/solid_of.h"
-#include "io/mesh/encode_models.h"
+#include "io/mesh/glb_encode.h"
+#include "io/mesh/threemf_pack.h"
 #include "kernel/base/workers.h"
-#include "relief/model/assemble_model.h"
-#include "relief/pipeline/relief_session.h"
+#include "relief/session/relief_session.h"
+#include "relief/surface/assemble_model.h"
 #include "solid/check_print.h"
 
 namespace relievo::benchmarks {
@@ -20,33 +21,34 @@ using benchmark::State;
 using Case = std::function<void(State&, const std::string& name, int vertices)>;
 
 void mesh(State& state, const std::string& name, int vertices) {
-  const LayerOptions options = options_for(vertices).layers;
+  const relief::LayerOptions options = options_for(vertices).layers;
   for (auto _ : state) {
-    const auto layers = layer_parts(scene_of(name), options);
+    const auto layers = relief::layer_parts(scene_of(name), options);
     state.counters["vertices"] = static_cast<double>(layers->node_vertex.size());
   }
 }
 
 void discretisation(State& state, const std::string& name, int vertices) {
   const Surface& surface = surface_of(name, vertices);
-  for (auto _ : state) benchmark::DoNotOptimize(discretise(surface.mesh));
+  for (auto _ : state) benchmark::DoNotOptimize(relief::discretise(surface.mesh));
 }
 
 void inflation(State& state, const std::string& name, int vertices) {
   const Surface& surface = surface_of(name, vertices);
   for (auto _ : state) {
-    PoissonSystem poisson(surface.mesh, surface.discretisation, Refactorisation::complete, {});
+    relief::PoissonSystem poisson(surface.mesh, surface.discretisation, Refactorisation::complete,
+                                  {});
     benchmark::DoNotOptimize(
-        inflate({surface.mesh, surface.discretisation, scene_of(name)}, {}, poisson));
+        relief::inflate({surface.mesh, surface.discretisation, scene_of(name)}, {}, poisson));
   }
 }
 
 void order_from(State& state, const std::string& name, const Surface& surface,
-                const std::vector<DepthContact>& contacts) {
+                const std::vector<relief::DepthContact>& contacts) {
   for (auto _ : state) {
-    OrderingSystem system;
+    relief::OrderingSystem system;
     system.contacts = contacts;
-    const auto ordering = order_depth(
+    const auto ordering = relief::order_depth(
         {surface.mesh, surface.discretisation, surface.inflation, scene_of(name)}, {}, system);
     const BoundQpReport& report = ordering->report;
     state.counters["iterations"] = report.iterations;
@@ -71,39 +73,40 @@ void solve(State& state, const std::string& name, int vertices) {
   const Surface& surface = surface_of(name, vertices);
   const Scene& scene = scene_of(name);
   for (auto _ : state) {
-    const Discretisation operators = discretise(surface.mesh);
-    OrderingSystem system;
+    const relief::Discretisation operators = relief::discretise(surface.mesh);
+    relief::OrderingSystem system;
     system.contacts = surface.coarse;
-    Inflation inflation;
+    relief::Inflation inflation;
     run_tasks(2, [&](int task) {
-      if (task == 1) return prepare_ordering({surface.mesh, operators, scene}, {}, system);
-      PoissonSystem poisson(surface.mesh, operators, Refactorisation::complete, {});
+      if (task == 1) return relief::prepare_ordering({surface.mesh, operators, scene}, {}, system);
+      relief::PoissonSystem poisson(surface.mesh, operators, Refactorisation::complete, {});
       inflation = *inflate({surface.mesh, operators, scene}, {}, poisson);
     });
-    benchmark::DoNotOptimize(order_depth({surface.mesh, operators, inflation, scene}, {}, system));
+    benchmark::DoNotOptimize(
+        relief::order_depth({surface.mesh, operators, inflation, scene}, {}, system));
   }
 }
 
 void build(State& state, const std::string& name, int vertices) {
   for (auto _ : state)
-    benchmark::DoNotOptimize(build_relief(scene_of(name), options_for(vertices)));
+    benchmark::DoNotOptimize(relief::build_relief(scene_of(name), options_for(vertices)));
 }
 
 void model(State& state, const std::string& name, int vertices) {
-  const auto relief = build_relief(scene_of(name), options_for(vertices));
+  const auto relief = relief::build_relief(scene_of(name), options_for(vertices));
   for (auto _ : state) {
-    const auto made =
-        assemble_model(relief->layers, relief->inflation, relief->ordering, scene_of(name), {});
+    const auto made = relief::assemble_model(relief->layers, relief->inflation, relief->ordering,
+                                             scene_of(name), {});
     benchmark::DoNotOptimize(encode_glb(*made, nullptr, 100));
   }
 }
 
 /// What is to be held, checked, and its file to print, painted.
 void hold(State& state, const std::string& name, int vertices, const SolidOptions& kind) {
-  ReliefOptions options = options_for(vertices);
+  relief::ReliefOptions options = options_for(vertices);
   options.hidden = kind.back != BackSide::flat;
   const Scene& scene = scene_of(name);
-  const auto relief = build_relief(scene, options);
+  const auto relief = relief::build_relief(scene, options);
   for (auto _ : state) {
     const auto solid = solid_of(*relief, scene, {}, kind);
     benchmark::DoNotOptimize(check_print(solid->model, solid->facts.loose, usual_nozzle));

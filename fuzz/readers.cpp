@@ -2,15 +2,16 @@
 
 #include <cstdlib>
 
-#include "io/archive/archive.h"
+#include "io/archive/zip_archive.h"
 #include "io/image/decode_image.h"
 #include "io/layered/layer_table.h"
-#include "io/layered/read_layers.h"
+#include "io/layered/read_ora.h"
 #include "io/mesh/glb_decode.h"
-#include "io/project/project.h"
-#include "io/psd/psd.h"
-#include "io/scene/scene_file.h"
-#include "io/scribbles/read_scribbles.h"
+#include "io/project/project_file.h"
+#include "io/psd/read_psd.h"
+#include "io/scene/read_scene.h"
+#include "io/scribbles/scribble_image.h"
+#include "io/scribbles/scribbles_json.h"
 #include "io/svg/read_svg.h"
 
 namespace relievo::fuzz {

@@ -8,7 +8,7 @@
 
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/image_size.h"
-#include "relief/pipeline/build_relief.h"
+#include "relief/session/build_relief.h"
 #include "relievo/export.h"
 #include "relievo/scene.h"
 #include "relievo/solid.h"
@@ -34,7 +34,7 @@ struct CueArgument {
 
 /// How a drawing is reconstructed.
 struct ReliefArguments {
-  ReliefOptions options;
+  relief::ReliefOptions options;
   std::optional<double> c;        ///< in place of every part's own
   std::optional<double> flat;     ///< likewise
   std::optional<Point2> lean;     ///< likewise

@@ -1,8 +1,9 @@
+#include "apps/cli/build_command.h"
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
-#include "apps/cli/commands.h"
 #include "apps/cli/cost.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
@@ -12,12 +13,14 @@
 #include "apps/cli/report.h"
 #include "face/inputs.h"
 #include "io/image/png_encode.h"
-#include "io/maps/map_images.h"
+#include "io/maps/carve_map.h"
+#include "io/maps/encode_maps.h"
 #include "io/mesh/placement.h"
 #include "kernel/base/stopwatch.h"
 #include "kernel/image/image_size.h"
 #include "lod/simplify_model.h"
-#include "relief/model/relief_maps.h"
+#include "relief/maps/ambient_occlusion.h"
+#include "relief/maps/relief_maps.h"
 #include "relievo/export.h"
 #include "relievo/maps.h"
 
@@ -61,7 +64,7 @@ Status add_preview(Products& products, const BuildArguments& build, const RunCon
   if (build.preview.empty()) return Done{};
   RenderArguments picture;
   picture.size = build.preview_size;
-  const DrawnModel& drawn = products.made->drawn;
+  const relief::DrawnModel& drawn = products.made->drawn;
   return add(products, build.preview, draw_picture(drawn.model, drawn.drawing, picture, context));
 }
 
@@ -94,7 +97,7 @@ void make_level(Products& products, const BuildArguments& build, int level) {
 }
 
 Status add_models(Products& products, const BuildArguments& build, const SceneInput& input,
-                  const Relief& relief, const RunContext& context) {
+                  const relief::Relief& relief, const RunContext& context) {
   ReliefArguments arguments = build.relief;
   arguments.solid_options.size = build.size_mm;
   const auto put = [&](const std::vector<std::string>& names) -> Status {
@@ -130,15 +133,15 @@ Status add_models(Products& products, const BuildArguments& build, const SceneIn
   return put(printed);
 }
 
-Result<ReliefMaps> make_maps(const BuildArguments& build, const Scene& scene, const Relief& relief,
-                             const RunContext& context) {
+Result<ReliefMaps> make_maps(const BuildArguments& build, const Scene& scene,
+                             const relief::Relief& relief, const RunContext& context) {
   const ImageSize size = fitted_size(scene.width, scene.height, build.map_size);
-  return rasterize_relief(relief.layers, relief.inflation, relief.ordering, scene, size.width,
-                          size.height, context);
+  return relief::rasterize_relief(relief.layers, relief.inflation, relief.ordering, scene,
+                                  size.width, size.height, context);
 }
 
 Status add_maps(Products& products, const BuildArguments& build, const Scene& scene,
-                const Relief& relief, const RunContext& context) {
+                const relief::Relief& relief, const RunContext& context) {
   if (build.normal_map.empty() && build.depth_map.empty() && build.part_map.empty() &&
       build.occlusion_map.empty())
     return Done{};
@@ -154,19 +157,19 @@ Status add_maps(Products& products, const BuildArguments& build, const Scene& sc
     if (Status s = add(products, build.part_map, encode_part_map(*maps)); !s) return s;
   if (!build.occlusion_map.empty()) {
     const double pixel = scene.width / maps->height.width;
-    const Image8 open = share_image(ambient_occlusion(*maps, pixel));
+    const Image8 open = share_image(relief::ambient_occlusion(*maps, pixel));
     if (Status s = add(products, build.occlusion_map, encode_png(open)); !s) return s;
   }
   return Done{};
 }
 
 Status add_convergence(Products& products, const BuildArguments& build, const Scene& scene,
-                       const Relief& relief, const RunContext& context) {
+                       const relief::Relief& relief, const RunContext& context) {
   if (build.convergence.empty()) return Done{};
   return add(products, build.convergence, draw_convergence(relief, scene, context));
 }
 
-std::string summary(const Relief& relief) {
+std::string summary(const relief::Relief& relief) {
   return std::to_string(relief.layers.node_vertex.size()) + " vertices, " +
          std::to_string(relief.ordering.equalities) + " equalities, " +
          std::to_string(relief.ordering.inequalities) + " inequalities, " +
@@ -179,9 +182,9 @@ void print_files(const BuildArguments& build, const Products& products) {
     print_result(file.path.string(), build.common.quiet);
 }
 
-std::vector<std::string> relief_warnings(const Relief& relief) {
+std::vector<std::string> relief_warnings(const relief::Relief& relief) {
   std::vector<std::string> warnings = relief.layers.warnings;
-  if (relief.nonlinear.status == NonlinearStatus::iteration_limit)
+  if (relief.nonlinear.status == relief::NonlinearStatus::iteration_limit)
     warnings.push_back(
         "the non-linear method did not converge; the relief keeps its order but is not the best");
   return warnings;

@@ -1,3 +1,5 @@
+#include "apps/cli/check_command.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -6,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "apps/cli/commands.h"
 #include "apps/cli/cue_argument.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
@@ -17,9 +18,9 @@
 #include "io/files/number_text.h"
 #include "io/image/png_encode.h"
 #include "io/mesh/placement.h"
-#include "io/overlay/overlay_svg.h"
+#include "io/overlay/mesh_lines.h"
 #include "kernel/geometry/polyline.h"
-#include "kernel/meshing/segment_grid.h"
+#include "kernel/meshing/self_crossing.h"
 #include "relief/inflation/inflate.h"
 #include "relief/layers/layer_parts.h"
 #include "relievo/files.h"
@@ -89,15 +90,15 @@ std::string guessed(double confidence) {
 }
 
 /// How sure a guess is; empty for what was said.
-std::string trust(const JoinProposals& guesses, const Join& join) {
-  for (const ProposedJoin& guess : guesses.joins)
+std::string trust(const understanding::JoinProposals& guesses, const Join& join) {
+  for (const understanding::ProposedJoin& guess : guesses.joins)
     if (guess.join.upper == join.upper && guess.join.lower == join.lower)
       return guessed(guess.confidence);
   return "";
 }
 
-std::string trust(const JoinProposals& guesses, const Relation& relation) {
-  for (const ProposedRelation& guess : guesses.relations)
+std::string trust(const understanding::JoinProposals& guesses, const Relation& relation) {
+  for (const understanding::ProposedRelation& guess : guesses.relations)
     if (guess.relation.upper == relation.upper && guess.relation.lower == relation.lower)
       return relation.kind == RelationKind::joined ? guessed(guess.confidence) : "guessed";
   return "";
@@ -152,9 +153,9 @@ std::vector<std::string> warnings_about_outlines(const Scene& scene) {
 }
 
 /// What the depth constraints tie together, pair by pair.
-std::string overlap_table(const Scene& scene, const LayeredMesh& mesh) {
+std::string overlap_table(const Scene& scene, const relief::LayeredMesh& mesh) {
   std::map<std::pair<int, int>, std::pair<size_t, size_t>> pairs;
-  for (const DepthPair& pair : mesh.constraints) {
+  for (const relief::DepthPair& pair : mesh.constraints) {
     auto& [equal, above] = pairs[{mesh.node_part[pair.upper], mesh.node_part[pair.lower]}];
     ++(pair.equal ? equal : above);
   }
@@ -200,7 +201,7 @@ Status tell_of_print(const CheckArguments& check, SceneInput& input, const RunCo
 
 /// Writes what was asked for.
 Status write_outputs(const CheckArguments& check, const InputFile& file, const SceneInput& input,
-                     const LayeredMesh& mesh, Interruption& interruption) {
+                     const relief::LayeredMesh& mesh, Interruption& interruption) {
   std::vector<OutputFile> files;
   if (!check.output.empty()) {
     auto scene = scene_outputs(check, file, input);
@@ -208,7 +209,7 @@ Status write_outputs(const CheckArguments& check, const InputFile& file, const S
     files = std::move(*scene);
   }
   if (!check.overlay.empty()) {
-    const MeshLines lines = find_mesh_lines(mesh, InflationOptions().alpha0);
+    const MeshLines lines = find_mesh_lines(mesh, relief::InflationOptions().alpha0);
     auto picture = draw_overlay(input.scene, {{}, lines}, input.drawing.rgba);
     if (!picture) return picture.error();
     files.push_back({check.overlay, std::move(*picture)});
@@ -249,17 +250,17 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
   if (const std::string table = cue_table(scene); !table.empty()) print_result("\n" + table, quiet);
   print_warnings(warnings_about_cues(scene), quiet);
   print_warnings(warnings_about_outlines(scene), quiet);
-  LayerOptions options;
+  relief::LayerOptions options;
   options.vertex_budget = trial_vertices;
   // A guess that is too short for this mesh alone is no mistake.
   Scene tried = scene;
-  JoinProposals guesses = input->guesses;
+  understanding::JoinProposals guesses = input->guesses;
   std::vector<std::string> left_out;
   const auto mesh = without_bad_guesses({tried, guesses, left_out}, [&] {
-    return layer_parts(tried, options, {interruption.flag(), {}});
+    return relief::layer_parts(tried, options, {interruption.flag(), {}});
   });
   if (!mesh) return mesh.error();
-  if (Status status = check_held(*mesh, tried, {}); !status) return status;
+  if (Status status = relief::check_held(*mesh, tried, {}); !status) return status;
   print_warnings(mesh->warnings, quiet);
   if (const std::string table = overlap_table(scene, *mesh); !table.empty())
     print_result("\n" + table, quiet);

@@ -1,8 +1,9 @@
+#include "apps/cli/compare_command.h"
+
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "apps/cli/commands.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/pictures.h"
@@ -28,7 +29,7 @@ std::vector<std::filesystem::path> planned_outputs(const CompareArguments& compa
 
 /// What was computed.
 struct Compared {
-  LayeredMesh joined;
+  relief::LayeredMesh joined;
   Model model;
   double mesh_ms = 0;
   double method_ms = 0;

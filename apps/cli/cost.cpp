@@ -41,7 +41,7 @@ double free_mb() {
 
 double least_mb(double vertices) { return base_mb + vertex_mb * vertices; }
 
-Status check_cost(const ReliefOptions& options, bool quiet) {
+Status check_cost(const relief::ReliefOptions& options, bool quiet) {
   if (options.layers.edge_length > 0) return Done{};
   const double vertices = options.layers.vertex_budget;
   // What is mapped already is most of the base.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "relief/pipeline/build_relief.h"
+#include "relief/session/build_relief.h"
 #include "relievo/result.h"
 
 namespace relievo::cli {
@@ -14,6 +14,6 @@ double least_mb(double vertices);
 
 /// Tells, unless `quiet`, that a build will take long, and refuses with `limit` one for which there
 /// certainly is too little memory. Says nothing of meshes that are asked for by their edge length.
-Status check_cost(const ReliefOptions& options, bool quiet);
+Status check_cost(const relief::ReliefOptions& options, bool quiet);
 
 }  // namespace relievo::cli

@@ -3,10 +3,16 @@
 #include <system_error>
 
 #include "apps/cli/arguments.h"
-#include "apps/cli/commands.h"
+#include "apps/cli/batch/batch_command.h"
+#include "apps/cli/build_command.h"
+#include "apps/cli/check_command.h"
+#include "apps/cli/compare_command.h"
 #include "apps/cli/exit_code.h"
 #include "apps/cli/interruption.h"
 #include "apps/cli/messages.h"
+#include "apps/cli/render_command.h"
+#include "apps/cli/segment_command.h"
+#include "apps/cli/sequence/sequence_command.h"
 #include "kernel/base/workers.h"
 
 namespace relievo::cli {

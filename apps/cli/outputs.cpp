@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "io/mesh/encode_models.h"
+#include "io/mesh/obj_encode.h"
 
 namespace relievo::cli {
 namespace {

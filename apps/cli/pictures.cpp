@@ -7,6 +7,7 @@
 #include "io/image/png_encode.h"
 #include "kernel/image/compose.h"
 #include "kernel/image/image_size.h"
+#include "relief/surface/assemble_model.h"
 #include "relievo/render.h"
 
 namespace relievo::cli {
@@ -54,11 +55,13 @@ RenderOptions cell_options(const Scene& scene) {
   return options;
 }
 
-Result<Image8> draw(const Relief& relief, const Inflation& inflation, const Ordering& ordering,
-                    const Scene& scene, const RunContext& context) {
+Result<Image8> draw(const relief::Relief& relief, const relief::Inflation& inflation,
+                    const relief::Ordering& ordering, const Scene& scene,
+                    const RunContext& context) {
   ModelOptions options;
   options.visibility = Visibility::orbit;
-  const auto model = assemble_model(relief.layers, inflation, ordering, scene, options, context);
+  const auto model =
+      relief::assemble_model(relief.layers, inflation, ordering, scene, options, context);
   if (!model) return model.error();
   return render_model(*model, nullptr, cell_options(scene), context);
 }
@@ -83,12 +86,12 @@ std::vector<int> convergence_steps(int last) {
   return steps;
 }
 
-Result<Bytes> draw_convergence(const Relief& relief, const Scene& scene,
+Result<Bytes> draw_convergence(const relief::Relief& relief, const Scene& scene,
                                const RunContext& context) {
   const size_t count = std::min(relief.snapshots.size(), max_cells - 1);
   std::vector<Image8> pictures;
   for (size_t k = 0; k < count; ++k) {
-    const NonlinearSnapshot& snapshot = relief.snapshots[k];
+    const relief::NonlinearSnapshot& snapshot = relief.snapshots[k];
     auto picture = draw(relief, snapshot.inflation, snapshot.ordering, scene, context);
     if (!picture) return picture.error();
     pictures.push_back(std::move(*picture));

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "apps/cli/arguments.h"
-#include "relief/pipeline/build_relief.h"
+#include "relief/session/build_relief.h"
 #include "relievo/bytes.h"
 #include "relievo/image.h"
 #include "relievo/model.h"
@@ -22,6 +22,7 @@ std::vector<int> convergence_steps(int last);
 
 /// The surfaces that the non-linear method passed through and the one it ended at, in clay, side
 /// by side at one scale, as a PNG file.
-Result<Bytes> draw_convergence(const Relief& relief, const Scene& scene, const RunContext& context);
+Result<Bytes> draw_convergence(const relief::Relief& relief, const Scene& scene,
+                               const RunContext& context);
 
 }  // namespace relievo::cli

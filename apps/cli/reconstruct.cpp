@@ -6,9 +6,9 @@
 
 #include "apps/cli/cue_argument.h"
 #include "face/solid_of.h"
-#include "relief/model/assemble_model.h"
-#include "relief/model/dress_hidden.h"
-#include "relief/model/ink_rims.h"
+#include "relief/finish/dress_hidden.h"
+#include "relief/finish/ink_rims.h"
+#include "relief/surface/assemble_model.h"
 
 namespace relievo::cli {
 namespace {
@@ -32,8 +32,8 @@ Visibility shown(const ReliefArguments& arguments) {
 
 }  // namespace
 
-Result<ReliefOptions> settle_options(Scene& scene, const ReliefArguments& arguments) {
-  ReliefOptions options = arguments.options;
+Result<relief::ReliefOptions> settle_options(Scene& scene, const ReliefArguments& arguments) {
+  relief::ReliefOptions options = arguments.options;
   options.hidden = arguments.solid ? arguments.solid_options.back != BackSide::flat
                                    : shown(arguments) != Visibility::relief;
   if (arguments.as_in_paper) {
@@ -61,9 +61,9 @@ bool leave_out_guess(const Error& error, const GuessedScene& guessed) {
   const auto between = [&](const auto& other) {
     return other.upper == join.upper && other.lower == join.lower;
   };
-  const auto guess =
-      std::find_if(guesses.joins.begin(), guesses.joins.end(),
-                   [&](const ProposedJoin& one) { return !one.user && between(one.join); });
+  const auto guess = std::find_if(
+      guesses.joins.begin(), guesses.joins.end(),
+      [&](const understanding::ProposedJoin& one) { return !one.user && between(one.join); });
   if (guess == guesses.joins.end()) return false;
   guesses.joins.erase(guess);
   scene.joins.erase(scene.joins.begin() + static_cast<std::ptrdiff_t>(index));
@@ -74,21 +74,21 @@ bool leave_out_guess(const Error& error, const GuessedScene& guessed) {
   return true;
 }
 
-Result<Relief> reconstruct(SceneInput& input, const ReliefArguments& arguments,
-                           const RunContext& context) {
+Result<relief::Relief> reconstruct(SceneInput& input, const ReliefArguments& arguments,
+                                   const RunContext& context) {
   Scene& scene = input.scene;
   const auto options = settle_options(scene, arguments);
   if (!options) return options.error();
   auto relief = without_bad_guesses({scene, input.guesses, input.warnings},
-                                    [&] { return build_relief(scene, *options, context); });
+                                    [&] { return relief::build_relief(scene, *options, context); });
   if (!relief) return relief;
-  keep_field(*relief, arguments.field);
+  relief::keep_field(*relief, arguments.field);
   for (std::string& warning : warnings_about_cues(scene))
     relief->layers.warnings.push_back(std::move(warning));
   return relief;
 }
 
-Result<MadeModel> make_model(const Relief& relief, const SceneInput& input,
+Result<MadeModel> make_model(const relief::Relief& relief, const SceneInput& input,
                              const ReliefArguments& arguments, const RunContext& context) {
   if (arguments.solid) {
     auto solid = solid_of(relief, input.scene, input.drawing, arguments.solid_options, context);
@@ -97,11 +97,11 @@ Result<MadeModel> make_model(const Relief& relief, const SceneInput& input,
   }
   ModelOptions options;
   options.visibility = shown(arguments);
-  auto model = assemble_model(relief.layers, relief.inflation, relief.ordering, input.scene,
-                              options, context);
+  auto model = relief::assemble_model(relief.layers, relief.inflation, relief.ordering, input.scene,
+                                      options, context);
   if (!model) return model.error();
-  if (options.visibility == Visibility::orbit) narrow_inked_rims(*model, input.drawing);
-  return MadeModel{dress_hidden(std::move(*model), input.drawing), {}};
+  if (options.visibility == Visibility::orbit) relief::narrow_inked_rims(*model, input.drawing);
+  return MadeModel{relief::dress_hidden(std::move(*model), input.drawing), {}};
 }
 
 std::vector<PrintFinding> print_findings(const MadeModel& made, const ReliefArguments& arguments) {

@@ -6,7 +6,7 @@
 
 #include "apps/cli/arguments.h"
 #include "face/inputs.h"
-#include "relief/model/visible_sheet.h"
+#include "relief/surface/visible_sheet.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
 #include "solid/check_print.h"
@@ -16,7 +16,7 @@ namespace relievo::cli {
 
 /// A model, and what is to be told of it where it is a solid.
 struct MadeModel {
-  DrawnModel drawn;
+  relief::DrawnModel drawn;
   std::optional<SolidFacts> solid;
 };
 
@@ -24,12 +24,12 @@ struct MadeModel {
 std::vector<PrintFinding> print_findings(const MadeModel& made, const ReliefArguments& arguments);
 
 /// The options of a relief, and what they change of the scene's own values.
-Result<ReliefOptions> settle_options(Scene& scene, const ReliefArguments& arguments);
+Result<relief::ReliefOptions> settle_options(Scene& scene, const ReliefArguments& arguments);
 
 /// A scene, what of it was guessed, and where to say that some of that is left out.
 struct GuessedScene {
   Scene& scene;
-  JoinProposals& guesses;
+  understanding::JoinProposals& guesses;
   std::vector<std::string>& warnings;
 };
 
@@ -48,12 +48,12 @@ auto without_bad_guesses(const GuessedScene& guessed, Work work) {
 
 /// The relief of a scene by the chosen options, or the field of it that they ask for. They may
 /// change the scene's own values (c), and guessed joins may be left out.
-Result<Relief> reconstruct(SceneInput& input, const ReliefArguments& arguments,
-                           const RunContext& context);
+Result<relief::Relief> reconstruct(SceneInput& input, const ReliefArguments& arguments,
+                                   const RunContext& context);
 
 /// The solid of a relief where that is asked for; otherwise the surface that the chosen visibility
 /// keeps, with the drawing on it, and what is hidden has colours of its own.
-Result<MadeModel> make_model(const Relief& relief, const SceneInput& input,
+Result<MadeModel> make_model(const relief::Relief& relief, const SceneInput& input,
                              const ReliefArguments& arguments, const RunContext& context);
 
 }  // namespace relievo::cli

@@ -54,13 +54,13 @@ void add_method_options(CLI::App& app, ReliefArguments& relief) {
          },
          "approximate (the default) or nonlinear: inflation and depth order at once")
       ->check(CLI::IsMember({"approximate", "nonlinear"}));
-  NonlinearOptions& nonlinear = relief.options.nonlinear;
+  relief::NonlinearOptions& nonlinear = relief.options.nonlinear;
   app.add_option("--lambda-bnd", nonlinear.lambda_bnd,
                  "Of nonlinear: how firmly outlines beside joins stay down (default 0.01: no pits)")
-      ->check(within(min_lambda_bnd, max_lambda_bnd));
+      ->check(within(relief::min_lambda_bnd, relief::max_lambda_bnd));
   app.add_option("--lambda-shift", nonlinear.lambda_shift,
                  "Of nonlinear: what a shift costs beside a change of the inflation (default 1)")
-      ->check(within(min_lambda_shift, max_lambda_shift));
+      ->check(within(relief::min_lambda_shift, relief::max_lambda_shift));
   app.add_option_function<std::string>(
          "--field", [&relief](const std::string& name) { relief.field = field(name); },
          "relief (the default), or one of the two that it is the sum of: inflation, shift")
@@ -81,7 +81,7 @@ void add_shape_options(CLI::App& app, ReliefArguments& relief) {
       ->expected(2)
       ->check(within(-max_lean, max_lean));
   add_cue_option(app, relief);
-  InflationOptions& inflation = relief.options.inflation;
+  relief::InflationOptions& inflation = relief.options.inflation;
   app.add_option("--rho", inflation.rho, "Softness of ramps beside joins (default 0.25)")
       ->check(within(0.001, max_rho));
   app.add_option("--alpha0", inflation.alpha0, "How firmly ramps begin, 0 to 1 (default 0)")
@@ -91,7 +91,7 @@ void add_shape_options(CLI::App& app, ReliefArguments& relief) {
 }  // namespace
 
 void add_mesh_options(CLI::App& app, ReliefArguments& relief) {
-  LayerOptions& layers = relief.options.layers;
+  relief::LayerOptions& layers = relief.options.layers;
   auto* vertices =
       app.add_option("--vertices", layers.vertex_budget, "About so many vertices (default 40000)")
           ->check(CLI::Range(100, 10000000));
@@ -109,7 +109,7 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
   add_choice(app, "--ramps", {"auto", "robin"}, relief.options.layers.attach,
              "Outlines beside joins: auto, attached to the part below at first (the default); "
              "robin, as in the paper");
-  WantedShifts& wanted = relief.options.ordering.wanted;
+  relief::WantedShifts& wanted = relief.options.ordering.wanted;
   add_choice(app, "--limbs", {"straight", "back"}, wanted.straight_limbs,
              "Joined limbs: straight, as far forward as they begin (the default); back, each "
              "falling back to the drawing plane, as in the paper");

@@ -1,4 +1,5 @@
-#include "apps/cli/commands.h"
+#include "apps/cli/render_command.h"
+
 #include "apps/cli/cost.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
@@ -11,7 +12,7 @@ namespace relievo::cli {
 namespace {
 
 struct Subject {
-  DrawnModel drawn;
+  relief::DrawnModel drawn;
   std::vector<std::filesystem::path> files;  ///< that were read
 };
 

@@ -21,7 +21,7 @@ const char* name(SolveStatus status) {
   return "";
 }
 
-Json parts(const Scene& scene, const LayeredMesh& mesh) {
+Json parts(const Scene& scene, const relief::LayeredMesh& mesh) {
   std::vector<size_t> faces(scene.parts.size());
   for (const int part : mesh.face_part) ++faces[part];
   Json list = Json::array();
@@ -53,27 +53,29 @@ Json findings(const std::vector<PrintFinding>& print) {
   return list;
 }
 
-Json energies(const NonlinearEnergy& energy) {
+Json energies(const relief::NonlinearEnergy& energy) {
   return {{"total", energy.total()},
           {"inflation", energy.inflation},
           {"boundary", energy.boundary},
           {"shift", energy.shift}};
 }
 
-Json nonlinear_json(const NonlinearReport& report, const NonlinearOptions& options) {
+Json nonlinear_json(const relief::NonlinearReport& report,
+                    const relief::NonlinearOptions& options) {
   Json steps = Json::array();
-  for (const NonlinearStep& step : report.steps)
+  for (const relief::NonlinearStep& step : report.steps)
     steps.push_back({{"energy", energies(step.energy)},
                      {"residual", step.residual},
                      {"factorisations", step.factorisations},
                      {"ms", step.milliseconds}});
-  return {{"status", report.status == NonlinearStatus::solved ? "solved" : "iteration_limit"},
-          {"lambda_bnd", options.lambda_bnd},
-          {"lambda_shift", options.lambda_shift},
-          {"iterations", report.steps.size()},
-          {"residual", report.residual},
-          {"energy", energies(report.energy)},
-          {"steps", steps}};
+  return {
+      {"status", report.status == relief::NonlinearStatus::solved ? "solved" : "iteration_limit"},
+      {"lambda_bnd", options.lambda_bnd},
+      {"lambda_shift", options.lambda_shift},
+      {"iterations", report.steps.size()},
+      {"residual", report.residual},
+      {"energy", energies(report.energy)},
+      {"steps", steps}};
 }
 
 /// Milliseconds by stage: those of the contract first, 0 where a stage did not run.
@@ -82,8 +84,8 @@ Json times(const ReportInput& input) {
   for (const char* stage :
        {"read", "mesh", "assemble", "analyse", "inflate", "order", "nonlinear", "export", "total"})
     sums[stage] = 0.0;
-  for (const std::vector<StageTime>* list : {&input.relief.times, &input.times})
-    for (const StageTime& time : *list)
+  for (const std::vector<relief::StageTime>* list : {&input.relief.times, &input.times})
+    for (const relief::StageTime& time : *list)
       if (!time.beside) sums[time.stage] = sums.value(time.stage, 0.0) + time.milliseconds;
   return sums;
 }
@@ -91,8 +93,8 @@ Json times(const ReportInput& input) {
 }  // namespace
 
 std::string write_report(const ReportInput& input) {
-  const LayeredMesh& mesh = input.relief.layers;
-  const Ordering& ordering = input.relief.ordering;
+  const relief::LayeredMesh& mesh = input.relief.layers;
+  const relief::Ordering& ordering = input.relief.ordering;
   Json report;
   report["version"] = RELIEVO_VERSION;
   report["input"] = input.name;

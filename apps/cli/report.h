@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "relief/pipeline/build_relief.h"
+#include "relief/session/build_relief.h"
 #include "solid/check_print.h"
 #include "solid/make_solid.h"
 
@@ -13,12 +13,12 @@ namespace relievo::cli {
 struct ReportInput {
   std::string name;  ///< of the input
   const Scene& scene;
-  const Relief& relief;
-  const NonlinearOptions& options;  ///< of the non-linear method
-  const Model* model = nullptr;     ///< where one was made
+  const relief::Relief& relief;
+  const relief::NonlinearOptions& options;  ///< of the non-linear method
+  const Model* model = nullptr;             ///< where one was made
   std::optional<SolidFacts> solid;
-  std::vector<PrintFinding> print;  ///< what is wrong with the solid
-  std::vector<StageTime> times;     ///< of the program: "read", "export", "total"
+  std::vector<PrintFinding> print;       ///< what is wrong with the solid
+  std::vector<relief::StageTime> times;  ///< of the program: "read", "export", "total"
   std::vector<std::string> warnings;
 };
 

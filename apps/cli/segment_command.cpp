@@ -1,10 +1,11 @@
+#include "apps/cli/segment_command.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "apps/cli/commands.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/overlay_picture.h"
@@ -13,14 +14,17 @@
 #include "face/inputs.h"
 #include "io/files/paths.h"
 #include "io/image/decode_image.h"
+#include "io/image/png_decode.h"
 #include "io/image/png_encode.h"
 #include "io/project/project.h"
-#include "io/psd/psd.h"
-#include "io/scribbles/read_scribbles.h"
+#include "io/project/project_file.h"
+#include "io/psd/write_psd.h"
+#include "io/scribbles/scribble_image.h"
+#include "io/scribbles/scribbles_json.h"
 #include "kernel/base/stopwatch.h"
-#include "relief/drawing/segment_drawing.h"
-#include "relief/pipeline/understand_drawing.h"
 #include "relievo/files.h"
+#include "understanding/labels/segment_drawing.h"
+#include "understanding/scene/understand_drawing.h"
 
 namespace relievo::cli {
 namespace {
@@ -32,7 +36,7 @@ struct SegmentInput {
   std::string drawing_file;  ///< its path or "-"; empty where it is inside a project or made here
   ProjectDrawing drawing;    ///< the artist's own file, or the picture of their vectors
   Image8 pixels;             ///< of the drawing, RGBA
-  SegmentationRecord record;
+  understanding::SegmentationRecord record;
   std::string name;                               ///< of the project; empty where there was none
   Scene scene;                                    ///< likewise
   std::map<std::string, std::string> other_keys;  ///< of the project, which come along
@@ -108,7 +112,7 @@ Status read_labels(const std::string& name, SegmentInput& input) {
   return Done{};
 }
 
-Result<Scribbles> load_scribbles(const std::string& name, const Image8& pixels) {
+Result<understanding::Scribbles> load_scribbles(const std::string& name, const Image8& pixels) {
   const auto bytes = read_file(name);
   if (!bytes) return bytes.error();
   if (!is_png(*bytes)) {
@@ -152,10 +156,12 @@ Status cut_out(const std::string& name, SegmentInput& input) {
 /// Labels from the pixels. Parts that were scribbled keep their names, those of a project their
 /// labels and what was said of them.
 Status find_labels(SegmentInput& input, const RunContext& context) {
-  auto found = segment_drawing(Drawing{input.pixels}, input.record.scribbles, context);
+  auto found =
+      understanding::segment_drawing(Drawing{input.pixels}, input.record.scribbles, context);
   if (!found) return found.error();
-  input.record = relabel(*found, std::move(input.record)).record;
-  for (Bridge& bridge : found->bridges) input.bridges.push_back(std::move(bridge.points));
+  input.record = understanding::relabel(*found, std::move(input.record)).record;
+  for (understanding::Bridge& bridge : found->bridges)
+    input.bridges.push_back(std::move(bridge.points));
   input.notes = std::move(found->notes);
   return Done{};
 }
@@ -196,7 +202,7 @@ Result<SegmentInput> load(const SegmentArguments& segment, const RunContext& con
 using Files = std::vector<OutputFile>;
 
 /// The project that keeps the drawing and what was understood of it.
-Project project_of(const SegmentInput& input, const Understanding& understanding) {
+Project project_of(const SegmentInput& input, const understanding::Understanding& understanding) {
   Project project;
   project.name = input.name.empty() ? fs::path(input.drawing.name).stem().string() : input.name;
   project.drawing = input.drawing;
@@ -208,14 +214,14 @@ Project project_of(const SegmentInput& input, const Understanding& understanding
 }
 
 Result<Files> project_files(const SegmentArguments& segment, const SegmentInput& input,
-                            const Understanding& understanding) {
+                            const understanding::Understanding& understanding) {
   auto bytes = encode_project(project_of(input, understanding));
   if (!bytes) return bytes.error();
   return Files{{segment.output, std::move(*bytes)}};
 }
 
 Result<Files> painted_files(const SegmentArguments& segment, const SegmentInput& input,
-                            const Understanding& understanding) {
+                            const understanding::Understanding& understanding) {
   auto bytes = encode_part_layers(understanding.scene, input.pixels);
   if (!bytes) return bytes.error();
   return Files{{segment.output, std::move(*bytes)}};
@@ -223,7 +229,7 @@ Result<Files> painted_files(const SegmentArguments& segment, const SegmentInput&
 
 /// What the output's name asks for.
 Result<Files> main_files(const SegmentArguments& segment, const SegmentInput& input,
-                         const Understanding& understanding) {
+                         const understanding::Understanding& understanding) {
   const fs::path ending = fs::path(segment.output).extension();
   if (ending == ".relievo") return project_files(segment, input, understanding);
   if (ending == ".psd") return painted_files(segment, input, understanding);
@@ -233,7 +239,7 @@ Result<Files> main_files(const SegmentArguments& segment, const SegmentInput& in
 
 /// Every file that the command writes.
 Result<Files> files_of(const SegmentArguments& segment, const SegmentInput& input,
-                       const Understanding& understanding, double milliseconds) {
+                       const understanding::Understanding& understanding, double milliseconds) {
   auto files = main_files(segment, input, understanding);
   if (!files) return files.error();
   if (!segment.overlay.empty()) {
@@ -278,7 +284,7 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
   if (!loaded) return loaded.error();
   const Stopwatch watch;
   const auto understood =
-      understand_drawing(loaded->pixels, loaded->record, loaded->scene, {}, context);
+      understanding::understand_drawing(loaded->pixels, loaded->record, loaded->scene, {}, context);
   if (!understood) return understood.error();
   if (understood->scene.parts.empty())
     return Error{ErrorCode::bad_input, "has no parts left: all were removed in the project", ""};

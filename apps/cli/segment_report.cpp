@@ -9,12 +9,12 @@ using Json = nlohmann::ordered_json;
 
 class ReportWriter {
  public:
-  explicit ReportWriter(const Proposal& proposal) : proposal_(proposal) {}
+  explicit ReportWriter(const understanding::Proposal& proposal) : proposal_(proposal) {}
 
   Json parts() const {
     Json list = Json::array();
     for (const int part : proposal_.stacking.back_to_front) {
-      const CompletedPart& completed = proposal_.completion.parts[part];
+      const understanding::CompletedPart& completed = proposal_.completion.parts[part];
       list.push_back({{"id", id(part)},
                       {"label", proposal_.regions.labels[part]},
                       {"visible_px", pixel_count(proposal_.regions.visible[part])},
@@ -26,18 +26,19 @@ class ReportWriter {
 
   Json order() const {
     Json list = Json::array();
-    for (const OrderArrow& arrow : proposal_.stacking.arrows)
-      list.push_back({{"upper", id(arrow.upper)},
-                      {"lower", id(arrow.lower)},
-                      {"confidence", arrow.confidence},
-                      {"source", arrow.source == OrderSource::user ? "user" : "guess"},
-                      {"kept", arrow.kept}});
+    for (const understanding::OrderArrow& arrow : proposal_.stacking.arrows)
+      list.push_back(
+          {{"upper", id(arrow.upper)},
+           {"lower", id(arrow.lower)},
+           {"confidence", arrow.confidence},
+           {"source", arrow.source == understanding::OrderSource::user ? "user" : "guess"},
+           {"kept", arrow.kept}});
     return list;
   }
 
   Json joins() const {
     Json list = Json::array();
-    for (const ProposedJoin& join : proposal_.joining.joins)
+    for (const understanding::ProposedJoin& join : proposal_.joining.joins)
       list.push_back({{"upper", id(join.join.upper)},
                       {"lower", id(join.join.lower)},
                       {"confidence", join.confidence},
@@ -47,7 +48,7 @@ class ReportWriter {
 
   Json relations() const {
     Json list = Json::array();
-    for (const ProposedRelation& relation : proposal_.joining.relations)
+    for (const understanding::ProposedRelation& relation : proposal_.joining.relations)
       list.push_back({{"upper", id(relation.relation.upper)},
                       {"lower", id(relation.relation.lower)},
                       {"relation", name(relation.relation.kind)},
@@ -57,7 +58,7 @@ class ReportWriter {
 
   Json leans() const {
     Json list = Json::array();
-    for (const ProposedLean& lean : proposal_.joining.leans)
+    for (const understanding::ProposedLean& lean : proposal_.joining.leans)
       list.push_back({{"part", id(lean.part)},
                       {"lean", {lean.lean.x, lean.lean.y}},
                       {"confidence", lean.confidence}});
@@ -69,12 +70,12 @@ class ReportWriter {
     return proposal_.scene.parts[proposal_.stacking.rank[part]].id;
   }
 
-  const Proposal& proposal_;
+  const understanding::Proposal& proposal_;
 };
 
 }  // namespace
 
-std::string write_segment_report(const std::string& input, const Proposal& proposal,
+std::string write_segment_report(const std::string& input, const understanding::Proposal& proposal,
                                  double milliseconds) {
   const ReportWriter writer(proposal);
   Json report;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/solvers/symmetric_graph.h"
+#include "kernel/cholesky/symmetric_graph.h"
 
 namespace relievo::benchmarks {
 namespace {

@@ -12,7 +12,7 @@ constexpr int max_iterations = 60;
 constexpr double tolerance = 1e-10;
 
 /// [A C'; C 0] with a row h[lower] - h[upper] for every active pair.
-SparseMatrix kkt_matrix(const SparseMatrix& A, const std::vector<DepthPair>& active) {
+SparseMatrix kkt_matrix(const SparseMatrix& A, const std::vector<relief::DepthPair>& active) {
   std::vector<Eigen::Triplet<double>> entries;
   for (int j = 0; j < A.outerSize(); ++j)
     for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry)
@@ -32,8 +32,8 @@ SparseMatrix kkt_matrix(const SparseMatrix& A, const std::vector<DepthPair>& act
 }
 
 /// Lets the pairs change sides that are on the wrong one; false where there are none.
-bool flip_wrong(const std::vector<DepthPair>& pairs, const VectorXd& solution, Eigen::Index nodes,
-                std::vector<uint8_t>& active) {
+bool flip_wrong(const std::vector<relief::DepthPair>& pairs, const VectorXd& solution,
+                Eigen::Index nodes, std::vector<uint8_t>& active) {
   bool changed = false;
   Eigen::Index multiplier = nodes;
   for (size_t i = 0; i < pairs.size(); ++i) {
@@ -50,13 +50,13 @@ bool flip_wrong(const std::vector<DepthPair>& pairs, const VectorXd& solution, E
 }  // namespace
 
 ReferenceSolution solve_with_multipliers(const SparseMatrix& A, const VectorXd& f,
-                                         const std::vector<DepthPair>& pairs) {
+                                         const std::vector<relief::DepthPair>& pairs) {
   ReferenceSolution result;
   std::vector<uint8_t> active;
-  for (const DepthPair& pair : pairs) active.push_back(pair.equal);
+  for (const relief::DepthPair& pair : pairs) active.push_back(pair.equal);
   const VectorXd b = A * f;
   while (result.iterations++ < max_iterations) {
-    std::vector<DepthPair> rows;
+    std::vector<relief::DepthPair> rows;
     for (size_t i = 0; i < pairs.size(); ++i)
       if (active[i] != 0) rows.push_back(pairs[i]);
     const SparseMatrix K = kkt_matrix(A, rows);

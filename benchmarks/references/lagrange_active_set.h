@@ -19,6 +19,6 @@ struct ReferenceSolution {
 /// merged, and each step factorises the whole system [A C'; C 0] from scratch by sparse LU. Pairs
 /// form no cycles.
 ReferenceSolution solve_with_multipliers(const SparseMatrix& A, const Eigen::VectorXd& f,
-                                         const std::vector<DepthPair>& pairs);
+                                         const std::vector<relief::DepthPair>& pairs);
 
 }  // namespace relievo::benchmarks

@@ -43,7 +43,4 @@ struct ShownMaps {
 /// The classes Model, ModelPart, Maps and SolidFacts.
 void bind_models(pybind11::module_& module);
 
-/// The class Session, and the options of its functions.
-void bind_sessions(pybind11::module_& module);
-
 }  // namespace relievo::python

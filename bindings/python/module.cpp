@@ -1,6 +1,7 @@
 #include <pybind11/pybind11.h>
 
 #include "bindings/python/model.h"
+#include "bindings/python/session.h"
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of relievo; use the package.";

@@ -1,4 +1,4 @@
-#include "relievo/session.h"
+#include "bindings/python/session.h"
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -10,6 +10,7 @@
 #include "bindings/python/scene.h"
 #include "bindings/python/work.h"
 #include "relievo/read.h"
+#include "relievo/session.h"
 
 namespace relievo::python {
 namespace {

@@ -12,12 +12,14 @@
 #include "io/image/png_encode.h"
 #include "io/layered/layer_table.h"
 #include "io/layered/packed_layers.h"
-#include "io/layered/read_layers.h"
-#include "io/psd/psd.h"
+#include "io/layered/read_ora.h"
 #include "io/psd/psd_file.h"
-#include "io/scene/scene_file.h"
+#include "io/psd/read_psd.h"
+#include "io/psd/write_psd.h"
+#include "io/scene/read_scene.h"
+#include "io/scene/write_scene.h"
 #include "io/svg/read_svg.h"
-#include "relief/pipeline/connect_scene.h"
+#include "understanding/scene/connect_scene.h"
 
 namespace relievo::wasm {
 namespace {
@@ -32,7 +34,8 @@ val import_svg(const val& array) {
   const auto import = read_svg(text);
   if (!import) return failure(import.error());
   const auto scene = write_scene(
-      connect_scene(import->scene, import->proposed, import->colors, import->anchors).scene);
+      understanding::connect_scene(import->scene, import->proposed, import->colors, import->anchors)
+          .scene);
   if (!scene) return failure(scene.error());
   val result = val::object();
   result.set("scene", *scene);
@@ -91,8 +94,8 @@ Result<val> layers_value(const LayeredDrawing& content, const std::vector<std::s
   result.set("warnings", to_js(warnings));
   result.set("drawing", to_js(*picture));
   if (content.scene.parts.empty()) return result;
-  const auto scene =
-      write_scene(connect_scene(content.scene, content.proposed, content.colors).scene);
+  const auto scene = write_scene(
+      understanding::connect_scene(content.scene, content.proposed, content.colors).scene);
   if (!scene) return scene.error();
   result.set("scene", *scene);
   return result;

@@ -4,12 +4,18 @@
 #include <iterator>
 
 #include "bindings/wasm/js_values.h"
-#include "io/mesh/encode_models.h"
+#include "io/mesh/glb_encode.h"
+#include "io/mesh/html_encode.h"
+#include "io/mesh/obj_encode.h"
 #include "io/mesh/placement.h"
-#include "io/scene/scene_file.h"
-#include "relief/model/dress_hidden.h"
-#include "relief/model/hidden_patches.h"
-#include "relief/model/ink_rims.h"
+#include "io/mesh/ply_encode.h"
+#include "io/mesh/stl_encode.h"
+#include "io/mesh/threemf_encode.h"
+#include "io/mesh/usdz_encode.h"
+#include "io/scene/read_scene.h"
+#include "relief/finish/dress_hidden.h"
+#include "relief/finish/hidden_patches.h"
+#include "relief/finish/ink_rims.h"
 #include "solid/check_print.h"
 
 namespace relievo::wasm {
@@ -113,9 +119,9 @@ std::vector<float> flatten(const std::vector<Point2>& points) {
   return flat;
 }
 
-val runs(const std::vector<ModelPart>& parts, const HiddenPatches& hidden) {
+val runs(const std::vector<ModelPart>& parts, const relief::HiddenPatches& hidden) {
   std::vector<int> dressed(parts.size(), 0);
-  for (const HiddenPatch& patch : hidden.patches)
+  for (const relief::HiddenPatch& patch : hidden.patches)
     dressed[patch.part] = parts[patch.part].hidden_count;
   val list = val::array();
   for (size_t i = 0; i < parts.size(); ++i) {
@@ -129,7 +135,7 @@ val runs(const std::vector<ModelPart>& parts, const HiddenPatches& hidden) {
   return list;
 }
 
-val to_js(const Model& model, const HiddenPatches& hidden) {
+val to_js(const Model& model, const relief::HiddenPatches& hidden) {
   std::vector<uint32_t> corners;
   corners.reserve(3 * model.triangles.size());
   for (const std::array<int, 3>& triangle : model.triangles)
@@ -139,7 +145,7 @@ val to_js(const Model& model, const HiddenPatches& hidden) {
   surface.set("normals", wasm::to_js(flatten(model.normals)));
   surface.set("uvs", wasm::to_js(flatten(model.uvs)));
   surface.set("triangles", wasm::to_js(corners));
-  surface.set("colors", wasm::to_js(hidden_colours(model, hidden)));
+  surface.set("colors", wasm::to_js(relief::hidden_colours(model, hidden)));
   surface.set("parts", runs(model.parts, hidden));
   return surface;
 }
@@ -240,7 +246,7 @@ val Reconstruction::surface(const std::string& visibility, double tolerance,
   options.visibility = visibility_named(visibility);
   options.rim_tolerance = tolerance;
   const auto model = session_.model(options, field_named(field));
-  return model ? to_js(*model, hidden_patches(*model, shown_)) : failure(model.error());
+  return model ? to_js(*model, relief::hidden_patches(*model, shown_)) : failure(model.error());
 }
 
 val Reconstruction::dressed(double tolerance) const {
@@ -248,11 +254,11 @@ val Reconstruction::dressed(double tolerance) const {
   options.rim_tolerance = tolerance;
   auto model = session_.model(options);
   if (!model) return failure(model.error());
-  narrow_inked_rims(*model, texture_);
+  relief::narrow_inked_rims(*model, texture_);
   Image8 rgba = texture_.rgba;
-  extend_paint(*model, rgba);
+  relief::extend_paint(*model, rgba);
   val result = val::object();
-  result.set("surface", to_js(*model, hidden_patches(*model, shown_)));
+  result.set("surface", to_js(*model, relief::hidden_patches(*model, shown_)));
   set_picture(result, rgba);
   return result;
 }
@@ -290,7 +296,7 @@ val Reconstruction::solid(const val& options) const {
   val result = val::object();
   Model model = made->model;
   for (Point3& p : model.positions) p.z -= 0.5 * (box.min.z + box.max.z);
-  result.set("surface", to_js(model, HiddenPatches{}));
+  result.set("surface", to_js(model, relief::HiddenPatches{}));
   result.set("size", sizes);
   result.set("volume", made->facts.volume);
   result.set("pieces", made->facts.pieces);
@@ -317,8 +323,8 @@ val Reconstruction::encode(const std::string& format, const std::string& name, d
   if (format == "stl") options.visibility = Visibility::relief;
   auto assembled = session_.model(options);
   if (!assembled) return failure(assembled.error());
-  if (options.visibility == Visibility::orbit) narrow_inked_rims(*assembled, texture_);
-  const auto [model, drawing] = dress_hidden(std::move(*assembled), texture_);
+  if (options.visibility == Visibility::orbit) relief::narrow_inked_rims(*assembled, texture_);
+  const auto [model, drawing] = relief::dress_hidden(std::move(*assembled), texture_);
   return encode_as(format, model, drawing, {size_mm, name});
 }
 

@@ -5,12 +5,16 @@
 
 #include "bindings/wasm/js_values.h"
 #include "io/files/paths.h"
-#include "io/image/decode_image.h"
+#include "io/image/png_decode.h"
 #include "io/image/png_encode.h"
 #include "io/project/project.h"
-#include "io/scene/scene_file.h"
-#include "relief/drawing/find_basins.h"
-#include "relief/pipeline/understand_drawing.h"
+#include "io/project/read_project_json.h"
+#include "io/project/write_project_json.h"
+#include "io/scene/read_scene.h"
+#include "io/scene/write_scene.h"
+#include "understanding/areas/find_basins.h"
+#include "understanding/labels/label_basins.h"
+#include "understanding/scene/understand_drawing.h"
 
 namespace relievo::wasm {
 namespace {
@@ -34,7 +38,8 @@ Result<Scene> read_edited(const std::string& text) {
   return scene ? std::move(scene) : in_file(scene.error(), "scene.json");
 }
 
-val parts_of(const Segmentation& found, const std::vector<PartLabel>& label_of) {
+val parts_of(const understanding::Segmentation& found,
+             const std::vector<understanding::PartLabel>& label_of) {
   val list = val::array();
   for (size_t k = 0; k < found.parts.size(); ++k) {
     val part = val::object();
@@ -45,7 +50,8 @@ val parts_of(const Segmentation& found, const std::vector<PartLabel>& label_of) 
   return list;
 }
 
-val bridges_of(const Segmentation& found, const std::vector<PartLabel>& label_of) {
+val bridges_of(const understanding::Segmentation& found,
+               const std::vector<understanding::PartLabel>& label_of) {
   const auto label = [&label_of](uint16_t k) { return k == 0 ? 0 : int{label_of[k - 1]}; };
   val list = val::array();
   for (size_t k = 0; k < found.bridges.size(); ++k) {
@@ -66,8 +72,8 @@ val bridges_of(const Segmentation& found, const std::vector<PartLabel>& label_of
 /// A project with the labels that its strokes make.
 struct Segmenter::Labelled {
   Project project;
-  Segmentation found;
-  std::vector<PartLabel> label_of;  ///< [parts of the segmentation]
+  understanding::Segmentation found;
+  std::vector<understanding::PartLabel> label_of;  ///< [parts of the segmentation]
 };
 
 val Segmenter::open_png(const val& file) {
@@ -81,7 +87,7 @@ val Segmenter::open_pixels(const val& rgba, int width, int height) {
 
 val Segmenter::open(Image8 rgba) {
   Drawing drawing{std::move(rgba)};
-  auto basins = find_basins(drawing);
+  auto basins = understanding::find_basins(drawing);
   if (!basins) return failure(basins.error());
   drawing_ = std::move(drawing);
   basins_ = std::move(*basins);
@@ -107,11 +113,11 @@ Result<Segmenter::Labelled> Segmenter::read(const std::string& project, const va
   auto known = read_project(project);
   if (!known) return known.error();
   if (Status status = remember(last); !status) return status.error();
-  SegmentationRecord& record = *known->segmentation;
+  understanding::SegmentationRecord& record = *known->segmentation;
   record.labels = last_labels_;
-  auto found = label_basins(basins_, record.scribbles);
+  auto found = understanding::label_basins(basins_, record.scribbles);
   if (!found) return found.error();
-  Relabelling relabelled = relabel(*found, std::move(record));
+  understanding::Relabelling relabelled = understanding::relabel(*found, std::move(record));
   record = std::move(relabelled.record);
   return Labelled{std::move(*known), std::move(*found), std::move(relabelled.label_of)};
 }
@@ -132,8 +138,8 @@ val Segmenter::propose(const std::string& text, const val& last, const std::stri
   if (!labelled) return failure(labelled.error());
   const auto edited = read_edited(edited_text);
   if (!edited) return failure(edited.error());
-  SegmentationRecord& record = *labelled->project.segmentation;
-  auto understood = understand_drawing(drawing_.rgba, record, *edited);
+  understanding::SegmentationRecord& record = *labelled->project.segmentation;
+  auto understood = understanding::understand_drawing(drawing_.rgba, record, *edited);
   if (!understood) return failure(understood.error());
   record = std::move(understood->record);
   const auto labels = encode_png(record.labels);

@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "io/project/project.h"
-#include "relief/drawing/basins.h"
 #include "relievo/bytes.h"
 #include "relievo/image.h"
+#include "relievo/result.h"
+#include "understanding/areas/basins.h"
 
 namespace relievo::wasm {
 
@@ -43,7 +43,7 @@ class Segmenter {
   Status remember(const emscripten::val& last);
 
   Drawing drawing_;
-  Basins basins_;
+  understanding::Basins basins_;
   Bytes last_file_;
   Image16 last_labels_;  ///< of last_file_
 };

@@ -2,9 +2,15 @@
 #include <utility>
 
 #include "io/image/png_encode.h"
-#include "io/mesh/encode_models.h"
-#include "relief/model/dress_hidden.h"
-#include "relief/model/ink_rims.h"
+#include "io/mesh/glb_encode.h"
+#include "io/mesh/html_encode.h"
+#include "io/mesh/obj_encode.h"
+#include "io/mesh/ply_encode.h"
+#include "io/mesh/stl_encode.h"
+#include "io/mesh/threemf_pack.h"
+#include "io/mesh/usdz_encode.h"
+#include "relief/finish/dress_hidden.h"
+#include "relief/finish/ink_rims.h"
 #include "relievo/export.h"
 
 namespace relievo {
@@ -57,8 +63,8 @@ Result<Files> export_model(const Model& model, const Drawing& drawing, const fs:
   if (std::none_of(model.parts.begin(), model.parts.end(), has_hidden))
     return encode_as(path, model, drawing, options);
   Model narrowed = model;
-  narrow_inked_rims(narrowed, drawing);
-  const DrawnModel dressed = dress_hidden(std::move(narrowed), drawing);
+  relief::narrow_inked_rims(narrowed, drawing);
+  const relief::DrawnModel dressed = relief::dress_hidden(std::move(narrowed), drawing);
   return encode_as(path, dressed.model, dressed.drawing, options);
 }
 

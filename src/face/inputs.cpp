@@ -4,20 +4,22 @@
 #include <map>
 #include <optional>
 
-#include "io/archive/archive.h"
+#include "face/read_picture.h"
+#include "io/archive/zip_archive.h"
 #include "io/files/paths.h"
 #include "io/image/decode_image.h"
-#include "io/layered/read_layers.h"
-#include "io/project/project.h"
-#include "io/psd/psd.h"
+#include "io/layered/read_layer_folder.h"
+#include "io/layered/read_ora.h"
+#include "io/project/project_file.h"
 #include "io/psd/psd_file.h"
-#include "io/scene/scene_file.h"
+#include "io/psd/read_psd.h"
+#include "io/scene/read_scene.h"
 #include "io/svg/read_svg.h"
 #include "io/svg/render_svg.h"
 #include "kernel/base/workers.h"
 #include "kernel/image/image_size.h"
-#include "relief/pipeline/connect_scene.h"
 #include "relievo/files.h"
+#include "understanding/scene/connect_scene.h"
 
 namespace relievo {
 namespace {
@@ -104,22 +106,23 @@ Result<Drawing> drawing_from(const Bytes& bytes, const Scene& scene) {
 
 /// The joins of a segmented drawing that nobody said, so that a mesh that cannot hold one may do
 /// without it.
-JoinProposals guessed_joins(const Scene& scene, const SegmentationRecord& record) {
-  std::map<std::string_view, PartLabel> labels;
-  for (const PartRecord& part : record.parts) labels[part.id] = part.label;
+understanding::JoinProposals guessed_joins(const Scene& scene,
+                                           const understanding::SegmentationRecord& record) {
+  std::map<std::string_view, understanding::PartLabel> labels;
+  for (const understanding::PartRecord& part : record.parts) labels[part.id] = part.label;
   const auto is_of = [&](const Join& join, int upper, int lower) {
     const auto above = labels.find(scene.parts[join.upper].id);
     const auto below = labels.find(scene.parts[join.lower].id);
     return above != labels.end() && below != labels.end() && above->second == upper &&
            below->second == lower;
   };
-  JoinProposals guesses;
+  understanding::JoinProposals guesses;
   for (const Join& join : scene.joins) {
     const auto& said = record.corrections.joining.joins;
     if (std::any_of(said.begin(), said.end(),
                     [&](const Join& one) { return is_of(join, one.upper, one.lower); }))
       continue;
-    for (const JoinRecord& known : record.joins)
+    for (const understanding::JoinRecord& known : record.joins)
       if (is_of(join, known.upper, known.lower))
         guesses.joins.push_back({join, known.confidence, false});
   }
@@ -231,8 +234,8 @@ Result<SceneInput> load(const InputFile& input, const RunContext& context) {
 /// a flat picture are connected.
 void connect_layers(SceneInput& scene) {
   if (!scene.layered) return;
-  ConnectedScene connected =
-      connect_scene(std::move(scene.scene), scene.proposed, scene.colors, scene.anchors);
+  understanding::ConnectedScene connected = understanding::connect_scene(
+      std::move(scene.scene), scene.proposed, scene.colors, scene.anchors);
   scene.scene = std::move(connected.scene);
   scene.guesses = std::move(connected.proposals);
 }

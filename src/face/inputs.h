@@ -3,16 +3,15 @@
 #include <filesystem>
 #include <future>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "io/svg/read_svg.h"
-#include "relief/join_proposals/join_proposals.h"
 #include "relievo/bytes.h"
 #include "relievo/image.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
 #include "relievo/scene.h"
+#include "understanding/joins/join_proposals.h"
 
 namespace relievo {
 
@@ -39,9 +38,10 @@ struct SceneInput {
   bool proposed = false;                ///< the parts were guessed, not annotated
   bool connected = false;               ///< how they connect was guessed with them
   bool layered = false;                 ///< they are whole, and how they connect may be open
-  PartColors colors;                    ///< of the parts of layered drawings; may be empty
+  understanding::PartColors colors;     ///< of the parts of layered drawings; may be empty
   std::vector<Point2> anchors;          ///< see SvgImport; may be empty
-  JoinProposals guesses;  ///< how they connect, where that was guessed; as in the scene
+  understanding::JoinProposals
+      guesses;  ///< how they connect, where that was guessed; as in the scene
 };
 
 /// The picture of an SVG, its longest side `longest` px.
@@ -62,14 +62,5 @@ Status finish_drawing(const InputFile& input, SceneInput& scene);
 /// drawing does not say of how its parts connect is guessed. The error's `where` begins with the
 /// file's name.
 Result<SceneInput> load_scene(const InputFile& input, bool connect, const RunContext& context = {});
-
-/// A scene of a flat drawing: its parts are found, completed, ordered and joined without a word of
-/// the user, and `understood` tells what it was taken for. `file` is the name that is said to the
-/// user. Errors: those of segment_drawing and understand_drawing.
-Result<SceneInput> understand_flat(Drawing drawing, const std::string& file,
-                                   const RunContext& context);
-
-/// The same of a PNG, JPEG or GIF file. Errors: besides, where it cannot be decoded.
-Result<SceneInput> read_picture(const InputFile& input, const RunContext& context);
 
 }  // namespace relievo

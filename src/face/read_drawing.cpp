@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "face/inputs.h"
+#include "face/read_picture.h"
 #include "io/files/paths.h"
 #include "relievo/read.h"
 

@@ -1,3 +1,5 @@
+#include "face/read_picture.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -5,8 +7,8 @@
 #include "face/inputs.h"
 #include "io/files/number_text.h"
 #include "io/image/decode_image.h"
-#include "relief/drawing/segment_drawing.h"
-#include "relief/pipeline/understand_drawing.h"
+#include "understanding/labels/segment_drawing.h"
+#include "understanding/scene/understand_drawing.h"
 
 namespace relievo {
 namespace {
@@ -23,11 +25,13 @@ std::string finding(const Image16& labels, const Scene& scene) {
 }
 
 /// What to look at first, and how to correct it.
-std::string advice(const Proposal& proposal, const std::string& file) {
-  const std::vector<OrderArrow>& arrows = proposal.stacking.arrows;
-  const auto doubtful = std::min_element(
-      arrows.begin(), arrows.end(),
-      [](const OrderArrow& a, const OrderArrow& b) { return a.confidence < b.confidence; });
+std::string advice(const understanding::Proposal& proposal, const std::string& file) {
+  const std::vector<understanding::OrderArrow>& arrows = proposal.stacking.arrows;
+  const auto doubtful =
+      std::min_element(arrows.begin(), arrows.end(),
+                       [](const understanding::OrderArrow& a, const understanding::OrderArrow& b) {
+                         return a.confidence < b.confidence;
+                       });
   const auto id = [&](int part) { return proposal.scene.parts[proposal.stacking.rank[part]].id; };
   const std::string doubt = doubtful == arrows.end()
                                 ? ""
@@ -38,15 +42,16 @@ std::string advice(const Proposal& proposal, const std::string& file) {
          " --scribbles strokes.png, or in the editor";
 }
 
-JoinProposals by_rank(JoinProposals joining, const std::vector<int>& rank) {
+understanding::JoinProposals by_rank(understanding::JoinProposals joining,
+                                     const std::vector<int>& rank) {
   const auto renumber = [&](auto& item) {
     item.upper = rank[item.upper];
     item.lower = rank[item.lower];
   };
-  for (ProposedJoin& proposed : joining.joins) renumber(proposed.join);
-  for (ProposedRelation& proposed : joining.relations) renumber(proposed.relation);
+  for (understanding::ProposedJoin& proposed : joining.joins) renumber(proposed.join);
+  for (understanding::ProposedRelation& proposed : joining.relations) renumber(proposed.relation);
   for (RobinRange& range : joining.robin) renumber(range);
-  for (ProposedLean& proposed : joining.leans) proposed.part = rank[proposed.part];
+  for (understanding::ProposedLean& proposed : joining.leans) proposed.part = rank[proposed.part];
   return joining;
 }
 
@@ -54,12 +59,12 @@ JoinProposals by_rank(JoinProposals joining, const std::vector<int>& rank) {
 
 Result<SceneInput> understand_flat(Drawing drawing, const std::string& file,
                                    const RunContext& context) {
-  auto found = segment_drawing(drawing, {}, context);
+  auto found = understanding::segment_drawing(drawing, {}, context);
   if (!found) return found.error();
-  const SegmentationRecord record = relabel(*found, {}).record;
-  auto understood = understand_drawing(drawing.rgba, record, {}, {}, context);
+  const understanding::SegmentationRecord record = understanding::relabel(*found, {}).record;
+  auto understood = understanding::understand_drawing(drawing.rgba, record, {}, {}, context);
   if (!understood) return understood.error();
-  Proposal& proposal = understood->proposal;
+  understanding::Proposal& proposal = understood->proposal;
   SceneInput loaded;
   loaded.drawing = std::move(drawing);
   loaded.drawing_file = file;

@@ -4,12 +4,12 @@
 #include <utility>
 
 #include "face/solid_of.h"
-#include "io/overlay/overlay_svg.h"
+#include "io/overlay/mesh_lines.h"
 #include "kernel/image/image_size.h"
-#include "relief/model/assemble_model.h"
-#include "relief/model/relief_maps.h"
-#include "relief/pipeline/build_relief.h"
-#include "relief/pipeline/relief_session.h"
+#include "relief/maps/relief_maps.h"
+#include "relief/session/build_relief.h"
+#include "relief/session/relief_session.h"
+#include "relief/surface/assemble_model.h"
 
 namespace relievo {
 namespace {
@@ -27,15 +27,15 @@ Status check(const BuildOptions& options) {
   if (!within(options.edge, 0, max_coordinate)) return out_of_range("edge", "a length in px");
   if (!within(options.alpha0, 0, 1)) return out_of_range("alpha0", "from 0 to 1");
   if (!(options.rho > 0 && options.rho <= max_rho)) return out_of_range("rho", "positive");
-  if (!within(options.lambda_bnd, min_lambda_bnd, max_lambda_bnd))
+  if (!within(options.lambda_bnd, relief::min_lambda_bnd, relief::max_lambda_bnd))
     return out_of_range("lambda_bnd", "from 1e-6 to 1e6");
-  if (!within(options.lambda_shift, min_lambda_shift, max_lambda_shift))
+  if (!within(options.lambda_shift, relief::min_lambda_shift, relief::max_lambda_shift))
     return out_of_range("lambda_shift", "from 1e-3 to 100");
   return Done{};
 }
 
-ReliefOptions options_of(const BuildOptions& options) {
-  ReliefOptions relief;
+relief::ReliefOptions options_of(const BuildOptions& options) {
+  relief::ReliefOptions relief;
   relief.method = options.method;
   relief.layers.vertex_budget = options.vertices;
   relief.layers.edge_length = options.edge;
@@ -48,7 +48,7 @@ ReliefOptions options_of(const BuildOptions& options) {
   return relief;
 }
 
-BuildReport report_of(const Relief& relief) {
+BuildReport report_of(const relief::Relief& relief) {
   BuildReport report;
   report.vertices = relief.layers.node_vertex.size();
   report.faces = relief.layers.faces.size();
@@ -58,8 +58,8 @@ BuildReport report_of(const Relief& relief) {
   report.max_violation = relief.ordering.max_violation;
   report.worst_overlap = relief.overlap_worst;
   report.energy = relief.nonlinear.energy.total();
-  report.converged = relief.nonlinear.status == NonlinearStatus::solved;
-  for (const StageTime& time : relief.times)
+  report.converged = relief.nonlinear.status == relief::NonlinearStatus::solved;
+  for (const relief::StageTime& time : relief.times)
     if (!time.beside) report.milliseconds[time.stage] += time.milliseconds;
   report.warnings = relief.layers.warnings;
   return report;
@@ -77,7 +77,7 @@ struct Session::State {
   Status update(const RunContext& context) {
     // The non-linear method ends where its tolerance lets it, which depends on where it begins.
     const bool fresh = value == Value::none || options.method == Method::nonlinear;
-    if (fresh) session = ReliefSession();
+    if (fresh) session = relief::ReliefSession();
     value = Value::none;
     Status status = session.update(scene, options, context);
     if (status) value = fresh ? Value::exact : Value::warm;
@@ -85,8 +85,8 @@ struct Session::State {
   }
 
   Scene scene;
-  ReliefOptions options;
-  ReliefSession session;
+  relief::ReliefOptions options;
+  relief::ReliefSession session;
   Value value = Value::none;
 };
 
@@ -115,24 +115,24 @@ Status Session::make_exact(const RunContext& context) {
 Result<Model> Session::model(const ModelOptions& options, Field field,
                              const RunContext& context) const {
   if (state_->value == State::Value::none) return nothing_built;
-  const Relief& relief = state_->session.relief();
+  const relief::Relief& relief = state_->session.relief();
   if (field == Field::relief)
-    return assemble_model(relief.layers, relief.inflation, relief.ordering, state_->scene, options,
-                          context);
-  Relief shown;
+    return relief::assemble_model(relief.layers, relief.inflation, relief.ordering, state_->scene,
+                                  options, context);
+  relief::Relief shown;
   shown.inflation = relief.inflation;
   shown.ordering = relief.ordering;
-  keep_field(shown, field);
-  return assemble_model(relief.layers, shown.inflation, shown.ordering, state_->scene, options,
-                        context);
+  relief::keep_field(shown, field);
+  return relief::assemble_model(relief.layers, shown.inflation, shown.ordering, state_->scene,
+                                options, context);
 }
 
 Result<ReliefMaps> Session::maps(int longest, const RunContext& context) const {
   if (state_->value == State::Value::none) return nothing_built;
-  const Relief& relief = state_->session.relief();
+  const relief::Relief& relief = state_->session.relief();
   const ImageSize size = fitted_size(state_->scene.width, state_->scene.height, longest);
-  return rasterize_relief(relief.layers, relief.inflation, relief.ordering, state_->scene,
-                          size.width, size.height, context);
+  return relief::rasterize_relief(relief.layers, relief.inflation, relief.ordering, state_->scene,
+                                  size.width, size.height, context);
 }
 
 Result<Solid> Session::solid(const SolidOptions& options, const Drawing& drawing,

@@ -1,17 +1,18 @@
 #include "face/solid_of.h"
 
-#include "relief/model/assemble_model.h"
+#include "relief/surface/assemble_limbs.h"
+#include "relief/surface/assemble_model.h"
 #include "solid/make_solid.h"
 
 namespace relievo {
 
-Result<Solid> solid_of(const Relief& relief, const Scene& scene, const Drawing& drawing,
+Result<Solid> solid_of(const relief::Relief& relief, const Scene& scene, const Drawing& drawing,
                        const SolidOptions& options, const RunContext& context) {
-  const auto sheet =
-      assemble_visible_sheet(relief.layers, relief.inflation, relief.ordering, scene, {}, context);
+  const auto sheet = relief::assemble_visible_sheet(relief.layers, relief.inflation,
+                                                    relief.ordering, scene, {}, context);
   if (!sheet) return sheet.error();
-  const auto limbs = assemble_limbs(relief.layers, relief.inflation, relief.ordering, scene,
-                                    options.mirror, context);
+  const auto limbs = relief::assemble_limbs(relief.layers, relief.inflation, relief.ordering, scene,
+                                            options.mirror, context);
   if (!limbs) return limbs.error();
   return make_solid(*sheet, *limbs, drawing, options);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "relief/pipeline/build_relief.h"
+#include "relief/session/build_relief.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
 #include "relievo/scene.h"
@@ -9,7 +9,7 @@
 namespace relievo {
 
 /// The solid of a relief and its drawing. Errors: those of assemble_limbs and make_solid.
-Result<Solid> solid_of(const Relief& relief, const Scene& scene, const Drawing& drawing,
+Result<Solid> solid_of(const relief::Relief& relief, const Scene& scene, const Drawing& drawing,
                        const SolidOptions& options, const RunContext& context = {});
 
 }  // namespace relievo

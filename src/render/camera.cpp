@@ -1,3 +1,5 @@
+#include "render/camera.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

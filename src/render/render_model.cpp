@@ -6,8 +6,9 @@
 
 #include "kernel/base/workers.h"
 #include "kernel/image/compose.h"
-#include "relief/model/model_texture.h"
+#include "relief/finish/model_texture.h"
 #include "relievo/render.h"
+#include "render/camera.h"
 #include "render/ray_scene.h"
 #include "render/shading.h"
 
@@ -191,7 +192,8 @@ Result<Image8> render(const Model& model, const Drawing* drawing, const RenderOp
   if (unit) renderer.camera.unit = *unit;
   renderer.rig = light_rig(options, renderer.camera);
   if (options.shading == Shading::textured)
-    renderer.texture.emplace(model_texture(model, *drawing), model.width / renderer.camera.unit);
+    renderer.texture.emplace(relief::model_texture(model, *drawing),
+                             model.width / renderer.camera.unit);
 
   Image8 picture(options.width, options.height, 4);
   const std::thread::id caller = std::this_thread::get_id();

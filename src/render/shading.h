@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "relievo/image.h"
-#include "relievo/model.h"
 #include "relievo/point.h"
 #include "relievo/render.h"
 
@@ -23,13 +22,6 @@ struct Camera {
   int height = 1;
 };
 
-/// Turned by yaw and pitch, with everything of the model in the picture and a margin around it.
-/// Precondition: the model has triangles.
-Camera framing_camera(const Model& model, const RenderOptions& options);
-
-/// Where the ray of a point of the picture (px, y down) begins; it runs along -camera.back.
-Point3 ray_origin(const Camera& camera, Point2 picture);
-
 /// The same vector given in the camera's axes, in model space.
 inline Point3 from_camera(const Camera& camera, Point3 v) {
   return v.x * camera.right + v.y * camera.up + v.z * camera.back;
@@ -43,14 +35,18 @@ struct Rgb {
 };
 
 inline Rgb operator+(Rgb a, Rgb b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
+
 inline Rgb operator*(Rgb a, Rgb b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
+
 inline Rgb operator*(double s, Rgb a) { return {s * a.r, s * a.g, s * a.b}; }
+
 inline Rgb mix(Rgb a, Rgb b, double t) { return (1 - t) * a + t * b; }
 
 /// The sRGB transfer functions on [0, 1].
 inline double to_linear(double srgb) {
   return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
 }
+
 inline double to_srgb(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }

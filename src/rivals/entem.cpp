@@ -1,3 +1,5 @@
+#include "rivals/entem.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -34,7 +36,7 @@ struct Link {
 };
 
 /// Joins, and overlaps of parts.
-std::vector<Link> find_links(const Scene& scene, const LayeredMesh& mesh) {
+std::vector<Link> find_links(const Scene& scene, const relief::LayeredMesh& mesh) {
   std::vector<Link> links;
   for (const Join& join : scene.joins)
     links.push_back({join.upper, join.lower, true, 0, join.line[join.line.size() / 2]});

@@ -1,3 +1,5 @@
+#include "rivals/graft.h"
+
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
@@ -7,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "kernel/solvers/sparse_cholesky.h"
+#include "kernel/cholesky/sparse_cholesky.h"
 #include "relief/layers/layered_mesh.h"
 #include "rivals/seam_chains.h"
 
@@ -16,7 +18,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-std::vector<std::vector<int>> node_neighbours(const LayeredMesh& mesh) {
+std::vector<std::vector<int>> node_neighbours(const relief::LayeredMesh& mesh) {
   std::vector<std::vector<int>> next(mesh.node_vertex.size());
   for (const auto& face : mesh.faces)
     for (int k = 0; k < 3; ++k) {
@@ -27,7 +29,7 @@ std::vector<std::vector<int>> node_neighbours(const LayeredMesh& mesh) {
 }
 
 /// Flags what is within `reach` of the nodes of the chain.
-void flood(const LayeredMesh& mesh, const std::vector<std::vector<int>>& next,
+void flood(const relief::LayeredMesh& mesh, const std::vector<std::vector<int>>& next,
            const SeamChain& chain, double reach, std::vector<uint8_t>& band) {
   using Front = std::tuple<double, int, int>;  // distance, node, source
   std::priority_queue<Front, std::vector<Front>, std::greater<>> queue;
@@ -48,7 +50,7 @@ void flood(const LayeredMesh& mesh, const std::vector<std::vector<int>>& next,
 
 /// Takes back what is within two edges of the rest of a bump's outline: there one node stands for
 /// two parts at different heights, which the graft must not see.
-void keep_off_rims(const LayeredMesh& mesh, const std::vector<std::vector<int>>& next,
+void keep_off_rims(const relief::LayeredMesh& mesh, const std::vector<std::vector<int>>& next,
                    std::vector<uint8_t>& band) {
   std::set<int> near = loose_rims(mesh);
   for (int ring = 0; ring < 2; ++ring)
@@ -87,7 +89,7 @@ Numbering number(size_t nodes, Wanted wanted) {
 
 }  // namespace
 
-std::vector<uint8_t> band_around_joins(const LayeredMesh& mesh, double width) {
+std::vector<uint8_t> band_around_joins(const relief::LayeredMesh& mesh, double width) {
   std::vector<uint8_t> band(mesh.node_vertex.size(), 0);
   const std::vector<std::vector<int>> next = node_neighbours(mesh);
   for (const SeamChain& chain : seam_chains(mesh))
@@ -96,12 +98,13 @@ std::vector<uint8_t> band_around_joins(const LayeredMesh& mesh, double width) {
   return band;
 }
 
-Result<Graft> graft(const LayeredMesh& mesh, const Discretisation& discretisation,
+Result<Graft> graft(const relief::LayeredMesh& mesh, const relief::Discretisation& discretisation,
                     const std::vector<double>& h, const std::vector<uint8_t>& grafted,
                     const RunContext& context) {
   Graft result{h, 0};
   const auto inside = [&](size_t n) {
-    return is_inside(mesh.node_role[n]) && discretisation.mass[static_cast<Eigen::Index>(n)] > 0;
+    return relief::is_inside(mesh.node_role[n]) &&
+           discretisation.mass[static_cast<Eigen::Index>(n)] > 0;
   };
   // The energy is that of the surface's inside: outlines are held, but may bend freely.
   const Numbering rows = number(h.size(), inside);

@@ -1,3 +1,5 @@
+#include "rivals/ink_and_ray.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -5,8 +7,9 @@
 
 #include "relief/discretisation/discretisation.h"
 #include "relief/layers/layered_mesh.h"
+#include "rivals/graft.h"
 #include "rivals/rival.h"
-#include "rivals/seam_chains.h"
+#include "rivals/separate_parts.h"
 #include "rivals/solution.h"
 
 namespace relievo {
@@ -27,7 +30,7 @@ void take_over(const Graft& grafted, const std::vector<uint8_t>& changed,
       u = thin * thin;
       grad_u = {};
     }
-    const double f = signed_root(u);
+    const double f = relief::signed_root(u);
     solution.ordering.h[n] = grafted.h[from];
     solution.ordering.g[n] = grafted.h[from] - f;
     solution.ordering.grad_g[n] = slopes[from] - (1 / (2 * std::abs(f))) * grad_u;
@@ -35,8 +38,9 @@ void take_over(const Graft& grafted, const std::vector<uint8_t>& changed,
 }
 
 /// Flags the nodes of what is seen that lie where the mask is not dark.
-std::vector<uint8_t> brushed(const LayeredMesh& mesh, const Scene& scene, const Image8& mask) {
-  std::vector<uint8_t> flags = seen_nodes(mesh);
+std::vector<uint8_t> brushed(const relief::LayeredMesh& mesh, const Scene& scene,
+                             const Image8& mask) {
+  std::vector<uint8_t> flags = relief::seen_nodes(mesh);
   for (size_t n = 0; n < flags.size(); ++n) {
     const Point2 p = mesh.vertices[mesh.node_vertex[n]];
     const int x = std::clamp(static_cast<int>(p.x / scene.width * mask.width), 0, mask.width - 1);
@@ -56,7 +60,7 @@ Result<Model> reconstruct_ink_and_ray(const RivalInput& input, const RunContext&
   if (Status s = order_parts(*solution, input.scene, context); !s) return s.error();
   std::vector<double> h;
   for (const int n : parts.separate_node) h.push_back(solution->ordering.h[n]);
-  const Discretisation discretisation = discretise(input.joined, context);
+  const relief::Discretisation discretisation = relief::discretise(input.joined, context);
   if (context.cancelled()) return interrupted_error();
   const Image8& mask = input.options.graft_mask;
   const std::vector<uint8_t> band = mask.empty()

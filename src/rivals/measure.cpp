@@ -48,10 +48,11 @@ std::optional<Start> look_back(const FrontProbe& probe, Point2 from, Point2 step
 /// Nodes that the front shows, far enough off all outlines for a walk.
 class SmoothNodes {
  public:
-  SmoothNodes(const LayeredMesh& mesh) : mesh_(mesh), seen_(seen_nodes(mesh)) {
+  SmoothNodes(const relief::LayeredMesh& mesh) : mesh_(mesh), seen_(relief::seen_nodes(mesh)) {
     const std::set<int> rims = loose_rims(mesh);
     for (size_t n = 0; n < seen_.size(); ++n) {
-      const bool drawn = !is_inside(mesh.node_role[n]) || rims.count(static_cast<int>(n)) > 0;
+      const bool drawn =
+          !relief::is_inside(mesh.node_role[n]) || rims.count(static_cast<int>(n)) > 0;
       if (seen_[n] != 0 && drawn) drawn_.push_back(mesh.vertices[mesh.node_vertex[n]]);
     }
   }
@@ -64,13 +65,13 @@ class SmoothNodes {
   }
 
  private:
-  const LayeredMesh& mesh_;
+  const relief::LayeredMesh& mesh_;
   std::vector<uint8_t> seen_;
   std::vector<Point2> drawn_;
 };
 
-void measure_chain(const FrontProbe& probe, const LayeredMesh& mesh, const SmoothNodes& smooth,
-                   const SeamChain& chain, Measures& measures) {
+void measure_chain(const FrontProbe& probe, const relief::LayeredMesh& mesh,
+                   const SmoothNodes& smooth, const SeamChain& chain, Measures& measures) {
   const double total = chain.length.back();
   const auto place = [&](size_t i) { return mesh.vertices[mesh.node_vertex[chain.nodes[i]]]; };
   for (size_t i = 1; i + 1 < chain.nodes.size(); ++i) {
@@ -133,7 +134,7 @@ double deepest_water(const FrontProbe& probe, Point2 middle, double radius) {
 }
 
 /// The base triangulation where parts cover it, flat.
-Model drawn_area(const LayeredMesh& mesh, const Model& like) {
+Model drawn_area(const relief::LayeredMesh& mesh, const Model& like) {
   Model model;
   model.width = like.width;
   model.height = like.height;
@@ -153,7 +154,7 @@ T blend(const std::vector<T>& values, const std::array<int, 3>& corners, const R
 
 }  // namespace
 
-Result<Measures> measure(const Model& model, const LayeredMesh& joined, int longest,
+Result<Measures> measure(const Model& model, const relief::LayeredMesh& joined, int longest,
                          const RunContext& context) {
   const auto probe = FrontProbe::build(model, context);
   if (!probe) return probe.error();
@@ -162,7 +163,7 @@ Result<Measures> measure(const Model& model, const LayeredMesh& joined, int long
   if (!drawn) return drawn.error();
   Measures measures;
   const SmoothNodes smooth(joined);
-  const std::vector<uint8_t> seen = seen_nodes(joined);
+  const std::vector<uint8_t> seen = relief::seen_nodes(joined);
   for (const SeamChain& chain : seam_chains(joined)) {
     if (context.cancelled()) return interrupted_error();
     measure_chain(*probe, joined, smooth, chain, measures);

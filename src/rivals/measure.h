@@ -52,7 +52,7 @@ struct Measures {
 
 /// `joined` tells where the joins are and what the drawing covers; silhouettes are compared on
 /// pixels, `longest` on the longer side. Errors: as FrontProbe::build.
-Result<Measures> measure(const Model& model, const LayeredMesh& joined, int longest,
+Result<Measures> measure(const Model& model, const relief::LayeredMesh& joined, int longest,
                          const RunContext& context = {});
 
 /// Value below which `share` of the sorted values lie; 0 of none.

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "rivals/entem.h"
+#include "rivals/ink_and_ray.h"
+#include "rivals/stacked_parts.h"
+
 namespace relievo {
 namespace {
 
@@ -17,11 +21,11 @@ constexpr std::array<Rival, 6> all_rivals = {{
 
 }  // namespace
 
-Result<LayeredMesh> layer_for_rivals(const Scene& scene, LayerOptions layers,
-                                     const RunContext& context) {
+Result<relief::LayeredMesh> layer_for_rivals(const Scene& scene, relief::LayerOptions layers,
+                                             const RunContext& context) {
   layers.attach = false;
   layers.glue = false;
-  return layer_parts(scene, layers, context);
+  return relief::layer_parts(scene, layers, context);
 }
 
 std::span<const Rival> rivals() { return all_rivals; }

@@ -10,7 +10,7 @@ namespace {
 using Edges = std::map<int, std::vector<int>>;
 
 /// Takes the chain that begins at `node` out of the edges.
-SeamChain take_chain(const LayeredMesh& mesh, int upper, int node, Edges& edges) {
+SeamChain take_chain(const relief::LayeredMesh& mesh, int upper, int node, Edges& edges) {
   SeamChain chain{upper, {node}, {0}};
   for (auto at = edges.find(node); at != edges.end() && !at->second.empty();
        at = edges.find(node)) {
@@ -29,19 +29,19 @@ SeamChain take_chain(const LayeredMesh& mesh, int upper, int node, Edges& edges)
 
 }  // namespace
 
-std::set<int> loose_rims(const LayeredMesh& mesh) {
+std::set<int> loose_rims(const relief::LayeredMesh& mesh) {
   std::set<int> rims;
-  for (const BumpNode& node : mesh.bump_nodes)
+  for (const relief::BumpNode& node : mesh.bump_nodes)
     if (node.t > 0) rims.insert(node.node);
   return rims;
 }
 
-std::vector<SeamChain> seam_chains(const LayeredMesh& mesh) {
+std::vector<SeamChain> seam_chains(const relief::LayeredMesh& mesh) {
   std::map<int, Edges> edges_of;  // per upper part
   const std::set<int> rims = loose_rims(mesh);
   for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f)
     for (int k = 0; k < 3; ++k) {
-      const int other = face_across(mesh, f, k);
+      const int other = relief::face_across(mesh, f, k);
       if (other < 0 || mesh.face_part[other] >= mesh.face_part[f]) continue;
       const int a = mesh.faces[f][(k + 1) % 3];
       const int b = mesh.faces[f][(k + 2) % 3];

@@ -1,3 +1,5 @@
+#include "rivals/separate_parts.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -11,12 +13,12 @@ namespace {
 
 class Separator {
  public:
-  Separator(const LayeredMesh& joined, Roots roots) : joined_(joined), roots_(roots) {
+  Separator(const relief::LayeredMesh& joined, Roots roots) : joined_(joined), roots_(roots) {
     node_.assign(joined.vertices.size() * static_cast<size_t>(joined.part_count), -1);
   }
 
   SeparateParts run() {
-    LayeredMesh& mesh = out_.mesh;
+    relief::LayeredMesh& mesh = out_.mesh;
     mesh.vertices = joined_.vertices;
     mesh.triangles = joined_.triangles;
     mesh.neighbours = joined_.neighbours;
@@ -38,7 +40,7 @@ class Separator {
   }
 
   void copy_faces() {
-    LayeredMesh& mesh = out_.mesh;
+    relief::LayeredMesh& mesh = out_.mesh;
     mesh.stack_begin.push_back(0);
     for (size_t t = 0; t < joined_.triangles.size(); ++t) {
       for (int f = joined_.stack_begin[t]; f < joined_.stack_begin[t + 1]; ++f) {
@@ -52,7 +54,7 @@ class Separator {
 
   /// The face of `part` where the joined face is.
   void add_face(int part, int face) {
-    LayeredMesh& mesh = out_.mesh;
+    relief::LayeredMesh& mesh = out_.mesh;
     const int t = joined_.face_triangle[face];
     std::array<int, 3> nodes{};
     for (int k = 0; k < 3; ++k) {
@@ -62,7 +64,7 @@ class Separator {
         node = static_cast<int>(mesh.node_vertex.size());
         mesh.node_vertex.push_back(joined_.triangles[t][k]);
         mesh.node_part.push_back(part);
-        mesh.node_role.push_back(NodeRole::interior);
+        mesh.node_role.push_back(relief::NodeRole::interior);
         out_.joined_node.push_back(joined_node);
       }
       int& known = out_.joined_node[node];
@@ -75,7 +77,7 @@ class Separator {
   }
 
   bool covers(int part, int triangle) const {
-    const LayeredMesh& mesh = out_.mesh;
+    const relief::LayeredMesh& mesh = out_.mesh;
     if (triangle < 0) return false;
     const auto begin = mesh.face_part.begin();
     const auto end = begin + mesh.stack_begin[triangle + 1];
@@ -83,13 +85,13 @@ class Separator {
   }
 
   void find_outlines() {
-    LayeredMesh& mesh = out_.mesh;
+    relief::LayeredMesh& mesh = out_.mesh;
     for (size_t f = 0; f < mesh.faces.size(); ++f)
       for (int k = 0; k < 3; ++k) {
         const int t = mesh.face_triangle[f];
         if (covers(mesh.face_part[f], mesh.neighbours[t][k])) continue;
         for (const int side : {1, 2})
-          mesh.node_role[mesh.faces[f][(k + side) % 3]] = NodeRole::outline;
+          mesh.node_role[mesh.faces[f][(k + side) % 3]] = relief::NodeRole::outline;
       }
   }
 
@@ -103,7 +105,7 @@ class Separator {
         const int lower = part_below(chain, i);
         if (upper < 0 || lower < 0) continue;
         const bool inside = i > 0 && i + 1 < chain.nodes.size();
-        if (roots_ == Roots::open && inside) out_.mesh.node_role[upper] = NodeRole::seam;
+        if (roots_ == Roots::open && inside) out_.mesh.node_role[upper] = relief::NodeRole::seam;
         add_pair(node_at(lower, vertex), upper, roots_ == Roots::open);
       }
     add_bump_pairs();
@@ -121,7 +123,7 @@ class Separator {
 
   /// The rest of the outline of a bump lies on what is below it.
   void add_bump_pairs() {
-    for (const BumpNode& bump : joined_.bump_nodes) {
+    for (const relief::BumpNode& bump : joined_.bump_nodes) {
       if (bump.t <= 0) continue;
       const int vertex = joined_.node_vertex[bump.node];
       const int upper = node_at(bump.part, vertex);
@@ -135,12 +137,12 @@ class Separator {
   }
 
   void copy_pairs() {
-    for (const DepthPair& pair : joined_.constraints) {
+    for (const relief::DepthPair& pair : joined_.constraints) {
       const int lower = separate_node(pair.lower);
       const int upper = separate_node(pair.upper);
       if (lower != upper) add_pair(lower, upper, pair.equal);
     }
-    std::vector<DepthPair>& pairs = out_.mesh.constraints;
+    std::vector<relief::DepthPair>& pairs = out_.mesh.constraints;
     for (const auto& [nodes, equal] : pairs_) pairs.push_back({nodes.first, nodes.second, equal});
   }
 
@@ -153,7 +155,7 @@ class Separator {
     known = known || equal;
   }
 
-  const LayeredMesh& joined_;
+  const relief::LayeredMesh& joined_;
   Roots roots_;
   SeparateParts out_;
   std::vector<int> node_;                      ///< by vertex and part, -1 where there is none
@@ -163,7 +165,7 @@ class Separator {
 
 }  // namespace
 
-SeparateParts separate_parts(const LayeredMesh& joined, Roots roots) {
+SeparateParts separate_parts(const relief::LayeredMesh& joined, Roots roots) {
   return Separator(joined, roots).run();
 }
 

@@ -6,29 +6,31 @@
 #include "relief/discretisation/discretisation.h"
 #include "relief/hiding/hide_sheets.h"
 #include "relief/inflation/inflate.h"
-#include "relief/model/assemble_model.h"
 #include "relief/ordering/order_depth.h"
+#include "relief/surface/assemble_model.h"
 
 namespace relievo {
 
-Result<Solution> inflate_parts(LayeredMesh mesh, const Scene& scene, const RunContext& context) {
+Result<Solution> inflate_parts(relief::LayeredMesh mesh, const Scene& scene,
+                               const RunContext& context) {
   Solution solution{std::move(mesh), {}, {}, {}};
-  solution.discretisation = discretise(solution.mesh, context);
+  solution.discretisation = relief::discretise(solution.mesh, context);
   if (context.cancelled()) return interrupted_error();
-  PoissonSystem system(solution.mesh, solution.discretisation, Refactorisation::complete, context);
-  InflationOptions options;
+  relief::PoissonSystem system(solution.mesh, solution.discretisation, Refactorisation::complete,
+                               context);
+  relief::InflationOptions options;
   options.alpha0 = 1;
   auto inflation =
-      inflate({solution.mesh, solution.discretisation, scene}, options, system, context);
+      relief::inflate({solution.mesh, solution.discretisation, scene}, options, system, context);
   if (!inflation) return inflation.error();
   solution.inflation = std::move(*inflation);
   return solution;
 }
 
 Status order_parts(Solution& solution, const Scene& scene, const RunContext& context) {
-  OrderingSystem system;
-  auto ordering = order_depth({solution.mesh, solution.discretisation, solution.inflation, scene},
-                              {}, system, context);
+  relief::OrderingSystem system;
+  auto ordering = relief::order_depth(
+      {solution.mesh, solution.discretisation, solution.inflation, scene}, {}, system, context);
   if (!ordering) return ordering.error();
   solution.ordering = std::move(*ordering);
   return Done{};
@@ -46,12 +48,12 @@ void make_linear(const std::vector<double>& h, Solution& solution) {
 }
 
 Result<Model> model_of(const Solution& solution, const Scene& scene, const RunContext& context) {
-  std::optional<FlapSystem> flaps;
-  const HiddenSheets all = hide_sheets(
+  std::optional<relief::FlapSystem> flaps;
+  const relief::HiddenSheets all = relief::hide_sheets(
       {solution.mesh, solution.discretisation, scene, solution.inflation, solution.ordering}, flaps,
       context);
   if (context.cancelled()) return interrupted_error();
-  return assemble_model(solution.mesh, all.inflation, all.ordering, scene, {}, context);
+  return relief::assemble_model(solution.mesh, all.inflation, all.ordering, scene, {}, context);
 }
 
 }  // namespace relievo

@@ -13,14 +13,15 @@ namespace relievo {
 
 /// Parts on a mesh with their heights, and what is needed to compute more.
 struct Solution {
-  LayeredMesh mesh;
-  Discretisation discretisation;
-  Inflation inflation;
-  Ordering ordering;
+  relief::LayeredMesh mesh;
+  relief::Discretisation discretisation;
+  relief::Inflation inflation;
+  relief::Ordering ordering;
 };
 
 /// Inflates the parts of a mesh [P eq 7, 8], heights 0.
-Result<Solution> inflate_parts(LayeredMesh mesh, const Scene& scene, const RunContext& context);
+Result<Solution> inflate_parts(relief::LayeredMesh mesh, const Scene& scene,
+                               const RunContext& context);
 
 /// Puts the inflated parts in order [P eq 10-13].
 Status order_parts(Solution& solution, const Scene& scene, const RunContext& context);

@@ -1,10 +1,12 @@
+#include "rivals/stacked_parts.h"
+
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "relief/pipeline/build_relief.h"
+#include "relief/session/build_relief.h"
 #include "rivals/rival.h"
-#include "rivals/seam_chains.h"
+#include "rivals/separate_parts.h"
 #include "rivals/solution.h"
 
 namespace relievo {
@@ -12,13 +14,13 @@ namespace {
 
 /// In place of f = sgn(u) sqrt|u| the parabola u / sqrt(most |u| of the part), as an inflation: its
 /// u is f |f|.
-Inflation parabolas(const LayeredMesh& mesh, const Inflation& inflation) {
+relief::Inflation parabolas(const relief::LayeredMesh& mesh, const relief::Inflation& inflation) {
   std::vector<double> most(mesh.part_count, 0);
   for (size_t n = 0; n < inflation.u.size(); ++n) {
     double& of_part = most[mesh.node_part[n]];
     of_part = std::max(of_part, std::abs(inflation.u[n]));
   }
-  Inflation result = inflation;
+  relief::Inflation result = inflation;
   for (size_t n = 0; n < inflation.u.size(); ++n) {
     const double apex = most[mesh.node_part[n]];
     const double f = apex > 0 ? inflation.u[n] / std::sqrt(apex) : 0;
@@ -29,7 +31,7 @@ Inflation parabolas(const LayeredMesh& mesh, const Inflation& inflation) {
   return result;
 }
 
-Result<Model> inflated_and_ordered(const LayeredMesh& mesh, const Scene& scene,
+Result<Model> inflated_and_ordered(const relief::LayeredMesh& mesh, const Scene& scene,
                                    const RunContext& context) {
   auto solution = inflate_parts(mesh, scene, context);
   if (!solution) return solution.error();
@@ -40,9 +42,9 @@ Result<Model> inflated_and_ordered(const LayeredMesh& mesh, const Scene& scene,
 }  // namespace
 
 Result<Model> reconstruct_ours(const RivalInput& input, const RunContext& context) {
-  ReliefOptions options;
+  relief::ReliefOptions options;
   options.layers.edge_length = input.joined.edge_length;
-  const auto relief = build_relief(input.scene, options, context);
+  const auto relief = relief::build_relief(input.scene, options, context);
   if (!relief) return relief.error();
   return assemble_model(relief->layers, relief->inflation, relief->ordering, input.scene, {},
                         context);

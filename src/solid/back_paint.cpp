@@ -1,8 +1,8 @@
+#include "solid/back_paint.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {

@@ -1,3 +1,5 @@
+#include "solid/compress_heights.h"
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -5,10 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/operators/gradient.h"
 #include "kernel/operators/laplacian.h"
-#include "kernel/solvers/sparse_cholesky.h"
-#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {
@@ -68,7 +69,7 @@ double limited(double value, double limit) { return value / (1 + std::abs(value)
 
 class Compression {
  public:
-  Compression(double share, const VisibleSheet& sheet, const FlatMesh& mesh)
+  Compression(double share, const relief::VisibleSheet& sheet, const FlatMesh& mesh)
       : sheet_(sheet), share_(share) {
     const Model& model = sheet.model;
     heights_.resize(static_cast<Index>(model.positions.size()));
@@ -109,7 +110,7 @@ class Compression {
       load_[a] += step;
       load_[b] -= step;
     };
-    for (const SheetStep& step : sheet_.steps) {
+    for (const relief::SheetStep& step : sheet_.steps) {
       add(step.first.front().vertex, step.second.front().vertex);
       add(step.first.back().vertex, step.second.back().vertex);
     }
@@ -135,7 +136,7 @@ class Compression {
     return true;
   }
 
-  const VisibleSheet& sheet_;
+  const relief::VisibleSheet& sheet_;
   double share_;
   double target_ = 0;  ///< px
   VectorXd heights_;
@@ -146,7 +147,8 @@ class Compression {
   bool analysed_ = false;
 };
 
-void set_heights(double share, const VectorXd& z, const FlatMesh& mesh, VisibleSheet& sheet) {
+void set_heights(double share, const VectorXd& z, const FlatMesh& mesh,
+                 relief::VisibleSheet& sheet) {
   Model& model = sheet.model;
   const size_t count = model.positions.size();
   const std::vector<Point2> slopes = node_gradients(mesh, {z.data(), count});
@@ -161,7 +163,7 @@ void set_heights(double share, const VectorXd& z, const FlatMesh& mesh, VisibleS
 
 }  // namespace
 
-Status compress_heights(double share, VisibleSheet& sheet) {
+Status compress_heights(double share, relief::VisibleSheet& sheet) {
   const FrontView view = front_view(sheet.model);
   const auto z = Compression(share, sheet, view.mesh()).run();
   if (!z) return z.error();

@@ -1,3 +1,5 @@
+#include "solid/corner_fans.h"
+
 #include "solid/solid_steps.h"
 
 namespace relievo {

@@ -1,9 +1,11 @@
+#include "solid/field_rim.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "kernel/geometry/polygon.h"
 #include "kernel/meshing/triangulate.h"
-#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {

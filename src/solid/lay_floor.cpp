@@ -1,3 +1,5 @@
+#include "solid/lay_floor.h"
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -5,9 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/operators/laplacian.h"
-#include "kernel/solvers/sparse_cholesky.h"
-#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {

@@ -10,8 +10,18 @@
 #include <utility>
 
 #include "kernel/base/disjoint_sets.h"
-#include "relief/model/ink_rims.h"
-#include "solid/solid_steps.h"
+#include "relief/finish/ink_rims.h"
+#include "solid/back_paint.h"
+#include "solid/compress_heights.h"
+#include "solid/field_rim.h"
+#include "solid/lay_floor.h"
+#include "solid/mirror_limbs.h"
+#include "solid/plate_outline.h"
+#include "solid/raise_walls.h"
+#include "solid/repair_plane.h"
+#include "solid/settle_heights.h"
+#include "solid/snap_sheet.h"
+#include "solid/stand.h"
 
 namespace relievo {
 namespace {
@@ -33,12 +43,13 @@ struct Extent {
 };
 
 /// Of a sheet, and of its back and of limbs on the far side where that is wanted.
-Extent extent_of(const VisibleSheet& sheet, const std::vector<LimbSheet>& limbs, bool backed) {
+Extent extent_of(const relief::VisibleSheet& sheet, const std::vector<relief::LimbSheet>& limbs,
+                 bool backed) {
   const Model& model = sheet.model;
   Extent extent;
   if (backed)
-    for (const BackPoint& back : sheet.back) extent.low.z = std::min(extent.low.z, back.z);
-  for (const LimbSheet& limb : limbs)
+    for (const relief::BackPoint& back : sheet.back) extent.low.z = std::min(extent.low.z, back.z);
+  for (const relief::LimbSheet& limb : limbs)
     for (const std::array<int, 3>& triangle : limb.sheet.model.triangles)
       for (const int v : triangle)
         extent.low.z = std::min(extent.low.z, 2 * limb.middle - limb.sheet.model.positions[v].z);
@@ -66,7 +77,8 @@ double radius_of(const Model& model, const Extent& extent) {
 }
 
 /// The scale with which the whole gets its size.
-Result<GridPlacement> place_on_grid(const VisibleSheet& sheet, const std::vector<LimbSheet>& limbs,
+Result<GridPlacement> place_on_grid(const relief::VisibleSheet& sheet,
+                                    const std::vector<relief::LimbSheet>& limbs,
                                     const SolidOptions& options) {
   const bool backed = options.back != BackSide::flat;
   const Extent extent = extent_of(sheet, limbs, backed);
@@ -165,11 +177,11 @@ Status add_plate(const SolidOptions& options, int part, Point2 uv, HeightField& 
 }
 
 /// Keeps ink narrow along the rims of a figure, in front as behind.
-void narrow_rims(const Drawing& drawing, VisibleSheet& sheet) {
+void narrow_rims(const Drawing& drawing, relief::VisibleSheet& sheet) {
   Model& model = sheet.model;
   std::vector<double> rise;
   for (const Point3& p : model.positions) rise.push_back(-p.z);
-  narrow_inked_rims(model, drawing);
+  relief::narrow_inked_rims(model, drawing);
   for (size_t v = 0; v < rise.size(); ++v) sheet.back[v].z -= rise[v] + model.positions[v].z;
 }
 
@@ -212,7 +224,7 @@ struct FieldMaker {
   /// How far the feet are sunk into a plate.
   int64_t sunk() const { return steps(0.5 * options.thickness); }
 
-  HeightField field_of(const VisibleSheet& sheet) const {
+  HeightField field_of(const relief::VisibleSheet& sheet) const {
     HeightField field = snap_sheet(sheet, placement);
     for (Point2& uv : field.uvs) uv.y *= painted.shrink;
     return field;
@@ -246,9 +258,9 @@ struct LimbFields {
   std::vector<GridPoint> far;  ///< x, and z when it is mirrored, of what is below a level
 };
 
-Status add_limb(const FieldMaker& maker, const Drawing& drawing, const LimbSheet& limb,
+Status add_limb(const FieldMaker& maker, const Drawing& drawing, const relief::LimbSheet& limb,
                 const std::vector<ModelPart>& parts, int64_t level, LimbFields& fields) {
-  VisibleSheet sheet = limb.sheet;
+  relief::VisibleSheet sheet = limb.sheet;
   narrow_rims(drawing, sheet);
   HeightField field = maker.field_of(sheet);
   if (Status status = maker.repair(field); !status) return status;
@@ -283,11 +295,12 @@ void align(GridPoint low, double unit, LimbFields& fields) {
 
 }  // namespace
 
-Result<Solid> make_solid(const VisibleSheet& given, const std::vector<LimbSheet>& limbs,
-                         const Drawing& drawing, const SolidOptions& options) {
+Result<Solid> make_solid(const relief::VisibleSheet& given,
+                         const std::vector<relief::LimbSheet>& limbs, const Drawing& drawing,
+                         const SolidOptions& options) {
   if (Status status = check_options(options); !status) return status.error();
   const bool figure = options.back != BackSide::flat;
-  VisibleSheet sheet = given;
+  relief::VisibleSheet sheet = given;
   if (figure) narrow_rims(drawing, sheet);
   auto placement = place_on_grid(sheet, limbs, options);
   if (!placement) return placement.error();
@@ -315,7 +328,7 @@ Result<Solid> make_solid(const VisibleSheet& given, const std::vector<LimbSheet>
   if (figure)
     if (Status status = maker.add_back(edges, field); !status) return status.error();
   LimbFields mirrored;
-  for (const LimbSheet& limb : limbs)
+  for (const relief::LimbSheet& limb : limbs)
     if (Status status = add_limb(maker, drawing, limb, parts, lowest(field), mirrored); !status)
       return status.error();
   if (stands) {

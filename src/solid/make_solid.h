@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "relief/model/visible_sheet.h"
+#include "relief/surface/visible_sheet.h"
 #include "relievo/result.h"
 #include "relievo/solid.h"
 
@@ -14,10 +14,11 @@ namespace relievo {
 /// flat. The drawing has a strip of plain colour at its lower end for that. `limbs` are on the far
 /// side too. Fails with usage where size, thickness and margin leave no room, options exclude each
 /// other, or a limb does not become one solid with the figure. Near-linear in triangles.
-Result<Solid> make_solid(const VisibleSheet& given, const std::vector<LimbSheet>& limbs,
-                         const Drawing& drawing, const SolidOptions& options);
+Result<Solid> make_solid(const relief::VisibleSheet& given,
+                         const std::vector<relief::LimbSheet>& limbs, const Drawing& drawing,
+                         const SolidOptions& options);
 
-inline Result<Solid> make_solid(const VisibleSheet& given, const Drawing& drawing,
+inline Result<Solid> make_solid(const relief::VisibleSheet& given, const Drawing& drawing,
                                 const SolidOptions& options) {
   return make_solid(given, {}, drawing, options);
 }

@@ -1,3 +1,5 @@
+#include "solid/mirror_limbs.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -5,7 +7,6 @@
 #include <utility>
 
 #include "kernel/meshing/unite_meshes.h"
-#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {

@@ -1,9 +1,11 @@
+#include "solid/plate_outline.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <polyclipping/clipper.hpp>
 
-#include "solid/solid_steps.h"
+#include "kernel/geometry/polygon.h"
 
 namespace relievo {
 namespace {

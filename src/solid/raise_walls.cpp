@@ -1,3 +1,5 @@
+#include "solid/raise_walls.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -5,6 +7,7 @@
 #include <utility>
 
 #include "kernel/meshing/triangulate.h"
+#include "solid/field_rim.h"
 #include "solid/solid_steps.h"
 
 namespace relievo {

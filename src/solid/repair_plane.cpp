@@ -1,8 +1,11 @@
+#include "solid/repair_plane.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "solid/corner_fans.h"
 #include "solid/solid_steps.h"
 
 namespace relievo {

@@ -1,6 +1,9 @@
+#include "solid/settle_heights.h"
+
 #include <algorithm>
 #include <utility>
 
+#include "solid/corner_fans.h"
 #include "solid/solid_steps.h"
 
 namespace relievo {

@@ -1,10 +1,12 @@
+#include "solid/snap_sheet.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
 #include <utility>
 
-#include "solid/solid_steps.h"
+#include "solid/lay_floor.h"
 
 namespace relievo {
 namespace {
@@ -27,7 +29,7 @@ struct SidePoint {
 
 class Snapper {
  public:
-  Snapper(const VisibleSheet& sheet, const GridPlacement& placement) : sheet_(sheet) {
+  Snapper(const relief::VisibleSheet& sheet, const GridPlacement& placement) : sheet_(sheet) {
     const Model& model = sheet.model;
     field_.unit = placement.unit;
     const double steeper = placement.height_scale / placement.scale;
@@ -44,7 +46,7 @@ class Snapper {
   }
 
   HeightField snap() && {
-    for (const SheetStep& step : sheet_.steps) align(step);
+    for (const relief::SheetStep& step : sheet_.steps) align(step);
     for (const ModelPart& part : sheet_.model.parts) {
       const int p = static_cast<int>(&part - sheet_.model.parts.data());
       for (int t = 0; t < part.triangle_count; ++t)
@@ -64,7 +66,7 @@ class Snapper {
   void lay_floor(const GridPlacement& placement) {
     field_.floor.assign(field_.points.size(), {std::numeric_limits<int64_t>::max(), 0});
     for (size_t v = 0; v < sheet_.back.size(); ++v) {
-      const BackPoint& back = sheet_.back[v];
+      const relief::BackPoint& back = sheet_.back[v];
       const double z = placement.height_scale * (back.z - placement.origin.z);
       FloorPoint& floor = field_.floor[field_.vertex_point[v]];
       if (const int64_t height = on_grid(z, field_.unit); height < floor.height)
@@ -93,13 +95,13 @@ class Snapper {
   }
 
   /// The points of `own`, and one more wherever the other side alone has one.
-  std::vector<SidePoint> completed(const std::vector<StepPoint>& own,
-                                   const std::vector<StepPoint>& other) {
+  std::vector<SidePoint> completed(const std::vector<relief::StepPoint>& own,
+                                   const std::vector<relief::StepPoint>& other) {
     std::vector<SidePoint> side{{0, own.front().vertex, false}};
     size_t j = 1;
     for (size_t i = 1; i < own.size(); ++i) {
-      const StepPoint& from = own[i - 1];
-      const StepPoint& to = own[i];
+      const relief::StepPoint& from = own[i - 1];
+      const relief::StepPoint& to = own[i];
       for (; j + 1 < other.size() && other[j].t < to.t; ++j) {
         const double s = (other[j].t - from.t) / (to.t - from.t);
         const int point = field_.vertex_point[other[j].vertex];
@@ -150,7 +152,7 @@ class Snapper {
     return field_.vertex_height[a.vertex] - field_.vertex_height[b.vertex];
   }
 
-  void align(const SheetStep& step) {
+  void align(const relief::SheetStep& step) {
     std::vector<SidePoint> first = completed(step.first, step.second);
     std::vector<SidePoint> second = completed(step.second, step.first);
     if (first.size() == second.size()) {
@@ -215,7 +217,7 @@ class Snapper {
     field_.triangle_part.push_back(part);
   }
 
-  const VisibleSheet& sheet_;
+  const relief::VisibleSheet& sheet_;
   HeightField field_;
   std::unordered_map<GridPoint, int, PointHash> numbers_;
   std::unordered_map<uint64_t, std::vector<int>> added_;  ///< by edge, from its smaller vertex
@@ -223,7 +225,7 @@ class Snapper {
 
 }  // namespace
 
-HeightField snap_sheet(const VisibleSheet& sheet, const GridPlacement& placement) {
+HeightField snap_sheet(const relief::VisibleSheet& sheet, const GridPlacement& placement) {
   return Snapper(sheet, placement).snap();
 }
 

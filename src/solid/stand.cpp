@@ -1,3 +1,5 @@
+#include "solid/stand.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,7 +9,6 @@
 #include <utility>
 
 #include "kernel/meshing/triangulate.h"
-#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {

@@ -4,7 +4,7 @@
 #include "cli/cli_test.h"
 #include "io/image/decode_image.h"
 #include "io/image/png_encode.h"
-#include "io/project/project.h"
+#include "io/project/project_file.h"
 #include "relievo/bytes.h"
 
 namespace relievo {
@@ -80,8 +80,8 @@ TEST_F(SegmentDrawing, StrokesOnAProjectLeaveWhatWasSaidOfItsParts) {
   const std::string archive = read("figure.relievo");
   auto project = decode_project(to_bytes(archive));
   ASSERT_TRUE(project.ok());
-  const PartLabel head = project->segmentation->labels.at(120, 90);
-  const PartLabel body = project->segmentation->labels.at(120, 220);
+  const understanding::PartLabel head = project->segmentation->labels.at(120, 90);
+  const understanding::PartLabel body = project->segmentation->labels.at(120, 220);
   project->segmentation->corrections.parts[head].id = "head";
   project->segmentation->corrections.parts[head].c = 1.5;
   project->segmentation->corrections.parts[body].c = 2.5;

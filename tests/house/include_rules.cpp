@@ -11,71 +11,52 @@ namespace {
 
 using Names = std::set<std::string>;
 
-/// The kernel: which other folders of it a folder may use.
+/// The kernel: which other rooms of it a room may use.
 const std::map<std::string, Names> kernel_rules = {
     {"base", {}},
+    {"cholesky", {"base"}},
     {"geometry", {"base"}},
     {"graph", {"base"}},
-    {"image", {"base", "geometry", "solvers"}},
+    {"image", {"base", "cholesky", "geometry"}},
     {"meshing", {"base", "geometry"}},
     {"operators", {"base", "geometry"}},
-    {"solvers", {"base"}},
+    {"solvers", {"base", "cholesky"}},
 };
 
-/// The chain of stages; data flows from left to right.
-const std::vector<std::string> stages = {
-    "drawing",        "scene", "completion", "stacking", "join_proposals", "corrections", "layers",
-    "discretisation", "cues",  "inflation",  "ordering", "nonlinear",      "hiding",      "model"};
+/// The rooms of both wings. Data flows from left to right: a room uses itself and earlier ones.
+const std::map<std::string, std::vector<std::string>> wings = {
+    {"understanding",
+     {"lines", "paper", "figure", "areas", "labels", "marks", "completion", "stacking", "joins",
+      "scene"}},
+    {"relief",
+     {"layers", "discretisation", "cues", "inflation", "ordering", "nonlinear", "hiding", "session",
+      "surface", "finish", "maps"}},
+};
+
+/// What a stage of the relief hands on. Everything else in its room is its own.
+const Names stage_structs = {
+    "cues/cue_fields.h",     "discretisation/discretisation.h", "hiding/hidden_sheets.h",
+    "inflation/inflation.h", "layers/layered_mesh.h",           "nonlinear/nonlinear_solution.h",
+    "ordering/ordering.h",   "surface/visible_sheet.h",
+};
+
+/// The verbs of the stages, for the session alone.
+const Names stage_verbs = {
+    "hiding/hide_sheets.h",     "inflation/inflate.h",      "layers/layer_parts.h",
+    "maps/relief_maps.h",       "ordering/order_depth.h",   "nonlinear/solve_nonlinear.h",
+    "surface/assemble_limbs.h", "surface/assemble_model.h",
+};
 
 /// The non-linear stage unites these two and is made of their parts.
-const Names nonlinear_folders = {"inflation", "ordering"};
+const Names united_rooms = {"inflation", "ordering"};
 
-/// What a stage hands on: its struct and views of it. Everything else in its folder is its own.
-const Names stage_structs = {
-    "completion/completion.h",
-    "completion/part_regions.h",
-    "corrections/corrections.h",
-    "cues/cue_fields.h",
-    "drawing/basins.h",
-    "drawing/scribbles.h",
-    "drawing/segmentation.h",
-    "hiding/hidden_sheets.h",
-    "discretisation/discretisation.h",
-    "inflation/inflation.h",
-    "join_proposals/join_proposals.h",
-    "nonlinear/nonlinear_solution.h",
-    "layers/layered_mesh.h",
-    "model/visible_sheet.h",
-    "ordering/ordering.h",
-    "stacking/stacking.h",
-};
-
-/// Besides, files and pictures may use what the last stage derives from a model.
-const Names model_views = {"model/dress_hidden.h",   "model/ink_rims.h",
-                           "model/paint_layers.h",   "model/fill_triangle.h",
-                           "model/hidden_patches.h", "model/model_texture.h",
-                           "model/relief_maps.h"};
-
-/// The verbs of the stages, for the pipeline alone.
-const Names stage_verbs = {"completion/clip_to_order.h",
-                           "completion/complete_parts.h",
-                           "drawing/find_basins.h",
-                           "drawing/segment_drawing.h",
-                           "hiding/hide_sheets.h",
-                           "inflation/inflate.h",
-                           "join_proposals/propose_layer_joins.h",
-                           "join_proposals/propose_joins.h",
-                           "join_proposals/propose_leans.h",
-                           "join_proposals/part_profile.h",
-                           "nonlinear/solve_nonlinear.h",
-                           "layers/layer_parts.h",
-                           "model/assemble_model.h",
-                           "model/relief_maps.h",
-                           "ordering/order_depth.h",
-                           "stacking/stack_parts.h"};
+/// The rooms that programs and bindings use as a whole, and headers of others that they use.
+const Names open_rooms = {"labels", "marks", "scene", "session", "finish", "maps"};
+const Names open_headers = {"areas/basins.h", "areas/find_basins.h", "joins/join_proposals.h"};
 
 struct Place {
-  /// relievo, kernel, relief, io, lod, render, solid, face, rivals, apps, tests, benchmarks
+  /// relievo, kernel, scene, understanding, relief, io, lod, render, solid, face, rivals, apps,
+  /// tests, benchmarks
   std::string top;
   std::string folder;  ///< below it
   std::string rest;    ///< folder/file
@@ -90,8 +71,16 @@ Place place(const std::string& path) {
   return place;
 }
 
-size_t stage_number(const std::string& folder) {
-  return static_cast<size_t>(std::find(stages.begin(), stages.end(), folder) - stages.begin());
+bool is_wing(const std::string& top) { return wings.count(top) > 0; }
+
+bool is_handed_on(const Place& to) {
+  return to.top == "relief" && stage_structs.count(to.rest) > 0;
+}
+
+bool is_verb(const Place& to) { return to.top == "relief" && stage_verbs.count(to.rest) > 0; }
+
+bool is_open(const Place& to) {
+  return is_wing(to.top) && open_rooms.count(to.folder) + open_headers.count(to.rest) > 0;
 }
 
 std::string check_kernel(const Place& from, const Place& to) {
@@ -102,34 +91,35 @@ std::string check_kernel(const Place& from, const Place& to) {
   return "kernel/" + from.folder + " must not use kernel/" + to.folder;
 }
 
-std::string check_relief(const Place& from, const Place& to) {
-  if (to.top == "kernel" || (to.top == "relief" && to.folder == from.folder)) return "";
-  if (to.top != "relief") return "the stages know only the kernel and each other";
-  if (from.folder == "pipeline")
-    return stage_structs.count(to.rest) + stage_verbs.count(to.rest) > 0
-               ? ""
-               : "the pipeline uses the stages' structs and verbs only";
-  const size_t mine = stage_number(from.folder);
-  const size_t other = stage_number(to.folder);
-  if (mine == stages.size()) return "relief/" + from.folder + " is no stage";
-  if (other >= mine) return "a stage must not use a later one";
-  if (from.folder == "nonlinear" && nonlinear_folders.count(to.folder) > 0) return "";
-  return stage_structs.count(to.rest) > 0 ? "" : "a stage uses only the structs of earlier ones";
+std::string check_wing(const Place& from, const Place& to) {
+  if (to.top == "kernel" || to.top == "scene") return "";
+  if (to.top != from.top) return "a wing knows only the kernel, scenes and itself";
+  if (to.folder == from.folder) return "";
+  const std::vector<std::string>& rooms = wings.at(from.top);
+  const auto mine = std::find(rooms.begin(), rooms.end(), from.folder);
+  if (mine == rooms.end()) return from.top + "/" + from.folder + " is no room";
+  if (std::find(rooms.begin(), mine, to.folder) == mine) return "a room must not use a later one";
+  if (from.top == "understanding" || is_handed_on(to)) return "";
+  if (from.folder == "session" && is_verb(to)) return "";
+  if (from.folder == "maps" && to.folder == "surface") return "";
+  if (from.folder == "nonlinear" && united_rooms.count(to.folder) > 0) return "";
+  return "a stage uses only the structs of earlier ones";
+}
+
+std::string check_scene(const Place& to) {
+  return to.top == "kernel" || to.top == "scene" ? "" : "scenes know only the kernel";
 }
 
 std::string check_io(const Place& to) {
-  if (to.top == "kernel" || to.top == "io") return "";
-  if (to.top == "relief" && stage_structs.count(to.rest) + model_views.count(to.rest) > 0)
-    return "";
-  return "io uses the kernel, the stages' structs and itself only";
+  if (to.top == "kernel" || to.top == "io" || is_handed_on(to)) return "";
+  if (is_open(to) && to.folder != "session") return "";
+  return "io uses the kernel, open rooms, the stages' structs and itself only";
 }
 
 std::string check_render(const Place& to) {
   if (to.top == "kernel" || to.top == "render") return "";
-  if (to.top == "relief" && (to.folder == "model" || to.folder == "drawing") &&
-      stage_structs.count(to.rest) + model_views.count(to.rest) > 0)
-    return "";
-  return "render uses the kernel, models, drawings and itself only";
+  if (to.top == "relief" && to.folder == "finish") return "";
+  return "render uses the kernel, finished models and itself only";
 }
 
 std::string check_lod(const Place& to) {
@@ -138,25 +128,23 @@ std::string check_lod(const Place& to) {
 
 std::string check_solid(const Place& to) {
   if (to.top == "kernel" || to.top == "solid") return "";
-  if (to.top == "relief" && (to.folder == "model" || to.folder == "drawing") &&
-      (stage_structs.count(to.rest) > 0 || to.rest == "model/ink_rims.h"))
+  if (to.rest == "surface/visible_sheet.h" || (to.top == "relief" && to.folder == "finish"))
     return "";
-  return "solid uses the kernel, models, drawings and itself only";
+  return "solid uses the kernel, visible sheets, finished models and itself only";
 }
 
-/// For programs and bindings alike.
+/// Checks programs and bindings alike.
 std::string check_apps(const Place& from, const Place& to) {
-  for (const char* top : {"kernel", "io", "lod", "render", "solid", "face"})
+  for (const char* top : {"kernel", "scene", "io", "lod", "render", "solid", "face"})
     if (to.top == top || to.top == from.top) return "";
   if (to.top == "rivals" && from.top == "apps") return "";
-  if (to.top != "relief") return from.top + " use the libraries only";
-  if (to.folder == "pipeline" ||
-      stage_structs.count(to.rest) + stage_verbs.count(to.rest) + model_views.count(to.rest) > 0)
-    return "";
-  return from.top + " use the pipeline and the stages' structs and verbs, not their insides";
+  if (!is_wing(to.top)) return from.top + " use the libraries only";
+  if (is_handed_on(to) || is_verb(to) || is_open(to)) return "";
+  return from.top + " use open rooms and the stages' structs and verbs, not their insides";
 }
 
-/// Other methods, to compare with: made of the same stages, part of no library.
+/// Checks other methods, which are compared with ours: they are made of the same stages, and no
+/// library holds them.
 std::string check_rivals(const Place& from, const Place& to) {
   if (to.top == "io" || to.top == "solid" || to.top == "face")
     return "rivals use the kernel, the stages, the renderer and themselves only";
@@ -184,7 +172,8 @@ std::string include_violation(const std::string& from, const std::string& to) {
   if (source.top == "bindings" && source.folder == "python")
     return target.top == "bindings" ? "" : "the Python module uses public headers only";
   if (source.top == "kernel") return check_kernel(source, target);
-  if (source.top == "relief") return check_relief(source, target);
+  if (source.top == "scene") return check_scene(target);
+  if (is_wing(source.top)) return check_wing(source, target);
   if (source.top == "io") return check_io(target);
   if (source.top == "render") return check_render(target);
   if (source.top == "solid") return check_solid(target);
@@ -210,7 +199,7 @@ std::string text_violations(const std::string& path, const std::string& text) {
   if (source.top == "tests") return found.str();
   if (text.find("_distribution<") != std::string::npos)
     found << "draws from a distribution that differs between libraries\n";
-  if (source.top != "kernel" && source.top != "relief") return found.str();
+  if (source.top != "kernel" && source.top != "scene" && !is_wing(source.top)) return found.str();
   for (const char* header : {"<iostream>", "<cstdio>", "<fstream>"})
     if (text.find(std::string("#include ") + header) != std::string::npos)
       found << "includes " << header << ": the core neither prints nor opens files\n";

@@ -1,3 +1,5 @@
+#include "rivals/graft.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,13 +17,13 @@ namespace {
 using testing::Cover;
 
 constexpr double disc_radius = 200;
-const Cover everywhere = [](int, Point2) { return true; };
+const relief::Cover everywhere = [](int, Point2) { return true; };
 
 /// A disc around the origin, and the band |x| < 40 of it.
 struct BandedDisc {
   explicit BandedDisc(int rings)
       : mesh(testing::stack_parts(testing::disc_mesh(disc_radius, rings), {everywhere})),
-        discretisation(discretise(mesh)) {
+        discretisation(relief::discretise(mesh)) {
     for (size_t n = 0; n < mesh.node_vertex.size(); ++n) band.push_back(std::abs(at(n).x) < 40);
   }
 
@@ -34,8 +36,8 @@ struct BandedDisc {
     return h;
   }
 
-  LayeredMesh mesh;
-  Discretisation discretisation;
+  relief::LayeredMesh mesh;
+  relief::Discretisation discretisation;
   std::vector<uint8_t> band;
 };
 
@@ -95,7 +97,7 @@ TEST(Graft, ContinuesHeightAndSlopeButNotCurvature) {
 }
 
 TEST(Graft, BandIsAsWideAsItIsSaidAlongTheSurface) {
-  const LayeredMesh mesh = testing::layered(testing::body_and_leg());
+  const relief::LayeredMesh mesh = testing::layered(testing::body_and_leg());
   const std::vector<uint8_t> band = band_around_joins(mesh, 0.25);
   const auto chains = seam_chains(mesh);
   ASSERT_EQ(chains.size(), 1U);

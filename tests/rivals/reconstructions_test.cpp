@@ -168,7 +168,7 @@ TEST(Rivals, AreNamedOnceAndGiveSoundModels) {
 
 TEST(Rivals, StopWhenCancelled) {
   const Scene scene = testing::body_and_leg();
-  const LayeredMesh joined = testing::layered(scene);
+  const relief::LayeredMesh joined = testing::layered(scene);
   const std::atomic<bool> cancel = true;
   for (const Rival& rival : rivals()) {
     const auto model = rival.reconstruct({scene, joined, {}}, RunContext{&cancel, {}, {}, {}});

@@ -1,3 +1,5 @@
+#include "rivals/separate_parts.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -5,7 +7,6 @@
 
 #include "relief/layers/layered_mesh.h"
 #include "rivals/rival_case.h"
-#include "rivals/seam_chains.h"
 #include "support/random_limbs.h"
 #include "support/scenes.h"
 
@@ -21,8 +22,8 @@ Scene nose() {
   return scene;
 }
 
-std::set<int> parts_of_surface(const LayeredMesh& mesh, int surface) {
-  const std::vector<int> surfaces = joined_surfaces(mesh);
+std::set<int> parts_of_surface(const relief::LayeredMesh& mesh, int surface) {
+  const std::vector<int> surfaces = relief::joined_surfaces(mesh);
   std::set<int> parts;
   for (size_t f = 0; f < mesh.faces.size(); ++f)
     if (surfaces[mesh.faces[f][0]] == surface) parts.insert(mesh.face_part[f]);
@@ -31,16 +32,16 @@ std::set<int> parts_of_surface(const LayeredMesh& mesh, int surface) {
 
 TEST(SeparateParts, LeavesNoTwoPartsOnOneSurface) {
   for (const Scene& scene : {testing::body_and_leg(), testing::random_limbs(5), nose()}) {
-    const LayeredMesh mesh = separate_parts(testing::layered(scene), Roots::closed).mesh;
-    const std::vector<int> surfaces = joined_surfaces(mesh);
+    const relief::LayeredMesh mesh = separate_parts(testing::layered(scene), Roots::closed).mesh;
+    const std::vector<int> surfaces = relief::joined_surfaces(mesh);
     for (const int surface : std::set<int>(surfaces.begin(), surfaces.end()))
       ASSERT_EQ(parts_of_surface(mesh, surface).size(), 1U);
   }
 }
 
 TEST(SeparateParts, GivesEveryPartItsWholeArea) {
-  const LayeredMesh joined = testing::layered(nose());
-  const LayeredMesh mesh = separate_parts(joined, Roots::closed).mesh;
+  const relief::LayeredMesh joined = testing::layered(nose());
+  const relief::LayeredMesh mesh = separate_parts(joined, Roots::closed).mesh;
   EXPECT_EQ(mesh.triangles, joined.triangles);
   // Below the nose the head was gone.
   EXPECT_GT(mesh.faces.size(), joined.faces.size());
@@ -49,30 +50,31 @@ TEST(SeparateParts, GivesEveryPartItsWholeArea) {
 }
 
 TEST(SeparateParts, HoldsOutlinesDownAndOpensRootsOnRequest) {
-  const LayeredMesh joined = testing::layered(testing::body_and_leg());
-  const auto count = [&](Roots roots, NodeRole role) {
-    const LayeredMesh mesh = separate_parts(joined, roots).mesh;
+  const relief::LayeredMesh joined = testing::layered(testing::body_and_leg());
+  const auto count = [&](Roots roots, relief::NodeRole role) {
+    const relief::LayeredMesh mesh = separate_parts(joined, roots).mesh;
     return std::count(mesh.node_role.begin(), mesh.node_role.end(), role);
   };
-  EXPECT_EQ(count(Roots::closed, NodeRole::seam), 0);
-  const auto opened = count(Roots::open, NodeRole::seam);
+  EXPECT_EQ(count(Roots::closed, relief::NodeRole::seam), 0);
+  const auto opened = count(Roots::open, relief::NodeRole::seam);
   EXPECT_GT(opened, 2);
-  EXPECT_EQ(count(Roots::open, NodeRole::outline) + opened,
-            count(Roots::closed, NodeRole::outline));
+  EXPECT_EQ(count(Roots::open, relief::NodeRole::outline) + opened,
+            count(Roots::closed, relief::NodeRole::outline));
 }
 
 TEST(SeparateParts, TiesRootsToWhatLiesThere) {
-  const LayeredMesh joined = testing::layered(testing::body_and_leg());
-  const LayeredMesh open = separate_parts(joined, Roots::open).mesh;
+  const relief::LayeredMesh joined = testing::layered(testing::body_and_leg());
+  const relief::LayeredMesh open = separate_parts(joined, Roots::open).mesh;
   int ties = 0;
-  for (const DepthPair& pair : open.constraints) {
+  for (const relief::DepthPair& pair : open.constraints) {
     EXPECT_EQ(open.node_vertex[pair.lower], open.node_vertex[pair.upper]);
     EXPECT_LT(open.node_part[pair.lower], open.node_part[pair.upper]);
     ties += pair.equal ? 1 : 0;
   }
-  const auto opened = std::count(open.node_role.begin(), open.node_role.end(), NodeRole::seam);
+  const auto opened =
+      std::count(open.node_role.begin(), open.node_role.end(), relief::NodeRole::seam);
   EXPECT_EQ(ties, opened + 2);  // both ends as well
-  for (const DepthPair& pair : separate_parts(joined, Roots::closed).mesh.constraints)
+  for (const relief::DepthPair& pair : separate_parts(joined, Roots::closed).mesh.constraints)
     EXPECT_FALSE(pair.equal);
 }
 

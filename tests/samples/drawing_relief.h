@@ -7,11 +7,11 @@
 #include <iterator>
 #include <string>
 
-#include "io/layered/read_layers.h"
+#include "io/layered/read_layer_folder.h"
 #include "io/svg/read_svg.h"
 #include "io/svg/render_svg.h"
-#include "relief/pipeline/connect_scene.h"
 #include "support/probe.h"
+#include "understanding/scene/connect_scene.h"
 
 namespace relievo::testing {
 
@@ -19,7 +19,7 @@ namespace relievo::testing {
 struct DrawnRelief {
   Scene scene;
   Drawing drawing;  ///< one pixel a px of the canvas
-  Relief relief;
+  relief::Relief relief;
 };
 
 inline std::string read_text(const std::string& path) {
@@ -34,7 +34,8 @@ inline DrawnRelief drawn_svg(const std::string& path) {
   EXPECT_TRUE(import.ok()) << path << ": " << (import.ok() ? "" : to_string(import.error()));
   if (!import.ok()) return drawn;
   drawn.scene =
-      connect_scene(import->scene, import->proposed, import->colors, import->anchors).scene;
+      understanding::connect_scene(import->scene, import->proposed, import->colors, import->anchors)
+          .scene;
   const auto drawing =
       render_svg(bytes, static_cast<int>(drawn.scene.width), static_cast<int>(drawn.scene.height));
   EXPECT_TRUE(drawing.ok()) << path;
@@ -47,13 +48,14 @@ inline DrawnRelief drawn_folder(const std::string& path) {
   const auto import = read_layer_folder(path);
   EXPECT_TRUE(import.ok()) << path << ": " << (import.ok() ? "" : to_string(import.error()));
   if (!import.ok()) return drawn;
-  drawn.scene =
-      connect_scene(import->content.scene, import->content.proposed, import->content.colors).scene;
+  drawn.scene = understanding::connect_scene(import->content.scene, import->content.proposed,
+                                             import->content.colors)
+                    .scene;
   drawn.drawing = import->content.drawing;
   return drawn;
 }
 
-inline DrawnRelief relief_of(const std::string& path, const ReliefOptions& options) {
+inline DrawnRelief relief_of(const std::string& path, const relief::ReliefOptions& options) {
   DrawnRelief drawn = std::filesystem::is_directory(path) ? drawn_folder(path) : drawn_svg(path);
   if (!drawn.scene.parts.empty()) drawn.relief = relief_of(drawn.scene, options);
   return drawn;

@@ -7,12 +7,12 @@
 #include <string_view>
 
 #include "io/image/decode_image.h"
-#include "io/scribbles/read_scribbles.h"
+#include "io/scribbles/scribbles_json.h"
 #include "io/svg/render_svg.h"
 #include "kernel/image/outlines.h"
-#include "relief/drawing/segment_drawing.h"
-#include "relief/pipeline/propose_scene.h"
 #include "relievo/files.h"
+#include "understanding/labels/segment_drawing.h"
+#include "understanding/scene/propose_scene.h"
 
 namespace relievo {
 namespace {
@@ -34,24 +34,25 @@ class FlatDrawings : public testing::Test {
     return {*decode_image(*bytes)};
   }
 
-  Result<Segmentation> segment(const std::string& name) const {
-    return segment_drawing(drawing(name));
+  Result<understanding::Segmentation> segment(const std::string& name) const {
+    return understanding::segment_drawing(drawing(name));
   }
 
-  Result<Segmentation> segment(const std::string& name, const std::string& strokes) const {
-    return segment_drawing(drawing(name), scribbles("scribbles/" + strokes));
+  Result<understanding::Segmentation> segment(const std::string& name,
+                                              const std::string& strokes) const {
+    return understanding::segment_drawing(drawing(name), scribbles("scribbles/" + strokes));
   }
 
-  Scribbles scribbles(const std::string& name) const {
+  understanding::Scribbles scribbles(const std::string& name) const {
     const Result<Bytes> bytes = read_file(fs::path(RELIEVO_TEST_DATA) / (name + ".json"));
-    const Result<Scribbles> scribbles =
+    const Result<understanding::Scribbles> scribbles =
         read_scribbles({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
     EXPECT_TRUE(scribbles.ok()) << (scribbles.ok() ? "" : to_string(scribbles.error()));
     return *scribbles;
   }
 
   /// Intersection over union of all parts and the figure as another person cut it out.
-  double agreement_with_mask(const Segmentation& s, const std::string& name) const {
+  double agreement_with_mask(const understanding::Segmentation& s, const std::string& name) const {
     const Image8 mask = drawing(name + "/mask.png").rgba;
     double both = 0;
     double either = 0;
@@ -74,7 +75,7 @@ struct Spot {
 };
 
 /// Points of one name must have one label, others another.
-void expect_parts(const Segmentation& s, const std::vector<Spot>& spots) {
+void expect_parts(const understanding::Segmentation& s, const std::vector<Spot>& spots) {
   std::map<std::string, int> label_of = {{"", 0}};
   std::map<int, std::string> name_of = {{0, ""}};
   for (const Spot& spot : spots) {
@@ -87,7 +88,7 @@ void expect_parts(const Segmentation& s, const std::vector<Spot>& spots) {
 }
 
 TEST_F(FlatDrawings, Chicken) {
-  const Result<Segmentation> s = segment("F06_chicken_tuxpaint.png");
+  const Result<understanding::Segmentation> s = segment("F06_chicken_tuxpaint.png");
   ASSERT_TRUE(s.ok()) << to_string(s.error());
   EXPECT_LE(s->parts.size(), 14U) << "blades of grass are tubes";
   expect_parts(*s, {{10, 10, ""},
@@ -102,7 +103,7 @@ TEST_F(FlatDrawings, Chicken) {
 }
 
 TEST_F(FlatDrawings, Frog) {
-  const Result<Segmentation> s = segment("F07_frog_tuxpaint.png");
+  const Result<understanding::Segmentation> s = segment("F07_frog_tuxpaint.png");
   ASSERT_TRUE(s.ok()) << to_string(s.error());
   expect_parts(*s, {{20, 20, ""},
                     {470, 200, "near eye"},
@@ -119,7 +120,7 @@ TEST_F(FlatDrawings, Frog) {
 }
 
 TEST_F(FlatDrawings, Snowman) {
-  const Result<Segmentation> s = segment("F08_snowman_stamp.png");
+  const Result<understanding::Segmentation> s = segment("F08_snowman_stamp.png");
   ASSERT_TRUE(s.ok()) << to_string(s.error());
   expect_parts(*s, {{10, 60, ""},
                     {130, 40, "hat"},
@@ -131,7 +132,7 @@ TEST_F(FlatDrawings, Snowman) {
 }
 
 TEST_F(FlatDrawings, Pig) {
-  const Result<Segmentation> s = segment("F09_pig_lear.gif");
+  const Result<understanding::Segmentation> s = segment("F09_pig_lear.gif");
   ASSERT_TRUE(s.ok()) << to_string(s.error());
   EXPECT_LE(s->parts.size(), 20U);
   expect_parts(*s, {{10, 10, ""}, {200, 120, "body"}, {250, 150, "body"}, {60, 110, "head"}});
@@ -146,12 +147,13 @@ TEST_F(FlatDrawings, FewStrokesNameAllParts) {
            {"F08_snowman_stamp.png", "F08_snowman_stamp"},
            {"F10_cat_carrot.png", "F10_cat_carrot"},
            {"F12_sleeping_cat_openclipart.svg", "F12_sleeping_cat_openclipart"}}) {
-    const Result<Segmentation> plain = segment(name);
-    const Result<Segmentation> s = segment(name, strokes);
+    const Result<understanding::Segmentation> plain = segment(name);
+    const Result<understanding::Segmentation> s = segment(name, strokes);
     ASSERT_TRUE(plain.ok() && s.ok()) << name;
     EXPECT_GE(s->parts.size(), 5U) << name;
     EXPECT_LE(s->parts.size(), 8U) << name;
-    for (const SegmentedPart& part : s->parts) EXPECT_FALSE(part.proposed) << name << part.id;
+    for (const understanding::SegmentedPart& part : s->parts)
+      EXPECT_FALSE(part.proposed) << name << part.id;
     EXPECT_TRUE(s->notes.empty()) << name << ": a part without any area";
     for (size_t i = 0; i < s->labels.pixels.size(); ++i)
       ASSERT_EQ(s->labels.pixels[i] == 0, plain->labels.pixels[i] == 0) << name << " " << i;
@@ -160,7 +162,7 @@ TEST_F(FlatDrawings, FewStrokesNameAllParts) {
 
 /// Four dots tell the ground between the legs from a belly, which has the same lines.
 TEST_F(FlatDrawings, PigWithDotsOnTheGround) {
-  const Result<Segmentation> s = segment("F09_pig_lear.gif", "F09_pig_lear_ground");
+  const Result<understanding::Segmentation> s = segment("F09_pig_lear.gif", "F09_pig_lear_ground");
   ASSERT_TRUE(s.ok()) << to_string(s.error());
   EXPECT_LE(s->parts.size(), 10U) << "the tail and what is drawn of the ground are tubes";
   expect_parts(*s, {{10, 10, ""},
@@ -174,14 +176,14 @@ TEST_F(FlatDrawings, PigWithDotsOnTheGround) {
 }
 
 TEST_F(FlatDrawings, Cat) {
-  const Result<Segmentation> s = segment("F10_cat_carrot.png");
+  const Result<understanding::Segmentation> s = segment("F10_cat_carrot.png");
   ASSERT_TRUE(s.ok()) << to_string(s.error());
   EXPECT_LE(s->parts.size(), 10U);
   expect_parts(*s, {{5, 5, ""}, {100, 60, "head"}, {30, 62, "tail"}, {60, 120, "hind leg"}});
 }
 
 TEST_F(FlatDrawings, SleepingCat) {
-  const Result<Segmentation> s = segment("F12_sleeping_cat_openclipart.svg");
+  const Result<understanding::Segmentation> s = segment("F12_sleeping_cat_openclipart.svg");
   ASSERT_TRUE(s.ok()) << to_string(s.error());
   EXPECT_LE(s->parts.size(), 12U);
   expect_parts(*s, {{10, 10, ""}, {200, 270, "head"}, {80, 220, "left ear"}, {500, 170, "body"}});
@@ -194,12 +196,12 @@ TEST_F(FlatDrawings, PhotographsAndScansNeedOneStrokeAPart) {
            {"F02_kid_bug/texture.png", "F02_kid_bug"},
            {"F04_gopher_dandy_pencil.png", "F04_gopher_dandy_pencil"},
            {"F05_gopher_pirate_pencil.png", "F05_gopher_pirate_pencil"}}) {
-    const Result<Segmentation> s = segment(name, strokes);
+    const Result<understanding::Segmentation> s = segment(name, strokes);
     ASSERT_TRUE(s.ok()) << name << ": " << to_string(s.error());
     EXPECT_TRUE(s->notes.empty()) << s->notes[0];
     double drawn = 0;
     double proposed = 0;
-    for (const SegmentedPart& part : s->parts)
+    for (const understanding::SegmentedPart& part : s->parts)
       (part.proposed ? proposed : drawn) += static_cast<double>(part.area);
     EXPECT_LT(proposed, 0.05 * drawn) << name;
     EXPECT_EQ(s->labels.at(2, 2), 0) << name;
@@ -264,9 +266,10 @@ TEST_F(FlatDrawings, FewStrokesMendWhatIsWrong) {
   for (const auto& [name, places] : spots) {
     SCOPED_TRACE(name);
     const std::string stem = name.substr(0, name.find_first_of("./"));
-    const Scribbles strokes = scribbles("few_strokes/" + stem);
+    const understanding::Scribbles strokes = scribbles("few_strokes/" + stem);
     EXPECT_LE(strokes.strokes.size(), 8U);
-    const Result<Segmentation> s = segment_drawing(drawing(name), strokes);
+    const Result<understanding::Segmentation> s =
+        understanding::segment_drawing(drawing(name), strokes);
     ASSERT_TRUE(s.ok()) << to_string(s.error());
     expect_parts(*s, places);
   }
@@ -286,15 +289,17 @@ TEST_F(FlatDrawings, FiguresThatAreNotTurnedDoNotLean) {
            {"F09_pig_lear.gif", ""},
            {"F10_cat_carrot.png", ""},
            {"F12_sleeping_cat_openclipart.svg", ""}}) {
-    const Result<Segmentation> s = strokes.empty() ? segment(name) : segment(name, strokes);
+    const Result<understanding::Segmentation> s =
+        strokes.empty() ? segment(name) : segment(name, strokes);
     ASSERT_TRUE(s.ok()) << name << ": " << to_string(s.error());
-    const Result<Proposal> proposal = propose_scene(s->labels);
+    const Result<understanding::Proposal> proposal = understanding::propose_scene(s->labels);
     ASSERT_TRUE(proposal.ok()) << name << ": " << to_string(proposal.error());
-    const std::vector<ProposedLean>& leans = proposal->joining.leans;
+    const std::vector<understanding::ProposedLean>& leans = proposal->joining.leans;
     if (name != "F08_snowman_stamp.png") {
       EXPECT_TRUE(leans.empty()) << name;
     }
-    for (const ProposedLean& proposed : leans) EXPECT_GT(proposed.lean.x, 0.1) << name;
+    for (const understanding::ProposedLean& proposed : leans)
+      EXPECT_GT(proposed.lean.x, 0.1) << name;
   }
 }
 
@@ -302,7 +307,7 @@ TEST_F(FlatDrawings, FiguresThatAreNotTurnedDoNotLean) {
 TEST_F(FlatDrawings, SilhouettesAgreeWithMasks) {
   for (const auto& [name, strokes] : std::map<std::string, std::string>{
            {"F01_kid_man", "F01_kid_man"}, {"F02_kid_bug", "F02_kid_bug"}}) {
-    const Result<Segmentation> s = segment(name + "/texture.png", strokes);
+    const Result<understanding::Segmentation> s = segment(name + "/texture.png", strokes);
     ASSERT_TRUE(s.ok());
     // Masks are drawn a little around the ink.
     EXPECT_GT(agreement_with_mask(*s, name), 0.85) << name;
@@ -310,7 +315,7 @@ TEST_F(FlatDrawings, SilhouettesAgreeWithMasks) {
 }
 
 TEST_F(FlatDrawings, AStickFigureIsWhole) {
-  const Result<Segmentation> s = segment("F03_kid_stick/texture.png");
+  const Result<understanding::Segmentation> s = segment("F03_kid_stick/texture.png");
   ASSERT_TRUE(s.ok()) << to_string(s.error());
   EXPECT_LE(s->parts.size(), 12U);
   EXPECT_GT(agreement_with_mask(*s, "F03_kid_stick"), 0.8);
@@ -319,11 +324,11 @@ TEST_F(FlatDrawings, AStickFigureIsWhole) {
 /// Outlines in the scene cover what is seen of their parts, and of the background nothing.
 TEST_F(FlatDrawings, OutlinesCoverTheLabels) {
   for (const char* name : {"F06_chicken_tuxpaint.png", "F08_snowman_stamp.png"}) {
-    const Result<Segmentation> s = segment(name);
+    const Result<understanding::Segmentation> s = segment(name);
     ASSERT_TRUE(s.ok());
-    const Result<Proposal> proposal = propose_scene(s->labels);
+    const Result<understanding::Proposal> proposal = understanding::propose_scene(s->labels);
     ASSERT_TRUE(proposal.ok());
-    const PartRegions& regions = proposal->regions;
+    const understanding::PartRegions& regions = proposal->regions;
     for (int part = 0; part < regions.count(); ++part) {
       const Part& drawn = proposal->scene.parts[proposal->stacking.rank[part]];
       const Mask filled = fill_outline(drawn.outline, regions.map.width, regions.map.height);

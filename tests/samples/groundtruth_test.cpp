@@ -9,9 +9,9 @@
 #include <map>
 #include <set>
 
-#include "relief/model/relief_maps.h"
-#include "relief/pipeline/build_relief.h"
-#include "relief/pipeline/propose_scene.h"
+#include "relief/maps/relief_maps.h"
+#include "relief/session/build_relief.h"
+#include "understanding/scene/propose_scene.h"
 
 namespace relievo {
 namespace {
@@ -118,20 +118,20 @@ class GroundTruth : public ::testing::Test {
     if (characters_.empty()) GTEST_SKIP() << "the characters with known depth are not here";
   }
 
-  static Proposal propose(const TrueCharacter& character) {
-    auto proposal = propose_scene(character.labels);
+  static understanding::Proposal propose(const TrueCharacter& character) {
+    auto proposal = understanding::propose_scene(character.labels);
     EXPECT_TRUE(proposal.ok()) << (proposal.ok() ? "" : to_string(proposal.error()));
-    return proposal.ok() ? std::move(*proposal) : Proposal();
+    return proposal.ok() ? std::move(*proposal) : understanding::Proposal();
   }
 
   static ReliefMaps relief_maps(const TrueCharacter& character, const Scene& scene) {
-    ReliefOptions options;
+    relief::ReliefOptions options;
     options.layers.vertex_budget = 20000;
-    const auto relief = build_relief(scene, options);
+    const auto relief = relief::build_relief(scene, options);
     EXPECT_TRUE(relief.ok()) << (relief.ok() ? "" : to_string(relief.error()));
     if (!relief.ok()) return {};
-    auto maps = rasterize_relief(relief->layers, relief->inflation, relief->ordering, scene,
-                                 character.labels.width, character.labels.height);
+    auto maps = relief::rasterize_relief(relief->layers, relief->inflation, relief->ordering, scene,
+                                         character.labels.width, character.labels.height);
     EXPECT_TRUE(maps.ok());
     return maps.ok() ? std::move(*maps) : ReliefMaps();
   }
@@ -144,7 +144,7 @@ TEST_F(GroundTruth, PartsAreCompletedToTheirTrueShapes) {
   std::vector<double> plain;
   std::vector<double> seen_well;
   for (const TrueCharacter& character : characters_) {
-    const Proposal proposal = propose(character);
+    const understanding::Proposal proposal = propose(character);
     std::printf("%s\n", character.name.c_str());
     for (const TruePart& part : character.parts) {
       const int index = proposal.regions.part_of(static_cast<uint16_t>(part.label));
@@ -168,12 +168,13 @@ TEST_F(GroundTruth, ClearPairsAreInTheRightOrder) {
   int right = 0;
   int all = 0;
   for (const TrueCharacter& character : characters_) {
-    const Proposal proposal = propose(character);
+    const understanding::Proposal proposal = propose(character);
     const auto part = [&](int label) {
       return proposal.regions.part_of(static_cast<uint16_t>(label));
     };
     std::set<std::pair<int, int>> touching;
-    for (const NeighbourEvidence& pair : proposal.evidence) touching.insert({pair.a, pair.b});
+    for (const understanding::NeighbourEvidence& pair : proposal.evidence)
+      touching.insert({pair.a, pair.b});
     for (const TruePair& pair : character.pairs) {
       const double share = pair.a_in_front / (pair.a_in_front + pair.b_in_front);
       const int a = part(pair.a);
@@ -195,9 +196,9 @@ TEST_F(GroundTruth, ClearPairsAreInTheRightOrder) {
 TEST_F(GroundTruth, TurnedBodiesLeanAndOthersDoNot) {
   for (const TrueCharacter& character : characters_) {
     SCOPED_TRACE(character.name);
-    const Proposal proposal = propose(character);
+    const understanding::Proposal proposal = propose(character);
     EXPECT_EQ(!proposal.joining.leans.empty(), is_turned(character));
-    for (const ProposedLean& proposed : proposal.joining.leans) {
+    for (const understanding::ProposedLean& proposed : proposal.joining.leans) {
       std::printf("%s: part %d leans by %.3f, confidence %.2f\n", character.name.c_str(),
                   proposal.regions.labels[proposed.part], proposed.lean.x, proposed.confidence);
       EXPECT_GE(proposed.lean.x, 0.12);
@@ -209,7 +210,7 @@ TEST_F(GroundTruth, TurnedBodiesLeanAndOthersDoNot) {
 TEST_F(GroundTruth, ReliefsHaveTheTrueDepth) {
   for (const TrueCharacter& character : characters_) {
     SCOPED_TRACE(character.name);
-    const Proposal proposal = propose(character);
+    const understanding::Proposal proposal = propose(character);
     const ReliefMaps maps = relief_maps(character, proposal.scene);
     if (maps.height.empty()) continue;
     std::map<int, std::string> names;

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <limits>
 
-#include "relief/model/assemble_model.h"
-#include "relief/model/fill_triangle.h"
+#include "relief/finish/fill_triangle.h"
+#include "relief/surface/assemble_model.h"
 #include "relievo/image.h"
 #include "samples/drawing_relief.h"
 
@@ -31,7 +31,7 @@ Image<double> front_heights(const Model& model) {
       z[k] = p.z;
     }
     const auto [a, b, c] = corners;
-    for_each_pixel_inside(corners, size, [&, a = a, b = b, c = c](int x, int y) {
+    relief::for_each_pixel_inside(corners, size, [&, a = a, b = b, c = c](int x, int y) {
       const Point2 p{x + 0.5, y + 0.5};
       const double area = cross(b - a, c - a);
       const double at_b = cross(p - a, c - a) / area;
@@ -46,8 +46,8 @@ Image<double> front_heights(const Model& model) {
 /// Where the model with what is hidden lies more than 0.1 pixels in front of the one without.
 int pixels_in_front(const DrawnRelief& drawn) {
   const auto heights = [&](Visibility visibility) {
-    const auto model = assemble_model(drawn.relief.layers, drawn.relief.inflation,
-                                      drawn.relief.ordering, drawn.scene, {visibility});
+    const auto model = relief::assemble_model(drawn.relief.layers, drawn.relief.inflation,
+                                              drawn.relief.ordering, drawn.scene, {visibility});
     EXPECT_TRUE(model.ok());
     return front_heights(*model);
   };
@@ -61,7 +61,7 @@ int pixels_in_front(const DrawnRelief& drawn) {
 
 void expect_nothing_in_front(const std::filesystem::path& path) {
   SCOPED_TRACE(path.filename().string());
-  EXPECT_EQ(pixels_in_front(relief_of(path.string(), ReliefOptions())), 0);
+  EXPECT_EQ(pixels_in_front(relief_of(path.string(), relief::ReliefOptions())), 0);
 }
 
 TEST(HiddenFaces, LieBehindWhatIsSeenOfTheSamples) {
@@ -78,7 +78,7 @@ TEST(HiddenFaces, LieBehindWhatIsSeenOfLayeredDrawings) {
 }
 
 TEST(HiddenFaces, AreLeftOutOnlyWhereTheyCross) {
-  ReliefOptions options;
+  relief::ReliefOptions options;
   options.layers.vertex_budget = 20000;
   DrawnRelief drawn = relief_of(RELIEVO_EXAMPLES "/bunny.svg", options);
   std::vector<int>& crossing = drawn.relief.ordering.crossing;

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "relief/model/relief_maps.h"
+#include "relief/maps/relief_maps.h"
 #include "samples/drawing_relief.h"
 #include "support/mesh_checks.h"
 
@@ -15,8 +15,8 @@ using namespace testing;
 double silhouette_overlap(const DrawnRelief& drawn) {
   const int width = static_cast<int>(drawn.scene.width);
   const int height = static_cast<int>(drawn.scene.height);
-  const auto maps = rasterize_relief(drawn.relief.layers, drawn.relief.inflation,
-                                     drawn.relief.ordering, drawn.scene, width, height);
+  const auto maps = relief::rasterize_relief(drawn.relief.layers, drawn.relief.inflation,
+                                             drawn.relief.ordering, drawn.scene, width, height);
   EXPECT_TRUE(maps.ok());
   if (!maps.ok()) return 0;
   double both = 0;
@@ -34,7 +34,7 @@ double silhouette_overlap(const DrawnRelief& drawn) {
 TEST(LayeredDrawings, BecomeReliefsOfThemselves) {
   const std::filesystem::path folder = RELIEVO_SHARED_DATA "/layered";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the shared drawings are not here";
-  ReliefOptions options;
+  relief::ReliefOptions options;
   options.layers.vertex_budget = 20000;
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

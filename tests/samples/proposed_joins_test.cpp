@@ -7,8 +7,8 @@
 
 #include "io/svg/read_svg.h"
 #include "kernel/geometry/polyline.h"
-#include "relief/join_proposals/propose_layer_joins.h"
 #include "relievo/files.h"
+#include "understanding/joins/propose_layer_joins.h"
 
 namespace relievo {
 namespace {
@@ -35,11 +35,12 @@ TEST(ProposedJoins, AreMostlyThoseThatTheSamplesAuthorsDrew) {
   for (const char* name : {"bunny", "elephant", "farmer", "lamb", "unicorn", "wolf"}) {
     const SvgImport import = sample(name);
     const Scene& scene = import.scene;
-    const JoinProposals joining = propose_layer_joins(scene, import.colors, import.anchors);
+    const understanding::JoinProposals joining =
+        understanding::propose_layer_joins(scene, import.colors, import.anchors);
     drawn += scene.joins.size();
     proposed += joining.joins.size();
     for (const Join& join : scene.joins)
-      for (const ProposedJoin& guess : joining.joins)
+      for (const understanding::ProposedJoin& guess : joining.joins)
         if (guess.join.upper == join.upper && guess.join.lower == join.lower)
           off.push_back(end_distance(join.line, guess.join.line));
   }

@@ -26,8 +26,8 @@ class SampleRelief : public ::testing::TestWithParam<Sample> {
   static std::string path() {
     return std::string(RELIEVO_EXAMPLES) + "/" + GetParam().name + ".svg";
   }
-  static ReliefOptions options() {
-    ReliefOptions options;
+  static relief::ReliefOptions options() {
+    relief::ReliefOptions options;
     options.layers.vertex_budget = GetParam().vertices;
     return options;
   }
@@ -35,7 +35,7 @@ class SampleRelief : public ::testing::TestWithParam<Sample> {
 
 TEST_P(SampleRelief, IsManifoldAndMeetsTheBudget) {
   const DrawnRelief drawn = relief_of(path(), options());
-  const LayeredMesh& mesh = drawn.relief.layers;
+  const relief::LayeredMesh& mesh = drawn.relief.layers;
   EXPECT_EQ(inconsistency(mesh), "");
   const Manifoldness m = check_manifold(mesh);
   EXPECT_EQ(m.repeated_edges, 0);
@@ -47,7 +47,7 @@ TEST_P(SampleRelief, IsManifoldAndMeetsTheBudget) {
 
 TEST_P(SampleRelief, IsOptimalAndInOrder) {
   const DrawnRelief drawn = relief_of(path(), options());
-  const Ordering& ordering = drawn.relief.ordering;
+  const relief::Ordering& ordering = drawn.relief.ordering;
   EXPECT_EQ(ordering.report.status, SolveStatus::solved);
   EXPECT_LE(ordering.report.iterations, 6);
   EXPECT_LE(ordering.report.stationarity, 1e-12);
@@ -59,7 +59,7 @@ TEST_P(SampleRelief, IsOptimalAndInOrder) {
 }
 
 TEST_P(SampleRelief, DoesNotDependOnTheFirstGuess) {
-  ReliefOptions all_active = options();
+  relief::ReliefOptions all_active = options();
   all_active.ordering.start_active = true;
   const DrawnRelief a = relief_of(path(), options());
   const DrawnRelief b = relief_of(path(), all_active);
@@ -72,9 +72,9 @@ TEST_P(SampleRelief, DoesNotDependOnTheFirstGuess) {
 
 TEST_P(SampleRelief, HasNoEdgeAlongItsJoins) {
   for (const Method method : {Method::approximate, Method::nonlinear}) {
-    ReliefOptions with_method = options();
+    relief::ReliefOptions with_method = options();
     with_method.method = method;
-    const Relief relief = relief_of(path(), with_method).relief;
+    const relief::Relief relief = relief_of(path(), with_method).relief;
     std::vector<double> medians;
     for (const SeamChain& chain : seam_chains(relief.layers)) {
       const std::vector<double> angles = seam_angles(relief.layers, relief.ordering.h, chain);
@@ -109,7 +109,7 @@ double deepest_pit(const DrawnRelief& drawn) {
 }
 
 TEST_P(SampleRelief, HasPitsWithDirichletEndsOnly) {
-  ReliefOptions pinned = options();
+  relief::ReliefOptions pinned = options();
   pinned.inflation.alpha0 = 1;
   EXPECT_GE(deepest_pit(relief_of(path(), options())), 0.9);
   EXPECT_LE(deepest_pit(relief_of(path(), pinned)), 0.85);

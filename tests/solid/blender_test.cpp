@@ -7,7 +7,8 @@
 #include <sstream>
 #include <string>
 
-#include "io/mesh/encode_models.h"
+#include "io/mesh/glb_encode.h"
+#include "io/mesh/obj_encode.h"
 #include "io/support/temporary_folder.h"
 #include "samples/drawing_relief.h"
 #include "solid/program_output.h"

@@ -109,7 +109,7 @@ TEST(CheckPrint, KnowsWhatHangsByANeck) {
 }
 
 TEST(CheckPrint, KnowsWhatHangsOver) {
-  VisibleSheet sheet{hemisphere(40, 64), {}, {}};
+  relief::VisibleSheet sheet{hemisphere(40, 64), {}, {}};
   for (const Point3 p : sheet.model.positions) sheet.back.push_back({-p.z, 0});
   SolidOptions options;
   options.size = 80;

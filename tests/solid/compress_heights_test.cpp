@@ -1,3 +1,5 @@
+#include "solid/compress_heights.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,10 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "relief/model/fill_triangle.h"
+#include "relief/finish/fill_triangle.h"
 #include "samples/drawing_relief.h"
 #include "solid/solid_case.h"
-#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {
@@ -27,8 +28,8 @@ std::vector<Point3> seen_normals(const Model& model, double share) {
     for (int k = 0; k < 3; ++k) p[k] = model.positions[model.triangles[t][k]];
     for (Point3& corner : p) corner.z *= share;
     const Point3 normal = normalized(cross(p[1] - p[0], p[2] - p[0]));
-    for_each_pixel_inside(corners_on_image(model, t, pixels), pixels,
-                          [&](int x, int y) { normals[size_t{512} * y + x] = normal; });
+    relief::for_each_pixel_inside(relief::corners_on_image(model, t, pixels), pixels,
+                                  [&](int x, int y) { normals[size_t{512} * y + x] = normal; });
   }
   return normals;
 }
@@ -62,13 +63,13 @@ double depth_of(const Model& model) {
 
 TEST(CompressHeights, KeepsLocalContrastOfTheSamples) {
   for (const char* name : {"bunny", "elephant", "farmer", "lamb", "unicorn", "wolf"}) {
-    ReliefOptions options;
+    relief::ReliefOptions options;
     options.layers.vertex_budget = 12000;
     options.hidden = false;
     const DrawnRelief drawn =
         relief_of(std::string(RELIEVO_EXAMPLES) + "/" + name + ".svg", options);
-    const VisibleSheet sheet = sheet_of(drawn.scene, drawn.relief);
-    VisibleSheet compressed = sheet;
+    const relief::VisibleSheet sheet = sheet_of(drawn.scene, drawn.relief);
+    relief::VisibleSheet compressed = sheet;
     ASSERT_TRUE(compress_heights(tenth, compressed).ok()) << name;
     EXPECT_LE(depth_of(compressed.model), tenth * depth_of(sheet.model) * (1 + 1e-9)) << name;
     EXPECT_GE(depth_of(compressed.model), 0.9 * tenth * depth_of(sheet.model)) << name;

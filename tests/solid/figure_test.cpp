@@ -27,8 +27,8 @@ SolidOptions figure_of(double size, BackSide back = BackSide::drawing) {
 }
 
 /// A ball of radius 40 px.
-VisibleSheet whole_ball() {
-  VisibleSheet sheet{hemisphere(40, 64), {}, {}};
+relief::VisibleSheet whole_ball() {
+  relief::VisibleSheet sheet{hemisphere(40, 64), {}, {}};
   for (const Point3 p : sheet.model.positions) sheet.back.push_back({-p.z, 0});
   return sheet;
 }
@@ -171,7 +171,7 @@ class RandomFigure : public ::testing::TestWithParam<int> {};
 
 TEST_P(RandomFigure, IsClosedAndShowsTheRelief) {
   const Scene scene = random_scene(static_cast<uint64_t>(GetParam()));
-  const VisibleSheet sheet = sheet_of(scene, 1500, true);
+  const relief::VisibleSheet sheet = sheet_of(scene, 1500, true);
   const auto solid = make_solid(sheet, {}, figure_of(128));
   ASSERT_TRUE(solid.ok()) << to_string(solid.error());
   const SolidCensus found = figure_census(*solid);
@@ -182,7 +182,7 @@ TEST_P(RandomFigure, IsClosedAndShowsTheRelief) {
   // The front is the relief's, but for the few vertices that had to rise.
   const Box3 box = extent(sheet.model);
   double low = box.min.z;
-  for (const BackPoint& back : sheet.back) low = std::min(low, back.z);
+  for (const relief::BackPoint& back : sheet.back) low = std::min(low, back.z);
   const double scale =
       128 / std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - low});
   const double unit = std::ldexp(1.0, 8 - 24);

@@ -22,7 +22,7 @@ namespace {
 using namespace testing;
 
 /// A hemisphere of radius 40 px as a sheet.
-VisibleSheet ball() { return {hemisphere(40, 64), {}, {}}; }
+relief::VisibleSheet ball() { return {hemisphere(40, 64), {}, {}}; }
 
 SolidCensus census(const Solid& solid) { return census_of_stl(stl_of(solid.model)); }
 
@@ -214,7 +214,7 @@ class RandomSolid : public ::testing::TestWithParam<int> {};
 
 TEST_P(RandomSolid, IsClosedAndShowsTheRelief) {
   const Scene scene = random_scene(static_cast<uint64_t>(GetParam()));
-  const VisibleSheet sheet = sheet_of(scene, 1500);
+  const relief::VisibleSheet sheet = sheet_of(scene, 1500);
   SolidOptions options;
   options.size = 128;
   options.base = static_cast<BaseShape>(GetParam() % 4);

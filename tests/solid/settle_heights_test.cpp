@@ -1,8 +1,8 @@
+#include "solid/settle_heights.h"
+
 #include <gtest/gtest.h>
 
 #include <vector>
-
-#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {

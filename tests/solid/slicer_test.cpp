@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/mesh/encode_models.h"
+#include "io/mesh/threemf_pack.h"
 #include "io/support/temporary_folder.h"
 #include "samples/drawing_relief.h"
 #include "solid/program_output.h"
@@ -67,7 +67,7 @@ TEST(Slicer, SlicesSolidsAndFiguresOfAllDrawings) {
   for (const std::string& path : paths) {
     SCOPED_TRACE(path);
     const DrawnRelief drawn = relief_of(path, {});
-    const VisibleSheet sheet = sheet_of(drawn.scene, drawn.relief);
+    const relief::VisibleSheet sheet = sheet_of(drawn.scene, drawn.relief);
     for (const BackSide back : {BackSide::flat, BackSide::drawing}) {
       SolidOptions options;
       options.back = back;

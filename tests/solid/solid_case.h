@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "io/mesh/encode_models.h"
 #include "io/mesh/placement.h"
-#include "relief/pipeline/build_relief.h"
+#include "io/mesh/stl_encode.h"
+#include "relief/session/build_relief.h"
+#include "relief/surface/assemble_model.h"
 #include "solid/make_solid.h"
 
 namespace relievo::testing {
@@ -26,23 +27,24 @@ inline std::vector<std::string> drawings_in(const std::string& folder) {
   return paths;
 }
 
-inline VisibleSheet sheet_of(const Scene& scene, const Relief& relief) {
-  auto sheet = assemble_visible_sheet(relief.layers, relief.inflation, relief.ordering, scene, {});
+inline relief::VisibleSheet sheet_of(const Scene& scene, const relief::Relief& relief) {
+  auto sheet =
+      relief::assemble_visible_sheet(relief.layers, relief.inflation, relief.ordering, scene, {});
   EXPECT_TRUE(sheet.ok()) << (sheet.ok() ? "" : to_string(sheet.error()));
-  return sheet.ok() ? std::move(*sheet) : VisibleSheet{};
+  return sheet.ok() ? std::move(*sheet) : relief::VisibleSheet{};
 }
 
-inline Result<Relief> relief_of(const Scene& scene, int vertices, bool hidden) {
-  ReliefOptions options;
+inline Result<relief::Relief> relief_of(const Scene& scene, int vertices, bool hidden) {
+  relief::ReliefOptions options;
   options.layers.vertex_budget = vertices;
   options.hidden = hidden;
-  return build_relief(scene, options);
+  return relief::build_relief(scene, options);
 }
 
-inline VisibleSheet sheet_of(const Scene& scene, int vertices, bool hidden = false) {
+inline relief::VisibleSheet sheet_of(const Scene& scene, int vertices, bool hidden = false) {
   const auto relief = relief_of(scene, vertices, hidden);
   EXPECT_TRUE(relief.ok()) << (relief.ok() ? "" : to_string(relief.error()));
-  return relief.ok() ? sheet_of(scene, *relief) : VisibleSheet{};
+  return relief.ok() ? sheet_of(scene, *relief) : relief::VisibleSheet{};
 }
 
 inline std::string stl_of(const Model& model) {

@@ -19,7 +19,7 @@ using namespace testing;
 
 void expect_sound(const std::string& path, const SolidOptions& options) {
   SCOPED_TRACE(path);
-  ReliefOptions relief_options;
+  relief::ReliefOptions relief_options;
   relief_options.hidden = options.back != BackSide::flat;
   const DrawnRelief drawn = relief_of(path, relief_options);
   const auto solid = make_solid(sheet_of(drawn.scene, drawn.relief), drawn.drawing, options);

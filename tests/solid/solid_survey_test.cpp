@@ -74,7 +74,7 @@ TEST(SolidSurvey, RandomScenesAreClosedAndWhole) {
       continue;
     }
     ASSERT_TRUE(relief.ok()) << to_string(relief.error());
-    const VisibleSheet sheet = sheet_of(scene, *relief);
+    const relief::VisibleSheet sheet = sheet_of(scene, *relief);
     for (Tally& tally : tallies) {
       const auto solid = make_solid(sheet, {}, tally.options);
       ASSERT_TRUE(solid.ok()) << tally.kind << ": " << to_string(solid.error());
@@ -119,7 +119,8 @@ void expect_closed(const Solid& solid) {
 }
 
 /// The figure with the first of its limbs that can be mirrored.
-std::optional<Solid> mirrored(const Relief& relief, const DrawnScene& drawn, SolidOptions options) {
+std::optional<Solid> mirrored(const relief::Relief& relief, const DrawnScene& drawn,
+                              SolidOptions options) {
   for (const Join& join : drawn.scene.joins) {
     options.mirror = {drawn.scene.parts[join.upper].id};
     auto solid = solid_of(relief, drawn.scene, drawn.drawing, options);
@@ -138,9 +139,9 @@ TEST(SolidSurvey, DrawingsAreClosedAndTheirMirroredLimbs) {
     SCOPED_TRACE(path);
     const auto drawn = read_drawing(path);
     ASSERT_TRUE(drawn.ok()) << to_string(drawn.error());
-    ReliefOptions options;
+    relief::ReliefOptions options;
     options.hidden = true;
-    const auto relief = build_relief(drawn->scene, options);
+    const auto relief = relief::build_relief(drawn->scene, options);
     ASSERT_TRUE(relief.ok()) << to_string(relief.error());
     SolidOptions figure;
     figure.back = BackSide::drawing;

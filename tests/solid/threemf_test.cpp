@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "io/archive/archive.h"
-#include "io/mesh/encode_models.h"
+#include "io/archive/zip_archive.h"
 #include "io/mesh/filament_colours.h"
-#include "relief/model/model_texture.h"
+#include "io/mesh/threemf_pack.h"
+#include "relief/finish/model_texture.h"
 #include "solid/solid_case.h"
 #include "support/random_scene.h"
 #include "support/sample_models.h"
@@ -98,7 +99,7 @@ TEST(Threemf, IsTheSameEveryTime) {
 
 TEST(FilamentColours, ComeByAreaAndAreNotMoreThanThereAre) {
   const Model model = hemisphere(40, 32);
-  const Image8 texture = model_texture(model, quarters());
+  const Image8 texture = relief::model_texture(model, quarters());
   const FilamentColours all = reduce_colours(model, texture, 16);
   EXPECT_EQ(all.colours.size(), 4U);
   std::vector<double> areas(all.colours.size());

@@ -11,7 +11,8 @@
 #include <string>
 #include <utility>
 
-#include "relief/model/surface_sample.h"
+#include "relief/surface/surface_sample.h"
+#include "relievo/model.h"
 
 namespace relievo {
 namespace {
@@ -113,7 +114,7 @@ std::vector<int> parts_over(const std::vector<Ring>& rings, Point2 p) {
   return parts;
 }
 
-void add_base(const Triangulation& cdt, const std::vector<Ring>& rings, LayeredMesh& mesh) {
+void add_base(const Triangulation& cdt, const std::vector<Ring>& rings, relief::LayeredMesh& mesh) {
   std::vector<std::vector<int>> stacks;
   std::map<Triangulation::Face_handle, int> index;
   for (auto v = cdt.finite_vertices_begin(); v != cdt.finite_vertices_end(); ++v) {
@@ -145,7 +146,7 @@ void add_base(const Triangulation& cdt, const std::vector<Ring>& rings, LayeredM
 }
 
 /// One node for every part and base vertex of its faces.
-void add_nodes(const std::vector<Ring>& rings, LayeredMesh& mesh) {
+void add_nodes(const std::vector<Ring>& rings, relief::LayeredMesh& mesh) {
   std::vector<std::vector<int>> node(mesh.part_count, std::vector<int>(mesh.vertices.size(), -1));
   for (size_t f = 0; f < mesh.face_part.size(); ++f) {
     std::array<int, 3> nodes{};
@@ -158,7 +159,7 @@ void add_nodes(const std::vector<Ring>& rings, LayeredMesh& mesh) {
         const bool rim = std::find(ring.begin(), ring.end(), mesh.vertices[vertex]) != ring.end();
         mesh.node_vertex.push_back(vertex);
         mesh.node_part.push_back(mesh.face_part[f]);
-        mesh.node_role.push_back(rim ? NodeRole::outline : NodeRole::interior);
+        mesh.node_role.push_back(rim ? relief::NodeRole::outline : relief::NodeRole::interior);
       }
       nodes[k] = n;
     }
@@ -170,13 +171,13 @@ void add_node_heights(const std::vector<Disc>& discs, DiscRelief& relief) {
   for (size_t n = 0; n < relief.mesh.node_vertex.size(); ++n) {
     const Disc& disc = discs[relief.mesh.node_part[n]];
     const Point2 p = relief.mesh.vertices[relief.mesh.node_vertex[n]];
-    const bool rim = relief.mesh.node_role[n] == NodeRole::outline;
+    const bool rim = relief.mesh.node_role[n] == relief::NodeRole::outline;
     const double u = rim ? 0 : disc_u(disc, p);
     relief.inflation.u.push_back(u);
     relief.inflation.grad_u.push_back(-2 * disc.d * std::abs(disc.d) * (p - disc.centre));
     relief.ordering.g.push_back(disc_g(disc, p));
     relief.ordering.grad_g.push_back(disc.slope);
-    relief.ordering.h.push_back(disc_g(disc, p) + signed_root(u));
+    relief.ordering.h.push_back(disc_g(disc, p) + relief::signed_root(u));
   }
 }
 
@@ -190,7 +191,7 @@ double disc_u(const Disc& disc, Point2 p) {
 double disc_g(const Disc& disc, Point2 p) { return disc.lift + dot(disc.slope, p - disc.centre); }
 
 double disc_height(const Disc& disc, Point2 p) {
-  return disc_g(disc, p) + signed_root(disc_u(disc, p));
+  return disc_g(disc, p) + relief::signed_root(disc_u(disc, p));
 }
 
 DiscRelief make_discs(const std::vector<Disc>& discs, double width, double height,
@@ -224,7 +225,7 @@ void set_linear_heights(DiscRelief& relief, LinearField u, LinearField g) {
     relief.inflation.grad_u[n] = u.slope;
     relief.ordering.g[n] = g.value + dot(g.slope, p);
     relief.ordering.grad_g[n] = g.slope;
-    relief.ordering.h[n] = relief.ordering.g[n] + signed_root(relief.inflation.u[n]);
+    relief.ordering.h[n] = relief.ordering.g[n] + relief::signed_root(relief.inflation.u[n]);
   }
 }
 

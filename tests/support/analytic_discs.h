@@ -5,8 +5,8 @@
 #include "kernel/geometry/polygon.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
-#include "relief/model/assemble_model.h"
 #include "relief/ordering/ordering.h"
+#include "relievo/model.h"
 #include "relievo/scene.h"
 
 namespace relievo {
@@ -23,9 +23,9 @@ struct Disc {
 /// Everything that the model stage reads, filled with exact values at the nodes.
 struct DiscRelief {
   Scene scene;
-  LayeredMesh mesh;
-  Inflation inflation;
-  Ordering ordering;
+  relief::LayeredMesh mesh;
+  relief::Inflation inflation;
+  relief::Ordering ordering;
 };
 
 double disc_u(const Disc& disc, Point2 p);

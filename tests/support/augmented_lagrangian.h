@@ -47,7 +47,7 @@ class AugmentedLagrangian {
 
  private:
   double push(Eigen::Index k, const Eigen::VectorXd& h) const {
-    const DepthPair& pair = program_.pairs[k];
+    const relief::DepthPair& pair = program_.pairs[k];
     const double push = multipliers_[k] + penalty_ * (h[pair.lower] - h[pair.upper]);
     return pair.equal ? push : std::max(push, 0.0);
   }

@@ -19,11 +19,11 @@ struct Cluster {
   std::vector<uint32_t> needs;
 };
 
-std::vector<Cluster> touching_clusters(int node_count, const std::vector<DepthPair>& pairs,
+std::vector<Cluster> touching_clusters(int node_count, const std::vector<relief::DepthPair>& pairs,
                                        const std::vector<double>& h) {
   DisjointSets sets(node_count);
-  std::vector<DepthPair> touching;
-  for (const DepthPair& pair : pairs)
+  std::vector<relief::DepthPair> touching;
+  for (const relief::DepthPair& pair : pairs)
     if (h[pair.lower] >= h[pair.upper]) {
       touching.push_back(pair);
       sets.unite(pair.lower, pair.upper);
@@ -36,7 +36,7 @@ std::vector<Cluster> touching_clusters(int node_count, const std::vector<DepthPa
     cluster.nodes.push_back(n);
     cluster.needs.push_back(0);
   }
-  for (const DepthPair& pair : touching) {
+  for (const relief::DepthPair& pair : touching) {
     Cluster& cluster = clusters[sets.find(pair.lower)];
     cluster.needs[place[pair.lower]] |= 1u << place[pair.upper];
     if (pair.equal) cluster.needs[place[pair.upper]] |= 1u << place[pair.lower];
@@ -66,10 +66,10 @@ double imbalance_of(const Cluster& cluster, const Eigen::VectorXd& force) {
 
 }  // namespace
 
-DepthOptimality check_depth_optimality(const ShiftCost& cost, const Inflation& inflation,
-                                       const std::vector<DepthPair>& pairs,
+DepthOptimality check_depth_optimality(const ShiftCost& cost, const relief::Inflation& inflation,
+                                       const std::vector<relief::DepthPair>& pairs,
                                        const std::vector<double>& h) {
-  const double scale = scene_scale(cost.mesh);
+  const double scale = relief::scene_scale(cost.mesh);
   Eigen::VectorXd g(static_cast<Eigen::Index>(h.size()));
   for (size_t n = 0; n < h.size(); ++n) {
     const double u = inflation.u[n];
@@ -77,7 +77,7 @@ DepthOptimality check_depth_optimality(const ShiftCost& cost, const Inflation& i
   }
   const Eigen::VectorXd force = cost.slope(g);
   DepthOptimality result;
-  for (const DepthPair& pair : pairs) {
+  for (const relief::DepthPair& pair : pairs) {
     const double violation = scale * (h[pair.lower] - h[pair.upper]);
     result.violation = std::max(result.violation, pair.equal ? std::abs(violation) : violation);
   }

@@ -17,8 +17,8 @@ struct DepthOptimality {
 /// that touch, the residual forces must be carried by pairs that only push. By the theorem of
 /// Gale and Hoffman they are exactly if they add up to 0, and over each subset closed upwards to
 /// 0 or more. Exponential in the number of nodes that touch at a vertex.
-DepthOptimality check_depth_optimality(const ShiftCost& cost, const Inflation& inflation,
-                                       const std::vector<DepthPair>& pairs,
+DepthOptimality check_depth_optimality(const ShiftCost& cost, const relief::Inflation& inflation,
+                                       const std::vector<relief::DepthPair>& pairs,
                                        const std::vector<double>& h);
 
 }  // namespace relievo::testing

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "relief/join_proposals/join_proposals.h"
 #include "support/random_limbs.h"
+#include "understanding/joins/join_proposals.h"
 
 namespace relievo::testing {
 
@@ -22,7 +22,7 @@ inline Scene disc_with(const std::vector<Ring>& front, const std::vector<Ring>& 
 
 inline Ring limb(double half_width = 22) { return capsule({200, 200}, M_PI / 2, 150, half_width); }
 
-inline bool is_equal(const JoinProposals& joining, int upper, int lower,
+inline bool is_equal(const understanding::JoinProposals& joining, int upper, int lower,
                      RelationKind kind = RelationKind::equal) {
   return std::any_of(joining.relations.begin(), joining.relations.end(), [&](const auto& proposed) {
     const Relation& relation = proposed.relation;

@@ -39,7 +39,7 @@ class NonlinearTnlp : public Ipopt::TNLP {
     n = unknowns_ + static_cast<Index>(program_.row.size());
     m = static_cast<Index>(program_.pairs.size());
     jacobian_entries = 0;
-    for (const DepthPair& pair : program_.pairs)
+    for (const relief::DepthPair& pair : program_.pairs)
       jacobian_entries += 2 + (program_.row[pair.lower] >= 0) + (program_.row[pair.upper] >= 0);
     hessian_entries = static_cast<Index>(entries_.size());
     style = C_STYLE;

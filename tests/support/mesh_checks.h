@@ -49,12 +49,12 @@ inline Manifoldness check_manifold(const std::vector<std::array<int, 3>>& triang
   return result;
 }
 
-inline Manifoldness check_manifold(const LayeredMesh& mesh) {
+inline Manifoldness check_manifold(const relief::LayeredMesh& mesh) {
   return check_manifold(mesh.faces, static_cast<int>(mesh.node_vertex.size()));
 }
 
 /// What must hold of every layered mesh; empty if it does, else what does not.
-inline std::string inconsistency(const LayeredMesh& mesh, bool in_order = true) {
+inline std::string inconsistency(const relief::LayeredMesh& mesh, bool in_order = true) {
   const size_t t_count = mesh.triangles.size();
   if (mesh.stack_begin.size() != t_count + 1) return "stack_begin has a wrong length";
   for (size_t t = 0; t < t_count; ++t) {
@@ -73,10 +73,10 @@ inline std::string inconsistency(const LayeredMesh& mesh, bool in_order = true) 
           return "a face's node lies at another vertex";
     }
   }
-  for (const DepthPair& pair : mesh.constraints)
+  for (const relief::DepthPair& pair : mesh.constraints)
     if (mesh.node_vertex[pair.lower] != mesh.node_vertex[pair.upper])
       return "a depth pair joins different vertices";
-  for (const RampNode& node : mesh.ramp_nodes)
+  for (const relief::RampNode& node : mesh.ramp_nodes)
     if (node.t < 0 || node.t >= 1 || node.mass <= 0) return "a ramp node is out of range";
   return "";
 }

@@ -7,7 +7,7 @@
 #include <set>
 #include <tuple>
 
-#include "relief/model/surface_sample.h"
+#include "relief/surface/surface_sample.h"
 
 namespace relievo {
 namespace {
@@ -28,7 +28,7 @@ double front_area(const Model& model, const std::array<int, 3>& t) {
 }
 
 /// Barycentric coordinates of `p` in a base triangle; the least is negative outside.
-std::array<double, 3> barycentric(const LayeredMesh& mesh, int t, Point2 p) {
+std::array<double, 3> barycentric(const relief::LayeredMesh& mesh, int t, Point2 p) {
   const Point2 a = mesh.vertices[mesh.triangles[t][0]];
   const Point2 b = mesh.vertices[mesh.triangles[t][1]];
   const Point2 c = mesh.vertices[mesh.triangles[t][2]];
@@ -52,7 +52,7 @@ double face_height(const DiscRelief& relief, int part, Point2 p) {
       u += w[k] * relief.inflation.u[relief.mesh.faces[f][k]];
       g += w[k] * relief.ordering.g[relief.mesh.faces[f][k]];
     }
-    result = g + signed_root(u);
+    result = g + relief::signed_root(u);
   }
   return result;
 }
@@ -96,7 +96,7 @@ EdgeCensus count_edges(const Model& model, bool merge_places) {
   return census;
 }
 
-SilhouetteCensus count_silhouette(const Model& model, const LayeredMesh& mesh) {
+SilhouetteCensus count_silhouette(const Model& model, const relief::LayeredMesh& mesh) {
   SilhouetteCensus census;
   std::set<std::pair<double, double>> places;
   for (size_t t = 0; t < mesh.triangles.size(); ++t)

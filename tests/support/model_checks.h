@@ -26,7 +26,7 @@ struct SilhouetteCensus {
   int elsewhere = 0;  ///< open edges that do not join points over that outline
 };
 
-SilhouetteCensus count_silhouette(const Model& model, const LayeredMesh& mesh);
+SilhouetteCensus count_silhouette(const Model& model, const relief::LayeredMesh& mesh);
 
 /// Triangles that are not vertical walls, by part or of all parts (-1).
 std::vector<std::array<int, 3>> sheet_triangles(const Model& model, int part = -1);

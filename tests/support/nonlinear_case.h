@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "relief/pipeline/build_relief.h"
+#include "relief/session/build_relief.h"
 #include "support/nonlinear_program.h"
 
 namespace relievo::testing {
@@ -10,12 +10,12 @@ namespace relievo::testing {
 /// A scene on its mesh with the approximate solution.
 struct NonlinearCase {
   Scene scene;
-  ReliefOptions options;
-  Relief approximate;
+  relief::ReliefOptions options;
+  relief::Relief approximate;
 };
 
-inline ReliefOptions nonlinear_options(int vertices, double lambda_bnd) {
-  ReliefOptions options;
+inline relief::ReliefOptions nonlinear_options(int vertices, double lambda_bnd) {
+  relief::ReliefOptions options;
   options.layers.vertex_budget = vertices;
   options.hidden = false;
   options.nonlinear.lambda_bnd = lambda_bnd;
@@ -27,18 +27,18 @@ inline NonlinearCase nonlinear_case(const Scene& scene, int vertices, double lam
                                     bool glue = true) {
   NonlinearCase result{scene, nonlinear_options(vertices, lambda_bnd), {}};
   result.options.layers.glue = glue;
-  Result<Relief> relief = build_relief(scene, result.options);
+  Result<relief::Relief> relief = relief::build_relief(scene, result.options);
   EXPECT_TRUE(relief.ok()) << (relief.ok() ? "" : to_string(relief.error()));
   if (relief.ok()) result.approximate = *relief;
   return result;
 }
 
-inline NonlinearSolution solve(const NonlinearCase& test) {
-  const Relief& start = test.approximate;
-  Result<NonlinearSolution> solution =
-      solve_nonlinear(start.layers, test.scene, start.inflation, test.options.nonlinear);
+inline relief::NonlinearSolution solve(const NonlinearCase& test) {
+  const relief::Relief& start = test.approximate;
+  Result<relief::NonlinearSolution> solution =
+      relief::solve_nonlinear(start.layers, test.scene, start.inflation, test.options.nonlinear);
   EXPECT_TRUE(solution.ok()) << (solution.ok() ? "" : to_string(solution.error()));
-  return solution.ok() ? *solution : NonlinearSolution();
+  return solution.ok() ? *solution : relief::NonlinearSolution();
 }
 
 }  // namespace relievo::testing

@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 namespace {
 
 /// The sign of d of a face at each node, 0 where faces differ.
-VectorXd signs_by_flooding(const LayeredMesh& mesh, const Scene& scene) {
+VectorXd signs_by_flooding(const relief::LayeredMesh& mesh, const Scene& scene) {
   VectorXd sign = VectorXd::Constant(static_cast<Eigen::Index>(mesh.node_vertex.size()), 2);
   for (bool changed = true; changed;) {
     changed = false;
@@ -52,9 +52,9 @@ double source_screening(const Part& part, double scale) {
 }
 
 /// Those that are glued, and those that pairs can hold against the pull to the drawing plane.
-std::set<int> liftable_nodes(const LayeredMesh& mesh, const VectorXd& sign) {
+std::set<int> liftable_nodes(const relief::LayeredMesh& mesh, const VectorXd& sign) {
   std::set<int> nodes;
-  for (const DepthPair& pair : mesh.constraints) {
+  for (const relief::DepthPair& pair : mesh.constraints) {
     if (pair.equal || sign[pair.upper] > 0) nodes.insert(pair.upper);
     if (pair.equal || sign[pair.lower] < 0) nodes.insert(pair.lower);
   }
@@ -73,14 +73,14 @@ VectorXd inflation_force(const NonlinearProgram& program, const VectorXd& u) {
 
 }  // namespace
 
-NonlinearProgram make_nonlinear_program(const LayeredMesh& mesh, const Scene& scene,
-                                        const NonlinearOptions& options,
-                                        const Inflation& inflation) {
+NonlinearProgram make_nonlinear_program(const relief::LayeredMesh& mesh, const Scene& scene,
+                                        const relief::NonlinearOptions& options,
+                                        const relief::Inflation& inflation) {
   NonlinearProgram program;
-  program.scale = scene_scale(mesh);
+  program.scale = relief::scene_scale(mesh);
   program.lambda_bnd = options.lambda_bnd;
   program.lambda_shift = options.lambda_shift;
-  const std::vector<Point2> positions = node_positions(mesh, program.scale);
+  const std::vector<Point2> positions = relief::node_positions(mesh, program.scale);
   std::vector<std::array<int, 3>> faces;
   std::vector<double> density;
   std::vector<double> screening;
@@ -105,12 +105,12 @@ NonlinearProgram make_nonlinear_program(const LayeredMesh& mesh, const Scene& sc
   program.sign = signs_by_flooding(mesh, scene);
   program.bound_mass = VectorXd::Zero(program.mass.size());
   const std::set<int> liftable = liftable_nodes(mesh, program.sign);
-  for (const RampNode& node : mesh.ramp_nodes)
+  for (const relief::RampNode& node : mesh.ramp_nodes)
     if (liftable.count(node.node) > 0) program.bound_mass[node.node] += program.scale * node.mass;
   program.held = VectorXd::Zero(program.mass.size());
   for (int n = 0; n < static_cast<int>(mesh.node_role.size()); ++n) {
-    const bool free =
-        program.bound_mass[n] > 0 || (mesh.node_role[n] != NodeRole::ramp && inflation.u[n] != 0);
+    const bool free = program.bound_mass[n] > 0 ||
+                      (mesh.node_role[n] != relief::NodeRole::ramp && inflation.u[n] != 0);
     program.row.push_back(free ? static_cast<int>(program.node.size()) : -1);
     if (free) program.node.push_back(n);
     if (!free) program.held[n] = program.scale * program.scale * inflation.u[n];
@@ -119,7 +119,7 @@ NonlinearProgram make_nonlinear_program(const LayeredMesh& mesh, const Scene& sc
   return program;
 }
 
-bool has_pure_surfaces(const LayeredMesh& mesh, const Scene& scene) {
+bool has_pure_surfaces(const relief::LayeredMesh& mesh, const Scene& scene) {
   const VectorXd sign = signs_by_flooding(mesh, scene);
   return sign.size() > 0 && sign.cwiseAbs().minCoeff() > 0;
 }
@@ -128,8 +128,8 @@ bool on_bound(const NonlinearProgram& program, int unknown) {
   return program.bound_mass[program.node[unknown]] > 0;
 }
 
-NonlinearPoint point_of(const NonlinearProgram& program, const Inflation& inflation,
-                        const Ordering& ordering) {
+NonlinearPoint point_of(const NonlinearProgram& program, const relief::Inflation& inflation,
+                        const relief::Ordering& ordering) {
   NonlinearPoint point{VectorXd(program.node.size()), VectorXd(program.row.size())};
   for (int i = 0; i < point.p.size(); ++i) {
     const double u = program.scale * program.scale * std::abs(inflation.u[program.node[i]]);
@@ -193,7 +193,7 @@ double root_slope(const NonlinearProgram& program, const NonlinearPoint& point, 
 double violation(const NonlinearProgram& program, const NonlinearPoint& point) {
   const VectorXd h = heights(program, point);
   double worst = 0;
-  for (const DepthPair& pair : program.pairs) {
+  for (const relief::DepthPair& pair : program.pairs) {
     const double excess = h[pair.lower] - h[pair.upper];
     worst = std::max(worst, pair.equal ? std::abs(excess) : excess);
   }

@@ -24,14 +24,14 @@ struct NonlinearProgram {
   Eigen::SparseMatrix<double> A;  ///< L + epsilon M
   Eigen::VectorXd mass;
   Eigen::VectorXd load;
-  Eigen::VectorXd pull;          ///< #N, of leaning parts on the shift
-  double lean_constant = 0;      ///< of the shift's cost
-  Eigen::VectorXd sign;          ///< #N, of u
-  Eigen::VectorXd bound_mass;    ///< #N, 0 off B
-  Eigen::VectorXd held;          ///< #N, u where it is held, 0 elsewhere
-  std::vector<int> row;          ///< #N: unknown of the node, -1 where it is held
-  std::vector<int> node;         ///< of each unknown
-  std::vector<DepthPair> pairs;  ///< that are enforced
+  Eigen::VectorXd pull;                  ///< #N, of leaning parts on the shift
+  double lean_constant = 0;              ///< of the shift's cost
+  Eigen::VectorXd sign;                  ///< #N, of u
+  Eigen::VectorXd bound_mass;            ///< #N, 0 off B
+  Eigen::VectorXd held;                  ///< #N, u where it is held, 0 elsewhere
+  std::vector<int> row;                  ///< #N: unknown of the node, -1 where it is held
+  std::vector<int> node;                 ///< of each unknown
+  std::vector<relief::DepthPair> pairs;  ///< that are enforced
 };
 
 /// A point of the program.
@@ -42,15 +42,15 @@ struct NonlinearPoint {
 
 /// B are the nodes under ranges that are glued or that pairs may lift. The others, and free nodes
 /// with u = 0, are held at the u of `inflation`.
-NonlinearProgram make_nonlinear_program(const LayeredMesh& mesh, const Scene& scene,
-                                        const NonlinearOptions& options,
-                                        const Inflation& inflation);
+NonlinearProgram make_nonlinear_program(const relief::LayeredMesh& mesh, const Scene& scene,
+                                        const relief::NonlinearOptions& options,
+                                        const relief::Inflation& inflation);
 
 /// Whether every surface inflates in one direction.
-bool has_pure_surfaces(const LayeredMesh& mesh, const Scene& scene);
+bool has_pure_surfaces(const relief::LayeredMesh& mesh, const Scene& scene);
 
-NonlinearPoint point_of(const NonlinearProgram& program, const Inflation& inflation,
-                        const Ordering& ordering);
+NonlinearPoint point_of(const NonlinearProgram& program, const relief::Inflation& inflation,
+                        const relief::Ordering& ordering);
 
 bool on_bound(const NonlinearProgram& program, int unknown);
 

@@ -6,15 +6,15 @@
 #include <limits>
 #include <utility>
 
-#include "relief/pipeline/build_relief.h"
+#include "relief/session/build_relief.h"
 
 namespace relievo::testing {
 
 /// The relief of a scene; a failure of the test, and an empty relief, where there is none.
-inline Relief relief_of(const Scene& scene, const ReliefOptions& options) {
-  auto relief = build_relief(scene, options);
+inline relief::Relief relief_of(const Scene& scene, const relief::ReliefOptions& options) {
+  auto relief = relief::build_relief(scene, options);
   EXPECT_TRUE(relief.ok()) << (relief.ok() ? "" : to_string(relief.error()));
-  return relief.ok() ? std::move(*relief) : Relief();
+  return relief.ok() ? std::move(*relief) : relief::Relief();
 }
 
 /// Heights at one point of one face.
@@ -27,8 +27,9 @@ struct Probe {
 };
 
 /// The frontmost face of a part up to `front` over the point; u and g linear, root afterwards.
-inline Probe probe(const Relief& relief, Point2 p, int front = std::numeric_limits<int>::max()) {
-  const LayeredMesh& mesh = relief.layers;
+inline Probe probe(const relief::Relief& relief, Point2 p,
+                   int front = std::numeric_limits<int>::max()) {
+  const relief::LayeredMesh& mesh = relief.layers;
   for (size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Point2 a = mesh.vertices[mesh.triangles[t][0]];
     const Point2 b = mesh.vertices[mesh.triangles[t][1]];

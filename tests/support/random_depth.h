@@ -12,9 +12,9 @@ namespace relievo::testing {
 /// A few parts on a small grid with arbitrary heights, leans and pairs: equalities, cycles and
 /// diamonds among them.
 struct RandomDepth {
-  LayeredMesh mesh;
+  relief::LayeredMesh mesh;
   Scene scene;
-  Inflation inflation;
+  relief::Inflation inflation;
 };
 
 inline RandomDepth random_depth() {

@@ -17,7 +17,7 @@ namespace relievo::testing {
 namespace {
 
 /// The normal times the area of each face, by node and side.
-Point3 area_vector(const LayeredMesh& mesh, const std::vector<double>& h, int face) {
+Point3 area_vector(const relief::LayeredMesh& mesh, const std::vector<double>& h, int face) {
   std::array<Point3, 3> p;
   for (int k = 0; k < 3; ++k) {
     const int n = mesh.faces[face][k];
@@ -32,13 +32,14 @@ double degrees_between(Point3 a, Point3 b) {
 }
 
 /// Where outlines are seen.
-std::vector<Point2> creases(const LayeredMesh& mesh) {
-  const std::vector<uint8_t> seen = seen_nodes(mesh);
+std::vector<Point2> creases(const relief::LayeredMesh& mesh) {
+  const std::vector<uint8_t> seen = relief::seen_nodes(mesh);
   const std::set<int> rims = loose_rims(mesh);
   std::vector<Point2> points;
   for (size_t n = 0; n < seen.size(); ++n) {
-    const bool drawn = mesh.node_role[n] == NodeRole::outline ||
-                       mesh.node_role[n] == NodeRole::ramp || rims.count(static_cast<int>(n)) > 0;
+    const bool drawn = mesh.node_role[n] == relief::NodeRole::outline ||
+                       mesh.node_role[n] == relief::NodeRole::ramp ||
+                       rims.count(static_cast<int>(n)) > 0;
     if (seen[n] != 0 && drawn) points.push_back(mesh.vertices[mesh.node_vertex[n]]);
   }
   return points;
@@ -46,7 +47,7 @@ std::vector<Point2> creases(const LayeredMesh& mesh) {
 
 /// How high water stands at most within half the radius around the middle, on what is seen from the
 /// front, if it runs off at the circle and at silhouettes.
-double deepest_water(const LayeredMesh& mesh, const std::vector<double>& h, Point2 middle,
+double deepest_water(const relief::LayeredMesh& mesh, const std::vector<double>& h, Point2 middle,
                      double radius) {
   std::map<int, std::vector<int>> edges;
   std::map<int, std::vector<int>> at_vertex;
@@ -89,12 +90,14 @@ double deepest_water(const LayeredMesh& mesh, const std::vector<double>& h, Poin
   return deepest;
 }
 
-Point2 position(const LayeredMesh& mesh, int node) { return mesh.vertices[mesh.node_vertex[node]]; }
+Point2 position(const relief::LayeredMesh& mesh, int node) {
+  return mesh.vertices[mesh.node_vertex[node]];
+}
 
-std::vector<double> pits(const LayeredMesh& mesh, const std::vector<double>& h,
+std::vector<double> pits(const relief::LayeredMesh& mesh, const std::vector<double>& h,
                          const SeamChain& chain) {
   const double total = chain.length.back();
-  const std::vector<uint8_t> seen = seen_nodes(mesh);
+  const std::vector<uint8_t> seen = relief::seen_nodes(mesh);
   std::vector<double> result;
   for (const int end : {chain.nodes.front(), chain.nodes.back()}) {
     const Point2 at = mesh.vertices[mesh.node_vertex[end]];
@@ -105,7 +108,7 @@ std::vector<double> pits(const LayeredMesh& mesh, const std::vector<double>& h,
 
 }  // namespace
 
-std::vector<double> seam_angles(const LayeredMesh& mesh, const std::vector<double>& h,
+std::vector<double> seam_angles(const relief::LayeredMesh& mesh, const std::vector<double>& h,
                                 const SeamChain& chain) {
   const double total = chain.length.back();
   std::map<int, std::pair<Point3, Point3>> sides;
@@ -136,13 +139,14 @@ std::vector<double> seam_angles(const LayeredMesh& mesh, const std::vector<doubl
   return angles;
 }
 
-JoinEnds join_ends(const LayeredMesh& mesh, const std::vector<double>& h, const SeamChain& chain) {
+JoinEnds join_ends(const relief::LayeredMesh& mesh, const std::vector<double>& h,
+                   const SeamChain& chain) {
   std::vector<double> depths = h;
   for (double& depth : depths) depth = -depth;
   return {pits(mesh, h, chain), pits(mesh, depths, chain)};
 }
 
-Scene join_alone(const Scene& scene, const LayeredMesh& mesh, const SeamChain& chain) {
+Scene join_alone(const Scene& scene, const relief::LayeredMesh& mesh, const SeamChain& chain) {
   const Point2 middle = position(mesh, chain.nodes[chain.nodes.size() / 2]);
   const Join* join = nullptr;
   for (const Join& other : scene.joins)
@@ -173,10 +177,11 @@ Scene join_alone(const Scene& scene, const LayeredMesh& mesh, const SeamChain& c
   return alone;
 }
 
-JoinEnds join_ends_alone(const Scene& scene, const LayeredMesh& mesh, const SeamChain& chain,
-                         ReliefOptions options) {
+JoinEnds join_ends_alone(const Scene& scene, const relief::LayeredMesh& mesh,
+                         const SeamChain& chain, relief::ReliefOptions options) {
   options.layers.edge_length = mesh.edge_length;
-  const Result<Relief> relief = build_relief(join_alone(scene, mesh, chain), options);
+  const Result<relief::Relief> relief =
+      relief::build_relief(join_alone(scene, mesh, chain), options);
   if (!relief) return {};
   const std::vector<SeamChain> chains = seam_chains(relief->layers);
   if (chains.empty()) return {};

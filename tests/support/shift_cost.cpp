@@ -31,10 +31,10 @@ struct Overlap {
 class FaceCosts {
  public:
   explicit FaceCosts(const ShiftCost& cost)
-      : cost_(cost), positions_(node_positions(cost.mesh, scene_scale(cost.mesh))) {
+      : cost_(cost), positions_(relief::node_positions(cost.mesh, relief::scene_scale(cost.mesh))) {
     // Rows of a least squares problem: mean differences of r, weighted by the roots of areas.
     std::map<std::pair<int, int>, Overlap> overlaps;
-    const LayeredMesh& mesh = cost.mesh;
+    const relief::LayeredMesh& mesh = cost.mesh;
     for (size_t t = 0; t < mesh.triangles.size(); ++t)
       for (int f = mesh.stack_begin[t]; f < mesh.stack_begin[t + 1]; ++f) {
         overlaps[{-1, mesh.face_part[f]}].add(corners(static_cast<size_t>(f)));

@@ -10,7 +10,7 @@ namespace relievo::testing {
 
 /// What a shift costs by the definition, face by face and without any matrix: scene units.
 struct ShiftCost {
-  const LayeredMesh& mesh;
+  const relief::LayeredMesh& mesh;
   const Scene& scene;
   double epsilon = 0;
 

@@ -13,26 +13,26 @@ namespace relievo::testing {
 
 /// A scene as far as its shift.
 struct ShiftedScene {
-  LayeredMesh mesh;
-  Discretisation discretisation;
-  Inflation inflation;
-  Ordering ordering;
+  relief::LayeredMesh mesh;
+  relief::Discretisation discretisation;
+  relief::Inflation inflation;
+  relief::Ordering ordering;
 
   Point2 at(size_t n) const { return mesh.vertices[mesh.node_vertex[n]]; }
 };
 
-inline ShiftedScene shifted(const Scene& scene, const WantedShifts& wanted = {}) {
-  LayerOptions options;
+inline ShiftedScene shifted(const Scene& scene, const relief::WantedShifts& wanted = {}) {
+  relief::LayerOptions options;
   options.vertex_budget = 3000;
-  Result<LayeredMesh> mesh = layer_parts(scene, options);
+  Result<relief::LayeredMesh> mesh = relief::layer_parts(scene, options);
   EXPECT_TRUE(mesh) << to_string(mesh.error());
-  Result<Inflation> inflation = inflate(*mesh, scene, {});
+  Result<relief::Inflation> inflation = relief::inflate(*mesh, scene, {});
   EXPECT_TRUE(inflation) << to_string(inflation.error());
-  OrderingOptions ordering;
+  relief::OrderingOptions ordering;
   ordering.wanted = wanted;
-  Result<Ordering> order = order_depth(*mesh, *inflation, scene, ordering);
+  Result<relief::Ordering> order = relief::order_depth(*mesh, *inflation, scene, ordering);
   EXPECT_TRUE(order) << to_string(order.error());
-  Discretisation discretisation = discretise(*mesh);
+  relief::Discretisation discretisation = relief::discretise(*mesh);
   return {std::move(*mesh), std::move(discretisation), std::move(*inflation), std::move(*order)};
 }
 

@@ -18,7 +18,7 @@ Edge edge_of(const std::array<int, 3>& triangle, int opposite) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-void link_neighbours(LayeredMesh& mesh) {
+void link_neighbours(relief::LayeredMesh& mesh) {
   std::map<Edge, std::array<int, 2>> open;
   mesh.neighbours.assign(mesh.triangles.size(), {-1, -1, -1});
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
@@ -32,7 +32,7 @@ void link_neighbours(LayeredMesh& mesh) {
 }
 
 /// Base vertices on the boundary of the triangles marked.
-std::set<int> rim_of(const LayeredMesh& mesh, const std::vector<bool>& covered) {
+std::set<int> rim_of(const relief::LayeredMesh& mesh, const std::vector<bool>& covered) {
   std::set<int> rim;
   for (size_t t = 0; t < covered.size(); ++t)
     for (int k = 0; k < 3 && covered[t]; ++k) {
@@ -54,14 +54,15 @@ std::vector<bool> covered_triangles(const PlanarMesh& base, const Cover& part) {
   return covered;
 }
 
-bool is_outline(const LayeredMesh& mesh, int node) {
-  return mesh.node_role[node] == NodeRole::outline || mesh.node_role[node] == NodeRole::ramp;
+bool is_outline(const relief::LayeredMesh& mesh, int node) {
+  return mesh.node_role[node] == relief::NodeRole::outline ||
+         mesh.node_role[node] == relief::NodeRole::ramp;
 }
 
 }  // namespace
 
-LayeredMesh stack_parts(const PlanarMesh& base, const std::vector<Cover>& parts) {
-  LayeredMesh mesh;
+relief::LayeredMesh stack_parts(const PlanarMesh& base, const std::vector<Cover>& parts) {
+  relief::LayeredMesh mesh;
   mesh.vertices = base.vertices;
   mesh.triangles = base.triangles;
   mesh.part_count = static_cast<int>(parts.size());
@@ -77,7 +78,8 @@ LayeredMesh stack_parts(const PlanarMesh& base, const std::vector<Cover>& parts)
         if (!nodes[p].insert({vertex, static_cast<int>(mesh.node_vertex.size())}).second) continue;
         mesh.node_vertex.push_back(vertex);
         mesh.node_part.push_back(p);
-        mesh.node_role.push_back(rim.count(vertex) > 0 ? NodeRole::outline : NodeRole::interior);
+        mesh.node_role.push_back(rim.count(vertex) > 0 ? relief::NodeRole::outline
+                                                       : relief::NodeRole::interior);
       }
   }
   mesh.stack_begin = {0};
@@ -94,7 +96,7 @@ LayeredMesh stack_parts(const PlanarMesh& base, const std::vector<Cover>& parts)
   return mesh;
 }
 
-void add_outline_pairs(LayeredMesh& mesh) {
+void add_outline_pairs(relief::LayeredMesh& mesh) {
   std::set<std::array<int, 2>> pairs;
   for (size_t t = 0; t < mesh.triangles.size(); ++t)
     for (int upper = mesh.stack_begin[t]; upper < mesh.stack_begin[t + 1]; ++upper)
@@ -107,13 +109,13 @@ void add_outline_pairs(LayeredMesh& mesh) {
   for (const auto& [lower, upper] : pairs) mesh.constraints.push_back({lower, upper, false});
 }
 
-void join_parts(LayeredMesh& mesh, int upper, int lower,
+void join_parts(relief::LayeredMesh& mesh, int upper, int lower,
                 const std::function<bool(Point2)>& on_join) {
   std::map<int, int> upper_node;
   for (int n = 0; n < static_cast<int>(mesh.node_vertex.size()); ++n)
     if (mesh.node_part[n] == upper && on_join(mesh.vertices[mesh.node_vertex[n]])) {
       upper_node[mesh.node_vertex[n]] = n;
-      mesh.node_role[n] = NodeRole::seam;
+      mesh.node_role[n] = relief::NodeRole::seam;
     }
   for (size_t f = 0; f < mesh.faces.size(); ++f) {
     if (mesh.face_part[f] != lower) continue;
@@ -125,26 +127,26 @@ void join_parts(LayeredMesh& mesh, int upper, int lower,
       const auto join = upper_node.find(mesh.node_vertex[node]);
       if (join == upper_node.end()) continue;
       if (covered)
-        mesh.node_role[node] = NodeRole::flap;
+        mesh.node_role[node] = relief::NodeRole::flap;
       else
         node = join->second;
     }
   }
 }
 
-int node_at(const LayeredMesh& mesh, int part, int vertex) {
+int node_at(const relief::LayeredMesh& mesh, int part, int vertex) {
   for (int n = 0; n < static_cast<int>(mesh.node_vertex.size()); ++n)
     if (mesh.node_vertex[n] == vertex && mesh.node_part[n] == part) return n;
   return -1;
 }
 
-Point2 middle_of_face(const LayeredMesh& mesh, int face) {
+Point2 middle_of_face(const relief::LayeredMesh& mesh, int face) {
   Point2 sum;
   for (const int n : mesh.faces[face]) sum = sum + 1.0 / 3 * mesh.vertices[mesh.node_vertex[n]];
   return sum;
 }
 
-Scene scene_of(const LayeredMesh& mesh, double c, double d) {
+Scene scene_of(const relief::LayeredMesh& mesh, double c, double d) {
   Scene scene;
   scene.width = 1000;
   scene.height = 1000;
@@ -161,7 +163,7 @@ Cover in_box(Point2 min, Point2 max) {
   return [=](int, Point2 p) { return p.x > min.x && p.x < max.x && p.y > min.y && p.y < max.y; };
 }
 
-LayeredMesh scattered_discs(int count, double cell) {
+relief::LayeredMesh scattered_discs(int count, double cell) {
   std::vector<Cover> parts = {in_disc({500, 500}, 380)};
   for (int i = 0; i < count; ++i) {
     const double angle = 2.4 * i;
@@ -170,7 +172,7 @@ LayeredMesh scattered_discs(int count, double cell) {
     parts.push_back(in_disc({500 + out * std::cos(angle), 500 + out * std::sin(angle)}, radius));
   }
   const int cells = static_cast<int>(1100 / cell);
-  LayeredMesh mesh = stack_parts(grid_mesh(cells, cells, 1100.0 / cells), parts);
+  relief::LayeredMesh mesh = stack_parts(grid_mesh(cells, cells, 1100.0 / cells), parts);
   add_outline_pairs(mesh);
   return mesh;
 }

@@ -1,3 +1,5 @@
+#include "apps/cli/batch/batch_command.h"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,7 +15,6 @@
 #include "apps/cli/batch/plan.h"
 #include "apps/cli/batch/pool.h"
 #include "apps/cli/batch/sheet_page.h"
-#include "apps/cli/commands.h"
 #include "apps/cli/cost.h"
 #include "apps/cli/exit_code.h"
 #include "apps/cli/messages.h"

@@ -1,4 +1,6 @@
-#include "apps/cli/manual/manual.h"
+#include "apps/cli/manual/completions.h"
+
+#include "apps/cli/manual/help_text.h"
 
 namespace relievo::cli {
 namespace {

@@ -1,6 +1,6 @@
-#include <sstream>
+#include "apps/cli/manual/help_text.h"
 
-#include "apps/cli/manual/manual.h"
+#include <sstream>
 
 namespace relievo::cli {
 namespace {

@@ -1,6 +1,8 @@
+#include "apps/cli/manual/man_page.h"
+
 #include <cctype>
 
-#include "apps/cli/manual/manual.h"
+#include "apps/cli/manual/help_text.h"
 
 namespace relievo::cli {
 namespace {

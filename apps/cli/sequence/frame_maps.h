@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/maps/map_images.h"
+#include "io/maps/encode_maps.h"
 #include "kernel/image/image_size.h"
 #include "relievo/image.h"
 #include "relievo/scene.h"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "face/inputs.h"
+#include "face/read_picture.h"
 #include "io/files/paths.h"
 #include "io/image/decode_image.h"
 #include "relievo/files.h"

@@ -1,3 +1,5 @@
+#include "apps/cli/sequence/sequence_command.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -5,7 +7,6 @@
 #include <utility>
 #include <variant>
 
-#include "apps/cli/commands.h"
 #include "apps/cli/cost.h"
 #include "apps/cli/cue_argument.h"
 #include "apps/cli/messages.h"
@@ -14,8 +15,9 @@
 #include "apps/cli/sequence/frame_maps.h"
 #include "apps/cli/sequence/frames.h"
 #include "io/image/png_encode.h"
-#include "relief/model/relief_maps.h"
-#include "relief/pipeline/relief_session.h"
+#include "relief/maps/ambient_occlusion.h"
+#include "relief/maps/relief_maps.h"
+#include "relief/session/relief_session.h"
 
 namespace relievo::cli {
 namespace {
@@ -45,12 +47,12 @@ class Animator {
                                 [&] { return session_.update(input.scene, *options, context); });
         !s)
       return s;
-    const Relief& relief = session_.relief();
+    const relief::Relief& relief = session_.relief();
     edge_length_ = relief.layers.edge_length;
     for (const std::string& warning : relief.layers.warnings) warn(frame, warning);
     for (const std::string& warning : input.warnings) warn(frame, warning);
-    auto maps = rasterize_relief(relief.layers, relief.inflation, relief.ordering, input.scene,
-                                 size.width, size.height, context);
+    auto maps = relief::rasterize_relief(relief.layers, relief.inflation, relief.ordering,
+                                         input.scene, size.width, size.height, context);
     if (!maps) return maps.error();
     FrameMaps made;
     made.name = frame.name;
@@ -66,7 +68,7 @@ class Animator {
     maps->height = made.height;
     made.normal = normal_image(*maps, sequence_.normal_y_down);
     if (wants(sequence_, "occlusion"))
-      made.occlusion = share_image(ambient_occlusion(*maps, pixel));
+      made.occlusion = share_image(relief::ambient_occlusion(*maps, pixel));
     range_.add(made.height);
     frames_.push_back(std::move(made));
     return Done{};
@@ -87,7 +89,7 @@ class Animator {
   }
 
   const SequenceArguments& sequence_;
-  ReliefSession session_;
+  relief::ReliefSession session_;
   double edge_length_ = 0;
   PartNumbers numbers_;
   HeightRange range_;

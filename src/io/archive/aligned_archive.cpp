@@ -1,3 +1,5 @@
+#include "io/archive/aligned_archive.h"
+
 #include <zlib.h>
 
 #include <cstdint>

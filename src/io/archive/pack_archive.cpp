@@ -1,3 +1,5 @@
+#include "io/archive/pack_archive.h"
+
 #include <zip.h>
 
 #include <ctime>
@@ -5,7 +7,8 @@
 #include <string>
 
 #include "io/archive/archive.h"
-#include "io/image/decode_image.h"
+#include "io/image/jpeg_decode.h"
+#include "io/image/png_decode.h"
 
 namespace relievo {
 namespace {

@@ -1,3 +1,5 @@
+#include "io/archive/zip_archive.h"
+
 #include <zip.h>
 
 #include <algorithm>

@@ -1,5 +1,9 @@
 #include "io/image/decode_image.h"
 
+#include "io/image/gif_decode.h"
+#include "io/image/jpeg_decode.h"
+#include "io/image/png_decode.h"
+
 namespace relievo {
 
 Result<Image8> decode_image(ByteView bytes, const ImageLimits& limits) {

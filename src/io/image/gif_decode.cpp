@@ -1,3 +1,5 @@
+#include "io/image/gif_decode.h"
+
 #include <gif_lib.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "io/image/decode_image.h"
 #include "io/image/image_limits.h"
 
 namespace relievo {

@@ -1,3 +1,5 @@
+#include "io/image/jpeg_decode.h"
+
 // libjpeg's headers need these before them.
 // clang-format off
 #include <cstddef>
@@ -11,7 +13,6 @@
 #include <cstring>
 #include <string>
 
-#include "io/image/decode_image.h"
 #include "io/image/image_limits.h"
 
 namespace relievo {

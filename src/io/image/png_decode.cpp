@@ -1,3 +1,5 @@
+#include "io/image/png_decode.h"
+
 #include <png.h>
 
 #include <algorithm>

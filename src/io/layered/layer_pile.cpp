@@ -4,12 +4,13 @@
 #include <utility>
 #include <vector>
 
-#include "io/parts/figures.h"
-#include "io/parts/propose_parts.h"
-#include "io/parts/region.h"
 #include "kernel/base/text_rules.h"
+#include "kernel/geometry/region.h"
 #include "kernel/image/compose.h"
 #include "kernel/image/level_contours.h"
+#include "understanding/marks/figures.h"
+#include "understanding/marks/part_cover.h"
+#include "understanding/marks/propose_parts.h"
 
 namespace relievo {
 namespace {
@@ -139,7 +140,7 @@ void put_layer(LayerPile& pile, const RasterLayer& layer) {
     return;
   }
   const LayerColor color = color_of(cut);
-  Mark mark;
+  understanding::Mark mark;
   mark.name = layer.name;
   mark.group = layer.group;
   mark.region = std::move(region);
@@ -155,16 +156,16 @@ Result<LayeredDrawing> scene_of_pile(LayerPile pile) {
   result.scene.height = pile.rgba.height;
   result.proposed = pile.parts.empty();
   if (result.proposed) {
-    FigureList figures =
-        group_figures(std::move(pile.marks), {{0, 0}, {result.scene.width, result.scene.height}});
-    ProposedParts proposed = propose_parts(figures);
+    understanding::FigureList figures = understanding::group_figures(
+        std::move(pile.marks), {{0, 0}, {result.scene.width, result.scene.height}});
+    understanding::ProposedParts proposed = understanding::propose_parts(figures);
     result.scene.parts = std::move(proposed.parts);
     result.colors = std::move(proposed.colors);
     result.warnings.insert(result.warnings.end(), figures.notes.begin(), figures.notes.end());
   } else {
     result.scene.parts = std::move(pile.parts);
     result.colors = std::move(pile.colors);
-    make_ids_unique(result.scene.parts);
+    understanding::make_ids_unique(result.scene.parts);
   }
   if (result.scene.parts.empty())
     return Error{ErrorCode::bad_input, "no layer has anything opaque on the canvas", "layers"};
@@ -188,7 +189,8 @@ LayerColor color_of(const RasterLayer& layer) {
   }
   color.inner = inner.mean();
   color.inner.a *= layer.opacity;
-  color.outlined = rim.count > 0 && color_distance(color.inner, rim.mean()) > color_contrast;
+  color.outlined =
+      rim.count > 0 && color_distance(color.inner, rim.mean()) > understanding::color_contrast;
   return color;
 }
 

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "io/parts/color.h"
-#include "io/parts/figures.h"
 #include "kernel/geometry/polygon.h"
+#include "kernel/image/color.h"
 #include "relievo/image.h"
 #include "relievo/result.h"
 #include "relievo/scene.h"
+#include "understanding/marks/figures.h"
 
 namespace relievo {
 
@@ -54,8 +54,9 @@ void settle_roles(std::vector<Item>& items) {
 
 /// Layers put on each other so far.
 struct LayerPile {
-  Image8 rgba;              ///< the picture, of the size of the canvas
-  std::vector<Mark> marks;  ///< what is opaque of each layer that may be a part or belong to one
+  Image8 rgba;  ///< the picture, of the size of the canvas
+  std::vector<understanding::Mark>
+      marks;                ///< what is opaque of each layer that may be a part or belong to one
   std::vector<Part> parts;  ///< of the layers with the role part
   std::vector<Palette> colors;     ///< theirs
   std::vector<std::string> notes;  ///< on layers that are neither, a sentence each

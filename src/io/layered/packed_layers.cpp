@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/image/png_decode.h"
+#include "kernel/image/image_size.h"
+
 namespace relievo {
 namespace {
 

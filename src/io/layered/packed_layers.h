@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "io/image/decode_image.h"
 #include "io/image/image_limits.h"
 #include "io/layered/layer_pile.h"
 #include "io/layered/layer_table.h"
+#include "kernel/image/image_size.h"
 #include "relievo/bytes.h"
 #include "relievo/result.h"
 

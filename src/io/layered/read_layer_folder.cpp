@@ -1,10 +1,11 @@
+#include "io/layered/read_layer_folder.h"
+
 #include <string>
 #include <utility>
 
 #include "io/files/paths.h"
 #include "io/layered/layer_table.h"
 #include "io/layered/packed_layers.h"
-#include "io/layered/read_layers.h"
 #include "kernel/base/text_rules.h"
 #include "relievo/files.h"
 

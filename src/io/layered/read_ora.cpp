@@ -1,3 +1,5 @@
+#include "io/layered/read_ora.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -6,7 +8,7 @@
 
 #include "io/layered/layer_table.h"
 #include "io/layered/packed_layers.h"
-#include "io/layered/read_layers.h"
+#include "kernel/image/image_size.h"
 
 namespace relievo {
 namespace {

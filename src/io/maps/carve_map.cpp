@@ -1,11 +1,12 @@
+#include "io/maps/carve_map.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "io/files/number_text.h"
 #include "io/image/png_encode.h"
-#include "io/maps/map_images.h"
 #include "io/mesh/placement.h"
-#include "relief/model/fill_triangle.h"
+#include "relief/finish/fill_triangle.h"
 
 namespace relievo {
 namespace {
@@ -24,7 +25,7 @@ void raise_pixels(const std::array<Point3, 3>& corners, double depth, Image16& i
   const double area = -cross(ab, ac);
   if (!(area > 0)) return;
   const std::array<Point2, 3> flat{Point2{a.x, a.y}, Point2{b.x, b.y}, Point2{c.x, c.y}};
-  for_each_pixel_inside(flat, {image.width, image.height}, [&](int x, int y) {
+  relief::for_each_pixel_inside(flat, {image.width, image.height}, [&](int x, int y) {
     const Point2 p{x + 0.5 - a.x, y + 0.5 - a.y};
     const double s = -cross(p, ac) / area;
     const double t = -cross(ab, p) / area;

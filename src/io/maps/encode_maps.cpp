@@ -1,10 +1,11 @@
+#include "io/maps/encode_maps.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "io/files/number_text.h"
 #include "io/image/png_encode.h"
-#include "io/maps/map_images.h"
 
 namespace relievo {
 namespace {

@@ -286,9 +286,9 @@ Glb split_chunks(ByteView bytes, const GlbLimits& limits) {
   return {parse_json(bytes.subspan(20, json_size)), rest.subspan(8, read_u32(rest.data()))};
 }
 
-DrawnModel read(ByteView bytes, const GlbLimits& limits) {
+relief::DrawnModel read(ByteView bytes, const GlbLimits& limits) {
   const Glb glb = split_chunks(bytes, limits);
-  DrawnModel result;
+  relief::DrawnModel result;
   for (const Json& node : member(glb.json, "nodes"))
     if (node.contains("mesh")) append_part(glb, node, limits, result.model);
   if (Status status = check_exportable(result.model, 1); !status) throw Refused{status.error()};
@@ -300,7 +300,7 @@ DrawnModel read(ByteView bytes, const GlbLimits& limits) {
 
 }  // namespace
 
-Result<DrawnModel> decode_glb(ByteView bytes, const GlbLimits& limits) {
+Result<relief::DrawnModel> decode_glb(ByteView bytes, const GlbLimits& limits) {
   try {
     return read(bytes, limits);
   } catch (const Refused& refused) {

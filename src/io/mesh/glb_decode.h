@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "io/image/image_limits.h"
-#include "relief/model/visible_sheet.h"
+#include "relief/surface/visible_sheet.h"
 #include "relievo/bytes.h"
 #include "relievo/result.h"
 
@@ -27,6 +27,6 @@ struct GlbLimits {
 /// mesh becomes a part. Without the extras that lead back to canvas px, the model is scaled to
 /// 1000 px and its bounding box is the canvas. Errors: `bad_input` where the file is damaged or of
 /// another kind (never undefined behaviour, whatever the bytes), `limit`.
-Result<DrawnModel> decode_glb(ByteView bytes, const GlbLimits& limits = {});
+Result<relief::DrawnModel> decode_glb(ByteView bytes, const GlbLimits& limits = {});
 
 }  // namespace relievo

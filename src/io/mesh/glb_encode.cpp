@@ -1,3 +1,5 @@
+#include "io/mesh/glb_encode.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -7,10 +9,9 @@
 
 #include "io/files/byte_writer.h"
 #include "io/image/png_encode.h"
-#include "io/mesh/encode_models.h"
 #include "io/mesh/glb_decode.h"
 #include "io/mesh/placement.h"
-#include "relief/model/model_texture.h"
+#include "relief/finish/model_texture.h"
 
 namespace relievo {
 namespace {
@@ -165,7 +166,7 @@ void add_nodes(Asset& asset, const Model& model, const Placement& placement) {
 }
 
 Status add_texture(Asset& asset, const Model& model, const Drawing& drawing) {
-  const Result<Bytes> png = encode_png(model_texture(model, drawing));
+  const Result<Bytes> png = encode_png(relief::model_texture(model, drawing));
   if (!png) return png.error();
   const size_t begin = asset.binary.size();
   asset.binary.insert(asset.binary.end(), png->begin(), png->end());

@@ -1,13 +1,14 @@
+#include "io/mesh/html_encode.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <string_view>
 
 #include "io/files/byte_writer.h"
 #include "io/image/png_encode.h"
-#include "io/mesh/encode_models.h"
 #include "io/mesh/html_viewer.h"
 #include "io/mesh/placement.h"
-#include "relief/model/model_texture.h"
+#include "relief/finish/model_texture.h"
 
 namespace relievo {
 namespace {
@@ -69,7 +70,7 @@ Result<Bytes> encode_html(const Model& model, const Drawing* drawing, const std:
   append_base64(html, triangles);
   append_text(html, "\",\npicture: \"");
   if (drawing != nullptr && !drawing->rgba.empty()) {
-    const auto png = encode_png(model_texture(model, *drawing));
+    const auto png = encode_png(relief::model_texture(model, *drawing));
     if (!png) return png.error();
     append_text(html, "data:image/png;base64,");
     append_base64(html, *png);

@@ -1,3 +1,5 @@
+#include "io/mesh/obj_encode.h"
+
 #include <array>
 #include <initializer_list>
 #include <map>
@@ -7,9 +9,8 @@
 #include "io/files/byte_writer.h"
 #include "io/files/number_text.h"
 #include "io/image/png_encode.h"
-#include "io/mesh/encode_models.h"
 #include "io/mesh/placement.h"
-#include "relief/model/model_texture.h"
+#include "relief/finish/model_texture.h"
 
 namespace relievo {
 namespace {
@@ -82,7 +83,7 @@ Result<ObjFiles> encode_obj(const Model& model, const Drawing* drawing, const Ob
   const std::string name = obj_file_name(options.name);
   std::string texture;
   if (drawing != nullptr && !drawing->rgba.empty()) {
-    Result<Bytes> png = encode_png(model_texture(model, *drawing));
+    Result<Bytes> png = encode_png(relief::model_texture(model, *drawing));
     if (!png) return png.error();
     files.png = std::move(*png);
     texture = name + ".png";

@@ -1,10 +1,11 @@
+#include "io/mesh/ply_encode.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "io/files/byte_writer.h"
-#include "io/mesh/encode_models.h"
 #include "io/mesh/placement.h"
-#include "relief/model/model_texture.h"
+#include "relief/finish/model_texture.h"
 
 namespace relievo {
 namespace {
@@ -33,7 +34,7 @@ Result<Bytes> encode_ply(const Model& model, const Drawing* drawing, const PlyOp
   if (Status status = check_exportable(model, options.size_mm); !status) return status.error();
   if (options.texture_file.find_first_of("\r\n") != std::string::npos)
     return Error{ErrorCode::usage, "the texture's name must be one line", options.texture_file};
-  const Image8 texture = drawing != nullptr ? model_texture(model, *drawing) : Image8{};
+  const Image8 texture = drawing != nullptr ? relief::model_texture(model, *drawing) : Image8{};
   const Placement placement = centred_placement(model, options.size_mm);
   Bytes ply;
   append_text(ply, header(model, !texture.empty(), options.texture_file));

@@ -1,7 +1,8 @@
+#include "io/mesh/stl_encode.h"
+
 #include <string>
 
 #include "io/files/byte_writer.h"
-#include "io/mesh/encode_models.h"
 #include "io/mesh/placement.h"
 
 namespace relievo {

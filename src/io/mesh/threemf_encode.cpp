@@ -1,3 +1,5 @@
+#include "io/mesh/threemf_encode.h"
+
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -10,10 +12,9 @@
 
 #include "io/files/number_text.h"
 #include "io/image/png_encode.h"
-#include "io/mesh/encode_models.h"
 #include "io/mesh/filament_colours.h"
 #include "io/mesh/placement.h"
-#include "relief/model/model_texture.h"
+#include "relief/finish/model_texture.h"
 
 namespace relievo {
 namespace {
@@ -190,7 +191,7 @@ Result<std::vector<ArchiveEntry>> threemf_entries(const Model& model, const Draw
       {"[Content_Types].xml", xml_bytes(content_types)},
       {"_rels/.rels", xml_bytes(relationship("3dmodel", "/3D/3dmodel.model"))}};
   if (drawing != nullptr) {
-    const Image8 texture = model_texture(model, *drawing);
+    const Image8 texture = relief::model_texture(model, *drawing);
     auto png = encode_png(texture);
     if (!png) return png.error();
     writer.paint(reduce_colours(model, texture, options.filaments), options.slicer);

@@ -1,5 +1,7 @@
-#include "io/archive/archive.h"
-#include "io/mesh/encode_models.h"
+#include "io/mesh/threemf_pack.h"
+
+#include "io/archive/pack_archive.h"
+#include "io/mesh/threemf_encode.h"
 
 namespace relievo {
 

@@ -1,14 +1,16 @@
+#include "io/mesh/usdz_encode.h"
+
 #include <initializer_list>
 #include <string>
 #include <vector>
 
+#include "io/archive/aligned_archive.h"
 #include "io/archive/archive.h"
 #include "io/files/byte_writer.h"
 #include "io/files/number_text.h"
 #include "io/image/png_encode.h"
-#include "io/mesh/encode_models.h"
 #include "io/mesh/placement.h"
-#include "relief/model/model_texture.h"
+#include "relief/finish/model_texture.h"
 
 namespace relievo {
 namespace {
@@ -132,7 +134,7 @@ Result<Bytes> encode_usdz(const Model& model, const Drawing* drawing, double siz
   append_text(usda, usda_shader);
   append_text(usda, drawn ? usda_texture : usda_clay);
   if (drawn) {
-    auto png = encode_png(model_texture(model, *drawing));
+    auto png = encode_png(relief::model_texture(model, *drawing));
     if (!png) return png.error();
     entries.push_back({"drawing.png", std::move(*png)});
   }

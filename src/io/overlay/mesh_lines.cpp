@@ -1,8 +1,8 @@
+#include "io/overlay/mesh_lines.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
-
-#include "io/overlay/overlay_svg.h"
 
 namespace relievo {
 namespace {
@@ -17,7 +17,7 @@ struct Edge {
 };
 
 /// Every edge once for each face that has it, sorted.
-std::vector<Edge> sorted_edges(const LayeredMesh& mesh) {
+std::vector<Edge> sorted_edges(const relief::LayeredMesh& mesh) {
   std::vector<Edge> edges;
   edges.reserve(3 * mesh.faces.size());
   for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f)
@@ -32,31 +32,31 @@ std::vector<Edge> sorted_edges(const LayeredMesh& mesh) {
 
 enum class Tie : uint8_t { none, above, below, equal };
 
-Tie tie_of(const LayeredMesh& mesh, const DepthPair& pair) {
+Tie tie_of(const relief::LayeredMesh& mesh, const relief::DepthPair& pair) {
   if (pair.equal) return Tie::equal;
   return mesh.node_part[pair.lower] > mesh.node_part[pair.upper] ? Tie::below : Tie::above;
 }
 
-std::vector<Tie> ties_of_nodes(const LayeredMesh& mesh) {
+std::vector<Tie> ties_of_nodes(const relief::LayeredMesh& mesh) {
   std::vector<Tie> ties(mesh.node_vertex.size(), Tie::none);
-  for (const DepthPair& pair : mesh.constraints)
+  for (const relief::DepthPair& pair : mesh.constraints)
     for (const int node : {pair.lower, pair.upper})
       ties[node] = std::max(ties[node], tie_of(mesh, pair));
   return ties;
 }
 
 /// Alpha under Robin ranges; 1 elsewhere, but the ramps' own start on joins.
-std::vector<float> alphas(const LayeredMesh& mesh, double usual) {
+std::vector<float> alphas(const relief::LayeredMesh& mesh, double usual) {
   std::vector<float> alpha(mesh.node_vertex.size(), 1);
   for (size_t i = 0; i < alpha.size(); ++i)
-    if (mesh.node_role[i] == NodeRole::seam) alpha[i] = static_cast<float>(usual);
+    if (mesh.node_role[i] == relief::NodeRole::seam) alpha[i] = static_cast<float>(usual);
   const auto set = [&](int node, int ramp, double t) {
     const double own = mesh.ramps[ramp].alpha0;
     const double start = own < 0 ? usual : own;
     alpha[node] = static_cast<float>(start + (1 - start) * t);
   };
-  for (const RampNode& node : mesh.ramp_nodes) set(node.node, node.ramp, node.t);
-  for (const BumpNode& node : mesh.bump_nodes)
+  for (const relief::RampNode& node : mesh.ramp_nodes) set(node.node, node.ramp, node.t);
+  for (const relief::BumpNode& node : mesh.bump_nodes)
     if (node.ramp >= 0) set(node.node, node.ramp, node.t);
   return alpha;
 }
@@ -64,14 +64,14 @@ std::vector<float> alphas(const LayeredMesh& mesh, double usual) {
 /// What of a bump's outline a node lies on.
 enum class Rim : uint8_t { none, join, ramp, loose };
 
-std::vector<Rim> rims_of_nodes(const LayeredMesh& mesh) {
+std::vector<Rim> rims_of_nodes(const relief::LayeredMesh& mesh) {
   std::vector<Rim> rims(mesh.node_vertex.size(), Rim::none);
-  for (const BumpNode& node : mesh.bump_nodes)
+  for (const relief::BumpNode& node : mesh.bump_nodes)
     rims[node.node] = node.t == 0 ? Rim::join : node.ramp >= 0 ? Rim::ramp : Rim::loose;
   return rims;
 }
 
-void add_segment(const LayeredMesh& mesh, Edge edge, std::vector<float>& segments) {
+void add_segment(const relief::LayeredMesh& mesh, Edge edge, std::vector<float>& segments) {
   for (const int node : {edge.a, edge.b}) {
     const Point2 p = mesh.vertices[mesh.node_vertex[node]];
     segments.push_back(static_cast<float>(p.x));
@@ -81,21 +81,22 @@ void add_segment(const LayeredMesh& mesh, Edge edge, std::vector<float>& segment
 
 class Finder {
  public:
-  Finder(const LayeredMesh& mesh, double alpha0)
+  Finder(const relief::LayeredMesh& mesh, double alpha0)
       : mesh_(mesh),
         ties_(ties_of_nodes(mesh)),
         rims_(rims_of_nodes(mesh)),
         alpha_(alphas(mesh, alpha0)) {}
 
   void add(Edge edge, bool open, MeshLines& lines) const {
-    const NodeRole a = mesh_.node_role[edge.a];
-    const NodeRole b = mesh_.node_role[edge.b];
-    if (a == NodeRole::seam && b == NodeRole::seam) add_segment(mesh_, edge, lines.joins);
+    const relief::NodeRole a = mesh_.node_role[edge.a];
+    const relief::NodeRole b = mesh_.node_role[edge.b];
+    if (a == relief::NodeRole::seam && b == relief::NodeRole::seam)
+      add_segment(mesh_, edge, lines.joins);
     if (rims_[edge.a] != Rim::none && rims_[edge.b] != Rim::none) add_rim(edge, lines);
     if (!open) return;
-    if (a == NodeRole::ramp || b == NodeRole::ramp) add_ramp(edge, lines);
+    if (a == relief::NodeRole::ramp || b == relief::NodeRole::ramp) add_ramp(edge, lines);
     Tie tie = std::min(ties_[edge.a], ties_[edge.b]);
-    if (tie == Tie::none && (a == NodeRole::outline || b == NodeRole::outline))
+    if (tie == Tie::none && (a == relief::NodeRole::outline || b == relief::NodeRole::outline))
       tie = hidden_tie(edge);
     if (tie == Tie::equal) add_segment(mesh_, edge, lines.equal);
     if (tie == Tie::above) add_segment(mesh_, edge, lines.above);
@@ -123,7 +124,7 @@ class Finder {
     if (rim == Rim::ramp) add_ramp(edge, lines);
   }
 
-  const LayeredMesh& mesh_;
+  const relief::LayeredMesh& mesh_;
   std::vector<Tie> ties_;
   std::vector<Rim> rims_;
   std::vector<float> alpha_;
@@ -131,7 +132,7 @@ class Finder {
 
 }  // namespace
 
-MeshLines find_mesh_lines(const LayeredMesh& mesh, double alpha0) {
+MeshLines find_mesh_lines(const relief::LayeredMesh& mesh, double alpha0) {
   const std::vector<Edge> edges = sorted_edges(mesh);
   const Finder finder(mesh, alpha0);
   MeshLines lines;

@@ -4,15 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "kernel/geometry/polygon.h"
-#include "relief/layers/layered_mesh.h"
 #include "relievo/scene.h"
 #include "relievo/session.h"
 
 namespace relievo {
-
-/// `alpha0` is that of the inflation, for ramps that have none of their own. Linear in faces.
-MeshLines find_mesh_lines(const LayeredMesh& mesh, double alpha0);
 
 /// What else is drawn over a drawing.
 struct OverlayMarks {

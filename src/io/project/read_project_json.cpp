@@ -1,3 +1,5 @@
+#include "io/project/read_project_json.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -5,6 +7,7 @@
 
 #include "io/project/project.h"
 #include "io/scene/annotation_reader.h"
+#include "io/scene/json_parse.h"
 #include "io/scene/json_reader.h"
 #include "io/scribbles/read_scribbles.h"
 
@@ -54,8 +57,8 @@ class ProjectReader final : public AnnotationReader {
     return drawing;
   }
 
-  SegmentationRecord segmentation(const Json& json, const JsonPath& path) {
-    SegmentationRecord record;
+  understanding::SegmentationRecord segmentation(const Json& json, const JsonPath& path) {
+    understanding::SegmentationRecord record;
     if (!keys(json, path, {"parts", "order", "joins", "scribbles", "corrections"}, {}))
       return record;
     list(json, path, "parts", record.parts, &ProjectReader::part);
@@ -66,20 +69,21 @@ class ProjectReader final : public AnnotationReader {
     return record;
   }
 
-  PartLabel label(const Json& json, const JsonPath& path) {
-    const bool sound =
-        json.is_number_integer() && json >= 1 && json <= std::numeric_limits<PartLabel>::max();
+  understanding::PartLabel label(const Json& json, const JsonPath& path) {
+    const bool sound = json.is_number_integer() && json >= 1 &&
+                       json <= std::numeric_limits<understanding::PartLabel>::max();
     if (!sound) fail(path, "must be a label, a whole number from 1 to 65535");
-    return sound ? json.get<PartLabel>() : PartLabel{0};
+    return sound ? json.get<understanding::PartLabel>() : understanding::PartLabel{0};
   }
 
   int part_reference(const Json& json, const JsonPath& path) override { return label(json, path); }
 
-  CompletionKind completion(const Json& json, const JsonPath& path) {
+  understanding::CompletionKind completion(const Json& json, const JsonPath& path) {
     std::string known;
-    for (size_t k = 0; k < completion_names.size(); ++k) {
-      if (json == completion_names[k]) return static_cast<CompletionKind>(k);
-      known += (k == 0 ? "\"" : "\", \"") + std::string(completion_names[k]);
+    for (size_t k = 0; k < understanding::completion_names.size(); ++k) {
+      if (json == understanding::completion_names[k])
+        return static_cast<understanding::CompletionKind>(k);
+      known += (k == 0 ? "\"" : "\", \"") + std::string(understanding::completion_names[k]);
     }
     fail(path, "must be one of " + known + "\"");
     return {};
@@ -96,47 +100,49 @@ class ProjectReader final : public AnnotationReader {
     return json.is_boolean() && json.get<bool>();
   }
 
-  PartRecord part(const Json& json, const JsonPath& path) {
+  understanding::PartRecord part(const Json& json, const JsonPath& path) {
     if (!keys(json, path, {"label", "id", "completion"}, {})) return {};
     return {label(json["label"], path.member("label")), text(json["id"], path.member("id")),
             completion(json["completion"], path.member("completion"))};
   }
 
-  OrderArrow arrow(const Json& json, const JsonPath& path) {
-    OrderArrow arrow;
+  understanding::OrderArrow arrow(const Json& json, const JsonPath& path) {
+    understanding::OrderArrow arrow;
     if (!keys(json, path, {"upper", "lower", "confidence", "user", "kept"}, {})) return arrow;
     pair(json, path, arrow);
     arrow.confidence = share(json["confidence"], path.member("confidence"));
-    arrow.source = flag(json["user"], path.member("user")) ? OrderSource::user : OrderSource::guess;
+    arrow.source = flag(json["user"], path.member("user")) ? understanding::OrderSource::user
+                                                           : understanding::OrderSource::guess;
     arrow.kept = flag(json["kept"], path.member("kept"));
     return arrow;
   }
 
-  JoinRecord join_record(const Json& json, const JsonPath& path) {
-    JoinRecord join;
+  understanding::JoinRecord join_record(const Json& json, const JsonPath& path) {
+    understanding::JoinRecord join;
     if (!keys(json, path, {"upper", "lower", "confidence"}, {})) return join;
     pair(json, path, join);
     join.confidence = share(json["confidence"], path.member("confidence"));
     return join;
   }
 
-  Scribbles scribbles(const Json& json, const JsonPath& path) {
+  understanding::Scribbles scribbles(const Json& json, const JsonPath& path) {
     ScribblesReader reader({});
-    Scribbles scribbles = reader.object(json, path);
+    understanding::Scribbles scribbles = reader.object(json, path);
     if (reader.error()) fail(*reader.error());
     return scribbles;
   }
 
-  Corrections corrections(const Json& json, const JsonPath& path) {
-    Corrections corrections;
+  understanding::Corrections corrections(const Json& json, const JsonPath& path) {
+    understanding::Corrections corrections;
     if (!keys(json, path, {},
               {"parts", "order", "joins", "no_joins", "relations", "robin", "cues"}))
       return corrections;
-    std::vector<std::pair<PartLabel, PartCorrection>> parts;
+    std::vector<std::pair<understanding::PartLabel, understanding::PartCorrection>> parts;
     list(json, path, "parts", parts, &ProjectReader::part_correction);
     corrections.parts.insert(parts.begin(), parts.end());
-    list(json, path, "order", corrections.order, &ProjectReader::label_pair<PartLabel>);
-    JoinCorrections& joining = corrections.joining;
+    list(json, path, "order", corrections.order,
+         &ProjectReader::label_pair<understanding::PartLabel>);
+    understanding::JoinCorrections& joining = corrections.joining;
     list(json, path, "joins", joining.joins, &ProjectReader::join);
     list(json, path, "no_joins", joining.no_joins, &ProjectReader::label_pair<int>);
     list(json, path, "relations", joining.relations, &ProjectReader::relation);
@@ -145,8 +151,9 @@ class ProjectReader final : public AnnotationReader {
     return corrections;
   }
 
-  std::pair<PartLabel, PartCorrection> part_correction(const Json& json, const JsonPath& path) {
-    PartCorrection correction;
+  std::pair<understanding::PartLabel, understanding::PartCorrection> part_correction(
+      const Json& json, const JsonPath& path) {
+    understanding::PartCorrection correction;
     if (!keys(json, path, {"label"}, {"id", "outline", "c", "d", "flat", "lean"})) return {};
     if (json.contains("id")) correction.id = text(json["id"], path.member("id"));
     if (json.contains("c")) correction.c = number(json["c"], path.member("c"));
@@ -160,7 +167,7 @@ class ProjectReader final : public AnnotationReader {
 
   template <class Number>
   std::pair<Number, Number> label_pair(const Json& json, const JsonPath& path) {
-    JoinRecord pair_record;
+    understanding::JoinRecord pair_record;
     if (!keys(json, path, {"upper", "lower"}, {})) return {};
     pair(json, path, pair_record);
     return {pair_record.upper, pair_record.lower};

@@ -1,7 +1,9 @@
+#include "io/project/write_project_json.h"
+
 #include <nlohmann/json.hpp>
 
 #include "io/project/project.h"
-#include "io/scribbles/read_scribbles.h"
+#include "io/scribbles/scribbles_json.h"
 
 namespace relievo {
 namespace {
@@ -21,9 +23,9 @@ Ordered pair_of(const Item& item) {
   return {{"upper", item.upper}, {"lower", item.lower}};
 }
 
-Ordered json_of(const Scribbles& scribbles) {
+Ordered json_of(const understanding::Scribbles& scribbles) {
   Ordered strokes = Ordered::array();
-  for (const Scribble& stroke : scribbles.strokes)
+  for (const understanding::Scribble& stroke : scribbles.strokes)
     strokes.push_back(stroke_json(stroke, scribbles));
   Ordered json = {{"parts", scribbles.parts}, {"strokes", std::move(strokes)}};
   if (scribbles.complete) json["complete"] = true;
@@ -31,7 +33,7 @@ Ordered json_of(const Scribbles& scribbles) {
   return json;
 }
 
-Ordered json_of(PartLabel label, const PartCorrection& correction) {
+Ordered json_of(understanding::PartLabel label, const understanding::PartCorrection& correction) {
   Ordered item = {{"label", label}};
   if (correction.id) item["id"] = *correction.id;
   if (correction.c) item["c"] = *correction.c;
@@ -44,7 +46,7 @@ Ordered json_of(PartLabel label, const PartCorrection& correction) {
   return item;
 }
 
-Ordered json_of(const JoinCorrections& joining, Ordered corrections) {
+Ordered json_of(const understanding::JoinCorrections& joining, Ordered corrections) {
   for (const char* key : {"joins", "no_joins", "relations", "robin"})
     corrections[key] = Ordered::array();
   for (const Join& join : joining.joins) {
@@ -72,7 +74,7 @@ Ordered json_of(const JoinCorrections& joining, Ordered corrections) {
   return corrections;
 }
 
-Ordered json_of(const Corrections& corrections) {
+Ordered json_of(const understanding::Corrections& corrections) {
   Ordered json = {{"parts", Ordered::array()}, {"order", Ordered::array()}};
   for (const auto& [label, correction] : corrections.parts)
     json["parts"].push_back(json_of(label, correction));
@@ -87,21 +89,21 @@ Ordered json_of(const Corrections& corrections) {
   return json;
 }
 
-Ordered json_of(const SegmentationRecord& record) {
+Ordered json_of(const understanding::SegmentationRecord& record) {
   Ordered parts = Ordered::array();
-  for (const PartRecord& part : record.parts)
+  for (const understanding::PartRecord& part : record.parts)
     parts.push_back(
         {{"label", part.label}, {"id", part.id}, {"completion", name(part.completion)}});
   Ordered order = Ordered::array();
-  for (const OrderArrow& arrow : record.order) {
+  for (const understanding::OrderArrow& arrow : record.order) {
     Ordered item = pair_of(arrow);
     item["confidence"] = arrow.confidence;
-    item["user"] = arrow.source == OrderSource::user;
+    item["user"] = arrow.source == understanding::OrderSource::user;
     item["kept"] = arrow.kept;
     order.push_back(std::move(item));
   }
   Ordered joins = Ordered::array();
-  for (const JoinRecord& join : record.joins) {
+  for (const understanding::JoinRecord& join : record.joins) {
     Ordered item = pair_of(join);
     item["confidence"] = join.confidence;
     joins.push_back(std::move(item));

@@ -1,10 +1,11 @@
+#include "io/psd/read_psd.h"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
 
 #include "io/layered/layer_table.h"
-#include "io/psd/psd.h"
 #include "io/psd/psd_file.h"
 #include "kernel/base/text_rules.h"
 

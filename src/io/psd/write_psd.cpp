@@ -1,12 +1,13 @@
+#include "io/psd/write_psd.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
 #include "io/files/byte_writer.h"
-#include "io/psd/psd.h"
 #include "io/psd/psd_file.h"
 #include "kernel/image/compose.h"
-#include "relief/model/paint_layers.h"
+#include "relief/finish/paint_layers.h"
 
 namespace relievo {
 namespace {
@@ -197,9 +198,9 @@ Result<Bytes> encode_psd(const std::vector<PsdPicture>& layers, int width, int h
 }
 
 Result<Bytes> encode_part_layers(const Scene& scene, const Image8& rgba) {
-  const std::vector<PaintedLayer> parts = paint_layers(scene, rgba);
+  const std::vector<relief::PaintedLayer> parts = relief::paint_layers(scene, rgba);
   std::vector<PsdPicture> layers = {{"drawing", &rgba, 0, 0, true}};
-  for (const PaintedLayer& part : parts)
+  for (const relief::PaintedLayer& part : parts)
     layers.push_back({"part:" + part.name, &part.rgba, part.left, part.top});
   return encode_psd(layers, rgba.width, rgba.height);
 }

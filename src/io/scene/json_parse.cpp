@@ -1,3 +1,5 @@
+#include "io/scene/json_parse.h"
+
 #include <algorithm>
 #include <optional>
 #include <string>

@@ -1,11 +1,14 @@
+#include "io/scene/read_scene.h"
+
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "io/scene/annotation_reader.h"
+#include "io/scene/json_parse.h"
 #include "io/scene/json_reader.h"
-#include "io/scene/scene_file.h"
+#include "kernel/geometry/polygon.h"
 
 namespace relievo {
 namespace {

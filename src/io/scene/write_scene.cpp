@@ -1,7 +1,7 @@
+#include "io/scene/write_scene.h"
+
 #include <cmath>
 #include <nlohmann/json.hpp>
-
-#include "io/scene/scene_file.h"
 
 namespace relievo {
 namespace {

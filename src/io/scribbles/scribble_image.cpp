@@ -1,3 +1,5 @@
+#include "io/scribbles/scribble_image.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -6,8 +8,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "io/scribbles/read_scribbles.h"
 
 namespace relievo {
 namespace {
@@ -38,7 +38,7 @@ class ImageReader {
  public:
   explicit ImageReader(const Image8& rgba) : rgba_(rgba) {}
 
-  Result<Scribbles> read() {
+  Result<understanding::Scribbles> read() {
     scribbles_.complete = true;
     collect_colours();
     if (colours_.empty())
@@ -109,7 +109,7 @@ class ImageReader {
   /// One line along all runs that hang together with run r, never off their pixels: there and
   /// back along the branches of a tree.
   void add_stroke(size_t r) {
-    Scribble stroke = stroke_of(runs_[r].paint);
+    understanding::Scribble stroke = stroke_of(runs_[r].paint);
     const auto go_to = [&](int x, int y) { stroke.points.push_back(Point2{x + 0.5, y + 0.5}); };
     const auto enter = [&](size_t run) {
       runs_[run].visited = true;
@@ -137,14 +137,16 @@ class ImageReader {
     scribbles_.strokes.push_back(std::move(stroke));
   }
 
-  Scribble stroke_of(Paint paint) {
-    Scribble stroke;
+  understanding::Scribble stroke_of(Paint paint) {
+    understanding::Scribble stroke;
     const auto colour = static_cast<uint32_t>(paint & white);
     if (colour == black || colour == mid_grey) {
-      stroke.kind = colour == black ? ScribbleKind::outside : ScribbleKind::hole;
+      stroke.kind = colour == black ? understanding::ScribbleKind::outside
+                                    : understanding::ScribbleKind::hole;
       return stroke;
     }
-    stroke.kind = (paint & soft_bit) != 0 ? ScribbleKind::soft : ScribbleKind::hard;
+    stroke.kind = (paint & soft_bit) != 0 ? understanding::ScribbleKind::soft
+                                          : understanding::ScribbleKind::hard;
     stroke.part = part_of(colour);
     return stroke;
   }
@@ -161,12 +163,12 @@ class ImageReader {
   std::vector<size_t> row_begin_;  ///< [height] first run of each row
   std::set<Paint> colours_;
   std::map<uint32_t, int> part_of_colour_;
-  Scribbles scribbles_;
+  understanding::Scribbles scribbles_;
 };
 
 }  // namespace
 
-Result<Scribbles> scribbles_from_image(const Image8& rgba, int width, int height) {
+Result<understanding::Scribbles> scribbles_from_image(const Image8& rgba, int width, int height) {
   if (rgba.width != width || rgba.height != height)
     return Error{ErrorCode::bad_input,
                  "the scribble picture must be as large as the drawing, " + std::to_string(width) +

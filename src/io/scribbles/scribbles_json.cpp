@@ -1,7 +1,10 @@
+#include "io/scribbles/scribbles_json.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "io/scene/json_parse.h"
 #include "io/scene/json_reader.h"
 #include "io/scribbles/read_scribbles.h"
 
@@ -11,15 +14,17 @@ namespace {
 /// In the order of ScribbleKind.
 constexpr std::array<const char*, 4> kind_names = {"soft", "hard", "outside", "hole"};
 
-const char* name_of(ScribbleKind kind) { return kind_names[static_cast<size_t>(kind)]; }
+const char* name_of(understanding::ScribbleKind kind) {
+  return kind_names[static_cast<size_t>(kind)];
+}
 
-bool is_for_part(ScribbleKind kind) {
-  return kind == ScribbleKind::soft || kind == ScribbleKind::hard;
+bool is_for_part(understanding::ScribbleKind kind) {
+  return kind == understanding::ScribbleKind::soft || kind == understanding::ScribbleKind::hard;
 }
 
 }  // namespace
 
-Scribbles ScribblesReader::file(const Json& json) {
+understanding::Scribbles ScribblesReader::file(const Json& json) {
   const JsonPath root;
   if (!json.is_object() || json.value("format", Json()) != "relievo-scribbles")
     fail(root.member("format"), "is not a scribble file");
@@ -30,12 +35,13 @@ Scribbles ScribblesReader::file(const Json& json) {
   return {};
 }
 
-Scribbles ScribblesReader::object(const Json& json, const JsonPath& path) {
+understanding::Scribbles ScribblesReader::object(const Json& json, const JsonPath& path) {
   return keys(json, path, {"parts", "strokes"}, {"complete", "count"}) ? lists(json, path, false)
-                                                                       : Scribbles();
+                                                                       : understanding::Scribbles();
 }
 
-Scribbles ScribblesReader::lists(const Json& json, const JsonPath& path, bool complete) {
+understanding::Scribbles ScribblesReader::lists(const Json& json, const JsonPath& path,
+                                                bool complete) {
   scribbles_ = {};
   scribbles_.complete = complete;
   if (json.contains("complete")) {
@@ -73,8 +79,8 @@ void ScribblesReader::read_strokes(const Json& json, const JsonPath& path) {
     scribbles_.strokes.push_back(stroke(json[k], path.element(k)));
 }
 
-Scribble ScribblesReader::stroke(const Json& json, const JsonPath& path) {
-  Scribble stroke;
+understanding::Scribble ScribblesReader::stroke(const Json& json, const JsonPath& path) {
+  understanding::Scribble stroke;
   if (!keys(json, path, {"kind", "width", "points"}, {"part"})) return stroke;
   stroke.kind = kind(json["kind"], path.member("kind"));
   if (is_for_part(stroke.kind) != json.contains("part"))
@@ -87,12 +93,13 @@ Scribble ScribblesReader::stroke(const Json& json, const JsonPath& path) {
   return stroke;
 }
 
-ScribbleKind ScribblesReader::kind(const Json& json, const JsonPath& path) {
-  for (const ScribbleKind kind :
-       {ScribbleKind::soft, ScribbleKind::hard, ScribbleKind::outside, ScribbleKind::hole})
+understanding::ScribbleKind ScribblesReader::kind(const Json& json, const JsonPath& path) {
+  for (const understanding::ScribbleKind kind :
+       {understanding::ScribbleKind::soft, understanding::ScribbleKind::hard,
+        understanding::ScribbleKind::outside, understanding::ScribbleKind::hole})
     if (json == name_of(kind)) return kind;
   fail(path, "must be \"soft\", \"hard\", \"outside\" or \"hole\"");
-  return ScribbleKind::hard;
+  return understanding::ScribbleKind::hard;
 }
 
 int ScribblesReader::part(const Json& json, const JsonPath& path) {
@@ -117,7 +124,8 @@ std::vector<Point2> ScribblesReader::line(const Json& json, const JsonPath& path
   return list;
 }
 
-nlohmann::ordered_json stroke_json(const Scribble& stroke, const Scribbles& scribbles) {
+nlohmann::ordered_json stroke_json(const understanding::Scribble& stroke,
+                                   const understanding::Scribbles& scribbles) {
   nlohmann::ordered_json json;
   json["kind"] = name_of(stroke.kind);
   if (is_for_part(stroke.kind)) json["part"] = scribbles.parts[stroke.part];
@@ -127,13 +135,14 @@ nlohmann::ordered_json stroke_json(const Scribble& stroke, const Scribbles& scri
   return json;
 }
 
-Result<Scribbles> read_scribbles(std::string_view json, const ScribbleLimits& limits) {
+Result<understanding::Scribbles> read_scribbles(std::string_view json,
+                                                const ScribbleLimits& limits) {
   JsonLimits json_limits;
   json_limits.max_bytes = limits.max_bytes;
   const auto parsed = parse_json(json, json_limits);
   if (!parsed) return parsed.error();
   ScribblesReader reader(limits);
-  Scribbles scribbles = reader.file(*parsed);
+  understanding::Scribbles scribbles = reader.file(*parsed);
   if (reader.error()) return *reader.error();
   return scribbles;
 }

@@ -1,3 +1,5 @@
+#include "io/svg/annotated_lines.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

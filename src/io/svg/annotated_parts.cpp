@@ -4,10 +4,11 @@
 #include <cmath>
 #include <map>
 
-#include "io/parts/propose_parts.h"
-#include "io/parts/region.h"
 #include "io/svg/scanner.h"
 #include "io/svg/svg_drawing.h"
+#include "kernel/geometry/region.h"
+#include "understanding/marks/part_cover.h"
+#include "understanding/marks/propose_parts.h"
 
 namespace relievo {
 namespace {
@@ -157,7 +158,7 @@ Result<std::vector<AnnotatedPart>> annotated_parts(const SvgDrawing& drawing, bo
     groups.push_back(owned.group);
     colors.push_back(palette_of(owned));
   }
-  make_ids_unique(parts);
+  understanding::make_ids_unique(parts);
   std::vector<AnnotatedPart> result;
   for (size_t k = 0; k < parts.size(); ++k)
     result.push_back({groups[k], std::move(parts[k]), std::move(colors[k])});
@@ -205,7 +206,9 @@ bool layers_are_parts(const SvgDrawing& drawing) {
     layer.groups = drawing.groups;
     layer.clips = drawing.clips;
     const std::vector<Part> inside =
-        propose_parts(group_figures(opaque_marks(layer), layer.canvas())).parts;
+        understanding::propose_parts(
+            understanding::group_figures(opaque_marks(layer), layer.canvas()))
+            .parts;
     return inside.size() >= 4 && some_overlap(inside);
   });
 }

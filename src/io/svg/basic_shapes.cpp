@@ -1,3 +1,5 @@
+#include "io/svg/basic_shapes.h"
+
 #include <algorithm>
 #include <optional>
 

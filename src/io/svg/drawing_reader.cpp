@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "io/svg/basic_shapes.h"
 #include "io/svg/path_data.h"
 #include "io/svg/svg_document.h"
 #include "io/svg/svg_drawing.h"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <pugixml.hpp>
 #include <string_view>
 #include <vector>
 
@@ -51,13 +50,5 @@ void append_arc(PathData& path, Point2 from, const ArcShape& shape, Point2 to);
 /// of the path is left out once there are more than `max_points`.
 std::vector<Polyline> flatten(const PathData& path, const Affine2& transform, double tolerance,
                               size_t max_points);
-
-/// Whether the element is a path, rect, circle, ellipse, line, polyline or polygon.
-bool is_shape_element(std::string_view local_name);
-
-/// The outline of a shape element in its user units; empty where it is disabled by its own
-/// geometry (a zero radius, say). `complete` tells whether all of its data could be read.
-PathData shape_path(const pugi::xml_node& element, const LengthContext& context,
-                    bool* complete = nullptr);
 
 }  // namespace relievo

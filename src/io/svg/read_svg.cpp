@@ -6,13 +6,14 @@
 #include <string_view>
 #include <utility>
 
-#include "io/parts/propose_parts.h"
+#include "io/svg/annotated_lines.h"
 #include "io/svg/annotated_parts.h"
 #include "io/svg/scanner.h"
 #include "io/svg/stylesheet.h"
 #include "io/svg/svg_document.h"
 #include "io/svg/svg_drawing.h"
 #include "io/svg/svg_units.h"
+#include "understanding/marks/propose_parts.h"
 
 namespace relievo {
 namespace {
@@ -62,11 +63,13 @@ Status propose(const SvgDrawing& drawing, const SvgOptions& options, SvgImport& 
                      std::to_string(options.max_shapes) + ")",
                  "svg"};
   }
-  std::vector<Mark> marks = opaque_marks(drawing);
-  result.line_art = !marks.empty() && std::none_of(marks.begin(), marks.end(),
-                                                   [](const Mark& mark) { return mark.filled; });
-  const FigureList figures = group_figures(std::move(marks), drawing.canvas());
-  ProposedParts proposed = propose_parts(figures);
+  std::vector<understanding::Mark> marks = opaque_marks(drawing);
+  result.line_art =
+      !marks.empty() && std::none_of(marks.begin(), marks.end(),
+                                     [](const understanding::Mark& mark) { return mark.filled; });
+  const understanding::FigureList figures =
+      understanding::group_figures(std::move(marks), drawing.canvas());
+  understanding::ProposedParts proposed = understanding::propose_parts(figures);
   result.scene.parts = std::move(proposed.parts);
   result.colors = std::move(proposed.colors);
   result.warnings.insert(result.warnings.end(), figures.notes.begin(), figures.notes.end());

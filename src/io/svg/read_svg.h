@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "io/parts/color.h"
 #include "io/svg/svg_options.h"
 #include "kernel/geometry/polygon.h"
+#include "kernel/image/color.h"
 #include "relievo/result.h"
 #include "relievo/scene.h"
 

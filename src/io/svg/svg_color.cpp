@@ -1,3 +1,5 @@
+#include "io/svg/svg_color.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,7 +8,6 @@
 #include <vector>
 
 #include "io/svg/scanner.h"
-#include "io/svg/svg_style.h"
 #include "kernel/base/text_rules.h"
 
 namespace relievo {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/svg/path_data.h"
+#include "io/svg/basic_shapes.h"
 #include "io/svg/scanner.h"
 #include "io/svg/stylesheet.h"
 #include "io/svg/svg_style.h"

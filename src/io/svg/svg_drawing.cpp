@@ -16,8 +16,8 @@ bool is_visible(const std::optional<Color>& paint, double least) {
   return paint && paint->a >= least;
 }
 
-Mark mark_of(const SvgShape& shape, const SvgDrawing& drawing, double least) {
-  Mark mark;
+understanding::Mark mark_of(const SvgShape& shape, const SvgDrawing& drawing, double least) {
+  understanding::Mark mark;
   mark.name = shape.name.empty() ? inherited_name(drawing, shape.group) : shape.name;
   mark.group = shape.group;
   mark.blurred = shape.blurred;
@@ -28,7 +28,8 @@ Mark mark_of(const SvgShape& shape, const SvgDrawing& drawing, double least) {
   if (mark.filled) {
     mark.color = *shape.fill;
     mark.region = unite(fill_of(shape, drawing), stroke);
-    mark.outlined = stroked && color_distance(*shape.fill, *shape.stroke) > color_contrast;
+    mark.outlined =
+        stroked && color_distance(*shape.fill, *shape.stroke) > understanding::color_contrast;
   } else if (stroked) {
     mark.color = *shape.stroke;
     mark.region = stroke;
@@ -36,11 +37,11 @@ Mark mark_of(const SvgShape& shape, const SvgDrawing& drawing, double least) {
   return mark;
 }
 
-std::vector<Mark> visible_marks(const SvgDrawing& drawing, double least) {
-  std::vector<Mark> marks;
+std::vector<understanding::Mark> visible_marks(const SvgDrawing& drawing, double least) {
+  std::vector<understanding::Mark> marks;
   for (const SvgShape& shape : drawing.shapes) {
     if (shape.is_note() || inherited_mark(drawing, shape.group) >= SvgMark::texture) continue;
-    Mark mark = mark_of(shape, drawing, least);
+    understanding::Mark mark = mark_of(shape, drawing, least);
     if (mark.region.empty()) continue;
     marks.push_back(std::move(mark));
   }
@@ -71,8 +72,8 @@ Region light_region(const std::vector<SvgShape>& shapes, const SvgDrawing& drawi
   return light;
 }
 
-std::vector<Mark> opaque_marks(const SvgDrawing& drawing) {
-  std::vector<Mark> marks = visible_marks(drawing, opaque);
+std::vector<understanding::Mark> opaque_marks(const SvgDrawing& drawing) {
+  std::vector<understanding::Mark> marks = visible_marks(drawing, opaque);
   return marks.empty() ? visible_marks(drawing, faint_alpha) : marks;
 }
 

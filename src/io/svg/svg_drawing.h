@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "io/parts/figures.h"
 #include "io/svg/svg_document.h"
 #include "io/svg/svg_region.h"
 #include "relievo/result.h"
+#include "understanding/marks/figures.h"
 
 namespace relievo {
 
@@ -77,7 +77,7 @@ constexpr double faint_alpha = 0.02;
 
 /// The shapes whose alpha is at least one half, or, where nothing is that opaque, whatever can be
 /// seen. Joins, cues and what is marked as texture or to be ignored are left out.
-std::vector<Mark> opaque_marks(const SvgDrawing& drawing);
+std::vector<understanding::Mark> opaque_marks(const SvgDrawing& drawing);
 
 /// What an element is marked as by itself or the nearest marked group around it.
 SvgMark inherited_mark(const SvgDrawing& drawing, int group);

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "io/parts/clipper_paths.h"
+#include "kernel/geometry/clipper_paths.h"
 #include "kernel/geometry/polygon.h"
 
 namespace relievo {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "io/parts/region.h"
 #include "io/svg/path_data.h"
 #include "io/svg/svg_style.h"
+#include "kernel/geometry/region.h"
 
 namespace relievo {
 

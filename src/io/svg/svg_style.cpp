@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/svg/scanner.h"
+#include "io/svg/svg_color.h"
 
 namespace relievo {
 namespace {

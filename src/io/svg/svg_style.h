@@ -4,15 +4,17 @@
 #include <string>
 #include <string_view>
 
-#include "io/parts/color.h"
 #include "io/svg/stylesheet.h"
 #include "io/svg/svg_document.h"
 #include "io/svg/svg_units.h"
+#include "kernel/image/color.h"
 
 namespace relievo {
 
 enum class FillRule { nonzero, even_odd };
+
 enum class LineCap { butt, round, square };
+
 enum class LineJoin { miter, round, bevel };
 
 /// What fills or strokes: nothing, a colour, or a paint server with an optional fallback.
@@ -61,9 +63,5 @@ std::string local_reference(std::string_view text);
 /// gradient, or grey for a pattern. A gradient is as transparent as its most transparent stop, for
 /// one that fades out is shading. Nothing where the paint draws nothing.
 std::optional<Color> representative_color(const SvgPaint& paint, const SvgDocument& document);
-
-/// #rgb, #rgba, #rrggbb, #rrggbbaa, rgb(), rgba(), hsl(), hsla(), transparent and the named
-/// colours; nothing where it is none of them.
-std::optional<Color> parse_color(std::string_view text);
 
 }  // namespace relievo

@@ -1,8 +1,8 @@
+#include "kernel/image/blur.h"
+
 #include <algorithm>
 #include <cassert>
 #include <vector>
-
-#include "kernel/image/filters.h"
 
 namespace relievo {
 namespace {

@@ -1,3 +1,5 @@
+#include "kernel/image/distance_transform.h"
+
 #include <algorithm>
 #include <cassert>
 #include <vector>

@@ -7,8 +7,8 @@
 #include <iterator>
 #include <vector>
 
+#include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/geometry/polyline.h"
-#include "kernel/solvers/sparse_cholesky.h"
 
 namespace relievo {
 namespace {

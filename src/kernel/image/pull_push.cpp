@@ -1,7 +1,7 @@
+#include "kernel/image/pull_push.h"
+
 #include <algorithm>
 #include <vector>
-
-#include "kernel/image/filters.h"
 
 namespace relievo {
 namespace {

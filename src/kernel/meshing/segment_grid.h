@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
@@ -68,10 +66,5 @@ class SegmentGrid {
   std::vector<size_t> begin_;
   std::vector<int> entries_;
 };
-
-/// A place where two edges of an outline cross each other, the first along it; none where all
-/// rings are simple and meet each other at most at corners. Exact but for the place itself.
-/// Near-linear for edges of similar length.
-std::optional<Point2> find_self_crossing(const Outline& outline);
 
 }  // namespace relievo

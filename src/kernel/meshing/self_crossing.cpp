@@ -1,3 +1,5 @@
+#include "kernel/meshing/self_crossing.h"
+
 #include <utility>
 #include <vector>
 

@@ -4,8 +4,8 @@
 #include <cassert>
 #include <utility>
 
+#include "kernel/cholesky/symmetric_graph.h"
 #include "kernel/solvers/face_solver.h"
-#include "kernel/solvers/symmetric_graph.h"
 
 namespace relievo {
 namespace {

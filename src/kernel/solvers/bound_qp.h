@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "kernel/base/sparse_matrix.h"
-#include "kernel/solvers/sparse_cholesky.h"
+#include "kernel/cholesky/sparse_cholesky.h"
 #include "relievo/run_context.h"
 
 namespace relievo {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "kernel/base/workers.h"
-#include "kernel/solvers/symmetric_graph.h"
+#include "kernel/cholesky/symmetric_graph.h"
 
 namespace relievo {
 namespace {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "kernel/base/sparse_matrix.h"
+#include "kernel/cholesky/sparse_cholesky.h"
+#include "kernel/cholesky/symmetric_graph.h"
 #include "kernel/solvers/bound_qp.h"
-#include "kernel/solvers/sparse_cholesky.h"
-#include "kernel/solvers/symmetric_graph.h"
 #include "relievo/run_context.h"
 
 namespace relievo {

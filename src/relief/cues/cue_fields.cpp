@@ -8,7 +8,7 @@
 #include "relief/cues/part_sheet.h"
 #include "relief/layers/layered_mesh.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using Eigen::Index;
@@ -182,4 +182,4 @@ std::vector<double> bulge_factors(const LayeredMesh& mesh, const Scene& scene) {
   return factors;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -7,7 +7,7 @@
 #include "relief/layers/layered_mesh.h"
 #include "relievo/scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// What the shift of each part would be like if nothing held it [P eq 10, §5].
 struct SlopeField {
@@ -37,4 +37,4 @@ SlopeField slope_field(const LayeredMesh& mesh, const Scene& scene, double scale
 /// each part with one.
 std::vector<double> bulge_factors(const LayeredMesh& mesh, const Scene& scene);
 
-}  // namespace relievo
+}  // namespace relievo::relief

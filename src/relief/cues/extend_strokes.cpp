@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/geometry/polygon.h"
 #include "kernel/operators/laplacian.h"
-#include "kernel/solvers/sparse_cholesky.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using CornerPoints = std::array<Point2, 3>;
@@ -128,4 +128,4 @@ VectorXd nearest_potential(const FlatMesh& mesh, const std::vector<Point2>& fiel
   return potential;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -9,7 +9,7 @@
 #include "relief/cues/part_sheet.h"
 #include "relievo/scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// A triangle of a sheet that a segment of a cue's line meets.
 struct StrokeContact {
@@ -36,4 +36,4 @@ Eigen::MatrixXd harmonic_extension(const FlatMesh& mesh, std::vector<uint8_t> fi
 /// mean square; its mean is 0 on every piece of the mesh. #V. One factorisation.
 Eigen::VectorXd nearest_potential(const FlatMesh& mesh, const std::vector<Point2>& field);
 
-}  // namespace relievo
+}  // namespace relievo::relief

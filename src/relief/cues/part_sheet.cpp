@@ -2,7 +2,7 @@
 
 #include "kernel/base/disjoint_sets.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 /// Nodes that faces of several parts use.
@@ -97,4 +97,4 @@ std::vector<PartSheet> part_sheets(const LayeredMesh& mesh, const std::vector<bo
   return sheets;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -6,7 +6,7 @@
 
 #include "relief/layers/layered_mesh.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// All faces of one part as a mesh of its own, whatever the part is joined to.
 struct PartSheet {
@@ -24,4 +24,4 @@ enum class AcrossCreases { whole, cut };
 std::vector<PartSheet> part_sheets(const LayeredMesh& mesh, const std::vector<bool>& wanted,
                                    AcrossCreases creases, double scale);
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -14,7 +14,7 @@
 #include "kernel/operators/laplacian.h"
 #include "relief/layers/layered_mesh.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 /// Dissects the base triangulation: what lies at one place is eliminated together.
@@ -166,4 +166,4 @@ std::vector<Point2> crease_gradients(const CreaseStencils& stencils,
   return at_corners;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

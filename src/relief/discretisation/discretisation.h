@@ -9,7 +9,7 @@
 #include "relievo/point.h"
 #include "relievo/run_context.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// Gradients at the corners of faces beside creases, from values of nodes on their own side only.
 struct CreaseStencils {
@@ -44,4 +44,4 @@ struct Discretisation {
 /// `context` is cancelled the result is of no use. O(N log N).
 Discretisation discretise(const LayeredMesh& mesh, const RunContext& context = {});
 
-}  // namespace relievo
+}  // namespace relievo::relief

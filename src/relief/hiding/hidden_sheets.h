@@ -3,7 +3,7 @@
 #include "relief/inflation/inflation.h"
 #include "relief/ordering/ordering.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// Inflation and order of all sheets, hidden ones included.
 struct HiddenSheets {
@@ -13,4 +13,4 @@ struct HiddenSheets {
   double overlap_worst = 0;  ///< and by how much at most, px
 };
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "kernel/base/sparse_matrix.h"
+#include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/operators/gradient.h"
 #include "kernel/operators/laplacian.h"
-#include "kernel/solvers/sparse_cholesky.h"
 #include "relief/hiding/overlap.h"
 #include "relief/layers/layered_mesh.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 /// What is hidden stays so far behind, in scene units.
@@ -250,4 +250,4 @@ void FlapSystem::set_slopes(Ordering& ordering) const {
   for (const int n : nodes_) ordering.grad_g[n] = gradients[n];
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "kernel/base/sparse_matrix.h"
+#include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/geometry/polygon.h"
 #include "kernel/operators/gradient.h"
-#include "kernel/solvers/sparse_cholesky.h"
 #include "relief/discretisation/discretisation.h"
 #include "relief/hiding/hidden_sheets.h"
 #include "relief/inflation/inflation.h"
@@ -18,7 +18,7 @@
 #include "relievo/run_context.h"
 #include "relievo/scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// The surface that is seen from the front, and what was computed of it.
 struct HidingInput {
@@ -67,4 +67,4 @@ class FlapSystem {
 HiddenSheets hide_sheets(const HidingInput& input, std::optional<FlapSystem>& flaps,
                          const RunContext& context = {});
 
-}  // namespace relievo
+}  // namespace relievo::relief

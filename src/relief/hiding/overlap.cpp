@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using Face = std::array<int, 3>;
@@ -115,4 +115,4 @@ double rim_dip(const LayeredMesh& mesh, const FacePair& pair, const Inflation& i
   return worst;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -9,7 +9,7 @@
 #include "relief/ordering/ordering.h"
 #include "relievo/scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// Two faces of one base triangle of which the first must not lie in front of the second.
 struct FacePair {
@@ -40,4 +40,4 @@ Dip worst_dip(const LayeredMesh& mesh, const FacePair& pair, const Inflation& in
 double rim_dip(const LayeredMesh& mesh, const FacePair& pair, const Inflation& inflation,
                const Ordering& ordering);
 
-}  // namespace relievo
+}  // namespace relievo::relief

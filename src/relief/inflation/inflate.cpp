@@ -7,9 +7,10 @@
 
 #include "relief/discretisation/discretisation.h"
 #include "relief/inflation/poisson_system.h"
+#include "relief/inflation/raise_bumps.h"
 #include "relief/layers/layered_mesh.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using Eigen::VectorXd;
@@ -110,4 +111,4 @@ Result<Inflation> inflate(const LayeredMesh& mesh, const Scene& scene,
   return inflate({mesh, discretisation, scene}, options, system, context);
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

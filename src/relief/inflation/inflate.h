@@ -1,6 +1,5 @@
 #pragma once
 
-#include "kernel/geometry/polygon.h"
 #include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflation.h"
 #include "relief/inflation/poisson_system.h"
@@ -9,7 +8,7 @@
 #include "relievo/run_context.h"
 #include "relievo/scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 struct InflationOptions {
   double alpha0 = 0;  ///< alpha beside a join's end, in [0, 1]; 1 gives the paper's pits
@@ -36,12 +35,4 @@ Result<Inflation> inflate(const InflationInput& input, const InflationOptions& o
 Result<Inflation> inflate(const LayeredMesh& mesh, const Scene& scene,
                           const InflationOptions& options, const RunContext& context = {});
 
-/// Adds to f on every bump what the part would have by itself, eased off where it is joined:
-/// w = sgn(d) sqrt(v psi^3), where v is the part's own inflation (0 on its outline) and psi is
-/// harmonic with alpha on the outline (0 on the join). So the surface goes on across the join with
-/// its slope, and nothing outside of the bump moves. Gradients of u are those of the sum. Options
-/// as for inflate, and checked. O(N) and two factorisations of each bump's nodes.
-void raise_bumps(const InflationInput& input, const InflationOptions& options,
-                 Inflation& inflation);
-
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -5,7 +5,7 @@
 
 #include "relievo/point.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// Inflated heights f = sgn(u) sqrt|u| before ordering [P eq 7-9]. u is piecewise linear on the
 /// faces; sample it linearly and take the root afterwards, for f has infinite slope at outlines.
@@ -17,4 +17,4 @@ struct Inflation {
 /// sgn(u) sqrt|u|.
 inline double signed_root(double u) { return std::copysign(std::sqrt(std::abs(u)), u); }
 
-}  // namespace relievo
+}  // namespace relievo::relief

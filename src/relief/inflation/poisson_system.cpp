@@ -11,7 +11,7 @@
 #include "relief/cues/cue_fields.h"
 #include "relief/layers/layered_mesh.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 /// k of a part with flat = 1.
@@ -90,8 +90,8 @@ std::optional<VectorXd> PoissonSystem::solve(const PoissonBoundary& boundary, co
   return u;
 }
 
-Source source_of(const Part& part, double scale) {
-  Source source{part.c * part.d * std::abs(part.d), 0};
+PartSource source_of(const Part& part, double scale) {
+  PartSource source{part.c * part.d * std::abs(part.d), 0};
   double area = 0;
   double length = 0;
   for (const Ring& ring : part.outline) {
@@ -107,7 +107,7 @@ Source source_of(const Part& part, double scale) {
 }
 
 InflationTerms inflation_terms(const LayeredMesh& mesh, const Scene& scene, double scale) {
-  std::vector<Source> sources;
+  std::vector<PartSource> sources;
   for (const Part& part : scene.parts) sources.push_back(source_of(part, scale));
   const std::vector<Point2> positions = node_positions(mesh, scale);
   const std::vector<double> factors = bulge_factors(mesh, scene);
@@ -121,7 +121,7 @@ InflationTerms inflation_terms(const LayeredMesh& mesh, const Scene& scene, doub
     screening[f] = sources[part].screening;
   }
   const bool round = std::all_of(sources.begin(), sources.end(),
-                                 [](const Source& source) { return source.screening == 0; });
+                                 [](const PartSource& source) { return source.screening == 0; });
   InflationTerms terms;
   terms.load = load_vector({positions, mesh.faces}, density);
   terms.screening = round ? Eigen::VectorXd::Zero(terms.load.size())
@@ -150,4 +150,4 @@ Inflation make_inflation(const GradientStencils& gradients, const Eigen::VectorX
   return inflation;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -6,17 +6,17 @@
 #include <vector>
 
 #include "kernel/base/sparse_matrix.h"
+#include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/geometry/polygon.h"
 #include "kernel/geometry/triangles.h"
 #include "kernel/operators/gradient.h"
-#include "kernel/solvers/sparse_cholesky.h"
 #include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relievo/run_context.h"
 #include "relievo/scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// What holds u on a surface; B has no unit.
 struct PoissonBoundary {
@@ -67,13 +67,13 @@ class PoissonSystem {
 };
 
 /// -div grad u + screening u = density within a part, in scene units.
-struct Source {
+struct PartSource {
   double density = 0;
   double screening = 0;
 };
 
 /// That of c, d and flat. `scale`: scene units per px. O(points of the outline).
-Source source_of(const Part& part, double scale);
+PartSource source_of(const Part& part, double scale);
 
 /// The right-hand side and the zeroth-order term of L u + screening u = load.
 struct InflationTerms {
@@ -96,4 +96,4 @@ std::vector<int> surface_signs(const LayeredMesh& mesh, const std::vector<int>& 
 /// u in px^2 and its gradients, from u in units of 1 / `scale` px. O(entries of the stencils).
 Inflation make_inflation(const GradientStencils& gradients, const Eigen::VectorXd& u, double scale);
 
-}  // namespace relievo
+}  // namespace relievo::relief

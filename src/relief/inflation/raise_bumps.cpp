@@ -1,16 +1,18 @@
+#include "relief/inflation/raise_bumps.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/operators/laplacian.h"
-#include "kernel/solvers/sparse_cholesky.h"
 #include "relief/cues/cue_fields.h"
 #include "relief/inflation/inflate.h"
 #include "relief/inflation/poisson_system.h"
 #include "relief/layers/layered_mesh.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using Eigen::Index;
@@ -81,7 +83,7 @@ VectorXd solve_inside(const SparseMatrix& A, const Bump& bump, const VectorXd& k
 }
 
 /// w at the nodes of the bump, scene units.
-VectorXd rise_of(const Bump& bump, const Source& source) {
+VectorXd rise_of(const Bump& bump, const PartSource& source) {
   const FlatMesh flat = bump.flat();
   const SparseMatrix L = stiffness_matrix(flat);
   const VectorXd mass = lumped_mass(flat);
@@ -119,4 +121,4 @@ void raise_bumps(const InflationInput& input, const InflationOptions& options,
   inflation.grad_u = node_gradients(input.discretisation.gradients, inflation.u);
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

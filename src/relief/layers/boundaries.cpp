@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 /// A point of the walk along an outline away from a seam.
@@ -332,4 +332,4 @@ std::vector<BumpNode> find_bump_outlines(const SheetMesh& mesh, const Scene& sce
   return nodes;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -9,7 +9,7 @@
 #include "relief/layers/sheet_mesh.h"
 #include "relievo/scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// A run of base vertices along one loop.
 struct LoopRun {
@@ -49,4 +49,4 @@ std::vector<BumpNode> find_bump_outlines(const SheetMesh& mesh, const Scene& sce
                                          const std::vector<LoopRun>& robin_runs,
                                          std::vector<RobinRamp>& ramps);
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -1,13 +1,14 @@
+#include "relief/layers/collect_constraints.h"
+
 #include <algorithm>
 #include <iterator>
 #include <tuple>
 #include <utility>
 
 #include "kernel/base/disjoint_sets.h"
-#include "relief/layers/layer_steps.h"
 #include "relief/layers/layered_mesh.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 /// A node at the vertex at hand.
@@ -304,4 +305,4 @@ std::vector<DepthPair> resting_pairs(const LayeredMesh& mesh, const Scene& scene
   return pairs;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

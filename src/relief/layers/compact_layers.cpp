@@ -1,11 +1,12 @@
+#include "relief/layers/compact_layers.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "relief/layers/layer_steps.h"
 #include "relief/layers/layered_mesh.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 class Compactor {
@@ -119,4 +120,4 @@ LayeredMesh compact_layers(const SheetMesh& mesh, const Boundaries& boundaries,
   return Compactor(mesh, faces).run(boundaries, pairs);
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

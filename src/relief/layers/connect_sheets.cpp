@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 constexpr int min_seam_edges = 3;
@@ -314,4 +314,4 @@ Result<std::vector<std::string>> connect_sheets(const std::vector<JoinPath>& joi
   return connector.finish();
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -6,7 +6,7 @@
 #include "relief/layers/sheet_mesh.h"
 #include "relievo/result.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// A join on the base triangulation.
 struct JoinPath {
@@ -27,4 +27,4 @@ struct JoinPath {
 Result<std::vector<std::string>> connect_sheets(const std::vector<JoinPath>& joins, int part_count,
                                                 SheetMesh& mesh);
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -6,7 +6,7 @@
 
 #include "kernel/base/disjoint_sets.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 /// Loops along one undirected edge: crossing it from left to right of (low -> high) adds `turn`
@@ -165,4 +165,4 @@ void drop_specks(const PlanarTriangulation& base, const std::vector<Point2>& poi
   cover = std::move(kept);
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -5,7 +5,7 @@
 #include "kernel/geometry/polygon.h"
 #include "kernel/meshing/triangulate.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// Which parts cover each triangle of a base triangulation.
 struct Cover {
@@ -23,4 +23,4 @@ Cover cover_triangles(const PlanarTriangulation& base, const std::vector<std::ve
 void drop_specks(const PlanarTriangulation& base, const std::vector<Point2>& points, double least,
                  Cover& cover);
 
-}  // namespace relievo
+}  // namespace relievo::relief

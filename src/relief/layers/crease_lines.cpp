@@ -6,7 +6,7 @@
 
 #include "kernel/geometry/polyline.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 constexpr double sharp_turn = 0.35;  // 20 degrees: a point that must be a sample
@@ -105,4 +105,4 @@ std::vector<CreaseEdge> find_creases(const SheetMesh& mesh,
   return creases;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

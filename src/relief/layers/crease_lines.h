@@ -8,7 +8,7 @@
 #include "relief/layers/sheet_mesh.h"
 #include "relievo/scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// Resamples the creases of the scene at about `spacing` px, keeping their corners: where they lie
 /// in their part, and half a spacing beyond its outline where they cross it. One that all but
@@ -22,4 +22,4 @@ std::vector<CreaseEdge> find_creases(const SheetMesh& mesh,
                                      const std::vector<std::vector<int>>& lines,
                                      const std::vector<int>& cue, const Scene& scene);
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -1,9 +1,10 @@
+#include "relief/layers/flaps.h"
+
 #include <utility>
 
 #include "kernel/base/disjoint_sets.h"
-#include "relief/layers/layer_steps.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 class FlapFinder {
@@ -99,4 +100,4 @@ std::vector<Flap> find_flaps(const SheetMesh& mesh, const Boundaries& boundaries
   return finder.result();
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -8,11 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include "relief/layers/collect_constraints.h"
+#include "relief/layers/compact_layers.h"
 #include "relief/layers/connect_sheets.h"
 #include "relief/layers/crease_lines.h"
-#include "relief/layers/layer_steps.h"
+#include "relief/layers/flaps.h"
+#include "relief/layers/mesh_spacing.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 constexpr double smallest_gap = 1e-3;       // of the detail
@@ -245,4 +248,4 @@ Result<LayeredMesh> layer_parts(const Scene& scene, const LayerOptions& options,
   return constrain_sheets(*joined, scene, options);
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -10,7 +10,7 @@
 #include "relievo/run_context.h"
 #include "relievo/scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 struct LayerOptions {
   /// Wanted number of nodes of the joined mesh; the result is within a few per cent of it.
@@ -61,4 +61,4 @@ Result<LayeredMesh> constrain_sheets(const JoinedSheets& joined, const Scene& sc
 Result<LayeredMesh> layer_parts(const Scene& scene, const LayerOptions& options,
                                 const RunContext& context = {});
 
-}  // namespace relievo
+}  // namespace relievo::relief

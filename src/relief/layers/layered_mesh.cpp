@@ -3,7 +3,7 @@
 #include "kernel/geometry/polygon.h"
 #include "kernel/geometry/triangles.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 double scene_scale(const LayeredMesh& mesh) {
   Box2 box;
@@ -57,4 +57,4 @@ std::vector<int> joined_surfaces(const LayeredMesh& mesh) {
   return connected_pieces(mesh.faces, mesh.node_vertex.size());
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -8,7 +8,7 @@
 #include "kernel/geometry/triangles.h"
 #include "relievo/point.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// What a node of the joined mesh is; decides its boundary condition in the inflation.
 enum class NodeRole : uint8_t {
@@ -140,4 +140,4 @@ std::vector<std::array<int, 3>> shaping_faces(const LayeredMesh& mesh);
 /// The joined surface of each node, #N, named by its smallest node. Near-linear.
 std::vector<int> joined_surfaces(const LayeredMesh& mesh);
 
-}  // namespace relievo
+}  // namespace relievo::relief

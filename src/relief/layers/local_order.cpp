@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 /// The range of a relation as it lies on the mesh.
@@ -188,4 +188,4 @@ Sense sense_at(const SheetMesh& mesh, const LocalOrder& order, int vertex, int l
   return swapped ? Sense::swapped : Sense::usual;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

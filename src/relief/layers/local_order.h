@@ -5,7 +5,7 @@
 #include "relief/layers/boundaries.h"
 #include "relievo/result.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// Which way round two parts lie, seen against their order.
 enum class Sense {
@@ -39,4 +39,4 @@ Result<LocalOrder> find_local_order(const SheetMesh& mesh, const Scene& scene,
 /// How two parts lie around a base vertex; usual where no triangle there is covered by both.
 Sense sense_at(const SheetMesh& mesh, const LocalOrder& order, int vertex, int lower, int upper);
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -1,3 +1,5 @@
+#include "relief/layers/mesh_spacing.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,9 +10,8 @@
 #include "kernel/base/workers.h"
 #include "kernel/geometry/polygon.h"
 #include "kernel/meshing/segment_grid.h"
-#include "relief/layers/layer_steps.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 /// Of the longer side of the drawing: no spacing is smaller. Meshes of millions of nodes are far
@@ -178,4 +179,4 @@ std::vector<Point2> inner_points(const SizeField& field, const std::vector<Point
   return kept;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -8,7 +8,7 @@
 #include "kernel/geometry/polyline.h"
 #include "relief/layers/crease_lines.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 constexpr double corner_angle = 0.61;  // 35 degrees
@@ -394,4 +394,4 @@ Result<SampledOutlines> sample_outlines(const Scene& scene, double spacing) {
   return sampled;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -9,7 +9,7 @@
 #include "relievo/result.h"
 #include "relievo/scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// A run of samples of one curve, in the curve's direction, from `first` to `last`.
 struct CurveRun {
@@ -41,4 +41,4 @@ struct SampledOutlines {
 /// there are only specks. O(outline points * (1 + marks of the part)).
 Result<SampledOutlines> sample_outlines(const Scene& scene, double spacing);
 
-}  // namespace relievo
+}  // namespace relievo::relief

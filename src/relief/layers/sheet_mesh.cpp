@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 /// An edge of a face as the faces of the triangle beyond it have it.
@@ -246,4 +246,4 @@ bool has_one_sign(const SheetMesh& mesh, const Scene& scene, int part) {
   return true;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -10,7 +10,7 @@
 #include "relief/layers/layered_mesh.h"
 #include "relievo/scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// A vertex where a join goes over from a sheet to that of a part in front of it, or back.
 struct Mount {
@@ -109,4 +109,4 @@ std::vector<int> frontmost_parts(const SheetMesh& mesh);
 /// in their midst; they are not attached beside joins and have no flaps. O(parts).
 bool has_one_sign(const SheetMesh& mesh, const Scene& scene, int part);
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -4,10 +4,10 @@
 #include <numeric>
 #include <utility>
 
-#include "kernel/solvers/symmetric_graph.h"
+#include "kernel/cholesky/symmetric_graph.h"
 #include "relief/nonlinear/soft_matrix.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -159,4 +159,4 @@ SolveStatus BoundStep::move(const VectorXd& slope, const VectorXd& springs,
   }
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

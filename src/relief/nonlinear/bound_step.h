@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/solvers/bound_qp.h"
-#include "kernel/solvers/sparse_cholesky.h"
 #include "relief/nonlinear/nonlinear_model.h"
 #include "relief/ordering/depth_problem.h"
 #include "relievo/run_context.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// Steps of f on B against the slope of the energy, by the stiffness that f would have if nothing
 /// but equalities held the heights: like that of the energy itself it grows with the wave number
@@ -54,4 +54,4 @@ class BoundStep {
   SparseCholesky factor_;
 };
 
-}  // namespace relievo
+}  // namespace relievo::relief

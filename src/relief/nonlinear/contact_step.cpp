@@ -4,9 +4,9 @@
 #include <numeric>
 #include <utility>
 
-#include "kernel/solvers/symmetric_graph.h"
+#include "kernel/cholesky/symmetric_graph.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 using Eigen::VectorXd;
 
@@ -169,4 +169,4 @@ std::vector<double> ContactStep::heights() const {
   return heights_of(problem_, root_heights(problem_, last_f_) / scale, last_, scale);
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

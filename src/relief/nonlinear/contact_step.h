@@ -10,7 +10,7 @@
 #include "relief/ordering/depth_problem.h"
 #include "relievo/run_context.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// What keeps the unknown f of the soft nodes: 1/2 stiffness f^2 - pull f, in scene units.
 struct Springs {
@@ -67,4 +67,4 @@ class ContactStep {
   Eigen::VectorXd last_f_;         ///< #N, scene units, that it is for
 };
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -10,7 +10,7 @@
 #include "kernel/base/stopwatch.h"
 #include "relief/ordering/order_depth.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using Eigen::VectorXd;
@@ -169,4 +169,4 @@ Status iterate_nonlinear(const NonlinearSystems& systems, const NonlinearOptions
   return Done{};
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

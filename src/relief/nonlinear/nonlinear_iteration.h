@@ -8,7 +8,7 @@
 #include "relievo/result.h"
 #include "relievo/run_context.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// The inflation on the way.
 struct KeptState {
@@ -32,4 +32,4 @@ struct NonlinearRun {
 Status iterate_nonlinear(const NonlinearSystems& systems, const NonlinearOptions& options,
                          const RunContext& context, NonlinearRun& run);
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using Eigen::Index;
@@ -259,4 +259,4 @@ VectorXd NonlinearMap::compliance_of_soft_nodes(double share) const {
   return compliance;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -11,7 +11,7 @@
 #include "relief/ordering/depth_problem.h"
 #include "relievo/run_context.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// Where the iteration stands; scene units.
 struct NonlinearState {
@@ -101,4 +101,4 @@ class NonlinearMap {
   Eigen::VectorXd compliance_;  ///< of the soft nodes: change of u for a change of load
 };
 
-}  // namespace relievo
+}  // namespace relievo::relief

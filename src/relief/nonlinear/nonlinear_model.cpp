@@ -8,7 +8,7 @@
 #include "relief/inflation/poisson_system.h"
 #include "relief/layers/layered_mesh.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 /// #N: whether the node may be on B: a pair ties it to another part, or may lift f there.
@@ -177,4 +177,4 @@ VectorXd InflationResponse::compliance(const VectorXd& load) const {
   return solve_poisson(model_.mass.cwiseProduct(solve_poisson(load)));
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "kernel/base/sparse_matrix.h"
-#include "kernel/solvers/sparse_cholesky.h"
+#include "kernel/cholesky/sparse_cholesky.h"
 #include "relief/inflation/inflation.h"
 #include "relief/nonlinear/nonlinear_solution.h"
 #include "relief/ordering/depth_forest.h"
 #include "relief/ordering/order_depth.h"
 #include "relief/ordering/shift_metric.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// The non-linear problem in scene units, without its depth pairs.
 struct NonlinearModel {
@@ -122,4 +122,4 @@ class SmoothRoot {
   double w4_;
 };
 
-}  // namespace relievo
+}  // namespace relievo::relief

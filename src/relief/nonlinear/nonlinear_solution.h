@@ -7,7 +7,7 @@
 #include "relief/ordering/ordering.h"
 #include "relievo/point.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// What an iteration knew of one node where parts press on each other, or on B.
 struct NonlinearMark {
@@ -71,4 +71,4 @@ struct NonlinearSolution {
   NonlinearMemory memory;                    ///< empty where the iteration did not converge
 };
 
-}  // namespace relievo
+}  // namespace relievo::relief

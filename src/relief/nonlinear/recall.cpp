@@ -5,7 +5,7 @@
 
 #include "kernel/geometry/nearest_mark.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using Eigen::VectorXd;
@@ -83,4 +83,4 @@ void recall(const LayeredMesh& mesh, const NonlinearModel& model,
   }
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

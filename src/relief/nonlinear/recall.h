@@ -7,7 +7,7 @@
 #include "relief/nonlinear/nonlinear_model.h"
 #include "relief/nonlinear/nonlinear_solution.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// What `state` knows of the nodes of the pairs and of B. u_start: #N, scene units.
 /// O(pairs log pairs).
@@ -23,4 +23,4 @@ void recall(const LayeredMesh& mesh, const NonlinearModel& model,
             const std::vector<DepthPair>& pairs, const std::vector<NonlinearMark>& marks,
             NonlinearState& state);
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -4,7 +4,7 @@
 
 #include "kernel/operators/laplacian.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 /// Columns of T and one more for each soft node.
@@ -63,4 +63,4 @@ void set_springs(const SoftMatrix& matrix, const Eigen::VectorXd& stiffness, Spa
   }
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -7,7 +7,7 @@
 #include "relief/nonlinear/nonlinear_model.h"
 #include "relief/ordering/depth_problem.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// The shift energy 1/2 g'A g over unknowns of a depth problem and the f of some nodes, -f where u
 /// is negative on the surface: g = T z but for what is fixed, where z holds the former and then the
@@ -29,4 +29,4 @@ SoftMatrix make_soft_matrix(const NonlinearModel& model, const DepthProblem& pro
 /// Puts springs on f, one per soft node, in place of those that K has.
 void set_springs(const SoftMatrix& matrix, const Eigen::VectorXd& stiffness, SparseMatrix& K);
 
-}  // namespace relievo
+}  // namespace relievo::relief

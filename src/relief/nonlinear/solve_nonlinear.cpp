@@ -11,12 +11,13 @@
 #include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflate.h"
 #include "relief/inflation/poisson_system.h"
+#include "relief/inflation/raise_bumps.h"
 #include "relief/nonlinear/nonlinear_iteration.h"
 #include "relief/nonlinear/nonlinear_model.h"
 #include "relief/nonlinear/recall.h"
 #include "relief/ordering/order_depth.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using Eigen::VectorXd;
@@ -292,4 +293,4 @@ Result<NonlinearSolution> solve_nonlinear(const LayeredMesh& mesh, const Scene& 
   return solve_nonlinear({mesh, discretisation, start, scene}, options, {}, system, context);
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -11,7 +11,7 @@
 #include "relievo/run_context.h"
 #include "relievo/scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 constexpr double min_lambda_bnd = 1e-6;  ///< bounds of lambda_bnd
 constexpr double max_lambda_bnd = 1e6;
@@ -46,4 +46,4 @@ Result<NonlinearSolution> solve_nonlinear(const LayeredMesh& mesh, const Scene& 
                                           const Inflation& start, const NonlinearOptions& options,
                                           const RunContext& context = {});
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/geometry/polygon.h"
-#include "kernel/solvers/sparse_cholesky.h"
 #include "relief/ordering/limb_rise.h"
 #include "relief/ordering/shift_metric.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using Eigen::VectorXd;
@@ -287,4 +287,4 @@ VectorXd spot_rise(const LayeredMesh& mesh, const Scene& scene, const Caps& caps
   return rise;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

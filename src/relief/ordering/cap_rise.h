@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "kernel/base/sparse_matrix.h"
-#include "kernel/solvers/sparse_cholesky.h"
+#include "kernel/cholesky/sparse_cholesky.h"
 #include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relievo/scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// A cap is a part that grows out of nothing, is tied to one behind it and covers a run of the
 /// outline of that: a hat on a head, a head on a neck. Here is all of it but its heights.
@@ -59,4 +59,4 @@ Eigen::VectorXd cap_rise(const Caps& caps, const Inflation& inflation, double sc
 Eigen::VectorXd spot_rise(const LayeredMesh& mesh, const Scene& scene, const Caps& caps,
                           Eigen::VectorXd height);
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -6,7 +6,7 @@
 #include "kernel/geometry/nearest_mark.h"
 #include "relief/layers/layered_mesh.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 DepthContact contact_at(const LayeredMesh& mesh, int lower, int upper) {
@@ -50,4 +50,4 @@ std::vector<uint8_t> gaps_like(const LayeredMesh& mesh, const DepthProblem& prob
   return closed;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -8,7 +8,7 @@
 #include "relief/ordering/depth_problem.h"
 #include "relievo/point.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// Where two parts may touch, and whether they do: a depth pair without its mesh.
 struct DepthContact {
@@ -31,4 +31,4 @@ std::vector<DepthContact> contacts_of(const LayeredMesh& mesh, const std::vector
 std::vector<uint8_t> gaps_like(const LayeredMesh& mesh, const DepthProblem& problem,
                                std::vector<DepthContact> contacts);
 
-}  // namespace relievo
+}  // namespace relievo::relief

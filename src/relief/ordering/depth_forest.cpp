@@ -10,7 +10,7 @@
 
 #include "kernel/base/disjoint_sets.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 /// h[lower] <= h[upper] between representatives; `group` tells apart what is linked.
@@ -251,4 +251,4 @@ int tree_centre(const DepthGraph& tree) {
   return *std::min_element(leaves.begin(), leaves.end());
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

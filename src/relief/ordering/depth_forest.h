@@ -6,7 +6,7 @@
 
 #include "relief/layers/layered_mesh.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// h[child] = h[parent] + sign * gap with gap >= 0, and gap = 0 where they are to be equal.
 struct DepthGap {
@@ -56,4 +56,4 @@ std::vector<int> linear_order(const DepthGraph& graph, const std::vector<int>& k
 /// item. Precondition: is_tree(). O(k).
 int tree_centre(const DepthGraph& tree);
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -7,7 +7,7 @@
 #include "kernel/base/stopwatch.h"
 #include "kernel/operators/laplacian.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 /// Where the entries of T are: those of column n are in the rows of n's group, ascending.
@@ -161,4 +161,4 @@ std::vector<double> heights_from_gaps(const DepthForest& forest, const Eigen::Ve
   return height;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "kernel/base/sparse_matrix.h"
+#include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/solvers/bound_qp.h"
-#include "kernel/solvers/sparse_cholesky.h"
 #include "relief/ordering/depth_forest.h"
 #include "relief/ordering/ordering.h"
 #include "relief/ordering/shift_metric.h"
 #include "relievo/run_context.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// Heights as h = T z, where z holds for each node its height if it is a root, and else its gap.
 struct GapVariables {
@@ -83,4 +83,4 @@ DepthSystem make_depth_system(DepthProblem problem, const ShiftMetric& metric,
 SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const Eigen::VectorXd& f,
                           Ordering& ordering, const RunContext& context);
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -10,7 +10,7 @@
 
 #include "kernel/geometry/polygon.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using Eigen::Index;
@@ -284,4 +284,4 @@ VectorXd limb_rise(const SurfaceInput& surface, const Inflation& inflation) {
   return rise;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -6,7 +6,7 @@
 #include "relief/inflation/inflation.h"
 #include "relief/ordering/ordering_system.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// 0 up to `from`, 1 from `to` on, a cubic between.
 double smooth_step(double from, double to, double x);
@@ -29,4 +29,4 @@ std::vector<int> grown_from(int part, const std::vector<Join>& by_upper, size_t 
 /// of its root's.
 Eigen::VectorXd limb_rise(const SurfaceInput& surface, const Inflation& inflation);
 
-}  // namespace relievo
+}  // namespace relievo::relief

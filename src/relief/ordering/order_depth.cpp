@@ -8,7 +8,7 @@
 #include "relief/ordering/depth_contacts.h"
 #include "relief/ordering/shift_metric.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 /// The gaps to start from.
@@ -103,4 +103,4 @@ void finish_ordering(const OrderingInput& input, Ordering& ordering) {
   ordering.max_violation = worst_violation(input.mesh.constraints, ordering.h);
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -10,7 +10,7 @@
 #include "relievo/run_context.h"
 #include "relievo/scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 struct OrderingOptions {
   double epsilon = 1e-4;      ///< weight of the pull to h = f, in scene units (box diagonal 2)
@@ -51,4 +51,4 @@ Status check_solved(SolveStatus status);
 /// Fills in g = h - f, its gradients and the worst violation of the mesh's pairs. O(N + pairs).
 void finish_ordering(const OrderingInput& input, Ordering& ordering);
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -5,7 +5,7 @@
 #include "kernel/solvers/bound_qp.h"
 #include "relievo/point.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// Gradients at corners of faces on and beside creases, each from its own side.
 struct CreaseGradients {
@@ -32,4 +32,4 @@ struct Ordering {
   BoundQpReport report;
 };
 
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -7,7 +7,7 @@
 #include "relief/ordering/limb_rise.h"
 #include "relief/ordering/shift_metric.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 /// Whether nodes of one group are so in `wider` too.
@@ -76,4 +76,4 @@ bool select_pairs(const std::vector<int>& node_part, const std::vector<DepthPair
   return true;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

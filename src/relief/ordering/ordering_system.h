@@ -14,7 +14,7 @@
 #include "relievo/run_context.h"
 #include "relievo/scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// The joined surface before it is inflated.
 struct SurfaceInput {
@@ -63,4 +63,4 @@ void set_pairs(const SurfaceInput& surface, OrderingSystem& system, const RunCon
 bool select_pairs(const std::vector<int>& node_part, const std::vector<DepthPair>& pairs,
                   const ShiftMetric& metric, DepthSystem& system);
 
-}  // namespace relievo
+}  // namespace relievo::relief

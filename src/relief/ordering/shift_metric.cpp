@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "kernel/base/sparse_matrix.h"
+#include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/operators/laplacian.h"
-#include "kernel/solvers/sparse_cholesky.h"
 #include "relief/cues/cue_fields.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using Eigen::VectorXd;
@@ -128,4 +128,4 @@ LeanTerm lean_term(const LayeredMesh& mesh, const Scene& scene, double scale, do
   return term;
 }
 
-}  // namespace relievo
+}  // namespace relievo::relief

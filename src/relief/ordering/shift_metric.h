@@ -9,7 +9,7 @@
 #include "relief/layers/layered_mesh.h"
 #include "relievo/scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 
 /// What parts that lean, or have slopes or creases, add to the cost of a shift g with the metric
 /// A = L + epsilon M: 1/2 g'A g - g'pull + constant, in scene units, is
@@ -46,4 +46,4 @@ void add_wanted(const Eigen::VectorXd& r, ShiftMetric& metric);
 /// f = sgn(u) sqrt|u| at each node, in the root of the unit of u.
 Eigen::VectorXd inflated_heights(const std::vector<double>& u);
 
-}  // namespace relievo
+}  // namespace relievo::relief

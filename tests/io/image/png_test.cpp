@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "io/image/decode_image.h"
+#include "io/image/png_decode.h"
 #include "io/image/png_encode.h"
 #include "io/support/raw_png.h"
 

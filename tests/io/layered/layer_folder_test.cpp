@@ -2,7 +2,7 @@
 
 #include "io/layered/layer_support.h"
 #include "io/layered/layer_table.h"
-#include "io/layered/read_layers.h"
+#include "io/layered/read_layer_folder.h"
 #include "io/support/temporary_folder.h"
 #include "relievo/files.h"
 

@@ -1,8 +1,10 @@
+#include "io/layered/read_ora.h"
+
 #include <gtest/gtest.h>
 
 #include "io/archive/archive.h"
+#include "io/archive/zip_archive.h"
 #include "io/layered/layer_support.h"
-#include "io/layered/read_layers.h"
 #include "io/support/damage.h"
 #include "io/support/test_archive.h"
 

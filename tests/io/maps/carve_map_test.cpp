@@ -1,9 +1,10 @@
+#include "io/maps/carve_map.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
-#include "io/maps/map_images.h"
 #include "io/support/raw_png.h"
 #include "support/sample_models.h"
 

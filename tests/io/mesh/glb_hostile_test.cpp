@@ -4,8 +4,8 @@
 #include <random>
 
 #include "io/files/byte_writer.h"
-#include "io/mesh/encode_models.h"
 #include "io/mesh/glb_decode.h"
+#include "io/mesh/glb_encode.h"
 #include "support/sample_models.h"
 
 namespace relievo {
@@ -45,7 +45,7 @@ TEST(HostileGlb, TheUneditedSampleIsSound) {
 TEST(HostileGlb, TruncationAtEveryByteIsRefused) {
   const Bytes glb = sample();
   for (size_t size = 0; size < glb.size(); ++size) {
-    const Result<DrawnModel> refused = decode_glb(ByteView(glb).first(size), small_limits);
+    const Result<relief::DrawnModel> refused = decode_glb(ByteView(glb).first(size), small_limits);
     ASSERT_FALSE(refused.ok()) << size;
     ASSERT_EQ(refused.error().code, ErrorCode::bad_input);
   }
@@ -69,7 +69,7 @@ TEST(HostileGlb, RandomDamageGivesAModelOrAnError) {
     Bytes damaged = glb;
     for (uint32_t i = 0, count = 1 + random() % 8; i < count; ++i)
       damaged[random() % damaged.size()] = static_cast<uint8_t>(random());
-    const Result<DrawnModel> result = decode_glb(damaged, small_limits);
+    const Result<relief::DrawnModel> result = decode_glb(damaged, small_limits);
     ASSERT_TRUE(result.ok() || !result.error().message.empty());
   }
 }
@@ -77,7 +77,7 @@ TEST(HostileGlb, RandomDamageGivesAModelOrAnError) {
 TEST(HostileGlb, VerticesFarFromTheCanvasAreRefused) {
   for (const double far : {2e9, -2e9, 1e19, 1e300}) {
     const Bytes glb = edited([&](Json& j) { j["scenes"][0]["extras"]["origin"][2] = far; });
-    const Result<DrawnModel> refused = decode_glb(glb, small_limits);
+    const Result<relief::DrawnModel> refused = decode_glb(glb, small_limits);
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().code, ErrorCode::bad_input);
   }
@@ -127,7 +127,7 @@ TEST(HostileGlb, LyingDescriptionsAreRefused) {
       [](Json& j) { j = Json::array(); },
   };
   for (size_t i = 0; i < lies.size(); ++i) {
-    const Result<DrawnModel> refused = decode_glb(edited(lies[i]), small_limits);
+    const Result<relief::DrawnModel> refused = decode_glb(edited(lies[i]), small_limits);
     ASSERT_FALSE(refused.ok()) << "lie " << i;
     EXPECT_EQ(refused.error().code, ErrorCode::bad_input) << "lie " << i;
   }
@@ -152,7 +152,7 @@ TEST(HostileGlb, DeepNestingIsRefused) {
 
 TEST(HostileGlb, WithoutExtrasTheBoundingBoxIsTheCanvas) {
   const Bytes glb = edited([](Json& j) { j["scenes"][0].erase("extras"); });
-  const Result<DrawnModel> read = decode_glb(glb, small_limits);
+  const Result<relief::DrawnModel> read = decode_glb(glb, small_limits);
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   EXPECT_NEAR(read->model.width, 1000, 1e-3);
   for (const Point3 p : read->model.positions) {

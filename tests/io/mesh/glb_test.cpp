@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "io/image/decode_image.h"
-#include "io/mesh/encode_models.h"
 #include "io/mesh/glb_decode.h"
+#include "io/mesh/glb_encode.h"
 #include "io/support/byte_reader.h"
 #include "support/sample_models.h"
 
@@ -161,7 +161,7 @@ TEST(Glb, SameModelGivesSameBytes) {
 TEST(Glb, ReadsWhatItWrites) {
   const Drawing drawing = quarters();
   const Model model = split_hemisphere(10);
-  const Result<DrawnModel> read = decode_glb(*encode_glb(model, &drawing, 80));
+  const Result<relief::DrawnModel> read = decode_glb(*encode_glb(model, &drawing, 80));
   ASSERT_TRUE(read.ok()) << to_string(read.error());
   EXPECT_EQ(read->drawing.rgba.pixels, drawing.rgba.pixels);
   EXPECT_EQ(read->model.width, model.width);

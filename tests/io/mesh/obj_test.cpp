@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "io/image/decode_image.h"
-#include "io/mesh/encode_models.h"
+#include "io/mesh/obj_encode.h"
 #include "io/support/temporary_folder.h"
 #include "support/sample_models.h"
 

@@ -4,7 +4,9 @@
 #include <string>
 
 #include "io/archive/archive.h"
-#include "io/mesh/encode_models.h"
+#include "io/archive/zip_archive.h"
+#include "io/mesh/html_encode.h"
+#include "io/mesh/usdz_encode.h"
 #include "support/sample_models.h"
 
 namespace relievo {

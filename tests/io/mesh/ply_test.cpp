@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "io/mesh/encode_models.h"
+#include "io/mesh/ply_encode.h"
 #include "io/support/byte_reader.h"
 #include "io/support/temporary_folder.h"
 #include "support/sample_models.h"

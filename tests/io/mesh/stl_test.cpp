@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/mesh/encode_models.h"
+#include "io/mesh/stl_encode.h"
 #include "io/support/byte_reader.h"
 #include "support/sample_models.h"
 

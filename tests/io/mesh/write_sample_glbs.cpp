@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "io/mesh/encode_models.h"
+#include "io/mesh/glb_encode.h"
 #include "relievo/files.h"
 #include "support/sample_models.h"
 

@@ -1,11 +1,17 @@
+#include "io/project/project_file.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "io/archive/archive.h"
+#include "io/archive/pack_archive.h"
+#include "io/archive/zip_archive.h"
 #include "io/image/png_encode.h"
 #include "io/project/project.h"
-#include "io/scene/scene_file.h"
+#include "io/project/read_project_json.h"
+#include "io/project/write_project_json.h"
+#include "io/scene/write_scene.h"
 #include "io/support/damage.h"
 #include "io/support/temporary_folder.h"
 #include "support/label_maps.h"
@@ -28,17 +34,19 @@ Project everything(unsigned seed = 4) {
   project.scene.height = 80;
   project.scene.drawing = "drawing";
   project.scene.parts = {part("body", 10, 60), part("leg", 40, 80)};
-  SegmentationRecord& record = project.segmentation.emplace();
+  understanding::SegmentationRecord& record = project.segmentation.emplace();
   record.labels = random_labels(seed);
   record.scribbles.parts = {"body", "leg"};
   record.scribbles.complete = true;
   record.scribbles.count = 12;
-  record.scribbles.strokes = {{ScribbleKind::soft, 1, {{1, 2}, {3.25, 4}}, 5},
-                              {ScribbleKind::outside, 0, {{90, 70}}, 3}};
-  record.parts = {{300, "body", CompletionKind::ellipse}, {2, "leg", CompletionKind::membrane}};
-  record.order = {{2, 300, 0.625, OrderSource::guess, true}, {300, 7, 1, OrderSource::user, false}};
+  record.scribbles.strokes = {{understanding::ScribbleKind::soft, 1, {{1, 2}, {3.25, 4}}, 5},
+                              {understanding::ScribbleKind::outside, 0, {{90, 70}}, 3}};
+  record.parts = {{300, "body", understanding::CompletionKind::ellipse},
+                  {2, "leg", understanding::CompletionKind::membrane}};
+  record.order = {{2, 300, 0.625, understanding::OrderSource::guess, true},
+                  {300, 7, 1, understanding::OrderSource::user, false}};
   record.joins = {{2, 300, 0.75}};
-  Corrections& said = record.corrections;
+  understanding::Corrections& said = record.corrections;
   said.parts[2] = {"leg", Outline{{{0, 0}, {9, 0}, {9, 9}}}, 2.5, -1.0, 0.5, Point2{0, 0.25}};
   said.parts[300] = {};
   said.order = {{2, 300}};
@@ -69,7 +77,7 @@ TEST(ProjectFile, KeepsEverything) {
   ASSERT_TRUE(again.segmentation);
   EXPECT_EQ(again.segmentation->labels.pixels, project.segmentation->labels.pixels);
   // The text itself is compared with what was put in, so that nothing is lost in both.
-  const Corrections& said = again.segmentation->corrections;
+  const understanding::Corrections& said = again.segmentation->corrections;
   EXPECT_EQ(said.parts.at(2).id, "leg");
   EXPECT_EQ(said.parts.at(2).outline, project.segmentation->corrections.parts.at(2).outline);
   EXPECT_FALSE(said.parts.at(300).c);

@@ -1,8 +1,9 @@
+#include "io/psd/read_psd.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "io/psd/psd.h"
 #include "io/psd/psd_bytes.h"
 
 namespace relievo {

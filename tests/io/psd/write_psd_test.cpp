@@ -1,8 +1,9 @@
+#include "io/psd/write_psd.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "io/psd/psd.h"
 #include "io/psd/psd_file.h"
 
 namespace relievo {

@@ -6,8 +6,9 @@
 #include <iterator>
 #include <vector>
 
+#include "io/scene/json_parse.h"
 #include "io/scene/json_reader.h"
-#include "io/scene/scene_file.h"
+#include "io/scene/read_scene.h"
 
 namespace relievo {
 namespace {

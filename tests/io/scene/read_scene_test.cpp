@@ -1,7 +1,9 @@
+#include "io/scene/read_scene.h"
+
 #include <gtest/gtest.h>
 
 #include "io/scene/sample_scene.h"
-#include "io/scene/scene_file.h"
+#include "kernel/geometry/polygon.h"
 
 namespace relievo {
 namespace {

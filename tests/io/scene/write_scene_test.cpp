@@ -1,3 +1,5 @@
+#include "io/scene/write_scene.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -5,8 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "io/scene/read_scene.h"
 #include "io/scene/sample_scene.h"
-#include "io/scene/scene_file.h"
 
 namespace relievo {
 namespace {

@@ -1,7 +1,7 @@
-#include "io/scribbles/read_scribbles.h"
 
 #include <gtest/gtest.h>
 
+#include "io/scribbles/scribbles_json.h"
 #include "io/scribbles/write_scribbles.h"
 #include "io/support/damage.h"
 #include "io/support/temporary_folder.h"
@@ -9,18 +9,18 @@
 namespace relievo {
 namespace {
 
-Scribbles sample() {
+understanding::Scribbles sample() {
   return {{"head", "body \"1\""},
-          {{ScribbleKind::hard, 0, {{1.5, 2}, {3, 0.1}}, 4},
-           {ScribbleKind::soft, 1, {{7, 8}}, 2.5},
-           {ScribbleKind::outside, 0, {{0, 0}}, 1},
-           {ScribbleKind::hole, 0, {{9, 9}, {10, 9}}, 3}}};
+          {{understanding::ScribbleKind::hard, 0, {{1.5, 2}, {3, 0.1}}, 4},
+           {understanding::ScribbleKind::soft, 1, {{7, 8}}, 2.5},
+           {understanding::ScribbleKind::outside, 0, {{0, 0}}, 1},
+           {understanding::ScribbleKind::hole, 0, {{9, 9}, {10, 9}}, 3}}};
 }
 
-TEST(Scribbles, WhatIsWrittenReadsBack) {
-  const Result<Scribbles> s = read_scribbles(write_scribbles(sample()));
+TEST(understanding::Scribbles, WhatIsWrittenReadsBack) {
+  const Result<understanding::Scribbles> s = read_scribbles(write_scribbles(sample()));
   ASSERT_TRUE(s.ok()) << to_string(s.error());
-  const Scribbles expected = sample();
+  const understanding::Scribbles expected = sample();
   EXPECT_EQ(s->parts, expected.parts);
   ASSERT_EQ(s->strokes.size(), expected.strokes.size());
   for (size_t k = 0; k < expected.strokes.size(); ++k) {
@@ -32,7 +32,7 @@ TEST(Scribbles, WhatIsWrittenReadsBack) {
   EXPECT_EQ(write_scribbles(*s), write_scribbles(expected));
 }
 
-TEST(Scribbles, FilesAreCompleteUnlessTheySayOtherwise) {
+TEST(understanding::Scribbles, FilesAreCompleteUnlessTheySayOtherwise) {
   const auto with = [](const std::string& word) {
     std::string text = write_scribbles(sample());
     return read_scribbles(text.insert(text.find("\"parts\""), "\"complete\": " + word + ", "));
@@ -44,7 +44,7 @@ TEST(Scribbles, FilesAreCompleteUnlessTheySayOtherwise) {
   EXPECT_EQ(with("0").error().where, "complete");
 }
 
-TEST(Scribbles, TheNumberOfPartsIsAWholeNumberOrNotSaid) {
+TEST(understanding::Scribbles, TheNumberOfPartsIsAWholeNumberOrNotSaid) {
   const auto with = [](const std::string& word) {
     std::string text = write_scribbles(sample());
     return read_scribbles(text.insert(text.find("\"parts\""), "\"count\": " + word + ", "));
@@ -58,12 +58,12 @@ TEST(Scribbles, TheNumberOfPartsIsAWholeNumberOrNotSaid) {
   }
 }
 
-TEST(Scribbles, MistakesAreNamedWithTheirPlace) {
+TEST(understanding::Scribbles, MistakesAreNamedWithTheirPlace) {
   const std::string good = write_scribbles(sample());
   const auto refuse = [&](const std::string& from, const std::string& to, const char* where) {
     std::string text = good;
     text.replace(text.find(from), from.size(), to);
-    const Result<Scribbles> s = read_scribbles(text);
+    const Result<understanding::Scribbles> s = read_scribbles(text);
     ASSERT_FALSE(s.ok()) << to;
     EXPECT_EQ(s.error().code, ErrorCode::bad_input);
     EXPECT_EQ(s.error().where, where) << s.error().message;
@@ -82,29 +82,29 @@ TEST(Scribbles, MistakesAreNamedWithTheirPlace) {
   refuse("[\"head\"", "[\"body \\\"1\\\"\"", "parts[1]");
 }
 
-TEST(Scribbles, LimitsAreTheCallers) {
+TEST(understanding::Scribbles, LimitsAreTheCallers) {
   const std::string text = write_scribbles(sample());
   EXPECT_EQ(read_scribbles(text, {size_t{1} << 20, 3, 100}).error().code, ErrorCode::limit);
   EXPECT_EQ(read_scribbles(text, {size_t{1} << 20, 100, 5}).error().code, ErrorCode::limit);
   EXPECT_EQ(read_scribbles(text, {20, 100, 100}).error().code, ErrorCode::limit);
 }
 
-TEST(Scribbles, EveryTruncationIsRefused) {
+TEST(understanding::Scribbles, EveryTruncationIsRefused) {
   const std::string text = write_scribbles(sample());
   for (size_t size = 0; size + 2 < text.size(); ++size)
     EXPECT_FALSE(read_scribbles(std::string_view(text).substr(0, size)).ok()) << size;
 }
 
 /// Seeds with more and more strokes of all kinds.
-TEST(Scribbles, DamageOfTenSeedsNeverCrashes) {
-  Scribbles scribbles = sample();
+TEST(understanding::Scribbles, DamageOfTenSeedsNeverCrashes) {
+  understanding::Scribbles scribbles = sample();
   for (int seed = 0; seed < 10; ++seed) {
     const Bytes good = to_bytes(write_scribbles(scribbles));
     ASSERT_TRUE(read_scribbles(to_text(good)).ok());
     survive_damage(good, 300, [](ByteView bytes) {
       return read_scribbles({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     });
-    Scribble stroke = scribbles.strokes[static_cast<size_t>(seed % 4)];
+    understanding::Scribble stroke = scribbles.strokes[static_cast<size_t>(seed % 4)];
     stroke.points.push_back({1e-3 * seed, 1e5 / (1 + seed)});
     scribbles.strokes.push_back(stroke);
     scribbles.parts.push_back("part \xc3\xa9 " + std::to_string(seed));

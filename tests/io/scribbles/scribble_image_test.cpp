@@ -1,10 +1,11 @@
+#include "io/scribbles/scribble_image.h"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <set>
 
-#include "io/scribbles/read_scribbles.h"
-#include "relief/drawing/mark_pixels.h"
+#include "understanding/labels/mark_pixels.h"
 
 namespace relievo {
 namespace {
@@ -24,15 +25,15 @@ TEST(ScribbleImage, ColoursBecomeParts) {
   fill(image, 35, 5, 45, 9, {0, 0, 0, 255});
   fill(image, 5, 20, 15, 24, {128, 128, 128, 255});
   fill(image, 20, 20, 30, 24, {255, 0, 255, 30});
-  const Result<Scribbles> s = scribbles_from_image(image, 60, 40);
+  const Result<understanding::Scribbles> s = scribbles_from_image(image, 60, 40);
   ASSERT_TRUE(s.ok());
   EXPECT_EQ(s->parts, (std::vector<std::string>{"#ff8000", "#0000ff"}));
   ASSERT_EQ(s->strokes.size(), 4U);
-  EXPECT_EQ(s->strokes[0].kind, ScribbleKind::hard);
-  EXPECT_EQ(s->strokes[1].kind, ScribbleKind::soft);
+  EXPECT_EQ(s->strokes[0].kind, understanding::ScribbleKind::hard);
+  EXPECT_EQ(s->strokes[1].kind, understanding::ScribbleKind::soft);
   EXPECT_EQ(s->strokes[1].part, 1);
-  EXPECT_EQ(s->strokes[2].kind, ScribbleKind::outside);
-  EXPECT_EQ(s->strokes[3].kind, ScribbleKind::hole);
+  EXPECT_EQ(s->strokes[2].kind, understanding::ScribbleKind::outside);
+  EXPECT_EQ(s->strokes[3].kind, understanding::ScribbleKind::hole);
 }
 
 TEST(ScribbleImage, StrokesCoverExactlyTheirPixels) {
@@ -42,11 +43,12 @@ TEST(ScribbleImage, StrokesCoverExactlyTheirPixels) {
   fill(image, 10, 10, 14, 40, green);
   fill(image, 30, 10, 35, 30, green);
   fill(image, 20, 27, 35, 31, green);
-  const Result<Scribbles> s = scribbles_from_image(image, 50, 50);
+  const Result<understanding::Scribbles> s = scribbles_from_image(image, 50, 50);
   ASSERT_TRUE(s.ok());
   ASSERT_EQ(s->strokes.size(), 1U);
   std::set<int32_t> covered;
-  for (const MarkedPixel& mark : mark_pixels(*s, 50, 50)) covered.insert(mark.pixel);
+  for (const understanding::MarkedPixel& mark : understanding::mark_pixels(*s, 50, 50))
+    covered.insert(mark.pixel);
   for (int32_t i = 0; i < 2500; ++i)
     EXPECT_EQ(covered.count(i) > 0, image.pixels[4 * i + 1] == 200) << i % 50 << ", " << i / 50;
 }
@@ -55,14 +57,15 @@ TEST(ScribbleImage, BlendedRimsSayNothing) {
   Image8 image(40, 20, 4, 255);
   fill(image, 5, 5, 30, 10, {200, 0, 0, 255});
   fill(image, 5, 4, 30, 5, {227, 128, 128, 255});
-  const Result<Scribbles> s = scribbles_from_image(image, 40, 20);
+  const Result<understanding::Scribbles> s = scribbles_from_image(image, 40, 20);
   ASSERT_TRUE(s.ok());
   EXPECT_EQ(s->parts, (std::vector<std::string>{"#c80000"}));
 }
 
 TEST(ScribbleImage, SaysWhatIsWrong) {
   EXPECT_EQ(scribbles_from_image(Image8(9, 9, 4, 255), 9, 9).error().code, ErrorCode::bad_input);
-  const Result<Scribbles> other_size = scribbles_from_image(Image8(9, 9, 4, 255), 9, 8);
+  const Result<understanding::Scribbles> other_size =
+      scribbles_from_image(Image8(9, 9, 4, 255), 9, 8);
   ASSERT_FALSE(other_size.ok());
   EXPECT_NE(other_size.error().message.find("9 x 8"), std::string::npos);
 }

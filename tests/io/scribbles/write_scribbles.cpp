@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/scribbles/read_scribbles.h"
+#include "io/scribbles/scribbles_json.h"
 
 namespace relievo {
-std::string write_scribbles(const Scribbles& scribbles) {
+std::string write_scribbles(const understanding::Scribbles& scribbles) {
   std::string text = "{\n  \"format\": \"relievo-scribbles\",\n  \"version\": 1,\n  \"parts\": ";
   text += nlohmann::json(scribbles.parts).dump() + ",\n  \"strokes\": [";
   for (size_t k = 0; k < scribbles.strokes.size(); ++k)

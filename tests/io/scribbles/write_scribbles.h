@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "relief/drawing/scribbles.h"
+#include "understanding/labels/scribbles.h"
 
 namespace relievo {
 
 /// The scribble file that read_scribbles reads back to the same values, one stroke a line.
-std::string write_scribbles(const Scribbles& scribbles);
+std::string write_scribbles(const understanding::Scribbles& scribbles);
 
 }  // namespace relievo

@@ -1,10 +1,10 @@
-#include "io/svg/annotated_parts.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
+#include "io/svg/annotated_lines.h"
 #include "io/svg/svg_test_support.h"
 
 namespace relievo {

@@ -1,3 +1,4 @@
+
 #include "io/svg/path_data.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "io/svg/scanner.h"
-#include "io/svg/svg_style.h"
+#include "io/svg/svg_color.h"
 #include "io/svg/svg_units.h"
 
 namespace relievo {

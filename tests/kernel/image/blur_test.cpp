@@ -1,8 +1,9 @@
+#include "kernel/image/blur.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "kernel/image/filters.h"
 #include "support/random_image.h"
 
 namespace relievo {

@@ -1,3 +1,5 @@
+#include "kernel/image/distance_transform.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernel/image/filters.h"
+#include "kernel/image/distance_transform.h"
 #include "kernel/image/watershed.h"
 #include "support/random_image.h"
 

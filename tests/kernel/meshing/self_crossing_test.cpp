@@ -1,9 +1,11 @@
+#include "kernel/meshing/self_crossing.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "kernel/meshing/segment_grid.h"
+#include "relievo/point.h"
 
 namespace relievo {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/operators/laplacian.h"
-#include "kernel/solvers/sparse_cholesky.h"
 #include "support/structured_meshes.h"
 
 namespace relievo {

@@ -8,7 +8,7 @@
 #include "support/scenes.h"
 #include "support/stacked_parts.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 constexpr double radius = 200;
@@ -112,4 +112,4 @@ TEST(Bulge, ItActsOnItsOwnPartAlone) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -6,14 +6,14 @@
 #include <set>
 #include <tuple>
 
-#include "relief/model/assemble_model.h"
-#include "relief/model/relief_maps.h"
-#include "relief/pipeline/build_relief.h"
+#include "relief/maps/relief_maps.h"
+#include "relief/session/build_relief.h"
+#include "relief/surface/assemble_model.h"
 #include "support/model_checks.h"
 #include "support/random_scene.h"
 #include "support/scenes.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using namespace testing;
@@ -243,4 +243,4 @@ TEST(Crease, ElsewhereTheMeshIsAsItWas) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

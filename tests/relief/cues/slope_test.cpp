@@ -10,7 +10,7 @@
 #include "relief/ordering/shift_metric.h"
 #include "support/stacked_parts.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using testing::in_box;
@@ -155,4 +155,4 @@ TEST(Slope, OneThatMissesItsPartDoesNothing) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

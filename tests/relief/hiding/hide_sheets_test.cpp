@@ -16,7 +16,7 @@
 #include "support/random_scene.h"
 #include "support/stacked_parts.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using testing::in_box;
@@ -151,4 +151,4 @@ TEST(HideSheets, LeavesNothingInFrontOnRandomScenes) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

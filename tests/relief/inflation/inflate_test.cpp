@@ -1,3 +1,4 @@
+
 #include "relief/inflation/inflate.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 #include "relief/layers/layered_mesh.h"
 #include "support/stacked_parts.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using testing::Cover;
@@ -293,4 +294,4 @@ TEST(Inflate, StopsWhenCancelled) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

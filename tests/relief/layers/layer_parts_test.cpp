@@ -9,7 +9,7 @@
 #include "support/mesh_checks.h"
 #include "support/scenes.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using namespace testing;
@@ -198,4 +198,4 @@ TEST(LayerParts, StopsAfterEachReportWhenCancelled) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

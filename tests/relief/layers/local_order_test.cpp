@@ -10,7 +10,7 @@
 #include "support/probe.h"
 #include "support/random_scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using namespace testing;
@@ -231,4 +231,4 @@ TEST(LocalOrder, RandomScenesStaySoundWhateverIsBehind) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "relief/pipeline/build_relief.h"
+#include "relief/session/build_relief.h"
 #include "support/mesh_checks.h"
 #include "support/polygon_corpus.h"
 #include "support/random_scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using namespace testing;
@@ -191,4 +191,4 @@ TEST(PolygonCorpus, Clipper) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -8,7 +8,7 @@
 #include "support/nonlinear_case.h"
 #include "support/random_scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using namespace testing;
@@ -136,4 +136,4 @@ TEST(NonlinearReferences, DescentOnTheAugmentedLagrangianComesToTheSameEnergy) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -6,7 +6,7 @@
 #include "support/regions.h"
 #include "support/scenes.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using namespace testing;
@@ -100,4 +100,4 @@ TEST(Pits, ShowAtTheAnimalWithStiffBoundsOnly) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

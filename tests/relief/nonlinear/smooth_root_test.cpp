@@ -2,7 +2,7 @@
 
 #include "relief/nonlinear/nonlinear_model.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 TEST(SmoothRoot, IsInvertedByU) {
@@ -39,4 +39,4 @@ TEST(SmoothRoot, IsTheRootFarFromZero) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

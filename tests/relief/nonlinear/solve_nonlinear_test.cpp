@@ -14,7 +14,7 @@
 #include "support/probe.h"
 #include "support/random_scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using namespace testing;
@@ -324,4 +324,4 @@ TEST(SolveNonlinear, RefusesOptionsThatMakeNoSense) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -10,7 +10,7 @@
 #include "support/scenes.h"
 #include "support/shifted_scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using Eigen::Index;
@@ -265,4 +265,4 @@ TEST(Spot, GrowsWithTheDrawingAndHasNoName) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 /// holds[i][j]: h[i] <= h[j] follows.
@@ -166,4 +166,4 @@ TEST(DepthGraph, HandlesMoreItemsThanAWordHasBits) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

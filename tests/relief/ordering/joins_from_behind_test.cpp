@@ -4,11 +4,11 @@
 #include <array>
 #include <set>
 
-#include "relief/model/assemble_model.h"
-#include "relief/pipeline/build_relief.h"
+#include "relief/session/build_relief.h"
+#include "relief/surface/assemble_model.h"
 #include "support/random_limbs.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using namespace testing;
@@ -85,4 +85,4 @@ TEST(JoinsFromBehind, ShareAllVerticesOfTheOutlineInFront) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

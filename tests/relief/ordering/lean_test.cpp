@@ -9,7 +9,7 @@
 #include "support/shift_cost.h"
 #include "support/stacked_parts.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using testing::in_box;
@@ -136,4 +136,4 @@ TEST(Lean, LoosePartsGoAlongWithWhatTheyLieOn) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

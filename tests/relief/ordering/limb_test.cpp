@@ -8,7 +8,7 @@
 #include "support/scenes.h"
 #include "support/shifted_scene.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using Eigen::VectorXd;
@@ -155,4 +155,4 @@ TEST(Limb, EveryShiftCostsWhatItsDifferenceDid) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

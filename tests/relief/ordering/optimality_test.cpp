@@ -10,7 +10,7 @@
 #include "support/ipopt_qp.h"
 #include "support/random_depth.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using testing::check_depth_optimality;
@@ -114,4 +114,4 @@ TEST(Optimality, IpoptFindsTheSameHeights) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

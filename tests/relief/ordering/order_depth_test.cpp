@@ -9,7 +9,7 @@
 #include "relief/inflation/inflate.h"
 #include "support/stacked_parts.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 using testing::add_outline_pairs;
@@ -227,4 +227,4 @@ TEST(OrderDepth, StopsWhenCancelled) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

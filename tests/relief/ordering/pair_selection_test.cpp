@@ -9,7 +9,7 @@
 #include "relief/ordering/ordering_system.h"
 #include "support/stacked_parts.h"
 
-namespace relievo {
+namespace relievo::relief {
 namespace {
 
 constexpr double epsilon = 1e-4;
@@ -96,4 +96,4 @@ TEST_F(PairSelection, RefusesPairsThatLinkOtherNodes) {
 }
 
 }  // namespace
-}  // namespace relievo
+}  // namespace relievo::relief

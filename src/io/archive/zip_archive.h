@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "io/archive/archive.h"
+#include "relievo/bytes.h"
+#include "relievo/result.h"
+
+namespace relievo {
+
+/// What an archive may ask for; checked from its directory, before anything is unpacked.
+struct ArchiveLimits {
+  uint64_t max_entries = 2000;
+  uint64_t max_bytes = uint64_t{1} << 30;  ///< of all entries together, unpacked
+  uint64_t max_ratio = 1000;               ///< of an entry's size unpacked and packed
+};
+
+/// Whether `bytes` begin as a zip archive does.
+bool is_archive(ByteView bytes);
+
+/// The files of a zip archive in the order of its directory; folders are passed over. Errors:
+/// bad_input (damaged, encrypted, a name twice or one that leads out of the archive), limit.
+Result<std::vector<ArchiveEntry>> unpack_archive(ByteView bytes, const ArchiveLimits& limits = {});
+
+}  // namespace relievo

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "io/archive/archive.h"
+#include "relievo/export.h"
+#include "relievo/image.h"
+#include "relievo/model.h"
+#include "relievo/result.h"
+
+namespace relievo {
+
+/// The model as the files of a 3MF package: mm, lying or standing as in an STL, one object whose
+/// vertices at one place are one. With a drawing its triangles carry that as a texture (materials
+/// extension), and are painted for several filaments, whose colours are listed in the package's
+/// description. Precondition: the model is a closed manifold. Errors: as check_exportable;
+/// `internal` where it cannot be packed.
+Result<std::vector<ArchiveEntry>> threemf_entries(const Model& model, const Drawing* drawing,
+                                                  const ExportOptions& options = {});
+
+}  // namespace relievo

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <pugixml.hpp>
+#include <string_view>
+
+#include "io/svg/path_data.h"
+#include "io/svg/svg_units.h"
+
+namespace relievo {
+
+/// Whether the element is a path, rect, circle, ellipse, line, polyline or polygon.
+bool is_shape_element(std::string_view local_name);
+
+/// The outline of a shape element in its user units; empty where it is disabled by its own
+/// geometry (a zero radius, say). `complete` tells whether all of its data could be read.
+PathData shape_path(const pugi::xml_node& element, const LengthContext& context,
+                    bool* complete = nullptr);
+
+}  // namespace relievo

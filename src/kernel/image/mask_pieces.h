@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+#include "relievo/image.h"
+
+namespace relievo {
+
+/// Counts the ones of a mask. O(pixels).
+int64_t count_of(const Image8& mask);
+
+/// Computes the share of the box around the ones of a mask that they fill; 0 for an empty mask.
+/// O(pixels).
+double share_of_box(const Image8& mask);
+
+/// Removes the pieces of a mask that have less than 3 % of the largest piece's area. O(pixels).
+Image8 without_small_pieces(const Image8& mask);
+
+/// Fills the holes of a mask: all pixels that it surrounds become 1. O(pixels).
+Image8 without_holes(const Image8& mask);
+
+}  // namespace relievo

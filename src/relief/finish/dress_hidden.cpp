@@ -1,0 +1,336 @@
+#include "relief/finish/dress_hidden.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "kernel/image/components.h"
+#include "kernel/image/compose.h"
+#include "kernel/image/distance_transform.h"
+#include "kernel/image/morphology.h"
+#include "kernel/image/pull_push.h"
+#include "relief/finish/fill_triangle.h"
+#include "relief/finish/hidden_patches.h"
+
+namespace relievo::relief {
+namespace {
+
+/// Between the drawing and the patches, so that none shows at the rim of the other.
+constexpr int gap = 8;
+
+/// Where the left upper pixel of a patch lies in the picture.
+struct PatchPlace {
+  int x = 0;
+  int y = 0;
+};
+
+/// Patches on shelves below the drawing, the high ones first; `height` grows to that of all.
+std::vector<PatchPlace> place_patches(const std::vector<HiddenPatch>& patches, int width,
+                                      int& height) {
+  std::vector<int> order(patches.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&patches](int a, int b) {
+    return patches[a].rgb.height > patches[b].rgb.height;
+  });
+  std::vector<PatchPlace> places(patches.size());
+  int x = width;
+  int top = height;
+  for (const int k : order) {
+    const Image8& rgb = patches[k].rgb;
+    if (x + rgb.width > width) {
+      x = 0;
+      top = height + gap;
+      height = top + rgb.height;
+    }
+    places[k] = {x, top};
+    x += rgb.width + gap;
+  }
+  return places;
+}
+
+void paste_patch(const Image8& rgb, PatchPlace place, Image8& rgba) {
+  for (int y = 0; y < rgb.height; ++y)
+    for (int x = 0; x < rgb.width; ++x) {
+      for (int c = 0; c < 3; ++c) rgba.at(place.x + x, place.y + y, c) = rgb.at(x, y, c);
+      rgba.at(place.x + x, place.y + y, 3) = 255;
+    }
+}
+
+/// Has the hidden triangles of parts refer to vertices of their own, on their patches.
+class PatchDresser {
+ public:
+  /// `drawing`: the size of the one that patches are pieces of. The model's texture coordinates
+  /// are on the picture, `uvs` on the drawing.
+  PatchDresser(Model& model, ImageSize drawing, ImageSize picture, const std::vector<Point2>& uvs)
+      : model_(model),
+        drawing_(drawing),
+        picture_(picture),
+        uvs_(uvs),
+        taken_(uvs.size(), 0),
+        copy_(uvs.size(), -1) {}
+
+  /// Keeps the vertices of a part's triangles but the last `but` as they are.
+  void keep(const ModelPart& part, int but) {
+    for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count - but; ++t)
+      for (const int v : model_.triangles[t]) taken_[v] = 1;
+  }
+
+  void dress(const HiddenPatch& patch, PatchPlace place) {
+    const ModelPart& part = model_.parts[patch.part];
+    const int end = part.first_triangle + part.triangle_count;
+    std::vector<int> used;
+    for (int t = end - part.hidden_count; t < end; ++t)
+      for (int& v : model_.triangles[t]) {
+        if (copy_[v] < 0) {
+          used.push_back(v);
+          copy_[v] = own_vertex(v);
+          model_.uvs[copy_[v]] = on_patch(uvs_[v], patch, place);
+        }
+        v = copy_[v];
+      }
+    for (const int v : used) copy_[v] = -1;
+  }
+
+ private:
+  Point2 on_patch(Point2 uv, const HiddenPatch& patch, PatchPlace place) const {
+    return {(uv.x * drawing_.width - patch.x + place.x) / picture_.width,
+            (uv.y * drawing_.height - patch.y + place.y) / picture_.height};
+  }
+
+  /// The vertex itself where nothing else needs it, else a copy.
+  int own_vertex(int vertex) {
+    if (taken_[vertex] == 0) {
+      taken_[vertex] = 1;
+      return vertex;
+    }
+    const Point3 position = model_.positions[vertex];
+    const Point3 normal = model_.normals[vertex];
+    model_.positions.push_back(position);
+    model_.normals.push_back(normal);
+    model_.uvs.emplace_back();
+    return static_cast<int>(model_.positions.size()) - 1;
+  }
+
+  Model& model_;
+  ImageSize drawing_;
+  ImageSize picture_;
+  const std::vector<Point2>& uvs_;
+  std::vector<uint8_t> taken_;  ///< of every vertex on the drawing
+  std::vector<int> copy_;       ///< likewise, for the present part
+};
+
+/// `share`: of the picture's height that is the drawing.
+void dress_parts(const HiddenPatches& found, const std::vector<PatchPlace>& places,
+                 ImageSize picture, double share, Model& model) {
+  const std::vector<Point2> uvs = model.uvs;
+  for (Point2& uv : model.uvs) uv.y *= share;
+  PatchDresser dresser(model, found.drawing, picture, uvs);
+  std::vector<int> dressed(model.parts.size(), 0);
+  for (const HiddenPatch& patch : found.patches)
+    dressed[patch.part] = model.parts[patch.part].hidden_count;
+  for (size_t p = 0; p < model.parts.size(); ++p) dresser.keep(model.parts[p], dressed[p]);
+  for (size_t k = 0; k < places.size(); ++k) dresser.dress(found.patches[k], places[k]);
+}
+
+constexpr int blended = 3;          ///< px inside the outline that paper may blend into
+constexpr int outside = 3;          ///< px beyond it that get paint, for what lies between pixels
+constexpr int widest_sliver = 3;    ///< px, half the width of paper that an outline cut off
+constexpr int ink_outside = 4;      ///< px beyond the outline that may hold half of its line
+constexpr int least_contrast = 60;  ///< between paper and paint that can be told apart
+constexpr double most_off_blend = 0.4;  ///< of that contrast, where a colour still is a blend
+constexpr double least_paint = 0.7;     ///< of what is no sliver
+
+using Colour = std::array<int, 3>;
+
+/// The colour of a pixel as it looks on paper.
+Colour seen_colour(const Image8& rgba, size_t i) {
+  const uint8_t* p = &rgba.pixels[4 * i];
+  return {on_paper(p[0], p[3]), on_paper(p[1], p[3]), on_paper(p[2], p[3])};
+}
+
+/// The colours of pixels spread over the picture, a cell for `size` x `size` of its pixels.
+class SpreadColours {
+ public:
+  /// `of`: not 0 on the pixels whose colours are spread.
+  SpreadColours(const Image8& of, const Image8& rgba, int size) : size_(size) {
+    ImageF cells((of.width + size - 1) / size, (of.height + size - 1) / size, 4);
+    for (size_t i = 0; i < of.pixels.size(); ++i) {
+      if (of.pixels[i] == 0) continue;
+      float* cell =
+          &cells.at(static_cast<int>(i) % of.width / size, static_cast<int>(i) / of.width / size);
+      const Colour colour = seen_colour(rgba, i);
+      for (int c = 0; c < 3; ++c) cell[c] += static_cast<float>(colour[c]);
+      ++cell[3];
+    }
+    for (size_t i = 0; i < cells.pixels.size(); i += 4) {
+      float* cell = &cells.pixels[i];
+      for (int c = 0; c < 3 && cell[3] > 0; ++c) cell[c] /= cell[3];
+      cell[3] = std::min(cell[3], 1.0F);
+    }
+    colours_ = pull_push(cells);
+  }
+
+  Colour at(int x, int y) const {
+    const float* cell = &colours_.at(x / size_, y / size_);
+    return {static_cast<int>(cell[0]), static_cast<int>(cell[1]), static_cast<int>(cell[2])};
+  }
+
+ private:
+  int size_;
+  ImageF colours_;
+};
+
+/// How much of a colour is paint and the rest of it paper; nothing where it is neither, as ink is,
+/// or where the two are much the same.
+std::optional<double> share_of_paint(const Colour& seen, const Colour& paint, const Colour& paper) {
+  double along = 0;
+  double contrast = 0;
+  double departure = 0;
+  for (size_t c = 0; c < 3; ++c) {
+    const double to_paint = paint[c] - paper[c];
+    const double here = seen[c] - paper[c];
+    along += here * to_paint;
+    contrast += to_paint * to_paint;
+    departure += here * here;
+  }
+  if (contrast < least_contrast * least_contrast) return std::nullopt;
+  const double off = departure - along * along / contrast;
+  if (off > most_off_blend * most_off_blend * contrast) return std::nullopt;
+  return along / contrast;
+}
+
+/// The pixels farther than `distance` px from those of a mask.
+Image8 beyond(const Image8& mask, int distance) {
+  const Image<int32_t> away = squared_distance_to(mask);
+  Image8 far(mask.width, mask.height, 1);
+  for (size_t i = 0; i < far.pixels.size(); ++i)
+    far.pixels[i] = away.pixels[i] > distance * distance ? 1 : 0;
+  return far;
+}
+
+/// The paper around a model, spread below it.
+SpreadColours paper_around(const Image8& open, const Image8& rgba) {
+  constexpr int cells = 64;  // along the longer side
+  const Image8 off_ink = beyond(complement(open), ink_outside);
+  const bool is_known = *std::max_element(off_ink.pixels.begin(), off_ink.pixels.end()) != 0;
+  const int size = std::max(1, std::max(rgba.width, rgba.height) / cells);
+  return {is_known ? off_ink : open, rgba, size};
+}
+
+/// The paper and the slivers of it that outlines cut off: narrow, beside broad paint, and open to
+/// the paper around.
+Image8 with_slivers(const Image8& open, const Image8& rgba, const SpreadColours& paper) {
+  constexpr int cell = 8;  // px
+  const Image8 deep = beyond(open, blended + widest_sliver);
+  const Image8 off_paint = beyond(deep, blended + 2 * widest_sliver);
+  const SpreadColours paint(deep, rgba, cell);
+  Image8 like(open.width, open.height, 1);
+  for (int y = 0; y < like.height; ++y)
+    for (int x = 0; x < like.width; ++x) {
+      if (open.at(x, y) != 0 || off_paint.at(x, y) != 0) continue;
+      const size_t i = static_cast<size_t>(y) * like.width + x;
+      const auto share = share_of_paint(seen_colour(rgba, i), paint.at(x, y), paper.at(x, y));
+      like.at(x, y) = share && *share < least_paint ? 1 : 0;
+    }
+  const Image8 broad = max_filter(min_filter(like, widest_sliver), widest_sliver);
+  for (size_t i = 0; i < like.pixels.size(); ++i)
+    like.pixels[i] = open.pixels[i] != 0 || like.pixels[i] > broad.pixels[i] ? 1 : 0;
+  return connected_to({0, 0, std::move(like)}, {0, 0, open}).inside;
+}
+
+/// Goes outwards from what is painted for certain, one pixel a step.
+class PaintCarrier {
+ public:
+  /// `open`: 1 where the model is not.
+  PaintCarrier(const Image8& open, Image8& rgba)
+      : rgba_(rgba),
+        paper_(paper_around(open, rgba)),
+        open_(with_slivers(open, rgba, paper_)),
+        known_(beyond(open_, blended)) {
+    const Image8 out_of_reach = beyond(known_, blended + outside);
+    for (size_t i = 0; i < known_.pixels.size(); ++i) {
+      const bool sliver = open_.pixels[i] != 0 && open.pixels[i] == 0;
+      if (known_.pixels[i] == 0 && (sliver || out_of_reach.pixels[i] == 0))
+        waiting_.push_back(static_cast<int>(i));
+    }
+  }
+
+  /// False where there is nothing left to paint.
+  bool step() {
+    std::vector<std::pair<int, Colour>> found;
+    for (const int i : waiting_) add_if_beside(i % known_.width, i / known_.width, found);
+    for (const auto& [i, colour] : found) {
+      known_.pixels[i] = 1;
+      if (open_.pixels[i] != 0 || is_blend(i, colour)) paint(i, colour);
+    }
+    const auto is_known = [this](int i) { return known_.pixels[i] != 0; };
+    waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), is_known), waiting_.end());
+    return !found.empty();
+  }
+
+ private:
+  /// Whether paper blends into a pixel whose paint would be of this colour.
+  bool is_blend(int i, const Colour& colour) const {
+    const auto share = share_of_paint(seen(i), colour, paper_.at(i % rgba_.width, i / rgba_.width));
+    return share && *share < 1;
+  }
+
+  Colour seen(int i) const { return seen_colour(rgba_, static_cast<size_t>(i)); }
+
+  void paint(int i, const Colour& colour) {
+    uint8_t* p = &rgba_.pixels[4 * static_cast<size_t>(i)];
+    for (int c = 0; c < 3; ++c) p[c] = static_cast<uint8_t>(colour[c]);
+    p[3] = 255;
+  }
+
+  void add_if_beside(int x, int y, std::vector<std::pair<int, Colour>>& found) const {
+    Colour sum = {};
+    int count = 0;
+    for (int v = std::max(0, y - 1); v <= std::min(known_.height - 1, y + 1); ++v)
+      for (int u = std::max(0, x - 1); u <= std::min(known_.width - 1, x + 1); ++u) {
+        if (known_.at(u, v) == 0) continue;
+        const Colour colour = seen(v * known_.width + u);
+        for (int c = 0; c < 3; ++c) sum[c] += colour[c];
+        ++count;
+      }
+    if (count == 0) return;
+    for (int& value : sum) value = (value + count / 2) / count;
+    found.emplace_back(y * known_.width + x, sum);
+  }
+
+  Image8& rgba_;
+  SpreadColours paper_;
+  Image8 open_;  ///< with slivers
+  Image8 known_;
+  std::vector<int> waiting_;  ///< pixels that can be reached
+};
+
+}  // namespace
+
+DrawnModel dress_hidden(Model model, Drawing drawing) {
+  const HiddenPatches found = hidden_patches(model, drawing);
+  extend_paint(model, drawing.rgba);
+  if (!found.patches.empty()) {
+    Image8& rgba = drawing.rgba;
+    const double drawn = rgba.height;
+    const std::vector<PatchPlace> places = place_patches(found.patches, rgba.width, rgba.height);
+    rgba.pixels.resize(static_cast<size_t>(rgba.width) * rgba.height * 4, 0);
+    for (size_t k = 0; k < places.size(); ++k) paste_patch(found.patches[k].rgb, places[k], rgba);
+    dress_parts(found, places, {rgba.width, rgba.height}, drawn / rgba.height, model);
+  }
+  for (ModelPart& part : model.parts) part.hidden_count = 0;
+  return {std::move(model), std::move(drawing)};
+}
+
+void extend_paint(const Model& model, Image8& rgba) {
+  if (rgba.empty()) return;
+  PaintCarrier carrier(uncovered_pixels(model, {rgba.width, rgba.height}), rgba);
+  while (carrier.step()) {
+  }
+}
+
+}  // namespace relievo::relief

@@ -1,0 +1,351 @@
+#include "relief/finish/ink_rims.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "kernel/geometry/polygon.h"
+#include "kernel/image/compose.h"
+#include "relief/finish/fill_triangle.h"
+#include "relief/finish/rim_surroundings.h"
+
+namespace relievo::relief {
+namespace {
+
+constexpr double upright = 1e-6;     ///< z of normals at outlines, at most
+constexpr double widest_ink = 0.03;  ///< of the drawing's diagonal
+constexpr double inked_share = 0.5;  ///< of what is seen of a part's outline
+constexpr double blurred = 1.5;      ///< px beside ink that hold some of it
+constexpr double broad_share = 0.8;  ///< of the widths of ink nearby lie below the one that counts
+constexpr double broadest_line = 3;  ///< of the usual width, up to which darkness is ink
+constexpr double nearby = 4;         ///< widths of ink
+constexpr double reach_of_ink = 6;   ///< widths of ink, up to where surfaces give way
+constexpr double deepest_ink = 0.5;  ///< of the squared height in the middle of a limb, at most
+constexpr double begin_of_paint = 0.85;  ///< heights of the ink's end, where the surface begins
+constexpr double edge_of_line = 0.5;     ///< widths of ink, how high the line's own edge is
+constexpr double reach_of_others = 2;    ///< widths of ink, within which what ends on it follows
+constexpr double reach_of_joins = 3;     ///< widths of ink, within which nothing gives way at joins
+constexpr double above_others = 0.002;   ///< of the canvas, how far ink keeps above what lies below
+
+/// A vertex of a part's outline where it is seen, with nothing nearer beyond it.
+struct RimVertex {
+  int vertex = 0;
+  Point2 place;      ///< canvas px
+  double z = 0;      ///< px
+  double width = 0;  ///< of the ink inwards, canvas px; 0 where there is none
+  double u = 0;      ///< px^2, the squared height over the rim where the ink ends
+  double most = 0;   ///< px^2, the greatest squared height nearby
+  double fade = 0;   ///< the share of inked outline nearby, as a weight from 0 to 1
+};
+
+/// The vertices of a part, ascending.
+std::vector<int> vertices_of(const Model& model, const ModelPart& part) {
+  std::vector<int> vertices;
+  for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t)
+    vertices.insert(vertices.end(), model.triangles[t].begin(), model.triangles[t].end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+/// The vertices along a part's outline where it is seen, ascending.
+std::vector<RimVertex> find_rim(const Model& model, const std::vector<Point3>& given,
+                                const RimView& view, int part, const std::vector<int>& vertices) {
+  std::vector<RimVertex> rim;
+  const double widest = widest_ink * view.scale() * norm(Point2{model.width, model.height});
+  for (const int v : vertices) {
+    if (std::abs(model.normals[v].z) > upright || !view.ends_here(v, part)) continue;
+    const Point3 p = given[v];
+    const double width = view.ink_width(v, widest).value_or(0);
+    rim.push_back({v, {p.x, p.y}, p.z, width > 0 ? (width + blurred) / view.scale() : 0});
+  }
+  return rim;
+}
+
+/// A height at a quantile of values, which it reorders. Precondition: there are some.
+double quantile(std::vector<double>& values, double share) {
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// The width of ink along most of a part's outline, canvas px; 0 where most has none. Where dark
+/// paint reaches the outline, as on a hoof, the ink has the width that is usual elsewhere.
+double settle_widths(std::vector<RimVertex>& rim) {
+  std::vector<double> widths;
+  for (const RimVertex& v : rim)
+    if (v.width > 0) widths.push_back(v.width);
+  const double least = inked_share * static_cast<double>(rim.size());
+  if (widths.empty() || static_cast<double>(widths.size()) < least) return 0;
+  const double usual = quantile(widths, 0.5);
+  const auto is_paint = [usual](double width) { return width > broadest_line * usual; };
+  std::replace_if(widths.begin(), widths.end(), is_paint, usual);
+  for (RimVertex& v : rim)
+    if (is_paint(v.width)) v.width = usual;
+  return quantile(widths, broad_share);
+}
+
+template <class Item>
+std::vector<Point2> places_of(const std::vector<Item>& items) {
+  std::vector<Point2> places;
+  for (const Item& item : items) places.push_back(item.place);
+  return places;
+}
+
+/// A vertex of a part near its rim.
+struct BandVertex {
+  int vertex = 0;
+  Point2 place;         ///< canvas px
+  double distance = 0;  ///< canvas px to the rim
+  double f = 0;         ///< px, the height over the rim beside it
+};
+
+/// Lets the surface of one part begin where its ink ends.
+class RimFlattener {
+ public:
+  RimFlattener(const std::vector<Point3>& given, const std::vector<int>& vertices,
+               std::vector<RimVertex> rim, double width)
+      : width_(width), rim_(std::move(rim)), beside_(places_of(rim_), reach_of_ink * width) {
+    find_band(given, vertices);
+    const NearPoints near_band(places_of(band_));
+    smooth_widths();
+    for (RimVertex& v : rim_)
+      if (v.width > 0) find_heights(near_band, v);
+    smooth_ends();
+  }
+
+  /// How far each vertex near the rim goes back.
+  std::vector<std::pair<int, double>> drops() const {
+    std::vector<std::pair<int, double>> found;
+    for (const BandVertex& near : band_) {
+      double u = 0;
+      double most = 0;
+      double fade = 0;
+      double width = 0;
+      beside_.for_each(near.place, near.distance, [&](size_t i, double weight) {
+        u += weight * rim_[i].u;
+        most += weight * rim_[i].most;
+        fade += weight * rim_[i].fade;
+        width += weight * rim_[i].width;
+      });
+      const double left = near.f - lowered(near.f, {u, most, edge_of_line * width});
+      const double drop = fade * beside_.share_at(near.distance) * left;
+      if (drop > 0) found.emplace_back(near.vertex, drop);
+    }
+    return found;
+  }
+
+ private:
+  /// What a surface rises from at a rim.
+  struct Start {
+    double u = 0;     ///< px^2, the squared height where ink ends
+    double most = 0;  ///< px^2, the greatest squared height
+    double edge = 0;  ///< px, of the line itself
+  };
+
+  /// The height that a height f over the rim becomes where ink ends: there the surface begins,
+  /// without an edge, and from twice that height, or the greatest, on it is f.
+  static double lowered(double f, const Start& start) {
+    const double end = std::sqrt(start.u);
+    if (end <= 0) return f;
+    const double again = std::min(2.0, std::sqrt(start.most) / end);
+    if (f >= again * end) return f;
+    // The cubic from 0 with slope 0 to `again` with slope 1.
+    const double span = again - begin_of_paint;
+    const double s = std::max(0.0, (f / end - begin_of_paint) / span);
+    const double rise = s * s * (again * (3 - 2 * s) - span * (1 - s));
+    return std::max(end * rise, std::min(f, start.edge));
+  }
+
+  void find_band(const std::vector<Point3>& given, const std::vector<int>& vertices) {
+    for (const int v : vertices) {
+      const Point3 p = given[v];
+      BandVertex near{v, {p.x, p.y}};
+      near.distance = beside_.distance_to(near.place);
+      if (near.distance >= reach_of_ink * width_) continue;
+      double rim = 0;
+      beside_.for_each(near.place, near.distance,
+                       [&](size_t i, double weight) { rim += weight * rim_[i].z; });
+      near.f = std::max(0.0, p.z - rim);
+      band_.push_back(near);
+    }
+  }
+
+  void smooth_widths() {
+    std::vector<double> smooth;
+    for (RimVertex& v : rim_) {
+      std::vector<double> widths;
+      double all = 0;
+      beside_.rim().for_each(v.place, nearby * width_, [&](size_t i, double) {
+        ++all;
+        if (rim_[i].width > 0) widths.push_back(rim_[i].width);
+      });
+      const double share = std::clamp(2 * static_cast<double>(widths.size()) / all - 0.5, 0.0, 1.0);
+      v.fade = share * share * (3 - 2 * share);
+      smooth.push_back(widths.empty() ? 0 : quantile(widths, broad_share));
+    }
+    for (size_t i = 0; i < rim_.size(); ++i) rim_[i].width = smooth[i];
+  }
+
+  /// What is measured of heights varies from vertex to vertex, which would fold the surface.
+  void smooth_ends() {
+    std::vector<Point2> smooth;
+    for (const RimVertex& v : rim_) {
+      Point2 sum;
+      double all = 0;
+      beside_.rim().for_each(v.place, nearby * width_, [&](size_t i, double distance) {
+        if (rim_[i].width <= 0) return;
+        const double weight = 1 - distance / (nearby * width_);
+        sum = sum + weight * Point2{rim_[i].u, rim_[i].most};
+        all += weight;
+      });
+      smooth.push_back(all > 0 ? (1 / all) * sum : Point2{});
+    }
+    for (size_t i = 0; i < rim_.size(); ++i) {
+      rim_[i].u = smooth[i].x;
+      rim_[i].most = smooth[i].y;
+    }
+  }
+
+  /// The greatest squared height nearby and the one where ink of this width ends, rather too much
+  /// than too little: what is left of the ink beyond would be a streak down the wall. Nearer to the
+  /// rim f^2 / t is larger, t being the distance.
+  void find_heights(const NearPoints& near_band, RimVertex& v) const {
+    std::vector<double> at_end;
+    double farther = 0;
+    double distances = 0;
+    near_band.for_each(v.place, nearby * v.width, [&](size_t i, double) {
+      const BandVertex& near = band_[i];
+      const double u = near.f * near.f;
+      v.most = std::max(v.most, u);
+      if (near.distance < 0.5 * v.width || near.distance > 3 * v.width) return;
+      farther += u;
+      distances += near.distance;
+      if (near.distance < 1.2 * v.width) at_end.push_back(u * v.width / near.distance);
+    });
+    if (distances == 0) return;
+    const double u = at_end.empty() ? v.width * farther / distances : quantile(at_end, broad_share);
+    v.u = std::min(u, deepest_ink * v.most);
+  }
+
+  double width_;
+  std::vector<RimVertex> rim_;
+  BesideRim beside_;
+  std::vector<BandVertex> band_;
+};
+
+/// Parts that end on others that went back go with them.
+class RimFollower {
+ public:
+  /// `touching`: px, between heights that count as one; `reach`: canvas px, of what follows.
+  RimFollower(const Floor& before, const Floor& after, double touching, double reach)
+      : before_(before), after_(after), touching_(touching), reach_(reach) {}
+
+  /// How far each vertex near an outline goes back.
+  std::vector<std::pair<int, double>> drops(const Model& model, const std::vector<Point3>& given,
+                                            const std::vector<int>& vertices) const {
+    std::vector<Point2> rim;
+    std::vector<double> gaps;
+    for (const int v : vertices) {
+      if (std::abs(model.normals[v].z) > upright) continue;
+      rim.push_back({given[v].x, given[v].y});
+      gaps.push_back(gap(model.uvs[v], given[v].z));
+    }
+    std::vector<std::pair<int, double>> found;
+    if (std::none_of(gaps.begin(), gaps.end(), [](double gap) { return gap > 0; })) return found;
+    const BesideRim beside(std::move(rim), reach_);
+    for (const int v : vertices) {
+      const Point2 place{given[v].x, given[v].y};
+      const double distance = beside.distance_to(place);
+      if (distance >= reach_) continue;
+      double drop = 0;
+      beside.for_each(place, distance, [&](size_t i, double weight) { drop += weight * gaps[i]; });
+      if (drop > 0) found.emplace_back(v, drop * beside.share_at(distance));
+    }
+    return found;
+  }
+
+ private:
+  /// How far what touched a place at a height from below went back.
+  double gap(Point2 uv, double z) const {
+    const auto [least, most] = before_.range_at(uv);
+    if (z < least - touching_ || z > most + touching_) return 0;
+    const auto now = after_.range_at(uv);
+    return std::max(0.0, 0.5 * (least + most - now[0] - now[1]));
+  }
+
+  const Floor& before_;
+  const Floor& after_;
+  double touching_;
+  double reach_;
+};
+
+/// 1 for those of `count` vertices that several parts have, which lie at joins.
+std::vector<uint8_t> sewn_vertices(const std::vector<std::vector<int>>& parts, size_t count) {
+  std::vector<uint8_t> taken(count, 0);
+  std::vector<uint8_t> sewn(count, 0);
+  for (const std::vector<int>& part : parts)
+    for (const int v : part) {
+      sewn[v] = taken[v];
+      taken[v] = 1;
+    }
+  return sewn;
+}
+
+/// Joins stay as they are: what goes back does so the less the nearer to one, within `reach`
+/// (canvas px).
+void keep_joins(const std::vector<Point3>& given, const std::vector<int>& part,
+                const std::vector<uint8_t>& sewn, double reach, std::vector<double>& back) {
+  std::vector<Point2> join;
+  for (const int v : part)
+    if (sewn[v] != 0) join.push_back({given[v].x, given[v].y});
+  if (join.empty() || reach <= 0) return;
+  const BesideRim beside(std::move(join), reach);
+  for (const int v : part)
+    if (back[v] > 0) back[v] *= 1 - beside.share_at(beside.distance_to({given[v].x, given[v].y}));
+}
+
+}  // namespace
+
+void narrow_inked_rims(Model& model, const Drawing& drawing) {
+  if (drawing.rgba.empty()) return;
+  const RimView view(model, drawing.rgba);
+  const double lift = above_others * std::max(model.width, model.height);
+  const std::vector<Point3> given = model.positions;
+  std::vector<std::vector<int>> parts;
+  for (const ModelPart& part : model.parts) parts.push_back(vertices_of(model, part));
+  const std::vector<uint8_t> sewn = sewn_vertices(parts, given.size());
+  Floor before(model);
+  Floor after(model);
+  double broadest = 0;
+  for (size_t p = 0; p < model.parts.size(); ++p) {
+    const std::vector<int>& vertices = parts[p];
+    std::vector<double> back(given.size(), 0);
+    const auto go_back = [&](int v, double by) {
+      const double z = given[v].z - back[v];
+      const double least = std::min(z, after.range_at(model.uvs[v])[1] + lift);
+      back[v] = given[v].z - std::max(z - by, least);
+    };
+    std::vector<RimVertex> rim = find_rim(model, given, view, static_cast<int>(p), vertices);
+    const double width = settle_widths(rim);
+    if (width > 0)
+      for (const auto& [v, by] : RimFlattener(given, vertices, std::move(rim), width).drops())
+        go_back(v, by);
+    if (broadest > 0)
+      for (const auto& [v, by] : RimFollower(before, after, lift, reach_of_others * broadest)
+                                     .drops(model, given, vertices))
+        go_back(v, by);
+    broadest = std::max(broadest, width);
+    keep_joins(given, vertices, sewn, reach_of_joins * (width > 0 ? width : broadest), back);
+    for (const int v : vertices) model.positions[v].z = given[v].z - back[v];
+    before.add(model, model.parts[p], given);
+    after.add(model, model.parts[p], model.positions);
+  }
+}
+
+}  // namespace relievo::relief

@@ -1,0 +1,109 @@
+#include "relief/finish/paint_layers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "kernel/image/distance_transform.h"
+#include "kernel/image/mask.h"
+#include "kernel/image/outlines.h"
+#include "kernel/image/pull_push.h"
+
+namespace relievo::relief {
+namespace {
+
+/// Of the longer side: colours so near to another part may be ink of the outline between them.
+constexpr double ink_share = 0.006;
+
+Outline scaled(const Outline& outline, double sx, double sy) {
+  Outline out = outline;
+  for (Ring& ring : out)
+    for (Point2& p : ring) p = {sx * p.x, sy * p.y};
+  return out;
+}
+
+/// The part in front at every pixel, -1 where there is none.
+Image<int32_t> front_parts(const std::vector<Mask>& masks, int width, int height) {
+  Image<int32_t> front(width, height, 1, -1);
+  for (size_t p = 0; p < masks.size(); ++p)
+    for_each_pixel(masks[p], [&](int x, int y) { front.at(x, y) = static_cast<int32_t>(p); });
+  return front;
+}
+
+/// The drawing by parts.
+struct PartMap {
+  Image<int32_t> front;        ///< the part in front, -1 where there is none
+  Image<int32_t> from_border;  ///< px^2 to the next pixel beside another part's
+};
+
+PartMap map_parts(const std::vector<Mask>& masks, int width, int height) {
+  PartMap map{front_parts(masks, width, height), {}};
+  Image8 border(width, height, 1);
+  const auto differ = [&](int x, int y, int u, int v) {
+    if (map.front.at(x, y) != map.front.at(u, v)) border.at(x, y) = border.at(u, v) = 1;
+  };
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      if (x > 0) differ(x, y, x - 1, y);
+      if (y > 0) differ(x, y, x, y - 1);
+    }
+  map.from_border = squared_distance_to(border);
+  return map;
+}
+
+/// The colours of a part that are surely its own, 4 channels weighted by the last; all that are
+/// seen of it where none is. `reach` in px.
+ImageF own_colours(const Mask& mask, const PartMap& map, const Image8& rgba, int part, int reach) {
+  ImageF colours(mask.inside.width, mask.inside.height, 4);
+  bool any = false;
+  for (const int least : {reach * reach, 0}) {
+    if (any) break;
+    for_each_pixel(mask, [&](int x, int y) {
+      if (map.front.at(x, y) != part || rgba.at(x, y, 3) == 0) return;
+      if (map.from_border.at(x, y) < least) return;
+      any = true;
+      for (int c = 0; c < 3; ++c)
+        colours.at(x - mask.left, y - mask.top, c) = static_cast<float>(rgba.at(x, y, c));
+      colours.at(x - mask.left, y - mask.top, 3) = 1;
+    });
+  }
+  return colours;
+}
+
+Image8 paint(const Mask& mask, const PartMap& map, const Image8& rgba, int part) {
+  const int reach =
+      std::max(2, static_cast<int>(std::lround(ink_share * std::max(rgba.width, rgba.height))));
+  const ImageF filled = pull_push(own_colours(mask, map, rgba, part, reach));
+  Image8 layer(mask.inside.width, mask.inside.height, 4);
+  for_each_pixel(mask, [&](int x, int y) {
+    const int u = x - mask.left;
+    const int v = y - mask.top;
+    if (map.front.at(x, y) == part) {
+      for (int c = 0; c < 4; ++c) layer.at(u, v, c) = rgba.at(x, y, c);
+      return;
+    }
+    for (int c = 0; c < 3; ++c)
+      layer.at(u, v, c) =
+          static_cast<uint8_t>(std::lround(std::clamp(filled.at(u, v, c), 0.0F, 255.0F)));
+    layer.at(u, v, 3) = 255;
+  });
+  return layer;
+}
+
+}  // namespace
+
+std::vector<PaintedLayer> paint_layers(const Scene& scene, const Image8& rgba) {
+  std::vector<Mask> masks;
+  for (const Part& part : scene.parts)
+    masks.push_back(
+        fill_outline(scaled(part.outline, rgba.width / scene.width, rgba.height / scene.height),
+                     rgba.width, rgba.height));
+  const PartMap map = map_parts(masks, rgba.width, rgba.height);
+  std::vector<PaintedLayer> layers;
+  for (size_t p = 0; p < masks.size(); ++p)
+    layers.push_back({scene.parts[p].id, masks[p].left, masks[p].top,
+                      paint(masks[p], map, rgba, static_cast<int>(p))});
+  return layers;
+}
+
+}  // namespace relievo::relief

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "relievo/image.h"
+#include "relievo/scene.h"
+
+namespace relievo::relief {
+
+/// A picture of one part on its own.
+struct PaintedLayer {
+  std::string name;
+  int left = 0, top = 0;  ///< px of the drawing
+  Image8 rgba;            ///< straight alpha; transparent outside the part
+};
+
+/// The parts of a drawing as layers, back to front: a part has the drawing's pixels where it is
+/// seen, and where others hide it colours that go on from its own, away from their outlines. Seen
+/// from the front they give the drawing. `rgba` covers the canvas. O(pixels of all parts).
+std::vector<PaintedLayer> paint_layers(const Scene& scene, const Image8& rgba);
+
+}  // namespace relievo::relief

@@ -1,0 +1,221 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "kernel/geometry/polygon.h"
+#include "kernel/image/compose.h"
+#include "kernel/image/image_size.h"
+#include "kernel/meshing/segment_grid.h"
+#include "relief/finish/fill_triangle.h"
+
+namespace relievo::relief {
+
+/// Finds the points near a place. Precondition: there are points.
+class NearPoints {
+ public:
+  explicit NearPoints(std::vector<Point2> points)
+      : points_(std::move(points)), grid_(box(), points_.size()) {
+    grid_.build(points_.size(), [this](size_t i) { return std::pair(points_[i], points_[i]); });
+  }
+
+  /// Calls visit(index, distance) for all closer than `radius`.
+  template <class Visit>
+  void for_each(Point2 place, double radius, Visit visit) const {
+    grid_.for_cells(place, place, radius, [&](size_t cell) {
+      for (const int* i = grid_.begin(cell); i != grid_.end(cell); ++i) {
+        const double d = distance(points_[*i], place);
+        if (d < radius) visit(static_cast<size_t>(*i), d);
+      }
+    });
+  }
+
+ private:
+  Box2 box() const {
+    Box2 box;
+    for (const Point2 p : points_) box.add(p);
+    return box;
+  }
+
+  std::vector<Point2> points_;
+  SegmentGrid grid_;
+};
+
+/// Carries what is known at the vertices of a rim to the places beside it.
+class BesideRim {
+ public:
+  /// `reach`: canvas px. Precondition: there are places.
+  BesideRim(std::vector<Point2> rim, double reach) : near_(std::move(rim)), reach_(reach) {}
+
+  const NearPoints& rim() const { return near_; }
+
+  /// The distance to the rim, `reach` at most.
+  double distance_to(Point2 place) const {
+    double nearest = reach_;
+    for (double radius = reach_ / 16; radius <= reach_ && nearest == reach_; radius *= 2)
+      near_.for_each(place, radius, [&](size_t, double d) { nearest = std::min(nearest, d); });
+    return nearest;
+  }
+
+  /// Calls visit(index, weight) for the rim beside a place at a distance below `reach`; weights
+  /// add up to 1 and vary smoothly from place to place.
+  template <class Visit>
+  void for_each(Point2 place, double nearest, Visit visit) const {
+    const double radius = 1.5 * nearest + 1;
+    const auto weight = [radius](double d) {
+      const double inside = 1 - d / radius;
+      return inside * inside / ((d * d + 0.01) * (d * d + 0.01));
+    };
+    double sum = 0;
+    near_.for_each(place, radius, [&](size_t, double d) { sum += weight(d); });
+    near_.for_each(place, radius, [&](size_t i, double d) { visit(i, weight(d) / sum); });
+  }
+
+  /// 1 at the rim, 0 at `reach`, smooth.
+  double share_at(double distance) const {
+    const double t = distance / reach_;
+    return (1 - t * t) * (1 - t * t);
+  }
+
+ private:
+  NearPoints near_;
+  double reach_;
+};
+
+/// A drawing's pixels with what the model shows on each.
+class RimView {
+ public:
+  RimView(const Model& model, const Image8& rgba)
+      : model_(model),
+        rgba_(rgba),
+        scale_(rgba.width / model.width),
+        front_(front_parts(model, {rgba.width, rgba.height})) {}
+
+  /// Pixels of the drawing in one of the canvas.
+  double scale() const { return scale_; }
+
+  /// A vertex's place moved towards the inside of its outline, in pixels.
+  Point2 inwards(int vertex, double by) const {
+    const Point2 uv = model_.uvs[vertex];
+    const Point3 n = model_.normals[vertex];
+    const double length = std::max(1e-12, norm(Point2{n.x, n.y}));
+    return {uv.x * rgba_.width - by * n.x / length, uv.y * rgba_.height + by * n.y / length};
+  }
+
+  /// The part seen there, from 1; 0 where there is paper.
+  int part_at(Point2 p) const {
+    const int x = static_cast<int>(std::floor(p.x));
+    const int y = static_cast<int>(std::floor(p.y));
+    const bool on = x >= 0 && y >= 0 && x < front_.width && y < front_.height;
+    return on ? front_.at(x, y) : 0;
+  }
+
+  /// Whether the part, from 0, is seen on one side of the vertex and none before it on the other.
+  bool ends_here(int vertex, int part) const {
+    return part_at(inwards(vertex, probe)) == part + 1 && part_at(inwards(vertex, -probe)) <= part;
+  }
+
+  /// The width of the ink from a vertex inwards, px of the drawing, where there is ink with paint
+  /// beside it.
+  std::optional<double> ink_width(int vertex, double widest) const {
+    std::vector<double> values;
+    for (double t = 0.5; t < 2 * widest; t += 1) values.push_back(brightness(inwards(vertex, t)));
+    // An eye farther in may be darker than the ink.
+    auto darkest = values.begin();
+    for (auto v = values.begin(); v != values.end() && *v - *darkest < least_contrast; ++v)
+      if (*v < *darkest) darkest = v;
+    const double most = *std::max_element(darkest, values.end()) - *darkest;
+    if (most < least_contrast) return std::nullopt;
+    // Paint is the first that stays about as bright, not the brightest patch farther in.
+    const auto is_paint = [&](auto v) {
+      const double contrast = *v - *darkest;
+      const auto ahead = v + std::min<std::ptrdiff_t>(4, values.end() - v);
+      return contrast >= std::max(least_contrast, paint_share * most) &&
+             *std::max_element(v, ahead) - *v <= level_share * contrast;
+    };
+    auto paint = darkest;
+    while (!is_paint(paint)) ++paint;
+    const double between = 0.5 * (*paint + *darkest);
+    const auto is_light = [between](double v) { return v > between; };
+    if (std::any_of(values.begin() + std::min(antialiased, darkest - values.begin()), darkest,
+                    is_light))
+      return std::nullopt;
+    const auto end = std::find_if(darkest, values.end(), is_light);
+    const auto width = static_cast<double>(end - values.begin());
+    return width <= widest ? std::optional(width) : std::nullopt;
+  }
+
+ private:
+  /// Of a place on the drawing, 0 to 255.
+  double brightness(Point2 p) const {
+    const int x = std::clamp(static_cast<int>(p.x), 0, rgba_.width - 1);
+    const int y = std::clamp(static_cast<int>(p.y), 0, rgba_.height - 1);
+    const uint8_t* c = &rgba_.at(x, y);
+    return (on_paper(c[0], c[3]) + on_paper(c[1], c[3]) + on_paper(c[2], c[3])) / 3.0;
+  }
+
+  static constexpr double least_contrast = 40;  ///< between ink and the paint beside it, of 255
+  /// Of the greatest contrast to ink, which paint has at least.
+  static constexpr double paint_share = 0.35;
+  static constexpr double level_share = 0.1;  ///< of the contrast to ink, by which paint varies
+  static constexpr double probe = 2;          ///< px, where to look on both sides of an outline
+  static constexpr std::ptrdiff_t antialiased = 3;  ///< px inside an outline that may hold paper
+
+  const Model& model_;
+  const Image8& rgba_;
+  double scale_;
+  Image16 front_;
+};
+
+/// The greatest height of the parts so far, on a small view of the canvas.
+class Floor {
+ public:
+  explicit Floor(const Model& model)
+      : size_(fitted_size(model.width, model.height, longest_floor)),
+        height_(size_.width, size_.height, 1, std::numeric_limits<float>::lowest()) {}
+
+  /// Adds a part with its vertices at `positions`.
+  void add(const Model& model, const ModelPart& part, const std::vector<Point3>& positions) {
+    for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
+      const auto [a, b, c] = corners_on_image(model, t, size_);
+      const double area = cross(b - a, c - a);
+      const auto z = [&](size_t k) { return positions[model.triangles[t][k]].z; };
+      for_each_pixel_inside({a, b, c}, size_, [&, a = a, b = b, c = c](int x, int y) {
+        const Point2 p{x + 0.5, y + 0.5};
+        const double v = cross(p - a, c - a) / area;
+        const double w = cross(b - a, p - a) / area;
+        float& most = height_.at(x, y);
+        most = std::max(most, static_cast<float>((1 - v - w) * z(0) + v * z(1) + w * z(2)));
+      });
+    }
+  }
+
+  /// The least and the greatest height around a vertex, both lowest() where there is nothing.
+  std::array<double, 2> range_at(Point2 uv) const {
+    const int x = static_cast<int>(std::floor(uv.x * size_.width - 0.5));
+    const int y = static_cast<int>(std::floor(uv.y * size_.height - 0.5));
+    constexpr double nothing = std::numeric_limits<float>::lowest();
+    std::array<double, 2> range{-nothing, nothing};
+    for (const int u : {x, x + 1})
+      for (const int v : {y, y + 1}) {
+        const double z =
+            height_.at(std::clamp(u, 0, size_.width - 1), std::clamp(v, 0, size_.height - 1));
+        if (z == nothing) continue;
+        range = {std::min(range[0], z), std::max(range[1], z)};
+      }
+    return {std::min(range[0], range[1]), range[1]};
+  }
+
+ private:
+  static constexpr int longest_floor = 1024;  ///< px
+  ImageSize size_;
+  ImageF height_;
+};
+
+}  // namespace relievo::relief

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "relief/inflation/inflation.h"
+#include "relief/layers/layered_mesh.h"
+#include "relief/ordering/ordering.h"
+#include "relief/surface/visible_sheet.h"
+#include "relievo/result.h"
+#include "relievo/run_context.h"
+#include "relievo/scene.h"
+
+namespace relievo::relief {
+
+/// The limbs that `ids` lists, parts joined to one behind them. Fails with usage, naming the part,
+/// where there is none of that name, it is joined to no part behind it or lies in that one's
+/// middle; else as assemble_visible_sheet. Near-linear for each limb.
+Result<std::vector<LimbSheet>> assemble_limbs(const LayeredMesh& mesh, const Inflation& inflation,
+                                              const Ordering& ordering, const Scene& scene,
+                                              const std::vector<std::string>& ids,
+                                              const RunContext& context = {});
+
+}  // namespace relievo::relief

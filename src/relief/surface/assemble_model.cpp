@@ -1,0 +1,150 @@
+#include "relief/surface/assemble_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "relief/surface/cut_faces.h"
+#include "relief/surface/model_builder.h"
+#include "relief/surface/sheet_surface.h"
+#include "relief/surface/surface_sample.h"
+#include "relief/surface/walls.h"
+
+namespace relievo::relief {
+namespace {
+
+constexpr double min_rim_tolerance = 1e-6;
+constexpr int most_rim_levels = 8;
+/// Heights count as equal within this fraction of the canvas.
+constexpr double weld_fraction = 1e-9;
+/// What lies less than this fraction of the canvas below another part counts as seen.
+constexpr double hidden_fraction = 0.004;
+
+Status check_options(const ModelOptions& options) {
+  if (!(options.rim_tolerance >= min_rim_tolerance && std::isfinite(options.rim_tolerance)))
+    return Error{ErrorCode::usage, "the rim tolerance must be at least 1e-6 px", "rim_tolerance"};
+  if (options.max_rim_levels < 0 || options.max_rim_levels > most_rim_levels)
+    return Error{ErrorCode::usage, "the number of rim levels must be from 0 to 8",
+                 "max_rim_levels"};
+  return Done{};
+}
+
+/// Nodes take the height of the ordering itself, which is exactly equal where parts touch.
+void add_corner_vertices(const LayeredMesh& mesh, const Inflation& inflation,
+                         const Ordering& ordering, const SheetSurface& sheets,
+                         ModelBuilder& builder) {
+  for (size_t v = 0; v < sheets.vertex_node.size(); ++v) {
+    const int node = sheets.vertex_node[v];
+    const auto [face, corner] = sheets.vertex_corner[v];
+    builder.add_vertex(mesh.vertices[mesh.node_vertex[node]], ordering.h[node],
+                       surface_normal(corner_sample(mesh, inflation, ordering, face, corner)));
+  }
+}
+
+/// The cuts of edge e with the normals of one of its faces, `last` being the corner where the edge
+/// ends.
+void add_cuts_of(const CutSurface& surface, size_t e, FaceEdge first, FaceEdge last,
+                 const Inflation& inflation, const Ordering& ordering, ModelBuilder& builder) {
+  const LayeredMesh& mesh = surface.mesh;
+  const auto place = [&](FaceEdge at) {
+    return mesh.vertices[mesh.node_vertex[mesh.faces[at.face][at.corner]]];
+  };
+  const SurfaceSample from = corner_sample(mesh, inflation, ordering, first.face, first.corner);
+  const SurfaceSample to = corner_sample(mesh, inflation, ordering, last.face, last.corner);
+  for (int i = surface.cuts.begin[e]; i < surface.cuts.begin[e + 1]; ++i) {
+    const double t = surface.cuts.t[i];
+    const SurfaceSample sample = interpolate(from, to, t);
+    builder.add_vertex((1 - t) * place(first) + t * place(last), height(sample),
+                       surface_normal(sample));
+  }
+}
+
+void add_cut_vertices(const CutSurface& surface, const Inflation& inflation,
+                      const Ordering& ordering, ModelBuilder& builder) {
+  const size_t edges = surface.sheets.edge_owner.size();
+  for (size_t e = 0; e < edges; ++e) {
+    const auto [face, corner] = surface.sheets.edge_owner[e];
+    add_cuts_of(surface, e, {face, next_place(corner)}, {face, last_place(corner)}, inflation,
+                ordering, builder);
+  }
+  for (size_t e = 0; e < edges; ++e) {
+    if (surface.cuts.twin[e] < 0) continue;
+    const auto [face, corner] = surface.sheets.edge_twin[e];
+    add_cuts_of(surface, e, {face, last_place(corner)}, {face, next_place(corner)}, inflation,
+                ordering, builder);
+  }
+}
+
+std::vector<StepPoint> step_points(const CutSurface& surface, FaceEdge edge, bool backwards) {
+  std::vector<EdgePoint> points;
+  append_edge_points(surface, edge, backwards, points);
+  std::vector<StepPoint> step;
+  step.reserve(points.size());
+  for (const EdgePoint& point : points) step.push_back({point.vertex, point.t});
+  return step;
+}
+
+/// Builds the faces that are kept and hands them to `finish`.
+template <class Finish>
+Status build_faces(const LayeredMesh& mesh, const Inflation& inflation, const Ordering& ordering,
+                   const Scene& scene, const ModelOptions& options, const RunContext& context,
+                   Finish finish) {
+  if (Status status = check_options(options); !status.ok()) return status;
+  if (Status status = check_surface(mesh, inflation, ordering, scene); !status.ok()) return status;
+  context.report("model", 0);
+  const SheetSurface sheets = connect_faces(mesh, scene, ordering.crossing, options.visibility);
+  if (context.cancelled()) return interrupted_error();
+  const auto cuts = cut_edges(sheets, inflation, options);
+  if (!cuts) return cuts.error();
+  context.report("model", 0.3);
+  const CutSurface surface{mesh, sheets, *cuts};
+  ModelBuilder builder(scene);
+  builder.reserve(sheets.vertex_node.size() + cuts->t.size(),
+                  mesh.faces.size() + 2 * cuts->t.size());
+  add_corner_vertices(mesh, inflation, ordering, sheets, builder);
+  add_cut_vertices(surface, inflation, ordering, builder);
+  const double hidden_depth = hidden_fraction * std::max(scene.width, scene.height);
+  if (Status s = cut_faces(surface, hidden_depth, context, builder); !s) return s;
+  context.report("model", 0.8);
+  finish(surface, builder);
+  context.report("model", 1);
+  return Done{};
+}
+
+}  // namespace
+
+Result<Model> assemble_model(const LayeredMesh& mesh, const Inflation& inflation,
+                             const Ordering& ordering, const Scene& scene,
+                             const ModelOptions& options, const RunContext& context) {
+  Model model;
+  const double weld_tolerance = weld_fraction * std::max(scene.width, scene.height);
+  Status status = build_faces(mesh, inflation, ordering, scene, options, context,
+                              [&](const CutSurface& surface, ModelBuilder& builder) {
+                                close_open_edges(surface, weld_tolerance, builder);
+                                model = std::move(builder).build();
+                                drop_unused_vertices(model);
+                              });
+  if (!status) return status.error();
+  return model;
+}
+
+Result<VisibleSheet> assemble_visible_sheet(const LayeredMesh& mesh, const Inflation& inflation,
+                                            const Ordering& ordering, const Scene& scene,
+                                            const ModelOptions& options,
+                                            const RunContext& context) {
+  ModelOptions relief = options;
+  relief.visibility = Visibility::relief;
+  VisibleSheet sheet;
+  Status status = build_faces(mesh, inflation, ordering, scene, relief, context,
+                              [&](const CutSurface& surface, ModelBuilder& builder) {
+                                for (const OpenEdge& open : surface.sheets.open_edges)
+                                  sheet.steps.push_back({step_points(surface, open.first, false),
+                                                         step_points(surface, open.second, true)});
+                                sheet.back = back_points(surface, inflation, ordering);
+                                sheet.model = std::move(builder).build();
+                              });
+  if (!status) return status.error();
+  return sheet;
+}
+
+}  // namespace relievo::relief

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cmath>
+
+#include "kernel/geometry/polygon.h"
+#include "relief/inflation/inflation.h"
+#include "relief/layers/layered_mesh.h"
+#include "relief/ordering/ordering.h"
+#include "relievo/point.h"
+#include "relievo/result.h"
+#include "relievo/scene.h"
+
+namespace relievo::relief {
+
+/// The relief at one point of a face. All members vary linearly over the face; the height and
+/// the normal follow from them, never the other way round.
+struct SurfaceSample {
+  double u = 0;   ///< px^2, signed square of the inflated height
+  double g = 0;   ///< px, shift
+  Point2 grad_u;  ///< px, canvas axes (y down)
+  Point2 grad_g;  ///< canvas axes (y down)
+};
+
+/// Height towards the viewer, px.
+inline double height(const SurfaceSample& s) { return s.g + signed_root(s.u); }
+
+/// The unit normal ~ (-1/2 grad u - |f| grad g, |f|) in model axes (Y up): finite and horizontal
+/// at outlines, where the height has infinite slope. (0, 0, 1) where both terms vanish.
+inline Point3 surface_normal(const SurfaceSample& s) {
+  const double f = std::sqrt(std::abs(s.u));
+  const Point2 slope = 0.5 * s.grad_u + f * s.grad_g;
+  const Point3 normal = normalized({-slope.x, slope.y, f});
+  return normal == Point3{} ? Point3{0, 0, 1} : normal;
+}
+
+/// The sample at `node`.
+inline SurfaceSample node_sample(const Inflation& inflation, const Ordering& ordering, int node) {
+  return {inflation.u[node], ordering.g[node], inflation.grad_u[node], ordering.grad_g[node]};
+}
+
+/// The sample at a corner of a face, on its side of a crease.
+SurfaceSample corner_sample(const LayeredMesh& mesh, const Inflation& inflation,
+                            const Ordering& ordering, int face, int corner);
+
+/// (1 - t) a + t b.
+inline SurfaceSample interpolate(const SurfaceSample& a, const SurfaceSample& b, double t) {
+  const double s = 1 - t;
+  return {s * a.u + t * b.u, s * a.g + t * b.g, s * a.grad_u + t * b.grad_u,
+          s * a.grad_g + t * b.grad_g};
+}
+
+/// Whether heights can be taken from these values: one finite value a node, a part for every
+/// face, a canvas with area. Fails with internal or bad_input. O(nodes + faces).
+Status check_surface(const LayeredMesh& mesh, const Inflation& inflation, const Ordering& ordering,
+                     const Scene& scene);
+
+}  // namespace relievo::relief

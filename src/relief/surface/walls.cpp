@@ -1,0 +1,304 @@
+#include "relief/surface/walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace relievo::relief {
+namespace {
+
+/// An end of an open edge: a surface's copy of a base vertex.
+struct Corner {
+  int base = -1;
+  double z = 0;
+  int vertex = -1;
+};
+
+bool operator<(const Corner& a, const Corner& b) {
+  return std::tie(a.base, a.z, a.vertex) < std::tie(b.base, b.z, b.vertex);
+}
+
+class WallBuilder {
+ public:
+  WallBuilder(const CutSurface& surface, double weld_tolerance, ModelBuilder& builder)
+      : surface_(surface), weld_tolerance_(weld_tolerance), builder_(builder) {
+    collect_corners();
+    weld_corners();
+  }
+
+  void close(const OpenEdge& open) {
+    first_.clear();
+    second_.clear();
+    append_edge_points(surface_, open.first, false, first_);
+    append_edge_points(surface_, open.second, true, second_);
+    weld_cuts();
+    if (coincide()) return;
+    first_higher_ = first_is_higher(open);
+    part_ = surface_.mesh.face_part[(first_higher_ ? open.first : open.second).face];
+    find_normals();
+    for (EdgePoint& p : first_) p.vertex = builder_.copy_vertex(p.vertex, normal_at(p.t));
+    for (EdgePoint& p : second_) p.vertex = builder_.copy_vertex(p.vertex, normal_at(p.t));
+    const int triangle = surface_.mesh.face_triangle[open.first.face];
+    const std::array<int, 3>& base = surface_.mesh.triangles[triangle];
+    zip(base[next_place(open.first.corner)], base[last_place(open.first.corner)]);
+  }
+
+ private:
+  void collect_corners() {
+    for (const OpenEdge& open : surface_.sheets.open_edges)
+      for (const FaceEdge edge : {open.first, open.second})
+        for (const int side : {1, 2}) {
+          const int v = surface_.sheets.vertex[corner_of(edge.face, (edge.corner + side) % 3)];
+          const int node = surface_.sheets.vertex_node[v];
+          corners_.push_back({surface_.mesh.node_vertex[node], z(v), v});
+        }
+    std::sort(corners_.begin(), corners_.end());
+  }
+
+  void weld_corners() {
+    for (size_t i = 1; i < corners_.size(); ++i) {
+      Corner& corner = corners_[i];
+      const Corner& below = corners_[i - 1];
+      if (corner.base != below.base || z(corner.vertex) - z(below.vertex) > weld_tolerance_)
+        continue;
+      corner.z = below.z;
+      builder_.set_height(corner.vertex, corner.z);
+    }
+  }
+
+  double z(int vertex) const { return builder_.position(vertex).z; }
+
+  /// Puts the inner points of both copies at the same places where they nearly are.
+  void weld_cuts() {
+    if (first_.size() != second_.size()) return;
+    const auto near = [this](const EdgePoint& a, const EdgePoint& b) {
+      return norm(builder_.position(a.vertex) - builder_.position(b.vertex)) <= weld_tolerance_;
+    };
+    if (!std::equal(first_.begin(), first_.end(), second_.begin(), near)) return;
+    for (size_t i = 1; i + 1 < first_.size(); ++i)
+      builder_.set_position(second_[i].vertex, builder_.position(first_[i].vertex));
+  }
+
+  bool same_place(int a, int b) const { return builder_.position(a) == builder_.position(b); }
+
+  bool coincide() const {
+    const auto same = [this](const EdgePoint& a, const EdgePoint& b) {
+      return same_place(a.vertex, b.vertex);
+    };
+    return std::equal(first_.begin(), first_.end(), second_.begin(), second_.end(), same);
+  }
+
+  /// Area below one copy of the edge, over its unit length.
+  double area_below(const std::vector<EdgePoint>& points) const {
+    double area = 0;
+    for (size_t i = 1; i < points.size(); ++i)
+      area +=
+          0.5 * (points[i].t - points[i - 1].t) * (z(points[i].vertex) + z(points[i - 1].vertex));
+    return area;
+  }
+
+  bool first_is_higher(const OpenEdge& open) const {
+    const double difference = area_below(first_) - area_below(second_);
+    if (difference != 0) return difference > 0;
+    return surface_.mesh.face_part[open.first.face] >= surface_.mesh.face_part[open.second.face];
+  }
+
+  /// The wall continues a rim: its normal is the horizontal part of the steeper of both normals
+  /// there, turned to the lower side, unless that does not face across the edge.
+  void find_normals() {
+    const Point3 along =
+        builder_.position(first_.back().vertex) - builder_.position(first_.front().vertex);
+    const double sign = first_higher_ ? 1 : -1;
+    const Point3 across = normalized({-sign * along.y, sign * along.x, 0});
+    normal_front_ = rim_normal(first_.front().vertex, second_.front().vertex, across);
+    normal_back_ = rim_normal(first_.back().vertex, second_.back().vertex, across);
+  }
+
+  Point3 rim_normal(int a, int b, Point3 across) const {
+    const Point3 steeper = builder_.normal(builder_.normal(a).z <= builder_.normal(b).z ? a : b);
+    const Point3 rim = normalized({steeper.x, steeper.y, 0});
+    const double facing = dot(rim, across);
+    if (std::abs(facing) <= 0.5) return across;
+    return facing > 0 ? rim : -1 * rim;
+  }
+
+  Point3 normal_at(double t) const {
+    return normalized((1 - t) * normal_front_ + t * normal_back_);
+  }
+
+  /// Fills the polygon between both copies of the edge over base vertices `front` and `back`.
+  void zip(int front, int back) {
+    size_t i = 0;
+    size_t j = 0;
+    const size_t last_i = first_.size() - 1;
+    const size_t last_j = second_.size() - 1;
+    while (i < last_i || j < last_j) {
+      const bool forward = j == last_j || (i < last_i && advance_first(i, j));
+      const int a = first_[i].vertex;
+      const int b = second_[j].vertex;
+      const int next = forward ? first_[i + 1].vertex : second_[j + 1].vertex;
+      const bool starts = i == 0 && j == 0;
+      ++(forward ? i : j);
+      if (starts)
+        fan(next, b, a, front);
+      else if (i == last_i && j == last_j)
+        fan(forward ? a : b, first_[i].vertex, second_[j].vertex, back);
+      else
+        add_triangle(a, next, b);
+    }
+  }
+
+  /// Whether to go on along the first copy: to the next point along the edge, unless only the
+  /// other triangle faces outwards.
+  bool advance_first(size_t i, size_t j) const {
+    const bool preferred = prefer_first(i, j);
+    return faces_inwards(i, j, preferred) && !faces_inwards(i, j, !preferred) ? !preferred
+                                                                              : preferred;
+  }
+
+  /// For points side by side the lower cross edge, so that nothing sticks out where both copies
+  /// cross.
+  bool prefer_first(size_t i, size_t j) const {
+    if (first_[i + 1].t != second_[j + 1].t) return first_[i + 1].t < second_[j + 1].t;
+    return z(first_[i + 1].vertex) + z(second_[j].vertex) <=
+           z(first_[i].vertex) + z(second_[j + 1].vertex);
+  }
+
+  bool faces_inwards(size_t i, size_t j, bool first) const {
+    const Point2 a = in_wall(first_[i]);
+    const double turn =
+        cross(in_wall(first ? first_[i + 1] : second_[j + 1]) - a, in_wall(second_[j]) - a);
+    return first_higher_ ? turn > 0 : turn < 0;
+  }
+
+  Point2 in_wall(const EdgePoint& p) const { return {p.t, z(p.vertex)}; }
+
+  /// A triangle whose vertical edge from -> to over a base vertex is cut at the heights of all
+  /// surfaces that end there.
+  void fan(int apex, int from, int to, int base) {
+    const double z_from = z(from);
+    const double z_to = z(to);
+    auto begin = std::lower_bound(corners_.begin(), corners_.end(),
+                                  Corner{base, std::min(z_from, z_to), -1});
+    const auto end = std::lower_bound(corners_.begin(), corners_.end(),
+                                      Corner{base, std::max(z_from, z_to), -1});
+    heights_.clear();
+    for (; begin != end; ++begin)
+      if (begin->z != std::min(z_from, z_to) && (heights_.empty() || heights_.back() != begin->z))
+        heights_.push_back(begin->z);
+    if (z_to < z_from) std::reverse(heights_.begin(), heights_.end());
+    for (const double height : heights_) {
+      const int between = builder_.copy_vertex(from, builder_.normal(from));
+      builder_.set_height(between, height);
+      add_triangle(apex, from, between);
+      from = between;
+    }
+    add_triangle(apex, from, to);
+  }
+
+  void add_triangle(int a, int b, int c) {
+    if (same_place(a, b) || same_place(b, c) || same_place(c, a)) return;
+    builder_.add_triangle({part_, false}, a, b, c);
+  }
+
+  const CutSurface& surface_;
+  double weld_tolerance_;
+  ModelBuilder& builder_;
+  std::vector<Corner> corners_;  ///< sorted by base vertex and height
+  bool first_higher_ = true;
+  int part_ = -1;  ///< the higher part
+  Point3 normal_front_;
+  Point3 normal_back_;
+  std::vector<EdgePoint> first_;   ///< the first face's copy of the edge
+  std::vector<EdgePoint> second_;  ///< the second's, in the same direction
+  std::vector<double> heights_;
+};
+
+constexpr BackPoint nothing{std::numeric_limits<double>::infinity(), 0};
+
+class BackFinder {
+ public:
+  BackFinder(const CutSurface& surface, const Inflation& inflation, const Ordering& ordering)
+      : mesh_(surface.mesh),
+        sheets_(surface.sheets),
+        cuts_(surface.cuts),
+        u_(inflation.u),
+        g_(ordering.g) {
+    for (size_t n = 0; n < ordering.lowered.size(); ++n) g_[n] += ordering.lowered[n];
+  }
+
+  std::vector<BackPoint> find() const {
+    const std::vector<BackPoint> below = behind_base_vertices();
+    std::vector<BackPoint> back;
+    for (const int node : sheets_.vertex_node) back.push_back(below[mesh_.node_vertex[node]]);
+    const size_t edges = sheets_.edge_owner.size();
+    for (size_t e = 0; e < edges; ++e) append_cuts(e, back);
+    for (size_t e = 0; e < edges; ++e)
+      if (cuts_.twin[e] >= 0) append_cuts(e, back);
+    return back;
+  }
+
+ private:
+  /// A hollow has no back: it counts only where nothing else does.
+  static void lower(double u, double g, int part, BackPoint& least) {
+    const double z = g - std::sqrt(std::abs(u));
+    if (u < 0 ? least.z == nothing.z : z < least.z) least = {z, part};
+  }
+
+  std::vector<BackPoint> behind_base_vertices() const {
+    std::vector<BackPoint> below(mesh_.vertices.size(), nothing);
+    for (size_t f = 0; f < mesh_.faces.size(); ++f)
+      for (const int n : mesh_.faces[f])
+        lower(u_[n], g_[n], mesh_.face_part[f], below[mesh_.node_vertex[n]]);
+    return below;
+  }
+
+  void append_cuts(size_t e, std::vector<BackPoint>& back) const {
+    const auto [face, corner] = sheets_.edge_owner[e];
+    const int triangle = mesh_.face_triangle[face];
+    const int from = mesh_.node_vertex[mesh_.faces[face][next_place(corner)]];
+    const int to = mesh_.node_vertex[mesh_.faces[face][last_place(corner)]];
+    for (int i = cuts_.begin[e]; i < cuts_.begin[e + 1]; ++i) {
+      BackPoint least = nothing;
+      for (const int beside : {triangle, mesh_.neighbours[triangle][corner]})
+        if (beside >= 0) lower_on_edge(beside, from, to, cuts_.t[i], least);
+      back.push_back(least);
+    }
+  }
+
+  /// The sheets of a triangle at (1 - t) from + t to, base vertices of its own.
+  void lower_on_edge(int triangle, int from, int to, double t, BackPoint& least) const {
+    for (int f = mesh_.stack_begin[triangle]; f < mesh_.stack_begin[triangle + 1]; ++f) {
+      double u = 0;
+      double g = 0;
+      for (const int n : mesh_.faces[f]) {
+        const int v = mesh_.node_vertex[n];
+        const double weight = v == from ? 1 - t : (v == to ? t : 0);
+        u += weight * u_[n];
+        g += weight * g_[n];
+      }
+      lower(u, g, mesh_.face_part[f], least);
+    }
+  }
+
+  const LayeredMesh& mesh_;
+  const SheetSurface& sheets_;
+  const EdgeCuts& cuts_;
+  const std::vector<double>& u_;
+  std::vector<double> g_;  ///< as if nothing had been hidden, which is of the front alone
+};
+
+}  // namespace
+
+void close_open_edges(const CutSurface& surface, double weld_tolerance, ModelBuilder& builder) {
+  WallBuilder walls(surface, weld_tolerance, builder);
+  for (const OpenEdge& open : surface.sheets.open_edges) walls.close(open);
+}
+
+std::vector<BackPoint> back_points(const CutSurface& surface, const Inflation& inflation,
+                                   const Ordering& ordering) {
+  return BackFinder(surface, inflation, ordering).find();
+}
+
+}  // namespace relievo::relief

@@ -1,0 +1,192 @@
+#include "understanding/areas/basin_graph.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "understanding/lines/line_map.h"
+
+namespace relievo::understanding {
+namespace {
+
+/// Of the picture's diagonal, from a border to where the colours beside it are taken: past a soft
+/// edge, and not across much shading.
+constexpr double beside_share = 0.015;
+
+/// Adds pixels [begin, end), which lie in one row and basin.
+void add_run(const Image8& rgba, const Image8& rgb, const Basins& basins, size_t begin, size_t end,
+             Basin& basin) {
+  const Image8& barrier = basins.barrier;
+  const Image8& figure = basins.figure.inside;
+  uint32_t coloured = 0;
+  uint32_t transparent = 0;
+  std::array<uint32_t, 3> sum = {};
+  for (size_t i = begin; i < end; ++i) {
+    const uint32_t counts = barrier.pixels[i] == 0 ? 1 : 0;
+    coloured += counts;
+    transparent += counts & (rgba.pixels[4 * i + 3] < 128 ? 1U : 0U);
+    for (size_t c = 0; c < 3; ++c) sum[c] += counts * rgb.pixels[3 * i + c];
+  }
+  if (!figure.empty())
+    basin.in_figure += std::count(figure.pixels.begin() + static_cast<ptrdiff_t>(begin),
+                                  figure.pixels.begin() + static_cast<ptrdiff_t>(end), 1);
+  basin.area += static_cast<int64_t>(end - begin);
+  basin.coloured += coloured;
+  basin.transparent += transparent;
+  for (size_t c = 0; c < 3; ++c) basin.colour_sum[c] += sum[c];
+}
+
+void measure_areas(const Image8& rgba, const Image8& rgb, Basins& basins) {
+  const int w = basins.index.width;
+  for (int y = 0; y < basins.index.height; ++y) {
+    const int32_t* row = &basins.index.at(0, y);
+    const size_t first = static_cast<size_t>(y) * w;
+    for (int begin = 0, end = 0; begin < w; begin = end) {
+      while (end < w && row[end] == row[begin]) ++end;
+      Basin& basin = basins.basins[row[begin]];
+      add_run(rgba, rgb, basins, first + begin, first + end, basin);
+      basin.box.add(Point2{begin * 1.0, y * 1.0});
+      basin.box.add(Point2{end * 1.0, y + 1.0});
+    }
+  }
+}
+
+/// Counts the pixels off the lines at the edges of the picture.
+void measure_edges(Basins& basins) {
+  const int w = basins.index.width;
+  const int h = basins.index.height;
+  const auto count_at_edge = [&](int x, int y, size_t edge) {
+    if (basins.barrier.at(x, y) == 0) ++basins.basins[basins.index.at(x, y)].at_edge[edge];
+  };
+  for (int y = 0; y < h; ++y) {
+    count_at_edge(0, y, 0);
+    count_at_edge(w - 1, y, 1);
+  }
+  for (int x = 0; x < w; ++x) {
+    count_at_edge(x, 0, 2);
+    count_at_edge(x, h - 1, 3);
+  }
+}
+
+/// Collects the pairs of neighbouring pixels that lie in different basins.
+class PairCollector {
+ public:
+  /// Without a picture there are no steps of colour.
+  PairCollector(const Basins& basins, const Image8* rgb)
+      : basins_(basins),
+        rgb_(rgb),
+        unit_(white_cost(basins.index.width, basins.index.height)),
+        beside_(std::max(2, static_cast<int>(beside_share * std::hypot(basins.index.width,
+                                                                       basins.index.height)))) {}
+
+  /// Pairs of the pixels x0 ... x1 - 1 of a row with those to their right, and with those below.
+  void add_row(int y, int x0, int x1, bool with_below) {
+    const size_t w = basins_.index.width;
+    const int32_t* row = &basins_.index.at(0, y);
+    for (int x = x0; x < x1; ++x) {
+      const size_t i = y * w + x;
+      if (x + 1 < x1 && row[x + 1] != row[x]) add_pair(i, i + 1);
+      if (with_below && row[x + w] != row[x]) add_pair(i, i + w);
+    }
+  }
+
+  std::vector<BasinBorder> borders() {
+    std::sort(pairs_.begin(), pairs_.end(), [](const BasinBorder& x, const BasinBorder& y) {
+      return x.a != y.a ? x.a < y.a : x.b < y.b;
+    });
+    std::vector<BasinBorder> merged;
+    for (const BasinBorder& pair : pairs_) {
+      if (merged.empty() || merged.back().a != pair.a || merged.back().b != pair.b) {
+        merged.push_back(pair);
+        continue;
+      }
+      merged.back().pairs += pair.pairs;
+      merged.back().line_pairs += pair.line_pairs;
+      merged.back().edge_pairs += pair.edge_pairs;
+      merged.back().weight += pair.weight;
+      for (size_t c = 0; c < 3; ++c) merged.back().step[c] += pair.step[c];
+    }
+    return merged;
+  }
+
+ private:
+  void add_pair(size_t i, size_t j) {
+    const int32_t a = basins_.index.pixels[i];
+    const int32_t b = basins_.index.pixels[j];
+    const uint8_t p = basins_.barrier.pixels[i];
+    const uint8_t q = basins_.barrier.pixels[j];
+    const bool line = LineMap::is_wall(p) || LineMap::is_wall(q);
+    const bool edge = !line && (p == LineMap::edge || q == LineMap::edge);
+    const int64_t white = 255 - std::max(basins_.ink.pixels[i], basins_.ink.pixels[j]);
+    pairs_.push_back({std::min(a, b),
+                      std::max(a, b),
+                      1,
+                      line ? 1 : 0,
+                      edge ? 1 : 0,
+                      1 + unit_ * white * white / (255 * 255),
+                      {}});
+    if (rgb_ == nullptr || line || edge) return;
+    if (b < a) std::swap(i, j);
+    const size_t in_a = pixel_beside(i, j);
+    const size_t in_b = pixel_beside(j, i);
+    for (size_t c = 0; c < 3; ++c)
+      pairs_.back().step[c] =
+          int64_t{rgb_->pixels[3 * in_b + c]} - int64_t{rgb_->pixels[3 * in_a + c]};
+  }
+
+  /// The pixel farthest from a pair, as far as its own basin goes without line and edge.
+  size_t pixel_beside(size_t own, size_t other) const {
+    const int x = static_cast<int>(own % basins_.index.width);
+    const int y = static_cast<int>(own / basins_.index.width);
+    const int way_x = x - static_cast<int>(other % basins_.index.width);
+    const int way_y = y - static_cast<int>(other / basins_.index.width);
+    const auto step = static_cast<ptrdiff_t>(own) - static_cast<ptrdiff_t>(other);
+    size_t found = own;
+    for (int k = 1; k <= beside_; ++k) {
+      const int u = x + k * way_x;
+      const int v = y + k * way_y;
+      if (u < 0 || v < 0 || u >= basins_.index.width || v >= basins_.index.height) break;
+      const auto next = static_cast<size_t>(static_cast<ptrdiff_t>(found) + step);
+      if (basins_.index.pixels[next] != basins_.index.pixels[own] ||
+          basins_.barrier.pixels[next] != LineMap::none)
+        break;
+      found = next;
+    }
+    return found;
+  }
+
+  const Basins& basins_;
+  const Image8* rgb_;
+  int64_t unit_;
+  int beside_;  ///< px, from a pair to where its colours are
+  std::vector<BasinBorder> pairs_;
+};
+
+}  // namespace
+
+std::vector<BasinBorder> borders_within(const Basins& basins, int x0, int y0, int x1, int y1) {
+  PairCollector pairs(basins, nullptr);
+  for (int y = y0; y < y1; ++y) pairs.add_row(y, x0, x1, y + 1 < y1);
+  return pairs.borders();
+}
+
+void measure_borders(const Image8& rgb, Basins& basins) {
+  PairCollector pairs(basins, &rgb);
+  const int h = basins.index.height;
+  for (int y = 0; y < h; ++y) pairs.add_row(y, 0, basins.index.width, y + 1 < h);
+  basins.borders = pairs.borders();
+}
+
+void measure_basins(const Image8& rgba, const Image8& rgb, Basins& basins) {
+  for (Basin& basin : basins.basins) {
+    const double inradius = basin.inradius;
+    basin = {};
+    basin.inradius = inradius;
+  }
+  measure_areas(rgba, rgb, basins);
+  measure_edges(basins);
+  measure_borders(rgb, basins);
+}
+
+}  // namespace relievo::understanding

@@ -1,0 +1,98 @@
+#include "understanding/areas/find_basins.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "kernel/image/blur.h"
+#include "kernel/image/distance_transform.h"
+#include "kernel/image/watershed.h"
+#include "understanding/areas/basin_graph.h"
+#include "understanding/areas/cut_necks.h"
+#include "understanding/areas/propose_regions.h"
+#include "understanding/figure/figure_mask.h"
+#include "understanding/lines/line_gaps.h"
+#include "understanding/lines/line_map.h"
+#include "understanding/lines/stroke_ends.h"
+#include "understanding/paper/cast_shadow.h"
+#include "understanding/paper/plain_ground.h"
+#include "understanding/paper/pure_white.h"
+#include "understanding/paper/remove_paper.h"
+#include "understanding/paper/rulings.h"
+
+namespace relievo::understanding {
+namespace {
+
+/// Basins narrower than this are the insides of double strokes.
+constexpr double smallest_inradius = 1.5;
+
+Image<int32_t> watershed(const LineMap& map, std::vector<Basin>& basins) {
+  PeakBasins found = peak_basins(squared_distance_to(map.barrier), {1.5, 0.9});
+  // Peaks are sorted: what is too narrow comes last.
+  std::vector<int32_t> number(found.peaks.size(), 0);
+  for (size_t k = 1; k < found.peaks.size(); ++k) {
+    if (found.peaks[k] < smallest_inradius) continue;
+    basins.emplace_back();
+    basins.back().inradius = found.peaks[k];
+    number[k] = static_cast<int32_t>(basins.size());
+  }
+  for (int32_t& label : found.label.pixels) label = number[label];
+  if (basins.empty()) return {};
+  flood_from_seeds(box_blur(map.ink, std::max(1, static_cast<int>(map.line_width / 4))),
+                   found.label);
+  for (int32_t& label : found.label.pixels) --label;
+  return std::move(found.label);
+}
+
+void close_line_gaps(const Image8& rgb, LineMap& map) {
+  const std::vector<StrokeEnd> ends = find_loose_ends(map);
+  for (const LineGap& gap : find_open_roots(ends, map))
+    close_gap(gap, LineMap::bridge, map.barrier);
+  for (const LineGap& gap : find_broken_outlines(ends, map, rgb))
+    close_gap(gap, LineMap::gap, map.barrier);
+}
+
+/// Tells what share is done; false where the rest is not wanted.
+bool go_on(const RunContext& context, double done) {
+  context.report("find areas", done);
+  return !context.cancelled();
+}
+
+}  // namespace
+
+Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
+  if (drawing.rgba.empty()) return Error{ErrorCode::bad_input, "the drawing has no pixels", ""};
+  if (!go_on(context, 0)) return interrupted_error();
+  const Image8 unruled = without_rulings(drawing.rgba);
+  const Image8& photo = unruled.empty() ? drawing.rgba : unruled;
+  const WithoutGround figure = without_ground(photo);
+  const Image8& drawn = figure.rgba.empty() ? photo : figure.rgba;
+  const bool on_pure_white = figure.is_cut || is_on_pure_white(drawn);
+  const Image8 lit = on_pure_white && !figure.is_cut ? without_cast_shadow(drawn) : Image8{};
+  const Image8& rgba = lit.empty() ? drawn : lit;
+  const Image8 rgb = remove_paper(rgba, on_pure_white);
+  if (!go_on(context, 0.1)) return interrupted_error();
+  LineMap map = find_lines(rgb, on_pure_white);
+  close_line_gaps(rgb, map);
+  if (!go_on(context, 0.5)) return interrupted_error();
+  Basins basins;
+  basins.figure = find_figure(rgba, rgb, map, on_pure_white);
+  mark_rim(basins.figure, map);
+  if (std::count(map.barrier.pixels.begin(), map.barrier.pixels.end(), LineMap::none) ==
+      static_cast<ptrdiff_t>(map.barrier.pixels.size()))
+    return Error{ErrorCode::bad_input, "the drawing is blank: no line or edge was found in it", ""};
+  basins.index = watershed(map, basins.basins);
+  if (basins.basins.empty())
+    return Error{ErrorCode::bad_input, "the drawing has no areas between its lines", ""};
+  if (!go_on(context, 0.9)) return interrupted_error();
+  basins.ink = std::move(map.ink);
+  basins.barrier = std::move(map.barrier);
+  basins.line_width = map.line_width;
+  basins.painted = map.painted;
+  measure_basins(rgba, rgb, basins);
+  propose_regions(rgb, basins);
+  if (cut_necks(basins)) measure_basins(rgba, rgb, basins);
+  context.report("find areas", 1);
+  return basins;
+}
+
+}  // namespace relievo::understanding

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "relievo/image.h"
+#include "relievo/result.h"
+#include "relievo/run_context.h"
+#include "understanding/areas/basins.h"
+
+namespace relievo::understanding {
+
+/// Divides a drawing into basins by the watershed of the distance to its lines, and proposes which
+/// of them make one part. Errors: `bad_input` where the drawing is empty or holds no line,
+/// `interrupted`. Near-linear in pixels; the context is looked at between steps, the longest of
+/// which takes a third of the whole.
+Result<Basins> find_basins(const Drawing& drawing, const RunContext& context = {});
+
+}  // namespace relievo::understanding

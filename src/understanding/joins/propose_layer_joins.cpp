@@ -1,0 +1,329 @@
+#include "understanding/joins/propose_layer_joins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "kernel/geometry/polygon.h"
+#include "understanding/joins/hollow_parts.h"
+#include "understanding/joins/layer_grid.h"
+#include "understanding/joins/part_profile.h"
+#include "understanding/joins/root_caps.h"
+#include "understanding/joins/roots.h"
+
+namespace relievo::understanding {
+namespace {
+
+constexpr int grid_side = 512;
+/// A limb lies beside the part that it grows out of with `least_protrusion` of its area, or with
+/// this share where both have one colour,
+constexpr double least_same_color = 0.1;
+/// is at most so much larger than that,
+constexpr double limb_to_body = 1.2;
+/// has its root on such a share of its outline,
+constexpr double least_root = 0.08;
+constexpr double most_root = 0.85;
+/// and no second run there that is longer than this times the first.
+constexpr double second_run = 0.4;
+/// and nothing lies between the two along more than this share of the join.
+constexpr double most_between = 0.5;
+/// A limb behind another part comes out from there with this share of its area.
+constexpr double least_behind = 0.4;
+/// Differences of colours (of at most sqrt 3) that say nothing, and that speak against a join;
+constexpr double same_color = 0.15;
+constexpr double other_color = 0.6;
+constexpr double foreign_color = 0.75;  ///< a part of such a colour is held, and does not grow,
+constexpr double clothing = 0.35;       ///< unless it covers this share of the other
+constexpr double least_trust = 0.25;    ///< of a join; what is less sure is tied
+/// So is what is less sure than this and covers such a share of the body's outline, as hair does.
+constexpr double sure_join = 0.5;
+constexpr double least_cover = 0.5;
+/// A part this many times as thick as another is a body, and not a limb beside it.
+constexpr double thick_body = 1.35;
+/// What covers the root of a limb does not grow out of it: shares of the limb's reach from its own
+/// root, up to where nothing does, and from where anything may.
+constexpr double at_root = 0.2;
+constexpr double off_root = 0.5;
+/// A feature takes at most this share of what it lies within, and is at least as round as an
+/// ellipse of two to one.
+constexpr double largest_feature = 0.1;
+constexpr double least_round = 2.5;
+
+bool is_larger(const LayerGrid& grid, int part, int other, double factor) {
+  return static_cast<double>(grid.areas[part]) > factor * static_cast<double>(grid.areas[other]);
+}
+
+/// The share of the points under which a third part lies between two.
+double share_between(const LayerGrid& grid, const std::vector<Point2>& line, const Overlap& pair) {
+  double between = 0;
+  for (const Point2 p : line) {
+    int part = pair.lower + 1;
+    while (part < pair.upper && !grid.has(part, p)) ++part;
+    between += part < pair.upper ? 1 : 0;
+  }
+  return between / static_cast<double>(line.size());
+}
+
+void tie(const Overlap& pair, JoinProposals& joining) {
+  joining.relations.push_back({{pair.upper, pair.lower, RelationKind::equal, std::nullopt}, false});
+}
+
+/// Of the parts that a feature lies within the largest tells that it is one, and the smallest how
+/// much it bulges, as the white of an eye does for a pupil.
+std::vector<std::pair<int, double>> features(const LayerGrid& grid,
+                                             const std::vector<Overlap>& overlaps,
+                                             const std::vector<uint8_t>& joined) {
+  std::map<int, std::vector<double>> shares;
+  for (const Overlap& pair : overlaps)
+    if (joined[pair.upper] == 0 && pair.upper_beside <= most_outside &&
+        round_inflation(grid.masks[pair.upper]) >= least_round)
+      shares[pair.upper].push_back(static_cast<double>(grid.areas[pair.upper]) /
+                                   static_cast<double>(grid.areas[pair.lower]));
+  std::vector<std::pair<int, double>> found;
+  for (const auto& [part, of] : shares)
+    if (const auto [least, most] = std::minmax_element(of.begin(), of.end());
+        *least <= largest_feature)
+      found.emplace_back(part, *most);
+  return found;
+}
+
+/// How different the main colour of a limb is from all of a body; 0 where one is not known.
+double color_difference(const PartColors& colors, int limb, int body) {
+  const size_t known = colors.size();
+  if (std::max<size_t>(limb, body) >= known || colors[limb].empty() || colors[body].empty())
+    return 0;
+  double least = 2;
+  const std::array<double, 3>& own = colors[limb].front();
+  for (const auto& color : colors[body])
+    least = std::min(least, std::hypot(own[0] - color[0], own[1] - color[1], own[2] - color[2]));
+  return least;
+}
+
+/// Whether the upper part is a thing in front of the lower one; hair and clothes, which cover
+/// much of it, are not.
+bool is_held(const Overlap& pair, double difference) {
+  return difference > foreign_color && pair.lower_beside > 1 - clothing;
+}
+
+/// The parts that lie on one behind them, as eyes do.
+std::vector<uint8_t> lying_parts(const LayerGrid& grid, const std::vector<Overlap>& overlaps) {
+  std::vector<uint8_t> lying(grid.masks.size());
+  for (const Overlap& pair : overlaps)
+    if (pair.upper_beside <= most_outside && is_larger(grid, pair.lower, pair.upper, 1))
+      lying[pair.upper] = 1;
+  return lying;
+}
+
+class Connector {
+ public:
+  Connector(const Scene& scene, const PartColors& colors, const std::vector<Point2>& anchors)
+      : grid_(make_layer_grid(scene, grid_side)), colors_(colors), anchors_(anchors) {
+    for (const Part& part : scene.parts) orient_by_nesting(outlines_.emplace_back(part.outline));
+  }
+
+  /// A limb grows out of one part. Of those that it may grow out of, in front of it or behind, that
+  /// is the one with the most confidence; where that lies in front, there is no join.
+  JoinProposals run() const {
+    JoinProposals joining;
+    const std::vector<Overlap> overlaps = find_overlaps(grid_);
+    std::vector<std::optional<ProposedJoin>> joins;
+    for (const Overlap& pair : overlaps) joins.push_back(join_of(pair));
+    doubt_roots(overlaps, joins);
+    const Rooted roots = rooted(overlaps, joins);
+    const std::vector<uint8_t> lying = lying_parts(grid_, overlaps);
+    std::vector<uint8_t> joined(grid_.masks.size());
+    std::vector<uint8_t> held(grid_.masks.size());
+    for (size_t k = 0; k < overlaps.size(); ++k) {
+      const Overlap& pair = overlaps[k];
+      const bool is_joined =
+          joins[k] && joins[k]->confidence >= std::max(roots.confidence[pair.upper], least_trust);
+      if (is_joined && joins[k]->confidence < sure_join && is_cap(pair)) {
+        held[pair.upper] = 1;
+        tie(pair, joining);
+      } else if (is_joined) {
+        joined[pair.upper] = 1;
+        joining.joins.push_back(std::move(*joins[k]));
+      } else if (is_behind(pair)) {
+        held[pair.lower] = 1;
+        const bool grows = roots.body[pair.lower] == pair.upper && lying[pair.lower] == 0;
+        joining.relations.push_back(hang_behind(pair, grows));
+      }
+    }
+    tie_lying(overlaps, joined, held, joining);
+    tie_hidden(overlaps, held, joining);
+    joining.hollows = hollow_parts(grid_, colors_, limbs(overlaps, joining));
+    joining.features = features(grid_, overlaps, joined);
+    return joining;
+  }
+
+ private:
+  /// Of each part, the one that it most likely grows out of, -1 for none, and how likely.
+  struct Rooted {
+    std::vector<int> body;
+    std::vector<double> confidence;
+  };
+
+  Rooted rooted(const std::vector<Overlap>& overlaps,
+                const std::vector<std::optional<ProposedJoin>>& joins) const {
+    Rooted result{std::vector<int>(grid_.masks.size(), -1),
+                  std::vector<double>(grid_.masks.size())};
+    const auto note = [&](int limb, int body, double confidence) {
+      if (confidence <= result.confidence[limb]) return;
+      result.body[limb] = body;
+      result.confidence[limb] = confidence;
+    };
+    for (size_t k = 0; k < overlaps.size(); ++k) {
+      const Overlap& pair = overlaps[k];
+      if (joins[k])
+        note(pair.upper, pair.lower, joins[k]->confidence);
+      else if (is_behind(pair))
+        note(pair.lower, pair.upper, trust_behind(pair));
+    }
+    return result;
+  }
+
+  /// A foot before the root of a tail, or a leg before that of another, stands beside it: such
+  /// joins lose their confidence, unless what they would join is much thicker. What others grow
+  /// out of is no foot.
+  void doubt_roots(const std::vector<Overlap>& overlaps,
+                   std::vector<std::optional<ProposedJoin>>& joins) const {
+    const std::vector<int> bodies = rooted(overlaps, joins).body;
+    std::vector<uint8_t> carries(bodies.size());
+    for (const int body : bodies)
+      if (body >= 0) carries[body] = 1;
+    for (size_t k = 0; k < overlaps.size(); ++k) {
+      const int limb = overlaps[k].upper;
+      const int body = overlaps[k].lower;
+      const int root = bodies[body];
+      if (!joins[k] || carries[limb] || root < 0 || root == limb) continue;
+      const double share = share_from_root(grid_, body, root, limb);
+      if (share >= off_root ||
+          thickness_at(grid_, body, limb) >= thick_body * thickness_at(grid_, limb, limb))
+        continue;
+      joins[k]->confidence *= std::max(0.0, (share - at_root) / (off_root - at_root));
+    }
+  }
+
+  /// What has no join lies on the larger parts behind it, and what hangs on one in front only on
+  /// those that it does not cross: tied to all, it would be drawn back to what is farthest. Marks
+  /// what is held.
+  void tie_lying(const std::vector<Overlap>& overlaps, const std::vector<uint8_t>& joined,
+                 std::vector<uint8_t>& held, JoinProposals& joining) const {
+    const std::vector<uint8_t> hangs = held;
+    for (const Overlap& pair : overlaps) {
+      const bool crosses = pair.upper_beside >= least_protrusion;
+      const bool is_free = joined[pair.upper] == 0 && (hangs[pair.upper] == 0 || !crosses);
+      if (!is_free || is_larger(grid_, pair.upper, pair.lower, 1)) continue;
+      held[pair.upper] = 1;
+      tie(pair, joining);
+    }
+    for (size_t part = 0; part < held.size(); ++part)
+      if (joined[part] != 0) held[part] = 1;
+  }
+
+  /// What nothing holds and a larger part mostly hides would float behind that.
+  void tie_hidden(const std::vector<Overlap>& overlaps, const std::vector<uint8_t>& held,
+                  JoinProposals& joining) const {
+    std::vector<const Overlap*> nearest(grid_.masks.size());
+    for (const Overlap& pair : overlaps)
+      if (held[pair.lower] == 0 && is_larger(grid_, pair.upper, pair.lower, 1) &&
+          (nearest[pair.lower] == nullptr || pair.lower_beside < nearest[pair.lower]->lower_beside))
+        nearest[pair.lower] = &pair;
+    for (const Overlap* pair : nearest)
+      if (pair != nullptr) tie(*pair, joining);
+  }
+
+  /// Which parts are limbs, joined or behind.
+  std::vector<uint8_t> limbs(const std::vector<Overlap>& overlaps,
+                             const JoinProposals& joining) const {
+    std::vector<uint8_t> limb(grid_.masks.size());
+    for (const ProposedJoin& proposed : joining.joins) limb[proposed.join.upper] = 1;
+    for (const Overlap& pair : overlaps)
+      if (is_behind(pair)) limb[pair.lower] = 1;
+    return limb;
+  }
+
+  /// From 1 to one half.
+  double likeness(int limb, int body) const {
+    const double change =
+        (color_difference(colors_, limb, body) - same_color) / (other_color - same_color);
+    const double ratio =
+        static_cast<double>(grid_.areas[body]) / static_cast<double>(grid_.areas[limb]);
+    return (1 - 0.5 * std::clamp(change, 0.0, 1.0)) * std::clamp(0.45 * ratio, 0.4, 1.0);
+  }
+
+  /// The join of a limb, if the upper part is one.
+  std::optional<ProposedJoin> join_of(const Overlap& pair) const {
+    const double difference = color_difference(colors_, pair.upper, pair.lower);
+    const bool alike = !colors_.empty() && difference < same_color;
+    if (pair.upper_beside < (alike ? least_same_color : least_protrusion) ||
+        is_held(pair, difference) || is_larger(grid_, pair.upper, pair.lower, limb_to_body))
+      return std::nullopt;
+    const auto runs = runs_inside(grid_, outlines_[pair.upper], pair.lower);
+    if (runs.empty()) return std::nullopt;
+    const RingRun& root = runs.front();
+    const double share = root.length / root.measure.length;
+    const double second = runs.size() > 1 ? runs[1].length / root.length : 0;
+    if (share < least_root || share > most_root || second > second_run) return std::nullopt;
+    const RootCap cap = find_root_cap(grid_, root, pair.upper, pair.lower, anchors_);
+    const double step = root_step / grid_.scale;
+    if (cap.to - cap.from < 4 * step) return std::nullopt;
+    ProposedJoin proposed;
+    proposed.join = {pair.upper, pair.lower, {}};
+    const int pieces = std::max(8, static_cast<int>((cap.to - cap.from) / (2 * step)));
+    for (int i = 0; i <= pieces; ++i)
+      proposed.join.line.push_back(root.at(cap.from + (cap.to - cap.from) * i / pieces));
+    const double between = share_between(grid_, proposed.join.line, pair);
+    if (between > most_between) return std::nullopt;
+    proposed.confidence = (1 - between) * (1 - second) *
+                          std::min(1.0, 0.5 + pair.upper_beside / 2) *
+                          likeness(pair.upper, pair.lower);
+    return proposed;
+  }
+
+  /// How sure it is that the lower part grows out from behind the upper one.
+  double trust_behind(const Overlap& pair) const {
+    return likeness(pair.lower, pair.upper) * pair.lower_beside;
+  }
+
+  /// What comes out from behind the upper part is joined there where it `grows` and has no foreign
+  /// colour, as a weapon behind a hand has, and else tied.
+  ProposedRelation hang_behind(const Overlap& pair, bool grows) const {
+    const double trust = trust_behind(pair);
+    const bool is_limb = grows && trust >= least_trust &&
+                         color_difference(colors_, pair.lower, pair.upper) <= foreign_color;
+    const RelationKind kind = is_limb ? RelationKind::joined : RelationKind::equal;
+    return {{pair.upper, pair.lower, kind, std::nullopt}, false, is_limb ? trust : 0};
+  }
+
+  /// Whether the upper part covers the outline of the lower one, as hair or a hat does.
+  bool is_cap(const Overlap& pair) const {
+    double length = 0;
+    double whole = 0;
+    for (const RingRun& run : runs_inside(grid_, outlines_[pair.lower], pair.upper)) {
+      length += run.length;
+      whole = std::max(whole, run.measure.length);
+    }
+    return length > least_cover * whole;
+  }
+
+  /// Whether the lower part is a limb that comes out from behind the upper one.
+  bool is_behind(const Overlap& pair) const {
+    return is_larger(grid_, pair.upper, pair.lower, 1) && pair.lower_beside > least_behind;
+  }
+
+  LayerGrid grid_;
+  const PartColors& colors_;
+  const std::vector<Point2>& anchors_;
+  std::vector<Outline> outlines_;
+};
+
+}  // namespace
+
+JoinProposals propose_layer_joins(const Scene& scene, const PartColors& colors,
+                                  const std::vector<Point2>& anchors) {
+  return scene.parts.empty() ? JoinProposals() : Connector(scene, colors, anchors).run();
+}
+
+}  // namespace relievo::understanding

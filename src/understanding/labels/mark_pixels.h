@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "understanding/labels/scribbles.h"
+
+namespace relievo::understanding {
+
+/// A pixel that a stroke covers.
+struct MarkedPixel {
+  int32_t pixel = 0;  ///< y * width + x
+  int stroke = 0;     ///< index into Scribbles::strokes
+};
+
+/// The pixels of a width x height image whose centres the strokes cover; every point of a stroke
+/// covers at least the pixel it lies in. Where strokes cross, the later one counts. Sorted by
+/// pixel. O(covered pixels log).
+std::vector<MarkedPixel> mark_pixels(const Scribbles& scribbles, int width, int height);
+
+}  // namespace relievo::understanding

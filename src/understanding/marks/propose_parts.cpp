@@ -1,0 +1,231 @@
+#include "understanding/marks/propose_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/geometry/region.h"
+#include "understanding/marks/part_cover.h"
+
+namespace relievo::understanding {
+namespace {
+
+/// Fractions of the area of the whole drawing.
+constexpr double least_visible = 0.001;  ///< of a part beside others
+constexpr double least_crossing = 0.004;
+constexpr double least_contained = 0.008;
+constexpr double least_ball = 0.02;
+constexpr double speck_area = 1e-4;  ///< smaller rings and holes are dropped
+/// Fraction of the diagonal of the drawing: ink that is nearer to a part goes with it.
+constexpr double pen_reach = 0.045;
+
+/// Fractions of the area of the figure itself.
+constexpr double most_hidden = 0.9;
+constexpr double least_protrusion = 0.02;
+constexpr double mostly_inside = 0.75;
+
+/// A frame has so many holes, is this share of what it goes round, that is this share at least of
+/// each figure that shows in its holes, and they fill this share of those.
+constexpr size_t least_holes = 2;
+constexpr double least_frame = 0.25;
+constexpr double least_framed = 0.5;
+constexpr double mostly_filled = 0.9;
+
+/// What speaks for or against a figure as a part of its own. Fractions are of its own area unless
+/// said otherwise.
+struct Evidence {
+  double size = 0;          ///< area / area of the drawing
+  double visible = 0;       ///< area not covered by later figures / area of the drawing
+  double hidden = 0;        ///< fraction covered by later figures
+  double inside = 0;        ///< fraction over earlier parts
+  double protrusion = 0;    ///< fraction beside earlier parts, slivers left out
+  bool crossing = false;    ///< lies over two parts, or over the edge of a patch
+  bool compact = false;     ///< blob rather than stripe or crescent
+  bool at_edge = false;     ///< its outline follows that of the part below
+  bool pale_patch = false;  ///< large, lighter than the part below, and nothing on it
+  bool ball = false;        ///< stands out by its colour and is small against the part below
+};
+
+double fraction_of(const Region& region, const Region& other) {
+  return area(intersect(region, other)) / area(region);
+}
+
+size_t hole_count(const Region& region) {
+  return static_cast<size_t>(std::count_if(region.begin(), region.end(),
+                                           [](const Ring& ring) { return signed_area(ring) < 0; }));
+}
+
+/// Whether figures behind fill the holes of one that goes round most of them, as the plates of a
+/// shell between its ribs and the panes of a window do.
+bool is_frame(const std::vector<Figure>& figures, size_t i) {
+  const Region& region = figures[i].region;
+  if (hole_count(region) < least_holes) return false;
+  const Region whole = without_holes(region);
+  if (area(region) < least_frame * area(whole)) return false;
+  std::vector<Region> behind;
+  for (size_t k = 0; k < i; ++k)
+    if (area(figures[k].region) * least_framed < area(whole)) behind.push_back(figures[k].region);
+  return fraction_of(subtract(whole, region), unite(behind)) > mostly_filled;
+}
+
+/// What shows through the holes of a frame is paint on one surface with it.
+std::vector<Figure> without_frames(std::vector<Figure> figures) {
+  for (size_t i = 0; i < figures.size(); ++i)
+    if (is_frame(figures, i)) figures[i].region = without_holes(figures[i].region);
+  return figures;
+}
+
+/// Decides figure by figure, back to front.
+class Proposer {
+ public:
+  explicit Proposer(const FigureList& list) : list_(list), total_(area(list.covered)) {
+    for (const Figure& figure : list.figures) boxes_.push_back(bounding_box(figure.region));
+  }
+
+  ProposedParts run() {
+    for (size_t i = 0; i < list_.figures.size(); ++i) {
+      const Figure& figure = list_.figures[i];
+      const bool speck = area(figure.region) < least_visible * total_;
+      if (!speck && is_part(figure, weigh(i))) {
+        parts_.push_back({figure.name, figure.region});
+        colors_.push_back(figure.color);
+      } else {
+        patches_.push_back(figure.region);
+      }
+    }
+    if (parts_.empty() && !list_.covered.empty()) {
+      parts_.push_back({"", list_.covered});
+      colors_.push_back(list_.figures.empty() ? Color() : list_.figures.front().color);
+    }
+    std::vector<Palette> colors;
+    for (const Color& c : colors_) colors.push_back({{c.r, c.g, c.b}});
+    return {std::move(parts_), std::move(colors)};
+  }
+
+ private:
+  /// What is hardly seen never counts. What stands out beside the parts below counts, unless it
+  /// is a patch without an outline that mostly follows them. What lies inside counts where it
+  /// crosses something, has its own outline, or is a ball of another colour.
+  static bool is_part(const Figure& figure, const Evidence& e) {
+    if (e.hidden > most_hidden || e.visible < least_visible) return false;
+    const bool contained = e.protrusion < least_protrusion;
+    if (!contained) return figure.outlined || e.inside < mostly_inside || e.compact;
+    if (e.crossing && e.visible >= least_crossing) return true;
+    if (figure.outlined) return e.visible >= least_contained && !e.pale_patch;
+    return e.ball && e.compact && !e.at_edge;
+  }
+
+  Evidence weigh(size_t i) const {
+    const Figure& figure = list_.figures[i];
+    const double own = area(figure.region);
+    Evidence e;
+    e.size = own / total_;
+    e.hidden = fraction_of(figure.region, above(i));
+    e.visible = (1 - e.hidden) * e.size;
+    const Region beside = subtract(figure.region, below(boxes_[i]));
+    e.inside = 1 - area(beside) / own;
+    e.protrusion = area(grow(beside, -0.0015 * list_.diagonal)) / own;
+    e.compact = area(grow(figure.region, -0.25 * std::sqrt(own))) > 0;
+    weigh_against_host(figure, i, e);
+    return e;
+  }
+
+  /// The parts so far, as far as they are near.
+  Region below(const Box2& box) const {
+    std::vector<Region> near;
+    for (const Part& part : parts_) {
+      if (boxes_meet(box, bounding_box(part.outline))) near.push_back(part.outline);
+    }
+    return unite(near);
+  }
+
+  /// What lies in front of figure i, as far as it is near.
+  Region above(size_t i) const {
+    std::vector<Region> near;
+    for (size_t j = i + 1; j < boxes_.size(); ++j) {
+      if (boxes_meet(boxes_[i], boxes_[j])) near.push_back(list_.figures[j].region);
+    }
+    return unite(near);
+  }
+
+  void weigh_against_host(const Figure& figure, size_t i, Evidence& e) const {
+    int seen = 0;
+    int host = -1;
+    double most = 0;
+    Region front;
+    for (size_t k = parts_.size(); k-- > 0;) {
+      if (!boxes_meet(bounding_box(figure.region), bounding_box(parts_[k].outline))) continue;
+      const double over = fraction_of(figure.region, subtract(parts_[k].outline, front));
+      front = unite(front, parts_[k].outline);
+      if (over > 0.15) ++seen;
+      if (over <= most) continue;
+      most = over;
+      host = static_cast<int>(k);
+    }
+    if (host < 0) return;
+    const double own = area(figure.region);
+    const double host_area = area(parts_[host].outline);
+    const Color& ground = colors_[host];
+    e.crossing = seen > 1 || crosses_patch(figure);
+    const Region core = grow(parts_[host].outline, -0.006 * list_.diagonal);
+    e.at_edge = fraction_of(figure.region, core) < 0.98;
+    e.ball = e.size >= least_ball && own < 0.15 * host_area &&
+             color_distance(figure.color, ground) > 0.3;
+    e.pale_patch = own > 0.1 * host_area && luminance(figure.color) > luminance(ground) + 0.2 &&
+                   !carries_something(i);
+  }
+
+  /// Whether the figure, in one piece, lies over the edge of a patch at least as large.
+  bool crosses_patch(const Figure& figure) const {
+    const double own = area(figure.region);
+    const Box2 box = bounding_box(figure.region);
+    const bool over_edge = std::any_of(patches_.begin(), patches_.end(), [&](const Region& patch) {
+      if (area(patch) < own || !boxes_meet(box, bounding_box(patch))) return false;
+      const double over = fraction_of(figure.region, patch);
+      return over > 0.1 && over < 0.9;
+    });
+    return over_edge && pieces(figure.region).size() == 1;
+  }
+
+  /// Whether a later figure lies inside figure i.
+  bool carries_something(size_t i) const {
+    for (size_t j = i + 1; j < list_.figures.size(); ++j) {
+      const Region& other = list_.figures[j].region;
+      if (!boxes_meet(boxes_[i], boxes_[j])) continue;
+      if (area(other) < 0.5 * area(list_.figures[i].region) &&
+          fraction_of(other, list_.figures[i].region) > 0.9) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const FigureList& list_;
+  double total_ = 0;
+  std::vector<Box2> boxes_;  ///< of the figures
+  std::vector<Part> parts_;
+  std::vector<Color> colors_;    ///< colour of each part
+  std::vector<Region> patches_;  ///< figures that are no parts
+};
+
+}  // namespace
+
+ProposedParts propose_parts(const FigureList& drawn) {
+  FigureList list = drawn;
+  list.figures = without_frames(std::move(list.figures));
+  auto [parts, colors] = Proposer(list).run();
+  cover_ink(parts, list.ink, pen_reach * list.diagonal);
+  cover_rest(parts, list.covered);
+  colors.resize(parts.size());
+  const double speck = std::max(4.0, speck_area * area(list.covered));
+  ProposedParts proposed;
+  for (size_t k = 0; k < parts.size(); ++k) {
+    parts[k].outline = tidied(parts[k].outline, 0.1, speck);
+    if (parts[k].outline.empty()) continue;
+    proposed.parts.push_back(std::move(parts[k]));
+    proposed.colors.push_back(colors[k]);
+  }
+  make_ids_unique(proposed.parts);
+  return proposed;
+}
+
+}  // namespace relievo::understanding

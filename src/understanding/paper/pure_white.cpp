@@ -1,0 +1,37 @@
+#include "understanding/paper/pure_white.h"
+
+#include <algorithm>
+
+#include "kernel/image/image_size.h"
+#include "kernel/image/mask_pieces.h"
+#include "kernel/image/outlines.h"
+#include "understanding/lines/line_map.h"
+
+namespace relievo::understanding {
+namespace {
+
+constexpr int pure_white = 254;  ///< darkest channel of paper that nothing has blurred
+
+}  // namespace
+
+bool is_on_pure_white(const Image8& rgba) {
+  const auto is_white = [&](int x, int y) {
+    return rgba.at(x, y, 3) == 0 || darkest_channel(rgba, x, y) >= pure_white;
+  };
+  return share_of_edge(rgba.width, rgba.height, is_white) >= bust_share &&
+         share_of_box(tinted_pixels(rgba)) < framed_share;
+}
+
+Image8 tinted_pixels(const Image8& image) {
+  Image8 mask(image.width, image.height, 1);
+  const bool has_alpha = image.channels == 4;
+  const uint8_t* p = image.pixels.data();
+  for (uint8_t& tinted : mask.pixels) {
+    const bool nothing = has_alpha && p[3] == 0;
+    tinted = !nothing && std::min({p[0], p[1], p[2]}) < palest ? 1 : 0;
+    p += image.channels;
+  }
+  return mask;
+}
+
+}  // namespace relievo::understanding
