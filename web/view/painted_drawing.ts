@@ -1,8 +1,14 @@
-import type { Document } from '../document/document';
+import { type Document, emptyDocument } from '../document/document';
+import type { Dressed } from '../engine/messages';
 import { drawContent } from './paper_view';
 
 /** What of a document can be seen, but for its picture. */
 export type Painted = Pick<Document, 'width' | 'height' | 'parts' | 'joins' | 'paint' | 'settings'>;
+
+/** An empty page of the size of a dressed surface's picture, for the picture to fill. */
+export function sheetOf({ picture }: Dressed): Painted {
+  return { ...emptyDocument(), width: picture.width, height: picture.height };
+}
 
 /** Whether more is to be seen than the picture of a document. */
 export function isOverpainted({ parts, paint }: Pick<Painted, 'parts' | 'paint'>): boolean {

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { language, preferredLanguage, speak, t } from '../../app/catalogue';
+import { language, preferredLanguage, speak, t } from '../../words/catalogue';
 import { english, type MessageKey, type Words } from '../../words/english';
 import { french } from '../../words/french';
 import { german } from '../../words/german';

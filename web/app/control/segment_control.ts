@@ -1,0 +1,257 @@
+import type { Document, DrawingSource, Point } from '../../document/document';
+import type { Gap } from '../../document/gaps';
+import { inflatesPaper } from '../../document/paper';
+import { type Corrections, recordText, type Scribbles } from '../../document/segmentation';
+import { adopt, canScribble, questionOf, segmentationOf } from '../../document/scribbling';
+import { type Engine, EngineStopped } from '../../engine/engine';
+import {
+  type Failure, type FlatDrawing, isFailure, type SegmentationRequest, type TintedLabels, told,
+  type Understanding,
+} from '../../engine/messages';
+import { t } from '../../words/catalogue';
+import type { Editor } from '../state/editor';
+import { pixelsOf } from '../files/pictures';
+
+/** Hidden shapes follow a new order when it has stayed for so long, ms. */
+const rest = 300;
+
+/** A change of strokes that waits to be understood. */
+interface Wish {
+  readonly drawing: DrawingSource | null;
+  readonly label: string;
+  change(document: Document): Document;
+}
+
+function requestOf(document: Document): SegmentationRequest {
+  const segmentation = segmentationOf(document);
+  return { project: recordText(segmentation), labels: segmentation.labels };
+}
+
+function gapsOf({ bridges }: TintedLabels): Gap[] {
+  return bridges.map(({ points, left, right }) => ({
+    points: Array.from({ length: points.length / 2 }, (_, i): Point => [points[2 * i] as number, points[2 * i + 1] as number]),
+    left,
+    right,
+  }));
+}
+
+/** A worker that is asked about one drawing after another, and shown each once. */
+class DrawingReader {
+  private opened: DrawingSource | null = null;
+  private opening: Promise<object | Failure> = Promise.resolve({});
+
+  private made: Engine | null = null;
+
+  constructor(private readonly editor: Editor, private readonly make: () => Engine) {}
+
+  /** The worker, which is started when it is needed first. */
+  get engine(): Engine {
+    this.made ??= this.make();
+    return this.made;
+  }
+
+  async ask<T extends object>(document: Document, question: (engine: Engine) => Promise<T | Failure>): Promise<T | Failure> {
+    const { drawing } = document;
+    if (!drawing) throw new Error('no drawing');
+    if (this.opened !== drawing) {
+      this.opened = drawing;
+      this.opening = this.engine.openDrawing(this.flat(document, drawing));
+    }
+    try {
+      const opened = await this.opening;
+      return isFailure(opened) ? opened : await question(this.engine);
+    } catch (error) {
+      // The worker that knew the drawing is gone.
+      this.opened = null;
+      throw error;
+    }
+  }
+
+  private flat({ width, height }: Document, drawing: DrawingSource): FlatDrawing {
+    const { picture } = this.editor.state;
+    if (drawing.mime === 'image/png') return { png: drawing.bytes };
+    if (!picture) throw new Error('no picture');
+    return { pixels: pixelsOf(picture, width, height) };
+  }
+}
+
+/**
+ * Understands flat drawings in workers of its own: one for labels, which must not wait. While
+ * strokes are in hand, their labels are shown as a tint at once; what follows from them - hidden
+ * shapes, order, joins - becomes one change of the document, strokes included, when it is known.
+ */
+export class SegmentControl {
+  private readonly labeller: DrawingReader;
+  private readonly thinker: DrawingReader;
+  private readonly wishes: Wish[] = [];
+  private working = false;
+  private wanted: Document | null = null;
+  private tinting = false;
+  private ordered: Document['parts'] | null = null;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private reordered: Document | null = null;
+  private tinted: { drawing: DrawingSource; scribbles: Scribbles; corrections: Corrections } | null = null;
+
+  constructor(private readonly editor: Editor, start: () => Engine) {
+    this.labeller = new DrawingReader(editor, start);
+    this.thinker = new DrawingReader(editor, start);
+    editor.subscribe(() => {
+      this.followOrder();
+      this.followStrokes();
+    });
+  }
+
+  /** Whether a segmentation from a file is sound; why not otherwise. */
+  async check(document: Document): Promise<void> {
+    if (!document.segmentation) return;
+    const checked = await this.thinker.engine.checkSegmentation(requestOf(document));
+    if (isFailure(checked)) throw new Error(told(checked.error));
+  }
+
+  /** Finds the parts of a drawing that has none yet. */
+  async guess(document: Document): Promise<Understanding | Failure> {
+    return this.thinker.ask(document, (engine) => engine.understand(questionOf(document)));
+  }
+
+  /** Shows the labels of a document that is only being made; the newest one wins. */
+  show(document: Document): void {
+    this.wanted = document;
+    if (!this.tinting) void this.tint();
+  }
+
+  /** Has a change of strokes understood and makes it, strokes and all, one step. */
+  wish(label: string, change: (document: Document) => Document): void {
+    this.wishes.push({ drawing: this.editor.document.drawing, label, change });
+    this.showPending();
+    if (!this.working) void this.work();
+  }
+
+  /** Drops what is not understood yet; false where there is nothing. */
+  forgetWishes(): boolean {
+    if (this.wishes.length === 0) return false;
+    this.wishes.length = 0;
+    this.showPending();
+    return true;
+  }
+
+  /** Resolves when all is understood. */
+  async settle(): Promise<void> {
+    if (this.reordered) await this.rethink(this.reordered);
+    while (this.working) await new Promise((resolve) => setTimeout(resolve, 20));
+  }
+
+  /** The document with all that waits. */
+  get pending(): Document {
+    return this.wishes.reduce((document, wish) => wish.change(document), this.editor.document);
+  }
+
+  private showPending(): void {
+    this.editor.set({ pending: this.wishes.length > 0 ? this.pending : null });
+  }
+
+  /** What is hidden depends on what lies in front: a new order is understood once the hand rests. */
+  private followOrder(): void {
+    const { history } = this.editor.state;
+    const { document } = history;
+    if (document.parts === this.ordered) return;
+    this.ordered = document.parts;
+    clearTimeout(this.timer);
+    const isNew = history.done.at(-1)?.label === 'order' && history.undone.length === 0;
+    this.reordered = document.segmentation && isNew ? document : null;
+    if (this.reordered) this.timer = setTimeout(() => void this.rethink(document), rest);
+  }
+
+  private async rethink(document: Document): Promise<void> {
+    try {
+      const understood = await this.thinker.ask(document, (engine) => engine.understand(questionOf(document)));
+      if (this.reordered !== document || this.editor.document !== document) return;
+      this.reordered = null;
+      if (isFailure(understood)) this.editor.set({ notice: told(understood.error) });
+      else {
+        const next = adopt(document, understood);
+        this.ordered = next.parts;
+        this.editor.complete(next);
+      }
+    } catch (error) {
+      if (!(error instanceof EngineStopped)) throw error;
+    }
+  }
+
+  /** Keeps the tint up with the document while strokes can be seen. */
+  private followStrokes(): void {
+    const { document, state } = this.editor;
+    const { drawing } = document;
+    if (state.tool !== 'scribble' || !state.open || !drawing || !canScribble(document) || this.wishes.length > 0) return;
+    const { scribbles, corrections } = segmentationOf(document);
+    if (this.tinted?.drawing === drawing && this.tinted.scribbles === scribbles && this.tinted.corrections === corrections) return;
+    this.tinted = { drawing, scribbles, corrections };
+    this.show(document);
+  }
+
+  private async tint(): Promise<void> {
+    this.tinting = true;
+    while (this.wanted) {
+      const document = this.wanted;
+      this.wanted = null;
+      const begun = performance.now();
+      try {
+        const labelled = await this.labeller.ask(document, (engine) =>
+          engine.label(requestOf(document), document.width, document.height),
+        );
+        if (document.drawing !== this.editor.document.drawing) continue;
+        if (isFailure(labelled)) this.editor.set({ tint: null });
+        else this.editor.set({ tint: { tint: labelled.tint, gaps: gapsOf(labelled), ms: performance.now() - begun } });
+      } catch (error) {
+        if (!(error instanceof EngineStopped)) throw error;
+      }
+    }
+    this.tinting = false;
+  }
+
+  private async work(): Promise<void> {
+    this.working = true;
+    while (this.wishes.length > 0) await this.grant(this.wishes[0] as Wish);
+    this.working = false;
+  }
+
+  /** Tries again where the document has changed meanwhile. */
+  private async grant(wish: Wish): Promise<void> {
+    const { document } = this.editor;
+    if (document.drawing !== wish.drawing) {
+      this.forgetWishes();
+      return;
+    }
+    try {
+      const changed = wish.change(document);
+      const understood =
+        changed === document ? null : await this.thinker.ask(changed, (engine) => engine.understand(questionOf(changed)));
+      if (this.wishes[0] !== wish) return;
+      if (understood && this.editor.document !== document) return;
+      this.wishes.shift();
+      if (understood) this.make(wish, changed, understood);
+    } catch (error) {
+      this.wishes.length = 0;
+      this.editor.set({ notice: error instanceof EngineStopped ? t('crashed') : String(error) });
+    }
+    this.showPending();
+  }
+
+  private make(wish: Wish, changed: Document, understood: Understanding | Failure): void {
+    if (isFailure(understood)) {
+      this.tinted = null;
+      this.editor.set({ notice: told(understood.error) });
+      return;
+    }
+    const { selected } = this.editor.state;
+    const next = adopt(changed, understood);
+    if (wish.label === 'scribble' && inflatesPaper(this.editor.document, next)) {
+      this.tinted = null;
+      this.followStrokes();
+      this.editor.set({ notice: t('paperStroke') });
+      return;
+    }
+    this.editor.edit(wish.label, next);
+    if (selected !== null) this.editor.select(selected);
+    if (understood.warnings.length > 0) this.editor.set({ notice: understood.warnings.join(' ') });
+  }
+}

@@ -1,0 +1,42 @@
+import { type Document, emptyDocument } from '../../document/document';
+import { sceneContent } from '../../document/scene_text';
+import type { Engine } from '../../engine/engine';
+import { isFailure, type OutputFile, told } from '../../engine/messages';
+import { t } from '../../words/catalogue';
+import type { PlacedFile } from './dropped_files';
+
+const maxBytes = 256 * 1024 * 1024;
+
+/** The pictures, with their table of order where there is one, that are the layers of one drawing; null where they are not. */
+export function layersAmong(files: readonly PlacedFile[]): readonly PlacedFile[] | null {
+  const table = files.find(({ path }) => path === 'layers.tsv');
+  const pictures = files.filter(({ file }) => file.type === 'image/png');
+  if (table && pictures.length > 0) return [table, ...pictures];
+  return pictures.length > 1 ? pictures : null;
+}
+
+export async function readLayers(files: readonly PlacedFile[]): Promise<OutputFile[]> {
+  if (files.reduce((sum, { file }) => sum + file.size, 0) > maxBytes) throw new Error(t('tooLarge'));
+  return Promise.all(files.map(async ({ path, file }) => ({ name: path, bytes: new Uint8Array(await file.arrayBuffer()) })));
+}
+
+/** A document of painted layers, and what is to be said of it. Its drawing is the picture that they make, and all that there is where it is one layer. */
+export async function documentOfLayers(
+  engine: Engine,
+  name: string,
+  files: OutputFile[],
+): Promise<{ document: Document; notice: string } | { flat: Uint8Array<ArrayBuffer> }> {
+  const imported = await engine.importLayers(files);
+  if (isFailure(imported)) throw new Error(told(imported.error));
+  if (imported.scene === undefined) return { flat: imported.drawing };
+  const words = imported.proposed ? [t('proposedParts')] : [];
+  return {
+    document: {
+      ...emptyDocument(),
+      ...sceneContent(imported.scene),
+      name,
+      drawing: { name: `${name}.png`, kind: 'image', mime: 'image/png', bytes: imported.drawing },
+    },
+    notice: [...words, ...imported.warnings].join(' '),
+  };
+}

@@ -1,0 +1,34 @@
+import { type Document, type DrawingSource, emptyDocument } from '../../document/document';
+import { fileKind, pictureType } from '../../document/file_kind';
+import { sceneContent } from '../../document/scene_text';
+import { t } from '../../words/catalogue';
+import type { PlacedFile } from './dropped_files';
+
+/** What a scene file says, as far as it must be known before the engine looks at it. */
+function contentOf(text: string): ReturnType<typeof sceneContent> & { drawing?: unknown } {
+  try {
+    const head = JSON.parse(text) as { format?: unknown; drawing?: unknown };
+    if (head.format !== 'relievo-scene') throw new Error('another format');
+    return { ...sceneContent(text), drawing: head.drawing };
+  } catch {
+    throw new Error(t('brokenScene'));
+  }
+}
+
+async function sourceOf({ file }: PlacedFile): Promise<DrawingSource> {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const isSvg = fileKind(bytes) === 'svg';
+  return { name: file.name, kind: isSvg ? 'svg' : 'image', mime: isSvg ? 'image/svg+xml' : (pictureType(bytes) ?? file.type), bytes };
+}
+
+/** A document of a scene file and of the drawing that lies beside it, and what is to be said of it. */
+export async function documentOfScene(scene: PlacedFile, files: readonly PlacedFile[]): Promise<{ document: Document; notice: string }> {
+  const { drawing: path, ...content } = contentOf(await scene.file.text());
+  const given = typeof path === 'string' ? files.find((one) => one.path === path || one.path.endsWith(`/${path}`)) : undefined;
+  const name = scene.file.name.replace(/\.[^.]*$/, '');
+  const missing = typeof path === 'string' && !given;
+  return {
+    document: { ...emptyDocument(), ...content, name, drawing: given ? await sourceOf(given) : null },
+    notice: missing ? t('drawingMissing', { name: path }) : '',
+  };
+}

@@ -1,0 +1,36 @@
+import { useEffect, useState } from 'preact/hooks';
+import { bledTexture, lookOf, sheetOf } from '../../view/painted_drawing';
+import { t } from '../../words/catalogue';
+import { type Editor, isDressed } from '../state/editor';
+
+/** The kinds of sessions that show a room, the real one first. */
+const modes = ['immersive-ar', 'immersive-vr'] as const;
+
+async function supportedMode(): Promise<XRSessionMode | null> {
+  for (const mode of modes) if (await navigator.xr?.isSessionSupported(mode).catch(() => false)) return mode;
+  return null;
+}
+
+/** Leads into the room, where the browser and the device can. */
+export function RoomButton({ editor }: { editor: Editor }) {
+  const [mode, setMode] = useState<XRSessionMode | null>(null);
+  useEffect(() => void supportedMode().then(setMode), []);
+  const { relief, dressed, picture } = editor.state;
+  if (!mode || !relief) return null;
+  const enter = async (): Promise<void> => {
+    try {
+      // At once: browsers begin such sessions only from a deed of a person.
+      const session = await navigator.xr?.requestSession(mode);
+      if (!session) return;
+      const { document } = editor;
+      const { showInRoom } = await import('../../view/room');
+      const [surface, drawing] = isDressed(editor.state, lookOf(document, picture)) && dressed
+        ? [dressed.surface, bledTexture(sheetOf(dressed), dressed.picture)]
+        : [relief.surface, bledTexture(document, picture)];
+      await showInRoom(session, { surface, drawing, sizeMm: document.settings.sizeMm });
+    } catch (error) {
+      editor.set({ notice: `${t('failed')}: ${error instanceof Error ? error.message : String(error)}` });
+    }
+  };
+  return <button type="button" class="wide" id="room" onClick={() => void enter()}>{t('viewInRoom')}</button>;
+}

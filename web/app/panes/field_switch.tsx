@@ -1,0 +1,27 @@
+import { type MessageKey, t } from '../../words/catalogue';
+import type { Editor, Field } from '../state/editor';
+import { useStore } from '../state/store';
+
+const fields: readonly [Field, MessageKey][] = [
+  ['relief', 'fieldRelief'], ['inflation', 'fieldInflation'], ['shift', 'fieldShift'],
+];
+
+export function nextField(field: Field): Field {
+  const at = fields.findIndex(([name]) => name === field);
+  return fields[(at + 1) % fields.length]?.[0] ?? 'relief';
+}
+
+/** Which of h, f and g the relief shows, where the method makes them worth a look. */
+export function FieldSwitch({ editor }: { editor: Editor }) {
+  const { field, history } = useStore(editor);
+  if (history.document.settings.method !== 'nonlinear' && field === 'relief') return null;
+  return (
+    <div class="floating fields" role="group" aria-label={t('field')}>
+      {fields.map(([name, label]) => (
+        <button type="button" key={name} data-field={name} aria-pressed={name === field} onClick={() => editor.set({ field: name })}>
+          {t(label)}
+        </button>
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,45 @@
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { t } from '../../words/catalogue';
+import type { Editor } from '../state/editor';
+import type { FileControl } from '../control/file_control';
+import type { Keeper } from '../control/keeper';
+import { useStore } from '../state/store';
+
+interface StandingProps {
+  editor: Editor;
+  files: FileControl;
+  keeper: Keeper;
+}
+
+/** Asks what to do with a document that another tab has open. */
+function Elsewhere({ editor, files, keeper, id }: StandingProps & { id: string }) {
+  const [name, setName] = useState('');
+  const first = useRef<HTMLButtonElement>(null);
+  useEffect(() => {
+    void keeper.entry(id).then((entry) => setName(entry?.name ?? ''));
+    first.current?.focus();
+  }, [id]);
+  const leave = (): void => editor.set({ elsewhere: null });
+  return (
+    <div class="standing question" role="alertdialog" aria-label={t('openElsewhere', { name })} onKeyDown={(event) => event.key === 'Escape' && leave()}>
+      <p>{t('openElsewhere', { name })}</p>
+      <button type="button" class="primary" id="take-over" ref={first} onClick={() => void files.openKept(id, true)}>{t('takeOver')}</button>
+      <button type="button" id="open-copy" onClick={() => void files.openCopy(id)}>{t('openCopy')}</button>
+      <button type="button" onClick={leave}>{t('cancel')}</button>
+    </div>
+  );
+}
+
+/** What stays said, and asked, until it is over. */
+export function Standing({ editor, files, keeper }: StandingProps) {
+  const { standing, elsewhere, open, shelf } = useStore(editor);
+  if (elsewhere !== null) return <Elsewhere editor={editor} files={files} keeper={keeper} id={elsewhere} />;
+  if (standing === 'none' || (standing === 'lost' && !open)) return null;
+  return (
+    <div class="standing" role="alert" data-standing={standing}>
+      <p>{t(standing === 'unkept' ? 'saveFailed' : 'takenOver')}</p>
+      {standing === 'unkept' && <button type="button" class="primary" id="save-now" onClick={() => void files.saveProject()}>{t('saveNow')}</button>}
+      {standing === 'lost' && <button type="button" id="take-back" onClick={() => shelf && void files.openKept(shelf.id, true)}>{t('takeBack')}</button>}
+    </div>
+  );
+}
