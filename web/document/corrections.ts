@@ -1,15 +1,5 @@
-import type { Document, Part } from './document';
-import { type Corrections, type LabelPair, labelOf, type PartCorrection, type Segmentation } from './segmentation';
-
-interface Pair {
-  readonly upper: string;
-  readonly lower: string;
-}
-
-/** What was said of two parts, whichever of them lies in front. */
-function samePair(a: LabelPair, b: LabelPair): boolean {
-  return (a.upper === b.upper && a.lower === b.lower) || (a.upper === b.lower && a.lower === b.upper);
-}
+import type { Document, Pair, Part } from './document';
+import { type Corrections, type LabelPair, labelOf, type PartCorrection, samePair, type Segmentation } from './segmentation';
 
 function turn<T extends LabelPair>(pair: T): T {
   return { ...pair, upper: pair.lower, lower: pair.upper };
@@ -114,10 +104,7 @@ class Notes {
     }
     for (const join of this.before.joins) {
       const pair = this.labels(join);
-      const stays = this.after.joins.some(
-        ({ upper, lower }) =>
-          (upper === join.upper && lower === join.lower) || (upper === join.lower && lower === join.upper),
-      );
+      const stays = this.after.joins.some((other) => samePair(other, join));
       if (!pair || stays || !this.isUpright(join)) continue;
       const { joins, no_joins } = this.corrections;
       this.set({ joins: without(joins, pair), no_joins: [...without(no_joins, pair), pair] });

@@ -1,6 +1,6 @@
 import type { Cue, Document, Point, Ring } from './document';
-import { partAt } from './editing';
-import { contains, distance, simplify } from './outline';
+import { contains, distance, rounded, simplify } from './outline';
+import { partAt } from './picking';
 
 /** What values of each kind may be, and what they are at first. */
 export const cueRanges: Readonly<Record<Cue['kind'], { least: number; most: number; step: number; usual: number }>> = {
@@ -13,7 +13,7 @@ const mostCues = 256;
 
 /** A cue along a stroke, on the foremost part at its middle, or at its beginning; null where that is none. */
 export function cueOfStroke(document: Document, { kind, value }: Pick<Cue, 'kind' | 'value'>, stroke: Ring, reach: number): Cue | null {
-  const line = simplify(stroke, reach / 8).map(([x, y]): Point => [Math.round(100 * x) / 100, Math.round(100 * y) / 100]);
+  const line = simplify(stroke, reach / 8).map((p) => rounded(p, 100));
   const [first, last] = [line[0], line.at(-1)];
   if (!first || !last || line.length < 2 || (line.length === 2 && distance(first, last) < reach / 2)) return null;
   const part = partAt(document, stroke[Math.floor(stroke.length / 2)] as Point) ?? partAt(document, first);

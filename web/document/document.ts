@@ -1,7 +1,7 @@
 import type { Cue, Join, Part, Relation, Ring, RobinRange } from './scene';
 import type { Segmentation } from './segmentation';
 
-export type { Cue, Join, Part, Point, Relation, RelationKind, Ring, RobinRange } from './scene';
+export type { Cue, Join, Pair, Part, Point, Relation, RelationKind, Ring, RobinRange } from './scene';
 
 /** What a person makes: plain data, never changed in place. */
 

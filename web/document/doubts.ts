@@ -1,21 +1,18 @@
-import { type Document, partIndex } from './document';
+import { type Document, type Pair, partIndex } from './document';
 import { bringBefore, removeJoin } from './editing';
 import { type Gap, openQuestions, sameGap } from './gaps';
-import { type Corrections, type LabelPair, labelOf, type Segmentation } from './segmentation';
+import { type Corrections, type LabelPair, labelOf, samePair, type Segmentation } from './segmentation';
 
 /** What was guessed of a flat drawing and may be wrong; `upper` lies in front. */
 export type Doubt =
-  | { readonly kind: 'order' | 'join'; readonly upper: string; readonly lower: string; readonly confidence: number }
+  | (Pair & { readonly kind: 'order' | 'join'; readonly confidence: number })
   | { readonly kind: 'gap'; readonly gap: Gap };
 
 /** Guesses with less confidence are worth a question. */
 const sure = { order: 0.7, join: 0.8 } as const;
 
-const samePair = (a: LabelPair, b: LabelPair): boolean =>
-  (a.upper === b.upper && a.lower === b.lower) || (a.upper === b.lower && a.lower === b.upper);
-
 /** The names of a pair of labels, the nearer first; undefined where one is not a part any more. */
-function named({ parts }: Document, segmentation: Segmentation, pair: LabelPair): { upper: string; lower: string } | undefined {
+function named({ parts }: Document, segmentation: Segmentation, pair: LabelPair): Pair | undefined {
   const at = (label: number): number => parts.findIndex(({ id }) => labelOf(segmentation, id) === label);
   const [front, back] = [at(pair.upper), at(pair.lower)].sort((a, b) => b - a) as [number, number];
   return back < 0 ? undefined : { upper: parts[front]?.id as string, lower: parts[back]?.id as string };

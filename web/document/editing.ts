@@ -2,6 +2,7 @@ import {
   type Document,
   freshId,
   type Join,
+  type Pair,
   type Part,
   partIndex,
   type Point,
@@ -10,6 +11,7 @@ import {
   type Settings,
 } from './document';
 import { arcBetween, contains, longestRunInside, mix, nearestPlace, overlap } from './outline';
+import { partUnder } from './picking';
 import { clearStrokes } from './scribbling';
 import { renameLabelled } from './segmentation';
 
@@ -30,14 +32,6 @@ export function addPart(document: Document, name: string, ring: Ring): Document 
   return { ...document, parts: [...document.parts, newPart(document, name, ring)] };
 }
 
-/** The foremost part behind index `before` that contains the point. */
-function partUnder(document: Document, point: Point, before: number): Part | undefined {
-  return document.parts
-    .slice(0, before)
-    .reverse()
-    .find((part) => contains(part.outline, point));
-}
-
 /** An open stroke as a part whose open side is joined to what lies below it, as in Monster Mash. */
 export function addOpenPart(document: Document, name: string, stroke: Ring): Document {
   const first = stroke[0] as Point;
@@ -51,7 +45,7 @@ export function addOpenPart(document: Document, name: string, stroke: Ring): Doc
 }
 
 export function removePart(document: Document, id: string): Document {
-  const other = (pair: { upper: string; lower: string }): boolean => pair.upper !== id && pair.lower !== id;
+  const other = (pair: Pair): boolean => pair.upper !== id && pair.lower !== id;
   const unmarked = document.segmentation ? clearStrokes(document, { part: id }) : document;
   return {
     ...unmarked,
@@ -127,7 +121,7 @@ export function renamePart(document: Document, id: string, name: string): Docume
   const wanted = name.trim();
   const isTaken = partIndex(document, wanted) >= 0 || document.segmentation?.parts.some((part) => part.id === wanted);
   if (wanted === '' || wanted === id || isTaken) return document;
-  const rename = <T extends { upper: string; lower: string }>(pair: T): T => ({
+  const rename = <T extends Pair>(pair: T): T => ({
     ...pair,
     upper: pair.upper === id ? wanted : pair.upper,
     lower: pair.lower === id ? wanted : pair.lower,
@@ -160,8 +154,7 @@ export function movePart(document: Document, id: string, to: number): Document {
   const [part] = parts.splice(from, 1);
   parts.splice(target, 0, part as Part);
   const moved = { ...document, parts };
-  const upright = (pair: { upper: string; lower: string }): boolean =>
-    partIndex(moved, pair.upper) > partIndex(moved, pair.lower);
+  const upright = (pair: Pair): boolean => partIndex(moved, pair.upper) > partIndex(moved, pair.lower);
   return {
     ...moved,
     joins: moved.joins
@@ -190,7 +183,7 @@ export function nextInFront(document: Document, id: string): Part | undefined {
 }
 
 /** The pair in the order of the document. */
-export function ordered(document: Document, a: string, b: string): { upper: string; lower: string } {
+export function ordered(document: Document, a: string, b: string): Pair {
   return partIndex(document, a) > partIndex(document, b) ? { upper: a, lower: b } : { upper: b, lower: a };
 }
 
@@ -284,16 +277,4 @@ export function neighbours(document: Document, id: string): Part[] {
   const part = document.parts[partIndex(document, id)];
   if (!part) return [];
   return document.parts.filter((other) => other.id !== id && overlap(part, other)).reverse();
-}
-
-/** The foremost part at a point, or, where that is wanted, the one below the selected one. */
-export function partBelow(document: Document, point: Point, selected: string | null, deeper: boolean): Part | undefined {
-  const stack = document.parts.filter((part) => contains(part.outline, point)).reverse();
-  const at = stack.findIndex((part) => part.id === selected);
-  return deeper && at >= 0 ? stack[(at + 1) % stack.length] : stack[0];
-}
-
-/** The foremost part at a point. */
-export function partAt(document: Document, point: Point): Part | undefined {
-  return partUnder(document, point, document.parts.length);
 }

@@ -1,7 +1,7 @@
-import type { Document, Part, Point } from './document';
-import { addPart, changePart, partAt } from './editing';
-import { area, distance } from './outline';
-import { detailInk, type Drawn } from './strokes';
+import type { Document, Point } from './document';
+import { areaOf, distance, oval } from './outline';
+import { partAt } from './picking';
+import { addDetail, detailInk, type Drawn } from './strokes';
 
 /** Radius of an eye, of the side of a square as large as its part. */
 const radiusShare = 0.1;
@@ -11,29 +11,14 @@ const pupilShare = 0.58;
 const lookDown = 0.18;
 const white = '#fffdf8';
 
-function oval([x, y]: Point, rx: number, ry: number): Point[] {
-  return Array.from({ length: 28 }, (_, i): Point => {
-    const angle = (Math.PI * i) / 14;
-    return [x + rx * Math.cos(angle), y + ry * Math.sin(angle)];
-  });
-}
-
-function sizeOf({ outline }: Part): number {
-  return Math.sqrt(Math.abs(outline.reduce((sum, ring) => sum + area(ring), 0)));
-}
-
-function withDetail(document: Document, name: string, ring: readonly Point[], color: string): Document {
-  const added = addPart(document, name, ring);
-  const id = added.parts.at(-1)?.id ?? '';
-  return changePart({ ...added, parts: added.parts.map((part) => (part.id === id ? { ...part, color } : part)) }, id, { c: 2 });
-}
+const corners = 28;
 
 /** An eye around a point: its white and its pupil, glued to the part below. `aside`: where it looks, in [-1, 1]. */
 function addEye(document: Document, [x, y]: Point, radius: number, aside: number): Document {
-  const ball = withDetail(document, 'eye', oval([x, y], radius, height * radius), white);
+  const ball = addDetail(document, 'eye', oval([x, y], [radius, height * radius], corners), white);
   const pupil = pupilShare * radius;
   const room = radius - pupil;
-  return withDetail(ball, 'pupil', oval([x + 0.5 * aside * room, y + lookDown * radius], pupil, height * pupil), detailInk);
+  return addDetail(ball, 'pupil', oval([x + 0.5 * aside * room, y + lookDown * radius], [pupil, height * pupil], corners), detailInk);
 }
 
 /** A tap puts an eye on the part below, a stroke a pair of them at its ends; they look at each other a little. */
@@ -42,7 +27,7 @@ export function stampEyes(document: Document, reach: number, points: readonly Po
   const ground = partAt(document, first) ?? partAt(document, last);
   if (!ground) return { refused: 'dotOnPaper' };
   const span = distance(first, last);
-  const radius = Math.max(0.6 * reach, radiusShare * sizeOf(ground));
+  const radius = Math.max(0.6 * reach, radiusShare * Math.sqrt(Math.abs(areaOf(ground.outline))));
   const isPair = span > reach / 2;
   const fitting = isPair ? Math.min(radius, 0.45 * span) : radius;
   const way = Math.sign(last[0] - first[0]);

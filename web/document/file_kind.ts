@@ -1,5 +1,5 @@
 /** What a file is, by how it begins, whatever its name. */
-export type FileKind = 'picture' | 'svg' | 'scene' | 'project' | 'openraster' | 'photoshop' | 'model' | 'packed' | 'unknown';
+type FileKind = 'picture' | 'svg' | 'scene' | 'project' | 'openraster' | 'photoshop' | 'model' | 'packed' | 'unknown';
 
 const pictures: readonly [string, string][] = [
   ['\x89PNG', 'image/png'], ['\xff\xd8\xff', 'image/jpeg'], ['GIF8', 'image/gif'], ['BM', 'image/bmp'],
@@ -10,6 +10,11 @@ export function pictureType(bytes: Uint8Array): string | null {
   const text = headOf(bytes);
   if (text.startsWith('RIFF') && text.slice(8, 12) === 'WEBP') return 'image/webp';
   return pictures.find(([head]) => text.startsWith(head))?.[1] ?? null;
+}
+
+/** Returns the name of a file without its extension. */
+export function baseName(name: string): string {
+  return name.replace(/\.[^.]*$/, '') || 'untitled';
 }
 
 function headOf(bytes: Uint8Array): string {

@@ -1,5 +1,5 @@
 import type { Document, Point, Ring } from './document';
-import { area, distance, mix } from './outline';
+import { area, distance, distanceTo, lengthOf, mix, rounded } from './outline';
 import { addStroke, scribblesOf, segmentationOf, strokesNear, withScribbles } from './scribbling';
 import type { Stroke } from './segmentation';
 
@@ -24,10 +24,6 @@ interface Crossing {
   readonly length: number;
   readonly along: Point;
   at(along: number, right: number): Point;
-}
-
-function lengthOf(line: Ring): number {
-  return line.reduce((sum, point, i) => (i === 0 ? 0 : sum + distance(line[i - 1] as Point, point)), 0);
 }
 
 function crossingOf({ points }: Gap): Crossing {
@@ -58,7 +54,7 @@ function beside({ length }: Crossing): number {
 
 function strokeFor(side: Side, width: number, points: readonly Point[]): Stroke | null {
   if (side === 'unknown') return null;
-  const line = points.map(([x, y]): Point => [Math.round(10 * x) / 10, Math.round(10 * y) / 10]);
+  const line = points.map((p) => rounded(p, 10));
   return side === 'background' ? { kind: 'outside', width, points: line } : { kind: 'hard', part: side.part, width, points: line };
 }
 
@@ -122,8 +118,7 @@ export function openGap(document: Document, gap: Gap): Document {
 
 /** The gap that passes a point within reach, px. */
 export function gapAt(gaps: readonly Gap[], point: Point, reach: number): Gap | undefined {
-  const off = ({ points }: Gap): number =>
-    Math.min(...points.flatMap((p, i) => [distance(p, point), distance(mix(p, points[i + 1] ?? p, 0.5), point)]));
+  const off = ({ points }: Gap): number => distanceTo(points, point);
   return gaps.filter((gap) => off(gap) < reach).sort((p, q) => off(p) - off(q))[0];
 }
 

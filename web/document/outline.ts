@@ -27,6 +27,11 @@ export function area(ring: Ring): number {
   return sum / 2;
 }
 
+/** Returns the signed area of an outline: its outer rings minus its holes, which turn the other way. */
+export function areaOf(outline: readonly Ring[]): number {
+  return outline.reduce((sum, ring) => sum + area(ring), 0);
+}
+
 export function boxOf(outline: readonly Ring[]): { min: Point; max: Point } {
   const points = outline.flat();
   const xs = points.map((p) => p[0]);
@@ -61,6 +66,15 @@ function nearestOnSegment(p: Point, a: Point, b: Point): number {
   return Math.min(1, Math.max(0, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / length2));
 }
 
+/** Returns the distance of a point from an open line. */
+export function distanceTo(line: Ring, p: Point): number {
+  const gaps = line.map((a, i) => {
+    const b = line[i + 1] ?? a;
+    return distance(p, mix(a, b, nearestOnSegment(p, a, b)));
+  });
+  return Math.min(...gaps);
+}
+
 /** The place of an outline that is nearest to `p`. Linear in points. */
 export function nearestPlace(outline: readonly Ring[], p: Point): OutlinePlace {
   let best: OutlinePlace = { ring: 0, at: 0, point: outline[0]?.[0] ?? p, distance: Infinity };
@@ -81,6 +95,11 @@ export function nearestPlace(outline: readonly Ring[], p: Point): OutlinePlace {
 
 export function perimeter(ring: Ring): number {
   return ring.reduce((sum, p, i) => sum + distance(p, ring[(i + 1) % ring.length] as Point), 0);
+}
+
+/** Returns the length of an open line. */
+export function lengthOf(line: Ring): number {
+  return line.reduce((sum, p, i) => (i === 0 ? 0 : sum + distance(line[i - 1] as Point, p)), 0);
 }
 
 /** The point of a ring at an arc length from its first point, px. Linear in points. */
@@ -127,6 +146,19 @@ export function arcsBetween(outline: readonly Ring[], from: OutlinePlace, to: Ou
 /** The shorter way along a ring between two places of it. */
 export function arcBetween(outline: readonly Ring[], from: OutlinePlace, to: OutlinePlace): Point[] {
   return arcsBetween(outline, from, to)[0];
+}
+
+/** Returns an ellipse with `corners` corners, clockwise on the screen from its rightmost point. */
+export function oval([x, y]: Point, [across, up]: Point, corners: number): Point[] {
+  return Array.from({ length: corners }, (_, i): Point => {
+    const angle = (2 * Math.PI * i) / corners;
+    return [x + across * Math.cos(angle), y + up * Math.sin(angle)];
+  });
+}
+
+/** Rounds the coordinates of a point to multiples of 1 / `steps` px, which keeps files short. */
+export function rounded([x, y]: Point, steps: number): Point {
+  return [Math.round(steps * x) / steps, Math.round(steps * y) / steps];
 }
 
 /** A polyline with points at most `step` apart. */
@@ -212,5 +244,5 @@ export function smooth(line: Ring, closed: boolean): Point[] {
     if (!closed) out.push(current[current.length - 1] as Point);
     current = out;
   }
-  return current.map(([x, y]) => [Math.round(x * 100) / 100, Math.round(y * 100) / 100]);
+  return current.map((p) => rounded(p, 100));
 }

@@ -1,5 +1,5 @@
 import type { Document, Part, Point, Ring } from './document';
-import { area, boxOf } from './outline';
+import { areaOf, boxOf } from './outline';
 
 /** A part that comes so near to all sides of the page, as a share of it, is the page itself. */
 const rim = 0.01;
@@ -9,7 +9,7 @@ function isPage({ width, height }: Document, { outline }: Part): boolean {
   const { min, max } = boxOf(outline);
   const [x, y] = [rim * width, rim * height];
   const reaches = min[0] < x && min[1] < y && max[0] > width - x && max[1] > height - y;
-  return reaches && Math.abs(outline.reduce((sum, ring) => sum + area(ring), 0)) > mostOfPage * width * height;
+  return reaches && Math.abs(areaOf(outline)) > mostOfPage * width * height;
 }
 
 /** Whether a step makes a part of the paper around a figure. */

@@ -10,7 +10,6 @@ export class ProjectError extends Error {}
 
 const mimetype = 'application/vnd.relievo';
 const version = 1;
-const maxBytes = 256 * 1024 * 1024;
 const entries = ['mimetype', 'project.json', 'scene.json', 'drawing', 'drawing.png', 'labels.png'];
 
 interface ProjectHead {
@@ -103,7 +102,7 @@ function segmentationOf(head: ProjectHead, files: Record<string, Uint8Array>): S
  */
 export function readProject(bytes: Uint8Array): Document {
   try {
-    const files = unpackArchive(bytes, (name) => entries.includes(name), maxBytes);
+    const files = unpackArchive(bytes, (name) => entries.includes(name));
     const head = parseHead(files['project.json']);
     const scene = sceneContent(strFromU8(files['scene.json'] ?? new Uint8Array()));
     return {

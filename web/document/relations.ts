@@ -1,12 +1,6 @@
-import type { Document, Point, RelationKind } from './document';
+import type { Document, Pair, Point, RelationKind } from './document';
 import { relate } from './editing';
 import { contains, nearestPlace } from './outline';
-
-/** Two parts that overlap, by their names. */
-export interface Pair {
-  readonly upper: string;
-  readonly lower: string;
-}
 
 /** What can be said of a pair, one after the other; null is the usual. */
 const kinds: readonly (RelationKind | null)[] = [null, 'free', 'equal', 'joined', 'above'];

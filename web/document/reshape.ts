@@ -1,7 +1,7 @@
 import { type Document, type Join, partIndex, type Point, type Ring } from './document';
 import { changePart } from './editing';
 import {
-  arcsBetween, area, distance, mix, nearestPlace, type OutlinePlace, perimeter, pointAt, resample, simplify, walk,
+  arcsBetween, area, areaOf, distance, distanceTo, mix, nearestPlace, type OutlinePlace, perimeter, pointAt, resample, rounded, simplify, walk,
 } from './outline';
 
 /** Why an outline stays as it is. */
@@ -13,10 +13,6 @@ export type Reshaped = { readonly document: Document } | { readonly refused: Ref
 const tolerance = 0.05;
 /** Parts with less area, px², could hardly be seen. */
 const leastArea = 16;
-
-function tidy([x, y]: Point): Point {
-  return [Math.round(100 * x) / 100, Math.round(100 * y) / 100];
-}
 
 /** How much of a push arrives at an arc length from where the hand is: 1 there, 0 from `radius` on. */
 function share(offset: number, radius: number): number {
@@ -36,7 +32,7 @@ function pushedRing(ring: Ring, at: number, radius: number, by: Point): { ring: 
   const moved = line.map((p, i): Point => {
     if (i > 0) offset += distance(line[i - 1] as Point, p);
     const t = share(offset, radius);
-    return t === 0 ? p : tidy([p[0] + t * by[0], p[1] + t * by[1]]);
+    return t === 0 ? p : rounded([p[0] + t * by[0], p[1] + t * by[1]], 100);
   });
   const stretch = simplify(moved, tolerance);
   return { ring: [...stretch, ...walk(ring, to, from)], stretch: stretch.length };
@@ -69,20 +65,12 @@ export function crossings(outline: readonly Ring[], index: number, count: number
   return found;
 }
 
-function areaOf(outline: readonly Ring[]): number {
-  return outline.reduce((sum, ring) => sum + area(ring), 0);
-}
-
-function distanceToLine(line: Ring, point: Point): number {
-  return Math.min(...line.map((p) => distance(p, point)));
-}
-
 /** A join on a changed outline: its ends and its middle stay as near to where they were as can be. */
 function reseated(join: Join, outline: readonly Ring[], moved: (p: Point) => Point): Join {
   const end = (p: Point | undefined): OutlinePlace => nearestPlace(outline, moved(p as Point));
   const middle = moved(join.line[Math.floor(join.line.length / 2)] as Point);
   const arcs = arcsBetween(outline, end(join.line[0]), end(join.line.at(-1)));
-  const gaps = arcs.map((arc) => distanceToLine(resample(arc, 4), middle)) as [number, number];
+  const gaps = arcs.map((arc) => distanceTo(arc, middle)) as [number, number];
   return { ...join, line: gaps[0] <= gaps[1] ? arcs[0] : arcs[1] };
 }
 
@@ -172,7 +160,7 @@ export function redrawOutline(document: Document, id: string, stroke: Ring): Res
   const ahead = [from.point, ...walk(old, from.at, to.at), to.point];
   const back = [from.point, ...walk(old, to.at, from.at).reverse(), to.point];
   const replacesAhead = areaBetween(drawn, ahead) <= areaBetween(drawn, back);
-  const line = (replacesAhead ? drawn : [...drawn].reverse()).map(tidy);
+  const line = (replacesAhead ? drawn : [...drawn].reverse()).map((p) => rounded(p, 100));
   const rest = replacesAhead ? walk(old, to.at, from.at) : walk(old, from.at, to.at);
   const ring = { index: from.ring, ring: [...line, ...rest], changed: line.length };
   const outline = replaced(part.outline, ring);

@@ -22,22 +22,22 @@ export interface Part {
   readonly color?: string;
 }
 
-export interface Join {
+/** Two parts by their ids; `upper` is the nearer one. */
+export interface Pair {
   readonly upper: string;
   readonly lower: string;
+}
+
+export interface Join extends Pair {
   readonly line: Ring;
 }
 
-export interface Relation {
-  readonly upper: string;
-  readonly lower: string;
+export interface Relation extends Pair {
   readonly relation: RelationKind;
   readonly range?: readonly [Point, Point];
 }
 
-export interface RobinRange {
-  readonly upper: string;
-  readonly lower: string;
+export interface RobinRange extends Pair {
   readonly from: Point;
   readonly to: Point;
   readonly alpha0?: number;

@@ -1,5 +1,6 @@
-import type { Document, Part, Point, Ring } from './document';
-import { contains, distance } from './outline';
+import type { Document, Point, Ring } from './document';
+import { distanceTo, rounded } from './outline';
+import { partAt } from './picking';
 import { sceneContent, sceneText } from './scene_text';
 import { emptySegmentation, freshLabel, labelOf, recordFrom, recordText, type Scribbles, type Segmentation, type Stroke } from './segmentation';
 
@@ -32,26 +33,9 @@ export function strokeAt(scribbles: Scribbles, point: Point, reach: number): Str
   return strokesNear(scribbles, point, reach)[0];
 }
 
-function distanceTo(line: Ring, point: Point): number {
-  let least = Infinity;
-  line.forEach((a, i) => {
-    const b = line[i + 1] ?? a;
-    const dx = b[0] - a[0];
-    const dy = b[1] - a[1];
-    const length2 = dx * dx + dy * dy;
-    const t = length2 === 0 ? 0 : Math.min(1, Math.max(0, ((point[0] - a[0]) * dx + (point[1] - a[1]) * dy) / length2));
-    least = Math.min(least, distance(point, [a[0] + t * dx, a[1] + t * dy]));
-  });
-  return least;
-}
-
-function visiblePart(document: Document, point: Point): Part | undefined {
-  return [...document.parts].reverse().find((part) => contains(part.outline, point));
-}
-
 /** The part of the drawing that is seen at a point; undefined where it is none or drawn by hand. */
 export function foundPartAt(document: Document, point: Point): string | undefined {
-  const id = visiblePart(document, point)?.id;
+  const id = partAt(document, point)?.id;
   return id !== undefined && labelOf(segmentationOf(document), id) !== undefined ? id : undefined;
 }
 
@@ -60,7 +44,7 @@ function guessedPartUnder(document: Document, line: Ring): string | null {
   const { strokes } = scribblesOf(document);
   const counts = new Map<string, number>();
   for (const point of line) {
-    const id = visiblePart(document, point)?.id;
+    const id = partAt(document, point)?.id;
     if (id !== undefined) counts.set(id, (counts.get(id) ?? 0) + 1);
   }
   const known = segmentationOf(document).parts;
@@ -124,7 +108,7 @@ export function moveStroke(document: Document, moved: Stroke, [dx, dy]: Point): 
   const { strokes } = scribblesOf(document);
   const at = strokes.findIndex((stroke) => isSameStroke(stroke, moved));
   if (at < 0 || (dx === 0 && dy === 0)) return document;
-  const points = moved.points.map(([x, y]): Point => [Math.round(10 * (x + dx)) / 10, Math.round(10 * (y + dy)) / 10]);
+  const points = moved.points.map(([x, y]) => rounded([x + dx, y + dy], 10));
   return withScribbles(document, strokes.map((stroke, i) => (i === at ? { ...stroke, points } : stroke)));
 }
 

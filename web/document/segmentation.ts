@@ -24,7 +24,7 @@ export interface Scribbles {
   readonly count?: number;
 }
 
-export interface LabelledPart {
+interface LabelledPart {
   readonly label: number;
   readonly id: string;
   readonly completion: string;
@@ -33,6 +33,11 @@ export interface LabelledPart {
 export interface LabelPair {
   readonly upper: number;
   readonly lower: number;
+}
+
+/** Returns whether two pairs are of the same parts, whichever of them is nearer. */
+export function samePair<Name extends string | number>(a: { upper: Name; lower: Name }, b: { upper: Name; lower: Name }): boolean {
+  return (a.upper === b.upper && a.lower === b.lower) || (a.upper === b.lower && a.lower === b.upper);
 }
 
 export interface PartCorrection {

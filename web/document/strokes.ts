@@ -1,6 +1,7 @@
 import { type Document, type Part, type Point, type Ring } from './document';
-import { addOpenPart, addPart, changePart, joinParts, movePart, partAt } from './editing';
-import { area, contains, distance, mix, nearestPlace, perimeter, simplify, smooth } from './outline';
+import { addOpenPart, addPart, changePart, joinParts, movePart } from './editing';
+import { area, areaOf, contains, distance, lengthOf, mix, nearestPlace, oval, perimeter, simplify, smooth } from './outline';
+import { partAt } from './picking';
 import { around, largest, unionOf } from './regions';
 
 /** Why a stroke became nothing. */
@@ -36,10 +37,6 @@ const detailShare = 0.06;
 const snapping = 1.5;
 export const detailInk = '#37322c';
 
-function lengthOf(line: Ring): number {
-  return line.reduce((sum, p, i) => (i === 0 ? 0 : sum + distance(line[i - 1] as Point, p)), 0);
-}
-
 /** Whether a stroke goes out from a part and comes back to it. */
 function isLimb({ parts }: Document, stroke: Ring): boolean {
   const [first, last] = [stroke[0] as Point, stroke.at(-1) as Point];
@@ -72,12 +69,15 @@ function groundOf(document: Document, ring: Ring): Part | undefined {
   return part && ring.every((p) => contains(part.outline, p)) ? part : undefined;
 }
 
-function areaOf({ outline }: Part): number {
-  return Math.abs(outline.reduce((sum, ring) => sum + area(ring), 0));
-}
-
 function newest(document: Document): string {
   return document.parts.at(-1)?.id ?? '';
+}
+
+/** Adds a small mark such as an eye: a flatter part of its own colour. */
+export function addDetail(document: Document, name: string, ring: Ring, color: string): Document {
+  const added = addPart(document, name, ring);
+  const id = newest(added);
+  return changePart(colored(added, id, color), id, { c: 2 });
 }
 
 function colored(document: Document, id: string, color: string): Document {
@@ -96,19 +96,13 @@ export function previewStroke(document: Document, hand: Hand, points: Ring): Doc
 /** A closed shape: a part, or a detail of the part on which it lies. */
 function addShape(document: Document, name: string, ring: Ring): Document {
   const ground = groundOf(document, ring);
-  const added = addPart(document, name, ring);
-  if (!ground || Math.abs(area(ring)) > detailShare * areaOf(ground)) return added;
-  const id = newest(added);
-  return changePart(colored(added, id, detailInk), id, { c: 2 });
+  const isDetail = ground && Math.abs(area(ring)) <= detailShare * Math.abs(areaOf(ground.outline));
+  return isDetail ? addDetail(document, name, ring, detailInk) : addPart(document, name, ring);
 }
 
 /** A line with a width: a detail where it lies on one part, else a tube, joined to the part that it begins or ends on. */
 function addTube(document: Document, { name, reach }: Hand, line: Ring): Document {
-  const ground = groundOf(document, line);
-  if (ground) {
-    const drawn = addPart(document, name, largest(around(line, lineRadius * reach)));
-    return changePart(colored(drawn, newest(drawn), detailInk), newest(drawn), { c: 2 });
-  }
+  if (groundOf(document, line)) return addDetail(document, name, largest(around(line, lineRadius * reach)), detailInk);
   const root = partAt(document, line[0] as Point) ?? partAt(document, line.at(-1) as Point);
   const added = addPart(document, name, largest(around(line, tubeRadius * reach)));
   const id = newest(added);
@@ -153,11 +147,7 @@ function addClosed(document: Document, hand: Hand, stroke: Ring): Document {
 /** A tap: a small round detail of the part below. */
 function addDot(document: Document, { name, reach }: Hand, [x, y]: Point): Drawn {
   if (!partAt(document, [x, y])) return { refused: 'dotOnPaper' };
-  const ring = Array.from({ length: 24 }, (_, i): Point => {
-    const angle = (Math.PI * i) / 12;
-    return [x + dotRadius * reach * Math.cos(angle), y + dotRadius * reach * Math.sin(angle)];
-  });
-  const added = addShape(document, name, ring);
+  const added = addShape(document, name, oval([x, y], [dotRadius * reach, dotRadius * reach], 24));
   return { document: added, id: newest(added) };
 }
 

@@ -1,5 +1,5 @@
 import type { Document, Join, Part, Point, Ring } from './document';
-import { boxOf, contains, distance, longestRunInside, mix, perimeter, pointAt } from './outline';
+import { boxOf, contains, distanceTo, longestRunInside, perimeter, pointAt } from './outline';
 
 /** So many places of an outline are looked at. */
 const samples = 96;
@@ -54,8 +54,7 @@ export function suggestedJoins(document: Document): readonly Join[] {
 
 /** The one of some joins whose line passes a point within `reach` px, or null. */
 export function joinAt(joins: readonly Join[], point: Point, reach: number): Join | null {
-  const gap = (join: Join): number =>
-    Math.min(...join.line.flatMap((p, i) => [distance(p, point), distance(mix(p, join.line[i + 1] ?? p, 0.5), point)]));
+  const gap = (join: Join): number => distanceTo(join.line, point);
   const near = joins.filter((join) => gap(join) < reach);
   return near.sort((a, b) => gap(a) - gap(b))[0] ?? null;
 }

@@ -1,6 +1,6 @@
 /** The colours of labels: far from those of the labels before, the same in every session. */
 
-export type Rgb = readonly [number, number, number];
+type Rgb = readonly [number, number, number];
 
 const golden = 0.618034;
 /** Hues come near again after 5, 8 or 13 steps; these do not then. */

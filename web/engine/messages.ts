@@ -1,6 +1,5 @@
 /** What the page and the engine say to each other. Plain values and arrays that are handed over. */
 
-export type Method = 'approximate' | 'nonlinear';
 export type Visibility = 'relief' | 'orbit' | 'all';
 /** The heights, or one of the two that they are the sum of. */
 export type Field = 'relief' | 'inflation' | 'shift';
@@ -9,7 +8,7 @@ export type SolidFormat = '3mf' | 'stl' | 'glb' | 'usdz';
 export type MapKind = 'normal' | 'depth' | 'part';
 
 export interface BuildOptions {
-  method: Method;
+  method: 'approximate' | 'nonlinear';
   /** About so many nodes of the joined mesh. */
   vertices: number;
   /** Spacing of the outlines in px; 0: from `vertices`. */
@@ -47,7 +46,7 @@ export interface Report {
   warnings: string[];
 }
 
-export interface PartRun {
+interface PartRun {
   id: string;
   firstTriangle: number;
   triangleCount: number;

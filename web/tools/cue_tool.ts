@@ -1,7 +1,7 @@
 import { addCue, cueOfStroke } from '../document/cues';
 import type { Cue, Point } from '../document/document';
-import { partAt } from '../document/editing';
 import { distance } from '../document/outline';
+import { partAt } from '../document/picking';
 import { marks } from '../view/colors';
 import { drawDot, strokeLine } from '../view/paper_view';
 import type { Tool, ToolHost } from './tool';

@@ -1,6 +1,7 @@
 import type { Join, Point } from '../document/document';
-import { addJoin, joinOfLine, partAt, removeJoin } from '../document/editing';
+import { addJoin, joinOfLine, removeJoin } from '../document/editing';
 import { distance } from '../document/outline';
+import { partAt } from '../document/picking';
 import { pairAt, relationOf, turnRelation } from '../document/relations';
 import { joinAt, suggestedJoins } from '../document/suggestions';
 import { marks } from '../view/colors';

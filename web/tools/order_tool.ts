@@ -1,6 +1,7 @@
 import type { Part, Point } from '../document/document';
-import { bringBefore, nextInFront, partAt } from '../document/editing';
+import { bringBefore, nextInFront } from '../document/editing';
 import { distance } from '../document/outline';
+import { partAt } from '../document/picking';
 import { marks } from '../view/colors';
 import { tracePart } from '../view/trace';
 import type { Tool, ToolHost } from './tool';

@@ -1,6 +1,6 @@
 import { type Document, type Part, partIndex, type Point } from '../document/document';
-import { partAt, partBelow } from '../document/editing';
 import { distance, nearestPlace, type OutlinePlace, simplify, smooth } from '../document/outline';
+import { partAt, partBelow } from '../document/picking';
 import { grips, pushOutline, type Refusal, redrawOutline, type Reshaped } from '../document/reshape';
 import { marks } from '../view/colors';
 import { dashHidden, drawDot, strokeLine } from '../view/paper_view';

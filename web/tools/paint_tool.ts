@@ -1,5 +1,5 @@
 import type { PaintStroke, Point } from '../document/document';
-import { distance, simplify } from '../document/outline';
+import { distance, rounded, simplify } from '../document/outline';
 import { addPaint } from '../document/paint';
 import { marks } from '../view/colors';
 import { strokeLine } from '../view/paper_view';
@@ -69,8 +69,8 @@ export class PaintTool implements Tool {
 
   private stroke(): PaintStroke {
     const { color, width } = this.brush();
-    const line = simplify(this.points, this.host.reach / 16);
-    return { color: this.rubs ? null : color, width, points: line.map(([x, y]): Point => [Math.round(10 * x) / 10, Math.round(10 * y) / 10]) };
+    const points = simplify(this.points, this.host.reach / 16).map((p) => rounded(p, 10));
+    return { color: this.rubs ? null : color, width, points };
   }
 
   private show(): void {

@@ -1,11 +1,12 @@
 import type { Document, Point } from '../document/document';
 import { type Gap, gapAt, sameGap } from '../document/gaps';
-import { distance, simplify } from '../document/outline';
+import { distance, rounded, simplify } from '../document/outline';
 import { offPaper } from '../document/paper';
 import { addStroke, canScribble, eraseStrokes, foundPartAt, labelOfStroke, partOfStroke, scribblesOf } from '../document/scribbling';
 import type { Stroke, StrokeKind } from '../document/segmentation';
 import { inkOf, marks } from '../view/colors';
 import { strokeLine } from '../view/paper_view';
+import { traceLine } from '../view/trace';
 import { StrokeMover } from './stroke_mover';
 import { type Modifiers, penMoved, type Tool, type ToolHost } from './tool';
 
@@ -197,7 +198,7 @@ export class ScribbleTool implements Tool {
     const { kind, part } = this;
     const { reach } = this.host;
     const width = Math.max(1, (this.scribbles.brush.width * reach) / 12);
-    const line = points.map(([x, y]): Point => [Math.round(10 * x) / 10, Math.round(10 * y) / 10]);
+    const line = points.map((p) => rounded(p, 10));
     if (line.length === 0) return (document) => document;
     if (kind === 'erase') return (document) => eraseStrokes(document, line, width / 2);
     if (kind === 'outside' || kind === 'hole') return (document) => addStroke(document, { kind, width, points: line });
@@ -207,10 +208,7 @@ export class ScribbleTool implements Tool {
 
   private drawStroke(context: CanvasRenderingContext2D, document: Document, stroke: Stroke, pixel: number): void {
     const label = labelOfStroke(document, stroke);
-    const first = stroke.points[0] as Point;
-    context.beginPath();
-    context.moveTo(...first);
-    for (const point of stroke.points) context.lineTo(...point);
+    traceLine(context, stroke.points);
     const width = Math.max(stroke.width, 3 * pixel);
     for (const [color, extra, dash] of [
       ['#fff', 3 * pixel, []],

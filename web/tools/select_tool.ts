@@ -1,5 +1,6 @@
 import type { Document, Part, Point } from '../document/document';
-import { isMovable, partAt, partBelow, shiftPart } from '../document/editing';
+import { isMovable, shiftPart } from '../document/editing';
+import { partAt, partBelow } from '../document/picking';
 import { marks } from '../view/colors';
 import { drawDot } from '../view/paper_view';
 import { type Handle, handleAt, handlesOf, slide } from './handles';

@@ -1,4 +1,4 @@
-import type { Document, Point, RelationKind } from '../document/document';
+import type { Document, Pair, Point, RelationKind } from '../document/document';
 import type { Refusal } from '../document/reshape';
 import type { StrokeRefusal } from '../document/strokes';
 
@@ -14,7 +14,7 @@ export interface ToolHost {
   select(id: string | null): void;
   hover(id: string | null): void;
   /** Says what holds between two parts now; null: the usual. */
-  tellRelation(pair: { upper: string; lower: string }, kind: RelationKind | null): void;
+  tellRelation(pair: Pair, kind: RelationKind | null): void;
   /** Says why nothing was changed. */
   refuse(reason: Refusal | StrokeRefusal | 'cueOffPart' | 'nearestHere'): void;
 }

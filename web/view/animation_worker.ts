@@ -1,7 +1,7 @@
 import * as Comlink from 'comlink';
 import { encode } from 'modern-gif';
 
-export interface Animation {
+interface Animation {
   /** RGBA, all of one size. */
   pictures: readonly Uint8ClampedArray<ArrayBuffer>[];
   width: number;

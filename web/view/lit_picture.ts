@@ -5,14 +5,19 @@ const lamp = 0.75;
 /** From where the lamp shines: to the right and up in [-1, 1]. */
 export type Aim = readonly [number, number];
 
+/** Returns the unit vector (right, up, to the viewer) towards a lamp. */
+export function lightFrom([right, up]: Aim): readonly [number, number, number] {
+  const toViewer = Math.sqrt(Math.max(0.05, 1 - right * right - up * up));
+  const length = Math.hypot(right, up, toViewer);
+  return [right / length, up / length, toViewer / length];
+}
+
 /**
  * A drawing as a game lights it: each pixel of `drawing` by the direction in the same pixel of the
  * normal map, whose green points up. Both are straight RGBA of the same size; so is the result.
  */
-export function litPicture(drawing: Uint8ClampedArray, normals: Uint8ClampedArray, [right, up]: Aim): Uint8ClampedArray<ArrayBuffer> {
-  const toViewer = Math.sqrt(Math.max(0.05, 1 - right * right - up * up));
-  const length = Math.hypot(right, up, toViewer);
-  const light = [right / length, up / length, toViewer / length] as const;
+export function litPicture(drawing: Uint8ClampedArray, normals: Uint8ClampedArray, aim: Aim): Uint8ClampedArray<ArrayBuffer> {
+  const light = lightFrom(aim);
   const lit = new Uint8ClampedArray(drawing.length);
   for (let i = 0; i < lit.length; i += 4) {
     let facing = 0;

@@ -1,8 +1,9 @@
 import * as THREE from 'three';
 import type { Surface } from '../engine/messages';
 import { marks } from './colors';
+import { lightFrom } from './lit_picture';
 import { bledTexture, type Painted } from './painted_drawing';
-import { pixelsOf } from './pixels_of';
+import { snapshotOf } from './snapshot';
 
 export type ModelShading = 'drawing' | 'clay' | 'normals';
 
@@ -79,8 +80,7 @@ export class ModelRenderer {
 
   /** Light from the right and from above, each in [-1, 1]. */
   aimLight(right: number, up: number): void {
-    const z = Math.sqrt(Math.max(0.05, 1 - Math.min(0.95, right * right + up * up)));
-    this.light.position.set(right, up, z);
+    this.light.position.set(...lightFrom([right, up]));
     this.redraw();
   }
 
@@ -147,7 +147,7 @@ export class ModelRenderer {
   /** The view as pixels on a ground of one colour, its longest side `side` px at most. */
   snapshot(side: number, ground: string): ImageData {
     this.render();
-    return pixelsOf(this.canvas, side, ground);
+    return snapshotOf(this.canvas, side, ground);
   }
 
   private textureOf(source: OffscreenCanvas): THREE.Texture {

@@ -1,5 +1,5 @@
 import type { Document, PaintStroke } from '../document/document';
-import { type Context, tracePart } from './trace';
+import { type Context, traceLine, tracePart } from './trace';
 
 /** Draws on a canvas of its own first, so that what is rubbed out there leaves the rest as it is. */
 function onLayer(context: Context, draw: (layer: OffscreenCanvasRenderingContext2D) => void): void {
@@ -19,10 +19,7 @@ function drawStrokes(context: Context, strokes: readonly PaintStroke[]): void {
     context.globalCompositeOperation = color === null ? 'destination-out' : 'source-over';
     context.strokeStyle = color ?? '#000';
     context.lineWidth = width;
-    context.beginPath();
-    points.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
-    // A dot is a line of no length.
-    if (points.length === 1) context.lineTo(...(points[0] as readonly [number, number]));
+    traceLine(context, points);
     context.stroke();
   }
   context.globalCompositeOperation = 'source-over';

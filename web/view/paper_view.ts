@@ -8,7 +8,7 @@ import { type Context, traceLine, tracePart } from './trace';
 import type { Viewport } from './viewport';
 
 /** All that the canvas on the left shows. */
-export interface PaperContent {
+interface PaperContent {
   document: Document;
   picture: ImageBitmap | null;
   overlays: Overlays | null;
@@ -55,7 +55,7 @@ export function drawDot(context: CanvasRenderingContext2D, [x, y]: Point, { radi
  * Parts as a flat drawing: what stands for a drawing where there is none. No ink runs along joins,
  * where two parts are one surface.
  */
-export function paintParts(context: Context, document: Pick<Document, 'parts' | 'joins' | 'settings'>, pen: number): void {
+function paintParts(context: Context, document: Pick<Document, 'parts' | 'joins' | 'settings'>, pen: number): void {
   const { inkColor, inkWidth } = document.settings;
   context.lineJoin = 'round';
   for (const part of document.parts) {

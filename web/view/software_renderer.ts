@@ -1,7 +1,8 @@
 import type { Surface } from '../engine/messages';
+import { lightFrom } from './lit_picture';
 import type { ModelRenderer, ModelShading, Picked, Pose } from './model_renderer';
 import { bledTexture, type Painted } from './painted_drawing';
-import { pixelsOf } from './pixels_of';
+import { snapshotOf } from './snapshot';
 
 /** What draws the relief, with or without graphics. */
 export type Renderer = Pick<
@@ -78,9 +79,7 @@ export class SoftwareRenderer implements Renderer {
   }
 
   aimLight(right: number, up: number): void {
-    const z = Math.sqrt(Math.max(0.05, 1 - Math.min(0.95, right * right + up * up)));
-    const length = Math.hypot(right, up, z);
-    this.light = [right / length, up / length, z / length];
+    this.light = lightFrom([right, up]);
     this.redraw();
   }
 
@@ -132,7 +131,7 @@ export class SoftwareRenderer implements Renderer {
 
   snapshot(side: number, ground: string): ImageData {
     this.render();
-    return pixelsOf(this.canvas, side, ground);
+    return snapshotOf(this.canvas, side, ground);
   }
 
   private redraw(): void {

@@ -10,10 +10,6 @@ export interface Viewport {
 const minScale = 0.05;
 const maxScale = 40;
 
-export function toScreen(view: Viewport, [x, y]: Point): Point {
-  return [view.scale * x + view.x, view.scale * y + view.y];
-}
-
 export function toCanvas(view: Viewport, [x, y]: Point): Point {
   return [(x - view.x) / view.scale, (y - view.y) / view.scale];
 }

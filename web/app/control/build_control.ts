@@ -1,10 +1,10 @@
 import { Engine, EngineStopped } from '../../engine/engine';
-import { type BuiltRelief, type EngineError, isFailure, told } from '../../engine/messages';
+import { type BuiltRelief, type EngineError, type Field, isFailure, told } from '../../engine/messages';
 import type { Document } from '../../document/document';
 import { sceneText } from '../../document/scene_text';
 import { isSameLook, lookOf } from '../../view/painted_drawing';
 import { t } from '../../words/catalogue';
-import type { Editor, Field } from '../state/editor';
+import type { Editor } from '../state/editor';
 import { smallPicture } from '../files/pictures';
 
 const draftVertices = 3000;
@@ -62,7 +62,7 @@ function shapeOf(document: Document): readonly unknown[] {
 }
 
 /** The id of the part that an error speaks of, or null. */
-export function culpritOf(error: EngineError, document: Document): string | null {
+function culpritOf(error: EngineError, document: Document): string | null {
   const path = /^(parts|joins|relations|robin|cues)\[(\d+)\]/.exec(error.where);
   if (!path) return document.parts.find((part) => part.id === error.where)?.id ?? null;
   const index = Number(path[2]);

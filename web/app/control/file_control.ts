@@ -1,5 +1,5 @@
 import { type Document, emptyDocument } from '../../document/document';
-import { fileKind, pictureType } from '../../document/file_kind';
+import { baseName, fileKind, pictureType } from '../../document/file_kind';
 import { type History, startHistory } from '../../document/history';
 import { isOwnPicture } from '../../document/segmentation';
 import { sceneContent } from '../../document/scene_text';
@@ -19,10 +19,6 @@ import { documentOfLayers, layersAmong, readLayers } from '../files/layered_draw
 import { cutOut, flatDrawing, flatOfSvg, pictureOf, pngOf } from '../files/pictures';
 import { documentOfScene } from '../files/scene_files';
 import type { SegmentControl } from './segment_control';
-
-function baseName(name: string): string {
-  return name.replace(/\.[^.]*$/, '') || 'untitled';
-}
 
 /** Opening, keeping and saving. */
 export class FileControl {

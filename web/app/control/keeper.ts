@@ -172,7 +172,7 @@ export class Keeper {
 }
 
 /** A document at the size of a stamp, as a PNG file. */
-export async function thumbnailOf(document: History['document'], picture: ImageBitmap | null): Promise<Uint8Array> {
+async function thumbnailOf(document: History['document'], picture: ImageBitmap | null): Promise<Uint8Array> {
   const small = await smallPicture(document, picture, thumbnailSide);
   const bytes = await pngFile(small);
   small.close();

@@ -5,12 +5,10 @@ import type { Document } from '../../document/document';
 import { ProjectError, readProject, writeProject } from '../../document/project_file';
 import type { OutputFile } from '../../engine/messages';
 
-const maxBytes = 256 * 1024 * 1024;
-
 /** What an OpenRaster archive holds besides previews of itself. */
 function entriesOfOra(bytes: Uint8Array): OutputFile[] {
   const wanted = (name: string): boolean => name === 'mimetype' || name === 'stack.xml' || /^data\/.*\.png$/i.test(name);
-  const entries = unpackArchive(bytes, wanted, maxBytes) as Record<string, Uint8Array<ArrayBuffer>>;
+  const entries = unpackArchive(bytes, wanted) as Record<string, Uint8Array<ArrayBuffer>>;
   return Object.entries(entries).map(([name, content]) => ({ name, bytes: content }));
 }
 

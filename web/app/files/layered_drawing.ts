@@ -1,11 +1,10 @@
+import { maxArchiveBytes } from '../../document/archive';
 import { type Document, emptyDocument } from '../../document/document';
 import { sceneContent } from '../../document/scene_text';
 import type { Engine } from '../../engine/engine';
 import { isFailure, type OutputFile, told } from '../../engine/messages';
 import { t } from '../../words/catalogue';
 import type { PlacedFile } from './dropped_files';
-
-const maxBytes = 256 * 1024 * 1024;
 
 /** The pictures, with their table of order where there is one, that are the layers of one drawing; null where they are not. */
 export function layersAmong(files: readonly PlacedFile[]): readonly PlacedFile[] | null {
@@ -16,7 +15,7 @@ export function layersAmong(files: readonly PlacedFile[]): readonly PlacedFile[]
 }
 
 export async function readLayers(files: readonly PlacedFile[]): Promise<OutputFile[]> {
-  if (files.reduce((sum, { file }) => sum + file.size, 0) > maxBytes) throw new Error(t('tooLarge'));
+  if (files.reduce((sum, { file }) => sum + file.size, 0) > maxArchiveBytes) throw new Error(t('tooLarge'));
   return Promise.all(files.map(async ({ path, file }) => ({ name: path, bytes: new Uint8Array(await file.arrayBuffer()) })));
 }
 

@@ -1,4 +1,5 @@
 import type { Document, DrawingSource } from '../../document/document';
+import { baseName } from '../../document/file_kind';
 import type { Texture } from '../../engine/messages';
 import { pngFile } from './archives';
 import { canvasOf, isOverpainted, painted, vectorSide } from '../../view/painted_drawing';
@@ -54,7 +55,7 @@ export async function flatOfSvg(paintable: string, width: number, height: number
 }
 
 /** A picture file, made smaller where it has more pixels than a page can bear. */
-export async function decodePicture(bytes: Uint8Array, mime: string): Promise<ImageBitmap> {
+async function decodePicture(bytes: Uint8Array, mime: string): Promise<ImageBitmap> {
   const bitmap = await createImageBitmap(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: mime }));
   const pixels = bitmap.width * bitmap.height;
   if (pixels <= maxPixels) return bitmap;
@@ -83,7 +84,7 @@ export async function flatDrawing(source: DrawingSource): Promise<{ drawing: Dra
   context.drawImage(whole, 0, 0, canvas.width, canvas.height);
   whole.close();
   const picture = canvas.transferToImageBitmap();
-  const name = `${source.name.replace(/\.[^.]*$/, '')}.png`;
+  const name = `${baseName(source.name)}.png`;
   return { drawing: { name, kind: 'image', mime: 'image/png', bytes: await pngFile(picture) }, picture };
 }
 

@@ -1,5 +1,5 @@
 import { type Document, type DrawingSource, emptyDocument } from '../../document/document';
-import { fileKind, pictureType } from '../../document/file_kind';
+import { baseName, fileKind, pictureType } from '../../document/file_kind';
 import { sceneContent } from '../../document/scene_text';
 import { t } from '../../words/catalogue';
 import type { PlacedFile } from './dropped_files';
@@ -25,7 +25,7 @@ async function sourceOf({ file }: PlacedFile): Promise<DrawingSource> {
 export async function documentOfScene(scene: PlacedFile, files: readonly PlacedFile[]): Promise<{ document: Document; notice: string }> {
   const { drawing: path, ...content } = contentOf(await scene.file.text());
   const given = typeof path === 'string' ? files.find((one) => one.path === path || one.path.endsWith(`/${path}`)) : undefined;
-  const name = scene.file.name.replace(/\.[^.]*$/, '');
+  const name = baseName(scene.file.name);
   const missing = typeof path === 'string' && !given;
   return {
     document: { ...emptyDocument(), ...content, name, drawing: given ? await sourceOf(given) : null },

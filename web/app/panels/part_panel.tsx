@@ -1,4 +1,4 @@
-import type { Part, RelationKind } from '../../document/document';
+import type { Pair, Part, RelationKind } from '../../document/document';
 import { partIndex } from '../../document/document';
 import {
   changePart, colorPart, movePart, neighbours, ordered, type PartValues, relate, removePart, removeRanges, renamePart, toggleJoin,
@@ -15,7 +15,7 @@ import { useStore } from '../state/store';
 function Neighbour({ editor, part, other }: { editor: Editor; part: Part; other: Part }) {
   const { document } = editor;
   const pair = ordered(document, part.id, other.id);
-  const same = (entry: { upper: string; lower: string }): boolean =>
+  const same = (entry: Pair): boolean =>
     entry.upper === pair.upper && entry.lower === pair.lower;
   const joined = document.joins.some(same);
   const relation = document.relations.find((entry) => same(entry) && !entry.range)?.relation ?? '';

@@ -1,6 +1,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import { bledTexture, lookOf, sheetOf } from '../../view/painted_drawing';
 import { t } from '../../words/catalogue';
+import { whyOf } from '../control/exports';
 import { type Editor, isDressed } from '../state/editor';
 
 /** The kinds of sessions that show a room, the real one first. */
@@ -29,7 +30,7 @@ export function RoomButton({ editor }: { editor: Editor }) {
         : [relief.surface, bledTexture(document, picture)];
       await showInRoom(session, { surface, drawing, sizeMm: document.settings.sizeMm });
     } catch (error) {
-      editor.set({ notice: `${t('failed')}: ${error instanceof Error ? error.message : String(error)}` });
+      editor.set({ notice: `${t('failed')}: ${whyOf(error)}` });
     }
   };
   return <button type="button" class="wide" id="room" onClick={() => void enter()}>{t('viewInRoom')}</button>;

@@ -1,5 +1,6 @@
 import { type MessageKey, t } from '../../words/catalogue';
-import type { Editor, Field } from '../state/editor';
+import type { Field } from '../../engine/messages';
+import type { Editor } from '../state/editor';
 import { useStore } from '../state/store';
 
 const fields: readonly [Field, MessageKey][] = [

@@ -1,11 +1,12 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { isFailure, told } from '../../engine/messages';
 import type { Tool } from '../../tools/tool';
+import type { ModelShading } from '../../view/model_renderer';
 import { ModelView } from '../../view/model_view';
 import { listenToOrbit } from '../../view/orbit';
 import { isSameLook, lookOf, sheetOf } from '../../view/painted_drawing';
 import { t } from '../../words/catalogue';
-import type { Editor, Shading } from '../state/editor';
+import type { Editor } from '../state/editor';
 import { EnergyCurve } from './energy_curve';
 import { FieldSwitch } from './field_switch';
 import { ReliefBrush } from './relief_brush';
@@ -105,7 +106,7 @@ function follow(view: ModelView, editor: Editor): () => void {
 /** Of what is painted while the pen is down, so that it follows, px. */
 const previewSide = 768;
 
-const shadings: readonly [Shading, () => string][] = [
+const shadings: readonly [ModelShading, () => string][] = [
   ['drawing', () => t('shadingDrawing')],
   ['clay', () => t('shadingClay')],
   ['normals', () => t('shadingNormals')],

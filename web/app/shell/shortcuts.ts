@@ -1,7 +1,8 @@
 import { partIndex } from '../../document/document';
 import { changePart, movePart, neighbours, removePart, toggleJoin } from '../../document/editing';
 import { t } from '../../words/catalogue';
-import type { Editor, Shading } from '../state/editor';
+import type { ModelShading } from '../../view/model_renderer';
+import type { Editor } from '../state/editor';
 import { nextField } from '../panes/field_switch';
 import type { FileControl } from '../control/file_control';
 import type { PaperControl } from '../panes/paper_pane';
@@ -22,7 +23,7 @@ interface Scope {
   choose(): void;
 }
 
-const nextShading: Record<Shading, Shading> = { drawing: 'clay', clay: 'normals', normals: 'drawing' };
+const nextShading: Record<ModelShading, ModelShading> = { drawing: 'clay', clay: 'normals', normals: 'drawing' };
 
 /** Separates a part from the one behind that it is joined to, or joins it to the foremost one behind. */
 function toggleOwnJoin(editor: Editor, id: string): void {

@@ -1,4 +1,4 @@
-import type { BuiltRelief, Dressed, EngineError, Failure, Solid } from '../../engine/messages';
+import type { BuiltRelief, Dressed, EngineError, Failure, Field, Solid } from '../../engine/messages';
 import { noteCorrections } from '../../document/corrections';
 import { cueRanges } from '../../document/cues';
 import { type Cue, type Document, emptyDocument } from '../../document/document';
@@ -6,15 +6,14 @@ import type { Doubt } from '../../document/doubts';
 import type { Gap } from '../../document/gaps';
 import { amend, type History, record, redo, startHistory, undo } from '../../document/history';
 import type { Brush } from '../../tools/scribble_tool';
+import type { ModelShading } from '../../view/model_renderer';
 import { isSameLook } from '../../view/painted_drawing';
 import { type PrintChoice, usualPrint } from './print_choice';
 import { Store } from './store';
 
 export type ToolName = 'select' | 'draw' | 'join' | 'order' | 'range' | 'hand' | 'scribble' | 'outline' | 'cue' | 'paint';
-export type Field = 'relief' | 'inflation' | 'shift';
-export type Shading = 'drawing' | 'clay' | 'normals';
 
-export interface BuildState {
+interface BuildState {
   /** What is going on. */
   phase: 'idle' | 'draft' | 'full';
   /** In [0, 1]. */
@@ -52,7 +51,7 @@ export interface EditorState {
   hovered: string | null;
   /** The part that is drawn in red because it cannot be built. */
   culprit: string | null;
-  shading: Shading;
+  shading: ModelShading;
   /** The height that the relief shows. */
   field: Field;
   depthTint: boolean;

@@ -18,7 +18,7 @@ const paths = {
   down: 'M12 5v14M6 13l6 6 6-6',
 } satisfies Record<ToolName, string> & Record<string, string>;
 
-export type IconName = keyof typeof paths;
+type IconName = keyof typeof paths;
 
 export function Icon({ name }: { name: IconName }) {
   return (
