@@ -47,7 +47,7 @@ function Page({ editor, files, segments, held, keeper, attachPaper, choose, stop
   );
 }
 
-/** Asks for a file. */
+/** Returns a function that asks the user for files and opens them. */
 function chooser(files: FileControl): () => void {
   const input = document.createElement('input');
   input.type = 'file';
@@ -62,7 +62,7 @@ function chooser(files: FileControl): () => void {
   return () => input.click();
 }
 
-/** Files and folders may be dropped or pasted anywhere. */
+/** Opens files and folders that are dropped or pasted anywhere on the page. */
 function listenToDrops(files: FileControl): void {
   const open = (data: DataTransfer | null): void => {
     if (data) void filesOf(data).then((given) => files.openAll(given));
@@ -75,6 +75,7 @@ function listenToDrops(files: FileControl): void {
   window.addEventListener('paste', (event) => open(event.clipboardData));
 }
 
+/** Opens the shelf. Returns null if the browser refuses storage. */
 async function openShelf(): Promise<Shelf | null> {
   try {
     const shelf = await Shelf.open();

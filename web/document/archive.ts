@@ -1,12 +1,12 @@
 import { unzipSync } from 'fflate';
 
-/** Most bytes of the entries of an archive together, unpacked. */
+/** Largest total size of unpacked entries, bytes. */
 export const maxArchiveBytes = 256 * 1024 * 1024;
 
-/** An archive that asks for more than a page can bear. */
+/** An archive whose entries are larger than `maxArchiveBytes`. */
 export class ArchiveTooLarge extends Error {}
 
-/** Unpacks the entries that are wanted and nothing else; sizes are checked before memory is spent. */
+/** Unpacks only the wanted entries. Checks their sizes before allocating memory; throws ArchiveTooLarge. */
 export function unpackArchive(bytes: Uint8Array, wanted: (name: string) => boolean): Record<string, Uint8Array> {
   let total = 0;
   return unzipSync(bytes, {

@@ -3,9 +3,9 @@ import { areaOf, distance, oval } from './outline';
 import { partAt } from './picking';
 import { addDetail, detailInk, type Drawn } from './strokes';
 
-/** Radius of an eye, of the side of a square as large as its part. */
+/** Radius of an eye, as a share of the square root of its part's area. */
 const radiusShare = 0.1;
-/** Of the eye: its height, the pupil's radius, and how far that looks down. */
+/** Height of an eye, radius of its pupil, and how far the pupil looks down, in radii of the eye. */
 const height = 1.2;
 const pupilShare = 0.58;
 const lookDown = 0.18;
@@ -13,7 +13,7 @@ const white = '#fffdf8';
 
 const corners = 28;
 
-/** An eye around a point: its white and its pupil, glued to the part below. `aside`: where it looks, in [-1, 1]. */
+/** Adds an eye: its white and its pupil. `aside` is its gaze from left, -1, to right, 1. */
 function addEye(document: Document, [x, y]: Point, radius: number, aside: number): Document {
   const ball = addDetail(document, 'eye', oval([x, y], [radius, height * radius], corners), white);
   const pupil = pupilShare * radius;
@@ -21,7 +21,7 @@ function addEye(document: Document, [x, y]: Point, radius: number, aside: number
   return addDetail(ball, 'pupil', oval([x + 0.5 * aside * room, y + lookDown * radius], [pupil, height * pupil], corners), detailInk);
 }
 
-/** A tap puts an eye on the part below, a stroke a pair of them at its ends; they look at each other a little. */
+/** Adds an eye for a tap, or a pair for a stroke, one eye at each end. The eyes of a pair look slightly at each other. */
 export function stampEyes(document: Document, reach: number, points: readonly Point[]): Drawn {
   const [first, last] = [points[0] as Point, points.at(-1) as Point];
   const ground = partAt(document, first) ?? partAt(document, last);

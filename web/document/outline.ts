@@ -1,6 +1,6 @@
 import type { Part, Point, Ring } from './document';
 
-/** Where a point lies on an outline. */
+/** A place on an outline. */
 export interface OutlinePlace {
   readonly ring: number;
   /** Arc length from the ring's first point, px. */
@@ -17,7 +17,7 @@ export function mix(a: Point, b: Point, t: number): Point {
   return [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
 }
 
-/** Signed area, positive clockwise on the screen. */
+/** Returns the signed area of a ring, positive if it runs clockwise on the screen. */
 export function area(ring: Ring): number {
   let sum = 0;
   ring.forEach((p, i) => {
@@ -27,7 +27,7 @@ export function area(ring: Ring): number {
   return sum / 2;
 }
 
-/** Returns the signed area of an outline: its outer rings minus its holes, which turn the other way. */
+/** Returns the signed area of an outline. Holes run the other way, so they count negative. */
 export function areaOf(outline: readonly Ring[]): number {
   return outline.reduce((sum, ring) => sum + area(ring), 0);
 }
@@ -42,7 +42,7 @@ export function boxOf(outline: readonly Ring[]): { min: Point; max: Point } {
   };
 }
 
-/** Whether the point is inside by the non-zero rule. */
+/** Returns whether a point is inside an outline by the non-zero rule. */
 export function contains(outline: readonly Ring[], [x, y]: Point): boolean {
   let winding = 0;
   for (const ring of outline) {
@@ -75,7 +75,7 @@ export function distanceTo(line: Ring, p: Point): number {
   return Math.min(...gaps);
 }
 
-/** The place of an outline that is nearest to `p`. Linear in points. */
+/** Returns the place on an outline nearest to `p`, in time linear in its points. */
 export function nearestPlace(outline: readonly Ring[], p: Point): OutlinePlace {
   let best: OutlinePlace = { ring: 0, at: 0, point: outline[0]?.[0] ?? p, distance: Infinity };
   outline.forEach((ring, index) => {
@@ -102,7 +102,7 @@ export function lengthOf(line: Ring): number {
   return line.reduce((sum, p, i) => (i === 0 ? 0 : sum + distance(line[i - 1] as Point, p)), 0);
 }
 
-/** The point of a ring at an arc length from its first point, px. Linear in points. */
+/** Returns the point of a ring at arc length `at`, px, from its first point, in time linear in its points. */
 export function pointAt(ring: Ring, at: number): Point {
   const length = perimeter(ring);
   let left = ((at % length) + length) % length;
@@ -116,7 +116,7 @@ export function pointAt(ring: Ring, at: number): Point {
   return ring[0] as Point;
 }
 
-/** The corners of a ring between one arc length and another, forwards. */
+/** Returns the corners of a ring between two arc lengths, forwards. */
 export function walk(ring: Ring, from: number, to: number): Point[] {
   const length = perimeter(ring);
   const span = (((to - from) % length) + length) % length;
@@ -132,7 +132,7 @@ export function walk(ring: Ring, from: number, to: number): Point[] {
   return path;
 }
 
-/** Both ways along a ring between two places of it, the shorter one first. */
+/** Returns both ways along a ring between two of its places, the shorter one first. */
 export function arcsBetween(outline: readonly Ring[], from: OutlinePlace, to: OutlinePlace): [Point[], Point[]] {
   const ring = outline[from.ring];
   if (!ring || from.ring !== to.ring) return [[from.point, to.point], [from.point, to.point]];
@@ -143,7 +143,7 @@ export function arcsBetween(outline: readonly Ring[], from: OutlinePlace, to: Ou
   return forwards <= length / 2 ? [ahead, back] : [back, ahead];
 }
 
-/** The shorter way along a ring between two places of it. */
+/** Returns the shorter way along a ring between two of its places. */
 export function arcBetween(outline: readonly Ring[], from: OutlinePlace, to: OutlinePlace): Point[] {
   return arcsBetween(outline, from, to)[0];
 }
@@ -161,7 +161,7 @@ export function rounded([x, y]: Point, steps: number): Point {
   return [Math.round(steps * x) / steps, Math.round(steps * y) / steps];
 }
 
-/** A polyline with points at most `step` apart. */
+/** Subdivides a polyline so that its points are at most `step` apart. */
 export function resample(line: Ring, step: number): Point[] {
   const out: Point[] = [];
   line.forEach((a, i) => {
@@ -174,7 +174,7 @@ export function resample(line: Ring, step: number): Point[] {
   return out;
 }
 
-/** The longest run of the upper outline inside the lower part, or null where there is none. */
+/** Returns the longest stretch of the upper outline inside the lower part, or null if there is none. */
 export function longestRunInside(upper: Part, lower: Part): Point[] | null {
   let best: Point[] = [];
   for (const ring of upper.outline) {
@@ -195,7 +195,7 @@ export function longestRunInside(upper: Part, lower: Part): Point[] | null {
   return best.length < 2 ? null : best;
 }
 
-/** Whether two parts have an area in common, as far as points of their outlines tell. */
+/** Returns whether two parts overlap, judged by the points of their outlines. */
 export function overlap(a: Part, b: Part): boolean {
   const boxA = boxOf(a.outline);
   const boxB = boxOf(b.outline);
@@ -206,7 +206,7 @@ export function overlap(a: Part, b: Part): boolean {
   return reaches(a, b) || reaches(b, a) || longestRunInside(a, b) !== null;
 }
 
-/** Drops points that a polyline can do without, by Douglas and Peucker's rule. */
+/** Simplifies a polyline by Douglas and Peucker's method: no dropped point is farther than `tolerance` from the result. */
 export function simplify(line: Ring, tolerance: number): Point[] {
   if (line.length < 3) return [...line];
   const keep = new Set([0, line.length - 1]);
@@ -229,7 +229,7 @@ export function simplify(line: Ring, tolerance: number): Point[] {
   return line.filter((_, i) => keep.has(i));
 }
 
-/** Rounds the corners that a hand leaves, by cutting them; the ends of an open line stay. */
+/** Smooths a hand-drawn line by cutting its corners twice. The ends of an open line stay. */
 export function smooth(line: Ring, closed: boolean): Point[] {
   let current: Ring = line;
   for (let round = 0; round < 2; round++) {

@@ -3,7 +3,7 @@ import { joinParts } from './editing';
 import { oval } from './outline';
 import { drawStroke } from './strokes';
 
-/** How far the hand that drew it may miss, px. */
+/** Reach of the hand for its strokes, px; see Hand. */
 const reach = 12;
 
 /** Returns a stroke around an ellipse, which ends where it begins. */
@@ -12,13 +12,13 @@ function loop(centre: Point, radii: Point): Point[] {
   return [...ring, ring[0] as Point];
 }
 
-/** A limb that hangs from a body between two places of it, down to `foot`. */
+/** Returns the stroke of a leg that hangs from the body between `left` and `right` down to `foot`. */
 function leg(left: number, right: number, foot: number): Point[] {
   const middle = (left + right) / 2;
   return [[left, 500], [left - 4, foot - 30], [middle, foot], [right + 4, foot - 30], [right, 500]];
 }
 
-/** Front first to last; what lies behind is drawn so. */
+/** The strokes in the order of drawing. Later ones lie in front unless they are drawn behind. */
 const strokes: readonly { name: string; behind: boolean; points: readonly Point[] }[] = [
   { name: 'body', behind: false, points: loop([470, 440], [215, 130]) },
   { name: 'leg', behind: true, points: leg(395, 455, 660) },
@@ -33,7 +33,7 @@ const strokes: readonly { name: string; behind: boolean; points: readonly Point[
   { name: 'nose', behind: false, points: loop([722, 330], [16, 11]) },
 ];
 
-/** An animal that lacks nothing but a tail. */
+/** Returns an animal that lacks nothing but a tail. */
 export function tourAnimal(name: string): Document {
   const drawn = strokes.reduce<Document>((document, { points, ...hand }) => {
     const next = drawStroke(document, { ...hand, reach }, points);

@@ -5,10 +5,10 @@ import { marks } from '../view/colors';
 import { strokeLine } from '../view/paper_view';
 import { type Modifiers, penMoved, type Tool, type ToolHost } from './tool';
 
-/** What a brush paints: a colour, or nothing where it rubs out; its width in px of the page. */
+/** The paint brush: its colour, or null to rub out, and its width, px of the page. */
 export type PaintBrush = Pick<PaintStroke, 'color' | 'width'>;
 
-/** Paints on the page; the relief shows it at once. */
+/** Paints on the page. The relief shows the paint at once. */
 export class PaintTool implements Tool {
   readonly cursor = 'crosshair';
   private points: Point[] = [];
@@ -42,7 +42,7 @@ export class PaintTool implements Tool {
     this.host.preview(null);
   }
 
-  /** Arrows move the brush, Enter sets it down and lifts it. */
+  /** Moves the brush with arrows; Enter puts it down and lifts it. */
   key(name: string, keys: Modifiers): boolean {
     const { width, height } = this.host.document;
     const at = this.at ?? [width / 2, height / 2];

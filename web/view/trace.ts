@@ -1,6 +1,6 @@
 import type { Point, Ring } from '../document/document';
 
-/** Either kind of canvas. */
+/** The context of either kind of canvas. */
 export type Context = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
 
 export function tracePart(context: Context, outline: readonly Ring[]): void {

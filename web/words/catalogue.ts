@@ -2,12 +2,12 @@ import { english, type MessageKey, type Words } from './english';
 
 export type { MessageKey } from './english';
 
-/** The languages that the page speaks, by their own names. */
+/** The languages of the page, by their own names. */
 export const languages = { en: 'English', de: 'Deutsch', fr: 'Français', es: 'Español', ja: '日本語' };
 
 export type Language = keyof typeof languages;
 
-/** Whoever needs one of these loads it alone. */
+/** Loads the words of one language; only the chosen one is ever loaded. */
 const others: Record<Exclude<Language, 'en'>, () => Promise<Words>> = {
   de: async () => (await import('./german')).german,
   fr: async () => (await import('./french')).french,
@@ -15,7 +15,7 @@ const others: Record<Exclude<Language, 'en'>, () => Promise<Words>> = {
   ja: async () => (await import('./japanese')).japanese,
 };
 
-/** The language that is spoken now. */
+/** The current language. */
 export let language: Language = 'en';
 let words: Words = english;
 
@@ -23,44 +23,44 @@ const chosenKey = 'language';
 
 const isLanguage = (name: string): name is Language => Object.hasOwn(languages, name);
 
-/** The one that was chosen here before, else the first of the browser's own that the page speaks. */
+/** Returns the language chosen earlier, else the first language of the browser that the page has, else English. */
 export function preferredLanguage(chosen: string | null, browser: readonly string[]): Language {
   const wanted = [chosen ?? '', ...browser.map((name) => name.slice(0, 2).toLowerCase())];
   return wanted.find(isLanguage) ?? 'en';
 }
 
-/** The language of this visit; storage may be refused. */
+/** Returns the language for this visit. */
 export function visitorsLanguage(): Language {
   let chosen: string | null = null;
   try {
     chosen = localStorage.getItem(chosenKey);
   } catch {
-    // The browser's own languages it is.
+    // Without storage the browser's languages decide.
   }
   return preferredLanguage(chosen, navigator.languages);
 }
 
-/** From the next visit on. */
+/** Remembers a language for later visits. */
 export function chooseLanguage(name: Language): void {
   try {
     localStorage.setItem(chosenKey, name);
   } catch {
-    // Then only now.
+    // Without storage the choice holds for this visit only.
   }
 }
 
-/** Speaks `wanted` from here on; where its words cannot be loaded, what was spoken before. */
+/** Switches to a language. If its words cannot be loaded, the current language stays. */
 export async function speak(wanted: Language): Promise<void> {
   try {
     words = wanted === 'en' ? english : await others[wanted]();
     language = wanted;
   } catch {
-    // Without a network the words that are there must do.
+    // Without a network the words loaded so far must do.
   }
   if (typeof document !== 'undefined') document.documentElement.lang = language;
 }
 
-/** The text of a key, with {names} filled in. */
+/** Returns the text of a key with each {name} replaced by its value. */
 export function t(key: MessageKey, values: Record<string, string | number> = {}): string {
   return words[key].replace(/\{(\w+)\}/g, (_, name: string) => String(values[name] ?? ''));
 }

@@ -10,7 +10,7 @@ const kinds: readonly { kind: Cue['kind']; label: MessageKey; hint: MessageKey }
   { kind: 'crease', label: 'cueCrease', hint: 'hintCrease' },
 ];
 
-/** What the next line of the profile tool says. */
+/** Chooses what the next line of the profile tool does. */
 export function CueBar({ editor }: { editor: Editor }) {
   const { tool, cue, history, selected } = useStore(editor);
   if (tool !== 'cue') return null;

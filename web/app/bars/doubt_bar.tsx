@@ -12,7 +12,7 @@ function questionOf(doubt: Doubt): string {
   return t(doubt.kind === 'order' ? 'doubtOrder' : 'doubtJoin', { upper: doubt.upper, lower: doubt.lower });
 }
 
-/** One chip for all that is uncertain of a flat drawing; it asks one question after the other. */
+/** A chip that counts the uncertain guesses about a flat drawing and asks about one after the other. */
 export function DoubtBar({ editor, segments }: { editor: Editor; segments: SegmentControl }) {
   const { history, pending, tint, doubt } = useStore(editor);
   const { document } = history;
@@ -25,8 +25,8 @@ export function DoubtBar({ editor, segments }: { editor: Editor; segments: Segme
     if (!chosen) return;
     editor.set({ doubt: next === chosen ? null : next });
     if (chosen.kind === 'gap') {
-      const say: (of: Document) => Document = (of) => (isSo ? keepGap : openGap)(of, chosen.gap);
-      segments.wish(isSo ? 'keep gap' : 'open gap', say);
+      const settle = (next: Document): Document => (isSo ? keepGap : openGap)(next, chosen.gap);
+      segments.wish(isSo ? 'keep gap' : 'open gap', settle);
     } else if (isSo) editor.edit('confirm', takeGuess(document, chosen));
     else editor.edit(chosen.kind, refuseGuess(document, chosen));
   };

@@ -5,14 +5,14 @@ import { t } from '../../words/catalogue';
 import type { Editor } from '../state/editor';
 import { useStore } from '../state/store';
 
-/** Two parts joined: what was drawn last takes the colour of the other, for they are one surface. */
+/** Joins two parts. The upper one takes the colour of the lower one, since they are one surface now. */
 function joined(document: Document, join: Join): Document {
   const color = document.parts.find((part) => part.id === join.lower)?.color;
   const parts = color ? document.parts.map((part) => (part.id === join.upper ? { ...part, color } : part)) : document.parts;
   return addJoin({ ...document, parts }, join);
 }
 
-/** What the drawing tool is told beside the page: to draw behind, and to join what was just drawn. */
+/** The bar of the drawing tool: draw behind all parts, add eyes, join the part that was just drawn. */
 export function DrawBar({ editor }: { editor: Editor }) {
   const { tool, behind, eyes, history, selected } = useStore(editor);
   if (tool !== 'draw') return null;

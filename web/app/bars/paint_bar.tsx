@@ -4,7 +4,7 @@ import { ColorChoice } from '../widgets/color_choice';
 import type { Editor } from '../state/editor';
 import { useStore } from '../state/store';
 
-/** The brush of the painting tool: its colour and width, or that it rubs out. */
+/** The bar of the painting tool: colour and width of its brush, and rubbing out. */
 export function PaintBar({ editor }: { editor: Editor }) {
   const { tool, paint } = useStore(editor);
   if (tool !== 'paint') return null;

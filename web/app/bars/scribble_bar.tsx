@@ -15,9 +15,10 @@ const kinds: readonly { kind: BrushKind; label: MessageKey; hint: MessageKey }[]
   { kind: 'move', label: 'brushMove', hint: 'hintBrushMove' },
 ];
 
+/** Widths of the scribble brush, CSS px. */
 export const brushWidths = { least: 4, most: 60 } as const;
 
-/** The strokes of each part and of the background: how many, and a way to be rid of them. */
+/** Lists the strokes of each part and of the background, with their number and a button to remove them. */
 export function StrokeList({ editor, segments }: { editor: Editor; segments: SegmentControl }) {
   const { history, pending, brush, tool } = useStore(editor);
   const document = pending ?? history.document;
@@ -67,7 +68,7 @@ function chooseMask(files: FileControl): void {
   input.click();
 }
 
-/** What the scribble brush says, beside the page while it is in hand. */
+/** The bar of the scribble tool: kind, width and softness of its brush, and the figure mask. */
 export function ScribbleBar({ editor, files }: { editor: Editor; files: FileControl }) {
   const { tool, brush, history, tint, pending } = useStore(editor);
   if (tool !== 'scribble' || !canScribble(history.document)) return null;

@@ -17,7 +17,7 @@ export const tools: readonly { name: ToolName; key: string; label: MessageKey; h
   { name: 'paint', key: 'b', label: 'paint', hint: 'hintPaint' },
 ];
 
-/** One tab stop; arrows go from tool to tool. */
+/** The tools. The bar is a single tab stop; arrow keys move from tool to tool. */
 export function Toolbar({ editor }: { editor: Editor }) {
   const { tool } = useStore(editor);
   const bar = useRef<HTMLDivElement>(null);

@@ -1,5 +1,5 @@
 import { Engine, EngineStopped } from '../../engine/engine';
-import { type BuiltRelief, type EngineError, type Field, isFailure, told } from '../../engine/messages';
+import { type BuiltRelief, type EngineError, type Field, isFailure, errorText } from '../../engine/messages';
 import type { Document } from '../../document/document';
 import { sceneText } from '../../document/scene_text';
 import { isSameLook, lookOf } from '../../view/painted_drawing';
@@ -7,15 +7,16 @@ import { t } from '../../words/catalogue';
 import type { Editor } from '../state/editor';
 import { smallPicture } from '../files/pictures';
 
+/** Most vertices of a coarse relief. */
 const draftVertices = 3000;
-/** Longest side of the picture that colours of hidden surfaces come from. */
+/** Longest side of the picture that gives hidden surfaces their colours, px. */
 const hiddenSide = 512;
-/** The full mesh follows when nothing has changed for so long, ms. */
+/** The full mesh is built once nothing has changed for this long, ms. */
 const rest = 160;
-/** A build that has become useless may go on for so long: the next one goes on from it. ms. */
+/** An outdated build may run for this long, ms, since the next build can reuse its results. */
 const patience = 1000;
 
-/** Departure of surfaces of full reliefs, px. */
+/** Largest deviation of a full relief's surface, px. */
 export const fullTolerance = 0.25;
 
 function surfaceFor(field: Field, draft: boolean) {
@@ -40,7 +41,7 @@ function requestFor(document: Document, field: Field, draft: boolean) {
   };
 }
 
-/** The drawing as small as the engine needs it for what is hidden, made anew where it has changed. */
+/** Caches the small drawing that the engine needs for hidden surfaces, until the look of the document changes. */
 class SmallDrawing {
   private look: readonly unknown[] = [];
   private small: Promise<ImageBitmap> | null = null;
@@ -54,14 +55,14 @@ class SmallDrawing {
   }
 }
 
-/** What of a document changes its relief. */
+/** Returns the values of a document on which its relief depends. */
 function shapeOf(document: Document): readonly unknown[] {
   const { width, height, parts, joins, relations, robin, cues, settings } = document;
   const { method, vertices, rho, lambdaBnd, lambdaShift } = settings;
   return [width, height, parts, joins, relations, robin, cues, method, vertices, rho, lambdaBnd, lambdaShift];
 }
 
-/** The id of the part that an error speaks of, or null. */
+/** Returns the id of the part that an error is about, or null. */
 function culpritOf(error: EngineError, document: Document): string | null {
   const path = /^(parts|joins|relations|robin|cues)\[(\d+)\]/.exec(error.where);
   if (!path) return document.parts.find((part) => part.id === error.where)?.id ?? null;
@@ -73,9 +74,9 @@ function culpritOf(error: EngineError, document: Document): string | null {
 }
 
 /**
- * Keeps the relief up with the document: a coarse one at once, the full one when the hand rests.
- * Each has a worker of its own, which keeps what the next build can go on from; so only what takes
- * long is stopped when a newer document makes it useless.
+ * Keeps the relief up to date with the document: builds a coarse relief at once and the full one when
+ * the hand rests. Each has its own worker, which keeps intermediate results for its next build, so an
+ * outdated build is stopped only if it takes long.
  */
 export class BuildControl {
   private shape: readonly unknown[] = [];
@@ -88,7 +89,7 @@ export class BuildControl {
   private fullRun: Promise<void> | null = null;
   private fullBegun = 0;
   private readonly smallDrawing = new SmallDrawing();
-  /** The field that the full engine was asked for last. */
+  /** The field that was last requested from the full engine. */
   private asked: Field = 'relief';
 
   constructor(
@@ -100,14 +101,14 @@ export class BuildControl {
     editor.subscribe(() => void this.followField());
   }
 
-  /** Throws, in words, where the engine does not accept a document. */
+  /** Throws an error with a message for the user if the engine rejects a document. */
   async check(document: Document): Promise<void> {
     const drawing = await smallPicture(document, null, 16);
     const built = await this.draft.build(requestFor(document, 'relief', true), drawing, () => undefined);
-    if (isFailure(built)) throw new Error(told(built.error));
+    if (isFailure(built)) throw new Error(errorText(built.error));
   }
 
-  /** Resolves when the full engine holds the relief of the present document. */
+  /** Resolves when the full engine has built the current document. Throws if it cannot be built. */
   async settle(): Promise<void> {
     if (this.builtFull === this.editor.document) return;
     clearTimeout(this.timer);
@@ -115,7 +116,7 @@ export class BuildControl {
     if (this.builtFull !== this.editor.document) throw new Error(this.editor.state.build.error?.message ?? '');
   }
 
-  /** Stops the full build; the coarse relief stays. */
+  /** Stops the full build. The coarse relief stays. */
   stop(): void {
     clearTimeout(this.timer);
     this.fullWanted = null;
@@ -123,7 +124,7 @@ export class BuildControl {
     this.editor.set({ build: { ...this.editor.state.build, phase: 'idle', progress: 0 } });
   }
 
-  /** Shows another field of what is built already. */
+  /** Shows the field that the user has chosen, without building again. */
   private async followField(): Promise<void> {
     const { field } = this.editor.state;
     if (field === this.asked || !this.isUpToDate()) return;
@@ -137,7 +138,7 @@ export class BuildControl {
     }
   }
 
-  /** Whether the full engine holds the relief of the present document. */
+  /** Returns whether the full engine has built the current document. */
   isUpToDate(): boolean {
     return this.builtFull !== null && !this.isStale(this.builtFull);
   }
@@ -149,11 +150,11 @@ export class BuildControl {
   private follow(): void {
     const { state } = this.editor;
     const document = state.preview ?? this.editor.document;
-    // What is opened again has lost its relief.
+    // A document that is opened again has no relief yet.
     const shape = [...shapeOf(document), state.opened];
     if (shape.length === this.shape.length && shape.every((value, i) => value === this.shape[i])) return;
     this.shape = shape;
-    // What was shown of a stroke that came to nothing must go.
+    // The preview of a stroke that was dropped must disappear.
     if (this.previewed && !state.preview) this.builtFull = null;
     this.previewed = state.preview !== null;
     clearTimeout(this.timer);
@@ -166,7 +167,7 @@ export class BuildControl {
     this.start(document);
   }
 
-  /** The phase is idle again when the full relief is there; while the pen is down, when the coarse one is. */
+  /** Starts the builds. The phase becomes idle with the full relief, or with the coarse one while the pen is down. */
   private start(document: Document): void {
     this.draftWanted = document;
     this.editor.set({ build: { ...this.editor.state.build, phase: 'draft', progress: 0 } });
@@ -174,7 +175,7 @@ export class BuildControl {
     if (!this.editor.state.preview) this.timer = setTimeout(() => void this.wantFull(document), rest);
   }
 
-  /** Builds the newest document until there is no newer one. */
+  /** Builds coarse reliefs until the newest document is built. */
   private async runDrafts(): Promise<void> {
     this.drafting = true;
     while (this.draftWanted) {
@@ -185,7 +186,7 @@ export class BuildControl {
     this.drafting = false;
   }
 
-  /** Resolves when the full engine rests. */
+  /** Asks for a full build. Resolves when the full engine is idle. */
   private wantFull(document: Document): Promise<void> {
     this.fullWanted = document;
     this.fullRun ??= this.runFull().finally(() => {
@@ -230,7 +231,7 @@ export class BuildControl {
   private accept(document: Document, relief: BuiltRelief, phase: 'draft' | 'full'): boolean {
     if (phase === 'full' && this.isStale(document)) return false;
     const { build, preview } = this.editor.state;
-    // The full build may be through where it had little to do.
+    // The full build may have finished first if it had little to do.
     if (phase === 'draft' && this.isUpToDate()) {
       this.editor.set({ build: { ...build, phase: 'idle' } });
       return true;
@@ -241,9 +242,9 @@ export class BuildControl {
     return true;
   }
 
-  /** The last good relief stays; the culprit is shown and named. */
+  /** Reports an error and marks the part that caused it. The last good relief stays. */
   private refuse(document: Document, error: EngineError): boolean {
-    // A stroke that is still being drawn may be anything.
+    // A stroke in progress may fail; only the document itself is worth an error.
     if (document !== this.editor.document) {
       this.editor.set({ build: { ...this.editor.state.build, phase: 'idle' } });
       return false;
@@ -251,7 +252,7 @@ export class BuildControl {
     this.editor.set({
       culprit: culpritOf(error, document),
       build: { phase: 'idle', progress: 0, error },
-      notice: told(error),
+      notice: errorText(error),
     });
     return false;
   }

@@ -5,15 +5,18 @@ import { type BuildControl, fullTolerance } from './build_control';
 import { type DressedRelief, type Editor, isDressed } from '../state/editor';
 import { smallPicture } from '../files/pictures';
 
-/** A relief is dressed when it has been the last one for so long, ms. */
+/** A relief is dressed once it has been the current one for this long, ms. */
 const rest = 500;
 
-/** Shows the full relief as its files hold it when the hand rests: ink thin at rims, no paper on them. */
+/**
+ * Shows the full relief as exported files contain it once the hand rests. Its ink stays thin at rims
+ * and no paper colour shows there.
+ */
 export class DressControl {
   private waiting = false;
   private tried: object | null = null;
 
-  /** `engine`: the one that holds the full relief. */
+  /** `engine` is the one that builds full reliefs. */
   constructor(
     private readonly editor: Editor,
     private readonly engine: Engine,
@@ -40,7 +43,7 @@ export class DressControl {
     return isBuilt && relief !== this.tried && !isDressed(this.editor.state, lookOf(this.editor.document, picture));
   }
 
-  /** Null where the engine has something else to do by then. */
+  /** Returns the dressed relief, or null if it is outdated or the engine has other work by then. */
   private async dress(of: Pick<DressedRelief, 'relief' | 'look'>): Promise<DressedRelief | null> {
     try {
       const drawing = await smallPicture(this.editor.document, this.editor.state.picture, vectorSide);

@@ -1,6 +1,6 @@
 import { sceneText } from '../../document/scene_text';
 import type { Engine } from '../../engine/engine';
-import { type ExportFormat, isFailure, type MapKind, type OutputFile, type SolidFormat, told } from '../../engine/messages';
+import { type ExportFormat, isFailure, type MapKind, type OutputFile, type SolidFormat, errorText } from '../../engine/messages';
 import { zipped } from '../files/archives';
 import type { BuildControl } from './build_control';
 import { t } from '../../words/catalogue';
@@ -9,11 +9,12 @@ import { imageDataOf, smallPicture, textureOf } from '../files/pictures';
 import { solidOptions } from '../state/print_choice';
 import type { SegmentControl } from './segment_control';
 
+/** Returns the message of whatever was thrown. */
 export function whyOf(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }
 
-/** Hands a file to the person. */
+/** Lets the browser download a file. */
 export function download(file: OutputFile): void {
   const url = URL.createObjectURL(new Blob([file.bytes]));
   const link = document.createElement('a');
@@ -23,7 +24,7 @@ export function download(file: OutputFile): void {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
-/** The files that are made of a document. */
+/** Exports a document to files. Errors become notices. */
 export class Exports {
   constructor(
     private readonly editor: Editor,
@@ -48,7 +49,7 @@ export class Exports {
       const { document: doc, state } = this.editor;
       const options = solidOptions(state.print, doc.settings.sizeMm);
       const files = await this.engine.encodeSolid(format, doc.name, options, textureOf(doc, state.picture));
-      if (isFailure(files)) throw new Error(told(files.error));
+      if (isFailure(files)) throw new Error(errorText(files.error));
       const [only] = files.files;
       if (format === '3mf') download({ name: `${doc.name}.3mf`, bytes: await zipped(files.files) });
       else if (only) download(only);
@@ -63,7 +64,7 @@ export class Exports {
     });
   };
 
-  /** The drawing and its normal map at the same size, `side` px at most; null, and the reason told, where there is none. */
+  /** Returns the drawing and its normal map at the same size, at most `side` px. Returns null after a notice if there is no relief. */
   mapPixels = async (side: number): Promise<{ drawing: ImageData; normals: ImageData } | null> => {
     let found: { drawing: ImageData; normals: ImageData } | null = null;
     await this.exporting(async () => {
@@ -77,13 +78,13 @@ export class Exports {
     return found;
   };
 
-  /** Needs no relief: also what cannot be built can be painted on. */
+  /** Exports the parts as layers. This needs no relief, so it works for drawings that cannot be built. */
   layers = async (): Promise<void> => {
     await this.failing(async () => {
       await this.controls.segments.settle();
       const { document: doc, state } = this.editor;
       const file = await this.engine.encodeLayers(sceneText(doc), textureOf(doc, state.picture));
-      if (isFailure(file)) throw new Error(told(file.error));
+      if (isFailure(file)) throw new Error(errorText(file.error));
       download({ name: `${doc.name}.psd`, bytes: file.bytes as Uint8Array<ArrayBuffer> });
     });
   };
@@ -102,6 +103,7 @@ export class Exports {
     });
   };
 
+  /** Runs an export once the relief is up to date. */
   private exporting(work: () => Promise<void>): Promise<void> {
     return this.failing(async () => {
       await this.controls.segments.settle();
@@ -110,7 +112,7 @@ export class Exports {
     });
   }
 
-  /** Tells why where it fails. */
+  /** Runs an export and shows the reason if it fails. */
   private async failing(work: () => Promise<void>): Promise<void> {
     try {
       await work();

@@ -20,7 +20,7 @@ import { cutOut, flatDrawing, flatOfSvg, pictureOf, pngOf } from '../files/pictu
 import { documentOfScene } from '../files/scene_files';
 import type { SegmentControl } from './segment_control';
 
-/** Opening, keeping and saving. */
+/** Opens documents from files, samples and the shelf, and saves projects. */
 export class FileControl {
   readonly exports: Exports;
 
@@ -33,7 +33,7 @@ export class FileControl {
     this.exports = new Exports(editor, engine, controls);
   }
 
-  /** Opens a file, or pictures that are the layers of one drawing. */
+  /** Opens files that were given together: a scene with its drawing, the layers of one drawing, or the first file. */
   async openAll({ name, files }: GivenFiles): Promise<void> {
     const [first] = files;
     const layers = layersAmong(files);
@@ -43,7 +43,7 @@ export class FileControl {
     else if (first) await this.open(first.file);
   }
 
-  /** Opens whatever a file is; tells why where it cannot be. */
+  /** Opens a file of any kind, by its content. If it cannot be opened, a notice says why. */
   async open(file: File): Promise<void> {
     await this.opening(file.name, async () => {
       const bytes = new Uint8Array(await file.arrayBuffer());
@@ -58,7 +58,7 @@ export class FileControl {
     });
   }
 
-  /** Goes on with what a mask says is the figure of the flat drawing that is open. */
+  /** Continues with only that area of the open flat drawing that a mask shows as the figure. */
   async cutFigure(file: File): Promise<void> {
     await this.opening(file.name, async () => {
       const { document: doc, state } = this.editor;
@@ -70,7 +70,7 @@ export class FileControl {
     });
   }
 
-  /** A scene file, with its drawing where that was given with it. */
+  /** Opens a scene file with its drawing, if that was given too. */
   private async openScene(scene: PlacedFile, files: readonly PlacedFile[]): Promise<void> {
     const { document: next, notice } = await documentOfScene(scene, files);
     await this.controls.control.check(next);
@@ -89,18 +89,18 @@ export class FileControl {
     await this.openSvg(`${name}.svg`, new Uint8Array(await answer.arrayBuffer()), 'changes');
   }
 
-  /** Begins anew with an empty page. */
+  /** Starts a new document with an empty page. */
   openEmpty(): Promise<void> {
     return this.show({ ...emptyDocument(), name: t('untitled') }, 'changes');
   }
 
-  /** Begins the tour, on a drawing of its own. */
+  /** Starts the tour on its own drawing. */
   async openTour(): Promise<void> {
     await this.show(tourAnimal(t('tour')), 'changes');
     this.editor.set({ tool: 'draw', tourStep: 0, pane: 'paper' });
   }
 
-  /** Goes on with a document of the shelf; asks where another tab has it, unless it is to be taken over. */
+  /** Opens a document of the shelf. If another tab has it open, the user is asked, unless `over` takes it over. */
   async openKept(id: string, over = false): Promise<void> {
     const { shelf } = this.editor.state;
     if (shelf?.id === id && this.keeper.takenOver !== id) this.editor.set({ open: true, elsewhere: null });
@@ -112,7 +112,7 @@ export class FileControl {
       });
   }
 
-  /** A document of the shelf once more, with all its undo; the other stays as it is. */
+  /** Opens a copy of a document of the shelf, with its undo history. */
   async openCopy(id: string): Promise<void> {
     await this.opening((await this.keeper.entry(id))?.name ?? '', async () => {
       const history = await this.keeper.read(id);
@@ -121,7 +121,7 @@ export class FileControl {
     });
   }
 
-  /** Shows a document that comes from a file; nothing that was open is lost. */
+  /** Shows a document as a new entry of the shelf. The document that was open stays there. */
   private show(document_: Document, keep: ShelfPlace['keep']): Promise<void> {
     return this.showHistory(startHistory({ ...emptyDocument(), ...document_ }), { id: crypto.randomUUID(), keep });
   }
@@ -147,6 +147,7 @@ export class FileControl {
     this.editor.set({ notice: opened.notice });
   }
 
+  /** Runs the opening of a file, which counts as being read meanwhile. If it fails, a notice says why. */
   private async opening(name: string, work: () => Promise<void>): Promise<void> {
     const read = (files: number): void => this.editor.set({ reading: this.editor.state.reading + files });
     read(1);
@@ -164,7 +165,7 @@ export class FileControl {
     if (isFailure(imported)) throw new Error(imported.error.message);
     const content = sceneContent(imported.scene);
     if (imported.lineArt || (imported.proposed && content.parts.length < 2)) {
-      // Lines, or one shape: its parts are found as those of a flat picture.
+      // A drawing of lines or of a single shape is treated as a flat picture.
       const flat = await flatOfSvg(imported.paintable, content.width, content.height);
       await this.openImage(`${baseName(name)}.png`, flat, 'image/png');
       return;
@@ -179,7 +180,7 @@ export class FileControl {
     this.editor.set({ notice: [...words, ...imported.warnings].join(' ') });
   }
 
-  /** A project holds the artist's file as it came: what may be painted of it is found anew. */
+  /** Adds the paintable version of an SVG drawing, which is never saved: saved files hold the artist's file as it came. */
   private async withPaintable(next: Document): Promise<Document> {
     const { drawing } = next;
     if (drawing?.kind !== 'svg' || drawing.paintable !== undefined) return next;
@@ -188,7 +189,7 @@ export class FileControl {
     return { ...next, drawing: { ...drawing, paintable: imported.paintable } };
   }
 
-  /** The canvas of a flat drawing is its pixels. */
+  /** Opens a flat picture and guesses its parts. The canvas has the size of the picture. */
   private async openImage(name: string, bytes: Uint8Array, mime: string): Promise<void> {
     const { drawing, picture } = await flatDrawing({ name, kind: 'image', mime, bytes });
     const { width, height } = picture;
@@ -198,7 +199,7 @@ export class FileControl {
     await this.guessParts(next);
   }
 
-  /** Lets the engine find the parts of a flat drawing; strokes tell them where it cannot. */
+  /** Lets the engine guess the parts of a flat drawing. If it cannot, the user is asked to scribble. */
   private async guessParts(next: Document): Promise<void> {
     const found = await this.controls.segments.guess(next);
     if (this.editor.document !== next) return;

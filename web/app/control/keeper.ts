@@ -6,14 +6,16 @@ import type { Editor } from '../state/editor';
 import { smallPicture } from '../files/pictures';
 import { TabLock } from './tab_lock';
 
-/** Steps that follow each other so fast are kept together, ms. */
+/** Steps within this time are saved together, ms. */
 const gathering = 60;
-/** What could not be kept is tried again after so long, ms. */
+/** A failed save is tried again after this time, ms. */
 const retry = 3000;
+/** A thumbnail is made once nothing was saved for this long, ms. */
 const thumbnailRest = 600;
+/** px */
 const thumbnailSide = 240;
 
-/** Keeps every step of every document on the shelf. */
+/** Saves every step of every document to the shelf. */
 export class Keeper {
   private readonly lock = new TabLock((id) => this.lose(id));
   private readonly waiting = new Map<string, History>();
@@ -32,20 +34,20 @@ export class Keeper {
     window.addEventListener('beforeunload', (event) => this.waiting.size > 0 && event.preventDefault());
   }
 
-  /** Everything on the shelf, what is in hand included. */
+  /** Lists all documents on the shelf after saving the current one. */
   async list(): Promise<Entry[]> {
     await this.flush();
     return (await this.shelf?.list()) ?? [];
   }
 
-  /** A document's states and its undo; 'elsewhere' where another tab has it, unless it is to be taken over. */
+  /** Opens a document with its undo history. Returns 'elsewhere' if another tab has it open, unless `over` takes it over. */
   async open(id: string, over: boolean): Promise<History | 'elsewhere'> {
     await this.flush();
     if (!(await this.lock.take(id, over))) return 'elsewhere';
     return this.read(id);
   }
 
-  /** As it was kept last, whoever has it open. */
+  /** Reads the last saved history of a document, even if another tab has it open. */
   async read(id: string): Promise<History> {
     const history = await this.shelf?.load(id);
     if (!history) throw new Error(t('damagedFile'));
@@ -68,14 +70,14 @@ export class Keeper {
     await this.shelf?.bringBack(id);
   }
 
-  /** Resolves when all that waited was kept, or could not be. */
+  /** Resolves when all waiting steps are saved or have failed. */
   async flush(): Promise<void> {
     clearTimeout(this.timer);
     if (!this.isRunning) this.running = this.run();
     await this.running;
   }
 
-  /** What another tab has taken over. */
+  /** The id of the document that another tab has taken over, or null. */
   get takenOver(): string | null {
     return this.lost;
   }
@@ -110,7 +112,7 @@ export class Keeper {
     if (this.waiting.has(id)) this.goOnAsCopy();
   }
 
-  /** What is changed here after another tab took the document over has a place of its own. */
+  /** Continues as a new document after another tab took over the old one. */
   private goOnAsCopy(): void {
     const { document } = this.editor;
     if (this.lost) this.waiting.delete(this.lost);
@@ -119,7 +121,7 @@ export class Keeper {
     void this.lock.take(this.id, false);
     this.editor.set({ shelf: { id: this.id, keep: 'all' }, standing: 'none', notice: t('wentOnAsCopy') });
     this.editor.complete({ ...document, name: t('copyOf', { name: document.name }) });
-    // Also where there was no step to complete.
+    // Saves the copy even if there was no step to complete.
     this.seen = null;
     this.follow();
   }
@@ -166,12 +168,12 @@ export class Keeper {
     const { document, state } = this.editor;
     if (!id || !this.shelf || !state.open) return;
     const bytes = await thumbnailOf(document, state.picture);
-    // Without one the document is none the less kept.
+    // The document is saved even if its thumbnail is not.
     await this.shelf.setThumbnail(id, bytes).catch(() => undefined);
   }
 }
 
-/** A document at the size of a stamp, as a PNG file. */
+/** Returns a small picture of a document as a PNG file. */
 async function thumbnailOf(document: History['document'], picture: ImageBitmap | null): Promise<Uint8Array> {
   const small = await smallPicture(document, picture, thumbnailSide);
   const bytes = await pngFile(small);

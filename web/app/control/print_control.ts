@@ -5,12 +5,12 @@ import { smallPicture } from '../files/pictures';
 import { solidOptions } from '../state/print_choice';
 import { lookOf } from '../../view/painted_drawing';
 
-/** Longest side of the picture on the solid that is shown. */
+/** Longest side of the texture of the solid shown, px. */
 const shownSide = 1024;
-/** The solid follows when nothing has changed for so long, ms. */
+/** The solid is made once nothing has changed for this long, ms. */
 const rest = 120;
 
-/** Shows the solid that would be printed for as long as its panel is open. */
+/** Shows the solid that would be printed while the print panel is open. */
 export class PrintControl {
   private of: readonly unknown[] = [];
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -42,7 +42,7 @@ export class PrintControl {
       const made = await this.engine.solid(solidOptions(state.print, document.settings.sizeMm), drawing);
       if (this.of === of) this.editor.set({ solid: made });
     } catch (error) {
-      // Why there is no relief is said beside it.
+      // The relief's pane already shows why there is none.
       if (!(error instanceof EngineStopped) && this.of === of) this.editor.set({ solid: null });
     }
   }

@@ -5,17 +5,17 @@ import { type Corrections, recordText, type Scribbles } from '../../document/seg
 import { adopt, canScribble, questionOf, segmentationOf } from '../../document/scribbling';
 import { type Engine, EngineStopped } from '../../engine/engine';
 import {
-  type Failure, type FlatDrawing, isFailure, type SegmentationRequest, type TintedLabels, told,
+  type Failure, type FlatDrawing, isFailure, type SegmentationRequest, type TintedLabels, errorText,
   type Understanding,
 } from '../../engine/messages';
 import { t } from '../../words/catalogue';
 import type { Editor } from '../state/editor';
 import { pixelsOf } from '../files/pictures';
 
-/** Hidden shapes follow a new order when it has stayed for so long, ms. */
+/** Hidden shapes are found again once a new order has stayed for this long, ms. */
 const rest = 300;
 
-/** A change of strokes that waits to be understood. */
+/** A change of strokes that waits for the engine to interpret it. */
 interface Wish {
   readonly drawing: DrawingSource | null;
   readonly label: string;
@@ -35,7 +35,7 @@ function gapsOf({ bridges }: TintedLabels): Gap[] {
   }));
 }
 
-/** A worker that is asked about one drawing after another, and shown each once. */
+/** Asks a worker about drawings and sends it each drawing only once. */
 class DrawingReader {
   private opened: DrawingSource | null = null;
   private opening: Promise<object | Failure> = Promise.resolve({});
@@ -44,7 +44,7 @@ class DrawingReader {
 
   constructor(private readonly editor: Editor, private readonly make: () => Engine) {}
 
-  /** The worker, which is started when it is needed first. */
+  /** The worker. It starts on first use. */
   get engine(): Engine {
     this.made ??= this.make();
     return this.made;
@@ -61,7 +61,7 @@ class DrawingReader {
       const opened = await this.opening;
       return isFailure(opened) ? opened : await question(this.engine);
     } catch (error) {
-      // The worker that knew the drawing is gone.
+      // The worker that had the drawing is gone.
       this.opened = null;
       throw error;
     }
@@ -76,9 +76,10 @@ class DrawingReader {
 }
 
 /**
- * Understands flat drawings in workers of its own: one for labels, which must not wait. While
- * strokes are in hand, their labels are shown as a tint at once; what follows from them - hidden
- * shapes, order, joins - becomes one change of the document, strokes included, when it is known.
+ * Interprets flat drawings in two workers. One only computes labels, so that they never wait: while
+ * the pen is down, the labels appear as a tint at once. The other finds what follows from the strokes
+ * (hidden shapes, order, joins). When it is known, it becomes one change of the document together
+ * with the strokes.
  */
 export class SegmentControl {
   private readonly labeller: DrawingReader;
@@ -101,32 +102,32 @@ export class SegmentControl {
     });
   }
 
-  /** Whether a segmentation from a file is sound; why not otherwise. */
+  /** Throws an error with a message for the user if the segmentation of a document from a file is not valid. */
   async check(document: Document): Promise<void> {
     if (!document.segmentation) return;
     const checked = await this.thinker.engine.checkSegmentation(requestOf(document));
-    if (isFailure(checked)) throw new Error(told(checked.error));
+    if (isFailure(checked)) throw new Error(errorText(checked.error));
   }
 
-  /** Finds the parts of a drawing that has none yet. */
+  /** Guesses the parts of a drawing that has none yet. */
   async guess(document: Document): Promise<Understanding | Failure> {
     return this.thinker.ask(document, (engine) => engine.understand(questionOf(document)));
   }
 
-  /** Shows the labels of a document that is only being made; the newest one wins. */
+  /** Shows the labels of a document that is still changing. Requests that are overtaken by a newer one are skipped. */
   show(document: Document): void {
     this.wanted = document;
     if (!this.tinting) void this.tint();
   }
 
-  /** Has a change of strokes understood and makes it, strokes and all, one step. */
+  /** Queues a change of strokes. The strokes and what follows from them become one step to undo. */
   wish(label: string, change: (document: Document) => Document): void {
     this.wishes.push({ drawing: this.editor.document.drawing, label, change });
     this.showPending();
     if (!this.working) void this.work();
   }
 
-  /** Drops what is not understood yet; false where there is nothing. */
+  /** Drops all queued changes. Returns whether there were any. */
   forgetWishes(): boolean {
     if (this.wishes.length === 0) return false;
     this.wishes.length = 0;
@@ -134,13 +135,13 @@ export class SegmentControl {
     return true;
   }
 
-  /** Resolves when all is understood. */
+  /** Resolves when no change is queued any more. */
   async settle(): Promise<void> {
     if (this.reordered) await this.rethink(this.reordered);
     while (this.working) await new Promise((resolve) => setTimeout(resolve, 20));
   }
 
-  /** The document with all that waits. */
+  /** The document with all queued changes. */
   get pending(): Document {
     return this.wishes.reduce((document, wish) => wish.change(document), this.editor.document);
   }
@@ -149,7 +150,7 @@ export class SegmentControl {
     this.editor.set({ pending: this.wishes.length > 0 ? this.pending : null });
   }
 
-  /** What is hidden depends on what lies in front: a new order is understood once the hand rests. */
+  /** Finds hidden shapes again after the order changed, since they depend on what lies in front. */
   private followOrder(): void {
     const { history } = this.editor.state;
     const { document } = history;
@@ -166,7 +167,7 @@ export class SegmentControl {
       const understood = await this.thinker.ask(document, (engine) => engine.understand(questionOf(document)));
       if (this.reordered !== document || this.editor.document !== document) return;
       this.reordered = null;
-      if (isFailure(understood)) this.editor.set({ notice: told(understood.error) });
+      if (isFailure(understood)) this.editor.set({ notice: errorText(understood.error) });
       else {
         const next = adopt(document, understood);
         this.ordered = next.parts;
@@ -177,7 +178,7 @@ export class SegmentControl {
     }
   }
 
-  /** Keeps the tint up with the document while strokes can be seen. */
+  /** Keeps the tint up to date with the document while strokes are shown. */
   private followStrokes(): void {
     const { document, state } = this.editor;
     const { drawing } = document;
@@ -214,7 +215,7 @@ export class SegmentControl {
     this.working = false;
   }
 
-  /** Tries again where the document has changed meanwhile. */
+  /** Handles the first queued change. If the document changed meanwhile, the change stays queued for another try. */
   private async grant(wish: Wish): Promise<void> {
     const { document } = this.editor;
     if (document.drawing !== wish.drawing) {
@@ -239,7 +240,7 @@ export class SegmentControl {
   private make(wish: Wish, changed: Document, understood: Understanding | Failure): void {
     if (isFailure(understood)) {
       this.tinted = null;
-      this.editor.set({ notice: told(understood.error) });
+      this.editor.set({ notice: errorText(understood.error) });
       return;
     }
     const { selected } = this.editor.state;

@@ -1,11 +1,11 @@
-/** Sees to it that one tab alone changes a document. */
+/** Ensures that only one tab edits a document. */
 export class TabLock {
   private held: { id: string; release(): void } | null = null;
 
-  /** `lost`: another tab has taken the document over. */
+  /** `lost` is called when another tab takes the document over. */
   constructor(private readonly lost: (id: string) => void) {}
 
-  /** Takes a document; false where another tab has it, unless it is to be taken over. */
+  /** Locks a document and releases the one before. Returns false if another tab has it, unless `over` takes it over. */
   take(id: string, over: boolean): Promise<boolean> {
     if (this.held?.id === id) return Promise.resolve(true);
     this.letGo();

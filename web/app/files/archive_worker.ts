@@ -2,28 +2,28 @@ import * as Comlink from 'comlink';
 import { zipSync } from 'fflate';
 import { ArchiveTooLarge, unpackArchive } from '../../document/archive';
 import type { Document } from '../../document/document';
-import { ProjectError, readProject, writeProject } from '../../document/project_file';
+import { ProjectError, type ProjectTrouble, readProject, writeProject } from '../../document/project_file';
 import type { OutputFile } from '../../engine/messages';
 
-/** What an OpenRaster archive holds besides previews of itself. */
+/** Returns the entries of an OpenRaster archive, without its previews. */
 function entriesOfOra(bytes: Uint8Array): OutputFile[] {
   const wanted = (name: string): boolean => name === 'mimetype' || name === 'stack.xml' || /^data\/.*\.png$/i.test(name);
   const entries = unpackArchive(bytes, wanted) as Record<string, Uint8Array<ArrayBuffer>>;
   return Object.entries(entries).map(([name, content]) => ({ name, bytes: content }));
 }
 
-/** Packing and unpacking, which can take longer than a hand waits. */
+/** Packs and unpacks files off the page's own thread, since that can take longer than a user waits. */
 const endpoint = {
   writeProject(document: Document, picture: Uint8Array | null): Uint8Array<ArrayBuffer> {
     const bytes = writeProject(document, picture);
     return Comlink.transfer(bytes, [bytes.buffer]);
   },
-  /** Or why it cannot be read, in words. */
-  readProject(bytes: Uint8Array): Document | string {
+/** Returns the document or, if the file cannot be read, the reason. */
+  readProject(bytes: Uint8Array): Document | ProjectTrouble {
     try {
       return readProject(bytes);
     } catch (error) {
-      if (error instanceof ProjectError) return error.message;
+      if (error instanceof ProjectError) return error.trouble;
       throw error;
     }
   },

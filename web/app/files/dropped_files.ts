@@ -1,11 +1,11 @@
-/** A file and where it lies below what was dropped or chosen. */
+/** A file with its path relative to the dropped or chosen folder. */
 export interface PlacedFile {
-  /** With slashes; of a folder's content without the folder. */
+  /** Separated by slashes, without the name of the dropped folder itself. */
   readonly path: string;
   readonly file: File;
 }
 
-/** What a person gave at once. `name`: of the folder, or of the first file. */
+/** Files that were dropped, pasted or chosen together. `name` is that of the folder or of the first file. */
 export interface GivenFiles {
   readonly name: string;
   readonly files: readonly PlacedFile[];
@@ -17,7 +17,7 @@ function childrenOf(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]
   const reader = folder.createReader();
   const all: FileSystemEntry[] = [];
   return new Promise((resolve, reject) => {
-    // A reader hands out its entries in portions, an empty one at the end.
+    // A reader returns its entries in portions and ends with an empty one.
     const next = (): void =>
       reader.readEntries((portion) => {
         all.push(...portion);
@@ -38,11 +38,15 @@ async function filesBelow(entry: FileSystemEntry, path: string): Promise<PlacedF
   return below.flat();
 }
 
+/** Returns files as one gift, each with its name as its path. */
 export function givenFiles(files: readonly File[]): GivenFiles {
   return { name: files[0]?.name ?? '', files: files.map((file) => ({ path: file.name, file })) };
 }
 
-/** The files of a drop or a paste; of a folder all that lie in it. The event must not be over yet. */
+/**
+ * Returns the files of a drop or a paste. If it holds a folder, these are all files below it. Call it
+ * while the event is being handled: the browser empties `data` afterwards.
+ */
 export async function filesOf(data: DataTransfer): Promise<GivenFiles> {
   const entries = [...data.items].map((item) => item.webkitGetAsEntry?.() ?? null);
   const plain = givenFiles([...data.files]);

@@ -2,11 +2,14 @@ import { maxArchiveBytes } from '../../document/archive';
 import { type Document, emptyDocument } from '../../document/document';
 import { sceneContent } from '../../document/scene_text';
 import type { Engine } from '../../engine/engine';
-import { isFailure, type OutputFile, told } from '../../engine/messages';
+import { isFailure, type OutputFile, errorText } from '../../engine/messages';
 import { t } from '../../words/catalogue';
 import type { PlacedFile } from './dropped_files';
 
-/** The pictures, with their table of order where there is one, that are the layers of one drawing; null where they are not. */
+/**
+ * Returns the files that are the layers of one drawing: its PNG pictures and, if given, their
+ * `layers.tsv`. Returns null if the files are not layers.
+ */
 export function layersAmong(files: readonly PlacedFile[]): readonly PlacedFile[] | null {
   const table = files.find(({ path }) => path === 'layers.tsv');
   const pictures = files.filter(({ file }) => file.type === 'image/png');
@@ -19,14 +22,17 @@ export async function readLayers(files: readonly PlacedFile[]): Promise<OutputFi
   return Promise.all(files.map(async ({ path, file }) => ({ name: path, bytes: new Uint8Array(await file.arrayBuffer()) })));
 }
 
-/** A document of painted layers, and what is to be said of it. Its drawing is the picture that they make, and all that there is where it is one layer. */
+/**
+ * Makes a document of painted layers, with a notice for the user. Its drawing is the picture that the
+ * layers make together. If there is only one layer, only that picture is returned, as `flat`.
+ */
 export async function documentOfLayers(
   engine: Engine,
   name: string,
   files: OutputFile[],
 ): Promise<{ document: Document; notice: string } | { flat: Uint8Array<ArrayBuffer> }> {
   const imported = await engine.importLayers(files);
-  if (isFailure(imported)) throw new Error(told(imported.error));
+  if (isFailure(imported)) throw new Error(errorText(imported.error));
   if (imported.scene === undefined) return { flat: imported.drawing };
   const words = imported.proposed ? [t('proposedParts')] : [];
   return {

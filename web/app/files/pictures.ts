@@ -4,14 +4,16 @@ import type { Texture } from '../../engine/messages';
 import { pngFile } from './archives';
 import { canvasOf, isOverpainted, painted, vectorSide } from '../../view/painted_drawing';
 
+/** Most pixels of any other picture, which bounds the memory of the page. */
 const maxPixels = 4096 * 4096;
-/** Of a flat drawing, so that labels follow the pen. */
+/** Most pixels of a flat drawing, so that its labels keep up with the pen. */
 const flatPixels = 2048 * 2048;
-/** Longest side of the picture that is made of a vector drawing of lines: the command line's. */
+/** Longest side of the picture made of a vector drawing of lines, px; the command line uses the same. */
 const flatSide = 1600;
+/** px */
 const stripHeight = 256;
 
-/** Paints all of a canvas, a strip at a time, so that the page stays free for the hand. */
+/** Paints a whole canvas strip by strip, so that the page stays responsive. */
 async function paintInStrips(context: OffscreenCanvasRenderingContext2D, image: HTMLImageElement): Promise<void> {
   const { width, height } = context.canvas;
   for (let y = 0; y < height; y += stripHeight) {
@@ -21,13 +23,13 @@ async function paintInStrips(context: OffscreenCanvasRenderingContext2D, image: 
     context.clip();
     context.drawImage(image, 0, 0, width, height);
     context.restore();
-    // A canvas paints when it is looked at.
+    // Reading a pixel makes the canvas paint now.
     context.getImageData(0, y, 1, 1);
     await new Promise((resolve) => setTimeout(resolve));
   }
 }
 
-/** Lets the browser paint an SVG as a picture: no script of it runs, nothing of it is fetched. */
+/** Lets the browser paint an SVG as a picture. None of its scripts run and nothing is fetched. */
 async function rasterizeSvg(paintable: string, width: number, height: number, side = vectorSide): Promise<ImageBitmap> {
   const url = URL.createObjectURL(new Blob([paintable], { type: 'image/svg+xml' }));
   try {
@@ -43,7 +45,7 @@ async function rasterizeSvg(paintable: string, width: number, height: number, si
   }
 }
 
-/** A vector drawing as a flat one, on white paper where it has none: a PNG file. */
+/** Turns a vector drawing into a flat one on white paper, as a PNG file. */
 export async function flatOfSvg(paintable: string, width: number, height: number): Promise<Uint8Array<ArrayBuffer>> {
   const picture = await rasterizeSvg(paintable, width, height, flatSide);
   const [canvas, context] = canvasOf(picture.width, picture.height);
@@ -54,7 +56,7 @@ export async function flatOfSvg(paintable: string, width: number, height: number
   return pngFile(canvas.transferToImageBitmap());
 }
 
-/** A picture file, made smaller where it has more pixels than a page can bear. */
+/** Decodes a picture file and scales it down if it has more than `maxPixels` pixels. */
 async function decodePicture(bytes: Uint8Array, mime: string): Promise<ImageBitmap> {
   const bitmap = await createImageBitmap(new Blob([bytes as Uint8Array<ArrayBuffer>], { type: mime }));
   const pixels = bitmap.width * bitmap.height;
@@ -73,8 +75,8 @@ export async function pictureOf(drawing: DrawingSource, width: number, height: n
 }
 
 /**
- * A flat drawing as it is segmented and kept: the file as it came, or its picture as a PNG file
- * where the command line could not read that, or where it is too large to scribble on.
+ * Returns a flat drawing in the form in which it is segmented and kept: the original file, or a PNG
+ * file of its picture if the command line could not read the original or it is too large to scribble on.
  */
 export async function flatDrawing(source: DrawingSource): Promise<{ drawing: DrawingSource; picture: ImageBitmap }> {
   const whole = await createImageBitmap(new Blob([source.bytes as Uint8Array<ArrayBuffer>], { type: source.mime }));
@@ -88,23 +90,26 @@ export async function flatDrawing(source: DrawingSource): Promise<{ drawing: Dra
   return { drawing: { name, kind: 'image', mime: 'image/png', bytes: await pngFile(picture) }, picture };
 }
 
-/** A picture without what a mask of the same size leaves out: where that is dark, or transparent if it is so anywhere. A PNG file. */
+/**
+ * Makes a picture transparent where a mask of the same size is dark or, if the mask has transparent
+ * pixels at all, where it is transparent. Returns a PNG file.
+ */
 export async function cutOut(picture: ImageBitmap, mask: ImageBitmap): Promise<Uint8Array<ArrayBuffer>> {
   const { width, height } = picture;
-  const said = pixelsOf(mask, width, height).rgba;
-  const byAlpha = said.some((value, i) => i % 4 === 3 && value < 128);
+  const kept = pixelsOf(mask, width, height).rgba;
+  const byAlpha = kept.some((value, i) => i % 4 === 3 && value < 128);
   const [canvas, context] = canvasOf(width, height);
   context.drawImage(picture, 0, 0);
   const cut = context.getImageData(0, 0, width, height);
-  for (let i = 0; i < said.length; i += 4) {
-    const [r = 0, g = 0, b = 0, alpha = 0] = said.subarray(i, i + 4);
+  for (let i = 0; i < kept.length; i += 4) {
+    const [r = 0, g = 0, b = 0, alpha = 0] = kept.subarray(i, i + 4);
     if ((byAlpha ? alpha : Math.max(r, g, b)) < 128) cut.data[i + 3] = 0;
   }
   context.putImageData(cut, 0, 0);
   return pngFile(canvas.transferToImageBitmap());
 }
 
-/** A picture at another size. */
+/** Returns a picture scaled to another size. */
 export function imageDataOf(picture: ImageBitmap, { width, height }: { width: number; height: number }): ImageData {
   const [canvas, context] = canvasOf(width, height);
   context.drawImage(picture, 0, 0, canvas.width, canvas.height);
@@ -116,7 +121,10 @@ export function pixelsOf(picture: ImageBitmap, width: number, height: number): T
   return { rgba: new Uint8Array(pixels.data.buffer as ArrayBuffer), width: pixels.width, height: pixels.height };
 }
 
-/** The drawing at a smaller size, `side` px at most. The browser scales pictures beside the page's own thread. */
+/**
+ * Returns the drawing scaled down to at most `side` px on its longest side. The browser scales
+ * pictures off the page's own thread.
+ */
 export async function smallPicture(document: Document, picture: ImageBitmap | null, side: number): Promise<ImageBitmap> {
   if (!picture) return painted(document, null, side).canvas.transferToImageBitmap();
   const whole = isOverpainted(document) ? painted(document, picture).canvas.transferToImageBitmap() : picture;
@@ -125,7 +133,7 @@ export async function smallPicture(document: Document, picture: ImageBitmap | nu
   return createImageBitmap(whole, { resizeWidth, resizeHeight, resizeQuality: 'medium' });
 }
 
-/** What exported files embed. */
+/** Returns the texture that exported files embed. */
 export function textureOf(document: Document, picture: ImageBitmap | null): Texture {
   const context = painted(document, picture);
   const { width, height } = context.canvas;

@@ -4,7 +4,7 @@ import { sceneContent } from '../../document/scene_text';
 import { t } from '../../words/catalogue';
 import type { PlacedFile } from './dropped_files';
 
-/** What a scene file says, as far as it must be known before the engine looks at it. */
+/** Parses what the page needs of a scene file before the engine checks it. */
 function contentOf(text: string): ReturnType<typeof sceneContent> & { drawing?: unknown } {
   try {
     const head = JSON.parse(text) as { format?: unknown; drawing?: unknown };
@@ -21,7 +21,7 @@ async function sourceOf({ file }: PlacedFile): Promise<DrawingSource> {
   return { name: file.name, kind: isSvg ? 'svg' : 'image', mime: isSvg ? 'image/svg+xml' : (pictureType(bytes) ?? file.type), bytes };
 }
 
-/** A document of a scene file and of the drawing that lies beside it, and what is to be said of it. */
+/** Makes a document of a scene file and of the drawing given beside it, with a notice for the user. */
 export async function documentOfScene(scene: PlacedFile, files: readonly PlacedFile[]): Promise<{ document: Document; notice: string }> {
   const { drawing: path, ...content } = contentOf(await scene.file.text());
   const given = typeof path === 'string' ? files.find((one) => one.path === path || one.path.endsWith(`/${path}`)) : undefined;

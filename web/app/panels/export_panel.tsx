@@ -23,6 +23,7 @@ interface ExportPanelProps {
   turntable(): Promise<Uint8Array<ArrayBuffer>>;
 }
 
+/** Offers all files that can be exported. */
 export function ExportPanel({ editor, exports, picture, turntable }: ExportPanelProps) {
   const { relief, history } = useStore(editor);
   const [greenDown, setGreenDown] = useState(false);

@@ -24,6 +24,7 @@ const rows: readonly [string, MessageKey][] = [
   ['Arrows, Enter', 'keyScribble'],
 ];
 
+/** Lists the keys and what they do. */
 export function KeysPanel() {
   return (
     <div class="sheet keys" role="group" tabIndex={0} aria-label={t('keys')}>

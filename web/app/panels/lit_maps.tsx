@@ -4,15 +4,16 @@ import { type Aim, litPicture } from '../../view/lit_picture';
 import { t } from '../../words/catalogue';
 import type { Exports } from '../control/exports';
 
+/** Longest side of the preview, px. */
 const side = 512;
-/** One press of an arrow key. */
+/** How far an arrow key moves the lamp; the picture is 2 wide. */
 const step = 0.1;
 
 function within(value: number): number {
   return Math.max(-1, Math.min(1, value));
 }
 
-/** The drawing under a lamp that is dragged over it, lit by the normal map as in a game. */
+/** Shows the drawing under a lamp that the user drags. The normal map lights it, as in a game. */
 export function LitMaps({ exports, relief }: { exports: Exports; relief: BuiltRelief | null }) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const [pixels, setPixels] = useState<{ drawing: ImageData; normals: ImageData } | null>(null);

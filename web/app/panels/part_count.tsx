@@ -6,9 +6,10 @@ import type { SegmentControl } from '../control/segment_control';
 import { Slider } from '../widgets/slider';
 import { useStore } from '../state/store';
 
+/** Largest number that the slider offers. */
 const most = 30;
 
-/** How many parts a flat drawing has: fewer are unions of those that were found, more are divided. */
+/** Sets the number of parts of a flat drawing. Fewer parts are merged from those found; more are split. */
 export function PartCount({ editor, segments }: { editor: Editor; segments: SegmentControl }) {
   const { history } = useStore(editor);
   const [wanted, setWanted] = useState<number | null>(null);

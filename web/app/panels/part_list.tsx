@@ -7,7 +7,7 @@ import { t } from '../../words/catalogue';
 import type { Editor } from '../state/editor';
 import { useStore } from '../state/store';
 
-/** The parts, nearest first. Drag or keys change the order. */
+/** Lists the parts, nearest first. Dragging or keys change the order. */
 export function PartList({ editor }: { editor: Editor }) {
   const { history, selected, hovered, culprit, tool } = useStore(editor);
   const [dragged, setDragged] = useState<string | null>(null);

@@ -11,7 +11,7 @@ import { NameField } from '../widgets/name_field';
 import { Slider } from '../widgets/slider';
 import { useStore } from '../state/store';
 
-/** How the selected part meets one other. */
+/** Shows and changes how the selected part meets one other part. */
 function Neighbour({ editor, part, other }: { editor: Editor; part: Part; other: Part }) {
   const { document } = editor;
   const pair = ordered(document, part.id, other.id);
@@ -43,7 +43,7 @@ function Neighbour({ editor, part, other }: { editor: Editor; part: Part; other:
   );
 }
 
-/** What can be said of the selected part. */
+/** Shows and changes the properties of the selected part. */
 export function PartPanel({ editor }: { editor: Editor }) {
   const { history, selected } = useStore(editor);
   const { document } = history;

@@ -1,4 +1,4 @@
-import { type Failure, isFailure, type PrintFinding, type Solid, type SolidFormat, told } from '../../engine/messages';
+import { type Failure, isFailure, type PrintFinding, type Solid, type SolidFormat, errorText } from '../../engine/messages';
 import { type MessageKey, t } from '../../words/catalogue';
 import type { Editor } from '../state/editor';
 import type { Exports } from '../control/exports';
@@ -17,9 +17,10 @@ const formats: readonly [SolidFormat, MessageKey][] = [
 const troubles: readonly [PrintFinding['trouble'], MessageKey][] = [
   ['loose', 'printLoose'], ['thin', 'printThin'], ['neck', 'printNeck'], ['overhang', 'printOverhang'],
 ];
+/** Most parts that a finding names. */
 const mostNamed = 3;
 
-/** What is to be known of a solid before it is printed, and what to do about it. */
+/** Shows size and volume of a solid, its weak spots, and how to fix them. */
 function Findings({ solid }: { solid: Solid }) {
   const sides = solid.size.map((side) => side.toFixed(1)).join(' × ');
   return (
@@ -38,10 +39,10 @@ function Findings({ solid }: { solid: Solid }) {
 
 function State({ solid }: { solid: Solid | Failure | null }) {
   if (!solid) return <p role="status">{t('printWorking')}</p>;
-  return isFailure(solid) ? <p class="finding" role="status">{told(solid.error)}</p> : <Findings solid={solid} />;
+  return isFailure(solid) ? <p class="finding" role="status">{errorText(solid.error)}</p> : <Findings solid={solid} />;
 }
 
-/** Something to hold: what it is, how large, and its files; the relief's pane shows it meanwhile. */
+/** Chooses an object to print and its size, and exports its files. The relief's pane shows it meanwhile. */
 export function PrintPanel({ editor, exports }: { editor: Editor; exports: Exports }) {
   const { print, solid } = useStore(editor);
   const set = (values: Partial<PrintChoice>): void => editor.set({ print: { ...print, ...values } });

@@ -4,7 +4,7 @@ import { t } from '../../words/catalogue';
 import { whyOf } from '../control/exports';
 import { type Editor, isDressed } from '../state/editor';
 
-/** The kinds of sessions that show a room, the real one first. */
+/** The WebXR sessions that can show the model, in the order of preference: in the real room, then in a virtual one. */
 const modes = ['immersive-ar', 'immersive-vr'] as const;
 
 async function supportedMode(): Promise<XRSessionMode | null> {
@@ -12,7 +12,7 @@ async function supportedMode(): Promise<XRSessionMode | null> {
   return null;
 }
 
-/** Leads into the room, where the browser and the device can. */
+/** Shows the model in the user's room. The button appears only if the browser and the device can do that. */
 export function RoomButton({ editor }: { editor: Editor }) {
   const [mode, setMode] = useState<XRSessionMode | null>(null);
   useEffect(() => void supportedMode().then(setMode), []);
@@ -20,7 +20,7 @@ export function RoomButton({ editor }: { editor: Editor }) {
   if (!mode || !relief) return null;
   const enter = async (): Promise<void> => {
     try {
-      // At once: browsers begin such sessions only from a deed of a person.
+      // Browsers start such sessions only directly from a user's action, so this comes first.
       const session = await navigator.xr?.requestSession(mode);
       if (!session) return;
       const { document } = editor;

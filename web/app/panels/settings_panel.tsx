@@ -8,7 +8,7 @@ function tenTo(power: number): number {
   return Number((10 ** power).toPrecision(3));
 }
 
-/** How the relief is made. */
+/** Chooses how the relief is built and how parts without a drawing are inked. */
 export function SettingsPanel({ editor }: { editor: Editor }) {
   const { history } = useStore(editor);
   const { document } = history;

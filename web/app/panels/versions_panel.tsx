@@ -7,9 +7,10 @@ import type { Editor } from '../state/editor';
 import type { Keeper } from '../control/keeper';
 import { useStore } from '../state/store';
 
+/** Width of the picture, CSS px. */
 const width = 288;
 
-/** Every kept state of the document, under a slider; going back is a step like any other. */
+/** Shows every saved version of the document under a slider. Going back to one is a step like any other. */
 export function VersionsPanel({ editor, keeper }: { editor: Editor; keeper: Keeper }) {
   const { shelf, history, picture, saved } = useStore(editor);
   const [notes, setNotes] = useState<readonly VersionNote[]>([]);
@@ -41,7 +42,7 @@ export function VersionsPanel({ editor, keeper }: { editor: Editor; keeper: Keep
 
   const goBack = (): void => {
     if (!shown || shown === 'reading') return;
-    // What is painted of the drawing is not kept; it is the same in all versions.
+    // Versions share one drawing; its paintable form is not saved with them.
     editor.edit('version', { ...shown, drawing: document.drawing });
     setAt(null);
   };

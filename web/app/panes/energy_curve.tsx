@@ -1,8 +1,9 @@
 import { t } from '../../words/catalogue';
 
+/** Width and height of the plot, CSS px. */
 const size = [120, 30] as const;
 
-/** The line through the energies of all steps, on a logarithmic scale above the least of them. */
+/** Returns the points of a curve through the energies of all steps. Its scale is logarithmic and starts at the lowest energy. */
 function pathOf(energies: readonly number[]): string {
   const least = Math.min(...energies);
   const heights = energies.map((energy) => Math.log10(energy / least));
@@ -13,7 +14,7 @@ function pathOf(energies: readonly number[]): string {
     .join(' ');
 }
 
-/** How the energy of the non-linear method falls. */
+/** Plots how the energy of the non-linear method falls. */
 export function EnergyCurve({ energies }: { energies: readonly number[] }) {
   const last = energies.at(-1);
   if (last === undefined) return null;

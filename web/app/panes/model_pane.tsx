@@ -1,5 +1,5 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { isFailure, told } from '../../engine/messages';
+import { isFailure, errorText } from '../../engine/messages';
 import type { Tool } from '../../tools/tool';
 import type { ModelShading } from '../../view/model_renderer';
 import { ModelView } from '../../view/model_view';
@@ -20,7 +20,7 @@ interface ModelPaneProps {
   stop(): void;
 }
 
-/** Follows the pointer with the part under it, one question at a time. */
+/** Returns a function that marks the part under the pointer. It asks the view about one position at a time. */
 function hovering(view: ModelView, editor: Editor): (spot: readonly [number, number] | null) => void {
   let wanted: readonly [number, number] | null = null;
   let asking = false;
@@ -41,7 +41,7 @@ function hovering(view: ModelView, editor: Editor): (spot: readonly [number, num
   };
 }
 
-/** A click that did not turn the model chooses a part; with L held, dragging moves the light; a brush paints. */
+/** Handles the pointer: a click that does not turn the model selects a part, dragging with L held moves the light, a brush paints. */
 function listen(canvas: HTMLCanvasElement, view: ModelView, editor: Editor, { tool, lightHeld }: Pick<ModelPaneProps, 'tool' | 'lightHeld'>): void {
   let down: [number, number] | null = null;
   const brush = new ReliefBrush(view, tool);
@@ -69,7 +69,7 @@ function listen(canvas: HTMLCanvasElement, view: ModelView, editor: Editor, { to
   canvas.addEventListener('dblclick', () => view.turn(0, 0));
 }
 
-/** Brings the view up with the editor; each part of it only when it changed. */
+/** Keeps the view up to date with the editor and redraws only what changed. Returns a function that ends this. */
 function follow(view: ModelView, editor: Editor): () => void {
   let before: readonly unknown[] = [];
   let look: readonly unknown[] = [];
@@ -78,7 +78,7 @@ function follow(view: ModelView, editor: Editor): () => void {
     const document = preview ?? history.document;
     const solid = made && !isFailure(made) ? made : null;
     const looks = lookOf(document, picture);
-    // Paint around the rims of a relief does no harm to the next one.
+    // The paint around the rims of one relief also suits the next one.
     const pictured = solid ?? (dressed && isSameLook(dressed.look, looks) ? dressed : null);
     const surface = solid?.surface ?? (dressed?.relief === relief ? dressed?.surface : relief?.surface) ?? null;
     const now = [surface, pictured, shading, hovered ?? selected, document.name];
@@ -103,7 +103,7 @@ function follow(view: ModelView, editor: Editor): () => void {
   return editor.subscribe(update);
 }
 
-/** Of what is painted while the pen is down, so that it follows, px. */
+/** Longest side of the texture while the pen is down, px, so that it keeps up. */
 const previewSide = 768;
 
 const shadings: readonly [ModelShading, () => string][] = [
@@ -161,7 +161,7 @@ export function ModelPane({ editor, tool, attach, lightHeld, stop }: ModelPanePr
       {plainGraphics && <p class="plain-graphics" role="status">{t('plainGraphics')}</p>}
       {build.error && (
         <p class="trouble" role="alert">
-          <strong>{t('failed')}.</strong> {told(build.error)}.{' '}
+          <strong>{t('failed')}.</strong> {errorText(build.error)}.{' '}
           {relief && t('kept')}
         </p>
       )}

@@ -8,18 +8,18 @@ import type { Editor } from '../state/editor';
 import { PeekOverlay } from './peek_overlay';
 import { useStore } from '../state/store';
 
-/** What the toolbar covers, CSS px; on narrow screens it lies below. */
+/** Width that the toolbar covers at the left, CSS px. On narrow screens it lies below the page. */
 const toolbarRoom = 90;
-/** What bars of tools cover below. */
+/** Height that the bars of tools cover at the bottom, CSS px. */
 const barRoom = 68;
-/** A pane that is lower is a picture in the other one. */
+/** A pane lower than this, CSS px, is the small picture in the other pane and has no bars. */
 const leastWithBars = 260;
-/** Two fingers that lift so soon, ms, having gone no farther, CSS px, undo. */
+/** A tap of two fingers undoes: its longest time, ms, and largest movement, CSS px. */
 const tapMs = 300;
 const tapPx = 10;
 const narrow = window.matchMedia('(max-width: 900px)');
 
-/** The canvas with its zoom, and the pointers on it. */
+/** Controls the canvas of the drawing: its zoom, its redrawing, and the pointers on it. */
 export class PaperControl {
   view: Viewport = { scale: 1, x: 0, y: 0 };
   spaceHeld = false;
@@ -28,7 +28,7 @@ export class PaperControl {
   private frame = 0;
   private shown: readonly unknown[] = [];
   private sawPen = false;
-  /** A tap of two fingers undoes: when it began, and how far they have gone, CSS px. */
+  /** The tap of two fingers in progress: its start, ms, and movement so far, CSS px. */
   private tap: { time: number; moved: number } | null = null;
 
   constructor(
@@ -77,7 +77,7 @@ export class PaperControl {
     this.redraw();
   }
 
-  /** Hands a key to the tool; whether it means something there. */
+  /** Passes a key to the tool. Returns whether the tool uses it. */
   toolKey(name: string, shift: boolean, alt: boolean): boolean {
     const taken = this.tool().key?.(name, { shift, alt }) ?? false;
     if (taken) this.redraw();
@@ -88,7 +88,7 @@ export class PaperControl {
     if (this.frame === 0) this.frame = requestAnimationFrame(() => this.render());
   }
 
-  /** Draws where something that the canvas shows has changed. */
+  /** Redraws if something that the canvas shows has changed. */
   follow(): void {
     const { history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool, tint, doubt, pending, brush } = this.editor.state;
     const shown = [history, relief, selected, hovered, culprit, depthTint, showMarks, picture, tool, tint, doubt, pending, brush];
@@ -129,7 +129,7 @@ export class PaperControl {
   }
 
   private wantsPan(event: PointerEvent): boolean {
-    // Where there is a pen, fingers move the page.
+    // Once a pen was used, fingers only move the page.
     const palm = this.sawPen && event.pointerType === 'touch';
     return event.button === 1 || this.spaceHeld || palm || this.editor.state.tool === 'hand';
   }
@@ -196,7 +196,7 @@ export class PaperControl {
     event.preventDefault();
     const unit = event.deltaMode === 1 ? 16 : 1;
     const point: Point = [event.offsetX, event.offsetY];
-    // A pinch on a touchpad comes as a wheel with Ctrl.
+    // Browsers report a pinch on a touchpad as a wheel with Ctrl.
     if (event.ctrlKey || event.metaKey)
       this.view = zoomed(this.view, Math.exp((-event.deltaY * unit) / 240), point);
     else this.view = panned(this.view, -event.deltaX * unit, -event.deltaY * unit);
@@ -204,7 +204,7 @@ export class PaperControl {
   }
 }
 
-/** What to do with an empty page. */
+/** Tells beginners what to draw on an empty page. */
 function EmptyCue({ editor }: { editor: Editor }) {
   const { history, preview } = useStore(editor);
   const { document } = history;
@@ -212,7 +212,7 @@ function EmptyCue({ editor }: { editor: Editor }) {
   return <p class="empty-cue">{t('emptyCue')}</p>;
 }
 
-/** Leans the page into depth without a keyboard. */
+/** A button for peeking, for those without a keyboard. */
 function PeekButton({ editor }: { editor: Editor }) {
   const { peeking, relief } = useStore(editor);
   if (!relief) return null;

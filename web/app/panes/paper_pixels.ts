@@ -1,9 +1,11 @@
 import type { Point } from '../../document/document';
 import { canvasOf } from '../../view/painted_drawing';
 
+/** Longest side of the copy that is read, px. */
 const longest = 700;
-/** Pixels so near to the edge of the page, of 1, are paper. */
+/** Points this near to the edge of the page count as paper, as a share of the page. */
 const edge = 0.004;
+/** Pixels with less alpha than this, of 255, are transparent. */
 const transparent = 16;
 
 interface Alpha {
@@ -13,7 +15,7 @@ interface Alpha {
   readonly data: Uint8ClampedArray;
 }
 
-/** Tells where a flat picture shows nothing: where it is transparent, and at its very edge. */
+/** Finds where a flat picture is empty: where it is transparent, and at its very edge. */
 export class PaperPixels {
   private alpha: Alpha | null = null;
 

@@ -4,7 +4,7 @@ import type { Viewport } from '../../view/viewport';
 import { type Editor } from '../state/editor';
 import { useStore } from '../state/store';
 
-/** Furthest lean, radians. */
+/** Largest tilt, radians. */
 const lean = 0.6;
 const springMs = 260;
 
@@ -14,8 +14,8 @@ interface PeekOverlayProps {
 }
 
 /**
- * While the key is held, the drawing on the page leans into depth with the pointer: the relief lies
- * over it exactly, since x and y never move. When the key is let go it springs back.
+ * Shows the relief over the drawing while the key is held and tilts it with the pointer. Seen from the
+ * front the two coincide, since building a relief moves no point in x or y. On release it springs back.
  */
 export function PeekOverlay({ editor, view }: PeekOverlayProps) {
   const canvas = useRef<HTMLCanvasElement>(null);

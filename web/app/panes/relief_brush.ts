@@ -1,12 +1,12 @@
 import type { Modifiers, Tool } from '../../tools/tool';
 import type { ModelView } from '../../view/model_view';
 
-/** Hands strokes over the relief to a tool of the page: each point is where the page is seen there. */
+/** Passes strokes on the relief to a tool of the page, at the points of the page that are seen there. */
 export class ReliefBrush {
-  /** Whether a stroke is being drawn: then the pointer is taken. */
+  /** Whether a stroke is being drawn, so that the pointer must not turn the model. */
   isDown = false;
   private begun = false;
-  /** Questions are answered in their order. */
+  /** The last event. Events are handled in order, although picking takes time. */
   private asked: Promise<void> = Promise.resolve();
 
   constructor(private readonly view: ModelView, private readonly tool: () => Tool) {}

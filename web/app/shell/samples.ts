@@ -7,7 +7,7 @@ import wolf from '../../../examples/wolf.svg?url';
 
 const thumbnails = import.meta.glob<string>('../../thumbnails/*.webp', { eager: true, query: '?url', import: 'default' });
 
-/** The project's own drawings, on the first screen. */
+/** The sample drawings on the first screen. */
 export const samples = [
   { name: 'wolf', url: wolf },
   { name: 'bunny', url: bunny },
@@ -17,7 +17,7 @@ export const samples = [
   { name: 'lamb', url: lamb },
 ] as const;
 
-/** A sample's relief, seen from the side. */
+/** Returns the address of a picture of a sample's relief. */
 export function thumbnailOf(name: string): string | undefined {
   return thumbnails[`../../thumbnails/${name}.webp`];
 }

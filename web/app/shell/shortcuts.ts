@@ -10,7 +10,7 @@ import { brushWidths } from '../bars/scribble_bar';
 import type { SegmentControl } from '../control/segment_control';
 import { tools } from '../bars/toolbar';
 
-/** Keys that are held down. */
+/** The keys that are held down now. */
 export interface HeldKeys {
   light: boolean;
 }
@@ -25,7 +25,7 @@ interface Scope {
 
 const nextShading: Record<ModelShading, ModelShading> = { drawing: 'clay', clay: 'normals', normals: 'drawing' };
 
-/** Separates a part from the one behind that it is joined to, or joins it to the foremost one behind. */
+/** Separates a part from the part behind that it is joined to or, if it has no join, joins it to the nearest part behind. */
 function toggleOwnJoin(editor: Editor, id: string): void {
   const { document } = editor;
   const index = partIndex(document, id);
@@ -43,7 +43,7 @@ function resizeBrush(editor: Editor, factor: number): void {
   editor.set({ brush: { ...brush, width } });
 }
 
-/** What keys do to the selected part. */
+/** Returns the actions of keys on the selected part. */
 function partKeys(editor: Editor, id: string): Record<string, () => void> {
   const { document } = editor;
   const at = partIndex(document, id);
@@ -97,6 +97,7 @@ function isTyping(target: EventTarget | null): boolean {
   return target instanceof HTMLInputElement || target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement;
 }
 
+/** Handles a key. Returns whether it means something here. */
 function press(event: KeyboardEvent, scope: Scope, held: HeldKeys): boolean {
   const { editor } = scope;
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
@@ -126,7 +127,7 @@ function run(action: (() => void) | undefined): boolean {
   return action !== undefined;
 }
 
-/** Listens to the keyboard. Keys that mean nothing here stay the browser's. */
+/** Listens to the keyboard. Keys without a meaning here are left to the browser. */
 export function listenToKeys(scope: Scope): HeldKeys {
   const held: HeldKeys = { light: false };
   window.addEventListener('keydown', (event) => {

@@ -11,7 +11,7 @@ interface StandingProps {
   keeper: Keeper;
 }
 
-/** Asks what to do with a document that another tab has open. */
+/** Asks whether to take over a document that another tab has open, or to open a copy. */
 function Elsewhere({ editor, files, keeper, id }: StandingProps & { id: string }) {
   const [name, setName] = useState('');
   const first = useRef<HTMLButtonElement>(null);
@@ -30,7 +30,7 @@ function Elsewhere({ editor, files, keeper, id }: StandingProps & { id: string }
   );
 }
 
-/** What stays said, and asked, until it is over. */
+/** Shows lasting problems and questions until they are resolved. */
 export function Standing({ editor, files, keeper }: StandingProps) {
   const { standing, elsewhere, open, shelf } = useStore(editor);
   if (elsewhere !== null) return <Elsewhere editor={editor} files={files} keeper={keeper} id={elsewhere} />;

@@ -13,7 +13,7 @@ interface StartScreenProps {
   choose(): void;
 }
 
-/** The address of a picture in memory, as long as it is shown. */
+/** Returns an address for a picture in memory, valid while the component is shown. */
 function usePicture(bytes: Uint8Array | undefined): string | undefined {
   const [url, setUrl] = useState<string>();
   useEffect(() => {
@@ -42,7 +42,7 @@ function Card({ entry, open, remove }: { entry: Entry; open(): void; remove(): v
   );
 }
 
-/** All documents that are kept, the last changed first. */
+/** Lists all saved documents, the last changed first. */
 function KeptDocuments({ entries, files, keeper, changed }: { entries: Entry[]; files: FileControl; keeper: Keeper; changed(): void }) {
   const [removed, setRemoved] = useState<Entry | null>(null);
   const remove = (entry: Entry): void => {
@@ -86,6 +86,7 @@ function LanguageChoice({ changed }: { changed(): void }) {
   );
 }
 
+/** The first screen: saved drawings, samples, and ways to open or start a drawing. */
 export function StartScreen({ files, keeper, choose }: StartScreenProps) {
   const [entries, setEntries] = useState<Entry[] | null>(null);
   const [, setSpoken] = useState(language);

@@ -8,16 +8,16 @@ import { useStore } from '../state/store';
 interface Step {
   readonly text: MessageKey;
   readonly beside: 'drawing' | 'relief';
-  /** What is used to do it. */
+  /** Selector of the element that the user needs for this step. */
   readonly hand: string;
-  /** Whether it has been done. */
+  /** Returns whether the user has done this step. */
   done(state: EditorState): boolean;
 }
 
-/** So far has the relief to be turned, radians. */
+/** Angle by which the user has to turn the relief, radians. */
 const turned = 0.4;
 
-/** A task, one thing to do after the other; doing it leads on. */
+/** The steps of the tour. Doing one leads to the next. */
 const steps: readonly Step[] = [
   {
     text: 'tourDraw', beside: 'drawing', hand: '.paper canvas',
@@ -31,7 +31,7 @@ const steps: readonly Step[] = [
 
 const offeredKey = 'tour';
 
-/** Whether this browser has been asked before; storage may be refused. */
+/** Returns whether the tour was offered in this browser before, or whether that cannot be stored. */
 export function isTourOffered(): boolean {
   try {
     return localStorage.getItem(offeredKey) !== null;
@@ -44,11 +44,11 @@ function noteTourOffered(): void {
   try {
     localStorage.setItem(offeredKey, 'offered');
   } catch {
-    // Then it is never offered.
+    // Without storage the tour is never offered.
   }
 }
 
-/** The offer on the first screen, once. */
+/** Offers the tour on the first screen, once. */
 export function TourOffer({ files, close }: { files: FileControl; close(): void }) {
   const answer = (go: boolean): void => {
     noteTourOffered();
@@ -64,6 +64,7 @@ export function TourOffer({ files, close }: { files: FileControl; close(): void 
   );
 }
 
+/** The card of the current step of the tour. */
 export function Tour({ editor }: { editor: Editor }) {
   const state = useStore(editor);
   const { tourStep } = state;

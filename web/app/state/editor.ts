@@ -14,21 +14,22 @@ import { Store } from './store';
 export type ToolName = 'select' | 'draw' | 'join' | 'order' | 'range' | 'hand' | 'scribble' | 'outline' | 'cue' | 'paint';
 
 interface BuildState {
-  /** What is going on. */
+  /** The build that is running. */
   phase: 'idle' | 'draft' | 'full';
   /** In [0, 1]. */
   progress: number;
   error: EngineError | null;
-  /** Of the non-linear method, step by step. */
+  /** Energy after each step of the non-linear method. */
   energies?: readonly number[];
 }
 
-/** A relief as its files hold it, and the look that its picture was made of. */
+/** A relief as exported files contain it, with the look of the document that its picture shows. */
 export interface DressedRelief extends Dressed {
   relief: BuiltRelief;
   look: readonly unknown[];
 }
 
+/** The place of a document on the shelf. `keep: 'changes'` saves it only once it is changed. */
 export interface ShelfPlace {
   readonly id: string;
   readonly keep: 'all' | 'changes';
@@ -36,74 +37,74 @@ export interface ShelfPlace {
 
 export interface EditorState {
   history: History;
-  /** Whether the workspace is shown; the first screen otherwise. */
+  /** Whether the workspace is shown instead of the first screen. */
   open: boolean;
-  /** Where on the shelf the document is kept; what is only looked at is kept when it changes. */
+  /** The place of the document on the shelf. */
   shelf: ShelfPlace | null;
   /** How many files are being read. */
   reading: number;
-  /** What stays said until it is over. */
+  /** A lasting problem: nothing can be saved, or another tab took the document over. */
   standing: 'none' | 'unkept' | 'lost';
-  /** A document that was asked for and that another tab has open. */
+  /** The id of a document that the user wants to open but another tab has open. */
   elsewhere: string | null;
   tool: ToolName;
   selected: string | null;
   hovered: string | null;
-  /** The part that is drawn in red because it cannot be built. */
+  /** The part that caused the last error, drawn in red. */
   culprit: string | null;
   shading: ModelShading;
-  /** The height that the relief shows. */
+  /** The height field that the relief shows. */
   field: Field;
   depthTint: boolean;
   showMarks: boolean;
   peeking: boolean;
   /** Whether dragging on the relief moves the light. */
   lighting: boolean;
-  /** On a narrow screen: what is large, and whether the lists lie over it. */
+  /** On narrow screens: the large pane, and whether the lists cover it. */
   pane: 'paper' | 'model';
   sideOpen: boolean;
   build: BuildState;
   relief: BuiltRelief | null;
-  /** The last full relief that was dressed, shown in its place as long as it is the present one. */
+  /** The last dressed relief. It is shown in place of `relief` if it belongs to it. */
   dressed: DressedRelief | null;
-  /** What is being drawn would make this. */
+  /** The document that the stroke in progress would make. */
   preview: Document | null;
-  /** The relief or solid that can be seen. */
+  /** The relief or solid that is on the screen now. */
   shown: BuiltRelief | Solid | null;
-  /** Whether the browser has no graphics, so that the relief is drawn more slowly and plainly. */
+  /** Whether the browser has no 3D graphics, so that the processor draws the relief. */
   plainGraphics: boolean;
-  /** Counts the documents that were opened. */
+  /** Number of documents opened so far. */
   opened: number;
-  /** The picture of the drawing, premultiplied; null on an empty page. */
+  /** The picture of the drawing, with premultiplied alpha; null on an empty page. */
   picture: ImageBitmap | null;
   saved: 'yes' | 'no' | 'failed';
-  /** One line for a person, read out by screen readers. */
+  /** One line for the user, which screen readers read out. */
   notice: string;
   panel: 'none' | 'keys' | 'export' | 'print' | 'settings' | 'versions';
   print: PrintChoice;
-  /** What is shown in place of the relief while it is prepared for printing, or why there is none. */
+  /** The solid shown in place of the relief while the print panel is open, or the reason why there is none. */
   solid: Solid | Failure | null;
   tourStep: number | null;
-  /** How far a hand has turned the relief since the document was opened, radians. */
+  /** Total angle by which the user has turned the relief since the document was opened, radians. */
   turned: number;
   brush: Brush;
-  /** What the next line of the profile tool says. */
+  /** The cue that the next line of the profile tool makes. */
   cue: Pick<Cue, 'kind' | 'value'>;
-  /** What the painting tool paints, px of the page; whether it rubs out. */
+  /** The brush of the painting tool; its width in px of the page. `rubs` removes paint. */
   paint: { color: string; width: number; rubs: boolean };
-  /** Whether the drawing tool puts eyes. */
+  /** Whether the drawing tool adds eyes. */
   eyes: boolean;
-  /** Whether strokes of the drawing tool go behind all parts. */
+  /** Whether new parts go behind all others. */
   behind: boolean;
-  /** The labels of the strokes that are shown, the gaps that are closed, and how long they took. */
+  /** The labels as a picture, the gaps that were closed, and the time that the labels took. */
   tint: { tint: ImageBitmap; gaps: readonly Gap[]; ms: number } | null;
-  /** What is uncertain and looked at. */
+  /** The uncertain guess that the user is asked about. */
   doubt: Doubt | null;
-  /** With strokes that wait to be understood. */
+  /** The document with all queued strokes, or null if there are none. */
   pending: Document | null;
 }
 
-/** Whether the present relief is dressed, with a drawing of this look. */
+/** Returns whether the current relief is dressed in this look of the document. */
 export function isDressed({ relief, dressed }: EditorState, look: readonly unknown[]): boolean {
   return dressed !== null && dressed.relief === relief && isSameLook(dressed.look, look);
 }
@@ -154,7 +155,7 @@ function firstState(): EditorState {
   };
 }
 
-/** Everything that the page shows, and the few ways to change it. */
+/** Holds the state of the page and the few ways to change it. */
 export class Editor extends Store<EditorState> {
   constructor() {
     super(firstState());
@@ -164,13 +165,13 @@ export class Editor extends Store<EditorState> {
     return this.state.history.document;
   }
 
-  /** Goes on to a document; steps of one gesture become one change. What it changes is kept as corrections. */
+  /** Makes a step. Steps with the same gesture merge into one. Changes of guesses become corrections. */
   edit(label: string, next: Document, gesture: string | null = null): void {
     this.set({ notice: '' });
     this.show(record(this.state.history, label, noteCorrections(this.document, next), gesture));
   }
 
-  /** Goes on to what follows from the last change, as a part of it. */
+  /** Extends the last step to `next`. */
   complete(next: Document): void {
     this.show(amend(this.state.history, next));
   }
@@ -183,7 +184,7 @@ export class Editor extends Store<EditorState> {
     this.show(redo(this.state.history));
   }
 
-  /** Goes over to another document. */
+  /** Switches to another document. */
   openDocument(history: History, picture: ImageBitmap | null, shelf: ShelfPlace): void {
     this.set({
       history,
@@ -208,7 +209,7 @@ export class Editor extends Store<EditorState> {
     });
   }
 
-  /** Chooses a part; a solid's plate is none. */
+  /** Selects a part. Other ids, such as that of a solid's plate, deselect. */
   select(id: string | null): void {
     const known = this.document.parts.some((part) => part.id === id);
     this.set({ selected: known ? id : null });

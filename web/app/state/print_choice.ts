@@ -2,10 +2,10 @@ import type { SolidOptions } from '../../engine/messages';
 
 export type PrintKind = 'plaque' | 'cutout' | 'medal' | 'figure';
 
-/** What is to be made of the relief to hold it; lengths in mm. */
+/** The object to print; lengths in mm. */
 export interface PrintChoice {
   readonly kind: PrintKind;
-  /** Of the whole at most; 0: as deep as it is. */
+  /** Largest depth of the whole; 0: as deep as the relief is. */
   readonly height: number;
   readonly detail: boolean;
   readonly thickness: number;
@@ -14,11 +14,12 @@ export interface PrintChoice {
 
 export const usualPrint: PrintChoice = { kind: 'plaque', height: 0, detail: false, thickness: 2, hang: 'none' };
 
-/** Of what something hangs by. */
+/** Diameter of the hole that the object hangs by, mm. */
 const hole = 4;
 
 const bases = { plaque: 'plate', cutout: 'outline', medal: 'round', figure: 'none' } as const;
 
+/** Returns the engine's options for a choice. `size` is the longest side, mm. */
 export function solidOptions({ kind, height, detail, thickness, hang }: PrintChoice, size: number): SolidOptions {
   const plate = kind !== 'figure';
   return {

@@ -1,6 +1,6 @@
 import { useEffect, useReducer } from 'preact/hooks';
 
-/** A value that tells when it changes. */
+/** Holds a state and calls its listeners after every change. */
 export class Store<State extends object> {
   private readonly listeners = new Set<() => void>();
 
@@ -23,12 +23,12 @@ export class Store<State extends object> {
   }
 }
 
-/** The store's state; the component is drawn again whenever it changes. */
+/** Returns the state of a store. The component is drawn again whenever it changes. */
 export function useStore<State extends object>(store: Store<State>): State {
   const [, again] = useReducer((count: number) => count + 1, 0);
   const { state } = store;
   useEffect(() => {
-    // It may have changed since it was drawn, before anything listened.
+    // The state may have changed between drawing and subscribing.
     if (store.state !== state) again(undefined as never);
     return store.subscribe(() => again(undefined as never));
   }, [store]);

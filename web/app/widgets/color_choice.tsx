@@ -5,11 +5,11 @@ import { t } from '../../words/catalogue';
 interface ColorChoiceProps {
   label: string;
   color: string | null;
-  /** `drag`: the first of several colours on the way to one. */
+  /** `drag` is true while the user still moves through the colours of the picker. */
   choose(color: string, drag: boolean): void;
 }
 
-/** A pleasant palette, and any other colour. */
+/** Offers a palette of matching colours and a picker for any other. */
 export function ColorChoice({ label, color, choose }: ColorChoiceProps) {
   return (
     <div class="swatches" role="group" aria-label={label}>

@@ -5,11 +5,11 @@ interface NameFieldProps {
   name: string;
   most: number;
   kind?: string;
-  /** Another name, or one that is not taken: then the old one comes back. */
+  /** May reject the name by not changing `name`: then the field shows the old name again. */
   rename(name: string): void;
 }
 
-/** A name that can be changed. What is being typed stays, whatever else on the page changes meanwhile. */
+/** A field for a name. It keeps what the user is typing when the rest of the page is drawn again. */
 export function NameField({ label, name, most, kind = '', rename }: NameFieldProps) {
   const [typed, setTyped] = useState<string | null>(null);
   const settle = (wanted: string): void => {

@@ -4,10 +4,10 @@ import { t } from '../../words/catalogue';
 import type { Editor } from '../state/editor';
 import { useStore } from '../state/store';
 
-/** The longest side of what is exported, mm. */
+/** A field for the longest side of exported models, mm. */
 export function SizeField({ editor }: { editor: Editor }) {
   const { document } = useStore(editor).history;
-  // What is being typed stays, whatever else on the page changes meanwhile.
+  // Keeps what the user is typing when the page is drawn again.
   const [typed, setTyped] = useState<string | null>(null);
   const setSize = (value: number): void => {
     setTyped(null);

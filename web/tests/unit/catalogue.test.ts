@@ -32,7 +32,7 @@ it('takes what was chosen, else the first language of the browser that it speaks
 });
 
 it('fills in values, in the language that is spoken', async () => {
-  expect(t('goOn', { name: 'wolf' })).toContain('Go on with “wolf”');
+  expect(t('goOn', { name: 'wolf' })).toContain('Continue with “wolf”');
   await speak('es');
   expect(language).toBe('es');
   expect(t('goOn', { name: 'wolf' })).toBe('Seguir con «wolf»');
