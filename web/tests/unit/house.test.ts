@@ -5,7 +5,7 @@ import { expect, it } from 'vitest';
 
 const web = fileURLToPath(new URL('../..', import.meta.url));
 
-/** The rooms of the page in the order of their imports, each with the rooms that it may import. */
+/** The rooms of the page in the order of their imports, each with exactly the rooms that it imports. */
 const allowed: Record<string, string[]> = {
   words: [],
   document: [],
@@ -26,10 +26,10 @@ const allowed: Record<string, string[]> = {
   app: ['words', 'document', 'engine', 'app/state', 'app/files', 'app/control', 'app/panes', 'app/shell'],
 };
 
-/** Folders with sources that are no room of the page. */
+/** Folders that are not rooms of the page. */
 const outside = ['.', 'tests', 'node_modules', 'public', 'thumbnails'];
 
-/** A source by its path below web, with the files that it imports, workers and other languages included. */
+/** A source by its path below web, with the files that it imports, including workers and modules loaded later. */
 interface Source {
   readonly path: string;
   readonly text: string;
@@ -54,14 +54,14 @@ it('has every source in a room', () => {
   for (const { path } of sources) expect(Object.keys(allowed), path).toContain(dirname(path));
 });
 
-it('has its rooms in an order: none imports a room that comes after it', () => {
+it('has rooms in an order, in which none imports a later one', () => {
   const rooms = Object.keys(allowed);
   rooms.forEach((room, at) => {
     for (const other of allowed[room] ?? []) expect(rooms.slice(0, at), `${room} imports ${other}`).toContain(other);
   });
 });
 
-it.each(Object.keys(allowed))('%s imports only what it may, and nothing less', (room) => {
+it.each(Object.keys(allowed))('%s imports exactly the rooms that are listed', (room) => {
   const used = new Set<string>();
   for (const { path, imports } of sourcesOf(room))
     for (const target of imports) {
@@ -92,6 +92,6 @@ it.each(Object.keys(allowed))('%s has small files and no untyped values', (room)
   }
 });
 
-it.each(Object.keys(allowed))('%s is a folder that one can take in', (room) => {
+it.each(Object.keys(allowed))('%s has at most 30 files', (room) => {
   expect(sourcesOf(room).length).toBeLessThanOrEqual(30);
 });
