@@ -13,7 +13,7 @@ import type { PaperControl } from './panes/paper_pane';
 import { PrintControl } from './control/print_control';
 import { SegmentControl } from './control/segment_control';
 import { type HeldKeys, listenToKeys } from './shell/shortcuts';
-import { Standing } from './shell/standing';
+import { Alerts } from './shell/alerts';
 import { StartScreen } from './shell/start_screen';
 import { useStore } from './state/store';
 import './styles.css';
@@ -42,7 +42,7 @@ function Page({ editor, files, segments, held, keeper, attachPaper, choose, stop
           <p class="start-notice" role="status">{notice}</p>
         </>
       )}
-      <Standing editor={editor} files={files} keeper={keeper} />
+      <Alerts editor={editor} files={files} keeper={keeper} />
     </>
   );
 }

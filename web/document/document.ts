@@ -31,7 +31,10 @@ export interface Settings {
   readonly lambdaBnd: number;
   readonly lambdaShift: number;
   readonly sizeMm: number;
-  /** Ink around parts that no drawing shows: its colour, #rrggbb, and its width as a multiple of the default; 0: none. */
+  /**
+   * Ink around parts that no drawing shows: its colour, #rrggbb, and its width as a multiple of the default;
+   * 0: none.
+   */
   readonly inkColor: string;
   readonly inkWidth: number;
 }

@@ -145,7 +145,10 @@ function turnedJoin(document: Document, join: Join): Join | null {
   return line && { upper: upper.id, lower: lower.id, line };
 }
 
-/** Moves a part to another place in the order, 0 at the back. Joins and relations are turned to match; ranges that no longer fit are removed. */
+/**
+ * Moves a part to another place in the order, 0 at the back. Joins and relations are turned to match; ranges
+ * that no longer fit are removed.
+ */
 export function movePart(document: Document, id: string, to: number): Document {
   const from = partIndex(document, id);
   const target = Math.max(0, Math.min(document.parts.length - 1, to));

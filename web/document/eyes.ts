@@ -21,7 +21,10 @@ function addEye(document: Document, [x, y]: Point, radius: number, aside: number
   return addDetail(ball, 'pupil', oval([x + 0.5 * aside * room, y + lookDown * radius], [pupil, height * pupil], corners), detailInk);
 }
 
-/** Adds an eye for a tap, or a pair for a stroke, one eye at each end. The eyes of a pair look slightly at each other. */
+/**
+ * Adds an eye for a tap, or a pair for a stroke, one eye at each end. The eyes of a pair look slightly at each
+ * other.
+ */
 export function stampEyes(document: Document, reach: number, points: readonly Point[]): Drawn {
   const [first, last] = [points[0] as Point, points.at(-1) as Point];
   const ground = partAt(document, first) ?? partAt(document, last);

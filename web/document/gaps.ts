@@ -3,7 +3,10 @@ import { area, distance, distanceTo, lengthOf, mix, rounded } from './outline';
 import { addStroke, scribblesOf, segmentationOf, strokesNear, withScribbles } from './scribbling';
 import type { Stroke } from './segmentation';
 
-/** A closed gap in the lines of a flat drawing. `left` and `right` are the labels on its sides as seen along it; 0 is background. */
+/**
+ * A closed gap in the lines of a flat drawing. `left` and `right` are the labels on its sides as seen along
+ * it; 0 is background.
+ */
 export interface Gap {
   readonly points: Ring;
   readonly left: number;

@@ -63,7 +63,10 @@ export interface Position {
   readonly change: Change | null;
 }
 
-/** Returns up to `most` states before the current one, the current one at index `at`, and up to `most` undone states. */
+/**
+ * Returns up to `most` states before the current one, the current one at index `at`, and up to `most` undone
+ * states.
+ */
 export function positionsOf(history: History, most: number): { positions: Position[]; at: number } {
   const { done, undone, document } = history;
   const first = Math.max(0, done.length - most);
@@ -78,7 +81,10 @@ export function positionsOf(history: History, most: number): { positions: Positi
   return { positions, at };
 }
 
-/** Returns the history that leads through some states, with that at index `at` as the current one. `labels[i]` names the step to state i. */
+/**
+ * Returns the history that leads through some states, with that at index `at` as the current one. `labels[i]`
+ * names the step to state i.
+ */
 export function historyThrough(states: readonly Document[], labels: readonly string[], at: number): History {
   const step = (to: number): Change | null =>
     difference(labels[to] ?? '', states[to - 1] as Document, states[to] as Document);

@@ -206,7 +206,10 @@ export function overlap(a: Part, b: Part): boolean {
   return reaches(a, b) || reaches(b, a) || longestRunInside(a, b) !== null;
 }
 
-/** Simplifies a polyline by Douglas and Peucker's method: no dropped point is farther than `tolerance` from the result. */
+/**
+ * Simplifies a polyline by Douglas and Peucker's method: no dropped point is farther than `tolerance` from the
+ * result.
+ */
 export function simplify(line: Ring, tolerance: number): Point[] {
   if (line.length < 3) return [...line];
   const keep = new Set([0, line.length - 1]);

@@ -5,7 +5,10 @@ import { contains, nearestPlace } from './outline';
 /** The relations in the order in which taps cycle through them; null is the default. */
 const kinds: readonly (RelationKind | null)[] = [null, 'free', 'equal', 'joined', 'above'];
 
-/** Returns the pair whose upper outline passes within `reach` px of a point inside the lower part, or null. Skips joined pairs. */
+/**
+ * Returns the pair whose upper outline passes within `reach` px of a point inside the lower part, or null.
+ * Skips joined pairs.
+ */
 export function pairAt({ parts, joins }: Document, point: Point, reach: number): Pair | null {
   const pairs = parts.flatMap((upper, index) => {
     const place = nearestPlace(upper.outline, point);

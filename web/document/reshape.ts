@@ -14,7 +14,10 @@ const tolerance = 0.05;
 /** Smallest area of a part, px²; less could hardly be seen. */
 const leastArea = 16;
 
-/** Returns the weight of a push at an arc length from the hand: cos²(π offset / (2 radius)), from 1 at the hand to 0 at `radius`. */
+/**
+ * Returns the weight of a push at an arc length from the hand: cos²(π offset / (2 radius)), from 1 at the hand
+ * to 0 at `radius`.
+ */
 function share(offset: number, radius: number): number {
   return Math.abs(offset) >= radius ? 0 : Math.cos((Math.PI * offset) / (2 * radius)) ** 2;
 }
@@ -23,7 +26,10 @@ function radiusOn(ring: Ring, radius: number): number {
   return Math.min(radius, 0.4 * perimeter(ring));
 }
 
-/** Moves the stretch around arc length `at` by `by`. The first `stretch` points of the result are those of the stretch. */
+/**
+ * Moves the stretch around arc length `at` by `by`. The first `stretch` points of the result are those of the
+ * stretch.
+ */
 function pushedRing(ring: Ring, at: number, radius: number, by: Point): { ring: Point[]; stretch: number } {
   const from = at - radius;
   const to = at + radius;
@@ -42,7 +48,10 @@ function cross(a: Point, b: Point, c: Point): number {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/** Returns whether two segments cross. A point on a line counts as right of it, so a line through a corner crosses only once. */
+/**
+ * Returns whether two segments cross. A point on a line counts as right of it, so a line through a corner
+ * crosses only once.
+ */
 function segmentsCross(a: Point, b: Point, c: Point, d: Point): boolean {
   return cross(a, b, c) > 0 !== cross(a, b, d) > 0 && cross(c, d, a) > 0 !== cross(c, d, b) > 0;
 }

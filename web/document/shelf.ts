@@ -50,7 +50,10 @@ interface Schema extends DBSchema {
 
 /** Number of steps that can be undone after a document is opened again. */
 const keptSteps = 100;
-/** Beyond `mostVersions` every other version is deleted, except the newest `wholeVersions` and those that undo needs. */
+/**
+ * Beyond `mostVersions` every other version is deleted, except the newest `wholeVersions` and those that undo
+ * needs.
+ */
 const mostVersions = 400;
 const wholeVersions = 200;
 /** Thrown away documents can be brought back for this time, ms. */
@@ -119,7 +122,10 @@ export class Shelf {
     await this.thin(id);
   }
 
-  /** Loads a document with its undo history. If its newest state is damaged, loads the newest intact one; returns null if there is none. */
+  /**
+   * Loads a document with its undo history. If its newest state is damaged, loads the newest intact one;
+   * returns null if there is none.
+   */
   async load(id: string): Promise<History | null> {
     const entry = await this.entry(id);
     if (!entry) return null;

@@ -55,7 +55,10 @@ export class Unpacker {
 
   constructor(private readonly pictures: ReadonlyMap<string, Uint8Array>) {}
 
-  /** Reads a state. Fields that an older editor did not know get the values of an empty document. Throws if a picture is missing. */
+  /**
+   * Reads a state. Fields that an older editor did not know get the values of an empty document. Throws if a
+   * picture is missing.
+   */
   unpack(fields: StoredFields): Document {
     const { before } = this;
     const long = (_key: string, value: unknown): unknown => {

@@ -118,7 +118,10 @@ function snapped(document: Document, end: Point, reach: number): Point[] {
   return [mix(end, place.point, 1 + (0.7 * reach) / place.distance)];
 }
 
-/** Returns whether a ring crosses itself: then the area that it encloses differs from its signed area, in which loops count by their turns. */
+/**
+ * Returns whether a ring crosses itself: then the area that it encloses differs from its signed area, in which
+ * loops count by their turns.
+ */
 function crossesItself(ring: Ring): boolean {
   const pieces = unionOf([ring]);
   const own = Math.abs(area(ring));

@@ -6,7 +6,10 @@ import type {
 } from './messages';
 import type { BuildRequest, SurfaceRequest } from './relief_service';
 
-/** The error of calls whose worker ended, because it was cancelled or because it crashed. A new worker has taken its place. */
+/**
+ * The error of calls whose worker ended, because it was cancelled or because it crashed. A new worker has
+ * taken its place.
+ */
 export class EngineStopped extends Error {
   constructor(readonly crashed: boolean, detail = '') {
     super(crashed ? `the engine stopped: ${detail}` : 'cancelled');

@@ -208,7 +208,10 @@ export interface Understanding {
   labels: Uint8Array<ArrayBuffer>;
   warnings: string[];
 }
-/** Receives the current stage, the share of it that is done, in [0, 1], and the energy of the non-linear method once it is known. */
+/**
+ * Receives the current stage, the share of it that is done, in [0, 1], and the energy of the non-linear method
+ * once it is known.
+ */
 export type Progress = (stage: string, done: number, energy?: number) => void;
 
 /** Formats an error as its cause and message. */

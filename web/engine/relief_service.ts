@@ -108,7 +108,10 @@ export class ReliefService {
     return this.reconstruction.surface(visibility, tolerance, field);
   }
 
-  /** Returns the last build as exported files contain it: ink stays thin at rims, and the texture continues around them. */
+  /**
+   * Returns the last build as exported files contain it: ink stays thin at rims, and the texture continues
+   * around them.
+   */
   dress(tolerance: number, texture: Texture) {
     this.reconstruction.setTexture(texture.rgba, texture.width, texture.height);
     return this.reconstruction.dressed(tolerance);

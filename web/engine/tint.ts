@@ -4,7 +4,10 @@ import { labelColor } from './label_colors';
 const area = 140;
 const border = 235;
 
-/** Paints labels as a picture to lay over the drawing: each in its colour with a stronger border, background transparent. */
+/**
+ * Paints labels as a picture to lay over the drawing: each in its colour with a stronger border, background
+ * transparent.
+ */
 export function tintOf(labels: Uint16Array, width: number, height: number): ImageData {
   const pixels = new Uint32Array(width * height);
   const colors = new Map<number, number>();

@@ -10,7 +10,10 @@ import { traceLine } from '../view/trace';
 import { StrokeMover } from './stroke_mover';
 import { type Modifiers, penMoved, type Tool, type ToolHost } from './tool';
 
-/** The kind of brush: `auto` chooses the part of a stroke itself, `part` draws for a given part, `outside` and `hole` mark background, the others remove and move strokes. */
+/**
+ * The kind of brush: `auto` chooses the part of a stroke itself, `part` draws for a given part, `outside` and
+ * `hole` mark background, the others remove and move strokes.
+ */
 export type BrushKind = 'auto' | 'part' | 'outside' | 'hole' | 'erase' | 'move';
 
 export interface Brush {
@@ -193,7 +196,10 @@ export class ScribbleTool implements Tool {
     this.scribbles.show(this.change(this.counted(this.points))(this.scribbles.pending));
   }
 
-  /** Returns the change that the stroke makes to a document. It applies to the document at the time when the engine handles it. */
+  /**
+   * Returns the change that the stroke makes to a document. It applies to the document at the time when the
+   * engine handles it.
+   */
   private change(points: readonly Point[]): (document: Document) => Document {
     const { kind, part } = this;
     const { reach } = this.host;

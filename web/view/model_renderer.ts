@@ -94,7 +94,10 @@ export class ModelRenderer {
     this.redraw();
   }
 
-  /** Sets the texture: a picture, or the parts painted flat, or nothing without a document. `side` limits its size, px. */
+  /**
+   * Sets the texture: a picture, or the parts painted flat, or nothing without a document. `side` limits its
+   * size, px.
+   */
   paint(document: Painted | null, picture: ImageBitmap | null, side?: number): void {
     const { drawing } = this.materials;
     drawing.map?.dispose();

@@ -81,7 +81,10 @@ export class ModelView {
     this.tell((renderer) => renderer.show(surface, width, height));
   }
 
-  /** Sets the texture: a picture, or the parts painted flat, or nothing without a document. `side` limits its size, px. */
+  /**
+   * Sets the texture: a picture, or the parts painted flat, or nothing without a document. `side` limits its
+   * size, px.
+   */
   paint(document: Painted | null, picture: ImageBitmap | null, side?: number): void {
     this.toPaint = { document, picture, side };
     if (!this.isPainting) this.painting = this.paintNewest();

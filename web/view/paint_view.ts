@@ -31,7 +31,10 @@ export function drawPaint(context: Context, strokes: readonly PaintStroke[]): vo
   else drawStrokes(context, strokes);
 }
 
-/** Draws parts that were drawn by hand over the drawing, which does not show them. Parts of the drawing in front cover them. */
+/**
+ * Draws parts that were drawn by hand over the drawing, which does not show them. Parts of the drawing in
+ * front cover them.
+ */
 export function drawAdded(context: Context, { parts, settings }: Pick<Document, 'parts' | 'settings'>, pen: number): void {
   if (!parts.some(({ color }) => color)) return;
   onLayer(context, (layer) => {

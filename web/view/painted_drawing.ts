@@ -47,7 +47,10 @@ export function painted(document: Painted, picture: ImageBitmap | null, side = I
   return context;
 }
 
-/** Paints the drawing as a texture for the view. Transparent pixels take the colour beside them, so that no rim shows the background. */
+/**
+ * Paints the drawing as a texture for the view. Transparent pixels take the colour beside them, so that no rim
+ * shows the background.
+ */
 export function bledTexture(document: Painted, picture: ImageBitmap | null, side?: number): OffscreenCanvas {
   const sharp = painted(document, picture, side).canvas;
   const scale = Math.min(1, vectorSide / Math.max(sharp.width, sharp.height));

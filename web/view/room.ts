@@ -110,7 +110,10 @@ interface RoomContent {
   readonly sizeMm: number;
 }
 
-/** Shows a model at its real size in front of the viewer. A tap or a trigger moves it. Resolves when the session ends. */
+/**
+ * Shows a model at its real size in front of the viewer. A tap or a trigger moves it. Resolves when the
+ * session ends.
+ */
 export async function showInRoom(session: XRSession, { surface, drawing, sizeMm }: RoomContent): Promise<void> {
   const canvas = document.createElement('canvas');
   const gl = canvas.getContext('webgl2', { xrCompatible: true });

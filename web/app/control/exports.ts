@@ -64,7 +64,10 @@ export class Exports {
     });
   };
 
-  /** Returns the drawing and its normal map at the same size, at most `side` px. Returns null after a notice if there is no relief. */
+  /**
+   * Returns the drawing and its normal map at the same size, at most `side` px. Returns null after a notice if
+   * there is no relief.
+   */
   mapPixels = async (side: number): Promise<{ drawing: ImageData; normals: ImageData } | null> => {
     let found: { drawing: ImageData; normals: ImageData } | null = null;
     await this.exporting(async () => {

@@ -180,7 +180,10 @@ export class FileControl {
     this.editor.set({ notice: [...words, ...imported.warnings].join(' ') });
   }
 
-  /** Adds the paintable version of an SVG drawing, which is never saved: saved files hold the artist's file as it came. */
+  /**
+   * Adds the paintable version of an SVG drawing, which is never saved: saved files hold the artist's file as
+   * it came.
+   */
   private async withPaintable(next: Document): Promise<Document> {
     const { drawing } = next;
     if (drawing?.kind !== 'svg' || drawing.paintable !== undefined) return next;

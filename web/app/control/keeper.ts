@@ -40,7 +40,10 @@ export class Keeper {
     return (await this.shelf?.list()) ?? [];
   }
 
-  /** Opens a document with its undo history. Returns 'elsewhere' if another tab has it open, unless `over` takes it over. */
+  /**
+   * Opens a document with its undo history. Returns 'elsewhere' if another tab has it open, unless `over`
+   * takes it over.
+   */
   async open(id: string, over: boolean): Promise<History | 'elsewhere'> {
     await this.flush();
     if (!(await this.lock.take(id, over))) return 'elsewhere';
@@ -101,14 +104,14 @@ export class Keeper {
   private begin(id: string): void {
     this.id = id;
     this.lost = null;
-    this.editor.set({ saved: 'yes', standing: this.editor.state.standing === 'lost' ? 'none' : this.editor.state.standing });
+    this.editor.set({ saved: 'yes', alert: this.editor.state.alert === 'takenOver' ? 'none' : this.editor.state.alert });
     void this.lock.take(id, false);
   }
 
   private lose(id: string): void {
     if (id !== this.id) return;
     this.lost = id;
-    this.editor.set({ standing: 'lost' });
+    this.editor.set({ alert: 'takenOver' });
     if (this.waiting.has(id)) this.goOnAsCopy();
   }
 
@@ -119,7 +122,7 @@ export class Keeper {
     this.lost = null;
     this.id = crypto.randomUUID();
     void this.lock.take(this.id, false);
-    this.editor.set({ shelf: { id: this.id, keep: 'all' }, standing: 'none', notice: t('wentOnAsCopy') });
+    this.editor.set({ shelf: { id: this.id, keep: 'all' }, alert: 'none', notice: t('wentOnAsCopy') });
     this.editor.complete({ ...document, name: t('copyOf', { name: document.name }) });
     // Saves the copy even if there was no step to complete.
     this.seen = null;
@@ -154,10 +157,10 @@ export class Keeper {
   }
 
   private report(kept: boolean): void {
-    const { standing } = this.editor.state;
-    if (!kept) this.editor.set({ saved: 'failed', standing: 'unkept' });
+    const { alert } = this.editor.state;
+    if (!kept) this.editor.set({ saved: 'failed', alert: 'unsaved' });
     else if (this.waiting.size === 0) {
-      this.editor.set({ saved: 'yes', standing: standing === 'unkept' ? 'none' : standing });
+      this.editor.set({ saved: 'yes', alert: alert === 'unsaved' ? 'none' : alert });
       clearTimeout(this.thumbnailTimer);
       this.thumbnailTimer = setTimeout(() => void this.keepThumbnail(), thumbnailRest);
     }

@@ -3,7 +3,10 @@ import { t } from '../../words/catalogue';
 /** Width and height of the plot, CSS px. */
 const size = [120, 30] as const;
 
-/** Returns the points of a curve through the energies of all steps. Its scale is logarithmic and starts at the lowest energy. */
+/**
+ * Returns the points of a curve through the energies of all steps. Its scale is logarithmic and starts at the
+ * lowest energy.
+ */
 function pathOf(energies: readonly number[]): string {
   const least = Math.min(...energies);
   const heights = energies.map((energy) => Math.log10(energy / least));

@@ -12,7 +12,10 @@ export function nextField(field: Field): Field {
   return fields[(at + 1) % fields.length]?.[0] ?? 'relief';
 }
 
-/** Chooses whether the relief shows h, f or g. It appears with the non-linear method only, which finds f and g apart. */
+/**
+ * Chooses whether the relief shows h, f or g. It appears with the non-linear method only, which finds f and g
+ * apart.
+ */
 export function FieldSwitch({ editor }: { editor: Editor }) {
   const { field, history } = useStore(editor);
   if (history.document.settings.method !== 'nonlinear' && field === 'relief') return null;

@@ -41,7 +41,10 @@ function hovering(view: ModelView, editor: Editor): (spot: readonly [number, num
   };
 }
 
-/** Handles the pointer: a click that does not turn the model selects a part, dragging with L held moves the light, a brush paints. */
+/**
+ * Handles the pointer: a click that does not turn the model selects a part, dragging with L held moves the
+ * light, a brush paints.
+ */
 function listen(canvas: HTMLCanvasElement, view: ModelView, editor: Editor, { tool, lightHeld }: Pick<ModelPaneProps, 'tool' | 'lightHeld'>): void {
   let down: [number, number] | null = null;
   const brush = new ReliefBrush(view, tool);

@@ -25,7 +25,10 @@ interface Scope {
 
 const nextShading: Record<ModelShading, ModelShading> = { drawing: 'clay', clay: 'normals', normals: 'drawing' };
 
-/** Separates a part from the part behind that it is joined to or, if it has no join, joins it to the nearest part behind. */
+/**
+ * Separates a part from the part behind that it is joined to or, if it has no join, joins it to the nearest
+ * part behind.
+ */
 function toggleOwnJoin(editor: Editor, id: string): void {
   const { document } = editor;
   const index = partIndex(document, id);

@@ -44,7 +44,7 @@ export interface EditorState {
   /** How many files are being read. */
   reading: number;
   /** A lasting problem: nothing can be saved, or another tab took the document over. */
-  standing: 'none' | 'unkept' | 'lost';
+  alert: 'none' | 'unsaved' | 'takenOver';
   /** The id of a document that the user wants to open but another tab has open. */
   elsewhere: string | null;
   tool: ToolName;
@@ -115,7 +115,7 @@ function firstState(): EditorState {
     open: false,
     shelf: null,
     reading: 0,
-    standing: 'none',
+    alert: 'none',
     elsewhere: null,
     tool: 'select',
     selected: null,

@@ -123,7 +123,7 @@ it('lets one tab at a time change a document; the other may take it over or copy
   await second.waitForSelector('[role=alertdialog]');
   await second.click('#take-over');
   await second.waitForSelector('.parts li');
-  await page.waitForSelector('[data-standing=lost]');
+  await page.waitForSelector('[data-alert=takenOver]');
   await picture(page, 'taken-over');
   await second.keyboard.press('2');
   await drawParts(second, 3, 5);
@@ -155,7 +155,7 @@ it('warns while the storage is full, offers to save, and loses nothing', async (
   });
   const drawn = 3;
   await drawParts(page, 1, drawn);
-  await page.waitForSelector('[data-standing=unkept]');
+  await page.waitForSelector('[data-alert=unsaved]');
   await picture(page, 'storage-full');
   const [file] = await Promise.all([page.waitForEvent('download'), page.click('#save-now')]);
   expect(file.suggestedFilename()).toBe('full.relievo');
@@ -166,7 +166,7 @@ it('warns while the storage is full, offers to save, and loses nothing', async (
   await dialog.dismiss();
   await leaving;
   await page.evaluate(() => window.dispatchEvent(new Event('room-again')));
-  await page.waitForFunction(() => !document.querySelector('[data-standing]'), undefined, { timeout: 15_000 });
+  await page.waitForFunction(() => !document.querySelector('[data-alert]'), undefined, { timeout: 15_000 });
   await kept(page);
   expect((await shelfOf(page)).find(({ name }) => name === 'full')?.parts.at(-1)).toBe(drawn);
   expect(stage.troubles).toEqual([]);

@@ -23,7 +23,10 @@ async function collect(session: CDPSession, act: () => Promise<void>): Promise<T
   return events;
 }
 
-/** Returns the processor time of every task, ms, by named thread. Unlike wall time it does not depend on the load of the machine. */
+/**
+ * Returns the processor time of every task, ms, by named thread. Unlike wall time it does not depend on the
+ * load of the machine.
+ */
 async function tasksByThread(page: Page, name: string, act: () => Promise<void>): Promise<number[][]> {
   const session = await page.context().newCDPSession(page);
   const events = await collect(session, act);

@@ -5,14 +5,14 @@ import type { FileControl } from '../control/file_control';
 import type { Keeper } from '../control/keeper';
 import { useStore } from '../state/store';
 
-interface StandingProps {
+interface AlertsProps {
   editor: Editor;
   files: FileControl;
   keeper: Keeper;
 }
 
 /** Asks whether to take over a document that another tab has open, or to open a copy. */
-function Elsewhere({ editor, files, keeper, id }: StandingProps & { id: string }) {
+function Elsewhere({ editor, files, keeper, id }: AlertsProps & { id: string }) {
   const [name, setName] = useState('');
   const first = useRef<HTMLButtonElement>(null);
   useEffect(() => {
@@ -21,7 +21,7 @@ function Elsewhere({ editor, files, keeper, id }: StandingProps & { id: string }
   }, [id]);
   const leave = (): void => editor.set({ elsewhere: null });
   return (
-    <div class="standing question" role="alertdialog" aria-label={t('openElsewhere', { name })} onKeyDown={(event) => event.key === 'Escape' && leave()}>
+    <div class="alert question" role="alertdialog" aria-label={t('openElsewhere', { name })} onKeyDown={(event) => event.key === 'Escape' && leave()}>
       <p>{t('openElsewhere', { name })}</p>
       <button type="button" class="primary" id="take-over" ref={first} onClick={() => void files.openKept(id, true)}>{t('takeOver')}</button>
       <button type="button" id="open-copy" onClick={() => void files.openCopy(id)}>{t('openCopy')}</button>
@@ -31,15 +31,15 @@ function Elsewhere({ editor, files, keeper, id }: StandingProps & { id: string }
 }
 
 /** Shows lasting problems and questions until they are resolved. */
-export function Standing({ editor, files, keeper }: StandingProps) {
-  const { standing, elsewhere, open, shelf } = useStore(editor);
+export function Alerts({ editor, files, keeper }: AlertsProps) {
+  const { alert, elsewhere, open, shelf } = useStore(editor);
   if (elsewhere !== null) return <Elsewhere editor={editor} files={files} keeper={keeper} id={elsewhere} />;
-  if (standing === 'none' || (standing === 'lost' && !open)) return null;
+  if (alert === 'none' || (alert === 'takenOver' && !open)) return null;
   return (
-    <div class="standing" role="alert" data-standing={standing}>
-      <p>{t(standing === 'unkept' ? 'saveFailed' : 'takenOver')}</p>
-      {standing === 'unkept' && <button type="button" class="primary" id="save-now" onClick={() => void files.saveProject()}>{t('saveNow')}</button>}
-      {standing === 'lost' && <button type="button" id="take-back" onClick={() => shelf && void files.openKept(shelf.id, true)}>{t('takeBack')}</button>}
+    <div class="alert" role="alert" data-alert={alert}>
+      <p>{t(alert === 'unsaved' ? 'saveFailed' : 'takenOver')}</p>
+      {alert === 'unsaved' && <button type="button" class="primary" id="save-now" onClick={() => void files.saveProject()}>{t('saveNow')}</button>}
+      {alert === 'takenOver' && <button type="button" id="take-back" onClick={() => shelf && void files.openKept(shelf.id, true)}>{t('takeBack')}</button>}
     </div>
   );
 }
