@@ -74,7 +74,7 @@ it('shows the findings of the print check with the size that fixes them', async 
     await size.blur();
     now = await facts(page, now.text);
     if ((await neck.count()) === 0) break;
-    const enough = Number(/make it (\d+) mm/.exec((await neck.textContent()) ?? '')?.[1]);
+    const enough = Number(/make the model (\d+) mm/.exec((await neck.textContent()) ?? '')?.[1]);
     expect(enough).toBeGreaterThan(millimetres);
     millimetres = enough;
   }
