@@ -51,7 +51,7 @@ export const french: Words = {
   touches: 'Là où elle touche les autres',
   relationDefault: 'comme d’habitude',
   relationEqual: 'collée',
-  relationJoined: 'rattachée par derrière',
+  relationJoined: 'rattachée derrière',
   relationAbove: 'devant',
   relationFree: 'libre',
   joinPair: 'Joindre',

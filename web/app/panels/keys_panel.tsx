@@ -1,7 +1,7 @@
 import { type MessageKey, t } from '../../words/catalogue';
 
 const rows: readonly [string, MessageKey][] = [
-  ['1 … 9', 'keyTools'],
+  ['1 … 9, B', 'keyTools'],
   [', . arrows', 'keyGrip'],
   ['Page Up, Page Down, Home, End', 'keyOrder'],
   ['J', 'keyJoin'],
