@@ -1,8 +1,8 @@
 import { createHash } from 'node:crypto';
 import type { Plugin } from 'vite';
 
-/** Scripts and data from this folder only; the core needs leave to compile WebAssembly. */
-export const policy = [
+/** Allows scripts and data from the page's own folder only, and compiling WebAssembly for the core. */
+const policy = [
   "default-src 'none'",
   "script-src 'self' 'wasm-unsafe-eval'",
   "style-src 'self'",
@@ -14,6 +14,7 @@ export const policy = [
   "form-action 'none'",
 ].join('; ');
 
+/** Adds the content security policy to the page. */
 export function contentPolicy(): Plugin {
   return {
     name: 'content-policy',
@@ -28,7 +29,7 @@ export function contentPolicy(): Plugin {
   };
 }
 
-/** Modules with the words of languages, of which a visit needs one. */
+/** Modules with the words of a language. A visit needs at most one of them. */
 const languages: Readonly<Record<string, string>> = { de: 'german', fr: 'french', es: 'spanish', ja: 'japanese' };
 
 const worker = (version: string, files: string[], words: Record<string, string>): string => `
@@ -37,7 +38,7 @@ const words = ${JSON.stringify(words)};
 const spoken = navigator.languages.map((tag) => tag.slice(0, 2).toLowerCase()).find((tag) => tag === 'en' || tag in words);
 const files = ${JSON.stringify(files)}.concat(words[spoken] ?? []);
 self.addEventListener('install', (event) => {
-  // What has its content in its name was loaded a moment ago, and is not loaded again.
+  // Assets have a hash of their content in their names, so a cached copy is always current.
   const request = (file) => new Request(file, { cache: file.startsWith('./assets/') ? 'force-cache' : 'no-cache' });
   event.waitUntil(caches.open(cacheName).then((cache) => cache.addAll(files.map(request))));
 });
@@ -54,15 +55,15 @@ self.addEventListener('fetch', (event) => {
       .then((cache) => cache.match(event.request, { ignoreSearch: true, ignoreVary: true }))
       .then((found) => found ?? fetch(event.request)),
   );
-  // Another language was chosen: from now on it is there without a network too.
+  // A newly chosen language is kept for use without a network too.
   const file = Object.values(words).find((name) => event.request.url.endsWith(name.slice(1)));
   if (file) event.waitUntil(caches.open(cacheName).then((cache) => cache.add(file)));
 });
 `;
 
 /**
- * A service worker that keeps one whole version of the page for use without a network. A new
- * version waits until every tab of the old one is closed: files of two are never mixed.
+ * Adds a service worker that keeps one complete version of the page for use without a network. A new
+ * version waits until all tabs with the old one are closed, so files of two versions never mix.
  */
 export function offlineCopy(): Plugin {
   return {

@@ -4,13 +4,13 @@ import { contentPolicy, offlineCopy } from './build_plugins.ts';
 
 const at = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
-/** The core as the wasm preset builds it. */
+/** The core, built by the wasm preset. */
 const core = at('../build/wasm/bindings/wasm');
 
 const journeysOf = (...names: string[]): string[] => names.map((name) => `tests/journeys/${name}.test.ts`);
-/** Those that measure how long the page takes, with nothing beside them. */
+/** Journeys that measure times. They run alone. */
 const measured = journeysOf('responsive');
-/** What everyone does: opens, draws, scribbles, corrects and saves. All others are for the long run. */
+/** Journeys of everyday use: opening, drawing, scribbling, correcting, saving. The long run has all others too. */
 const everyday = journeysOf('doubts', 'drawing', 'editing', 'gaps', 'hands', 'layers', 'pictures', 'projects', 'safety', 'samples', 'scribbles', 'strokes');
 const journeys = process.env['RELIEVO_LONG'] ? journeysOf('*') : everyday;
 const journey = { retry: 1, testTimeout: 120_000, hookTimeout: 120_000, expect: { poll: { timeout: 30_000 } } };

@@ -2,26 +2,26 @@ import { render } from 'preact';
 import coreUrl from '#core.wasm?url';
 import { Shelf } from '../document/shelf';
 import { compileCore, Engine } from '../engine/engine';
-import { BuildControl } from './build_control';
-import { DressControl } from './dress_control';
-import { speak, visitorsLanguage } from './catalogue';
-import { filesOf, givenFiles } from './dropped_files';
-import { Editor } from './editor';
-import { Files } from './files';
-import { Keeper } from './keeper';
-import type { PaperControl } from './paper_pane';
-import { PrintControl } from './print_control';
-import { SegmentControl } from './segment_control';
-import { type HeldKeys, listenToKeys } from './shortcuts';
-import { Standing } from './standing';
-import { StartScreen } from './start_screen';
-import { useStore } from './store';
+import { BuildControl } from './control/build_control';
+import { DressControl } from './control/dress_control';
+import { speak, visitorsLanguage } from '../words/catalogue';
+import { filesOf, givenFiles } from './files/dropped_files';
+import { Editor } from './state/editor';
+import { FileControl } from './control/file_control';
+import { Keeper } from './control/keeper';
+import type { PaperControl } from './panes/paper_pane';
+import { PrintControl } from './control/print_control';
+import { SegmentControl } from './control/segment_control';
+import { type HeldKeys, listenToKeys } from './shell/shortcuts';
+import { Alerts } from './shell/alerts';
+import { StartScreen } from './shell/start_screen';
+import { useStore } from './state/store';
 import './styles.css';
-import { Workspace } from './workspace';
+import { Workspace } from './shell/workspace';
 
 interface PageProps {
   editor: Editor;
-  files: Files;
+  files: FileControl;
   segments: SegmentControl;
   held: HeldKeys;
   keeper: Keeper;
@@ -42,13 +42,13 @@ function Page({ editor, files, segments, held, keeper, attachPaper, choose, stop
           <p class="start-notice" role="status">{notice}</p>
         </>
       )}
-      <Standing editor={editor} files={files} keeper={keeper} />
+      <Alerts editor={editor} files={files} keeper={keeper} />
     </>
   );
 }
 
-/** Asks for a file. */
-function chooser(files: Files): () => void {
+/** Returns a function that asks the user for files and opens them. */
+function chooser(files: FileControl): () => void {
   const input = document.createElement('input');
   input.type = 'file';
   input.accept = '.svg,.ora,.psd,.png,.jpg,.jpeg,.gif,.bmp,.webp,.relievo,.json,.tsv';
@@ -62,8 +62,8 @@ function chooser(files: Files): () => void {
   return () => input.click();
 }
 
-/** Files and folders may be dropped or pasted anywhere. */
-function listenToDrops(files: Files): void {
+/** Opens files and folders that are dropped or pasted anywhere on the page. */
+function listenToDrops(files: FileControl): void {
   const open = (data: DataTransfer | null): void => {
     if (data) void filesOf(data).then((given) => files.openAll(given));
   };
@@ -75,6 +75,7 @@ function listenToDrops(files: Files): void {
   window.addEventListener('paste', (event) => open(event.clipboardData));
 }
 
+/** Opens the shelf. Returns null if the browser refuses storage. */
 async function openShelf(): Promise<Shelf | null> {
   try {
     const shelf = await Shelf.open();
@@ -95,7 +96,7 @@ async function main(): Promise<void> {
   new PrintControl(editor, full, control);
   const keeper = new Keeper(editor, await openShelf());
   const segments = new SegmentControl(editor, () => new Engine(compiled));
-  const files = new Files(editor, full, { control, segments }, keeper);
+  const files = new FileControl(editor, full, { control, segments }, keeper);
   const choose = chooser(files);
   let paper: PaperControl | null = null;
   const held = listenToKeys({ editor, files, segments, paper: () => paper, choose });

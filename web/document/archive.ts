@@ -1,16 +1,19 @@
 import { unzipSync } from 'fflate';
 
-/** An archive that asks for more than a page can bear. */
+/** Largest total size of unpacked entries, bytes. */
+export const maxArchiveBytes = 256 * 1024 * 1024;
+
+/** An archive whose entries are larger than `maxArchiveBytes`. */
 export class ArchiveTooLarge extends Error {}
 
-/** Unpacks the entries that are wanted and nothing else; sizes are checked before memory is spent. */
-export function unpackArchive(bytes: Uint8Array, wanted: (name: string) => boolean, maxBytes: number): Record<string, Uint8Array> {
+/** Unpacks only the wanted entries. Checks their sizes before allocating memory; throws ArchiveTooLarge. */
+export function unpackArchive(bytes: Uint8Array, wanted: (name: string) => boolean): Record<string, Uint8Array> {
   let total = 0;
   return unzipSync(bytes, {
     filter(file) {
       if (!wanted(file.name)) return false;
       total += file.originalSize;
-      if (total > maxBytes) throw new ArchiveTooLarge();
+      if (total > maxArchiveBytes) throw new ArchiveTooLarge();
       return true;
     },
   });

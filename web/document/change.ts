@@ -1,6 +1,6 @@
 import type { Document } from './document';
 
-/** A reversible change: the fields that differ, before and after. Equal parts are shared. */
+/** A reversible change: the fields that differ, before and after. Values that stay equal are shared. */
 export interface Change {
   readonly label: string;
   readonly before: Partial<Document>;
@@ -11,7 +11,7 @@ function fieldsOf(document: Document): (keyof Document)[] {
   return Object.keys(document) as (keyof Document)[];
 }
 
-/** What leads from one document to another; null where they are the same. */
+/** Returns the change from one document to another, or null if they are equal. */
 export function difference(label: string, from: Document, to: Document): Change | null {
   const changed = fieldsOf(to).filter((key) => from[key] !== to[key]);
   if (changed.length === 0) return null;
@@ -28,7 +28,7 @@ export function reverse(change: Change): Change {
   return { label: change.label, before: change.after, after: change.before };
 }
 
-/** The change that does both, the older first. */
+/** Returns one change that has the effect of `first` followed by `second`. */
 export function squash(first: Change, second: Change): Change {
   return {
     label: second.label,

@@ -1,15 +1,5 @@
-import type { Document, Part } from './document';
-import { type Corrections, type LabelPair, labelOf, type PartCorrection, type Segmentation } from './segmentation';
-
-interface Pair {
-  readonly upper: string;
-  readonly lower: string;
-}
-
-/** What was said of two parts, whichever of them lies in front. */
-function samePair(a: LabelPair, b: LabelPair): boolean {
-  return (a.upper === b.upper && a.lower === b.lower) || (a.upper === b.lower && a.lower === b.upper);
-}
+import type { Document, Pair, Part } from './document';
+import { type Corrections, type LabelPair, labelOf, type PartCorrection, samePair, type Segmentation } from './segmentation';
 
 function turn<T extends LabelPair>(pair: T): T {
   return { ...pair, upper: pair.lower, lower: pair.upper };
@@ -25,7 +15,7 @@ function corrected(list: readonly PartCorrection[], change: PartCorrection): rea
   return [...others, { ...before, ...change }].sort((a, b) => a.label - b.label);
 }
 
-/** Compares two documents of the same segmentation and writes down what a person changed. */
+/** Compares two documents of the same segmentation and records what the user changed as corrections. */
 class Notes {
   private corrections: Corrections;
 
@@ -52,7 +42,7 @@ class Notes {
     this.corrections = { ...this.corrections, ...values };
   }
 
-  /** The labels of a pair; undefined where one of them was drawn by hand or is gone. */
+  /** Returns the labels of a pair, or undefined if one of its parts was drawn by hand or removed. */
   private labels(pair: Pair): LabelPair | undefined {
     const alive = (id: string): boolean => this.after.parts.some((part) => part.id === id);
     const upper = labelOf(this.segmentation, pair.upper);
@@ -76,7 +66,7 @@ class Notes {
     if (Object.keys(change).length > 0) this.set({ parts: corrected(this.corrections.parts, { label, ...change }) });
   }
 
-  /** Every pair that changed places. What was said before and no longer holds goes. */
+  /** Records every pair that changed its order, and removes or turns corrections that no longer hold. */
   private noteOrder(): void {
     const place = (document: Document): Map<number, number> =>
       new Map(document.parts.flatMap(({ id }, i) => {
@@ -107,17 +97,14 @@ class Notes {
       const before = this.before.joins.find((other) => other.upper === join.upper && other.lower === join.lower);
       if (!pair || before?.line === join.line) continue;
       const turned = this.before.joins.some((other) => other.upper === join.lower && other.lower === join.upper);
-      // A guessed join that only turned with the order of its parts is still a guess.
+      // A guessed join that was only turned with the order of its parts is still a guess.
       if (turned && !this.segmentation.corrections.joins.some((own) => samePair(own, pair))) continue;
       const { joins, no_joins } = this.corrections;
       this.set({ joins: [...without(joins, pair), { ...pair, line: join.line }], no_joins: without(no_joins, pair) });
     }
     for (const join of this.before.joins) {
       const pair = this.labels(join);
-      const stays = this.after.joins.some(
-        ({ upper, lower }) =>
-          (upper === join.upper && lower === join.lower) || (upper === join.lower && lower === join.upper),
-      );
+      const stays = this.after.joins.some((other) => samePair(other, join));
       if (!pair || stays || !this.isUpright(join)) continue;
       const { joins, no_joins } = this.corrections;
       this.set({ joins: without(joins, pair), no_joins: [...without(no_joins, pair), pair] });
@@ -147,7 +134,7 @@ class Notes {
     }
   }
 
-  /** Where a person touched one range of two parts, all of theirs are a person's. */
+  /** Records all ranges of a pair as soon as the user changed one of them. */
   private noteRanges(): void {
     const touched = [...this.after.robin, ...this.before.robin].filter(
       (range) => this.before.robin.includes(range) !== this.after.robin.includes(range),
@@ -162,14 +149,14 @@ class Notes {
     }
   }
 
-  /** A join that is a person's brings no ranges of its own. */
+  /** Records the join of a pair whose last range was removed, since a guessed join would bring its ranges back. */
   private keepJoin({ upper, lower }: Pair, pair: LabelPair): void {
     const join = this.after.joins.find((other) => other.upper === upper && other.lower === lower);
     if (join) this.set({ joins: [...without(this.corrections.joins, pair), { ...pair, line: join.line }] });
   }
 }
 
-/** `after` with what a person changed since `before` written down as corrections. */
+/** Returns `after` with what the user changed since `before` recorded as corrections. */
 export function noteCorrections(before: Document, after: Document): Document {
   const { segmentation } = after;
   if (!segmentation || segmentation !== before.segmentation) return after;

@@ -1,8 +1,8 @@
 import type { Cue, Document, Point, Ring } from './document';
-import { partAt } from './editing';
-import { contains, distance, simplify } from './outline';
+import { contains, distance, rounded, simplify } from './outline';
+import { partAt } from './picking';
 
-/** What values of each kind may be, and what they are at first. */
+/** Range, step and default of the values of each kind. */
 export const cueRanges: Readonly<Record<Cue['kind'], { least: number; most: number; step: number; usual: number }>> = {
   bulge: { least: 0.2, most: 4, step: 0.05, usual: 1.6 },
   slope: { least: -60, most: 60, step: 1, usual: 25 },
@@ -11,20 +11,24 @@ export const cueRanges: Readonly<Record<Cue['kind'], { least: number; most: numb
 
 const mostCues = 256;
 
-/** A cue along a stroke, on the foremost part at its middle, or at its beginning; null where that is none. */
+/**
+ * Makes a cue along a stroke, on the foremost part at its middle or else at its beginning. Returns
+ * null if there is no part or the stroke is too short. `reach` is how far a hand may miss, px.
+ */
 export function cueOfStroke(document: Document, { kind, value }: Pick<Cue, 'kind' | 'value'>, stroke: Ring, reach: number): Cue | null {
-  const line = simplify(stroke, reach / 8).map(([x, y]): Point => [Math.round(100 * x) / 100, Math.round(100 * y) / 100]);
+  const line = simplify(stroke, reach / 8).map((p) => rounded(p, 100));
   const [first, last] = [line[0], line.at(-1)];
   if (!first || !last || line.length < 2 || (line.length === 2 && distance(first, last) < reach / 2)) return null;
   const part = partAt(document, stroke[Math.floor(stroke.length / 2)] as Point) ?? partAt(document, first);
   return part && line.some((p) => contains(part.outline, p)) ? { part: part.id, kind, line, value } : null;
 }
 
+/** Adds a cue. The oldest cues are dropped beyond `mostCues`. */
 export function addCue(document: Document, cue: Cue): Document {
   return { ...document, cues: [...document.cues, cue].slice(-mostCues) };
 }
 
-/** Without the cues of a part. */
+/** Removes the cues of a part. */
 export function clearCues(document: Document, part: string): Document {
   return { ...document, cues: document.cues.filter((cue) => cue.part !== part) };
 }

@@ -1,11 +1,11 @@
 import type { Cue, Join, Part, Relation, Ring, RobinRange } from './scene';
 import type { Segmentation } from './segmentation';
 
-export type { Cue, Join, Part, Point, Relation, RelationKind, Ring, RobinRange } from './scene';
+export type { Cue, Join, Pair, Part, Point, Relation, RelationKind, Ring, RobinRange } from './scene';
 
-/** What a person makes: plain data, never changed in place. */
+/** The document is plain data that is never changed in place. */
 
-/** The drawing as its file came; `paintable` is what may be shown of an SVG, as the engine says. */
+/** The original file of a drawing. `paintable` is the safe version of an SVG that the page may show. */
 export interface DrawingSource {
   readonly name: string;
   readonly kind: 'svg' | 'image';
@@ -16,7 +16,7 @@ export interface DrawingSource {
 
 /** A stroke of a round brush over the drawing. */
 export interface PaintStroke {
-  /** #rrggbb; null rubs out what was painted before. */
+  /** #rrggbb; null removes earlier paint. */
   readonly color: string | null;
   /** px of the page. */
   readonly width: number;
@@ -31,7 +31,10 @@ export interface Settings {
   readonly lambdaBnd: number;
   readonly lambdaShift: number;
   readonly sizeMm: number;
-  /** Around parts that no drawing shows: #rrggbb, and times the usual width; 0: none. */
+  /**
+   * Ink around parts that no drawing shows: its colour, #rrggbb, and its width as a multiple of the default;
+   * 0: none.
+   */
   readonly inkColor: string;
   readonly inkWidth: number;
 }
@@ -48,7 +51,7 @@ export interface Document {
   readonly robin: readonly RobinRange[];
   readonly cues: readonly Cue[];
   readonly paint: readonly PaintStroke[];
-  /** How a flat drawing was understood; null of all others. */
+  /** How a flat drawing was divided into parts; null for all other drawings. */
   readonly segmentation: Segmentation | null;
   readonly settings: Settings;
 }
@@ -85,7 +88,7 @@ export function partIndex(document: Document, id: string): number {
   return document.parts.findIndex((part) => part.id === id);
 }
 
-/** `wanted`, or with the first number behind it that makes it unique. */
+/** Returns `wanted` or, if a part has that id, `wanted` with the first number that makes it unique. */
 export function freshId(document: Document, wanted: string): string {
   const taken = new Set(document.parts.map((part) => part.id));
   if (!taken.has(wanted)) return wanted;

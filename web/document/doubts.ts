@@ -1,35 +1,32 @@
-import { type Document, partIndex } from './document';
+import { type Document, type Pair, partIndex } from './document';
 import { bringBefore, removeJoin } from './editing';
 import { type Gap, openQuestions, sameGap } from './gaps';
-import { type Corrections, type LabelPair, labelOf, type Segmentation } from './segmentation';
+import { type Corrections, type LabelPair, labelOf, samePair, type Segmentation } from './segmentation';
 
-/** What was guessed of a flat drawing and may be wrong; `upper` lies in front. */
+/** An uncertain guess about a flat drawing; `upper` lies in front. */
 export type Doubt =
-  | { readonly kind: 'order' | 'join'; readonly upper: string; readonly lower: string; readonly confidence: number }
+  | (Pair & { readonly kind: 'order' | 'join'; readonly confidence: number })
   | { readonly kind: 'gap'; readonly gap: Gap };
 
-/** Guesses with less confidence are worth a question. */
+/** Guesses with less confidence than this are doubts. */
 const sure = { order: 0.7, join: 0.8 } as const;
 
-const samePair = (a: LabelPair, b: LabelPair): boolean =>
-  (a.upper === b.upper && a.lower === b.lower) || (a.upper === b.lower && a.lower === b.upper);
-
-/** The names of a pair of labels, the nearer first; undefined where one is not a part any more. */
-function named({ parts }: Document, segmentation: Segmentation, pair: LabelPair): { upper: string; lower: string } | undefined {
+/** Returns the ids of a pair of labels, the nearer part as `upper`, or undefined if one part is gone. */
+function named({ parts }: Document, segmentation: Segmentation, pair: LabelPair): Pair | undefined {
   const at = (label: number): number => parts.findIndex(({ id }) => labelOf(segmentation, id) === label);
   const [front, back] = [at(pair.upper), at(pair.lower)].sort((a, b) => b - a) as [number, number];
   return back < 0 ? undefined : { upper: parts[front]?.id as string, lower: parts[back]?.id as string };
 }
 
-/** All that a person has not said yet and that is less than sure, the least sure first, gaps in the lines last. */
+/** Returns all uncertain guesses that the user has not decided, the least certain first, gaps in lines last. */
 export function doubtsOf(document: Document, gaps: readonly Gap[]): readonly Doubt[] {
   const { segmentation } = document;
   if (!segmentation) return [];
   const { corrections, order, joins } = segmentation;
-  const pairs = (kind: 'order' | 'join', guesses: readonly (LabelPair & { confidence: number })[], said: readonly LabelPair[]): Doubt[] =>
+  const pairs = (kind: 'order' | 'join', guesses: readonly (LabelPair & { confidence: number })[], decided: readonly LabelPair[]): Doubt[] =>
     guesses.flatMap((guess) => {
       const names = named(document, segmentation, guess);
-      const open = names && guess.confidence < sure[kind] && !said.some((pair) => samePair(pair, guess));
+      const open = names && guess.confidence < sure[kind] && !decided.some((pair) => samePair(pair, guess));
       return open ? [{ kind, ...names, confidence: guess.confidence }] : [];
     });
   const isJoined = ({ upper, lower }: Doubt & { kind: 'order' | 'join' }): boolean =>
@@ -42,7 +39,7 @@ export function doubtsOf(document: Document, gaps: readonly Gap[]): readonly Dou
   return [...guessed, ...openQuestions(document, gaps).map((gap): Doubt => ({ kind: 'gap', gap }))];
 }
 
-/** The same doubt among those that were found anew, or undefined. */
+/** Finds a doubt again in a new list, or returns undefined. */
 export function sameDoubt(doubts: readonly Doubt[], doubt: Doubt | null): Doubt | undefined {
   if (doubt?.kind !== 'gap') return doubts.find((other) => other.kind !== 'gap' && other.kind === doubt?.kind && other.upper === doubt.upper && other.lower === doubt.lower);
   const gap = sameGap(doubts.flatMap((other) => (other.kind === 'gap' ? [other.gap] : [])), doubt.gap);
@@ -54,7 +51,7 @@ function withCorrections(document: Document, values: Partial<Corrections>): Docu
   return segmentation ? { ...document, segmentation: { ...segmentation, corrections: { ...segmentation.corrections, ...values } } } : document;
 }
 
-/** Takes what was guessed of a pair: from now on it stays, whatever else is said. */
+/** Confirms a guess about a pair as a correction, so that it stays whatever else changes. */
 export function takeGuess(document: Document, { kind, ...pair }: Doubt & { kind: 'order' | 'join' }): Document {
   const { segmentation } = document;
   const upper = segmentation ? labelOf(segmentation, pair.upper) : undefined;
@@ -66,7 +63,7 @@ export function takeGuess(document: Document, { kind, ...pair }: Doubt & { kind:
   return join ? withCorrections(document, { joins: [...joins, { upper, lower, line: join.line }] }) : document;
 }
 
-/** Refuses what was guessed of a pair: the other lies in front, or they are two surfaces. */
+/** Rejects a guess about a pair: swaps their order, or removes their join. */
 export function refuseGuess(document: Document, { kind, upper, lower }: Doubt & { kind: 'order' | 'join' }): Document {
   if (partIndex(document, upper) < 0 || partIndex(document, lower) < 0) return document;
   return kind === 'order' ? bringBefore(document, lower, upper) : removeJoin(document, upper, lower);

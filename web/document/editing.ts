@@ -2,6 +2,7 @@ import {
   type Document,
   freshId,
   type Join,
+  type Pair,
   type Part,
   partIndex,
   type Point,
@@ -10,12 +11,13 @@ import {
   type Settings,
 } from './document';
 import { arcBetween, contains, longestRunInside, mix, nearestPlace, overlap } from './outline';
+import { partUnder } from './picking';
 import { clearStrokes } from './scribbling';
 import { renameLabelled } from './segmentation';
 
-/** Every verb of editing: a document in, a document out. */
+/** The edits of a document. Each takes a document and returns a new one, or the same one if nothing changes. */
 
-/** Colours that go together, for parts where there is no drawing. */
+/** Matching colours for parts that no drawing shows. */
 export const inks = ['#e8a87c', '#85b79d', '#8fb8de', '#e27d8a', '#c3a6d8', '#e3c567', '#7fb7be', '#d9a5b3'];
 
 function freshInk(document: Document): string {
@@ -30,15 +32,7 @@ export function addPart(document: Document, name: string, ring: Ring): Document 
   return { ...document, parts: [...document.parts, newPart(document, name, ring)] };
 }
 
-/** The foremost part behind index `before` that contains the point. */
-function partUnder(document: Document, point: Point, before: number): Part | undefined {
-  return document.parts
-    .slice(0, before)
-    .reverse()
-    .find((part) => contains(part.outline, point));
-}
-
-/** An open stroke as a part whose open side is joined to what lies below it, as in Monster Mash. */
+/** Adds an open stroke as a part whose open side is joined to the part below, as in Monster Mash. */
 export function addOpenPart(document: Document, name: string, stroke: Ring): Document {
   const first = stroke[0] as Point;
   const last = stroke[stroke.length - 1] as Point;
@@ -51,7 +45,7 @@ export function addOpenPart(document: Document, name: string, stroke: Ring): Doc
 }
 
 export function removePart(document: Document, id: string): Document {
-  const other = (pair: { upper: string; lower: string }): boolean => pair.upper !== id && pair.lower !== id;
+  const other = (pair: Pair): boolean => pair.upper !== id && pair.lower !== id;
   const unmarked = document.segmentation ? clearStrokes(document, { part: id }) : document;
   return {
     ...unmarked,
@@ -63,7 +57,7 @@ export function removePart(document: Document, id: string): Document {
   };
 }
 
-/** What can be said of a part. */
+/** The values of a part that can be changed. */
 export type PartValues = Partial<Pick<Part, 'c' | 'd' | 'flat' | 'lean' | 'outline'>>;
 
 export function changePart(document: Document, id: string, values: PartValues): Document {
@@ -73,7 +67,7 @@ export function changePart(document: Document, id: string, values: PartValues): 
   };
 }
 
-/** Gives a part a colour, and with it the limbs that are one surface with it and had its own. */
+/** Colours a part and all parts joined to it that have the same colour as it had. */
 export function colorPart(document: Document, id: string, color: string): Document {
   const before = document.parts[partIndex(document, id)]?.color;
   const alike = new Set([id]);
@@ -86,13 +80,13 @@ export function colorPart(document: Document, id: string, color: string): Docume
   return { ...document, parts: document.parts.map((part) => (alike.has(part.id) ? { ...part, color } : part)) };
 }
 
-/** Whether a part can be moved: it was drawn here and shows no place of a drawing. */
+/** Returns whether a part can be moved: only those drawn by hand can, since no drawing shows them. */
 export function isMovable(document: Document, id: string): boolean {
   const part = document.parts[partIndex(document, id)];
   return part !== undefined && (part.color !== undefined || document.drawing === null);
 }
 
-/** The join where its middle still lies in a part behind, which then is its lower one. */
+/** Returns a join for the part behind in which its middle lies now, or nothing if there is none. */
 function rejoined(document: Document, join: Join): Join[] {
   const middle = join.line[Math.floor(join.line.length / 2)] as Point;
   const old = document.parts[partIndex(document, join.lower)] as Part;
@@ -104,7 +98,7 @@ function onePerPair(joins: readonly Join[]): Join[] {
   return joins.filter((join, i) => joins.findIndex(({ upper, lower }) => upper === join.upper && lower === join.lower) === i);
 }
 
-/** Shifts a part with all that lies on its outline. Joins whose roots lie in nothing any more go. */
+/** Moves a part with everything on its outline. Removes joins whose root no longer lies in another part. */
 export function shiftPart(document: Document, id: string, [dx, dy]: Point): Document {
   const part = document.parts[partIndex(document, id)];
   if (!part || (dx === 0 && dy === 0)) return document;
@@ -122,12 +116,12 @@ export function shiftPart(document: Document, id: string, [dx, dy]: Point): Docu
   };
 }
 
-/** Renames a part wherever it is spoken of; nothing where the name is empty or taken. */
+/** Renames a part everywhere. Does nothing if the name is empty or taken. */
 export function renamePart(document: Document, id: string, name: string): Document {
   const wanted = name.trim();
   const isTaken = partIndex(document, wanted) >= 0 || document.segmentation?.parts.some((part) => part.id === wanted);
   if (wanted === '' || wanted === id || isTaken) return document;
-  const rename = <T extends { upper: string; lower: string }>(pair: T): T => ({
+  const rename = <T extends Pair>(pair: T): T => ({
     ...pair,
     upper: pair.upper === id ? wanted : pair.upper,
     lower: pair.lower === id ? wanted : pair.lower,
@@ -143,7 +137,7 @@ export function renamePart(document: Document, id: string, name: string): Docume
   };
 }
 
-/** Turns a join whose parts changed places: now the other part's outline carries it. */
+/** Turns a join whose parts changed their order, so that it lies on the outline of the new upper part. */
 function turnedJoin(document: Document, join: Join): Join | null {
   const upper = document.parts[partIndex(document, join.lower)] as Part;
   const lower = document.parts[partIndex(document, join.upper)] as Part;
@@ -151,7 +145,10 @@ function turnedJoin(document: Document, join: Join): Join | null {
   return line && { upper: upper.id, lower: lower.id, line };
 }
 
-/** Moves a part to another place in the order, 0 at the back. What its pairs say is turned too. */
+/**
+ * Moves a part to another place in the order, 0 at the back. Joins and relations are turned to match; ranges
+ * that no longer fit are removed.
+ */
 export function movePart(document: Document, id: string, to: number): Document {
   const from = partIndex(document, id);
   const target = Math.max(0, Math.min(document.parts.length - 1, to));
@@ -160,8 +157,7 @@ export function movePart(document: Document, id: string, to: number): Document {
   const [part] = parts.splice(from, 1);
   parts.splice(target, 0, part as Part);
   const moved = { ...document, parts };
-  const upright = (pair: { upper: string; lower: string }): boolean =>
-    partIndex(moved, pair.upper) > partIndex(moved, pair.lower);
+  const upright = (pair: Pair): boolean => partIndex(moved, pair.upper) > partIndex(moved, pair.lower);
   return {
     ...moved,
     joins: moved.joins
@@ -176,25 +172,25 @@ export function movePart(document: Document, id: string, to: number): Document {
   };
 }
 
-/** `front` comes to lie in front of `back`, as near to where it was as can be. */
+/** Moves `front` just in front of `back`, unless it is in front already. */
 export function bringBefore(document: Document, front: string, back: string): Document {
   const from = partIndex(document, front);
   const to = partIndex(document, back);
   return from < 0 || to < 0 || from > to ? document : movePart(document, front, to);
 }
 
-/** The next part in front of a part that overlaps it. */
+/** Returns the nearest overlapping part in front of a part. */
 export function nextInFront(document: Document, id: string): Part | undefined {
   const at = partIndex(document, id);
   return neighbours(document, id).reverse().find((other) => partIndex(document, other.id) > at);
 }
 
-/** The pair in the order of the document. */
-export function ordered(document: Document, a: string, b: string): { upper: string; lower: string } {
+/** Returns two parts as a pair in the order of the document. */
+export function ordered(document: Document, a: string, b: string): Pair {
   return partIndex(document, a) > partIndex(document, b) ? { upper: a, lower: b } : { upper: b, lower: a };
 }
 
-/** The join that a line across a part's root means, or null. `reach` in px. */
+/** Returns the join meant by a line across the root of a part, or null. `reach` is how far its ends may miss, px. */
 export function joinOfLine(document: Document, line: Ring, reach: number): Join | null {
   const first = line[0] as Point;
   const last = line[line.length - 1] as Point;
@@ -219,7 +215,7 @@ export function addJoin(document: Document, join: Join): Document {
   return { ...document, joins: [...others, join] };
 }
 
-/** Joins two overlapping parts along all of the upper outline that is inside the lower part. */
+/** Joins two overlapping parts along the longest stretch of the upper outline inside the lower part. */
 export function joinParts(document: Document, a: string, b: string): Document {
   if (a === b) return document;
   const pair = ordered(document, a, b);
@@ -236,14 +232,14 @@ export function removeJoin(document: Document, upper: string, lower: string): Do
   };
 }
 
-/** Joins two parts, or separates them where they are joined. */
+/** Joins two parts, or separates them if they are joined. */
 export function toggleJoin(document: Document, a: string, b: string): Document {
   const { upper, lower } = ordered(document, a, b);
   const joined = document.joins.some((join) => join.upper === upper && join.lower === lower);
   return joined ? removeJoin(document, upper, lower) : joinParts(document, a, b);
 }
 
-/** What holds between two parts everywhere; null: the default. */
+/** Sets the relation of two parts along their whole contact; null is the default. */
 export function relate(document: Document, a: string, b: string, kind: RelationKind | null): Document {
   if (a === b) return document;
   const pair = ordered(document, a, b);
@@ -253,7 +249,7 @@ export function relate(document: Document, a: string, b: string, kind: RelationK
   return { ...document, relations: kind ? [...others, { ...pair, relation: kind }] : others };
 }
 
-/** The two-click range: the upper outline comes loose from `from` to `to`. */
+/** Adds a soft range: the upper outline is soft at `from` and firm at `to`. */
 export function addRange(document: Document, upperId: string, from: Point, to: Point): Document {
   const index = partIndex(document, upperId);
   const upper = document.parts[index];
@@ -279,21 +275,9 @@ export function changeSettings(document: Document, values: Partial<Settings>): D
   return { ...document, settings: { ...document.settings, ...values } };
 }
 
-/** The parts that overlap one, foremost first. */
+/** Returns the parts that overlap a part, foremost first. */
 export function neighbours(document: Document, id: string): Part[] {
   const part = document.parts[partIndex(document, id)];
   if (!part) return [];
   return document.parts.filter((other) => other.id !== id && overlap(part, other)).reverse();
-}
-
-/** The foremost part at a point, or, where that is wanted, the one below the selected one. */
-export function partBelow(document: Document, point: Point, selected: string | null, deeper: boolean): Part | undefined {
-  const stack = document.parts.filter((part) => contains(part.outline, point)).reverse();
-  const at = stack.findIndex((part) => part.id === selected);
-  return deeper && at >= 0 ? stack[(at + 1) % stack.length] : stack[0];
-}
-
-/** The foremost part at a point. */
-export function partAt(document: Document, point: Point): Part | undefined {
-  return partUnder(document, point, document.parts.length);
 }

@@ -1,48 +1,36 @@
-import type { Document, Part, Point } from './document';
-import { addPart, changePart, partAt } from './editing';
-import { area, distance } from './outline';
-import { detailInk, type Drawn } from './strokes';
+import type { Document, Point } from './document';
+import { areaOf, distance, oval } from './outline';
+import { partAt } from './picking';
+import { addDetail, detailInk, type Drawn } from './strokes';
 
-/** Radius of an eye, of the side of a square as large as its part. */
+/** Radius of an eye, as a share of the square root of its part's area. */
 const radiusShare = 0.1;
-/** Of the eye: its height, the pupil's radius, and how far that looks down. */
+/** Height of an eye, radius of its pupil, and how far the pupil looks down, in radii of the eye. */
 const height = 1.2;
 const pupilShare = 0.58;
 const lookDown = 0.18;
 const white = '#fffdf8';
 
-function oval([x, y]: Point, rx: number, ry: number): Point[] {
-  return Array.from({ length: 28 }, (_, i): Point => {
-    const angle = (Math.PI * i) / 14;
-    return [x + rx * Math.cos(angle), y + ry * Math.sin(angle)];
-  });
-}
+const corners = 28;
 
-function sizeOf({ outline }: Part): number {
-  return Math.sqrt(Math.abs(outline.reduce((sum, ring) => sum + area(ring), 0)));
-}
-
-function withDetail(document: Document, name: string, ring: readonly Point[], color: string): Document {
-  const added = addPart(document, name, ring);
-  const id = added.parts.at(-1)?.id ?? '';
-  return changePart({ ...added, parts: added.parts.map((part) => (part.id === id ? { ...part, color } : part)) }, id, { c: 2 });
-}
-
-/** An eye around a point: its white and its pupil, glued to the part below. `aside`: where it looks, in [-1, 1]. */
+/** Adds an eye: its white and its pupil. `aside` is its gaze from left, -1, to right, 1. */
 function addEye(document: Document, [x, y]: Point, radius: number, aside: number): Document {
-  const ball = withDetail(document, 'eye', oval([x, y], radius, height * radius), white);
+  const ball = addDetail(document, 'eye', oval([x, y], [radius, height * radius], corners), white);
   const pupil = pupilShare * radius;
   const room = radius - pupil;
-  return withDetail(ball, 'pupil', oval([x + 0.5 * aside * room, y + lookDown * radius], pupil, height * pupil), detailInk);
+  return addDetail(ball, 'pupil', oval([x + 0.5 * aside * room, y + lookDown * radius], [pupil, height * pupil], corners), detailInk);
 }
 
-/** A tap puts an eye on the part below, a stroke a pair of them at its ends; they look at each other a little. */
+/**
+ * Adds an eye for a tap, or a pair for a stroke, one eye at each end. The eyes of a pair look slightly at each
+ * other.
+ */
 export function stampEyes(document: Document, reach: number, points: readonly Point[]): Drawn {
   const [first, last] = [points[0] as Point, points.at(-1) as Point];
   const ground = partAt(document, first) ?? partAt(document, last);
   if (!ground) return { refused: 'dotOnPaper' };
   const span = distance(first, last);
-  const radius = Math.max(0.6 * reach, radiusShare * sizeOf(ground));
+  const radius = Math.max(0.6 * reach, radiusShare * Math.sqrt(Math.abs(areaOf(ground.outline))));
   const isPair = span > reach / 2;
   const fitting = isPair ? Math.min(radius, 0.45 * span) : radius;
   const way = Math.sign(last[0] - first[0]);

@@ -1,16 +1,19 @@
 import type { Document, Point, Ring } from './document';
-import { area, distance, mix } from './outline';
+import { area, distance, distanceTo, lengthOf, mix, rounded } from './outline';
 import { addStroke, scribblesOf, segmentationOf, strokesNear, withScribbles } from './scribbling';
 import type { Stroke } from './segmentation';
 
-/** A gap in the lines of a flat drawing that was closed. Labels as seen along it; 0 is background. */
+/**
+ * A closed gap in the lines of a flat drawing. `left` and `right` are the labels on its sides as seen along
+ * it; 0 is background.
+ */
 export interface Gap {
   readonly points: Ring;
   readonly left: number;
   readonly right: number;
 }
 
-/** What lies beside a gap: a part by its id, the background, or something unknown. */
+/** One side of a gap: a part by its id, the background, or unknown. */
 type Side = { part: string } | 'background' | 'unknown';
 
 function sideOf(document: Document, label: number): Side {
@@ -19,15 +22,11 @@ function sideOf(document: Document, label: number): Side {
   return found ? { part: found.id } : 'unknown';
 }
 
-/** The middle of a gap and the px to its right. */
+/** A coordinate system at the middle of a gap: `at` takes px along the gap and px to its right. */
 interface Crossing {
   readonly length: number;
   readonly along: Point;
   at(along: number, right: number): Point;
-}
-
-function lengthOf(line: Ring): number {
-  return line.reduce((sum, point, i) => (i === 0 ? 0 : sum + distance(line[i - 1] as Point, point)), 0);
 }
 
 function crossingOf({ points }: Gap): Crossing {
@@ -51,18 +50,18 @@ function crossingOf({ points }: Gap): Crossing {
   };
 }
 
-/** How far beside a gap strokes about it lie, px. */
+/** Returns the distance from a gap at which its strokes are placed, px. */
 function beside({ length }: Crossing): number {
   return Math.min(12, Math.max(3, 0.35 * length));
 }
 
 function strokeFor(side: Side, width: number, points: readonly Point[]): Stroke | null {
   if (side === 'unknown') return null;
-  const line = points.map(([x, y]): Point => [Math.round(10 * x) / 10, Math.round(10 * y) / 10]);
+  const line = points.map((p) => rounded(p, 10));
   return side === 'background' ? { kind: 'outside', width, points: line } : { kind: 'hard', part: side.part, width, points: line };
 }
 
-/** Whether strokes of both sides say already that the gap is none. */
+/** Returns whether strokes on both sides already keep a gap closed. */
 function isKept(document: Document, gap: Gap): boolean {
   const crossing = crossingOf(gap);
   const reach = 0.6 * beside(crossing);
@@ -74,12 +73,12 @@ function isKept(document: Document, gap: Gap): boolean {
   });
 }
 
-/** The gaps of which nobody has said yet whether they are to be closed. */
+/** Returns the gaps that the user has not decided. */
 export function openQuestions(document: Document, gaps: readonly Gap[]): readonly Gap[] {
   return gaps.filter((gap) => [gap.left, gap.right].every((label) => sideOf(document, label) !== 'unknown') && !isKept(document, gap));
 }
 
-/** Says that a gap is closed for ever: strokes on both of its sides. */
+/** Keeps a gap closed by adding a stroke on each of its sides. */
 export function keepGap(document: Document, gap: Gap): Document {
   const crossing = crossingOf(gap);
   const [off, half] = [beside(crossing), crossing.length / 4];
@@ -94,15 +93,15 @@ function sizeOf(document: Document, id: string): number {
   return ring ? Math.abs(area(ring)) : 0;
 }
 
-/** Gives the strokes of a part to another one. */
+/** Gives the strokes of one part to another. */
 function handOver(document: Document, from: string, to: string): Document {
   const { strokes } = scribblesOf(document);
   return withScribbles(document, strokes.map((stroke) => (stroke.part === from ? { ...stroke, part: to } : stroke)));
 }
 
 /**
- * Says that a gap is open: what lies on both sides is one, the background where it lies on one of
- * them. Of two parts that which has strokes stays, or else the larger one.
+ * Opens a gap by a stroke across it, which unites its two sides. If one side is background, so is the
+ * other. Of two parts the one with strokes remains, or else the larger one.
  */
 export function openGap(document: Document, gap: Gap): Document {
   const sides = [sideOf(document, gap.left), sideOf(document, gap.right)];
@@ -120,14 +119,13 @@ export function openGap(document: Document, gap: Gap): Document {
   return addStroke(handOver(document, goes, stays), strokeFor({ part: stays }, width, across) as Stroke);
 }
 
-/** The gap that passes a point within reach, px. */
+/** Returns the nearest gap within `reach` px of a point. */
 export function gapAt(gaps: readonly Gap[], point: Point, reach: number): Gap | undefined {
-  const off = ({ points }: Gap): number =>
-    Math.min(...points.flatMap((p, i) => [distance(p, point), distance(mix(p, points[i + 1] ?? p, 0.5), point)]));
+  const off = ({ points }: Gap): number => distanceTo(points, point);
   return gaps.filter((gap) => off(gap) < reach).sort((p, q) => off(p) - off(q))[0];
 }
 
-/** The same gap among those that were found anew, or undefined. */
+/** Finds a gap again in a new list by its middle, or returns undefined. */
 export function sameGap(gaps: readonly Gap[], gap: Gap | null): Gap | undefined {
   const middle = gap && crossingOf(gap).at(0, 0);
   return middle ? gaps.find((other) => distance(crossingOf(other).at(0, 0), middle) < 4) : undefined;

@@ -1,10 +1,10 @@
 import type { Part, Point, Ring } from './document';
 import { boxOf, contains, mix, perimeter, resample } from './outline';
 
-/** Lists of parts never change, so that what was found of one stays true. */
+/** Hidden outlines found so far, by list of parts; lists of parts never change. */
 const found = new WeakMap<readonly Part[], Map<string, readonly Ring[]>>();
 
-/** Whether a point lies in one of some parts. */
+/** Returns a function that tests whether any of some parts contains a point. */
 function coverOf(parts: readonly Part[]): (point: Point) => boolean {
   const boxes = parts.map((part) => boxOf(part.outline));
   return ([x, y]) =>
@@ -21,7 +21,7 @@ function findHidden(part: Part, before: readonly Part[]): Ring[] {
     const points = resample([...ring, ring[0] as Point], Math.max(2, perimeter(ring) / 400)).slice(0, -1);
     const next = (i: number): Point => points[(i + 1) % points.length] as Point;
     const hidden = points.map((p, i) => covered(mix(p, next(i), 0.5)));
-    // Begins behind a side that is seen, so that no line is cut in two.
+    // Starts after a visible side, so that no hidden line is cut in two.
     const start = hidden.indexOf(false) + 1;
     let line: Point[] | null = null;
     for (let k = start; k < start + points.length; k++) {
@@ -34,7 +34,7 @@ function findHidden(part: Part, before: readonly Part[]): Ring[] {
   return lines;
 }
 
-/** Where the outline of a part lies behind other parts, as open lines. `parts`: back to front. */
+/** Returns the stretches of a part's outline that lie behind other parts, as open lines. `parts` are back to front. */
 export function hiddenOutline(parts: readonly Part[], id: string): readonly Ring[] {
   const known = found.get(parts) ?? new Map<string, readonly Ring[]>();
   found.set(parts, known);

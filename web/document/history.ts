@@ -1,22 +1,23 @@
 import { apply, type Change, difference, reverse, squash } from './change';
 import type { Document } from './document';
 
-/** A document and the way to it. A value: every step makes a new one. */
+/** A document with its changes. A history is a value: every step makes a new one. */
 export interface History {
   readonly document: Document;
   readonly done: readonly Change[];
   readonly undone: readonly Change[];
-  /** Steps of one gesture or of one slider merge into one change while this stays the same. */
+  /** Identifies the gesture of the last step. Further steps of the same gesture merge into one change. */
   readonly gesture: string | null;
 }
 
+/** Most changes that can be undone. */
 const maxChanges = 500;
 
 export function startHistory(document: Document): History {
   return { document, done: [], undone: [], gesture: null };
 }
 
-/** Goes on to `next`. What had been undone is forgotten. */
+/** Makes a step to `next`. Undone changes are forgotten. */
 export function record(history: History, label: string, next: Document, gesture: string | null = null): History {
   const change = difference(label, history.document, next);
   if (!change) return history;
@@ -48,7 +49,7 @@ export function redo(history: History): History {
   };
 }
 
-/** Goes on to `next` as a part of the last change. */
+/** Extends the last change to `next`. */
 export function amend(history: History, next: Document): History {
   const last = history.done.at(-1);
   const change = last && difference(last.label, history.document, next);
@@ -56,13 +57,16 @@ export function amend(history: History, next: Document): History {
   return { ...history, document: next, done: [...history.done.slice(0, -1), squash(last, change)] };
 }
 
-/** A state on the way, and the change that led to it; null of the first. */
+/** A state of the history, with the change that led to it, or null for the oldest state. */
 export interface Position {
   readonly document: Document;
   readonly change: Change | null;
 }
 
-/** The last `most` states before the present one, it itself at `at`, and as many of those that were undone. */
+/**
+ * Returns up to `most` states before the current one, the current one at index `at`, and up to `most` undone
+ * states.
+ */
 export function positionsOf(history: History, most: number): { positions: Position[]; at: number } {
   const { done, undone, document } = history;
   const first = Math.max(0, done.length - most);
@@ -77,7 +81,10 @@ export function positionsOf(history: History, most: number): { positions: Positi
   return { positions, at };
 }
 
-/** The history that leads through some states to the one at `at`. `labels`: of the steps to each state. */
+/**
+ * Returns the history that leads through some states, with that at index `at` as the current one. `labels[i]`
+ * names the step to state i.
+ */
 export function historyThrough(states: readonly Document[], labels: readonly string[], at: number): History {
   const step = (to: number): Change | null =>
     difference(labels[to] ?? '', states[to - 1] as Document, states[to] as Document);

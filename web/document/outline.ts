@@ -1,6 +1,6 @@
 import type { Part, Point, Ring } from './document';
 
-/** Where a point lies on an outline. */
+/** A place on an outline. */
 export interface OutlinePlace {
   readonly ring: number;
   /** Arc length from the ring's first point, px. */
@@ -17,7 +17,7 @@ export function mix(a: Point, b: Point, t: number): Point {
   return [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
 }
 
-/** Signed area, positive clockwise on the screen. */
+/** Returns the signed area of a ring, positive if it runs clockwise on the screen. */
 export function area(ring: Ring): number {
   let sum = 0;
   ring.forEach((p, i) => {
@@ -25,6 +25,11 @@ export function area(ring: Ring): number {
     sum += p[0] * q[1] - q[0] * p[1];
   });
   return sum / 2;
+}
+
+/** Returns the signed area of an outline. Holes run the other way, so they count negative. */
+export function areaOf(outline: readonly Ring[]): number {
+  return outline.reduce((sum, ring) => sum + area(ring), 0);
 }
 
 export function boxOf(outline: readonly Ring[]): { min: Point; max: Point } {
@@ -37,7 +42,7 @@ export function boxOf(outline: readonly Ring[]): { min: Point; max: Point } {
   };
 }
 
-/** Whether the point is inside by the non-zero rule. */
+/** Returns whether a point is inside an outline by the non-zero rule. */
 export function contains(outline: readonly Ring[], [x, y]: Point): boolean {
   let winding = 0;
   for (const ring of outline) {
@@ -61,7 +66,16 @@ function nearestOnSegment(p: Point, a: Point, b: Point): number {
   return Math.min(1, Math.max(0, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / length2));
 }
 
-/** The place of an outline that is nearest to `p`. Linear in points. */
+/** Returns the distance of a point from an open line. */
+export function distanceTo(line: Ring, p: Point): number {
+  const gaps = line.map((a, i) => {
+    const b = line[i + 1] ?? a;
+    return distance(p, mix(a, b, nearestOnSegment(p, a, b)));
+  });
+  return Math.min(...gaps);
+}
+
+/** Returns the place on an outline nearest to `p`, in time linear in its points. */
 export function nearestPlace(outline: readonly Ring[], p: Point): OutlinePlace {
   let best: OutlinePlace = { ring: 0, at: 0, point: outline[0]?.[0] ?? p, distance: Infinity };
   outline.forEach((ring, index) => {
@@ -83,7 +97,12 @@ export function perimeter(ring: Ring): number {
   return ring.reduce((sum, p, i) => sum + distance(p, ring[(i + 1) % ring.length] as Point), 0);
 }
 
-/** The point of a ring at an arc length from its first point, px. Linear in points. */
+/** Returns the length of an open line. */
+export function lengthOf(line: Ring): number {
+  return line.reduce((sum, p, i) => (i === 0 ? 0 : sum + distance(line[i - 1] as Point, p)), 0);
+}
+
+/** Returns the point of a ring at arc length `at`, px, from its first point, in time linear in its points. */
 export function pointAt(ring: Ring, at: number): Point {
   const length = perimeter(ring);
   let left = ((at % length) + length) % length;
@@ -97,7 +116,7 @@ export function pointAt(ring: Ring, at: number): Point {
   return ring[0] as Point;
 }
 
-/** The corners of a ring between one arc length and another, forwards. */
+/** Returns the corners of a ring between two arc lengths, forwards. */
 export function walk(ring: Ring, from: number, to: number): Point[] {
   const length = perimeter(ring);
   const span = (((to - from) % length) + length) % length;
@@ -113,7 +132,7 @@ export function walk(ring: Ring, from: number, to: number): Point[] {
   return path;
 }
 
-/** Both ways along a ring between two places of it, the shorter one first. */
+/** Returns both ways along a ring between two of its places, the shorter one first. */
 export function arcsBetween(outline: readonly Ring[], from: OutlinePlace, to: OutlinePlace): [Point[], Point[]] {
   const ring = outline[from.ring];
   if (!ring || from.ring !== to.ring) return [[from.point, to.point], [from.point, to.point]];
@@ -124,12 +143,25 @@ export function arcsBetween(outline: readonly Ring[], from: OutlinePlace, to: Ou
   return forwards <= length / 2 ? [ahead, back] : [back, ahead];
 }
 
-/** The shorter way along a ring between two places of it. */
+/** Returns the shorter way along a ring between two of its places. */
 export function arcBetween(outline: readonly Ring[], from: OutlinePlace, to: OutlinePlace): Point[] {
   return arcsBetween(outline, from, to)[0];
 }
 
-/** A polyline with points at most `step` apart. */
+/** Returns an ellipse with `corners` corners, clockwise on the screen from its rightmost point. */
+export function oval([x, y]: Point, [across, up]: Point, corners: number): Point[] {
+  return Array.from({ length: corners }, (_, i): Point => {
+    const angle = (2 * Math.PI * i) / corners;
+    return [x + across * Math.cos(angle), y + up * Math.sin(angle)];
+  });
+}
+
+/** Rounds the coordinates of a point to multiples of 1 / `steps` px, which keeps files short. */
+export function rounded([x, y]: Point, steps: number): Point {
+  return [Math.round(steps * x) / steps, Math.round(steps * y) / steps];
+}
+
+/** Subdivides a polyline so that its points are at most `step` apart. */
 export function resample(line: Ring, step: number): Point[] {
   const out: Point[] = [];
   line.forEach((a, i) => {
@@ -142,7 +174,7 @@ export function resample(line: Ring, step: number): Point[] {
   return out;
 }
 
-/** The longest run of the upper outline inside the lower part, or null where there is none. */
+/** Returns the longest stretch of the upper outline inside the lower part, or null if there is none. */
 export function longestRunInside(upper: Part, lower: Part): Point[] | null {
   let best: Point[] = [];
   for (const ring of upper.outline) {
@@ -163,7 +195,7 @@ export function longestRunInside(upper: Part, lower: Part): Point[] | null {
   return best.length < 2 ? null : best;
 }
 
-/** Whether two parts have an area in common, as far as points of their outlines tell. */
+/** Returns whether two parts overlap, judged by the points of their outlines. */
 export function overlap(a: Part, b: Part): boolean {
   const boxA = boxOf(a.outline);
   const boxB = boxOf(b.outline);
@@ -174,7 +206,10 @@ export function overlap(a: Part, b: Part): boolean {
   return reaches(a, b) || reaches(b, a) || longestRunInside(a, b) !== null;
 }
 
-/** Drops points that a polyline can do without, by Douglas and Peucker's rule. */
+/**
+ * Simplifies a polyline by Douglas and Peucker's method: no dropped point is farther than `tolerance` from the
+ * result.
+ */
 export function simplify(line: Ring, tolerance: number): Point[] {
   if (line.length < 3) return [...line];
   const keep = new Set([0, line.length - 1]);
@@ -197,7 +232,7 @@ export function simplify(line: Ring, tolerance: number): Point[] {
   return line.filter((_, i) => keep.has(i));
 }
 
-/** Rounds the corners that a hand leaves, by cutting them; the ends of an open line stay. */
+/** Smooths a hand-drawn line by cutting its corners twice. The ends of an open line stay. */
 export function smooth(line: Ring, closed: boolean): Point[] {
   let current: Ring = line;
   for (let round = 0; round < 2; round++) {
@@ -212,5 +247,5 @@ export function smooth(line: Ring, closed: boolean): Point[] {
     if (!closed) out.push(current[current.length - 1] as Point);
     current = out;
   }
-  return current.map(([x, y]) => [Math.round(x * 100) / 100, Math.round(y * 100) / 100]);
+  return current.map((p) => rounded(p, 100));
 }

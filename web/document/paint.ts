@@ -1,8 +1,9 @@
 import type { Document, PaintStroke, Point } from './document';
 
-/** Widths of a paint brush, px of the page. */
+/** Widths of the paint brush, px of the page. */
 export const paintWidths = { least: 2, most: 120 } as const;
 
+/** Most strokes that are read from a file. */
 const mostStrokes = 100_000;
 
 export function addPaint(document: Document, stroke: PaintStroke): Document {
@@ -13,7 +14,7 @@ function isPoint(value: unknown): value is Point {
   return Array.isArray(value) && value.length === 2 && value.every((x) => typeof x === 'number' && Math.abs(x) < 1e6);
 }
 
-/** The strokes that a file has, those that are sound. */
+/** Returns the valid strokes of a file and drops the others. */
 export function soundPaint(value: unknown): PaintStroke[] {
   if (!Array.isArray(value)) return [];
   return value.slice(0, mostStrokes).flatMap((item): PaintStroke[] => {

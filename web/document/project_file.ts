@@ -5,12 +5,17 @@ import { soundPaint } from './paint';
 import { sceneContent, sceneText } from './scene_text';
 import { isOwnPicture, recordOf, type Segmentation, type SegmentationRecord } from './segmentation';
 
-/** A project that cannot be opened, in words for a person. */
-export class ProjectError extends Error {}
+/** The reasons why a project cannot be opened. */
+export type ProjectTrouble = 'notProject' | 'newerProject' | 'tooLarge' | 'damagedFile';
+
+export class ProjectError extends Error {
+  constructor(readonly trouble: ProjectTrouble) {
+    super(trouble);
+  }
+}
 
 const mimetype = 'application/vnd.relievo';
 const version = 1;
-const maxBytes = 256 * 1024 * 1024;
 const entries = ['mimetype', 'project.json', 'scene.json', 'drawing', 'drawing.png', 'labels.png'];
 
 interface ProjectHead {
@@ -25,9 +30,9 @@ interface ProjectHead {
 }
 
 /**
- * The project as a zip: scene.json is a scene file whose drawing is the picture beside it, the
- * artist's own file lies in `drawing`, untouched. The same document gives the same bytes. `picture`
- * is not there where the drawing itself is the picture.
+ * Returns a project file, a zip archive (docs/project.md). Its scene.json is a scene file whose drawing
+ * is the picture beside it; `drawing` is the artist's unchanged file. `picture` is a PNG file, or null
+ * if the drawing itself is the picture. The same document gives the same bytes.
  */
 export function writeProject(document: Document, picture: Uint8Array | null): Uint8Array<ArrayBuffer> {
   const labels = isOwnPicture(document.segmentation) ? document.segmentation?.labels : undefined;
@@ -60,15 +65,14 @@ export function writeProject(document: Document, picture: Uint8Array | null): Ui
 }
 
 function parseHead(bytes: Uint8Array | undefined): ProjectHead {
-  if (!bytes) throw new ProjectError('This is no Relievo project: it has no project.json.');
+  if (!bytes) throw new ProjectError('notProject');
   const head = JSON.parse(strFromU8(bytes)) as Partial<ProjectHead>;
-  if (head.format !== 'relievo-project' || typeof head.version !== 'number')
-    throw new ProjectError('This is no Relievo project.');
-  if (head.version > version) throw new ProjectError('The project was made by a newer version.');
+  if (head.format !== 'relievo-project' || typeof head.version !== 'number') throw new ProjectError('notProject');
+  if (head.version > version) throw new ProjectError('newerProject');
   return head as ProjectHead;
 }
 
-/** The settings that are numbers and words of the kinds that they must be. */
+/** Returns the valid settings of a file, with defaults in place of the others. */
 function soundSettings(settings: Partial<Settings> | undefined): Settings {
   const sound: Record<string, unknown> = { ...defaultSettings };
   for (const [key, usual] of Object.entries(defaultSettings)) {
@@ -98,12 +102,12 @@ function segmentationOf(head: ProjectHead, files: Record<string, Uint8Array>): S
 }
 
 /**
- * Reads what writeProject or the command line wrote. Throws ProjectError. The engine still has to
- * accept the scene and the segmentation.
+ * Reads a project file of writeProject or of the command line. Throws ProjectError. The engine still
+ * has to check the scene and the segmentation.
  */
 export function readProject(bytes: Uint8Array): Document {
   try {
-    const files = unpackArchive(bytes, (name) => entries.includes(name), maxBytes);
+    const files = unpackArchive(bytes, (name) => entries.includes(name));
     const head = parseHead(files['project.json']);
     const scene = sceneContent(strFromU8(files['scene.json'] ?? new Uint8Array()));
     return {
@@ -120,7 +124,7 @@ export function readProject(bytes: Uint8Array): Document {
     };
   } catch (error) {
     if (error instanceof ProjectError) throw error;
-    if (error instanceof ArchiveTooLarge) throw new ProjectError('The project is larger than 256 MB.');
-    throw new ProjectError('The project file is damaged.');
+    if (error instanceof ArchiveTooLarge) throw new ProjectError('tooLarge');
+    throw new ProjectError('damagedFile');
   }
 }

@@ -1,11 +1,11 @@
-// Only what is needed: the package's index brings triangulation and more along.
+// Imports single files, since the index of the package would add triangulation and more.
 import { ClipType, FillRule } from 'clipper2-ts/dist/Core.js';
 import { Clipper64 } from 'clipper2-ts/dist/Engine.js';
 import { ClipperOffset, EndType, JoinType } from 'clipper2-ts/dist/Offset.js';
 import type { Point, Ring } from './document';
 import { area } from './outline';
 
-/** Clipper counts in whole numbers: so many to a px. */
+/** Units of Clipper's integer coordinates per px. */
 const units = 100;
 
 type Path = { x: number; y: number }[];
@@ -18,7 +18,7 @@ function ringsOf(paths: readonly Path[]): Point[][] {
   return paths.map((path) => path.map(({ x, y }): Point => [x / units, y / units]));
 }
 
-/** What some rings go around, all together, whichever way they turn. Holes turn the other way. */
+/** Returns the union of the areas that rings enclose, whichever way they run. Holes of the result run the other way. */
 export function unionOf(rings: readonly Ring[]): Point[][] {
   const clipper = new Clipper64();
   clipper.addSubject(rings.map(pathOf));
@@ -27,7 +27,7 @@ export function unionOf(rings: readonly Ring[]): Point[][] {
   return ringsOf(solution);
 }
 
-/** All within `radius` px of an open line. */
+/** Returns the area within `radius` px of an open line. */
 export function around(line: Ring, radius: number): Point[][] {
   const offset = new ClipperOffset(2, units * 0.05);
   offset.addPaths([pathOf(line)], JoinType.Round, EndType.Round);
@@ -36,7 +36,7 @@ export function around(line: Ring, radius: number): Point[][] {
   return ringsOf(solution);
 }
 
-/** The largest of some rings; empty where there are none. */
+/** Returns the largest of some rings, or an empty ring if there are none. */
 export function largest(rings: readonly Ring[]): Point[] {
   return [...([...rings].sort((a, b) => Math.abs(area(b)) - Math.abs(area(a)))[0] ?? [])];
 }

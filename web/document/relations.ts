@@ -1,17 +1,14 @@
-import type { Document, Point, RelationKind } from './document';
+import type { Document, Pair, Point, RelationKind } from './document';
 import { relate } from './editing';
 import { contains, nearestPlace } from './outline';
 
-/** Two parts that overlap, by their names. */
-export interface Pair {
-  readonly upper: string;
-  readonly lower: string;
-}
-
-/** What can be said of a pair, one after the other; null is the usual. */
+/** The relations in the order in which taps cycle through them; null is the default. */
 const kinds: readonly (RelationKind | null)[] = [null, 'free', 'equal', 'joined', 'above'];
 
-/** The pair whose upper outline passes a point within `reach` px, inside the lower part; none that is joined. */
+/**
+ * Returns the pair whose upper outline passes within `reach` px of a point inside the lower part, or null.
+ * Skips joined pairs.
+ */
 export function pairAt({ parts, joins }: Document, point: Point, reach: number): Pair | null {
   const pairs = parts.flatMap((upper, index) => {
     const place = nearestPlace(upper.outline, point);
@@ -23,12 +20,12 @@ export function pairAt({ parts, joins }: Document, point: Point, reach: number):
   return nearest ? { upper: nearest.upper, lower: nearest.lower } : null;
 }
 
-/** What is said of a pair everywhere; null: the usual. */
+/** Returns the relation of a pair along its whole contact; null is the default. */
 export function relationOf({ relations }: Document, { upper, lower }: Pair): RelationKind | null {
   return relations.find((entry) => entry.upper === upper && entry.lower === lower && !entry.range)?.relation ?? null;
 }
 
-/** Says the next of what can be said of a pair. */
+/** Switches a pair to its next relation. */
 export function turnRelation(document: Document, pair: Pair): Document {
   const next = kinds[(kinds.indexOf(relationOf(document, pair)) + 1) % kinds.length] ?? null;
   return relate(document, pair.upper, pair.lower, next);

@@ -1,24 +1,23 @@
 import { type Document, type Join, partIndex, type Point, type Ring } from './document';
 import { changePart } from './editing';
 import {
-  arcsBetween, area, distance, mix, nearestPlace, type OutlinePlace, perimeter, pointAt, resample, simplify, walk,
+  arcsBetween, area, areaOf, distance, distanceTo, mix, nearestPlace, type OutlinePlace, perimeter, pointAt, resample, rounded, simplify, walk,
 } from './outline';
 
-/** Why an outline stays as it is. */
+/** The reasons why an outline is left unchanged. */
 export type Refusal = 'crossesItself' | 'tooSmall' | 'endsOffOutline';
 
 export type Reshaped = { readonly document: Document } | { readonly refused: Refusal };
 
-/** What pushing leaves of an outline is simplified by no more than this, px. */
+/** Tolerance of the simplification after a push, px. */
 const tolerance = 0.05;
-/** Parts with less area, px², could hardly be seen. */
+/** Smallest area of a part, px²; less could hardly be seen. */
 const leastArea = 16;
 
-function tidy([x, y]: Point): Point {
-  return [Math.round(100 * x) / 100, Math.round(100 * y) / 100];
-}
-
-/** How much of a push arrives at an arc length from where the hand is: 1 there, 0 from `radius` on. */
+/**
+ * Returns the weight of a push at an arc length from the hand: cos²(π offset / (2 radius)), from 1 at the hand
+ * to 0 at `radius`.
+ */
 function share(offset: number, radius: number): number {
   return Math.abs(offset) >= radius ? 0 : Math.cos((Math.PI * offset) / (2 * radius)) ** 2;
 }
@@ -27,7 +26,10 @@ function radiusOn(ring: Ring, radius: number): number {
   return Math.min(radius, 0.4 * perimeter(ring));
 }
 
-/** A ring with the stretch about `at` moved by `by`; points of the stretch come first. */
+/**
+ * Moves the stretch around arc length `at` by `by`. The first `stretch` points of the result are those of the
+ * stretch.
+ */
 function pushedRing(ring: Ring, at: number, radius: number, by: Point): { ring: Point[]; stretch: number } {
   const from = at - radius;
   const to = at + radius;
@@ -36,7 +38,7 @@ function pushedRing(ring: Ring, at: number, radius: number, by: Point): { ring: 
   const moved = line.map((p, i): Point => {
     if (i > 0) offset += distance(line[i - 1] as Point, p);
     const t = share(offset, radius);
-    return t === 0 ? p : tidy([p[0] + t * by[0], p[1] + t * by[1]]);
+    return t === 0 ? p : rounded([p[0] + t * by[0], p[1] + t * by[1]], 100);
   });
   const stretch = simplify(moved, tolerance);
   return { ring: [...stretch, ...walk(ring, to, from)], stretch: stretch.length };
@@ -46,12 +48,15 @@ function cross(a: Point, b: Point, c: Point): number {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/** A point on a line counts to its right, so that a line through a corner crosses just once. */
+/**
+ * Returns whether two segments cross. A point on a line counts as right of it, so a line through a corner
+ * crosses only once.
+ */
 function segmentsCross(a: Point, b: Point, c: Point, d: Point): boolean {
   return cross(a, b, c) > 0 !== cross(a, b, d) > 0 && cross(c, d, a) > 0 !== cross(c, d, b) > 0;
 }
 
-/** How often the first `count` sides of a ring cross its own or other rings' sides. */
+/** Counts the crossings of the first `count` sides of a ring with its own sides and those of other rings. */
 export function crossings(outline: readonly Ring[], index: number, count: number): number {
   const own = outline[index] as Ring;
   let found = 0;
@@ -69,24 +74,16 @@ export function crossings(outline: readonly Ring[], index: number, count: number
   return found;
 }
 
-function areaOf(outline: readonly Ring[]): number {
-  return outline.reduce((sum, ring) => sum + area(ring), 0);
-}
-
-function distanceToLine(line: Ring, point: Point): number {
-  return Math.min(...line.map((p) => distance(p, point)));
-}
-
-/** A join on a changed outline: its ends and its middle stay as near to where they were as can be. */
+/** Moves a join to a changed outline. Its ends and its middle stay as near as possible to where they were. */
 function reseated(join: Join, outline: readonly Ring[], moved: (p: Point) => Point): Join {
   const end = (p: Point | undefined): OutlinePlace => nearestPlace(outline, moved(p as Point));
   const middle = moved(join.line[Math.floor(join.line.length / 2)] as Point);
   const arcs = arcsBetween(outline, end(join.line[0]), end(join.line.at(-1)));
-  const gaps = arcs.map((arc) => distanceToLine(resample(arc, 4), middle)) as [number, number];
+  const gaps = arcs.map((arc) => distanceTo(arc, middle)) as [number, number];
   return { ...join, line: gaps[0] <= gaps[1] ? arcs[0] : arcs[1] };
 }
 
-/** Rings begin where they did, so that places along them stay where they were. */
+/** Rotates rings to start near their former first points, so that arc lengths along them keep their meaning. */
 function withFormerStarts(before: readonly Ring[], outline: readonly Ring[], moved: (p: Point) => Point): Ring[] {
   return outline.map((ring, i) => {
     const old = before[i]?.[0];
@@ -97,7 +94,7 @@ function withFormerStarts(before: readonly Ring[], outline: readonly Ring[], mov
   });
 }
 
-/** Gives a part another outline; what lies on it goes along. `moved`: where its points went. */
+/** Gives a part a new outline and moves everything on it along. `moved` maps old points to new ones. */
 function withOutline(document: Document, id: string, outline: readonly Ring[], moved: (p: Point) => Point): Document {
   const former = document.parts[partIndex(document, id)]?.outline ?? [];
   const seat = (p: Point): Point => nearestPlace(outline, moved(p)).point;
@@ -119,11 +116,11 @@ function withOutline(document: Document, id: string, outline: readonly Ring[], m
 interface NewRing {
   readonly index: number;
   readonly ring: Ring;
-  /** So many sides at its beginning are new. */
+  /** Number of new sides at its beginning. */
   readonly changed: number;
 }
 
-/** Puts a ring in its place unless the outline crosses itself more than before or vanishes. */
+/** Replaces a ring, unless the outline would cross itself more than before or vanish. */
 function replaced(before: readonly Ring[], { index, ring, changed }: NewRing): Ring[] | Refusal {
   const outline = before.map((old, i) => (i === index ? ring : old));
   const old = before[index] as Ring;
@@ -134,7 +131,7 @@ function replaced(before: readonly Ring[], { index, ring, changed }: NewRing): R
   return outline;
 }
 
-/** Pushes the outline of a part at a place of it; what lies within `radius` px along it follows smoothly. */
+/** Pushes the outline of a part at one place. The outline follows smoothly within `radius` px along it. */
 export function pushOutline(document: Document, id: string, place: OutlinePlace, radius: number, by: Point): Reshaped {
   const part = document.parts[partIndex(document, id)];
   const old = part?.outline[place.ring];
@@ -153,14 +150,14 @@ export function pushOutline(document: Document, id: string, place: OutlinePlace,
   return { document: withOutline(document, id, outline, moved) };
 }
 
-/** The area between two lines that have their ends in common. */
+/** Returns the area between two lines with common ends. */
 function areaBetween(line: Ring, other: Ring): number {
   return Math.abs(area([...line, ...[...other].reverse()]));
 }
 
 /**
- * Replaces the stretch of an outline that a stroke corrects: of the two between its ends, the one
- * that encloses less with it. The ends of the stroke are put on the outline.
+ * Replaces a stretch of an outline by a stroke: of the two stretches between its ends the one that
+ * encloses less area with it. The ends of the stroke snap to the outline.
  */
 export function redrawOutline(document: Document, id: string, stroke: Ring): Reshaped {
   const part = document.parts[partIndex(document, id)];
@@ -172,7 +169,7 @@ export function redrawOutline(document: Document, id: string, stroke: Ring): Res
   const ahead = [from.point, ...walk(old, from.at, to.at), to.point];
   const back = [from.point, ...walk(old, to.at, from.at).reverse(), to.point];
   const replacesAhead = areaBetween(drawn, ahead) <= areaBetween(drawn, back);
-  const line = (replacesAhead ? drawn : [...drawn].reverse()).map(tidy);
+  const line = (replacesAhead ? drawn : [...drawn].reverse()).map((p) => rounded(p, 100));
   const rest = replacesAhead ? walk(old, to.at, from.at) : walk(old, from.at, to.at);
   const ring = { index: from.ring, ring: [...line, ...rest], changed: line.length };
   const outline = replaced(part.outline, ring);
@@ -180,7 +177,7 @@ export function redrawOutline(document: Document, id: string, stroke: Ring): Res
   return { document: withOutline(document, id, outline, (p) => p) };
 }
 
-/** A place on an outline that a hand can take, evenly spaced along each ring. */
+/** Returns places to grip an outline, evenly spaced along each ring. */
 export function grips(outline: readonly Ring[], spacing: number): OutlinePlace[] {
   return outline.flatMap((ring, index) => {
     const length = perimeter(ring);

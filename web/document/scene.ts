@@ -1,8 +1,8 @@
-/** Parts and what holds between them, as scene files have it. Coordinates are canvas px, y down. */
+/** Parts and their relations as in scene files (docs/scene.md). Coordinates are canvas px, y down. */
 
 export type Point = readonly [number, number];
 export type Ring = readonly Point[];
-/** `below` has a range. */
+/** `below` only occurs with a range. */
 export type RelationKind = 'equal' | 'above' | 'free' | 'below' | 'joined';
 
 export interface Part {
@@ -16,39 +16,39 @@ export interface Part {
   readonly d: number;
   /** Profile from 0, the usual semi-ellipse, to 1, a flat top with round edges. */
   readonly flat?: number;
-  /** How much nearer it comes per px to the right and downwards. */
+  /** Tilt: how much nearer the part comes per px to the right and downwards. */
   readonly lean?: Point;
   /** CSS colour where there is no drawing. */
   readonly color?: string;
 }
 
-export interface Join {
+/** Two parts by their ids; `upper` is the nearer one. */
+export interface Pair {
   readonly upper: string;
   readonly lower: string;
+}
+
+export interface Join extends Pair {
   readonly line: Ring;
 }
 
-export interface Relation {
-  readonly upper: string;
-  readonly lower: string;
+export interface Relation extends Pair {
   readonly relation: RelationKind;
   readonly range?: readonly [Point, Point];
 }
 
-export interface RobinRange {
-  readonly upper: string;
-  readonly lower: string;
+export interface RobinRange extends Pair {
   readonly from: Point;
   readonly to: Point;
   readonly alpha0?: number;
   readonly rho?: number;
 }
 
-/** What the profile of a part is like along a line on it. */
+/** Changes the profile of a part along a line on it. */
 export interface Cue {
   readonly part: string;
   readonly kind: 'bulge' | 'slope' | 'crease';
   readonly line: Ring;
-  /** Of a bulge a factor, of the others degrees. */
+  /** A factor for a bulge, degrees for the others. */
   readonly value: number;
 }

@@ -12,7 +12,7 @@ interface SceneFile {
   cues?: Cue[];
 }
 
-/** The document as the engine reads it, docs/scene.md. The same document gives the same text. */
+/** Returns the text of a scene file (docs/scene.md) for the engine. The same document gives the same text. */
 export function sceneText(document: Document, drawing?: string): string {
   const file: SceneFile = {
     format: 'relievo-scene',
@@ -30,7 +30,7 @@ export function sceneText(document: Document, drawing?: string): string {
   return JSON.stringify(file);
 }
 
-/** What a scene file says of a document. Precondition: the engine wrote or accepted the text. */
+/** Reads the fields of a document that a scene file holds. Precondition: the engine wrote or accepted the text. */
 export function sceneContent(
   text: string,
 ): Pick<Document, 'width' | 'height' | 'parts' | 'joins' | 'relations' | 'robin' | 'cues'> {

@@ -1,11 +1,12 @@
-import type { Document, Part, Point, Ring } from './document';
-import { contains, distance } from './outline';
+import type { Document, Point, Ring } from './document';
+import { distanceTo, rounded } from './outline';
+import { partAt } from './picking';
 import { sceneContent, sceneText } from './scene_text';
 import { emptySegmentation, freshLabel, labelOf, recordFrom, recordText, type Scribbles, type Segmentation, type Stroke } from './segmentation';
 
-/** Every verb of scribbling: a document in, a document out. Strokes stay editable for ever. */
+/** The edits of strokes. Each takes a document and returns a new one. Strokes stay editable. */
 
-/** Whether strokes can say what the parts are: on a flat drawing, unless others were given to it. */
+/** Returns whether strokes can mark parts: the drawing is flat and its parts did not come from elsewhere. */
 export function canScribble(document: Document): boolean {
   return document.drawing?.kind === 'image' && (document.segmentation !== null || document.parts.length === 0);
 }
@@ -18,12 +19,12 @@ export function scribblesOf(document: Document): Scribbles {
   return segmentationOf(document).scribbles;
 }
 
-/** The label of a stroke's part; undefined where it is for the background. */
+/** Returns the label of a stroke's part, or undefined for strokes of the background. */
 export function labelOfStroke(document: Document, { part }: Pick<Stroke, 'part'>): number | undefined {
   return part === undefined ? undefined : labelOf(segmentationOf(document), part);
 }
 
-/** The strokes at a point, the last one first. */
+/** Returns the strokes within `reach` px of a point, the last one first. */
 export function strokesNear(scribbles: Scribbles, point: Point, reach: number): Stroke[] {
   return scribbles.strokes.filter((stroke) => distanceTo(stroke.points, point) < reach + stroke.width / 2).reverse();
 }
@@ -32,35 +33,18 @@ export function strokeAt(scribbles: Scribbles, point: Point, reach: number): Str
   return strokesNear(scribbles, point, reach)[0];
 }
 
-function distanceTo(line: Ring, point: Point): number {
-  let least = Infinity;
-  line.forEach((a, i) => {
-    const b = line[i + 1] ?? a;
-    const dx = b[0] - a[0];
-    const dy = b[1] - a[1];
-    const length2 = dx * dx + dy * dy;
-    const t = length2 === 0 ? 0 : Math.min(1, Math.max(0, ((point[0] - a[0]) * dx + (point[1] - a[1]) * dy) / length2));
-    least = Math.min(least, distance(point, [a[0] + t * dx, a[1] + t * dy]));
-  });
-  return least;
-}
-
-function visiblePart(document: Document, point: Point): Part | undefined {
-  return [...document.parts].reverse().find((part) => contains(part.outline, point));
-}
-
-/** The part of the drawing that is seen at a point; undefined where it is none or drawn by hand. */
+/** Returns the segmented part that is visible at a point, or undefined if there is none or it was drawn by hand. */
 export function foundPartAt(document: Document, point: Point): string | undefined {
-  const id = visiblePart(document, point)?.id;
+  const id = partAt(document, point)?.id;
   return id !== undefined && labelOf(segmentationOf(document), id) !== undefined ? id : undefined;
 }
 
-/** The part without strokes of which a line covers most, or null. */
+/** Returns the part without strokes that a line covers most, or null. */
 function guessedPartUnder(document: Document, line: Ring): string | null {
   const { strokes } = scribblesOf(document);
   const counts = new Map<string, number>();
   for (const point of line) {
-    const id = visiblePart(document, point)?.id;
+    const id = partAt(document, point)?.id;
     if (id !== undefined) counts.set(id, (counts.get(id) ?? 0) + 1);
   }
   const known = segmentationOf(document).parts;
@@ -78,8 +62,8 @@ function freshName(document: Document): string {
 }
 
 /**
- * The part that a stroke is for where the person does not say: that of the stroke at which it
- * begins, or the guessed one that it covers, or a new one.
+ * Chooses the part of a stroke that was drawn without naming one: the part of the stroke on which it
+ * starts, else the guessed part that it covers most, else a new part.
  */
 export function partOfStroke(document: Document, line: Ring, reach: number): string {
   const begun = strokeAt(scribblesOf(document), line[0] as Point, reach);
@@ -92,13 +76,13 @@ export function withScribbles(document: Document, strokes: readonly Stroke[]): D
   return { ...document, segmentation: { ...segmentation, scribbles: { ...segmentation.scribbles, parts, strokes } } };
 }
 
-/** With another number of parts that the drawing is taken to have. */
+/** Sets the number of parts that the drawing shall have. */
 export function withCount(document: Document, count: number): Document {
   const segmentation = segmentationOf(document);
   return { ...document, segmentation: { ...segmentation, scribbles: { ...segmentation.scribbles, count } } };
 }
 
-/** With another stroke; its part is known by its name from now on. */
+/** Adds a stroke, and its part if that is new. */
 export function addStroke(document: Document, stroke: Stroke): Document {
   const added = withScribbles(document, [...scribblesOf(document).strokes, stroke]);
   const segmentation = segmentationOf(added);
@@ -112,37 +96,37 @@ function isSameStroke(a: Stroke, b: Stroke): boolean {
   return a.kind === b.kind && a.width === b.width && JSON.stringify(a.points) === JSON.stringify(b.points);
 }
 
-/** Without one stroke. */
+/** Removes a stroke. */
 export function clearStroke(document: Document, stroke: Stroke): Document {
   const { strokes } = scribblesOf(document);
   const kept = strokes.filter((other) => !isSameStroke(other, stroke));
   return kept.length === strokes.length ? document : withScribbles(document, kept);
 }
 
-/** With a stroke at another place; the same document where it is not there. */
+/** Moves a stroke. Returns the same document if there is no such stroke. */
 export function moveStroke(document: Document, moved: Stroke, [dx, dy]: Point): Document {
   const { strokes } = scribblesOf(document);
   const at = strokes.findIndex((stroke) => isSameStroke(stroke, moved));
   if (at < 0 || (dx === 0 && dy === 0)) return document;
-  const points = moved.points.map(([x, y]): Point => [Math.round(10 * (x + dx)) / 10, Math.round(10 * (y + dy)) / 10]);
+  const points = moved.points.map(([x, y]) => rounded([x + dx, y + dy], 10));
   return withScribbles(document, strokes.map((stroke, i) => (i === at ? { ...stroke, points } : stroke)));
 }
 
-/** Without the strokes that a line touches; the same document where there are none. */
+/** Removes the strokes that a line touches. Returns the same document if there are none. */
 export function eraseStrokes(document: Document, line: Ring, reach: number): Document {
   const { strokes } = scribblesOf(document);
   const kept = strokes.filter((stroke) => !line.some((point) => distanceTo(stroke.points, point) < reach + stroke.width / 2));
   return kept.length === strokes.length ? document : withScribbles(document, kept);
 }
 
-/** Without all strokes of a part, or without those of a kind for the background. */
+/** Removes all strokes of a part, or all background strokes of a kind. */
 export function clearStrokes(document: Document, of: { part: string } | { kind: 'outside' | 'hole' }): Document {
   const { strokes } = scribblesOf(document);
   const goes = (stroke: Stroke): boolean => ('part' in of ? stroke.part === of.part : stroke.kind === of.kind);
   return strokes.some(goes) ? withScribbles(document, strokes.filter((stroke) => !goes(stroke))) : document;
 }
 
-/** What the engine makes of strokes and corrections. */
+/** The engine's interpretation of strokes and corrections. */
 export interface Understood {
   /** Text of a project.json with the record. */
   readonly project: string;
@@ -152,12 +136,12 @@ export interface Understood {
   readonly labels: Uint8Array;
 }
 
-/** `old` where it says the same, so that nothing is built anew. */
+/** Returns `old` if both are equal, so that nothing is built again. */
 function unlessSame<T>(found: T, old: T): T {
   return JSON.stringify(found) === JSON.stringify(old) ? old : found;
 }
 
-/** What the engine is asked to understand: the drawing's record and the scene as it was edited. */
+/** Returns what the engine needs to interpret a drawing: the record of its segmentation and the edited scene. */
 export function questionOf(document: Document): { project: string; labels: Uint8Array; edited: string } {
   const segmentation = segmentationOf(document);
   const edited = document.parts.length === 0 ? '' : sceneText(document);
@@ -166,7 +150,7 @@ export function questionOf(document: Document): { project: string; labels: Uint8
 
 const nothing = { parts: [], joins: [], relations: [], robin: [], cues: [] };
 
-/** The document as the engine understands it now; see questionOf. */
+/** Updates a document with the engine's answer to questionOf. Parts drawn by hand stay as they are. */
 export function adopt(document: Document, understood: Understood): Document {
   const found = understood.scene === '' ? nothing : sceneContent(understood.scene);
   const named = new Set(segmentationOf(document).parts.map((part) => part.id));

@@ -1,13 +1,13 @@
 import type { Cue, Point, RelationKind, Ring } from './scene';
 
-/** How a flat drawing was understood, as docs/project.md has it. Parts are named by their labels. */
+/** How a flat drawing was divided into parts (docs/project.md). Parts are identified by their labels. */
 
 export type StrokeKind = 'soft' | 'hard' | 'outside' | 'hole';
 
 /** A stroke of a round brush. */
 export interface Stroke {
   readonly kind: StrokeKind;
-  /** Of soft and hard strokes: one of Scribbles.parts, the id of its part. */
+  /** The id of its part, one of Scribbles.parts; only for soft and hard strokes. */
   readonly part?: string;
   /** px, positive. */
   readonly width: number;
@@ -18,13 +18,13 @@ export interface Stroke {
 export interface Scribbles {
   readonly parts: readonly string[];
   readonly strokes: readonly Stroke[];
-  /** Whether these parts are all: what no stroke touches goes to them, else it stays as proposed. */
+  /** Whether there are no other parts: areas without strokes then join these parts, else they stay as proposed. */
   readonly complete?: boolean;
-  /** So many parts are proposed; as many as are found where it is not there. */
+  /** Number of parts to propose; if absent, the engine decides. */
   readonly count?: number;
 }
 
-export interface LabelledPart {
+interface LabelledPart {
   readonly label: number;
   readonly id: string;
   readonly completion: string;
@@ -33,6 +33,11 @@ export interface LabelledPart {
 export interface LabelPair {
   readonly upper: number;
   readonly lower: number;
+}
+
+/** Returns whether two pairs are of the same parts, whichever of them is nearer. */
+export function samePair<Name extends string | number>(a: { upper: Name; lower: Name }, b: { upper: Name; lower: Name }): boolean {
+  return (a.upper === b.upper && a.lower === b.lower) || (a.upper === b.lower && a.lower === b.upper);
 }
 
 export interface PartCorrection {
@@ -45,7 +50,7 @@ export interface PartCorrection {
   readonly lean?: Point;
 }
 
-/** What a person said, never overruled. */
+/** Decisions of the user, which the engine never overrules. */
 export interface Corrections {
   readonly parts: readonly PartCorrection[];
   readonly order: readonly LabelPair[];
@@ -61,7 +66,7 @@ export interface Corrections {
   readonly cues?: readonly (Omit<Cue, 'part'> & { readonly part: number })[];
 }
 
-/** What project.json says of it. */
+/** The segmentation as project.json holds it. */
 export interface SegmentationRecord {
   /** Back to front. */
   readonly parts: readonly LabelledPart[];
@@ -72,7 +77,7 @@ export interface SegmentationRecord {
 }
 
 export interface Segmentation extends SegmentationRecord {
-  /** A PNG file: the label of every pixel of the drawing; empty before anything is known. */
+  /** A PNG file with the label of every pixel of the drawing; empty before the first segmentation. */
   readonly labels: Uint8Array;
 }
 
@@ -87,17 +92,17 @@ export function emptySegmentation(): Segmentation {
   };
 }
 
-/** Whether the drawing itself is the picture that covers the canvas: what was segmented does. */
+/** Returns whether the drawing's own file is the picture that covers the canvas, as for segmented drawings. */
 export function isOwnPicture(segmentation: Segmentation | null): boolean {
   return segmentation !== null && segmentation.labels.length > 0;
 }
 
-/** The record, keys in the order of the file. */
+/** Returns only the record, with its keys in the order of the file. */
 export function recordOf({ parts, order, joins, scribbles, corrections }: SegmentationRecord): SegmentationRecord {
   return { parts, order, joins, scribbles, corrections };
 }
 
-/** The text of a project.json with nothing but the record: what the engine reads and writes. */
+/** Returns the text of a project.json with nothing but the record, which the engine reads and writes. */
 export function recordText(record: SegmentationRecord): string {
   return JSON.stringify({
     format: 'relievo-project',
@@ -108,7 +113,7 @@ export function recordText(record: SegmentationRecord): string {
   });
 }
 
-/** Reads a record back. Precondition: the engine wrote or accepted the text. */
+/** Reads the record of a project.json. Precondition: the engine wrote or accepted the text. */
 export function recordFrom(text: string): SegmentationRecord {
   const { segmentation } = JSON.parse(text) as { segmentation: SegmentationRecord };
   return recordOf(segmentation);
@@ -118,12 +123,12 @@ export function labelOf(record: SegmentationRecord, id: string): number | undefi
   return record.parts.find((part) => part.id === id)?.label;
 }
 
-/** A part under another name, wherever the segmentation speaks of it. */
+/** Renames a part everywhere in the segmentation. */
 export function renameLabelled(segmentation: Segmentation, id: string, name: string): Segmentation {
   const label = labelOf(segmentation, id);
   if (label === undefined) return segmentation;
   const { scribbles, corrections } = segmentation;
-  const said = corrections.parts.find((part) => part.label === label);
+  const before = corrections.parts.find((part) => part.label === label);
   const others = corrections.parts.filter((part) => part.label !== label);
   return {
     ...segmentation,
@@ -135,12 +140,12 @@ export function renameLabelled(segmentation: Segmentation, id: string, name: str
     },
     corrections: {
       ...corrections,
-      parts: [...others, { ...said, label, id: name }].sort((a, b) => a.label - b.label),
+      parts: [...others, { ...before, label, id: name }].sort((a, b) => a.label - b.label),
     },
   };
 }
 
-/** A label that no part has had. */
+/** Returns a label that no part has. */
 export function freshLabel(record: SegmentationRecord): number {
   return 1 + Math.max(0, ...record.parts.map((part) => part.label));
 }

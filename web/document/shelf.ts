@@ -4,12 +4,12 @@ import type { Document } from './document';
 import { type History, historyThrough, positionsOf, startHistory } from './history';
 import { hashOfFields, hashOfPicture, packDocument, type Packed, type StoredFields, Unpacker } from './stored';
 
-/** A kept state: what is said of it without reading it. */
+/** The summary of a saved state. */
 export interface VersionNote {
   readonly number: number;
   /** ms since 1970. */
   readonly time: number;
-  /** Of the step that led to it. */
+  /** Name of the step that led to it. */
   readonly label: string;
 }
 
@@ -17,17 +17,17 @@ export interface VersionNote {
 export interface Entry {
   readonly id: string;
   readonly name: string;
-  /** Of the last change, ms since 1970. */
+  /** Time of the last change, ms since 1970. */
   readonly time: number;
   /** Oldest first. */
   readonly versions: readonly VersionNote[];
-  /** Numbers of the states that undo goes back through, the present one last. */
+  /** Numbers of the states that undo goes back through, the current one last. */
   readonly done: readonly number[];
-  /** Numbers of the states that redo goes on to, the next one first. */
+  /** Numbers of the states that redo goes forward through, the next one first. */
   readonly undone: readonly number[];
   /** A small PNG file. */
   readonly thumbnail?: Uint8Array;
-  /** When it was thrown away. */
+  /** When it was thrown away, ms since 1970. */
   readonly removed?: number;
 }
 
@@ -41,31 +41,34 @@ interface Version {
 }
 
 interface Schema extends DBSchema {
-  /** Of editors that kept ten states of whatever was open. */
+  /** From early editors, which kept the last ten states of whatever was open. */
   generations: { key: number; value: { number: number; document: Document } };
   entries: { key: string; value: Entry };
   versions: { key: [string, number]; value: Version; indexes: { pictures: string } };
   pictures: { key: string; value: Uint8Array };
 }
 
-/** So many steps can be undone when a document is opened again. */
+/** Number of steps that can be undone after a document is opened again. */
 const keptSteps = 100;
-/** Where there are more versions than that, every other older one that no undo needs goes. */
+/**
+ * Beyond `mostVersions` every other version is deleted, except the newest `wholeVersions` and those that undo
+ * needs.
+ */
 const mostVersions = 400;
 const wholeVersions = 200;
-/** What was thrown away can be brought back for so long, ms. */
+/** Thrown away documents can be brought back for this time, ms. */
 const removedFor = 7 * 24 * 3600 * 1000;
 
-/** Which states of an open document are kept already. */
+/** The numbers of the states of an open document that are saved already. */
 interface Known {
   base: number | null;
   readonly after: WeakMap<Change, number>;
 }
 
-/** A state that is kept already, or one that is to be. */
+/** A state that is saved already, or one to save. */
 type State = { readonly number: number } | { readonly label: string; readonly packed: Packed };
 
-/** All documents of this browser, each with its versions and its undo. */
+/** Stores all documents of this browser, with their versions and undo history, in IndexedDB. */
 export class Shelf {
   private readonly known = new Map<string, Known>();
 
@@ -85,7 +88,7 @@ export class Shelf {
     return shelf;
   }
 
-  /** All documents, the last changed first. */
+  /** Lists all documents, the last changed first. */
   async list(): Promise<Entry[]> {
     const entries = await this.database.getAll('entries');
     return entries.filter((entry) => entry.removed === undefined).sort((a, b) => b.time - a.time);
@@ -96,8 +99,8 @@ export class Shelf {
   }
 
   /**
-   * Keeps every state of a history that is not kept yet. Resolves when the transaction is complete
-   * and what it wrote has been read back; rejects where nothing was written.
+   * Saves every state of a history that is not saved yet. Resolves once the transaction is complete and
+   * its result has been read back; rejects if nothing was written.
    */
   async save(id: string, history: History): Promise<void> {
     const known = this.known.get(id) ?? { base: null, after: new WeakMap<Change, number>() };
@@ -119,7 +122,10 @@ export class Shelf {
     await this.thin(id);
   }
 
-  /** A document with its undo, or, where its newest state is damaged, the newest that is whole; null where none is. */
+  /**
+   * Loads a document with its undo history. If its newest state is damaged, loads the newest intact one;
+   * returns null if there is none.
+   */
   async load(id: string): Promise<History | null> {
     const entry = await this.entry(id);
     if (!entry) return null;
@@ -138,7 +144,7 @@ export class Shelf {
     return history;
   }
 
-  /** One state; null where it is damaged. */
+  /** Loads one state. Returns null if it is damaged. */
   async version(id: string, number: number): Promise<Document | null> {
     return this.read(id, number, new Unpacker(await this.picturesOf(id)));
   }
@@ -147,7 +153,7 @@ export class Shelf {
     await this.change(id, (entry) => ({ ...entry, thumbnail }));
   }
 
-  /** Throws a document away; it can be brought back for a week. */
+  /** Throws a document away. It can be brought back for a week. */
   async remove(id: string): Promise<void> {
     await this.change(id, (entry) => ({ ...entry, removed: Date.now() }));
   }
@@ -156,7 +162,7 @@ export class Shelf {
     await this.change(id, ({ removed: _removed, ...entry }) => entry);
   }
 
-  /** Writes states and the entry at once, or nothing. */
+  /** Writes states and the entry in one transaction: all of them or none. */
   private async write(id: string, name: string, states: readonly State[], at: number): Promise<{ numbers: number[]; written: Version[] }> {
     const transaction = this.database.transaction(['entries', 'versions', 'pictures'], 'readwrite', { durability: 'strict' });
     const work = async (): Promise<{ numbers: number[]; written: Version[] }> => {
@@ -183,7 +189,7 @@ export class Shelf {
       await entries.put({ ...former, id, name, time, versions, done: numbers.slice(0, at + 1), undone: numbers.slice(at + 1) });
       return { numbers, written };
     };
-    // Where writing fails, the transaction does too, and says why.
+    // If writing fails, the transaction fails too and gives the reason.
     const [result] = await Promise.all([work(), transaction.done]);
     return result;
   }
@@ -205,11 +211,11 @@ export class Shelf {
     return null;
   }
 
-  /** Which numbers the states of a history that was read have. */
+  /** Remembers the numbers of the states of a history that was loaded. */
   private remember(id: string, history: History, numbers: readonly number[]): void {
     const { positions } = positionsOf(history, keptSteps);
     const after = new WeakMap<Change, number>();
-    // States that are alike have no change between them.
+    // Equal states have no change between them, so numbers and changes would not match.
     if (positions.length !== numbers.length) return;
     positions.forEach(({ change }, i) => change && after.set(change, numbers[i] as number));
     this.known.set(id, { base: numbers[0] ?? null, after });
@@ -225,7 +231,7 @@ export class Shelf {
     }
   }
 
-  /** The pictures of a document that are whole, by hash. */
+  /** Returns the pictures of a document by the hash of their content. */
   private async picturesOf(id: string): Promise<Map<string, Uint8Array>> {
     const range = IDBKeyRange.bound(`${id}/`, `${id}/\uffff`);
     const all = await this.database.getAll('pictures', range);
@@ -248,7 +254,7 @@ export class Shelf {
     await this.forget(id, older.filter((_, i) => i % 2 === 1).map(({ number }) => number));
   }
 
-  /** Deletes states, and pictures that no other state shows. */
+  /** Deletes states, and pictures that no other state uses. */
   private async forget(id: string, numbers: readonly number[]): Promise<void> {
     const gone = new Set(numbers);
     const transaction = this.database.transaction(['entries', 'versions', 'pictures'], 'readwrite');
@@ -272,7 +278,7 @@ export class Shelf {
     }
   }
 
-  /** Puts what an older editor kept on the shelf, the newest state of every name. */
+  /** Moves the documents of an early editor to the shelf, with the newest state of each name. */
   private async takeGenerations(): Promise<void> {
     if (!this.database.objectStoreNames.contains('generations')) return;
     const newest = new Map((await this.database.getAll('generations')).map(({ document }) => [document.name, document]));
@@ -281,7 +287,7 @@ export class Shelf {
   }
 }
 
-/** What `read` makes of numbers, up to the first that it makes nothing of. */
+/** Reads numbers in turn and returns the results up to the first null. */
 async function takeWhile<T>(numbers: readonly number[], read: (number: number) => Promise<T | null>): Promise<T[]> {
   const taken: T[] = [];
   for (const number of numbers) {

@@ -1,17 +1,17 @@
 import { type Document, emptyDocument } from './document';
 
-/** A document as text, field by field, so that states which share a field are read back sharing it. */
+/** A document as text, field by field, so that states that share a field still share it when they are read back. */
 export type StoredFields = Readonly<Record<string, string>>;
 
 export interface Packed {
   readonly fields: StoredFields;
-  /** Of the fields; pictures count by their own hashes. */
+  /** Hash of the fields, which contain the hashes of the pictures. */
   readonly hash: string;
-  /** The pictures that the fields speak of, by hash. */
+  /** The pictures that the fields refer to, by hash. */
   readonly pictures: ReadonlyMap<string, Uint8Array>;
 }
 
-/** Stands for bytes in the text of a field. */
+/** The key that stands for bytes in the text of a field. */
 const reference = '$bytes';
 
 async function hashOfBytes(bytes: Uint8Array): Promise<string> {
@@ -19,7 +19,7 @@ async function hashOfBytes(bytes: Uint8Array): Promise<string> {
   return Array.from(new Uint8Array(digest), (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
-/** Bytes of documents never change. */
+/** Hashes computed so far; the bytes of documents never change. */
 const hashes = new WeakMap<Uint8Array, string>();
 
 export async function hashOfPicture(bytes: Uint8Array): Promise<string> {
@@ -32,7 +32,7 @@ export function hashOfFields(fields: StoredFields): Promise<string> {
   return hashOfBytes(new TextEncoder().encode(JSON.stringify(fields)));
 }
 
-/** The text of a document. What may be painted of an SVG is left out: it is found anew. */
+/** Packs a document as text. The paintable version of an SVG is left out, since it is derived again on opening. */
 export async function packDocument(document: Document): Promise<Packed> {
   const pictures = new Map<string, Uint8Array>();
   for (const bytes of [document.drawing?.bytes, document.segmentation?.labels])
@@ -49,13 +49,16 @@ function isReference(value: unknown): value is Record<typeof reference, string> 
   return typeof value === 'object' && value !== null && reference in value;
 }
 
-/** Reads states of one document back, one after the other. */
+/** Reads states of one document, one after the other. */
 export class Unpacker {
   private before: { fields: StoredFields; document: Document } | null = null;
 
   constructor(private readonly pictures: ReadonlyMap<string, Uint8Array>) {}
 
-  /** Fields that an older editor did not know are as in an empty document. Throws where a picture is missing. */
+  /**
+   * Reads a state. Fields that an older editor did not know get the values of an empty document. Throws if a
+   * picture is missing.
+   */
   unpack(fields: StoredFields): Document {
     const { before } = this;
     const long = (_key: string, value: unknown): unknown => {

@@ -1,53 +1,50 @@
 import { type Document, type Part, type Point, type Ring } from './document';
-import { addOpenPart, addPart, changePart, joinParts, movePart, partAt } from './editing';
-import { area, contains, distance, mix, nearestPlace, perimeter, simplify, smooth } from './outline';
+import { addOpenPart, addPart, changePart, joinParts, movePart } from './editing';
+import { area, areaOf, contains, distance, lengthOf, mix, nearestPlace, oval, perimeter, simplify, smooth } from './outline';
+import { partAt } from './picking';
 import { around, largest, unionOf } from './regions';
 
-/** Why a stroke became nothing. */
+/** The reasons why a stroke makes nothing. */
 export type StrokeRefusal = 'dotOnPaper';
 
-/** How a stroke is meant. */
+/** How a stroke is to be read. */
 export interface Hand {
   /** How far a hand may miss, px. */
   readonly reach: number;
-  /** Of the part that it makes. */
+  /** Name of the part that the stroke makes. */
   readonly name: string;
-  /** Whether that lies behind all others. */
+  /** Whether that part lies behind all others. */
   readonly behind: boolean;
 }
 
 export type Drawn = { readonly document: Document; readonly id: string } | { readonly refused: StrokeRefusal };
 
-/** Ends so near to each other, as a share of the stroke's length, are one. */
+/** A stroke is closed if its ends are nearer than this share of its length. */
 const closing = 0.05;
-/** Thinner than so many reaches on average, a stroke encloses nothing: it is a line. */
+/** A stroke with a smaller average thickness, in reaches, encloses nothing and is a line. */
 const leastThickness = 0.5;
-/** Limbs may be as thin as this, and their ends as near to each other, in reaches. */
+/** Smallest thickness of a limb, and largest distance of its ends when it is closed, in reaches. */
 const limbThickness = 0.2;
 const limbGap = 0.35;
-/** Half the width of lines, in reaches: as parts, on a part. */
+/** Half the width of lines, in reaches: of a tube, and of a line on a part. */
 const tubeRadius = 0.8;
 const lineRadius = 0.3;
 /** Half the width of a dot, in reaches. */
 const dotRadius = 0.55;
-/** A shape on one part that takes less than this of it is a detail, as eyes are. */
+/** A shape within one part is a detail, such as an eye, if it covers at most this share of it. */
 const detailShare = 0.06;
-/** Ends so many reaches from an outline reach into it. */
+/** Ends of strokes this near to an outline, in reaches, are extended into the part. */
 const snapping = 1.5;
 export const detailInk = '#37322c';
 
-function lengthOf(line: Ring): number {
-  return line.reduce((sum, p, i) => (i === 0 ? 0 : sum + distance(line[i - 1] as Point, p)), 0);
-}
-
-/** Whether a stroke goes out from a part and comes back to it. */
+/** Returns whether a stroke leaves a part and comes back to it. */
 function isLimb({ parts }: Document, stroke: Ring): boolean {
   const [first, last] = [stroke[0] as Point, stroke.at(-1) as Point];
   const root = [...parts].reverse().find(({ outline }) => contains(outline, first) && contains(outline, last));
   return root !== undefined && stroke.filter((p) => !contains(root.outline, p)).length > stroke.length / 2;
 }
 
-/** Whether the ends of a stroke meet: those of a limb must touch. */
+/** Returns whether the ends of a stroke meet. Those of a limb must nearly touch. */
 export function isClosed(document: Document, stroke: Ring, reach: number): boolean {
   const length = lengthOf(stroke);
   const gap = distance(stroke[0] as Point, stroke.at(-1) as Point);
@@ -55,36 +52,39 @@ export function isClosed(document: Document, stroke: Ring, reach: number): boole
   return gap < Math.max(Math.min(1.5 * reach, 0.3 * length), closing * length);
 }
 
-/** All that a closed line goes around, whether or not it crosses itself. */
+/** Returns the outer ring around everything that a closed line encloses, even if it crosses itself. */
 function outerUnion(ring: Ring, reach: number): Point[] {
   const pieces = unionOf([ring]);
   if (pieces.length <= 1) return largest(pieces);
-  // The line itself holds together what it touches in a point only.
+  // Adds the line itself, which connects pieces that touch in a point only.
   const line = around([...ring, ring[0] as Point], reach / 6);
   const upright = (piece: Ring): Ring => (area(piece) < 0 ? [...piece].reverse() : piece);
   return largest(unionOf([...pieces, ...line].map(upright)));
 }
 
-/** The part in which all of a ring lies, if it is seen there. */
+/** Returns the part that contains all of a ring, if that part is visible at its first point. */
 function groundOf(document: Document, ring: Ring): Part | undefined {
   const [first] = ring;
   const part = first && partAt(document, first);
   return part && ring.every((p) => contains(part.outline, p)) ? part : undefined;
 }
 
-function areaOf({ outline }: Part): number {
-  return Math.abs(outline.reduce((sum, ring) => sum + area(ring), 0));
-}
-
 function newest(document: Document): string {
   return document.parts.at(-1)?.id ?? '';
+}
+
+/** Adds a small mark such as an eye: a flatter part of its own colour. */
+export function addDetail(document: Document, name: string, ring: Ring, color: string): Document {
+  const added = addPart(document, name, ring);
+  const id = newest(added);
+  return changePart(colored(added, id, color), id, { c: 2 });
 }
 
 function colored(document: Document, id: string, color: string): Document {
   return { ...document, parts: document.parts.map((part) => (part.id === id ? { ...part, color } : part)) };
 }
 
-/** What a stroke that is still being drawn would make if the pen came back now; null while that is nothing to see. */
+/** Returns what a stroke in progress would make if the pen came back now, or null if that would be too thin to see. */
 export function previewStroke(document: Document, hand: Hand, points: Ring): Document | null {
   const { reach } = hand;
   const [first] = points as [Point, ...Point[]];
@@ -93,29 +93,23 @@ export function previewStroke(document: Document, hand: Hand, points: Ring): Doc
   return 'refused' in drawn ? null : drawn.document;
 }
 
-/** A closed shape: a part, or a detail of the part on which it lies. */
+/** Adds a closed shape as a part, or as a detail of the part on which it lies. */
 function addShape(document: Document, name: string, ring: Ring): Document {
   const ground = groundOf(document, ring);
-  const added = addPart(document, name, ring);
-  if (!ground || Math.abs(area(ring)) > detailShare * areaOf(ground)) return added;
-  const id = newest(added);
-  return changePart(colored(added, id, detailInk), id, { c: 2 });
+  const isDetail = ground && Math.abs(area(ring)) <= detailShare * Math.abs(areaOf(ground.outline));
+  return isDetail ? addDetail(document, name, ring, detailInk) : addPart(document, name, ring);
 }
 
-/** A line with a width: a detail where it lies on one part, else a tube, joined to the part that it begins or ends on. */
+/** Adds a line: a detail if it lies on one part, else a tube that is joined to the part where it begins or ends. */
 function addTube(document: Document, { name, reach }: Hand, line: Ring): Document {
-  const ground = groundOf(document, line);
-  if (ground) {
-    const drawn = addPart(document, name, largest(around(line, lineRadius * reach)));
-    return changePart(colored(drawn, newest(drawn), detailInk), newest(drawn), { c: 2 });
-  }
+  if (groundOf(document, line)) return addDetail(document, name, largest(around(line, lineRadius * reach)), detailInk);
   const root = partAt(document, line[0] as Point) ?? partAt(document, line.at(-1) as Point);
   const added = addPart(document, name, largest(around(line, tubeRadius * reach)));
   const id = newest(added);
   return root ? joinParts(colored(added, id, root.color ?? '#d9d4c7'), id, root.id) : added;
 }
 
-/** An end that stops just before a part goes on into it. */
+/** Returns the extension of an end that stops just before a part. */
 function snapped(document: Document, end: Point, reach: number): Point[] {
   if (partAt(document, end)) return [];
   const places = document.parts.map((part) => nearestPlace(part.outline, end));
@@ -124,7 +118,10 @@ function snapped(document: Document, end: Point, reach: number): Point[] {
   return [mix(end, place.point, 1 + (0.7 * reach) / place.distance)];
 }
 
-/** Whether what a ring goes around is another area than its own, in which loops count by their turns. */
+/**
+ * Returns whether a ring crosses itself: then the area that it encloses differs from its signed area, in which
+ * loops count by their turns.
+ */
 function crossesItself(ring: Ring): boolean {
   const pieces = unionOf([ring]);
   const own = Math.abs(area(ring));
@@ -150,21 +147,17 @@ function addClosed(document: Document, hand: Hand, stroke: Ring): Document {
   return thickness < small ? addTube(document, hand, stroke) : addShape(document, name, ring);
 }
 
-/** A tap: a small round detail of the part below. */
+/** Adds a small round detail to the part below a tap. */
 function addDot(document: Document, { name, reach }: Hand, [x, y]: Point): Drawn {
   if (!partAt(document, [x, y])) return { refused: 'dotOnPaper' };
-  const ring = Array.from({ length: 24 }, (_, i): Point => {
-    const angle = (Math.PI * i) / 12;
-    return [x + dotRadius * reach * Math.cos(angle), y + dotRadius * reach * Math.sin(angle)];
-  });
-  const added = addShape(document, name, ring);
+  const added = addShape(document, name, oval([x, y], [dotRadius * reach, dotRadius * reach], 24));
   return { document: added, id: newest(added) };
 }
 
 /**
- * What a stroke makes: a part of a closed one, also where it crosses itself; a limb of an open one
- * that goes out from a part and comes back; a tube of a line; a detail of what is small and lies on
- * a part. Nothing only of a tap beside all parts.
+ * Makes a part of a stroke. A closed stroke, even one that crosses itself, becomes a part; an open one
+ * that leaves a part and comes back becomes a limb; a line becomes a tube; a small shape on a part
+ * becomes a detail. Only a tap outside all parts is refused.
  */
 export function drawStroke(document: Document, hand: Hand, points: Ring): Drawn {
   const { reach } = hand;

@@ -1,13 +1,13 @@
 import type { Document, Join, Part, Point, Ring } from './document';
-import { boxOf, contains, distance, longestRunInside, mix, perimeter, pointAt } from './outline';
+import { boxOf, contains, distanceTo, longestRunInside, perimeter, pointAt } from './outline';
 
-/** So many places of an outline are looked at. */
+/** Number of sampled points of an outline. */
 const samples = 96;
-/** A root takes such a share of an outline; less is a touch, more an eye or a spot. */
+/** Smallest and largest share of an outline that is a root. Less is a touch, more is an eye or a spot. */
 const leastRoot = 0.08;
 const mostRoot = 0.6;
 
-/** Documents never change. */
+/** Suggestions found so far; documents never change. */
 const found = new WeakMap<Document, readonly Join[]>();
 
 function boxesMeet(a: Part, b: Part): boolean {
@@ -15,7 +15,7 @@ function boxesMeet(a: Part, b: Part): boolean {
   return ([0, 1] as const).every((k) => p.max[k] >= q.min[k] && q.max[k] >= p.min[k]);
 }
 
-/** The share of a ring inside a part where that is one run; 0 where it is none or several. */
+/** Returns the share of a ring inside a part if it is one stretch, else 0. */
 function rootShare(ring: Ring, lower: Part): number {
   const length = perimeter(ring);
   const inside = Array.from({ length: samples }, (_, i) => contains(lower.outline, pointAt(ring, (i * length) / samples)));
@@ -23,7 +23,7 @@ function rootShare(ring: Ring, lower: Part): number {
   return starts === 1 ? inside.filter(Boolean).length / samples : 0;
 }
 
-/** The part behind in which most of a root lies. */
+/** Returns the part behind that contains most of a root, or null. */
 function lowerOf(upper: Part, behind: readonly Part[]): Part | null {
   const [outer] = upper.outline;
   if (!outer || upper.outline.length > 1) return null;
@@ -43,8 +43,8 @@ function findJoins({ parts, joins, relations }: Document): Join[] {
 }
 
 /**
- * Joins that a person may want: of parts that have none, whose outline dips into another part just
- * once, as a limb's root does, and of which nothing else is said.
+ * Suggests joins: for parts without a join or relation whose outline dips into another part exactly
+ * once, as the root of a limb does.
  */
 export function suggestedJoins(document: Document): readonly Join[] {
   const joins = found.get(document) ?? findJoins(document);
@@ -52,10 +52,9 @@ export function suggestedJoins(document: Document): readonly Join[] {
   return joins;
 }
 
-/** The one of some joins whose line passes a point within `reach` px, or null. */
+/** Returns the nearest join whose line passes within `reach` px of a point, or null. */
 export function joinAt(joins: readonly Join[], point: Point, reach: number): Join | null {
-  const gap = (join: Join): number =>
-    Math.min(...join.line.flatMap((p, i) => [distance(p, point), distance(mix(p, join.line[i + 1] ?? p, 0.5), point)]));
+  const gap = (join: Join): number => distanceTo(join.line, point);
   const near = joins.filter((join) => gap(join) < reach);
   return near.sort((a, b) => gap(a) - gap(b))[0] ?? null;
 }

@@ -1,39 +1,39 @@
 import { type Document, emptyDocument, type Point } from './document';
 import { joinParts } from './editing';
+import { oval } from './outline';
 import { drawStroke } from './strokes';
 
-/** How far the hand that drew it may miss, px. */
+/** Reach of the hand for its strokes, px; see Hand. */
 const reach = 12;
 
-function oval([x, y]: Point, [across, up]: Point): Point[] {
-  return Array.from({ length: 41 }, (_, i): Point => {
-    const angle = (Math.PI * i) / 20;
-    return [x + across * Math.cos(angle), y + up * Math.sin(angle)];
-  });
+/** Returns a stroke around an ellipse, which ends where it begins. */
+function loop(centre: Point, radii: Point): Point[] {
+  const ring = oval(centre, radii, 40);
+  return [...ring, ring[0] as Point];
 }
 
-/** A limb that hangs from a body between two places of it, down to `foot`. */
+/** Returns the stroke of a leg that hangs from the body between `left` and `right` down to `foot`. */
 function leg(left: number, right: number, foot: number): Point[] {
   const middle = (left + right) / 2;
   return [[left, 500], [left - 4, foot - 30], [middle, foot], [right + 4, foot - 30], [right, 500]];
 }
 
-/** Front first to last; what lies behind is drawn so. */
+/** The strokes in the order of drawing. Later ones lie in front unless they are drawn behind. */
 const strokes: readonly { name: string; behind: boolean; points: readonly Point[] }[] = [
-  { name: 'body', behind: false, points: oval([470, 440], [215, 130]) },
+  { name: 'body', behind: false, points: loop([470, 440], [215, 130]) },
   { name: 'leg', behind: true, points: leg(395, 455, 660) },
   { name: 'leg', behind: true, points: leg(575, 635, 660) },
   { name: 'leg', behind: false, points: leg(315, 380, 690) },
   { name: 'leg', behind: false, points: leg(500, 565, 690) },
-  { name: 'head', behind: false, points: oval([690, 290], [130, 112]) },
+  { name: 'head', behind: false, points: loop([690, 290], [130, 112]) },
   { name: 'ear', behind: false, points: [[600, 225], [590, 105], [675, 190]] },
   { name: 'ear', behind: false, points: [[715, 190], [800, 110], [785, 230]] },
-  { name: 'eye', behind: false, points: oval([680, 285], [13, 17]) },
-  { name: 'eye', behind: false, points: oval([755, 285], [13, 17]) },
-  { name: 'nose', behind: false, points: oval([722, 330], [16, 11]) },
+  { name: 'eye', behind: false, points: loop([680, 285], [13, 17]) },
+  { name: 'eye', behind: false, points: loop([755, 285], [13, 17]) },
+  { name: 'nose', behind: false, points: loop([722, 330], [16, 11]) },
 ];
 
-/** An animal that lacks nothing but a tail. */
+/** Returns an animal that lacks nothing but a tail. */
 export function tourAnimal(name: string): Document {
   const drawn = strokes.reduce<Document>((document, { points, ...hand }) => {
     const next = drawStroke(document, { ...hand, reach }, points);

@@ -6,7 +6,10 @@ import type {
 } from './messages';
 import type { BuildRequest, SurfaceRequest } from './relief_service';
 
-/** The worker is gone: it was stopped on purpose, or it crashed and another took its place. */
+/**
+ * The error of calls whose worker ended, because it was cancelled or because it crashed. A new worker has
+ * taken its place.
+ */
 export class EngineStopped extends Error {
   constructor(readonly crashed: boolean, detail = '') {
     super(crashed ? `the engine stopped: ${detail}` : 'cancelled');
@@ -35,8 +38,8 @@ function startWorker(compiled: Promise<WebAssembly.Module>): RunningWorker {
 }
 
 /**
- * One worker with the core. A call that is stopped, or whose worker dies, rejects with
- * EngineStopped and leaves a fresh worker behind: the page keeps everything that matters.
+ * Runs the core in a worker. A call that is cancelled or whose worker crashes rejects with
+ * EngineStopped, and a new worker starts. The page loses nothing, since it holds all documents itself.
  */
 export class Engine {
   private running: RunningWorker;
@@ -51,7 +54,7 @@ export class Engine {
     return this.calls > 0;
   }
 
-  /** Ends whatever runs, at once. */
+  /** Ends the running call at once. */
   cancel(): void {
     if (this.busy) this.restart(new EngineStopped(false));
   }
@@ -64,7 +67,7 @@ export class Engine {
     return this.call(async (remote) => await remote.openDrawing(drawing));
   }
 
-  /** `width` and `height` are those of the drawing. */
+  /** Computes the labels of strokes as a picture. `width` and `height` are those of the drawing. */
   label(request: SegmentationRequest, width: number, height: number): Promise<TintedLabels | Failure> {
     return this.call(async (remote) => await remote.label(request, width, height));
   }
@@ -89,12 +92,12 @@ export class Engine {
     return this.call(async (remote) => await remote.surface(request));
   }
 
-  /** What was built last, as files hold it. */
+  /** Returns the last build as exported files contain it; see ReliefService.dress. */
   dress(tolerance: number, drawing: ImageBitmap): Promise<Dressed | Failure> {
     return this.call(async (remote) => (await remote.dress(tolerance, drawing)) as Dressed | Failure);
   }
 
-  /** `drawing`: see BuildRequest. */
+  /** Builds a relief; see BuildRequest. */
   build(request: Omit<BuildRequest, 'drawing'>, drawing: ImageBitmap, progress: Progress): Promise<BuiltRelief | Failure> {
     return this.call(async (remote) => await remote.build(request, drawing, Comlink.proxy(progress)));
   }
@@ -103,7 +106,7 @@ export class Engine {
     return this.call(async (remote) => await remote.encode(format, name, sizeMm, texture));
   }
 
-  /** A closed solid of what was built last, `drawing` on it, however small. */
+  /** Makes a closed solid of the last build with `drawing`, at any size, as its texture. */
   solid(options: SolidOptions, drawing: ImageBitmap): Promise<Solid | Failure> {
     return this.call(async (remote) => (await remote.solid(options, drawing)) as Solid | Failure);
   }
@@ -123,7 +126,7 @@ export class Engine {
       await Promise.race([ready, stopped]);
       return await Promise.race([work(remote), stopped]);
     } catch (error) {
-      // A trap or memory that ran out leaves the module in an unknown state.
+      // A trap or a lack of memory leaves the module in an unknown state, so the worker is replaced.
       if (error instanceof EngineStopped) throw error;
       const reason = new EngineStopped(true, String(error));
       if (this.running.remote === remote) this.restart(reason);
@@ -149,7 +152,7 @@ export class Engine {
   }
 }
 
-/** Compiles the core once; every worker gets the same module. */
+/** Compiles the core once for all workers. */
 export function compileCore(url: string): Promise<WebAssembly.Module> {
   return WebAssembly.compileStreaming(fetch(url));
 }

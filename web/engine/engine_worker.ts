@@ -6,7 +6,7 @@ import {
 import { type BuildRequest, ReliefService, type SurfaceRequest } from './relief_service';
 import { tintOf } from './tint';
 
-/** Every array of a surface, to be handed over instead of copied. */
+/** Returns the arrays of a surface, to transfer them instead of copying. */
 function arraysOf(surface: Surface): ArrayBuffer[] {
   return [surface.positions, surface.normals, surface.uvs, surface.triangles, surface.colors].map((array) => array.buffer);
 }
@@ -29,6 +29,7 @@ function pictureOf({ rgba, width, height }: Texture): Promise<ImageBitmap> {
   return createImageBitmap(new ImageData(new Uint8ClampedArray(rgba), width, height));
 }
 
+/** Marks the arrays and the picture of a result for transfer. */
 function handedOver<T extends Dressed>(made: T): T {
   return Comlink.transfer(made, [...arraysOf(made.surface), made.picture]);
 }

@@ -1,12 +1,13 @@
-/** The colours of labels: far from those of the labels before, the same in every session. */
+/** Colours of labels: each far from those of the labels before it, and the same in every session. */
 
-export type Rgb = readonly [number, number, number];
+type Rgb = readonly [number, number, number];
 
+/** The step from hue to hue, the golden ratio: it spreads hues evenly, however many there are. */
 const golden = 0.618034;
-/** Hues come near again after 5, 8 or 13 steps; these do not then. */
+/** Hues become similar again after 5, 8 or 13 labels; the lightness then differs. */
 const lightness = [0.4, 0.54, 0.68] as const;
 
-/** In [0, 255], of values in [0, 1]. */
+/** Converts a colour with values in [0, 1] to channels in [0, 255]. */
 function rgbOf(hue: number, saturation: number, lightness: number): Rgb {
   const amplitude = saturation * Math.min(lightness, 1 - lightness);
   const channel = (shift: number): number => {

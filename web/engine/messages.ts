@@ -1,18 +1,17 @@
-/** What the page and the engine say to each other. Plain values and arrays that are handed over. */
+/** The messages between the page and the engine: plain values, and arrays that are transferred. */
 
-export type Method = 'approximate' | 'nonlinear';
 export type Visibility = 'relief' | 'orbit' | 'all';
-/** The heights, or one of the two that they are the sum of. */
+/** The height field h = f + g of the relief, its inflation f or its shift g. */
 export type Field = 'relief' | 'inflation' | 'shift';
 export type ExportFormat = 'glb' | 'obj' | 'ply' | 'stl' | 'usdz' | 'html';
 export type SolidFormat = '3mf' | 'stl' | 'glb' | 'usdz';
 export type MapKind = 'normal' | 'depth' | 'part';
 
 export interface BuildOptions {
-  method: Method;
-  /** About so many nodes of the joined mesh. */
+  method: 'approximate' | 'nonlinear';
+  /** Approximate number of nodes of the joined mesh. */
   vertices: number;
-  /** Spacing of the outlines in px; 0: from `vertices`. */
+  /** Spacing of points on outlines, px; 0 derives it from `vertices`. */
   edge: number;
   rho: number;
   alpha0: number;
@@ -24,7 +23,7 @@ export interface BuildOptions {
 export interface EngineError {
   code: 'internal' | 'usage' | 'bad_input' | 'contradiction' | 'limit' | 'file' | 'interrupted';
   message: string;
-  /** Culprit: path of a key of the scene, id of a part, or empty. */
+  /** The cause: the path of a key of the scene, the id of a part, or empty. */
   where: string;
 }
 
@@ -41,59 +40,59 @@ export interface Report {
   maxViolation: number;
   overlapWorst: number;
   converged: boolean;
-  /** Of the non-linear method, scene units; else 0. */
+  /** Energy of the non-linear method, scene units; 0 for the other method. */
   energy: number;
   times: Record<string, number>;
   warnings: string[];
 }
 
-export interface PartRun {
+interface PartRun {
   id: string;
   firstTriangle: number;
   triangleCount: number;
-  /** The last so many of them lie behind other parts and have colours of their own. */
+  /** Number of triangles at the end that lie behind other parts and have vertex colours. */
   hiddenCount: number;
 }
 
-/** A surface in px of the canvas: X right, Y up, Z to the viewer. */
+/** A surface in px of the canvas: X to the right, Y up, Z towards the viewer. */
 export interface Surface {
   positions: Float32Array<ArrayBuffer>;
   normals: Float32Array<ArrayBuffer>;
   uvs: Float32Array<ArrayBuffer>;
   triangles: Uint32Array<ArrayBuffer>;
-  /** sRGB, three bytes a vertex, of what is hidden. */
+  /** Colours of hidden triangles: sRGB, three bytes per vertex. */
   colors: Uint8Array<ArrayBuffer>;
   parts: PartRun[];
 }
 
-/** What a closed solid is like; lengths in mm, see the command line's --profile. */
+/** Options of a closed solid; lengths in mm. See the command line's --profile. */
 export interface SolidOptions {
-  /** Longest side of the whole. */
+  /** Longest side of the solid. */
   readonly size?: number;
-  /** The plate's side, or a figure's. */
+  /** The back of the plate or of a figure. */
   readonly back?: 'flat' | 'drawing' | 'parts';
   readonly base?: 'none' | 'outline' | 'plate' | 'round';
-  /** Of the whole at most; 0: as deep as it is. */
+  /** Largest depth of the solid; 0: as deep as the relief is. */
   readonly height?: number;
-  /** Whether small forms keep their depth then. */
+  /** Whether small forms keep their depth when `height` limits the solid. */
   readonly detail?: boolean;
   readonly thickness?: number;
   readonly margin?: number;
   readonly corner?: number;
-  /** Diameters of a hole in the plate and of one in a loop above it; 0: none. */
+  /** Diameters of a hole in the plate and of the hole in a loop above it; 0: none. */
   readonly hole?: number;
   readonly ring?: number;
-  /** Of a wall around the plate, above it; 0: none. */
+  /** Height of a wall around the plate, above it; 0: none. */
   readonly cutter?: number;
 }
 
-/** What a printer, or a hand, makes of a part. */
+/** A weak spot of a part that the print check found. */
 export interface PrintFinding {
   trouble: 'loose' | 'thin' | 'neck' | 'overhang';
   part: string;
-  /** mm of the thinnest wall or of the neck, mm^2 that hang over; or 0. */
+  /** Thickness of the thinnest wall or the neck, mm, or area of the overhang, mm²; else 0. */
   measure: number;
-  /** Longest side with which it is wide enough, mm; 0 where none helps. */
+  /** Longest side of the model with which the part is thick enough, mm; 0 if no size helps. */
   enough: number;
 }
 
@@ -106,21 +105,21 @@ export interface SolidFacts {
   findings: PrintFinding[];
 }
 
-/** A surface with the picture that its texture coordinates are on. */
+/** A surface with its texture. */
 export interface Dressed {
   surface: Surface;
   picture: ImageBitmap;
 }
 
-/** A solid as it is shown, in mm from x = y = 0 on, around z = 0. */
+/** A solid to show, in mm. It starts at x = y = 0 and lies around z = 0. */
 export interface Solid extends SolidFacts, Dressed {}
 
-/** Segments of edges in canvas px, four numbers each; ramps have alpha at both ends besides. */
+/** Edges to draw, in canvas px: four numbers each, x and y of both ends. Ramps have alpha at both ends as well. */
 export interface Overlays {
   joins: Float32Array<ArrayBuffer>;
   equal: Float32Array<ArrayBuffer>;
   above: Float32Array<ArrayBuffer>;
-  /** Held apart against the order of parts. */
+  /** Edges where a part lies behind another against their order. */
   below: Float32Array<ArrayBuffer>;
   ramps: Float32Array<ArrayBuffer>;
 }
@@ -128,22 +127,22 @@ export interface Overlays {
 export interface SvgImport {
   /** Text of a scene file. */
   scene: string;
-  /** The drawing as the page may paint it. */
+  /** The safe version of the drawing, which the page may show. */
   paintable: string;
   proposed: boolean;
-  /** Nothing is filled: lines enclose the parts. */
+  /** The drawing has no filled shapes; lines enclose its parts. */
   lineArt: boolean;
   warnings: string[];
 }
 
-/** A drawing of painted layers. */
+/** An imported drawing of painted layers. */
 export interface LayersImport {
-  /** Text of a scene file; its canvas is the picture. None where all is in one layer. */
+  /** Text of a scene file whose canvas is the picture; absent if there is only one layer. */
   scene?: string;
-  /** The parts were guessed. */
+  /** Whether the parts were guessed. */
   proposed: boolean;
   warnings: string[];
-  /** The picture that the layers make, a PNG file. */
+  /** The picture that the layers make together, a PNG file. */
   drawing: Uint8Array<ArrayBuffer>;
 }
 
@@ -171,49 +170,52 @@ export interface BuiltRelief {
 /** A flat drawing: a PNG file, which the core decodes as the command line does, or its pixels. */
 export type FlatDrawing = { png: Uint8Array } | { pixels: Texture };
 
-/** Strokes and corrections with what was known before them. */
+/** Strokes and corrections, with the segmentation before them. */
 export interface SegmentationRequest {
   /** Text of a project.json. */
   project: string;
-  /** Its labels.png; empty where nothing was known. */
+  /** Its labels.png; empty before the first segmentation. */
   labels: Uint8Array;
 }
 
 export interface UnderstandingRequest extends SegmentationRequest {
-  /** Text of a scene file: what was made of it before and edited since; empty where no part is. */
+  /** Text of a scene file with the user's edits; empty if there are no parts. */
   edited: string;
 }
 
 export interface Labelled {
-  /** The label of every pixel, 0 where there is no part. */
+  /** The label of every pixel; 0 is background. */
   labels: Uint16Array<ArrayBuffer>;
   parts: { label: number; id: string }[];
-  /** Gaps in the lines that were closed: x and y by turns, and the labels on both sides. */
+  /** Closed gaps in the lines: alternating x and y, and the labels on both sides. */
   bridges: { points: Float32Array<ArrayBuffer>; left: number; right: number }[];
   notes: string[];
 }
 
-/** The labels as the page shows them. */
+/** The labels as a picture. */
 export interface TintedLabels {
   tint: ImageBitmap;
   bridges: Labelled['bridges'];
 }
 
-/** All that follows from strokes, corrections and edits. */
+/** The engine's interpretation of strokes, corrections and edits. */
 export interface Understanding {
   /** Text of a project.json. */
   project: string;
-  /** Text of a scene file; its canvas is the drawing. Empty where there is no part. */
+  /** Text of a scene file whose canvas is the drawing; empty if there are no parts. */
   scene: string;
   /** A PNG file. */
   labels: Uint8Array<ArrayBuffer>;
   warnings: string[];
 }
-/** A stage and how much of it is done, in [0, 1]; the non-linear method's energy once it has one. */
+/**
+ * Receives the current stage, the share of it that is done, in [0, 1], and the energy of the non-linear method
+ * once it is known.
+ */
 export type Progress = (stage: string, done: number, energy?: number) => void;
 
-/** An error in words: where it is, and what. */
-export function told({ where, message }: EngineError): string {
+/** Formats an error as its cause and message. */
+export function errorText({ where, message }: EngineError): string {
   return where ? `${where}: ${message}` : message;
 }
 

@@ -26,13 +26,13 @@ import {
 
 export interface SurfaceRequest {
   visibility: Visibility;
-  /** Departure of the surface from the true one, px. */
+  /** Largest deviation from the exact surface, px. */
   tolerance: number;
   field: Field;
 }
 
 export interface BuildRequest extends SurfaceRequest {
-  /** The drawing, small, which tells the colours of what is hidden; null: all white. */
+  /** A small version of the drawing, for the colours of hidden surfaces; null: all white. */
   drawing: Texture | null;
   scene: string;
   options: BuildOptions;
@@ -40,7 +40,7 @@ export interface BuildRequest extends SurfaceRequest {
 
 const noTexture: Texture = { rgba: new Uint8Array(), width: 0, height: 0 };
 
-/** The engine as one instance of the module: what runs in the worker, and in tests under Node. */
+/** One instance of the core. It runs in the worker, and under Node in tests. */
 export class ReliefService {
   private readonly reconstruction: Reconstruction;
   private readonly segmenter: Segmenter;
@@ -64,7 +64,7 @@ export class ReliefService {
     return this.module.importSvg(bytes);
   }
 
-  /** Takes a flat drawing to scribble on. */
+  /** Opens a flat drawing for scribbling. */
   openDrawing(drawing: FlatDrawing): object | Failure {
     if ('png' in drawing) return this.segmenter.openPng(drawing.png);
     const { rgba, width, height } = drawing.pixels;
@@ -87,7 +87,7 @@ export class ReliefService {
     return this.module.importLayers(files);
   }
 
-  /** The parts of a scene as layers of a Photoshop document; `drawing` covers its canvas. */
+  /** Encodes the parts of a scene as layers of a Photoshop document. The texture covers the scene's canvas. */
   encodeLayers(scene: string, { rgba, width, height }: Texture): { bytes: Uint8Array } | Failure {
     return this.module.encodeLayers(scene, rgba, width, height);
   }
@@ -103,12 +103,15 @@ export class ReliefService {
     return isFailure(overlays) ? overlays : { report, surface, overlays };
   }
 
-  /** The surface of the last build again, by another field or tolerance. */
+  /** Returns the surface of the last build for another field or tolerance. */
   surface({ visibility, tolerance, field }: SurfaceRequest): Surface | Failure {
     return this.reconstruction.surface(visibility, tolerance, field);
   }
 
-  /** The last build as files hold it: ink stays thin at its rims, and `texture` goes on around them. */
+  /**
+   * Returns the last build as exported files contain it: ink stays thin at rims, and the texture continues
+   * around them.
+   */
   dress(tolerance: number, texture: Texture) {
     this.reconstruction.setTexture(texture.rgba, texture.width, texture.height);
     return this.reconstruction.dressed(tolerance);
@@ -120,13 +123,13 @@ export class ReliefService {
     return this.reconstruction.encode(format, name, sizeMm);
   }
 
-  /** A closed solid of the last build and its pixels; `texture` is the drawing. */
+  /** Makes a closed solid of the last build, with its texture; `texture` is the drawing. */
   solid(options: SolidOptions, texture: Texture) {
     this.reconstruction.setTexture(texture.rgba, texture.width, texture.height);
     return this.reconstruction.solid(options);
   }
 
-  /** Its file; as 3MF the files of its package. */
+  /** Encodes that solid as a file or, for 3MF, as the files of its package. */
   encodeSolid(format: SolidFormat, name: string, options: SolidOptions, texture: Texture): Files | Failure {
     this.reconstruction.setTexture(texture.rgba, texture.width, texture.height);
     return this.reconstruction.encodeSolid(format, name, options);

@@ -1,4 +1,4 @@
-/** The module that Emscripten makes of bindings/wasm. */
+/** The module that Emscripten builds from bindings/wasm. */
 declare module '#relievo' {
   import type {
     Failure, Files, Labelled, LayersImport, OutputFile, Overlays, Report, SolidFacts, SvgImport, Surface,

@@ -1,12 +1,12 @@
 import { labelColor } from './label_colors';
 
-/** Opacity of areas and of the borders between them, of 255. */
+/** Opacity of areas, and of the borders between them, of 255. */
 const area = 140;
 const border = 235;
 
 /**
- * Labels as a picture to lay over the drawing, 4 bytes a pixel: each in its colour, with a line
- * between them, transparent where there is no part.
+ * Paints labels as a picture to lay over the drawing: each in its colour with a stronger border, background
+ * transparent.
  */
 export function tintOf(labels: Uint16Array, width: number, height: number): ImageData {
   const pixels = new Uint32Array(width * height);

@@ -1,14 +1,14 @@
 import { addCue, cueOfStroke } from '../document/cues';
 import type { Cue, Point } from '../document/document';
-import { partAt } from '../document/editing';
 import { distance } from '../document/outline';
+import { partAt } from '../document/picking';
 import { marks } from '../view/colors';
 import { drawDot, strokeLine } from '../view/paper_view';
 import type { Tool, ToolHost } from './tool';
 
 const colors: Readonly<Record<Cue['kind'], string>> = { bulge: '#b0520a', slope: '#3a7d34', crease: '#6a3fb5' };
 
-/** A line on a part gives it another profile: rounder along it, rising in its direction, or folded. */
+/** Draws lines on parts that change their profile: rounder along the line, rising in its direction, or folded. */
 export class CueTool implements Tool {
   readonly cursor = 'crosshair';
   private stroke: Point[] = [];

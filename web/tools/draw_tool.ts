@@ -6,21 +6,21 @@ import { marks } from '../view/colors';
 import { drawDot, strokeLine } from '../view/paper_view';
 import { type Modifiers, penMoved, type Tool, type ToolHost } from './tool';
 
-/** Every stroke makes something; see drawStroke. */
+/** Draws parts; see drawStroke. With eyes switched on it adds eyes; see stampEyes. */
 export class DrawTool implements Tool {
   readonly cursor = 'crosshair';
   private stroke: Point[] = [];
-  /** Where the pen was when the relief last showed what it draws. */
+  /** Position of the pen at the last preview. */
   private shownAt: Point | null = null;
-  /** The pen that keys move. */
+  /** Position of the pen that keys move. */
   private pen: Point | null = null;
 
   constructor(
     private readonly host: ToolHost,
     private readonly partName: () => string,
-    /** Whether what is drawn lies behind all, as with Shift. */
+    /** Whether new parts lie behind all others, as with Shift. */
     private readonly behind: () => boolean,
-    /** Whether strokes put eyes. */
+    /** Whether strokes add eyes. */
     private readonly eyes: () => boolean,
   ) {}
 
@@ -44,7 +44,7 @@ export class DrawTool implements Tool {
     this.stroke = [];
     const { document, reach } = this.host;
     if (stroke.length > 0) this.make(this.eyes() ? stampEyes(document, reach, stroke) : drawStroke(document, this.hand(keys.shift), stroke));
-    // Only now, so that the relief goes from what was shown to what was made.
+    // Ends the preview only now, so that the relief changes from the preview to the result directly.
     this.cancel();
   }
 
@@ -54,7 +54,7 @@ export class DrawTool implements Tool {
     this.host.preview(null);
   }
 
-  /** Arrows move the pen, Enter sets it down and lifts it. */
+  /** Moves the pen with arrows; Enter puts it down and lifts it. */
   key(name: string, keys: Modifiers): boolean {
     const { width, height } = this.host.document;
     const at = this.pen ?? [width / 2, height / 2];

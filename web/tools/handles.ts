@@ -1,7 +1,7 @@
 import { type Document, partIndex, type Point } from '../document/document';
 import { arcBetween, distance, nearestPlace } from '../document/outline';
 
-/** An end of a join or of a range that can be slid along its outline. */
+/** An end of a join or range, which can be slid along its outline. */
 export interface Handle {
   readonly kind: 'join' | 'robin';
   readonly index: number;
@@ -9,7 +9,7 @@ export interface Handle {
   readonly point: Point;
 }
 
-/** The handles of all that belongs to a part. */
+/** Returns the handles of all joins and ranges of a part. */
 export function handlesOf(document: Document, id: string | null): Handle[] {
   const handles: Handle[] = [];
   document.joins.forEach((join, index) => {
@@ -25,6 +25,7 @@ export function handlesOf(document: Document, id: string | null): Handle[] {
   return handles;
 }
 
+/** Returns the nearest handle within `reach` of a point, or null. */
 export function handleAt(handles: readonly Handle[], point: Point, reach: number): Handle | null {
   const near = handles.filter((handle) => distance(handle.point, point) < reach);
   return near.sort((a, b) => distance(a.point, point) - distance(b.point, point))[0] ?? null;
@@ -52,6 +53,7 @@ function slideRange(document: Document, handle: Handle, to: Point): Document {
   return { ...document, robin: document.robin.map((old) => (old === range ? next : old)) };
 }
 
+/** Slides a handle to the point of its outline nearest to `to`. */
 export function slide(document: Document, handle: Handle, to: Point): Document {
   return handle.kind === 'join' ? slideJoin(document, handle, to) : slideRange(document, handle, to);
 }

@@ -1,13 +1,17 @@
 import type { Join, Point } from '../document/document';
-import { addJoin, joinOfLine, partAt, removeJoin } from '../document/editing';
+import { addJoin, joinOfLine, removeJoin } from '../document/editing';
 import { distance } from '../document/outline';
+import { partAt } from '../document/picking';
 import { pairAt, relationOf, turnRelation } from '../document/relations';
 import { joinAt, suggestedJoins } from '../document/suggestions';
 import { marks } from '../view/colors';
 import { strokeLine } from '../view/paper_view';
 import type { Tool, ToolHost } from './tool';
 
-/** A line across the root of a part joins it to the part below; so does a tap on a suggestion. A tap on a join separates, one on another outline says what else holds there. */
+/**
+ * Joins parts by a line across a root or a tap on a suggestion. A tap on a join separates its parts; a
+ * tap on another outline switches the relation of the parts that meet there.
+ */
 export class JoinTool implements Tool {
   cursor = 'crosshair';
   private line: Point[] = [];
@@ -63,19 +67,19 @@ export class JoinTool implements Tool {
     context.setLineDash([]);
   }
 
-  /** Where a pen was that did not move. */
+  /** Returns the position of the pen if it did not move, else null. */
   private tapped(): Point | null {
     const [first] = this.line;
     return first && this.line.every((point) => distance(point, first) < this.host.reach / 2) ? first : null;
   }
 
-  /** A suggestion, or a join. */
+  /** Returns the suggestion or join near a point, or null. */
   private joinNear(point: Point): Join | null {
     const { document, reach } = this.host;
     return joinAt([...suggestedJoins(document), ...document.joins], point, reach);
   }
 
-  /** Says something else of the two parts at an outline. */
+  /** Switches the relation of the parts that meet at an outline. */
   private turnRelation(point: Point): void {
     const pair = pairAt(this.host.document, point, this.host.reach);
     if (!pair) return;

@@ -1,11 +1,12 @@
 import type { Part, Point } from '../document/document';
-import { bringBefore, nextInFront, partAt } from '../document/editing';
+import { bringBefore, nextInFront } from '../document/editing';
 import { distance } from '../document/outline';
+import { partAt } from '../document/picking';
 import { marks } from '../view/colors';
 import { tracePart } from '../view/trace';
 import type { Tool, ToolHost } from './tool';
 
-/** An arrow from the nearer part to the farther one, or a tap on the nearer one of two that overlap. */
+/** Orders parts by an arrow from the nearer to the farther part, or by a tap on a part that should come nearer. */
 export class OrderTool implements Tool {
   readonly cursor = 'crosshair';
   private from: Point | null = null;
@@ -55,7 +56,7 @@ export class OrderTool implements Tool {
     return front && back && front !== back ? { front, back } : null;
   }
 
-  /** The part under a pen that did not move. */
+  /** Returns the part under the pen if it did not move. */
   private tapped(): Part | undefined {
     const { from, to } = this;
     const stayed = from && to && distance(from, to) < this.host.reach / 2;

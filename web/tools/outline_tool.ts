@@ -1,14 +1,14 @@
 import { type Document, type Part, partIndex, type Point } from '../document/document';
-import { partAt, partBelow } from '../document/editing';
 import { distance, nearestPlace, type OutlinePlace, simplify, smooth } from '../document/outline';
+import { partAt, partBelow } from '../document/picking';
 import { grips, pushOutline, type Refusal, redrawOutline, type Reshaped } from '../document/reshape';
 import { marks } from '../view/colors';
 import { dashHidden, drawDot, strokeLine } from '../view/paper_view';
 import { arrows, type Modifiers, type Tool, type ToolHost } from './tool';
 
-/** Distance between grips and how far a push is felt, as multiples of the hand's reach. */
+/** Distance between grips, and radius of a push along the outline, in reaches of the hand. */
 const spacing = 4;
-const feeling = 7;
+const pushRadius = 7;
 
 type Gesture =
   | { kind: 'none' }
@@ -16,14 +16,14 @@ type Gesture =
   | { kind: 'redraw'; part: Part; stroke: Point[] };
 
 /**
- * Corrects the outline of the selected part, hidden stretches included: its grips push it, a stroke
- * from outline to outline draws the stretch between anew.
+ * Corrects the outline of the selected part, including its hidden stretches. Dragging a grip pushes the
+ * outline; a stroke from outline to outline replaces the stretch between its ends.
  */
 export class OutlineTool implements Tool {
   cursor = 'default';
   private gesture: Gesture = { kind: 'none' };
   private count = 0;
-  /** Near the grip that keys move. */
+  /** The grip nearest to this point is the one that keys move. */
   private focus: Point = [0, 0];
 
   constructor(private readonly host: ToolHost) {}
@@ -35,7 +35,7 @@ export class OutlineTool implements Tool {
     const place = part && nearestPlace(part.outline, point);
     const grip = this.gripAt(point);
     if (part && grip)
-      this.gesture = { kind: 'push', part, place: grip, radius: feeling * reach, before: document, refused: null };
+      this.gesture = { kind: 'push', part, place: grip, radius: pushRadius * reach, before: document, refused: null };
     else if (part && place && place.distance < reach) this.gesture = { kind: 'redraw', part, stroke: [place.point] };
     else this.host.select(partBelow(document, point, selected, keys.alt)?.id ?? null);
   }
@@ -67,7 +67,7 @@ export class OutlineTool implements Tool {
     this.gesture = { kind: 'none' };
   }
 
-  /** Comma and full stop go from grip to grip, arrows push the one that is filled. */
+  /** Chooses a grip with comma and full stop and pushes it with arrows. The chosen grip is filled. */
   key(name: string, keys: Modifiers): boolean {
     const part = this.part();
     const all = part ? this.grips(part) : [];
@@ -84,7 +84,7 @@ export class OutlineTool implements Tool {
     const size = keys.shift ? 10 : 1;
     const by: Point = [size * step[0], size * step[1]];
     const { document, reach } = this.host;
-    this.take(pushOutline(document, part.id, place, feeling * reach, by), `outline keys ${part.id}`);
+    this.take(pushOutline(document, part.id, place, pushRadius * reach, by), `outline keys ${part.id}`);
     this.focus = [place.point[0] + by[0], place.point[1] + by[1]];
     return true;
   }

@@ -1,14 +1,14 @@
 import type { PaintStroke, Point } from '../document/document';
-import { distance, simplify } from '../document/outline';
+import { distance, rounded, simplify } from '../document/outline';
 import { addPaint } from '../document/paint';
 import { marks } from '../view/colors';
 import { strokeLine } from '../view/paper_view';
 import { type Modifiers, penMoved, type Tool, type ToolHost } from './tool';
 
-/** What a brush paints: a colour, or nothing where it rubs out; its width in px of the page. */
+/** The paint brush: its colour, or null to rub out, and its width, px of the page. */
 export type PaintBrush = Pick<PaintStroke, 'color' | 'width'>;
 
-/** Paints on the page; the relief shows it at once. */
+/** Paints on the page. The relief shows the paint at once. */
 export class PaintTool implements Tool {
   readonly cursor = 'crosshair';
   private points: Point[] = [];
@@ -42,7 +42,7 @@ export class PaintTool implements Tool {
     this.host.preview(null);
   }
 
-  /** Arrows move the brush, Enter sets it down and lifts it. */
+  /** Moves the brush with arrows; Enter puts it down and lifts it. */
   key(name: string, keys: Modifiers): boolean {
     const { width, height } = this.host.document;
     const at = this.at ?? [width / 2, height / 2];
@@ -69,8 +69,8 @@ export class PaintTool implements Tool {
 
   private stroke(): PaintStroke {
     const { color, width } = this.brush();
-    const line = simplify(this.points, this.host.reach / 16);
-    return { color: this.rubs ? null : color, width, points: line.map(([x, y]): Point => [Math.round(10 * x) / 10, Math.round(10 * y) / 10]) };
+    const points = simplify(this.points, this.host.reach / 16).map((p) => rounded(p, 10));
+    return { color: this.rubs ? null : color, width, points };
   }
 
   private show(): void {

@@ -5,7 +5,7 @@ import { rampColor } from '../view/colors';
 import { drawDot, strokeLine } from '../view/paper_view';
 import type { Tool, ToolHost } from './tool';
 
-/** Two clicks on an outline: soft where the first is, firm at the second, as in the paper. */
+/** Makes a soft range by two clicks on an outline: soft at the first, firm at the second, as in the paper. */
 export class RangeTool implements Tool {
   readonly cursor = 'crosshair';
   private from: { part: Part; place: OutlinePlace } | null = null;
@@ -44,7 +44,7 @@ export class RangeTool implements Tool {
       if (end) drawDot(context, end.point, { radius: 6, fill, rim: '#fff', width: 2 }, pixel);
   }
 
-  /** A place on an outline within reach: of the given part, of the selected one, or of any. */
+  /** Returns the nearest place on the outline of `only` or, within reach, of the selected part or of any part. */
   private nearest(point: Point, only: Part | undefined): { part: Part; place: OutlinePlace } | null {
     const { document, selected, reach } = this.host;
     const chosen = only ?? document.parts[selected === null ? -1 : partIndex(document, selected)];

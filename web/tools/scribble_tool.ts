@@ -1,61 +1,65 @@
 import type { Document, Point } from '../document/document';
 import { type Gap, gapAt, sameGap } from '../document/gaps';
-import { distance, simplify } from '../document/outline';
+import { distance, rounded, simplify } from '../document/outline';
 import { offPaper } from '../document/paper';
 import { addStroke, canScribble, eraseStrokes, foundPartAt, labelOfStroke, partOfStroke, scribblesOf } from '../document/scribbling';
 import type { Stroke, StrokeKind } from '../document/segmentation';
 import { inkOf, marks } from '../view/colors';
 import { strokeLine } from '../view/paper_view';
+import { traceLine } from '../view/trace';
 import { StrokeMover } from './stroke_mover';
 import { type Modifiers, penMoved, type Tool, type ToolHost } from './tool';
 
-/** What the brush says: by itself, for one part, for the background, or nothing any more; or it moves strokes. */
+/**
+ * The kind of brush: `auto` chooses the part of a stroke itself, `part` draws for a given part, `outside` and
+ * `hole` mark background, the others remove and move strokes.
+ */
 export type BrushKind = 'auto' | 'part' | 'outside' | 'hole' | 'erase' | 'move';
 
 export interface Brush {
   readonly kind: BrushKind;
-  /** Of 'part': whose strokes it makes. */
+  /** The part of the brush `part`. */
   readonly part: string | null;
   /** CSS px. */
   readonly width: number;
-  /** Whether lines may overrule strokes for parts. */
+  /** Whether strokes are soft, so that areas that mostly belong to other parts overrule them. */
   readonly soft: boolean;
 }
 
-/** What the tool needs besides: a brush, and someone who understands strokes. */
+/** What the tool needs besides ToolHost: the brush, the labels, and the interpretation of strokes. */
 export interface ScribbleHost {
   readonly brush: Brush;
-  /** The document with strokes that wait to be understood. */
+  /** The document with all queued strokes. */
   readonly pending: Document;
   readonly tint: ImageBitmap | null;
-  /** Closed gaps of which nothing has been said, and the one that is chosen. */
+  /** Closed gaps that the user has not decided, and the chosen one. */
   readonly gaps: readonly Gap[];
   readonly gap: Gap | null;
   chooseGap(gap: Gap): void;
-  /** Shows what a document would be, until the next or `done`. */
+  /** Shows the labels of a document, until the next call or `drop`. */
   show(document: Document): void;
-  /** Nothing is being drawn any more. */
+  /** Shows the labels of the queued strokes again. */
   drop(): void;
-  /** Makes a change of strokes a step of the document. */
+  /** Queues a change of strokes, which becomes a step of the document. */
   wish(label: string, change: (document: Document) => Document): void;
-  /** Says why a stroke says nothing: that there is no picture to scribble on, or nothing but paper under it. */
+  /** Tells the user why a stroke was ignored: there is no picture to scribble on, or only paper under it. */
   refuse(reason: 'noScribbles' | 'paperStroke'): void;
-  /** Whether the picture shows nothing at a point. */
+  /** Returns whether the picture is empty at a point. */
   isPaper(point: Point): boolean;
 }
 
-/** Soft strokes are dotted, holes dashed. */
+/** Returns the dashes of a stroke: soft strokes are dotted, holes dashed. */
 function dashOf({ kind }: Stroke, width: number): number[] {
   return kind === 'hole' ? [width, 2 * width] : kind === 'soft' ? [0, 1.4 * width] : [];
 }
 
-/** A stroke says what belongs together; strokes of one colour are one part. */
+/** Marks parts by strokes over a flat drawing. Strokes of one colour mark one part. */
 export class ScribbleTool implements Tool {
   private points: Point[] = [];
   private part: string | undefined;
   private kind: StrokeKind | 'erase' = 'hard';
   private at: Point | null = null;
-  /** The closed gap on which the stroke begins. */
+  /** The closed gap on which the stroke began. */
   private asked: Gap | undefined;
   private readonly mover: StrokeMover;
 
@@ -78,7 +82,7 @@ export class ScribbleTool implements Tool {
       return;
     }
     this.kind = keys.alt ? 'erase' : this.strokeKind(brush);
-    // The gaps change as soon as the stroke is shown.
+    // Looks for it now, since the gaps change as soon as the stroke is shown.
     this.asked = this.kind === 'erase' ? undefined : gapAt(this.scribbles.gaps, point, this.host.reach);
     this.points = [point];
     this.part = keys.shift ? foundPartAt(this.scribbles.pending, point) : brush.kind === 'part' ? brush.part ?? undefined : undefined;
@@ -101,13 +105,13 @@ export class ScribbleTool implements Tool {
   up(): void {
     this.mover.up();
     if (this.points.length === 0 || this.choseGap()) return;
-    const said = this.saying(this.points);
-    if (said.length === 0) {
+    const counted = this.counted(this.points);
+    if (counted.length === 0) {
       this.cancel();
       this.scribbles.refuse('paperStroke');
       return;
     }
-    const change = this.change(simplify(said, this.host.reach / 12));
+    const change = this.change(simplify(counted, this.host.reach / 12));
     const label = this.kind === 'erase' ? 'erase' : 'scribble';
     this.points = [];
     this.scribbles.wish(label, change);
@@ -120,7 +124,7 @@ export class ScribbleTool implements Tool {
     this.scribbles.drop();
   }
 
-  /** Arrows move the brush, Enter sets it down and lifts it. */
+  /** Moves the brush with arrows; Enter puts it down and lifts it. */
   key(name: string, keys: Modifiers): boolean {
     if (this.moves) return this.mover.key(name, keys.shift);
     const { width, height } = this.host.document;
@@ -140,7 +144,7 @@ export class ScribbleTool implements Tool {
     const { pending, tint, brush } = this.scribbles;
     const { width, height } = pending;
     if (tint) context.drawImage(tint, 0, 0, width, height);
-    const drawn = this.points.length > 0 && this.kind !== 'erase' ? this.change(this.saying(this.points))(pending) : pending;
+    const drawn = this.points.length > 0 && this.kind !== 'erase' ? this.change(this.counted(this.points))(pending) : pending;
     const shown = this.mover.moved(drawn);
     context.lineCap = context.lineJoin = 'round';
     for (const stroke of scribblesOf(shown).strokes) this.drawStroke(context, shown, stroke, pixel);
@@ -155,8 +159,8 @@ export class ScribbleTool implements Tool {
     context.stroke();
   }
 
-  /** What of a stroke says something: one for a part does not where it runs over nothing but paper. */
-  private saying(points: readonly Point[]): readonly Point[] {
+  /** Returns the stretch of a stroke that counts: strokes for a part do not count on empty paper. */
+  private counted(points: readonly Point[]): readonly Point[] {
     return this.kind === 'hard' || this.kind === 'soft' ? offPaper(points, (point) => this.scribbles.isPaper(point)) : points;
   }
 
@@ -169,7 +173,7 @@ export class ScribbleTool implements Tool {
     return soft ? 'soft' : 'hard';
   }
 
-  /** A click on a closed gap asks about it instead of making a dot. */
+  /** Asks about a closed gap that was clicked, instead of making a dot. Returns whether there was one. */
   private choseGap(): boolean {
     const { asked } = this;
     const [first] = this.points;
@@ -189,15 +193,18 @@ export class ScribbleTool implements Tool {
   }
 
   private show(): void {
-    this.scribbles.show(this.change(this.saying(this.points))(this.scribbles.pending));
+    this.scribbles.show(this.change(this.counted(this.points))(this.scribbles.pending));
   }
 
-  /** What the stroke does to a document, whichever is there when it comes to be understood. */
+  /**
+   * Returns the change that the stroke makes to a document. It applies to the document at the time when the
+   * engine handles it.
+   */
   private change(points: readonly Point[]): (document: Document) => Document {
     const { kind, part } = this;
     const { reach } = this.host;
     const width = Math.max(1, (this.scribbles.brush.width * reach) / 12);
-    const line = points.map(([x, y]): Point => [Math.round(10 * x) / 10, Math.round(10 * y) / 10]);
+    const line = points.map((p) => rounded(p, 10));
     if (line.length === 0) return (document) => document;
     if (kind === 'erase') return (document) => eraseStrokes(document, line, width / 2);
     if (kind === 'outside' || kind === 'hole') return (document) => addStroke(document, { kind, width, points: line });
@@ -207,10 +214,7 @@ export class ScribbleTool implements Tool {
 
   private drawStroke(context: CanvasRenderingContext2D, document: Document, stroke: Stroke, pixel: number): void {
     const label = labelOfStroke(document, stroke);
-    const first = stroke.points[0] as Point;
-    context.beginPath();
-    context.moveTo(...first);
-    for (const point of stroke.points) context.lineTo(...point);
+    traceLine(context, stroke.points);
     const width = Math.max(stroke.width, 3 * pixel);
     for (const [color, extra, dash] of [
       ['#fff', 3 * pixel, []],

@@ -1,5 +1,6 @@
 import type { Document, Part, Point } from '../document/document';
-import { isMovable, partAt, partBelow, shiftPart } from '../document/editing';
+import { isMovable, shiftPart } from '../document/editing';
+import { partAt, partBelow } from '../document/picking';
 import { marks } from '../view/colors';
 import { drawDot } from '../view/paper_view';
 import { type Handle, handleAt, handlesOf, slide } from './handles';
@@ -10,7 +11,7 @@ type Gesture =
   | { kind: 'slide'; handle: Handle; before: Document }
   | { kind: 'move'; part: Part; from: Point; before: Document };
 
-/** Chooses parts, slides the ends of joins and ranges, moves parts that were drawn by hand. */
+/** Selects parts, slides the ends of joins and ranges, and moves parts that were drawn by hand. */
 export class SelectTool implements Tool {
   cursor = 'default';
   private gesture: Gesture = { kind: 'none' };
@@ -51,7 +52,7 @@ export class SelectTool implements Tool {
     this.gesture = { kind: 'none' };
   }
 
-  /** Arrows move the chosen part where it can be moved. */
+  /** Moves the selected part with arrows if it can be moved. */
   key(name: string, keys: Modifiers): boolean {
     const { document, selected } = this.host;
     const way = arrows[name];

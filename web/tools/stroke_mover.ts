@@ -3,7 +3,7 @@ import { clearStroke, moveStroke, scribblesOf, strokeAt } from '../document/scri
 import type { Stroke } from '../document/segmentation';
 import { arrows, type ToolHost } from './tool';
 
-/** Who understands strokes: what of ScribbleHost the mover needs. */
+/** The members of ScribbleHost that the mover needs. */
 interface StrokeHost {
   readonly pending: Document;
   show(document: Document): void;
@@ -11,7 +11,7 @@ interface StrokeHost {
   wish(label: string, change: (document: Document) => Document): void;
 }
 
-/** Drags strokes to another place; keys choose, move and remove them. */
+/** Moves strokes by dragging. Keys choose, move and remove them. */
 export class StrokeMover {
   private chosen: Stroke | null = null;
   private from: Point | null = null;
@@ -19,14 +19,14 @@ export class StrokeMover {
 
   constructor(private readonly host: ToolHost, private readonly scribbles: StrokeHost) {}
 
-  /** The chosen stroke where it is shown now; null where none is. */
+  /** The chosen stroke at its current position, or null. */
   get shown(): Stroke | null {
     const { chosen, by } = this;
     if (!chosen) return null;
     return { ...chosen, points: chosen.points.map(([x, y]): Point => [x + by[0], y + by[1]]) };
   }
 
-  /** With the chosen stroke where the hand has it. */
+  /** Returns a document with the chosen stroke at its current position. */
   moved(document: Document): Document {
     return this.chosen && this.from ? moveStroke(document, this.chosen, this.by) : document;
   }
@@ -54,7 +54,7 @@ export class StrokeMover {
     this.scribbles.drop();
   }
 
-  /** Comma and full stop go from stroke to stroke; arrows move the chosen one, Delete removes it. */
+  /** Chooses a stroke with comma and full stop, moves it with arrows and removes it with Delete. */
   key(name: string, shift: boolean): boolean {
     const { strokes } = scribblesOf(this.scribbles.pending);
     const turn = { '.': 1, ',': -1 }[name];

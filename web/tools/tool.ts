@@ -1,21 +1,21 @@
-import type { Document, Point, RelationKind } from '../document/document';
+import type { Document, Pair, Point, RelationKind } from '../document/document';
 import type { Refusal } from '../document/reshape';
 import type { StrokeRefusal } from '../document/strokes';
 
-/** What a tool may see and do. Lengths in canvas px. */
+/** What a tool can see and do. Lengths are in canvas px. */
 export interface ToolHost {
   readonly document: Document;
   readonly selected: string | null;
   /** How far a hand may miss, canvas px. */
   readonly reach: number;
   edit(label: string, next: Document, gesture?: string): void;
-  /** Lets the relief show what would be, until null. */
+  /** Shows the relief of a document that is not a step yet; null ends this. */
   preview(document: Document | null): void;
   select(id: string | null): void;
   hover(id: string | null): void;
-  /** Says what holds between two parts now; null: the usual. */
-  tellRelation(pair: { upper: string; lower: string }, kind: RelationKind | null): void;
-  /** Says why nothing was changed. */
+  /** Tells the user the current relation of two parts; null is the default. */
+  tellRelation(pair: Pair, kind: RelationKind | null): void;
+  /** Tells the user why nothing was changed. */
   refuse(reason: Refusal | StrokeRefusal | 'cueOffPart' | 'nearestHere'): void;
 }
 
@@ -24,13 +24,13 @@ export interface Modifiers {
   readonly alt: boolean;
 }
 
-/** What arrow keys mean, in px of the page. */
+/** Directions of the arrow keys, in px of the page. */
 export const arrows: Readonly<Record<string, Point>> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
-/** How far an arrow key moves a pen, as shares of the reach of a hand: usually, with Shift. */
+/** Steps of a pen that arrow keys move, in reaches of the hand: without and with Shift. */
 const penSteps = [0.5, 3] as const;
 
-/** Where an arrow key takes a pen, on the page; null for other keys. */
+/** Returns the point of the page to which an arrow key moves a pen, or null for other keys. */
 export function penMoved(at: Point, key: string, shift: boolean, { document, reach }: Pick<ToolHost, 'document' | 'reach'>): Point | null {
   const way = arrows[key];
   if (!way) return null;
@@ -39,16 +39,16 @@ export function penMoved(at: Point, key: string, shift: boolean, { document, rea
   return [within(at[0] + step * way[0], document.width), within(at[1] + step * way[1], document.height)];
 }
 
-/** A small state machine between pointer and document. Points are in canvas px. */
+/** A tool: a small state machine between pointer and document. Points are in canvas px. */
 export interface Tool {
   readonly cursor: string;
   down(point: Point, keys: Modifiers): void;
   move(point: Point, pressed: boolean): void;
   up(point: Point, keys: Modifiers): void;
-  /** Escape, or a second finger: as if the gesture had not begun. */
+  /** Undoes the gesture in progress, on Escape or when a second finger comes down. */
   cancel(): void;
-  /** A key while the tool is in hand and the page has the focus; whether it means something. */
+  /** Handles a key while the page has the focus. Returns whether the tool uses the key. */
   key?(name: string, keys: Modifiers): boolean;
-  /** What the hand is about to do. `pixel`: a CSS px in canvas px. */
+  /** Draws what the gesture is about to do. `pixel` is the size of a CSS px in canvas px. */
   draw(context: CanvasRenderingContext2D, pixel: number): void;
 }

@@ -2,26 +2,26 @@ import * as Comlink from 'comlink';
 import type { AnimationEndpoint } from './animation_worker';
 import type { ModelView } from './model_view';
 
-/** Steps from one side to the other, the longest side in px, and how long a picture is shown, ms. */
+/** Steps from one side to the other, longest side, px, and duration of a picture, ms. */
 const steps = 20;
 const side = 480;
 const delay = 50;
-/** How far to each side, radians: a relief has no back. */
+/** Largest angle to each side, radians; a relief has no back to show. */
 const lean = 0.75;
 
-/** Angles of a pendulum on its way from one side to the other. */
+/** Returns the angle of a pendulum on its way from one side to the other. */
 function angleAt(step: number): number {
   return -lean * Math.cos((Math.PI * step) / steps);
 }
 
-/** There and back again, beginning at the front. */
+/** Returns the order of the pictures for swaying there and back, starting at the front. */
 function swayOrder(): number[] {
   const there = Array.from({ length: steps }, (_, i) => i);
   const cycle = [...there, ...there.map((i) => steps - i)];
   return [...cycle.slice(steps / 2), ...cycle.slice(0, steps / 2)];
 }
 
-/** The model on its way from side to side, as it is lit and seen; the page stays free meanwhile. */
+/** Records the model on its way from one side to the other, lit and zoomed as now. The page stays responsive. */
 async function recordSway(view: ModelView, ground: string): Promise<ImageData[]> {
   const { yaw, pitch } = view.angles;
   const pictures: ImageData[] = [];
@@ -36,7 +36,7 @@ async function recordSway(view: ModelView, ground: string): Promise<ImageData[]>
   return pictures;
 }
 
-/** The model swaying from side to side without end, as a GIF file. */
+/** Returns a GIF file of the model swaying from side to side forever. */
 export async function swayingGif(view: ModelView, ground: string): Promise<Uint8Array<ArrayBuffer>> {
   const recorded = await recordSway(view, ground);
   const { width, height } = recorded[0] as ImageData;

@@ -1,19 +1,19 @@
 import * as Comlink from 'comlink';
 import { encode } from 'modern-gif';
 
-export interface Animation {
+interface Animation {
   /** RGBA, all of one size. */
   pictures: readonly Uint8ClampedArray<ArrayBuffer>[];
   width: number;
   height: number;
-  /** Which picture is shown when. */
+  /** Indices of the pictures in the order in which they are shown. */
   order: readonly number[];
-  /** How long each is shown, ms. */
+  /** Duration of each picture, ms. */
   delay: number;
 }
 
 const endpoint = {
-  /** A GIF file that is repeated without end. */
+  /** Encodes a GIF file that repeats forever. */
   async encode({ pictures, width, height, order, delay }: Animation): Promise<ArrayBuffer> {
     const frames = order.map((index) => ({ data: pictures[index] ?? new Uint8ClampedArray(4 * width * height), delay }));
     const bytes = await encode({ width, height, frames, looped: true });

@@ -1,6 +1,6 @@
 import { labelColor } from '../engine/label_colors';
 
-/** The paper's colours of annotations, and the page's own. */
+/** Colours of annotations, those of the paper where it has them. */
 export const marks = {
   join: '#2f6fed',
   equal: '#13b5c4',
@@ -12,13 +12,13 @@ export const marks = {
   ink: '#2b2d33',
 } as const;
 
-/** Green where a range is soft (alpha 0), red where it is firm (1), as in the paper's figure 5. */
+/** Returns green where a range is soft (alpha 0) to red where it is firm (1), as in the paper's figure 5. */
 export function rampColor(alpha: number): string {
   const t = Math.min(1, Math.max(0, alpha));
   return `hsl(${Math.round(130 * (1 - t))} 75% 42%)`;
 }
 
-/** The colour of a part that was found in a flat drawing, as in the tint. */
+/** Returns the colour of a label, as in the tint. */
 export function inkOf(label: number): string {
   return `rgb(${labelColor(label).join(' ')})`;
 }

@@ -1,37 +1,38 @@
 import * as THREE from 'three';
 import type { Surface } from '../engine/messages';
 import { marks } from './colors';
+import { lightFrom } from './lit_picture';
 import { bledTexture, type Painted } from './painted_drawing';
-import { pixelsOf } from './pixels_of';
+import { snapshotOf } from './snapshot';
 
 export type ModelShading = 'drawing' | 'clay' | 'normals';
 
-/** From where and how large the model is seen, in units in which its longest side is 2. */
+/** The camera, in units in which the longest side of the model is 2. */
 export interface Pose {
-  /** To the right and up from the front view, radians. */
+  /** Angles to the right and up from the front view, radians. */
   readonly yaw: number;
   readonly pitch: number;
   readonly target: readonly [number, number, number];
-  /** Left, right, top and bottom of what the camera sees, from the target. */
+  /** Left, right, top and bottom of the visible area, relative to the target. */
   readonly frame: readonly [number, number, number, number];
 }
 
-/** A part, and where on the page, px, it is seen. */
+/** A part that was picked, with the picked point of the page, px. */
 export interface Picked {
   readonly part: string;
   readonly at: readonly [number, number];
 }
 
-/** Bytes of sRGB in linear light, as colours of vertices are taken to be. */
+/** Converts bytes of sRGB to linear light, in which vertex colours are given. */
 function linearOf(bytes: Uint8Array): Float32Array<ArrayBuffer> {
   const color = new THREE.Color();
   const levels = Float32Array.from({ length: 256 }, (_, i) => color.setRGB(i / 255, 0, 0, THREE.SRGBColorSpace).r);
   return Float32Array.from(bytes, (byte) => levels[byte] as number);
 }
 
-/** The relief in three dimensions. Draws when something changed, never by itself. */
+/** Draws the relief with WebGL. It draws only after a change, never continuously. */
 export class ModelRenderer {
-  /** Whether the processor draws alone. */
+  /** Whether the processor draws, without 3D graphics. */
   readonly isSoftware: boolean = false;
   private readonly renderer: THREE.WebGLRenderer;
   private readonly scene = new THREE.Scene();
@@ -40,7 +41,7 @@ export class ModelRenderer {
   private readonly model = new THREE.Group();
   private readonly materials = {
     drawing: new THREE.MeshStandardMaterial({ roughness: 0.92, side: THREE.DoubleSide }),
-    /** Of what the drawing does not show. */
+    /** For surfaces that the drawing does not show. */
     hidden: new THREE.MeshStandardMaterial({ roughness: 0.92, side: THREE.DoubleSide, vertexColors: true }),
     clay: new THREE.MeshStandardMaterial({ color: 0xcbbfae, roughness: 0.75, side: THREE.DoubleSide }),
     normals: new THREE.MeshNormalMaterial({ side: THREE.DoubleSide }),
@@ -49,7 +50,7 @@ export class ModelRenderer {
   private shading: ModelShading = 'drawing';
   private highlighted: string | null = null;
   private frame = 0;
-  /** Of the page, px. */
+  /** Height of the page, px. */
   private height = 0;
 
   constructor(private readonly canvas: OffscreenCanvas) {
@@ -77,10 +78,9 @@ export class ModelRenderer {
     this.redraw();
   }
 
-  /** Light from the right and from above, each in [-1, 1]. */
+  /** Moves the light to the right and up, each in [-1, 1]. */
   aimLight(right: number, up: number): void {
-    const z = Math.sqrt(Math.max(0.05, 1 - Math.min(0.95, right * right + up * up)));
-    this.light.position.set(right, up, z);
+    this.light.position.set(...lightFrom([right, up]));
     this.redraw();
   }
 
@@ -94,7 +94,10 @@ export class ModelRenderer {
     this.redraw();
   }
 
-  /** The texture: a picture, or the parts painted flat; none without a document. */
+  /**
+   * Sets the texture: a picture, or the parts painted flat, or nothing without a document. `side` limits its
+   * size, px.
+   */
   paint(document: Painted | null, picture: ImageBitmap | null, side?: number): void {
     const { drawing } = this.materials;
     drawing.map?.dispose();
@@ -120,7 +123,7 @@ export class ModelRenderer {
     this.redraw();
   }
 
-  /** What is seen at a place of the view, right and up in [-1, 1]. */
+  /** Returns what is visible at a point of the view, right and up in [-1, 1]. */
   pick(right: number, up: number): Picked | null {
     this.camera.updateMatrixWorld();
     this.picker.setFromCamera(new THREE.Vector2(right, up), this.camera);
@@ -130,7 +133,7 @@ export class ModelRenderer {
     return { part: hit.object.name, at: [x, this.height - y] };
   }
 
-  /** Draws at once what was changed; resolves when the graphics are through with it and it is handed to the page. */
+  /** Draws pending changes at once. Resolves when the graphics have finished and the page has the result. */
   async drawn(): Promise<void> {
     this.render();
     const gl = this.renderer.getContext();
@@ -138,16 +141,16 @@ export class ModelRenderer {
     await new Promise((resolve) => requestAnimationFrame(resolve));
   }
 
-  /** The view as a PNG file. */
+  /** Returns the view as a PNG file. */
   picture(): Promise<Blob> {
     this.render();
     return this.canvas.convertToBlob({ type: 'image/png' });
   }
 
-  /** The view as pixels on a ground of one colour, its longest side `side` px at most. */
+  /** Returns the pixels of the view on a background of one colour, at most `side` px long. */
   snapshot(side: number, ground: string): ImageData {
     this.render();
-    return pixelsOf(this.canvas, side, ground);
+    return snapshotOf(this.canvas, side, ground);
   }
 
   private textureOf(source: OffscreenCanvas): THREE.Texture {
@@ -182,7 +185,7 @@ export class ModelRenderer {
       for (const [name, values] of Object.entries(attributes)) geometry.setAttribute(name, values);
       geometry.setIndex(corners);
       geometry.setDrawRange(3 * first, 3 * count);
-      // All have the vertices of the whole.
+      // All meshes share the vertices of the whole, so they share one sphere.
       if (sphere) geometry.boundingSphere = sphere;
       else geometry.computeBoundingSphere();
       sphere = geometry.boundingSphere;

@@ -8,14 +8,11 @@ import type { Viewport } from './viewport';
 
 type Frame = Pose['frame'];
 
-/** What buttons cover of the lower edge of a view, CSS px, and how high a view is that has them. */
+/** Height that buttons cover at the bottom of a view, and least height of a view that has them, CSS px. */
 const barHeight = 60;
 const leastWithBar = 260;
 
-/**
- * The relief in three dimensions, drawn by a worker: a page whose graphics are slow stays free for
- * the hand.
- */
+/** Shows the relief on a canvas. A worker draws it, so that slow graphics do not block the page. */
 export class ModelView {
   private readonly worker = new Worker(new URL('./model_worker.ts', import.meta.url), { type: 'module' });
   private readonly renderer: Promise<Comlink.Remote<Renderer>>;
@@ -27,7 +24,7 @@ export class ModelView {
   private size: [number, number] = [1, 1];
   private canvasSize: [number, number] = [1000, 800];
 
-  /** `lost`: the graphics are gone; another view on another canvas may have them again. */
+  /** `lost` is called when the graphics are lost. A new view on a new canvas may get them back. */
   constructor(canvas: HTMLCanvasElement, lost: () => void = () => undefined) {
     const offscreen = canvas.transferControlToOffscreen();
     const start = Comlink.wrap<StartRenderer>(this.worker);
@@ -45,7 +42,7 @@ export class ModelView {
     this.frameModel();
   }
 
-  /** The camera turned to the right and up, radians, from the front view. */
+  /** Turns the camera to angles to the right and up from the front view, radians. */
   turn(yaw: number, pitch: number): void {
     const most = Math.PI / 2 - 1e-3;
     this.look({ ...this.pose, yaw, pitch: Math.min(most, Math.max(-most, pitch)) });
@@ -55,7 +52,7 @@ export class ModelView {
     return this.pose;
   }
 
-  /** Moves what is seen, CSS px. */
+  /** Moves the model on the screen, CSS px. */
   pan(dx: number, dy: number): void {
     const [left, right] = this.pose.frame;
     const unit = (right - left) / this.size[0];
@@ -71,7 +68,7 @@ export class ModelView {
     this.look({ ...this.pose, frame: this.wholeFrame() });
   }
 
-  /** Light from the right and from above, each in [-1, 1]. */
+  /** Moves the light to the right and up, each in [-1, 1]. */
   aimLight(right: number, up: number): void {
     this.tell((renderer) => renderer.aimLight(right, up));
   }
@@ -84,7 +81,10 @@ export class ModelView {
     this.tell((renderer) => renderer.show(surface, width, height));
   }
 
-  /** What lies on the model: a picture, or the parts painted flat, `side` px long; nothing without a document. */
+  /**
+   * Sets the texture: a picture, or the parts painted flat, or nothing without a document. `side` limits its
+   * size, px.
+   */
   paint(document: Painted | null, picture: ImageBitmap | null, side?: number): void {
     this.toPaint = { document, picture, side };
     if (!this.isPainting) this.painting = this.paintNewest();
@@ -98,18 +98,18 @@ export class ModelView {
     this.tell((renderer) => renderer.highlight(part));
   }
 
-  /** What is seen at a point of the pane, CSS px. */
+  /** Returns what is visible at a point of the pane, CSS px. */
   async pick(x: number, y: number): Promise<Picked | null> {
     return (await this.renderer).pick((2 * x) / this.size[0] - 1, 1 - (2 * y) / this.size[1]);
   }
 
-  /** All of the model in front, as it was at first. */
+  /** Shows the whole model again, as large as possible. */
   frameModel(): void {
     this.zoomed = 1;
     this.look({ ...this.pose, target: [0, 0, 0], frame: this.wholeFrame() });
   }
 
-  /** The model exactly over a page that is seen through a viewport of the same pane. */
+  /** Places the model exactly over the page as a viewport of the same size shows it. */
   align(view: Viewport): void {
     const [width, height] = this.canvasSize;
     const scale = 2 / Math.max(width, height);
@@ -119,28 +119,28 @@ export class ModelView {
     this.look({ ...this.pose, target: [0, 0, 0], frame });
   }
 
-  /** Whether there are no graphics and the processor draws alone. */
+  /** Returns whether the processor draws, without 3D graphics. */
   async isSoftware(): Promise<boolean> {
     return (await this.renderer).isSoftware;
   }
 
-  /** Resolves when everything up to now can be seen. */
+  /** Resolves when all changes so far are on the screen. */
   async drawn(): Promise<void> {
     await this.painting;
     await (await this.renderer).drawn();
   }
 
-  /** The view as a PNG file. */
+  /** Returns the view as a PNG file. */
   async picture(): Promise<Blob> {
     return (await this.renderer).picture();
   }
 
-  /** The view as pixels on a ground of one colour, its longest side `side` px at most. */
+  /** Returns the pixels of the view on a background of one colour, at most `side` px long. */
   async snapshot(side: number, ground: string): Promise<ImageData> {
     return (await this.renderer).snapshot(side, ground);
   }
 
-  /** Paints what is wanted until nothing newer is: what is outdated meanwhile is never painted. */
+  /** Paints the newest texture until there is no newer one. Textures that are overtaken are skipped. */
   private async paintNewest(): Promise<void> {
     this.isPainting = true;
     try {
@@ -171,7 +171,7 @@ export class ModelView {
     this.tell((renderer) => renderer.look(pose));
   }
 
-  /** Calls arrive in the order in which they are made. */
+  /** Calls the renderer. Calls arrive in the order in which they are made. */
   private tell(call: (renderer: Comlink.Remote<Renderer>) => Promise<unknown>): void {
     void this.renderer.then(call);
   }

@@ -2,7 +2,10 @@ import * as Comlink from 'comlink';
 import { ModelRenderer } from './model_renderer';
 import { type Renderer, SoftwareRenderer } from './software_renderer';
 
-/** A renderer for a canvas, by the processor alone where there are no graphics. `lost`: they are gone. */
+/**
+ * Returns a renderer for a canvas, without 3D graphics if there are none. `lost` is called when the graphics
+ * are lost.
+ */
 function start(canvas: OffscreenCanvas, lost: () => void): Renderer & Comlink.ProxyMarked {
   try {
     const renderer = new ModelRenderer(canvas);

@@ -2,9 +2,9 @@ import type { Point } from '../document/document';
 import type { ModelView } from './model_view';
 
 /**
- * Turns, moves and zooms the model: dragging and arrow keys turn it, the middle button and two
- * fingers move it, the wheel and pinching zoom. Nothing while `held` says that the pointer is taken.
- * `turned` hears how far, radians.
+ * Lets the user turn, move and zoom the model: dragging and arrow keys turn it, the middle button and
+ * two fingers move it, the wheel and pinching zoom. While `held` returns true, the pointer is used for
+ * something else. `turned` is called with each angle, radians.
  */
 export function listenToOrbit(canvas: HTMLCanvasElement, view: ModelView, held: () => boolean, turned: (angle: number) => void): void {
   const pointers = new Map<number, Point>();

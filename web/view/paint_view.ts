@@ -1,7 +1,7 @@
 import type { Document, PaintStroke } from '../document/document';
-import { type Context, tracePart } from './trace';
+import { type Context, traceLine, tracePart } from './trace';
 
-/** Draws on a canvas of its own first, so that what is rubbed out there leaves the rest as it is. */
+/** Draws on a separate canvas first, so that rubbing out there does not affect what lies below. */
 function onLayer(context: Context, draw: (layer: OffscreenCanvasRenderingContext2D) => void): void {
   const layer = new OffscreenCanvas(context.canvas.width, context.canvas.height).getContext('2d');
   if (!layer) return;
@@ -19,22 +19,22 @@ function drawStrokes(context: Context, strokes: readonly PaintStroke[]): void {
     context.globalCompositeOperation = color === null ? 'destination-out' : 'source-over';
     context.strokeStyle = color ?? '#000';
     context.lineWidth = width;
-    context.beginPath();
-    points.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
-    // A dot is a line of no length.
-    if (points.length === 1) context.lineTo(...(points[0] as readonly [number, number]));
+    traceLine(context, points);
     context.stroke();
   }
   context.globalCompositeOperation = 'source-over';
 }
 
-/** What was painted by hand, over everything. */
+/** Draws the paint of the user over everything. */
 export function drawPaint(context: Context, strokes: readonly PaintStroke[]): void {
   if (strokes.some(({ color }) => color === null)) onLayer(context, (layer) => drawStrokes(layer, strokes));
   else drawStrokes(context, strokes);
 }
 
-/** Parts that were drawn by hand, over the drawing that does not show them; what lies in front of them covers them. */
+/**
+ * Draws parts that were drawn by hand over the drawing, which does not show them. Parts of the drawing in
+ * front cover them.
+ */
 export function drawAdded(context: Context, { parts, settings }: Pick<Document, 'parts' | 'settings'>, pen: number): void {
   if (!parts.some(({ color }) => color)) return;
   onLayer(context, (layer) => {

@@ -1,15 +1,21 @@
-import type { Document } from '../document/document';
+import { type Document, emptyDocument } from '../document/document';
+import type { Dressed } from '../engine/messages';
 import { drawContent } from './paper_view';
 
-/** What of a document can be seen, but for its picture. */
+/** The fields of a document that determine how it looks, apart from its picture. */
 export type Painted = Pick<Document, 'width' | 'height' | 'parts' | 'joins' | 'paint' | 'settings'>;
 
-/** Whether more is to be seen than the picture of a document. */
+/** An empty page of the size of a dressed surface's picture, for the picture to fill. */
+export function sheetOf({ picture }: Dressed): Painted {
+  return { ...emptyDocument(), width: picture.width, height: picture.height };
+}
+
+/** Returns whether a document shows more than its picture. */
 export function isOverpainted({ parts, paint }: Pick<Painted, 'parts' | 'paint'>): boolean {
   return paint.length > 0 || parts.some(({ color }) => color);
 }
 
-/** What changes how a document looks: two with the same look the same. */
+/** Returns the values that determine how a document looks; see isSameLook. */
 export function lookOf({ parts, joins, paint, settings }: Painted, picture: ImageBitmap | null): readonly unknown[] {
   const shown = picture && !parts.some(({ color }) => color) ? [] : [parts, joins, settings.inkColor, settings.inkWidth];
   return [picture, paint, ...shown];
@@ -19,7 +25,7 @@ export function isSameLook(a: readonly unknown[], b: readonly unknown[]): boolea
   return a.length === b.length && a.every((value, i) => value === b[i]);
 }
 
-/** Longest side of the texture made of a vector drawing or of parts: the command line's. */
+/** Longest side of the texture made of a vector drawing or of parts, px; the command line uses the same. */
 export const vectorSide = 2048;
 
 export function canvasOf(width: number, height: number): [OffscreenCanvas, OffscreenCanvasRenderingContext2D] {
@@ -29,7 +35,7 @@ export function canvasOf(width: number, height: number): [OffscreenCanvas, Offsc
   return [canvas, context];
 }
 
-/** The drawing, as large as it is, or the parts painted flat where there is none, as pixels; `side` px long at most. */
+/** Paints the drawing at its own size, or the parts in flat colours if there is none, at most `side` px long. */
 export function painted(document: Painted, picture: ImageBitmap | null, side = Infinity): OffscreenCanvasRenderingContext2D {
   const { width, height } = picture ?? document;
   const longest = Math.min(side, picture ? Math.max(width, height) : vectorSide);
@@ -41,7 +47,10 @@ export function painted(document: Painted, picture: ImageBitmap | null, side = I
   return context;
 }
 
-/** The same for the view: what is transparent takes the colour beside it, so that rims show none of it. */
+/**
+ * Paints the drawing as a texture for the view. Transparent pixels take the colour beside them, so that no rim
+ * shows the background.
+ */
 export function bledTexture(document: Painted, picture: ImageBitmap | null, side?: number): OffscreenCanvas {
   const sharp = painted(document, picture, side).canvas;
   const scale = Math.min(1, vectorSide / Math.max(sharp.width, sharp.height));

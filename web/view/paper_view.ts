@@ -7,24 +7,24 @@ import { drawAdded, drawPaint } from './paint_view';
 import { type Context, traceLine, tracePart } from './trace';
 import type { Viewport } from './viewport';
 
-/** All that the canvas on the left shows. */
-export interface PaperContent {
+/** Everything that the canvas of the drawing shows. */
+interface PaperContent {
   document: Document;
   picture: ImageBitmap | null;
   overlays: Overlays | null;
   selected: string | null;
   hovered: string | null;
   culprit: string | null;
-  /** A guess that a person is asked about. */
+  /** The guess that the user is asked about. */
   doubt: Doubt | null;
   depthTint: boolean;
   showMarks: boolean;
   dark: boolean;
-  /** What the tool in hand shows, in canvas px. */
+  /** Draws what the current tool shows, in canvas px. */
   preview(context: CanvasRenderingContext2D, pixel: number): void;
 }
 
-/** Draws a line with round ends and corners, its width in canvas px. */
+/** Draws a line with round ends and corners; `width` is in canvas px. */
 export function strokeLine(context: CanvasRenderingContext2D, line: Ring, color: string, width: number): void {
   traceLine(context, line);
   context.lineJoin = context.lineCap = 'round';
@@ -40,7 +40,7 @@ interface Dot {
   readonly width: number;
 }
 
-/** Draws a round mark; lengths in CSS px. */
+/** Draws a round mark; its lengths are in CSS px. */
 export function drawDot(context: CanvasRenderingContext2D, [x, y]: Point, { radius, fill, rim, width }: Dot, pixel: number): void {
   context.beginPath();
   context.arc(x, y, radius * pixel, 0, 2 * Math.PI);
@@ -52,10 +52,10 @@ export function drawDot(context: CanvasRenderingContext2D, [x, y]: Point, { radi
 }
 
 /**
- * Parts as a flat drawing: what stands for a drawing where there is none. No ink runs along joins,
- * where two parts are one surface.
+ * Paints the parts in flat colours, in place of a drawing. There is no ink along joins, since joined
+ * parts are one surface.
  */
-export function paintParts(context: Context, document: Pick<Document, 'parts' | 'joins' | 'settings'>, pen: number): void {
+function paintParts(context: Context, document: Pick<Document, 'parts' | 'joins' | 'settings'>, pen: number): void {
   const { inkColor, inkWidth } = document.settings;
   context.lineJoin = 'round';
   for (const part of document.parts) {
@@ -111,7 +111,7 @@ function drawPage(context: CanvasRenderingContext2D, content: PaperContent, pixe
   drawContent(context, document, picture, 2 * pixel);
 }
 
-/** The drawing, or the parts painted flat where there is none, and all that was drawn and painted over it. */
+/** Draws the drawing, or the parts in flat colours if there is none, and everything drawn and painted over it. */
 export function drawContent(context: Context, document: Pick<Document, 'width' | 'height' | 'parts' | 'joins' | 'paint' | 'settings'>, picture: ImageBitmap | null, pen: number): void {
   if (picture) {
     context.drawImage(picture, 0, 0, document.width, document.height);
@@ -120,7 +120,7 @@ export function drawContent(context: Context, document: Pick<Document, 'width' |
   drawPaint(context, document.paint);
 }
 
-/** Nearer parts are lighter, as in the paper's figure 3. */
+/** Draws nearer parts lighter, as in the paper's figure 3. */
 function drawDepths(context: CanvasRenderingContext2D, parts: readonly Part[], pixel: number): void {
   parts.forEach((part, i) => {
     const light = 32 + (56 * (i + 1)) / parts.length;
@@ -148,7 +148,7 @@ function drawPart(context: CanvasRenderingContext2D, part: Part, color: string, 
   context.stroke();
 }
 
-/** Dashes where the outline of a part lies behind others. */
+/** Draws dashes along the hidden stretches of a part's outline. */
 export function dashHidden(context: CanvasRenderingContext2D, parts: readonly Part[], id: string, pixel: number): void {
   context.lineCap = 'butt';
   for (const [dash, color, width] of [[[], '#fff', 3.2], [[5 * pixel, 4 * pixel], marks.select, 2]] as const) {
@@ -163,7 +163,7 @@ export function dashHidden(context: CanvasRenderingContext2D, parts: readonly Pa
   context.setLineDash([]);
 }
 
-/** The two parts of which a guess speaks, the nearer one stronger, and the join. */
+/** Draws the two parts that a guess is about in two colours, and their join. */
 function drawDoubt(context: CanvasRenderingContext2D, { parts, joins }: Document, doubt: Doubt, pixel: number): void {
   if (doubt.kind === 'gap') return;
   for (const part of parts)
@@ -175,7 +175,7 @@ function drawDoubt(context: CanvasRenderingContext2D, { parts, joins }: Document
   strokeLine(context, join.line, marks.join, 5.5 * pixel);
 }
 
-/** Draws everything anew. `ratio`: device px a CSS px. */
+/** Draws everything. `ratio` is the number of device px per CSS px. */
 export function drawPaper(
   context: CanvasRenderingContext2D,
   content: PaperContent,
@@ -201,7 +201,7 @@ export function drawPaper(
   content.preview(context, pixel);
 }
 
-/** All of a document on a small canvas: its drawing with the outlines of its parts, or its parts. */
+/** Draws a whole document on a small canvas: its drawing with the outlines of its parts, or its parts. */
 export function drawStamp(context: CanvasRenderingContext2D, document: Document, picture: ImageBitmap | null): void {
   const scale = context.canvas.width / document.width;
   context.setTransform(scale, 0, 0, scale, 0, 0);

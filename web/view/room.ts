@@ -19,7 +19,7 @@ void main() {
   gl_Position = projection * view * model * vec4(position, 1.0);
 }`;
 
-/** Light from above on the left, softly, as in a room. */
+/** Soft light from the upper left, as in a room. */
 const fragmentSource = `#version 300 es
 precision highp float;
 in vec3 facing;
@@ -34,10 +34,10 @@ void main() {
   result = vec4(light * paint, 1.0);
 }`;
 
-/** How far in front of a hand or of the eyes it is put, m. */
+/** Distance of the model in front of the eyes or the hand, m. */
 const reach = 0.7;
 
-/** A model in the graphics of a session. */
+/** Draws a model in a WebXR session. */
 class RoomModel {
   private readonly program: WebGLProgram;
   private readonly uniform: (name: string) => WebGLUniformLocation | null;
@@ -110,7 +110,10 @@ interface RoomContent {
   readonly sizeMm: number;
 }
 
-/** Shows a model as large as it will be, in front of whoever looks; a tap or a trigger puts it elsewhere. Resolves when that is over. */
+/**
+ * Shows a model at its real size in front of the viewer. A tap or a trigger moves it. Resolves when the
+ * session ends.
+ */
 export async function showInRoom(session: XRSession, { surface, drawing, sizeMm }: RoomContent): Promise<void> {
   const canvas = document.createElement('canvas');
   const gl = canvas.getContext('webgl2', { xrCompatible: true });

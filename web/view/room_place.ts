@@ -1,15 +1,15 @@
-/** Columns of a matrix, one after the other. */
+/** A 4 × 4 matrix, column by column. */
 export type Mat4 = Float32Array;
 
 type Vector = readonly [number, number, number];
 
-/** A model around its own middle: what it is multiplied with, and the middle that comes to 0. */
+/** The size of a model: metres per px, and its middle, px, which becomes the origin. */
 interface Sized {
   readonly scale: number;
   readonly middle: Vector;
 }
 
-/** Positions in px as a model whose longest side is `length` m long. */
+/** Returns the size with which the longer of the two sides of a model across the page, in px, is `length` m long. */
 export function scaledTo(positions: Float32Array, length: number): Sized {
   const min = [Infinity, Infinity, Infinity];
   const max = [-Infinity, -Infinity, -Infinity];
@@ -22,10 +22,7 @@ export function scaledTo(positions: Float32Array, length: number): Sized {
   return { scale: length / Math.max(side(0), side(1), 1e-9), middle: [middle(0), middle(1), middle(2)] };
 }
 
-/**
- * Where a model stands that is `reach` m in front of a pose of eyes or of a hand: upright, and
- * turned towards it.
- */
+/** Returns the matrix that places a model upright, `reach` m in front of a pose of eyes or of a hand and facing it. */
 export function placed({ scale, middle }: Sized, pose: Float32Array, reach: number): Mat4 {
   const column = (k: number): Vector => [pose[4 * k] as number, pose[4 * k + 1] as number, pose[4 * k + 2] as number];
   const back = column(2);

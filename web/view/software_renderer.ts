@@ -1,15 +1,16 @@
 import type { Surface } from '../engine/messages';
+import { lightFrom } from './lit_picture';
 import type { ModelRenderer, ModelShading, Picked, Pose } from './model_renderer';
 import { bledTexture, type Painted } from './painted_drawing';
-import { pixelsOf } from './pixels_of';
+import { snapshotOf } from './snapshot';
 
-/** What draws the relief, with or without graphics. */
+/** Draws the relief, with or without 3D graphics. */
 export type Renderer = Pick<
   ModelRenderer,
   'isSoftware' | 'resize' | 'look' | 'aimLight' | 'show' | 'paint' | 'setShading' | 'highlight' | 'pick' | 'drawn' | 'picture' | 'snapshot'
 >;
 
-/** Longest side of what is drawn, px: every one costs. */
+/** Longest side of the picture, px; its cost grows with every pixel. */
 const longest = 900;
 const clay = [203, 191, 174] as const;
 const lit = [242, 140, 40] as const;
@@ -18,13 +19,13 @@ interface Frame {
   readonly width: number;
   readonly height: number;
   readonly image: ImageData;
-  /** How near, pixel by pixel; -Infinity where nothing is. */
+  /** Depth of each pixel, larger is nearer; -Infinity where there is nothing. */
   readonly depth: Float32Array;
-  /** Index of the part seen, of -1. */
+  /** Index of the part in each pixel, or -1. */
   readonly part: Int16Array;
 }
 
-/** The corners of a surface on the screen: across and down, px, near, and their brightness. */
+/** The vertices of a surface on the screen: x and y, px, depth, and their brightness. */
 interface Corners {
   readonly screen: Float32Array;
   readonly shade: Float32Array;
@@ -32,7 +33,7 @@ interface Corners {
 
 type Vector = readonly [number, number, number];
 
-/** To the right, up and towards whoever looks. */
+/** Returns the directions to the right, up and towards the viewer. */
 function axesOf({ yaw, pitch }: Pose): readonly [Vector, Vector, Vector] {
   return [
     [Math.cos(yaw), 0, -Math.sin(yaw)],
@@ -45,7 +46,7 @@ function dot(a: Vector, x: number, y: number, z: number): number {
   return a[0] * x + a[1] * y + a[2] * z;
 }
 
-/** Draws the relief with the processor alone, for browsers without WebGL. Slower and plainer. */
+/** Draws the relief with the processor, for browsers without WebGL. It is slower and simpler. */
 export class SoftwareRenderer implements Renderer {
   readonly isSoftware: boolean = true;
   private readonly context: OffscreenCanvasRenderingContext2D;
@@ -78,9 +79,7 @@ export class SoftwareRenderer implements Renderer {
   }
 
   aimLight(right: number, up: number): void {
-    const z = Math.sqrt(Math.max(0.05, 1 - Math.min(0.95, right * right + up * up)));
-    const length = Math.hypot(right, up, z);
-    this.light = [right / length, up / length, z / length];
+    this.light = lightFrom([right, up]);
     this.redraw();
   }
 
@@ -132,7 +131,7 @@ export class SoftwareRenderer implements Renderer {
 
   snapshot(side: number, ground: string): ImageData {
     this.render();
-    return pixelsOf(this.canvas, side, ground);
+    return snapshotOf(this.canvas, side, ground);
   }
 
   private redraw(): void {

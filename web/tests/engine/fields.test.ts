@@ -17,7 +17,7 @@ function heights(surface: Surface): Float32Array {
   return surface.positions.filter((_, i) => i % 3 === 2);
 }
 
-it('tells the energy while the non-linear method runs, which ends at the energy of the report', () => {
+it('reports the energy while the non-linear method runs, down to the energy of the report', () => {
   const { scene } = must(service.importSvg(readFileSync(join(root, 'examples/lamb.svg'))));
   const energies: number[] = [];
   const { report } = must(
@@ -31,7 +31,7 @@ it('tells the energy while the non-linear method runs, which ends at the energy 
 });
 
 it('shows the heights as the sum of inflation and shift', () => {
-  // The rim is cut by the heights, so that without a tolerance all fields have the same vertices.
+  // The rim is refined by the heights; with a huge tolerance all fields have the same vertices.
   const at = { ...shown, tolerance: 1e6 };
   const { scene } = must(service.importSvg(readFileSync(join(root, 'examples/wolf.svg'))));
   const { surface } = must(service.build({ scene, options: { ...options, method: 'approximate' }, ...at }, () => undefined));
@@ -39,12 +39,12 @@ it('shows the heights as the sum of inflation and shift', () => {
   const f = heights(must(service.surface({ ...at, field: 'inflation' })));
   const g = heights(must(service.surface({ ...at, field: 'shift' })));
   expect([f.length, g.length]).toEqual([h.length, h.length]);
-  // The field g stands on an inflation of 1 px.
+  // The surface of g has an inflation of 1 px added.
   const gaps = h.map((height, i) => Math.abs(height - (f[i]! + g[i]! - 1)));
   expect(gaps.filter((gap) => gap < 1e-3).length).toBeGreaterThan(0.99 * h.length);
 });
 
-it('gives what is hidden the colour of its own part', () => {
+it('gives hidden surfaces the colour of their own part', () => {
   const square = (x: number, y: number, side: number) => [[x, y], [x + side, y], [x + side, y + side], [x, y + side]];
   const scene = JSON.stringify({
     format: 'relievo-scene', version: 1, canvas: { width: 200, height: 200 },

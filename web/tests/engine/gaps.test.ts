@@ -36,7 +36,7 @@ function gapsOf(document: Document): readonly Gap[] {
   return openQuestions(document, gaps);
 }
 
-/** What the command line makes of the saved project when it proposes again. */
+/** Returns the segmentation that the command line proposes for the saved project. */
 function native(document: Document): Document {
   const [saved, again] = ['saved.relievo', 'again.relievo'].map((name) => join(mkdtempSync(join(temporary, 'case-')), name));
   writeFileSync(saved!, writeProject(document, null));
@@ -45,7 +45,7 @@ function native(document: Document): Document {
 }
 
 describe('a gap in a line', () => {
-  it('is found where it was closed, with the part to its right', () => {
+  it('is found, with the part to its right', () => {
     const document = guessed();
     const gaps = gapsOf(document);
     expect([document.parts.length, gaps.length]).toEqual([2, 1]);
@@ -53,7 +53,7 @@ describe('a gap in a line', () => {
     expect(gaps[0]!.left).toBe(0);
   });
 
-  it('that is opened lets its area out, for the command line too', () => {
+  it('that is opened joins its area to the background, for the command line too', () => {
     const document = guessed();
     const opened = understood(openGap(document, gapsOf(document)[0]!));
     expect(opened.parts.map((part) => part.id)).toEqual([document.parts.find((part) => Math.abs(part.outline[0]![0]![0] - 140) < 120)!.id]);
@@ -61,7 +61,7 @@ describe('a gap in a line', () => {
     expect(native(opened).parts).toEqual(opened.parts);
   });
 
-  it('that is kept closed changes no part and is asked about no more', () => {
+  it('that is kept closed changes no part and is no longer asked about', () => {
     const document = guessed();
     const kept = understood(keepGap(document, gapsOf(document)[0]!));
     expect(kept.parts.map((part) => part.id)).toEqual(document.parts.map((part) => part.id));

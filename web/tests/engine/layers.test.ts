@@ -29,19 +29,19 @@ const ora: OutputFile[] = [
   { name: 'data/2.png', bytes: head },
 ];
 
-/** What a scene says, but for where its drawing lies. */
+/** Returns a scene without the path of its drawing. */
 function saidBy(scene: string): { joins?: object[]; relations?: object[] } {
   return { ...(JSON.parse(scene) as object), drawing: null } as object;
 }
 
-/** That the page understands the drawing as the command line does, to the last number. */
+/** Expects the page to import the drawing exactly as the command line does. */
 function expectSameScene(scene: string, input: string): void {
   const theirs = join(folder, 'understood.json');
   relievo('check', input, '-q', '-o', theirs);
   expect(saidBy(scene)).toEqual(saidBy(readFileSync(theirs, 'utf8')));
 }
 
-/** That the page's model and map of imported layers are those of the command line. */
+/** Expects the page's model and map of imported layers to equal those of the command line. */
 function expectSameModel(files: OutputFile[], input: string): void {
   const [model, map] = [join(folder, 'layers.stl'), join(folder, 'depth.png')];
   relievo('build', input, '-q', '--vertices', '20000', '-o', model, '--depth-map', map);
@@ -108,7 +108,7 @@ describe('layers', () => {
     expectSameModel(ora, file);
   });
 
-  it('that are pictures of their own come in the natural order of their names', () => {
+  it('that are separate pictures come in the natural order of their names', () => {
     const files = [
       { name: 'part10.png', bytes: disc(120, 55, [60, 120, 190]) },
       { name: 'part9.png', bytes: disc(240, 100, [200, 80, 60]) },

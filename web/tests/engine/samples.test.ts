@@ -34,7 +34,7 @@ function build(scene: string, changed: Partial<BuildOptions> = {}) {
 describe('the engine and the command line', () => {
   const folder = temporaryFolder();
 
-  /** What the command line makes of the same scene. */
+  /** Returns the file that the command line makes of the same scene. */
   function native(name: string, scene: string, ...more: string[]): void {
     const file = join(folder, `${name}.json`);
     writeFileSync(file, scene);
@@ -51,7 +51,7 @@ describe('the engine and the command line', () => {
     expect(Buffer.from(map).equals(readFileSync(join(folder, `${name}.png`)))).toBe(true);
   });
 
-  it('make the same bytes after edits that went on from the build before', () => {
+  it('make the same bytes after edits that reuse the build before', () => {
     const scene = importSample('wolf');
     const edited = scene.replace(/"c": ?[0-9.]+/g, '"c": 3.1');
     expect(edited).not.toBe(scene);
@@ -105,7 +105,7 @@ describe('the engine and the command line', () => {
 });
 
 describe('the engine', () => {
-  it('embeds a drawing in files that the validator has nothing to say about', async () => {
+  it('embeds a drawing in files that the validator accepts', async () => {
     build(importSample('wolf'), { vertices: 4000 });
     const texture = { rgba: new Uint8Array(64 * 64 * 4).fill(200), width: 64, height: 64 };
     const [file] = must(service.encode('glb', 'wolf', 100, texture)).files;
@@ -114,7 +114,7 @@ describe('the engine', () => {
     expect(report.issues.numWarnings).toBe(0);
   });
 
-  it('hands out surfaces whose parts cover all triangles, inside the canvas', () => {
+  it('returns surfaces whose parts cover all triangles, inside the canvas', () => {
     const scene = importSample('bunny');
     const { surface, report } = build(scene, { vertices: 4000 });
     const { canvas } = JSON.parse(scene) as { canvas: { width: number; height: number } };
@@ -139,7 +139,7 @@ describe('the engine', () => {
     }
   });
 
-  it('names the culprit of a scene that it refuses, and goes on', () => {
+  it('names the cause when it refuses a scene, and stays usable', () => {
     const scene = importSample('lamb');
     const broken = scene.replace(/"c": [0-9.]+/, '"c": -1');
     const refused = service.build({ scene: broken, options: usual, ...shown }, quiet);
@@ -148,7 +148,7 @@ describe('the engine', () => {
     build(scene, { vertices: 2000 });
   });
 
-  it('paints nothing of a hostile drawing', () => {
+  it('removes scripts and references from a hostile drawing', () => {
     const hostile = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 500 500" onload="x()">
       <script>x()</script><foreignObject><p>x</p></foreignObject>
       <image href="https://example.org/a.png" width="9" height="9"/>

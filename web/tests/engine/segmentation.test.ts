@@ -34,7 +34,7 @@ function understood(document: Document): Document {
   return adopt(document, must(service.understand(questionOf(document))));
 }
 
-/** A stroke as the tool makes it. */
+/** Returns a stroke as the scribble tool makes it. */
 function scribbled(document: Document, ...points: Point[]): Document {
   const part = partOfStroke(document, points, 10);
   return understood(addStroke(document, { kind: 'hard', part, width: 10, points }));
@@ -44,7 +44,7 @@ function edited(document: Document, next: Document): Document {
   return noteCorrections(document, next);
 }
 
-/** What the command line makes of the drawing by itself. */
+/** Returns the segmentation that the command line proposes for the drawing. */
 function native(...more: string[]): Buffer {
   const file = join(mkdtempSync(join(temporary, 'case-')), 'bear.relievo');
   relievo('segment', join(root, 'examples/bear.png'), '-q', ...more, '-o', file);
@@ -52,7 +52,7 @@ function native(...more: string[]): Buffer {
 }
 
 describe('a flat drawing', () => {
-  it('is understood as by the command line, to the last number', () => {
+  it('is segmented exactly as by the command line', () => {
     const own = understood(blank());
     const theirs = readProject(native());
     expect(own.parts).toEqual(theirs.parts);
@@ -79,7 +79,7 @@ describe('a flat drawing', () => {
     if (complete) expect(own.parts.length).toBe(2);
   });
 
-  it('is understood on coloured paper in uneven light as by the command line, to the last number', () => {
+  it('is segmented on coloured paper in uneven light exactly as by the command line', () => {
     const [width, height] = [400, 300];
     const snowman = (x: number, y: number): readonly number[] => {
       if (Math.hypot(x - 200, y - 100) < 50) return [240, 210, 80];
@@ -104,7 +104,7 @@ describe('a flat drawing', () => {
     must(service.openDrawing({ png: bear }));
   });
 
-  it('is understood within a mask and under strokes as by the command line, to the last number', () => {
+  it('is segmented within a mask and under strokes exactly as by the command line', () => {
     const folder = mkdtempSync(join(temporary, 'case-'));
     const [mask, strokes] = [join(folder, 'mask.png'), join(folder, 'strokes.json')];
     writeFileSync(mask, pngOf(900, 1000, (_, y) => (y < 660 ? [255, 255, 255, 255] : [0, 0, 0, 255])));
@@ -136,7 +136,7 @@ describe('a flat drawing', () => {
     expect(without.parts).toEqual(body.parts);
   });
 
-  it('keeps what a person said of its parts through more strokes', () => {
+  it('keeps the corrections of its parts through more strokes', () => {
     const guessed = understood(blank());
     const [back, second, third] = guessed.parts.map((part) => part.id) as [string, string, string];
     let document = edited(guessed, changePart(guessed, back, { c: 1.25, d: -0.5 }));
@@ -155,7 +155,7 @@ describe('a flat drawing', () => {
     expect(again.parts.map((part) => part.id)).not.toContain(gone);
   });
 
-  it('keeps joins that a person made, moved or took away, and what was drawn by hand', () => {
+  it('keeps joins that the user made, moved or removed, and parts drawn by hand', () => {
     const guessed = understood(blank());
     const { upper, lower, line } = guessed.joins[0]!;
     const separate = edited(guessed, removeJoin(guessed, upper, lower));
@@ -175,7 +175,7 @@ describe('a flat drawing', () => {
   });
 });
 
-/** White paper with a black line of this width through the points. */
+/** Paints a black line of this width through the points on white paper. */
 function inked(width: number, height: number, pen: number, lines: Point[][]) {
   const rgba = new Uint8Array(4 * width * height).fill(255);
   for (const line of lines)
@@ -198,7 +198,7 @@ function width(outline: Document['parts'][number]['outline']): number {
   return Math.max(...across) - Math.min(...across);
 }
 
-it('takes strokes where it can guess nothing', () => {
+it('accepts strokes if nothing can be guessed', () => {
   const ruled = Array.from({ length: 9 }, (_, i): Point[] => [[60 + 40 * i, 0], [60 + 40 * i, 396]]);
   must(service.openDrawing({ pixels: inked(440, 400, 4, ruled) }));
   const paper: Document = { ...blank(), width: 440, height: 400 };
@@ -207,7 +207,7 @@ it('takes strokes where it can guess nothing', () => {
   const points: Point[] = [[75, 100], [75, 300]];
   const first = addStroke(paper, { kind: 'hard', part: partOfStroke(paper, points, 5), width: 12, points });
   const found = understood(addStroke(first, { kind: 'outside', width: 12, points: [[20, 20], [420, 20]] }));
-  // Ink that no stroke has claimed stays, as parts of its own, but narrow ones.
+  // Ink without strokes remains as separate parts, except for narrow pieces.
   const widest = Math.max(...found.parts.filter(({ id }) => id !== 'part-1').map(({ outline }) => width(outline)));
   expect(found.parts.map((part) => part.id)).toContain('part-1');
   expect(widest).toBeLessThan(8);
@@ -229,7 +229,7 @@ describe('a project of a flat drawing', () => {
     expect(readProject(writeProject(opened, null))).toEqual(opened);
   });
 
-  it('builds as in the editor, by the command line, and can be proposed anew there', () => {
+  it('is built by the command line as in the editor, and can be segmented again there', () => {
     let document = scribbled(readProject(native()), [380, 650], [370, 700]);
     document = edited(document, changePart(document, document.parts[1]!.id, { c: 3.5, flat: 0.7 }));
     const folder = mkdtempSync(join(temporary, 'case-'));
@@ -246,7 +246,7 @@ describe('a project of a flat drawing', () => {
     expect(proposed.segmentation!.scribbles).toEqual(document.segmentation!.scribbles);
   });
 
-  it('is refused by the key where its segmentation is not sound', () => {
+  it('is refused with the key that is wrong if its segmentation is not valid', () => {
     const { project, labels } = questionOf(understood(blank()));
     const broken: Record<string, string> = {
       'segmentation.scribbles.surprise': project.replace('"scribbles":{', '"scribbles":{"surprise":1,'),

@@ -9,7 +9,7 @@ import { picture, stageOfFile } from './browser.ts';
 const stage = stageOfFile({ anew: true });
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
-/** What axe finds wrong on the page as it is, one line each. */
+/** Returns the problems that axe finds on the current page, one line each. */
 async function violations(page: Page): Promise<string[]> {
   await page.evaluate(axe);
   return page.evaluate(async () => {
@@ -19,7 +19,7 @@ async function violations(page: Page): Promise<string[]> {
   });
 }
 
-/** Every state of the page, and the way to it from the one before. */
+/** Every state of the page, with the steps to it from the state before. */
 const states: [string, (page: Page) => Promise<unknown>][] = [
   ['start', async () => undefined],
   ['workspace', (page) => sample(page, 'bunny')],
@@ -55,7 +55,7 @@ const states: [string, (page: Page) => Promise<unknown>][] = [
   }],
 ];
 
-it.each(['light', 'dark'] as const)('has nothing that axe finds wrong in any state, %s', async (colorScheme) => {
+it.each(['light', 'dark'] as const)('has no accessibility problem that axe finds in any state, %s', async (colorScheme) => {
   const { page } = stage;
   await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
   const found: Record<string, string[]> = {};

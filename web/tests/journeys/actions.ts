@@ -4,7 +4,7 @@ import { unzipSync } from 'fflate';
 import type { CDPSession, Page } from 'playwright-core';
 import { pictures, settled } from './browser.ts';
 
-/** What a person does, over and over. */
+/** Actions of a user that many journeys need. */
 
 export type Spot = [number, number];
 
@@ -13,7 +13,7 @@ export async function sample(page: Page, name: string): Promise<void> {
   await settled(page);
 }
 
-/** Names of the parts, nearest first. */
+/** Returns the names of the parts, nearest first. */
 export function names(page: Page): Promise<string[]> {
   return page.locator('.parts .name').allInnerTexts();
 }
@@ -34,7 +34,7 @@ export function save(page: Page, name: string): Promise<Buffer> {
   return downloaded(page, () => page.click('#save'), name);
 }
 
-/** How a page of a size that fits its pane lies on the screen: its scale, and where its px are. */
+/** Returns the viewport of a page that fits its pane: its scale, and a function from its px to the screen. */
 export async function pageView(page: Page, [width, height]: Spot = [1000, 800]): Promise<{ scale: number; at(spot: Spot): Spot }> {
   const box = await page.locator('.paper canvas').first().boundingBox();
   if (!box) throw new Error('no page to draw on');
@@ -54,7 +54,7 @@ function sessionOf(page: Page): Promise<CDPSession> {
   return session;
 }
 
-/** A click or a drag, as fast as the browser takes it: it hands many moves over at once, as of a fast hand. */
+/** Clicks or drags as fast as the browser allows. Many moves arrive at once, as from a fast hand. */
 export async function stroke(page: Page, spots: readonly Spot[], at: (spot: Spot) => Spot, { shift = false } = {}): Promise<void> {
   const [first, last] = [spots[0], spots.at(-1)];
   if (!first || !last) throw new Error('nowhere to go');
@@ -70,7 +70,7 @@ export async function stroke(page: Page, spots: readonly Spot[], at: (spot: Spot
   ]);
 }
 
-/** A click or a drag over a page that fits its pane; spots are its px. */
+/** Clicks or drags over a page that fits its pane; spots are px of the page. */
 export async function gesture(page: Page, spots: readonly Spot[], size: Spot = [1000, 800], keys: { shift?: boolean } = {}): Promise<void> {
   const { at } = await pageView(page, size);
   const between = ([x, y]: Spot, [u, v]: Spot): Spot[] => [1, 2, 3].map((k) => [x + (k / 3) * (u - x), y + (k / 3) * (v - y)]);
@@ -78,7 +78,7 @@ export async function gesture(page: Page, spots: readonly Spot[], size: Spot = [
   await stroke(page, path, at, keys);
 }
 
-/** The outer outline of a part, as a saved project has it. */
+/** Returns the outer ring of a part in a saved project. */
 export async function outlineOf(page: Page, name: string): Promise<Spot[]> {
   const project = unzipSync(await save(page, 'outline.relievo'));
   const scene = JSON.parse(new TextDecoder().decode(project['scene.json'])) as {
@@ -94,14 +94,14 @@ export function oval(x: number, y: number, rx: number, ry: number): Spot[] {
   });
 }
 
-/** Presses a button many times, faster than a hand could. */
+/** Presses a button many times, faster than a user could. */
 export function clicks(page: Page, selector: string, times: number): Promise<void> {
   return page.evaluate(([button, count]) => {
     for (let k = 0; k < Number(count); k++) document.querySelector<HTMLElement>(String(button))?.click();
   }, [selector, times] as const);
 }
 
-/** Coarse reliefs leave the machine to the hand. */
+/** Sets few vertices, so that building takes little time. */
 export async function fewVertices(page: Page): Promise<void> {
   await page.click('#settings');
   const slider = page.locator('.sheet .slider input').first();

@@ -8,7 +8,7 @@ import { closeStage, openStage, picture, settled, stageOfFile, stillPicture } fr
 const stage = stageOfFile({ anew: true });
 const file = { name: 'disc.png', mimeType: 'image/png', buffer: Buffer.from(disc(400, 140, [200, 80, 60])) };
 
-/** Presses Tab until something is in focus. */
+/** Presses Tab until an element has the focus. */
 async function tabTo(page: Page, selector: string): Promise<void> {
   for (let i = 0; i < 80; i++) {
     if (await page.evaluate((wanted) => document.activeElement?.matches(wanted) ?? false, selector)) return;
@@ -19,14 +19,14 @@ async function tabTo(page: Page, selector: string): Promise<void> {
 
 async function chosen(page: Page, act: () => Promise<void>): Promise<void> {
   const asked = page.waitForEvent('filechooser');
-  await page.evaluate(() => document.hasFocus()); // a round trip later the browser hands over its dialogs
+  await page.evaluate(() => document.hasFocus()); // after a round trip the browser has delivered its dialogs
   await act();
   await (await asked).setFiles(file);
   await page.waitForSelector('.scribble-bar[data-tint-ms]');
   await page.waitForSelector('.parts li', { state: 'attached' });
 }
 
-/** A 3MF package whose mesh is closed: every edge is run through once each way. */
+/** Checks that the mesh of a 3MF package is closed: every edge occurs once in each direction. */
 function expectPrint(bytes: Buffer): void {
   const model = new TextDecoder().decode(unzipSync(new Uint8Array(bytes))['3D/3dmodel.model']);
   const edges = new Map<string, number>();

@@ -8,19 +8,19 @@ import { afterAll, beforeAll, beforeEach, expect } from 'vitest';
 
 const web = fileURLToPath(new URL('../..', import.meta.url));
 
-/** Where journeys leave pictures for a person to look at. */
+/** The folder for screenshots of journeys, for people to look at. */
 export const pictures = join(web, '../build/journeys');
 
-/** The built page, served and opened in a browser with storage of its own. */
+/** The built page, served and opened in a browser with its own storage. */
 export interface Stage {
   server: PreviewServer;
   context: BrowserContext;
   page: Page;
   url: string;
   profile: string;
-  /** What the browser is told besides. */
+  /** Further options of the browser. */
   words: readonly string[];
-  /** Everything that went wrong: console errors, refused by policy, requests to elsewhere. */
+  /** All problems: console errors, violations of the policy, requests to other hosts. */
   troubles: string[];
 }
 
@@ -34,7 +34,7 @@ function openContext(profile: string, words: readonly string[]): Promise<Browser
     args: [
       '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
       '--disable-component-update', '--disable-sync', '--use-angle=swiftshader',
-      // Without a graphics processor the page is put together faster this way.
+      // Without a graphics processor the browser composes the page faster this way.
       '--enable-unsafe-swiftshader', '--disable-gpu-compositing', '--disable-accelerated-2d-canvas',
       ...words,
     ],
@@ -69,15 +69,15 @@ export async function openStage(words: readonly string[] = []): Promise<Stage> {
   return stage;
 }
 
-/** Opens the page and waits for its first screen: before that nothing listens to drops or keys. */
+/** Opens the page and waits for its first screen, since the page handles no drops or keys before. */
 async function openPage(stage: Stage): Promise<void> {
   await stage.page.goto(stage.url);
   await stage.page.locator('button:visible').first().waitFor();
 }
 
-/** Ends the browser without a word and opens it again with the same storage. */
+/** Ends the browser without warning and opens it again with the same storage. */
 export async function reopen(stage: Stage): Promise<void> {
-  // It may be dead already.
+  // The browser may have ended already.
   await stage.context.close().catch(() => undefined);
   stage.context = await openContext(stage.profile, stage.words);
   watch(stage);
@@ -91,7 +91,7 @@ export async function closeStage(stage: Stage): Promise<void> {
   rmSync(stage.profile, { recursive: true, force: true });
 }
 
-/** One stage for the tests of a file; `anew`: each begins at the first screen. */
+/** Opens one stage for the tests of a file. With `anew` each test starts at the first screen. */
 export function stageOfFile({ anew, words = [] }: { anew: boolean; words?: readonly string[] }): Stage {
   const stage = {} as Stage;
   beforeAll(async () => {
@@ -104,7 +104,7 @@ export function stageOfFile({ anew, words = [] }: { anew: boolean; words?: reado
   return stage;
 }
 
-/** Waits until the full relief of the present document is on the screen. */
+/** Waits until the full relief of the current document is on the screen. */
 export async function settled(page: Page): Promise<void> {
   await page.waitForFunction(
     () => {
@@ -116,7 +116,7 @@ export async function settled(page: Page): Promise<void> {
   );
 }
 
-/** Waits until the present relief, if there is one, can be seen. */
+/** Waits until the current relief, if there is one, is on the screen. */
 async function seen(page: Page): Promise<void> {
   const isSeen = (): boolean => {
     const numbers = document.querySelector<HTMLElement>('.numbers');
@@ -130,7 +130,7 @@ export async function picture(page: Page, name: string): Promise<void> {
   await page.screenshot({ path: join(pictures, `${name}.png`) });
 }
 
-/** A picture once nothing moves any more: the relief is drawn by a worker, when that gets to it. */
+/** Takes a screenshot once nothing moves any more, since a worker draws the relief in its own time. */
 export async function stillPicture(page: Page, name: string): Promise<void> {
   await seen(page);
   let before = await page.screenshot();
@@ -143,7 +143,7 @@ export async function stillPicture(page: Page, name: string): Promise<void> {
   writeFileSync(join(pictures, `${name}.png`), before);
 }
 
-/** Does something and waits until the relief looks different. */
+/** Runs an action and waits until the relief looks different. */
 export async function changedRelief(page: Page, act: () => Promise<void>): Promise<void> {
   const canvas = page.locator('.model canvas');
   const before = await canvas.screenshot();
@@ -151,7 +151,7 @@ export async function changedRelief(page: Page, act: () => Promise<void>): Promi
   await expect.poll(async () => (await canvas.screenshot()).equals(before), { timeout: 15_000 }).toBe(false);
 }
 
-/** Every colour of a screenshot of the relief, once: red, green and blue. */
+/** Returns each distinct colour of a screenshot of the relief as red, green and blue. */
 export async function coloursOfRelief(page: Page): Promise<[number, number, number][]> {
   const shot = (await page.locator('.model canvas').screenshot()).toString('base64');
   const packed = await page.evaluate(async (data) => {

@@ -21,7 +21,7 @@ async function project(): Promise<Project> {
   return { scene: read('scene.json') as Project['scene'], corrections: segmentation.corrections };
 }
 
-it('asks about what is uncertain, one question at a time, and takes an answer or undoes it', async () => {
+it('asks about uncertain guesses one at a time, and accepts an answer or undoes it', async () => {
   const { page } = stage;
   await page.setInputFiles('input[type=file]', join(root, 'examples/bear.png'));
   await page.waitForSelector('.parts li');
@@ -62,7 +62,7 @@ it('asks about what is uncertain, one question at a time, and takes an answer or
   expect(stage.troubles).toEqual([]);
 });
 
-it('takes and refuses joins by a tap, and an order by a tap on the nearer part', async () => {
+it('accepts and undoes joins by a tap, and orders by a tap on the part that comes nearer', async () => {
   const { page } = stage;
   await page.setInputFiles('input[type=file]', join(root, 'examples/bear.png'));
   await page.waitForSelector('.parts li');
@@ -92,7 +92,7 @@ it('takes and refuses joins by a tap, and an order by a tap on the nearer part',
   expect(await page.locator('.notice').innerText()).toContain('in front');
   expect(await names(page)).toEqual([...drawn].reverse());
   await picture(page, 'order-tapped');
-  // On the outline of what lies on another part a tap says what else holds there.
+  // A tap on the outline of a part that lies on another switches their relation.
   await page.keyboard.press('2');
   await gesture(page, oval(300, 350, 30, 30));
   await page.keyboard.press('3');
@@ -104,7 +104,7 @@ it('takes and refuses joins by a tap, and an order by a tap on the nearer part',
   expect(stage.troubles).toEqual([]);
 });
 
-it('finds fewer parts or more, as the slider says, and the command line agrees', async () => {
+it('finds as many parts as the slider demands, and the command line agrees', async () => {
   const { page } = stage;
   await page.setInputFiles('input[type=file]', join(root, 'examples/bear.png'));
   await page.waitForSelector('.parts li');

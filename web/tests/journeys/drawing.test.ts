@@ -29,7 +29,7 @@ it('makes a figure of strokes on an empty page, undoes it and brings it back', a
   expect(stage.troubles).toEqual([]);
 });
 
-it('leans the page into depth while the key is held', async () => {
+it('tilts the page into depth while the key is held', async () => {
   const { page } = stage;
   await page.goto(stage.url);
   await page.click('[data-sample=unicorn]');

@@ -92,7 +92,7 @@ it('orders with an arrow', async () => {
   expect(stage.troubles).toEqual([]);
 });
 
-it('loses nothing when the engine dies', async () => {
+it('loses nothing when the engine crashes', async () => {
   const { page } = stage;
   await page.click('#empty');
   await gesture(page, oval(400, 400, 200, 150));
@@ -111,7 +111,7 @@ it('loses nothing when the engine dies', async () => {
   expect(stage.troubles).toEqual([]);
 });
 
-it('names the culprit of what cannot be built, and keeps the last good relief', async () => {
+it('names the part that prevents a build, and keeps the last good relief', async () => {
   const { page } = stage;
   await page.click('#empty');
   await gesture(page, oval(400, 400, 200, 150));
@@ -120,7 +120,7 @@ it('names the culprit of what cannot be built, and keeps the last good relief', 
   await page.keyboard.press('j');
   await settled(page);
   const nodes = await page.locator('.numbers').getAttribute('data-nodes');
-  // An end of the join slides, at one go, so far that the join lies beside the body.
+  // Slides an end of the join so far that the join lies beside the body.
   const { at } = await pageView(page);
   await page.mouse.move(...at([488, 535]));
   await page.mouse.down();

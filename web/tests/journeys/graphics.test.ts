@@ -5,12 +5,12 @@ import { killGraphics } from './storage.ts';
 
 const stage = stageOfFile({ anew: true });
 
-/** A blank pane has few. */
+/** Counts distinct colours; a blank pane has few. */
 async function colours(page: typeof stage.page): Promise<number> {
   return (await coloursOfRelief(page)).length;
 }
 
-it('brings the relief back, as it was turned, when the graphics end', async () => {
+it('restores the relief, turned as before, when the graphics are lost', async () => {
   const { page } = stage;
   await sample(page, 'lamb');
   await page.locator('.model canvas').focus();
@@ -28,7 +28,7 @@ it('brings the relief back, as it was turned, when the graphics end', async () =
   await settled(page);
 });
 
-it('draws the relief without graphics, says so, and lets it be turned and picked', async () => {
+it('draws the relief without 3D graphics, says so, and lets the user turn it and select parts', async () => {
   const plain = await openStage(['--use-gl=disabled']);
   try {
     const { page } = plain;

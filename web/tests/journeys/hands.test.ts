@@ -5,7 +5,7 @@ import { changedRelief, settled, stageOfFile, stillPicture } from './browser.ts'
 
 const stage = stageOfFile({ anew: true });
 
-/** Where the page's paper begins on the screen: its leftmost and topmost pixel of paper. */
+/** Returns the leftmost and topmost pixels of paper on the screen. */
 async function paperBox(): Promise<{ left: number; top: number; width: number }> {
   return stage.page.locator('.paper canvas').first().evaluate((canvas: HTMLCanvasElement) => {
     const { width, height } = canvas;
@@ -153,7 +153,7 @@ it('can be installed', async () => {
   expect(errors).toEqual([]);
   const { installabilityErrors } = await session.send('Page.getInstallabilityErrors');
   const ids = installabilityErrors.map((error) => error.errorId);
-  // A test browser without a window is asked as if it were private.
+  // A browser without a window reports itself as private, which is no error of the page.
   expect(ids.filter((id) => id !== 'in-incognito')).toEqual([]);
   await session.detach();
   expect(stage.troubles).toEqual([]);

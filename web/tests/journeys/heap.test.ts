@@ -5,7 +5,7 @@ import { settled, stageOfFile } from './browser.ts';
 
 const stage = stageOfFile({ anew: false });
 
-/** What the page's own heap holds for good, bytes. */
+/** Returns the size of the page's heap after garbage collection, bytes. */
 async function heapOf(session: CDPSession): Promise<number> {
   await session.send('HeapProfiler.collectGarbage');
   return (await session.send('Runtime.getHeapUsage')).usedSize;
@@ -16,7 +16,7 @@ it('keeps its heap within ten megabytes over a thousand edits', async () => {
   await sample(page, 'wolf');
   await choosePart(page, 'body');
   const session = await context.newCDPSession(page);
-  // Each is a step of its own.
+  // Each edit is a separate step.
   const edit = (count: number): Promise<void> =>
     page.evaluate(async (edits) => {
       for (let i = 0; i < edits; i++) {

@@ -16,7 +16,7 @@ async function give(...files: { name: string; bytes: Uint8Array; type?: string }
   await stage.page.setInputFiles('input[type=file]', files.map(({ name, bytes, type }) => ({ name, mimeType: type ?? '', buffer: Buffer.from(bytes) })));
 }
 
-it('finds the parts of a vector drawing that is lines only, as of a flat picture', async () => {
+it('finds the parts of a vector drawing of lines only as those of a flat picture', async () => {
   const { page } = stage;
   await give({ name: 'lines.svg', bytes: Buffer.from(lineArt) });
   await page.waitForSelector('.scribble-bar[data-tint-ms]');
@@ -27,7 +27,7 @@ it('finds the parts of a vector drawing that is lines only, as of a flat picture
   expect(stage.troubles).toEqual([]);
 });
 
-it('opens a GIF, and pictures by what they are and not by their names', async () => {
+it('opens a GIF, and pictures by their content and not by their names', async () => {
   const { page } = stage;
   const side = 200;
   const data = new Uint8ClampedArray(4 * side * side).map((_, i) => {
@@ -46,7 +46,7 @@ it('opens a GIF, and pictures by what they are and not by their names', async ()
   expect(stage.troubles).toEqual([]);
 });
 
-it('opens a scene file with its drawing, alone too, and refuses what is none', async () => {
+it('opens a scene file with or without its drawing, and refuses other files', async () => {
   const { page } = stage;
   const part = { id: 'disc', outline: [[[40, 40], [160, 40], [160, 160], [40, 160]]], c: 4, d: 1 };
   const scene = { format: 'relievo-scene', version: 1, canvas: { width: 200, height: 200 }, drawing: 'disc.png', parts: [part] };

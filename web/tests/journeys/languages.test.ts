@@ -5,7 +5,7 @@ import { pictures, stageOfFile } from './browser.ts';
 
 const stage = stageOfFile({ anew: true });
 
-/** As with another font: letters have `more` of their size between them. */
+/** Spaces letters by `more` of their size, as a wider font would. */
 function setWider(more: number): Promise<void> {
   return stage.page.evaluate((more) => {
     const sheet = new CSSStyleSheet();
@@ -14,7 +14,7 @@ function setWider(more: number): Promise<void> {
   }, more);
 }
 
-/** Words that are cut off, or wider than what they stand in. */
+/** Returns texts that are cut off or wider than their element. */
 function cutWords(): Promise<string[]> {
   return stage.page.evaluate(() => {
     const cut: string[] = [];

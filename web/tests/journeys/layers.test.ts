@@ -57,7 +57,7 @@ it('opens several pictures as the layers of one drawing, dropped or chosen', asy
   expect(stage.troubles).toEqual([]);
 });
 
-it('takes a folder that is dropped, with its table of order', async () => {
+it('opens a dropped folder with its table of order', async () => {
   const { page, context, profile } = stage;
   const folder = join(profile, 'walrus');
   mkdirSync(folder, { recursive: true });
@@ -75,7 +75,7 @@ it('takes a folder that is dropped, with its table of order', async () => {
   expect(stage.troubles).toEqual([]);
 });
 
-it('refuses archives that are damaged or run away, in words', async () => {
+it('refuses archives that are damaged or unpack without end, with a message', async () => {
   const { page } = stage;
   const broken = oraOf('<image w="600" h="520"><stack><layer src="data/9.png"/></stack></image>');
   const entity = oraOf('<!DOCTYPE a [<!ENTITY b SYSTEM "http://198.51.100.1/">]><image w="600" h="520"><stack>&b;</stack></image>');

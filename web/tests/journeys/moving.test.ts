@@ -41,7 +41,7 @@ it('moves parts that were drawn by hand, with the pointer and with arrows, and g
   expect(stage.troubles).toEqual([]);
 });
 
-it('leaves the parts of a drawing where the drawing has them', async () => {
+it('does not move parts that the drawing shows', async () => {
   const { page } = stage;
   await sample(page, 'wolf');
   const [first] = await names(page) as [string];

@@ -4,7 +4,7 @@ import { changedRelief, picture, settled, stageOfFile, stillPicture } from './br
 
 const stage = stageOfFile({ anew: true });
 
-/** On a mesh that takes long enough for all that is looked at while it is solved. */
+/** Sets a mesh that takes long enough to solve for the checks made meanwhile. */
 async function chooseNonlinear(): Promise<void> {
   const { page } = stage;
   await page.click('#settings');
@@ -13,7 +13,7 @@ async function chooseNonlinear(): Promise<void> {
   await page.click('#settings');
 }
 
-it('tells the energy of the non-linear method as it falls, and shows h, f and g', async () => {
+it('plots the energy of the non-linear method as it falls, and shows h, f and g', async () => {
   const { page } = stage;
   await sample(page, 'wolf');
   await chooseNonlinear();

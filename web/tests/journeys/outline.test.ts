@@ -5,12 +5,12 @@ import { picture, settled, stageOfFile } from './browser.ts';
 
 const stage = stageOfFile({ anew: true });
 
-/** The points of a ring that are farthest out in a direction. */
+/** Returns the point of a ring that is farthest in a direction. */
 function farthest(ring: Spot[], [x, y]: Spot): Spot {
   return ring.reduce((a, b) => (a[0] * x + a[1] * y > b[0] * x + b[1] * y ? a : b));
 }
 
-it('pushes an outline at its grips, draws a stretch of it anew, and undoes both', async () => {
+it('pushes an outline by its grips, redraws a stretch of it, and undoes both', async () => {
   const { page } = stage;
   await page.click('#empty');
   await gesture(page, oval(500, 420, 220, 160));
@@ -19,7 +19,7 @@ it('pushes an outline at its grips, draws a stretch of it anew, and undoes both'
   const first = await outlineOf(page, 'part');
   const right = farthest(first, [1, 0]);
   await page.keyboard.press('8');
-  // Grips begin at the first point of an outline.
+  // The first grip is the first point of an outline.
   const grip = first[0]!;
   await gesture(page, [grip, [grip[0] + 40, grip[1] - 5], [grip[0] + 80, grip[1] - 10]]);
   await settled(page);
@@ -40,7 +40,7 @@ it('pushes an outline at its grips, draws a stretch of it anew, and undoes both'
   expect(stage.troubles).toEqual([]);
 });
 
-/** A point of the ring near `spot` that is no grip: between two of them on a fitted page. */
+/** Returns a point of the ring near `spot` between two grips, on a page that fits its pane. */
 function offGrip(ring: Spot[], spot: Spot): Spot {
   return ring[(ring.indexOf(spot) + 1) % ring.length] ?? spot;
 }
@@ -67,7 +67,7 @@ it('shows hidden outlines dashed, and extends a part below another', async () =>
   expect(stage.troubles).toEqual([]);
 });
 
-it('refuses an outline that would cross itself, in words, and moves grips by keys', async () => {
+it('refuses an outline that would cross itself with a message, and moves grips by keys', async () => {
   const { page } = stage;
   await page.click('#empty');
   await gesture(page, oval(500, 420, 220, 60));

@@ -16,7 +16,7 @@ async function head(page: Page): Promise<Head> {
   return JSON.parse(new TextDecoder().decode(project['project.json'])) as Head;
 }
 
-/** The colour of the page at one of its px, as the screen shows it. */
+/** Returns the colour on the screen at a px of the page. */
 async function shown(page: Page, [x, y]: Spot, size?: Spot): Promise<number[]> {
   const { at } = await pageView(page, size);
   const box = await page.locator('.paper canvas').first().boundingBox();
@@ -30,7 +30,7 @@ async function shown(page: Page, [x, y]: Spot, size?: Spot): Promise<number[]> {
 const red: [number, number, number] = [226, 125, 138];
 const isRed = (color: number[]): boolean => color.every((value, i) => Math.abs(value - red[i]!) < 12);
 
-it('puts eyes by a tap and a stroke, glued to the part below', async () => {
+it('adds eyes by a tap and a stroke, glued to the part below', async () => {
   const { page } = stage;
   await page.click('#empty');
   await gesture(page, oval(500, 400, 220, 190));

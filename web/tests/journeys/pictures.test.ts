@@ -6,7 +6,7 @@ import { coloursOfRelief, picture, settled, stageOfFile } from './browser.ts';
 
 const stage = stageOfFile({ anew: false });
 
-/** A snowman with ink lines, as a PNG file. */
+/** Returns a PNG file of a snowman with ink lines. */
 function snowman(): Promise<string> {
   const canvas = document.createElement('canvas');
   canvas.width = 600;
@@ -26,7 +26,7 @@ function snowman(): Promise<string> {
   return new Promise((resolve) => resolve(canvas.toDataURL('image/png')));
 }
 
-/** An orange ball on green paper, into which it blends over two pixels. */
+/** Returns a picture of an orange ball that blends into green paper over two pixels. */
 function ballOnGreen(): Buffer {
   return Buffer.from(pngOf(600, 600, (x, y) => {
     const share = Math.min(1, Math.max(0, (200.5 - Math.hypot(x - 299.5, y - 299.5)) / 2));
@@ -35,12 +35,12 @@ function ballOnGreen(): Buffer {
   }));
 }
 
-/** How many colours of the relief are rather green. */
+/** Counts the greenish colours of the relief. */
 async function green(page: Page): Promise<number> {
   return (await coloursOfRelief(page)).filter(([red, green_]) => green_ > 1.15 * red).length;
 }
 
-it('shows none of the paper on the rim of a turned relief', async () => {
+it('shows no paper colour on the rim of a turned relief', async () => {
   const { page } = stage;
   await page.setInputFiles('input[type=file]', { name: 'ball.png', mimeType: 'image/png', buffer: ballOnGreen() });
   await page.waitForSelector('.parts li');
@@ -52,7 +52,7 @@ it('shows none of the paper on the rim of a turned relief', async () => {
   expect(stage.troubles).toEqual([]);
 });
 
-it('guesses the parts of a flat picture, which can then be changed as any others', async () => {
+it('guesses the parts of a flat picture, which can then be edited like any others', async () => {
   const { page } = stage;
   const url = await page.evaluate(snowman);
   const buffer = Buffer.from(url.split(',')[1] ?? '', 'base64');

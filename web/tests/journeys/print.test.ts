@@ -8,7 +8,7 @@ const stage = stageOfFile({ anew: true });
 
 beforeEach(() => stage.page.setDefaultTimeout(60_000));
 
-/** What the panel says of the solid: its sides in mm and its volume in cm³, once it is not `before`. */
+/** Returns the sides of the solid, mm, and its volume, cm³, as the panel shows them once they differ from `before`. */
 async function facts(page: Page, before = ''): Promise<{ text: string; numbers: number[] }> {
   await page.waitForFunction((old) => {
     const now = document.querySelector('#solid-facts')?.textContent ?? '';
@@ -18,7 +18,7 @@ async function facts(page: Page, before = ''): Promise<{ text: string; numbers: 
   return { text, numbers: (text.match(/[0-9.]+/g) ?? []).map(Number) };
 }
 
-/** After the processor has drawn the model. */
+/** Waits for the model, which the processor draws here. */
 async function drawnPicture(page: Page, name: string): Promise<void> {
   await stillPicture(page, name);
 }
@@ -56,7 +56,7 @@ it('shows plaques, cut-outs, medals and figures in millimetres, and their files'
   expect(stage.troubles).toEqual([]);
 });
 
-it('says what the print check finds, and the size that helps', async () => {
+it('shows the findings of the print check with the size that fixes them', async () => {
   const { page } = stage;
   await sample(page, 'wolf');
   await openPrint(page);
@@ -74,7 +74,7 @@ it('says what the print check finds, and the size that helps', async () => {
     await size.blur();
     now = await facts(page, now.text);
     if ((await neck.count()) === 0) break;
-    const enough = Number(/make it (\d+) mm/.exec((await neck.textContent()) ?? '')?.[1]);
+    const enough = Number(/make the model (\d+) mm/.exec((await neck.textContent()) ?? '')?.[1]);
     expect(enough).toBeGreaterThan(millimetres);
     millimetres = enough;
   }
@@ -83,7 +83,7 @@ it('says what the print check finds, and the size that helps', async () => {
   expect(stage.troubles).toEqual([]);
 });
 
-it('hands out a page and a model for phones', async () => {
+it('exports a web page and a model for phones', async () => {
   const { page } = stage;
   await sample(page, 'bunny');
   await page.click('#export');
@@ -104,7 +104,7 @@ it('shows the maps under a lamp that is dragged', async () => {
   await canvas.waitFor();
   await canvas.scrollIntoViewIfNeeded();
   const box = (await canvas.boundingBox())!;
-  /** Mean brightness of what is not transparent. */
+  /** Returns the mean brightness of the pixels that are not transparent. */
   const brightness = (): Promise<number> =>
     canvas.evaluate((node) => {
       const { width, height } = node as HTMLCanvasElement;

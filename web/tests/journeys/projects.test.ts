@@ -9,7 +9,7 @@ import { picture, pictures, reopen, settled, stageOfFile } from './browser.ts';
 
 const stage = stageOfFile({ anew: true });
 
-it('keeps the work when the browser is ended, and a saved project opens again', async () => {
+it('keeps the work when the browser is closed, and opens a saved project', async () => {
   await sample(stage.page, 'farmer');
   await choosePart(stage.page, 'head');
   await stage.page.keyboard.press('PageDown');
@@ -28,7 +28,7 @@ it('keeps the work when the browser is ended, and a saved project opens again', 
   expect(stage.troubles).toEqual([]);
 });
 
-it('exports the model that the command line makes of the saved project, and all else', async () => {
+it('exports the same model as the command line makes of the saved project, and all other files', async () => {
   const { page } = stage;
   await sample(page, 'bunny');
   const project = unzipSync(await save(page, 'export.relievo'));

@@ -12,7 +12,7 @@ import { longestOfWorkers, mainThreadTasks } from './trace.ts';
 
 const stage = stageOfFile({ anew: false });
 
-/** Longest task that a hand does not feel, ms of processor time. */
+/** Longest task that a user does not notice, ms of processor time. */
 const longest = 100;
 
 async function wander(selector: string, pressed: boolean): Promise<void> {
@@ -42,7 +42,7 @@ const deeds: Record<string, () => Promise<void>> = {
   },
 };
 
-/** A ring on grainy paper: a file that does not compress any more. */
+/** Returns a picture of a ring on grainy paper, which hardly compresses. */
 function grainyDrawing(): Uint8Array {
   const random = randomNumbers(5);
   return pngOf(2000, 1400, (x, y) => {
@@ -52,7 +52,7 @@ function grainyDrawing(): Uint8Array {
   });
 }
 
-/** Fifty discs in ten rows, each over its neighbours. */
+/** Returns a drawing of fifty discs in ten rows that overlap their neighbours. */
 function manyParts(): string {
   const discs = Array.from({ length: 50 }, (_, i) => {
     const [x, y] = [100 + 90 * (i % 5), 80 + 55 * Math.floor(i / 5)];
@@ -69,7 +69,7 @@ it.each(Object.keys(deeds))('keeps the page free for the hand while %s', async (
   expect(stage.troubles).toEqual([]);
 });
 
-it('keeps the page free for the hand with fifty parts', async () => {
+it('keeps the page responsive with fifty parts', async () => {
   const { page } = stage;
   const buffer = Buffer.from(manyParts());
   const tasks = await mainThreadTasks(page, async () => {
@@ -87,7 +87,7 @@ it('keeps the page free for the hand with fifty parts', async () => {
   expect(stage.troubles).toEqual([]);
 });
 
-it('needs little time of the processor for a coarse relief, for the full one and for a tint', async () => {
+it('needs little processor time for a coarse relief, for a full one and for a tint', async () => {
   const { page } = stage;
   const slider = page.locator('.slider input').first();
   await choosePart(page, 'body');
@@ -100,7 +100,7 @@ it('needs little time of the processor for a coarse relief, for the full one and
   await page.setInputFiles('input[type=file]', join(root, 'examples/bear.png'));
   await page.waitForSelector('.scribble-bar[data-tint-ms]');
   await settled(page);
-  // The relief is dressed when the hand has rested.
+  // The relief is dressed once the hand has rested.
   await page.waitForTimeout(2500);
   const { at } = await pageView(page, [900, 1000]);
   await page.mouse.move(...at([430, 620]));
@@ -120,7 +120,7 @@ it('needs little time of the processor for a coarse relief, for the full one and
   expect(tint).toBeLessThan(150);
 });
 
-it('keeps the page free for the hand while a large drawing is opened, saved and opened again', async () => {
+it('keeps the page responsive while a large drawing is opened, saved and opened again', async () => {
   const { page } = stage;
   const drawing = join(pictures, 'grain.png');
   writeFileSync(drawing, grainyDrawing());
@@ -139,7 +139,7 @@ it('keeps the page free for the hand while a large drawing is opened, saved and 
   expect(stage.troubles).toEqual([]);
 });
 
-it('leaves the graphics, which may make their thread wait, to a worker', async () => {
+it('draws in a worker, since graphics may block their thread', async () => {
   await stage.page.goto(stage.url);
   await sample(stage.page, 'bunny');
   const taken = await stage.page.locator('.model canvas').evaluate((canvas: HTMLCanvasElement) => {
@@ -152,11 +152,11 @@ it('leaves the graphics, which may make their thread wait, to a worker', async (
   expect(taken).toBe(true);
 });
 
-it('is loaded with 1.4 megabytes as a static host compresses them, samples included', () => {
+it('loads at most 1.4 megabytes, compressed as by a static host, samples included', () => {
   const built = fileURLToPath(new URL('../../../build/web', import.meta.url));
   const files = readdirSync(built, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile());
   const sizes = files.map((file) => [file.name, gzipSync(readFileSync(join(file.parentPath, file.name))).length] as const);
-  // A visit speaks one language besides English, at most.
+  // A visit loads at most one language besides English.
   const words = sizes.filter(([name]) => /^(french|german|japanese|spanish)-/.test(name)).map(([, size]) => size);
   expect(words.length).toBe(4);
   const total = sizes.reduce((sum, [, size]) => sum + size, 0) - words.reduce((sum, size) => sum + size, 0) + Math.max(...words);

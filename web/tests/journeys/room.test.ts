@@ -6,7 +6,7 @@ import { picture, stageOfFile } from './browser.ts';
 const stage = stageOfFile({ anew: false });
 const emulator = createRequire(import.meta.url).resolve('iwer/build/iwer.min.js');
 
-it('leads into the room where there is a way, and back', async () => {
+it('shows the model in the room if the browser can, and comes back', async () => {
   const { page } = stage;
   await sample(page, 'unicorn');
   await page.click('#export');
@@ -24,7 +24,7 @@ it('leads into the room where there is a way, and back', async () => {
   await page.waitForSelector('[data-sample]');
   await sample(page, 'unicorn');
   await page.click('#export');
-  // The emulated glasses draw over the middle of the page.
+  // The emulated headset draws over the middle of the page.
   const look = (): Promise<Buffer> => page.screenshot({ clip: { x: 580, y: 300, width: 170, height: 200 } });
   const alone = await look();
   const canvases = await page.locator('canvas').count();

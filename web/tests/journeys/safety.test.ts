@@ -32,7 +32,7 @@ it.each(Object.keys(hostile))('runs and fetches nothing of a drawing with %s', a
   expect(stage.troubles).toEqual([]);
 });
 
-it('refuses a drawing that grows without end, and what is no drawing, in words', async () => {
+it('refuses a drawing that grows without end and files that are no drawings, with a message', async () => {
   const { page } = stage;
   const bomb = `<!DOCTYPE svg [<!ENTITY a "aaaaaaaaaa">${'bcdefghij'
     .split('')
@@ -45,7 +45,7 @@ it('refuses a drawing that grows without end, and what is no drawing, in words',
   expect(stage.troubles).toEqual([]);
 });
 
-it('runs nothing of a hostile project', async () => {
+it('runs no script of a hostile project', async () => {
   const { page } = stage;
   const name = `<img src=x onerror="${script}">`;
   const scene = {
@@ -65,13 +65,13 @@ it('runs nothing of a hostile project', async () => {
   expect(stage.troubles).toEqual([]);
 });
 
-it('goes on without a network', async () => {
+it('works without a network', async () => {
   const { page, context } = stage;
   await page.evaluate(async () => {
     await navigator.serviceWorker.ready;
   });
   await page.reload();
-  // A language that is chosen later is kept as well.
+  // A language that is chosen later is also kept for use without a network.
   await page.getByRole('button', { name: 'Français', exact: true }).click();
   await page.locator('html[lang=fr]').waitFor();
   await context.setOffline(true);

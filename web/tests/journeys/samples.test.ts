@@ -3,7 +3,7 @@ import { picture, settled, stageOfFile } from './browser.ts';
 
 const stage = stageOfFile({ anew: false });
 
-it('shows a sample in three dimensions soon after a click', async () => {
+it('shows the relief of a sample soon after a click', async () => {
   const { page } = stage;
   await page.waitForSelector('[data-sample=wolf] img');
   await picture(page, 'start');

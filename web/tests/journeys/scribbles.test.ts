@@ -18,7 +18,7 @@ async function openBear(): Promise<void> {
   await settled(page);
 }
 
-/** Waits until every stroke is understood. */
+/** Waits until the engine has handled every stroke. */
 async function understood(): Promise<void> {
   await stage.page.waitForSelector('.scribble-bar[data-pending=false]');
 }
@@ -45,7 +45,7 @@ interface Scene {
   parts: ScenePart[];
 }
 
-/** A part's name and the box around it, to a few px; the engine tests compare to the last number. */
+/** Returns the name and bounding box of each part, to a few px. The engine tests compare exactly. */
 function boxOf({ id, outline }: ScenePart): [string, ...number[]] {
   const [xs, ys] = [0, 1].map((axis) => outline.flat().map((point) => point[axis] as number)) as [number[], number[]];
   return [id, ...[Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)].map((v) => Math.round(v / 8))];
@@ -106,7 +106,7 @@ async function redo(steps: number): Promise<void> {
   for (let i = 0; i < steps; i++) await stage.page.keyboard.press('Control+Shift+z');
 }
 
-it('opens a saved project again, goes on with its strokes, and builds as the command line does', async () => {
+it('opens a saved project again, continues its strokes, and builds as the command line does', async () => {
   await openBear();
   await scribble([430, 620], [470, 700]);
   await scribble([360, 660], [350, 740]);
@@ -143,11 +143,11 @@ it('opens a saved project again, goes on with its strokes, and builds as the com
   expect(stage.troubles).toEqual([]);
 });
 
-it('takes a mask of the figure as said, as the command line does', async () => {
+it('cuts the figure out by a mask, as the command line does', async () => {
   await openBear();
   const { page } = stage;
   const mask = join(pictures, 'bear-mask.png');
-  // The bear without the lowest third of the picture.
+  // The mask leaves out the lowest third of the bear.
   writeFileSync(mask, pngOf(bear[0], bear[1], (_, y) => (y < 660 ? [255, 255, 255, 255] : [0, 0, 0, 255])));
   const small = join(pictures, 'small-mask.png');
   writeFileSync(small, pngOf(9, 10, () => [255, 255, 255, 255]));
@@ -197,7 +197,7 @@ it('tints the parts while the pen is down, and forgets a stroke on Escape', asyn
   expect(stage.troubles).toEqual([]);
 });
 
-it('opens and saves a project of the command line without losing what it holds', async () => {
+it('opens and saves a project of the command line without losing anything', async () => {
   const { page } = stage;
   const file = join(pictures, 'bear-segmented.relievo');
   relievo('segment', join(root, 'examples/bear.png'), '-q', '-o', file);
@@ -215,7 +215,7 @@ it('opens and saves a project of the command line without losing what it holds',
   expect(stage.troubles).toEqual([]);
 });
 
-it('needs no pointer: arrows move the brush, Enter sets it down and lifts it', async () => {
+it('needs no pointer: arrows move the brush, Enter puts it down and lifts it', async () => {
   const { page } = stage;
   await openBear();
   const { keyboard } = page;
@@ -238,13 +238,13 @@ it('needs no pointer: arrows move the brush, Enter sets it down and lifts it', a
   expect(stage.troubles).toEqual([]);
 });
 
-it('completes what a new order hides, as a part of the same step', async () => {
+it('completes shapes that a new order hides, in the same step', async () => {
   const { page } = stage;
   await openBear();
   const before = sceneOf(await save(page, 'bear-before.relievo'));
   await choosePart(page, (await names(page)).at(-1)!);
   await page.keyboard.press('Home');
-  // What is saved waits until all is understood.
+  // Saving waits until the engine has handled everything.
   const after = sceneOf(await save(page, 'bear-after.relievo'));
   await settled(page);
   await stillPicture(page, 'scribble-reordered');
@@ -259,7 +259,7 @@ it('completes what a new order hides, as a part of the same step', async () => {
   expect(stage.troubles).toEqual([]);
 });
 
-it('runs nothing of a hostile segmentation, and says what is wrong with it', async () => {
+it('runs no script of a hostile segmentation, and names its error', async () => {
   const { page } = stage;
   await page.evaluate(() => Object.assign(window, { ran: 0 }));
   const file = join(pictures, 'hostile.relievo');

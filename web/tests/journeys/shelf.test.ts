@@ -6,22 +6,22 @@ import { picture, reopen, stageOfFile } from './browser.ts';
 import { killBrowser, shelfOf } from './storage.ts';
 
 const stage = stageOfFile({ anew: true });
-/** The name, the number of vertices, and one for each part. */
+/** Number of edits: the name, the number of vertices, and one for each part. */
 const edits = 50;
 const parts = edits - 2;
-// A small window: what counts here is what is kept.
+// The window is small, since only the storage matters here.
 beforeEach(() => stage.page.setViewportSize({ width: 1200, height: 640 }));
 
 const blob = Array.from({ length: 13 }, (_, i): Spot => [62 * Math.cos((i * Math.PI) / 6), 80 * Math.sin((i * Math.PI) / 6)]);
 
-/** Strokes, one part each, in rows. */
+/** Draws strokes in rows, one part each. */
 async function drawParts(page: Page, from: number, to: number): Promise<void> {
   const { at } = await pageView(page);
   for (let i = from; i < to; i++)
     await stroke(page, blob.map(([x, y]): Spot => [x + 90 + 90 * (i % 10), y + 110 + 140 * Math.floor(i / 10)]), at);
 }
 
-/** Waits until all is kept. */
+/** Waits until everything is saved. */
 async function kept(page: Page): Promise<void> {
   await page.waitForTimeout(150);
   await page.waitForSelector('.saved.yes');
@@ -40,12 +40,12 @@ async function begin(page: Page, name: string, parts: number): Promise<void> {
   await drawParts(page, 0, parts);
 }
 
-it('keeps every step of two documents when the browser is killed, and opens both with their undo', async () => {
+it('keeps every step of two documents when the browser is killed, and opens both with their undo history', async () => {
   const { page } = stage;
   await begin(page, 'first', parts);
   await page.click('.brand');
   await begin(page, 'second', parts);
-  // The last stroke is kept as fast as a hand could close the window.
+  // The last stroke is saved before a user could close the window.
   await kept(page);
   await killBrowser(stage.profile);
   await reopen(stage);
@@ -68,7 +68,7 @@ it('keeps every step of two documents when the browser is killed, and opens both
     await kept(stage.page);
     await stage.page.click('.brand');
   }
-  // To look at states that are kept already makes none.
+  // Looking at saved states makes no new ones.
   expect((await shelfOf(stage.page)).map(({ versions }) => versions.length)).toEqual([edits + 1, edits + 1]);
   expect(stage.troubles).toEqual([]);
 }, 300_000);
@@ -88,7 +88,7 @@ it('goes back to any version by a slider, which is a step that can be undone', a
   expect(stage.troubles).toEqual([]);
 });
 
-it('replaces nothing by opening, dropping or beginning anew, and brings back what was thrown away', async () => {
+it('replaces nothing by opening, dropping or starting a drawing, and brings back thrown away drawings', async () => {
   const { page } = stage;
   const before = (await shelfOf(page)).length;
   await begin(page, 'third', 2);
@@ -99,7 +99,7 @@ it('replaces nothing by opening, dropping or beginning anew, and brings back wha
   await page.click('#empty');
   await page.click('.brand');
   const all = await shelfOf(page);
-  // A page on which nothing was drawn is not kept.
+  // An empty page is not saved.
   expect(all.length).toBe(before + 2);
   expect(all.find(({ name }) => name === 'third')?.parts.at(-1)).toBe(2);
   const card = page.locator('.samples.kept li', { hasText: 'third' });
@@ -123,12 +123,12 @@ it('lets one tab at a time change a document; the other may take it over or copy
   await second.waitForSelector('[role=alertdialog]');
   await second.click('#take-over');
   await second.waitForSelector('.parts li');
-  await page.waitForSelector('[data-standing=lost]');
+  await page.waitForSelector('[data-alert=takenOver]');
   await picture(page, 'taken-over');
   await second.keyboard.press('2');
   await drawParts(second, 3, 5);
   await kept(second);
-  // What is drawn in the first goes on as a copy.
+  // Drawing in the first tab continues on a copy.
   await drawParts(page, 5, 6);
   await kept(page);
   const mine = (await shelfOf(page)).filter(({ name }) => name.startsWith('shared'));
@@ -141,11 +141,11 @@ it('lets one tab at a time change a document; the other may take it over or copy
   expect(stage.troubles).toEqual([]);
 });
 
-it('says that the storage is full until it is not, offers to save, and loses nothing', async () => {
+it('warns while the storage is full, offers to save, and loses nothing', async () => {
   const { page } = stage;
   await begin(page, 'full', 1);
   await kept(page);
-  // As the browser refuses it; its own count of what is left lags behind by up to a minute.
+  // Imitates the error of the browser, whose own count of free storage lags behind by up to a minute.
   await page.evaluate(() => {
     const put = IDBObjectStore.prototype.put;
     IDBObjectStore.prototype.put = () => {
@@ -155,7 +155,7 @@ it('says that the storage is full until it is not, offers to save, and loses not
   });
   const drawn = 3;
   await drawParts(page, 1, drawn);
-  await page.waitForSelector('[data-standing=unkept]');
+  await page.waitForSelector('[data-alert=unsaved]');
   await picture(page, 'storage-full');
   const [file] = await Promise.all([page.waitForEvent('download'), page.click('#save-now')]);
   expect(file.suggestedFilename()).toBe('full.relievo');
@@ -166,7 +166,7 @@ it('says that the storage is full until it is not, offers to save, and loses not
   await dialog.dismiss();
   await leaving;
   await page.evaluate(() => window.dispatchEvent(new Event('room-again')));
-  await page.waitForFunction(() => !document.querySelector('[data-standing]'), undefined, { timeout: 15_000 });
+  await page.waitForFunction(() => !document.querySelector('[data-alert]'), undefined, { timeout: 15_000 });
   await kept(page);
   expect((await shelfOf(page)).find(({ name }) => name === 'full')?.parts.at(-1)).toBe(drawn);
   expect(stage.troubles).toEqual([]);

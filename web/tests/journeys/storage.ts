@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 
-/** What the browser's storage holds, read past the editor. */
+/** The content of the browser's storage, read without the editor. */
 export interface KeptEntry {
   id: string;
   name: string;
@@ -13,7 +13,7 @@ export interface KeptEntry {
   joins: number[];
 }
 
-/** Every document of the shelf, by name. */
+/** Returns every document of the shelf, by name. */
 export function shelfOf(page: Page): Promise<KeptEntry[]> {
   return page.evaluate(async () => {
     const asked = <T>(request: IDBRequest<T>): Promise<T> =>
@@ -48,12 +48,12 @@ interface Process {
 function processes(): Process[] {
   return readdirSync('/proc').filter((entry) => /^\d+$/.test(entry)).flatMap((entry) => {
     try {
-      // Some programs write all their words as one.
+      // Some programs write all their arguments as one.
       const words = readFileSync(`/proc/${entry}/cmdline`, 'utf8').split(/[\0 ]/);
       const parent = Number(/\) \S (\d+)/.exec(readFileSync(`/proc/${entry}/stat`, 'utf8'))?.[1]);
       return [{ id: Number(entry), parent, words }];
     } catch {
-      // It has ended.
+      // The process has ended.
       return [];
     }
   });
@@ -65,7 +65,7 @@ function browserOf(profile: string): number {
   return browser.id;
 }
 
-/** The processes that a process has started, and they in turn, and itself. */
+/** Returns a process and all its descendants. */
 function familyOf(first: number): Process[] {
   const all = processes();
   const isOurs = ({ id, parent }: Process): boolean => {
@@ -75,17 +75,17 @@ function familyOf(first: number): Process[] {
   return all.filter(isOurs);
 }
 
-/** Ends the browser of a profile as a crash does: at once, without a word. */
+/** Kills the browser of a profile at once, as a crash does. */
 export async function killBrowser(profile: string): Promise<void> {
   const browser = browserOf(profile);
   const ours = new Set(familyOf(browser).map(({ id }) => id));
   process.kill(browser, 'SIGKILL');
-  // Its helpers end a little later, and hold the storage until then.
+  // Its child processes end a little later and lock the storage until then.
   const lives = ({ id, words }: Process): boolean => ours.has(id) && words.some((word) => word !== '');
   for (let i = 0; i < 100 && processes().some(lives); i++) await new Promise((resolve) => setTimeout(resolve, 50));
 }
 
-/** Ends the graphics of the browser of a profile. */
+/** Kills the graphics process of the browser of a profile. */
 export function killGraphics(profile: string): void {
   const graphics = familyOf(browserOf(profile)).filter((one) => one.words.includes('--type=gpu-process'));
   if (graphics.length === 0) throw new Error('the browser has no graphics');

@@ -17,7 +17,7 @@ interface Said {
   notice: string;
 }
 
-/** The number of parts, and what the page says, once it has drawn what it was told. */
+/** Returns the number of parts and the notice once the page has drawn the last stroke. */
 function state(page: Page): Promise<Said> {
   return page.evaluate(async () => {
     await new Promise((resolve) => setTimeout(resolve));
@@ -28,7 +28,7 @@ function state(page: Page): Promise<Said> {
   });
 }
 
-/** Goes back to one part where there are many; takes the tool again, which clears what was said. */
+/** Undoes down to one part if there are many. Chooses the tool again, which clears the notice. */
 function fewParts(page: Page): Promise<void> {
   return page.evaluate(() => {
     const click = (selector: string): void => document.querySelector<HTMLElement>(selector)?.click();
@@ -38,7 +38,7 @@ function fewParts(page: Page): Promise<void> {
   });
 }
 
-/** More in the long run of all tests. */
+/** Number of random strokes; more in the long run of all tests. */
 const randomStrokes = process.env['RELIEVO_LONG'] ? 300 : 20;
 
 it(`makes something of ${randomStrokes} random strokes, or says why not`, async () => {
@@ -114,7 +114,7 @@ it('makes an animal of twelve gestures, all of it joined', async () => {
   expect(drawn).toBeLessThan(40_000);
   console.info(`drawn in ${(drawn / 1000).toFixed(1)} s`);
   await settled(page);
-  // Nothing is chosen, and the texture has arrived.
+  // Waits until nothing is selected and the texture has arrived.
   await page.keyboard.press('Escape');
   await stillPicture(page, 'animal');
   expect(stage.troubles).toEqual([]);
@@ -154,7 +154,7 @@ it('never makes a part of paper, wherever a scribble begins', async () => {
     expect((await state(page)).parts).toBe(before.parts);
     await page.keyboard.press('7');
   }
-  // What goes on into the figure says something there, and there alone.
+  // A stroke that continues into the figure counts only there.
   await stroke(page, [[20, 200], [60, 200], [140, 200], [200, 200], [240, 210]], at);
   await page.waitForTimeout(1500);
   expect((await state(page)).parts).toBe(before.parts);
@@ -162,7 +162,7 @@ it('never makes a part of paper, wherever a scribble begins', async () => {
   expect(stage.troubles).toEqual([]);
 });
 
-it('swells while the pen is down, and goes back when the stroke is left', async () => {
+it('shows the relief of a stroke while the pen is down, and takes it back when the stroke is cancelled', async () => {
   const { page } = stage;
   await page.click('#empty');
   await page.waitForSelector('.paper canvas');
@@ -182,7 +182,7 @@ it('swells while the pen is down, and goes back when the stroke is left', async 
   await stroke(page, spots, at);
   await settled(page);
   const full = await nodes();
-  // Beside what is there already, and back to it.
+  // Draws out beside the present shape, and back to it.
   await page.mouse.move(...at([720, 300]));
   await page.mouse.down();
   for (const spot of [[800, 260], [860, 330], [800, 420]] as Spot[]) await page.mouse.move(...at(spot), { steps: 4 });
@@ -217,7 +217,7 @@ it('colours a part by a swatch, with the limbs that are one surface with it', as
   expect(stage.troubles).toEqual([]);
 });
 
-it('folds a part to a ridge by a line on it, and takes that back', async () => {
+it('folds a part to a ridge by a line on it, and undoes that', async () => {
   const { page } = stage;
   await page.click('#empty');
   await page.waitForSelector('.paper canvas');

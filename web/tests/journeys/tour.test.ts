@@ -9,11 +9,11 @@ const tail: Spot[] = [[300, 430], [240, 400], [150, 300], [110, 200], [150, 190]
 
 async function atStep(page: Page, step: number): Promise<void> {
   await page.waitForSelector(`.tour[data-step="${step}"]`);
-  // Whoever cannot see it hears it.
+  // Screen readers read the step out.
   expect(await page.evaluate(() => document.activeElement?.matches('.tour'))).toBe(true);
 }
 
-it('offers a task once, and every deed leads on to the next', async () => {
+it('offers the tour once, and doing each step leads to the next', async () => {
   const { page } = stage;
   const images = page.locator('.samples img');
   await expect.poll(() => images.evaluateAll((all) => all.every((image) => (image as HTMLImageElement).naturalWidth > 200))).toBe(true);
@@ -48,7 +48,7 @@ it('offers a task once, and every deed leads on to the next', async () => {
   expect(stage.troubles).toEqual([]);
 });
 
-it('is done by keys alone', async () => {
+it('can be done by keys alone', async () => {
   const { page } = stage;
   const press = async (key: string, times = 1): Promise<void> => {
     for (let i = 0; i < times; i++) await page.keyboard.press(key);
@@ -81,7 +81,7 @@ it('is done by keys alone', async () => {
   expect(stage.troubles).toEqual([]);
 });
 
-it('leaves the drawing free on a phone', async () => {
+it('does not cover the drawing on a phone', async () => {
   const { page } = stage;
   await page.setViewportSize({ width: 390, height: 844 });
   try {

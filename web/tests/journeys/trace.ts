@@ -23,7 +23,10 @@ async function collect(session: CDPSession, act: () => Promise<void>): Promise<T
   return events;
 }
 
-/** Processor time of every task, ms, by thread, of threads with a name. Unlike wall time it does not grow when the machine has other things to do. */
+/**
+ * Returns the processor time of every task, ms, by named thread. Unlike wall time it does not depend on the
+ * load of the machine.
+ */
 async function tasksByThread(page: Page, name: string, act: () => Promise<void>): Promise<number[][]> {
   const session = await page.context().newCDPSession(page);
   const events = await collect(session, act);
@@ -38,12 +41,12 @@ async function tasksByThread(page: Page, name: string, act: () => Promise<void>)
   return [...threads.values()];
 }
 
-/** Processor time of every task on the page's main thread, ms. */
+/** Returns the processor time of every task on the page's main thread, ms. */
 export async function mainThreadTasks(page: Page, act: () => Promise<void>): Promise<number[]> {
   return (await tasksByThread(page, 'CrRendererMain', act)).flat();
 }
 
-/** Processor time of the longest task of each worker, ms, the longest first. */
+/** Returns the processor time of the longest task of each worker, ms, the longest first. */
 export async function longestOfWorkers(page: Page, act: () => Promise<void>): Promise<number[]> {
   const workers = await tasksByThread(page, 'DedicatedWorker thread', act);
   return workers.map((tasks) => Math.max(0, ...tasks)).sort((a, b) => b - a);

@@ -5,16 +5,16 @@ import { picture, stageOfFile } from './browser.ts';
 
 const stage = stageOfFile({ anew: false });
 
-/** Share of the pixels that differ clearly. */
+/** Returns the share of pixels that differ clearly. */
 function difference(a: Uint8ClampedArray, b: Uint8ClampedArray): number {
   let count = 0;
   for (let i = 0; i < a.length; i += 4) if (Math.abs(a[i]! - b[i]!) > 24) count++;
   return (4 * count) / a.length;
 }
 
-it('records the model swaying from side to side without end', async () => {
+it('records the model swaying from side to side forever', async () => {
   const { page } = stage;
-  // Without a graphics processor a picture takes half a second.
+  // Without a graphics processor each picture takes half a second.
   page.setDefaultTimeout(100_000);
   await sample(page, 'lamb');
   await page.click('#export');
@@ -27,7 +27,7 @@ it('records the model swaying from side to side without end', async () => {
   const [first, right, middle, left] = [0, 10, 20, 30].map((i) => frames[i]!.data) as [Uint8ClampedArray, Uint8ClampedArray, Uint8ClampedArray, Uint8ClampedArray];
   expect(difference(right, left)).toBeGreaterThan(0.05);
   expect(difference(first, right)).toBeGreaterThan(0.02);
-  // It goes through the front on its way back, and ends where it began.
+  // The model passes the front on its way back and ends where it began.
   expect(difference(first, middle)).toBeLessThan(0.01);
   expect(difference(first, frames[39]!.data)).toBeLessThan(difference(first, right));
   expect(stage.troubles).toEqual([]);

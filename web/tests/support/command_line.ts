@@ -7,14 +7,14 @@ import { afterAll } from 'vitest';
 
 export const root = fileURLToPath(new URL('../../..', import.meta.url));
 
-/** Runs the command line; the tests need it built. */
+/** Runs the command line program, which must be built. */
 export function relievo(...words: string[]): void {
   const program = process.env['RELIEVO'] ?? join(root, 'build/dev/apps/cli/relievo');
   if (!existsSync(program)) throw new Error(`${program} is not built; set RELIEVO to another`);
   execFileSync(program, words);
 }
 
-/** A folder for what the tests of a file or group write, which goes with the last of them. */
+/** Makes a folder for the files of a test file or group; it is deleted after the last test. */
 export function temporaryFolder(): string {
   const folder = mkdtempSync(join(tmpdir(), 'relievo-'));
   afterAll(() => rmSync(folder, { recursive: true, force: true }));

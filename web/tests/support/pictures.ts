@@ -10,7 +10,7 @@ function chunk(name: string, content: Buffer): Buffer {
   return Buffer.concat([frame.subarray(0, 4), body, frame.subarray(4)]);
 }
 
-/** A PNG file with transparency, painted pixel by pixel. */
+/** Returns a PNG file with transparency, painted pixel by pixel. */
 export function pngOf(width: number, height: number, paint: (x: number, y: number) => Rgba): Uint8Array<ArrayBuffer> {
   const rows = Array.from({ length: height }, (_, y) =>
     Buffer.from([0, ...Array.from({ length: width }, (_, x) => paint(x, y)).flat()]),
@@ -47,7 +47,7 @@ function u16(...values: number[]): Buffer {
   return bytes;
 }
 
-/** A Photoshop document of square layers, back to front, nothing packed. */
+/** Returns a Photoshop document of square layers, back to front, uncompressed. */
 export function photoshopOf(width: number, height: number, layers: readonly PhotoshopLayer[]): Uint8Array<ArrayBuffer> {
   const channels = [-1, 0, 1, 2];
   const records = layers.map(({ name, left, top, size }) => {
@@ -73,7 +73,7 @@ export function photoshopOf(width: number, height: number, layers: readonly Phot
   ]));
 }
 
-/** A disc on a transparent ground. */
+/** Returns a picture of a disc on a transparent background. */
 export function disc(size: number, radius: number, color: readonly [number, number, number]): Uint8Array<ArrayBuffer> {
   return pngOf(size, size, (x, y) => {
     const inside = radius - Math.hypot(x + 0.5 - size / 2, y + 0.5 - size / 2) + 0.5;
@@ -83,7 +83,7 @@ export function disc(size: number, radius: number, color: readonly [number, numb
 
 export const openRingSize = [400, 320] as const;
 
-/** Ink on white: a body, and beside it a smaller ring that has a gap to the right. */
+/** Returns an ink drawing on white: a body, and beside it a smaller ring with a gap on the right. */
 export function openRing(): Uint8Array<ArrayBuffer> {
   const ink = (x: number, y: number): boolean => {
     const body = Math.abs(Math.hypot(x - 140, y - 160) - 110) < 3;

@@ -32,12 +32,12 @@ const told = (document: Document): string[] =>
 type Guess = Doubt & { kind: 'order' | 'join' };
 
 describe('doubts', () => {
-  it('are the guesses that are not sure, the least sure first', () => {
+  it('are the uncertain guesses, the least certain first', () => {
     expect(told(guessed())).toEqual(['order hand arm', 'join arm body', 'order arm body']);
     expect(doubtsOf(emptyDocument(), [])).toEqual([]);
   });
 
-  it('that are taken stay as they are and are asked no more', () => {
+  it('that are confirmed stay as they are and are no longer asked about', () => {
     for (const doubt of doubtsOf(guessed(), []) as Guess[]) {
       const taken = takeGuess(guessed(), doubt);
       expect([taken.parts, taken.joins]).toEqual([guessed().parts, guessed().joins]);
@@ -46,7 +46,7 @@ describe('doubts', () => {
     }
   });
 
-  it('that are refused are turned around, or parted, and asked no more', () => {
+  it('that are rejected swap the order or remove the join, and are no longer asked about', () => {
     const before = guessed();
     for (const doubt of doubtsOf(before, []) as Guess[]) {
       const refused = noteCorrections(before, refuseGuess(before, doubt));

@@ -18,7 +18,7 @@ function figure(): Document {
   return addPart(document, 'arm', box(400, 300, 60, 250));
 }
 
-/** All that a scene file demands of pairs of parts. */
+/** Checks everything that a scene file demands of pairs of parts. */
 function expectSound(document: Document): void {
   const ids = document.parts.map((part) => part.id);
   expect(new Set(ids).size).toBe(ids.length);
@@ -46,7 +46,7 @@ describe('drawing parts', () => {
 });
 
 describe('order', () => {
-  it('turns joins and relations when their parts change places, and drops what has no place', () => {
+  it('turns joins and relations when their parts change places, and drops those that no longer fit', () => {
     let document = joinParts(figure(), 'head', 'body');
     document = relate(document, 'arm', 'body', 'free');
     document = addRange(document, 'head', [270, 250], [200, 250]);
@@ -86,14 +86,14 @@ it('finds the parts that overlap one', () => {
   expect(neighbours(figure(), 'head').map((part) => part.id)).toEqual(['body']);
 });
 
-it('renames a part wherever it is spoken of', () => {
+it('renames a part everywhere', () => {
   const document = renamePart(joinParts(figure(), 'head', 'body'), 'head', 'skull');
   expectSound(document);
   expect(document.joins[0]?.upper).toBe('skull');
   expect(renamePart(document, 'skull', 'body')).toBe(document);
 });
 
-it('measures areas with the sign of the turn on the screen', () => {
+it('measures areas with a sign, positive clockwise on the screen', () => {
   expect(area(box(0, 0, 3, 2))).toBe(6);
   expect(area(box(0, 0, 3, 2).reverse())).toBe(-6);
 });
@@ -105,7 +105,7 @@ function pushedAnywhere(document: Document, id: string, spot: Point, share: numb
   return 'document' in next ? next.document : document;
 }
 
-/** Any edit at all. */
+/** Returns a random edit. */
 function anyEdit(document: Document, random: () => number): Document {
   const pick = (): string => document.parts[Math.floor(random() * document.parts.length)]?.id ?? '';
   const spot = (): Point => [1000 * random(), 800 * random()];
@@ -127,7 +127,7 @@ function anyEdit(document: Document, random: () => number): Document {
 }
 
 describe('history', () => {
-  it('leads back to the first bytes and forth to the last, whatever was done', () => {
+  it('undoes to the first bytes and redoes to the last after random edits', () => {
     for (let seed = 1; seed <= 200; seed++) {
       const random = randomNumbers(seed);
       let history = startHistory(figure());
@@ -151,7 +151,7 @@ describe('history', () => {
     }
   });
 
-  it('makes one change of a gesture and another of the next', () => {
+  it('merges a gesture into one change and starts another for the next', () => {
     let history = startHistory(figure());
     for (const c of [1, 2, 3]) history = record(history, 'c', changePart(history.document, 'arm', { c }), 'c arm');
     history = record(history, 'c', changePart(history.document, 'head', { c: 1 }), 'c head');
@@ -165,12 +165,12 @@ describe('cues', () => {
   const hump = { part: 'body', kind: 'bulge' as const, line: [[250, 300], [400, 300]] as Point[], value: 1.5 };
   const cued = (): Document => ({ ...figure(), cues: [ridge, hump] });
 
-  it('are kept by scene files', () => {
+  it('are stored in scene files', () => {
     expect(sceneContent(sceneText(cued())).cues).toEqual([ridge, hump]);
     expect(sceneText(figure())).not.toContain('cues');
   });
 
-  it('go with their part', () => {
+  it('are removed and renamed with their part', () => {
     expect(removePart(cued(), 'head').cues).toEqual([hump]);
     expect(renamePart(cued(), 'head', 'skull').cues[0]).toEqual({ ...ridge, part: 'skull' });
     expect(shiftPart(cued(), 'head', [5, -3]).cues).toEqual([{ ...ridge, line: [[165, 147], [265, 147]] }, hump]);
@@ -179,7 +179,7 @@ describe('cues', () => {
 });
 
 describe('moving parts', () => {
-  it('takes along what lies on the outline, and comes back to where it was', () => {
+  it('takes along everything on the outline, and can be reversed', () => {
     let document = joinParts(figure(), 'head', 'body');
     document = addRange(document, 'head', [270, 250], [200, 250]);
     document = { ...document, relations: [{ upper: 'head', lower: 'body', relation: 'equal', range: [[200, 250], [270, 240]] }] };
@@ -192,7 +192,7 @@ describe('moving parts', () => {
     expect(shiftPart(moved, 'head', [-7, -20])).toEqual(document);
   });
 
-  it('leaves joins behind whose roots lie in nothing any more', () => {
+  it('removes joins whose roots no longer lie in a part', () => {
     const document = joinParts(figure(), 'head', 'body');
     expect(shiftPart(document, 'head', [-150, -110]).joins).toEqual([]);
     expect(shiftPart(document, 'body', [300, 300]).joins).toEqual([]);
@@ -208,14 +208,14 @@ describe('moving parts', () => {
   });
 });
 
-it('colours what is one surface alike, and nothing else', () => {
+it('colours joined parts alike, and no others', () => {
   const body = addPart(emptyDocument(), 'body', [[0, 0], [400, 0], [400, 300], [0, 300]]);
   const leg = addOpenPart(body, 'leg', [[100, 280], [90, 500], [160, 500], [150, 280]]);
   const foot = addOpenPart(leg, 'foot', [[100, 480], [60, 560], [200, 560], [150, 480]]);
   const hat = addPart(foot, 'hat', [[300, -50], [350, -50], [350, 40], [300, 40]]);
   const painted = colorPart(hat, 'leg', '#123456');
   expect(painted.parts.map(({ id, color }) => [id, color === '#123456'])).toEqual([['body', true], ['leg', true], ['foot', true], ['hat', false]]);
-  // A limb that was given a colour of its own keeps it.
+  // A limb with its own colour keeps it.
   const own = { ...painted, parts: painted.parts.map((part) => (part.id === 'foot' ? { ...part, color: '#ffffff' } : part)) };
   expect(colorPart(own, 'body', '#654321').parts.map(({ color }) => color)).toEqual(['#654321', '#654321', '#ffffff', hat.parts[3]?.color]);
 });

@@ -14,7 +14,7 @@ function eyesOf(points: readonly (readonly [number, number])[]): Part[] {
   return drawn.document.parts.slice(1);
 }
 
-it('a tap puts one eye, all of it on the part below and the pupil inside of the white', () => {
+it('a tap adds one eye, all of it on the part below and the pupil inside the white', () => {
   const [white, pupil, ...others] = eyesOf([[400, 350]]) as [Part, Part];
   expect(others).toEqual([]);
   expect(white.outline[0]!.every((p) => contains(face.parts[0]!.outline, p))).toBe(true);
@@ -22,7 +22,7 @@ it('a tap puts one eye, all of it on the part below and the pupil inside of the 
   expect(white.color).not.toBe(pupil.color);
 });
 
-it('a stroke puts a pair at its ends, alike and apart, that look at each other', () => {
+it('a stroke adds a pair of equal eyes at its ends, which look at each other', () => {
   const [left, leftPupil, right, rightPupil] = eyesOf([[350, 350], [380, 352], [450, 350]]) as [Part, Part, Part, Part];
   const middle = ({ outline }: Part): number => (boxOf(outline).min[0] + boxOf(outline).max[0]) / 2;
   const width = ({ outline }: Part): number => boxOf(outline).max[0] - boxOf(outline).min[0];
@@ -33,6 +33,6 @@ it('a stroke puts a pair at its ends, alike and apart, that look at each other',
   expect(middle(rightPupil)).toBeLessThan(middle(right));
 });
 
-it('eyes on nothing are refused', () => {
+it('eyes outside all parts are refused', () => {
   expect(stampEyes(face, 12, [[50, 50]])).toEqual({ refused: 'dotOnPaper' });
 });

@@ -14,9 +14,9 @@ function flat(): Document {
   return { ...document, segmentation: { ...emptySegmentation(), parts } };
 }
 
-/** Upwards along x = 200: the small part lies to the left. */
+/** A gap upwards along x = 200; the small part lies to its left. */
 const between: Gap = { points: [[200, 160], [200, 140]], left: 1, right: 2 };
-/** Along the top of the large part, with the background above. */
+/** A gap along the top of the large part, with the background above. */
 const above: Gap = { points: [[300, 100], [340, 100]], left: 0, right: 2 };
 
 function strokesOf(document: Document): readonly Stroke[] {
@@ -26,7 +26,7 @@ function strokesOf(document: Document): readonly Stroke[] {
 const left = ({ points }: Stroke): boolean => points.every(([x]) => x < 200);
 
 describe('a closed gap', () => {
-  it('that is kept has strokes of both parts beside it, and is asked about no more', () => {
+  it('that is kept has strokes of both parts beside it, and is no longer asked about', () => {
     const kept = keepGap(flat(), between);
     expect(strokesOf(kept).map((stroke) => [stroke.kind, stroke.part, left(stroke)])).toEqual([
       ['hard', 'small', true], ['hard', 'large', false],
@@ -59,14 +59,14 @@ describe('a closed gap', () => {
     expect(opened.segmentation!.scribbles.parts).toEqual(['large']);
   });
 
-  it('to the background opens by a stroke for the outside; of unknown sides nothing is said', () => {
+  it('to the background opens by a stroke for the outside; with unknown sides it stays as it is', () => {
     expect(strokesOf(openGap(flat(), above)).map(({ kind }) => kind)).toEqual(['outside']);
     const unknown = { ...between, right: 9 };
     expect(openQuestions(flat(), [unknown])).toEqual([]);
     expect(openGap(flat(), unknown)).toEqual(flat());
   });
 
-  it('is found by a hand near it, and again when it has moved a little', () => {
+  it('is found by a point near it, and found again after it moved a little', () => {
     const near: Point = [206, 150];
     expect(gapAt([above, between], near, 8)).toBe(between);
     expect(gapAt([above, between], near, 4)).toBeUndefined();

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { litPicture } from '../../view/lit_picture';
 
-/** Pixels of the same colour with normals to the viewer, to the right and upwards. */
+/** Pixels of the same colour with normals towards the viewer, to the right and upwards. */
 const drawing = new Uint8ClampedArray([100, 100, 100, 255, 100, 100, 100, 255, 100, 100, 100, 128]);
 const normals = new Uint8ClampedArray([128, 128, 255, 255, 255, 128, 128, 255, 128, 255, 128, 255]);
 

@@ -39,7 +39,7 @@ describe('pushing an outline', () => {
       if (150 * Math.acos((400 - p[0]) / 150) > 101) expect(nearestPlace([pushed], p).distance).toBeLessThan(1e-9);
   });
 
-  it('makes no corners: neighbouring sides turn little', () => {
+  it('makes no corners: neighbouring sides differ little in direction', () => {
     const ring = ringOf(must(pushOutline(figure(), 'body', place, 100, [-30, 0])), 0);
     ring.forEach((b, i) => {
       const a = ring.at(i - 1) as Point;
@@ -59,7 +59,7 @@ describe('pushing an outline', () => {
     expect(ringOf(document, 0).length).toBeLessThan(2 * before);
   });
 
-  it('takes joins and ranges along: their ends stay on the outline', () => {
+  it('takes joins and ranges along, so that their ends stay on the outline', () => {
     const ranged = addRange(figure(), 'arm', [530, 370], [600, 370]);
     const corner = nearestPlace(ranged.parts[1]!.outline, [500, 400]);
     const { parts, joins, robin } = must(pushOutline(ranged, 'arm', corner, 60, [-40, 0]));
@@ -71,7 +71,7 @@ describe('pushing an outline', () => {
     for (const p of joins[0]!.line) expect(contains(parts[0]!.outline, p)).toBe(true);
   });
 
-  it('is refused where the outline would cross itself or vanish', () => {
+  it('is refused if the outline would cross itself or vanish', () => {
     const arm = nearestPlace(figure().parts[1]!.outline, [600, 370]);
     expect(pushOutline(figure(), 'arm', arm, 60, [0, 80])).toEqual({ refused: 'crossesItself' });
     const dot = addPart(emptyDocument(), 'dot', box(10, 10, 5, 5));
@@ -79,7 +79,7 @@ describe('pushing an outline', () => {
     expect('refused' in pushOutline(dot, 'dot', side, 100, [6, 0])).toBe(true);
   });
 
-  it('keeps every outline sound, whatever is pushed', () => {
+  it('keeps every outline valid after random pushes', () => {
     const random = randomNumbers(5);
     let document = figure();
     for (let i = 0; i < 120; i++) {
@@ -98,7 +98,7 @@ describe('pushing an outline', () => {
 });
 
 describe('redrawing an outline', () => {
-  it('replaces the stretch that the stroke is nearest to, in either direction', () => {
+  it('replaces the stretch nearest to the stroke, in either direction', () => {
     const stroke: Point[] = [[600, 370], [640, 300], [680, 370]];
     for (const line of [stroke, [...stroke].reverse()]) {
       const arm = ringOf(must(redrawOutline(figure(), 'arm', line)), 1);
@@ -107,12 +107,12 @@ describe('redrawing an outline', () => {
     }
   });
 
-  it('cuts a part off where the stroke goes through it, and keeps its larger side', () => {
+  it('cuts a part along a stroke through it, and keeps the larger side', () => {
     const arm = ringOf(must(redrawOutline(figure(), 'arm', [[650, 370], [655, 400], [650, 430]])), 1);
     expect(area(arm)).toBeCloseTo(150 * 60 + 5 * 30, 6);
   });
 
-  it('is refused where the stroke crosses the outline that stays', () => {
+  it('is refused if the stroke crosses the rest of the outline', () => {
     const stroke: Point[] = [[600, 370], [600, 450], [620, 450], [620, 370]];
     expect(redrawOutline(figure(), 'arm', stroke)).toEqual({ refused: 'crossesItself' });
   });

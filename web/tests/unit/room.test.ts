@@ -9,7 +9,7 @@ function moved(matrix: Float32Array, [x, y, z]: Vector): Vector {
   return [row(0), row(1), row(2)];
 }
 
-/** A pose that looks along an angle to the left and upwards, somewhere. */
+/** Returns a pose somewhere that looks to the left and upwards by the given angles. */
 function poseOf(yaw: number, pitch: number, at: Vector): Float32Array {
   const [s, c, u, v] = [Math.sin(yaw), Math.cos(yaw), Math.sin(pitch), Math.cos(pitch)];
   return new Float32Array([c, 0, -s, 0, s * u, v, c * u, 0, s * v, -u, c * v, 0, ...at, 1]);
@@ -17,13 +17,13 @@ function poseOf(yaw: number, pitch: number, at: Vector): Float32Array {
 
 const positions = new Float32Array([100, 50, -20, 500, 50, 0, 100, 250, 30, 500, 250, 10]);
 
-it('a model in the room is as large as it is said, around its middle', () => {
+it('a model in the room has the given size, around its middle', () => {
   const { scale, middle } = scaledTo(positions, 0.1);
   expect(scale * 400).toBeCloseTo(0.1);
   expect(middle).toEqual([300, 150, 5]);
 });
 
-it('it stands upright before whoever looks, wherever that is, and turns its front to them', () => {
+it('it stands upright in front of the viewer, wherever that is, and faces them', () => {
   const random = randomNumbers(3);
   const sized = scaledTo(positions, 0.1);
   for (let k = 0; k < 50; k++) {

@@ -22,7 +22,7 @@ const shapes: Record<string, Point[]> = {
   body: box(200, 200, 300, 200), head: box(150, 120, 120, 130), arm: box(400, 300, 60, 250),
 };
 
-/** A flat drawing with a body, a head and an arm, understood; labels 1, 2, 3. */
+/** A segmented flat drawing with a body, a head and an arm; labels 1, 2, 3. */
 function flat(): Document {
   const bytes = new Uint8Array([1, 2, 3]);
   let document: Document = { ...emptyDocument(), drawing: { name: 'a.png', kind: 'image', mime: 'image/png', bytes } };
@@ -41,7 +41,7 @@ function corrections(document: Document): Corrections {
   return document.segmentation!.corrections;
 }
 
-/** As if the engine understood just what is there, and one part more for each new name. */
+/** Imitates an engine that finds the parts of the document, and a new part for each new name. */
 function understoodAsIs(document: Document): Understood {
   const { parts, scribbles } = segmentationOf(document);
   const isThere = (id: string): boolean => document.parts.some((part) => part.id === id);
@@ -54,7 +54,7 @@ function understoodAsIs(document: Document): Understood {
 describe('strokes', () => {
   const line: Point[] = [[300, 300], [320, 320]];
 
-  it('take over the guessed part that they cover, go on where they begin on another, or make a new part', () => {
+  it('take over the guessed part that they cover, continue the stroke on which they begin, or make a new part', () => {
     const document = flat();
     expect(partOfStroke(document, line, 5)).toBe('body');
     const first = addStroke(document, { kind: 'hard', part: 'body', width: 8, points: line });
@@ -77,13 +77,13 @@ describe('strokes', () => {
     expect(clearStrokes(document, { part: 'head' })).toBe(document);
   });
 
-  it('are for flat pictures, and for none whose parts came otherwise', () => {
+  it('are for flat pictures whose parts did not come from elsewhere', () => {
     expect(canScribble(flat())).toBe(true);
     expect(canScribble({ ...flat(), segmentation: null })).toBe(false);
     expect(canScribble(emptyDocument())).toBe(false);
   });
 
-  it('go with their part, and bear its name', () => {
+  it('are removed and renamed with their part', () => {
     const document = addStroke(flat(), { kind: 'hard', part: 'head', width: 8, points: [[180, 150]] });
     expect(scribblesOf(removePart(document, 'head')).strokes).toEqual([]);
     const renamed = renamePart(document, 'head', 'skull');
@@ -92,8 +92,8 @@ describe('strokes', () => {
   });
 });
 
-describe('what a person changes', () => {
-  it('of a part is written down, the last value for good', () => {
+describe('a change by the user', () => {
+  it('of a part is recorded with its last value', () => {
     let document = edited(flat(), (before) => changePart(before, 'arm', { c: 1 }));
     document = edited(document, (before) => changePart(before, 'arm', { c: 2 }));
     document = edited(document, (before) => changePart(before, 'arm', { d: -1 }));
@@ -106,14 +106,14 @@ describe('what a person changes', () => {
     ]);
   });
 
-  it('of the order is written down for every pair that changed places, and never in a circle', () => {
+  it('of the order is recorded for every pair that changed places, and never in a cycle', () => {
     let document = edited(flat(), (before) => movePart(before, 'body', 2));
     expect(corrections(document).order).toEqual([{ upper: 1, lower: 2 }, { upper: 1, lower: 3 }]);
     document = edited(document, (before) => bringBefore(before, 'arm', 'body'));
     expect(corrections(document).order).toEqual([{ upper: 1, lower: 2 }, { upper: 3, lower: 1 }]);
   });
 
-  it('of joins is written down: made, moved, taken away; not when they only turned', () => {
+  it('of joins is recorded when they are made, moved or removed, not when they only turned', () => {
     const without = edited(flat(), (before) => removeJoin(before, 'head', 'body'));
     expect(corrections(without)).toMatchObject({ joins: [], no_joins: [{ upper: 2, lower: 1 }] });
     const again = edited(without, (before) => joinParts(before, 'head', 'body'));
@@ -127,7 +127,7 @@ describe('what a person changes', () => {
     expect(corrections(edited(again, (before) => movePart(before, 'body', 2))).joins).toMatchObject([{ upper: 1, lower: 2 }]);
   });
 
-  it('of relations and ranges is written down, and taken back', () => {
+  it('of relations and ranges is recorded, and taken back', () => {
     const related = edited(flat(), (before) => relate(before, 'arm', 'body', 'equal'));
     expect(corrections(related).relations).toEqual([{ upper: 3, lower: 1, relation: 'equal' }]);
     expect(corrections(edited(related, (before) => relate(before, 'arm', 'body', null))).relations).toEqual([]);
@@ -138,7 +138,7 @@ describe('what a person changes', () => {
     expect(corrections(cleared).joins.length).toBe(1);
   });
 
-  it('of parts that were drawn by hand is no correction', () => {
+  it('of parts drawn by hand is not recorded', () => {
     const document = edited(flat(), (before) => addPart(before, 'hat', box(150, 90, 80, 60)));
     const joined = edited(document, (before) => joinParts(before, 'hat', 'head'));
     expect(joined.joins.length).toBe(2);
@@ -146,8 +146,8 @@ describe('what a person changes', () => {
   });
 });
 
-describe('a new understanding', () => {
-  it('leaves drawn parts as they are, their colours too, and may leave nothing', () => {
+describe('a new interpretation', () => {
+  it('leaves drawn parts and their colours as they are, and may have no parts', () => {
     const document = edited(flat(), (before) => addPart(before, 'hat', box(150, 90, 80, 60)));
     const next = adopt(document, understoodAsIs(document));
     expect(next.parts.find((part) => part.id === 'hat')).toBe(document.parts.find((part) => part.id === 'hat'));
@@ -156,7 +156,7 @@ describe('a new understanding', () => {
     expect(none.segmentation!.parts).toEqual(document.segmentation!.parts);
   });
 
-  it('that is the same as before leaves the same parts, so that nothing is built anew', () => {
+  it('that equals the one before keeps the same parts, so that nothing is built again', () => {
     const before = flat();
     const stroke = { kind: 'outside' as const, width: 9, points: [[900, 20] as Point] };
     const next = adopt(before, understoodAsIs(addStroke(before, stroke)));
@@ -195,7 +195,7 @@ function anyStep(history: History, random: () => number): History {
   return random() < 0.2 ? amend(next, understood(next.document)) : next;
 }
 
-it('is undone and redone to the same project, byte for byte, whatever was scribbled and corrected', () => {
+it('is undone and redone to the same project, byte for byte, for random strokes and corrections', () => {
   for (let seed = 1; seed <= 100; seed++) {
     const random = randomNumbers(seed);
     let history = startHistory(flat());

@@ -28,7 +28,7 @@ function times(count: number, history: History, step: (history: History) => Hist
   return Array.from({ length: count }).reduce<History>((now) => step(now), history);
 }
 
-it('brings back every state and all undo of what was saved step by step, or at once', async () => {
+it('loads every state and the undo history, saved step by step or at once', async () => {
   const begun = startHistory({ ...emptyDocument(), drawing: drawing([1, 2, 3]) });
   let stepwise = begun;
   for (let i = 0; i < 12; i++) {
@@ -46,12 +46,12 @@ it('brings back every state and all undo of what was saved step by step, or at o
     expect(history.document).toEqual(stepwise.document);
     expect(times(12, history, undo).document).toEqual(begun.document);
     expect(times(12, times(12, history, undo), redo).document).toEqual(stepwise.document);
-    // States share what they have in common.
+    // States share their common values.
     expect(undo(history).document.drawing).toBe(history.document.drawing);
   }
 });
 
-it('keeps where undo stands, and makes no version of what is there already', async () => {
+it('saves the position in the undo history, and makes no version of a saved state', async () => {
   const history = times(3, times(8, startHistory(emptyDocument()), drawn), undo);
   await shelf.save('a', history);
   const fresh = await Shelf.open(`shelf ${name}`);
@@ -88,7 +88,7 @@ it('survives random sequences of steps, undo, redo, amendments and reopening', a
   }
 });
 
-it('opens the newest whole state where the last one is damaged', async () => {
+it('opens the newest intact state if the last one is damaged', async () => {
   await shelf.save('a', times(4, startHistory(emptyDocument()), drawn));
   const database = await openDB(`shelf ${name}`);
   const newest = (await database.get('versions', ['a', 5])) as { fields: Record<string, string> };
@@ -98,7 +98,7 @@ it('opens the newest whole state where the last one is damaged', async () => {
   database.close();
 });
 
-it('thins old versions but no undo, and drops pictures that nothing shows any more', async () => {
+it('thins old versions but no undo history, and deletes pictures that no state uses', async () => {
   let history = startHistory(emptyDocument());
   for (let i = 0; i < 450; i++) {
     history = record(history, 'draw', { ...history.document, drawing: drawing([i % 256, i >> 8]) });
@@ -113,7 +113,7 @@ it('thins old versions but no undo, and drops pictures that nothing shows any mo
   expect((await shelf.load('a'))?.done.length).toBe(100);
 });
 
-it('takes over what an older editor kept', async () => {
+it('takes over the documents of an early editor', async () => {
   const old = await openDB('old', 1, { upgrade: (fresh) => void fresh.createObjectStore('generations', { keyPath: 'number' }) });
   for (const [number, called] of ['wolf', 'bear', 'wolf'].entries())
     await old.put('generations', { number, document: { ...times(number, startHistory(emptyDocument()), drawn).document, name: called } });
@@ -124,7 +124,7 @@ it('takes over what an older editor kept', async () => {
   expect((await (await Shelf.open('old')).load(wolf?.id ?? ''))?.document.parts.length).toBe(2);
 });
 
-it('throws away only what can be brought back', async () => {
+it('lets thrown away documents be brought back', async () => {
   await shelf.save('a', startHistory(emptyDocument()));
   await shelf.remove('a');
   expect(await shelf.list()).toEqual([]);

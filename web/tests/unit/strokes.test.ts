@@ -36,7 +36,7 @@ describe('a stroke', () => {
     expect(drawStroke(page, hand, [[20, 20]])).toEqual({ refused: 'dotOnPaper' });
   });
 
-  it('that crosses itself is all that it goes around', () => {
+  it('that crosses itself becomes everything that it encloses', () => {
     const eight = Array.from({ length: 80 }, (_, i): Point => [500 + 90 * Math.sin((i * Math.PI) / 40), 90 + 60 * Math.sin((i * Math.PI) / 20)]);
     const { part } = drawn([...eight, eight[0] as Point], emptyDocument());
     expect(part.outline.length).toBe(1);
@@ -46,7 +46,7 @@ describe('a stroke', () => {
     for (const x of [230, 320, 400]) expect(contains(both, [x, 300])).toBe(true);
   });
 
-  it('that encloses nothing is a tube, joined where it grows out of a part', () => {
+  it('that encloses nothing is a tube, joined to the part that it grows out of', () => {
     const tail = drawn(line([650, 400], [850, 330]));
     expect(tail.joins.map(({ lower }) => lower)).toEqual(['body']);
     expect(contains(tail.part.outline, [750, 365])).toBe(true);
@@ -58,20 +58,20 @@ describe('a stroke', () => {
     expect(Math.abs(area(mouth.part.outline[0] as Ring))).toBeLessThan(80 * 20);
   });
 
-  it('that ends just before a part goes on into it and is joined', () => {
+  it('that ends just before a part is extended into it and joined', () => {
     const leg: Point[] = [[450, 555], [445, 620], [440, 690], [470, 710], [500, 690], [505, 620], [510, 560]];
     const below: Point[] = leg.map(([x, y]) => [x, y + 12]);
     expect(drawn(leg).joins.map(({ lower }) => lower)).toEqual(['body']);
     expect(drawn(below).joins.map(({ lower }) => lower)).toEqual(['body']);
   });
 
-  it('lies behind all others where that is wanted', () => {
+  it('lies behind all others if asked', () => {
     const { document, id } = drawn(oval(700, 400, 90), page, { behind: true });
     expect(document.parts[0]?.id).toBe(id);
   });
 });
 
-it('becomes something, whatever it is, with an outline that does not cross itself', () => {
+it('becomes a part whose outline does not cross itself, for random strokes', () => {
   const random = randomNumbers(11);
   const between = (least: number, most: number): number => least + (most - least) * random();
   const shapes: (() => Point[])[] = [

@@ -15,7 +15,7 @@ function figure(): Document {
   return addPart(document, 'cloud', box(700, 20, 80, 50));
 }
 
-describe('what holds at an outline', () => {
+describe('the relation at an outline', () => {
   it('is found by a point near it, for pairs that are not joined', () => {
     expect(pairAt(figure(), [252, 261], 8)).toEqual({ upper: 'eye', lower: 'body' });
     expect(pairAt(figure(), [260, 260], 4)).toBe(null);
@@ -25,7 +25,7 @@ describe('what holds at an outline', () => {
     expect(pairAt(addJoin(figure(), join!), [461, 310], 8)).toBe(null);
   });
 
-  it('turns through all that can be said and back to the usual', () => {
+  it('cycles through all relations and back to the default', () => {
     const pair = { upper: 'eye', lower: 'body' };
     const said = [0, 1, 2, 3, 4].map((turns) => Array.from({ length: turns }).reduce<Document>((document) => turnRelation(document, pair), figure()));
     expect(said.map((document) => relationOf(document, pair))).toEqual([null, 'free', 'equal', 'joined', 'above']);
@@ -40,7 +40,7 @@ describe('suggested joins', () => {
     for (const point of joins[0]!.line) expect(contains(figure().parts[0]!.outline, point)).toBe(true);
   });
 
-  it('go when they are taken, or when the person has said what holds', () => {
+  it('disappear when they are accepted, or when the user has set a relation', () => {
     const [join] = suggestedJoins(figure());
     expect(suggestedJoins(addJoin(figure(), join!))).toEqual([]);
     expect(suggestedJoins(relate(figure(), 'arm', 'body', 'free'))).toEqual([]);
