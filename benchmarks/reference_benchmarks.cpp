@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 
+#include <Eigen/SparseCholesky>
 #include <string>
 
 #include "benchmarks/characters.h"
@@ -31,6 +32,16 @@ void cholmod(State& state, const std::string& name, int vertices) {
   CholmodFactor factor(program_of(surface_of(name, vertices)).system.qp.K);
   for (auto _ : state)
     if (!factor.factorise()) state.SkipWithError("not definite");
+}
+
+void eigen(State& state, const std::string& name, int vertices) {
+  const SparseMatrix K = program_of(surface_of(name, vertices)).system.qp.K;
+  Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower> factor;
+  factor.analyzePattern(K);
+  for (auto _ : state) {
+    factor.factorize(K);
+    if (factor.info() != Eigen::Success) state.SkipWithError("not definite");
+  }
 }
 
 double difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
@@ -77,6 +88,7 @@ void add_size(const std::string& name, int vertices) {
   };
   add("factor", own_factor);
   add("cholmod", cholmod);
+  add("eigen", eigen);
   if (vertices > largest_for_slow_ones) return;
   add("interior_point", interior_point);
   add("multipliers", multipliers)->Iterations(1);

@@ -16,7 +16,7 @@ CholmodFactor::CholmodFactor(const SparseMatrix& lower)
   Implementation& self = *implementation_;
   self.matrix = lower;
   cholmod_start(&self.common);
-  self.common.supernodal = CHOLMOD_SUPERNODAL;
+  self.common.supernodal = CHOLMOD_AUTO;
   self.common.nmethods = 1;
   self.common.method[0].ordering = CHOLMOD_AMD;
   self.view.nrow = static_cast<size_t>(lower.rows());

@@ -6,7 +6,8 @@
 
 namespace relievo::benchmarks {
 
-/// CHOLMOD's supernodal factorisation in the order that its approximate minimum degree gives.
+/// Factorises by CHOLMOD, in the order of its approximate minimum degree. CHOLMOD chooses between
+/// its simplicial and its supernodal method.
 class CholmodFactor {
  public:
   /// Analyses the pattern of a matrix of which the lower triangle is stored.
