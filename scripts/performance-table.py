@@ -72,11 +72,12 @@ def references(results):
     for size in sizes(results, "factor"):
         name = "/".join(size)
         rows.append([size[0], size[1]] +
-                    [ms(results, f"{method}/{name}") for method in ("factor", "eigen", "cholmod")] +
+                    [ms(results, f"{method}/{name}")
+                     for method in ("factor", "eigen", "cholmod_simplicial", "cholmod_choice")] +
                     [ratio(results, f"interior_point/{name}", f"order_cold/{name}"),
                      ratio(results, f"multipliers/{name}", f"solve/{name}")])
-    return table(["drawing", "vertices", "own, ms", "Eigen, ms", "CHOLMOD, ms",
-                  "interior point / order", "multipliers / solve"], rows)
+    return table(["drawing", "vertices", "own, ms", "Eigen", "CHOLMOD, simplicial",
+                  "CHOLMOD, its choice", "interior point / order", "multipliers / solve"], rows)
 
 
 def edits(results):

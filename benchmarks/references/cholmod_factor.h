@@ -6,12 +6,12 @@
 
 namespace relievo::benchmarks {
 
-/// Factorises by CHOLMOD, in the order of its approximate minimum degree. CHOLMOD chooses between
-/// its simplicial and its supernodal method.
+/// Factorises by CHOLMOD, in the order of its approximate minimum degree.
 class CholmodFactor {
  public:
-  /// Analyses the pattern of a matrix of which the lower triangle is stored.
-  explicit CholmodFactor(const SparseMatrix& lower);
+  /// Analyses the pattern of a matrix of which the lower triangle is stored. Takes the simplicial
+  /// method, or lets CHOLMOD choose between that and its supernodal one.
+  CholmodFactor(const SparseMatrix& lower, bool simplicial);
   ~CholmodFactor();
   CholmodFactor(const CholmodFactor&) = delete;
   CholmodFactor& operator=(const CholmodFactor&) = delete;
