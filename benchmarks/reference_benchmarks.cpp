@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 
+#include <Eigen/SparseCholesky>
 #include <string>
 
 #include "benchmarks/characters.h"
@@ -27,10 +28,28 @@ void own_factor(State& state, const std::string& name, int vertices) {
   state.counters["entries"] = static_cast<double>(program.system.factor.factor_entries());
 }
 
-void cholmod(State& state, const std::string& name, int vertices) {
-  CholmodFactor factor(program_of(surface_of(name, vertices)).system.qp.K);
+void cholmod(State& state, const std::string& name, int vertices, bool simplicial) {
+  CholmodFactor factor(program_of(surface_of(name, vertices)).system.qp.K, simplicial);
   for (auto _ : state)
     if (!factor.factorise()) state.SkipWithError("not definite");
+}
+
+void cholmod_simplicial(State& state, const std::string& name, int vertices) {
+  cholmod(state, name, vertices, true);
+}
+
+void cholmod_choice(State& state, const std::string& name, int vertices) {
+  cholmod(state, name, vertices, false);
+}
+
+void eigen(State& state, const std::string& name, int vertices) {
+  const SparseMatrix K = program_of(surface_of(name, vertices)).system.qp.K;
+  Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower> factor;
+  factor.analyzePattern(K);
+  for (auto _ : state) {
+    factor.factorize(K);
+    if (factor.info() != Eigen::Success) state.SkipWithError("not definite");
+  }
 }
 
 double difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
@@ -76,7 +95,9 @@ void add_size(const std::string& name, int vertices) {
         ->UseRealTime();
   };
   add("factor", own_factor);
-  add("cholmod", cholmod);
+  add("cholmod_simplicial", cholmod_simplicial);
+  add("cholmod_choice", cholmod_choice);
+  add("eigen", eigen);
   if (vertices > largest_for_slow_ones) return;
   add("interior_point", interior_point);
   add("multipliers", multipliers)->Iterations(1);

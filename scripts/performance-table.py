@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Writes the measurements of relievo_benchmark into docs/performance.md.
 
-Usage: performance-table.py ONE.json ALL.json, made with relievo_benchmark --benchmark_out=..., the
-first with --threads=1 for processor times, the second without for wall times
+Usage: performance-table.py RUN.json..., each made with relievo_benchmark --threads=1
+--benchmark_out=RUN.json; a later run replaces what it measures again
 """
 import json
 import pathlib
+import statistics
 import sys
 
 PAGE = pathlib.Path(__file__).parent.parent / "docs" / "performance.md"
@@ -28,14 +29,9 @@ def ms(results, name):
     return "" if run is None else f"{run['cpu_time']:.3g}"
 
 
-def wall_ms(results, name):
-    run = results.get(name)
-    return "" if run is None else f"{run['real_time']:.3g}"
-
-
-def ratio(results, name, baseline, time="cpu_time"):
+def ratio(results, name, baseline):
     run, other = results.get(name), results.get(baseline)
-    return "" if run is None or other is None else f"{run[time] / other[time]:.3g}"
+    return "" if run is None or other is None else f"{run['cpu_time'] / other['cpu_time']:.3g}"
 
 
 def count(results, name, counter):
@@ -54,78 +50,60 @@ def sizes(results, stage):
 
 
 def stages(results):
-    columns = ["mesh", "discretise", "inflate", "order", "order_cold", "solve", "build", "model"]
+    columns = ["mesh", "discretise", "inflate", "order", "solve", "build", "model"]
     rows = []
     for size in sizes(results, "solve"):
         name = "/".join(size)
-        rows.append([size[0], size[1]] + [ms(results, f"{stage}/{name}") for stage in columns] +
-                    [count(results, f"order/{name}", "iterations"),
-                     count(results, f"order_cold/{name}", "iterations")])
-    return table(["drawing", "vertices"] + columns + ["iterations", "cold"], rows)
+        if size[0] == "wolf" or size[1] == "40000":
+            rows.append([size[0], size[1]] + [ms(results, f"{stage}/{name}") for stage in columns] +
+                        [count(results, f"order/{name}", "iterations")])
+    return table(["drawing", "vertices"] + columns + ["iterations"], rows)
 
 
 def solids(results):
-    rows = []
-    for size in sizes(results, "figure"):
-        name = "/".join(size)
-        row = [size[0], size[1]]
-        for kind in ["solid", "figure", "mirrored"]:
-            row += [ms(results, f"{kind}/{name}"), count(results, f"{kind}/{name}", "triangles")]
-        rows.append(row)
-    return table(["drawing", "vertices", "solid", "triangles", "figure", "triangles", "a leg mirrored",
-                  "triangles"], rows)
+    columns = ["solid", "figure", "mirrored"]
+    rows = [[drawing, vertices] + [ms(results, f"{kind}/{drawing}/{vertices}") for kind in columns]
+            for drawing, vertices in sizes(results, "figure")]
+    return table(["drawing", "vertices", "solid", "figure", "a leg mirrored"], rows)
 
 
 def references(results):
     rows = []
-    for size in sizes(results, "cholmod"):
+    for size in sizes(results, "factor"):
         name = "/".join(size)
-        rows.append([size[0], size[1], ms(results, f"cholmod/{name}"),
-                     ratio(results, f"cholmod/{name}", f"factor/{name}"),
-                     ratio(results, f"solve/{name}", f"cholmod/{name}"),
-                     ratio(results, f"interior_point/{name}", f"order_cold/{name}"),
+        rows.append([size[0], size[1]] +
+                    [ms(results, f"{method}/{name}")
+                     for method in ("factor", "eigen", "cholmod_simplicial", "cholmod_choice")] +
+                    [ratio(results, f"interior_point/{name}", f"order_cold/{name}"),
                      ratio(results, f"multipliers/{name}", f"solve/{name}")])
-    return table(["drawing", "vertices", "CHOLMOD, ms", "CHOLMOD / own", "solve / CHOLMOD",
-                  "interior point / order", "multipliers / solve"], rows)
+    return table(["drawing", "vertices", "own, ms", "Eigen", "CHOLMOD, simplicial",
+                  "CHOLMOD, its choice", "interior point / order", "multipliers / solve"], rows)
 
 
-def walls(results):
-    columns = ["mesh", "discretise", "inflate", "order", "solve", "build", "model"]
-    rows = []
-    for drawing, vertices in sizes(results, "solve"):
-        name = f"{drawing}/{vertices}"
-        rows.append([drawing, vertices] + [wall_ms(results, f"{stage}/{name}") for stage in columns] +
-                    [ratio(results, f"solve/{name}", f"cholmod/{name}", "real_time"),
-                     ratio(results, f"multipliers/{name}", f"solve/{name}", "real_time")])
-    return table(["drawing", "vertices"] + columns + ["solve / CHOLMOD", "multipliers / solve"],
-                 rows)
-
-
-def edits(results, threaded):
-    rows = []
-    for name, run in sorted(results.items()):
+def edits(results):
+    """Over the drawings."""
+    runs = {}
+    for name, run in results.items():
         if name.startswith("edit/"):
-            _, drawing, edit = name.split("/")
-            changes = int(run["changes"])
-            rows.append([drawing, edit.replace("_", " "), f"{run['cpu_time']:.3g}",
-                         wall_ms(threaded, name),
-                         "other mesh" if changes < 0 else str(changes),
-                         f"{run['iterations']:.0f}"])
-    return table(["drawing", "edit", "ms", "wall ms", "gaps that open or close", "iterations"], rows)
-
-
-def nonlinear(results, threaded):
+            runs.setdefault(name.split("/")[2], []).append(run)
     rows = []
-    for bound in ("100", "0.01"):
-        for drawing, vertices in sizes(results, f"nonlinear_{bound}"):
-            name = f"nonlinear_{bound}/{drawing}/{vertices}"
-            run, wall = results[name], threaded.get(name)
-            rows.append([drawing, vertices, bound, f"{run['steps']:.0f}",
-                         f"{run['processor_ms']:.3g}", f"{run['ratio']:.2g}",
-                         f"{wall['wall_ms']:.3g}" if wall else "",
-                         f"{wall['wall_ratio']:.2g}" if wall else ""])
-    return table(["drawing", "vertices", "λ_bnd", "steps", "ms", "non-linear / approximate",
-                  "wall ms", "wall ratio"], rows)
+    for edit, found in sorted(runs.items()):
+        times = [run["cpu_time"] for run in found]
+        rows.append([edit.replace("_", " "), f"{statistics.median(times):.3g}", f"{max(times):.3g}",
+                     "yes" if any(run["changes"] < 0 for run in found) else ""])
+    return table(["edit", "ms, median", "most", "other mesh"], rows)
+
+
+def nonlinear(results):
+    rows = []
+    for drawing, vertices in sizes(results, "nonlinear_100"):
+        row = [drawing, vertices]
+        for bound in ("100", "0.01"):
+            run = results[f"nonlinear_{bound}/{drawing}/{vertices}"]
+            row += [f"{run['steps']:.0f}", f"{run['processor_ms']:.3g}", f"{run['ratio']:.2g}"]
+        rows.append(row)
+    return table(["drawing", "vertices", "steps, 100", "ms", "ratio", "steps, 0.01", "ms", "ratio"],
+                 rows)
 
 
 def descents(results):
@@ -139,19 +117,20 @@ def descents(results):
 
 
 def main():
-    if len(sys.argv) != 3:
+    if len(sys.argv) < 2:
         sys.exit(__doc__)
-    results, threaded = read(sys.argv[1]), read(sys.argv[2])
+    results = {}
+    for path in sys.argv[1:]:
+        results.update(read(path))
     page = PAGE.read_text()
     before, rest = page.split(BEGIN)
     _, after = rest.split(END)
     parts = [("Stages, ms", stages(results)),
-             ("Wall times with a thread for each of two cores, ms", walls(threaded)),
-             ("Solids and figures, ms", solids(results)),
-             ("References", references(results)),
-             ("Edits at 40,000 vertices", edits(results, threaded)),
-             ("Non-linear, operators and inflation included", nonlinear(results, threaded)),
-             ("L-BFGS on an augmented Lagrangian, λ_bnd = 100", descents(results))]
+             ("Edits at 40,000 vertices", edits(results)),
+             ("Factorisations of the order's matrix, and other methods", references(results)),
+             ("Non-linear method with λ_bnd = 100 and 0.01", nonlinear(results)),
+             ("L-BFGS on an augmented Lagrangian, λ_bnd = 100", descents(results)),
+             ("Solids and figures, ms", solids(results))]
     body = "\n".join(f"### {title}\n\n{text}" for title, text in parts if text.count("\n") > 2)
     PAGE.write_text(before + BEGIN + "\n" + body + "\n" + END + after)
 

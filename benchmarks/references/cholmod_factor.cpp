@@ -11,12 +11,12 @@ struct CholmodFactor::Implementation {
   cholmod_factor* factor = nullptr;
 };
 
-CholmodFactor::CholmodFactor(const SparseMatrix& lower)
+CholmodFactor::CholmodFactor(const SparseMatrix& lower, bool simplicial)
     : implementation_(std::make_unique<Implementation>()) {
   Implementation& self = *implementation_;
   self.matrix = lower;
   cholmod_start(&self.common);
-  self.common.supernodal = CHOLMOD_SUPERNODAL;
+  self.common.supernodal = simplicial ? CHOLMOD_SIMPLICIAL : CHOLMOD_AUTO;
   self.common.nmethods = 1;
   self.common.method[0].ordering = CHOLMOD_AMD;
   self.view.nrow = static_cast<size_t>(lower.rows());

@@ -6,11 +6,12 @@
 
 namespace relievo::benchmarks {
 
-/// CHOLMOD's supernodal factorisation in the order that its approximate minimum degree gives.
+/// Factorises by CHOLMOD, in the order of its approximate minimum degree.
 class CholmodFactor {
  public:
-  /// Analyses the pattern of a matrix of which the lower triangle is stored.
-  explicit CholmodFactor(const SparseMatrix& lower);
+  /// Analyses the pattern of a matrix of which the lower triangle is stored. Takes the simplicial
+  /// method, or lets CHOLMOD choose between that and its supernodal one.
+  CholmodFactor(const SparseMatrix& lower, bool simplicial);
   ~CholmodFactor();
   CholmodFactor(const CholmodFactor&) = delete;
   CholmodFactor& operator=(const CholmodFactor&) = delete;

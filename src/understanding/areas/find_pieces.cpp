@@ -27,7 +27,7 @@ constexpr double outside_worth = 3;     ///< rad^2, of one that runs outside the
 constexpr double most_bend = 2;         ///< rad^2
 constexpr double widest_gap = 0.4;      ///< of the figure's height
 /// Log-odds of two such areas to be one part, fitted by logistic regression, and from which on they
-/// are taken for one (docs/stages/segmentation.md).
+/// are taken for one (docs/understanding/segmentation.md).
 constexpr double two_parts = 6.45;
 constexpr double hidden_weight = 4.5;
 constexpr double beside_weight = 2.75;

@@ -13,7 +13,7 @@ namespace relievo::understanding {
 namespace {
 
 /// Log-odds of the model: what a cue that is sure adds for the part for which it speaks. Fitted
-/// by logistic regression on pairs whose order is known (docs/stages/stacking.md).
+/// by logistic regression on pairs whose order is known (docs/understanding/stacking.md).
 constexpr double shape_weight = 1.6;
 constexpr double contour_weight = 2.5;
 constexpr double junction_weight = 3.5;
