@@ -8,23 +8,24 @@
 
 namespace relievo::understanding {
 
-/// Pairs of areas that are likelier pieces of one part than two parts, the likeliest first: where a
-/// third one hides both, as junctions tell, and the contour of one goes on in that of the other
-/// behind it, by how it bends, how far that is, their sizes and whether they stand side by side.
-/// `labels` are those of areas, 0 is background. O(pixels + contour ends at an area, squared).
+/// Finds pairs of areas that are likelier two pieces of one part than two parts, the likeliest
+/// first. A third area hides both, as T-junctions show, and the contour of one continues behind it
+/// in the contour of the other. The likelihood depends on the bend and length of the hidden
+/// contour, the sizes of the areas and whether they stand side by side. `labels`: 0 is background.
+/// O(pixels + contour ends at an area, squared).
 std::vector<std::pair<uint16_t, uint16_t>> find_pieces(const Image16& labels);
 
-/// A contour of an area that goes on, beyond what parts them, in one of the background.
+/// A contour of an area that continues, behind what separates them, in a contour of the background.
 struct HoleCue {
-  uint16_t area = 0;    ///< labels, not 0
-  uint16_t before = 0;  ///< what has that contour, to one side of what parts them
-  uint16_t after = 0;   ///< and to the other
+  uint16_t area = 0;    ///< label of the area, not 0
+  uint16_t before = 0;  ///< label that has this contour on one side of what separates them
+  uint16_t after = 0;   ///< label that has it on the other side
 };
 
-/// What tells by contours alone that the background shows in an area, as between the legs of an
-/// animal: it hardly touches the background and not the picture's edge, and a contour goes on
-/// nearly straight from one into the other. `labels` are those of areas, 0 is background.
-/// Precondition: none is 65535. O(pixels + contour ends at an area, squared).
+/// Finds areas through which the background may be seen, such as between the legs of an animal, by
+/// their contours alone: one continues nearly straight in a contour of the background. The area
+/// hardly touches the background and not the picture's border. `labels`: 0 is background.
+/// Precondition: no label is 65535. O(pixels + contour ends at an area, squared).
 std::vector<HoleCue> find_holes(const Image16& labels);
 
 }  // namespace relievo::understanding
