@@ -92,7 +92,7 @@ TEST(CutNecks, HeadsAreCutAtTheNeck) {
   }
 }
 
-TEST(CutNecks, WhatHasNoNeckStaysWhole) {
+TEST(CutNecks, FiguresWithoutNecksStayWhole) {
   const Point2 middle = at_angle(0, 0);
   const std::vector<std::vector<Capsule>> figures = {
       {{middle, middle, 100}},
@@ -139,7 +139,7 @@ std::vector<std::pair<uint16_t, uint16_t>> between(uint8_t left, uint8_t right, 
   return open_borders(rgba, labels);
 }
 
-TEST(OpenBorders, AreThoseAlongWhichNothingIsDrawn) {
+TEST(OpenBorders, HaveNothingDrawnAlongThem) {
   const std::vector<std::pair<uint16_t, uint16_t>> pair = {{1, 2}};
   EXPECT_EQ(between(255, 255, false), pair);
   EXPECT_EQ(between(120, 128, false), pair);

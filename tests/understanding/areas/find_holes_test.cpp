@@ -28,7 +28,7 @@ class Painting {
     return *this;
   }
 
-  /// As it is, or with x and y exchanged.
+  /// Returns the drawing as it is, or with x and y exchanged.
   Drawing drawing(bool turned) const {
     if (!turned) return {rgba_};
     Drawing drawing{rgba_};
@@ -50,7 +50,7 @@ class Painting {
   Image8 rgba_;
 };
 
-/// Whether a place of the painting becomes background, as it is and turned.
+/// Expects a point of the painting to become background or not, as it is and turned.
 void expect_background(const Painting& painting, Point2 place, bool expected) {
   for (const bool turned : {false, true}) {
     const auto s = segment_drawing(painting.drawing(turned));
@@ -80,18 +80,18 @@ TEST(FindHoles, InsideAnArmOnTheHipIsBackground) {
   expect_background(painting, {255, 200}, true);
 }
 
-TEST(FindHoles, WhatIsPaintedWhiteStays) {
+TEST(FindHoles, WhitePaintStays) {
   Painting painting;
   painting.limb({110, 130}, {290, 130}, 50).limb({150, 130}, {180, 130}, 20, white);
   painting.limb({270, 150}, {310, 380}, 14).limb({130, 150}, {90, 380}, 14);
   expect_background(painting, {165, 130}, false);
 }
 
-TEST(FindHoles, WhatSomethingIsDrawnInIsNoBackground) {
+TEST(FindHoles, AreasWithDrawingInThemAreNoBackground) {
   expect_background(crossing_legs().limb({200, 215}, {200, 216}, 4, black), {200, 190}, false);
 }
 
-/// A body, 1, with an arm on its hip, 2, and what that encloses, 3.
+/// A body, 1, with an arm on its hip, 2, and the area that they enclose, 3.
 Image16 arm_on_hip() {
   Image16 labels(300, 300, 1);
   const auto fill = [&labels](const Box2& box, uint16_t label) {
@@ -104,7 +104,7 @@ Image16 arm_on_hip() {
   return labels;
 }
 
-TEST(FindHoles, ABodysContourGoesOnBehindItsArm) {
+TEST(FindHoles, ABodysContourContinuesBehindItsArm) {
   const std::vector<HoleCue> cues = find_holes(arm_on_hip());
   ASSERT_FALSE(cues.empty());
   for (const HoleCue& cue : cues) {
@@ -114,7 +114,7 @@ TEST(FindHoles, ABodysContourGoesOnBehindItsArm) {
   }
 }
 
-TEST(FindHoles, WhatLiesOnTheBackgroundOrTheEdgeIsNone) {
+TEST(FindHoles, AreasOpenToTheBackgroundOrTheBorderAreNone) {
   Image16 open = arm_on_hip();
   for (int y = 140; y < 160; ++y)
     for (int x = 210; x < 230; ++x) open.at(x, y) = 0;

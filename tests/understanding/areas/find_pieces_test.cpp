@@ -16,7 +16,7 @@ using Pieces = std::vector<std::pair<uint16_t, uint16_t>>;
 
 const Box2 upright_body = {{70, 20}, {130, 280}};
 
-/// The labels of a body, 1, and of what is seen to its left and right, 2 and 3.
+/// The labels of a body, 1, and of two areas to its left and right, 2 and 3.
 Image16 beside_body(const Box2& left, const Box2& right) {
   Image16 labels(200, 300, 1);
   const std::array<Box2, 3> boxes = {upright_body, left, right};
@@ -34,14 +34,14 @@ TEST(FindPieces, ACapeIsSeenOnBothSidesOfABody) {
         << top;
 }
 
-TEST(FindPieces, WhatDoesNotGoOnBehindTheBodyStaysApart) {
+TEST(FindPieces, AreasThatDoNotContinueBehindTheBodyStayApart) {
   const Box2 left = {{50, 60}, {70, 120}};
   EXPECT_TRUE(find_pieces(beside_body(left, {{130, 160}, {150, 220}})).empty());
-  // Nothing hides what ends before the body.
+  // The body does not hide areas that end before it.
   EXPECT_TRUE(find_pieces(beside_body({{45, 60}, {65, 120}}, {{135, 60}, {155, 120}})).empty());
 }
 
-/// As `beside_body`, where the body is stout in the middle: its contour bends at what it hides.
+/// Like beside_body, but the body is stout in the middle: its contour bends where it hides.
 Image16 beside_stout_body(double slope) {
   Image16 labels = beside_body({{56, 120}, {70, 180}}, {{130, 120}, {144, 180}});
   for (int y = 20; y < 280; ++y) {
@@ -52,7 +52,7 @@ Image16 beside_stout_body(double slope) {
   return labels;
 }
 
-TEST(FindPieces, WhatHidesMayBendAtWhatItHides) {
+TEST(FindPieces, AnOccludersContourMayBend) {
   for (const double slope : {0.0, 0.5, 1.0})
     EXPECT_EQ(find_pieces(beside_stout_body(slope)), (Pieces{{2, 3}})) << slope;
 }

@@ -21,8 +21,8 @@ TEST(ProposeRegions, ColoursInsideAnInkedOutlineAreTexture) {
   EXPECT_EQ(inked->parts.size(), 1U);
 }
 
-/// A body on a leg in a boot of another colour. The boot is parted from the leg, and the body at
-/// its middle, by dashes that cover a share of the border.
+/// A body on a leg in a boot of another colour. Dashes that cover a share of the border separate
+/// the boot from the leg, and both halves of the body.
 Drawing body_with_boot(double drawn) {
   Drawing drawing{Image8(300, 420, 4, 255)};
   const auto paint = [&](int x, int y, std::array<int, 3> colour) {
@@ -56,8 +56,8 @@ TEST(ProposeRegions, SmallPiecesUniteMoreEasilyThanLargeOnes) {
   EXPECT_NE(whole->labels.at(150, 300), whole->labels.at(150, 344)) << "leg and boot";
 }
 
-/// A block that is brown to the left and yellow to the right, which changes over `width` px at its
-/// middle; a line parts both there but for a fifth above and below.
+/// A block that is brown on the left and yellow on the right and changes over `width` px in its
+/// middle. A line separates both there except for a fifth at the top and at the bottom.
 Drawing block_with_change(double width) {
   constexpr std::array<int, 3> brown = {140, 80, 30};
   constexpr std::array<int, 3> yellow = {240, 200, 60};
@@ -73,7 +73,7 @@ Drawing block_with_change(double width) {
   return drawing;
 }
 
-TEST(ProposeRegions, AreasThatShadingAloneDiffersInAreOne) {
+TEST(ProposeRegions, AreasThatDifferByShadingAloneAreOne) {
   const Result<Segmentation> shaded = segment_drawing(block_with_change(320));
   const Result<Segmentation> soft = segment_drawing(block_with_change(16));
   const Result<Segmentation> hard = segment_drawing(block_with_change(1));

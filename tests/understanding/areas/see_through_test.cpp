@@ -49,7 +49,7 @@ TEST(SeeThrough, ALimbDrawnThroughTheBodyIsOnePart) {
       }
 }
 
-TEST(SeeThrough, WhatOverlapsAlikeBelongsToTheSmaller) {
+TEST(SeeThrough, AnOverlapOfTheSameColourBelongsToTheSmallerPart) {
   InkDrawing ink(500, 500);
   ink.circle({250, 320}, 130).circle({250, 150}, 80);
   const auto s = segment_drawing(ink.drawing());
@@ -58,7 +58,7 @@ TEST(SeeThrough, WhatOverlapsAlikeBelongsToTheSmaller) {
   EXPECT_EQ(seen_at(*s, {250, 210}), seen_at(*s, {250, 120}));
 }
 
-TEST(SeeThrough, WhatIsPaintedOtherwiseIsAPartOfItsOwn) {
+TEST(SeeThrough, AnOverlapOfAnotherColourIsAPart) {
   InkDrawing ink(500, 500);
   ink.disc({250, 320}, 130, 150, 180, 240).disc({250, 150}, 80, 240, 220, 150);
   Drawing drawing = ink.circle({250, 320}, 130).circle({250, 150}, 80).drawing();

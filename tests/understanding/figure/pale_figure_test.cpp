@@ -43,8 +43,8 @@ TEST_P(PaleFigure, IsWholeOnPureWhite) {
 
 INSTANTIATE_TEST_SUITE_P(Contrasts, PaleFigure, ::testing::Values(14, 25, 35, 58, 90));
 
-/// Cut by the picture's lower edge, along four fifths of that.
-TEST(PureWhite, IsWhatABustLeavesOfTheEdge) {
+/// The lower edge cuts off the bust along four fifths of its length.
+TEST(PureWhite, MayBePartlyCoveredByABust) {
   for (const int level : {230, 220, 165}) {
     const auto grey = static_cast<uint8_t>(level);
     InkDrawing bust(300, 260);
@@ -62,8 +62,8 @@ TEST(PureWhite, IsWhatABustLeavesOfTheEdge) {
   }
 }
 
-/// The light on a pale ball is no light on paper.
-TEST(PureWhite, IsNoneOfABallWhereLightFallsOnIt) {
+/// The shading of a pale ball is no light on paper, which would be divided out.
+TEST(PureWhite, KeepsTheShadingOfAPaleBall) {
   Image8 ball(300, 300, 4, 255);
   for (int y = 0; y < 300; ++y)
     for (int x = 0; x < 300; ++x) {
@@ -96,7 +96,7 @@ TEST(PureWhite, IsNotThePaperOfAPhotographOrAScan) {
   EXPECT_FALSE(is_on_pure_white(framed)) << "a photograph in a white frame";
 }
 
-TEST(PureWhite, IsWhatLiesUnderNothing) {
+TEST(PureWhite, IncludesTransparency) {
   Drawing cut_out = mouse(20);
   for (size_t i = 0; i < cut_out.rgba.pixels.size(); i += 4)
     if (cut_out.rgba.pixels[i + 1] == 255)

@@ -48,14 +48,14 @@ TEST(LabelBasins, ProposalsAreKeptWhereNobodyDraws) {
   EXPECT_NE(s->labels.at(200, 50), s->labels.at(330, 50));
 }
 
-/// Pixels of a labelled drawing that are parts, and the number of these.
+/// Counts the pixels of a labelled drawing that are parts, and the parts.
 std::pair<int64_t, size_t> figure_of(const Segmentation& s) {
   int64_t area = 0;
   for (const SegmentedPart& part : s.parts) area += part.area;
   return {area, s.parts.size()};
 }
 
-TEST(LabelBasins, FewerPartsAreUnionsOfThoseThatWereFound) {
+TEST(LabelBasins, FewerPartsAreUnionsOfTheProposedOnes) {
   const Basins basins = rooms();
   const Result<Segmentation> found = label_basins(basins);
   ASSERT_TRUE(found.ok());
@@ -101,7 +101,7 @@ TEST(LabelBasins, MorePartsDivideAnAreaWhereItIsNarrow) {
   EXPECT_EQ(s->labels.at(360, 60), s->labels.at(460, 180));
 }
 
-TEST(LabelBasins, AsManyPartsAsCannotBeAreAsManyAsCan) {
+TEST(LabelBasins, TooManyPartsAreAsManyAsPossible) {
   const Basins basins = rooms();
   Scribbles scribbles;
   scribbles.count = 1000;
@@ -121,7 +121,7 @@ TEST(LabelBasins, OneStrokeOverSeveralAreasMakesThemOnePart) {
   EXPECT_EQ(s->labels.at(80, 50), s->labels.at(200, 50));
 }
 
-TEST(LabelBasins, JoiningLeavesNothingButWhatWasDrawn) {
+TEST(LabelBasins, CompleteStrokesLeaveNoOtherParts) {
   const Scribbles scribbles{
       {"a", "b"},
       {stroke(ScribbleKind::hard, 0, {{80, 110}}), stroke(ScribbleKind::hard, 1, {{330, 110}})},
@@ -181,7 +181,7 @@ TEST(LabelBasins, ASlipOverALineIsForgiven) {
   EXPECT_NE(s->labels.at(200, 50), 1);
 }
 
-TEST(LabelBasins, CompleteStrokesTakeWhatHasTheirColour) {
+TEST(LabelBasins, CompleteStrokesTakeAreasOfTheirColour) {
   InkDrawing ink(420, 220);
   ink.line({20, 20}, {400, 20}).line({400, 20}, {400, 200}).line({400, 200}, {20, 200});
   ink.line({20, 200}, {20, 20}).line({140, 20}, {140, 200}).line({260, 20}, {260, 200});

@@ -13,7 +13,7 @@
 namespace relievo::understanding {
 namespace {
 
-/// White paper that grain makes darker by up to `grain`.
+/// White paper with grain that is darker by up to `grain`.
 Image8 paper(int width, int height, int grain) {
   Image8 rgba(width, height, 4, 255);
   std::mt19937 random(7);
@@ -29,8 +29,8 @@ void darken(Image8& rgba, int x, int y, double by) {
     rgba.at(x, y, c) = static_cast<uint8_t>(std::max(0.0, rgba.at(x, y, c) - by));
 }
 
-/// A ring of a line 2.5 px wide, blurred, whose contrast falls from 170 at the left to `faintest`
-/// at the right.
+/// A blurred ring, 2.5 px wide, whose contrast falls from 170 at the left to `faintest` at the
+/// right.
 Drawing fading_ring(int faintest, int grain) {
   Drawing drawing{paper(320, 320, grain)};
   for (int y = 0; y < 320; ++y)
@@ -62,7 +62,7 @@ TEST(LineArt, DoesNotTakeGrainForLines) {
   EXPECT_EQ(s->labels.at(5, 5), 0);
 }
 
-/// Two rings, and a black wedge between them that is broader than lines are.
+/// Two rings, and a black wedge between them that is wider than lines.
 Drawing figure_with_black_neck() {
   Drawing drawing{paper(500, 700, 0)};
   const auto ring = [](Point2 p, Point2 middle) { return std::abs(distance(p, middle) - 120) < 3; };
@@ -101,7 +101,7 @@ Image8 crayon_face(int page) {
   return rgb;
 }
 
-TEST(LineArt, IsNoneWhereASmallFigureIsColoured) {
+TEST(LineArt, ASmallColouredFigureIsNone) {
   for (const int page : {200, 400, 700}) EXPECT_TRUE(find_lines(crayon_face(page)).painted) << page;
 }
 

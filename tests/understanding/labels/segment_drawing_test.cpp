@@ -58,8 +58,8 @@ TEST(SegmentDrawing, InkDividesDarkPaint) {
 }
 
 TEST(SegmentDrawing, WhiskersBelongToTheHeadAndNotToTheBackground) {
-  // A whisker drawn as a thin closed shape reaches from the cheek over the head's outline; so
-  // narrow a gap between strokes is no part, wherever most of it lies.
+  // A whisker drawn as a thin closed shape reaches from the cheek over the head's outline. Such a
+  // narrow gap between strokes is no part.
   for (const double end : {240.0, 270.0}) {
     InkDrawing ink(300, 240);
     ink.arc({150, 120}, 80, 0.008, 0.992);
@@ -106,7 +106,7 @@ TEST(SegmentDrawing, AreasAndBoxesAreThoseOfTheLabels) {
   }
 }
 
-TEST(SegmentDrawing, GroundAndLightDoNotChangeTheParts) {
+TEST(SegmentDrawing, BackgroundAndLightDoNotChangeTheParts) {
   const Result<Segmentation> plain = segment_drawing(snowman().drawing());
   const Result<Segmentation> transparent = segment_drawing(snowman().on_transparent_ground());
   const Result<Segmentation> photo = segment_drawing(snowman().photographed());
@@ -120,7 +120,7 @@ TEST(SegmentDrawing, GroundAndLightDoNotChangeTheParts) {
   }
 }
 
-TEST(SegmentDrawing, WhiteLinesOnATransparentGroundCount) {
+TEST(SegmentDrawing, WhiteLinesOnATransparentBackgroundCount) {
   Drawing drawing = snowman().on_transparent_ground();
   for (size_t i = 0; i < drawing.rgba.pixels.size(); ++i)
     if (i % 4 != 3) drawing.rgba.pixels[i] = 255;
@@ -129,7 +129,7 @@ TEST(SegmentDrawing, WhiteLinesOnATransparentGroundCount) {
   EXPECT_EQ(s->parts.size(), 2U);
 }
 
-/// Share of pixels whose labels correspond under the most frequent pairing of labels.
+/// Computes the share of pixels whose labels correspond under the most frequent pairing of labels.
 double agreement(const Image16& a, const Image16& b) {
   std::map<std::pair<int, int>, int64_t> together;
   for (size_t i = 0; i < a.pixels.size(); ++i) ++together[{a.pixels[i], b.pixels[i]}];
@@ -159,7 +159,7 @@ TEST(SegmentDrawing, SameDrawingGivesTheSame) {
   EXPECT_EQ(a->labels.pixels, b->labels.pixels);
 }
 
-TEST(SegmentDrawing, GapsAreClosedUntilTheyAreNoGapsAnyMore) {
+TEST(SegmentDrawing, GapsAreClosedUpToAWidth) {
   int closed_up_to = 0;
   for (int gap = 0; gap <= 240; gap += 20) {
     const double turn = gap / (2 * 3.14159 * 100);
@@ -180,7 +180,7 @@ TEST(SegmentDrawing, GapsAreClosedUntilTheyAreNoGapsAnyMore) {
   EXPECT_LT(closed_up_to, 240) << "an arc of a circle is no area";
 }
 
-TEST(SegmentDrawing, FlatColoursWithoutLinesArePartedAtTheirEdges) {
+TEST(SegmentDrawing, FlatColoursWithoutLinesAreSeparatedAtTheirEdges) {
   const Result<Segmentation> s = segment_drawing(InkDrawing(320, 240)
                                                      .disc({120, 120}, 80, 240, 120, 40)
                                                      .disc({210, 120}, 60, 40, 110, 220)
@@ -220,7 +220,7 @@ InkDrawing stick_figure() {
   return stick;
 }
 
-/// Share of the dark pixels that belong to some part.
+/// Computes the share of the dark pixels that belong to some part.
 double kept_ink(const Drawing& drawing, const Segmentation& s) {
   double ink = 0;
   double kept = 0;
@@ -259,7 +259,7 @@ TEST(SegmentDrawing, TailsAreTubesAndSpecksAndRuledPaperAreNot) {
   EXPECT_EQ(label_at(*s, 300, 20), 0) << "a line of the paper";
 }
 
-TEST(SegmentDrawing, StrokesSayWhatATubeIs) {
+TEST(SegmentDrawing, StrokesGiveATubeToAPart) {
   const Drawing drawing = stick_figure().drawing();
   Scribbles outside;
   outside.strokes.push_back({ScribbleKind::outside, 0, {{148, 200}, {152, 210}}, 6});
@@ -293,7 +293,7 @@ TEST(SegmentDrawing, StrokesDivideATubeBetweenThem) {
   EXPECT_EQ(label_at(*s, 110, 220), 0) << "paper";
 }
 
-TEST(SegmentDrawing, AHandCutByThePicturesEdgeIsOfTheFigure) {
+TEST(SegmentDrawing, AHandCutByThePicturesEdgeBelongsToTheFigure) {
   InkDrawing ink(400, 300);
   ink.circle({110, 150}, 70).line({178, 130}, {400, 130}).line({178, 170}, {400, 170});
   const Result<Segmentation> s = segment_drawing(ink.drawing());
@@ -308,7 +308,7 @@ InkDrawing pale_figure() {
   return InkDrawing(240, 320).disc({120, 90}, 50, 250, 250, 250).disc({120, 200}, 80, 200, 60, 60);
 }
 
-TEST(SegmentDrawing, APictureThatWasCutOutIsTakenAsCut) {
+TEST(SegmentDrawing, OpaquePixelsOfACutOutPictureAreTheFigure) {
   Drawing drawing = pale_figure().drawing();
   const auto is_cut_out = [](int x, int y) {
     return distance({x * 1.0, y * 1.0}, {120, 90}) > 50 &&
@@ -323,7 +323,7 @@ TEST(SegmentDrawing, APictureThatWasCutOutIsTakenAsCut) {
       ASSERT_EQ(label_at(*s, x, y) == 0, is_cut_out(x, y)) << x << ", " << y;
 }
 
-TEST(SegmentDrawing, PalePaintIsOfTheFigureAndPaperIsNot) {
+TEST(SegmentDrawing, PalePaintBelongsToTheFigureAndPaperDoesNot) {
   const Drawing drawing = InkDrawing(240, 320)
                               .disc({120, 90}, 50, 222, 226, 240)
                               .disc({120, 200}, 80, 200, 60, 60)
@@ -337,7 +337,7 @@ TEST(SegmentDrawing, PalePaintIsOfTheFigureAndPaperIsNot) {
   EXPECT_EQ(label_at(*s, 5, 5), 0);
 }
 
-TEST(SegmentDrawing, DrawingsOfNothingSayWhatToDo) {
+TEST(SegmentDrawing, BlankDrawingsAreRefused) {
   for (const Drawing& drawing : {Drawing(), InkDrawing(50, 40).drawing(),
                                  InkDrawing(99, 99).line({0, 50}, {99, 50}).drawing()}) {
     const Result<Segmentation> none = segment_drawing(drawing);

@@ -36,23 +36,23 @@ TEST(Slits, BetweenFeetOpenTheGapBetweenLegs) {
     EXPECT_EQ(label_at(standing(gap), 200, 250), 0) << gap << " px";
     EXPECT_NE(label_at(standing(gap), 165, 250), 0) << "a leg, " << gap << " px";
   }
-  // Where feet touch, nothing tells the gap from a white part.
+  // Where feet touch, the gap looks like a white part.
   EXPECT_NE(label_at(standing(-6), 200, 250), 0);
 }
 
-TEST(Slits, OpenGapsBehindEachOther) {
+TEST(Slits, MayLieBehindEachOther) {
   InkDrawing figure = standing(4);
   for (const double toward : {-1.0, 1.0}) figure.disc({200 + toward * 20, 240}, 18, 150, 100, 60);
   EXPECT_EQ(label_at(figure, 200, 275), 0) << "below the knees";
   EXPECT_EQ(label_at(figure, 200, 208), 0) << "above them";
 }
 
-TEST(Slits, DoNotOpenWhatIsLargeBesideTheFigure) {
+TEST(Slits, DoNotOpenHolesLargeComparedWithTheFigure) {
   EXPECT_EQ(label_at(letter_c(40), 200, 200), 0);
   EXPECT_NE(label_at(letter_c(90), 200, 200), 0);
 }
 
-TEST(Slits, SayNothingInGrainyPaint) {
+TEST(Slits, AreIgnoredInGrainyPaint) {
   InkDrawing figure = letter_c(40);
   for (double y = 80; y < 320; y += 9)
     for (double x = 80; x < 320; x += 9)
@@ -61,7 +61,7 @@ TEST(Slits, SayNothingInGrainyPaint) {
 }
 
 TEST(Slits, AreNoGapsInALineAroundSomethingWhite) {
-  // A white muzzle beyond the rim of a brown head, whose line does not meet itself by 3 px.
+  // A white muzzle beyond the rim of a brown head; its outline has a gap of 3 px.
   InkDrawing figure(400, 400);
   figure.disc({160, 200}, 110, 150, 100, 60).disc({275, 200}, 40, 255, 255, 255);
   figure.arc({275, 200}, 40, 0.014, 0.986);

@@ -16,19 +16,19 @@ namespace {
 
 constexpr Point2 middle = {250, 250};
 constexpr double body_radius = 120;  ///< px
-constexpr double shoulder = 50;      ///< where the arm's lines end inside, px from the middle
-constexpr double hand = 225;         ///< where it is closed outside
+constexpr double shoulder = 50;      ///< px from the middle to the ends of the arm's lines inside
+constexpr double hand = 225;         ///< px from the middle to the closed end outside
 
 /// A round body, and across its outline an arm that is open at the shoulder.
 struct Arm {
-  double turn;        ///< its direction, turns
+  double turn;        ///< direction of the arm, turns
   double half_width;  ///< px
   double pen = 4;
 
   Point2 along() const {
     return {std::cos(2 * std::numbers::pi * turn), std::sin(2 * std::numbers::pi * turn)};
   }
-  /// A point of the arm, px from the middle and to the right of its middle line.
+  /// Returns a point of the arm, px from the middle and px to the right of its middle line.
   Point2 at(double distance, double aside) const {
     const Point2 d = along();
     return middle + distance * d + aside * Point2{-d.y, d.x};
@@ -62,7 +62,7 @@ TEST(OpenRoots, AnArmThatIsOpenAtTheShoulderIsAPart) {
         EXPECT_EQ(label(arm.at(190, 0)), label(arm.at(shoulder + 12, 0)));
         EXPECT_NE(label(arm.at(190, 0)), label(arm.at(shoulder - 12, 0)));
         EXPECT_EQ(label(arm.at(-60, 0)), label(arm.at(shoulder - 12, 0)));
-        // The closed gap is said, so that a person can object.
+        // The closed gap is reported, so that a user can object.
         ASSERT_EQ(s->bridges.size(), 1U);
         for (const Point2 p : s->bridges[0].points) {
           EXPECT_NEAR(dot(p - middle, arm.along()), shoulder, pen + 3);
@@ -134,7 +134,7 @@ TEST(BrokenOutlines, ACircleOfArcsIsAPart) {
     }
 }
 
-TEST(BrokenOutlines, AnEndGoesOnToTheLineOrTheDarkShapeAhead) {
+TEST(BrokenOutlines, AnEndContinuesToTheLineOrDarkShapeAhead) {
   for (int k = 0; k < 10; ++k) {
     const Arm arm{k % 5 / 5.0 + 0.02, 25};
     InkDrawing ink(500, 500);
@@ -152,7 +152,7 @@ TEST(BrokenOutlines, AnEndGoesOnToTheLineOrTheDarkShapeAhead) {
   }
 }
 
-TEST(BrokenOutlines, AStubGoesOnToALongLine) {
+TEST(BrokenOutlines, AStubContinuesToALongLine) {
   InkDrawing ink(500, 500);
   ink.circle({90, 260}, 60).line({134, 220}, {181, 220});
   ink.line({246, 220}, {440, 220}).line({440, 220}, {440, 310}).line({440, 310}, {123, 310});
