@@ -18,10 +18,6 @@ const char* name_of(understanding::ScribbleKind kind) {
   return kind_names[static_cast<size_t>(kind)];
 }
 
-bool is_for_part(understanding::ScribbleKind kind) {
-  return kind == understanding::ScribbleKind::soft || kind == understanding::ScribbleKind::hard;
-}
-
 }  // namespace
 
 understanding::Scribbles ScribblesReader::file(const Json& json) {

@@ -22,6 +22,10 @@ Components connected_components(const Image8& mask, Connectivity connectivity);
 /// Of each piece, 1 where it reaches the picture's edge; [0] is 0. O(edge).
 std::vector<uint8_t> pieces_at_edge(const Components& pieces);
 
+/// Returns 1 where `values` (one channel) reach `low` and are connected, over sides and corners, to
+/// a pixel that reaches `high`; 0 elsewhere. O(pixels).
+Image8 hysteresis_threshold(const Image8& values, int low, int high);
+
 /// The pixels of `mask` that are connected by sides within it to a pixel of `seed`. O(box).
 Mask connected_to(const Mask& mask, const Mask& seed);
 

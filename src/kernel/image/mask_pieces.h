@@ -6,6 +6,14 @@
 
 namespace relievo {
 
+/// Returns the mask that is 1 at the pixels, by index, of which is(i) is true. O(pixels).
+template <class Is>
+Image8 mask_where(int width, int height, const Is& is) {
+  Image8 mask(width, height, 1);
+  for (size_t i = 0; i < mask.pixels.size(); ++i) mask.pixels[i] = is(i) ? 1 : 0;
+  return mask;
+}
+
 /// Counts the ones of a mask. O(pixels).
 int64_t count_of(const Image8& mask);
 

@@ -16,45 +16,34 @@
 namespace relievo::understanding {
 namespace {
 
-constexpr double page_share = 0.35;    ///< of the picture, at least
-constexpr double quad_share = 0.8;     ///< of a page and what lies between its corners, in common
-constexpr double paper_distance = 70;  ///< from white within which background may be, of 255
-constexpr double cut_figure_share = 0.12;  ///< of the picture, from which on a region is a figure
-constexpr double cut_share = 0.12;         ///< of a region's rim, up to which an edge cuts it off
-constexpr double cut_line_share = 0.8;     ///< of the rest, which are lines then
-constexpr double open_page_share = 0.3;    ///< of the picture's edge, that a page reaches at most
-constexpr double opaque_share = 0.05;      ///< of the picture off the lines: fills, not blots
-constexpr double spread_distance = 45;     ///< of mean colours, up to which background spreads
-constexpr double leak_width = 0.7;         ///< px of gap per px of inradius from which it spreads
-constexpr double leak_share = 0.07;        ///< open share of a border through which it spreads
-
-double distance_from_white(const Basin& region) {
-  if (region.coloured == 0) return 0;
-  double farthest = 0;
-  for (const int64_t sum : region.colour_sum)
-    farthest =
-        std::max(farthest, 255 - static_cast<double>(sum) / static_cast<double>(region.coloured));
-  return farthest;
-}
+// Distances of colours are of 255 a channel.
+constexpr double page_share = 0.35;         ///< least area of a page, per picture
+constexpr double least_page_overlap = 0.8;  ///< least page_overlap of a page
+constexpr double paper_distance = 70;       ///< distance from white below which a region is paper
+constexpr double cut_figure_share =
+    0.12;                                ///< least area of a figure that one edge cuts, per picture
+constexpr double cut_share = 0.12;       ///< largest share of its rim that the border cuts
+constexpr double cut_line_share = 0.8;   ///< least share of the rest of its rim that is lined
+constexpr double open_page_share = 0.3;  ///< largest share of the border that a page reaches
+constexpr double opaque_share = 0.05;    ///< least opaque share of a drawing with fills
+constexpr double spread_distance = 45;   ///< largest distance of colours across which it spreads
+constexpr double leak_width = 0.7;   ///< least width of a gap that it spreads through, per inradius
+constexpr double leak_share = 0.07;  ///< least open share of a border that it spreads through
 
 int64_t pixels_at_edge(const Basin& region) {
   return std::accumulate(region.at_edge.begin(), region.at_edge.end(), int64_t{0});
 }
 
-/// Whether lines bound the region but for the little of it that the picture's edge cuts: a hand
-/// and not the paper beside it.
+/// Returns whether lines bound all of a region except a little that the picture's border cuts off:
+/// it is a hand, for example, and not the paper beside it.
 bool is_cut_off(const RegionMerging& regions, int r) {
   const int64_t at_edge = pixels_at_edge(regions.region(r));
-  int64_t pairs = 0;
-  int64_t line_pairs = 0;
-  for (const auto& [neighbour, border] : regions.borders(r)) {
-    pairs += border.pairs;
-    line_pairs += border.line_pairs;
-  }
-  return static_cast<double>(at_edge) < cut_share * static_cast<double>(at_edge + pairs) &&
-         static_cast<double>(line_pairs) > cut_line_share * static_cast<double>(pairs);
+  const Border rest = regions.whole_border(r);
+  return static_cast<double>(at_edge) < cut_share * static_cast<double>(at_edge + rest.pairs) &&
+         static_cast<double>(rest.line_pairs) > cut_line_share * static_cast<double>(rest.pairs);
 }
 
+/// Returns whether a region is paper that reaches the picture's border and is no figure.
 bool reaches_outside(const RegionMerging& regions, int r, int64_t picture_area) {
   const Basin& region = regions.region(r);
   const auto edges = std::count_if(region.at_edge.begin(), region.at_edge.end(),
@@ -65,35 +54,28 @@ bool reaches_outside(const RegionMerging& regions, int r, int64_t picture_area) 
          !is_cut_off(regions, r);
 }
 
-/// Adds to the background what lies around the page of a photograph.
+/// Unites with the background what lies around the page of a photograph. Returns the background.
 int add_surroundings(RegionMerging& regions, const Basins& basins, int background) {
   for (int r = 0; r < regions.count(); ++r) {
     if (!regions.is_region(r) || r == background || is_in_figure(regions.region(r))) continue;
     const Basin& region = regions.region(r);
-    if (!is_surroundings(region.at_edge, region.area, basins.index.width, basins.index.height))
-      continue;
-    regions.unite(background, r);
-    background = std::min(background, r);
+    if (is_around_page(region.at_edge, region.area, basins.index.width, basins.index.height))
+      background = regions.unite(background, r);
   }
   return background;
 }
 
-/// A region with all that it surrounds.
-Image8 filled(RegionMerging& regions, const Basins& basins, int r) {
-  Image8 mask(basins.index.width, basins.index.height, 1);
-  for (size_t i = 0; i < mask.pixels.size(); ++i)
-    mask.pixels[i] = regions.region_of(basins.index.pixels[i]) == r ? 1 : 0;
-  return without_holes(mask);
-}
-
-/// [drawing size] The region `paper` with all that it surrounds, 1, where that is a page: a
-/// quadrilateral on a good part of the picture with hardly any paper around it; else empty.
+/// Returns 1 on the region `paper` and on all that it surrounds, if that is a page: a large
+/// quadrilateral with hardly any paper around it. Else empty.
 Image8 find_page(RegionMerging& regions, const Basins& basins, int paper) {
-  const Image8 page = filled(regions, basins, paper);
-  const auto area = std::count(page.pixels.begin(), page.pixels.end(), 1);
+  const Image8 page =
+      without_holes(mask_where(basins.index.width, basins.index.height, [&](size_t i) {
+        return regions.region_of(basins.index.pixels[i]) == paper;
+      }));
+  const int64_t area = count_of(page);
   const auto all = static_cast<int64_t>(page.pixels.size());
   if (static_cast<double>(area) < page_share * static_cast<double>(all) ||
-      page_overlap(page) < quad_share)
+      page_overlap(page) < least_page_overlap)
     return {};
   int64_t paper_around = 0;
   for (size_t i = 0; i < page.pixels.size(); ++i)
@@ -102,18 +84,15 @@ Image8 find_page(RegionMerging& regions, const Basins& basins, int paper) {
   return 2 * paper_around < all - area ? page : Image8{};
 }
 
-/// Unites what lies around the page with the background, takes the lines there out and returns the
+/// Unites everything around the page with the background and removes the lines there. Returns the
 /// background.
 int unite_around_page(RegionMerging& regions, Basins& basins, const Image8& page, int background) {
   std::vector<int64_t> around(regions.count(), 0);
   for (size_t i = 0; i < page.pixels.size(); ++i)
     if (page.pixels[i] == 0) ++around[regions.region_of(basins.index.pixels[i])];
-  for (int r = 0; r < regions.count(); ++r) {
-    if (r == background || !regions.is_region(r) || 2 * around[r] <= regions.region(r).area)
-      continue;
-    regions.unite(background, r);
-    background = std::min(background, r);
-  }
+  for (int r = 0; r < regions.count(); ++r)
+    if (r != background && regions.is_region(r) && 2 * around[r] > regions.region(r).area)
+      background = regions.unite(background, r);
   const Image8 within = min_filter(page, static_cast<int>(basins.line_width) + 1);
   for (size_t i = 0; i < page.pixels.size(); ++i)
     if (within.pixels[i] == 0) {
@@ -123,7 +102,8 @@ int unite_around_page(RegionMerging& regions, Basins& basins, const Image8& page
   return background;
 }
 
-/// Where the largest area of paper is a page with something else around it, adds both.
+/// Unites the page and everything around it with the background where the largest region of paper
+/// is a page. Returns the background, or -1 where there is none.
 int add_page(RegionMerging& regions, Basins& basins, int background) {
   int paper = -1;
   for (int r = 0; r < regions.count(); ++r)
@@ -136,12 +116,15 @@ int add_page(RegionMerging& regions, Basins& basins, int background) {
   if (static_cast<double>(at_edge) > open_page_share * perimeter) return background;
   const Image8 page = find_page(regions, basins, paper);
   if (page.empty()) return background;
-  if (background >= 0 && background != paper) regions.unite(background, paper);
-  return unite_around_page(regions, basins, page,
-                           background < 0 ? paper : std::min(background, paper));
+  if (background < 0 || background == paper)
+    background = paper;
+  else
+    background = regions.unite(background, paper);
+  return unite_around_page(regions, basins, page, background);
 }
 
-/// Whether the drawing has opaque areas, so that transparent ones are none of the figure.
+/// Returns whether the drawing has transparent and opaque areas, so that the transparent ones are
+/// background.
 bool has_opaque_areas(RegionMerging& regions) {
   int64_t transparent = 0;
   int64_t all = 0;
@@ -156,7 +139,7 @@ bool has_opaque_areas(RegionMerging& regions) {
 
 bool is_transparent(const Basin& region) { return 2 * region.transparent > region.coloured; }
 
-/// The neighbour through whose border the background spreads most easily, or -1.
+/// Returns the neighbour that is most open to the background, which therefore belongs to it, or -1.
 int leaking_neighbour(const RegionMerging& regions, int background) {
   int best = -1;
   double widest = leak_share;
@@ -175,7 +158,11 @@ int leaking_neighbour(const RegionMerging& regions, int background) {
 
 }  // namespace
 
-bool is_paper(const Basin& region) { return distance_from_white(region) < paper_distance; }
+bool is_paper(const Basin& region) {
+  if (region.coloured == 0) return true;
+  const std::array<double, 3> mean = mean_colour(region);
+  return 255 - *std::min_element(mean.begin(), mean.end()) < paper_distance;
+}
 
 int unite_background(RegionMerging& regions, Basins& basins) {
   const bool opaque = has_opaque_areas(regions);
@@ -185,21 +172,16 @@ int unite_background(RegionMerging& regions, Basins& basins) {
     if (!regions.is_region(r)) continue;
     const Basin& region = regions.region(r);
     const bool outside = reaches_outside(regions, r, picture_area) ||
-                         (opaque && is_transparent(region)) || basins.figure.said;
-    if (!outside || is_in_figure(region)) continue;
-    if (background < 0)
-      background = r;
-    else
-      regions.unite(background, r);
+                         (opaque && is_transparent(region)) || basins.figure.cut_out;
+    if (outside && !is_in_figure(region))
+      background = background < 0 ? r : regions.unite(background, r);
   }
-  background = add_page(regions, basins, background < 0 ? -1 : regions.region_of(background));
+  background = add_page(regions, basins, background);
   if (background < 0) return background;
   background = add_surroundings(regions, basins, background);
   for (int r = leaking_neighbour(regions, background); r >= 0;
-       r = leaking_neighbour(regions, background)) {
-    regions.unite(background, r);
-    background = std::min(background, r);
-  }
+       r = leaking_neighbour(regions, background))
+    background = regions.unite(background, r);
   return background;
 }
 

@@ -10,11 +10,11 @@
 namespace relievo::understanding {
 namespace {
 
-/// Of the picture's diagonal, from a border to where the colours beside it are taken: past a soft
-/// edge, and not across much shading.
+/// Distance from a border at which the colours beside it are taken, per diagonal of the picture:
+/// beyond a soft edge, but not across much shading.
 constexpr double beside_share = 0.015;
 
-/// Adds pixels [begin, end), which lie in one row and basin.
+/// Adds the pixels [begin, end), which lie in one row and basin.
 void add_run(const Image8& rgba, const Image8& rgb, const Basins& basins, size_t begin, size_t end,
              Basin& basin) {
   const Image8& barrier = basins.barrier;
@@ -69,10 +69,10 @@ void measure_edges(Basins& basins) {
   }
 }
 
-/// Collects the pairs of neighbouring pixels that lie in different basins.
+/// Collects the pairs of neighbouring pixels in different basins.
 class PairCollector {
  public:
-  /// Without a picture there are no steps of colour.
+  /// Measures no steps of colour where `rgb` is null.
   PairCollector(const Basins& basins, const Image8* rgb)
       : basins_(basins),
         rgb_(rgb),
@@ -80,7 +80,7 @@ class PairCollector {
         beside_(std::max(2, static_cast<int>(beside_share * std::hypot(basins.index.width,
                                                                        basins.index.height)))) {}
 
-  /// Pairs of the pixels x0 ... x1 - 1 of a row with those to their right, and with those below.
+  /// Adds the pairs of the pixels x0 ... x1 - 1 of a row with each other and with those below.
   void add_row(int y, int x0, int x1, bool with_below) {
     const size_t w = basins_.index.width;
     const int32_t* row = &basins_.index.at(0, y);
@@ -91,6 +91,7 @@ class PairCollector {
     }
   }
 
+  /// Sums the pairs of every border, sorted by a, b.
   std::vector<BasinBorder> borders() {
     std::sort(pairs_.begin(), pairs_.end(), [](const BasinBorder& x, const BasinBorder& y) {
       return x.a != y.a ? x.a < y.a : x.b < y.b;
@@ -101,16 +102,14 @@ class PairCollector {
         merged.push_back(pair);
         continue;
       }
-      merged.back().pairs += pair.pairs;
-      merged.back().line_pairs += pair.line_pairs;
-      merged.back().edge_pairs += pair.edge_pairs;
+      merged.back().add(pair);
       merged.back().weight += pair.weight;
-      for (size_t c = 0; c < 3; ++c) merged.back().step[c] += pair.step[c];
     }
     return merged;
   }
 
  private:
+  /// Adds a pair with LazyBrush's weight 1 + K I^2, where I is the whiteness of its darker pixel.
   void add_pair(size_t i, size_t j) {
     const int32_t a = basins_.index.pixels[i];
     const int32_t b = basins_.index.pixels[j];
@@ -119,13 +118,10 @@ class PairCollector {
     const bool line = LineMap::is_wall(p) || LineMap::is_wall(q);
     const bool edge = !line && (p == LineMap::edge || q == LineMap::edge);
     const int64_t white = 255 - std::max(basins_.ink.pixels[i], basins_.ink.pixels[j]);
-    pairs_.push_back({std::min(a, b),
+    pairs_.push_back({{1, line ? 1 : 0, edge ? 1 : 0, {}},
+                      std::min(a, b),
                       std::max(a, b),
-                      1,
-                      line ? 1 : 0,
-                      edge ? 1 : 0,
-                      1 + unit_ * white * white / (255 * 255),
-                      {}});
+                      1 + unit_ * white * white / (255 * 255)});
     if (rgb_ == nullptr || line || edge) return;
     if (b < a) std::swap(i, j);
     const size_t in_a = pixel_beside(i, j);
@@ -135,7 +131,8 @@ class PairCollector {
           int64_t{rgb_->pixels[3 * in_b + c]} - int64_t{rgb_->pixels[3 * in_a + c]};
   }
 
-  /// The pixel farthest from a pair, as far as its own basin goes without line and edge.
+  /// Returns the pixel at distance `beside_` from a pair on the side of `own`, or the last one
+  /// before its basin ends or a barrier begins.
   size_t pixel_beside(size_t own, size_t other) const {
     const int x = static_cast<int>(own % basins_.index.width);
     const int y = static_cast<int>(own / basins_.index.width);
@@ -158,24 +155,22 @@ class PairCollector {
 
   const Basins& basins_;
   const Image8* rgb_;
-  int64_t unit_;
-  int beside_;  ///< px, from a pair to where its colours are
+  int64_t unit_;  ///< K
+  int beside_;    ///< px
   std::vector<BasinBorder> pairs_;
 };
 
 }  // namespace
 
-std::vector<BasinBorder> borders_within(const Basins& basins, int x0, int y0, int x1, int y1) {
-  PairCollector pairs(basins, nullptr);
+std::vector<BasinBorder> borders_within(const Basins& basins, int x0, int y0, int x1, int y1,
+                                        const Image8* rgb) {
+  PairCollector pairs(basins, rgb);
   for (int y = y0; y < y1; ++y) pairs.add_row(y, x0, x1, y + 1 < y1);
   return pairs.borders();
 }
 
 void measure_borders(const Image8& rgb, Basins& basins) {
-  PairCollector pairs(basins, &rgb);
-  const int h = basins.index.height;
-  for (int y = 0; y < h; ++y) pairs.add_row(y, 0, basins.index.width, y + 1 < h);
-  basins.borders = pairs.borders();
+  basins.borders = borders_within(basins, 0, 0, basins.index.width, basins.index.height, &rgb);
 }
 
 void measure_basins(const Image8& rgba, const Image8& rgb, Basins& basins) {

@@ -10,37 +10,58 @@
 
 namespace relievo::understanding {
 
-/// An area around a place that is farther from all lines than what lies around it.
+/// Measurements of a basin: the area around a local maximum of the distance to lines and edges.
+/// They are additive, so that they describe unions of basins too.
 struct Basin {
   int64_t area = 0;                        ///< px
   double inradius = 0;                     ///< largest distance to a line, px
   std::array<int64_t, 4> at_edge = {};     ///< px off the lines at the left, right, top, bottom
-  Box2 box;                                ///< of its pixels
-  std::array<int64_t, 3> colour_sum = {};  ///< of the drawing on white, over pixels off the lines
-  int64_t coloured = 0;                    ///< pixels in colour_sum
-  int64_t transparent = 0;                 ///< of those, the ones that are so in the drawing
-  int64_t in_figure = 0;                   ///< pixels inside the figure's mask
+  Box2 box;                                ///< around its pixels
+  std::array<int64_t, 3> colour_sum = {};  ///< of the drawing on white, over its pixels off lines
+  int64_t coloured = 0;                    ///< px in colour_sum
+  int64_t transparent = 0;                 ///< of these, px that are transparent in the drawing
+  int64_t in_figure = 0;                   ///< px inside the figure's mask
 };
 
-/// Whether most of it is inside the figure's mask.
+/// Returns whether most of a basin lies inside the figure's mask.
 inline bool is_in_figure(const Basin& basin) { return 2 * basin.in_figure > basin.area; }
 
-/// Where two basins meet.
-struct BasinBorder {
-  int a = 0;               ///< basin index, < b
-  int b = 0;               ///< basin index
-  int64_t pairs = 0;       ///< pairs of pixels that share a side across the border
-  int64_t line_pairs = 0;  ///< of those, where one lies on a line
-  int64_t edge_pairs = 0;  ///< of the others, where one lies on an edge between colours
-  int64_t weight = 0;      ///< what LazyBrush pays for parting them
-  /// Sum over the pairs without line and edge: the colour beside them in b less that in a.
+/// Computes the mean colour of a basin, of 255 a channel. Precondition: basin.coloured > 0.
+inline std::array<double, 3> mean_colour(const Basin& basin) {
+  std::array<double, 3> mean = {};
+  for (size_t c = 0; c < 3; ++c)
+    mean[c] = static_cast<double>(basin.colour_sum[c]) / static_cast<double>(basin.coloured);
+  return mean;
+}
+
+/// The border between two areas, as sums over the pairs of pixels that share a side across it.
+struct Border {
+  int64_t pairs = 0;       ///< number of pairs
+  int64_t line_pairs = 0;  ///< pairs with a pixel on a line
+  int64_t edge_pairs = 0;  ///< other pairs with a pixel on an edge between colours
+  /// Sum, over the pairs with neither, of the colour near the border in the second area less that
+  /// in the first.
   std::array<int64_t, 3> step = {};
+
+  void add(const Border& other) {
+    pairs += other.pairs;
+    line_pairs += other.line_pairs;
+    edge_pairs += other.edge_pairs;
+    for (size_t c = 0; c < 3; ++c) step[c] += other.step[c];
+  }
 };
 
-/// A drawing divided into basins, each inside one area of the drawing as far as lines tell. What a
-/// scribble can change starts here.
+/// The border between basins `a` and `b`.
+struct BasinBorder : Border {
+  int a = 0;           ///< basin index, < b
+  int b = 0;           ///< basin index
+  int64_t weight = 0;  ///< cost of different labels in LazyBrush's energy
+};
+
+/// A drawing divided into basins, each inside one area of the drawing as far as its lines show.
+/// Everything that scribbles change is computed from here.
 struct Basins {
-  Image<int32_t> index;  ///< [drawing size] basin of every pixel, 0 ... #B - 1; lines are shared
+  Image<int32_t> index;  ///< [drawing size] basin of every pixel, 0 ... #B - 1; lines included
   std::vector<Basin> basins;
   std::vector<BasinBorder> borders;  ///< sorted by a, b
   Image8 ink;                        ///< see LineMap
@@ -48,14 +69,14 @@ struct Basins {
   FigureMask figure;                 ///< see find_figure
   double line_width = 1;             ///< px
   bool painted = false;              ///< see LineMap
-  std::vector<int> region;           ///< [#B] proposal: 0 background, else 1 ... #R
+  std::vector<int> region;           ///< [#B] proposed region: 0 background, else 1 ... #R
   int region_count = 0;              ///< #R
   double unbounded_ink = 0;          ///< share of the lines, by area, that bound no region
 };
 
-/// LazyBrush's unit of cost K, what a pixel of white border costs: the perimeter of the image, so
-/// that no cut through white is cheaper than a way round along ink (Sykora, Dingliana, Collins
-/// 2009).
+/// Computes LazyBrush's constant K, the cost of a pixel of white border. It is the perimeter of the
+/// image, so that a cut through white is never cheaper than a way around it along ink (Sykora,
+/// Dingliana, Collins 2009).
 inline int64_t white_cost(int width, int height) { return 2 * (int64_t{width} + height); }
 
 }  // namespace relievo::understanding

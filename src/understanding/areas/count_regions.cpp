@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <queue>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -12,15 +12,13 @@
 namespace relievo::understanding {
 namespace {
 
-/// What a border with a line is worth beside an open one, where both sides have one colour.
-constexpr double lined_worth = 0.25;
-/// Distance of colours, of 255 a channel, from which on they say that areas are two.
-constexpr double other_colour = 100;
-/// Of the figure: what is smaller is not parted off.
-constexpr double smallest_piece = 0.01;
+constexpr double lined_worth = 0.25;     ///< worth of a lined border between like areas; open: 1
+constexpr double other_colour = 100;     ///< least distance of colours that are not alike, of 255
+constexpr double smallest_piece = 0.01;  ///< least area of a piece that is divided off, per figure
 
-/// How likely two neighbours are one part: how much of their border is open, in sides of the
-/// smaller one.
+/// Computes how likely two neighbours are one part:
+///   affinity = pairs (o + lined_worth (1 - o) likeness) / sqrt(area of the smaller one),
+/// where o is the open share of their border, and likeness that of their colours.
 double affinity(const RegionMerging& regions, int a, int b) {
   const double open = regions.open_share(a, b);
   const double likeness = std::max(0.0, 1 - regions.colour_distance(a, b) / other_colour);
@@ -29,71 +27,34 @@ double affinity(const RegionMerging& regions, int a, int b) {
   return pairs * (open + lined_worth * (1 - open) * likeness) / std::sqrt(std::max(1.0, area));
 }
 
-/// Unites neighbours of one group, the likeliest first.
-class Uniter {
- public:
-  /// `group`: [#B]; what is in another group, or in 0, stays apart.
-  Uniter(RegionMerging& regions, const std::vector<int>& group) : regions_(regions), group_(group) {
-    for (int a = 0; a < regions.count(); ++a)
-      if (regions.is_region(a)) propose_all(a);
-  }
+/// Unites neighbours of one group, the likeliest first. `group`: [#B] regions in different groups,
+/// or in 0, stay apart.
+Merger unite_likeliest(RegionMerging& regions, const std::vector<int>& group) {
+  return Merger(regions, [&regions, &group](int a, int b) -> std::pair<double, int64_t> {
+    const bool one_group = group[a] != 0 && group[a] == group[b];
+    return {one_group ? affinity(regions, a, b) : -1, 0};
+  });
+}
 
-  /// The next two, by their smallest basins; unites them. {-1, -1} where nothing is left.
-  std::pair<int, int> next() {
-    while (!queue_.empty()) {
-      const auto [worth, minus_a, minus_b] = queue_.top();
-      queue_.pop();
-      const int a = -minus_a;
-      const int b = -minus_b;
-      // An entry that later unions made out of date has a newer one.
-      if (!regions_.is_region(a) || !regions_.is_region(b) || regions_.borders(a).count(b) == 0 ||
-          affinity(regions_, a, b) != worth)
-        continue;
-      worth_ = worth;
-      regions_.unite(a, b);
-      propose_all(a);
-      return {a, b};
-    }
-    return {-1, -1};
-  }
-
-  /// Affinity of the two that were united last.
-  double worth() const { return worth_; }
-
- private:
-  void propose_all(int a) {
-    for (const auto& [b, border] : regions_.borders(a))
-      if (group_[a] != 0 && group_[a] == group_[b])
-        queue_.push({affinity(regions_, a, b), -std::min(a, b), -std::max(a, b)});
-  }
-
-  RegionMerging& regions_;
-  const std::vector<int>& group_;
-  double worth_ = 0;
-  std::priority_queue<std::tuple<double, int, int>> queue_;
-};
-
-/// Unites the basins of every proposed region. The result: whether each is none of the background.
+/// Unites the basins of every proposed region. Returns 1 for each basin of the figure.
 std::vector<int> unite_regions(const Basins& basins, RegionMerging& regions) {
   std::vector<int> first(static_cast<size_t>(basins.region_count) + 1, -1);
   std::vector<int> figure(basins.region.size());
   for (size_t b = 0; b < basins.region.size(); ++b) {
     const int r = basins.region[b];
     figure[b] = r == 0 ? 0 : 1;
-    if (first[r] < 0)
-      first[r] = static_cast<int>(b);
-    else
-      regions.unite(regions.region_of(first[r]), regions.region_of(static_cast<int>(b)));
+    first[r] = first[r] < 0 ? static_cast<int>(b) : regions.unite(first[r], static_cast<int>(b));
   }
   return figure;
 }
 
+/// Unites regions, the likeliest first, until `count` are left.
 void unite_down_to(int count, Basins& basins) {
   RegionMerging regions(basins);
   const std::vector<int> figure = unite_regions(basins, regions);
-  Uniter uniter(regions, figure);
-  for (int left = basins.region_count; left > count; --left)
-    if (uniter.next().first < 0) break;
+  Merger merger = unite_likeliest(regions, figure);
+  for (int left = basins.region_count; left > count && merger.unite_next(); --left) {
+  }
   std::vector<int> number(basins.region.size(), 0);
   basins.region_count = 0;
   for (size_t b = 0; b < basins.region.size(); ++b) {
@@ -104,48 +65,47 @@ void unite_down_to(int count, Basins& basins) {
   }
 }
 
-/// A union of basins, or a basin.
+/// A node of a binary tree of unions; leaves are basins.
 struct Node {
-  int left = -1;  ///< node; -1 in a basin
+  int left = -1;  ///< index of a node; -1 in a basin
   int right = -1;
-  int64_t area = 0;
+  int64_t area = 0;  ///< px
   double worth = 0;  ///< affinity of both sides
 };
 
-/// How the basins of each region were united: nodes 0 ... #B - 1 are basins.
-struct Unions {
-  std::vector<Node> nodes;
-  std::vector<int> roots;  ///< a node for each connected piece of a region
-};
-
-Unions unite_basins(const Basins& basins) {
+/// Unites the basins of each region into trees. Nodes 0 ... #B - 1 are the basins; the roots are
+/// those that are below no other node, one for each connected piece of a region.
+std::vector<Node> unite_basins(const Basins& basins) {
   RegionMerging regions(basins);
-  Unions unions;
-  std::vector<int> node(basins.basins.size());
-  for (size_t b = 0; b < node.size(); ++b) {
-    node[b] = static_cast<int>(b);
-    unions.nodes.push_back({-1, -1, basins.basins[b].area, 0});
+  std::vector<Node> nodes;
+  for (const Basin& basin : basins.basins) nodes.push_back({-1, -1, basin.area, 0});
+  std::vector<int> node(nodes.size());  // [#B] of the region that a basin stands for
+  std::iota(node.begin(), node.end(), 0);
+  Merger merger = unite_likeliest(regions, basins.region);
+  while (const auto united = merger.unite_next()) {
+    const int left = node[united->a];
+    const int right = node[united->b];
+    node[united->a] = static_cast<int>(nodes.size());
+    nodes.push_back({left, right, nodes[left].area + nodes[right].area, united->worth.first});
   }
-  std::vector<bool> is_root(node.size(), true);
-  Uniter uniter(regions, basins.region);
-  for (auto [a, b] = uniter.next(); a >= 0; std::tie(a, b) = uniter.next()) {
-    Node next{node[a], node[b], 0, 0};
-    next.area = unions.nodes[next.left].area + unions.nodes[next.right].area;
-    next.worth = uniter.worth();
-    is_root[next.left] = is_root[next.right] = false;
-    node[a] = static_cast<int>(unions.nodes.size());
-    unions.nodes.push_back(next);
-    is_root.push_back(true);
-  }
-  for (size_t k = 0; k < is_root.size(); ++k) {
-    const bool background = k < basins.region.size() && basins.region[k] == 0;
-    if (is_root[k] && !background) unions.roots.push_back(static_cast<int>(k));
-  }
-  return unions;
+  return nodes;
 }
 
-/// The highest node at or below one whose sides are both pieces; -1 where there is none. What is
-/// smaller stays with the larger side.
+/// Finds the roots of the figure.
+std::vector<int> find_roots(const std::vector<Node>& nodes, const Basins& basins) {
+  std::vector<uint8_t> is_root(nodes.size(), 1);
+  for (const Node& node : nodes)
+    if (node.left >= 0) is_root[node.left] = is_root[node.right] = 0;
+  for (size_t b = 0; b < basins.region.size(); ++b)
+    if (basins.region[b] == 0) is_root[b] = 0;
+  std::vector<int> roots;
+  for (size_t k = 0; k < nodes.size(); ++k)
+    if (is_root[k] != 0) roots.push_back(static_cast<int>(k));
+  return roots;
+}
+
+/// Returns the highest node, from `at` downwards, of which both sides have at least `least` px; -1
+/// where there is none. The smaller sides above it stay with their larger sides.
 int divisible(const std::vector<Node>& nodes, int at, double least) {
   while (nodes[at].left >= 0) {
     const Node& node = nodes[at];
@@ -158,7 +118,7 @@ int divisible(const std::vector<Node>& nodes, int at, double least) {
   return -1;
 }
 
-/// Gives all basins below a node to a region.
+/// Assigns all basins below a node to a region.
 void give_to(const std::vector<Node>& nodes, int at, int region, Basins& basins) {
   std::vector<int> open = {at};
   while (!open.empty()) {
@@ -173,18 +133,18 @@ void give_to(const std::vector<Node>& nodes, int at, int region, Basins& basins)
   }
 }
 
+/// Undoes unions of basins, the least likely first, until there are `count` regions.
 void divide_up_to(int count, Basins& basins) {
-  const Unions unions = unite_basins(basins);
-  const std::vector<Node>& nodes = unions.nodes;
+  const std::vector<Node> nodes = unite_basins(basins);
+  const std::vector<int> roots = find_roots(nodes, basins);
   double figure = 0;
-  for (const int root : unions.roots) figure += static_cast<double>(nodes[root].area);
-  // The least likely union first.
-  std::priority_queue<std::pair<double, int>> queue;
+  for (const int root : roots) figure += static_cast<double>(nodes[root].area);
+  std::priority_queue<std::pair<double, int>> queue;  // the least likely union first
   const auto propose = [&](int root) {
     const int at = divisible(nodes, root, smallest_piece * figure);
     if (at >= 0) queue.push({-nodes[at].worth, at});
   };
-  for (const int root : unions.roots) propose(root);
+  for (const int root : roots) propose(root);
   while (basins.region_count < count && !queue.empty()) {
     const Node& node = nodes[queue.top().second];
     queue.pop();

@@ -4,10 +4,10 @@
 
 namespace relievo::understanding {
 
-/// Changes the proposed regions until there are `count`, or as near to it as can be: those that are
-/// likeliest one are united, or the least likely unions of basins undone. What was proposed as
-/// background stays. Precondition: count > 0. O(borders log borders), and O(basins) for each
-/// region that is divided.
+/// Changes the number of proposed regions to `count`, or as near to it as possible: unites those
+/// that are likeliest one part, or undoes the least likely unions of basins. The background stays
+/// as proposed. Precondition: count > 0. O(borders log borders), and O(basins) for each region that
+/// is divided.
 void count_regions(int count, Basins& basins);
 
 }  // namespace relievo::understanding

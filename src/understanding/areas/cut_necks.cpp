@@ -18,17 +18,17 @@
 namespace relievo::understanding {
 namespace {
 
-constexpr double grid_diagonal = 400;  ///< cells of the figure's diagonal
-constexpr double least_limb = 0.015;   ///< of the figure's area
-constexpr double beside_cut = 2.5;     ///< cells
-constexpr int most_cuts = 10;
+constexpr double grid_diagonal = 400;  ///< figure's diagonal, cells
+constexpr double least_limb = 0.015;   ///< least area of a limb, per figure
+constexpr double beside_cut = 2.5;     ///< cells; nearer to a cut, pixels belong to its side
+constexpr int most_cuts = 10;          ///< number of cuts in a drawing
 
-/// A cut through a region, in cells; the limb lies to the left as seen along it.
+/// A cut through a region. The limb lies to its left.
 struct NeckCut {
-  Point2 from;
+  Point2 from;  ///< cells
   Point2 to;
-  int region = 0;
-  int limb = 0;  ///< the region that the limb gets
+  int region = 0;  ///< region that is cut, and is the rest afterwards
+  int limb = 0;    ///< new region of the limb
 };
 
 double figure_diagonal(const Basins& basins) {
@@ -58,7 +58,8 @@ NeckGrid grid_of(const Basins& basins) {
   return grid;
 }
 
-/// The limb gets a region of its own on the grid; what lines part from both goes to the nearer one.
+/// Gives a limb its own region on the grid. Cells of the old region that lines separate from both
+/// sides go to the nearer side.
 void divide(const Neck& neck, int region, int limb, NeckGrid& grid) {
   const Mask inside = fill_outline({neck.limb}, grid.region.width, grid.region.height);
   const Mask both = fill_outline({neck.whole}, grid.region.width, grid.region.height);
@@ -71,8 +72,7 @@ void divide(const Neck& neck, int region, int limb, NeckGrid& grid) {
     if (grid.region.pixels[i] == region && side.pixels[i] == limb) grid.region.pixels[i] = limb;
 }
 
-/// Cuts one region until it has no neck any more. Limbs are not cut again, but heads are, which
-/// have ears.
+/// Cuts one region until it has no neck any more. Round limbs are cut again, since heads have ears.
 void cut_region(int region, double least_area, NeckGrid& grid, int& regions,
                 std::vector<NeckCut>& cuts) {
   std::vector<int> left = {region};
@@ -89,55 +89,36 @@ void cut_region(int region, double least_area, NeckGrid& grid, int& regions,
   }
 }
 
-/// The regions after the cuts.
-class CutRegions {
- public:
-  CutRegions(const NeckGrid& grid, const std::vector<NeckCut>& cuts, int regions)
-      : grid_(grid), cuts_(cuts), origin_(regions + 1), divided_(regions + 1, 0) {
-    std::iota(origin_.begin(), origin_.end(), 0);
-    for (const NeckCut& cut : cuts) {
-      origin_[cut.limb] = origin_[cut.region];
-      divided_[origin_[cut.region]] = 1;
+/// Returns the region of the nearest cell, up to two cells away, that `own` was divided into.
+/// `origin`: [regions] the proposed region that each came from.
+int region_near(Point2 p, int own, const NeckGrid& grid, const std::vector<int>& origin) {
+  const int x = static_cast<int>(p.x);
+  const int y = static_cast<int>(p.y);
+  int nearest = own;
+  int least = std::numeric_limits<int>::max();
+  for (int dy = -2; dy <= 2; ++dy)
+    for (int dx = -2; dx <= 2; ++dx) {
+      if (dx * dx + dy * dy >= least || !grid.has(x + dx, y + dy)) continue;
+      const int region = grid.region.at(x + dx, y + dy);
+      if (origin[region] != own) continue;
+      least = dx * dx + dy * dy;
+      nearest = region;
     }
+  return nearest;
+}
+
+/// Returns the region, after the cuts, of a point in a region `own` that was divided: that of its
+/// cell, and close to a cut that of its side.
+int region_after(Point2 p, int own, const NeckGrid& grid, const std::vector<int>& origin,
+                 const std::vector<NeckCut>& cuts) {
+  int region = region_near(p, own, grid, origin);
+  for (const NeckCut& cut : cuts) {
+    if (region != cut.region && region != cut.limb) continue;
+    if (distance_to_segment(p, cut.from, cut.to) < beside_cut)
+      region = cross(cut.to - cut.from, p - cut.from) < 0 ? cut.limb : cut.region;
   }
-
-  bool is_divided(int region) const { return divided_[region] != 0; }
-
-  /// Of a pixel in a divided region: what its cell, or the nearest one that was in this region, has
-  /// become, and beside a cut what lies to its side of it.
-  int at(int x, int y, int own) const {
-    const Point2 p{(x + 0.5) / grid_.cell, (y + 0.5) / grid_.cell};
-    int region = nearest_cell(p, own);
-    for (const NeckCut& cut : cuts_) {
-      if (region != cut.region && region != cut.limb) continue;
-      if (distance_to_segment(p, cut.from, cut.to) < beside_cut)
-        region = cross(cut.to - cut.from, p - cut.from) < 0 ? cut.limb : cut.region;
-    }
-    return region;
-  }
-
- private:
-  int nearest_cell(Point2 p, int own) const {
-    const int x = static_cast<int>(p.x);
-    const int y = static_cast<int>(p.y);
-    int nearest = own;
-    int least = std::numeric_limits<int>::max();
-    for (int dy = -2; dy <= 2; ++dy)
-      for (int dx = -2; dx <= 2; ++dx) {
-        if (dx * dx + dy * dy >= least || !grid_.has(x + dx, y + dy)) continue;
-        const int region = grid_.region.at(x + dx, y + dy);
-        if (origin_[region] != own) continue;
-        least = dx * dx + dy * dy;
-        nearest = region;
-      }
-    return nearest;
-  }
-
-  const NeckGrid& grid_;
-  const std::vector<NeckCut>& cuts_;
-  std::vector<int> origin_;  ///< per region, the proposed one that it is of
-  std::vector<uint8_t> divided_;
-};
+  return region;
+}
 
 }  // namespace
 
@@ -150,14 +131,21 @@ bool cut_necks(Basins& basins) {
   for (int region = 1; region <= basins.region_count; ++region)
     cut_region(region, least_limb * figure_area, grid, regions, cuts);
   if (cuts.empty()) return false;
-  const CutRegions after(grid, cuts, regions);
-  std::map<std::pair<int, int>, int> basin_of;
+  std::vector<int> origin(static_cast<size_t>(regions) + 1);
+  std::iota(origin.begin(), origin.end(), 0);
+  std::vector<uint8_t> is_divided(origin.size(), 0);
+  for (const NeckCut& cut : cuts) {
+    origin[cut.limb] = origin[cut.region];
+    is_divided[origin[cut.region]] = 1;
+  }
+  std::map<std::pair<int, int>, int> basin_of;  // by old basin and new region
   for (int y = 0; y < basins.index.height; ++y)
     for (int x = 0; x < basins.index.width; ++x) {
       int32_t& basin = basins.index.at(x, y);
       const int own = basins.region[basin];
-      if (!after.is_divided(own)) continue;
-      const int region = after.at(x, y, own);
+      if (is_divided[own] == 0) continue;
+      const Point2 p{(x + 0.5) / grid.cell, (y + 0.5) / grid.cell};
+      const int region = region_after(p, own, grid, origin, cuts);
       if (region == own) continue;
       const auto next = static_cast<int>(basins.basins.size());
       const auto [found, fresh] = basin_of.insert({{basin, region}, next});

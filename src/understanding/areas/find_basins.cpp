@@ -14,7 +14,7 @@
 #include "understanding/lines/line_map.h"
 #include "understanding/lines/stroke_ends.h"
 #include "understanding/paper/cast_shadow.h"
-#include "understanding/paper/plain_ground.h"
+#include "understanding/paper/plain_background.h"
 #include "understanding/paper/pure_white.h"
 #include "understanding/paper/remove_paper.h"
 #include "understanding/paper/rulings.h"
@@ -22,12 +22,15 @@
 namespace relievo::understanding {
 namespace {
 
-/// Basins narrower than this are the insides of double strokes.
-constexpr double smallest_inradius = 1.5;
+constexpr double smallest_inradius = 1.5;  ///< px; narrower basins are gaps inside double strokes
+/// A peak has its own basin if it rises 1.5 px above the pass to a higher one and that is at most
+/// 0.9 times as high.
+constexpr BasinOptions peak_options{.min_rise = 1.5, .max_pass_ratio = 0.9};
 
+/// Floods the distance to the barrier from its peaks, and the barrier from these basins, the palest
+/// ink first. Returns the basin of every pixel, and no pixels where there are no basins.
 Image<int32_t> watershed(const LineMap& map, std::vector<Basin>& basins) {
-  PeakBasins found = peak_basins(squared_distance_to(map.barrier), {1.5, 0.9});
-  // Peaks are sorted: what is too narrow comes last.
+  PeakBasins found = peak_basins(squared_distance_to(map.barrier), peak_options);
   std::vector<int32_t> number(found.peaks.size(), 0);
   for (size_t k = 1; k < found.peaks.size(); ++k) {
     if (found.peaks[k] < smallest_inradius) continue;
@@ -51,7 +54,7 @@ void close_line_gaps(const Image8& rgb, LineMap& map) {
     close_gap(gap, LineMap::gap, map.barrier);
 }
 
-/// Tells what share is done; false where the rest is not wanted.
+/// Reports progress. Returns false where the run was cancelled.
 bool go_on(const RunContext& context, double done) {
   context.report("find areas", done);
   return !context.cancelled();
@@ -64,11 +67,11 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   if (!go_on(context, 0)) return interrupted_error();
   const Image8 unruled = without_rulings(drawing.rgba);
   const Image8& photo = unruled.empty() ? drawing.rgba : unruled;
-  const WithoutGround figure = without_ground(photo);
+  const WithoutBackground figure = without_background(photo);
   const Image8& drawn = figure.rgba.empty() ? photo : figure.rgba;
   const bool on_pure_white = figure.is_cut || is_on_pure_white(drawn);
-  const Image8 lit = on_pure_white && !figure.is_cut ? without_cast_shadow(drawn) : Image8{};
-  const Image8& rgba = lit.empty() ? drawn : lit;
+  const Image8 shadowless = on_pure_white && !figure.is_cut ? without_cast_shadow(drawn) : Image8{};
+  const Image8& rgba = shadowless.empty() ? drawn : shadowless;
   const Image8 rgb = remove_paper(rgba, on_pure_white);
   if (!go_on(context, 0.1)) return interrupted_error();
   LineMap map = find_lines(rgb, on_pure_white);
@@ -77,8 +80,8 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   Basins basins;
   basins.figure = find_figure(rgba, rgb, map, on_pure_white);
   mark_rim(basins.figure, map);
-  if (std::count(map.barrier.pixels.begin(), map.barrier.pixels.end(), LineMap::none) ==
-      static_cast<ptrdiff_t>(map.barrier.pixels.size()))
+  const std::vector<uint8_t>& barrier = map.barrier.pixels;
+  if (std::all_of(barrier.begin(), barrier.end(), [](uint8_t b) { return b == LineMap::none; }))
     return Error{ErrorCode::bad_input, "the drawing is blank: no line or edge was found in it", ""};
   basins.index = watershed(map, basins.basins);
   if (basins.basins.empty())

@@ -8,9 +8,9 @@
 namespace relievo::understanding {
 
 /// Divides a drawing into basins by the watershed of the distance to its lines, and proposes which
-/// of them make one part. Errors: `bad_input` where the drawing is empty or holds no line,
-/// `interrupted`. Near-linear in pixels; the context is looked at between steps, the longest of
-/// which takes a third of the whole.
+/// of them make one part. Errors: `bad_input` where the drawing is empty or has no lines or areas,
+/// `interrupted`. Near-linear in pixels. Cancellation is checked between steps, the longest of
+/// which takes a third of the time.
 Result<Basins> find_basins(const Drawing& drawing, const RunContext& context = {});
 
 }  // namespace relievo::understanding

@@ -17,40 +17,43 @@ namespace relievo::understanding {
 namespace {
 
 constexpr double contour_step = 1.5;  ///< cells between points of a contour
-/// Against the staircase alone.
+/// Removes the staircase of the cells alone.
 constexpr OutlineOptions contour_options{.wavelength = 12, .reach = 0.5};
-constexpr int turn_reach = 4;         ///< points to either side, over which a contour turns
-constexpr double concave_turn = 0.6;  ///< rad, from which on a place is concave
-constexpr int contour_look = 4;       ///< cells outwards, for what is beyond a line
-constexpr double limb_length = 1.3;   ///< of the neck's, from the neck to the limb's end
-constexpr double head_radius = 0.8;   ///< of the neck's length, of a round limb's largest disc
-constexpr double body_radius = 0.85;  ///< likewise, of the rest beside the neck
-constexpr double body_reach = 1.5;    ///< lengths of the neck in which that disc's middle lies
-constexpr double free_share = 0.6;    ///< of a limb's contour that is towards the background
-constexpr double body_share = 0.3;   ///< likewise of the rest; what lies on others is a limb itself
-constexpr double least_whole = 2;    ///< of a limb, the area of the region that it is part of
-constexpr double widest_neck = 1.2;  ///< beside the root of the limb's area
-constexpr double both_concave = 0.75;  ///< what a neck between two concave places seems long
+constexpr int turn_reach = 4;         ///< contour points to either side that make up a turn
+constexpr double concave_turn = 0.6;  ///< rad, least turn of a concave point
+constexpr int contour_look = 4;       ///< cells beyond the contour that are searched for a region
+// Lengths below are per length of the neck.
+constexpr double limb_length = 1.3;   ///< least distance from the neck to a limb's end
+constexpr double head_radius = 0.8;   ///< least radius of a round limb's largest disc
+constexpr double body_radius = 0.85;  ///< least radius of the rest's largest disc beside the neck
+constexpr double body_reach = 1.5;    ///< largest distance from the neck to that disc's centre
+constexpr double free_share = 0.6;    ///< least share of a limb's contour along the background
+/// Least share of the rest's contour along the background; with less it is a limb of another part.
+constexpr double body_share = 0.3;
+constexpr double least_whole = 2;      ///< least area of the whole region, per limb
+constexpr double widest_neck = 1.2;    ///< largest length of a neck, per square root of limb area
+constexpr double both_concave = 0.75;  ///< factor to the cost of a neck between two concave points
 
+/// The area beyond a contour.
 enum class Beyond : uint8_t { background, itself, other };
 
 struct ContourPoint {
-  Point2 at;
+  Point2 at;  ///< cells
   Beyond beyond = Beyond::background;
   bool concave = false;
 };
 
 using Contour = std::vector<ContourPoint>;
 
-/// A chord between two points of a contour; the limb's are those after `from` up to `to`.
+/// A chord between two points of a contour. The limb's contour runs from `from` to `to`.
 struct Chord {
   size_t from = 0;
   size_t to = 0;
-  double length = 0;
+  double length = 0;  ///< cells
   double cost = std::numeric_limits<double>::infinity();
 };
 
-/// The box of a region's cells between its lines, with a margin of one.
+/// Computes the box of a region's cells between its lines, with a margin of one; an empty mask.
 Mask box_of_cells(const NeckGrid& grid, int region) {
   int left = grid.region.width;
   int top = grid.region.height;
@@ -68,7 +71,8 @@ Mask box_of_cells(const NeckGrid& grid, int region) {
   return empty_mask(left - 1, top - 1, right + 1, bottom + 1);
 }
 
-/// The cells of a region between its lines in their box, holes that no background lies in filled.
+/// Fills the mask, which is their box, with the cells of a region between its lines and with its
+/// holes, except those that contain background.
 Mask cells_of(const NeckGrid& grid, int region, Mask cells) {
   Image8 other(cells.inside.width, cells.inside.height, 1);
   const auto has = [&](int x, int y) { return grid.has(cells.left + x, cells.top + y); };
@@ -92,7 +96,7 @@ Mask cells_of(const NeckGrid& grid, int region, Mask cells) {
   return cells;
 }
 
-/// What is beyond the line at a point of the contour, looking out of the region.
+/// Returns the area beyond the line at a point of the contour, in a direction out of the region.
 Beyond look_beyond(const NeckGrid& grid, int region, Point2 p, Point2 outwards) {
   for (int step = 1; step <= contour_look; ++step) {
     const int x = static_cast<int>(std::floor(p.x + step * outwards.x));
@@ -105,6 +109,7 @@ Beyond look_beyond(const NeckGrid& grid, int region, Point2 p, Point2 outwards) 
   return Beyond::itself;
 }
 
+/// Computes the turn of a contour at point k, rad; negative where it is concave.
 double turn_at(const std::vector<Point2>& ring, size_t k) {
   const size_t n = ring.size();
   const Point2 in = ring[k] - ring[(k + n - turn_reach) % n];
@@ -112,7 +117,7 @@ double turn_at(const std::vector<Point2>& ring, size_t k) {
   return turn_between(in, out);
 }
 
-/// The outer contour of the largest piece, clockwise on the screen.
+/// Traces the outer contour of the largest piece, clockwise on the screen. Empty where it is short.
 Contour contour_of(const NeckGrid& grid, int region, const Mask& cells) {
   Contour contour;
   Ring outer;
@@ -152,7 +157,7 @@ class NeckFinder {
     }
   }
 
-  /// The narrowest beside the limb's size.
+  /// Returns the neck that is narrowest compared with its limb.
   std::optional<Neck> find() const {
     Chord best;
     double least = std::numeric_limits<double>::infinity();
@@ -178,7 +183,7 @@ class NeckFinder {
     return neck;
   }
 
-  /// The shortest neck that begins or ends at a point.
+  /// Returns the cheapest neck that begins or ends at a point; its length is 0 where there is none.
   Chord nearest_from(size_t i) const {
     std::vector<Chord> chords;
     for (size_t j = 0; j < contour_.size(); ++j) {
@@ -195,11 +200,12 @@ class NeckFinder {
     return {};
   }
 
+  /// Counts the points of the limb's contour, without the last.
   size_t count_of(const Chord& chord) const {
     return (chord.to + contour_.size() - chord.from) % contour_.size();
   }
 
-  /// Of the polygon between the limb's contour and the chord.
+  /// Computes the area between the limb's contour and the chord.
   double limb_area(const Chord& chord) const {
     const auto before = [&](size_t k) { return k == 0 ? 0 : twice_area_[k - 1]; };
     const double all = twice_area_.back();
@@ -208,6 +214,7 @@ class NeckFinder {
     return (sum + cross(contour_[chord.to].at, contour_[chord.from].at)) / 2;
   }
 
+  /// Computes the share of the limb's contour along the background.
   double free_of(const Chord& chord) const {
     const auto before = [&](size_t k) { return k == 0 ? 0 : free_[k - 1]; };
     const int sum =
@@ -215,6 +222,7 @@ class NeckFinder {
     return static_cast<double>(sum) / static_cast<double>(std::max<size_t>(1, count_of(chord)));
   }
 
+  /// Returns the distance from a point to the nearest cell outside, cells; 0 outside.
   double distance_at(Point2 p) const {
     const int x = static_cast<int>(std::floor(p.x)) - cells_.left;
     const int y = static_cast<int>(std::floor(p.y)) - cells_.top;
@@ -230,7 +238,8 @@ class NeckFinder {
     return true;
   }
 
-  /// The largest disc with its middle to one side of the chord, not farther from it than `reach`.
+  /// Computes the radius of the largest disc whose centre lies on one side of the chord, the limb's
+  /// or the other, up to `reach` from its middle.
   double disc_beside(const Chord& chord, bool limb, double reach) const {
     const Point2 a = contour_[chord.from].at;
     const Point2 b = contour_[chord.to].at;
@@ -259,7 +268,7 @@ class NeckFinder {
     return disc_beside(chord, true, chord.length * body_reach) >= head_radius * chord.length;
   }
 
-  /// Whether what the chord parts off is large enough, and bounded by the background.
+  /// Returns whether the area that a chord cuts off is large enough and borders on the background.
   bool is_limb(const Chord& chord) const {
     const double area = limb_area(chord);
     return area >= least_area_ && 2 * least_whole * area <= twice_area_.back() &&
@@ -275,10 +284,10 @@ class NeckFinder {
 
   Mask cells_;
   Contour contour_;
-  double least_area_;
-  Image<int32_t> squared_;
-  std::vector<double> twice_area_;  ///< up to and with each side
-  std::vector<int> free_;           ///< points towards the background up to and with each
+  double least_area_;               ///< cells
+  Image<int32_t> squared_;          ///< squared distances to the outside, cells^2
+  std::vector<double> twice_area_;  ///< [points] cumulated, up to and with each side
+  std::vector<int> free_;           ///< [points] cumulated number along the background
 };
 
 }  // namespace

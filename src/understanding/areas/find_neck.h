@@ -7,29 +7,29 @@
 
 namespace relievo::understanding {
 
-/// The regions of a drawing, at a size at which necks are looked for.
+/// The regions of a drawing at the resolution at which necks are searched.
 struct NeckGrid {
   double cell = 1;        ///< px
-  Image<int32_t> region;  ///< 0 background
-  Image8 wall;            ///< 1 where a line passes
+  Image<int32_t> region;  ///< [cells] 0 background
+  Image8 wall;            ///< [cells] 1 where a line or bridge passes
 
   bool has(int x, int y) const { return x >= 0 && y >= 0 && x < region.width && y < region.height; }
 };
 
-/// Where a limb grows out of the rest of a region, in cells. The neck is the chord from the first
-/// point of the limb's contour to the last; the limb lies to its left.
+/// A neck: the chord between a region and a limb that grows out of it. It runs from the first to
+/// the last point of `limb`, with the limb to its left. Coordinates are in cells.
 struct Neck {
-  Ring limb;
-  Ring whole;          ///< the contour of both
-  bool round = false;  ///< the limb, as a head is
+  Ring limb;           ///< contour of the limb
+  Ring whole;          ///< contour of the region, limb included
+  bool round = false;  ///< whether the limb is round, like a head
 };
 
-/// The neck that is narrowest beside the size of its limb, of `least_area` cells at least. It is a
-/// chord inside the region, from a concave place of the region's own contour to the nearest other
-/// one, rather a concave one as well. The limb is longer than the neck, or holds a disc as wide,
-/// and borders on the background for the most part; the rest does so in part, and holds a larger
-/// disc beside the neck. Lines that end inside the region are contour. O(grid + contour^2 log
-/// contour).
+/// Finds the neck that is narrowest compared with its limb, whose area is at least `least_area`
+/// cells. A neck is a chord inside the region from a concave point of its contour to the nearest
+/// other point, preferably a concave one. The limb is longer than the neck or contains a disc
+/// nearly as wide, and most of its contour borders on the background. The rest of the region
+/// borders on the background in part, and contains a large disc beside the neck. Lines that end
+/// inside the region are part of its contour. O(grid + contour^2 log contour).
 std::optional<Neck> find_neck(const NeckGrid& grid, int region, double least_area);
 
 }  // namespace relievo::understanding

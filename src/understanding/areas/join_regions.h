@@ -6,10 +6,10 @@
 
 namespace relievo::understanding {
 
-/// Gives proposed regions to the scribbled parts that they touch, the surest first: where the
-/// border is long and open, and the colour alike. `labels` has those of basins: 1 ... `part_count`
-/// are scribbled parts, more are proposed regions; what touches neither a scribbled part nor what
-/// joined one stays. O(regions * borders between regions).
+/// Joins proposed regions to the scribbled parts that they touch, the surest first: where the
+/// common border is long and open, and the colours are alike. `labels`: [#B] 1 ... `part_count` are
+/// scribbled parts, larger ones proposed regions. Regions without any connection to a scribbled
+/// part stay. O(regions * borders between regions).
 void join_regions(const Basins& basins, int part_count, std::vector<int>& labels);
 
 }  // namespace relievo::understanding

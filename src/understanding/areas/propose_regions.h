@@ -5,9 +5,10 @@
 
 namespace relievo::understanding {
 
-/// Fills region, region_count and unbounded_ink: unites basins that are open to each other, finds
-/// the background at the edges of the image, and gives slivers and small enclosed details to what
-/// lies around them. `rgb` is the drawing on white. O(pixels + borders log borders).
+/// Computes `basins.region`, `region_count` and `unbounded_ink`. Unites basins that are open to
+/// each other, finds the background, gives slivers and small details to the regions around them,
+/// and unites neighbours and pieces that are likely one part. Settles the gaps of `basins.barrier`.
+/// `rgb` is the drawing on white. O(pixels + borders log borders).
 void propose_regions(const Image8& rgb, Basins& basins);
 
 }  // namespace relievo::understanding

@@ -2,21 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace relievo::understanding {
 namespace {
 
 constexpr double similar_colour = 60;  ///< distance of mean colours, of 255 a channel
-constexpr double darkest_paint = 48;   ///< mean of a channel, of 255
+constexpr double darkest_paint = 48;   ///< mean of the brightest channel, of 255; less is ink
 
 bool is_as_dark_as_ink(const Basin& region) {
-  const auto most =
-      static_cast<double>(*std::max_element(region.colour_sum.begin(), region.colour_sum.end()));
-  return region.coloured > 0 && most < darkest_paint * static_cast<double>(region.coloured);
+  if (region.coloured == 0) return false;
+  const std::array<double, 3> mean = mean_colour(region);
+  return *std::max_element(mean.begin(), mean.end()) < darkest_paint;
 }
 
-RegionBorder from_beyond(RegionBorder border) {
+/// Returns a border as seen from its other side.
+Border turned(Border border) {
   for (int64_t& step : border.step) step = -step;
   return border;
 }
@@ -29,13 +29,18 @@ RegionMerging::RegionMerging(const Basins& basins)
       borders_(basins.basins.size()),
       figure_is_sharp_(basins.figure.sharp) {
   for (const BasinBorder& border : basins.borders) {
-    const RegionBorder seen = {border.pairs, border.line_pairs, border.edge_pairs, border.step};
-    borders_[border.a][border.b] = seen;
-    borders_[border.b][border.a] = from_beyond(seen);
+    borders_[border.a][border.b] = border;
+    borders_[border.b][border.a] = turned(border);
   }
 }
 
-void RegionMerging::unite(int a, int b) {
+Border RegionMerging::whole_border(int r) const {
+  Border sum;
+  for (const auto& [neighbour, border] : borders_[r]) sum.add(border);
+  return sum;
+}
+
+int RegionMerging::unite(int a, int b) {
   const auto [keeps, goes] = std::minmax(a, b);
   sets_.unite(a, b);
   Basin& region = regions_[keeps];
@@ -52,24 +57,19 @@ void RegionMerging::unite(int a, int b) {
   if (borders_[goes].size() > borders_[keeps].size()) std::swap(borders_[goes], borders_[keeps]);
   borders_[keeps].erase(keeps);
   borders_[keeps].erase(goes);
-  for (const auto& [neighbour, border] : borders_[goes]) {
-    if (neighbour == keeps || neighbour == goes) continue;
-    RegionBorder& sum = borders_[keeps][neighbour];
-    sum.pairs += border.pairs;
-    sum.line_pairs += border.line_pairs;
-    sum.edge_pairs += border.edge_pairs;
-    for (size_t c = 0; c < 3; ++c) sum.step[c] += border.step[c];
-  }
+  for (const auto& [neighbour, border] : borders_[goes])
+    if (neighbour != keeps && neighbour != goes) borders_[keeps][neighbour].add(border);
   borders_[goes].clear();
   for (const auto& [neighbour, border] : borders_[keeps]) {
     borders_[neighbour].erase(goes);
-    borders_[neighbour][keeps] = from_beyond(border);
+    borders_[neighbour][keeps] = turned(border);
   }
+  return keeps;
 }
 
 double RegionMerging::open_share(int a, int b) const {
   if (figure_is_sharp_ && is_in_figure(regions_[a]) != is_in_figure(regions_[b])) return 0;
-  const RegionBorder& border = borders_[a].at(b);
+  const Border& border = borders_[a].at(b);
   const bool marked =
       (edges_count_ || is_as_dark_as_ink(regions_[a]) || is_as_dark_as_ink(regions_[b])) &&
       colour_distance(a, b) >= similar_colour;
@@ -78,7 +78,7 @@ double RegionMerging::open_share(int a, int b) const {
 }
 
 double RegionMerging::colour_step(int a, int b) const {
-  const RegionBorder& border = borders_[a].at(b);
+  const Border& border = borders_[a].at(b);
   const int64_t open = border.pairs - border.line_pairs - border.edge_pairs;
   if (open == 0) return colour_distance(a, b);
   double sum = 0;
@@ -88,17 +88,39 @@ double RegionMerging::colour_step(int a, int b) const {
 }
 
 double RegionMerging::colour_distance(int a, int b) const {
-  const Basin& x = regions_[a];
-  const Basin& y = regions_[b];
-  if (x.coloured == 0 || y.coloured == 0) return 0;
+  if (regions_[a].coloured == 0 || regions_[b].coloured == 0) return 0;
+  const std::array<double, 3> x = mean_colour(regions_[a]);
+  const std::array<double, 3> y = mean_colour(regions_[b]);
   double sum = 0;
-  for (size_t c = 0; c < 3; ++c) {
-    const double difference =
-        static_cast<double>(x.colour_sum[c]) / static_cast<double>(x.coloured) -
-        static_cast<double>(y.colour_sum[c]) / static_cast<double>(y.coloured);
-    sum += difference * difference;
-  }
+  for (size_t c = 0; c < 3; ++c) sum += (x[c] - y[c]) * (x[c] - y[c]);
   return std::sqrt(sum);
+}
+
+Merger::Merger(RegionMerging& regions, Worth worth) : regions_(regions), worth_(std::move(worth)) {
+  for (int a = 0; a < regions.count(); ++a)
+    for (const auto& [b, border] : regions.borders(a))
+      if (a < b) propose(a, b);
+}
+
+std::optional<Merger::Union> Merger::unite_next() {
+  while (!queue_.empty()) {
+    const Union next = queue_.top();
+    queue_.pop();
+    // An entry that a later union has made out of date was pushed again with its new worth.
+    if (!regions_.is_region(next.a) || !regions_.is_region(next.b) ||
+        regions_.borders(next.a).count(next.b) == 0 || worth_(next.a, next.b) != next.worth)
+      continue;
+    regions_.unite(next.a, next.b);
+    for (const auto& [neighbour, border] : regions_.borders(next.a)) propose(next.a, neighbour);
+    return next;
+  }
+  return std::nullopt;
+}
+
+void Merger::propose(int a, int b) {
+  const auto [low, high] = std::minmax(a, b);
+  const std::pair<double, int64_t> worth = worth_(a, b);
+  if (worth.first >= 0) queue_.push({worth, low, high});
 }
 
 }  // namespace relievo::understanding

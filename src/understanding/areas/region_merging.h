@@ -1,7 +1,11 @@
 #pragma once
 
-#include <array>
+#include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
+#include <queue>
+#include <utility>
 #include <vector>
 
 #include "kernel/base/disjoint_sets.h"
@@ -9,15 +13,8 @@
 
 namespace relievo::understanding {
 
-/// How two regions meet.
-struct RegionBorder {
-  int64_t pairs = 0;
-  int64_t line_pairs = 0;
-  int64_t edge_pairs = 0;
-  std::array<int64_t, 3> step = {};  ///< see BasinBorder, towards the neighbour
-};
-
-/// Basins that are united step by step; a region is known by its smallest basin.
+/// The region adjacency graph of basins that are united step by step. A region is known by its
+/// smallest basin.
 class RegionMerging {
  public:
   explicit RegionMerging(const Basins& basins);
@@ -25,34 +22,67 @@ class RegionMerging {
   bool is_region(int r) { return sets_.find(r) == r; }
   int region_of(int basin) { return sets_.find(basin); }
   const Basin& region(int r) const { return regions_[r]; }
-  const std::map<int, RegionBorder>& borders(int r) const { return borders_[r]; }
+  /// Returns the neighbours of a region; `step` leads from the region to the neighbour.
+  const std::map<int, Border>& borders(int r) const { return borders_[r]; }
   int count() const { return static_cast<int>(regions_.size()); }  ///< of basins
 
-  /// Unites two regions. O(borders of the one with fewer, log).
-  void unite(int a, int b);
+  /// Sums all borders of a region. O(its borders).
+  Border whole_border(int r) const;
 
-  /// Share of the border of two neighbours that nothing marks; an edge between areas of similar
-  /// colour is texture and marks nothing, but for the rim of the figure where that is sharp.
+  /// Unites two regions and returns the united one. O(borders of the one with fewer, log).
+  int unite(int a, int b);
+
+  /// Computes the share of the border of two neighbours that no line or edge marks. Edges between
+  /// areas of similar colour are texture and mark nothing. The rim of a sharp figure mask marks all
+  /// of a border.
   double open_share(int a, int b) const;
 
-  /// From now on edges mark nothing, but for those of areas that are as dark as ink: where ink
-  /// outlines the parts, they are what is painted on them.
+  /// Lets edges mark nothing from now on, except around areas as dark as ink: where ink outlines
+  /// the parts, edges are painted on them.
   void ignore_edges() { edges_count_ = false; }
 
-  /// Euclidean distance of mean colours, of 255 a channel; 0 where one has no colour.
+  /// Computes the Euclidean distance of mean colours, of 255 a channel; 0 where one has no colour.
   double colour_distance(int a, int b) const;
 
-  /// The same of the colours beside that part of the border of two neighbours that has neither
-  /// line nor edge: small between areas that differ since light changes over both. Where no part
-  /// has, that of the means.
+  /// Computes the same distance from the colours close to the part of the border without line and
+  /// edge. It is small between areas that differ since light changes across both. Where there is no
+  /// such part it is the distance of the means.
   double colour_step(int a, int b) const;
 
  private:
   bool edges_count_ = true;
   DisjointSets sets_;
   std::vector<Basin> regions_;
-  std::vector<std::map<int, RegionBorder>> borders_;
+  std::vector<std::map<int, Border>> borders_;
   bool figure_is_sharp_;
+};
+
+/// Unites neighbouring regions in the order of their worth, the greatest first.
+class Merger {
+ public:
+  /// Returns what uniting two neighbours is worth, and a second number that decides between equal
+  /// worths. Where the worth is negative they stay apart.
+  using Worth = std::function<std::pair<double, int64_t>(int, int)>;
+
+  /// Two united regions, by their smallest basins, a < b; now they are region a.
+  struct Union {
+    std::pair<double, int64_t> worth;
+    int a = 0;
+    int b = 0;
+    auto operator<=>(const Union&) const = default;
+  };
+
+  Merger(RegionMerging& regions, Worth worth);
+
+  /// Unites the next two regions; nothing where all stay apart. O(borders of both, log).
+  std::optional<Union> unite_next();
+
+ private:
+  void propose(int a, int b);
+
+  RegionMerging& regions_;
+  Worth worth_;
+  std::priority_queue<Union> queue_;
 };
 
 }  // namespace relievo::understanding

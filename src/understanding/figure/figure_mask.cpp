@@ -13,26 +13,29 @@
 #include "kernel/image/morphology.h"
 #include "kernel/image/outlines.h"
 #include "kernel/image/watershed.h"
+#include "understanding/lines/line_map.h"
 #include "understanding/paper/page.h"
 #include "understanding/paper/pure_white.h"
 
 namespace relievo::understanding {
 namespace {
 
-constexpr double solid_share = 0.6;   ///< of what opaque pixels surround, from which they are areas
-constexpr int colourful = 44;         ///< difference of channels, of 255, of what is no paper
-constexpr int clean_white = 248;      ///< darkest channel of white paper at least
-constexpr double clean_share = 0.9;   ///< of the picture's edge that is so white on clean paper
-constexpr int faintest = 228;         ///< darkest channel of paint on clean paper at most
-constexpr int half_halo = 2;          ///< px, of what a codec leaves beside an outline
-constexpr int rim_margin = 2;         ///< px, within which an edge is that of the figure
-constexpr uint8_t rim_ink = 44;       ///< of LineMap::ink, that the rim has at least
-constexpr double gap_width = 0.008;   ///< of the diagonal, up to which gaps in paint are closed
-constexpr double grain_share = 0.02;  ///< of the figure; gaps in grainy paint are more
-constexpr double slit_hole = 0.2;     ///< of the figure; a hole behind a slit is less
-constexpr double at_edge_share = 0.2;  ///< of the picture's edge; more is no figure on paper
+// Channels and their differences are of 255.
+/// Least share of opaque pixels in the area that they enclose; fewer are lines.
+constexpr double solid_share = 0.6;
+constexpr int colourful = 44;         ///< difference of channels above which a pixel is no paper
+constexpr int clean_white = 248;      ///< least darkest channel of clean paper
+constexpr double clean_share = 0.9;   ///< least share of the border that is so white on clean paper
+constexpr int palest_on_clean = 228;  ///< darkest channel of paint on clean paper at most
+constexpr int half_halo = 2;          ///< px, half width of compression noise beside an outline
+constexpr int rim_margin = 2;         ///< px, distance up to which a barrier runs along the rim
+constexpr uint8_t rim_ink = 44;       ///< least LineMap::ink of the rim
+constexpr double gap_width = 0.008;   ///< width up to which gaps in paint are closed, per diagonal
+constexpr double grain_share = 0.02;  ///< area of gaps above which paint is grainy, per figure
+constexpr double slit_hole = 0.2;     ///< largest area of a hole behind a slit, per figure
+constexpr double border_share = 0.2;  ///< largest share of the border that a figure on paper covers
 
-/// Without what lies around the page.
+/// Removes what lies around a page.
 Image8 without_surroundings(const Image8& mask) {
   const Components pieces = connected_components(mask, Connectivity::sides);
   const int w = mask.width;
@@ -49,50 +52,44 @@ Image8 without_surroundings(const Image8& mask) {
   Image8 result = mask;
   for (size_t i = 0; i < result.pixels.size(); ++i) {
     const int32_t piece = pieces.label.pixels[i];
-    if (piece != 0 && is_surroundings(at_edge[piece], pieces.areas[piece], w, h))
+    if (piece != 0 && is_around_page(at_edge[piece], pieces.areas[piece], w, h))
       result.pixels[i] = 0;
   }
   return result;
 }
 
-Image8 opaque_pixels(const Image8& rgba) {
-  Image8 mask(rgba.width, rgba.height, 1);
-  for (size_t i = 0; i < mask.pixels.size(); ++i)
-    mask.pixels[i] = rgba.pixels[4 * i + 3] >= 128 ? 1 : 0;
-  return mask;
-}
-
-/// Whether the picture's edge is white paper without grain or shadows.
+/// Returns whether the picture's border is white paper without grain or shadows.
 bool is_on_clean_paper(const Image8& rgb) {
   const auto is_white = [&](int x, int y) { return darkest_channel(rgb, x, y) >= clean_white; };
   return share_of_edge(rgb.width, rgb.height, is_white) > clean_share;
 }
 
-/// What is no paper: on clean paper whatever is not white, else what no shadow is.
+/// Finds the paint: on clean paper all that is not white, else what is too coloured or dark to be a
+/// shadow.
 Image8 paint(const Image8& rgb, bool on_pure_white) {
   const bool clean = is_on_clean_paper(rgb);
-  // Broader than what a codec leaves beside an outline.
+  // Compression noise beside outlines is narrower than this.
   Image8 mask = on_pure_white ? remove_specks(tinted_pixels(rgb), half_halo)
                               : Image8(rgb.width, rgb.height, 1);
   for (size_t i = 0; i < mask.pixels.size(); ++i) {
     const uint8_t* p = &rgb.pixels[3 * i];
     const int brightest = std::max({p[0], p[1], p[2]});
     const int darkest = std::min({p[0], p[1], p[2]});
-    const bool coloured = clean ? darkest < faintest : brightest - darkest > colourful;
+    const bool coloured = clean ? darkest < palest_on_clean : brightest - darkest > colourful;
     if (coloured || is_dark(p)) mask.pixels[i] = 1;
   }
   return mask;
 }
 
-/// What is as dark as ink and too wide for a line.
+/// Finds the areas that are as dark as ink and too wide for a line.
 Image8 dark_shapes(const Image8& rgb, const Image8& barrier) {
-  Image8 mask(rgb.width, rgb.height, 1);
-  for (size_t i = 0; i < mask.pixels.size(); ++i)
-    mask.pixels[i] = is_dark(&rgb.pixels[3 * i]) && barrier.pixels[i] != LineMap::line ? 1 : 0;
-  return without_surroundings(remove_specks(mask, 1));
+  const Image8 dark = mask_where(rgb.width, rgb.height, [&](size_t i) {
+    return is_dark(&rgb.pixels[3 * i]) && barrier.pixels[i] != LineMap::line;
+  });
+  return without_surroundings(remove_specks(dark, 1));
 }
 
-/// With the gaps in it closed, but for those between it and the picture's edge.
+/// Closes the gaps in a mask, except those between it and the picture's border.
 Image8 without_gaps(const Image8& mask, int half_gap) {
   Image8 closed = close_gaps(mask, half_gap);
   for (int y = 0; y < mask.height; ++y)
@@ -103,9 +100,8 @@ Image8 without_gaps(const Image8& mask, int half_gap) {
   return closed;
 }
 
-/// Opens again what was closed before a hole, as the slit between the feet of legs that stand
-/// together, unless the hole is large. Grainy paint, as that of crayons, has gaps all over, which
-/// say nothing.
+/// Opens again the closed gaps in front of small holes, such as the slit between the feet below two
+/// legs. Grainy paint, such as crayon, has gaps all over, which stay closed.
 void open_slits(const Image8& paint, Image8& closed) {
   Image8 added = closed;
   for (size_t i = 0; i < added.pixels.size(); ++i)
@@ -115,12 +111,12 @@ void open_slits(const Image8& paint, Image8& closed) {
   const Components gaps = connected_components(added, Connectivity::sides);
   const Components open = connected_components(complement(closed), Connectivity::sides);
   const std::vector<uint8_t> is_page = pieces_at_edge(open);
-  std::vector<int64_t> hole(gaps.areas.size(), 0);  // the largest beside each gap, px
+  std::vector<int64_t> hole(gaps.areas.size(), 0);  // area of the largest hole at each gap, px
   for (int y = 1; y + 1 < closed.height; ++y)
     for (int x = 1; x + 1 < closed.width; ++x) {
       const int32_t gap = gaps.label.at(x, y);
       if (gap == 0) continue;
-      for (const auto& [u, v] : sides_of(x, y)) {
+      for (const auto& [u, v] : side_neighbours(x, y)) {
         const int32_t piece = open.label.at(u, v);
         if (piece != 0 && is_page[piece] == 0) hole[gap] = std::max(hole[gap], open.areas[piece]);
       }
@@ -135,7 +131,8 @@ void open_slits(const Image8& paint, Image8& closed) {
 
 FigureMask find_figure(const Image8& rgba, const Image8& rgb, const LineMap& map,
                        bool on_pure_white) {
-  const Image8 opaque = opaque_pixels(rgba);
+  const Image8 opaque =
+      mask_where(rgba.width, rgba.height, [&](size_t i) { return rgba.pixels[4 * i + 3] >= 128; });
   const int64_t pixels = count_of(opaque);
   if (pixels < static_cast<int64_t>(opaque.pixels.size())) {
     const auto surrounded = static_cast<double>(count_of(without_holes(opaque)));
@@ -150,9 +147,9 @@ FigureMask find_figure(const Image8& rgba, const Image8& rgb, const LineMap& map
   open_slits(paint_on_page, closed);
   const Image8 figure = without_small_pieces(without_holes(closed));
   const auto is_inside = [&](int x, int y) { return figure.at(x, y) != 0; };
-  const double most = on_pure_white ? 1 - bust_share : at_edge_share;
+  const double most = on_pure_white ? 1 - bust_share : border_share;
   if (share_of_edge(rgb.width, rgb.height, is_inside) > most) return {};
-  // The blur of its rim is half paper.
+  // The blurred pixels of its rim are half paper.
   return {min_filter(figure, 1), false, on_pure_white};
 }
 

@@ -1,27 +1,24 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
 #include "relievo/image.h"
 #include "understanding/lines/line_map.h"
 
 namespace relievo::understanding {
 
-/// What of the picture is the figure, found without its parts.
+/// The pixels of the figure, found before its parts.
 struct FigureMask {
-  Image8 inside;      ///< [drawing size] 1 where it is; empty where nothing can be said
-  bool said = false;  ///< what is outside is background for certain: the picture was cut out
-  /// Its rim parts areas, however pale: the picture was cut out, painted on pure white, or is line
-  /// art, of which `inside` holds the dark shapes.
+  Image8 inside;  ///< [drawing size] 1 on the figure; empty where it is unknown
+  /// The drawing is transparent outside the mask, which is therefore certainly background.
+  bool cut_out = false;
+  /// The mask's rim separates areas, however pale: the drawing was cut out, was painted on pure
+  /// white, or is line art, of which the mask holds the dark shapes alone.
   bool sharp = false;
 };
 
-/// The figure of a picture on a transparent ground whose opaque areas are it (lines on a
-/// transparent ground say nothing), or of paint on paper: what is coloured or dark, the narrow gaps
-/// in it but for slits before small holes, and what it surrounds; of line art its dark shapes
-/// alone. `rgba` is the drawing, `rgb` the same on white. O(pixels).
+/// Finds the figure. On transparency it is the opaque areas; where these are lines only, nothing is
+/// known. On paper it is the paint: coloured or dark pixels, the narrow gaps between them (except
+/// slits in front of small holes), and everything that they enclose. Of line art it is the dark
+/// shapes. `rgba` is the drawing, `rgb` the same on white. O(pixels).
 FigureMask find_figure(const Image8& rgba, const Image8& rgb, const LineMap& map,
                        bool on_pure_white);
 

@@ -6,10 +6,13 @@
 namespace relievo::understanding {
 namespace {
 
-/// LazyBrush's weight of a soft stroke: this many of its pixels are worth one pixel of white.
+/// Number of pixels of a soft stroke that weigh as much as a pixel of white border (LazyBrush).
 constexpr int64_t soft_pixels_per_white = 20;
 
-/// The energy of the basins that are free to choose.
+/// LazyBrush's energy over the basins in regions with strokes,
+///   E(l) = sum over borders w_ab [l_a != l_b] + sum over basins D_a(l_a),
+/// where D_a counts the soft votes for other labels, costs the pixels at the picture's edge,
+/// outside which lies background, and is infinite against hard votes.
 class LabelProblem {
  public:
   LabelProblem(const Basins& basins, const BasinVotes& votes, int part_count)
@@ -56,13 +59,13 @@ class LabelProblem {
     }
   }
 
-  /// Outside the image lies background, without a line between.
   int64_t cost_at_edge(const Basin& basin) const {
     int64_t pixels = 0;
     for (const int64_t count : basin.at_edge) pixels += count;
     return pixels * white_cost(basins_.index.width, basins_.index.height);
   }
 
+  /// Forbids all other labels.
   void bar_all_but(int basin, int label) {
     for (int other = 0; other < problem_.label_count; ++other)
       if (other != label) cost(basin, other) = CutGraph::forbidden;
@@ -73,7 +76,7 @@ class LabelProblem {
       problem_.edges.push_back({node_[border.a], node_[border.b], border.weight});
       return;
     }
-    // Next to background that stays, being background costs nothing at this border.
+    // A basin beside background that is not free pays for this border unless it is background.
     const int free = node_[border.a] >= 0 ? border.a : border.b;
     const int fixed = free == border.a ? border.b : border.a;
     if (node_[free] < 0 || proposed_label(fixed) != 0) return;
@@ -84,7 +87,7 @@ class LabelProblem {
   const BasinVotes& votes_;
   int part_count_;
   std::vector<std::set<int>> allowed_;  ///< [#R + 1] empty where the region stays as proposed
-  std::vector<int> node_;               ///< [#B] in the problem, or -1
+  std::vector<int> node_;               ///< [#B] index in the problem, or -1
   PottsProblem problem_;
 };
 

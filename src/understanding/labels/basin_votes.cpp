@@ -7,34 +7,18 @@
 namespace relievo::understanding {
 namespace {
 
-/// A slip is less than one part in so many of a stroke: into another part, out of the figure.
-constexpr int64_t slip_fraction = 10;
-constexpr int64_t slip_out_fraction = 2;
-/// A stroke of which so much lies on lines follows them, and says nothing of the paper beside them.
-constexpr double along_lines = 0.2;
-
-bool is_for_background(ScribbleKind kind) {
-  return kind == ScribbleKind::outside || kind == ScribbleKind::hole;
-}
-
-/// How many pixels of a stroke lie in each region, off the lines.
-struct StrokeCounts {
-  std::map<int, int64_t> in_region;
-  int64_t total = 0;
-
-  bool slipped_into(int region) const {
-    return in_region.at(region) * (region == 0 ? slip_out_fraction : slip_fraction) < total;
-  }
-};
+constexpr int64_t slip_fraction = 10;     ///< pixels of a stroke over those of its largest slip
+constexpr int64_t slip_out_fraction = 2;  ///< the same for a slip out of the figure
+constexpr double along_lines = 0.2;  ///< share of a stroke on lines above which it follows them
 
 int region_at(const Basins& basins, int32_t pixel) {
   return basins.region[basins.index.pixels[pixel]];
 }
 
-/// Marks off the lines; of strokes that lie on lines altogether, those as well. What strokes along
-/// lines cover of the background is left out: they are for the ink (see take_ink).
-std::vector<MarkedPixel> counted_marks(const Basins& basins, const Scribbles& scribbles) {
-  std::vector<MarkedPixel> marks = mark_pixels(scribbles, basins.index.width, basins.index.height);
+/// Removes the marks that do not vote: those on lines, unless all of the stroke lies on lines, and
+/// those on the background of strokes along lines, which are for the ink (see take_ink).
+void remove_silent(const Basins& basins, const Scribbles& scribbles,
+                   std::vector<MarkedPixel>& marks) {
   const auto on_line = [&](const MarkedPixel& mark) {
     return basins.barrier.pixels[mark.pixel] != 0;
   };
@@ -44,19 +28,16 @@ std::vector<MarkedPixel> counted_marks(const Basins& basins, const Scribbles& sc
     on_lines[mark.stroke] += on_line(mark) ? 1 : 0;
     ++all[mark.stroke];
   }
-  const auto is_for_ink = [&](const MarkedPixel& mark) {
-    if (on_line(mark) && on_lines[mark.stroke] < all[mark.stroke]) return true;
-    return !is_for_background(scribbles.strokes[mark.stroke].kind) &&
-           region_at(basins, mark.pixel) == 0 &&
-           static_cast<double>(on_lines[mark.stroke]) >
-               along_lines * static_cast<double>(all[mark.stroke]);
-  };
-  marks.erase(std::remove_if(marks.begin(), marks.end(), is_for_ink), marks.end());
-  return marks;
+  std::erase_if(marks, [&](const MarkedPixel& mark) {
+    const int s = mark.stroke;
+    if (on_line(mark) && on_lines[s] < all[s]) return true;
+    return is_for_part(scribbles.strokes[s].kind) && region_at(basins, mark.pixel) == 0 &&
+           static_cast<double>(on_lines[s]) > along_lines * static_cast<double>(all[s]);
+  });
 }
 
-/// Background that reaches the picture's edge is background there, whatever strokes for parts lie
-/// in it: they divide it, and no part floods the page.
+/// Marks background at the picture's border as such where hard strokes of parts lie in it: they
+/// divide it, and no part floods the page.
 void hold_background_at_edge(const Basins& basins, BasinVotes& votes) {
   std::set<int> stroked;
   for (const BasinVotes::HardPixel& pixel : votes.hard)
@@ -75,34 +56,33 @@ void hold_background_at_edge(const Basins& basins, BasinVotes& votes) {
 
 }  // namespace
 
-BasinVotes count_votes(const Basins& basins, const Scribbles& scribbles) {
-  const std::vector<MarkedPixel> marks = counted_marks(basins, scribbles);
-  std::vector<StrokeCounts> counts(scribbles.strokes.size());
+BasinVotes count_votes(const Basins& basins, const Scribbles& scribbles,
+                       std::vector<MarkedPixel> marks) {
+  remove_silent(basins, scribbles, marks);
+  std::vector<std::map<int, int64_t>> in_region(scribbles.strokes.size());
+  std::vector<int64_t> all(scribbles.strokes.size(), 0);
   for (const MarkedPixel& mark : marks) {
-    ++counts[mark.stroke].in_region[region_at(basins, mark.pixel)];
-    ++counts[mark.stroke].total;
+    ++in_region[mark.stroke][region_at(basins, mark.pixel)];
+    ++all[mark.stroke];
   }
-  const size_t regions = static_cast<size_t>(basins.region_count) + 1;
   BasinVotes votes;
   votes.soft.resize(basins.basins.size());
-  votes.labels_in_region.resize(regions);
-  votes.is_hole.assign(regions, true);
+  votes.labels_in_region.resize(static_cast<size_t>(basins.region_count) + 1);
   for (const MarkedPixel& mark : marks) {
     const Scribble& stroke = scribbles.strokes[mark.stroke];
     const int basin = basins.index.pixels[mark.pixel];
     const int region = basins.region[basin];
-    const int label = is_for_background(stroke.kind) ? 0 : stroke.part + 1;
+    const int label = stroke.label();
     if (stroke.kind == ScribbleKind::soft) {
       ++votes.soft[basin][label];
     } else {
-      if (label != 0 && counts[mark.stroke].slipped_into(region)) continue;
+      const int64_t fraction = region == 0 ? slip_out_fraction : slip_fraction;
+      const bool slipped = in_region[mark.stroke][region] * fraction < all[mark.stroke];
+      if (label != 0 && slipped) continue;
       votes.hard.push_back({mark.pixel, basin, label});
     }
     votes.labels_in_region[region].insert(label);
-    if (stroke.kind != ScribbleKind::hole) votes.is_hole[region] = false;
   }
-  for (size_t r = 0; r < regions; ++r)
-    if (votes.labels_in_region[r].empty()) votes.is_hole[r] = false;
   hold_background_at_edge(basins, votes);
   std::sort(votes.hard.begin(), votes.hard.end(), [](const auto& a, const auto& b) {
     return a.basin != b.basin ? a.basin < b.basin : a.pixel < b.pixel;

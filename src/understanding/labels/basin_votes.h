@@ -10,23 +10,25 @@
 
 namespace relievo::understanding {
 
-/// What scribbles say in terms of basins. Label 0 is background, k + 1 is Scribbles::parts[k].
+/// The strokes' votes on basins. Label 0 is background, k + 1 is Scribbles::parts[k].
 struct BasinVotes {
+  /// A pixel under a hard stroke.
   struct HardPixel {
-    int32_t pixel = 0;
+    int32_t pixel = 0;  ///< y * width + x
     int basin = 0;
     int label = 0;
   };
   std::vector<HardPixel> hard;                  ///< sorted by basin, then pixel
-  std::vector<std::map<int, int64_t>> soft;     ///< [#B] label -> px that vote for it
-  std::vector<std::set<int>> labels_in_region;  ///< [#R + 1] labels that may be taken there
-  std::vector<bool> is_hole;                    ///< [#R + 1] only hole strokes lie there
+  std::vector<std::map<int, int64_t>> soft;     ///< [#B] by label, px that vote for it
+  std::vector<std::set<int>> labels_in_region;  ///< [#R + 1] labels of the strokes that lie there
 };
 
-/// Counts the strokes. On lines they say nothing, since lines are shared. Of a hard stroke, what
-/// slipped into a region with less than a tenth of its pixels, or with half of them out of the
-/// figure, is dropped; background at the picture's edge counts as marked where strokes for parts
-/// lie in it.
-BasinVotes count_votes(const Basins& basins, const Scribbles& scribbles);
+/// Counts the votes of the marked pixels. Pixels on lines do not vote, since lines are shared,
+/// unless the whole stroke lies on lines. Strokes along lines do not vote on the background beside
+/// them. The pixels of a hard stroke in a region count as a slip and are dropped where they are
+/// less than a tenth of it, or less than half of it on the background. Where a hard stroke of a
+/// part lies in background at the picture's border, that border is marked as background.
+BasinVotes count_votes(const Basins& basins, const Scribbles& scribbles,
+                       std::vector<MarkedPixel> marks);
 
 }  // namespace relievo::understanding

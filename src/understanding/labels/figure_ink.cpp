@@ -8,25 +8,29 @@
 
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/components.h"
+#include "kernel/image/mask_pieces.h"
+#include "kernel/image/watershed.h"
 #include "understanding/lines/line_map.h"
 
 namespace relievo::understanding {
 namespace {
 
-constexpr int clear_ink = 64;           ///< of 255; what is fainter is the blur of a line
-constexpr double contour_reach = 0.8;   ///< widths of a line, which its outer half has at most
-constexpr double speck_length = 3;      ///< widths of a line, up to which ink is part of a part
-constexpr double tube_length = 0.03;    ///< of the figure's diagonal, from which on ink is a tube
-constexpr double apart_length = 0.08;   ///< likewise, where it touches no part
-constexpr double given_up_share = 0.2;  ///< of ink in areas that strokes made background
-constexpr double thinnest_tube = 0.01;  ///< of the figure's diagonal
+constexpr int clear_ink = 64;          ///< least ink of a line, of 255; less is its blur
+constexpr double contour_reach = 0.8;  ///< largest width of an outline's outer half, line widths
+constexpr double speck_length = 3;     ///< line widths, length up to which ink is a speck
+// Lengths below are per diagonal of the figure.
+constexpr double tube_length = 0.03;    ///< least length of a tube
+constexpr double apart_length = 0.08;   ///< least length of a tube that touches no part
+constexpr double thinnest_tube = 0.01;  ///< least width of a tube
+/// Share of the ink in areas that strokes made background above which it is their outline.
+constexpr double outline_share = 0.2;
 
-/// A piece of ink that bounds nothing.
+/// A connected piece of ink that bounds nothing.
 struct LooseInk {
-  std::vector<int32_t> pixels;
+  std::vector<int32_t> pixels;  ///< y * width + x
   Box2 box;
-  int beside = 0;        ///< the label that it touches, or 0
-  int64_t in_areas = 0;  ///< pixels in areas that strokes made background
+  int beside = 0;        ///< label that it touches, or 0
+  int64_t in_areas = 0;  ///< number of pixels in areas that strokes made background
 };
 
 class InkTaker {
@@ -34,12 +38,14 @@ class InkTaker {
   InkTaker(const Basins& basins, int last_label, Image<int32_t>& labels)
       : basins_(basins), last_label_(last_label), labels_(labels) {}
 
-  void run(const InkVotes& votes) {
+  void run(const Scribbles& scribbles, const std::vector<MarkedPixel>& marks) {
     grow_contours();
-    std::vector<LooseInk> pieces = loose_pieces();
+    const std::vector<LooseInk> pieces = loose_pieces();
     const double diagonal = figure_diagonal(pieces);
-    const std::map<int32_t, int> said = said_of(votes);
-    for (const LooseInk& piece : pieces) settle(piece, diagonal, said);
+    std::map<int32_t, int> strokes;
+    for (const MarkedPixel& mark : marks)
+      if (is_free_ink(mark.pixel)) strokes[mark.pixel] = scribbles.strokes[mark.stroke].label();
+    for (const LooseInk& piece : pieces) settle(piece, diagonal, strokes);
   }
 
  private:
@@ -48,20 +54,15 @@ class InkTaker {
            basins_.ink.pixels[i] >= clear_ink;
   }
 
-  /// A label beside the pixel, or 0.
+  /// Returns the label of a neighbour of a pixel, or 0.
   int32_t label_beside(int32_t i) const {
-    const int x = i % labels_.width;
-    const int y = i / labels_.width;
-    for (const auto& [dx, dy] : {std::pair(-1, 0), {1, 0}, {0, -1}, {0, 1}}) {
-      const int u = x + dx;
-      const int v = y + dy;
-      if (u >= 0 && v >= 0 && u < labels_.width && v < labels_.height && labels_.at(u, v) != 0)
-        return labels_.at(u, v);
-    }
+    for (const auto& [x, y] : side_neighbours(i % labels_.width, i / labels_.width))
+      if (x >= 0 && y >= 0 && x < labels_.width && y < labels_.height && labels_.at(x, y) != 0)
+        return labels_.at(x, y);
     return 0;
   }
 
-  /// Step by step outwards from the parts.
+  /// Gives the outer half of outlines to their parts, step by step outwards.
   void grow_contours() {
     std::vector<int32_t> waiting;
     for (size_t i = 0; i < labels_.pixels.size(); ++i)
@@ -81,9 +82,9 @@ class InkTaker {
   }
 
   std::vector<LooseInk> loose_pieces() const {
-    Image8 mask(labels_.width, labels_.height, 1);
-    for (size_t i = 0; i < labels_.pixels.size(); ++i) mask.pixels[i] = is_free_ink(i) ? 1 : 0;
-    const Components found = connected_components(mask, Connectivity::corners);
+    const Components found = connected_components(
+        mask_where(labels_.width, labels_.height, [this](size_t i) { return is_free_ink(i); }),
+        Connectivity::corners);
     std::vector<LooseInk> pieces(found.areas.size() - 1);
     for (size_t i = 0; i < labels_.pixels.size(); ++i) {
       if (found.label.pixels[i] == 0) continue;
@@ -101,7 +102,7 @@ class InkTaker {
     return {i % labels_.width + 0.5, i / labels_.width + 0.5};  // NOLINT(bugprone-integer-division)
   }
 
-  /// Of the box around all parts, and where there are none, around the longest ink.
+  /// Computes the diagonal of the box around all parts and the largest piece of loose ink, px.
   double figure_diagonal(const std::vector<LooseInk>& pieces) const {
     Box2 box;
     for (size_t i = 0; i < labels_.pixels.size(); ++i)
@@ -113,22 +114,15 @@ class InkTaker {
     return box.empty() ? 0 : distance(box.min, box.max);
   }
 
-  std::map<int32_t, int> said_of(const InkVotes& votes) const {
-    std::map<int32_t, int> said;
-    for (const MarkedPixel& mark : votes.marks)
-      if (is_free_ink(mark.pixel)) said[mark.pixel] = votes.label_of_stroke[mark.stroke];
-    return said;
-  }
-
-  /// The pixels of a piece by the stroke that is nearest along the ink; none where no stroke lies
-  /// on it.
-  std::map<int, std::vector<int32_t>> divided(const LooseInk& piece,
-                                              const std::map<int32_t, int>& said) const {
+  /// Divides the pixels of a piece among the strokes on it, to the nearest along the ink. Returns
+  /// the pixels by label; none where no stroke lies on it. `strokes`: by pixel, the stroke's label.
+  std::map<int, std::vector<int32_t>> divide(const LooseInk& piece,
+                                             const std::map<int32_t, int>& strokes) const {
     std::map<int, std::vector<int32_t>> pixels_of_label;
     std::map<int32_t, int> label_of;
     std::vector<int32_t> queue;
     for (const int32_t i : piece.pixels)
-      if (const auto found = said.find(i); found != said.end()) {
+      if (const auto found = strokes.find(i); found != strokes.end()) {
         label_of.insert(*found);
         queue.push_back(i);
       }
@@ -146,10 +140,10 @@ class InkTaker {
     return pixels_of_label;
   }
 
-  /// Whether it bounded an area that strokes made background.
-  static bool is_given_up(const LooseInk& piece) {
+  /// Returns whether a piece bounds an area that strokes made background.
+  static bool bounds_background(const LooseInk& piece) {
     return static_cast<double>(piece.in_areas) >
-           given_up_share * static_cast<double>(piece.pixels.size());
+           outline_share * static_cast<double>(piece.pixels.size());
   }
 
   bool crosses_the_picture(const LooseInk& piece) const {
@@ -157,7 +151,7 @@ class InkTaker {
            (piece.box.min.y < 2 && piece.box.max.y > labels_.height - 2);
   }
 
-  /// Whether the picture's edge cuts off most of it, as it cuts off what lies beside a page.
+  /// Returns whether a piece runs along the picture's edge, as lines beside a page do.
   bool lies_along_edge(const LooseInk& piece) const {
     const auto at_edge = std::count_if(piece.pixels.begin(), piece.pixels.end(), [&](int32_t i) {
       const int x = i % labels_.width;
@@ -167,12 +161,13 @@ class InkTaker {
     return static_cast<double>(at_edge) > 0.5 * distance(piece.box.min, piece.box.max);
   }
 
-  void settle(const LooseInk& piece, double diagonal, const std::map<int32_t, int>& said) {
-    const auto wanted = divided(piece, said);
-    for (const auto& [label, pixels] : wanted)
+  /// Makes a piece a tube, part of another part, or background.
+  void settle(const LooseInk& piece, double diagonal, const std::map<int32_t, int>& strokes) {
+    const auto scribbled = divide(piece, strokes);
+    for (const auto& [label, pixels] : scribbled)
       if (label > 0) lay_tube(pixels, label, diagonal);
-    if (!wanted.empty() || crosses_the_picture(piece) || lies_along_edge(piece) ||
-        is_given_up(piece))
+    if (!scribbled.empty() || crosses_the_picture(piece) || lies_along_edge(piece) ||
+        bounds_background(piece))
       return;
     const double extent = distance(piece.box.min, piece.box.max);
     const bool speck = extent < std::max(speck_length * basins_.line_width, tube_length * diagonal);
@@ -182,7 +177,7 @@ class InkTaker {
       for (const int32_t i : piece.pixels) labels_.pixels[i] = piece.beside;
   }
 
-  /// The ink, as wide as a tube needs to be.
+  /// Labels ink, widened on the background to the least width of a tube.
   void lay_tube(const std::vector<int32_t>& ink, int32_t label, double diagonal) {
     const double width = std::max(basins_.line_width, thinnest_tube * diagonal);
     const double radius = (width - basins_.line_width) / 2;
@@ -207,8 +202,32 @@ class InkTaker {
 
 }  // namespace
 
-void take_ink(const Basins& basins, const InkVotes& votes, int last_label, Image<int32_t>& labels) {
-  InkTaker(basins, last_label, labels).run(votes);
+void take_ink(const Basins& basins, const Scribbles& scribbles,
+              const std::vector<MarkedPixel>& marks, int last_label, Image<int32_t>& labels) {
+  InkTaker(basins, last_label, labels).run(scribbles, marks);
+}
+
+void keep_figure(const Basins& basins, const std::vector<int>& of_basin, int last_label,
+                 Image<int32_t>& labels) {
+  const FigureMask& figure = basins.figure;
+  if (figure.inside.empty()) return;
+  constexpr int32_t wall = -1;
+  for (size_t i = 0; i < labels.pixels.size(); ++i) {
+    const int basin = basins.index.pixels[i];
+    const bool made_background = of_basin[basin] == 0 && basins.region[basin] != 0;
+    if (figure.inside.pixels[i] == 0 && figure.cut_out) labels.pixels[i] = 0;
+    if (labels.pixels[i] == 0 && (figure.inside.pixels[i] == 0 || made_background))
+      labels.pixels[i] = wall;
+  }
+  flood_from_seeds(basins.ink, labels);
+  const Components pieces = connected_components(
+      mask_where(labels.width, labels.height, [&](size_t i) { return labels.pixels[i] == 0; }),
+      Connectivity::sides);
+  for (size_t i = 0; i < labels.pixels.size(); ++i) {
+    const int32_t piece = pieces.label.pixels[i];
+    if (piece != 0) labels.pixels[i] = last_label + piece;
+    if (labels.pixels[i] == wall) labels.pixels[i] = 0;
+  }
 }
 
 }  // namespace relievo::understanding

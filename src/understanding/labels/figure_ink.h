@@ -9,18 +9,20 @@
 
 namespace relievo::understanding {
 
-/// What strokes say of ink: pixels and the label that each stroke stands for.
-struct InkVotes {
-  std::vector<MarkedPixel> marks;
-  std::vector<int> label_of_stroke;  ///< [strokes] 0 for the background
-};
+/// Gives the ink on the background to the figure, so that nothing drawn is lost. The outer half of
+/// outlines goes to the part that they bound. Loose lines, which bound nothing, such as a stick
+/// figure, a tail or a twig, become new parts (tubes) at least 1 % of the figure wide, unless a
+/// stroke gives them to a part. Specks become part of the part that they touch. Outlines of areas
+/// that strokes made background, and lines from edge to edge of the picture, stay background.
+/// `labels` has the labels of all pixels and is changed; new labels follow `last_label`. `marks`
+/// are the pixels of the strokes. O(pixels).
+void take_ink(const Basins& basins, const Scribbles& scribbles,
+              const std::vector<MarkedPixel>& marks, int last_label, Image<int32_t>& labels);
 
-/// Gives the ink that lies on the background to the figure, so that nothing drawn is lost: the
-/// outer half of outlines to the part that they bound, and strokes that bound nothing, as those of
-/// a stick figure, a tail or a twig, to new parts, at least `thinnest_tube` wide, unless a stroke
-/// says what they are. Specks, outlines of areas that strokes made background, and lines from edge
-/// to edge of the picture, as of ruled paper, stay background. `labels` has the labels of all
-/// pixels and is changed; new labels begin after `last_label`. O(pixels).
-void take_ink(const Basins& basins, const InkVotes& votes, int last_label, Image<int32_t>& labels);
+/// Labels every pixel of the figure's mask: pixels without a label take the nearest one, or a new
+/// one after `last_label` where none can be reached. Areas that strokes made background stay it.
+/// `labels` has the labels of all pixels, `of_basin` those of the basins. O(pixels).
+void keep_figure(const Basins& basins, const std::vector<int>& of_basin, int last_label,
+                 Image<int32_t>& labels);
 
 }  // namespace relievo::understanding

@@ -11,10 +11,10 @@
 namespace relievo::understanding {
 namespace {
 
-constexpr double tolerance = 1;     ///< px that a bridge may depart from the sides of pixels
-constexpr int boundary_margin = 1;  ///< px by which a boundary may leave the line it runs along
+constexpr double tolerance = 1;     ///< px, largest distance of a bridge from the pixel sides
+constexpr int boundary_margin = 1;  ///< px, largest distance of a boundary from its line
 
-/// Whether no pixel within the margin of this one, which lies in the image, is on a line or edge.
+/// Returns whether no pixel within the margin of a pixel of the image is on a line or edge.
 bool is_far_from_lines(const Image8& barrier, int x, int y) {
   for (int v = std::max(0, y - boundary_margin);
        v <= std::min(barrier.height - 1, y + boundary_margin); ++v)
@@ -24,7 +24,8 @@ bool is_far_from_lines(const Image8& barrier, int x, int y) {
   return true;
 }
 
-/// Whether the pixels on both sides of the pixel side with this middle are open, in the image.
+/// Returns whether both pixels at a pixel side, given by its middle, lie in the image and far from
+/// lines.
 bool is_open(const Image8& barrier, Point2 side) {
   const int x = static_cast<int>(side.x);
   const int y = static_cast<int>(side.y);
@@ -58,7 +59,7 @@ std::vector<Bridge> find_bridges(const Image16& labels, const Image8& barrier, d
       return open[i] == open[j] && ring.beyond[i] == ring.beyond[j];
     };
     for_each_run(ring.size(), go_on, [&](size_t first, size_t count) {
-      // Each boundary is met from both sides; the larger label's is taken.
+      // Each boundary is traced twice, once for each label; the larger one's counts.
       if (open[first] != 0 && count >= shortest && ring.beyond[first] < ring.label)
         bridges.push_back(bridge_of(ring, first, count));
     });

@@ -7,23 +7,22 @@
 
 #include "kernel/image/watershed.h"
 #include "understanding/areas/count_regions.h"
-#include "understanding/areas/find_basins.h"
 #include "understanding/labels/basin_labelling.h"
 #include "understanding/labels/basin_votes.h"
 #include "understanding/labels/figure_ink.h"
 #include "understanding/labels/find_bridges.h"
-#include "understanding/labels/keep_figure.h"
-#include "understanding/labels/segment_drawing.h"
+#include "understanding/labels/mark_pixels.h"
 #include "understanding/labels/split_basins.h"
 
 namespace relievo::understanding {
 namespace {
 
-/// Share of lines that bound no area, from which on it is said.
-constexpr double much_unbounded = 0.2;
-constexpr int many_parts = 40;
-constexpr size_t most_parts = 65534;
-constexpr int most_count = 1000;
+constexpr double much_unbounded = 0.2;  ///< share of unbounded ink above which there is a note
+constexpr int many_parts = 40;          ///< number of parts above which there is a note
+constexpr size_t most_parts = 65534;    ///< limit of 16-bit labels
+constexpr int most_count = 1000;        ///< largest Scribbles::count
+constexpr double farthest = 1e6;        ///< px, largest coordinate of a stroke
+constexpr double widest_stroke = 1000;  ///< px
 
 Error bad_stroke(size_t number, const std::string& what) {
   return {ErrorCode::bad_input, what, "scribble stroke " + std::to_string(number + 1)};
@@ -34,53 +33,45 @@ Status check_scribbles(const Scribbles& scribbles) {
   for (const std::string& id : scribbles.parts)
     if (id.empty() || !ids.insert(id).second)
       return Error{ErrorCode::bad_input, "part ids must be unique and not empty", id};
-  const auto finite = [](Point2 p) { return std::abs(p.x) < 1e6 && std::abs(p.y) < 1e6; };
+  const auto is_near = [](Point2 p) {
+    return std::abs(p.x) < farthest && std::abs(p.y) < farthest;
+  };
   for (size_t k = 0; k < scribbles.strokes.size(); ++k) {
     const Scribble& stroke = scribbles.strokes[k];
-    const bool for_part = stroke.kind == ScribbleKind::soft || stroke.kind == ScribbleKind::hard;
-    if (for_part && (stroke.part < 0 || stroke.part >= static_cast<int>(scribbles.parts.size())))
+    if (is_for_part(stroke.kind) &&
+        (stroke.part < 0 || stroke.part >= static_cast<int>(scribbles.parts.size())))
       return bad_stroke(k, "the stroke belongs to no part");
-    if (stroke.points.empty() || !std::all_of(stroke.points.begin(), stroke.points.end(), finite))
-      return bad_stroke(k, "the stroke has no points or points far outside");
-    if (!(stroke.width > 0 && stroke.width <= 1000))
+    if (stroke.points.empty() || !std::all_of(stroke.points.begin(), stroke.points.end(), is_near))
+      return bad_stroke(k, "the stroke has no points or lies far outside the drawing");
+    if (!(stroke.width > 0 && stroke.width <= widest_stroke))
       return bad_stroke(k, "the width of a stroke must lie in (0, 1000] px");
   }
+  if (scribbles.count < 0 || scribbles.count > most_count)
+    return Error{ErrorCode::bad_input, "the number of parts must lie in [1, 1000]", ""};
   return Done{};
 }
 
-/// Names for proposed parts that no scribbled part has.
-class FreshNames {
- public:
-  explicit FreshNames(const std::vector<std::string>& taken) : taken_(taken.begin(), taken.end()) {}
-
-  std::string next() {
-    std::string name;
-    do {
-      name = "part" + std::to_string(++number_);
-    } while (taken_.count(name) > 0);
-    return name;
-  }
-
- private:
-  std::set<std::string> taken_;
-  int number_ = 0;
-};
-
-/// Numbers the labels that have pixels, scribbled parts first, and lists them as parts.
+/// Numbers the labels that occur, `used` in ascending order, so that scribbled parts come first,
+/// and lists them as parts. Proposed parts get names that no scribbled part has.
 std::vector<uint16_t> number_parts(const std::vector<int>& used, const Scribbles& scribbles,
                                    std::vector<SegmentedPart>& parts) {
   const auto scribbled = static_cast<int>(scribbles.parts.size());
   std::vector<uint16_t> number(used.empty() ? 1 : static_cast<size_t>(used.back()) + 1, 0);
-  FreshNames names(scribbles.parts);
+  const std::set<std::string> taken(scribbles.parts.begin(), scribbles.parts.end());
+  int names = 0;
   for (const int label : used) {
     if (label == 0) continue;
     const bool proposed = label > scribbled;
-    parts.push_back({proposed ? names.next() : scribbles.parts[label - 1], proposed, 0, {}});
+    std::string name = proposed ? "" : scribbles.parts[label - 1];
+    while (name.empty() || (proposed && taken.count(name) > 0))
+      name = "part" + std::to_string(++names);
+    parts.push_back({name, proposed, 0, {}});
     number[label] = static_cast<uint16_t>(parts.size());
   }
   return number;
 }
 
+/// Lists the labels that occur, in ascending order.
 std::vector<int> used_labels(const Image<int32_t>& labels) {
   std::vector<int> used;
   for (size_t i = 0; i < labels.pixels.size(); ++i)
@@ -90,7 +81,7 @@ std::vector<int> used_labels(const Image<int32_t>& labels) {
   return used;
 }
 
-/// Gives what belongs to proposed parts to the nearest part with strokes.
+/// Gives the pixels of proposed parts to the nearest scribbled part.
 void give_to_scribbled(int parts, Image<int32_t>& pixels) {
   const auto is_scribbled = [parts](int32_t label) { return label > 0 && label <= parts; };
   if (std::none_of(pixels.pixels.begin(), pixels.pixels.end(), is_scribbled)) return;
@@ -101,19 +92,14 @@ void give_to_scribbled(int parts, Image<int32_t>& pixels) {
     if (pixels.pixels[i] > parts) pixels.pixels[i] = nearest.pixels[i];
 }
 
-/// The labels of all pixels, those of ink among them.
+/// Labels all pixels, ink included. `labels`: [#B] those of the basins.
 Image<int32_t> label_pixels(const Basins& basins, const std::vector<int>& labels,
-                            const Scribbles& scribbles) {
+                            const Scribbles& scribbles, const std::vector<MarkedPixel>& marks) {
   Image<int32_t> pixels(basins.index.width, basins.index.height, 1);
   for (size_t i = 0; i < pixels.pixels.size(); ++i)
     pixels.pixels[i] = labels[basins.index.pixels[i]];
-  InkVotes votes{mark_pixels(scribbles, pixels.width, pixels.height), {}};
-  for (const Scribble& stroke : scribbles.strokes) {
-    const bool for_part = stroke.kind == ScribbleKind::soft || stroke.kind == ScribbleKind::hard;
-    votes.label_of_stroke.push_back(for_part ? stroke.part + 1 : 0);
-  }
   const auto parts = static_cast<int>(scribbles.parts.size());
-  take_ink(basins, votes, parts + basins.region_count, pixels);
+  take_ink(basins, scribbles, marks, parts + basins.region_count, pixels);
   const int last = *std::max_element(pixels.pixels.begin(), pixels.pixels.end());
   keep_figure(basins, labels, std::max(last, parts + basins.region_count), pixels);
   if (scribbles.complete) give_to_scribbled(parts, pixels);
@@ -145,17 +131,17 @@ void add_notes(const Basins& basins, const Scribbles& scribbles, Segmentation& s
   if (!scribbles.strokes.empty()) return;
   if (basins.unbounded_ink > much_unbounded)
     segmentation.notes.push_back(
-        "a good part of the lines bounds no area: they became tubes; where they are outlines with "
-        "wide gaps, mark each part with a stroke");
+        "many lines bound no area and became tubes; if they are outlines with wide gaps, mark each "
+        "part with a stroke");
   if (segmentation.parts.size() > many_parts)
     segmentation.notes.push_back(
         "more areas were found than a character has parts: mark each part with a stroke");
 }
 
 Segmentation assemble(const Basins& basins, const std::vector<int>& labels,
-                      const Scribbles& scribbles) {
+                      const Scribbles& scribbles, const std::vector<MarkedPixel>& marks) {
   Segmentation segmentation;
-  const Image<int32_t> of_pixel = label_pixels(basins, labels, scribbles);
+  const Image<int32_t> of_pixel = label_pixels(basins, labels, scribbles, marks);
   const std::vector<uint16_t> number =
       number_parts(used_labels(of_pixel), scribbles, segmentation.parts);
   segmentation.labels = Image16(basins.index.width, basins.index.height, 1);
@@ -171,24 +157,25 @@ Segmentation assemble(const Basins& basins, const std::vector<int>& labels,
 
 Result<Segmentation> label_basins(const Basins& basins, const Scribbles& scribbles) {
   if (const Status valid = check_scribbles(scribbles); !valid) return valid.error();
-  if (scribbles.count < 0 || scribbles.count > most_count)
-    return Error{ErrorCode::bad_input, "the number of parts must lie in [1, 1000]", ""};
   if (scribbles.parts.size() + static_cast<size_t>(basins.region_count) > most_parts)
     return Error{ErrorCode::limit, "the drawing has too many parts", ""};
   const bool counts = scribbles.count > 0 && scribbles.count != basins.region_count;
   Basins counted = counts ? basins : Basins();
   if (counts) count_regions(scribbles.count, counted);
   const Basins& proposed = counts ? counted : basins;
-  BasinVotes votes = count_votes(proposed, scribbles);
+  const std::vector<MarkedPixel> marks =
+      mark_pixels(scribbles, basins.index.width, basins.index.height);
+  BasinVotes votes = count_votes(proposed, scribbles, marks);
   const bool split = needs_split(votes);
   const Basins divided = split ? split_basins(proposed, votes) : Basins();
   const Basins& used = split ? divided : proposed;
-  Segmentation segmentation = assemble(used, choose_labels(used, votes, scribbles), scribbles);
+  Segmentation segmentation =
+      assemble(used, choose_labels(used, votes, scribbles), scribbles, marks);
   if (segmentation.parts.size() > most_parts)
     return Error{ErrorCode::limit, "the drawing has too many parts", ""};
   if (segmentation.parts.empty())
     return Error{ErrorCode::bad_input,
-                 "no line of the drawing bounds an area: give the figure closed outlines, or mark "
+                 "no lines of the drawing enclose an area: close the figure's outlines, or mark "
                  "each part with a hard stroke",
                  ""};
   return segmentation;

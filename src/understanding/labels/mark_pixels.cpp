@@ -6,61 +6,51 @@
 namespace relievo::understanding {
 namespace {
 
-class Marker {
- public:
-  Marker(int width, int height, std::vector<MarkedPixel>& marks)
-      : width_(width), height_(height), marks_(marks) {}
+/// Calls visit(x, y) for the pixels of the image whose centres lie within `radius` of a segment.
+template <class Visit>
+void visit_near(Point2 a, Point2 b, double radius, int width, int height, const Visit& visit) {
+  const auto first = [&](double v) {
+    return std::max(0, static_cast<int>(std::floor(v - radius)));
+  };
+  const auto last = [&](double v, int n) {
+    return std::min(n - 1, static_cast<int>(std::ceil(v + radius)));
+  };
+  const Point2 d = b - a;
+  const double length2 = dot(d, d);
+  for (int y = first(std::min(a.y, b.y)); y <= last(std::max(a.y, b.y), height); ++y)
+    for (int x = first(std::min(a.x, b.x)); x <= last(std::max(a.x, b.x), width); ++x) {
+      const Point2 p{x + 0.5, y + 0.5};
+      const double t = length2 > 0 ? std::clamp(dot(p - a, d) / length2, 0.0, 1.0) : 0;
+      if (distance(p, a + t * d) <= radius) visit(x, y);
+    }
+}
 
-  void add(const Scribble& stroke, int number) {
-    for (size_t k = 0; k < stroke.points.size(); ++k)
-      add_segment(stroke.points[k], stroke.points[std::min(k + 1, stroke.points.size() - 1)],
-                  stroke.width / 2, number);
-  }
-
- private:
-  /// Long segments are cut, so that the boxes looked through hold few pixels besides.
-  void add_segment(Point2 a, Point2 b, double radius, int number) {
+/// Calls visit(x, y) for the pixels that a stroke covers, some of them repeatedly. Long segments
+/// are divided, so that their boxes contain few other pixels.
+template <class Visit>
+void visit_stroke(const Scribble& stroke, int width, int height, const Visit& visit) {
+  const double radius = stroke.width / 2;
+  for (size_t k = 0; k < stroke.points.size(); ++k) {
+    const Point2 a = stroke.points[k];
+    const Point2 b = stroke.points[std::min(k + 1, stroke.points.size() - 1)];
     const int pieces = 1 + static_cast<int>(distance(a, b) / (4 * radius + 8));
-    for (int k = 0; k < pieces; ++k)
-      add_piece(a + (1.0 * k / pieces) * (b - a), a + ((k + 1.0) / pieces) * (b - a), radius,
-                number);
-    mark(static_cast<int>(std::floor(a.x)), static_cast<int>(std::floor(a.y)), number);
+    for (int i = 0; i < pieces; ++i)
+      visit_near(a + (1.0 * i / pieces) * (b - a), a + ((i + 1.0) / pieces) * (b - a), radius,
+                 width, height, visit);
+    const int x = static_cast<int>(std::floor(a.x));
+    const int y = static_cast<int>(std::floor(a.y));
+    if (x >= 0 && y >= 0 && x < width && y < height) visit(x, y);
   }
-
-  void add_piece(Point2 a, Point2 b, double radius, int number) {
-    const auto first = [&](double v) {
-      return std::max(0, static_cast<int>(std::floor(v - radius)));
-    };
-    const auto last = [&](double v, int n) {
-      return std::min(n - 1, static_cast<int>(std::ceil(v + radius)));
-    };
-    const Point2 d = b - a;
-    const double length2 = dot(d, d);
-    for (int y = first(std::min(a.y, b.y)); y <= last(std::max(a.y, b.y), height_); ++y)
-      for (int x = first(std::min(a.x, b.x)); x <= last(std::max(a.x, b.x), width_); ++x) {
-        const Point2 p{x + 0.5, y + 0.5};
-        const double t = length2 > 0 ? std::clamp(dot(p - a, d) / length2, 0.0, 1.0) : 0;
-        if (distance(p, a + t * d) <= radius) mark(x, y, number);
-      }
-  }
-
-  void mark(int x, int y, int number) {
-    if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
-    marks_.push_back({static_cast<int32_t>(int64_t{y} * width_ + x), number});
-  }
-
-  int width_;
-  int height_;
-  std::vector<MarkedPixel>& marks_;
-};
+}
 
 }  // namespace
 
 std::vector<MarkedPixel> mark_pixels(const Scribbles& scribbles, int width, int height) {
   std::vector<MarkedPixel> marks;
-  Marker marker(width, height, marks);
   for (size_t k = 0; k < scribbles.strokes.size(); ++k)
-    marker.add(scribbles.strokes[k], static_cast<int>(k));
+    visit_stroke(scribbles.strokes[k], width, height, [&](int x, int y) {
+      marks.push_back({static_cast<int32_t>(int64_t{y} * width + x), static_cast<int>(k)});
+    });
   std::sort(marks.begin(), marks.end(), [](const MarkedPixel& a, const MarkedPixel& b) {
     return a.pixel != b.pixel ? a.pixel < b.pixel : a.stroke > b.stroke;
   });

@@ -13,9 +13,9 @@ struct MarkedPixel {
   int stroke = 0;     ///< index into Scribbles::strokes
 };
 
-/// The pixels of a width x height image whose centres the strokes cover; every point of a stroke
-/// covers at least the pixel it lies in. Where strokes cross, the later one counts. Sorted by
-/// pixel. O(covered pixels log).
+/// Finds the pixels of a width x height image whose centres the strokes cover, sorted by pixel.
+/// Every point of a stroke covers at least the pixel in which it lies. Where strokes cross, the
+/// later one counts. O(covered pixels log).
 std::vector<MarkedPixel> mark_pixels(const Scribbles& scribbles, int width, int height);
 
 }  // namespace relievo::understanding

@@ -8,8 +8,8 @@
 
 namespace relievo::understanding {
 
-/// Divides a flat drawing into its visible parts: find_basins, then label_basins. Where strokes
-/// change again and again, call these two instead and keep the basins.
+/// Divides a flat drawing into its visible parts: calls find_basins, then label_basins, with their
+/// errors. Where strokes change repeatedly, call these two and keep the basins.
 Result<Segmentation> segment_drawing(const Drawing& drawing, const Scribbles& scribbles = {},
                                      const RunContext& context = {});
 

@@ -13,7 +13,7 @@ namespace {
 
 using HardPixels = std::vector<BasinVotes::HardPixel>;
 
-/// End of the run of hard pixels in the basin of the one at `begin`.
+/// Returns the end of the run of hard pixels in one basin that begins at `begin`.
 size_t end_of_basin(const HardPixels& hard, size_t begin) {
   size_t end = begin;
   while (end < hard.size() && hard[end].basin == hard[begin].basin) ++end;
@@ -41,7 +41,8 @@ Window window_of(const Basins& basins, int basin) {
           std::min(basins.index.height, static_cast<int>(box.max.y) + 1)};
 }
 
-/// Low where it is wide, high where it is narrow, highest on lines.
+/// Computes heights for a flood inside a window: 0 at the largest distance to lines, 254 next to
+/// lines, and 255 on them.
 Image8 narrowness(const Basins& basins, const Window& window) {
   Image8 barrier(window.width(), window.height(), 1);
   for (int y = 0; y < barrier.height; ++y)
@@ -60,7 +61,7 @@ Image8 narrowness(const Basins& basins, const Window& window) {
   return height;
 }
 
-/// Gives each hard label of one basin its own basin; the first keeps the number.
+/// Gives each hard label of one basin its own basin. The first keeps the number.
 void split_one(Basins& basins, HardPixels& hard, size_t begin, size_t end) {
   const int basin = hard[begin].basin;
   const Window window = window_of(basins, basin);
@@ -88,7 +89,7 @@ void split_one(Basins& basins, HardPixels& hard, size_t begin, size_t end) {
       if (seeds.at(x, y) > 0) basins.index.at(window.x0 + x, window.y0 + y) = seeds.at(x, y) - 1;
 }
 
-/// Measures the borders of the basins that came from `basin` again.
+/// Measures the borders of the pieces of a basin, which lies in the window, again.
 void renew_borders(Basins& basins, const std::set<int>& pieces, const Window& window) {
   const auto touches = [&](const BasinBorder& border) {
     return pieces.count(border.a) + pieces.count(border.b) > 0;

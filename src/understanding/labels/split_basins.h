@@ -5,12 +5,12 @@
 
 namespace relievo::understanding {
 
-/// Whether hard strokes of different labels lie in one basin.
+/// Returns whether hard strokes of different labels lie in one basin.
 bool needs_split(const BasinVotes& votes);
 
-/// Divides every basin that hard strokes claim for several labels into one for each, by a
-/// watershed from the strokes that meets at the narrowest place between them, and moves the hard
-/// pixels of `votes` to the new basins. O(pixels in the boxes of these basins).
+/// Divides every basin that contains hard strokes of several labels into one for each, by a
+/// watershed from the strokes that meets at the narrowest place between them. Moves the hard pixels
+/// of `votes` to the new basins. O(pixels in the boxes of these basins).
 Basins split_basins(Basins basins, BasinVotes& votes);
 
 }  // namespace relievo::understanding

@@ -5,8 +5,9 @@
 
 namespace relievo::understanding {
 
-/// Adds to map.barrier the edges between colours that no line marks, and to map.ink how strong
-/// they are. `rgb` is the drawing on white; map.barrier holds its lines. O(pixels).
+/// Adds to `map.barrier` the edges between colours where no line runs, and to `map.ink` their
+/// strength: ridges of the gradient of the channel that changes most, with hysteresis (Canny 1986).
+/// `rgb` is the drawing on white; `map.barrier` holds its lines. O(pixels).
 void add_colour_edges(const Image8& rgb, LineMap& map);
 
 }  // namespace relievo::understanding

@@ -11,17 +11,18 @@
 namespace relievo::understanding {
 namespace {
 
-constexpr double longest_side = 0.25;      ///< of a limb at its root, per diagonal of the picture
-constexpr double length_per_gap = 0.75;    ///< that both sides have at least
-constexpr double same_way = 0.7;           ///< cosine of the angle between the sides, at least
-constexpr double across = 0.75;            ///< cosine of the angle of gap and sides, at most
-constexpr double narrowest_root = 3;       ///< widths of a line
-constexpr double shortest_outline = 0.06;  ///< per diagonal: shorter strokes are texture
-constexpr double widest_break = 0.12;      ///< between ends, per diagonal of the picture
-constexpr double widest_contact = 0.05;    ///< between an end and a line, per diagonal
-constexpr double onwards = 0.64;  ///< cosine of the bend from an end to the other, at least
+// Lengths are per diagonal of the picture where no unit is given.
+constexpr double longest_followed = 0.25;  ///< length up to which a stroke is followed from its end
+constexpr double length_per_gap = 0.75;    ///< least length of a stroke over the width of its gap
+constexpr double side_cosine = 0.7;   ///< least cosine of the angle between both sides of a limb
+constexpr double root_cosine = 0.75;  ///< largest cosine of the angle between sides and root
+constexpr double narrowest_root = 3;  ///< least width of an open root, line widths
+constexpr double shortest_outline = 0.06;  ///< length below which a stroke is texture
+constexpr double widest_break = 0.12;      ///< largest gap between two ends
+constexpr double widest_contact = 0.05;    ///< largest gap between an end and a line
+constexpr double onward_cosine = 0.64;     ///< least cosine of the turn from a stroke to the gap
 
-/// Calls visit(x, y) for the pixels from a to b, each of which shares a side with the next.
+/// Calls visit(x, y) for the pixels from `a` to `b`, each of which shares a side with the next.
 template <class Visit>
 void for_pixels_between(Point2 a, Point2 b, const Visit& visit) {
   const int steps = 2 * static_cast<int>(std::ceil(distance(a, b)));
@@ -36,7 +37,7 @@ void for_pixels_between(Point2 a, Point2 b, const Visit& visit) {
   }
 }
 
-/// 1 for cells of `side` px that hold a pixel of a line.
+/// Returns 1 for the cells of `side` px that contain a pixel of a line.
 Image8 line_cells(const Image8& barrier, int side) {
   Image8 cells((barrier.width + side - 1) / side, (barrier.height + side - 1) / side, 1);
   for (int y = 0; y < barrier.height; ++y) {
@@ -48,7 +49,7 @@ Image8 line_cells(const Image8& barrier, int side) {
   return cells;
 }
 
-/// Whether paint, which is not white, lies beside a stroke near its end.
+/// Returns whether paint, which is not white, lies beside a stroke near its end.
 bool bounds_paint(const StrokeEnd& end, double line_width, const Image8& rgb) {
   const Point2 aside{-end.inwards.y, end.inwards.x};
   for (const double along : {1.0, 2.5})
@@ -56,36 +57,37 @@ bool bounds_paint(const StrokeEnd& end, double line_width, const Image8& rgb) {
       const Point2 p = end.at + line_width * (along * end.inwards + beside * aside);
       const int x = std::clamp(static_cast<int>(p.x), 0, rgb.width - 1);
       const int y = std::clamp(static_cast<int>(p.y), 0, rgb.height - 1);
-      if (darkest_channel(rgb, x, y) < palest) return true;
+      if (darkest_channel(rgb, x, y) < palest_paint) return true;
     }
   return false;
 }
 
-/// Whether lines end on the other side of the stroke than `point` lies.
+/// Returns whether a stroke hides what lies on its other side than `point`.
 bool hides_outer_side(const StrokeEnd& end, Point2 point) {
-  return cross(end.inwards, point - end.at) * end.behind < 0;
+  return cross(end.inwards, point - end.at) * end.hidden_side < 0;
 }
 
+/// Returns whether two strokes may be the sides of a limb whose root, between their ends, is open.
 bool are_sides_of_limb(const StrokeEnd& a, const StrokeEnd& b, double line_width) {
   const double gap = distance(a.at, b.at);
   if (gap < narrowest_root * line_width) return false;
   if (std::min(a.length, b.length) < length_per_gap * gap) return false;
-  if (dot(a.inwards, b.inwards) < same_way) return false;
+  if (dot(a.inwards, b.inwards) < side_cosine) return false;
   const Point2 middle = a.inwards + b.inwards;
-  if (std::abs(dot(middle, b.at - a.at)) > across * gap * norm(middle)) return false;
+  if (std::abs(dot(middle, b.at - a.at)) > root_cosine * gap * norm(middle)) return false;
   return hides_outer_side(a, b.at) && hides_outer_side(b, a.at);
 }
 
-/// Whether each stroke would go on to the other's end by a bend of less than a right angle.
+/// Returns whether each stroke can continue to the other's end with small turns.
 bool face_each_other(const StrokeEnd& a, const StrokeEnd& b, double widest) {
   const double gap = distance(a.at, b.at);
   if (gap > std::min(widest, (a.length + b.length) / 2 / length_per_gap)) return false;
   const Point2 way = b.at - a.at;
   const double towards = std::min(-dot(a.inwards, way), dot(b.inwards, way));
-  return towards > onwards * gap && dot(a.inwards, b.inwards) < 0;
+  return towards > onward_cosine * gap && dot(a.inwards, b.inwards) < 0;
 }
 
-/// Whether no line or edge lies between the ends, whose own lines reach a little farther.
+/// Returns whether no line or edge runs through a gap, beyond the lines at its own ends.
 bool is_clear(const Image8& barrier, const LineGap& gap, double line_width) {
   bool clear = true;
   for_pixels_between(gap.a, gap.b, [&](int x, int y) {
@@ -101,17 +103,15 @@ bool is_end_of(const std::vector<LineGap>& gaps, Point2 end) {
                      [end](const LineGap& gap) { return gap.a == end || gap.b == end; });
 }
 
+/// Pairs the ends for which belong(a, b) is true, narrowest gap first and each end once at most,
+/// where no line or edge runs between them.
 template <class Belong>
-std::vector<LineGap> pairs_that(const std::vector<StrokeEnd>& ends, const Belong& belong) {
+std::vector<LineGap> pair_ends(const std::vector<StrokeEnd>& ends, const LineMap& map,
+                               const Belong& belong) {
   std::vector<LineGap> pairs;
   for (size_t i = 0; i < ends.size(); ++i)
     for (size_t j = i + 1; j < ends.size(); ++j)
       if (belong(ends[i], ends[j])) pairs.push_back({ends[i].at, ends[j].at});
-  return pairs;
-}
-
-/// Those that nothing lies in, narrowest first, each end in one at most.
-std::vector<LineGap> choose(std::vector<LineGap> pairs, const LineMap& map) {
   std::stable_sort(pairs.begin(), pairs.end(), [](const LineGap& x, const LineGap& y) {
     return distance(x.a, x.b) < distance(y.a, y.b);
   });
@@ -127,14 +127,15 @@ bool lies_on(const Image8& image, Point2 p) {
   return p.x >= 0 && p.y >= 0 && p.x < image.width && p.y < image.height;
 }
 
-/// Whether a stroke that goes straight on is over ink half a line's width after `way` px.
+/// Returns whether a stroke that continued straight on for `way` px and half a line's width more
+/// would be over ink.
 bool is_ink_beyond(const StrokeEnd& end, double way, double line_width, const Image8& rgb) {
   const Point2 p = end.at - (way + line_width / 2) * end.inwards;
   return lies_on(rgb, p) && is_dark(&rgb.at(static_cast<int>(p.x), static_cast<int>(p.y)));
 }
 
-/// The gap between an end and the line, or the shape of ink, that its stroke would run straight
-/// into.
+/// Finds the gap between an end and the line or dark shape that its stroke, continued straight on
+/// for up to `widest` px, would meet.
 std::optional<LineGap> gap_ahead(const StrokeEnd& end, const LineMap& map, const Image8& rgb,
                                  double widest) {
   const double reach = std::min(widest, end.length / length_per_gap);
@@ -152,11 +153,11 @@ std::optional<LineGap> gap_ahead(const StrokeEnd& end, const LineMap& map, const
 
 }  // namespace
 
-/// Found in cells of a third of the lines' width, since wide lines are slow to thin.
 std::vector<StrokeEnd> find_loose_ends(const LineMap& map) {
+  // Wide lines are slow to thin, so this works on cells of a third of the lines' width.
   const int side = std::max(1, static_cast<int>(map.line_width / 3));
   const Image8 cells = line_cells(map.barrier, side);
-  const double longest = longest_side * std::hypot(cells.width, cells.height);
+  const double longest = longest_followed * std::hypot(cells.width, cells.height);
   std::vector<StrokeEnd> ends = find_stroke_ends(thin(cells), map.line_width / side, longest);
   for (StrokeEnd& end : ends) {
     end.at = static_cast<double>(side) * end.at;
@@ -166,11 +167,10 @@ std::vector<StrokeEnd> find_loose_ends(const LineMap& map) {
 }
 
 std::vector<LineGap> find_open_roots(std::vector<StrokeEnd> ends, const LineMap& map) {
-  std::erase_if(ends, [](const StrokeEnd& end) { return end.behind == 0; });
-  const auto belong = [&map](const StrokeEnd& a, const StrokeEnd& b) {
+  std::erase_if(ends, [](const StrokeEnd& end) { return end.hidden_side == 0; });
+  return pair_ends(ends, map, [&map](const StrokeEnd& a, const StrokeEnd& b) {
     return are_sides_of_limb(a, b, map.line_width);
-  };
-  return choose(pairs_that(ends, belong), map);
+  });
 }
 
 std::vector<LineGap> find_broken_outlines(std::vector<StrokeEnd> ends, const LineMap& map,
@@ -184,7 +184,7 @@ std::vector<LineGap> find_broken_outlines(std::vector<StrokeEnd> ends, const Lin
   const auto belong = [diagonal](const StrokeEnd& a, const StrokeEnd& b) {
     return face_each_other(a, b, widest_break * diagonal);
   };
-  std::vector<LineGap> gaps = choose(pairs_that(ends, belong), map);
+  std::vector<LineGap> gaps = pair_ends(ends, map, belong);
   for (const StrokeEnd& end : ends)
     if (!is_end_of(gaps, end.at))
       if (const auto gap = gap_ahead(end, map, rgb, widest_contact * diagonal))

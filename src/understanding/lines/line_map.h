@@ -9,48 +9,49 @@
 
 namespace relievo::understanding {
 
-/// What separates the areas of a drawing.
+/// The lines of a drawing and the edges between its colours, which separate its areas.
 struct LineMap {
-  enum Barrier : uint8_t { none = 0, line = 1, edge = 2, bridge = 3, gap = 4 };
+  enum Barrier : uint8_t {
+    none = 0,
+    line = 1,
+    edge = 2,    ///< an edge between colours without a line; separates areas of different colour
+    bridge = 3,  ///< a closed gap; separates areas like a line
+    gap = 4,     ///< a gap in an outline, closed until it is known whether it bounds the figure
+  };
 
-  /// Whether it parts areas whatever their colours.
+  /// Returns whether a barrier separates areas whatever their colours.
   static bool is_wall(uint8_t barrier) {
     return barrier == line || barrier == bridge || barrier == gap;
   }
 
-  Image8 ink;      ///< how much darker a pixel is than what lies around it, 255 = full
-  Image8 barrier;  ///< [Barrier] lines, edges between colours where there is no line, closed gaps
+  Image8 ink;             ///< contrast of lines and edges with both sides, 255 = full
+  Image8 barrier;         ///< [Barrier]
   double line_width = 1;  ///< typical width of a line, px
-  bool painted = false;   ///< whether colours fill areas, rather than lines bounding white ones
+  bool painted = false;   ///< colours fill the areas; else lines bound white ones
 };
 
-/// Lines are narrower than this share of the diagonal; wider dark shapes are areas.
+/// Width of the widest line, per diagonal of the picture; wider dark shapes are areas.
 constexpr double widest_line = 0.025;
 
-/// The least of a pixel's red, green and blue.
+/// Returns the least of a pixel's red, green and blue.
 inline int darkest_channel(const Image8& rgb, int x, int y) {
   return std::min({rgb.at(x, y, 0), rgb.at(x, y, 1), rgb.at(x, y, 2)});
 }
 
-/// The pixels that share a side with (x, y).
-inline std::array<std::pair<int, int>, 4> sides_of(int x, int y) {
+/// Returns the pixels that share a side with (x, y), which may lie outside the picture.
+inline std::array<std::pair<int, int>, 4> side_neighbours(int x, int y) {
   return {{{x - 1, y}, {x + 1, y}, {x, y - 1}, {x, y + 1}}};
 }
 
-/// Paint on pure white is darker than this in one channel at least.
-constexpr int palest = 246;
+/// Darkest channel, of 255, below which a pixel on pure white is paint.
+constexpr int palest_paint = 246;
 
-/// Whether a pixel (3 channels) is ink or dark paint.
+/// Returns whether a pixel (3 channels) is ink or dark paint.
 inline bool is_dark(const uint8_t* rgb) { return std::max({rgb[0], rgb[1], rgb[2]}) < 120; }
 
-/// Finds the lines of a drawing on white (3 channels): darker than both sides, whatever the
-/// colours there (black top-hat with hysteresis), and then the edges between areas of different
-/// colour where no line runs (Canny's ridges of the gradient). On pure white pale colours are paint
-/// as well. O(pixels).
+/// Finds the lines of a drawing on white (3 channels), which are darker than both of their sides
+/// (black top-hat transform with hysteresis), and then the edges between areas of different colour
+/// where no line runs. On pure white, pale colours count as paint. O(pixels).
 LineMap find_lines(const Image8& rgb, bool on_pure_white = false);
-
-/// 1 where `values` (one channel) reach `low` and hang together, over sides and corners, with a
-/// pixel that reaches `high`; 0 elsewhere. O(pixels).
-Image8 connected_above(const Image8& values, int low, int high);
 
 }  // namespace relievo::understanding

@@ -12,15 +12,15 @@
 namespace relievo::understanding {
 namespace {
 
-constexpr double straight_on = 40 * std::numbers::pi / 180;  ///< a stroke turns less as it passes
-constexpr double turn_off = 50 * std::numbers::pi / 180;     ///< the other line turns more
+constexpr double straight_on = 40 * std::numbers::pi / 180;  ///< rad, largest turn of a stroke
+constexpr double turn_off = 50 * std::numbers::pi / 180;     ///< rad, least turn to the other line
 
 /// Pixels at one number of steps from an end.
 using Front = std::vector<int>;
 
 double angle(Point2 a, Point2 b) { return std::abs(turn_between(a, b)); }
 
-/// Follows strokes from their ends in steps to neighbouring pixels.
+/// Follows strokes from their ends, in steps to neighbouring pixels.
 class StrokeWalk {
  public:
   StrokeWalk(const Image8& thinned, int reach, double longest)
@@ -29,6 +29,7 @@ class StrokeWalk {
         reach_(static_cast<size_t>(reach)),
         longest_(longest) {}
 
+  /// Returns the end at a pixel; nothing where its stroke is not longer than the reach.
   std::optional<StrokeEnd> from(int end) {
     const std::optional<StrokeEnd> found = walk(end);
     for (const int i : touched_) visited_.pixels[i] = 0;
@@ -41,11 +42,12 @@ class StrokeWalk {
     visit(end);
     std::vector<Point2> way = {point(end)};
     double length = 0;
-    int behind = 0;
+    int hidden_side = 0;
     for (Front front = next({end}); !front.empty() && length < longest_; front = next(front)) {
       std::vector<Front> branches = pieces(front);
       if (branches.size() > 1) branches = long_branches(branches);
-      if (branches.size() == 2) behind = side_behind(way, middle(branches[0]), middle(branches[1]));
+      if (branches.size() == 2)
+        hidden_side = find_hidden_side(way, middle(branches[0]), middle(branches[1]));
       if (branches.size() != 1) break;
       front = branches[0];
       length += distance(way.back(), middle(front));
@@ -53,12 +55,12 @@ class StrokeWalk {
     }
     if (way.size() <= reach_) return std::nullopt;
     const Point2 inwards = way[reach_] - way[0];
-    return StrokeEnd{way[0], (1 / norm(inwards)) * inwards, length, behind};
+    return StrokeEnd{way[0], (1 / norm(inwards)) * inwards, length, hidden_side};
   }
 
-  /// The side of a stroke that has come this way on which the other of two directions lies, or 0
-  /// where neither goes on with it.
-  int side_behind(const std::vector<Point2>& way, Point2 first, Point2 second) const {
+  /// Returns the side of a stroke, which has come this way, on which the other of two branches
+  /// lies; 0 where neither branch continues the stroke or the other does not turn off.
+  int find_hidden_side(const std::vector<Point2>& way, Point2 first, Point2 second) const {
     if (way.size() <= reach_) return 0;
     const Point2 forwards = way.back() - way[way.size() - 1 - reach_];
     Point2 ahead = first - way.back();
@@ -68,7 +70,7 @@ class StrokeWalk {
     return cross(forwards, aside) > 0 ? 1 : -1;
   }
 
-  /// Those that go on for the reach, from where they have got.
+  /// Returns the branches that continue for the reach, each as its last front.
   std::vector<Front> long_branches(const std::vector<Front>& branches) {
     std::vector<Front> found;
     for (Front front : branches) {
@@ -82,6 +84,7 @@ class StrokeWalk {
     return found;
   }
 
+  /// Divides a front into its connected pieces.
   std::vector<Front> pieces(const Front& front) const {
     std::vector<Front> found;
     for (const int i : front) {
@@ -100,6 +103,7 @@ class StrokeWalk {
     return found;
   }
 
+  /// Returns the unvisited neighbours of a front and marks them as visited.
   Front next(const Front& front) {
     Front found;
     for (const int i : front) {
@@ -138,7 +142,8 @@ class StrokeWalk {
   double longest_;
 };
 
-/// Whether a stroke ends at a pixel inside the picture: all of its neighbours lie together.
+/// Returns whether a stroke ends at a pixel inside the picture: its one or two neighbours lie
+/// together.
 bool is_end(const Image8& thinned, int i) {
   const RingCount count = count_ring(ring_around(&thinned.pixels[i], thinned.width));
   return count.runs == 1 && count.pixels <= 2;

@@ -4,17 +4,16 @@
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
-#include "kernel/image/image_size.h"
-#include "kernel/image/outlines.h"
+#include "kernel/image/mask_pieces.h"
 
 namespace relievo::understanding {
 namespace {
 
-constexpr double along_share = 0.67;  ///< of a picture's side, from which an area runs along it
-constexpr double strip_share = 0.15;  ///< of the picture, up to which that is a strip
+constexpr double along_share = 0.67;  ///< least share of an edge that an area along it covers
+constexpr double strip_share = 0.15;  ///< area of a strip at most, as a share of the picture
 
-/// The first and the last pixel of a mask in each row: of those of a row one is farthest from
-/// whatever point or line.
+/// Returns the first and last pixel of a mask in each row. One pixel of a row that is farthest from
+/// any point or line is among them.
 std::vector<Point2> ends_of_rows(const Image8& mask) {
   std::vector<Point2> ends;
   for (int y = 0; y < mask.height; ++y) {
@@ -29,8 +28,8 @@ std::vector<Point2> ends_of_rows(const Image8& mask) {
   return ends;
 }
 
-/// Two opposite corners of a mask and what lies farthest off their line at either side: all of the
-/// corners of a page, however it is turned and seen aslant.
+/// Finds the four corners of a page: two opposite ones, which are farthest from the centre and from
+/// each other, and the pixels farthest from their diagonal on either side.
 std::array<Point2, 4> corners_of(const Image8& mask) {
   Point2 sum;
   double count = 0;
@@ -56,7 +55,7 @@ std::array<Point2, 4> corners_of(const Image8& mask) {
 }  // namespace
 
 double page_overlap(const Image8& mask) {
-  if (std::count(mask.pixels.begin(), mask.pixels.end(), 1) == 0) return 0;
+  if (count_of(mask) == 0) return 0;
   const std::array<Point2, 4> corners = corners_of(mask);
   const auto is_between = [&](Point2 p) {
     for (size_t k = 0; k < 4; ++k)
@@ -74,7 +73,7 @@ double page_overlap(const Image8& mask) {
   return both / either;
 }
 
-bool is_surroundings(const std::array<int64_t, 4>& at_edge, int64_t area, int width, int height) {
+bool is_around_page(const std::array<int64_t, 4>& at_edge, int64_t area, int width, int height) {
   const std::array<int, 4> sides = {height, height, width, width};
   int along = 0;
   for (size_t e = 0; e < sides.size(); ++e)

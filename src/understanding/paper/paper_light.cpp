@@ -7,7 +7,7 @@
 namespace relievo::understanding {
 namespace {
 
-constexpr int fit_side = 48;  ///< cells along the longer side that the light is fitted to
+constexpr int fit_side = 48;  ///< cells along the picture's longer side, at most
 
 double position(int i, int n) { return n < 2 ? 0 : 2.0 * i / (n - 1) - 1; }
 
@@ -21,25 +21,30 @@ Quadratic light_terms(int x, int y, int width, int height) {
   return t;
 }
 
-LightCells light_cells(const Image8& picture) {
-  const int factor = (std::max(picture.width, picture.height) + fit_side - 1) / fit_side;
-  LightCells cells{shrink(picture, factor), {}};
-  const int width = cells.mean.width;
-  const int height = cells.mean.height;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) cells.terms.push_back(light_terms(x, y, width, height));
-  return cells;
+std::vector<Quadratic> light_terms(const Image8& cells) {
+  std::vector<Quadratic> terms;
+  for (int y = 0; y < cells.height; ++y)
+    for (int x = 0; x < cells.width; ++x)
+      terms.push_back(light_terms(x, y, cells.width, cells.height));
+  return terms;
 }
 
-Quadratic fit_light(const LightCells& cells, int channel, const std::vector<double>& weights) {
+Image8 light_cells(const Image8& picture) {
+  return shrink(picture, (std::max(picture.width, picture.height) + fit_side - 1) / fit_side);
+}
+
+/// With the terms t_k, values v_k and weights w_k of the cells, solves the normal equations
+///   (sum_k w_k t_k t_k^T + 1e-9 I) light = sum_k w_k v_k t_k.
+Quadratic fit_light(const Image8& cells, const std::vector<Quadratic>& terms, int channel,
+                    const std::vector<double>& weights) {
   Eigen::Matrix<double, 6, 6> A = Eigen::Matrix<double, 6, 6>::Identity() * 1e-9;
   Quadratic b = Quadratic::Zero();
-  for (size_t k = 0; k < cells.terms.size(); ++k) {
-    const Quadratic& terms = cells.terms[k];
-    const double value = cells.mean.pixels[k * cells.mean.channels + channel];
-    b += weights[k] * value * terms;
+  for (size_t k = 0; k < terms.size(); ++k) {
+    const Quadratic& t = terms[k];
+    const double value = cells.pixels[k * cells.channels + channel];
+    b += weights[k] * value * t;
     for (int j = 0; j < 6; ++j)
-      for (int i = j; i < 6; ++i) A(i, j) += weights[k] * terms[i] * terms[j];
+      for (int i = j; i < 6; ++i) A(i, j) += weights[k] * t[i] * t[j];
   }
   return A.ldlt().solve(b);
 }

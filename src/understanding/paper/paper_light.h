@@ -9,29 +9,29 @@
 
 namespace relievo::understanding {
 
-/// Slowly changing light in one channel: the factors of 1, x, y, x^2, xy and y^2 at x and y from -1
-/// to 1 across a picture.
+/// Light that changes slowly over one channel: the coefficients of 1, x, y, x^2, xy and y^2, where
+/// x and y run from -1 to 1 across the picture.
 using Quadratic = Eigen::Matrix<double, 6, 1>;
 
-/// The light in each channel, 0 to 255.
+/// The light in red, green and blue, 0 to 255.
 using Light = std::array<Quadratic, 3>;
 
-/// 1, x, y, x^2, xy and y^2 at a pixel.
+/// Returns 1, x, y, x^2, xy and y^2 at a pixel.
 Quadratic light_terms(int x, int y, int width, int height);
 
-/// A picture in a few cells.
-struct LightCells {
-  Image8 mean;                   ///< its channels
-  std::vector<Quadratic> terms;  ///< [cells, row by row]
-};
+/// Returns the terms of all cells of a picture, row by row.
+std::vector<Quadratic> light_terms(const Image8& cells);
 
-/// O(values).
-LightCells light_cells(const Image8& picture);
+/// Shrinks a picture to the cells to which light is fitted: their means, at most 48 along the
+/// longer side. O(values).
+Image8 light_cells(const Image8& picture);
 
-/// The quadratic of least squares through one channel. `weights` are of the cells. O(cells).
-Quadratic fit_light(const LightCells& cells, int channel, const std::vector<double>& weights);
+/// Fits light to one channel of the cells by weighted least squares. `terms` are those of all
+/// cells, and `weights` has one number for each. O(cells).
+Quadratic fit_light(const Image8& cells, const std::vector<Quadratic>& terms, int channel,
+                    const std::vector<double>& weights);
 
-/// O(pixels).
+/// Returns the least alpha of a picture (4 channels). O(pixels).
 uint8_t least_alpha(const Image8& rgba);
 
 }  // namespace relievo::understanding

@@ -10,7 +10,7 @@
 namespace relievo::understanding {
 namespace {
 
-constexpr int pure_white = 254;  ///< darkest channel of paper that nothing has blurred
+constexpr int pure_white = 254;  ///< least darkest channel of pure white, of 255
 
 }  // namespace
 
@@ -27,8 +27,8 @@ Image8 tinted_pixels(const Image8& image) {
   const bool has_alpha = image.channels == 4;
   const uint8_t* p = image.pixels.data();
   for (uint8_t& tinted : mask.pixels) {
-    const bool nothing = has_alpha && p[3] == 0;
-    tinted = !nothing && std::min({p[0], p[1], p[2]}) < palest ? 1 : 0;
+    const bool transparent = has_alpha && p[3] == 0;
+    tinted = !transparent && std::min({p[0], p[1], p[2]}) < palest_paint ? 1 : 0;
     p += image.channels;
   }
   return mask;

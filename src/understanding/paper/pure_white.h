@@ -4,19 +4,20 @@
 
 namespace relievo::understanding {
 
-/// Minimum share of the picture's border that is pure white, for a figure such as a bust that the
+/// Minimum share of the picture's border that is pure white for a figure, such as a bust, that the
 /// border cuts off.
 constexpr double bust_share = 0.6;
 
-/// What fills so much of its box is a picture in a frame.
+/// Share of its box that a figure fills at most; a picture in a frame fills more.
 constexpr double framed_share = 0.9;
 
-/// Whether a drawing (4 channels) lies on nothing or on white as no scanner and no camera gives it:
-/// then whatever is not white is paint, unless it fills a box, as a photograph in a white frame
-/// does. O(pixels).
+/// Returns whether a drawing (4 channels) lies on transparency or on pure white, which no scanner
+/// and no camera gives: then every other colour is paint. False where the paint fills its box, as a
+/// photograph in a white frame does. O(pixels).
 bool is_on_pure_white(const Image8& rgba);
 
-/// 1 where a picture on pure white, or on nothing, is not white. O(pixels).
+/// Returns 1 where a picture on pure white or transparency (3 or 4 channels) is not white.
+/// O(pixels).
 Image8 tinted_pixels(const Image8& image);
 
 }  // namespace relievo::understanding

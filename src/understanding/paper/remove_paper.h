@@ -4,11 +4,11 @@
 
 namespace relievo::understanding {
 
-/// The drawing laid on white: composited over it (over black and inverted where everything opaque
-/// is light lines), the paper's colour and a slow change of light divided out. 8-bit RGB, 3
-/// channels. `rgba` has 4. The light is a quadratic fitted to the bright part of each channel. A
-/// pale figure `on_pure_white` can be that part: where paint would become white, nothing is divided
-/// out. O(pixels).
+/// Lays a drawing (4 channels) on white, 3 channels. A transparent one is composited over white, or
+/// inverted over white where all that is opaque is light lines. In an opaque one the colour of the
+/// paper and a slow change of light are divided out: a quadratic in x and y, fitted to the bright
+/// part of each channel. A pale figure `on_pure_white` can be that part, so nothing is divided out
+/// where paint would become white. O(pixels).
 Image8 remove_paper(const Image8& rgba, bool on_pure_white = false);
 
 }  // namespace relievo::understanding

@@ -12,32 +12,35 @@
 namespace relievo::understanding {
 namespace {
 
-constexpr int strip_count = 48;        ///< across the rulings
-constexpr double half_width = 0.0035;  ///< of the widest ruling, per diagonal
-constexpr int darkest_thin = 80;       ///< up to which what is thin counts, of 255
-constexpr float palest_ruling = 5;     ///< mean darkness of a ruling in a strip, of 255
-constexpr double steepest = 0.1;       ///< slope of rulings
-constexpr double stray = 2;            ///< px from one strip to the next
-constexpr double least_span = 0.6;     ///< of the strips, from the first to the last that shows it
-constexpr double least_seen = 0.4;     ///< of the strips, that show it
-constexpr double margin_seen = 0.75;   ///< the same of one that crosses others, as of a margin
-constexpr double usually_seen = 0.6;   ///< the same of half of the rulings of a page
-constexpr size_t fewest = 5;           ///< rulings of a page
-constexpr double regular = 0.2;        ///< of a spacing, by which it differs from the usual one
-constexpr double regular_share = 0.8;  ///< of the spacings
-constexpr double ink_contrast = 1.7;   ///< of a ruling's darkness, above which there is ink
-constexpr int noise = 12;              ///< of 255
+// Rulings are horizontal below; vertical ones are found in the transposed drawing.
+constexpr int strip_count = 48;        ///< vertical strips of the picture that are searched
+constexpr double half_width = 0.0035;  ///< half width of the widest ruling, per diagonal
+constexpr int darkest_thin = 80;       ///< contrast of a ruling at most, of 255; more is ink
+constexpr float palest_ruling = 5;     ///< mean contrast of a ruling in a strip at least, of 255
+constexpr double steepest = 0.1;       ///< largest slope of a ruling
+constexpr double stray = 2;            ///< largest distance to the fitted line in a strip, px
+/// Least number of strips from the first to the last that shows a ruling, as a share of all.
+constexpr double least_span = 0.6;
+constexpr double least_seen = 0.4;     ///< least share of the strips that show a ruling
+constexpr double margin_seen = 0.75;   ///< least share that show a single line, such as a margin
+constexpr double median_seen = 0.6;    ///< least median of those shares on a ruled page
+constexpr size_t fewest = 5;           ///< least number of rulings on a page
+constexpr double regular = 0.2;        ///< deviation of a regular spacing, per median spacing
+constexpr double regular_share = 0.8;  ///< least share of the spacings that are regular
+constexpr double ink_contrast = 1.7;   ///< contrast above which ink lies on a ruling, per its own
+constexpr int noise = 12;              ///< allowance for noise in that contrast, of 255
 
-/// A line of the paper: where it crosses each strip, px from the top, and how dark it is.
+/// A line of the paper.
 struct Ruling {
-  std::vector<double> y;  ///< [strips]
-  int seen = 0;           ///< strips
-  double darkness = 0;    ///< of 255
+  std::vector<double> y;  ///< [strips] where it crosses them, px from the top
+  int seen = 0;           ///< number of strips that show it
+  double darkness = 0;    ///< median contrast, of 255
 };
 
-/// What is seen of thin dark lines in each strip: means along its rows.
+/// [strips][rows] mean contrast of thin dark lines along a row of a strip.
 using Profiles = std::vector<std::vector<float>>;
 
+/// Returns 255 less the darkest channel, over white paper.
 Image8 darkness_of(const Image8& rgba) {
   Image8 dark(rgba.width, rgba.height, 1);
   for (size_t i = 0; i < dark.pixels.size(); ++i) {
@@ -55,6 +58,7 @@ Image8 transposed(const Image8& image) {
   return out;
 }
 
+/// Measures how much darker a row of each strip is than the rows `reach` px above and below it.
 Profiles profiles_of(const Image8& dark, int reach) {
   Profiles profiles(strip_count, std::vector<float>(dark.height, 0.0F));
   for (int y = reach; y + reach < dark.height; ++y)
@@ -71,7 +75,7 @@ Profiles profiles_of(const Image8& dark, int reach) {
   return profiles;
 }
 
-/// The rows at which a strip is darkest within reach, from top to bottom.
+/// Finds the rows at which a strip is darkest within `reach` px, from top to bottom, px.
 std::vector<double> peaks_of(const std::vector<float>& profile, int reach) {
   std::vector<double> peaks;
   const int n = static_cast<int>(profile.size());
@@ -91,7 +95,7 @@ std::vector<double> peaks_of(const std::vector<float>& profile, int reach) {
   return peaks;
 }
 
-/// The peak nearest to `y`, or nothing so near.
+/// Returns the peak nearest to `y`, or nothing where none lies within that distance.
 std::optional<double> nearest(const std::vector<double>& peaks, double y, double within) {
   std::optional<double> best;
   for (auto p = std::lower_bound(peaks.begin(), peaks.end(), y - within);
@@ -100,8 +104,8 @@ std::optional<double> nearest(const std::vector<double>& peaks, double y, double
   return best;
 }
 
-/// Where a line through the last places that were seen would cross strip `s`. Places are strips
-/// and px from the top.
+/// Predicts where a ruling crosses strip `s` by a straight line fitted to the last ten points seen.
+/// x counts strips, y is in px from the top.
 double expected_at(const std::vector<Point2>& seen, double s) {
   const size_t n = std::min<size_t>(seen.size(), 10);
   if (n < 3) return seen.back().y;
@@ -118,8 +122,7 @@ double expected_at(const std::vector<Point2>& seen, double s) {
   return mean.y + sy / ss * (s - mean.x);
 }
 
-/// Follows a line of the paper from a peak in strip `first` to the last strip, through what hides
-/// it.
+/// Follows a ruling from a peak in strip `first` to the last strip, also where it is hidden.
 std::vector<Point2> follow(const std::vector<std::vector<double>>& peaks, int first, double y,
                            double strip_width) {
   std::vector<Point2> seen = {{static_cast<double>(first), y}};
@@ -132,11 +135,12 @@ std::vector<Point2> follow(const std::vector<std::vector<double>>& peaks, int fi
   return seen;
 }
 
-double middle_of(std::vector<double> values) {
+double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];
 }
 
+/// Interpolates and extends a ruling through the points where it was seen.
 Ruling ruling_through(const std::vector<Point2>& seen, const Profiles& profiles) {
   Ruling ruling;
   ruling.seen = static_cast<int>(seen.size());
@@ -149,12 +153,12 @@ Ruling ruling_through(const std::vector<Point2>& seen, const Profiles& profiles)
     ruling.y.push_back(a.y + d.y * (s - a.x) / d.x);
   }
   for (const auto& [s, y] : seen) dark.push_back(profiles[static_cast<size_t>(s)][std::lround(y)]);
-  ruling.darkness = middle_of(dark);
+  ruling.darkness = median(dark);
   return ruling;
 }
 
-/// Thin dark lines that run across most of the picture, from top to bottom. What is thin is darker
-/// than what lies `reach` px to both sides.
+/// Finds thin dark lines across most of the picture, from top to bottom. They are darker than the
+/// rows `reach` px above and below them.
 std::vector<Ruling> lines_across(const Image8& dark, int reach) {
   const Profiles profiles = profiles_of(dark, reach);
   const double strip_width = static_cast<double>(dark.width) / strip_count;
@@ -176,8 +180,8 @@ std::vector<Ruling> lines_across(const Image8& dark, int reach) {
   return lines;
 }
 
-/// The distance from one of the lines to the next where they are those of a page: clearly seen and
-/// at equal distances, some of them missing; 0 where they are not.
+/// Computes the distance between neighbouring rulings, px. It is 0 unless the lines are those of a
+/// page: clearly seen and at equal distances, though some may be missing.
 double spacing_of(const std::vector<Ruling>& lines) {
   if (lines.size() < fewest) return 0;
   std::vector<double> spacings;
@@ -186,17 +190,17 @@ double spacing_of(const std::vector<Ruling>& lines) {
     seen.push_back(lines[k].seen);
     if (k > 0) spacings.push_back(lines[k].y[strip_count / 2] - lines[k - 1].y[strip_count / 2]);
   }
-  const double usual = middle_of(spacings);
-  const auto like = std::count_if(spacings.begin(), spacings.end(), [usual](double spacing) {
-    const double times = std::max(1.0, std::round(spacing / usual));
-    return std::abs(spacing - times * usual) < regular * usual;
+  const double typical = median(spacings);
+  const auto like = std::count_if(spacings.begin(), spacings.end(), [typical](double spacing) {
+    const double times = std::max(1.0, std::round(spacing / typical));
+    return std::abs(spacing - times * typical) < regular * typical;
   });
   const bool regularly =
       static_cast<double>(like) > regular_share * static_cast<double>(spacings.size());
-  return regularly && middle_of(seen) > usually_seen * strip_count ? usual : 0;
+  return regularly && median(seen) > median_seen * strip_count ? typical : 0;
 }
 
-/// Adds those that cut the corners of the picture, where it is turned against the paper.
+/// Adds rulings that cross only a corner of the picture, since the paper is turned.
 void add_corners(double spacing, int height, std::vector<Ruling>& lines) {
   const size_t count = lines.size();
   const auto beside = [&](const Ruling& line, double step) {
@@ -212,7 +216,8 @@ void add_corners(double spacing, int height, std::vector<Ruling>& lines) {
   }
 }
 
-/// Gives a line's pixels the colour of its darker side; what is darker than the line is ink.
+/// Gives a ruling's pixels the colour of its darker side, except where they are so dark that ink
+/// lies there.
 void erase_ruling(const Ruling& ruling, int reach, Image8& rgba) {
   const double strip_width = static_cast<double>(rgba.width) / strip_count;
   const auto most = static_cast<int>(ink_contrast * ruling.darkness) + noise;

@@ -4,11 +4,11 @@
 
 namespace relievo::understanding {
 
-/// A drawing (4 channels) without the lines of ruled or squared paper, or nothing where there are
-/// none: five or more thin ones at equal distances across most of the picture, level or upright to
-/// a tenth, and what crosses them likewise, as a margin. They are followed through what hides them,
-/// and may be bent. Their pixels take the colour of their darker side, unless they are so dark that
-/// ink lies there. O(pixels).
+/// Removes the lines of ruled or squared paper from a drawing (4 channels). These are five or more
+/// thin lines at equal distances across most of the picture, horizontal or vertical up to a slope
+/// of 0.1, and single lines across them, such as a margin. They may be bent, and are followed where
+/// the drawing hides them. Their pixels take the colour of their darker side, unless they are so
+/// dark that ink lies there. Returns an empty image where there are no rulings. O(pixels).
 Image8 without_rulings(const Image8& drawing);
 
 }  // namespace relievo::understanding

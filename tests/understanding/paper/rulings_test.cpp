@@ -12,7 +12,7 @@
 namespace relievo::understanding {
 namespace {
 
-/// Lines of paper: bluish, `width` px wide, on the drawing that lies over them.
+/// Ruled paper with bluish lines of `width` px, under a drawing.
 struct Paper {
   double spacing;
   double slope;
@@ -53,7 +53,7 @@ const Paper papers[] = {{36, 0.02},
                         {30, 0.03, 2, 90, true},
                         {48, -0.015, 1.5, 60, true}};
 
-TEST(Rulings, AreTakenAwayAndTheDrawingStays) {
+TEST(Rulings, AreRemovedAndTheDrawingStays) {
   const Image8 plain = waving_snowman().drawing().rgba;
   for (const Paper& paper : papers) {
     const Image8 ruled = paper.under(waving_snowman()).rgba;

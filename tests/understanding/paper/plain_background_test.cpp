@@ -1,4 +1,4 @@
-#include "understanding/paper/plain_ground.h"
+#include "understanding/paper/plain_background.h"
 
 #include <gtest/gtest.h>
 
@@ -19,9 +19,9 @@ constexpr Colour sky = {190, 225, 245};
 constexpr Colour night = {40, 40, 48};
 constexpr Colour cream = {244, 236, 216};
 
-/// A red ring around ground, a yellow disc on it that is half as wide, on a ground of one colour,
-/// with the blend of paint and ground that a renderer leaves.
-Drawing ring_on(const Colour& ground) {
+/// A red ring around background, a yellow disc on it that is half as wide, on a background of one
+/// colour, with the blend of paint and background that a renderer leaves.
+Drawing ring_on(const Colour& background) {
   Drawing drawing{Image8(400, 300, 4, 255)};
   for (int y = 0; y < 300; ++y)
     for (int x = 0; x < 400; ++x) {
@@ -33,7 +33,7 @@ Drawing ring_on(const Colour& ground) {
       for (int c = 0; c < 3; ++c) {
         const std::array<double, 3> paint = {200.0, 60.0, 50.0};
         const std::array<double, 3> other = {240.0, 210.0, 80.0};
-        const double under = red * paint[c] + (1 - red) * ground[c];
+        const double under = red * paint[c] + (1 - red) * background[c];
         drawing.rgba.at(x, y, c) =
             static_cast<uint8_t>(yellow * other[c] + (1 - yellow) * under + 0.5);
       }
@@ -41,24 +41,24 @@ Drawing ring_on(const Colour& ground) {
   return drawing;
 }
 
-TEST(PlainGround, IsNoPartOfTheFigureWhateverItsColour) {
-  for (const Colour& ground : {sky, night, cream}) {
-    const Result<Segmentation> s = segment_drawing(ring_on(ground));
+TEST(PlainBackground, IsNoPartOfTheFigureWhateverItsColour) {
+  for (const Colour& background : {sky, night, cream}) {
+    const Result<Segmentation> s = segment_drawing(ring_on(background));
     ASSERT_TRUE(s.ok()) << to_string(s.error());
-    EXPECT_EQ(s->parts.size(), ground == night ? 3U : 2U) << int{ground[0]};
-    EXPECT_EQ(s->labels.at(10, 10), 0) << int{ground[0]};
-    EXPECT_NE(s->labels.at(150, 70), 0) << int{ground[0]};
-    EXPECT_NE(s->labels.at(320, 150), s->labels.at(150, 70)) << int{ground[0]};
+    EXPECT_EQ(s->parts.size(), background == night ? 3U : 2U) << int{background[0]};
+    EXPECT_EQ(s->labels.at(10, 10), 0) << int{background[0]};
+    EXPECT_NE(s->labels.at(150, 70), 0) << int{background[0]};
+    EXPECT_NE(s->labels.at(320, 150), s->labels.at(150, 70)) << int{background[0]};
   }
 }
 
-TEST(PlainGround, ShowsThroughAPaintedFigureUnlessItMayBeInk) {
+TEST(PlainBackground, ShowsThroughAPaintedFigureUnlessItMayBeInk) {
   EXPECT_EQ(segment_drawing(ring_on(sky))->labels.at(150, 150), 0);
   EXPECT_NE(segment_drawing(ring_on(night))->labels.at(150, 150), 0);
 }
 
-TEST(PlainGround, LeavesNoBlendAtTheRim) {
-  const Image8 cut = without_ground(ring_on(night).rgba).rgba;
+TEST(PlainBackground, LeavesNoBlendAtTheRim) {
+  const Image8 cut = without_background(ring_on(night).rgba).rgba;
   ASSERT_FALSE(cut.empty());
   for (size_t i = 0; i < cut.pixels.size(); i += 4) {
     if (cut.pixels[i + 3] == 0) continue;
@@ -73,21 +73,21 @@ TEST(PlainGround, LeavesNoBlendAtTheRim) {
   }
 }
 
-TEST(PlainGround, LetsGoOfWhiteFigures) {
+TEST(PlainBackground, LeavesWhiteFiguresWhole) {
   Drawing drawing{Image8(400, 300, 4, 255)};
   for (int y = 0; y < 300; ++y)
     for (int x = 0; x < 400; ++x)
       for (int c = 0; c < 3 && distance({x + 0.5, y + 0.5}, {200, 150}) > 100; ++c)
         drawing.rgba.at(x, y, c) = static_cast<uint8_t>(60 + 50 * c);
-  EXPECT_TRUE(without_ground(drawing.rgba).is_cut);
+  EXPECT_TRUE(without_background(drawing.rgba).is_cut);
   const Result<Segmentation> s = segment_drawing(drawing);
   ASSERT_TRUE(s.ok()) << to_string(s.error());
   EXPECT_EQ(s->labels.at(5, 5), 0);
   EXPECT_NE(s->labels.at(200, 150), 0);
 }
 
-/// A circle with a gap and a whole one, in lines of one colour on a ground of another.
-Drawing lines_on(const Colour& ground, const Colour& ink) {
+/// A circle with a gap and a whole one, in lines of one colour on a background of another.
+Drawing lines_on(const Colour& background, const Colour& ink) {
   InkDrawing lines(400, 300);
   lines.arc({130, 150}, 80, 0.02, 0.98, 7).circle({290, 150}, 70, 7);
   Drawing drawing = lines.drawing();
@@ -95,30 +95,30 @@ Drawing lines_on(const Colour& ground, const Colour& ink) {
     const double share = drawing.rgba.pixels[i] / 255.0;
     for (size_t c = 0; c < 3; ++c)
       drawing.rgba.pixels[i + c] =
-          static_cast<uint8_t>(share * ground[c] + (1 - share) * ink[c] + 0.5);
+          static_cast<uint8_t>(share * background[c] + (1 - share) * ink[c] + 0.5);
   }
   return drawing;
 }
 
-TEST(PlainGround, FillsWhatLinesBound) {
-  for (const Colour& ground : {cream, sky, Colour{255, 255, 255}}) {
-    const Result<Segmentation> s = segment_drawing(lines_on(ground, {20, 20, 20}));
+TEST(PlainBackground, FillsAreasBetweenLines) {
+  for (const Colour& background : {cream, sky, Colour{255, 255, 255}}) {
+    const Result<Segmentation> s = segment_drawing(lines_on(background, {20, 20, 20}));
     ASSERT_TRUE(s.ok()) << to_string(s.error());
-    EXPECT_NE(s->labels.at(130, 150), 0) << int{ground[2]} << ", with a gap";
-    EXPECT_NE(s->labels.at(290, 150), 0) << int{ground[2]};
-    EXPECT_EQ(s->labels.at(8, 8), 0) << int{ground[2]};
+    EXPECT_NE(s->labels.at(130, 150), 0) << int{background[2]} << ", with a gap";
+    EXPECT_NE(s->labels.at(290, 150), 0) << int{background[2]};
+    EXPECT_EQ(s->labels.at(8, 8), 0) << int{background[2]};
   }
 }
 
-TEST(PlainGround, IsABlackboardUnderChalk) {
+TEST(PlainBackground, IsABlackboardUnderChalk) {
   const Result<Segmentation> s = segment_drawing(lines_on(night, {245, 245, 245}));
   ASSERT_TRUE(s.ok()) << to_string(s.error());
   EXPECT_NE(s->labels.at(290, 150), 0);
   EXPECT_EQ(s->labels.at(8, 8), 0);
 }
 
-TEST(PlainGround, IsNoWhitePaperAndNoFrame) {
-  EXPECT_TRUE(without_ground(ring_on({255, 255, 255}).rgba).rgba.empty());
+TEST(PlainBackground, IsNoWhitePaperAndNoFrame) {
+  EXPECT_TRUE(without_background(ring_on({255, 255, 255}).rgba).rgba.empty());
   Image8 framed(300, 200, 4, 255);
   for (int y = 0; y < 200; ++y)
     for (int x = 0; x < 300; ++x) {
@@ -126,10 +126,10 @@ TEST(PlainGround, IsNoWhitePaperAndNoFrame) {
       for (int c = 0; c < 3; ++c)
         framed.at(x, y, c) = static_cast<uint8_t>(frame ? 0 : 205 + (x * 7 + y * 3) % 40);
     }
-  EXPECT_FALSE(without_ground(framed).is_cut);
+  EXPECT_FALSE(without_background(framed).is_cut);
 }
 
-/// As a camera sees it: light that falls off to one corner by 30 %, and grain.
+/// Photographs a drawing: the light falls off towards one corner by 30 %, and there is grain.
 Drawing photographed(Drawing drawing) {
   Image8& rgba = drawing.rgba;
   for (int y = 0; y < rgba.height; ++y)
@@ -146,20 +146,20 @@ Drawing photographed(Drawing drawing) {
 constexpr Colour kraft = {184, 148, 107};
 constexpr Colour moss = {100, 114, 97};
 
-TEST(PlainGround, MayHaveGrainAndShadows) {
-  for (const Colour& ground : {kraft, moss, night}) {
-    const Result<Segmentation> s = segment_drawing(photographed(ring_on(ground)));
+TEST(PlainBackground, MayHaveGrainAndShadows) {
+  for (const Colour& background : {kraft, moss, night}) {
+    const Result<Segmentation> s = segment_drawing(photographed(ring_on(background)));
     ASSERT_TRUE(s.ok()) << to_string(s.error());
-    EXPECT_EQ(s->parts.size(), ground == night ? 3U : 2U) << int{ground[0]};
+    EXPECT_EQ(s->parts.size(), background == night ? 3U : 2U) << int{background[0]};
     for (const auto& [x, y] : {std::pair(3, 3), {396, 3}, {3, 296}, {396, 296}, {200, 20}})
-      EXPECT_EQ(s->labels.at(x, y), 0) << int{ground[0]} << " at " << x << ", " << y;
-    EXPECT_EQ(s->labels.at(150, 150) == 0, ground != night) << int{ground[0]};
-    EXPECT_NE(s->labels.at(150, 70), 0) << int{ground[0]};
-    EXPECT_NE(s->labels.at(320, 150), s->labels.at(150, 70)) << int{ground[0]};
+      EXPECT_EQ(s->labels.at(x, y), 0) << int{background[0]} << " at " << x << ", " << y;
+    EXPECT_EQ(s->labels.at(150, 150) == 0, background != night) << int{background[0]};
+    EXPECT_NE(s->labels.at(150, 70), 0) << int{background[0]};
+    EXPECT_NE(s->labels.at(320, 150), s->labels.at(150, 70)) << int{background[0]};
   }
 }
 
-TEST(PlainGround, DoesNotShowThroughWhatIsNearlyOfItsColour) {
+TEST(PlainBackground, DoesNotShowThroughAreasOfNearlyItsColour) {
   Drawing drawing = ring_on(moss);
   for (int y = 0; y < 300; ++y)
     for (int x = 0; x < 400; ++x)
@@ -168,7 +168,7 @@ TEST(PlainGround, DoesNotShowThroughWhatIsNearlyOfItsColour) {
   EXPECT_NE(segment_drawing(photographed(drawing))->labels.at(150, 150), 0);
 }
 
-TEST(PlainGround, IsWhereMostOfTheEdgeIs) {
+TEST(PlainBackground, IsTheColourOfMostOfTheBorder) {
   const Drawing whole = ring_on(moss);
   Drawing bust{Image8(400, 180, 4, 255)};
   std::copy_n(whole.rgba.pixels.begin(), bust.rgba.pixels.size(), bust.rgba.pixels.begin());
@@ -181,13 +181,13 @@ TEST(PlainGround, IsWhereMostOfTheEdgeIs) {
   }
 }
 
-TEST(PlainGround, LeavesWhatPaintOnPaperMayBe) {
+TEST(PlainBackground, IsNoPaperUnderPaint) {
   const Drawing dark = lines_on(kraft, {60, 40, 30});
-  EXPECT_TRUE(without_ground(photographed(dark).rgba).rgba.empty());
+  EXPECT_TRUE(without_background(photographed(dark).rgba).rgba.empty());
   Drawing shaded = ring_on({215, 212, 205});
   for (size_t i = 0; i < shaded.rgba.pixels.size(); ++i)
     shaded.rgba.pixels[i] = i % 4 == 0 && shaded.rgba.pixels[i] > 200 ? 200 : shaded.rgba.pixels[i];
-  EXPECT_TRUE(without_ground(photographed(shaded).rgba).rgba.empty());
+  EXPECT_TRUE(without_background(photographed(shaded).rgba).rgba.empty());
 }
 
 /// The ring's drawing on a page that lies turned on a table.
@@ -208,7 +208,7 @@ Drawing page_on(const Colour& table) {
 TEST(PageOnATable, IsContinuedOverIt) {
   for (const Colour& table : {kraft, moss, night}) {
     const Drawing photo = page_on(table);
-    const auto [spread, is_cut] = without_ground(photo.rgba);
+    const auto [spread, is_cut] = without_background(photo.rgba);
     ASSERT_FALSE(spread.empty() || is_cut) << int{table[0]};
     EXPECT_NEAR(spread.at(2, 2, 1), 246, 12) << int{table[0]};
     EXPECT_NEAR(spread.at(470, 410, 1), 246 * 0.7, 12) << int{table[0]};
@@ -222,7 +222,7 @@ TEST(PageOnATable, IsContinuedOverIt) {
 }
 
 TEST(PageOnATable, IsNoFigureOnPaper) {
-  EXPECT_TRUE(without_ground(photographed(ring_on(moss)).rgba).is_cut);
+  EXPECT_TRUE(without_background(photographed(ring_on(moss)).rgba).is_cut);
   Drawing robot{Image8(400, 300, 4, 255)};  // a box whose rim has two colours
   for (int y = 0; y < 300; ++y)
     for (int x = 0; x < 400; ++x) {
@@ -230,7 +230,7 @@ TEST(PageOnATable, IsNoFigureOnPaper) {
       for (int c = 0; c < 3; ++c)
         robot.rgba.at(x, y, c) = static_cast<uint8_t>(!inside ? moss[c] : y < 150 ? 230 : 60 * c);
     }
-  EXPECT_TRUE(without_ground(photographed(robot).rgba).is_cut);
+  EXPECT_TRUE(without_background(photographed(robot).rgba).is_cut);
 }
 
 }  // namespace
