@@ -76,7 +76,7 @@ std::vector<uint16_t> number_parts(const std::vector<int>& used, const Scribbles
     if (label == 0) continue;
     const bool proposed = label > scribbled;
     parts.push_back({proposed ? names.next() : scribbles.parts[label - 1], proposed, 0, {}});
-    number[label] = static_cast<uint16_t>(parts.size());
+    number[label] = parts.back().label = static_cast<PartLabel>(parts.size());
   }
   return number;
 }
