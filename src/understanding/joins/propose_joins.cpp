@@ -21,7 +21,7 @@ using Pair = std::pair<PartLabel, PartLabel>;
 
 constexpr double min_root = 0.1;       ///< least share of the upper outline that a root takes
 constexpr int min_root_sides = 8;      ///< least length of a root, pixel sides
-constexpr double max_size_ratio = 10;  ///< of what is seen of the upper part to that of the lower
+constexpr double max_size_ratio = 10;  ///< of the visible upper part to the visible lower
 /// Bounds of the share of a root that the ramp at each end of its join takes.
 constexpr double shortest_ramp = 0.08;
 constexpr double longest_ramp = 0.3;
@@ -29,7 +29,7 @@ constexpr double longest_ramp = 0.3;
 /// Euclidean distance, 255 a channel.
 constexpr double same_colour = 40;
 constexpr double other_colour = 100;
-/// The largest piece that nothing holds, as a share of the piece that may hold it.
+/// The largest loose piece that is attached to another, as a share of that.
 constexpr double loose_share = 0.25;
 constexpr double line_step = 3;  ///< distance of the points of a join's line, px
 /// The largest length of a root's arc on the outline, per pixel side.
@@ -146,7 +146,7 @@ class JoinProposer {
     for (const int part : parts) propose(part);
     for (const auto& [pair, kind] : tied_)
       propose_relation(regions_.part_of(pair.first), regions_.part_of(pair.second), kind);
-    hold_loose();
+    attach_loose();
     return std::move(out_);
   }
 
@@ -268,37 +268,37 @@ class JoinProposer {
     out_.relations.push_back({{upper, lower, kind, std::nullopt}, false});
   }
 
-  /// Lets each small piece that nothing holds grow out from behind the part that it borders on
+  /// Lets each small loose piece grow out from behind the part that it borders on
   /// most, since it would come off where the model is turned.
-  void hold_loose() {
-    DisjointSets held(regions_.count());
+  void attach_loose() {
+    DisjointSets attached(regions_.count());
     for (const ProposedJoin& proposed : out_.joins)
-      held.unite(proposed.join.upper, proposed.join.lower);
+      attached.unite(proposed.join.upper, proposed.join.lower);
     std::vector<std::map<int, int>> sides;
     for (int part = 0; part < regions_.count(); ++part)
       sides.push_back(shared_sides(regions_, part));
     std::vector<std::pair<int, size_t>> loose;  // sides, index of the relation
     for (size_t i = 0; i < out_.relations.size(); ++i) {
       const auto& [relation, user, confidence] = out_.relations[i];
-      if (is_tie(relation.kind)) held.unite(relation.upper, relation.lower);
+      if (is_tie(relation.kind)) attached.unite(relation.upper, relation.lower);
       if (!user && !is_tie(relation.kind) &&
           unjoined_.count(pair_of(relation.upper, relation.lower)) == 0)
         loose.emplace_back(sides[relation.lower][relation.upper], i);
     }
     std::vector<int64_t> seen(regions_.count(), 0);
     for (int part = 0; part < regions_.count(); ++part)
-      seen[held.find(part)] += pixel_count(regions_.visible[part]);
+      seen[attached.find(part)] += pixel_count(regions_.visible[part]);
     std::sort(loose.begin(), loose.end(), std::greater<>());
     for (const auto& [shared, i] : loose) {
       if (shared < min_root_sides) break;
       Relation& relation = out_.relations[i].relation;
-      const int upper = held.find(relation.upper);
-      const int lower = held.find(relation.lower);
+      const int upper = attached.find(relation.upper);
+      const int lower = attached.find(relation.lower);
       if (upper == lower ||
           static_cast<double>(seen[lower]) > loose_share * static_cast<double>(seen[upper]))
         continue;
       relation.kind = RelationKind::joined;
-      held.unite(upper, lower);
+      attached.unite(upper, lower);
       seen[std::min(upper, lower)] = seen[upper] + seen[lower];
     }
   }

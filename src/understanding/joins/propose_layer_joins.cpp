@@ -28,7 +28,7 @@ constexpr double most_between = 0.5;
 /// The least share of a limb's area that is seen of it where it comes out from behind a part.
 constexpr double least_behind = 0.4;
 /// Distances of colours, which are at most sqrt 3: up to the first they are the same, from the
-/// second on they count fully against a join, and above the third a part is held and does not grow.
+/// second on they count fully against a join, and above the third a part is an object of its own.
 constexpr double same_color = 0.15;
 constexpr double other_color = 0.6;
 constexpr double foreign_color = 0.75;
@@ -101,9 +101,9 @@ double color_difference(const PartColors& colors, int limb, int body) {
   return least;
 }
 
-/// Whether the upper part is held in front of the lower one. Hair and clothes, which cover much of
-/// it, are not.
-bool is_held(const Overlap& pair, double difference) {
+/// Whether the upper part is an object of its own, as one in a hand, and does not grow out of the
+/// lower one. Hair and clothes, which cover much of it, are not.
+bool is_object(const Overlap& pair, double difference) {
   return difference > foreign_color && pair.lower_beside > 1 - clothing;
 }
 
@@ -134,25 +134,25 @@ class Connector {
     const Rooted roots = rooted(overlaps, joins);
     const std::vector<uint8_t> lying = lying_parts(grid_, overlaps);
     std::vector<uint8_t> joined(grid_.masks.size());
-    std::vector<uint8_t> held(grid_.masks.size());
+    std::vector<uint8_t> attached(grid_.masks.size());
     for (size_t k = 0; k < overlaps.size(); ++k) {
       const Overlap& pair = overlaps[k];
       const bool is_joined =
           joins[k] && joins[k]->confidence >= std::max(roots.confidence[pair.upper], least_trust);
       if (is_joined && joins[k]->confidence < sure_join && is_cap(pair)) {
-        held[pair.upper] = 1;
+        attached[pair.upper] = 1;
         tie(pair, joining);
       } else if (is_joined) {
         joined[pair.upper] = 1;
         joining.joins.push_back(std::move(*joins[k]));
       } else if (is_behind(pair)) {
-        held[pair.lower] = 1;
+        attached[pair.lower] = 1;
         const bool grows = roots.body[pair.lower] == pair.upper && lying[pair.lower] == 0;
         joining.relations.push_back(hang_behind(pair, grows));
       }
     }
-    tie_lying(overlaps, joined, held, joining);
-    tie_hidden(overlaps, held, joining);
+    tie_lying(overlaps, joined, attached, joining);
+    tie_hidden(overlaps, attached, joining);
     joining.hollows = hollow_parts(grid_, colors_, limbs(overlaps, joining));
     joining.features = features(grid_, overlaps, joined);
     return joining;
@@ -208,28 +208,28 @@ class Connector {
 
   /// Ties parts without a join to the larger parts behind them. A part that hangs on one in front
   /// is tied only to those that it does not cross: otherwise it would be drawn back to the
-  /// farthest. Marks the parts that are held.
+  /// farthest. Marks the parts that are attached.
   void tie_lying(const std::vector<Overlap>& overlaps, const std::vector<uint8_t>& joined,
-                 std::vector<uint8_t>& held, JoinProposals& joining) const {
-    const std::vector<uint8_t> hangs = held;
+                 std::vector<uint8_t>& attached, JoinProposals& joining) const {
+    const std::vector<uint8_t> hangs = attached;
     for (const Overlap& pair : overlaps) {
       const bool crosses = pair.upper_beside >= least_protrusion;
       const bool is_free = joined[pair.upper] == 0 && (hangs[pair.upper] == 0 || !crosses);
       if (!is_free || is_larger(grid_, pair.upper, pair.lower, 1)) continue;
-      held[pair.upper] = 1;
+      attached[pair.upper] = 1;
       tie(pair, joining);
     }
-    for (size_t part = 0; part < held.size(); ++part)
-      if (joined[part] != 0) held[part] = 1;
+    for (size_t part = 0; part < attached.size(); ++part)
+      if (joined[part] != 0) attached[part] = 1;
   }
 
   /// Ties each part that nothing holds to the larger part that hides most of it, behind which it
   /// would float otherwise.
-  void tie_hidden(const std::vector<Overlap>& overlaps, const std::vector<uint8_t>& held,
+  void tie_hidden(const std::vector<Overlap>& overlaps, const std::vector<uint8_t>& attached,
                   JoinProposals& joining) const {
     std::vector<const Overlap*> nearest(grid_.masks.size());
     for (const Overlap& pair : overlaps)
-      if (held[pair.lower] == 0 && is_larger(grid_, pair.upper, pair.lower, 1) &&
+      if (attached[pair.lower] == 0 && is_larger(grid_, pair.upper, pair.lower, 1) &&
           (nearest[pair.lower] == nullptr || pair.lower_beside < nearest[pair.lower]->lower_beside))
         nearest[pair.lower] = &pair;
     for (const Overlap* pair : nearest)
@@ -260,7 +260,7 @@ class Connector {
     const double difference = color_difference(colors_, pair.upper, pair.lower);
     const bool alike = !colors_.empty() && difference < same_color;
     if (pair.upper_beside < (alike ? least_same_color : least_protrusion) ||
-        is_held(pair, difference) || is_larger(grid_, pair.upper, pair.lower, limb_to_body))
+        is_object(pair, difference) || is_larger(grid_, pair.upper, pair.lower, limb_to_body))
       return std::nullopt;
     const auto runs = runs_inside(grid_, outlines_[pair.upper], pair.lower);
     if (runs.empty()) return std::nullopt;

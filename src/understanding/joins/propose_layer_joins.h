@@ -29,11 +29,12 @@ namespace relievo::understanding {
 /// a clear change of colour halves, as does a part that is not larger than the limb. A part that
 /// covers the root of another limb and is not much thinner, as a foot covers the root of a tail,
 /// does not grow out of that limb, unless limbs grow out of the part itself. A part of a foreign
-/// colour is held and tied, unless it covers much of the other part, as hair and clothes do; a join
-/// with less than a quarter of confidence becomes a tie as well. A part that lies mostly on another
-/// is a limb of that only where both have one colour. Without `colors` all colours count as equal,
-/// except in the last rule. Shapes are compared on a grid of 512 pixels along the longest side.
-/// Near-linear in the points, plus the pixels of parts that overlap, pair by pair.
+/// colour is an object of its own and tied, unless it covers much of the other part, as hair and
+/// clothes do; a join with less than a quarter of confidence becomes a tie as well. A part that
+/// lies mostly on another is a limb of that only where both have one colour. Without `colors` all
+/// colours count as equal, except in the last rule. Shapes are compared on a grid of 512 pixels
+/// along the longest side. Near-linear in the points, plus the pixels of parts that overlap, pair
+/// by pair.
 JoinProposals propose_layer_joins(const Scene& scene, const PartColors& colors = {},
                                   const std::vector<Point2>& anchors = {});
 
