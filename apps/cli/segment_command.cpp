@@ -31,17 +31,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A flat drawing and what is known of it.
+/// A flat drawing with its known segmentation and its project.
 struct SegmentInput {
   std::string drawing_file;  ///< its path or "-"; empty where it is inside a project or made here
   ProjectDrawing drawing;    ///< the artist's own file, or the picture of their vectors
   Image8 pixels;             ///< of the drawing, RGBA
   understanding::SegmentationRecord record;
-  std::string name;                               ///< of the project; empty where there was none
+  understanding::Segmentation found;              ///< empty where the record has the labels
+  std::string name;                               ///< of the project; empty where there is none
   Scene scene;                                    ///< likewise
-  std::map<std::string, std::string> other_keys;  ///< of the project, which come along
-  std::vector<std::vector<Point2>> bridges;       ///< gaps in the lines that were closed, px
-  std::vector<std::string> notes;                 ///< what a person should know
+  std::map<std::string, std::string> other_keys;  ///< of the project, which are kept
 };
 
 /// Longest side of the picture that is made from a vector drawing, px.
@@ -153,20 +152,7 @@ Status cut_out(const std::string& name, SegmentInput& input) {
   return Done{};
 }
 
-/// Labels from the pixels. Parts that were scribbled keep their names, those of a project their
-/// labels and what was said of them.
-Status find_labels(SegmentInput& input, const RunContext& context) {
-  auto found =
-      understanding::segment_drawing(Drawing{input.pixels}, input.record.scribbles, context);
-  if (!found) return found.error();
-  input.record = understanding::relabel(*found, std::move(input.record)).record;
-  for (understanding::Bridge& bridge : found->bridges)
-    input.bridges.push_back(std::move(bridge.points));
-  input.notes = std::move(found->notes);
-  return Done{};
-}
-
-/// The labels that the arguments ask for.
+/// Reads or finds the labels that the arguments ask for.
 Status choose_labels(const SegmentArguments& segment, SegmentInput& input,
                      const RunContext& context) {
   if (!segment.labels.empty()) return read_labels(segment.labels, input);
@@ -181,7 +167,11 @@ Status choose_labels(const SegmentArguments& segment, SegmentInput& input,
     input.record.scribbles = std::move(*scribbles);
   }
   if (segment.parts > 0) input.record.scribbles.count = segment.parts;
-  return find_labels(input, context);
+  auto found =
+      understanding::segment_drawing(Drawing{input.pixels}, input.record.scribbles, context);
+  if (!found) return found.error();
+  input.found = std::move(*found);
+  return Done{};
 }
 
 Result<SegmentInput> load(const SegmentArguments& segment, const RunContext& context) {
@@ -193,7 +183,7 @@ Result<SegmentInput> load(const SegmentArguments& segment, const RunContext& con
   if (!pixels) return in_file(pixels.error(), file->name);
   input->pixels = std::move(*pixels);
   if (Status status = choose_labels(segment, *input, context); !status) return status.error();
-  const Image16& labels = input->record.labels;
+  const Image16& labels = input->found.labels.empty() ? input->record.labels : input->found.labels;
   if (labels.width != input->pixels.width || labels.height != input->pixels.height)
     return wrong_size(input->pixels, segment.labels);
   return input;
@@ -243,7 +233,10 @@ Result<Files> files_of(const SegmentArguments& segment, const SegmentInput& inpu
   auto files = main_files(segment, input, understanding);
   if (!files) return files.error();
   if (!segment.overlay.empty()) {
-    auto overlay = draw_overlay(understanding.scene, {input.bridges, {}}, input.pixels);
+    std::vector<std::vector<Point2>> bridges;
+    for (const understanding::Bridge& bridge : understanding.segmentation.bridges)
+      bridges.push_back(bridge.points);
+    auto overlay = draw_overlay(understanding.scene, {bridges, {}}, input.pixels);
     if (!overlay) return overlay.error();
     files->push_back({segment.overlay, std::move(*overlay)});
   }
@@ -283,16 +276,15 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
   auto loaded = load(segment, context);
   if (!loaded) return loaded.error();
   const Stopwatch watch;
-  const auto understood =
-      understanding::understand_drawing(loaded->pixels, loaded->record, loaded->scene, {}, context);
+  const auto understood = understanding::understand_drawing(
+      loaded->pixels, std::move(loaded->found), std::move(loaded->record), loaded->scene, context);
   if (!understood) return understood.error();
   if (understood->scene.parts.empty())
     return Error{ErrorCode::bad_input, "has no parts left: all were removed in the project", ""};
   const auto files = files_of(segment, *loaded, *understood, watch.milliseconds());
   if (!files) return files.error();
   if (Status status = save(*files, inputs, interruption); !status) return status;
-  print_warnings(loaded->notes, quiet);
-  print_warnings(understood->proposal.warnings, quiet);
+  print_warnings(understood->warnings, quiet);
   print_note(summary(understood->scene), quiet);
   for (const OutputFile& file : *files) print_result(file.path.string(), quiet);
   return Done{};

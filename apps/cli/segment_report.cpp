@@ -13,8 +13,8 @@ class ReportWriter {
 
   Json parts() const {
     Json list = Json::array();
-    for (const int part : proposal_.stacking.back_to_front) {
-      const understanding::CompletedPart& completed = proposal_.completion.parts[part];
+    for (int part = 0; part < proposal_.regions.count(); ++part) {
+      const understanding::CompletedPart& completed = proposal_.completion[part];
       list.push_back({{"id", id(part)},
                       {"label", proposal_.regions.labels[part]},
                       {"visible_px", pixel_count(proposal_.regions.visible[part])},
@@ -26,13 +26,12 @@ class ReportWriter {
 
   Json order() const {
     Json list = Json::array();
-    for (const understanding::OrderArrow& arrow : proposal_.stacking.arrows)
-      list.push_back(
-          {{"upper", id(arrow.upper)},
-           {"lower", id(arrow.lower)},
-           {"confidence", arrow.confidence},
-           {"source", arrow.source == understanding::OrderSource::user ? "user" : "guess"},
-           {"kept", arrow.kept}});
+    for (const understanding::OrderArrow& arrow : proposal_.order)
+      list.push_back({{"upper", id(proposal_.regions.part_of(arrow.upper))},
+                      {"lower", id(proposal_.regions.part_of(arrow.lower))},
+                      {"confidence", arrow.confidence},
+                      {"source", arrow.user ? "user" : "guess"},
+                      {"kept", arrow.kept}});
     return list;
   }
 
@@ -66,9 +65,7 @@ class ReportWriter {
   }
 
  private:
-  const std::string& id(int part) const {
-    return proposal_.scene.parts[proposal_.stacking.rank[part]].id;
-  }
+  const std::string& id(int part) const { return proposal_.scene.parts[part].id; }
 
   const understanding::Proposal& proposal_;
 };

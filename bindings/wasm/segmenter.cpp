@@ -14,6 +14,7 @@
 #include "io/scene/write_scene.h"
 #include "understanding/areas/find_basins.h"
 #include "understanding/labels/label_basins.h"
+#include "understanding/scene/relabel.h"
 #include "understanding/scene/understand_drawing.h"
 
 namespace relievo::wasm {
@@ -38,30 +39,28 @@ Result<Scene> read_edited(const std::string& text) {
   return scene ? std::move(scene) : in_file(scene.error(), "scene.json");
 }
 
-val parts_of(const understanding::Segmentation& found,
-             const std::vector<understanding::PartLabel>& label_of) {
+val parts_of(const understanding::Segmentation& segmentation) {
   val list = val::array();
-  for (size_t k = 0; k < found.parts.size(); ++k) {
+  for (size_t k = 0; k < segmentation.parts.size(); ++k) {
     val part = val::object();
-    part.set("label", label_of[k]);
-    part.set("id", found.parts[k].id);
+    part.set("label", segmentation.parts[k].label);
+    part.set("id", segmentation.parts[k].id);
     list.set(k, part);
   }
   return list;
 }
 
-val bridges_of(const understanding::Segmentation& found,
-               const std::vector<understanding::PartLabel>& label_of) {
-  const auto label = [&label_of](uint16_t k) { return k == 0 ? 0 : int{label_of[k - 1]}; };
+val bridges_of(const understanding::Segmentation& segmentation) {
   val list = val::array();
-  for (size_t k = 0; k < found.bridges.size(); ++k) {
+  for (size_t k = 0; k < segmentation.bridges.size(); ++k) {
+    const understanding::Bridge& found = segmentation.bridges[k];
     std::vector<float> points;
-    for (const Point2 p : found.bridges[k].points)
+    for (const Point2 p : found.points)
       for (const double x : {p.x, p.y}) points.push_back(static_cast<float>(x));
     val bridge = val::object();
     bridge.set("points", to_js(points));
-    bridge.set("left", label(found.bridges[k].label_a));
-    bridge.set("right", label(found.bridges[k].label_b));
+    bridge.set("left", found.label_a);
+    bridge.set("right", found.label_b);
     list.set(k, bridge);
   }
   return list;
@@ -69,11 +68,10 @@ val bridges_of(const understanding::Segmentation& found,
 
 }  // namespace
 
-/// A project with the labels that its strokes make.
+/// A project and the segmentation that its strokes make, which is not renumbered yet.
 struct Segmenter::Labelled {
   Project project;
   understanding::Segmentation found;
-  std::vector<understanding::PartLabel> label_of;  ///< [parts of the segmentation]
 };
 
 val Segmenter::open_png(const val& file) {
@@ -117,18 +115,17 @@ Result<Segmenter::Labelled> Segmenter::read(const std::string& project, const va
   record.labels = last_labels_;
   auto found = understanding::label_basins(basins_, record.scribbles);
   if (!found) return found.error();
-  understanding::Relabelling relabelled = understanding::relabel(*found, std::move(record));
-  record = std::move(relabelled.record);
-  return Labelled{std::move(*known), std::move(*found), std::move(relabelled.label_of)};
+  return Labelled{std::move(*known), std::move(*found)};
 }
 
 val Segmenter::label(const std::string& project, const val& last) {
-  const auto labelled = read(project, last);
+  auto labelled = read(project, last);
   if (!labelled) return failure(labelled.error());
+  understanding::relabel(labelled->found, *labelled->project.segmentation);
   val result = val::object();
-  result.set("labels", to_js(labelled->project.segmentation->labels.pixels));
-  result.set("parts", parts_of(labelled->found, labelled->label_of));
-  result.set("bridges", bridges_of(labelled->found, labelled->label_of));
+  result.set("labels", to_js(labelled->found.labels.pixels));
+  result.set("parts", parts_of(labelled->found));
+  result.set("bridges", bridges_of(labelled->found));
   result.set("notes", to_js(labelled->found.notes));
   return result;
 }
@@ -139,7 +136,8 @@ val Segmenter::propose(const std::string& text, const val& last, const std::stri
   const auto edited = read_edited(edited_text);
   if (!edited) return failure(edited.error());
   understanding::SegmentationRecord& record = *labelled->project.segmentation;
-  auto understood = understanding::understand_drawing(drawing_.rgba, record, *edited);
+  auto understood = understanding::understand_drawing(drawing_.rgba, std::move(labelled->found),
+                                                      std::move(record), *edited);
   if (!understood) return failure(understood.error());
   record = std::move(understood->record);
   const auto labels = encode_png(record.labels);
@@ -150,14 +148,11 @@ val Segmenter::propose(const std::string& text, const val& last, const std::stri
     if (!written) return failure(written.error());
     scene = std::move(*written);
   }
-  std::vector<std::string> warnings = labelled->found.notes;
-  const std::vector<std::string>& more = understood->proposal.warnings;
-  warnings.insert(warnings.end(), more.begin(), more.end());
   val result = val::object();
   result.set("project", write_project_json(labelled->project));
   result.set("scene", scene);
   result.set("labels", to_js(*labels));
-  result.set("warnings", to_js(warnings));
+  result.set("warnings", to_js(understood->warnings));
   return result;
 }
 

@@ -118,7 +118,7 @@ understanding::JoinProposals guessed_joins(const Scene& scene,
   };
   understanding::JoinProposals guesses;
   for (const Join& join : scene.joins) {
-    const auto& said = record.corrections.joining.joins;
+    const auto& said = record.corrections.joins;
     if (std::any_of(said.begin(), said.end(),
                     [&](const Join& one) { return is_of(join, one.upper, one.lower); }))
       continue;

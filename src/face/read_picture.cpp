@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "face/inputs.h"
@@ -15,7 +16,7 @@ namespace {
 
 std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
-/// What was found.
+/// How many parts were found.
 std::string finding(const Image16& labels, const Scene& scene) {
   const auto background = std::count(labels.pixels.begin(), labels.pixels.end(), 0);
   const double covered =
@@ -24,35 +25,23 @@ std::string finding(const Image16& labels, const Scene& scene) {
          counted(scene.joins.size(), "join") + "; they cover " + percent(covered) + " of it";
 }
 
-/// What to look at first, and how to correct it.
-std::string advice(const understanding::Proposal& proposal, const std::string& file) {
-  const std::vector<understanding::OrderArrow>& arrows = proposal.stacking.arrows;
+/// The least confident guess, which to look at first, and how to correct it.
+std::string advice(const understanding::SegmentationRecord& record, const std::string& file) {
+  const std::vector<understanding::OrderArrow>& arrows = record.order;
   const auto doubtful =
       std::min_element(arrows.begin(), arrows.end(),
                        [](const understanding::OrderArrow& a, const understanding::OrderArrow& b) {
                          return a.confidence < b.confidence;
                        });
-  const auto id = [&](int part) { return proposal.scene.parts[proposal.stacking.rank[part]].id; };
-  const std::string doubt = doubtful == arrows.end()
-                                ? ""
-                                : "least sure is that " + id(doubtful->upper) + " lies before " +
-                                      id(doubtful->lower) + " (" +
-                                      percent((1 + doubtful->confidence) / 2) + "); ";
+  std::string doubt;
+  if (doubtful != arrows.end()) {
+    std::map<understanding::PartLabel, std::string> id_of;
+    for (const understanding::PartRecord& part : record.parts) id_of[part.label] = part.id;
+    doubt = "least sure is that " + id_of[doubtful->upper] + " lies before " +
+            id_of[doubtful->lower] + " (" + percent((1 + doubtful->confidence) / 2) + "); ";
+  }
   return doubt + "look with --overlay, correct with strokes: relievo segment " + file +
          " --scribbles strokes.png, or in the editor";
-}
-
-understanding::JoinProposals by_rank(understanding::JoinProposals joining,
-                                     const std::vector<int>& rank) {
-  const auto renumber = [&](auto& item) {
-    item.upper = rank[item.upper];
-    item.lower = rank[item.lower];
-  };
-  for (understanding::ProposedJoin& proposed : joining.joins) renumber(proposed.join);
-  for (understanding::ProposedRelation& proposed : joining.relations) renumber(proposed.relation);
-  for (RobinRange& range : joining.robin) renumber(range);
-  for (understanding::ProposedLean& proposed : joining.leans) proposed.part = rank[proposed.part];
-  return joining;
 }
 
 }  // namespace
@@ -61,20 +50,19 @@ Result<SceneInput> understand_flat(Drawing drawing, const std::string& file,
                                    const RunContext& context) {
   auto found = understanding::segment_drawing(drawing, {}, context);
   if (!found) return found.error();
-  const understanding::SegmentationRecord record = understanding::relabel(*found, {}).record;
-  auto understood = understanding::understand_drawing(drawing.rgba, record, {}, {}, context);
+  auto understood =
+      understanding::understand_drawing(drawing.rgba, std::move(*found), {}, {}, context);
   if (!understood) return understood.error();
-  understanding::Proposal& proposal = understood->proposal;
   SceneInput loaded;
   loaded.drawing = std::move(drawing);
   loaded.drawing_file = file;
   loaded.proposed = true;
   loaded.connected = true;
   loaded.scene = std::move(understood->scene);
-  loaded.guesses = by_rank(std::move(proposal.joining), proposal.stacking.rank);
-  loaded.understood = {finding(record.labels, loaded.scene), advice(proposal, file)};
-  loaded.warnings = std::move(found->notes);
-  for (std::string& warning : proposal.warnings) loaded.warnings.push_back(std::move(warning));
+  loaded.guesses = std::move(understood->proposal.joining);
+  loaded.understood = {finding(understood->record.labels, loaded.scene),
+                       advice(understood->record, file)};
+  loaded.warnings = std::move(understood->warnings);
   return loaded;
 }
 

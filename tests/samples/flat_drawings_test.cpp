@@ -330,7 +330,7 @@ TEST_F(FlatDrawings, OutlinesCoverTheLabels) {
     ASSERT_TRUE(proposal.ok());
     const understanding::PartRegions& regions = proposal->regions;
     for (int part = 0; part < regions.count(); ++part) {
-      const Part& drawn = proposal->scene.parts[proposal->stacking.rank[part]];
+      const Part& drawn = proposal->scene.parts[part];
       const Mask filled = fill_outline(drawn.outline, regions.map.width, regions.map.height);
       int64_t covered = 0;
       int64_t outside = 0;

@@ -149,7 +149,7 @@ TEST_F(GroundTruth, PartsAreCompletedToTheirTrueShapes) {
     for (const TruePart& part : character.parts) {
       const int index = proposal.regions.part_of(static_cast<uint16_t>(part.label));
       const double seen = overlap_ratio(proposal.regions.visible[index], part.mask);
-      const double ratio = overlap_ratio(proposal.completion.parts[index].shape, part.mask);
+      const double ratio = overlap_ratio(proposal.completion[index].shape, part.mask);
       std::printf("  %2d %-26s seen %.2f, completed %.2f\n", part.label, part.name.c_str(), seen,
                   ratio);
       all.push_back(ratio);
@@ -169,19 +169,17 @@ TEST_F(GroundTruth, ClearPairsAreInTheRightOrder) {
   int all = 0;
   for (const TrueCharacter& character : characters_) {
     const understanding::Proposal proposal = propose(character);
-    const auto part = [&](int label) {
-      return proposal.regions.part_of(static_cast<uint16_t>(label));
-    };
     std::set<std::pair<int, int>> touching;
     for (const understanding::NeighbourEvidence& pair : proposal.evidence)
       touching.insert({pair.a, pair.b});
     for (const TruePair& pair : character.pairs) {
       const double share = pair.a_in_front / (pair.a_in_front + pair.b_in_front);
-      const int a = part(pair.a);
-      const int b = part(pair.b);
+      const auto a = static_cast<uint16_t>(pair.a);
+      const auto b = static_cast<uint16_t>(pair.b);
       if (std::max(share, 1 - share) < clear_majority) continue;
-      if (touching.count(std::minmax(a, b)) == 0) continue;
-      const bool ordered = (proposal.stacking.rank[a] > proposal.stacking.rank[b]) == (share > 0.5);
+      if (touching.count(std::minmax(pair.a, pair.b)) == 0) continue;
+      const bool ordered =
+          (proposal.regions.part_of(a) > proposal.regions.part_of(b)) == (share > 0.5);
       if (!ordered)
         std::printf("  %s: %d and %d are in front at %g and %g px\n", character.name.c_str(),
                     pair.a, pair.b, pair.a_in_front, pair.b_in_front);

@@ -6,7 +6,7 @@
 
 #include "relievo/bytes.h"
 #include "relievo/scene.h"
-#include "understanding/scene/corrections.h"
+#include "understanding/scene/segmentation_record.h"
 
 namespace relievo {
 

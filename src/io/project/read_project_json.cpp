@@ -111,8 +111,7 @@ class ProjectReader final : public AnnotationReader {
     if (!keys(json, path, {"upper", "lower", "confidence", "user", "kept"}, {})) return arrow;
     pair(json, path, arrow);
     arrow.confidence = share(json["confidence"], path.member("confidence"));
-    arrow.source = flag(json["user"], path.member("user")) ? understanding::OrderSource::user
-                                                           : understanding::OrderSource::guess;
+    arrow.user = flag(json["user"], path.member("user"));
     arrow.kept = flag(json["kept"], path.member("kept"));
     return arrow;
   }
@@ -140,13 +139,11 @@ class ProjectReader final : public AnnotationReader {
     std::vector<std::pair<understanding::PartLabel, understanding::PartCorrection>> parts;
     list(json, path, "parts", parts, &ProjectReader::part_correction);
     corrections.parts.insert(parts.begin(), parts.end());
-    list(json, path, "order", corrections.order,
-         &ProjectReader::label_pair<understanding::PartLabel>);
-    understanding::JoinCorrections& joining = corrections.joining;
-    list(json, path, "joins", joining.joins, &ProjectReader::join);
-    list(json, path, "no_joins", joining.no_joins, &ProjectReader::label_pair<int>);
-    list(json, path, "relations", joining.relations, &ProjectReader::relation);
-    list(json, path, "robin", joining.robin, &ProjectReader::robin);
+    list(json, path, "order", corrections.order, &ProjectReader::label_pair);
+    list(json, path, "joins", corrections.joins, &ProjectReader::join);
+    list(json, path, "no_joins", corrections.no_joins, &ProjectReader::label_pair);
+    list(json, path, "relations", corrections.relations, &ProjectReader::relation);
+    list(json, path, "robin", corrections.robin, &ProjectReader::robin);
     list(json, path, "cues", corrections.cues, &ProjectReader::cue);
     return corrections;
   }
@@ -165,8 +162,8 @@ class ProjectReader final : public AnnotationReader {
     return {label(json["label"], path.member("label")), std::move(correction)};
   }
 
-  template <class Number>
-  std::pair<Number, Number> label_pair(const Json& json, const JsonPath& path) {
+  std::pair<understanding::PartLabel, understanding::PartLabel> label_pair(const Json& json,
+                                                                           const JsonPath& path) {
     understanding::JoinRecord pair_record;
     if (!keys(json, path, {"upper", "lower"}, {})) return {};
     pair(json, path, pair_record);

@@ -46,41 +46,42 @@ Ordered json_of(understanding::PartLabel label, const understanding::PartCorrect
   return item;
 }
 
-Ordered json_of(const understanding::JoinCorrections& joining, Ordered corrections) {
-  for (const char* key : {"joins", "no_joins", "relations", "robin"})
-    corrections[key] = Ordered::array();
-  for (const Join& join : joining.joins) {
+using LabelPairs = std::vector<std::pair<understanding::PartLabel, understanding::PartLabel>>;
+
+Ordered json_of(const LabelPairs& pairs) {
+  Ordered list = Ordered::array();
+  for (const auto& [upper, lower] : pairs) list.push_back({{"upper", upper}, {"lower", lower}});
+  return list;
+}
+
+Ordered json_of(const understanding::Corrections& corrections) {
+  Ordered json;
+  for (const char* key : {"parts", "order", "joins", "no_joins", "relations", "robin"})
+    json[key] = Ordered::array();
+  for (const auto& [label, correction] : corrections.parts)
+    json["parts"].push_back(json_of(label, correction));
+  json["order"] = json_of(corrections.order);
+  for (const Join& join : corrections.joins) {
     Ordered item = pair_of(join);
     item["line"] = json_of(join.line);
-    corrections["joins"].push_back(std::move(item));
+    json["joins"].push_back(std::move(item));
   }
-  for (const auto& [upper, lower] : joining.no_joins)
-    corrections["no_joins"].push_back({{"upper", upper}, {"lower", lower}});
-  for (const Relation& relation : joining.relations) {
+  json["no_joins"] = json_of(corrections.no_joins);
+  for (const Relation& relation : corrections.relations) {
     Ordered item = pair_of(relation);
     item["relation"] = name(relation.kind);
     if (relation.range)
       item["range"] = json_of(std::vector<Point2>{relation.range->first, relation.range->second});
-    corrections["relations"].push_back(std::move(item));
+    json["relations"].push_back(std::move(item));
   }
-  for (const RobinRange& range : joining.robin) {
+  for (const RobinRange& range : corrections.robin) {
     Ordered item = pair_of(range);
     item["from"] = json_of(range.from);
     item["to"] = json_of(range.to);
     if (range.alpha0) item["alpha0"] = *range.alpha0;
     if (range.rho) item["rho"] = *range.rho;
-    corrections["robin"].push_back(std::move(item));
+    json["robin"].push_back(std::move(item));
   }
-  return corrections;
-}
-
-Ordered json_of(const understanding::Corrections& corrections) {
-  Ordered json = {{"parts", Ordered::array()}, {"order", Ordered::array()}};
-  for (const auto& [label, correction] : corrections.parts)
-    json["parts"].push_back(json_of(label, correction));
-  for (const auto& [upper, lower] : corrections.order)
-    json["order"].push_back({{"upper", upper}, {"lower", lower}});
-  json = json_of(corrections.joining, std::move(json));
   for (const Cue& cue : corrections.cues)
     json["cues"].push_back({{"part", cue.part},
                             {"kind", name(cue.kind)},
@@ -98,7 +99,7 @@ Ordered json_of(const understanding::SegmentationRecord& record) {
   for (const understanding::OrderArrow& arrow : record.order) {
     Ordered item = pair_of(arrow);
     item["confidence"] = arrow.confidence;
-    item["user"] = arrow.source == understanding::OrderSource::user;
+    item["user"] = arrow.user;
     item["kept"] = arrow.kept;
     order.push_back(std::move(item));
   }

@@ -8,7 +8,7 @@
 namespace relievo::understanding {
 namespace {
 
-/// An empty set in the box around both sets, `margin` px larger but on the canvas.
+/// An empty set in the box around both sets, grown by `margin` px and clipped to the canvas.
 Mask joint_box(const Mask& a, const Mask& b, int margin, const Image16& canvas) {
   return empty_mask(std::max(0, std::min(a.left, b.left) - margin),
                     std::max(0, std::min(a.top, b.top) - margin),
@@ -16,8 +16,7 @@ Mask joint_box(const Mask& a, const Mask& b, int margin, const Image16& canvas) 
                     std::min(canvas.height, std::max(a.bottom(), b.bottom()) + margin));
 }
 
-/// Hidden shapes keep so far from where their occluders end, px, so that no two outlines run along
-/// each other.
+/// Distance that hidden regions keep from where their occluders end, px.
 constexpr int rim = 2;
 
 /// Whether the test holds in the square of `radius` around a pixel.
@@ -29,7 +28,7 @@ bool all_around(int x, int y, int radius, Test test) {
   return true;
 }
 
-/// The pixels of both.
+/// The pixels that are in both sets.
 Mask common(const Mask& a, const Mask& b) {
   Mask both = a;
   for_each_pixel(a, [&](int x, int y) {
@@ -38,8 +37,8 @@ Mask common(const Mask& a, const Mask& b) {
   return both;
 }
 
-/// Whether the completion below the parts in front knows better: a membrane, which fits anything,
-/// does not where the contour is that of an ellipse or goes on smoothly.
+/// Whether the completion below the parts in front restricts the other one: a membrane, which fits
+/// anything, does not restrict an ellipse or a continuation.
 bool limits(const CompletedPart& below_front, const CompletedPart& completed) {
   return below_front.kind != CompletionKind::membrane || completed.kind == CompletionKind::membrane;
 }
@@ -71,14 +70,10 @@ void grow(Mask& mask, const Mask& seed, int steps, Allowed allowed) {
   }
 }
 
-Mask clipped(const PartRegions& regions, const Mask& shape, int part, const std::vector<int>& rank,
-             int overlap) {
+Mask clipped(const PartRegions& regions, const Mask& shape, int part, int overlap) {
   const Mask& visible = regions.visible[part];
   Mask result = joint_box(shape, visible, overlap, regions.map);
-  const auto below_another = [&](int x, int y) {
-    const int other = regions.part_at(x, y);
-    return other >= 0 && rank[other] > rank[part];
-  };
+  const auto below_another = [&](int x, int y) { return regions.part_at(x, y) > part; };
   const auto own_or_below = [&](int x, int y) {
     if (x < 0 || y < 0 || x >= regions.map.width || y >= regions.map.height) return false;
     return regions.part_at(x, y) == part || below_another(x, y);
@@ -97,15 +92,15 @@ Mask clipped(const PartRegions& regions, const Mask& shape, int part, const std:
 }  // namespace
 
 Completion clip_to_order(const PartRegions& regions, const Completion& completion,
-                         const Completion& below_front, const std::vector<int>& rank, int overlap) {
+                         const Completion& below_front, int overlap) {
   Completion result = completion;
   for (int part = 0; part < regions.count(); ++part) {
-    CompletedPart& completed = result.parts[part];
+    CompletedPart& completed = result[part];
     if (completed.kind == CompletionKind::given) continue;
-    const CompletedPart& limit = below_front.parts[part];
+    const CompletedPart& limit = below_front[part];
     const Mask shape =
         limits(limit, completed) ? common(completed.shape, limit.shape) : completed.shape;
-    completed.shape = clipped(regions, shape, part, rank, overlap);
+    completed.shape = clipped(regions, shape, part, overlap);
   }
   return result;
 }

@@ -10,13 +10,17 @@
 namespace relievo::understanding {
 namespace {
 
+/// The share of a candidate, and of the visible part, that may disagree with the other.
 constexpr double max_disagreement = 0.04;
-/// A boundary that belongs to the contour fits so much better than a contour needs to.
-constexpr double shaped_share = 0.4;
-/// Besides, so many pixels per pixel side of the boundary are noise.
+/// Pixels that disagree as noise, per pixel side of the part's boundary.
 constexpr double boundary_noise = 0.25;
+/// A common boundary counts as a part's own contour where an ellipse fits the contour with it
+/// within this share of contour_tolerance.
+constexpr double shaped_share = 0.4;
+/// Parts with a shorter common boundary, in pixel sides, are not compared.
+constexpr int min_shared_sides = 4;
 
-/// What of a candidate can be: the part's own pixels and those of its occluders, in one piece.
+/// The pixels of a candidate that are the part's own or its occluders', in one piece.
 Mask possible(const HiddenPart& hidden, const Mask& candidate) {
   const Mask& visible = hidden.visible();
   Mask shape = empty_mask(
@@ -36,8 +40,8 @@ double boundary_length(const HiddenPart& hidden) {
   return static_cast<double>(sides);
 }
 
-/// Explains what is seen: little of the candidate would have to be seen but is not, and little of
-/// the visible part is not in it.
+/// Whether a candidate explains what is seen: few of its pixels should be visible but are not, and
+/// few pixels of the visible part lie outside it.
 bool fits(const HiddenPart& hidden, const std::optional<Mask>& candidate) {
   if (!candidate) return false;
   int64_t outside = 0;
@@ -56,15 +60,15 @@ bool fits(const HiddenPart& hidden, const std::optional<Mask>& candidate) {
 }
 
 CompletedPart complete(const HiddenPart& hidden) {
-  if (!hidden.has_gaps()) return {hidden.visible(), CompletionKind::whole};
+  if (!hidden.has_gaps()) return {hidden.visible(), CompletionKind::whole, {}};
   if (const auto shape = ellipse_shape(hidden, contour_tolerance(hidden)); fits(hidden, shape))
-    return {possible(hidden, *shape), CompletionKind::ellipse};
+    return {possible(hidden, *shape), CompletionKind::ellipse, {}};
   if (const auto shape = continued_shape(hidden); fits(hidden, shape))
-    return {possible(hidden, *shape), CompletionKind::continuation};
-  return {possible(hidden, membrane_shape(hidden)), CompletionKind::membrane};
+    return {possible(hidden, *shape), CompletionKind::continuation, {}};
+  return {possible(hidden, membrane_shape(hidden)), CompletionKind::membrane, {}};
 }
 
-/// All parts but those.
+/// All parts except the given ones, sorted.
 std::vector<int> all_but(const PartRegions& regions, const std::vector<int>& parts) {
   std::vector<int> others;
   for (int part = 0; part < regions.count(); ++part)
@@ -84,48 +88,49 @@ bool is_shaped(const PartRegions& regions, int part, int other) {
   return fits(hidden, ellipse_shape(hidden, shaped_share * contour_tolerance(hidden)));
 }
 
-int shared_sides(const PartRegions& regions, int part, int other) {
-  int count = 0;
-  for (const LabelRing& ring : regions.rings[part])
-    for (const uint16_t label : ring.beyond)
-      if (regions.part_of(label) == other) ++count;
-  return count;
-}
-
 }  // namespace
 
 Result<Completion> complete_parts(const PartRegions& regions, const Occluders& occluders,
-                                  const RunContext& context) {
+                                  const RunContext& context,
+                                  std::initializer_list<const Completion*> known) {
   context.report("complete", 0);
-  Completion completion{std::vector<CompletedPart>(static_cast<size_t>(regions.count()))};
+  Completion completion(regions.labels.size());
   run_tasks(regions.count(), [&](int part) {
     if (context.cancelled()) return;
-    completion.parts[part] = complete(hidden_part(regions, part, occluders[part]));
+    const auto same = std::find_if(known.begin(), known.end(), [&](const Completion* earlier) {
+      return (*earlier)[part].occluders == occluders[part];
+    });
+    completion[part] = same == known.end() ? complete(hidden_part(regions, part, occluders[part]))
+                                           : (**same)[part];
+    completion[part].occluders = occluders[part];
   });
   if (context.cancelled()) return interrupted_error();
   return completion;
 }
 
+Occluders all_others(const PartRegions& regions) {
+  Occluders others;
+  for (int part = 0; part < regions.count(); ++part) others.push_back(all_but(regions, {part}));
+  return others;
+}
+
 Result<std::vector<NeighbourEvidence>> compare_neighbours(const PartRegions& regions,
-                                                          const CompletionOptions& options,
+                                                          const Completion& completion,
                                                           const RunContext& context) {
-  Occluders others(regions.labels.size());
-  for (int a = 0; a < regions.count(); ++a) others[a] = all_but(regions, {a});
-  const auto completion = complete_parts(regions, others, context);
-  if (!completion) return completion.error();
   std::vector<NeighbourEvidence> evidence;
-  const auto adjacent = neighbours(regions, options.min_shared_sides);
   for (int a = 0; a < regions.count(); ++a)
-    for (const int b : adjacent[a])
-      if (a < b) evidence.push_back({a, b});
+    for (const auto& [b, shared] : shared_sides(regions, a))
+      if (a < b && shared >= min_shared_sides)
+        evidence.push_back({regions.labels[a], regions.labels[b], shared});
   run_tasks(static_cast<int>(evidence.size()), [&](int pair) {
     if (context.cancelled()) return;
     NeighbourEvidence& found = evidence[pair];
-    found.shared = shared_sides(regions, found.a, found.b);
-    found.a_below_b = pixels_of(regions, found.b, completion->parts[found.a].shape);
-    found.b_below_a = pixels_of(regions, found.a, completion->parts[found.b].shape);
-    found.a_shaped = is_shaped(regions, found.a, found.b);
-    found.b_shaped = is_shaped(regions, found.b, found.a);
+    const int a = regions.part_of(found.a);
+    const int b = regions.part_of(found.b);
+    found.a_below_b = pixels_of(regions, b, completion[a].shape);
+    found.b_below_a = pixels_of(regions, a, completion[b].shape);
+    found.a_shaped = is_shaped(regions, a, b);
+    found.b_shaped = is_shaped(regions, b, a);
   });
   if (context.cancelled()) return interrupted_error();
   return evidence;

@@ -13,56 +13,37 @@
 namespace relievo::understanding {
 namespace {
 
-constexpr size_t noise_sides = 4;
+constexpr size_t noise_sides = 4;  ///< shorter runs of hidden or known sides are noise
+/// The stretch of contour beside a gap that gives the direction there: a share of the ring's sides,
+/// within bounds.
 constexpr double window_share = 0.08;
 constexpr size_t min_window = 8;
 constexpr size_t max_window = 40;
-/// Where fewer points are known, a straight line is fitted.
+/// A straight line is fitted in place of a parabola to fewer points.
 constexpr size_t parabola_points = 12;
-constexpr double max_turn = 1.35 * std::numbers::pi;  ///< of an arc across a gap
+constexpr double max_turn = 1.35 * std::numbers::pi;  ///< of an arc across a gap: 243 degrees
 constexpr double too_far = std::numeric_limits<double>::infinity();
-constexpr size_t most_gaps = 6;  ///< of a part in several pieces, of which all ways are tried
+constexpr size_t most_gaps = 6;  ///< of a part in several pieces; all their permutations are tried
 
-/// A maximal run of equal values on a circle.
-struct Run {
-  size_t first = 0;
-  size_t count = 0;
-};
-
-/// Runs of `value`; none where the whole circle has one value.
-std::vector<Run> runs_of(const std::vector<uint8_t>& circle, uint8_t value) {
-  std::vector<Run> runs;
+/// Maximal runs of `value`, without ends; none where the whole circle has one value.
+std::vector<ContourGap> runs_of(const std::vector<uint8_t>& circle, uint8_t value) {
+  std::vector<ContourGap> runs;
   const size_t n = circle.size();
   const auto same = [&](size_t i, size_t j) { return circle[i] == circle[j]; };
   for_each_run(n, same, [&](size_t first, size_t count) {
-    if (circle[first] == value && count < n) runs.push_back({first, count});
+    if (circle[first] == value && count < n) runs.push_back({first, count, {}, {}});
   });
   return runs;
 }
 
 void drop_short_runs(std::vector<uint8_t>& circle, uint8_t value) {
-  for (const Run& run : runs_of(circle, value))
+  for (const ContourGap& run : runs_of(circle, value))
     if (run.count < noise_sides)
       for (size_t i = 0; i < run.count; ++i)
         circle[(run.first + i) % circle.size()] = static_cast<uint8_t>(1 - value);
 }
 
-/// The contour that ends beside a gap: from `begin` on, `count` sides away from the gap.
-struct Lead {
-  size_t begin = 0;
-  size_t count = 0;
-  bool backwards = false;  ///< against the direction of the ring
-};
-
-std::vector<Point2> lead_points(const LabelRing& ring, const Lead& lead) {
-  std::vector<Point2> points;
-  const size_t n = ring.size();
-  for (size_t i = 0; i < lead.count; ++i)
-    points.push_back(ring.sides[(lead.begin + (lead.backwards ? n * 2 - i : i)) % n]);
-  return points;
-}
-
-/// Position and direction, away from the first point, of the parabola that fits the points best.
+/// The start and direction of the parabola that fits the points best in the least-squares sense.
 DirectedPoint fit_end(const std::vector<Point2>& points) {
   const int terms = points.size() >= parabola_points ? 3 : 2;
   Eigen::MatrixXd A(points.size(), terms);
@@ -81,26 +62,22 @@ DirectedPoint fit_end(const std::vector<Point2>& points) {
   return {{fit(0, 0), fit(0, 1)}, length > 1e-9 ? (1 / length) * slope : Point2{1, 0}};
 }
 
-size_t window(const LabelRing& ring) {
-  const auto share = static_cast<size_t>(window_share * static_cast<double>(ring.size()));
-  return std::clamp(share, min_window, max_window);
-}
-
-/// How many sides beside the gap are left out, given the length of the known run.
-size_t trimmed(size_t known) { return std::min(junction_sides, (known - 2) / 2); }
-
+/// Fits the ends of a gap to the known runs before and after it, of these lengths.
 void find_ends(const LabelRing& ring, size_t before, size_t after, ContourGap& gap) {
   const size_t n = ring.size();
-  const size_t longest = window(ring);
-  const size_t skip_before = trimmed(before);
-  const size_t skip_after = trimmed(after);
-  const Lead lead_in{(gap.first + n - 1 - skip_before) % n, std::min(longest, before - skip_before),
-                     true};
-  const Lead lead_out{(gap.first + gap.count + skip_after) % n,
-                      std::min(longest, after - skip_after), false};
-  gap.from = fit_end(lead_points(ring, lead_in));
+  const auto share = static_cast<size_t>(window_share * static_cast<double>(n));
+  const size_t window = std::clamp(share, min_window, max_window);
+  // The direction from the gap along a known run, which begins at side `begin`.
+  const auto fit = [&](size_t begin, size_t known, bool backwards) {
+    const size_t skipped = std::min(junction_sides, (known - 2) / 2);
+    std::vector<Point2> points;
+    for (size_t i = skipped; i < std::min(window + skipped, known); ++i)
+      points.push_back(ring.sides[(backwards ? begin + 2 * n - i : begin + i) % n]);
+    return fit_end(points);
+  };
+  gap.from = fit(gap.first + n - 1, before, true);
   gap.from.direction = -1.0 * gap.from.direction;
-  gap.to = fit_end(lead_points(ring, lead_out));
+  gap.to = fit(gap.first + gap.count, after, false);
 }
 
 /// A gap among those of all rings.
@@ -109,20 +86,23 @@ struct RingGap {
   size_t gap = 0;
 };
 
-/// How a contour goes on across a gap.
-struct GapLink {
-  RingGap from;
-  RingGap to;
-  size_t next = 0;  ///< link at the end of the known contour after it
-};
-
 double bending(const DirectedPoint& from, const DirectedPoint& to) {
   if (std::abs(turning(from, to)) > max_turn) return too_far;
   const Point2 chord = to.at - from.at;
   return bend_energy(turn_between(from.direction, chord), turn_between(chord, to.direction));
 }
 
-/// Whether contours that go on from every gap at the one in that order make one of all rings.
+/// Appends the arc from one gap to another and the known contour of `ring`, the second one's, after
+/// it.
+void append_arc(const ContourGap& from, const ContourGap& to, const LabelRing& ring,
+                const std::vector<uint8_t>& hidden, Ring& bridged) {
+  const std::vector<Point2> arc = smooth_arc(from.from, to.to, 1.0);
+  bridged.insert(bridged.end(), arc.begin(), arc.end());
+  for (size_t i = (to.first + to.count) % ring.size(); hidden[i] == 0; i = (i + 1) % ring.size())
+    bridged.push_back(ring.sides[i]);
+}
+
+/// Whether contours that continue from every gap at the one in that order connect all rings.
 bool connects(const std::vector<RingGap>& gaps, const std::vector<size_t>& order, size_t rings) {
   DisjointSets pieces(static_cast<int>(rings));
   for (size_t i = 0; i < gaps.size(); ++i)
@@ -133,8 +113,8 @@ bool connects(const std::vector<RingGap>& gaps, const std::vector<size_t>& order
   });
 }
 
-/// At which gap the contour goes on from each, so that all pieces are in one and bend least.
-/// Nothing where every way turns too far. O(gaps!).
+/// Per gap, the gap at which the contour continues, so that all pieces are connected and the arcs
+/// bend least. Nothing where every way turns too far. O(gaps!).
 std::optional<std::vector<size_t>> least_bent(const std::vector<RingGap>& gaps,
                                               const std::vector<KnownContour>& known) {
   const size_t n = gaps.size();
@@ -158,49 +138,43 @@ std::optional<std::vector<size_t>> least_bent(const std::vector<RingGap>& gaps,
   return best;
 }
 
-/// Adds the arc of the link and the known contour after it.
-void add_link(const GapLink& link, const std::vector<LabelRing>& rings,
-              const std::vector<KnownContour>& known, Ring& bridged) {
-  const ContourGap& to = known[link.to.ring].gaps[link.to.gap];
-  const std::vector<Point2> arc =
-      smooth_arc(known[link.from.ring].gaps[link.from.gap].from, to.to, 1.0);
-  bridged.insert(bridged.end(), arc.begin(), arc.end());
-  const LabelRing& ring = rings[link.to.ring];
-  const std::vector<uint8_t>& hidden = known[link.to.ring].hidden;
-  for (size_t i = (to.first + to.count) % ring.size(); hidden[i] == 0; i = (i + 1) % ring.size())
-    bridged.push_back(ring.sides[i]);
+/// All gaps, those of outer rings first. The gaps of a ring are consecutive.
+std::vector<RingGap> list_gaps(const std::vector<LabelRing>& rings,
+                               const std::vector<KnownContour>& known) {
+  std::vector<RingGap> gaps;
+  for (const bool hole : {false, true})
+    for (size_t r = 0; r < rings.size(); ++r)
+      for (size_t g = 0; rings[r].hole == hole && g < known[r].gaps.size(); ++g)
+        gaps.push_back({r, g});
+  return gaps;
 }
 
-/// Links of all gaps: to themselves, or in several pieces so that they are one. Nothing where an
-/// arc would turn too far, or there are too many.
-std::optional<std::vector<GapLink>> link_gaps(const std::vector<LabelRing>& rings,
-                                              const std::vector<KnownContour>& known) {
-  std::vector<RingGap> gaps;
-  std::vector<RingGap> holes;
+/// Per gap, the gap at which the contour continues: itself, or in a part of several pieces another
+/// that connects them. Nothing where an arc would turn too far, or there are too many gaps.
+std::optional<std::vector<size_t>> link_gaps(const std::vector<LabelRing>& rings,
+                                             const std::vector<KnownContour>& known,
+                                             const std::vector<RingGap>& gaps) {
+  std::vector<RingGap> outer;
   size_t pieces = 0;
-  for (size_t r = 0; r < rings.size(); ++r) {
-    pieces += rings[r].hole || known[r].gaps.empty() ? 0 : 1;
-    for (size_t g = 0; g < known[r].gaps.size(); ++g)
-      (rings[r].hole ? holes : gaps).push_back({r, g});
+  for (const RingGap& gap : gaps) {
+    if (rings[gap.ring].hole) continue;
+    pieces += gap.gap == 0 ? 1 : 0;
+    outer.push_back(gap);
   }
-  std::vector<size_t> order(gaps.size() + holes.size());
+  std::vector<size_t> order(gaps.size());
   std::iota(order.begin(), order.end(), size_t{0});
   if (pieces > 1) {
-    if (gaps.size() > most_gaps) return std::nullopt;
-    const auto best = least_bent(gaps, known);
+    if (outer.size() > most_gaps) return std::nullopt;
+    const auto best = least_bent(outer, known);
     if (!best) return std::nullopt;
     std::copy(best->begin(), best->end(), order.begin());
   }
-  gaps.insert(gaps.end(), holes.begin(), holes.end());
-  std::vector<GapLink> links;
   for (size_t i = 0; i < gaps.size(); ++i) {
+    const ContourGap& from = known[gaps[i].ring].gaps[gaps[i].gap];
     const RingGap& to = gaps[order[i]];
-    const size_t after = (to.gap + 1) % known[to.ring].gaps.size();
-    links.push_back({gaps[i], to, order[i] - to.gap + after});
-    const ContourGap& here = known[gaps[i].ring].gaps[gaps[i].gap];
-    if (bending(here.from, known[to.ring].gaps[to.gap].to) == too_far) return std::nullopt;
+    if (bending(from.from, known[to.ring].gaps[to.gap].to) == too_far) return std::nullopt;
   }
-  return links;
+  return order;
 }
 
 }  // namespace
@@ -209,19 +183,17 @@ KnownContour find_gaps(const LabelRing& ring, std::vector<uint8_t> may_be_hidden
   KnownContour known;
   drop_short_runs(may_be_hidden, 1);
   drop_short_runs(may_be_hidden, 0);
-  const std::vector<Run> runs = runs_of(may_be_hidden, 1);
-  known.nothing = runs.empty() && !may_be_hidden.empty() && may_be_hidden[0] == 1;
+  known.gaps = runs_of(may_be_hidden, 1);
+  known.nothing = known.gaps.empty() && !may_be_hidden.empty() && may_be_hidden[0] == 1;
   const size_t n = ring.size();
-  for (size_t k = 0; k < runs.size(); ++k) {
-    const Run& run = runs[k];
-    const Run& previous = runs[(k + runs.size() - 1) % runs.size()];
-    const Run& next = runs[(k + 1) % runs.size()];
-    ContourGap gap{run.first, run.count, {}, {}};
+  for (size_t k = 0; k < known.gaps.size(); ++k) {
+    ContourGap& gap = known.gaps[k];
+    const ContourGap& previous = known.gaps[(k + known.gaps.size() - 1) % known.gaps.size()];
+    const ContourGap& next = known.gaps[(k + 1) % known.gaps.size()];
     // With a single gap the known run before it and after it are the same.
-    const size_t before = (run.first + 2 * n - previous.first - previous.count) % n;
-    const size_t after = (next.first + 2 * n - run.first - run.count) % n;
-    find_ends(ring, before == 0 ? n - run.count : before, after == 0 ? n - run.count : after, gap);
-    known.gaps.push_back(gap);
+    const size_t before = (gap.first + 2 * n - previous.first - previous.count) % n;
+    const size_t after = (next.first + 2 * n - gap.first - gap.count) % n;
+    find_ends(ring, before == 0 ? n - gap.count : before, after == 0 ? n - gap.count : after, gap);
   }
   known.hidden = std::move(may_be_hidden);
   return known;
@@ -229,20 +201,25 @@ KnownContour find_gaps(const LabelRing& ring, std::vector<uint8_t> may_be_hidden
 
 std::optional<Outline> bridge_gaps(const std::vector<LabelRing>& rings,
                                    const std::vector<KnownContour>& known) {
-  const auto links = link_gaps(rings, known);
-  if (!links) return std::nullopt;
+  const std::vector<RingGap> gaps = list_gaps(rings, known);
+  const auto order = link_gaps(rings, known, gaps);
+  if (!order) return std::nullopt;
   Outline outline;
   for (size_t r = 0; r < rings.size(); ++r)
     if (known[r].gaps.empty() && !(known[r].nothing && rings[r].hole))
       outline.push_back(rings[r].sides);
-  std::vector<uint8_t> passed(links->size(), 0);
-  for (size_t first = 0; first < links->size(); ++first) {
-    Ring ring;
-    for (size_t i = first; passed[i] == 0; i = (*links)[i].next) {
+  std::vector<uint8_t> passed(gaps.size(), 0);
+  for (size_t first = 0; first < gaps.size(); ++first) {
+    Ring bridged;
+    for (size_t i = first; passed[i] == 0;) {
       passed[i] = 1;
-      add_link((*links)[i], rings, known, ring);
+      const RingGap& from = gaps[i];
+      const RingGap& to = gaps[(*order)[i]];
+      append_arc(known[from.ring].gaps[from.gap], known[to.ring].gaps[to.gap], rings[to.ring],
+                 known[to.ring].hidden, bridged);
+      i = (*order)[i] - to.gap + (to.gap + 1) % known[to.ring].gaps.size();
     }
-    if (!ring.empty()) outline.push_back(std::move(ring));
+    if (!bridged.empty()) outline.push_back(std::move(bridged));
   }
   return outline;
 }

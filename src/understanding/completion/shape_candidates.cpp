@@ -12,18 +12,20 @@
 namespace relievo::understanding {
 namespace {
 
-constexpr size_t ellipse_samples = 100;  ///< about so many points of the contour are used
-constexpr size_t violations = 50;        ///< and of those that a first fit violates
-constexpr double violation = 0.5;        ///< px
-constexpr int ellipse_points = 180;
-constexpr double ellipse_noise = 0.8;          ///< px
-constexpr double ellipse_noise_share = 0.012;  ///< of the part's size
-/// How far a contour without an end of its own goes on, as a share of the visible part's size.
+constexpr size_t ellipse_samples = 100;  ///< approximate number of contour points in a fit
+constexpr size_t violations = 50;        ///< approximate number of violated points that are added
+constexpr double violation = 0.5;        ///< distance by which a first fit violates a point, px
+constexpr int ellipse_points = 180;      ///< corners of the polygon of an ellipse
+/// Noise of a contour: the larger of a distance in px and a share of the part's size.
+constexpr double ellipse_noise = 0.8;
+constexpr double ellipse_noise_share = 0.012;
+/// The length of a contour without an end of its own, as a share of the visible part's size.
 constexpr double endless_share = 0.25;
 
 double size_of(const Mask& mask) { return std::sqrt(static_cast<double>(pixel_count(mask))); }
 
-/// Sides that are known, away from junctions, or those that are hidden.
+/// The known sides (`hidden_ones` 0) or the hidden sides (1) of the outer rings, away from
+/// junctions.
 std::vector<Point2> ring_points(const HiddenPart& hidden, uint8_t hidden_ones) {
   std::vector<Point2> points;
   for (size_t r = 0; r < hidden.rings().size(); ++r) {
@@ -41,7 +43,8 @@ std::vector<Point2> ring_points(const HiddenPart& hidden, uint8_t hidden_ones) {
   return points;
 }
 
-/// Where occluders end at what cannot hide the part, so that it would be seen beyond.
+/// The sides between occluders and parts or background that cannot hide the part, beyond which it
+/// would be seen.
 std::vector<Point2> occluder_borders(const HiddenPart& hidden) {
   const auto hides = [&](int other) { return other >= 0 && hidden.hides[other] != 0; };
   std::vector<Point2> points;
@@ -63,13 +66,13 @@ std::vector<Point2> thinned(const std::vector<Point2>& points, size_t about) {
   return few;
 }
 
-/// Adds some of the points to the list.
+/// Appends some of the points to the list.
 void add_thinned(const std::vector<Point2>& points, std::vector<Point2>& list) {
   for (const Point2 p : thinned(points, violations)) list.push_back(p);
 }
 
-/// The ellipse on which `on` lies, which contains `within` and keeps off `without`. Fitted to some
-/// of the points first, then to some of those that the first fit violates as well.
+/// The ellipse through `on` that contains `within` and excludes `without`. It is fitted to some of
+/// the points, and then once more with some of the points that the first fit violates.
 std::optional<Ellipse> fit_to_boundaries(const std::vector<Point2>& on,
                                          const std::vector<Point2>& within,
                                          const std::vector<Point2>& without) {
@@ -116,7 +119,7 @@ bool reaches_border(const Mask& shape) {
   return false;
 }
 
-/// Removes what is farther from the visible part than a share of its size.
+/// Removes pixels that are farther from the visible part than a share of its size.
 void cut_off(Mask& shape, const Mask& visible) {
   Image8 seen(shape.inside.width, shape.inside.height, 1);
   for_each_pixel(visible, [&](int x, int y) { seen.at(x - shape.left, y - shape.top) = 1; });
@@ -126,7 +129,7 @@ void cut_off(Mask& shape, const Mask& visible) {
     if (squares.pixels[i] > reach * reach) shape.inside.pixels[i] = 0;
 }
 
-/// The convex hull of what is seen.
+/// The convex hull of the visible part.
 Mask hull_of(const HiddenPart& hidden) {
   std::vector<Point2> sides;
   for (const LabelRing& ring : hidden.rings())

@@ -10,7 +10,7 @@
 
 namespace relievo::understanding {
 
-/// A part and what may hide it.
+/// A part and the parts that may hide it.
 struct HiddenPart {
   const PartRegions& regions;
   int part;
@@ -22,22 +22,23 @@ struct HiddenPart {
   bool has_gaps() const;
 };
 
-/// How far a contour may be from a shape that explains it, px.
+/// The largest distance, px, between a contour and a shape that explains it.
 double contour_tolerance(const HiddenPart& hidden);
 
-/// Looks up which sides of the part's rings its occluders may hide. O(sides).
+/// Finds the sides of the part's rings that its occluders may hide. O(sides).
 HiddenPart hidden_part(const PartRegions& regions, int part, const std::vector<int>& occluders);
 
-/// The ellipse on which the known contour lies (root mean square at most `tolerance` px) and which
-/// contains the hidden one, where there is one. O(sides).
+/// Fits an ellipse to the known contour that contains the hidden one. Returns nothing where the
+/// root mean square distance of the known contour exceeds `tolerance` px. O(sides).
 std::optional<Mask> ellipse_shape(const HiddenPart& hidden, double tolerance);
 
-/// The rings with their gaps bridged, where they can be. O(sides + box).
+/// Fills the rings with their gaps bridged, where they can be (see bridge_gaps). O(sides + box).
 std::optional<Mask> continued_shape(const HiddenPart& hidden);
 
-/// Where the diffusion of the known contour exceeds one half, in a box around the part that is
-/// twice as large, and what lies between what is seen: its convex hull. Where contours drift apart,
-/// so that the first has no end in that box, it goes on for a quarter of the part's size. O(box).
+/// Unites the convex hull of the visible part with the pixels where the diffusion of the known
+/// contour exceeds one half, in a box around the part that is twice as large. Where contours drift
+/// apart, so that the diffusion's shape has no end in that box, it continues for a quarter of the
+/// part's size. O(box).
 Mask membrane_shape(const HiddenPart& hidden);
 
 }  // namespace relievo::understanding

@@ -4,26 +4,25 @@
 #include <array>
 #include <cmath>
 
-#include "understanding/joins/layer_grid.h"
-#include "understanding/joins/roots.h"
-
 namespace relievo::understanding {
 namespace {
 
 using Rgb = std::array<double, 3>;
 
-/// Open mouths are red by so much, darker than the face by a factor, wide, and small on it.
+/// Open mouths: the least excess of red over green and blue, the largest brightness over the
+/// face's, the least width over height, and the largest share of the face's area.
 constexpr double least_red = 0.12;
 constexpr double darkness = 0.65;
-constexpr double mouth_width = 2;  ///< over height
+constexpr double mouth_width = 2;
 constexpr double largest_mouth = 0.25;
-/// Ear cups are pink, red by so much and of little difference between green and blue, not as dark
-/// as mouths and noses, and fill such a share of the ear.
+/// Ear cups: the least excess of red over green, the largest difference between green and blue, and
+/// bounds of the share of the ear's area. They are brighter than `darkness` times the ear.
 constexpr double least_pink = 0.06;
 constexpr double pink_range = 0.15;
 constexpr double smallest_cup = 0.15;
 constexpr double largest_cup = 0.7;
 
+/// The luma of a colour (Rec. 709 weights).
 double brightness(const Rgb& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 
 bool is_mouth(const Mask& mask, double share, const Rgb& own, const Rgb& face) {

@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "understanding/joins/join_proposals.h"
-#include "understanding/joins/roots.h"
+#include "understanding/joins/layer_grid.h"
 
 namespace relievo::understanding {
 
-/// The parts that look hollow by their colours: open mouths, wholly inside a larger part, wide, red
-/// and much darker than that; and the cups of ears, pink and not dark, which fill a good share of a
-/// limb. `limb` tells of each part whether it is one. Ascending; none where no colours are known.
+/// Finds the parts that look hollow by their colours: open mouths, which lie inside a larger part,
+/// are wide, red and much darker than it; and the cups of ears, which are pink, not dark, and fill
+/// a good share of a limb. `limb` is 1 for each part that is a limb. The result is in ascending
+/// order, and empty where no colours are known.
 std::vector<int> hollow_parts(const LayerGrid& grid, const PartColors& colors,
                               const std::vector<uint8_t>& limb);
 

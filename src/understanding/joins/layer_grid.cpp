@@ -7,17 +7,16 @@
 
 #include "kernel/image/distance_transform.h"
 #include "kernel/image/outlines.h"
-#include "understanding/joins/roots.h"
 
 namespace relievo::understanding {
 namespace {
 
-/// A part whose root is nearer to its middle than this share of its reach is held there, not at an
-/// end.
+/// A part is rooted in its middle, not at an end, where its root is nearer to that than this share
+/// of its reach.
 constexpr double off_end = 0.1;
-constexpr int64_t least_common = 12;  ///< grid pixels that two parts share, else they do not meet
+constexpr int64_t least_common = 12;  ///< grid pixels that parts which overlap have in common
 
-/// The middle of what a part has in common with another; of itself with itself.
+/// The mean of the pixels that a part has in common with another.
 Point2 common_centre(const LayerGrid& grid, int part, int other) {
   Point2 sum;
   double n = 0;

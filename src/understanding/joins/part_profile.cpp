@@ -9,24 +9,34 @@
 namespace relievo::understanding {
 namespace {
 
-constexpr double least_feature = 0.02;
-constexpr double least_backdrop = 0.15;   ///< of the figure
-constexpr double most_behind = 0.05;      ///< of the figure, seen of what lies behind a backdrop
-constexpr double most_seen = 0.5;         ///< of a backdrop
-constexpr double most_thickness = 0.55;   ///< inradius of what is seen of it over its own
-constexpr double least_free_edge = 0.25;  ///< of what is seen, towards the background
-constexpr double least_within = 0.7;      ///< of a part, for it to lie within a backdrop
-constexpr double least_inner = 0.2;       ///< of a backdrop, of a part in it that has some size
+constexpr double least_feature = 0.02;    ///< lower bound of feature_inflation
+constexpr double least_backdrop = 0.15;   ///< of the figure's area, that a backdrop takes
+constexpr double most_behind = 0.05;      ///< of the figure's area, that is seen behind a backdrop
+constexpr double most_seen = 0.5;         ///< of a backdrop's area, that is seen
+constexpr double most_thickness = 0.55;   ///< inradius of what is seen over that of the whole
+constexpr double least_free_edge = 0.25;  ///< of the edge of what is seen, towards the background
+constexpr double least_within = 0.7;      ///< of a part's area, for it to lie within a backdrop
+constexpr double least_inner = 0.2;       ///< of a backdrop's area, that such a part takes
 
-/// Share of the pixel sides around what is seen of a part that are towards the background.
+/// The share of the pixel sides around the inked pixels of a part that borders on the background.
 double free_edge(const PartRegions& regions, int part) {
-  double free = 0;
-  double sides = 0;
-  for (const LabelRing& ring : regions.rings[part]) {
-    free += static_cast<double>(std::count(ring.beyond.begin(), ring.beyond.end(), 0));
-    sides += static_cast<double>(ring.size());
-  }
-  return sides > 0 ? free / sides : 0;
+  const Mask& mask = regions.inked[part];
+  const Image16& map = regions.inked_map;
+  int64_t free = 0;
+  int64_t sides = 0;
+  const auto count = [&](int x, int y) {
+    if (mask.has(x, y)) return;
+    ++sides;
+    const bool on_canvas = x >= 0 && y >= 0 && x < map.width && y < map.height;
+    free += on_canvas && map.at(x, y) != 0 ? 0 : 1;
+  };
+  for_each_pixel(mask, [&](int x, int y) {
+    count(x - 1, y);
+    count(x + 1, y);
+    count(x, y - 1);
+    count(x, y + 1);
+  });
+  return sides > 0 ? static_cast<double>(free) / static_cast<double>(sides) : 0;
 }
 
 /// The largest distance from a pixel of a mask to one outside it, px.
@@ -43,21 +53,21 @@ double size_of(const Mask& mask) { return static_cast<double>(pixel_count(mask))
 
 bool is_backdrop(const PartRegions& regions, const Mask& mask, int part, double figure) {
   const double whole = size_of(mask);
-  const Mask& seen = regions.visible[part];
+  const Mask& seen = regions.inked[part];
   return whole >= least_backdrop * figure && size_of(seen) < most_seen * whole &&
          free_edge(regions, part) >= least_free_edge &&
          inradius(seen) < most_thickness * inradius(mask);
 }
 
-/// Whether something of some size that lies within a part grows out of it.
+/// Whether a part of some size that lies within another grows out of it.
 bool bears(const Completion& shapes, int part, const std::vector<ProposedJoin>& joins) {
-  const Mask& mask = shapes.parts[part].shape;
+  const Mask& mask = shapes[part].shape;
   const double whole = size_of(mask);
   return std::any_of(joins.begin(), joins.end(), [&](const ProposedJoin& proposed) {
     if (proposed.join.lower != part) return false;
     int64_t size = 0;
     int64_t within = 0;
-    for_each_pixel(shapes.parts[proposed.join.upper].shape, [&](int x, int y) {
+    for_each_pixel(shapes[proposed.join.upper].shape, [&](int x, int y) {
       ++size;
       within += mask.has(x, y) ? 1 : 0;
     });
@@ -81,19 +91,17 @@ double round_inflation(const Mask& mask) {
   return axes.longer > 0 ? 2 * (1 + axes.shorter / axes.longer) : 4;
 }
 
-std::vector<uint8_t> find_backdrops(const PartRegions& regions, const Stacking& stacking,
-                                    const Completion& shapes,
+std::vector<uint8_t> find_backdrops(const PartRegions& regions, const Completion& shapes,
                                     const std::vector<ProposedJoin>& joins) {
   double figure = 0;
-  for (const Mask& seen : regions.visible) figure += size_of(seen);
-  std::vector<uint8_t> backdrops(shapes.parts.size(), 0);
+  for (const Mask& seen : regions.inked) figure += size_of(seen);
+  std::vector<uint8_t> backdrops(shapes.size(), 0);
   double behind = 0;
-  for (const int part : stacking.back_to_front) {
-    if (behind > most_behind * figure) break;
+  for (int part = 0; part < regions.count() && behind <= most_behind * figure; ++part) {
     const bool is =
-        is_backdrop(regions, shapes.parts[part].shape, part, figure) && !bears(shapes, part, joins);
+        is_backdrop(regions, shapes[part].shape, part, figure) && !bears(shapes, part, joins);
     backdrops[part] = is ? 1 : 0;
-    behind += size_of(regions.visible[part]);
+    behind += size_of(regions.inked[part]);
   }
   return backdrops;
 }

@@ -7,36 +7,37 @@
 #include "understanding/completion/completion.h"
 #include "understanding/completion/part_regions.h"
 #include "understanding/joins/join_proposals.h"
-#include "understanding/stacking/stacking.h"
 
 namespace relievo::understanding {
 
-/// The amount of inflation that makes an ellipse of these proportions as deep as it is narrow:
-/// -c = laplace(c a^2 b^2 / (2 (a^2 + b^2)) (1 - x^2 / a^2 - y^2 / b^2)) with height b in the
-/// middle, hence c = 2 (1 + (b / a)^2): 4 for a disc, 2 for a long limb.
-/// O(box).
+/// The amount of inflation c that makes an ellipse with the proportions of a mask as deep as it is
+/// narrow. With half axes a >= b,
+///   h = c a^2 b^2 / (2 (a^2 + b^2)) (1 - x^2 / a^2 - y^2 / b^2)
+/// solves -laplace(h) = c, and the height sqrt(h) is b in the middle for
+///   c = 2 (1 + (b / a)^2):
+/// 4 for a disc, 2 for a long limb. O(box).
 double round_inflation(const Mask& mask);
 
-/// By what c is multiplied of a feature that takes a share q of what it lies on: 0.4 (1 - 1.5
-/// sqrt(q)), at least 0.02. Features bulge half as much as balls, as the eyes, noses and flowers
-/// of the samples do by their authors (c is 0.3 of round in the median), and the less the larger
-/// they are: a patch on a belly hardly does.
+/// The factor of c of a feature that takes a share q of the part that it lies on,
+///   max(0.4 (1 - 1.5 sqrt(q)), 0.02).
+/// Features bulge about half as much as balls, as the eyes, noses and flowers of the samples do by
+/// their authors' choice (median c 0.3 of round), and less the larger they are: a patch on a belly
+/// hardly bulges.
 double feature_inflation(double share);
 
-/// By what c of a backdrop is multiplied, and the profile that it gets.
+/// The factor of c of a backdrop, and its profile (Part::flat).
 constexpr double backdrop_inflation = 0.5;
 constexpr double backdrop_flat = 1;
 
 /// Per part, 1 where it is a backdrop, as a cape or a mane is: cloth or hair behind the figure, of
-/// which only narrow strips around what hides it are seen. Inflated as all others it would turn
-/// like a drum, and its strips would face away from the figure, which they do not. A backdrop takes
-/// a good share of the figure; less than half of it is seen, nowhere more than about half as thick
-/// as it is itself; a good part of the edge of what is seen is towards the background; next to
-/// nothing lies behind it; and nothing of some size that lies within it grows out of it, as a face
-/// does out of hair. `shapes` are those of the parts in the scene, `regions` what is seen of them,
-/// the ink of their outlines with it. O(pixels of the shapes).
-std::vector<uint8_t> find_backdrops(const PartRegions& regions, const Stacking& stacking,
-                                    const Completion& shapes,
+/// which only narrow strips are seen. Inflated as other parts are, a backdrop would bend like a
+/// drum and turn its strips away from the figure. A backdrop takes a good share of the figure; less
+/// than half of it is seen, nowhere more than about half as thick as the whole; a good part of the
+/// edge of what is seen borders on the background; next to nothing lies behind it; and no part of
+/// some size that lies within it grows out of it, as a face does out of hair. `regions`, sorted
+/// back to front, have what is seen with the ink of outlines; `shapes` are those in the scene.
+/// O(pixels of the shapes).
+std::vector<uint8_t> find_backdrops(const PartRegions& regions, const Completion& shapes,
                                     const std::vector<ProposedJoin>& joins);
 
 }  // namespace relievo::understanding

@@ -1,6 +1,7 @@
 #include "understanding/joins/propose_joins.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -16,17 +17,24 @@
 namespace relievo::understanding {
 namespace {
 
-using Pair = std::pair<int, int>;
+using Pair = std::pair<PartLabel, PartLabel>;
 
-/// Colours that differ by less, of 255 a channel, may be shades; by more, they are others.
+constexpr double min_root = 0.1;       ///< least share of the upper outline that a root takes
+constexpr int min_root_sides = 8;      ///< least length of a root, pixel sides
+constexpr double max_size_ratio = 10;  ///< of the visible upper part to the visible lower
+/// Bounds of the share of a root that the ramp at each end of its join takes.
+constexpr double shortest_ramp = 0.08;
+constexpr double longest_ramp = 0.3;
+/// Colours that differ by less may be shades of one, and those that differ by more are others;
+/// Euclidean distance, 255 a channel.
 constexpr double same_colour = 40;
 constexpr double other_colour = 100;
-/// Of what may hold it, that a piece may be which nothing holds.
+/// The largest loose piece that is attached to another, as a share of that.
 constexpr double loose_share = 0.25;
-constexpr double line_step = 3;  ///< between the points of a join's line, px
-/// A root's arc on the outline is at most so many times as long as its pixel sides.
+constexpr double line_step = 3;  ///< distance of the points of a join's line, px
+/// The largest length of a root's arc on the outline, per pixel side.
 constexpr double max_stretch = 1.5;
-/// At least this share of a join lies inside the lower part.
+/// The least share of a join that lies inside the lower part.
 constexpr double min_inside = 0.5;
 
 /// A root as an arc of the part's outline.
@@ -62,7 +70,7 @@ std::optional<RootArc> arc_of(const Root& root, const Outline& outline) {
   return sound ? best : std::nullopt;
 }
 
-/// The arc without a ramp at each end.
+/// The line of the arc without a ramp at each end.
 std::vector<Point2> line_of(const RootArc& arc, double ramp) {
   const double length = arc.length - 2 * ramp;
   const int pieces = std::max(8, static_cast<int>(length / line_step));
@@ -71,7 +79,7 @@ std::vector<Point2> line_of(const RootArc& arc, double ramp) {
   return line;
 }
 
-/// The longest run of points inside the outline; empty where that is less than a share of all.
+/// The longest run of points inside the outline; empty where that is less than this share of all.
 std::vector<Point2> longest_inside(const std::vector<Point2>& line, const Outline& outline,
                                    double least_share) {
   std::vector<Point2> best;
@@ -87,123 +95,120 @@ std::vector<Point2> longest_inside(const std::vector<Point2>& line, const Outlin
   return share >= least_share ? best : std::vector<Point2>();
 }
 
-/// What the whole outlines tell (see propose_layer_joins), by part.
-JoinProposals connect_whole(const PartRegions& regions, const Stacking& stacking,
-                            const std::vector<Outline>& outlines,
-                            const JoinProposalOptions& options) {
-  const std::vector<int>& part_at = stacking.back_to_front;
+/// The connections that the completed outlines show (see propose_layer_joins).
+JoinProposals connect_whole(const PartRegions& regions, const std::vector<Outline>& outlines,
+                            const std::vector<std::array<double, 3>>& colours) {
   Scene scene;
   scene.width = regions.map.width;
   scene.height = regions.map.height;
   PartColors colors;
-  for (const int part : part_at) {
+  for (int part = 0; part < regions.count(); ++part) {
     scene.parts.push_back({"", outlines[part]});
-    if (regions.labels[part] >= options.colours.size()) continue;
-    const std::array<double, 3>& c = options.colours[regions.labels[part]];
+    if (regions.labels[part] >= colours.size()) continue;
+    const std::array<double, 3>& c = colours[regions.labels[part]];
     colors.push_back({{c[0] / 255, c[1] / 255, c[2] / 255}});
   }
   if (colors.size() < scene.parts.size()) colors.clear();
-  JoinProposals joining = propose_layer_joins(scene, colors);
-  const auto renumber = [&](auto& item) {
-    item.upper = part_at[item.upper];
-    item.lower = part_at[item.lower];
-  };
-  for (ProposedJoin& proposed : joining.joins) renumber(proposed.join);
-  for (ProposedRelation& proposed : joining.relations) renumber(proposed.relation);
-  return joining;
+  return propose_layer_joins(scene, colors);
 }
 
 class JoinProposer {
  public:
-  JoinProposer(const PartRegions& regions, const Stacking& stacking,
-               const std::vector<Outline>& outlines, const JoinCorrections& corrections,
-               const JoinProposalOptions& options)
-      : regions_(regions), stacking_(stacking), outlines_(outlines), options_(options) {
-    for (const Join& join : corrections.joins) add_user(join);
-    for (const Pair& pair : corrections.no_joins) unjoined_.insert(pair);
-    for (const Relation& relation : corrections.relations) {
-      out_.relations.push_back({relation, true});
-      related_.insert({relation.upper, relation.lower});
+  JoinProposer(const PartRegions& regions, const std::vector<Outline>& outlines,
+               const Corrections& corrections, const DrawingEvidence& evidence)
+      : regions_(regions), outlines_(outlines), evidence_(evidence) {
+    for (const Join& join : corrections.joins) {
+      joined_.insert(Pair(join.upper, join.lower));
+      out_.joins.push_back({indexed(join), 1, true});
+      fixed_.insert(out_.joins.back().join.upper);
     }
-    out_.robin = corrections.robin;
-    for (const RobinRange& range : corrections.robin) ramped_.insert({range.upper, range.lower});
+    unjoined_.insert(corrections.no_joins.begin(), corrections.no_joins.end());
+    for (const Relation& relation : corrections.relations) {
+      related_.insert(Pair(relation.upper, relation.lower));
+      out_.relations.push_back({indexed(relation), true});
+    }
+    for (const RobinRange& range : corrections.robin) {
+      ramped_.insert(Pair(range.upper, range.lower));
+      out_.robin.push_back(indexed(range));
+    }
   }
 
   JoinProposals run() {
-    for (int part = 0; part < regions_.count(); ++part) grow_open(part);
-    const JoinProposals whole = connect_whole(regions_, stacking_, outlines_, options_);
+    const std::vector<int> parts = regions_.by_label();
+    for (const int part : parts) grow_open(part);
+    const JoinProposals whole = connect_whole(regions_, outlines_, evidence_.colours);
     grow_limbs(whole.joins);
-    for (const ProposedRelation& proposed : whole.relations) {
-      const Relation& tie = proposed.relation;
-      const Pair pair{tie.upper, tie.lower};
-      tied_.insert({pair, tie.kind});
-      if (tie.kind == RelationKind::joined && !is_decided(pair))
-        behind_[tie.lower] = proposed.confidence;
+    for (const auto& [tie, user, confidence] : whole.relations) {
+      tied_.insert({pair_of(tie.upper, tie.lower), tie.kind});
+      if (tie.kind == RelationKind::joined && !is_decided(pair_of(tie.upper, tie.lower)))
+        behind_[tie.lower] = confidence;
     }
-    for (int part = 0; part < regions_.count(); ++part) propose(part);
-    for (const auto& [pair, kind] : tied_) propose_relation(pair, kind);
-    hold_loose();
+    for (const int part : parts) propose(part);
+    for (const auto& [pair, kind] : tied_)
+      propose_relation(regions_.part_of(pair.first), regions_.part_of(pair.second), kind);
+    attach_loose();
     return std::move(out_);
   }
 
  private:
-  void add_user(const Join& join) {
-    out_.joins.push_back({join, 1, true});
-    joined_.insert({join.upper, join.lower});
-    said_.insert(join.upper);
+  Pair pair_of(int upper, int lower) const {
+    return {regions_.labels[upper], regions_.labels[lower]};
+  }
+
+  /// A correction with indices in place of labels.
+  template <class Item>
+  Item indexed(Item item) const {
+    item.upper = regions_.part_of(static_cast<PartLabel>(item.upper));
+    item.lower = regions_.part_of(static_cast<PartLabel>(item.lower));
+    return item;
   }
 
   bool is_decided(const Pair& pair) const {
     return joined_.count(pair) + unjoined_.count(pair) + related_.count(pair) > 0;
   }
 
-  /// Limbs whose outlines show where they grow out of one body, which their borders need not.
+  /// Takes over the joins of limbs whose completed outlines show where they grow out of one body,
+  /// which their borders need not show.
   void grow_limbs(const std::vector<ProposedJoin>& joins) {
     for (const ProposedJoin& proposed : joins) {
-      const Pair pair{proposed.join.upper, proposed.join.lower};
-      if (is_decided(pair) || said_.count(pair.first) > 0) continue;
+      const int upper = proposed.join.upper;
+      const Pair pair = pair_of(upper, proposed.join.lower);
+      if (is_decided(pair) || fixed_.count(upper) > 0) continue;
       joined_.insert(pair);
-      limbs_.insert(pair.first);
+      limbs_.insert(upper);
       out_.joins.push_back(proposed);
     }
   }
 
-  /// Where the drawing shows nothing between a part and one behind it.
+  /// Joins a part to those behind it with which it has grown together.
   void grow_open(int part) {
-    for (const Root& root : surroundings(regions_, stacking_, part).roots) {
-      const Pair pair{part, root.lower};
-      if (is_decided(pair) || said_.count(part) > 0 || !is_open(pair)) continue;
-      if (root.count < static_cast<size_t>(options_.min_root_sides)) continue;
-      if (lay_join(part, root, 1)) said_.insert(part);
+    for (const Root& root : surroundings(regions_, part).roots) {
+      const Pair pair = pair_of(part, root.lower);
+      if (is_decided(pair) || fixed_.count(part) > 0 || !evidence_.is_open(pair.first, pair.second))
+        continue;
+      if (root.count < static_cast<size_t>(min_root_sides)) continue;
+      if (lay_join(part, root, 1)) fixed_.insert(part);
     }
   }
 
-  bool is_open(const Pair& pair) const {
-    const uint16_t a = regions_.labels[pair.first];
-    const uint16_t b = regions_.labels[pair.second];
-    return std::binary_search(options_.open.begin(), options_.open.end(),
-                              std::pair<uint16_t, uint16_t>(std::minmax(a, b)));
-  }
-
   void propose(int part) {
-    const Surroundings around = surroundings(regions_, stacking_, part);
+    const Surroundings around = surroundings(regions_, part);
     for (const Root& root : around.roots) propose_join(part, root, around);
     for (const int lower : around.lower) {
-      const auto tie = tied_.find({part, lower});
+      const auto tie = tied_.find(pair_of(part, lower));
       const RelationKind apart = around.enclosed ? RelationKind::equal : RelationKind::above;
-      propose_relation({part, lower}, tie != tied_.end() ? tie->second : apart);
+      propose_relation(part, lower, tie != tied_.end() ? tie->second : apart);
     }
   }
 
   void propose_join(int part, const Root& root, const Surroundings& around) {
     const auto same = [&](const Root& other) { return other.lower == root.lower; };
     const bool only = std::count_if(around.roots.begin(), around.roots.end(), same) == 1;
-    const Pair pair{part, root.lower};
-    if (around.enclosed || !only || is_decided(pair) || limbs_.count(part) > 0) return;
+    if (around.enclosed || !only || is_decided(pair_of(part, root.lower)) || limbs_.count(part) > 0)
+      return;
     const double length = static_cast<double>(root.count);
     const double share = length / static_cast<double>(root.ring->size());
-    if (share < options_.min_root || root.count < static_cast<size_t>(options_.min_root_sides))
-      return;
+    if (share < min_root || root.count < static_cast<size_t>(min_root_sides)) return;
     if (is_far_larger(part, root.lower)) return;
     const double confidence = colour_trust(part, root.lower) * std::min(1.0, 0.5 + share);
     const auto behind = behind_.find(part);
@@ -212,17 +217,17 @@ class JoinProposer {
 
   bool is_far_larger(int part, int lower) const {
     const auto seen = [&](int k) { return static_cast<double>(pixel_count(regions_.visible[k])); };
-    return seen(part) > options_.max_size_ratio * seen(lower);
+    return seen(part) > max_size_ratio * seen(lower);
   }
 
-  /// From 1 for parts of one colour to one half for those of clearly different ones.
+  /// From 1 for parts of one colour to one half for parts of clearly different colours.
   double colour_trust(int part, int lower) const {
     const size_t a = regions_.labels[part];
     const size_t b = regions_.labels[lower];
-    if (std::max(a, b) >= options_.colours.size()) return 1;
+    if (std::max(a, b) >= evidence_.colours.size()) return 1;
     double squares = 0;
     for (size_t c = 0; c < 3; ++c) {
-      const double difference = options_.colours[a][c] - options_.colours[b][c];
+      const double difference = evidence_.colours[a][c] - evidence_.colours[b][c];
       squares += difference * difference;
     }
     const double change = (std::sqrt(squares) - same_colour) / (other_colour - same_colour);
@@ -236,8 +241,8 @@ class JoinProposer {
     const std::vector<Point2> line =
         longest_inside(line_of(*arc, ramp), outlines_[root.lower], min_inside);
     if (line.empty()) return false;
-    joined_.insert({part, root.lower});
-    if (ramped_.count({part, root.lower}) == 0) {
+    joined_.insert(pair_of(part, root.lower));
+    if (ramped_.count(pair_of(part, root.lower)) == 0) {
       if (root.opens_before) lay_ramp(part, root.lower, line.front(), arc->at(0));
       if (root.opens_after) lay_ramp(part, root.lower, line.back(), arc->at(arc->length));
     }
@@ -249,77 +254,75 @@ class JoinProposer {
     out_.robin.push_back({upper, lower, from, to, std::nullopt, std::nullopt});
   }
 
-  /// Share of the root beside each end of the join: half of what exceeds the chord, and a little
-  /// less, so that a limb's join is its cap.
+  /// The share of the root that each ramp takes: three quarters of half the excess over the chord,
+  /// so that a limb's join is its cap.
   double ramp_share(const RootArc& arc) const {
     const double chord = distance(arc.at(0), arc.at(arc.length));
     const double share = 0.75 * (arc.length - chord) / (2 * arc.length);
-    return std::clamp(share, options_.shortest_ramp, options_.longest_ramp);
+    return std::clamp(share, shortest_ramp, longest_ramp);
   }
 
-  void propose_relation(const Pair& pair, RelationKind kind) {
+  void propose_relation(int upper, int lower, RelationKind kind) {
+    const Pair pair = pair_of(upper, lower);
     if (joined_.count(pair) > 0 || !related_.insert(pair).second) return;
-    out_.relations.push_back({{pair.first, pair.second, kind, std::nullopt}, false});
+    out_.relations.push_back({{upper, lower, kind, std::nullopt}, false});
   }
 
-  /// What nothing holds grows out from behind what it borders on most: it would come off where the
-  /// model is turned.
-  void hold_loose() {
-    DisjointSets held(regions_.count());
+  /// Lets each small loose piece grow out from behind the part that it borders on
+  /// most, since it would come off where the model is turned.
+  void attach_loose() {
+    DisjointSets attached(regions_.count());
     for (const ProposedJoin& proposed : out_.joins)
-      held.unite(proposed.join.upper, proposed.join.lower);
+      attached.unite(proposed.join.upper, proposed.join.lower);
     std::vector<std::map<int, int>> sides;
     for (int part = 0; part < regions_.count(); ++part)
       sides.push_back(shared_sides(regions_, part));
     std::vector<std::pair<int, size_t>> loose;  // sides, index of the relation
     for (size_t i = 0; i < out_.relations.size(); ++i) {
       const auto& [relation, user, confidence] = out_.relations[i];
-      if (is_tie(relation.kind)) held.unite(relation.upper, relation.lower);
-      const Pair pair{relation.upper, relation.lower};
-      if (!user && !is_tie(relation.kind) && unjoined_.count(pair) == 0)
-        loose.emplace_back(sides[pair.second][pair.first], i);
+      if (is_tie(relation.kind)) attached.unite(relation.upper, relation.lower);
+      if (!user && !is_tie(relation.kind) &&
+          unjoined_.count(pair_of(relation.upper, relation.lower)) == 0)
+        loose.emplace_back(sides[relation.lower][relation.upper], i);
     }
     std::vector<int64_t> seen(regions_.count(), 0);
     for (int part = 0; part < regions_.count(); ++part)
-      seen[held.find(part)] += pixel_count(regions_.visible[part]);
+      seen[attached.find(part)] += pixel_count(regions_.visible[part]);
     std::sort(loose.begin(), loose.end(), std::greater<>());
     for (const auto& [shared, i] : loose) {
-      if (shared < options_.min_root_sides) break;
+      if (shared < min_root_sides) break;
       Relation& relation = out_.relations[i].relation;
-      const int upper = held.find(relation.upper);
-      const int lower = held.find(relation.lower);
+      const int upper = attached.find(relation.upper);
+      const int lower = attached.find(relation.lower);
       if (upper == lower ||
           static_cast<double>(seen[lower]) > loose_share * static_cast<double>(seen[upper]))
         continue;
       relation.kind = RelationKind::joined;
-      held.unite(upper, lower);
+      attached.unite(upper, lower);
       seen[std::min(upper, lower)] = seen[upper] + seen[lower];
     }
   }
 
   const PartRegions& regions_;
-  const Stacking& stacking_;
   const std::vector<Outline>& outlines_;
-  const JoinProposalOptions& options_;
-  std::set<int> said_;   ///< parts that the user joined to something
-  std::set<int> limbs_;  ///< parts that grow out of another as their whole outlines tell
-  /// Limbs that grow out from behind another part, and how sure that is.
+  const DrawingEvidence& evidence_;
+  std::set<int> fixed_;  ///< parts that the user joined, or that have grown together
+  std::set<int> limbs_;  ///< parts that grow out of another by their completed outlines
+  /// Limbs that grow out from behind another part, and the confidence of that.
   std::map<int, double> behind_;
-  std::map<Pair, RelationKind> tied_;  ///< as whole outlines tell
+  std::map<Pair, RelationKind> tied_;  ///< by completed outlines
   std::set<Pair> joined_;
-  std::set<Pair> unjoined_;
+  std::set<Pair> unjoined_;  ///< by the user
   std::set<Pair> related_;
-  std::set<Pair> ramped_;
+  std::set<Pair> ramped_;  ///< with Robin ranges of the user
   JoinProposals out_;
 };
 
 }  // namespace
 
-JoinProposals propose_joins(const PartRegions& regions, const Stacking& stacking,
-                            const std::vector<Outline>& outlines,
-                            const JoinCorrections& corrections,
-                            const JoinProposalOptions& options) {
-  return JoinProposer(regions, stacking, outlines, corrections, options).run();
+JoinProposals propose_joins(const PartRegions& regions, const std::vector<Outline>& outlines,
+                            const Corrections& corrections, const DrawingEvidence& evidence) {
+  return JoinProposer(regions, outlines, corrections, evidence).run();
 }
 
 }  // namespace relievo::understanding

@@ -10,43 +10,43 @@
 #include "understanding/joins/layer_grid.h"
 #include "understanding/joins/part_profile.h"
 #include "understanding/joins/root_caps.h"
-#include "understanding/joins/roots.h"
 
 namespace relievo::understanding {
 namespace {
 
-constexpr int grid_side = 512;
-/// A limb lies beside the part that it grows out of with `least_protrusion` of its area, or with
-/// this share where both have one colour,
+constexpr int grid_side = 512;  ///< grid pixels along the longest side of the canvas
+/// The least share of a limb's area outside the part of its colour from which it grows. For other
+/// colours it is `least_protrusion`.
 constexpr double least_same_color = 0.1;
-/// is at most so much larger than that,
-constexpr double limb_to_body = 1.2;
-/// has its root on such a share of its outline,
+constexpr double limb_to_body = 1.2;  ///< largest area of a limb over that of its body
+/// Bounds of the share of a limb's outline that its root takes.
 constexpr double least_root = 0.08;
 constexpr double most_root = 0.85;
-/// and no second run there that is longer than this times the first.
-constexpr double second_run = 0.4;
-/// and nothing lies between the two along more than this share of the join.
+constexpr double second_run = 0.4;  ///< largest length of a second run over that of the root
+/// The largest share of a join's line along which a third part lies between limb and body.
 constexpr double most_between = 0.5;
-/// A limb behind another part comes out from there with this share of its area.
+/// The least share of a limb's area that is seen of it where it comes out from behind a part.
 constexpr double least_behind = 0.4;
-/// Differences of colours (of at most sqrt 3) that say nothing, and that speak against a join;
+/// Distances of colours, which are at most sqrt 3: up to the first they are the same, from the
+/// second on they count fully against a join, and above the third a part is an object of its own.
 constexpr double same_color = 0.15;
 constexpr double other_color = 0.6;
-constexpr double foreign_color = 0.75;  ///< a part of such a colour is held, and does not grow,
-constexpr double clothing = 0.35;       ///< unless it covers this share of the other
-constexpr double least_trust = 0.25;    ///< of a join; what is less sure is tied
-/// So is what is less sure than this and covers such a share of the body's outline, as hair does.
+constexpr double foreign_color = 0.75;
+/// The least share of the lower part that hair or clothes of a foreign colour cover.
+constexpr double clothing = 0.35;
+constexpr double least_trust = 0.25;  ///< least confidence of a join; others become ties
+/// A join with less than the first confidence becomes a tie where the upper part covers at least
+/// the second share of the lower one's outline, as hair does.
 constexpr double sure_join = 0.5;
 constexpr double least_cover = 0.5;
-/// A part this many times as thick as another is a body, and not a limb beside it.
+/// The thickness over that of a limb from which on a part is a body and not another limb beside it.
 constexpr double thick_body = 1.35;
-/// What covers the root of a limb does not grow out of it: shares of the limb's reach from its own
-/// root, up to where nothing does, and from where anything may.
+/// Distances from a limb's root, over the limb's reach: up to the first nothing that covers the
+/// limb grows out of it, and from the second on anything may.
 constexpr double at_root = 0.2;
 constexpr double off_root = 0.5;
-/// A feature takes at most this share of what it lies within, and is at least as round as an
-/// ellipse of two to one.
+/// The largest area of a feature over that of the part that it lies within, and its least
+/// round_inflation, that of an ellipse of two to one.
 constexpr double largest_feature = 0.1;
 constexpr double least_round = 2.5;
 
@@ -54,7 +54,7 @@ bool is_larger(const LayerGrid& grid, int part, int other, double factor) {
   return static_cast<double>(grid.areas[part]) > factor * static_cast<double>(grid.areas[other]);
 }
 
-/// The share of the points under which a third part lies between two.
+/// The share of the points at which a third part lies between two.
 double share_between(const LayerGrid& grid, const std::vector<Point2>& line, const Overlap& pair) {
   double between = 0;
   for (const Point2 p : line) {
@@ -69,8 +69,9 @@ void tie(const Overlap& pair, JoinProposals& joining) {
   joining.relations.push_back({{pair.upper, pair.lower, RelationKind::equal, std::nullopt}, false});
 }
 
-/// Of the parts that a feature lies within the largest tells that it is one, and the smallest how
-/// much it bulges, as the white of an eye does for a pupil.
+/// The features, and their share of the smallest part that they lie within, which determines how
+/// much they bulge, as the white of an eye does for a pupil. A part is a feature of the largest
+/// part that it lies within.
 std::vector<std::pair<int, double>> features(const LayerGrid& grid,
                                              const std::vector<Overlap>& overlaps,
                                              const std::vector<uint8_t>& joined) {
@@ -88,7 +89,7 @@ std::vector<std::pair<int, double>> features(const LayerGrid& grid,
   return found;
 }
 
-/// How different the main colour of a limb is from all of a body; 0 where one is not known.
+/// The distance of a limb's main colour from the nearest colour of a body; 0 where one is unknown.
 double color_difference(const PartColors& colors, int limb, int body) {
   const size_t known = colors.size();
   if (std::max<size_t>(limb, body) >= known || colors[limb].empty() || colors[body].empty())
@@ -100,13 +101,13 @@ double color_difference(const PartColors& colors, int limb, int body) {
   return least;
 }
 
-/// Whether the upper part is a thing in front of the lower one; hair and clothes, which cover
-/// much of it, are not.
-bool is_held(const Overlap& pair, double difference) {
+/// Whether the upper part is an object of its own, as one in a hand, and does not grow out of the
+/// lower one. Hair and clothes, which cover much of it, are not.
+bool is_object(const Overlap& pair, double difference) {
   return difference > foreign_color && pair.lower_beside > 1 - clothing;
 }
 
-/// The parts that lie on one behind them, as eyes do.
+/// Per part, 1 where it lies within a larger one behind it, as eyes do.
 std::vector<uint8_t> lying_parts(const LayerGrid& grid, const std::vector<Overlap>& overlaps) {
   std::vector<uint8_t> lying(grid.masks.size());
   for (const Overlap& pair : overlaps)
@@ -122,8 +123,8 @@ class Connector {
     for (const Part& part : scene.parts) orient_by_nesting(outlines_.emplace_back(part.outline));
   }
 
-  /// A limb grows out of one part. Of those that it may grow out of, in front of it or behind, that
-  /// is the one with the most confidence; where that lies in front, there is no join.
+  /// Lets every limb grow out of the part with the most confidence; where that lies in front of the
+  /// limb, there is no join.
   JoinProposals run() const {
     JoinProposals joining;
     const std::vector<Overlap> overlaps = find_overlaps(grid_);
@@ -133,32 +134,32 @@ class Connector {
     const Rooted roots = rooted(overlaps, joins);
     const std::vector<uint8_t> lying = lying_parts(grid_, overlaps);
     std::vector<uint8_t> joined(grid_.masks.size());
-    std::vector<uint8_t> held(grid_.masks.size());
+    std::vector<uint8_t> attached(grid_.masks.size());
     for (size_t k = 0; k < overlaps.size(); ++k) {
       const Overlap& pair = overlaps[k];
       const bool is_joined =
           joins[k] && joins[k]->confidence >= std::max(roots.confidence[pair.upper], least_trust);
       if (is_joined && joins[k]->confidence < sure_join && is_cap(pair)) {
-        held[pair.upper] = 1;
+        attached[pair.upper] = 1;
         tie(pair, joining);
       } else if (is_joined) {
         joined[pair.upper] = 1;
         joining.joins.push_back(std::move(*joins[k]));
       } else if (is_behind(pair)) {
-        held[pair.lower] = 1;
+        attached[pair.lower] = 1;
         const bool grows = roots.body[pair.lower] == pair.upper && lying[pair.lower] == 0;
         joining.relations.push_back(hang_behind(pair, grows));
       }
     }
-    tie_lying(overlaps, joined, held, joining);
-    tie_hidden(overlaps, held, joining);
+    tie_lying(overlaps, joined, attached, joining);
+    tie_hidden(overlaps, attached, joining);
     joining.hollows = hollow_parts(grid_, colors_, limbs(overlaps, joining));
     joining.features = features(grid_, overlaps, joined);
     return joining;
   }
 
  private:
-  /// Of each part, the one that it most likely grows out of, -1 for none, and how likely.
+  /// Per part, the one that it most likely grows out of, -1 for none, and the confidence.
   struct Rooted {
     std::vector<int> body;
     std::vector<double> confidence;
@@ -183,9 +184,9 @@ class Connector {
     return result;
   }
 
-  /// A foot before the root of a tail, or a leg before that of another, stands beside it: such
-  /// joins lose their confidence, unless what they would join is much thicker. What others grow
-  /// out of is no foot.
+  /// Reduces the confidence of joins of parts that cover the root of a limb, as a foot covers the
+  /// root of a tail, since they stand beside it. Joins to a much thicker part keep theirs, as do
+  /// joins of a part out of which others grow, which is no foot.
   void doubt_roots(const std::vector<Overlap>& overlaps,
                    std::vector<std::optional<ProposedJoin>>& joins) const {
     const std::vector<int> bodies = rooted(overlaps, joins).body;
@@ -205,36 +206,37 @@ class Connector {
     }
   }
 
-  /// What has no join lies on the larger parts behind it, and what hangs on one in front only on
-  /// those that it does not cross: tied to all, it would be drawn back to what is farthest. Marks
-  /// what is held.
+  /// Ties parts without a join to the larger parts behind them. A part that hangs on one in front
+  /// is tied only to those that it does not cross: otherwise it would be drawn back to the
+  /// farthest. Marks the parts that are attached.
   void tie_lying(const std::vector<Overlap>& overlaps, const std::vector<uint8_t>& joined,
-                 std::vector<uint8_t>& held, JoinProposals& joining) const {
-    const std::vector<uint8_t> hangs = held;
+                 std::vector<uint8_t>& attached, JoinProposals& joining) const {
+    const std::vector<uint8_t> hangs = attached;
     for (const Overlap& pair : overlaps) {
       const bool crosses = pair.upper_beside >= least_protrusion;
       const bool is_free = joined[pair.upper] == 0 && (hangs[pair.upper] == 0 || !crosses);
       if (!is_free || is_larger(grid_, pair.upper, pair.lower, 1)) continue;
-      held[pair.upper] = 1;
+      attached[pair.upper] = 1;
       tie(pair, joining);
     }
-    for (size_t part = 0; part < held.size(); ++part)
-      if (joined[part] != 0) held[part] = 1;
+    for (size_t part = 0; part < attached.size(); ++part)
+      if (joined[part] != 0) attached[part] = 1;
   }
 
-  /// What nothing holds and a larger part mostly hides would float behind that.
-  void tie_hidden(const std::vector<Overlap>& overlaps, const std::vector<uint8_t>& held,
+  /// Ties each part that nothing holds to the larger part that hides most of it, behind which it
+  /// would float otherwise.
+  void tie_hidden(const std::vector<Overlap>& overlaps, const std::vector<uint8_t>& attached,
                   JoinProposals& joining) const {
     std::vector<const Overlap*> nearest(grid_.masks.size());
     for (const Overlap& pair : overlaps)
-      if (held[pair.lower] == 0 && is_larger(grid_, pair.upper, pair.lower, 1) &&
+      if (attached[pair.lower] == 0 && is_larger(grid_, pair.upper, pair.lower, 1) &&
           (nearest[pair.lower] == nullptr || pair.lower_beside < nearest[pair.lower]->lower_beside))
         nearest[pair.lower] = &pair;
     for (const Overlap* pair : nearest)
       if (pair != nullptr) tie(*pair, joining);
   }
 
-  /// Which parts are limbs, joined or behind.
+  /// Per part, 1 where it is a limb, joined or behind.
   std::vector<uint8_t> limbs(const std::vector<Overlap>& overlaps,
                              const JoinProposals& joining) const {
     std::vector<uint8_t> limb(grid_.masks.size());
@@ -244,7 +246,7 @@ class Connector {
     return limb;
   }
 
-  /// From 1 to one half.
+  /// The factor of confidence by colours, 1 to one half, and by sizes, 1 to 0.4.
   double likeness(int limb, int body) const {
     const double change =
         (color_difference(colors_, limb, body) - same_color) / (other_color - same_color);
@@ -253,12 +255,12 @@ class Connector {
     return (1 - 0.5 * std::clamp(change, 0.0, 1.0)) * std::clamp(0.45 * ratio, 0.4, 1.0);
   }
 
-  /// The join of a limb, if the upper part is one.
+  /// The join of the upper part, where it is a limb of the lower one.
   std::optional<ProposedJoin> join_of(const Overlap& pair) const {
     const double difference = color_difference(colors_, pair.upper, pair.lower);
     const bool alike = !colors_.empty() && difference < same_color;
     if (pair.upper_beside < (alike ? least_same_color : least_protrusion) ||
-        is_held(pair, difference) || is_larger(grid_, pair.upper, pair.lower, limb_to_body))
+        is_object(pair, difference) || is_larger(grid_, pair.upper, pair.lower, limb_to_body))
       return std::nullopt;
     const auto runs = runs_inside(grid_, outlines_[pair.upper], pair.lower);
     if (runs.empty()) return std::nullopt;
@@ -282,13 +284,13 @@ class Connector {
     return proposed;
   }
 
-  /// How sure it is that the lower part grows out from behind the upper one.
+  /// The confidence that the lower part grows out from behind the upper one.
   double trust_behind(const Overlap& pair) const {
     return likeness(pair.lower, pair.upper) * pair.lower_beside;
   }
 
-  /// What comes out from behind the upper part is joined there where it `grows` and has no foreign
-  /// colour, as a weapon behind a hand has, and else tied.
+  /// The relation of a part that comes out from behind the upper one: joined where it `grows` and
+  /// has no foreign colour, as a weapon behind a hand has, and tied otherwise.
   ProposedRelation hang_behind(const Overlap& pair, bool grows) const {
     const double trust = trust_behind(pair);
     const bool is_limb = grows && trust >= least_trust &&

@@ -11,71 +11,36 @@
 namespace relievo::understanding {
 namespace {
 
-/// Depth of a trunk over its width.
-constexpr double assumed_depth = 0.8;
-/// Roots that are nearer to each other, relative to the trunk's width, tell nothing; those that are
-/// farther apart than the second all that the rule says.
+constexpr double assumed_depth = 0.8;  ///< q: depth of a trunk over its width
+/// Distances of roots over the trunk's width: nearer ones than the first tell nothing, and farther
+/// ones than the second count fully.
 constexpr double least_distance = 0.25;
 constexpr double sure_distance = 0.4;
-/// Parts joined to the largest one belong to the trunk where they have this share of its size.
+/// The least size of a part of the trunk, over that of the largest part to which it is joined.
 constexpr double least_trunk = 0.25;
-/// Limbs have at most this share of the trunk's.
-constexpr double largest_limb = 0.25;
-/// Counterparts: the smaller one has at least this share of the other's size,
+constexpr double largest_limb = 0.25;  ///< size of a limb over the trunk's
+/// Counterparts: the least ratio of their sizes, the largest difference of their roots' heights
+/// over the trunk's, and the largest distance of the middle between the roots from the trunk's,
+/// over the roots' distance.
 constexpr double least_alike = 0.4;
-/// their roots differ in height by less than this share of the trunk's,
 constexpr double largest_step = 0.25;
-/// and the middle between them is off the trunk's by less than this share of their distance.
 constexpr double largest_shift = 0.3;
-/// A lean that is less sure is not proposed.
-constexpr double least_confidence = 0.2;
-
-double size_of(const Completion& shapes, int part) {
-  return static_cast<double>(pixel_count(shapes.parts[part].shape));
-}
-
-/// The parts that make the trunk, and which pixels they cover.
-struct Trunk {
-  std::vector<uint8_t> has;  ///< per part
-  std::vector<int> parts;
-  double size = 0;  ///< px
-  double height = 0;
-};
-
-/// Left and right end of a row.
-struct Span {
-  double from = std::numeric_limits<double>::infinity();
-  double to = -std::numeric_limits<double>::infinity();
-};
-
-Span span_at(const Completion& shapes, const Trunk& trunk, double y) {
-  Span span;
-  const int row = static_cast<int>(std::floor(y));
-  for (const int part : trunk.parts) {
-    const Mask& mask = shapes.parts[part].shape;
-    for (int x = mask.left; x < mask.right(); ++x) {
-      if (!mask.has(x, row)) continue;
-      span.from = std::min<double>(span.from, x);
-      span.to = std::max<double>(span.to, x + 1);
-    }
-  }
-  return span;
-}
+constexpr double least_confidence = 0.2;  ///< of a proposed tilt
 
 /// A part that comes out from the trunk.
 struct Limb {
   int part = -1;
   double size = 0;        ///< px
-  Point2 root;            ///< middle of what it has in common with the trunk
-  double confidence = 0;  ///< that it lies in front of the trunk, or behind it
+  Point2 root;            ///< mean of the pixels that it has in common with the trunk
+  double confidence = 0;  ///< of its order relative to the trunk
 };
 
-/// Two limbs on either side of the trunk, or the reasons why they are none.
+/// A limb in front of the trunk and one behind it.
 struct LimbPair {
   double alike = 0;     ///< smaller size over larger one
   double step = 0;      ///< difference of the roots' heights over the trunk's
-  double distance = 0;  ///< of the roots over the trunk's width, positive where the near is right
-  double shift = 0;     ///< of their middle against the trunk's, over their distance
+  double distance = 0;  ///< of the roots over the trunk's width; positive where the near is right
+  double shift = 0;     ///< of the roots' middle from the trunk's, over their distance
 
   bool are_counterparts() const { return alike >= least_alike && step <= largest_step; }
   double cost() const { return 1 - alike + step / largest_step + std::abs(distance); }
@@ -86,12 +51,13 @@ struct LimbPair {
 
 class LeanProposer {
  public:
-  LeanProposer(const PartRegions& regions, const Stacking& stacking, const Completion& shapes,
-               const JoinProposals& joining)
-      : regions_(regions), stacking_(stacking), shapes_(shapes), joining_(joining) {
+  LeanProposer(const PartRegions& regions, const std::vector<OrderArrow>& order,
+               const Completion& shapes, const std::vector<ProposedJoin>& joins)
+      : regions_(regions), order_(order), shapes_(shapes), in_trunk_(shapes.size(), 0) {
     for (int part = 0; part < regions.count(); ++part)
-      around_.push_back(surroundings(regions, stacking, part));
-    find_trunk();
+      around_.push_back(surroundings(regions, part));
+    find_trunk(joins);
+    measure_trunk();
   }
 
   std::vector<ProposedLean> run() const {
@@ -111,65 +77,83 @@ class LeanProposer {
     }
     std::vector<ProposedLean> leans;
     if (confidence < least_confidence || sum == 0) return leans;
-    for (const int part : trunk_.parts) leans.push_back({part, {sum / weight, 0}, confidence});
+    for (const int part : trunk_) leans.push_back({part, {sum / weight, 0}, confidence});
     return leans;
   }
 
  private:
-  void find_trunk() {
-    const int count = regions_.count();
-    trunk_.has.assign(static_cast<size_t>(count), 0);
-    int largest = 0;
-    for (int part = 1; part < count; ++part)
-      if (size_of(shapes_, part) > size_of(shapes_, largest)) largest = part;
-    trunk_.has[largest] = 1;
-    const double least = least_trunk * size_of(shapes_, largest);
-    for (const ProposedJoin& proposed : joining_.joins) {
+  double size_of(int part) const { return static_cast<double>(pixel_count(shapes_[part].shape)); }
+
+  void find_trunk(const std::vector<ProposedJoin>& joins) {
+    const std::vector<int> parts = regions_.by_label();
+    int largest = parts.front();
+    for (const int part : parts)
+      if (size_of(part) > size_of(largest)) largest = part;
+    in_trunk_[largest] = 1;
+    const double least = least_trunk * size_of(largest);
+    for (const ProposedJoin& proposed : joins) {
       const Join& join = proposed.join;
       if (join.upper != largest && join.lower != largest) continue;
       const int other = join.upper == largest ? join.lower : join.upper;
-      if (size_of(shapes_, other) >= least) trunk_.has[other] = 1;
+      if (size_of(other) >= least) in_trunk_[other] = 1;
     }
-    for (const int part : stacking_.back_to_front) {
+    for (int part = 0; part < regions_.count(); ++part) {
       const std::vector<int>& lower = around_[part].lower;
-      const auto of_trunk = [&](int k) { return trunk_.has[k] != 0; };
+      const auto of_trunk = [&](int k) { return in_trunk_[k] != 0; };
       if (around_[part].enclosed && !lower.empty() &&
           std::all_of(lower.begin(), lower.end(), of_trunk))
-        trunk_.has[part] = 1;
+        in_trunk_[part] = 1;
     }
-    measure_trunk();
+    for (const int part : parts)
+      if (in_trunk_[part] != 0) trunk_.push_back(part);
   }
 
   void measure_trunk() {
     int top = std::numeric_limits<int>::max();
     int bottom = std::numeric_limits<int>::min();
-    for (int part = 0; part < regions_.count(); ++part) {
-      if (trunk_.has[part] == 0) continue;
-      trunk_.parts.push_back(part);
-      if (!around_[part].enclosed) trunk_.size += size_of(shapes_, part);
-      top = std::min(top, shapes_.parts[part].shape.top);
-      bottom = std::max(bottom, shapes_.parts[part].shape.bottom());
+    for (const int part : trunk_) {
+      if (!around_[part].enclosed) trunk_size_ += size_of(part);
+      top = std::min(top, shapes_[part].shape.top);
+      bottom = std::max(bottom, shapes_[part].shape.bottom());
     }
-    trunk_.height = bottom - top;
+    trunk_height_ = bottom - top;
+  }
+
+  /// The left and right end of the trunk in the row of y, as a box without height.
+  Box2 trunk_at(double y) const {
+    Box2 span;
+    const int row = static_cast<int>(std::floor(y));
+    for (const int part : trunk_) {
+      const Mask& mask = shapes_[part].shape;
+      for (int x = mask.left; x < mask.right(); ++x) {
+        if (!mask.has(x, row)) continue;
+        span.add(Point2{x * 1.0, y});
+        span.add(Point2{x + 1.0, y});
+      }
+    }
+    return span;
   }
 
   bool touches(int upper, int lower) const {
-    return std::binary_search(around_[upper].lower.begin(), around_[upper].lower.end(), lower);
+    const std::vector<int>& touched = around_[upper].lower;
+    return std::find(touched.begin(), touched.end(), lower) != touched.end();
   }
 
-  /// How sure it is that one of two parts is in front of the other; 0 where they do not touch.
+  /// The confidence that one of two parts is in front of the other; 0 where they do not touch.
   double arrow(int upper, int lower) const {
     if (!touches(upper, lower)) return 0;
-    for (const OrderArrow& arrow : stacking_.arrows)
-      if (arrow.upper == upper && arrow.lower == lower && arrow.kept) return arrow.confidence;
+    for (const OrderArrow& arrow : order_)
+      if (arrow.upper == regions_.labels[upper] && arrow.lower == regions_.labels[lower] &&
+          arrow.kept)
+        return arrow.confidence;
     return 0;
   }
 
-  /// Those in front of the trunk, or behind it. Of parts that touch each other, as those of an arm
-  /// do, only the largest is rooted in the trunk.
+  /// The limbs in front of the trunk (`near`), or behind it. Of parts that touch each other, as
+  /// those of an arm do, only the largest is rooted in the trunk.
   std::vector<Limb> limbs(bool near) const {
     std::vector<Limb> all;
-    for (int part = 0; part < regions_.count(); ++part)
+    for (const int part : regions_.by_label())
       if (const auto limb = limb_of(part, near)) all.push_back(*limb);
     std::vector<Limb> rooted;
     for (const Limb& limb : all) {
@@ -183,16 +167,16 @@ class LeanProposer {
   }
 
   std::optional<Limb> limb_of(int part, bool near) const {
-    if (trunk_.has[part] != 0 || around_[part].enclosed) return std::nullopt;
-    Limb limb{part, size_of(shapes_, part), {}, 0};
-    if (limb.size > largest_limb * trunk_.size) return std::nullopt;
-    for (const int other : trunk_.parts)
+    if (in_trunk_[part] != 0 || around_[part].enclosed) return std::nullopt;
+    Limb limb{part, size_of(part), {}, 0};
+    if (limb.size > largest_limb * trunk_size_) return std::nullopt;
+    for (const int other : trunk_)
       limb.confidence = std::max(limb.confidence, near ? arrow(part, other) : arrow(other, part));
     if (limb.confidence == 0) return std::nullopt;
     double common = 0;
-    for_each_pixel(shapes_.parts[part].shape, [&](int x, int y) {
-      const auto covers = [&](int k) { return shapes_.parts[k].shape.has(x, y); };
-      if (std::none_of(trunk_.parts.begin(), trunk_.parts.end(), covers)) return;
+    for_each_pixel(shapes_[part].shape, [&](int x, int y) {
+      const auto covers = [&](int k) { return shapes_[k].shape.has(x, y); };
+      if (std::none_of(trunk_.begin(), trunk_.end(), covers)) return;
       limb.root = limb.root + Point2{x + 0.5, y + 0.5};
       common += 1;
     });
@@ -204,16 +188,16 @@ class LeanProposer {
   LimbPair compare(const Limb& near, const Limb& far) const {
     LimbPair pair;
     pair.alike = std::min(near.size, far.size) / std::max(near.size, far.size);
-    pair.step = std::abs(near.root.y - far.root.y) / trunk_.height;
-    const Span span = span_at(shapes_, trunk_, (near.root.y + far.root.y) / 2);
-    if (!(span.to > span.from) || near.root.x == far.root.x) return LimbPair();
-    pair.distance = (near.root.x - far.root.x) / (span.to - span.from);
-    pair.shift = std::abs((near.root.x + far.root.x - span.from - span.to) / 2) /
+    pair.step = std::abs(near.root.y - far.root.y) / trunk_height_;
+    const Box2 span = trunk_at((near.root.y + far.root.y) / 2);
+    if (span.empty() || near.root.x == far.root.x) return LimbPair();
+    pair.distance = (near.root.x - far.root.x) / (span.max.x - span.min.x);
+    pair.shift = std::abs((near.root.x + far.root.x - span.min.x - span.max.x) / 2) /
                  std::abs(near.root.x - far.root.x);
     return pair;
   }
 
-  /// The most alike of the others.
+  /// The index of the counterpart with the least cost among others.
   std::optional<size_t> counterpart(const Limb& limb, const std::vector<Limb>& others) const {
     std::optional<size_t> best;
     double least = std::numeric_limits<double>::infinity();
@@ -227,11 +211,13 @@ class LeanProposer {
   }
 
   const PartRegions& regions_;
-  const Stacking& stacking_;
+  const std::vector<OrderArrow>& order_;
   const Completion& shapes_;
-  const JoinProposals& joining_;
   std::vector<Surroundings> around_;
-  Trunk trunk_;
+  std::vector<uint8_t> in_trunk_;  ///< per part
+  std::vector<int> trunk_;         ///< its parts
+  double trunk_size_ = 0;          ///< px, without enclosed parts
+  double trunk_height_ = 0;        ///< px
 };
 
 }  // namespace
@@ -243,10 +229,12 @@ double lean_of_roots(double relative_distance) {
   return trust * (1 / assumed_depth - assumed_depth) * r * std::sqrt(1 - r * r);
 }
 
-std::vector<ProposedLean> propose_leans(const PartRegions& regions, const Stacking& stacking,
-                                        const Completion& shapes, const JoinProposals& joining) {
+std::vector<ProposedLean> propose_leans(const PartRegions& regions,
+                                        const std::vector<OrderArrow>& order,
+                                        const Completion& shapes,
+                                        const std::vector<ProposedJoin>& joins) {
   if (regions.count() == 0) return {};
-  return LeanProposer(regions, stacking, shapes, joining).run();
+  return LeanProposer(regions, order, shapes, joins).run();
 }
 
 }  // namespace relievo::understanding

@@ -6,34 +6,32 @@
 
 #include "kernel/geometry/moments.h"
 #include "kernel/geometry/polygon.h"
-#include "understanding/joins/layer_grid.h"
-#include "understanding/joins/roots.h"
 
 namespace relievo::understanding {
 namespace {
 
-constexpr int root_samples = 200;
-/// The cap of a root stays away from its ends by this share of it.
-constexpr double root_margin = 0.18;
-constexpr double cap_angle = 1;  ///< radians between the normals of the cap and the limb's axis
-/// A cap is no longer than this times the root of the limb's area; of round parts, whose necks are
-/// narrower than they are, the other.
+constexpr int root_samples = 200;     ///< steps along the run of a root
+constexpr double root_margin = 0.18;  ///< share of the run at each end that a cap avoids
+constexpr double cap_angle = 1;       ///< largest angle of a cap's normals to the limb's axis, rad
+/// The largest length of a cap, over the square root of the limb's area: of long limbs, and of
+/// round parts, whose necks are narrower than they are.
 constexpr double long_cap = 0.65;
 constexpr double round_cap = 0.45;
-/// The part's area over that of a disc of the same perimeter, from where it counts as round.
+/// A part's area over that of a disc with its perimeter: long limbs have at most the first, round
+/// parts at least the second.
 constexpr double hardly_round = 0.75;
 constexpr double fully_round = 0.95;
-constexpr double smoothing = 0.05;  ///< of normals, share of the root to either side
-/// A limb's axis is that of what lies within so many times its half width from its end, and is as
-/// sure as that is longer than wide, up to this ratio of a tube's standard deviations there.
+constexpr double smoothing =
+    0.05;  ///< share of the run to either side over which normals are averaged
+/// The end of a limb that determines its axis, in multiples of its half width.
 constexpr double end_reach = 3;
+/// The ratio of standard deviations along and across the axis of that end, from which on the axis
+/// is trusted fully.
 constexpr double tube_ratio = 1.5;
-/// Anchors lie within so many grid pixels of the outline; an end moves to one by at most this share
-/// of the cap, so that half of it stays.
-constexpr double on_outline = 0.5;
-constexpr double most_moved = 0.25;
+constexpr double on_outline = 0.5;   ///< largest distance of anchors from the outline, grid pixels
+constexpr double most_moved = 0.25;  ///< share of the cap by which an anchor moves an end at most
 
-/// The stretches of the ring inside `other`, single samples apart taken together.
+/// The runs of the ring inside `other`; a single sample outside does not interrupt a run.
 std::vector<RingRun> runs_inside(const LayerGrid& grid, const Ring& ring, int other) {
   const RingMeasure m = measure(ring);
   const int count = std::max(16, static_cast<int>(m.length * grid.scale / root_step));
@@ -59,10 +57,10 @@ Point2 unit(Point2 p) {
   return length > 0 ? 1 / length * p : Point2{};
 }
 
-/// The direction in which a limb ends, and how sure that is, from 0 to 1.
+/// The direction in which a limb ends.
 struct LimbAxis {
-  Point2 along;
-  double trust = 0;
+  Point2 along;      ///< unit vector
+  double trust = 0;  ///< in [0, 1]
 };
 
 class CapFinder {
@@ -124,10 +122,11 @@ class CapFinder {
     return static_cast<int>(most - points_.begin());
   }
 
-  /// Just inside the part, in grid pixels.
+  /// A point 1.5 grid pixels inside the part, in grid pixels.
   Point2 inside_of(int i) const { return grid_.scale * points_[i] - 1.5 * normals_[i]; }
 
-  /// The sample that is farthest from what lies beside the other part, on ways inside the limb.
+  /// The sample that is farthest, on ways inside the limb, from the limb's pixels outside the other
+  /// part.
   int innermost() const {
     const Mask& mask = grid_.masks[part_];
     const std::vector<double> away =
@@ -147,7 +146,7 @@ class CapFinder {
     return tip;
   }
 
-  /// The main axis of what of the limb is near its end, towards it.
+  /// The main axis of the limb near the end at a sample, directed towards that end.
   LimbAxis axis_towards(int end) const {
     const Mask& mask = grid_.masks[part_];
     const Point2 from = inside_of(end);
@@ -167,21 +166,21 @@ class CapFinder {
     return {agreement < 0 ? -1 * axes.along : axes.along, tube * tube * agreement * agreement};
   }
 
-  /// The cap, no longer than it may be, and then as much of it to both sides of its tip as it has.
+  /// Shortens a cap to the allowed length, equally to both sides of its tip where possible.
   RootCap trimmed(RootCap cap, double tip) const {
     const double room = longest();
     const double before = std::min(tip - cap.from, std::max(room / 2, room - (cap.to - tip)));
     return {tip - before, std::min(cap.to, tip - before + room)};
   }
 
-  /// The cap with its ends at the nearest anchors, where some are near.
+  /// Moves the ends of a cap to the nearest anchors, where some are near.
   RootCap anchored(RootCap cap, const std::vector<Point2>& anchors) const {
     const double room = most_moved * (cap.to - cap.from);
     RootCap moved = cap;
     double from_off = room;
     double to_off = room;
     for (const Point2 anchor : anchors) {
-      const std::optional<double> at = place_of(anchor);
+      const std::optional<double> at = arc_length_of(anchor);
       if (!at) continue;
       if (std::abs(*at - cap.from) < from_off) {
         from_off = std::abs(*at - cap.from);
@@ -195,10 +194,10 @@ class CapFinder {
     return moved;
   }
 
-  /// Where along the run a point lies, if on it.
-  std::optional<double> place_of(Point2 p) const {
+  /// The arc length along the run at which a point lies on it.
+  std::optional<double> arc_length_of(Point2 p) const {
     double least = on_outline / grid_.scale;
-    std::optional<double> place;
+    std::optional<double> found;
     for (int i = 0; i < root_samples; ++i) {
       const Point2 side = points_[i + 1] - points_[i];
       const double t =
@@ -206,9 +205,9 @@ class CapFinder {
       const double off = distance(p, points_[i] + t * side);
       if (off >= least) continue;
       least = off;
-      place = (i + t) * run_.length / root_samples;
+      found = (i + t) * run_.length / root_samples;
     }
-    return place;
+    return found;
   }
 
   const LayerGrid& grid_;

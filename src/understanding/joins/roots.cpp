@@ -7,35 +7,34 @@
 namespace relievo::understanding {
 namespace {
 
-constexpr size_t noise_sides = 4;  ///< shorter runs between two others do not count
+constexpr size_t noise_sides = 4;  ///< shorter interruptions of a root by the background are noise
 
-/// What is across a side.
+/// What is across a pixel side.
 enum class Across : uint8_t { background, behind, front };
 
-std::vector<Across> sides_of(const PartRegions& regions, const Stacking& stacking, int part,
-                             const LabelRing& ring) {
+std::vector<Across> sides_of(const PartRegions& regions, int part, const LabelRing& ring) {
   std::vector<Across> across(ring.size(), Across::background);
-  for (size_t i = 0; i < ring.size(); ++i) {
-    const int other = regions.part_of(ring.beyond[i]);
-    if (other >= 0)
-      across[i] = stacking.rank[other] < stacking.rank[part] ? Across::behind : Across::front;
-  }
+  for (size_t i = 0; i < ring.size(); ++i)
+    if (const int other = regions.part_of(ring.beyond[i]); other >= 0)
+      across[i] = other < part ? Across::behind : Across::front;
   return across;
 }
 
-int most_common(const PartRegions& regions, const Stacking& stacking, int part, const Root& root) {
-  std::map<int, int> sides;
+/// The part behind that a root borders on most; of equals the one with the smallest label.
+int most_common(const PartRegions& regions, int part, const Root& root) {
+  std::map<PartLabel, int> sides;
   for (size_t i = 0; i < root.count; ++i) {
-    const int other = regions.part_of(root.ring->beyond[(root.first + i) % root.ring->size()]);
-    if (other >= 0 && stacking.rank[other] < stacking.rank[part]) ++sides[other];
+    const PartLabel label = root.ring->beyond[(root.first + i) % root.ring->size()];
+    const int other = regions.part_of(label);
+    if (other >= 0 && other < part) ++sides[label];
   }
   const auto best = std::max_element(
       sides.begin(), sides.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  return best->first;
+  return regions.part_of(best->first);
 }
 
-/// Maximal runs of sides with parts behind across them. Where a part in front hides the middle of
-/// a root, and where others interrupt it for a few sides, it goes on.
+/// Maximal runs of sides with parts behind across them. A root continues across sides with parts in
+/// front, and across a few sides with background.
 std::vector<Root> roots_of(const LabelRing& ring, const std::vector<Across>& across) {
   std::vector<Root> roots;
   const size_t n = across.size();
@@ -66,24 +65,23 @@ std::vector<Root> roots_of(const LabelRing& ring, const std::vector<Across>& acr
 
 }  // namespace
 
-Surroundings surroundings(const PartRegions& regions, const Stacking& stacking, int part) {
+Surroundings surroundings(const PartRegions& regions, int part) {
   Surroundings around;
   around.enclosed = true;
-  std::set<int> lower;
+  std::set<PartLabel> lower;
   for (const LabelRing& ring : regions.rings[part]) {
-    const std::vector<Across> across = sides_of(regions, stacking, part, ring);
+    const std::vector<Across> across = sides_of(regions, part, ring);
     for (size_t i = 0; i < ring.size(); ++i)
-      if (across[i] == Across::behind) lower.insert(regions.part_of(ring.beyond[i]));
+      if (across[i] == Across::behind) lower.insert(ring.beyond[i]);
     if (ring.hole) continue;
-    const auto outside = std::count_if(across.begin(), across.end(),
-                                       [](Across a) { return a == Across::background; });
-    if (outside > 0) around.enclosed = false;
+    if (std::find(across.begin(), across.end(), Across::background) != across.end())
+      around.enclosed = false;
     for (Root root : roots_of(ring, across)) {
-      root.lower = most_common(regions, stacking, part, root);
+      root.lower = most_common(regions, part, root);
       around.roots.push_back(root);
     }
   }
-  around.lower.assign(lower.begin(), lower.end());
+  for (const PartLabel label : lower) around.lower.push_back(regions.part_of(label));
   return around;
 }
 

@@ -66,7 +66,7 @@ std::vector<uint16_t> number_parts(const std::vector<int>& used, const Scribbles
     while (name.empty() || (proposed && taken.count(name) > 0))
       name = "part" + std::to_string(++names);
     parts.push_back({name, proposed, 0, {}});
-    number[label] = static_cast<uint16_t>(parts.size());
+    number[label] = parts.back().label = static_cast<PartLabel>(parts.size());
   }
   return number;
 }

@@ -14,7 +14,7 @@
 namespace relievo::understanding {
 namespace {
 
-/// A dish, not a hole.
+/// c of parts that look hollow, which makes a shallow dish of them.
 constexpr double hollow_amount = 1;
 
 double area_of(Part part) {
@@ -22,29 +22,8 @@ double area_of(Part part) {
   return area(part.outline);
 }
 
-/// What the author says of how parts connect.
-struct Said {
-  std::set<std::pair<int, int>> pairs;  ///< upper, lower
-  std::set<int> placed;                 ///< parts of which it is said what they lie on
-};
-
-Said said_in(const Scene& scene) {
-  Said said;
-  const auto note = [&](int upper, int lower, int placed) {
-    said.pairs.insert({upper, lower});
-    said.placed.insert(placed);
-  };
-  for (const Join& join : scene.joins) note(join.upper, join.lower, join.upper);
-  for (const RobinRange& range : scene.robin) note(range.upper, range.lower, range.upper);
-  for (const Relation& relation : scene.relations) {
-    const bool behind = relation.kind == RelationKind::joined;
-    note(relation.upper, relation.lower, behind ? relation.lower : relation.upper);
-  }
-  return said;
-}
-
-/// Ties limbs in place of joining them. Parts that the author joined are one surface, on which a
-/// limb hangs once.
+/// Ties limbs in place of joining them. A limb is tied once to parts that the author joined, since
+/// they are one surface.
 void tie_limbs(const Scene& scene, JoinProposals& guesses) {
   const auto are_joined = [&](int a, int b) {
     return std::any_of(scene.joins.begin(), scene.joins.end(), [&](const Join& join) {
@@ -63,19 +42,30 @@ void tie_limbs(const Scene& scene, JoinProposals& guesses) {
   for (ProposedRelation& guess : guesses.relations) guess.relation.kind = RelationKind::equal;
 }
 
-/// Keeps of the guesses those on parts that the author did not place. Where anything is said, what
-/// has no join does not grow, but is tied.
+/// Drops guesses about parts that the author connected. Where the author connected any, limbs are
+/// tied in place of being joined.
 void yield_to_author(const Scene& scene, JoinProposals& guesses) {
-  const Said said = said_in(scene);
+  std::set<std::pair<int, int>> pairs;  // upper, lower
+  std::set<int> placed;                 // parts of which the author says what they lie on
+  const auto note = [&](int upper, int lower, int part) {
+    pairs.insert({upper, lower});
+    placed.insert(part);
+  };
+  for (const Join& join : scene.joins) note(join.upper, join.lower, join.upper);
+  for (const RobinRange& range : scene.robin) note(range.upper, range.lower, range.upper);
+  for (const Relation& relation : scene.relations) {
+    const bool behind = relation.kind == RelationKind::joined;
+    note(relation.upper, relation.lower, behind ? relation.lower : relation.upper);
+  }
   std::erase_if(guesses.joins,
-                [&](const ProposedJoin& guess) { return said.placed.count(guess.join.upper) > 0; });
+                [&](const ProposedJoin& guess) { return placed.count(guess.join.upper) > 0; });
   std::erase_if(guesses.relations, [&](const ProposedRelation& guess) {
     const Relation& tie = guess.relation;
     const bool behind = area_of(scene.parts[tie.lower]) < area_of(scene.parts[tie.upper]);
-    return said.pairs.count({tie.upper, tie.lower}) > 0 ||
-           said.placed.count(behind ? tie.lower : tie.upper) > 0;
+    return pairs.count({tie.upper, tie.lower}) > 0 ||
+           placed.count(behind ? tie.lower : tie.upper) > 0;
   });
-  if (!said.placed.empty()) tie_limbs(scene, guesses);
+  if (!placed.empty()) tie_limbs(scene, guesses);
 }
 
 }  // namespace

@@ -1,39 +1,33 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "understanding/labels/drawing_evidence.h"
 #include "understanding/labels/segmentation.h"
-#include "understanding/scene/corrections.h"
 #include "understanding/scene/propose_scene.h"
+#include "understanding/scene/segmentation_record.h"
 
 namespace relievo::understanding {
 
-/// A record with new labels.
-struct Relabelling {
-  SegmentationRecord record;
-  std::vector<PartLabel> label_of;  ///< [parts of the segmentation] in the record's labels
-};
-
-/// Takes a new segmentation over into a record: its parts are numbered as they were before (see
-/// keep_labels), those with strokes are called by their ids, and corrections of what is gone, or
-/// has fewer pixels than `options` want, are dropped. Linear in pixels.
-Relabelling relabel(const Segmentation& found, SegmentationRecord known,
-                    const ProposalOptions& options = {});
-
-/// What labels, corrections and edits make of a flat drawing.
+/// The understanding of a flat drawing, from its labels to the scene.
 struct Understanding {
-  Proposal proposal;          ///< that of labels and corrections
-  SegmentationRecord record;  ///< the known one with what is proposed now
-  /// The proposed scene with the user's edits (see keep_edits). It has no parts where all were
-  /// removed, and is valid otherwise.
+  Segmentation segmentation;  ///< numbered as the record; empty where the record gave the labels
+  DrawingEvidence evidence;
+  Proposal proposal;          ///< by labels and corrections
+  SegmentationRecord record;  ///< the known one with the proposal in place of the earlier one
+  /// The proposed scene with the user's edits (see keep_edits): valid, or without parts where all
+  /// were removed.
   Scene scene;
+  std::vector<std::string> warnings;  ///< one sentence each, of all steps
 };
 
-/// Understands a drawing, RGBA, whose labels are those of `known`, anew. `edited` is the scene that
-/// was made of it before and what the user has done to it since; without parts where there is
-/// none. Errors: those of propose_scene, `bad_input` where an edit is not valid.
-Result<Understanding> understand_drawing(const Image8& rgba, const SegmentationRecord& known,
-                                         const Scene& edited, const ProposalOptions& options = {},
+/// Understands a drawing, RGBA. `segmentation` gives its labels, which are renumbered as in `known`
+/// (see relabel); an empty one leaves the labels of `known`. `edited` is the scene that was
+/// proposed before with the user's edits since, without parts where there is none. Errors: those of
+/// propose_scene, `bad_input` where an edit is not valid.
+Result<Understanding> understand_drawing(const Image8& rgba, Segmentation segmentation,
+                                         SegmentationRecord known, const Scene& edited = {},
                                          const RunContext& context = {});
 
 }  // namespace relievo::understanding

@@ -9,17 +9,17 @@
 namespace relievo::understanding {
 namespace {
 
-constexpr double bulge_scale = 0.06;
-constexpr size_t min_sides = 8;
+constexpr double bulge_scale = 0.06;  ///< A / C at which the confidence is 1 - 1/e
+constexpr size_t min_sides = 8;       ///< shorter runs of a boundary are ignored
 
 /// Sums over the runs of a common boundary.
 struct Bulge {
-  double area = 0;    ///< on the other part's side of the chords, px^2
-  double chords = 0;  ///< squared lengths
+  double area = 0;    ///< A: on the second part's side of the chords, px^2
+  double chords = 0;  ///< C: squared lengths, px^2
 };
 
-/// Twice the area between a run of sides and its chord; positive where the ring's own part
-/// bulges out.
+/// Twice the area between a run of sides and its chord; positive where the ring's own part bulges
+/// out.
 double twice_area(const LabelRing& ring, size_t first, size_t count) {
   const Point2 origin = ring.sides[first % ring.size()];
   double sum = 0;
@@ -30,30 +30,32 @@ double twice_area(const LabelRing& ring, size_t first, size_t count) {
 
 }  // namespace
 
-std::vector<BulgeCue> find_bulge_cues(const PartRegions& regions) {
-  std::map<std::pair<int, int>, Bulge> bulges;
-  for (int part = 0; part < regions.count(); ++part)
-    for (const LabelRing& ring : regions.rings[part]) {
+std::vector<OrderArrow> find_bulges(const PartRegions& regions) {
+  std::map<std::pair<PartLabel, PartLabel>, Bulge> bulges;
+  for (const std::vector<LabelRing>& rings : regions.rings)
+    for (const LabelRing& ring : rings) {
       const auto same = [&](size_t i, size_t j) { return ring.beyond[i] == ring.beyond[j]; };
       for_each_run(ring.size(), same, [&](size_t first, size_t count) {
-        const int other = regions.part_of(ring.beyond[first]);
-        if (other < part || count < min_sides) return;
+        const PartLabel other = ring.beyond[first];
+        if (other < ring.label || count < min_sides) return;
         const Point2 chord = ring.sides[(first + count - 1) % ring.size()] - ring.sides[first];
-        Bulge& bulge = bulges[{part, other}];
+        Bulge& bulge = bulges[{ring.label, other}];
         bulge.area += twice_area(ring, first, count) / 2;
         bulge.chords += dot(chord, chord);
       });
     }
-  std::vector<BulgeCue> cues;
+  std::vector<OrderArrow> arrows;
   for (const auto& [pair, bulge] : bulges) {
     if (bulge.area == 0) continue;
     const double confidence =
         1 - exact::exp(-std::abs(bulge.area) / (bulge_scale * std::max(bulge.chords, 1e-9)));
-    const bool first = bulge.area > 0;
-    cues.push_back(
-        {first ? pair.first : pair.second, first ? pair.second : pair.first, confidence});
+    const auto [first, second] = pair;
+    if (bulge.area > 0)
+      arrows.push_back({first, second, confidence});
+    else
+      arrows.push_back({second, first, confidence});
   }
-  return cues;
+  return arrows;
 }
 
 }  // namespace relievo::understanding

@@ -10,12 +10,18 @@ namespace {
 
 using Adjacency = std::vector<std::vector<int>>;
 
-constexpr double least_gain = 1e-9;  ///< in log-odds, so that rounding moves nothing
+/// The least gain in log-odds for which a part moves, above rounding errors.
+constexpr double least_gain = 1e-9;
 
-Adjacency upward(int parts, const std::vector<OrderArrow>& arrows) {
-  Adjacency above(parts);
+int index_of(const std::vector<PartLabel>& parts, PartLabel label) {
+  return static_cast<int>(std::lower_bound(parts.begin(), parts.end(), label) - parts.begin());
+}
+
+/// Per part, the parts in front of it along the kept arrows.
+Adjacency parts_above(const std::vector<PartLabel>& parts, const std::vector<OrderArrow>& arrows) {
+  Adjacency above(parts.size());
   for (const OrderArrow& arrow : arrows)
-    if (arrow.kept) above[arrow.lower].push_back(arrow.upper);
+    if (arrow.kept) above[index_of(parts, arrow.lower)].push_back(index_of(parts, arrow.upper));
   return above;
 }
 
@@ -23,7 +29,11 @@ Adjacency upward(int parts, const std::vector<OrderArrow>& arrows) {
 class Components {
  public:
   explicit Components(const Adjacency& next)
-      : component(next.size(), -1), next_(next), index_(next.size(), -1), low_(next.size(), 0) {
+      : component(next.size(), -1),
+        next_(next),
+        child_(next.size(), 0),
+        index_(next.size(), -1),
+        low_(next.size(), 0) {
     for (size_t part = 0; part < next.size(); ++part)
       if (index_[part] < 0) visit(static_cast<int>(part));
   }
@@ -31,20 +41,15 @@ class Components {
   std::vector<int> component;
 
  private:
-  struct Frame {
-    int part;
-    size_t child;
-  };
-
   void open(int part) {
     index_[part] = low_[part] = counter_++;
     stack_.push_back(part);
-    path_.push_back({part, 0});
+    path_.push_back(part);
   }
 
   void close(int part) {
     path_.pop_back();
-    if (!path_.empty()) low_[path_.back().part] = std::min(low_[path_.back().part], low_[part]);
+    if (!path_.empty()) low_[path_.back()] = std::min(low_[path_.back()], low_[part]);
     if (low_[part] != index_[part]) return;
     int member = -1;
     do {
@@ -57,12 +62,12 @@ class Components {
   void visit(int root) {
     open(root);
     while (!path_.empty()) {
-      const int part = path_.back().part;
-      if (path_.back().child == next_[part].size()) {
+      const int part = path_.back();
+      if (child_[part] == next_[part].size()) {
         close(part);
         continue;
       }
-      const int child = next_[part][path_.back().child++];
+      const int child = next_[part][child_[part]++];
       if (index_[child] < 0)
         open(child);
       else if (component[child] < 0)
@@ -71,23 +76,27 @@ class Components {
   }
 
   const Adjacency& next_;
+  std::vector<size_t> child_;  ///< per part, how many of its `next_` were visited
   std::vector<int> index_;
   std::vector<int> low_;
   std::vector<int> stack_;
-  std::vector<Frame> path_;
+  std::vector<int> path_;
   int counter_ = 0;
 };
 
-/// The place to which the part at `from` goes for the largest gain, and that gain.
-std::pair<int, double> best_place(const std::vector<int>& order, int from,
-                                  const std::vector<std::vector<double>>& log_odds) {
+/// The position in the order at which the part at `from` gains most.
+int best_position(const std::vector<int>& order, int from,
+                  const std::vector<std::vector<double>>& log_odds) {
   const std::vector<double>& odds = log_odds[order[from]];
-  std::pair<int, double> best{from, least_gain};
+  int best = from;
+  double most = least_gain;
   const auto walk = [&](int step) {
     double gain = 0;
     for (int k = from + step; k >= 0 && k < static_cast<int>(order.size()); k += step) {
       gain += step * odds[order[k]];
-      if (gain > best.second) best = {k, gain};
+      if (gain <= most) continue;
+      most = gain;
+      best = k;
     }
   };
   walk(1);
@@ -97,17 +106,18 @@ std::pair<int, double> best_place(const std::vector<int>& order, int from,
 
 }  // namespace
 
-Status break_cycles(int parts, std::vector<OrderArrow>& arrows) {
+Status break_cycles(const std::vector<PartLabel>& parts, std::vector<OrderArrow>& arrows) {
   for (;;) {
-    const Components components(upward(parts, arrows));
+    const Components components(parts_above(parts, arrows));
+    const auto component = [&](PartLabel label) {
+      return components.component[index_of(parts, label)];
+    };
     OrderArrow* weakest = nullptr;
     const OrderArrow* in_cycle = nullptr;
     for (OrderArrow& arrow : arrows) {
-      const bool cyclic =
-          arrow.kept && components.component[arrow.upper] == components.component[arrow.lower];
-      if (!cyclic) continue;
+      if (!arrow.kept || component(arrow.upper) != component(arrow.lower)) continue;
       in_cycle = &arrow;
-      if (arrow.source == OrderSource::user) continue;
+      if (arrow.user) continue;
       if (weakest == nullptr || arrow.confidence < weakest->confidence) weakest = &arrow;
     }
     if (weakest != nullptr)
@@ -115,16 +125,18 @@ Status break_cycles(int parts, std::vector<OrderArrow>& arrows) {
     else if (in_cycle != nullptr)
       return Error{ErrorCode::contradiction,
                    "the arrows of order form a circle; remove one of them",
-                   std::to_string(in_cycle->upper) + " over " + std::to_string(in_cycle->lower)};
+                   "label " + std::to_string(in_cycle->upper) + " over label " +
+                       std::to_string(in_cycle->lower)};
     else
       return Done{};
   }
 }
 
-std::vector<int> sort_back_to_front(const std::vector<double>& area,
+std::vector<int> sort_back_to_front(const std::vector<PartLabel>& labels,
+                                    const std::vector<double>& area,
                                     const std::vector<OrderArrow>& arrows) {
   const int parts = static_cast<int>(area.size());
-  const Adjacency above = upward(parts, arrows);
+  const Adjacency above = parts_above(labels, arrows);
   std::vector<int> waiting(parts, 0);
   for (const auto& list : above)
     for (const int upper : list) ++waiting[upper];
@@ -150,7 +162,7 @@ std::vector<int> likelier_order(std::vector<int> back_to_front,
     for (const int part : parts) {
       const auto at = std::find(back_to_front.begin(), back_to_front.end(), part);
       const auto from = static_cast<int>(at - back_to_front.begin());
-      const int to = best_place(back_to_front, from, log_odds).first;
+      const int to = best_position(back_to_front, from, log_odds);
       if (to == from) continue;
       back_to_front.erase(at);
       back_to_front.insert(back_to_front.begin() + to, part);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "kernel/base/exact_functions.h"
 #include "understanding/stacking/bulges.h"
@@ -12,148 +13,141 @@
 namespace relievo::understanding {
 namespace {
 
-/// Log-odds of the model: what a cue that is sure adds for the part for which it speaks. Fitted
-/// by logistic regression on pairs whose order is known (docs/understanding/stacking.md).
+/// Weights of the cues: the log-odds that a cue of 1 adds for its part. They are fitted by logistic
+/// regression to pairs whose order is known (docs/understanding/stacking.md).
 constexpr double shape_weight = 1.6;
 constexpr double contour_weight = 2.5;
 constexpr double junction_weight = 3.5;
 constexpr double bulge_weight = 1.5;
-constexpr double ground_weight = 1.2;
-/// Gains below a strip of this width along the common boundary say nothing, px.
+constexpr double floor_weight = 1.2;
+/// Regularises the shape cue: the width of a strip along the common boundary, px.
 constexpr double strip_width = 1.5;
-/// Junctions that say nothing of a pair, beside which those that do are weighed.
+/// Regularises the junction cue: the sum of confidences of junctions that favour neither part.
 constexpr double silent_junctions = 0.5;
-/// The lowest part of the figure's height, in which what stands on the ground ends.
-constexpr double ground_share = 0.03;
-/// Parts of which nothing else is known: the one that ends lower on the page is behind, as feet
-/// are, with this log-odds for a difference of the figure's height.
+/// Parts stand on the floor where they end in this lowest share of the figure's height.
+constexpr double floor_share = 0.03;
+/// Log-odds of two parts without a common boundary that the one that ends higher is in front, for a
+/// difference of the figure's height: feet are behind.
 constexpr double below_weight = 0.2;
-/// Of two parts that have grown together the smaller one is the limb, and drawn in front.
+/// Log-odds of the smaller of two parts that have grown together being in front, as a limb.
 constexpr double open_odds = 4;
-/// What the user says outweighs all guesses.
+/// Log-odds of the user's arrows, more than all guesses together.
 constexpr double user_odds = 1e6;
-constexpr double surest = 0.9999;  ///< confidence that counts
-/// Guesses that are less sure say less than that the larger part is behind.
+/// Bounds of a guess's confidence: more counts as the first, and guesses below the second are left
+/// out.
+constexpr double surest = 0.9999;
 constexpr double min_arrow_confidence = 0.05;
 
-/// What the cues say of a pair; signed ones are positive where the first part is in front.
+/// The cues of a pair; signed ones are positive where the first part is in front.
 struct PairBelief {
   double shape = 0;
   double contour = 0;
   double junctions[2] = {0, 0};  ///< sums of confidences for either part
   double bulge = 0;
-  double ground = 0;
-  double open = 0;  ///< 1 or -1 where the two have grown together, and nothing else counts
+  double floor = 0;
+  double open = 0;  ///< 1 or -1 where the two have grown together; then no other cue counts
 
-  /// Of the first part being in front.
+  /// Log-odds of the first part being in front.
   double log_odds() const {
     if (open != 0) return open_odds * open;
     const double votes = junctions[0] + junctions[1] + silent_junctions;
     return shape_weight * shape + contour_weight * contour + bulge_weight * bulge +
-           junction_weight * (junctions[0] - junctions[1]) / votes + ground_weight * ground;
+           junction_weight * (junctions[0] - junctions[1]) / votes + floor_weight * floor;
   }
 };
 
-using Pair = std::pair<int, int>;
-using Beliefs = std::map<Pair, PairBelief>;
+using Pair = std::pair<PartLabel, PartLabel>;
 
-/// Per part, whether it reaches down to where the figure ends.
-std::vector<uint8_t> on_the_ground(const PartRegions& regions) {
+/// The rows, from the top, in which the figure begins and before which it ends.
+std::pair<int, int> rows_of_figure(const PartRegions& regions) {
   int top = regions.map.height;
   int bottom = 0;
   for (const Mask& visible : regions.visible) {
     top = std::min(top, visible.top);
     bottom = std::max(bottom, visible.bottom());
   }
-  std::vector<uint8_t> stands;
-  for (const Mask& visible : regions.visible)
-    stands.push_back(bottom - visible.bottom() < ground_share * (bottom - top) ? 1 : 0);
-  return stands;
+  return {top, bottom};
 }
 
-PairBelief belief_of(const NeighbourEvidence& evidence, const std::vector<uint8_t>& stands) {
+PairBelief belief_of(const PartRegions& regions, const NeighbourEvidence& pair) {
+  const Mask& a = regions.visible[regions.part_of(pair.a)];
+  const Mask& b = regions.visible[regions.part_of(pair.b)];
+  const auto [top, bottom] = rows_of_figure(regions);
+  const double lowest = floor_share * (bottom - top);
+  const auto stands = [&, end = bottom](const Mask& m) {
+    return end - m.bottom() < lowest ? 1 : 0;
+  };
   PairBelief belief;
-  belief.shape = (evidence.b_below_a - evidence.a_below_b) /
-                 (evidence.a_below_b + evidence.b_below_a + strip_width * evidence.shared);
-  belief.contour = (evidence.a_shaped ? 1 : 0) - (evidence.b_shaped ? 1 : 0);
-  belief.ground = stands[evidence.b] - stands[evidence.a];
+  belief.shape = (pair.b_below_a - pair.a_below_b) /
+                 (pair.a_below_b + pair.b_below_a + strip_width * pair.shared);
+  belief.contour = (pair.a_shaped ? 1 : 0) - (pair.b_shaped ? 1 : 0);
+  belief.floor = stands(b) - stands(a);
+  if (pair.open) belief.open = pixel_count(a) < pixel_count(b) ? 1 : -1;
   return belief;
 }
 
-Beliefs collect(const PartRegions& regions, const std::vector<NeighbourEvidence>& evidence) {
-  const std::vector<uint8_t> stands = on_the_ground(regions);
-  Beliefs beliefs;
-  for (const NeighbourEvidence& pair : evidence) {
-    PairBelief& belief = beliefs[{pair.a, pair.b}] = belief_of(pair, stands);
-    const auto seen = [&](int part) { return pixel_count(regions.visible[part]); };
-    if (pair.open) belief.open = seen(pair.a) < seen(pair.b) ? 1 : -1;
-  }
-  for (const BulgeCue& cue : find_bulge_cues(regions)) {
-    const Pair pair = std::minmax(cue.upper, cue.lower);
-    const auto found = beliefs.find(pair);
+std::map<Pair, PairBelief> collect(const PartRegions& regions,
+                                   const std::vector<NeighbourEvidence>& evidence) {
+  std::map<Pair, PairBelief> beliefs;
+  for (const NeighbourEvidence& pair : evidence)
+    beliefs[{pair.a, pair.b}] = belief_of(regions, pair);
+  for (const OrderArrow& bulge : find_bulges(regions)) {
+    const auto found = beliefs.find(std::minmax(bulge.upper, bulge.lower));
     if (found != beliefs.end())
-      found->second.bulge = cue.upper == pair.first ? cue.confidence : -cue.confidence;
+      found->second.bulge = bulge.upper < bulge.lower ? bulge.confidence : -bulge.confidence;
   }
   for (const JunctionCue& cue : find_junction_cues(regions)) {
-    const Pair pair = std::minmax(cue.upper, cue.lower);
-    const auto found = beliefs.find(pair);
-    if (found != beliefs.end())
-      found->second.junctions[cue.upper == pair.first ? 0 : 1] += cue.confidence;
+    const PartLabel upper = regions.labels[cue.upper];
+    const PartLabel lower = regions.labels[cue.lower];
+    const auto found = beliefs.find(std::minmax(upper, lower));
+    if (found != beliefs.end()) found->second.junctions[upper < lower ? 0 : 1] += cue.confidence;
   }
   return beliefs;
 }
 
 OrderArrow arrow_of(const Pair& pair, const PairBelief& belief) {
   const double log_odds = belief.log_odds();
-  OrderArrow arrow;
-  arrow.upper = log_odds >= 0 ? pair.first : pair.second;
-  arrow.lower = log_odds >= 0 ? pair.second : pair.first;
-  // Of probabilities p and 1 - p, the difference.
-  arrow.confidence = 2 / (1 + exact::exp(-std::abs(log_odds))) - 1;
-  return arrow;
+  const auto [upper, lower] = log_odds >= 0 ? pair : Pair(pair.second, pair.first);
+  // The difference between the probabilities p and 1 - p.
+  return {upper, lower, 2 / (1 + exact::exp(-std::abs(log_odds))) - 1};
 }
 
-/// Whether the user ordered these two parts.
-bool is_said(const std::vector<UserArrow>& user, const Pair& pair) {
-  return std::any_of(user.begin(), user.end(), [&](const UserArrow& arrow) {
-    return Pair(std::minmax(arrow.first, arrow.second)) == pair;
-  });
-}
-
-std::vector<OrderArrow> guesses(const Beliefs& beliefs, const std::vector<UserArrow>& user) {
+/// The user's arrows, and a guess for every other pair of which enough is known.
+std::vector<OrderArrow> all_arrows(const std::map<Pair, PairBelief>& beliefs,
+                                   const std::vector<Pair>& user) {
   std::vector<OrderArrow> arrows;
-  for (const auto& [upper, lower] : user)
-    arrows.push_back({upper, lower, 1, OrderSource::user, true});
+  std::set<Pair> ordered;
+  for (const auto& [upper, lower] : user) {
+    arrows.push_back({upper, lower, 1, true});
+    ordered.insert(std::minmax(upper, lower));
+  }
   for (const auto& [pair, belief] : beliefs) {
     const OrderArrow arrow = arrow_of(pair, belief);
-    if (!is_said(user, pair) && arrow.confidence >= min_arrow_confidence) arrows.push_back(arrow);
+    if (ordered.count(pair) == 0 && arrow.confidence >= min_arrow_confidence)
+      arrows.push_back(arrow);
   }
   std::sort(arrows.begin(), arrows.end(), [](const OrderArrow& p, const OrderArrow& q) {
-    return std::pair(p.upper, p.lower) < std::pair(q.upper, q.lower);
+    return Pair(p.upper, p.lower) < Pair(q.upper, q.lower);
   });
   return arrows;
 }
 
-/// Of every two parts, the log-odds of the first being in front.
+/// Per pair of parts, the log-odds of the first being in front.
 std::vector<std::vector<double>> pair_odds(const PartRegions& regions,
                                            const std::vector<OrderArrow>& arrows) {
   const int parts = regions.count();
-  int top = regions.map.height;
-  int bottom = 0;
-  for (const Mask& visible : regions.visible) {
-    top = std::min(top, visible.top);
-    bottom = std::max(bottom, visible.bottom());
-  }
+  const auto [top, bottom] = rows_of_figure(regions);
   std::vector<std::vector<double>> odds(parts, std::vector<double>(parts, 0));
   for (int a = 0; a < parts; ++a)
     for (int b = 0; b < parts; ++b)
       odds[a][b] = below_weight * (regions.visible[b].bottom() - regions.visible[a].bottom()) /
                    std::max(1, bottom - top);
   for (const OrderArrow& arrow : arrows) {
+    const int upper = regions.part_of(arrow.upper);
+    const int lower = regions.part_of(arrow.lower);
     const double sure = std::min(arrow.confidence, surest);
-    const double said = exact::log((1 + sure) / (1 - sure));
-    odds[arrow.upper][arrow.lower] = arrow.source == OrderSource::user ? user_odds : said;
-    odds[arrow.lower][arrow.upper] = -odds[arrow.upper][arrow.lower];
+    odds[upper][lower] = arrow.user ? user_odds : exact::log((1 + sure) / (1 - sure));
+    odds[lower][upper] = -odds[upper][lower];
   }
   return odds;
 }
@@ -162,21 +156,23 @@ std::vector<std::vector<double>> pair_odds(const PartRegions& regions,
 
 Result<Stacking> stack_parts(const PartRegions& regions,
                              const std::vector<NeighbourEvidence>& evidence,
-                             const std::vector<UserArrow>& user_arrows) {
+                             const std::vector<Pair>& user_arrows) {
   Stacking stacking;
-  stacking.arrows = guesses(collect(regions, evidence), user_arrows);
-  if (Status status = break_cycles(regions.count(), stacking.arrows); !status)
-    return status.error();
+  stacking.arrows = all_arrows(collect(regions, evidence), user_arrows);
+  if (Status status = break_cycles(regions.labels, stacking.arrows); !status) return status.error();
   std::vector<double> area;
   for (const Mask& visible : regions.visible)
     area.push_back(static_cast<double>(pixel_count(visible)));
-  stacking.back_to_front = likelier_order(sort_back_to_front(area, stacking.arrows),
-                                          pair_odds(regions, stacking.arrows));
-  stacking.rank.resize(area.size());
-  for (size_t i = 0; i < area.size(); ++i)
-    stacking.rank[stacking.back_to_front[i]] = static_cast<int>(i);
+  const std::vector<int> order =
+      likelier_order(sort_back_to_front(regions.labels, area, stacking.arrows),
+                     pair_odds(regions, stacking.arrows));
+  std::vector<size_t> rank(order.size());
+  for (const int part : order) {
+    rank[part] = stacking.back_to_front.size();
+    stacking.back_to_front.push_back(regions.labels[part]);
+  }
   for (OrderArrow& arrow : stacking.arrows)
-    arrow.kept = stacking.rank[arrow.upper] > stacking.rank[arrow.lower];
+    arrow.kept = rank[regions.part_of(arrow.upper)] > rank[regions.part_of(arrow.lower)];
   return stacking;
 }
 

@@ -2,27 +2,23 @@
 
 #include <vector>
 
-namespace relievo::understanding {
+#include "understanding/labels/segmentation.h"
 
-enum class OrderSource {
-  guess,  ///< from shapes and contours
-  user,   ///< said by the user; never given up
-};
+namespace relievo::understanding {
 
 /// One part is in front of another.
 struct OrderArrow {
-  int upper = -1;
-  int lower = -1;
+  PartLabel upper = 0;
+  PartLabel lower = 0;
   double confidence = 0;  ///< in [0, 1]; 1 for the user's
-  OrderSource source = OrderSource::guess;
-  bool kept = true;  ///< false where it was given up to break a cycle
+  bool user = false;      ///< given by the user and never dropped; a guess otherwise
+  bool kept = true;       ///< false where it was dropped to break a cycle
 };
 
-/// The order of depth of all parts.
+/// The depth order of all parts.
 struct Stacking {
-  std::vector<int> back_to_front;  ///< parts
-  std::vector<int> rank;           ///< per part, its place in back_to_front
-  std::vector<OrderArrow> arrows;  ///< all that was guessed and said; by upper, then lower
+  std::vector<PartLabel> back_to_front;
+  std::vector<OrderArrow> arrows;  ///< all guesses and the user's, by upper, then lower
 };
 
 }  // namespace relievo::understanding

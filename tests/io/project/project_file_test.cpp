@@ -43,20 +43,19 @@ Project everything(unsigned seed = 4) {
                               {understanding::ScribbleKind::outside, 0, {{90, 70}}, 3}};
   record.parts = {{300, "body", understanding::CompletionKind::ellipse},
                   {2, "leg", understanding::CompletionKind::membrane}};
-  record.order = {{2, 300, 0.625, understanding::OrderSource::guess, true},
-                  {300, 7, 1, understanding::OrderSource::user, false}};
+  record.order = {{2, 300, 0.625, false, true}, {300, 7, 1, true, false}};
   record.joins = {{2, 300, 0.75}};
   understanding::Corrections& said = record.corrections;
   said.parts[2] = {"leg", Outline{{{0, 0}, {9, 0}, {9, 9}}}, 2.5, -1.0, 0.5, Point2{0, 0.25}};
   said.parts[300] = {};
   said.order = {{2, 300}};
-  said.joining.joins = {{2, 300, {{1, 1}, {2, 2.5}}}};
-  said.joining.no_joins = {{7, 2}};
-  said.joining.relations = {{7, 2, RelationKind::free, {{{1, 2}, {3, 4}}}},
-                            {7, 300, RelationKind::equal, std::nullopt}};
+  said.joins = {{2, 300, {{1, 1}, {2, 2.5}}}};
+  said.no_joins = {{7, 2}};
+  said.relations = {{7, 2, RelationKind::free, {{{1, 2}, {3, 4}}}},
+                    {7, 300, RelationKind::equal, std::nullopt}};
   said.cues = {{2, CueKind::bulge, {{1, 1}, {2, 2.5}}, 1.25},
                {300, CueKind::crease, {{0, 1}, {5, 1}}, -40}};
-  said.joining.robin = {{2, 300, {1, 2}, {3, 4}, 0.25, std::nullopt}};
+  said.robin = {{2, 300, {1, 2}, {3, 4}, 0.25, std::nullopt}};
   return project;
 }
 
@@ -86,8 +85,8 @@ TEST(ProjectFile, KeepsEverything) {
   EXPECT_EQ(said.cues[1].kind, CueKind::crease);
   EXPECT_EQ(said.cues[1].line, (std::vector<Point2>{{0, 1}, {5, 1}}));
   EXPECT_EQ(said.cues[1].value, -40);
-  EXPECT_EQ(said.joining.relations[0].range->second, (Point2{3, 4}));
-  EXPECT_EQ(said.joining.no_joins, project.segmentation->corrections.joining.no_joins);
+  EXPECT_EQ(said.relations[0].range->second, (Point2{3, 4}));
+  EXPECT_EQ(said.no_joins, project.segmentation->corrections.no_joins);
   EXPECT_EQ(again.segmentation->scribbles.strokes[0].part, 1);
   EXPECT_TRUE(again.segmentation->scribbles.complete);
   EXPECT_EQ(again.segmentation->scribbles.count, 12);

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
+#include "understanding/labels/drawing_evidence.h"
 #include "understanding/labels/segment_drawing.h"
-#include "understanding/scene/open_borders.h"
 
 namespace relievo::understanding {
 namespace {
@@ -136,7 +136,7 @@ std::vector<std::pair<uint16_t, uint16_t>> between(uint8_t left, uint8_t right, 
       for (int c = 0; c < 3; ++c)
         rgba.at(x, y, c) = line && std::abs(x - 30) < 2 ? 10 : x < 30 ? left : right;
     }
-  return open_borders(rgba, labels);
+  return measure_evidence(rgba, labels).open;
 }
 
 TEST(OpenBorders, HaveNothingDrawnAlongThem) {

@@ -17,13 +17,10 @@ using Joins = std::vector<ProposedJoin>;
 /// Which of the shapes, painted back to front and known where hidden too, are backdrops.
 std::vector<uint8_t> backdrops_of(const std::vector<Inside>& shapes, const Joins& joins = {}) {
   Completion completion;
-  Stacking stacking;
-  for (const Inside& shape : shapes) {
-    stacking.back_to_front.push_back(static_cast<int>(completion.parts.size()));
-    completion.parts.push_back(
-        {find_regions(painted(300, 300, {shape})).visible[0], CompletionKind::whole});
-  }
-  return find_backdrops(find_regions(painted(300, 300, shapes)), stacking, completion, joins);
+  for (const Inside& shape : shapes)
+    completion.push_back(
+        {find_regions(painted(300, 300, {shape})).visible[0], CompletionKind::whole, {}});
+  return find_backdrops(find_regions(painted(300, 300, shapes)), completion, joins);
 }
 
 using Flags = std::vector<uint8_t>;

@@ -19,18 +19,15 @@ struct Drawing {
 };
 
 /// Joins with the painted order: part k is in front of part k - 1, and completed.
-JoinProposals join(const Drawing& drawing, const JoinCorrections& corrections = {},
-                   const JoinProposalOptions& options = {}) {
+JoinProposals join(const Drawing& drawing, const Corrections& corrections = {},
+                   const DrawingEvidence& evidence = {}) {
   const PartRegions regions = find_regions(painted(drawing.width, drawing.height, drawing.shapes));
-  Stacking stacking;
   std::vector<Outline> outlines;
   for (int part = 0; part < regions.count(); ++part) {
-    stacking.back_to_front.push_back(part);
-    stacking.rank.push_back(part);
     const Image16 alone = painted(drawing.width, drawing.height, {drawing.shapes[part]});
     outlines.push_back(outline_of(find_regions(alone).visible[0]));
   }
-  return propose_joins(regions, stacking, outlines, corrections, options);
+  return propose_joins(regions, outlines, corrections, evidence);
 }
 
 Drawing leg_on_body() { return {220, 200, {box(20, 20, 200, 100), box(90, 60, 130, 180)}}; }
@@ -74,9 +71,9 @@ TEST(JoinParts, BodyOverAFarArmIsNotJoined) {
 TEST(JoinParts, AnotherColourHalvesTheConfidence) {
   const Drawing hat{220, 200, {box(20, 20, 200, 110), box(90, 30, 130, 117)}};
   const auto confidence = [&](std::array<double, 3> leg) {
-    JoinProposalOptions options;
-    options.colours = {{255, 255, 255}, {200, 150, 120}, leg};
-    return join(hat, {}, options).joins.at(0).confidence;
+    DrawingEvidence evidence;
+    evidence.colours = {{255, 255, 255}, {200, 150, 120}, leg};
+    return join(hat, {}, evidence).joins.at(0).confidence;
   };
   const double plain = join(hat).joins.at(0).confidence;
   EXPECT_EQ(confidence({200, 150, 120}), plain);
@@ -112,13 +109,13 @@ TEST(JoinParts, ALimbBehindALargePartTouchesItsOutline) {
 TEST(JoinParts, WhatHangsBehindOnePartIsNotJoinedToABackdrop) {
   const Drawing figure{
       220, 200, {box(20, 20, 200, 170), box(90, 90, 130, 178), box(40, 10, 180, 120)}};
-  JoinProposalOptions options;
-  options.colours = {{255, 255, 255}, {20, 120, 40}, {150, 90, 60}, {150, 100, 60}};
+  DrawingEvidence evidence;
+  evidence.colours = {{255, 255, 255}, {20, 120, 40}, {150, 90, 60}, {150, 100, 60}};
   const auto joins_of_leg = [](const JoinProposals& joining) {
     return std::count_if(joining.joins.begin(), joining.joins.end(),
                          [](const ProposedJoin& proposed) { return proposed.join.upper == 1; });
   };
-  const JoinProposals joining = join(figure, {}, options);
+  const JoinProposals joining = join(figure, {}, evidence);
   EXPECT_EQ(joins_of_leg(joining), 0);
   const auto of_leg = [&](const ProposedRelation& proposed) {
     return proposed.relation.upper == 2 && proposed.relation.lower == 1 &&
@@ -126,16 +123,16 @@ TEST(JoinParts, WhatHangsBehindOnePartIsNotJoinedToABackdrop) {
   };
   EXPECT_EQ(std::count_if(joining.relations.begin(), joining.relations.end(), of_leg), 1);
 
-  JoinCorrections apart;
-  apart.relations = {{2, 1, RelationKind::above, std::nullopt}};
-  EXPECT_EQ(joins_of_leg(join(figure, apart, options)), 1) << "it may grow out of the cape";
+  Corrections apart;
+  apart.relations = {{3, 2, RelationKind::above, std::nullopt}};
+  EXPECT_EQ(joins_of_leg(join(figure, apart, evidence)), 1) << "it may grow out of the cape";
 }
 
 /// A shin is larger than the thigh in front of it, and narrow at the knee.
 TEST(JoinParts, WhatNothingHoldsGrowsOutFromBehind) {
   const Drawing leg{
       220, 360, {box(98, 150, 122, 340), box(10, 10, 210, 100), box(90, 60, 130, 155)}};
-  const auto kinds_at_knee = [&](const JoinCorrections& corrections) {
+  const auto kinds_at_knee = [&](const Corrections& corrections) {
     std::vector<RelationKind> kinds;
     for (const ProposedRelation& proposed : join(leg, corrections).relations)
       if (proposed.relation.upper == 2 && proposed.relation.lower == 0)
@@ -143,32 +140,32 @@ TEST(JoinParts, WhatNothingHoldsGrowsOutFromBehind) {
     return kinds;
   };
   EXPECT_EQ(kinds_at_knee({}), (std::vector<RelationKind>{RelationKind::joined}));
-  JoinCorrections apart;
-  apart.no_joins = {{2, 0}};
+  Corrections apart;
+  apart.no_joins = {{3, 1}};
   EXPECT_EQ(kinds_at_knee(apart), (std::vector<RelationKind>{RelationKind::above}));
 }
 
 TEST(JoinParts, TheUserIsNotOverruled) {
-  JoinCorrections none;
-  none.no_joins = {{1, 0}};
+  Corrections none;
+  none.no_joins = {{2, 1}};
   EXPECT_TRUE(join(leg_on_body(), none).joins.empty());
 
-  JoinCorrections related;
-  related.relations = {{1, 0, RelationKind::free, std::nullopt}};
+  Corrections related;
+  related.relations = {{2, 1, RelationKind::free, std::nullopt}};
   const JoinProposals free = join(leg_on_body(), related);
   EXPECT_TRUE(free.joins.empty());
   ASSERT_EQ(free.relations.size(), 1U);
   EXPECT_EQ(free.relations[0].relation.kind, RelationKind::free);
 
-  JoinCorrections drawn;
-  drawn.joins = {{1, 0, {{90, 62}, {130, 62}}}};
+  Corrections drawn;
+  drawn.joins = {{2, 1, {{90, 62}, {130, 62}}}};
   const JoinProposals own = join(leg_on_body(), drawn);
   ASSERT_EQ(own.joins.size(), 1U);
   EXPECT_TRUE(own.joins[0].user);
   EXPECT_EQ(own.joins[0].join.line.size(), 2U);
 
-  JoinCorrections ramped;
-  ramped.robin = {{1, 0, {90, 70}, {90, 100}, 0.5, std::nullopt}};
+  Corrections ramped;
+  ramped.robin = {{2, 1, {90, 70}, {90, 100}, 0.5, std::nullopt}};
   const JoinProposals ramps = join(leg_on_body(), ramped);
   EXPECT_EQ(ramps.joins.size(), 1U);
   ASSERT_EQ(ramps.robin.size(), 1U);

@@ -18,24 +18,22 @@ using namespace testing;
 constexpr int width = 300;
 constexpr int height = 300;
 
-/// The leans of shapes painted back to front, which are known where hidden too; by part.
+/// The tilts of shapes painted back to front, which are known where hidden too; by part.
 std::map<int, double> leans_of(const std::vector<Inside>& shapes, double sure = 1) {
   const PartRegions regions = find_regions(painted(width, height, shapes));
-  Stacking stacking;
+  std::vector<OrderArrow> order;
   Completion completion;
   std::vector<Outline> outlines;
   for (int part = 0; part < regions.count(); ++part) {
-    stacking.back_to_front.push_back(part);
-    stacking.rank.push_back(part);
     for (int lower = 0; lower < part; ++lower)
-      stacking.arrows.push_back({part, lower, sure, OrderSource::guess, true});
+      order.push_back({regions.labels[part], regions.labels[lower], sure});
     const PartRegions alone = find_regions(painted(width, height, {shapes[part]}));
-    completion.parts.push_back({alone.visible[0], CompletionKind::whole});
+    completion.push_back({alone.visible[0], CompletionKind::whole, {}});
     outlines.push_back(outline_of(alone.visible[0]));
   }
-  const JoinProposals joining = propose_joins(regions, stacking, outlines);
+  const std::vector<ProposedJoin> joins = propose_joins(regions, outlines).joins;
   std::map<int, double> leans;
-  for (const ProposedLean& lean : propose_leans(regions, stacking, completion, joining)) {
+  for (const ProposedLean& lean : propose_leans(regions, order, completion, joins)) {
     EXPECT_EQ(lean.lean.y, 0);
     EXPECT_GT(lean.confidence, 0);
     EXPECT_LE(lean.confidence, 1);

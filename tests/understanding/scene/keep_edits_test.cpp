@@ -25,13 +25,18 @@ std::vector<std::string> names(const Scene& scene) {
 
 using Names = std::vector<std::string>;
 
-/// Body, leg and ear were proposed.
-const std::map<std::string, PartLabel> proposed_labels = {{"body", 1}, {"leg", 2}, {"ear", 3}};
+/// Body, leg and ear were proposed; `scribbled` parts have strokes.
+SegmentationRecord body_leg_ear(const std::vector<std::string>& scribbled = {}) {
+  SegmentationRecord record;
+  record.parts = {{1, "body", {}}, {2, "leg", {}}, {3, "ear", {}}};
+  record.scribbles.parts = scribbled;
+  return record;
+}
 
 TEST(KeepEdits, NothingChangesWhereNothingWasEdited) {
   Scene proposed = scene_of({"body", "leg", "ear"});
   proposed.joins = {{1, 0, {{10, 10}, {20, 10}}}};
-  const Scene kept = keep_edits(proposed, {1, 2, 3}, {proposed, proposed_labels, {}});
+  const Scene kept = keep_edits(proposed, {1, 2, 3}, proposed, body_leg_ear());
   EXPECT_EQ(names(kept), names(proposed));
   EXPECT_EQ(kept.joins.size(), 1U);
 }
@@ -43,8 +48,7 @@ TEST(KeepEdits, RemovedPartsStayAwayWithWhatConnectsThem) {
   proposed.robin = {{1, 0, {10, 10}, {10, 20}, std::nullopt, std::nullopt}};
   proposed.cues = {{1, CueKind::slope, {{10, 10}, {20, 10}}, 9},
                    {2, CueKind::crease, {{10, 10}, {20, 10}}, 40}};
-  const Scene kept =
-      keep_edits(proposed, {1, 2, 3}, {scene_of({"body", "ear"}), proposed_labels, {}});
+  const Scene kept = keep_edits(proposed, {1, 2, 3}, scene_of({"body", "ear"}), body_leg_ear());
   EXPECT_EQ(names(kept), (Names{"body", "ear"}));
   ASSERT_EQ(kept.cues.size(), 1U);
   EXPECT_EQ(kept.cues[0].part, 1);
@@ -59,7 +63,7 @@ TEST(KeepEdits, RemovedPartsStayAwayWithWhatConnectsThem) {
 TEST(KeepEdits, RemovedPartsWithNewStrokesComeBack) {
   const Scene proposed = scene_of({"body", "leg", "ear"});
   const Scene kept =
-      keep_edits(proposed, {1, 2, 3}, {scene_of({"body", "ear"}), proposed_labels, {"leg"}});
+      keep_edits(proposed, {1, 2, 3}, scene_of({"body", "ear"}), body_leg_ear({"leg"}));
   EXPECT_EQ(names(kept), (Names{"body", "leg", "ear"}));
 }
 
@@ -69,7 +73,7 @@ TEST(KeepEdits, DrawnPartsStayBetweenThoseBetweenWhichTheyLay) {
   edited.relations = {{2, 0, RelationKind::free, std::nullopt}};
   // The ear lies below the leg now, and a new part was found.
   const Scene proposed = scene_of({"body", "ear", "leg", "part-4"});
-  const Scene kept = keep_edits(proposed, {1, 3, 2, 4}, {edited, proposed_labels, {}});
+  const Scene kept = keep_edits(proposed, {1, 3, 2, 4}, edited, body_leg_ear());
   EXPECT_EQ(names(kept), (Names{"tail", "body", "pocket", "ear", "leg", "part-4"}));
   ASSERT_EQ(kept.joins.size(), 1U) << "that of two proposed parts is proposed anew";
   EXPECT_EQ(kept.joins[0].upper, 2);
@@ -82,16 +86,15 @@ TEST(KeepEdits, DrawnPartsStayBetweenThoseBetweenWhichTheyLay) {
 TEST(KeepEdits, WhatConnectsADrawnPartToARemovedOneGoes) {
   Scene edited = scene_of({"body", "pocket"});
   edited.joins = {{1, 0, {{1, 1}, {2, 2}}}};
-  const Scene kept = keep_edits(scene_of({"leg", "ear"}), {2, 3}, {edited, proposed_labels, {}});
+  const Scene kept = keep_edits(scene_of({"leg", "ear"}), {2, 3}, edited, body_leg_ear());
   EXPECT_EQ(names(kept), (Names{"pocket"}))
       << "the body is no more found, leg and ear were removed";
   EXPECT_TRUE(kept.joins.empty());
 }
 
 TEST(KeepEdits, ProposedPartsTakeNoNameOfADrawnOne) {
-  const EditedScene edited{scene_of({"body", "part-4"}), proposed_labels, {}};
   Scene proposed = scene_of({"body", "part-4", "part-4-2"});
-  avoid_drawn_names(edited, proposed);
+  avoid_drawn_names(scene_of({"body", "part-4"}), body_leg_ear(), proposed);
   EXPECT_EQ(names(proposed), (Names{"body", "part-4-3", "part-4-2"}));
 }
 

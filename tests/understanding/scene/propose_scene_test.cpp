@@ -74,7 +74,7 @@ TEST(ProposeScene, TheUserIsNotOverruled) {
   EXPECT_EQ(proposal.scene.parts[0].c, 7);
   EXPECT_EQ(proposal.scene.parts[0].d, -2);
   EXPECT_EQ(proposal.scene.parts[1].outline, *corrections.parts[1].outline);
-  EXPECT_EQ(proposal.completion.parts[0].kind, CompletionKind::given);
+  EXPECT_EQ(proposal.completion[1].kind, CompletionKind::given);
 }
 
 TEST(ProposeScene, NoPartTakesTheNameThatTheUserGaveAnother) {
@@ -110,7 +110,7 @@ TEST(ProposeScene, ACapeIsFlatUnlessTheUserSaysOtherwise) {
   const Image16 labels = painted(300, 300, {oval(150, 210, 70, 75, 0), oval(150, 150, 55, 100, 0)});
   const auto cape = [&](const Corrections& corrections) {
     const Proposal proposal = propose(labels, corrections);
-    return proposal.scene.parts.at(proposal.stacking.rank.at(0));
+    return proposal.scene.parts.at(proposal.regions.part_of(1));
   };
   const Part proposed = cape({});
   EXPECT_EQ(proposed.flat, 1);
@@ -124,7 +124,7 @@ TEST(ProposeScene, ACapeIsFlatUnlessTheUserSaysOtherwise) {
 
 TEST(ProposeScene, AJoinOfTheUserPutsItsPartInFront) {
   Corrections corrections;
-  corrections.joining.joins = {{1, 2, {{90, 124}, {130, 124}}}};
+  corrections.joins = {{1, 2, {{90, 124}, {130, 124}}}};
   const Proposal proposal = propose(leg_on_body(), corrections);
   EXPECT_EQ(proposal.scene.parts[1].id, "part-1");
   ASSERT_GE(proposal.scene.joins.size(), 1U);
@@ -186,9 +186,11 @@ TEST(ProposeScene, SaysWhatIsWrong) {
   Corrections circle;
   circle.order = {{1, 2}, {2, 1}};
   EXPECT_EQ(propose_scene(leg_on_body(), circle).error().code, ErrorCode::contradiction);
-  ProposalOptions few;
-  few.max_parts = 1;
-  EXPECT_EQ(propose_scene(leg_on_body(), {}, few).error().code, ErrorCode::limit);
+  Image16 many(4 * 33, 4 * 33, 1);  // squares of 4 x 4 pixels
+  for (int y = 0; y < many.height; ++y)
+    for (int x = 0; x < many.width; ++x)
+      many.at(x, y) = static_cast<uint16_t>(1 + y / 4 * 33 + x / 4);
+  EXPECT_EQ(propose_scene(many).error().code, ErrorCode::limit);
 }
 
 TEST(ProposeScene, LeavesSpecksOut) {

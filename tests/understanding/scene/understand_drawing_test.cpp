@@ -56,7 +56,7 @@ Scene scene_with(std::vector<Part> parts) {
 TEST(UnderstandDrawing, IsTheProposalWhereNothingWasEdited) {
   SegmentationRecord known;
   known.labels = ear_on_body();
-  const auto understood = understand_drawing(paper(), known, {});
+  const auto understood = understand_drawing(paper(), {}, known);
   ASSERT_TRUE(understood) << to_string(understood.error());
   EXPECT_EQ(ids_in(understood->scene), ids_in(understood->proposal.scene));
   ASSERT_EQ(understood->record.parts.size(), 2U);
@@ -70,7 +70,7 @@ TEST(UnderstandDrawing, IsTheProposalWhereNothingWasEdited) {
 
 TEST(UnderstandDrawing, GivesNoProposedPartTheNameOfADrawnOne) {
   const Scene edited = scene_with({square("body", 20), square("part-2", 60)});
-  const auto understood = understand_drawing(paper(), body_is_known(), edited);
+  const auto understood = understand_drawing(paper(), {}, body_is_known(), edited);
   ASSERT_TRUE(understood) << to_string(understood.error());
   const std::vector<std::string> ids = ids_in(understood->scene);
   EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()),
@@ -84,9 +84,9 @@ TEST(UnderstandDrawing, GivesNoProposedPartTheNameOfADrawnOne) {
 
 TEST(UnderstandDrawing, AgainAndAgainChangesNothing) {
   const Scene edited = scene_with({square("body", 20), square("part-2", 60)});
-  const auto first = understand_drawing(paper(), body_is_known(), edited);
+  const auto first = understand_drawing(paper(), {}, body_is_known(), edited);
   ASSERT_TRUE(first);
-  const auto again = understand_drawing(paper(), first->record, first->scene);
+  const auto again = understand_drawing(paper(), {}, first->record, first->scene);
   ASSERT_TRUE(again);
   EXPECT_EQ(ids_in(again->scene), ids_in(first->scene));
   EXPECT_EQ(again->scene.joins.size(), first->scene.joins.size());
@@ -95,12 +95,12 @@ TEST(UnderstandDrawing, AgainAndAgainChangesNothing) {
 TEST(UnderstandDrawing, BringsRemovedPartsBackWhereTheyHaveStrokes) {
   SegmentationRecord known = body_is_known();
   const Scene edited = scene_with({square("patch", 60)});
-  auto understood = understand_drawing(paper(), known, edited);
+  auto understood = understand_drawing(paper(), {}, known, edited);
   ASSERT_TRUE(understood);
   for (const std::string& id : ids_in(understood->scene)) EXPECT_NE(id, "body");
   EXPECT_EQ(understood->scene.parts.size(), 2U);
   known.scribbles.parts = {"body"};
-  understood = understand_drawing(paper(), known, edited);
+  understood = understand_drawing(paper(), {}, known, edited);
   ASSERT_TRUE(understood);
   EXPECT_EQ(ids_in(understood->scene).size(), 3U);
 }
@@ -108,13 +108,13 @@ TEST(UnderstandDrawing, BringsRemovedPartsBackWhereTheyHaveStrokes) {
 TEST(UnderstandDrawing, HasNoPartsWhereAllWereRemoved) {
   SegmentationRecord known = body_is_known();
   known.parts.push_back({2, "ear", CompletionKind::whole});
-  const auto understood = understand_drawing(paper(), known, {});
+  const auto understood = understand_drawing(paper(), {}, known);
   ASSERT_TRUE(understood);
   EXPECT_TRUE(understood->scene.parts.empty());
   EXPECT_EQ(understood->record.parts.size(), 2U);
 }
 
-TEST(Relabel, KeepsLabelsNamesAndWhatWasSaidOfPartsThatAreLeft) {
+TEST(UnderstandDrawing, KeepsLabelsNamesAndCorrectionsOfPartsThatAreLeft) {
   SegmentationRecord known = body_is_known();
   known.parts.push_back({2, "ear", CompletionKind::whole});
   known.corrections.parts[2].c = 2;
@@ -126,10 +126,16 @@ TEST(Relabel, KeepsLabelsNamesAndWhatWasSaidOfPartsThatAreLeft) {
   found.parts.resize(2);
   found.parts[0].id = "ear";
   found.parts[0].proposed = false;
-  const Relabelling relabelled = relabel(found, known);
-  EXPECT_EQ(relabelled.label_of, (std::vector<PartLabel>{2, 1}));
-  EXPECT_EQ(relabelled.record.labels.pixels, known.labels.pixels);
-  const auto& said = relabelled.record.corrections.parts;
+  found.parts[0].label = 1;
+  found.parts[1].label = 2;
+  found.notes = {"a note"};
+  const auto understood = understand_drawing(paper(), found, known);
+  ASSERT_TRUE(understood) << to_string(understood.error());
+  EXPECT_EQ(understood->segmentation.parts[0].label, 2);
+  EXPECT_EQ(understood->segmentation.parts[1].label, 1);
+  EXPECT_EQ(understood->record.labels.pixels, known.labels.pixels);
+  EXPECT_EQ(understood->warnings, found.notes);
+  const auto& said = understood->record.corrections.parts;
   EXPECT_EQ(said.size(), 2U);
   EXPECT_EQ(said.at(2).c, 2);
   EXPECT_EQ(said.at(2).id, "ear");
@@ -139,7 +145,7 @@ TEST(UnderstandDrawing, WhatNothingIsDrawnBetweenGrowsTogether) {
   SegmentationRecord known;
   known.labels = ear_on_body();
   const auto joins = [&](const Image8& rgba) {
-    const Result<Understanding> understood = understand_drawing(rgba, known, {}, {}, {});
+    const Result<Understanding> understood = understand_drawing(rgba, {}, known);
     EXPECT_TRUE(understood.ok());
     return understood->record.joins;
   };

@@ -14,10 +14,20 @@ namespace {
 
 using namespace testing;
 
-OrderArrow guess(int upper, int lower, double confidence) {
-  return {upper, lower, confidence, OrderSource::guess, true};
+OrderArrow arrow(int upper, int lower, double confidence, bool user) {
+  return {static_cast<PartLabel>(upper), static_cast<PartLabel>(lower), confidence, user};
 }
-OrderArrow said(int upper, int lower) { return {upper, lower, 1, OrderSource::user, true}; }
+OrderArrow guess(int upper, int lower, double confidence) {
+  return arrow(upper, lower, confidence, false);
+}
+OrderArrow said(int upper, int lower) { return arrow(upper, lower, 1, true); }
+
+/// The labels 0 to `count` - 1, so that they are indices as well.
+std::vector<PartLabel> parts_of(int count) {
+  std::vector<PartLabel> labels(count);
+  std::iota(labels.begin(), labels.end(), PartLabel{0});
+  return labels;
+}
 
 /// Whether every kept arrow points from the front to the back.
 bool obeys(const std::vector<int>& order, const std::vector<OrderArrow>& arrows) {
@@ -30,7 +40,7 @@ bool obeys(const std::vector<int>& order, const std::vector<OrderArrow>& arrows)
 
 TEST(OrderGraph, CutsACycleAtItsWeakestGuess) {
   std::vector<OrderArrow> arrows = {guess(1, 0, 0.9), guess(2, 1, 0.3), guess(0, 2, 0.6)};
-  ASSERT_TRUE(break_cycles(3, arrows).ok());
+  ASSERT_TRUE(break_cycles(parts_of(3), arrows).ok());
   EXPECT_TRUE(arrows[0].kept);
   EXPECT_FALSE(arrows[1].kept);
   EXPECT_TRUE(arrows[2].kept);
@@ -38,22 +48,23 @@ TEST(OrderGraph, CutsACycleAtItsWeakestGuess) {
 
 TEST(OrderGraph, KeepsTheArrowsOfTheUser) {
   std::vector<OrderArrow> arrows = {said(1, 0), said(2, 1), guess(0, 2, 0.99)};
-  ASSERT_TRUE(break_cycles(3, arrows).ok());
+  ASSERT_TRUE(break_cycles(parts_of(3), arrows).ok());
   EXPECT_TRUE(arrows[0].kept);
   EXPECT_TRUE(arrows[1].kept);
   EXPECT_FALSE(arrows[2].kept);
 }
 
 TEST(OrderGraph, RefusesACircleOfUserArrows) {
-  std::vector<OrderArrow> arrows = {said(1, 0), said(2, 1), said(0, 2)};
-  const Status status = break_cycles(3, arrows);
+  std::vector<OrderArrow> arrows = {said(7, 5), said(9, 7), said(5, 9)};
+  const Status status = break_cycles({5, 7, 9}, arrows);
   ASSERT_FALSE(status.ok());
   EXPECT_EQ(status.error().code, ErrorCode::contradiction);
+  EXPECT_EQ(status.error().where, "label 5 over label 9");
 }
 
 TEST(OrderGraph, LeavesArrowsOutsideCyclesAlone) {
   std::vector<OrderArrow> arrows = {guess(1, 0, 0.5), guess(0, 1, 0.4), guess(3, 2, 0.01)};
-  ASSERT_TRUE(break_cycles(4, arrows).ok());
+  ASSERT_TRUE(break_cycles(parts_of(4), arrows).ok());
   EXPECT_FALSE(arrows[1].kept);
   EXPECT_TRUE(arrows[2].kept);
 }
@@ -71,11 +82,10 @@ TEST(OrderGraph, OrdersRandomGraphs) {
       arrows.push_back(draw(random, 0, 3) == 0 ? said(std::max(a, b), std::min(a, b))
                                                : guess(a, b, draw(random, 1, 99) / 100.0));
     }
-    ASSERT_TRUE(break_cycles(parts, arrows).ok());
-    for (const OrderArrow& arrow : arrows)
-      EXPECT_TRUE(arrow.kept || arrow.source == OrderSource::guess);
+    ASSERT_TRUE(break_cycles(parts_of(parts), arrows).ok());
+    for (const OrderArrow& arrow : arrows) EXPECT_TRUE(arrow.kept || !arrow.user);
     const std::vector<double> area(parts, 1);
-    const std::vector<int> order = sort_back_to_front(area, arrows);
+    const std::vector<int> order = sort_back_to_front(parts_of(parts), area, arrows);
     EXPECT_EQ(order.size(), static_cast<size_t>(parts));
     EXPECT_TRUE(obeys(order, arrows));
   }
@@ -112,7 +122,7 @@ TEST(OrderGraph, LikelierOrdersAreNeverWorseAndMostlyBest) {
 }
 
 TEST(OrderGraph, PutsTheLargestOfUnrelatedPartsBehind) {
-  EXPECT_EQ(sort_back_to_front({5, 9, 7}, {}), (std::vector<int>{1, 2, 0}));
+  EXPECT_EQ(sort_back_to_front({1, 2, 3}, {5, 9, 7}, {}), (std::vector<int>{1, 2, 0}));
 }
 
 }  // namespace

@@ -12,9 +12,14 @@ namespace {
 
 using namespace testing;
 
-Stacking stack(const Image16& labels, const std::vector<UserArrow>& user = {}) {
+using Labels = std::vector<PartLabel>;
+using LabelPairs = std::vector<std::pair<PartLabel, PartLabel>>;
+
+Stacking stack(const Image16& labels, const LabelPairs& user = {}) {
   const PartRegions regions = find_regions(labels);
-  const auto evidence = compare_neighbours(regions);
+  const auto completion = complete_parts(regions, all_others(regions));
+  EXPECT_TRUE(completion.ok());
+  const auto evidence = compare_neighbours(regions, *completion);
   EXPECT_TRUE(evidence.ok());
   auto stacking = stack_parts(regions, *evidence, user);
   EXPECT_TRUE(stacking.ok());
@@ -44,7 +49,7 @@ const std::vector<Scenery>& sceneries() {
 TEST(StackParts, SeesWhatIsInFront) {
   for (const Scenery& scenery : sceneries()) {
     const Stacking stacking = stack(painted(220, 160, scenery.shapes));
-    EXPECT_EQ(stacking.back_to_front, (std::vector<int>{0, 1})) << scenery.name;
+    EXPECT_EQ(stacking.back_to_front, (Labels{1, 2})) << scenery.name;
     ASSERT_EQ(stacking.arrows.size(), 1U) << scenery.name;
     EXPECT_GT(stacking.arrows[0].confidence, 0.15) << scenery.name;
     EXPECT_LE(stacking.arrows[0].confidence, 1) << scenery.name;
@@ -74,23 +79,23 @@ Image16 renamed(const Image16& labels, int largest) {
 TEST(StackParts, DoesNotDependOnMirroringOrNames) {
   for (const Scenery& scenery : sceneries()) {
     const Image16 labels = painted(220, 160, scenery.shapes);
-    EXPECT_EQ(stack(mirrored(labels)).back_to_front, (std::vector<int>{0, 1})) << scenery.name;
-    EXPECT_EQ(stack(renamed(labels, 2)).back_to_front, (std::vector<int>{1, 0})) << scenery.name;
+    EXPECT_EQ(stack(mirrored(labels)).back_to_front, (Labels{1, 2})) << scenery.name;
+    EXPECT_EQ(stack(renamed(labels, 2)).back_to_front, (Labels{20, 10})) << scenery.name;
   }
 }
 
 TEST(StackParts, UserArrowsAreNeverOverruled) {
   for (const Scenery& scenery : sceneries()) {
-    const Stacking stacking = stack(painted(220, 160, scenery.shapes), {{0, 1}});
-    EXPECT_EQ(stacking.back_to_front, (std::vector<int>{1, 0})) << scenery.name;
+    const Stacking stacking = stack(painted(220, 160, scenery.shapes), {{1, 2}});
+    EXPECT_EQ(stacking.back_to_front, (Labels{2, 1})) << scenery.name;
   }
   for (unsigned seed = 0; seed < 40; ++seed) {
     const Image16 labels = random_labels(seed);
-    const int parts = find_regions(labels).count();
-    std::vector<UserArrow> user;
-    for (int part = 0; part + 1 < parts; ++part) user.emplace_back(part, part + 1);
-    const Stacking stacking = stack(labels, user);
-    for (const auto& [upper, lower] : user) EXPECT_GT(stacking.rank[upper], stacking.rank[lower]);
+    const Labels parts = find_regions(labels).labels;
+    LabelPairs user;
+    for (size_t part = 0; part + 1 < parts.size(); ++part)
+      user.emplace_back(parts[part], parts[part + 1]);
+    EXPECT_EQ(stack(labels, user).back_to_front, Labels(parts.rbegin(), parts.rend()));
   }
 }
 
@@ -105,11 +110,11 @@ TEST(Junctions, TheStraightContourIsInFront) {
 }
 
 TEST(Bulges, TheConvexSideIsInFront) {
-  const auto cues =
-      find_bulge_cues(find_regions(painted(200, 160, {box(20, 20, 180, 140), disc(100, 20, 40)})));
-  ASSERT_EQ(cues.size(), 1U);
-  EXPECT_EQ(cues[0].upper, 1);
-  EXPECT_GT(cues[0].confidence, 0.9);
+  const auto bulges =
+      find_bulges(find_regions(painted(200, 160, {box(20, 20, 180, 140), disc(100, 20, 40)})));
+  ASSERT_EQ(bulges.size(), 1U);
+  EXPECT_EQ(bulges[0].upper, 2);
+  EXPECT_GT(bulges[0].confidence, 0.9);
 }
 
 }  // namespace
