@@ -15,72 +15,78 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr std::initializer_list<CueKind> sloping = {CueKind::slope, CueKind::crease};
-
 double tangent(const Cue& cue) { return std::tan(cue.value * M_PI / 180); }
 
-/// A weighted mean of slopes at every vertex.
-struct Wanted {
-  MatrixXd sum;  ///< #V x 2
-  VectorXd weight;
+/// Weighted means of vectors at the vertices of a sheet.
+struct VertexMeans {
+  MatrixXd sum;     ///< #V rows, weighted
+  VectorXd weight;  ///< #V
 
-  explicit Wanted(size_t vertices)
-      : sum(MatrixXd::Zero(static_cast<Index>(vertices), 2)),
-        weight(VectorXd::Zero(static_cast<Index>(vertices))) {}
+  VertexMeans(const PartSheet& sheet, Index columns)
+      : sum(MatrixXd::Zero(static_cast<Index>(sheet.positions.size()), columns)),
+        weight(VectorXd::Zero(sum.rows())) {}
 
-  void add(int vertex, Point2 slope, double by) {
-    sum(vertex, 0) += by * slope.x;
-    sum(vertex, 1) += by * slope.y;
+  void add(int vertex, const Eigen::RowVectorXd& value, double by) {
+    sum.row(vertex) += by * value;
     weight[vertex] += by;
+  }
+
+  /// Fixes the vertices that have a mean and are not fixed yet at that value.
+  void fix(std::vector<uint8_t>& fixed, MatrixXd& values) const {
+    for (Index v = 0; v < weight.size(); ++v) {
+      if (fixed[v] != 0 || weight[v] == 0) continue;
+      values.row(v) = sum.row(v) / weight[v];
+      fixed[v] = 1;
+    }
   }
 };
 
-Wanted wanted_along(const PartSheet& sheet, const std::vector<StrokeContact>& contacts) {
-  Wanted wanted(sheet.positions.size());
-  for (const StrokeContact& contact : contacts)
-    for (const int v : sheet.triangles[contact.triangle])
-      wanted.add(v, tangent(*contact.cue) * contact.along, 1);
-  return wanted;
+VertexMeans slopes_along(const PartSheet& sheet, const Scene& scene, int part, double scale) {
+  VertexMeans means(sheet, 2);
+  visit_strokes(sheet, scene, part, CueKind::slope, scale,
+                [&](int triangle, const Cue& cue, Point2 along) {
+                  const Point2 slope = tangent(cue) * along;
+                  for (const int v : sheet.triangles[triangle])
+                    means.add(v, Eigen::RowVector2d(slope.x, slope.y), 1);
+                });
+  return means;
 }
 
-/// On both sides of each edge of a crease, at its two ends, the slope towards it. Where a crease
-/// ends inside the part both sides are one, and cancel.
-Wanted wanted_beside_creases(const LayeredMesh& mesh, const Scene& scene, int part,
-                             const PartSheet& sheet) {
-  Wanted wanted(sheet.positions.size());
+/// The slopes towards creases at the ends of their edges, on both sides. Where a crease ends inside
+/// the part both sides share a vertex, and their slopes cancel.
+VertexMeans slopes_to_creases(const LayeredMesh& mesh, const Scene& scene, int part,
+                              const PartSheet& sheet) {
+  VertexMeans means(sheet, 2);
   for (const CreaseEdge& edge : mesh.creases)
-    for (const int corner : edge.corner) {
-      if (mesh.face_part[corner / 3] != part) continue;
-      const auto place = std::lower_bound(sheet.faces.begin(), sheet.faces.end(), corner / 3);
-      const auto& triangle = sheet.triangles[place - sheet.faces.begin()];
+    for (const Corner corner : edge.corner) {
+      const int face = triangle_of(corner);
+      if (mesh.face_part[face] != part) continue;
+      const auto at = std::lower_bound(sheet.faces.begin(), sheet.faces.end(), face);
+      const auto& triangle = sheet.triangles[at - sheet.faces.begin()];
       const int from = triangle[next_place(corner)];
       const int to = triangle[last_place(corner)];
       const Point2 along = sheet.positions[to] - sheet.positions[from];
       const double length = norm(along);
-      // The faces run so that cross(along, towards the inside) > 0.
+      // Triangles have positive area, so their inside is where cross(along, .) > 0.
       const Point2 to_crease = 1 / length * Point2{along.y, -along.x};
-      for (const int v : {from, to})
-        wanted.add(v, tangent(scene.cues[edge.cue]) * to_crease, length);
+      const Point2 slope = tangent(scene.cues[edge.cue]) * to_crease;
+      for (const int v : {from, to}) means.add(v, Eigen::RowVector2d(slope.x, slope.y), length);
     }
-  return wanted;
+  return means;
 }
 
-/// The field at the vertices of a sheet that is cut along its creases, #V x 2.
-MatrixXd field_on(const PartSheet& sheet, const Wanted& along, const Wanted& beside) {
-  const auto vertices = static_cast<Index>(sheet.positions.size());
+/// w at the vertices of a sheet that is cut along its creases, #V x 2.
+MatrixXd field_on(const LayeredMesh& mesh, const Scene& scene, int part, const PartSheet& sheet,
+                  double scale) {
   std::vector<uint8_t> fixed = sheet.seam;
-  MatrixXd values = MatrixXd::Zero(vertices, 2);
-  for (Index v = 0; v < vertices; ++v)
-    for (const Wanted* wanted : {&beside, &along}) {
-      if (fixed[v] != 0 || wanted->weight[v] == 0) continue;
-      values.row(v) = wanted->sum.row(v) / wanted->weight[v];
-      fixed[v] = 1;
-    }
+  MatrixXd values = MatrixXd::Zero(static_cast<Index>(sheet.positions.size()), 2);
+  slopes_to_creases(mesh, scene, part, sheet).fix(fixed, values);
+  slopes_along(sheet, scene, part, scale).fix(fixed, values);
   return harmonic_extension({sheet.positions, sheet.triangles}, std::move(fixed), std::move(values),
                             0);
 }
 
-/// The mean of the field over each triangle.
+/// Averages the field over each triangle.
 std::vector<Point2> on_triangles(const PartSheet& sheet, const MatrixXd& field) {
   std::vector<Point2> means;
   means.reserve(sheet.triangles.size());
@@ -91,7 +97,7 @@ std::vector<Point2> on_triangles(const PartSheet& sheet, const MatrixXd& field) 
   return means;
 }
 
-/// What the part's lean alone would be.
+/// The field of the parts' leans alone: v = lean, rise = lean . x.
 SlopeField lean_field(const LayeredMesh& mesh, const Scene& scene, double scale) {
   SlopeField field;
   field.slope.reserve(mesh.faces.size());
@@ -107,27 +113,21 @@ SlopeField lean_field(const LayeredMesh& mesh, const Scene& scene, double scale)
   return field;
 }
 
-/// b at the vertices of the sheet.
-VectorXd bulge_of(const PartSheet& sheet, const std::vector<StrokeContact>& contacts) {
-  const auto vertices = static_cast<Eigen::Index>(sheet.positions.size());
-  VectorXd sum = VectorXd::Zero(vertices);
-  VectorXd weight = VectorXd::Zero(vertices);
-  for (const StrokeContact& contact : contacts)
-    for (const int v : sheet.triangles[contact.triangle]) {
-      sum[v] += contact.cue->value;
-      weight[v] += 1;
-    }
+/// b at the vertices of a sheet.
+VectorXd bulge_of(const PartSheet& sheet, const Scene& scene, int part) {
+  VertexMeans means(sheet, 1);
+  visit_strokes(sheet, scene, part, CueKind::bulge, 1, [&](int triangle, const Cue& cue, Point2) {
+    for (const int v : sheet.triangles[triangle])
+      means.add(v, Eigen::RowVectorXd::Constant(1, cue.value), 1);
+  });
   std::vector<uint8_t> fixed = sheet.rim;
-  VectorXd values = VectorXd::Ones(vertices);
-  for (Eigen::Index v = 0; v < vertices; ++v) {
-    if (weight[v] == 0 || fixed[v] != 0) continue;
-    values[v] = sum[v] / weight[v];
-    fixed[v] = 1;
-  }
-  return harmonic_extension({sheet.positions, sheet.triangles}, std::move(fixed), values, 1);
+  MatrixXd values = MatrixXd::Ones(means.sum.rows(), 1);
+  means.fix(fixed, values);
+  return harmonic_extension({sheet.positions, sheet.triangles}, std::move(fixed), std::move(values),
+                            1);
 }
 
-/// The mean over a triangle of the square of a linear function.
+/// The mean of b^2 over a triangle on which b is linear, from its values at the corners.
 double mean_square(double a, double b, double c) {
   return (a * a + b * b + c * c + a * b + b * c + c * a) / 6;
 }
@@ -143,20 +143,17 @@ bool has_slopes(const Scene& scene) {
 
 SlopeField slope_field(const LayeredMesh& mesh, const Scene& scene, double scale) {
   SlopeField field = lean_field(mesh, scene, scale);
-  const std::vector<bool> wanted = parts_with(scene, sloping);
+  const std::vector<bool> wanted = parts_with(scene, {CueKind::slope, CueKind::crease});
   if (std::find(wanted.begin(), wanted.end(), true) == wanted.end()) return field;
-  const auto cut = part_sheets(mesh, wanted, AcrossCreases::cut, scale);
-  const auto whole = part_sheets(mesh, wanted, AcrossCreases::whole, scale);
+  const std::vector<PartSheet> cut = part_sheets(mesh, wanted, true, scale);
+  const std::vector<PartSheet> whole = part_sheets(mesh, wanted, false, scale);
   for (int part = 0; part < static_cast<int>(cut.size()); ++part) {
     const PartSheet& sheet = cut[part];
     if (sheet.faces.empty()) continue;
-    const auto contacts = stroke_contacts(sheet, scene, part, CueKind::slope, scale);
-    const std::vector<Point2> added =
-        on_triangles(sheet, field_on(sheet, wanted_along(sheet, contacts),
-                                     wanted_beside_creases(mesh, scene, part, sheet)));
-    const VectorXd rise = nearest_potential({whole[part].positions, whole[part].triangles}, added);
+    const std::vector<Point2> w = on_triangles(sheet, field_on(mesh, scene, part, sheet, scale));
+    const VectorXd rise = nearest_potential({whole[part].positions, whole[part].triangles}, w);
     for (size_t t = 0; t < sheet.faces.size(); ++t) {
-      field.slope[sheet.faces[t]] = field.slope[sheet.faces[t]] + added[t];
+      field.slope[sheet.faces[t]] = field.slope[sheet.faces[t]] + w[t];
       for (int k = 0; k < 3; ++k)
         field.rise[sheet.faces[t]][k] += rise[whole[part].triangles[t][k]];
     }
@@ -168,12 +165,11 @@ std::vector<double> bulge_factors(const LayeredMesh& mesh, const Scene& scene) {
   const std::vector<bool> wanted = parts_with(scene, {CueKind::bulge});
   if (std::find(wanted.begin(), wanted.end(), true) == wanted.end()) return {};
   std::vector<double> factors(mesh.faces.size(), 1);
-  const std::vector<PartSheet> sheets = part_sheets(mesh, wanted, AcrossCreases::whole, 1);
-  for (size_t part = 0; part < sheets.size(); ++part) {
+  const std::vector<PartSheet> sheets = part_sheets(mesh, wanted, false, 1);
+  for (int part = 0; part < static_cast<int>(sheets.size()); ++part) {
     const PartSheet& sheet = sheets[part];
     if (sheet.faces.empty()) continue;
-    const VectorXd b =
-        bulge_of(sheet, stroke_contacts(sheet, scene, static_cast<int>(part), CueKind::bulge, 1));
+    const VectorXd b = bulge_of(sheet, scene, part);
     for (size_t t = 0; t < sheet.faces.size(); ++t) {
       const auto [p, q, r] = sheet.triangles[t];
       factors[sheet.faces[t]] = mean_square(b[p], b[q], b[r]);

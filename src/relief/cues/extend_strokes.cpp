@@ -12,7 +12,7 @@ namespace {
 
 using CornerPoints = std::array<Point2, 3>;
 
-/// Whether all of the triangle lies strictly on one side of the line through a and b.
+/// Returns whether all of the triangle lies strictly on one side of the line through a and b.
 bool on_one_side(const CornerPoints& triangle, Point2 a, Point2 b) {
   int left = 0;
   int right = 0;
@@ -24,7 +24,8 @@ bool on_one_side(const CornerPoints& triangle, Point2 a, Point2 b) {
   return left == 3 || right == 3;
 }
 
-/// Whether the segment lies strictly outside one edge of the triangle, whose area is positive.
+/// Returns whether the segment lies strictly outside one edge of the triangle, whose area is
+/// positive.
 bool beyond_an_edge(const CornerPoints& triangle, Point2 a, Point2 b) {
   for (int k = 0; k < 3; ++k) {
     const Point2 p = triangle[k];
@@ -42,7 +43,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Solves L x = load where not fixed, x = value where fixed.
+/// Solves (L x)_i = load_i at free vertices with x_i = values_i at fixed ones; 0 if L is singular.
 MatrixXd solve_fixed(const SparseMatrix& L, const std::vector<uint8_t>& fixed, const MatrixXd& load,
                      const MatrixXd& values) {
   SparseCholesky factor;
@@ -63,9 +64,8 @@ MatrixXd solve_fixed(const SparseMatrix& L, const std::vector<uint8_t>& fixed, c
 
 }  // namespace
 
-std::vector<StrokeContact> stroke_contacts(const PartSheet& sheet, const Scene& scene, int part,
-                                           CueKind kind, double scale) {
-  std::vector<StrokeContact> contacts;
+void visit_strokes(const PartSheet& sheet, const Scene& scene, int part, CueKind kind, double scale,
+                   const StrokeVisitor& visit) {
   for (const Cue& cue : scene.cues) {
     if (cue.part != part || cue.kind != kind) continue;
     for (size_t i = 0; i + 1 < cue.line.size(); ++i) {
@@ -81,11 +81,10 @@ std::vector<StrokeContact> stroke_contacts(const PartSheet& sheet, const Scene& 
         if (apart(box, {{x0, y0}, {x1, y1}}) || on_one_side(triangle, a, b) ||
             beyond_an_edge(triangle, a, b))
           continue;
-        contacts.push_back({static_cast<int>(t), &cue, 1 / distance(a, b) * (b - a)});
+        visit(static_cast<int>(t), cue, 1 / distance(a, b) * (b - a));
       }
     }
   }
-  return contacts;
 }
 
 std::vector<bool> parts_with(const Scene& scene, std::initializer_list<CueKind> kinds) {
@@ -98,11 +97,11 @@ std::vector<bool> parts_with(const Scene& scene, std::initializer_list<CueKind> 
 MatrixXd harmonic_extension(const FlatMesh& mesh, std::vector<uint8_t> fixed, MatrixXd values,
                             double otherwise) {
   const std::vector<int> piece = connected_pieces(mesh.triangles, mesh.positions.size());
-  std::vector<uint8_t> held(fixed.size(), 0);
+  std::vector<uint8_t> has_fixed(fixed.size(), 0);  // per piece
   for (size_t v = 0; v < fixed.size(); ++v)
-    if (fixed[v] != 0) held[piece[v]] = 1;
+    if (fixed[v] != 0) has_fixed[piece[v]] = 1;
   for (size_t v = 0; v < fixed.size(); ++v) {
-    if (held[piece[v]] != 0) continue;
+    if (has_fixed[piece[v]] != 0) continue;
     fixed[v] = 1;
     values.row(static_cast<Index>(v)).setConstant(otherwise);
   }

@@ -2,38 +2,40 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
+#include <initializer_list>
 #include <vector>
 
-#include "kernel/geometry/polygon.h"
 #include "kernel/geometry/triangles.h"
 #include "relief/cues/part_sheet.h"
 #include "relievo/scene.h"
 
 namespace relievo::relief {
 
-/// A triangle of a sheet that a segment of a cue's line meets.
-struct StrokeContact {
-  int triangle = -1;  ///< of the sheet
-  const Cue* cue = nullptr;
-  Point2 along;  ///< unit direction of the segment
-};
+/// Called with a triangle of a sheet, a cue, and the unit direction of a segment of its line that
+/// meets the triangle.
+using StrokeVisitor = std::function<void(int triangle, const Cue& cue, Point2 along)>;
 
-/// All triangles that lines of the scene's cues of a kind on `part` meet. `scale`: that of the
-/// sheet. O(K * points of the lines).
-std::vector<StrokeContact> stroke_contacts(const PartSheet& sheet, const Scene& scene, int part,
-                                           CueKind kind, double scale);
+/// Visits the triangles that the lines of a part's cues of one kind meet, cue by cue and segment by
+/// segment. `scale` is that of the sheet. O(K * points of the lines).
+void visit_strokes(const PartSheet& sheet, const Scene& scene, int part, CueKind kind, double scale,
+                   const StrokeVisitor& visit);
 
-/// Which parts have a cue of one of the kinds, #parts.
+/// Flags the parts that have a cue of one of the kinds.
 std::vector<bool> parts_with(const Scene& scene, std::initializer_list<CueKind> kinds);
 
-/// The discrete harmonic functions with the given values (#V x any number of columns, of which
-/// other rows are not read) where `fixed` (#V flags), and no flow through the rest of the boundary.
-/// `otherwise` on pieces of the mesh without a fixed vertex. One factorisation.
+/// Computes the discrete harmonic functions x that have given values at fixed vertices and no flow
+/// through the rest of the boundary:
+///   (L x)_i = 0 at free vertices,  x_i = values_i where fixed.
+/// `fixed` has #V flags, `values` #V rows and a column for each function; its other rows are not
+/// read. Pieces of the mesh without a fixed vertex get `otherwise`. One factorisation.
 Eigen::MatrixXd harmonic_extension(const FlatMesh& mesh, std::vector<uint8_t> fixed,
                                    Eigen::MatrixXd values, double otherwise);
 
-/// The function whose gradient is nearest to a field that is constant on each triangle (#F), in the
-/// mean square; its mean is 0 on every piece of the mesh. #V. One factorisation.
+/// Computes the function r with the gradient nearest to a field w that is constant on each triangle
+/// (#F), #V:
+///   r = argmin of the integral of |grad r - w|^2,  that is  (L r)_i = integral of w . grad phi_i,
+/// with hat functions phi_i. Its mean is 0 on every piece of the mesh. One factorisation.
 Eigen::VectorXd nearest_potential(const FlatMesh& mesh, const std::vector<Point2>& field);
 
 }  // namespace relievo::relief

@@ -17,28 +17,31 @@
 namespace relievo::relief {
 namespace {
 
-/// Dissects the base triangulation: what lies at one place is eliminated together.
+/// Orders the nodes by nested dissection of the base triangulation, in which a vertex weighs as
+/// many nodes as it has. Nodes at one vertex are eliminated together.
 std::vector<int> elimination_order(const LayeredMesh& mesh, const RunContext& context) {
   std::vector<int> weights(mesh.vertices.size(), 0);
   for (const int v : mesh.node_vertex) ++weights[v];
   const std::vector<int> order =
       dissection_order({mesh.vertices, mesh.triangles}, weights, context);
-  std::vector<int> place(mesh.vertices.size());
+  std::vector<int> begin(mesh.vertices.size());
   int next = 0;
   for (const int v : order) {
-    place[v] = next;
+    begin[v] = next;
     next += weights[v];
   }
   std::vector<int> nodes(mesh.node_vertex.size());
   for (size_t n = 0; n < nodes.size(); ++n)
-    nodes[place[mesh.node_vertex[n]]++] = static_cast<int>(n);
+    nodes[begin[mesh.node_vertex[n]]++] = static_cast<int>(n);
   return nodes;
 }
 
-/// Nodes that are a neighbour of a crease look across it, if their own neighbours are too few; the
-/// stencils of those reach two rings farther, and the last ring keeps the end of the patch away.
+/// Rings of faces around creases that make the patch. Stencils differ from those of the mesh at
+/// nodes of creases and their neighbours (one ring) and reach two rings farther; the last ring
+/// keeps them away from the boundary of the patch.
 constexpr int rings = 4;
 
+/// Flags the nodes on creases, #N.
 std::vector<uint8_t> crease_nodes(const LayeredMesh& mesh) {
   std::vector<uint8_t> marked(mesh.node_vertex.size(), 0);
   for (const CreaseEdge& edge : mesh.creases) {
@@ -49,7 +52,7 @@ std::vector<uint8_t> crease_nodes(const LayeredMesh& mesh) {
   return marked;
 }
 
-/// The faces at marked nodes, ascending; then all nodes of them are marked.
+/// Lists the faces at marked nodes, ascending, and marks all nodes of these faces.
 std::vector<int> grow(const LayeredMesh& mesh, std::vector<uint8_t>& marked) {
   std::vector<int> faces;
   for (size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -62,8 +65,9 @@ std::vector<int> grow(const LayeredMesh& mesh, std::vector<uint8_t>& marked) {
   return faces;
 }
 
-/// Corners of `faces` that are one vertex of the patch cut along creases.
-DisjointSets cut_corners(const LayeredMesh& mesh, const std::vector<int>& faces) {
+/// Unites the corners of `faces` that are one vertex of the patch cut along creases. Corner k of
+/// the i-th of these faces is 3 i + k.
+DisjointSets patch_corners(const LayeredMesh& mesh, const std::vector<int>& faces) {
   std::vector<int> cut;
   for (const CreaseEdge& edge : mesh.creases)
     cut.insert(cut.end(), edge.corner.begin(), edge.corner.end());
@@ -130,24 +134,22 @@ CreaseStencils crease_stencils(const LayeredMesh& mesh) {
   std::vector<int> faces = grow(mesh, marked);
   const std::vector<uint8_t> near = marked;
   for (int ring = 1; ring < rings; ++ring) faces = grow(mesh, marked);
-  DisjointSets corners = cut_corners(mesh, faces);
-  std::vector<int> place(3 * faces.size());
+  DisjointSets corners = patch_corners(mesh, faces);
+  std::vector<int> vertex(3 * faces.size());
   std::vector<Triangle> triangles(faces.size());
   std::vector<Point2> positions;
-  for (Corner i = 0; i < static_cast<int>(place.size()); ++i) {
+  for (Corner i = 0; i < static_cast<int>(vertex.size()); ++i) {
     const int node = mesh.faces[faces[triangle_of(i)]][place_of(i)];
     if (corners.find(i) == i) {
-      place[i] = static_cast<int>(stencils.node.size());
+      vertex[i] = static_cast<int>(stencils.node.size());
       stencils.node.push_back(node);
       positions.push_back(mesh.vertices[mesh.node_vertex[node]]);
     }
-    place[i] = place[corners.find(i)];
-    triangles[triangle_of(i)][place_of(i)] = place[i];
-  }
-  for (Corner i = 0; i < static_cast<int>(place.size()); ++i) {
-    if (near[stencils.node[place[i]]] == 0) continue;
+    vertex[i] = vertex[corners.find(i)];
+    triangles[triangle_of(i)][place_of(i)] = vertex[i];
+    if (near[node] == 0) continue;
     stencils.corner.push_back(corner_of(faces[triangle_of(i)], place_of(i)));
-    stencils.place.push_back(place[i]);
+    stencils.vertex.push_back(vertex[i]);
   }
   stencils.gradients = gradient_stencils({positions, triangles});
   return stencils;
@@ -161,8 +163,8 @@ std::vector<Point2> crease_gradients(const CreaseStencils& stencils,
   for (const int node : stencils.node) own.push_back(values[node]);
   const std::vector<Point2> gradients = node_gradients(stencils.gradients, own);
   std::vector<Point2> at_corners;
-  at_corners.reserve(stencils.place.size());
-  for (const int place : stencils.place) at_corners.push_back(gradients[place]);
+  at_corners.reserve(stencils.vertex.size());
+  for (const int vertex : stencils.vertex) at_corners.push_back(gradients[vertex]);
   return at_corners;
 }
 

@@ -6,51 +6,36 @@
 #include <utility>
 
 #include "kernel/base/disjoint_sets.h"
-#include "relief/layers/layered_mesh.h"
+#include "kernel/geometry/polygon.h"
 
 namespace relievo::relief {
 namespace {
 
-/// A node at the vertex at hand.
-struct LocalNode {
-  int node;
-  int rank;  // frontmost part whose faces use it there
-};
-
-/// A part whose faces use a node at the vertex at hand.
+/// A node at the vertex at hand, and a part whose faces use it there.
 struct NodeUse {
   int node;
   int part;
   friend bool operator==(const NodeUse&, const NodeUse&) = default;
 };
 
-/// A pair that may be kept, and how much it matters where not all can be.
+/// A pair that may be kept, and its importance if not all can be.
 struct Candidate {
-  int lower;  // index into the local nodes
+  int lower;  // indices into the local nodes
   int upper;
   bool equal;
   bool swapped;  // h[upper] <= h[lower]
   bool upper_outline;
 };
 
-/// What a relation of the scene says.
-struct Rule {
-  int upper;
-  int lower;
-  RelationKind kind;
-  bool limited;
-  std::vector<int> vertices;  // sorted; where it holds, if limited
-};
-
-/// Where "above" and "below" have a vertex in common, which they only have at their ends, both
-/// hold: the parts pass through each other there.
-std::vector<Rule> common_ends(const std::vector<Rule>& rules) {
-  std::vector<Rule> ties;
-  for (const Rule& a : rules)
-    for (const Rule& b : rules) {
+/// Makes parts equal at the common ends of ranges "above" and "below", where they pass through each
+/// other. Precondition: vertices are sorted.
+std::vector<PlacedRelation> common_ends(const std::vector<PlacedRelation>& relations) {
+  std::vector<PlacedRelation> ties;
+  for (const PlacedRelation& a : relations)
+    for (const PlacedRelation& b : relations) {
       if (a.kind != RelationKind::above || b.kind != RelationKind::below || !a.limited) continue;
       if (a.upper != b.upper || a.lower != b.lower) continue;
-      Rule tie{a.upper, a.lower, RelationKind::equal, true, {}};
+      PlacedRelation tie{-1, a.upper, a.lower, RelationKind::equal, true, {}};
       std::set_intersection(a.vertices.begin(), a.vertices.end(), b.vertices.begin(),
                             b.vertices.end(), std::back_inserter(tie.vertices));
       ties.push_back(std::move(tie));
@@ -58,33 +43,29 @@ std::vector<Rule> common_ends(const std::vector<Rule>& rules) {
   return ties;
 }
 
-/// What is said of a range goes before what is said of everywhere.
-std::vector<Rule> rules_of(const Scene& scene, const std::vector<LoopRun>& runs,
-                           const Loops& loops) {
-  std::vector<Rule> rules;
-  for (size_t r = 0; r < scene.relations.size(); ++r) {
-    const Relation& relation = scene.relations[r];
-    Rule rule{relation.upper, relation.lower, relation.kind, relation.range.has_value(), {}};
-    if (rule.limited && runs[r].loop >= 0) {
-      rule.vertices = run_vertices(loops, runs[r]);
-      std::sort(rule.vertices.begin(), rule.vertices.end());
-    }
-    rules.push_back(std::move(rule));
-  }
-  const std::vector<Rule> ties = common_ends(rules);
-  rules.insert(rules.begin(), ties.begin(), ties.end());
-  std::stable_partition(rules.begin(), rules.end(), [](const Rule& rule) { return rule.limited; });
-  return rules;
+/// Sorts relations by precedence, those with a range first, and their vertices by number.
+std::vector<PlacedRelation> by_precedence(std::vector<PlacedRelation> relations) {
+  for (PlacedRelation& relation : relations)
+    std::sort(relation.vertices.begin(), relation.vertices.end());
+  const std::vector<PlacedRelation> ties = common_ends(relations);
+  relations.insert(relations.begin(), ties.begin(), ties.end());
+  std::stable_partition(relations.begin(), relations.end(),
+                        [](const PlacedRelation& relation) { return relation.limited; });
+  return relations;
 }
 
 class Collector {
  public:
-  Collector(const SheetMesh& mesh, const Boundaries& boundaries, const LocalOrder& order,
-            std::vector<Rule> rules)
-      : mesh_(mesh), boundaries_(boundaries), order_(order), rules_(std::move(rules)) {
+  Collector(const SheetMesh& mesh, const Boundaries& boundaries,
+            const std::vector<PlacedRelation>& relations, const LocalOrder& order)
+      : mesh_(mesh),
+        boundaries_(boundaries),
+        relations_(by_precedence(relations)),
+        order_(order),
+        glued_below_(mesh.node_vertex.size(), -1),
+        enclosed_(mesh.node_vertex.size(), false) {
+    for (const DepthPair& pair : boundaries.glued) glued_below_[pair.upper] = pair.lower;
     find_enclosed();
-    glued_below_.assign(mesh.node_vertex.size(), -1);
-    for (const GluedPair& pair : boundaries.glued) glued_below_[pair.upper] = pair.lower;
   }
 
   std::vector<DepthPair> run() {
@@ -114,16 +95,16 @@ class Collector {
       for (int f = mesh_.stack_begin[t]; f < mesh_.stack_begin[t + 1]; ++f)
         note(mesh_.faces[f][place_of(corner)], mesh_.face_part[f]);
     }
-    std::sort(local_.begin(), local_.end(), [](const LocalNode& a, const LocalNode& b) {
-      return a.rank != b.rank ? a.rank < b.rank : a.node < b.node;
+    std::sort(local_.begin(), local_.end(), [](const NodeUse& a, const NodeUse& b) {
+      return a.part != b.part ? a.part < b.part : a.node < b.node;
     });
   }
 
   void note(int node, int part) {
     auto at = std::find_if(local_.begin(), local_.end(),
-                           [&](const LocalNode& entry) { return entry.node == node; });
-    if (at == local_.end()) at = local_.insert(local_.end(), LocalNode{node, part});
-    at->rank = std::max(at->rank, part);
+                           [node](const NodeUse& use) { return use.node == node; });
+    if (at == local_.end()) at = local_.insert(local_.end(), NodeUse{node, part});
+    at->part = std::max(at->part, part);
     if (!uses(node, part)) uses_.push_back({node, part});
   }
 
@@ -131,27 +112,24 @@ class Collector {
     return std::find(uses_.begin(), uses_.end(), NodeUse{node, part}) != uses_.end();
   }
 
-  // A loop of an unjoined part is enclosed where every vertex lies inside some lower part; a
-  // hole only where all loops of its part are.
+  // Marks the nodes of enclosed loops. A loop of an unjoined part is enclosed if every vertex lies
+  // inside some lower part; a hole only if all loops of its part are.
   void find_enclosed() {
-    const Loops& loops = mesh_.loops;
     std::vector<bool> joined(mesh_.surface.size(), false);
     for (const Seam& seam : mesh_.seams) joined[seam.upper] = true;
     std::vector<bool> whole(mesh_.surface.size(), true);
-    std::vector<bool> inside(loops.vertices.size(), true);
-    for (size_t l = 0; l < loops.vertices.size(); ++l) {
-      for (const int vertex : loops.vertices[l])
-        if (!inside_lower_part(vertex, loops.part[l])) {
-          inside[l] = false;
-          break;
-        }
-      if (!inside[l]) whole[loops.part[l]] = false;
+    std::vector<bool> inside(mesh_.loops.size());
+    for (size_t l = 0; l < mesh_.loops.size(); ++l) {
+      const std::vector<int>& loop = mesh_.loops[l];
+      inside[l] = std::all_of(loop.begin(), loop.end(), [&](int vertex) {
+        return inside_lower_part(vertex, mesh_.loop_part[l]);
+      });
+      if (!inside[l]) whole[mesh_.loop_part[l]] = false;
     }
-    enclosed_.assign(mesh_.node_vertex.size(), false);
-    for (size_t l = 0; l < loops.vertices.size(); ++l) {
-      const int part = loops.part[l];
-      if (!inside[l] || joined[part] || (is_hole(loops.vertices[l]) && !whole[part])) continue;
-      mark_enclosed(loops.vertices[l], part);
+    for (size_t l = 0; l < mesh_.loops.size(); ++l) {
+      const int part = mesh_.loop_part[l];
+      if (!inside[l] || joined[part] || (is_hole(mesh_.loops[l]) && !whole[part])) continue;
+      mark_enclosed(mesh_.loops[l], part);
     }
   }
 
@@ -163,8 +141,8 @@ class Collector {
 
   bool inside_lower_part(int vertex, int part) {
     gather(vertex);
-    return std::any_of(local_.begin(), local_.end(), [&](const LocalNode& entry) {
-      return entry.rank < part && !on_outline(entry.node);
+    return std::any_of(local_.begin(), local_.end(), [&](const NodeUse& use) {
+      return use.part < part && !on_outline(use.node);
     });
   }
 
@@ -179,18 +157,19 @@ class Collector {
     }
   }
 
-  const Rule* rule_for(const LocalNode& lower, const LocalNode& upper, int vertex) const {
-    for (const Rule& rule : rules_)
-      if (uses(upper.node, rule.upper) && uses(lower.node, rule.lower) &&
-          (!rule.limited || std::binary_search(rule.vertices.begin(), rule.vertices.end(), vertex)))
-        return &rule;
+  const PlacedRelation* relation_at(int vertex, const NodeUse& lower, const NodeUse& upper) const {
+    for (const PlacedRelation& relation : relations_)
+      if (uses(upper.node, relation.upper) && uses(lower.node, relation.lower) &&
+          (!relation.limited ||
+           std::binary_search(relation.vertices.begin(), relation.vertices.end(), vertex)))
+        return &relation;
     return nullptr;
   }
 
   void propose(int vertex) {
     candidates_.clear();
     for (size_t b = 1; b < local_.size(); ++b) {
-      bool nearest = true;  // no inner node below this outline was met yet
+      bool nearest = true;  // no inner node below this one was met yet
       for (size_t a = b; a-- > 0;) {
         const bool inner = !on_outline(local_[a].node);
         propose_pair(static_cast<int>(a), static_cast<int>(b), vertex, nearest);
@@ -200,33 +179,33 @@ class Collector {
   }
 
   void propose_pair(int a, int b, int vertex, bool nearest) {
-    const LocalNode& lower = local_[a];
-    const LocalNode& upper = local_[b];
+    const NodeUse& lower = local_[a];
+    const NodeUse& upper = local_[b];
     const bool lower_outline = on_outline(lower.node);
     const bool upper_outline = on_outline(upper.node);
     const bool flap = role(lower.node) == NodeRole::flap || role(upper.node) == NodeRole::flap;
     if (lower_outline == upper_outline && (lower_outline || !flap)) return;
-    const Rule* rule = rule_for(lower, upper, vertex);
-    if (rule != nullptr && rule->kind == RelationKind::free) return;
-    const Sense sense = sense_of(rule, lower, upper, vertex);
+    const PlacedRelation* relation = relation_at(vertex, lower, upper);
+    if (relation != nullptr && relation->kind == RelationKind::free) return;
+    const Sense sense = sense_of(relation, vertex, lower, upper);
     if (sense == Sense::mixed) return;
     const bool glued = glued_below_[upper.node] == lower.node;
-    const bool tied = rule != nullptr ? is_tie(rule->kind) : glued || enclosed_[upper.node];
+    const bool tied = relation != nullptr ? is_tie(relation->kind) : glued || enclosed_[upper.node];
     const bool swapped = sense == Sense::swapped;
     candidates_.push_back(
         {a, b, tied && !swapped && upper_outline && nearest, swapped, upper_outline});
   }
 
-  // As said of the place, or else as the faces around it lie.
-  Sense sense_of(const Rule* rule, const LocalNode& lower, const LocalNode& upper,
-                 int vertex) const {
-    if (rule != nullptr && rule->limited)
-      return rule->kind == RelationKind::below ? Sense::swapped : Sense::usual;
-    return sense_at(mesh_, order_, vertex, lower.rank, upper.rank);
+  // The sense that a relation with a range demands, or else that of the faces around the vertex.
+  Sense sense_of(const PlacedRelation* relation, int vertex, const NodeUse& lower,
+                 const NodeUse& upper) const {
+    if (relation != nullptr && relation->limited)
+      return relation->kind == RelationKind::below ? Sense::swapped : Sense::usual;
+    return sense_at(mesh_, order_, vertex, lower.part, upper.part);
   }
 
-  // Keeps the most important candidates that close no cycle: equalities, what goes against the
-  // order, then close pairs.
+  // Keeps the most important candidates that close no cycle: equalities, then pairs against the
+  // order of parts, then pairs with the fewest nodes between them.
   void keep_forest() {
     std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& x, const Candidate& y) {
       if (x.equal != y.equal) return x.equal;
@@ -247,12 +226,12 @@ class Collector {
 
   const SheetMesh& mesh_;
   const Boundaries& boundaries_;
+  std::vector<PlacedRelation> relations_;
   const LocalOrder& order_;
-  std::vector<Rule> rules_;
   std::vector<int> glued_below_;  // per node, or -1
   std::vector<bool> enclosed_;    // per node
-  std::vector<LocalNode> local_;
-  std::vector<NodeUse> uses_;
+  std::vector<NodeUse> local_;    // each node at the vertex with its frontmost part, back to front
+  std::vector<NodeUse> uses_;     // each node at the vertex with each of its parts
   std::vector<Candidate> candidates_;
   std::vector<DepthPair> pairs_;
 };
@@ -266,7 +245,7 @@ bool may_pass(const Scene& scene, int front, int back) {
   });
 }
 
-/// The face on which the front one over triangle `t` may rest, or -1.
+/// Returns the face on which the front one over triangle t may rest, or -1.
 int support(const LayeredMesh& mesh, const Scene& scene, size_t t) {
   const int front = mesh.stack_begin[t + 1] - 1;
   for (int f = front - 1; f >= mesh.stack_begin[t]; --f)
@@ -278,10 +257,9 @@ int support(const LayeredMesh& mesh, const Scene& scene, size_t t) {
 }  // namespace
 
 std::vector<DepthPair> collect_constraints(const SheetMesh& mesh, const Boundaries& boundaries,
-                                           const Scene& scene,
-                                           const std::vector<LoopRun>& relation_runs,
+                                           const std::vector<PlacedRelation>& relations,
                                            const LocalOrder& order) {
-  return Collector(mesh, boundaries, order, rules_of(scene, relation_runs, mesh.loops)).run();
+  return Collector(mesh, boundaries, relations, order).run();
 }
 
 std::vector<DepthPair> resting_pairs(const LayeredMesh& mesh, const Scene& scene) {
@@ -298,9 +276,9 @@ std::vector<DepthPair> resting_pairs(const LayeredMesh& mesh, const Scene& scene
         pairs.push_back(pair);
     }
   }
-  const auto key = [](const DepthPair& pair) { return std::tie(pair.lower, pair.upper); };
-  std::sort(pairs.begin(), pairs.end(),
-            [&](const DepthPair& a, const DepthPair& b) { return key(a) < key(b); });
+  std::sort(pairs.begin(), pairs.end(), [](const DepthPair& a, const DepthPair& b) {
+    return std::tie(a.lower, a.upper) < std::tie(b.lower, b.upper);
+  });
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }

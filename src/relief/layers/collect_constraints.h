@@ -10,23 +10,23 @@
 
 namespace relievo::relief {
 
-/// The depth pairs of all overlapping parts by the default table and the scene's relations:
+/// Collects the depth pairs of all overlapping parts [P eq 11], by the relations of the scene or
+/// else by this table:
 ///   upper outline beside a join, in the Robin range            equal ("glued")
 ///   loop of an unjoined part wholly inside lower parts         equal with the nearest below
 ///   other upper outlines inside a lower part                   not below it
 ///   lower outline or flap edge under an upper part             not above it
 ///   vertices on two outlines                                   nothing
-/// Where `order` has two parts the other way round, so are "above" and "below" between them; where
-/// it has them both ways around a vertex there is nothing but what relations say of that place.
-/// At each base vertex the pairs form a forest. `node_part` as in LayeredMesh. Near-linear.
+/// "Above" and "below" are exchanged for two parts that `order` has swapped. At a vertex around
+/// which it has them both ways only relations with a range apply. At each base vertex the pairs
+/// form a forest. Near-linear.
 std::vector<DepthPair> collect_constraints(const SheetMesh& mesh, const Boundaries& boundaries,
-                                           const Scene& scene,
-                                           const std::vector<LoopRun>& relation_runs,
+                                           const std::vector<PlacedRelation>& relations,
                                            const LocalOrder& order);
 
-/// Pairs of nodes inside two parts of which the front one is seen and may rest on the other, the
-/// next below out of which it does not grow: a flat patch on a round belly. None where the front
-/// part has d < 0 or a relation "free" without a range lets it pass. Sorted, each once. O(F log F).
+/// Lists the pairs of interior nodes at which a visible part may rest on the face directly behind
+/// it that is not a flap, such as a flat patch on a round belly. A part with d < 0 rests on
+/// nothing, and relations "free" without a range let parts pass. Sorted, each once. O(F log F).
 std::vector<DepthPair> resting_pairs(const LayeredMesh& mesh, const Scene& scene);
 
 }  // namespace relievo::relief

@@ -1,24 +1,24 @@
 #include "relief/layers/connect_sheets.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
+#include <span>
+#include <utility>
 
 namespace relievo::relief {
 namespace {
 
+/// Edges that a join needs inside the lower part: with fewer no node lies between its ends.
 constexpr int min_seam_edges = 3;
 
-Seam seam_of(const JoinPath& join, int first, int last) {
-  Seam seam;
-  seam.upper = join.upper;
-  seam.lower = join.lower;
-  seam.loop = join.loop;
-  seam.position = join.position + first;
-  seam.edges = last - first;
-  return seam;
+std::string name_of(const Scene& scene, size_t j) {
+  const Join& join = scene.joins[j];
+  return "joins[" + std::to_string(j) + "] (\"" + scene.parts[join.upper].id + "\" to \"" +
+         scene.parts[join.lower].id + "\")";
 }
 
-/// The longest stretch of path edges with a face below, as [first, last).
+/// Finds the longest stretch [first, last) of path edges with a face below.
 std::pair<int, int> longest_run(const std::vector<int>& below) {
   std::pair<int, int> best{0, 0};
   const int n = static_cast<int>(below.size());
@@ -31,9 +31,9 @@ std::pair<int, int> longest_run(const std::vector<int>& below) {
   return best;
 }
 
-/// The faces met when turning around `vertex` from `face`, away from the edge to `from`, until
-/// the edge to `until` (or -1: all the way), staying on the surface; complete is set where
-/// `until` was reached or the turn closed.
+/// Lists the faces met when turning around `vertex` on the surface, from `face` away from the edge
+/// to `from` until the edge to `until`, or all the way round if that is -1. Sets `complete` if the
+/// turn reached `until` or closed.
 std::vector<int> turn(const SheetMesh& mesh, int face, int vertex, int from, int until,
                       bool& complete) {
   std::vector<int> fan = {face};
@@ -43,7 +43,7 @@ std::vector<int> turn(const SheetMesh& mesh, int face, int vertex, int from, int
     const int at = place_of_node(corners, vertex);
     const int a = next_place(at);
     const int b = last_place(at);
-    const int away = corners[a] == from ? b : a;  // corner of the edge that we leave through
+    const int away = corners[a] == from ? b : a;  // end of the edge that we leave through
     if (corners[away] == until) {
       complete = true;
       return fan;
@@ -60,10 +60,10 @@ std::vector<int> turn(const SheetMesh& mesh, int face, int vertex, int from, int
   }
 }
 
-/// Corners of faces with the nodes that they get.
+/// Corners of faces with their new nodes.
 using Moves = std::vector<std::pair<Corner, int>>;
 
-/// All faces of the fan around `vertex` get `node` there.
+/// Gives all faces of the fan around `vertex` the node `node` there.
 void move_all(const SheetMesh& mesh, const std::vector<int>& fan, int vertex, int node,
               Moves& moves) {
   for (const int face : fan) {
@@ -72,7 +72,31 @@ void move_all(const SheetMesh& mesh, const std::vector<int>& fan, int vertex, in
   }
 }
 
-/// Both surfaces are one, named by the lower of their numbers.
+/// Returns whether each edge of the face has no other face on the same side and at most one across.
+bool has_plain_edges(const SheetMesh& mesh, int face) {
+  const int t = mesh.face_triangle[face];
+  const Triangle& own = mesh.faces[face];
+  const auto stack_of = [&mesh](int triangle) {
+    return std::span(mesh.faces)
+        .subspan(mesh.stack_begin[triangle],
+                 mesh.stack_begin[triangle + 1] - mesh.stack_begin[triangle]);
+  };
+  for (int k = 0; k < 3; ++k) {
+    const int a = next_place(k);
+    const int b = last_place(k);
+    int beside = 0;
+    for (const Triangle& other : stack_of(t)) beside += other[a] == own[a] && other[b] == own[b];
+    int across = 0;
+    if (const int next = mesh.base.neighbours[t][k]; next >= 0) {
+      const int corner = place_of_node(mesh.base.neighbours[next], t);
+      for (const Triangle& other : stack_of(next)) across += share_edge(own, k, other, corner);
+    }
+    if (beside > 1 || across > 1) return false;
+  }
+  return true;
+}
+
+/// Makes the surfaces of two parts one, under the lower of their numbers.
 void unite(int a, int b, std::vector<int>& surfaces) {
   const int low = std::min(surfaces[a], surfaces[b]);
   const int high = std::max(surfaces[a], surfaces[b]);
@@ -82,7 +106,9 @@ void unite(int a, int b, std::vector<int>& surfaces) {
 
 class Connector {
  public:
-  Connector(int part_count, SheetMesh& mesh) : mesh_(mesh) {
+  Connector(const Scene& scene, SheetMesh& mesh) : scene_(scene), mesh_(mesh) {
+    const size_t part_count = scene.parts.size();
+    mesh.passed.resize(part_count);
     mesh.surface.resize(part_count);
     std::iota(mesh.surface.begin(), mesh.surface.end(), 0);
     dropped_.assign(mesh.faces.size(), 0);
@@ -91,27 +117,34 @@ class Connector {
       faces_of_[mesh.face_part[f]].push_back(static_cast<int>(f));
   }
 
-  Status connect(const JoinPath& join) {
-    path_ = join.vertices;
-    upper_ = join.upper;
+  Status connect(size_t j, const LoopRun& run) {
+    path_ = mesh_.run_vertices(run);
+    upper_ = scene_.joins[j].upper;
+    lower_ = scene_.joins[j].lower;
     find_sides();
-    find_surface(join);
+    below_.clear();
+    for (const int t : outer_) below_.push_back(face_below(t));
     const auto [first, last] = longest_run(below_);
     if (last - first < min_seam_edges)
       return Error{ErrorCode::bad_input,
                    "the join hardly runs inside the lower part; move it inwards or remove it",
-                   join.name};
+                   name_of(scene_, j)};
     if (last - first < static_cast<int>(outer_.size()))
-      warnings_.push_back(join.name + ": only the part of the join inside the lower part is used");
-    follow(join, first, last);
-    if (is_bump(join))
-      replace_below(join, first, last);
-    else if (!reconnect(join, first, last))
+      warnings_.push_back(name_of(scene_, j) +
+                          ": only the part of the join inside the lower part is used");
+    follow(first, last);
+    Seam seam;
+    seam.upper = upper_;
+    seam.lower = lower_;
+    seam.run = {run.loop, run.position + first, last - first};
+    if (is_bump())
+      replace_below(std::move(seam));
+    else if (!reconnect(std::move(seam), first, last))
       return Error{ErrorCode::bad_input,
                    "three surfaces would meet along the join; move it away from the other joins of "
                    "these parts or remove one of them",
-                   join.name};
-    unite(join.upper, join.lower, mesh_.surface);
+                   name_of(scene_, j)};
+    unite(upper_, lower_, mesh_.surface);
     return Done{};
   }
 
@@ -125,7 +158,8 @@ class Connector {
   }
 
  private:
-  // Per path edge the triangles on the side that the upper part covers and on the other.
+  // Finds the triangle beside each path edge that the upper part covers, and the one that it does
+  // not; both -1 if the edge is not on the upper part's outline.
   void find_sides() {
     inner_.clear();
     outer_.clear();
@@ -139,99 +173,80 @@ class Connector {
     }
   }
 
-  bool same_surface(int part, int lower) const {
-    return mesh_.surface[part] == mesh_.surface[lower];
-  }
-
-  // Per path edge the frontmost face of the lower surface on the outer side, or -1.
-  void find_surface(const JoinPath& join) {
-    below_.assign(outer_.size(), -1);
-    for (size_t i = 0; i < outer_.size(); ++i) below_[i] = face_below(outer_[i], join);
-  }
-
   // The frontmost face of the lower surface behind the upper part over a triangle, or -1.
-  int face_below(int t, const JoinPath& join) const {
+  int face_below(int t) const {
     if (t < 0) return -1;
     int below = -1;
     for (int f = mesh_.stack_begin[t]; f < mesh_.stack_begin[t + 1]; ++f)
       if (mesh_.face_part[f] < upper_ && dropped_[f] == 0 &&
-          same_surface(mesh_.face_part[f], join.lower))
+          mesh_.surface[mesh_.face_part[f]] == mesh_.surface[lower_])
         below = f;
     return below;
   }
 
-  // Whether the lower part lies under all of the upper one and on around it. A part that was joined
-  // to other surfaces before, or to this one as no bump, is none.
-  bool is_bump(const JoinPath& join) const {
-    if (mesh_.surface[upper_] != upper_) return is_bump_already(join);
+  // Whether the lower part lies behind all of the upper one and continues around it. A part that
+  // was joined before is a bump only on the surface that it is a bump on already.
+  bool is_bump() const {
+    if (mesh_.surface[upper_] != upper_)
+      return mesh_.surface[upper_] == mesh_.surface[lower_] &&
+             std::any_of(mesh_.seams.begin(), mesh_.seams.end(),
+                         [&](const Seam& seam) { return seam.upper == upper_ && seam.bump; });
     for (const int face : faces_of_[upper_]) {
       const int t = mesh_.face_triangle[face];
-      if (!is_next_below(t, join)) return false;
+      if (!is_next_below(t)) return false;
       for (const int next : mesh_.base.neighbours[t])
-        if (mesh_.face_of(next, upper_) < 0 && !is_next_below(next, join)) return false;
+        if (mesh_.face_of(next, upper_) < 0 && !is_next_below(next)) return false;
     }
     return true;
   }
 
-  bool is_next_below(int t, const JoinPath& join) const {
-    const int below = face_below(t, join);
-    return below >= 0 && mesh_.face_part[below] == join.lower;
+  bool is_next_below(int t) const {
+    const int below = face_below(t);
+    return below >= 0 && mesh_.face_part[below] == lower_;
   }
 
-  bool is_bump_already(const JoinPath& join) const {
-    return std::any_of(mesh_.seams.begin(), mesh_.seams.end(), [&](const Seam& seam) {
-      return seam.upper == upper_ && seam.bump && same_surface(upper_, join.lower);
-    });
-  }
-
-  void replace_below(const JoinPath& join, int first, int last) {
-    Seam seam = seam_of(join, first, last);
+  void replace_below(Seam seam) {
     seam.bump = true;
     mesh_.seams.push_back(std::move(seam));
     if (mesh_.surface[upper_] != upper_) return;
     for (const int face : faces_of_[upper_]) {
-      const int below = face_below(mesh_.face_triangle[face], join);
+      const int below = face_below(mesh_.face_triangle[face]);
       mesh_.faces[face] = mesh_.faces[below];
       mesh_.face_source[face] = mesh_.face_source[below];
-      mesh_.faces[below] = {-1, -1, -1};  // hangs together with nothing any more
+      mesh_.faces[below] = {-1, -1, -1};  // no longer connected to anything
       dropped_[below] = 1;
     }
   }
 
-  // Walks along the seam on the surface, outwards from where the lower part itself is in view,
-  // so that neighbouring edges refer to faces that hang together.
-  void follow(const JoinPath& join, int first, int last) {
+  // Walks along the path on the surface, outwards from an edge where the lower part itself is
+  // visible, so that the faces below neighbouring edges are connected.
+  void follow(int first, int last) {
     int start = (first + last) / 2;
-    if (mesh_.face_part[below_[start]] != join.lower)
+    if (mesh_.face_part[below_[start]] != lower_)
       for (int i = first; i < last; ++i)
-        if (mesh_.face_part[below_[i]] == join.lower) start = i;
+        if (mesh_.face_part[below_[i]] == lower_) start = i;
     for (int i = start; i + 1 < last; ++i) carry(i, i + 1);
     for (int i = start; i > first; --i) carry(i, i - 1);
   }
 
+  // Replaces the face below edge j by the one that the surface below edge i leads to, unless a part
+  // of the surface begins in front of that: then the visible surface continues on that part.
   void carry(int i, int j) {
     const int from = path_[j > i ? i : i + 1];
     const int until = path_[j > i ? j + 1 : j];
     bool complete = false;
-    const std::vector<int> fan =
-        turn(mesh_, below_[i], path_[std::max(i, j)], from, until, complete);
-    if (complete && !comes_in_front(below_[j], fan.back())) below_[j] = fan.back();
-  }
-
-  // Whether a part of the surface begins in front of a face that the path has followed so far,
-  // with an outline: then what is seen goes on on that part.
-  bool comes_in_front(int face, int followed) const {
-    return mesh_.face_part[face] > mesh_.face_part[followed];
+    const int reached = turn(mesh_, below_[i], path_[std::max(i, j)], from, until, complete).back();
+    if (complete && mesh_.face_part[below_[j]] <= mesh_.face_part[reached]) below_[j] = reached;
   }
 
   int upper_node(int i, int vertex) const {
     return mesh_.node_at(mesh_.face_of(inner_[i], upper_), vertex);
   }
 
-  // Whether the surface stays one: no edge has more than two faces.
-  bool reconnect(const JoinPath& join, int first, int last) {
+  // Cuts and reconnects along path edges first to last. Returns whether no edge has got more than
+  // two faces.
+  bool reconnect(Seam seam, int first, int last) {
     Moves moves;
-    std::vector<Mount> mounts;
     for (int i = first + 1; i < last; ++i) {
       const int vertex = path_[i];
       const int node = upper_node(i, vertex);
@@ -244,30 +259,28 @@ class Connector {
       if (onwards && fan.back() != below_[i]) {
         merge_end(i - 1, vertex, path_[i - 1], moves);
         move_all(mesh_, other, vertex, node, moves);
-        mounts.push_back({vertex, mesh_.face_part[below_[i]]});
+        mesh_.passed[mesh_.face_part[below_[i]]].push_back(vertex);
       } else if (back && other.back() != below_[i - 1]) {
         merge_end(i, vertex, path_[i + 1], moves);
         move_all(mesh_, fan, vertex, node, moves);
-        mounts.push_back({vertex, mesh_.face_part[below_[i - 1]]});
+        mesh_.passed[mesh_.face_part[below_[i - 1]]].push_back(vertex);
       } else {
         move_all(mesh_, fan, vertex, node, moves);
         if (!onwards) move_all(mesh_, other, vertex, node, moves);
       }
     }
-    Seam seam = seam_of(join, first, last);
     seam.covered = covered_faces(first, last);
-    seam.mounts = std::move(mounts);
     seam.first_end_inside = merge_end(first, path_[first], path_[first + 1], moves);
     seam.last_end_inside = merge_end(last - 1, path_[last], path_[last - 1], moves);
     for (const auto& [corner, node] : moves)
       mesh_.faces[triangle_of(corner)][place_of(corner)] = node;
-    mesh_.seams.push_back(seam);
+    mesh_.seams.push_back(std::move(seam));
     return std::all_of(moves.begin(), moves.end(), [&](const auto& move) {
       return has_plain_edges(mesh_, triangle_of(move.first));
     });
   }
 
-  // The faces that hang together with those below across path edges first to last, before the cut.
+  // The faces connected to those below across path edges first to last, before the cut.
   std::vector<int> covered_faces(int first, int last) const {
     std::vector<int> faces;
     for (int i = first; i < last; ++i) {
@@ -280,8 +293,8 @@ class Connector {
     return faces;
   }
 
-  // Re-attaches the whole turn around an end; where the turn is not closed, the end lies on an
-  // outline, and only what is reached from the outer side moves.
+  // Re-attaches the whole turn around an end. If the turn is not closed, the end lies on an outline
+  // and only the faces reached from the outer side move. Returns whether it is closed.
   bool merge_end(int edge, int vertex, int along, Moves& moves) const {
     bool closed = false;
     move_all(mesh_, turn(mesh_, below_[edge], vertex, along, -1, closed), vertex,
@@ -289,28 +302,35 @@ class Connector {
     return closed;
   }
 
+  const Scene& scene_;
   SheetMesh& mesh_;
   std::vector<std::string> warnings_;
   std::vector<uint8_t> dropped_;            // per face: replaced by a bump's
   std::vector<std::vector<int>> faces_of_;  // per part
-  std::vector<int> path_;
-  std::vector<int> inner_;
-  std::vector<int> outer_;
-  std::vector<int> below_;
   int upper_ = -1;
+  int lower_ = -1;
+  std::vector<int> path_;   // vertices of the join
+  std::vector<int> inner_;  // per edge of the path, as found by find_sides
+  std::vector<int> outer_;
+  std::vector<int> below_;  // per edge: face of the lower surface over the outer triangle, or -1
 };
 
 }  // namespace
 
-Result<std::vector<std::string>> connect_sheets(const std::vector<JoinPath>& joins, int part_count,
-                                                SheetMesh& mesh) {
+Result<std::vector<std::string>> connect_sheets(const Scene& scene,
+                                                const std::vector<LoopRun>& runs, SheetMesh& mesh) {
+  const std::vector<Join>& joins = scene.joins;
+  for (size_t j = 0; j < joins.size(); ++j)
+    if (runs[j].loop < 0)
+      return Error{ErrorCode::bad_input, "the outline collapses along the join; use a finer mesh",
+                   name_of(scene, j)};
   std::vector<size_t> order(joins.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](size_t a, size_t b) { return joins[a].upper < joins[b].upper; });
-  Connector connector(part_count, mesh);
+  Connector connector(scene, mesh);
   for (const size_t j : order)
-    if (Status status = connector.connect(joins[j]); !status) return status.error();
+    if (Status status = connector.connect(j, runs[j]); !status) return status.error();
   return connector.finish();
 }
 

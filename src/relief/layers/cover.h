@@ -1,26 +1,17 @@
 #pragma once
 
-#include <vector>
-
-#include "kernel/geometry/polygon.h"
-#include "kernel/meshing/triangulate.h"
+#include "relief/layers/sheet_mesh.h"
 
 namespace relievo::relief {
 
-/// Which parts cover each triangle of a base triangulation.
-struct Cover {
-  std::vector<int> stack_begin;  ///< #T+1
-  std::vector<int> stack_part;   ///< parts of each triangle, ascending (back to front)
-};
+/// Fills the stacks and the arrays of faces of `mesh` (nodes not yet) from its loops and their
+/// parts. A part covers a triangle if the winding number of its loops there is not 0; winding
+/// numbers are found by a flood fill, in which every crossed edge adds the loops that run along it.
+/// Precondition: the loops' edges are edges of the base. O(T log(edges) + F).
+void cover_triangles(SheetMesh& mesh);
 
-/// Winding numbers by flood fill over the triangulation: crossing an edge changes them by the
-/// loops that run along it; a part covers a triangle where its sum is not 0. `loop_part` names
-/// the part of each loop; the loops' edges are edges of the triangulation. O(T + edges * log).
-Cover cover_triangles(const PlanarTriangulation& base, const std::vector<std::vector<int>>& loops,
-                      const std::vector<int>& loop_part);
-
-/// Uncovers what hangs together of a part but has less area than `least`, px^2. O(T + faces).
-void drop_specks(const PlanarTriangulation& base, const std::vector<Point2>& points, double least,
-                 Cover& cover);
+/// Removes the connected pieces of each part that have less than `least_area`, px^2.
+/// Precondition: the sheets are not joined yet. O(T + F).
+void drop_specks(double least_area, SheetMesh& mesh);
 
 }  // namespace relievo::relief

@@ -9,16 +9,19 @@
 namespace relievo::relief {
 namespace {
 
-constexpr double sharp_turn = 0.35;  // 20 degrees: a point that must be a sample
-constexpr double end_reach = 0.01;   // of the canvas diagonal: how far a line is drawn on
+/// Smallest turn of a point that must be a sample, rad (20 degrees).
+constexpr double sharp_turn = 0.35;
 
-std::vector<Point2> without_equal_neighbours(std::vector<Point2> line) {
+/// How far a line that ends just short of the outline is extended, of the canvas diagonal.
+constexpr double end_reach = 0.01;
+
+/// Shortest edge between a sharp turn and another sample, of the spacing.
+constexpr double shortest_edge = 0.3;
+
+/// The line without repeated points, with each end extended by `reach` if that leads out of the
+/// part.
+std::vector<Point2> extended(std::vector<Point2> line, const Outline& outline, double reach) {
   line.erase(std::unique(line.begin(), line.end()), line.end());
-  return line;
-}
-
-/// The line with each end drawn on where that leads out of the part.
-std::vector<Point2> drawn_on(std::vector<Point2> line, const Outline& outline, double reach) {
   const double length = line_length(line);
   const Point2 before = point_on_line(line, -reach);
   const Point2 beyond = point_on_line(line, length + reach);
@@ -27,7 +30,7 @@ std::vector<Point2> drawn_on(std::vector<Point2> line, const Outline& outline, d
   return line;
 }
 
-/// Arc lengths of the points where the line turns sharply.
+/// Arc lengths of the points at which the line turns sharply.
 std::vector<double> sharp_turns(const std::vector<Point2>& line) {
   std::vector<double> found;
   double s = 0;
@@ -43,7 +46,7 @@ std::vector<double> sharp_turns(const std::vector<Point2>& line) {
 InputCurve sampled_span(const std::vector<Point2>& line, LineSpan span, double spacing) {
   std::vector<double> stops = {span.from};
   for (const double s : sharp_turns(line))
-    if (s - stops.back() > 0.3 * spacing && span.to - s > 0.3 * spacing) stops.push_back(s);
+    if (std::min(s - stops.back(), span.to - s) > shortest_edge * spacing) stops.push_back(s);
   stops.push_back(span.to);
   InputCurve curve;
   curve.points.push_back(point_on_line(line, span.from));
@@ -53,12 +56,12 @@ InputCurve sampled_span(const std::vector<Point2>& line, LineSpan span, double s
     for (int k = 1; k <= pieces; ++k)
       curve.points.push_back(point_on_line(line, stops[i - 1] + length * k / pieces));
   }
-  // Nothing moves to a crease: outlines stay where they are.
+  // No outline moves to a crease.
   curve.kept.assign(curve.points.size(), false);
   return curve;
 }
 
-/// The corner of a face opposite to its edge from a to b; -1 where the part has none.
+/// The corner of the part's face opposite to its edge from a to b, or -1.
 Corner corner_opposite(const SheetMesh& mesh, int part, int a, int b) {
   const int t = mesh.triangle_left_of(a, b);
   const int face = mesh.face_of(t, part);
@@ -73,7 +76,7 @@ void sample_creases(const Scene& scene, double spacing, SampledOutlines& sampled
     const Cue& cue = scene.cues[c];
     if (cue.kind != CueKind::crease) continue;
     const Outline& outline = scene.parts[cue.part].outline;
-    const std::vector<Point2> line = drawn_on(without_equal_neighbours(cue.line), outline, reach);
+    const std::vector<Point2> line = extended(cue.line, outline, reach);
     const double length = line_length(line);
     for (LineSpan span : spans_inside(line, outline)) {
       span = {std::max(0.0, span.from - 0.5 * spacing), std::min(length, span.to + 0.5 * spacing)};
@@ -87,11 +90,11 @@ void sample_creases(const Scene& scene, double spacing, SampledOutlines& sampled
 
 std::vector<CreaseEdge> find_creases(const SheetMesh& mesh,
                                      const std::vector<std::vector<int>>& lines,
-                                     const std::vector<int>& cue, const Scene& scene) {
+                                     const std::vector<int>& cues, const Scene& scene) {
   std::vector<CreaseEdge> creases;
   std::set<int> taken;
   for (size_t i = 0; i < lines.size(); ++i) {
-    const int part = scene.cues[cue[i]].part;
+    const int part = scene.cues[cues[i]].part;
     for (size_t k = 0; k + 1 < lines[i].size(); ++k) {
       const Corner ahead = corner_opposite(mesh, part, lines[i][k], lines[i][k + 1]);
       const Corner back = corner_opposite(mesh, part, lines[i][k + 1], lines[i][k]);
@@ -99,7 +102,7 @@ std::vector<CreaseEdge> find_creases(const SheetMesh& mesh,
           !share_edge(mesh.faces[triangle_of(ahead)], place_of(ahead),
                       mesh.faces[triangle_of(back)], place_of(back)))
         continue;
-      if (taken.insert(std::min(ahead, back)).second) creases.push_back({cue[i], {ahead, back}});
+      if (taken.insert(std::min(ahead, back)).second) creases.push_back({cues[i], {ahead, back}});
     }
   }
   return creases;

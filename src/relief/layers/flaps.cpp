@@ -1,103 +1,82 @@
 #include "relief/layers/flaps.h"
 
-#include <utility>
+#include <cstdint>
 
 #include "kernel/base/disjoint_sets.h"
 
 namespace relievo::relief {
 namespace {
 
-class FlapFinder {
- public:
-  FlapFinder(const SheetMesh& mesh, const LocalOrder& order)
-      : mesh_(mesh), order_(order), flap_(mesh.faces.size(), Flap::none) {}
+/// Marks the faces behind the upper part of a join; loose ones stay loose.
+void mark_behind(const SheetMesh& mesh, const LocalOrder& order, const Seam& seam, Flap kind,
+                 std::vector<Flap>& flap) {
+  std::vector<uint8_t> reached(mesh.faces.size(), 0);
+  std::vector<int> pending;
+  const auto take = [&](int face) {
+    if (face < 0 || reached[face] != 0 || mesh.face_part[face] >= seam.upper) return;
+    const int cover = mesh.face_of(mesh.face_triangle[face], seam.upper);
+    if (cover < 0 || (!order.is_usual() && order.place[face] >= order.place[cover])) return;
+    reached[face] = 1;
+    if (flap[face] != Flap::loose) flap[face] = kind;
+    pending.push_back(face);
+  };
+  for (const int face : seam.covered) take(face);
+  while (!pending.empty()) {
+    const int face = pending.back();
+    pending.pop_back();
+    for (int k = 0; k < 3; ++k) take(mesh.face_across(face, k));
+  }
+}
 
-  void add(const Seam& seam, Flap kind) {
-    reached_.assign(mesh_.faces.size(), 0);
-    for (const int face : seam.covered) take(face, seam.upper, kind);
-    while (!pending_.empty()) {
-      const int face = pending_.back();
-      pending_.pop_back();
-      for (int k = 0; k < 3; ++k) take(mesh_.face_across(face, k), seam.upper, kind);
+/// Flags the nodes whose surface, without loose flaps, has an outline, #N.
+std::vector<uint8_t> nodes_with_outline(const SheetMesh& mesh, const std::vector<NodeRole>& role,
+                                        const std::vector<Flap>& flap) {
+  const int nodes = static_cast<int>(role.size());
+  DisjointSets pieces(nodes);
+  for (size_t f = 0; f < flap.size(); ++f)
+    if (flap[f] != Flap::loose)
+      for (const int k : {1, 2}) pieces.unite(mesh.faces[f][0], mesh.faces[f][k]);
+  std::vector<uint8_t> fixed(role.size(), 0);
+  for (int n = 0; n < nodes; ++n)
+    if (role[n] == NodeRole::outline || role[n] == NodeRole::ramp) fixed[pieces.find(n)] = 1;
+  for (int n = 0; n < nodes; ++n) fixed[n] = fixed[pieces.find(n)];
+  return fixed;
+}
+
+/// Keeps the loose flaps that are connected to a face. Returns whether there were any.
+bool keep_around(const SheetMesh& mesh, int face, std::vector<Flap>& flap) {
+  bool any = false;
+  std::vector<int> pending = {face};
+  while (!pending.empty()) {
+    const int at = pending.back();
+    pending.pop_back();
+    for (int k = 0; k < 3; ++k) {
+      const int next = mesh.face_across(at, k);
+      if (next < 0 || flap[next] != Flap::loose) continue;
+      flap[next] = Flap::kept;
+      any = true;
+      pending.push_back(next);
     }
   }
-
-  /// What is left of a sheet may have no outline of its own: then the flaps that it hangs together
-  /// with stay with it.
-  void release(const std::vector<NodeRole>& role) {
-    for (bool released = true; released;) {
-      released = false;
-      const std::vector<uint8_t> held = held_nodes(role);
-      for (int f = 0; f < static_cast<int>(flap_.size()); ++f)
-        if (flap_[f] != Flap::loose && held[mesh_.faces[f][0]] == 0)
-          released = release_around(f) || released;
-    }
-  }
-
-  std::vector<Flap> result() { return std::move(flap_); }
-
- private:
-  bool lies_behind(int face, int other) const {
-    return order_.is_usual() || order_.place[face] < order_.place[other];
-  }
-
-  void take(int face, int upper, Flap kind) {
-    if (face < 0 || reached_[face] != 0 || mesh_.face_part[face] >= upper) return;
-    const int cover = mesh_.face_of(mesh_.face_triangle[face], upper);
-    if (cover < 0 || !lies_behind(face, cover)) return;
-    reached_[face] = 1;
-    if (flap_[face] != Flap::loose) flap_[face] = kind;
-    pending_.push_back(face);
-  }
-
-  /// #N: whether the surface of the node has an outline.
-  std::vector<uint8_t> held_nodes(const std::vector<NodeRole>& role) const {
-    const int nodes = static_cast<int>(role.size());
-    DisjointSets pieces(nodes);
-    for (size_t f = 0; f < flap_.size(); ++f)
-      if (flap_[f] != Flap::loose)
-        for (const int k : {1, 2}) pieces.unite(mesh_.faces[f][0], mesh_.faces[f][k]);
-    std::vector<uint8_t> held(role.size(), 0);
-    for (int n = 0; n < nodes; ++n)
-      if (role[n] == NodeRole::outline || role[n] == NodeRole::ramp) held[pieces.find(n)] = 1;
-    for (int n = 0; n < nodes; ++n) held[n] = held[pieces.find(n)];
-    return held;
-  }
-
-  /// Takes the flap across the edges of a face back; whether there is one.
-  bool release_around(int face) {
-    bool any = false;
-    pending_.push_back(face);
-    while (!pending_.empty()) {
-      const int at = pending_.back();
-      pending_.pop_back();
-      for (int k = 0; k < 3; ++k) {
-        const int next = mesh_.face_across(at, k);
-        if (next < 0 || flap_[next] != Flap::loose) continue;
-        flap_[next] = Flap::kept;
-        any = true;
-        pending_.push_back(next);
-      }
-    }
-    return any;
-  }
-
-  const SheetMesh& mesh_;
-  const LocalOrder& order_;
-  std::vector<Flap> flap_;        // per face
-  std::vector<uint8_t> reached_;  // per face, by the flap of the seam at hand
-  std::vector<int> pending_;
-};
+  return any;
+}
 
 }  // namespace
 
-std::vector<Flap> find_flaps(const SheetMesh& mesh, const Boundaries& boundaries,
+std::vector<Flap> find_flaps(const SheetMesh& mesh, const std::vector<NodeRole>& role,
                              const LocalOrder& order, const Scene& scene, bool loose) {
-  FlapFinder finder(mesh, order);
+  std::vector<Flap> flap(mesh.faces.size(), Flap::none);
   for (const Seam& seam : mesh.seams)
-    finder.add(seam, loose && has_one_sign(mesh, scene, seam.upper) ? Flap::loose : Flap::kept);
-  finder.release(boundaries.role);
-  return finder.result();
+    mark_behind(mesh, order, seam,
+                loose && has_one_sign(mesh, scene, seam.upper) ? Flap::loose : Flap::kept, flap);
+  for (bool changed = true; changed;) {
+    changed = false;
+    const std::vector<uint8_t> fixed = nodes_with_outline(mesh, role, flap);
+    for (int f = 0; f < static_cast<int>(flap.size()); ++f)
+      if (flap[f] != Flap::loose && fixed[mesh.faces[f][0]] == 0)
+        changed = keep_around(mesh, f, flap) || changed;
+  }
+  return flap;
 }
 
 }  // namespace relievo::relief

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "relief/layers/boundaries.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/layers/local_order.h"
 #include "relief/layers/sheet_mesh.h"
@@ -10,11 +9,11 @@
 
 namespace relievo::relief {
 
-/// What lies under parts that grow out of it, #F: from the covered side of each join as far as the
-/// upper part covers the surface, in front of it. Kept where `loose` is false,
-/// where d changes its sign on that surface, and where what would be left of it has no outline. O(F
-/// + faces of the flaps).
-std::vector<Flap> find_flaps(const SheetMesh& mesh, const Boundaries& boundaries,
+/// Finds the faces behind parts that grow out of their surface, #F: from the covered side of each
+/// join as far as the upper part covers the surface. They are `loose`, or `kept` if `loose` is
+/// false, if d changes its sign on the surface, or if the rest of the surface would have no
+/// outline. `role` is that of each node. O((F + faces of the flaps) * height of the stacks).
+std::vector<Flap> find_flaps(const SheetMesh& mesh, const std::vector<NodeRole>& role,
                              const LocalOrder& order, const Scene& scene, bool loose);
 
 }  // namespace relievo::relief

@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "kernel/geometry/polygon.h"
-#include "relief/layers/boundaries.h"
+#include "relief/layers/layered_mesh.h"
 #include "relief/layers/sheet_mesh.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
@@ -13,27 +12,23 @@
 namespace relievo::relief {
 
 struct LayerOptions {
-  /// Wanted number of nodes of the joined mesh; the result is within a few per cent of it.
-  /// Used where edge_length is 0.
+  /// Wanted number of nodes of the joined mesh, met within a few per cent. Used if edge_length is
+  /// 0.
   int vertex_budget = 40000;
   /// Spacing of outline samples, px; 0: chosen from vertex_budget.
   double edge_length = 0;
-  /// How much longer an edge may get per unit of distance from the nearest outline.
-  double grading = 0.25;
-  /// Longest edge / edge_length.
-  double max_growth = 8;
   /// Upper outlines beside a join follow the lower surface exactly ("glued"); otherwise they
   /// may rise above it.
   bool glue = true;
-  /// Outlines beside a join begin at the height of the lower surface, and what lies hidden under
-  /// a part that grows out of it shapes nothing; otherwise such outlines are only pulled to the
-  /// drawing plane less there, as in the paper.
+  /// Outlines beside a join begin at the height of the lower surface, and what is hidden behind a
+  /// part that grows out of it shapes nothing. Otherwise such outlines are only pulled less towards
+  /// the drawing plane there, as in the paper.
   bool attach = true;
-  /// More nodes than this are refused before they are made.
+  /// A mesh that would have more nodes is refused before it is made.
   int max_nodes = 4000000;
 };
 
-/// All parts on one triangulation, joined: what the outlines and joins decide.
+/// All parts on one triangulation, joined. Depends on the outlines and joins of a scene alone.
 struct JoinedSheets {
   SheetMesh mesh;
   std::vector<LoopRun> robin;            ///< per Robin range of the scene
@@ -44,20 +39,20 @@ struct JoinedSheets {
   std::vector<std::string> warnings;
 };
 
-/// Puts all parts on one triangulation and joins them. Of the scene it reads the outlines, the
-/// order and ids of the parts, the joins, the ends of Robin and relation ranges, and the lines of
-/// creases; of the options all but `glue` and `attach`. Fails with bad_input or contradiction
-/// naming the part or join, limit, or interrupted. Near-linear in the number of nodes.
+/// Puts all parts on one triangulation and joins them. Reads the outlines, order and ids of the
+/// parts, the joins, the ends of Robin and relation ranges, and the lines of creases; of the
+/// options all but `glue` and `attach`. Fails with bad_input or contradiction naming the part or
+/// join, limit, or interrupted. Near-linear in the number of nodes.
 Result<JoinedSheets> join_sheets(const Scene& scene, const LayerOptions& options,
                                  const RunContext& context = {});
 
-/// Finds boundaries and constraint sets on the joined sheets of the scene. Fails with contradiction
-/// naming relations, and with bad_input where nothing is left of any part; warnings name those of
-/// which nothing is. Near-linear in the number of nodes.
+/// Finds the boundary conditions and constraint sets of the joined sheets of a scene. Warnings name
+/// parts of which nothing is left. Fails with contradiction naming relations, and with bad_input if
+/// nothing is left of any part. Near-linear in the number of nodes.
 Result<LayeredMesh> constrain_sheets(const JoinedSheets& joined, const Scene& scene,
                                      const LayerOptions& options);
 
-/// Both: puts all parts on one triangulation, joins them and collects the constraint sets.
+/// Calls join_sheets, then constrain_sheets.
 Result<LayeredMesh> layer_parts(const Scene& scene, const LayerOptions& options,
                                 const RunContext& context = {});
 

@@ -2,41 +2,54 @@
 
 #include <vector>
 
-#include "relief/layers/boundaries.h"
+#include "relief/layers/sheet_mesh.h"
 #include "relievo/result.h"
+#include "relievo/scene.h"
 
 namespace relievo::relief {
 
-/// Which way round two parts lie, seen against their order.
+/// A relation of the scene on the mesh.
+struct PlacedRelation {
+  int index = -1;  ///< in the scene
+  int upper = -1;
+  int lower = -1;
+  RelationKind kind = RelationKind::above;
+  bool limited = false;       ///< it has a range; otherwise it holds everywhere
+  std::vector<int> vertices;  ///< points of the range in its direction; none if it has collapsed
+};
+
+/// How two parts lie compared with their order.
 enum class Sense {
   usual,
   swapped,  ///< the part in front in the order lies behind
-  mixed,    ///< one here, the other there
+  mixed,    ///< some faces are usual, some swapped
 };
 
-/// How the faces over each base triangle lie there, where relations "below" put parts behind
-/// others against their order.
+/// The order of the faces in each stack where relations "below" put parts behind others against
+/// the order of parts.
 struct LocalOrder {
   std::vector<int> faces;  ///< #F, by triangle, back to front; empty: all in the order of parts
-  std::vector<int> place;  ///< #F, of each face in `faces`; or empty
+  std::vector<int> place;  ///< #F, index of each face in `faces`; or empty
 
   bool is_usual() const { return faces.empty(); }
 };
 
-/// The base vertices along a run, in its direction.
-std::vector<int> run_vertices(const Loops& loops, const LoopRun& run);
+/// Places the relations of the scene; `runs` (one per relation with a range, in order) are their
+/// ranges on the mesh.
+std::vector<PlacedRelation> place_relations(const Scene& scene, const std::vector<LoopRun>& runs,
+                                            const SheetMesh& mesh);
 
-/// Where two parts of a relation "below" overlap, every triangle takes the sense of what lies
-/// nearest to it of the upper part's outline, by steps from triangle to triangle: behind at the
-/// relation's ranges, in front elsewhere. So what is in front changes halfway between a range and
-/// the rest, and an overlap whose outline is all "below" lies behind as a whole. `runs` has one for
-/// each relation of the scene, loop -1 where it has none. Fails with contradiction, naming both
-/// relations, where ranges put a part behind another and in front of it, or of one that covers
-/// that, at more than a common end. O(T) for each pair of parts that are related so.
+/// Orders the faces of each stack. Where the two parts of a relation "below" overlap, every
+/// triangle takes its sense from the nearest part of the upper outline, counted in steps from
+/// triangle to triangle: behind from the relation's ranges, in front from the rest. So the sense
+/// changes halfway between a range and the rest, and an overlap with all of its outline "below" is
+/// behind as a whole. Fails with contradiction, naming both relations, if ranges share more than an
+/// end and one puts a part behind another while the other puts it in front of the same part, or of
+/// one that covers it. O(T) for each pair of parts with such a relation.
 Result<LocalOrder> find_local_order(const SheetMesh& mesh, const Scene& scene,
-                                    const std::vector<LoopRun>& runs);
+                                    const std::vector<PlacedRelation>& relations);
 
-/// How two parts lie around a base vertex; usual where no triangle there is covered by both.
+/// Returns how two parts lie around a base vertex; usual if they overlap in no triangle there.
 Sense sense_at(const SheetMesh& mesh, const LocalOrder& order, int vertex, int lower, int upper);
 
 }  // namespace relievo::relief

@@ -1,71 +1,42 @@
 #include "relief/layers/sheet_mesh.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace relievo::relief {
 namespace {
 
-/// An edge of a face as the faces of the triangle beyond it have it.
-struct EdgeAcross {
-  int first_face = 0;  // beyond
-  int last_face = 0;   // behind the last
-  int from = 0;        // corners of theirs at its ends
-  int to = 0;
-  int from_node = -1;
-  int to_node = -1;
-
-  bool is_of(const Triangle& face) const { return face[from] == from_node && face[to] == to_node; }
-};
-
-/// The edge opposite to corner k; no faces where there is no triangle beyond.
-EdgeAcross edge_across(const SheetMesh& mesh, int face, int k) {
-  const int t = mesh.face_triangle[face];
-  const int next = mesh.base.neighbours[t][k];
-  if (next < 0) return {};
-  const int corner = place_of_node(mesh.base.neighbours[next], t);
-  return {mesh.stack_begin[next], mesh.stack_begin[next + 1],      next_place(corner),
-          last_place(corner),     mesh.faces[face][last_place(k)], mesh.faces[face][next_place(k)]};
+/// Groups the corners at one node: those of faces that are connected across shared edges have one
+/// number. Numbers start at 0 in order of appearance.
+std::vector<int> fans_of(const SheetMesh& mesh, std::span<const Corner> corners) {
+  std::vector<int> group(corners.size(), -1);
+  std::vector<size_t> pending;
+  int count = 0;
+  for (size_t i = 0; i < group.size(); ++i) {
+    if (group[i] >= 0) continue;
+    group[i] = count;
+    pending.assign(1, i);
+    while (!pending.empty()) {
+      const Corner corner = corners[pending.back()];
+      pending.pop_back();
+      for (const int k : {next_place(place_of(corner)), last_place(place_of(corner))}) {
+        const int next = mesh.face_across(triangle_of(corner), k);
+        if (next < 0) continue;
+        for (size_t j = 0; j < group.size(); ++j)
+          if (triangle_of(corners[j]) == next && group[j] < 0) {
+            group[j] = count;
+            pending.push_back(j);
+          }
+      }
+    }
+    ++count;
+  }
+  return group;
 }
 
-/// Groups of the faces around one node that hang together across shared edges.
-class Fans {
- public:
-  explicit Fans(const SheetMesh& mesh) : mesh_(mesh) {}
-
-  /// Group number per corner; numbers start at 0 in order of appearance.
-  std::vector<int> groups(std::span<const Corner> corners) {
-    std::vector<int> group(corners.size(), -1);
-    int count = 0;
-    for (size_t i = 0; i < group.size(); ++i) {
-      if (group[i] >= 0) continue;
-      group[i] = count;
-      pending_.assign(1, i);
-      while (!pending_.empty()) {
-        const Corner corner = corners[pending_.back()];
-        pending_.pop_back();
-        for (const int turn : {1, 2}) {
-          const int next = mesh_.face_across(triangle_of(corner), (place_of(corner) + turn) % 3);
-          if (next < 0) continue;
-          for (size_t j = 0; j < group.size(); ++j)
-            if (triangle_of(corners[j]) == next && group[j] < 0) {
-              group[j] = count;
-              pending_.push_back(j);
-            }
-        }
-      }
-      ++count;
-    }
-    return group;
-  }
-
- private:
-  const SheetMesh& mesh_;
-  std::vector<size_t> pending_;
-};
-
-/// Whether the faces at one node follow each other all around it, each sharing an edge with the
-/// next. `spokes` is memory to use.
+/// Returns whether the faces at one node follow each other all around it, each sharing an edge with
+/// the next. `spokes` is scratch memory.
 bool is_closed_fan(const SheetMesh& mesh, std::span<const Corner> corners,
                    std::vector<std::pair<int, int>>& spokes) {
   spokes.clear();
@@ -85,8 +56,8 @@ bool is_closed_fan(const SheetMesh& mesh, std::span<const Corner> corners,
 
 }  // namespace
 
-int Loops::vertex(int loop, int position) const {
-  const std::vector<int>& ring = vertices[loop];
+int SheetMesh::loop_vertex(int loop, int position) const {
+  const std::vector<int>& ring = loops[loop];
   const int n = static_cast<int>(ring.size());
   return ring[((position % n) + n) % n];
 }
@@ -108,9 +79,12 @@ int SheetMesh::face_of(int t, int part) const {
 }
 
 int SheetMesh::face_across(int face, int k) const {
-  const EdgeAcross edge = edge_across(*this, face, k);
-  for (int f = edge.first_face; f < edge.last_face; ++f)
-    if (edge.is_of(faces[f])) return f;
+  const int t = face_triangle[face];
+  const int next = base.neighbours[t][k];
+  if (next < 0) return -1;
+  const int corner = place_of_node(base.neighbours[next], t);
+  for (int f = stack_begin[next]; f < stack_begin[next + 1]; ++f)
+    if (share_edge(faces[face], k, faces[f], corner)) return f;
   return -1;
 }
 
@@ -122,41 +96,37 @@ int SheetMesh::outline_node(int part, int a, int b, int vertex) const {
   return face < 0 || face_of(outer, part) >= 0 ? -1 : node_at(face, vertex);
 }
 
-SheetMesh make_sheets(std::vector<Point2> points, PlanarTriangulation base, Loops loops,
-                      const Cover& cover) {
-  SheetMesh mesh;
-  mesh.base_corners = corners_at_nodes(base.triangles, points.size());
-  mesh.points = std::move(points);
-  mesh.base = std::move(base);
-  mesh.loops = std::move(loops);
-  mesh.stack_begin = cover.stack_begin;
-  mesh.face_part = cover.stack_part;
-  mesh.face_source = cover.stack_part;
-  mesh.faces.resize(cover.stack_part.size());
-  for (size_t t = 0; t + 1 < cover.stack_begin.size(); ++t)
-    mesh.face_triangle.insert(mesh.face_triangle.end(),
-                              cover.stack_begin[t + 1] - cover.stack_begin[t], static_cast<int>(t));
+double SheetMesh::run_length(const LoopRun& run) const {
+  double length = 0;
+  for (int i = 0; i < run.edges; ++i) length += loop_step(run.loop, run.position + i, 1);
+  return length;
+}
+
+std::vector<int> SheetMesh::run_vertices(const LoopRun& run) const {
+  std::vector<int> vertices;
+  for (int i = 0; i <= run.edges; ++i) vertices.push_back(loop_vertex(run.loop, run.position + i));
+  return vertices;
+}
+
+void make_nodes(SheetMesh& mesh) {
+  mesh.base_corners = corners_at_nodes(mesh.base.triangles, mesh.points.size());
   std::vector<std::pair<int, Corner>> at_vertex;  // part, corner of its face
   for (int v = 0; v < static_cast<int>(mesh.points.size()); ++v) {
     at_vertex.clear();
     for (const Corner corner : mesh.base_corners.at(v)) {
       const int t = triangle_of(corner);
-      for (int f = cover.stack_begin[t]; f < cover.stack_begin[t + 1]; ++f)
-        at_vertex.emplace_back(cover.stack_part[f], corner_of(f, place_of(corner)));
+      for (int f = mesh.stack_begin[t]; f < mesh.stack_begin[t + 1]; ++f)
+        at_vertex.emplace_back(mesh.face_part[f], corner_of(f, place_of(corner)));
     }
     std::sort(at_vertex.begin(), at_vertex.end());
     int part = -1;
     for (const auto& [own, corner] : at_vertex) {
-      if (own != part) {
-        mesh.node_vertex.push_back(v);
-        mesh.node_part.push_back(own);
-        part = own;
-      }
+      if (own != part) mesh.node_vertex.push_back(v);
+      part = own;
       mesh.faces[triangle_of(corner)][place_of(corner)] =
           static_cast<int>(mesh.node_vertex.size()) - 1;
     }
   }
-  return mesh;
 }
 
 std::vector<int> drop_faces(const std::vector<uint8_t>& dropped, SheetMesh& mesh) {
@@ -181,62 +151,27 @@ std::vector<int> drop_faces(const std::vector<uint8_t>& dropped, SheetMesh& mesh
   return number;
 }
 
-bool has_plain_edges(const SheetMesh& mesh, int face) {
-  const int t = mesh.face_triangle[face];
-  const auto stack = [&mesh](int first, int last) {
-    return std::pair(mesh.faces.begin() + first, mesh.faces.begin() + last);
-  };
-  for (int k = 0; k < 3; ++k) {
-    const int a = next_place(k);
-    const int b = last_place(k);
-    const auto [first, last] = stack(mesh.stack_begin[t], mesh.stack_begin[t + 1]);
-    const auto is_beside = [&](const Triangle& other) {
-      return other[a] == mesh.faces[face][a] && other[b] == mesh.faces[face][b];
-    };
-    if (std::count_if(first, last, is_beside) > 1) return false;
-    const EdgeAcross edge = edge_across(mesh, face, k);
-    const auto [first_across, last_across] = stack(edge.first_face, edge.last_face);
-    const auto is_across = [&](const Triangle& other) { return edge.is_of(other); };
-    if (std::count_if(first_across, last_across, is_across) > 1) return false;
-  }
-  return true;
-}
-
 std::vector<DepthPair> split_fans(SheetMesh& mesh) {
   std::vector<DepthPair> ties;
   const int count = static_cast<int>(mesh.node_vertex.size());
   const NodeCorners all = corners_at_nodes(mesh.faces, mesh.node_vertex.size());
-  Fans fans(mesh);
-  struct Move {
-    Corner corner;
-    int node;
-  };
-  std::vector<Move> moves;
+  std::vector<Triangle> split = mesh.faces;
   std::vector<std::pair<int, int>> spokes;
   for (int n = 0; n < count; ++n) {
     const std::span<const Corner> corners = all.at(n);
     if (is_closed_fan(mesh, corners, spokes)) continue;
-    const std::vector<int> group = fans.groups(corners);
+    const std::vector<int> group = fans_of(mesh, corners);
     const int groups = group.empty() ? 0 : *std::max_element(group.begin(), group.end()) + 1;
     for (int g = 1; g < groups; ++g) {
       const int copy = static_cast<int>(mesh.node_vertex.size());
       mesh.node_vertex.push_back(mesh.node_vertex[n]);
-      mesh.node_part.push_back(0);
       ties.push_back({n, copy, true});
       for (size_t i = 0; i < group.size(); ++i)
-        if (group[i] == g) moves.push_back({corners[i], copy});
+        if (group[i] == g) split[triangle_of(corners[i])][place_of(corners[i])] = copy;
     }
   }
-  for (const Move& move : moves)
-    mesh.faces[triangle_of(move.corner)][place_of(move.corner)] = move.node;
+  mesh.faces = std::move(split);
   return ties;
-}
-
-std::vector<int> frontmost_parts(const SheetMesh& mesh) {
-  std::vector<int> part(mesh.node_vertex.size(), -1);
-  for (size_t f = 0; f < mesh.faces.size(); ++f)
-    for (const int n : mesh.faces[f]) part[n] = std::max(part[n], mesh.face_part[f]);
-  return part;
 }
 
 bool has_one_sign(const SheetMesh& mesh, const Scene& scene, int part) {

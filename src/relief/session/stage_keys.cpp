@@ -16,8 +16,8 @@ Key sheets_key(const Scene& scene, const LayerOptions& options) {
       key.add(relation.upper).add(relation.range->first).add(relation.range->second);
   for (const Cue& cue : scene.cues)
     if (cue.kind == CueKind::crease) key.add(cue.part).add(cue.line);
-  key.add(options.vertex_budget).add(options.edge_length).add(options.grading);
-  return key.add(options.max_growth).add(options.max_nodes);
+  key.add(options.vertex_budget).add(options.edge_length);
+  return key.add(options.max_nodes);
 }
 
 namespace {

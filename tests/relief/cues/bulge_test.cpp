@@ -37,21 +37,21 @@ double height_at_centre(const LayeredMesh& mesh, const Scene& scene) {
   return std::sqrt(highest);
 }
 
-TEST(Bulge, WithoutOneThereAreNoFactors) {
+TEST(Bulge, NoBulgeGivesNoFactors) {
   const LayeredMesh mesh = disc(8);
   Scene scene = testing::scene_of(mesh);
   scene.cues = {{0, CueKind::slope, {{0, 0}, {9, 9}}, 20}};
   EXPECT_TRUE(bulge_factors(mesh, scene).empty());
 }
 
-TEST(Bulge, OneOfValueOneChangesNothing) {
+TEST(Bulge, ValueOneChangesNothing) {
   const LayeredMesh mesh = disc(16);
   for (const double factor : bulge_factors(mesh, with_ring(mesh, 90, 1)))
     EXPECT_NEAR(factor, 1, 1e-12);
 }
 
 /// b is constant within a ring and falls with the logarithm of the radius beyond it.
-TEST(Bulge, ARingOnADiscIsTheKnownHarmonicFunction) {
+TEST(Bulge, ARingOnADiscMatchesTheHarmonicFunction) {
   double last_error = 1;
   for (const int rings : {12, 24, 48}) {
     const LayeredMesh mesh = disc(rings);
@@ -83,7 +83,7 @@ TEST(Bulge, TheHeightFollowsFromTheSource) {
   EXPECT_NEAR(height_at_centre(mesh, with_ring(mesh, ring, 2)), std::sqrt(u), 0.02 * radius);
 }
 
-TEST(Bulge, AStrokeAllOverScalesHeights) {
+TEST(Bulge, StrokesEverywhereScaleHeights) {
   const LayeredMesh mesh = disc(48);
   const double plain = height_at_centre(mesh, testing::scene_of(mesh));
   for (const double value : {0.5, 3.0}) {
@@ -94,7 +94,7 @@ TEST(Bulge, AStrokeAllOverScalesHeights) {
   }
 }
 
-TEST(Bulge, ItActsOnItsOwnPartAlone) {
+TEST(Bulge, ActsOnItsOwnPartAlone) {
   const LayeredMesh mesh =
       stack_parts(testing::grid_mesh(40, 20, 5),
                   {testing::in_box({0, 0}, {100, 100}), testing::in_box({60, 20}, {180, 80})});

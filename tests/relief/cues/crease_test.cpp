@@ -57,8 +57,8 @@ bool on_crease(const Relief& relief, int corner) {
   return std::any_of(creases.begin(), creases.end(), ends_at);
 }
 
-/// By how much the gradient of g jumps at each node of the crease within `reach` of the canvas'
-/// middle.
+/// Measures the jump of the gradient of g at each node of the crease within `reach` of the middle
+/// of the canvas.
 std::vector<double> jumps(const Relief& relief, double reach) {
   const CreaseGradients& creases = relief.ordering.creases;
   std::map<int, std::vector<Point2>> sides;
@@ -108,14 +108,14 @@ TEST(Crease, FromRimToRimMakesARoof) {
     }
 }
 
-TEST(Crease, OneThatAllButReachesTheRimReachesIt) {
+TEST(Crease, IsExtendedToARimThatItNearlyReaches) {
   const Relief relief = built(plate(0.008, 0.992, 35), 10);
   for (const Point2 gradient : relief.ordering.creases.gradient)
     EXPECT_NEAR(norm(gradient), std::tan(35 * degree), 1e-6);
 }
 
-/// Whatever else shapes the surface, its slope jumps by twice tan(angle), on every mesh.
-TEST(Crease, ItsDihedralAngleDoesNotDependOnTheMesh) {
+/// The slope jumps by twice tan(angle) on every mesh, whatever else shapes the surface.
+TEST(Crease, DihedralAngleDoesNotDependOnTheMesh) {
   for (const double edge : {16.0, 8.0, 4.0, 2.0})
     for (const double turn : {0.0, 0.5}) {
       const Relief relief = built(plate(0.2, 0.8, 40, turn), edge);
@@ -126,7 +126,7 @@ TEST(Crease, ItsDihedralAngleDoesNotDependOnTheMesh) {
     }
 }
 
-TEST(Crease, ABentOneKeepsItsAngle) {
+TEST(Crease, KeepsItsAngleAlongABend) {
   Scene scene = canvas();
   scene.parts = {part("disc", circle({200, 200}, 150), 0.01)};
   std::vector<Point2> arc;
@@ -188,12 +188,12 @@ TEST(Crease, NormalMapsTurnFromOnePixelToTheNext) {
     EXPECT_NEAR(std::acos(dot(normal(199), normal(200))) / degree, 80, 5);
     EXPECT_LE(std::acos(std::min(1.0, dot(normal(190), normal(199)))) / degree, 15);
   }
-  // Nor does it turn back and forth beside the crease.
+  // The normal does not oscillate beside the crease.
   for (int x = 140; x < 260; ++x)
     EXPECT_NEAR(maps->normal.at(x, 195, 1), maps->normal.at(x + 1, 195, 1), 0.01);
 }
 
-/// Cues of all kinds across outlines, joins and each other.
+/// Adds random cues of all kinds that cross outlines, joins and each other.
 void scribble_cues(Random& random, Scene& scene) {
   for (int i = 0; i < 9; ++i) {
     const int part = random.integer(0, static_cast<int>(scene.parts.size()) - 1);
@@ -234,7 +234,7 @@ TEST(Crease, TheVertexBudgetHolds) {
   EXPECT_NEAR(static_cast<double>(relief->layers.node_vertex.size()), 6000, 300);
 }
 
-TEST(Crease, ElsewhereTheMeshIsAsItWas) {
+TEST(Crease, LeavesTheMeshAloneOutsideItsPart) {
   Scene scene = plate(2, 3, 40);
   const Relief with = built(scene, 8);
   EXPECT_TRUE(with.layers.creases.empty());

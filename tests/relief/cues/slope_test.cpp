@@ -38,7 +38,7 @@ Ordering ordered(const LayeredMesh& mesh, const Scene& scene) {
   return *ordering;
 }
 
-TEST(Slope, ASingleOneIsALean) {
+TEST(Slope, ASingleSlopeEqualsALean) {
   const LayeredMesh mesh = two_discs();
   Scene arrow = testing::scene_of(mesh);
   arrow.cues = {{1, CueKind::slope, {{200, 200}, {230, 240}}, 25}};
@@ -74,7 +74,7 @@ TEST(Slope, AddsToTheLeanOfItsPart) {
 TEST(Slope, IsHarmonicBetweenArrows) {
   const LayeredMesh mesh = stack_parts(testing::grid_mesh(120, 20, 2), {in_box({0, 0}, {240, 40})});
   Scene scene = testing::scene_of(mesh);
-  // Just beside columns of vertices, so that each meets one column of triangles.
+  // The lines lie just beside columns of vertices, so that each meets one column of triangles.
   scene.cues = {{0, CueKind::slope, {{61, 0}, {61, 40}}, 10},
                 {0, CueKind::slope, {{181, 0}, {181, 40}}, 50}};
   const SlopeField field = slope_field(mesh, scene, 1);
@@ -107,8 +107,8 @@ TEST(Slope, TurnsWithTheDrawing) {
   }
 }
 
-/// The rise is the best that a height can do: v less its gradient flows nowhere.
-TEST(Slope, ThePartAloneTakesTheNearestRise) {
+/// The rise is optimal: the divergence of v less its gradient is 0.
+TEST(Slope, APartAloneTakesTheNearestRise) {
   const LayeredMesh mesh =
       stack_parts(testing::jittered(testing::grid_mesh(40, 40, 10), 3), {in_disc({200, 200}, 170)});
   Scene scene = testing::scene_of(mesh);
@@ -123,7 +123,7 @@ TEST(Slope, ThePartAloneTakesTheNearestRise) {
       EXPECT_NEAR(ordering.g[mesh.faces[f][k]] - field.rise[f][k], offset, 1e-6);
 }
 
-/// A leg that slopes on a body that does not: 0 at the join, and no kink there.
+/// A leg slopes on a body that does not: the slope is 0 at the join, without a kink.
 TEST(Slope, FadesTowardsJoins) {
   LayeredMesh mesh = stack_parts(testing::grid_mesh(50, 45, 4),
                                  {in_box({0, 0}, {200, 120}), in_box({80, 80}, {120, 180})});
@@ -147,7 +147,7 @@ TEST(Slope, FadesTowardsJoins) {
   EXPECT_NEAR(at_end, 1, 1e-9);
 }
 
-TEST(Slope, OneThatMissesItsPartDoesNothing) {
+TEST(Slope, HasNoEffectOutsideItsPart) {
   const LayeredMesh mesh = two_discs();
   Scene scene = testing::scene_of(mesh);
   scene.cues = {{0, CueKind::slope, {{350, 350}, {360, 390}}, 45}};

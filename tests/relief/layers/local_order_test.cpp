@@ -56,7 +56,7 @@ Error failure_of(const Scene& scene) {
   return relief.ok() ? Error{} : relief.error();
 }
 
-/// Nothing dips below what is said to be behind it, and no smaller shift does that.
+/// Expects that no part dips below one that must be behind it, and that no smaller shift does so.
 void expect_optimal(const Scene& scene) {
   ReliefOptions options = options_for(1500);
   options.hidden = false;
@@ -72,7 +72,7 @@ void expect_optimal(const Scene& scene) {
   EXPECT_LE(optimality.imbalance, 1e-12);
 }
 
-/// How often `behind` is kept behind `front` (not glued) at base vertices in a box.
+/// Counts the inequalities that keep `behind` behind `front` at base vertices in a box.
 int pairs_in(const LayeredMesh& mesh, int behind, int front, Point2 min, Point2 max) {
   return static_cast<int>(
       std::count_if(mesh.constraints.begin(), mesh.constraints.end(), [&](const DepthPair& pair) {
@@ -96,7 +96,7 @@ TEST(LocalOrder, ScarfGoesBehindTheNeckAndInFrontOfIt) {
   EXPECT_EQ(relief.overlap_samples, 0);
 }
 
-TEST(LocalOrder, WhatIsInFrontIsSeen) {
+TEST(LocalOrder, TheFrontPartIsVisible) {
   const Relief relief = relief_of(scarf_around_neck(), options_for(4000));
   for (const double x : {160.0, 200.0, 240.0}) {
     EXPECT_EQ(probe(relief, {x, 140}).part, neck);
@@ -127,10 +127,10 @@ TEST(LocalOrder, PartsAreEqualWhereBothSensesEnd) {
   EXPECT_EQ(met, 2);
 }
 
-TEST(LocalOrder, IsTheSameSaidOfEitherPart) {
+TEST(LocalOrder, GivesTheSameReliefWhicheverPartIsBelow) {
   const Scene scene = scarf_around_neck();
   Scene other = scene;
-  std::swap(other.parts[0], other.parts[1]);  // now the neck is in front but for the lower strand
+  std::swap(other.parts[0], other.parts[1]);  // now the neck is in front except of the lower strand
   other.relations = {relation(RelationKind::below, {250, 230}, {250, 290}),
                      relation(RelationKind::below, {150, 290}, {150, 230})};
   const Relief a = relief_of(scene, options_for(8000));
@@ -155,14 +155,14 @@ TEST(LocalOrder, HoldsInTheNonlinearMethodToo) {
   }
 }
 
-TEST(LocalOrder, BehindOneIsBehindWhatCoversIt) {
+TEST(LocalOrder, APartBehindAnotherIsBehindWhatCoversIt) {
   Scene scene = canvas();
   scene.parts = {part("body", rectangle(100, 100, 300, 300)),
                  part("shirt", rectangle(120, 80, 280, 280)),
                  part("arm", rectangle(180, 150, 380, 190), 2)};
   scene.relations = {relation(RelationKind::below, {170, 150}, {310, 150}, 2, 0),
                      relation(RelationKind::below, {310, 190}, {170, 190}, 2, 0)};
-  // The end of the arm that lies inside.
+  // The end of the arm inside the body.
   scene.relations.push_back(relation(RelationKind::below, {180, 190}, {180, 150}, 2, 0));
   const Relief relief = relief_of(scene, options_for(3000));
   EXPECT_EQ(probe(relief, {230, 170}).part, 1);
@@ -172,14 +172,14 @@ TEST(LocalOrder, BehindOneIsBehindWhatCoversIt) {
   expect_optimal(scene);
 }
 
-TEST(LocalOrder, ARangeGoesBeforeWhatIsSaidOfEverywhere) {
+TEST(LocalOrder, RangesTakePrecedenceOverWholeRelations) {
   Scene scene = scarf_around_neck();
   const LayeredMesh plain = relief_of(scene, options_for(1500)).layers;
   for (const size_t at : {0, 2}) {
-    Scene said = scene;
-    said.relations.insert(said.relations.begin() + static_cast<int>(at),
+    Scene both = scene;
+    both.relations.insert(both.relations.begin() + static_cast<int>(at),
                           {scarf, neck, RelationKind::above, {}});
-    const LayeredMesh mesh = relief_of(said, options_for(1500)).layers;
+    const LayeredMesh mesh = relief_of(both, options_for(1500)).layers;
     EXPECT_EQ(mesh.constraints, plain.constraints);
     EXPECT_EQ(mesh.face_part, plain.face_part);
   }
@@ -192,7 +192,7 @@ TEST(LocalOrder, ContradictionsNameBothRelations) {
   EXPECT_EQ(error.code, ErrorCode::contradiction);
   EXPECT_EQ(error.where, "relations[0]");
   EXPECT_NE(error.message.find("relations[2]"), std::string::npos);
-  // Outside the neck nothing is said.
+  // Outside the neck the parts do not overlap.
   scene.relations.back() = relation(RelationKind::above, {255, 120}, {300, 120});
   EXPECT_TRUE(build_relief(scene, options_for(1500)).ok());
 }
@@ -204,7 +204,7 @@ TEST(LocalOrder, CyclesAtAPointAreContradictions) {
   scene.relations = {relation(RelationKind::below, {60, 180}, {340, 180}, 2, 0),
                      relation(RelationKind::above, {200, 180}, {340, 180}, 2, 1)};
   EXPECT_EQ(failure_of(scene).code, ErrorCode::contradiction);
-  // None where b lies behind a there as well.
+  // There is none if b lies behind a there as well.
   scene.relations = {relation(RelationKind::below, {60, 180}, {340, 180}, 2, 1),
                      relation(RelationKind::above, {60, 180}, {340, 180}, 2, 0)};
   EXPECT_TRUE(build_relief(scene, options_for(1500)).ok());

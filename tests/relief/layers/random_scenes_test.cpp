@@ -12,7 +12,7 @@ namespace {
 
 using namespace testing;
 
-/// Builds with few vertices and checks everything that must hold of any relief.
+/// Builds with few vertices and checks what must hold for every relief.
 void expect_sound(const Scene& scene) {
   ReliefOptions options;
   options.layers.vertex_budget = 2000;
@@ -42,7 +42,7 @@ TEST(RandomScenes, AreManifoldAndSolved) {
   EXPECT_GT(joins, 100);
 }
 
-/// The longest run of an outline inside another part, or a stretch of it, either way round.
+/// Returns a random stretch of a line, in either direction.
 std::vector<Point2> random_stretch(Random& random, std::vector<Point2> line) {
   const int n = static_cast<int>(line.size());
   const int first = random.integer(0, n / 3);
@@ -52,7 +52,7 @@ std::vector<Point2> random_stretch(Random& random, std::vector<Point2> line) {
   return line;
 }
 
-/// Random parts with up to eight joins, several between the same two as likely as not.
+/// A random scene with up to eight joins, often several between the same two parts.
 Scene scene_of_many_joins(uint64_t seed) {
   Scene scene = random_scene(seed);
   scene.joins.clear();
@@ -92,7 +92,7 @@ TEST(RandomScenes, ManyJoinsAreManifoldOrRefusedByName) {
   EXPECT_GT(refused, 3);
 }
 
-/// A part joined to another at two places, and between them to a third part in the same spot.
+/// A part is joined to another at two places, and between them to a third part that overlaps both.
 TEST(RandomScenes, JoinsOnTopOfEachOtherAreRefusedByName) {
   Scene scene = canvas();
   scene.parts = {part("back", rectangle(50, 100, 250, 300)),
@@ -111,7 +111,7 @@ TEST(RandomScenes, JoinsOnTopOfEachOtherAreRefusedByName) {
   }
 }
 
-TEST(RandomScenes, SpecksAreLostByName) {
+TEST(RandomScenes, SpecksAreDroppedWithAWarning) {
   Scene scene = canvas();
   scene.parts = {part("plate", rectangle(80, 80, 320, 320))};
   LayerOptions options;
@@ -131,8 +131,7 @@ TEST(RandomScenes, SpecksAreLostByName) {
   EXPECT_EQ(build_relief(scene, {}).error().code, ErrorCode::bad_input);
 }
 
-/// Far fewer vertices than the parts need.
-TEST(RandomScenes, ManyPartsNeedNotVanishWhereVerticesAreFew) {
+TEST(RandomScenes, ManyPartsSurviveWithFewVertices) {
   Scene scene = canvas();
   Random random(5);
   for (int i = 0; i < 300; ++i)
@@ -145,7 +144,7 @@ TEST(RandomScenes, ManyPartsNeedNotVanishWhereVerticesAreFew) {
   EXPECT_TRUE(layers->warnings.empty());
 }
 
-/// A scene of the given outlines, scaled onto the canvas; rings without area are left out.
+/// A scene of the given outlines, scaled to the canvas, without rings of no area.
 Scene scene_of(const std::vector<Outline>& outlines) {
   Scene scene = canvas();
   Box2 box;
@@ -161,7 +160,7 @@ Scene scene_of(const std::vector<Outline>& outlines) {
   return scene;
 }
 
-/// Once as one part with holes, once with every ring a part of its own.
+/// Checks each polygon once as one part with holes, and once with every ring a part of its own.
 void expect_sound_both_ways(const std::vector<CorpusPolygon>& polygons) {
   constexpr size_t most_parts = 20;
   if (polygons.empty()) GTEST_SKIP() << "the shared drawings are not here";
