@@ -83,7 +83,7 @@ Comparison compare_with_ipopt(double lambda_bnd, int scenes, bool glue) {
     if (start.layers.ramp_nodes.empty() || !has_pure_surfaces(start.layers, test.scene)) continue;
     ++comparison.scenes;
     const NonlinearSolution ours = solve(test);
-    EXPECT_EQ(ours.report.status, NonlinearStatus::solved) << seed;
+    EXPECT_EQ(ours.report.status, SolveStatus::solved) << seed;
     EXPECT_LE(ours.ordering.max_violation, 1e-9) << seed;
     const NonlinearProgram program =
         make_nonlinear_program(start.layers, test.scene, test.options.nonlinear, ours.inflation);

@@ -58,7 +58,7 @@ double bound_integral(const Scene& scene, double lambda_bnd, bool glue) {
   const Result<Relief> relief = build_relief(scene, options);
   EXPECT_TRUE(relief.ok()) << (relief.ok() ? "" : to_string(relief.error()));
   if (!relief.ok()) return -1;
-  EXPECT_EQ(relief->nonlinear.status, NonlinearStatus::solved) << lambda_bnd;
+  EXPECT_EQ(relief->nonlinear.status, SolveStatus::solved) << lambda_bnd;
   return relief->nonlinear.energy.boundary / lambda_bnd;
 }
 

@@ -19,7 +19,7 @@ Ordering ordered(const LayeredMesh& mesh, const Scene& scene) {
   const Result<Inflation> inflation = inflate(mesh, scene, {});
   EXPECT_TRUE(inflation) << to_string(inflation.error());
   OrderingOptions options;
-  options.wanted.straight_limbs = false;  // leans alone
+  options.straight_limbs = false;  // leans alone
   const Result<Ordering> ordering = order_depth(mesh, *inflation, scene, options);
   EXPECT_TRUE(ordering) << to_string(ordering.error());
   return *ordering;
@@ -64,10 +64,11 @@ Point2 middle_of(const LayeredMesh& mesh, int part) {
 
 TEST(Lean, UprightPartsPullNowhere) {
   const LayeredMesh mesh = testing::scattered_discs(6, 25);
-  const LeanTerm term = lean_term(mesh, testing::scene_of(mesh), scene_scale(mesh), 1e-4);
-  EXPECT_EQ(term.constant, 0);
-  ASSERT_EQ(term.pull.size(), static_cast<Eigen::Index>(mesh.node_vertex.size()));
-  EXPECT_TRUE((term.pull.array() == 0).all());
+  ShiftMetric metric = make_shift_metric(discretise(mesh), 1e-4);
+  set_slopes(mesh, testing::scene_of(mesh), 1e-4, metric);
+  EXPECT_EQ(metric.constant, 0);
+  ASSERT_EQ(metric.b.size(), static_cast<Eigen::Index>(mesh.node_vertex.size()));
+  EXPECT_TRUE((metric.b.array() == 0).all());
 }
 
 TEST(Lean, APartOfItsOwnIsItsInflationAndItsSlope) {

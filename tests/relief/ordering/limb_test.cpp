@@ -150,7 +150,7 @@ TEST(Limb, EveryShiftCostsWhatItsDifferenceDid) {
   const VectorXd g = VectorXd::LinSpaced(wanted.size(), -1, 2);
   const double before = (g - wanted).dot(metric.A * (g - wanted));
   add_wanted(wanted, metric);
-  const double cost = g.dot(metric.A * g - metric.lean.pull) + metric.lean.rest(g);
+  const double cost = g.dot(metric.A * g - metric.b) + metric.rest(g);
   EXPECT_NEAR(cost, before, 1e-9 * before);
 }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr double epsilon = 1e-4;
 
 int count_equal(const DepthSystem& system) {
-  const std::vector<DepthGap>& gaps = system.problem.forest.gaps;
+  const std::vector<DepthGap>& gaps = system.forest.gaps;
   return static_cast<int>(
       std::count_if(gaps.begin(), gaps.end(), [](const DepthGap& gap) { return gap.equal; }));
 }
@@ -33,7 +33,7 @@ std::vector<DepthPair> pairs_behind(const LayeredMesh& mesh, int front) {
 class PairSelection : public ::testing::Test {
  protected:
   DepthSystem build(const std::vector<DepthPair>& pairs) const {
-    return make_depth_system(make_depth_problem(mesh_.node_part, pairs), metric_, {}, {}, {});
+    return make_depth_system(build_depth_forest(mesh_.node_part, pairs), metric_, {}, {}, {});
   }
   bool select(const std::vector<DepthPair>& pairs, DepthSystem& system) const {
     return select_pairs(mesh_.node_part, pairs, metric_, system);
@@ -90,9 +90,9 @@ TEST_F(PairSelection, SplitsWhatWasEqualAndFindsWhatWasImplied) {
 
 TEST_F(PairSelection, RefusesPairsThatLinkOtherNodes) {
   DepthSystem system = build(pairs_behind(mesh_, 7));
-  const std::vector<DepthGap> gaps = system.problem.forest.gaps;
+  const std::vector<DepthGap> gaps = system.forest.gaps;
   EXPECT_FALSE(select(mesh_.constraints, system));
-  EXPECT_EQ(system.problem.forest.gaps, gaps);
+  EXPECT_EQ(system.forest.gaps, gaps);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ Ordering order_from(const Scene& scene, int vertices, const std::vector<DepthCon
   const Inflation inflation = *inflate({mesh, discretisation, scene}, {}, poisson);
   OrderingSystem system;
   system.contacts = contacts;
-  return *order_depth({mesh, discretisation, inflation, scene}, {}, system);
+  return *order_depth({mesh, discretisation, scene}, inflation, {}, system);
 }
 
 TEST(OperationCounts, AColdOrderTakesAtMostTwentyFactorisations) {

@@ -236,7 +236,7 @@ TEST(ReliefSession, TheNonlinearMethodBeginsWhereItEnded) {
   scene.parts[1].c *= 1.02;
   ASSERT_TRUE(session.update(scene, options).ok());
   const NonlinearReport& warm = session.relief().nonlinear;
-  EXPECT_EQ(warm.status, NonlinearStatus::solved);
+  EXPECT_EQ(warm.status, SolveStatus::solved);
   EXPECT_LT(warm.steps.size(), first);
   EXPECT_LT(warm.steps[0].residual, 0.1);
   const Result<Relief> cold = build_relief(scene, options);

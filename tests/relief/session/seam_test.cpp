@@ -308,7 +308,7 @@ TEST(Animal, KeepsItsOrderEverywhere) {
   EXPECT_EQ(m.repeated_edges, 0);
   EXPECT_EQ(m.bow_ties, 0);
   EXPECT_LE(relief.ordering.max_violation, 1e-9);
-  EXPECT_LE(relief.overlap_worst, 0.5);
+  EXPECT_LE(relief.ordering.overlap_worst, 0.5);
 }
 
 }  // namespace
