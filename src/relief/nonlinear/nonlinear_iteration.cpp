@@ -28,12 +28,12 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Accelerates a fixed-point iteration x = F(x) by Anderson's method. Depth 0 is the plain
-/// iteration.
+/// Number of earlier steps that Anderson mixing combines.
+constexpr size_t anderson_depth = 16;
+
+/// Accelerates a fixed-point iteration x = F(x) by Anderson's method.
 class AndersonMixer {
  public:
-  explicit AndersonMixer(int depth) : depth_(depth) {}
-
   /// Returns the point to try after x. `residual`: F(x) - x. O(#x depth^2).
   VectorXd next(const VectorXd& F_x, const VectorXd& residual);
 
@@ -43,7 +43,6 @@ class AndersonMixer {
  private:
   void remember(const VectorXd& F_x, const VectorXd& residual);
 
-  int depth_;
   VectorXd last_image_;
   VectorXd last_residual_;
   std::vector<VectorXd> image_steps_;
@@ -63,10 +62,10 @@ VectorXd AndersonMixer::next(const VectorXd& F_x, const VectorXd& residual) {
 }
 
 void AndersonMixer::remember(const VectorXd& F_x, const VectorXd& residual) {
-  if (depth_ > 0 && last_image_.size() == F_x.size()) {
+  if (last_image_.size() == F_x.size()) {
     image_steps_.push_back(F_x - last_image_);
     residual_steps_.push_back(residual - last_residual_);
-    if (static_cast<int>(image_steps_.size()) > depth_) {
+    if (image_steps_.size() > anderson_depth) {
       image_steps_.erase(image_steps_.begin());
       residual_steps_.erase(residual_steps_.begin());
     }
@@ -121,7 +120,7 @@ void record(NonlinearStep step, const VectorXd& u, const NonlinearOptions& optio
 Status iterate(NonlinearMap& map, double growth, const NonlinearOptions& options,
                const RunContext& context, NonlinearRun& run) {
   NonlinearState& state = run.state;
-  AndersonMixer mixer(options.anderson_depth);
+  AndersonMixer mixer;
   double least = std::numeric_limits<double>::infinity();
   Stopwatch watch;
   if (!map.prepare(context)) return interrupted_error();

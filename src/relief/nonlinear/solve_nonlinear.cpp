@@ -58,8 +58,6 @@ Status check_options(const NonlinearOptions& options) {
     return Error{ErrorCode::usage, "there must be at least one iteration", "max_iterations"};
   if (!std::is_sorted(options.snapshots.begin(), options.snapshots.end()))
     return Error{ErrorCode::usage, "the steps must be in ascending order", "snapshots"};
-  if (options.anderson_depth < 0)
-    return Error{ErrorCode::usage, "the depth must not be negative", "anderson_depth"};
   return check_options(options.ordering);
 }
 
@@ -112,7 +110,6 @@ class NonlinearSolver {
     u_start_ = run_.state.u;
   }
 
-  /// Fills in inflation, ordering and snapshots.
   Status solve(NonlinearSolution& solution) {
     set_pairs(surface_, system_, context_);
     if (context_.cancelled()) return interrupted_error();
@@ -130,21 +127,14 @@ class NonlinearSolver {
       solution.snapshots.push_back(std::move(snapshot));
     }
     solution.inflation = inflation_of(run_.state.u);
-    return order(solution.inflation, solution.ordering);
-  }
-
-  NonlinearMemory memory() const {
-    if (run_.report.status != SolveStatus::solved) return {};
-    return {remember(surface_.mesh, model_, *system_.pairs, u_start_, run_.state),
-            contacts_of(surface_.mesh, run_.state.h)};
-  }
-
-  /// Returns the report with the energy of the solution.
-  NonlinearReport report(const Ordering& ordering) const {
-    NonlinearReport report = run_.report;
-    const VectorXd g = in_scene_units(ordering.g, model_.metric.scale);
-    report.energy = nonlinear_energy(model_, with_signs(run_.state.u), g);
-    return report;
+    if (Status status = order(solution.inflation, solution.ordering); !status) return status;
+    const VectorXd g = in_scene_units(solution.ordering.g, model_.metric.scale);
+    run_.report.energy = nonlinear_energy(model_, with_signs(run_.state.u), g);
+    solution.report = run_.report;
+    if (run_.report.status == SolveStatus::solved)
+      solution.memory = {remember(mesh, model_, mesh.constraints, u_start_, run_.state),
+                         contacts_of(mesh, run_.state.h)};
+    return Done{};
   }
 
  private:
@@ -292,8 +282,6 @@ Result<NonlinearSolution> solve_nonlinear(const SurfaceInput& surface, const Inf
   NonlinearSolver solver(surface, start, options, known, system, context);
   NonlinearSolution solution;
   if (Status status = solver.solve(solution); !status) return status.error();
-  solution.report = solver.report(solution.ordering);
-  solution.memory = solver.memory();
   context.report("nonlinear", 1);
   return solution;
 }

@@ -23,10 +23,9 @@ struct NonlinearOptions {
   double lambda_shift = 1;   ///< weight of the shift against the inflation
   /// Cost of the shift. Limbs and caps are found in the inflation of the start.
   OrderingOptions ordering{.straight_limbs = false, .close_caps = false};
-  InflationOptions bumps;    ///< for the bumps raised on the solution (raise_bumps)
-  double tolerance = 1e-4;   ///< on the residual of the iteration
-  int max_iterations = 150;  ///< of one attempt
-  int anderson_depth = 16;
+  InflationOptions bumps;      ///< for the bumps raised on the solution (raise_bumps)
+  double tolerance = 1e-4;     ///< on the residual of the iteration
+  int max_iterations = 150;    ///< of one attempt
   std::vector<int> snapshots;  ///< steps after which the surface is kept, ascending, from 1
 };
 

@@ -11,7 +11,7 @@
 //   letter       in the code
 //   A_II, A_IR   Cap::factor, coupling
 //   f_below      f at the nodes of Cap::on
-//   w            RestingNode::weight
+//   w            Rest::weight
 //   m, a, s      middle, mean, slope in add_plane
 
 #include "relief/ordering/cap_rise.h"
@@ -20,7 +20,6 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -160,17 +159,13 @@ bool find_inner(const std::vector<int>& elimination, const SparseMatrix& A, std:
   return cap.factor.factorise(block);
 }
 
-/// A node of parts that may lie on others.
-struct RestingNode {
-  double below = 0;   ///< height of what it lies on
-  double weight = 0;  ///< px^2, a third of the faces around it that lie on something
-};
-
 /// The area with which parts lie on those that they are tied to.
 struct Rest {
-  double area = 0;                   ///< of the parts, px^2
-  double resting = 0;                ///< share of `area` that lies on others, px^2
-  std::map<int, RestingNode> nodes;  ///< all nodes of the parts
+  double area = 0;         ///< of the parts, px^2
+  double resting = 0;      ///< of it, lies on others, px^2
+  std::vector<int> nodes;  ///< of the parts
+  VectorXd below;          ///< #N, height of what the node lies on
+  VectorXd weight;         ///< #N, a third of the faces around the node that lie on something, px^2
 };
 
 /// Adds one part. `height`: #N.
@@ -182,7 +177,7 @@ void add_rest(const LayeredMesh& mesh, const std::vector<int>& faces, const std:
     const double area =
         std::abs(cross(mesh.vertices[corners[1]] - a, mesh.vertices[corners[2]] - a)) / 2;
     rest.area += area;
-    for (const int n : mesh.faces[face]) rest.nodes[n];
+    rest.nodes.insert(rest.nodes.end(), mesh.faces[face].begin(), mesh.faces[face].end());
     const int begin = mesh.stack_begin[mesh.face_triangle[face]];
     int below = face - 1;
     while (below >= begin && (mesh.is_flap(below) || tied.count(mesh.face_part[below]) == 0))
@@ -190,9 +185,9 @@ void add_rest(const LayeredMesh& mesh, const std::vector<int>& faces, const std:
     if (below < begin) continue;
     rest.resting += area;
     for (int k = 0; k < 3; ++k) {
-      RestingNode& node = rest.nodes[mesh.faces[face][k]];
-      node.below = std::max(node.below, height[mesh.faces[below][k]]);
-      node.weight += area / 3;
+      const int n = mesh.faces[face][k];
+      rest.below[n] = std::max(rest.below[n], height[mesh.faces[below][k]]);
+      rest.weight[n] += area / 3;
     }
   }
 }
@@ -204,27 +199,27 @@ void add_plane(const LayeredMesh& mesh, const Rest& rest, double share, VectorXd
   const auto position = [&mesh](int n) { return mesh.vertices[mesh.node_vertex[n]]; };
   Point2 middle;
   double mean = 0;
-  for (const auto& [n, node] : rest.nodes) {
-    middle = middle + node.weight / rest.resting * position(n);
-    mean += node.weight / rest.resting * node.below;
+  for (const int n : rest.nodes) {
+    middle = middle + rest.weight[n] / rest.resting * position(n);
+    mean += rest.weight[n] / rest.resting * rest.below[n];
   }
   double xx = 0;
   double xy = 0;
   double yy = 0;
   Point2 moment;
-  for (const auto& [n, node] : rest.nodes) {
+  for (const int n : rest.nodes) {
     const Point2 r = position(n) - middle;
-    xx += node.weight * r.x * r.x;
-    xy += node.weight * r.x * r.y;
-    yy += node.weight * r.y * r.y;
-    moment = moment + node.weight * (node.below - mean) * r;
+    xx += rest.weight[n] * r.x * r.x;
+    xy += rest.weight[n] * r.x * r.y;
+    yy += rest.weight[n] * r.y * r.y;
+    moment = moment + rest.weight[n] * (rest.below[n] - mean) * r;
   }
   const double determinant = xx * yy - xy * xy;
   Point2 slope;
   if (determinant > 0)
     slope = {(yy * moment.x - xy * moment.y) / determinant,
              (xx * moment.y - xy * moment.x) / determinant};
-  for (const auto& [n, node] : rest.nodes) {
+  for (const int n : rest.nodes) {
     rise[n] = share * (mean + dot(slope, position(n) - middle));
     height[n] += rise[n];
   }
@@ -290,10 +285,11 @@ VectorXd spot_rise(const SurfaceInput& surface, const std::vector<std::set<int>>
   VectorXd rise = VectorXd::Zero(height.size());
   for (int part = 0; part < mesh.part_count; ++part) {
     if (tied[part].empty() || share[part] <= 0) continue;
-    Rest rest;
+    Rest rest{0, 0, {}, VectorXd::Zero(height.size()), VectorXd::Zero(height.size())};
     for (const int grown : grown_from(part, joins, scene.parts.size()))
       add_rest(mesh, faces[grown], tied[part], height, rest);
     if (!(rest.resting > no_spot * rest.area)) continue;
+    sort_once(rest.nodes);
     share[part] *= smooth_step(no_spot, whole_spot, rest.resting / rest.area);
     add_plane(mesh, rest, share[part], rise, height);
   }

@@ -71,7 +71,7 @@ Key ordering_key(const LayeredMesh& mesh, const Scene& scene, const OrderingOpti
 
 Key nonlinear_key(const NonlinearOptions& options) {
   return Key().add(options.lambda_bnd, options.lambda_shift, options.tolerance,
-                   options.max_iterations, options.anderson_depth, options.snapshots);
+                   options.max_iterations, options.snapshots);
 }
 
 }  // namespace relievo::relief

@@ -20,8 +20,8 @@ namespace {
 using namespace testing;
 using Eigen::VectorXd;
 
-/// The work of the depth pairs' forces on f, opposed to the slope of the inflation energy: how far
-/// they are from balance at free nodes and on B, relative to the largest.
+/// Returns the largest residual of the balance between the forces of the depth pairs on f and the
+/// slope of the inflation energy, at free nodes and on B, relative to the largest force.
 double imbalance_of_inflation(const NonlinearProgram& program, const NonlinearPoint& at) {
   const NonlinearPoint slope = gradient(program, at);
   const VectorXd root = VectorXd::NullaryExpr(at.p.size(), [&](Eigen::Index i) {
@@ -82,7 +82,7 @@ TEST_P(RandomScenes, OfTwoThousandNodesConverge) {
   }
 }
 
-// Surfaces of these scenes join parts with d > 0 and d < 0; their parts press where u passes 0.
+// Surfaces of these scenes join parts with d > 0 and d < 0 that touch others where u passes 0.
 TEST_P(RandomScenes, OfBothSignsConvergeOnFineMeshes) {
   for (const uint64_t seed : {7, 12, 21, 150, 195}) {
     ReliefOptions options;
@@ -261,8 +261,8 @@ TEST(SolveNonlinear, TellsWhenItRunsOutOfSteps) {
   EXPECT_LE(solution.ordering.max_violation, 1e-9);
 }
 
-// At a minimum a dearer shift is a smaller one, at the cost of the other terms: exact for minima of
-// any sum of two costs of which one is weighted.
+// For exact minima of a sum of two costs, a larger weight of one makes it smaller and the other one
+// larger.
 TEST(SolveNonlinear, DearerShiftsAreSmaller) {
   NonlinearCase test = nonlinear_case(body_and_leg(), 2000, 1);
   const Relief& start = test.approximate;
@@ -318,7 +318,6 @@ TEST(SolveNonlinear, RefusesOptionsThatMakeNoSense) {
     EXPECT_EQ(where([=](NonlinearOptions& o) { o.lambda_shift = shift; }), "lambda_shift");
   EXPECT_EQ(where([](NonlinearOptions& o) { o.tolerance = std::nan(""); }), "tolerance");
   EXPECT_EQ(where([](NonlinearOptions& o) { o.max_iterations = 0; }), "max_iterations");
-  EXPECT_EQ(where([](NonlinearOptions& o) { o.anderson_depth = -1; }), "anderson_depth");
   EXPECT_EQ(where([](NonlinearOptions& o) { o.ordering.epsilon = 0; }), "epsilon");
   EXPECT_EQ(where([](NonlinearOptions& o) { o.snapshots = {3, 1}; }), "snapshots");
 }

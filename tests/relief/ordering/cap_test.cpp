@@ -41,7 +41,8 @@ VectorXd wanted_of(const ShiftedScene& relief, const Scene& scene) {
   return cap_rise(caps, relief.inflation, metric.scale);
 }
 
-/// The farthest that the hat's outline beside and above the head is from the drawing plane.
+/// Returns the largest distance of the hat's outline beside and above the head from the drawing
+/// plane.
 double rim_height(const ShiftedScene& relief) {
   double most = 0;
   for (size_t n = 0; n < relief.ordering.h.size(); ++n) {
@@ -160,7 +161,7 @@ Scene head_and_eye(double by = 1) {
   return scene;
 }
 
-/// How far the head's shift is from being the same all over.
+/// Returns the range of the heights of the head's outline.
 double bend(const ShiftedScene& relief) {
   double least = 1e9;
   double most = -1e9;

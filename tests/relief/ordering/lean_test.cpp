@@ -40,7 +40,7 @@ Scene leaning_scene(const LayeredMesh& mesh) {
   return scene;
 }
 
-/// A body and a leg that is one surface with it.
+/// A body and a leg in one surface.
 LayeredMesh joined_boxes() {
   LayeredMesh mesh = stack_parts(testing::jittered(testing::grid_mesh(50, 45, 4), 0),
                                  {in_box({0, 0}, {200, 120}), in_box({80, 80}, {120, 180})});
@@ -48,7 +48,7 @@ LayeredMesh joined_boxes() {
   return mesh;
 }
 
-/// The centroid of a part's faces, px.
+/// Returns the centroid of a part's faces, px.
 Point2 middle_of(const LayeredMesh& mesh, int part) {
   Point2 sum;
   double weight = 0;
@@ -82,7 +82,8 @@ TEST(Lean, APartOfItsOwnIsItsInflationAndItsSlope) {
     const int part = mesh.node_part[n];
     const Point2 lean = scene.parts[part].lean;
     const Point2 at = mesh.vertices[mesh.node_vertex[n]] - middle_of(mesh, part);
-    // Round-off: epsilon alone holds the height of the whole part, on a canvas of 1000 px.
+    // Only epsilon fixes the height of the whole part, on a canvas of 1000 px, so round-off is
+    // large.
     EXPECT_NEAR(ordering.g[n], dot(lean, at), 1e-7);
     EXPECT_LE(norm(ordering.grad_g[n] - lean), 1e-9);
   }

@@ -29,7 +29,7 @@ ShiftedScene solved(const Scene& scene, bool straight_limbs) {
   return shifted(scene, {straight_limbs, true});
 }
 
-/// The largest height of the leg between two rows.
+/// Returns the largest height of the leg between two rows.
 double crest(const ShiftedScene& relief, double from, double to) {
   double top = 0;
   for (size_t n = 0; n < relief.ordering.h.size(); ++n)

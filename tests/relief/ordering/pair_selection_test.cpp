@@ -20,7 +20,7 @@ int count_equal(const DepthSystem& system) {
       std::count_if(gaps.begin(), gaps.end(), [](const DepthGap& gap) { return gap.equal; }));
 }
 
-/// The pairs of the mesh without those of the parts from `front` on.
+/// Returns the pairs of the mesh without those of the parts from `front` on.
 std::vector<DepthPair> pairs_behind(const LayeredMesh& mesh, int front) {
   std::vector<DepthPair> pairs = mesh.constraints;
   pairs.erase(
@@ -69,7 +69,7 @@ TEST_F(PairSelection, GivesTheHeightsOfASystemBuiltForThePairs) {
 TEST_F(PairSelection, SplitsWhatWasEqualAndFindsWhatWasImplied) {
   std::vector<DepthPair> changed = mesh_.constraints;
   for (DepthPair& pair : changed) pair.equal = mesh_.node_part[pair.upper] % 3 == 0;
-  // Without the parts in between, a pair that they implied counts for itself.
+  // Without the pairs in between, a pair that they implied is not dropped.
   std::vector<DepthPair> over = mesh_.constraints;
   const auto next_but_one = [&](const DepthPair& pair) {
     return (mesh_.node_part[pair.upper] - mesh_.node_part[pair.lower]) % 2 == 0;

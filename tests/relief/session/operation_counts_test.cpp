@@ -8,7 +8,7 @@
 #include "relief/session/relief_session.h"
 #include "support/random_scene.h"
 
-// What a reconstruction costs, counted in operations: these hold on any machine.
+// The cost of a reconstruction in operations, which is the same on any machine.
 
 namespace relievo::relief {
 namespace {
