@@ -78,7 +78,7 @@ Program program_of(const Surface& surface) {
   program.metric =
       relief::make_shift_metric(surface.discretisation, relief::OrderingOptions().epsilon);
   program.system = relief::make_depth_system(
-      relief::make_depth_problem(surface.mesh.node_part, surface.mesh.constraints), program.metric,
+      relief::build_depth_forest(surface.mesh.node_part, surface.mesh.constraints), program.metric,
       surface.discretisation.elimination, {}, {});
   relief::solve_heights(program.system, program.metric,
                         relief::inflated_heights(surface.inflation.u), program.ordering, {});

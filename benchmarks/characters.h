@@ -7,7 +7,7 @@
 #include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
-#include "relief/ordering/depth_problem.h"
+#include "relief/ordering/depth_system.h"
 #include "relief/session/build_relief.h"
 #include "relievo/scene.h"
 

@@ -107,7 +107,7 @@ bool study(const char* name, int vertices) {
     auto inflation = relief::inflate(*mesh, drawing->scene, {robin.alpha0, robin.rho});
     if (!inflation) return false;
     relief::OrderingOptions as_in_paper;
-    as_in_paper.wanted = {false, false};
+    as_in_paper.straight_limbs = as_in_paper.close_caps = false;
     auto ordering = relief::order_depth(*mesh, *inflation, drawing->scene, as_in_paper);
     if (!ordering) return false;
     approximate.push_back({*inflation, *ordering});

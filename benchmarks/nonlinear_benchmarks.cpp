@@ -85,7 +85,7 @@ void approximate(const std::string& name, const Surface& surface) {
   system.contacts = surface.coarse;
   const relief::Inflation inflation = inflation_of({surface.mesh, operators, scene}, system);
   benchmark::DoNotOptimize(
-      relief::order_depth({surface.mesh, operators, inflation, scene}, {}, system));
+      relief::order_depth({surface.mesh, operators, scene}, inflation, {}, system));
 }
 
 /// The same by the non-linear method.
@@ -96,7 +96,7 @@ Result<relief::NonlinearSolution> solve(const std::string& name, const Surface& 
   const relief::Discretisation operators = relief::discretise(surface.mesh);
   relief::OrderingSystem system;
   const relief::Inflation inflation = inflation_of({surface.mesh, operators, scene}, system);
-  return relief::solve_nonlinear({surface.mesh, operators, inflation, scene}, options, known,
+  return relief::solve_nonlinear({surface.mesh, operators, scene}, inflation, options, known,
                                  system);
 }
 
@@ -104,7 +104,7 @@ void nonlinear(State& state, const std::string& name, int vertices, double lambd
   const Surface& surface = surface_of(name, vertices);
   relief::NonlinearOptions options;
   options.lambda_bnd = lambda_bnd;
-  options.wanted = relief::OrderingOptions().wanted;
+  options.ordering = relief::OrderingOptions();
   const relief::NonlinearMemory known = coarse_memory(name, vertices, options);
   LeastTimes other;
   LeastTimes own;
@@ -113,7 +113,7 @@ void nonlinear(State& state, const std::string& name, int vertices, double lambd
       other.add([&] { approximate(name, surface); });
       own.add([&] {
         const auto solution = solve(name, surface, options, known);
-        if (!solution || solution->report.status != relief::NonlinearStatus::solved)
+        if (!solution || solution->report.status != SolveStatus::solved)
           state.SkipWithError("not solved");
         else
           state.counters["steps"] = static_cast<double>(solution->report.steps.size());

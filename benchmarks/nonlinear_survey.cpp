@@ -41,7 +41,7 @@ void survey(uint64_t seed, int vertices, double lambda_bnd, Tally (&tallies)[2])
   }
   const relief::NonlinearReport& report = relief->nonlinear;
   const int steps = static_cast<int>(report.steps.size());
-  const bool solved = report.status == relief::NonlinearStatus::solved;
+  const bool solved = report.status == SolveStatus::solved;
   double milliseconds = 0;
   for (const relief::NonlinearStep& step : report.steps) milliseconds += step.milliseconds;
   if (solved) tallies[mixed].steps.push_back(steps);

@@ -49,7 +49,7 @@ void order_from(State& state, const std::string& name, const Surface& surface,
     relief::OrderingSystem system;
     system.contacts = contacts;
     const auto ordering = relief::order_depth(
-        {surface.mesh, surface.discretisation, surface.inflation, scene_of(name)}, {}, system);
+        {surface.mesh, surface.discretisation, scene_of(name)}, surface.inflation, {}, system);
     const BoundQpReport& report = ordering->report;
     state.counters["iterations"] = report.iterations;
     state.counters["inequalities"] = ordering->inequalities;
@@ -83,7 +83,7 @@ void solve(State& state, const std::string& name, int vertices) {
       inflation = *inflate({surface.mesh, operators, scene}, {}, poisson);
     });
     benchmark::DoNotOptimize(
-        relief::order_depth({surface.mesh, operators, inflation, scene}, {}, system));
+        relief::order_depth({surface.mesh, operators, scene}, inflation, {}, system));
   }
 }
 

@@ -184,7 +184,7 @@ void print_files(const BuildArguments& build, const Products& products) {
 
 std::vector<std::string> relief_warnings(const relief::Relief& relief) {
   std::vector<std::string> warnings = relief.layers.warnings;
-  if (relief.nonlinear.status == relief::NonlinearStatus::iteration_limit)
+  if (relief.nonlinear.status == SolveStatus::iteration_limit)
     warnings.push_back(
         "the non-linear method did not converge; the relief keeps its order but is not the best");
   return warnings;

@@ -260,7 +260,7 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
     return relief::layer_parts(tried, options, {interruption.flag(), {}});
   });
   if (!mesh) return mesh.error();
-  if (Status status = relief::check_held(*mesh, tried, {}); !status) return status;
+  if (Status status = relief::check_fixed(*mesh, tried, {}); !status) return status;
   print_warnings(mesh->warnings, quiet);
   if (const std::string table = overlap_table(scene, *mesh); !table.empty())
     print_result("\n" + table, quiet);

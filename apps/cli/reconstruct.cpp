@@ -40,7 +40,8 @@ Result<relief::ReliefOptions> settle_options(Scene& scene, const ReliefArguments
     for (Part& part : scene.parts) part = as_in_paper(std::move(part));
     options.layers.attach = false;
     options.inflation.alpha0 = paper_alpha0;
-    options.ordering.wanted = {false, false};
+    options.ordering.straight_limbs = false;
+    options.ordering.close_caps = false;
   }
   if (arguments.c)
     for (Part& part : scene.parts) part.c = *arguments.c;

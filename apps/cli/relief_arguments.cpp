@@ -109,11 +109,11 @@ void add_relief_options(CLI::App& app, ReliefArguments& relief) {
   add_choice(app, "--ramps", {"auto", "robin"}, relief.options.layers.attach,
              "Outlines beside joins: auto, attached to the part below at first (the default); "
              "robin, as in the paper");
-  relief::WantedShifts& wanted = relief.options.ordering.wanted;
-  add_choice(app, "--limbs", {"straight", "back"}, wanted.straight_limbs,
+  relief::OrderingOptions& ordering = relief.options.ordering;
+  add_choice(app, "--limbs", {"straight", "back"}, ordering.straight_limbs,
              "Joined limbs: straight, as far forward as they begin (the default); back, each "
              "falling back to the drawing plane, as in the paper");
-  add_choice(app, "--caps", {"closed", "loose"}, wanted.close_caps,
+  add_choice(app, "--caps", {"closed", "loose"}, ordering.close_caps,
              "Hats and eyes: closed, round what they lie on and on it (the default); loose, as far "
              "forward as where they cross it, as in the paper");
   auto* preset = app.add_option_function<std::string>(

@@ -68,14 +68,13 @@ Json nonlinear_json(const relief::NonlinearReport& report,
                      {"residual", step.residual},
                      {"factorisations", step.factorisations},
                      {"ms", step.milliseconds}});
-  return {
-      {"status", report.status == relief::NonlinearStatus::solved ? "solved" : "iteration_limit"},
-      {"lambda_bnd", options.lambda_bnd},
-      {"lambda_shift", options.lambda_shift},
-      {"iterations", report.steps.size()},
-      {"residual", report.residual},
-      {"energy", energies(report.energy)},
-      {"steps", steps}};
+  return {{"status", report.status == SolveStatus::solved ? "solved" : "iteration_limit"},
+          {"lambda_bnd", options.lambda_bnd},
+          {"lambda_shift", options.lambda_shift},
+          {"iterations", report.steps.size()},
+          {"residual", report.residual},
+          {"energy", energies(report.energy)},
+          {"steps", steps}};
 }
 
 /// Milliseconds by stage: those of the contract first, 0 where a stage did not run.
@@ -109,8 +108,8 @@ std::string write_report(const ReportInput& input) {
   report["solver"] = solver(ordering.report);
   if (nonlinear) report["nonlinear"] = nonlinear_json(input.relief.nonlinear, input.options);
   report["max_violation"] = ordering.max_violation;
-  report["overlap_violation"] = {{"samples", input.relief.overlap_samples},
-                                 {"worst", input.relief.overlap_worst}};
+  report["overlap_violation"] = {{"samples", input.relief.ordering.overlap_samples},
+                                 {"worst", input.relief.ordering.overlap_worst}};
   if (input.model != nullptr)
     report["model"] = {{"vertices", input.model->positions.size()},
                        {"faces", input.model->triangles.size()}};

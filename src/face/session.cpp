@@ -56,9 +56,9 @@ BuildReport report_of(const relief::Relief& relief) {
   report.inequalities = relief.ordering.inequalities;
   report.active = relief.ordering.report.active;
   report.max_violation = relief.ordering.max_violation;
-  report.worst_overlap = relief.overlap_worst;
+  report.worst_overlap = relief.ordering.overlap_worst;
   report.energy = relief.nonlinear.energy.total();
-  report.converged = relief.nonlinear.status == relief::NonlinearStatus::solved;
+  report.converged = relief.nonlinear.status == SolveStatus::solved;
   for (const relief::StageTime& time : relief.times)
     if (!time.beside) report.milliseconds[time.stage] += time.milliseconds;
   report.warnings = relief.layers.warnings;

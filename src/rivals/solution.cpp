@@ -29,8 +29,8 @@ Result<Solution> inflate_parts(relief::LayeredMesh mesh, const Scene& scene,
 
 Status order_parts(Solution& solution, const Scene& scene, const RunContext& context) {
   relief::OrderingSystem system;
-  auto ordering = relief::order_depth(
-      {solution.mesh, solution.discretisation, solution.inflation, scene}, {}, system, context);
+  auto ordering = relief::order_depth({solution.mesh, solution.discretisation, scene},
+                                      solution.inflation, {}, system, context);
   if (!ordering) return ordering.error();
   solution.ordering = std::move(*ordering);
   return Done{};
@@ -49,11 +49,12 @@ void make_linear(const std::vector<double>& h, Solution& solution) {
 
 Result<Model> model_of(const Solution& solution, const Scene& scene, const RunContext& context) {
   std::optional<relief::FlapSystem> flaps;
-  const relief::HiddenSheets all = relief::hide_sheets(
-      {solution.mesh, solution.discretisation, scene, solution.inflation, solution.ordering}, flaps,
-      context);
+  relief::Inflation inflation = solution.inflation;
+  relief::Ordering ordering = solution.ordering;
+  relief::hide_sheets({solution.mesh, solution.discretisation, scene}, flaps, inflation, ordering,
+                      context);
   if (context.cancelled()) return interrupted_error();
-  return relief::assemble_model(solution.mesh, all.inflation, all.ordering, scene, {}, context);
+  return relief::assemble_model(solution.mesh, inflation, ordering, scene, {}, context);
 }
 
 }  // namespace relievo

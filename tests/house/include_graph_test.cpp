@@ -58,7 +58,7 @@ TEST(IncludeRules, AllowTheDataFlow) {
       {"relief/inflation/inflate.cpp", "relief/layers/layered_mesh.h"},
       {"relief/inflation/inflate.cpp", "kernel/cholesky/sparse_cholesky.h"},
       {"relief/surface/assemble_model.cpp", "relief/layers/layered_mesh.h"},
-      {"relief/nonlinear/nonlinear_map.h", "relief/ordering/depth_problem.h"},
+      {"relief/nonlinear/nonlinear_map.h", "relief/ordering/depth_system.h"},
       {"relief/session/build_relief.h", "relief/ordering/order_depth.h"},
       {"io/mesh/glb_encode.cpp", "relief/surface/visible_sheet.h"},
       {"relievo/session.h", "relievo/scene.h"},

@@ -35,9 +35,9 @@ const std::map<std::string, std::vector<std::string>> wings = {
 
 /// What a stage of the relief hands on. Everything else in its room is its own.
 const Names stage_structs = {
-    "cues/cue_fields.h",     "discretisation/discretisation.h", "hiding/hidden_sheets.h",
-    "inflation/inflation.h", "layers/layered_mesh.h",           "nonlinear/nonlinear_solution.h",
-    "ordering/ordering.h",   "surface/visible_sheet.h",
+    "cues/cue_fields.h",       "discretisation/discretisation.h", "inflation/inflation.h",
+    "layers/layered_mesh.h",   "nonlinear/nonlinear_solution.h",  "ordering/ordering.h",
+    "surface/visible_sheet.h",
 };
 
 /// The verbs of the stages, for the session alone.

@@ -55,7 +55,7 @@ TEST_P(SampleRelief, IsOptimalAndInOrder) {
   EXPECT_LE(ordering.report.dual, 1e-12);
   EXPECT_LE(ordering.report.complementarity, 1e-12);
   EXPECT_EQ(ordering.max_violation, 0);
-  EXPECT_LE(drawn.relief.overlap_worst, 1);  // px, of slivers whose nodes are all seen
+  EXPECT_LE(drawn.relief.ordering.overlap_worst, 1);  // px, of slivers whose nodes are all seen
 }
 
 TEST_P(SampleRelief, DoesNotDependOnTheFirstGuess) {

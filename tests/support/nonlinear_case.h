@@ -19,7 +19,7 @@ inline relief::ReliefOptions nonlinear_options(int vertices, double lambda_bnd) 
   options.layers.vertex_budget = vertices;
   options.hidden = false;
   options.nonlinear.lambda_bnd = lambda_bnd;
-  options.ordering.wanted = {false, false};  // as in the paper
+  options.ordering.straight_limbs = options.ordering.close_caps = false;  // as in the paper
   return options;
 }
 

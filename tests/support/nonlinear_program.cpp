@@ -95,8 +95,8 @@ NonlinearProgram make_nonlinear_program(const relief::LayeredMesh& mesh, const S
   program.L = stiffness_matrix(flat);
   program.mass = lumped_mass(flat);
   program.A = program.L;
-  program.A.diagonal() += options.epsilon * program.mass;
-  const ShiftCost cost{mesh, scene, options.epsilon};
+  program.A.diagonal() += options.ordering.epsilon * program.mass;
+  const ShiftCost cost{mesh, scene, options.ordering.epsilon};
   const VectorXd still = VectorXd::Zero(program.mass.size());
   program.pull = -cost.slope(still);
   program.lean_constant = cost(still);

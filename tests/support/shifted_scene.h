@@ -21,15 +21,13 @@ struct ShiftedScene {
   Point2 at(size_t n) const { return mesh.vertices[mesh.node_vertex[n]]; }
 };
 
-inline ShiftedScene shifted(const Scene& scene, const relief::WantedShifts& wanted = {}) {
+inline ShiftedScene shifted(const Scene& scene, const relief::OrderingOptions& ordering = {}) {
   relief::LayerOptions options;
   options.vertex_budget = 3000;
   Result<relief::LayeredMesh> mesh = relief::layer_parts(scene, options);
   EXPECT_TRUE(mesh) << to_string(mesh.error());
   Result<relief::Inflation> inflation = relief::inflate(*mesh, scene, {});
   EXPECT_TRUE(inflation) << to_string(inflation.error());
-  relief::OrderingOptions ordering;
-  ordering.wanted = wanted;
   Result<relief::Ordering> order = relief::order_depth(*mesh, *inflation, scene, ordering);
   EXPECT_TRUE(order) << to_string(order.error());
   relief::Discretisation discretisation = relief::discretise(*mesh);

@@ -8,6 +8,7 @@
 #include "relief/layers/layered_mesh.h"
 #include "relievo/point.h"
 #include "relievo/run_context.h"
+#include "relievo/scene.h"
 
 namespace relievo::relief {
 
@@ -48,5 +49,13 @@ struct Discretisation {
 /// creases and flaps of the mesh, not its roles or constraints. If `context` is cancelled the
 /// result is incomplete. O(N log N).
 Discretisation discretise(const LayeredMesh& mesh, const RunContext& context = {});
+
+/// The input that all solvers of a joined surface share: its mesh, the operators on it, and the
+/// scene that it shows.
+struct SurfaceInput {
+  const LayeredMesh& mesh;
+  const Discretisation& discretisation;
+  const Scene& scene;
+};
 
 }  // namespace relievo::relief

@@ -11,7 +11,6 @@
 #include "kernel/geometry/polygon.h"
 #include "kernel/operators/gradient.h"
 #include "relief/discretisation/discretisation.h"
-#include "relief/hiding/hidden_sheets.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/ordering.h"
@@ -20,30 +19,23 @@
 
 namespace relievo::relief {
 
-/// The surface that is seen from the front, and what was computed of it.
-struct HidingInput {
-  const LayeredMesh& mesh;
-  const Discretisation& discretisation;
-  const Scene& scene;
-  const Inflation& inflation;
-  const Ordering& ordering;
-};
-
-/// The flaps of a mesh, and the matrix of the nodes inside them: all that hiding keeps from one
-/// call to the next.
+/// The flaps of a mesh and the matrix of the nodes inside them, kept from one call of hide_sheets
+/// to the next.
 class FlapSystem {
  public:
-  /// O(N + faces), and an analysis of the flaps' nodes. Of no use where `context` is cancelled.
+  /// O(N + faces), and an analysis of the flaps' nodes. If `context` is cancelled, the system must
+  /// not be used.
   FlapSystem(const LayeredMesh& mesh, const Discretisation& discretisation,
              const RunContext& context);
 
-  /// Gives the nodes inside flaps u and g: the Poisson problem of their part and the smoothest
-  /// shift that go on from the nodes at their edges, both free along the cut at the join. One
+  /// Sets u and g inside flaps: u solves the Poisson problem of its part, and g is harmonic. Both
+  /// have the values of the nodes at the flaps' edges and are free along the cut at the join. One
   /// factorisation each.
-  void fill(const HidingInput& input, const RunContext& context, HiddenSheets& sheets);
+  void fill(const SurfaceInput& surface, const RunContext& context, Inflation& inflation,
+            Ordering& ordering);
 
-  /// Gives them the gradients of the g that they have.
-  void set_slopes(Ordering& ordering) const;
+  /// Sets the gradients of g inside flaps.
+  void set_gradients(Ordering& ordering) const;
 
  private:
   bool solve(const Eigen::VectorXd& load, const std::vector<uint8_t>& fixed,
@@ -51,20 +43,21 @@ class FlapSystem {
 
   std::vector<Point2> positions_;          ///< #N, px
   std::vector<int> flaps_;                 ///< faces of the mesh
-  std::vector<std::array<int, 3>> faces_;  ///< their nodes
-  std::vector<int> nodes_;                 ///< inside flaps, ascending
+  std::vector<std::array<int, 3>> faces_;  ///< nodes of each flap
+  std::vector<int> nodes_;                 ///< nodes inside flaps, ascending
   GradientStencils gradients_;             ///< on the flaps alone, 1 / px
   SparseMatrix L_;                         ///< #N x #N
-  SparseMatrix K_;                         ///< of nodes_, lower triangle
+  SparseMatrix K_;                         ///< L on nodes_, lower triangle
   SparseCholesky factor_;
 };
 
-/// Brings what is hidden below what is seen, which stays as it is: flaps are inflated and hung up
-/// at the edges where they go on from the rest of their sheet, and hidden nodes that come out in
-/// front are lowered, node by node and where faces cross between nodes. For models with hidden
-/// surfaces only. `flaps` is nothing, or what a call left with the same mesh and discretisation.
-/// O(F), and a factorisation of the flaps.
-HiddenSheets hide_sheets(const HidingInput& input, std::optional<FlapSystem>& flaps,
-                         const RunContext& context = {});
+/// Brings hidden sheets below the visible surface, which does not change. Continues flaps from the
+/// edges where their sheet is cut, and lowers hidden nodes that lie in front, also for faces that
+/// cross between nodes. Adds `lowered`, `crossing` and the overlaps to `ordering`. Only models with
+/// hidden surfaces need it. `flaps`: nothing, or left by a call with the same mesh and
+/// discretisation. If `context` is cancelled, the results must not be used. O(F), and a
+/// factorisation of the flaps.
+void hide_sheets(const SurfaceInput& surface, std::optional<FlapSystem>& flaps,
+                 Inflation& inflation, Ordering& ordering, const RunContext& context = {});
 
 }  // namespace relievo::relief

@@ -20,10 +20,10 @@ constexpr std::array<Weights, 6> inner_points = {{{0.6, 0.2, 0.2},
                                                   {0.4, 0.2, 0.4},
                                                   {0.2, 0.4, 0.4}}};
 
-/// How near to corners and edges `rim_dip` looks, as shares of the face.
+/// Distances from corners and edges at which rim_dip samples, as shares of the face.
 constexpr std::array<double, 2> rim_distances = {0.05, 0.01};
 
-/// Pairs of parts (the later one first) that may cross, sorted.
+/// Returns the pairs of parts that may cross, the later one first, sorted.
 std::vector<std::pair<int, int>> free_parts(const Scene& scene) {
   std::vector<std::pair<int, int>> parts;
   for (const Relation& relation : scene.relations)
@@ -33,20 +33,12 @@ std::vector<std::pair<int, int>> free_parts(const Scene& scene) {
   return parts;
 }
 
-/// Whether two faces may cross.
-class Crossable {
- public:
-  Crossable(const LayeredMesh& mesh, const Scene& scene) : mesh_(mesh), parts_(free_parts(scene)) {}
-
-  bool operator()(int upper, int lower) const {
-    const auto [first, last] = std::minmax(mesh_.face_part[upper], mesh_.face_part[lower]);
-    return std::binary_search(parts_.begin(), parts_.end(), std::pair(last, first));
-  }
-
- private:
-  const LayeredMesh& mesh_;
-  std::vector<std::pair<int, int>> parts_;
-};
+/// Checks whether two faces may cross. `free`: free_parts of the scene.
+bool may_cross(const LayeredMesh& mesh, const std::vector<std::pair<int, int>>& free, int upper,
+               int lower) {
+  const auto [first, last] = std::minmax(mesh.face_part[upper], mesh.face_part[lower]);
+  return std::binary_search(free.begin(), free.end(), std::pair(last, first));
+}
 
 double height_at(const Face& face, const Weights& weight, const std::vector<double>& u,
                  const std::vector<double>& g) {
@@ -68,24 +60,24 @@ double dip_at(const LayeredMesh& mesh, const FacePair& pair, const Inflation& in
 }  // namespace
 
 std::vector<FacePair> stacked_faces(const LayeredMesh& mesh, const Scene& scene) {
-  const Crossable may_cross(mesh, scene);
+  const std::vector<std::pair<int, int>> free = free_parts(scene);
   std::vector<FacePair> pairs;
   for (size_t t = 0; t < mesh.triangles.size(); ++t)
     for (int lower = mesh.stack_begin[t + 1] - 2; lower >= mesh.stack_begin[t]; --lower) {
       int upper = lower + 1;
-      while (upper < mesh.stack_begin[t + 1] && may_cross(upper, lower)) ++upper;
+      while (upper < mesh.stack_begin[t + 1] && may_cross(mesh, free, upper, lower)) ++upper;
       if (upper < mesh.stack_begin[t + 1]) pairs.push_back({lower, upper});
     }
   return pairs;
 }
 
 std::vector<FacePair> covered_faces(const LayeredMesh& mesh, const Scene& scene) {
-  const Crossable may_cross(mesh, scene);
+  const std::vector<std::pair<int, int>> free = free_parts(scene);
   std::vector<FacePair> pairs;
   for (size_t t = 0; t < mesh.triangles.size(); ++t) {
     const int front = mesh.stack_begin[t + 1] - 1;
     for (int lower = mesh.stack_begin[t]; lower < front; ++lower)
-      if (!may_cross(front, lower)) pairs.push_back({lower, front});
+      if (!may_cross(mesh, free, front, lower)) pairs.push_back({lower, front});
   }
   return pairs;
 }

@@ -11,32 +11,32 @@
 
 namespace relievo::relief {
 
-/// Two faces of one base triangle of which the first must not lie in front of the second.
+/// Two faces of one base triangle. The lower one must not lie in front of the upper one.
 struct FacePair {
   int lower = -1;
   int upper = -1;
 };
 
-/// Each face with the next one in front of it; those that a relation "free" without a range lets
-/// pass are passed over. By base triangle, front to back. O(F) but for such relations.
+/// Pairs each face with the next one in front of it, skipping parts that a relation "free" without
+/// a range lets cross. Sorted by base triangle, front to back. O(F) without such relations.
 std::vector<FacePair> stacked_faces(const LayeredMesh& mesh, const Scene& scene);
 
-/// Each hidden face with the one in front of all at its base triangle, but for those that a
-/// relation "free" without a range lets cross. By base triangle. O(F).
+/// Pairs each hidden face with the frontmost one at its base triangle, except where a relation
+/// "free" without a range lets them cross. Sorted by base triangle. O(F).
 std::vector<FacePair> covered_faces(const LayeredMesh& mesh, const Scene& scene);
 
-/// How far a lower face comes out in front of an upper one, negative where it stays behind.
+/// The distance by which a lower face comes out in front of an upper one at a point.
 struct Dip {
-  double depth = 0;                ///< px
-  std::array<double, 3> weight{};  ///< of the corners at that point
+  double depth = 0;                ///< px, negative if it stays behind
+  std::array<double, 3> weight{};  ///< barycentric coordinates of the point
 };
 
-/// The deepest of six inner points; u and g linear, the root of u taken afterwards.
+/// Returns the largest dip at six inner points. Interpolates u and g and then takes the root of u.
 Dip worst_dip(const LayeredMesh& mesh, const FacePair& pair, const Inflation& inflation,
               const Ordering& ordering);
 
-/// How far it does near corners and edges, where roots rise from outlines more steeply than any
-/// face, px.
+/// Returns the largest dip near corners and edges, px. Beside an outline a root rises more steeply
+/// than any face.
 double rim_dip(const LayeredMesh& mesh, const FacePair& pair, const Inflation& inflation,
                const Ordering& ordering);
 

@@ -11,27 +11,21 @@
 namespace relievo::relief {
 
 struct InflationOptions {
-  double alpha0 = 0;  ///< alpha beside a join's end, in [0, 1]; 1 gives the paper's pits
-  double rho = 0.25;  ///< length scale of a ramp / its length, > 0
+  double alpha0 = 0;  ///< alpha at the end of a join, in [0, 1]; 1 gives the paper's pits
+  double rho = 0.25;  ///< length scale l of a ramp relative to its length, > 0
 };
 
-/// The joined surface and what was computed of it.
-struct InflationInput {
-  const LayeredMesh& mesh;
-  const Discretisation& discretisation;
-  const Scene& scene;
-};
+/// Checks that each joined surface has a node with a Dirichlet or Robin condition. Fails with
+/// bad_input, naming a part, if one has none: the Poisson problem is singular then. O(F).
+Status check_fixed(const LayeredMesh& mesh, const Scene& scene, const InflationOptions& options);
 
-/// Fails with bad_input where a surface has no outline that holds it at 0, naming its part. O(F).
-Status check_held(const LayeredMesh& mesh, const Scene& scene, const InflationOptions& options);
-
-/// Solves (L + B_beta + K) u = M c once for all parts, K the screening of flat ones. Fails as
-/// check_held. `system` is that of the mesh and its discretisation; the result does not depend on
-/// what it was used for before.
-Result<Inflation> inflate(const InflationInput& input, const InflationOptions& options,
+/// Solves (L + B + K) u = M c for all parts at once, and raises bumps. `system` must be made for
+/// the mesh and its discretisation; the result does not depend on its earlier use. Fails as
+/// check_fixed, with usage for options out of range, and when cancelled.
+Result<Inflation> inflate(const SurfaceInput& surface, const InflationOptions& options,
                           PoissonSystem& system, const RunContext& context = {});
 
-/// The same with operators and a system for one use.
+/// Makes the discretisation and the system, and inflates once.
 Result<Inflation> inflate(const LayeredMesh& mesh, const Scene& scene,
                           const InflationOptions& options, const RunContext& context = {});
 

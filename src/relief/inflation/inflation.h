@@ -8,13 +8,13 @@
 namespace relievo::relief {
 
 /// Inflated heights f = sgn(u) sqrt|u| before ordering [P eq 7-9]. u is piecewise linear on the
-/// faces; sample it linearly and take the root afterwards, for f has infinite slope at outlines.
+/// faces. Interpolate u and take the root afterwards, because f has infinite slope at outlines.
 struct Inflation {
-  std::vector<double> u;       ///< #N, px^2, negative under parts with d < 0
+  std::vector<double> u;       ///< #N, px^2, negative on parts with d < 0
   std::vector<Point2> grad_u;  ///< #N, gradient of u at the node, px, canvas axes (y down)
 };
 
-/// sgn(u) sqrt|u|.
+/// Returns sgn(u) sqrt|u|.
 inline double signed_root(double u) { return std::copysign(std::sqrt(std::abs(u)), u); }
 
 }  // namespace relievo::relief

@@ -18,82 +18,72 @@
 
 namespace relievo::relief {
 
-/// What holds u on a surface; B has no unit.
+/// Boundary conditions and zeroth-order terms of the Poisson problem, dimensionless.
 struct PoissonBoundary {
-  std::vector<uint8_t> fixed;  ///< #N flags: u = 0
-  Eigen::VectorXd spring;      ///< #N, to 0: the diagonal of B
-  std::vector<double> link;    ///< per ramp node of the mesh, to the node below, where there is one
+  std::vector<uint8_t> fixed;    ///< #N flags: u = 0 (Dirichlet)
+  Eigen::VectorXd diagonal;      ///< #N, added to the diagonal: Robin terms and screening
+  std::vector<double> coupling;  ///< #ramp nodes, stiffness between the node and the one below it
 
   friend bool operator==(const PoissonBoundary& a, const PoissonBoundary& b) {
-    return a.fixed == b.fixed && a.spring == b.spring && a.link == b.link;
+    return a.fixed == b.fixed && a.diagonal == b.diagonal && a.coupling == b.coupling;
   }
 };
 
-/// The Poisson problem of a surface, whose matrix is analysed once and factorised again only as far
-/// as its boundary conditions change.
+/// The Poisson problem of a surface. Its matrix is analysed once, and only the part of the factor
+/// that depends on changed boundary conditions is computed again.
 class PoissonSystem {
  public:
-  /// Unknowns are the nodes of shaping faces that are not on outlines, in the discretisation's
-  /// order. Systems that
-  /// are to be solved with several boundary conditions are best incremental. Where `context` is
-  /// cancelled the system is of no use.
+  /// Analyses the matrix. The unknowns are the nodes of shaping faces off outlines, in the
+  /// discretisation's order. Choose incremental refactorisation to solve with several boundary
+  /// conditions. If `context` is cancelled, the system must not be used.
   PoissonSystem(const LayeredMesh& mesh, const Discretisation& discretisation,
                 Refactorisation refactorisation, const RunContext& context);
 
-  /// Solves (L + B) u = load with u = 0 on outlines and where it is fixed. Nothing where there is
-  /// no finite solution or `context` is cancelled.
+  /// Solves (L + B) u = load (#N each) with u = 0 on outlines and where it is fixed. Returns
+  /// nothing if there is no finite solution or `context` is cancelled.
   std::optional<Eigen::VectorXd> solve(const PoissonBoundary& boundary, const Eigen::VectorXd& load,
                                        const RunContext& context);
 
  private:
-  /// Two unknowns at one place that may be linked.
-  struct Link {
-    int ramp_node = -1;  ///< of the mesh
-    int row = -1;
-    int column = -1;  ///< < row
-  };
-
-  void collect_links(const LayeredMesh& mesh);
+  /// Checks whether both a ramp node and the node below it are unknowns.
+  bool is_coupled(const RampNode& ramp) const;
+  void add_couplings();
   void set_values(const PoissonBoundary& boundary);
 
-  std::vector<int> unknown_;  ///< #N, -1 on outlines and inside flaps
-  std::vector<int> node_;     ///< of each unknown
-  std::vector<Link> links_;
-  SparseMatrix L_;  ///< of the unknowns, lower triangle, with zeros for links
-  SparseMatrix A_;  ///< with the boundary of the factor
+  std::vector<int> unknown_;  ///< #N: index of the node's unknown, or -1
+  std::vector<int> node_;     ///< node of each unknown
+  std::vector<RampNode> ramp_nodes_;
+  SparseMatrix L_;  ///< on the unknowns, lower triangle, with zeros for the couplings
+  SparseMatrix A_;  ///< L + B that was last factorised
   SparseCholesky factor_;
-  std::optional<PoissonBoundary> last_;  ///< in the factor, if there is one
+  std::optional<PoissonBoundary> last_;  ///< conditions in the factor, if there is one
   ForwardSweep sweep_;                   ///< of the last solution
 };
 
-/// -div grad u + screening u = density within a part, in scene units.
-struct PartSource {
-  double density = 0;
-  double screening = 0;
-};
+/// Returns the source of u inside a part: c d|d|, and for a flat part the factor
+/// k^2 / (2 - 2 / cosh k) with k = 8 flat. Dimensionless.
+double source_density(const Part& part);
 
-/// That of c, d and flat. `scale`: scene units per px. O(points of the outline).
-PartSource source_of(const Part& part, double scale);
+/// Returns the coefficient (k / w)^2 of the zeroth-order term that makes a part flat, in 1 / scene
+/// unit^2; 0 for round parts. w is area / perimeter of the outline. On a strip, whose half-width w
+/// is, the height stays that of a round part, and u is even except in a border of width w / k.
+/// `scale`: scene units per px. O(points of the outline).
+double screening_density(const Part& part, double scale);
 
-/// The right-hand side and the zeroth-order term of L u + screening u = load.
-struct InflationTerms {
-  Eigen::VectorXd load;       ///< #N, integral of b^2 c d|d| against each node's hat function
-  Eigen::VectorXd screening;  ///< #N, diagonal; 0 where parts are not flat
-};
+/// Returns the right-hand side M c: the integral of b^2 times the source density against the hat
+/// function of each node, #N, in scene units. b is the factor of bulges (bulge_factors). Flaps have
+/// no source. O(N + F + points) if there is no bulge.
+Eigen::VectorXd inflation_load(const LayeredMesh& mesh, const Scene& scene, double scale);
 
-/// Both in units of 1 / `scale` px. A flat part has the source and the screening of
-///   -div grad u + (k/w)^2 u = c d|d| k^2 / (2 - 2 / cosh k),   k = 8 flat,
-/// w = area / perimeter of its outline: a strip, whose half-width w is, keeps its height, and u is
-/// even but for a border of width w/k. Bulges multiply the source with b^2 (bulge_factors).
-/// O(N + F + points) without any.
-InflationTerms inflation_terms(const LayeredMesh& mesh, const Scene& scene, double scale);
+/// Returns the diagonal K of the screening of flat parts, #N, in scene units. O(N + F + points).
+Eigen::VectorXd inflation_screening(const LayeredMesh& mesh, const Scene& scene, double scale);
 
-/// The sign that u has by the maximum principle, #N: 1 or -1 where all parts of the node's surface
-/// have d of that sign, 0 where they differ. `surface` is the one of each node, #N. O(N + F).
+/// Returns the sign that u has by the maximum principle, #N: 1 or -1 if d has that sign on all
+/// parts of the node's surface, otherwise 0. `surface`: #N, the surface of each node. O(N + F).
 std::vector<int> surface_signs(const LayeredMesh& mesh, const std::vector<int>& surface,
                                const Scene& scene);
 
-/// u in px^2 and its gradients, from u in units of 1 / `scale` px. O(entries of the stencils).
+/// Converts u from scene units^2 to px^2 and computes its gradients. O(entries of the stencils).
 Inflation make_inflation(const GradientStencils& gradients, const Eigen::VectorXd& u, double scale);
 
 }  // namespace relievo::relief

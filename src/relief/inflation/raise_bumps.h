@@ -5,12 +5,12 @@
 
 namespace relievo::relief {
 
-/// Adds to f on every bump what the part would have by itself, eased off where it is joined:
-/// w = sgn(d) sqrt(v psi^3), where v is the part's own inflation (0 on its outline) and psi is
-/// harmonic with alpha on the outline (0 on the join). So the surface goes on across the join with
-/// its slope, and nothing outside of the bump moves. Gradients of u are those of the sum. Options
-/// as for inflate, and checked. O(N) and two factorisations of each bump's nodes.
-void raise_bumps(const InflationInput& input, const InflationOptions& options,
+/// Adds w = sgn(d) sqrt(v psi^3) to f on every bump and updates the gradients of u. v is the
+/// inflation of the part alone, 0 on its outline. psi is harmonic, with the value alpha on the
+/// outline: 0 on the join. So the surface crosses the join without a change of slope, and nothing
+/// outside the bump moves. Precondition: inflate has accepted the options. O(N) and two
+/// factorisations of each bump's nodes.
+void raise_bumps(const SurfaceInput& surface, const InflationOptions& options,
                  Inflation& inflation);
 
 }  // namespace relievo::relief

@@ -1,3 +1,22 @@
+// The boundary step of the non-linear method: the next f on B, in scene units,
+//
+//   minimise 1/2 (y - y0)' K_B (y - y0) + e'(y - y0),    K_B = S + diag(sigma)
+//   subject to y >= 0 where u has one sign and no gap lifts f
+//
+// y is f, or -gap at nodes where f >= 0 and a gap >= 0 are complementary. With the heights'
+// unknowns Z, B and the matrix K of the shift energy over both (shift_matrix),
+//
+//   S = lambda_shift (K_BB - K_BZ K_ZZ^-1 K_ZB)                    Schur complement
+//   sigma = lambda_bnd m + 2 |L_BI s|, or with the sign of s if that is not too soft
+//   sigma = 0 where the gap is open: f stays 0, and only the heights resist
+//
+//   letter          in the code (all / lambda_shift)
+//   S               result of eliminate_heights; its diagonal schur_diagonal_
+//   sigma           sigma_, from NonlinearMap::sigma_on_bound
+//   K_B             qp_.K, with signs
+//   e               gradient, from NonlinearMap::gradient_on_bound
+//   y0, y           start, y in move
+
 #include "relief/nonlinear/bound_step.h"
 
 #include <map>
@@ -5,7 +24,7 @@
 #include <utility>
 
 #include "kernel/cholesky/symmetric_graph.h"
-#include "relief/nonlinear/soft_matrix.h"
+#include "relief/nonlinear/shift_matrix.h"
 
 namespace relievo::relief {
 
@@ -15,20 +34,21 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// The matrix serves as long as no spring has changed by so much of the stiffness there.
+/// The matrix is kept until sigma has changed by this share of the diagonal somewhere.
 constexpr double tolerated_change = 0.1;
 
-/// Of loose outlines, times their length: that of a wave of twice the length, and some more.
-constexpr double loose_firmness = 2;
+/// Stiffness of an outline with lifting gaps, times its length: somewhat more than that of a wave
+/// of twice its length.
+constexpr double gap_stiffness = 2;
 
-/// How often gaps on B may open and close within a step.
+/// Largest number of times that gaps on B change sides within a step.
 constexpr int side_rounds = 8;
 
-/// It only leads the way.
+/// A step needs no more digits.
 constexpr double step_tolerance = 1e-9;
 
-/// The heights as ever, the soft nodes behind them.
-std::vector<int> heights_first(const SoftMatrix& matrix) {
+/// Orders the heights as usual and the free nodes behind them.
+std::vector<int> heights_first(const ShiftMatrix& matrix) {
   std::vector<int> order;
   for (const int i : matrix.elimination)
     if (i < matrix.heights()) order.push_back(i);
@@ -36,12 +56,13 @@ std::vector<int> heights_first(const SoftMatrix& matrix) {
   return order;
 }
 
-/// #B: what share of the loose outline of its range a node stands for; 0 where it is not loose.
-VectorXd loose_shares(const NonlinearModel& model) {
+/// Returns the share of each node in the outline of its range that has lifting gaps, #B; 0 at nodes
+/// without one.
+VectorXd lifted_shares(const NonlinearModel& model) {
   std::map<int, double> length;  // by range
   VectorXd share = model.bound_mass;
   for (Index i = 0; i < share.size(); ++i) {
-    if (model.loose_gap[i] < 0) share[i] = 0;
+    if (model.lifting_gap[i] < 0) share[i] = 0;
     length[model.bound_ramp[i]] += share[i];
   }
   for (Index i = 0; i < share.size(); ++i)
@@ -49,11 +70,11 @@ VectorXd loose_shares(const NonlinearModel& model) {
   return share;
 }
 
-/// Where gaps are open f is 0, and nothing but the heights resists them.
-VectorXd without(const std::vector<uint8_t>& open, VectorXd springs) {
+/// Sets sigma to 0 where the gap is open.
+VectorXd where_closed(const std::vector<uint8_t>& open, VectorXd sigma) {
   for (size_t i = 0; i < open.size(); ++i)
-    if (open[i] != 0) springs[static_cast<Index>(i)] = 0;
-  return springs;
+    if (open[i] != 0) sigma[static_cast<Index>(i)] = 0;
+  return sigma;
 }
 
 SparseMatrix lower_triangle(const MatrixXd& A) {
@@ -70,92 +91,93 @@ SparseMatrix lower_triangle(const MatrixXd& A) {
 
 }  // namespace
 
-SolveStatus BoundStep::eliminate_heights(const RunContext& context, MatrixXd& K) const {
-  SoftMatrix matrix = make_soft_matrix(model_, order_.problem, model_.bound);
-  const VectorXd springs = matrix.own_stiffness;  // any that make the matrix definite
-  set_springs(matrix, springs, matrix.K);
-  std::vector<uint8_t> fixed = order_.problem.variables.fixed;
+/// Computes S / lambda_shift for y = f.
+SolveStatus BoundStep::eliminate_heights(const RunContext& context, MatrixXd& S) const {
+  ShiftMatrix matrix = make_shift_matrix(model_, depth_, model_.bound);
+  const VectorXd stiffness = matrix.diagonal;  // any that makes the matrix definite
+  set_stiffness(matrix, stiffness, matrix.K);
+  std::vector<uint8_t> fixed = depth_.qp.fixed;
   fixed.resize(static_cast<size_t>(matrix.T.cols()), 0);
   SparseCholesky factor;
   if (!factor.analyse(matrix.K, Refactorisation::complete, heights_first(matrix), context))
     return SolveStatus::interrupted;
   if (!factor.factorise(matrix.K, fixed, context))
     return context.cancelled() ? SolveStatus::interrupted : SolveStatus::not_positive_definite;
-  std::vector<int> soft(model_.bound.size());
-  std::iota(soft.begin(), soft.end(), static_cast<int>(matrix.heights()));
-  K = factor.schur_complement(soft);
-  K.diagonal() -= springs;
-  K = matrix.direction.asDiagonal() * K * matrix.direction.asDiagonal();
+  std::vector<int> unknowns(model_.bound.size());
+  std::iota(unknowns.begin(), unknowns.end(), static_cast<int>(matrix.heights()));
+  S = factor.schur_complement(unknowns);
+  S.diagonal() -= stiffness;
+  S = matrix.sign.asDiagonal() * S * matrix.sign.asDiagonal();
   return SolveStatus::solved;
 }
 
 SolveStatus BoundStep::prepare(const RunContext& context) {
   if (model_.bound.empty()) return SolveStatus::solved;
-  MatrixXd K;
-  if (const SolveStatus status = eliminate_heights(context, K); status != SolveStatus::solved)
+  MatrixXd S;
+  if (const SolveStatus status = eliminate_heights(context, S); status != SolveStatus::solved)
     return status;
-  direction_.resize(K.rows());
-  for (Index i = 0; i < K.rows(); ++i) direction_[i] = model_.sign[model_.bound[i]] < 0 ? -1 : 1;
-  eliminated_ = own_diagonal_ = K.diagonal();
-  springs_ = VectorXd::Zero(K.rows());
-  qp_.K = lower_triangle(direction_.asDiagonal() * K * direction_.asDiagonal());
+  sign_.resize(S.rows());
+  for (Index i = 0; i < S.rows(); ++i) sign_[i] = model_.sign[model_.bound[i]] < 0 ? -1 : 1;
+  schur_diagonal_ = diagonal_ = S.diagonal();
+  sigma_ = VectorXd::Zero(S.rows());
+  qp_.K = lower_triangle(sign_.asDiagonal() * S * sign_.asDiagonal());
   qp_.bounded.clear();
-  for (Index i = 0; i < K.rows(); ++i)
-    qp_.bounded.push_back(model_.sign[model_.bound[i]] != 0 && model_.loose_gap[i] < 0);
+  for (Index i = 0; i < S.rows(); ++i)
+    qp_.bounded.push_back(model_.sign[model_.bound[i]] != 0 && model_.lifting_gap[i] < 0);
   factor_.analyse(qp_.K, Refactorisation::incremental);
   return SolveStatus::solved;
 }
 
-std::vector<uint8_t> BoundStep::open_at(const VectorXd& z) const {
+std::vector<uint8_t> BoundStep::open_at(const VectorXd& y) const {
   std::vector<uint8_t> open(model_.bound.size(), 0);
   for (size_t i = 0; i < open.size(); ++i)
-    open[i] = model_.loose_gap[i] >= 0 && z[static_cast<Index>(i)] < 0;
+    open[i] = model_.lifting_gap[i] >= 0 && y[static_cast<Index>(i)] < 0;
   return open;
 }
 
-void BoundStep::renew_springs(const VectorXd& springs) {
-  const auto change = (springs - springs_).cwiseAbs().array();
-  if ((change <= tolerated_change * (own_diagonal_ + springs_).array()).all()) return;
-  springs_ = springs;
-  qp_.K.diagonal() = own_diagonal_ + springs;
+void BoundStep::set_sigma(const VectorXd& sigma) {
+  const auto change = (sigma - sigma_).cwiseAbs().array();
+  if ((change <= tolerated_change * (diagonal_ + sigma_).array()).all()) return;
+  sigma_ = sigma;
+  qp_.K.diagonal() = diagonal_ + sigma;
 }
 
-/// Parts that rest on loose B may swing by it when all gaps are open. What they rest on elsewhere
-/// holds them then, which the elimination does not know.
-void BoundStep::resist(double share) {
-  own_diagonal_ = eliminated_ + loose_firmness * loose_shares(model_);
-  for (Index i = 0; i < own_diagonal_.size(); ++i) {
+/// A part that rests on B by lifting gaps alone may swing when all of them are open. Contacts
+/// elsewhere stop it, which S does not know.
+void BoundStep::add_stiffness(double share) {
+  diagonal_ = schur_diagonal_ + gap_stiffness * lifted_shares(model_);
+  for (Index i = 0; i < diagonal_.size(); ++i) {
     const int n = model_.bound[i];
-    own_diagonal_[i] += share * model_.metric.A.coeff(n, n);
+    diagonal_[i] += share * model_.metric.A.coeff(n, n);
   }
-  if (own_diagonal_.size() > 0) qp_.K.diagonal() = own_diagonal_ + springs_;
+  if (diagonal_.size() > 0) qp_.K.diagonal() = diagonal_ + sigma_;
 }
 
-SolveStatus BoundStep::move(const VectorXd& slope, const VectorXd& springs,
-                            const RunContext& context, VectorXd& f) {
-  if (f.size() == 0) return SolveStatus::solved;
-  const VectorXd scaled = springs / model_.lambda_shift;
-  const VectorXd start = direction_.cwiseProduct(f);
+SolveStatus BoundStep::move(const VectorXd& gradient, const VectorXd& sigma,
+                            const RunContext& context, VectorXd& y) {
+  if (y.size() == 0) return SolveStatus::solved;
+  const VectorXd scaled = sigma / model_.lambda_shift;
+  const VectorXd start = sign_.cwiseProduct(y);
   std::vector<uint8_t> open = open_at(start);
-  renew_springs(without(open, scaled));
-  VectorXd gradient = direction_.cwiseProduct(slope) / model_.lambda_shift;
-  qp_.b = multiply_symmetric(qp_.K, start) - gradient;
+  set_sigma(where_closed(open, scaled));
+  VectorXd start_gradient = sign_.cwiseProduct(gradient) / model_.lambda_shift;
+  qp_.b = multiply_symmetric(qp_.K, start) - start_gradient;
   for (int round = 0;; ++round) {
     BoundQpOptions options;
     options.start = start;
-    options.start_gradient = gradient;
+    options.start_gradient = start_gradient;
     options.start_active = active_;
     options.tolerance = step_tolerance;
     options.refine = false;
     const BoundQpSolution solution = solve_bound_qp(qp_, factor_, std::move(options), context);
     if (solution.report.status != SolveStatus::solved) return solution.report.status;
     active_ = solution.active;
-    f = direction_.cwiseProduct(solution.z);
+    y = sign_.cwiseProduct(solution.z);
     std::vector<uint8_t> now = open_at(solution.z);
     if (now == open || round == side_rounds) return SolveStatus::solved;
     open = std::move(now);
-    renew_springs(without(open, scaled));
-    gradient = multiply_symmetric(qp_.K, start) - qp_.b;
+    set_sigma(where_closed(open, scaled));
+    start_gradient = multiply_symmetric(qp_.K, start) - qp_.b;
   }
 }
 

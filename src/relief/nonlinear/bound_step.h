@@ -7,49 +7,51 @@
 #include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/solvers/bound_qp.h"
 #include "relief/nonlinear/nonlinear_model.h"
-#include "relief/ordering/depth_problem.h"
+#include "relief/ordering/depth_system.h"
 #include "relievo/run_context.h"
 
 namespace relievo::relief {
 
-/// Steps of f on B against the slope of the energy, by the stiffness that f would have if nothing
-/// but equalities held the heights: like that of the energy itself it grows with the wave number
-/// along B, whether a part lies on another beside B or not. Eliminating the heights once leaves a
-/// small dense matrix.
+/// Newton-like steps of f on B, with the stiffness K_B = S + diag(sigma). S is the stiffness that f
+/// on B would have if only equalities fixed the heights. Like the true stiffness it grows with the
+/// wave number along B, whatever touches beside B. It is dense and small: #B x #B.
+///
+/// The steps work on y. At a node without a lifting gap y = f. At a node with one, f >= 0 and gap
+/// >= 0 are complementary, and y = f if f > 0, otherwise y = -gap. (All with the sign of the
+/// surface.)
 class BoundStep {
  public:
-  /// order: of the pairs, analysed.
-  BoundStep(const NonlinearModel& model, const DepthSystem& order) : model_(model), order_(order) {}
+  /// `depth`: the depth order of the pairs, analysed.
+  BoundStep(const NonlinearModel& model, const DepthSystem& depth) : model_(model), depth_(depth) {}
 
-  /// Finds the stiffness: one analysis and one factorisation.
+  /// Computes S: one analysis and one factorisation.
   SolveStatus prepare(const RunContext& context);
 
-  /// Makes steps shorter: by a share of what holds each node while all heights beside it are held,
-  /// and where B is loose, by what holds a wave as long as the loose outline of the range. O(#B).
-  /// Precondition: prepared.
-  void resist(double share);
+  /// Adds diagonal stiffness for contacts that S does not know, which shortens the steps:
+  /// `share` of the diagonal of A, and at nodes with a lifting gap that of a wave as long as the
+  /// outline of the range that has such gaps. O(#B). Precondition: prepared.
+  void add_stiffness(double share);
 
-  /// Takes f (#B) to the next one; where u has one sign, it does not pass 0, but at loose nodes,
-  /// where -f is then the gap. `slope`: #B, of the energy / 2 with respect to f; `springs`: #B,
-  /// what else resists f, positive, at loose nodes as long as their gaps are closed. O(#B^2), or
-  /// O(#B^3) where the springs are no longer those of the last call, as whenever a gap opens or
-  /// closes. Precondition: prepared.
-  SolveStatus move(const Eigen::VectorXd& slope, const Eigen::VectorXd& springs,
-                   const RunContext& context, Eigen::VectorXd& f);
+  /// Moves y (#B) against the gradient. Where u has one sign and no gap lifts f, y does not pass 0.
+  /// `gradient`: #B, half the slope of the energy with respect to f; `sigma`: #B, positive,
+  /// diagonal stiffness that counts where gaps are closed. O(#B^2), and O(#B^3) to factorise K_B
+  /// if sigma has changed much or a gap opens or closes. Precondition: prepared.
+  SolveStatus move(const Eigen::VectorXd& gradient, const Eigen::VectorXd& sigma,
+                   const RunContext& context, Eigen::VectorXd& y);
 
  private:
-  SolveStatus eliminate_heights(const RunContext& context, Eigen::MatrixXd& K) const;
-  /// #B: whether the gap is open there.
-  std::vector<uint8_t> open_at(const Eigen::VectorXd& z) const;
-  void renew_springs(const Eigen::VectorXd& springs);
+  SolveStatus eliminate_heights(const RunContext& context, Eigen::MatrixXd& S) const;
+  /// Returns #B flags: 1 where y says that the gap is open.
+  std::vector<uint8_t> open_at(const Eigen::VectorXd& y) const;
+  void set_sigma(const Eigen::VectorXd& sigma);
 
   const NonlinearModel& model_;
-  const DepthSystem& order_;
-  Eigen::VectorXd direction_;     ///< #B, f = direction * unknown
-  Eigen::VectorXd eliminated_;    ///< #B, the diagonal of what the elimination leaves
-  Eigen::VectorXd own_diagonal_;  ///< #B, that of K without springs
-  Eigen::VectorXd springs_;       ///< in K, in units of lambda_shift
-  BoundQp qp_;                    ///< K is #B x #B, all entries of the lower triangle
+  const DepthSystem& depth_;
+  Eigen::VectorXd sign_;            ///< #B, unknown = sign y
+  Eigen::VectorXd schur_diagonal_;  ///< #B, diagonal of S / lambda_shift
+  Eigen::VectorXd diagonal_;        ///< #B, the same with the added stiffness
+  Eigen::VectorXd sigma_;           ///< #B, sigma / lambda_shift in K
+  BoundQp qp_;                      ///< K = K_B / lambda_shift, all of the lower triangle
   std::vector<uint8_t> active_;
   SparseCholesky factor_;
 };

@@ -1,3 +1,16 @@
+// The fixed-point iteration x = F(x) of the non-linear method with Anderson mixing (Walker and Ni
+// 2011, type II): with r_k = F(x_k) - x_k, the differences dF_j = F(x_{j+1}) - F(x_j) and
+// dr_j = r_{j+1} - r_j of the last steps,
+//
+//   x_{k+1} = F(x_k) - sum w_j dF_j,    w minimising |r_k - sum w_j dr_j|
+//
+// It ends when |r_k| <= tolerance max|u| in the maximum norm.
+//
+//   letter      in the code
+//   F           NonlinearMap::apply, between unpack and pack
+//   dF, dr      AndersonMixer::image_steps_, residual_steps_
+//   w           weights in AndersonMixer::next
+
 #include "relief/nonlinear/nonlinear_iteration.h"
 
 #include <Eigen/QR>
@@ -15,25 +28,21 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Accelerates a fixed-point iteration x = F(x) by Anderson's method (type II): the next point
-/// combines the last ones so that their residuals F(x) - x, or what is measured of them by some
-/// linear map, cancel as far as possible in the Euclidean norm (Walker and Ni 2011). Depth 0 is the
-/// plain iteration.
+/// Number of earlier steps that Anderson mixing combines.
+constexpr size_t anderson_depth = 16;
+
+/// Accelerates a fixed-point iteration x = F(x) by Anderson's method.
 class AndersonMixer {
  public:
-  explicit AndersonMixer(int depth) : depth_(depth) {}
-
-  /// The point to try after x, given F(x) and what is measured of its residual.
-  /// O(#x depth + #residual depth^2).
+  /// Returns the point to try after x. `residual`: F(x) - x. O(#x depth^2).
   VectorXd next(const VectorXd& F_x, const VectorXd& residual);
 
-  /// Forgets the points seen so far.
+  /// Forgets all earlier points.
   void restart();
 
  private:
   void remember(const VectorXd& F_x, const VectorXd& residual);
 
-  int depth_;
   VectorXd last_image_;
   VectorXd last_residual_;
   std::vector<VectorXd> image_steps_;
@@ -53,10 +62,10 @@ VectorXd AndersonMixer::next(const VectorXd& F_x, const VectorXd& residual) {
 }
 
 void AndersonMixer::remember(const VectorXd& F_x, const VectorXd& residual) {
-  if (depth_ > 0 && last_image_.size() == F_x.size()) {
+  if (last_image_.size() == F_x.size()) {
     image_steps_.push_back(F_x - last_image_);
     residual_steps_.push_back(residual - last_residual_);
-    if (static_cast<int>(image_steps_.size()) > depth_) {
+    if (image_steps_.size() > anderson_depth) {
       image_steps_.erase(image_steps_.begin());
       residual_steps_.erase(residual_steps_.begin());
     }
@@ -72,21 +81,21 @@ void AndersonMixer::restart() {
   last_residual_.resize(0);
 }
 
-/// The accelerator forgets its past when the residual has grown by so much.
+/// The mixer restarts if the residual has grown by this factor.
 constexpr double growth_limit = 10;
-/// The same where u may have either sign.
+/// The same if u may have either sign somewhere.
 constexpr double mixed_growth_limit = 3;
 
-/// In the order in which they are tried where u may have either sign somewhere.
-constexpr Softness softnesses[] = {
+/// Tried in this order if u may have either sign somewhere.
+constexpr StepControl mixed_controls[] = {
     {0.1, 0.01, 0.05}, {0.1, 0.01, 0.1}, {0.3, 0.3, 0.2}, {0.3, 3, 0.2}};
 
-/// The same where it has one sign on every surface.
-constexpr Softness pure_softnesses[] = {{1, 0.01}, {1, 1}};
+/// Tried in this order if u has one sign on every surface.
+constexpr StepControl pure_controls[] = {{1, 0.01}, {1, 1}};
 
-std::span<const Softness> softnesses_of(const NonlinearModel& model) {
-  if (is_mixed(model)) return softnesses;
-  return pure_softnesses;
+std::span<const StepControl> step_controls(const NonlinearModel& model) {
+  if (is_mixed(model)) return mixed_controls;
+  return pure_controls;
 }
 
 double relative_change(const VectorXd& x, const VectorXd& F_x, const VectorXd& u) {
@@ -105,14 +114,13 @@ void record(NonlinearStep step, const VectorXd& u, const NonlinearOptions& optio
   NonlinearReport& report = run.report;
   report.steps.push_back(step);
   report.residual = step.residual;
-  if (is_kept(report.steps.size(), options))
-    run.kept.push_back({static_cast<int>(report.steps.size()), u});
+  if (is_kept(report.steps.size(), options)) run.kept[static_cast<int>(report.steps.size())] = u;
 }
 
 Status iterate(NonlinearMap& map, double growth, const NonlinearOptions& options,
                const RunContext& context, NonlinearRun& run) {
   NonlinearState& state = run.state;
-  AndersonMixer mixer(options.anderson_depth);
+  AndersonMixer mixer;
   double least = std::numeric_limits<double>::infinity();
   Stopwatch watch;
   if (!map.prepare(context)) return interrupted_error();
@@ -122,7 +130,7 @@ Status iterate(NonlinearMap& map, double growth, const NonlinearOptions& options
     NonlinearState next = state;
     NonlinearStep step;
     const SolveStatus status = map.apply(next, step, context);
-    if (status == SolveStatus::not_positive_definite) break;  // spoiled by rounding
+    if (status == SolveStatus::not_positive_definite) break;  // by rounding
     if (Status solved = check_solved(status); !solved) return solved;
     const VectorXd F_x = map.pack(next);
     step.residual = relative_change(x, F_x, next.u);
@@ -132,8 +140,8 @@ Status iterate(NonlinearMap& map, double growth, const NonlinearOptions& options
     if (step.residual <= options.tolerance) {
       map.find_heights(next);
       state = std::move(next);
-      run.report.status = NonlinearStatus::solved;
-      run.pulled = map.pulled();
+      run.report.status = SolveStatus::solved;
+      run.pulling = map.pulling();
       return Done{};
     }
     if (step.residual > growth * least) {
@@ -144,28 +152,29 @@ Status iterate(NonlinearMap& map, double growth, const NonlinearOptions& options
     state = std::move(next);
     map.unpack(mixer.next(F_x, F_x - x), state);
   }
-  run.report.status = NonlinearStatus::iteration_limit;
+  run.report.status = SolveStatus::iteration_limit;
   return Done{};
 }
 
 }  // namespace
 
-Status iterate_nonlinear(const NonlinearSystems& systems, const NonlinearOptions& options,
-                         const RunContext& context, NonlinearRun& run) {
-  const NonlinearModel& model = systems.inflation.model();
+Status iterate_nonlinear(const InflationResponse& response, DepthSystem& depth, BoundStep& bound,
+                         const NonlinearOptions& options, const RunContext& context,
+                         NonlinearRun& run) {
+  const NonlinearModel& model = response.model();
   const double growth = is_mixed(model) ? mixed_growth_limit : growth_limit;
   const NonlinearState start = run.state;
-  const std::vector<uint8_t> closed = systems.order.closed;
-  for (const Softness& softness : softnesses_of(model)) {
+  const std::vector<uint8_t> closed = depth.closed;
+  for (const StepControl& control : step_controls(model)) {
     run.state = start;
-    systems.order.closed = closed;
-    NonlinearMap map(systems, softness);
+    depth.closed = closed;
+    NonlinearMap map(response, depth, bound, control);
     if (Status status = iterate(map, growth, options, context, run); !status) return status;
-    if (run.report.status == NonlinearStatus::solved) return Done{};
-    if (run.once) break;
+    if (run.report.status == SolveStatus::solved) return Done{};
+    if (run.single_attempt) break;
   }
   run.state = start;
-  systems.order.closed = closed;
+  depth.closed = closed;
   return Done{};
 }
 

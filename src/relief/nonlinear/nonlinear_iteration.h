@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <map>
 #include <vector>
 
 #include "relief/nonlinear/nonlinear_map.h"
@@ -10,26 +12,22 @@
 
 namespace relievo::relief {
 
-/// The inflation on the way.
-struct KeptState {
-  int step = 0;       ///< steps taken, from 1
-  Eigen::VectorXd u;  ///< #N, scene units
-};
-
-/// An iteration and where it stands.
+/// An iteration and its present state.
 struct NonlinearRun {
   NonlinearState state;
   NonlinearReport report;
-  std::vector<KeptState> kept;  ///< those that the options ask for
-  std::vector<int> pulled;      ///< NonlinearMap::pulled where it converged
-  bool once = false;            ///< does not begin again where it does not converge
+  std::map<int, Eigen::VectorXd> kept;  ///< u (#N, scene units) after NonlinearOptions::snapshots
+  std::vector<int> pulling;             ///< NonlinearMap::pulling at the end, if it converged
+  bool single_attempt = false;          ///< whether to stop if the first step control fails
 };
 
-/// Iterates contact and inflation under one set of pairs until they agree, from the run's state,
-/// and leaves it there. Where that does not converge, begins again with other softnesses. Appends
-/// the steps to the report and sets its status and residual; where nothing converges, leaves the
-/// state as it was. Fails only when cancelled, or where the contact has no solution.
-Status iterate_nonlinear(const NonlinearSystems& systems, const NonlinearOptions& options,
-                         const RunContext& context, NonlinearRun& run);
+/// Iterates contact and inflation under one set of pairs from the run's state until the change of u
+/// is below the tolerance. If that does not converge, tries again with other step controls. Appends
+/// the steps to the report and sets its status and residual. If no attempt converges, the state is
+/// that of the start. `bound` must be prepared. Fails only when cancelled, or if the contact has no
+/// solution.
+Status iterate_nonlinear(const InflationResponse& response, DepthSystem& depth, BoundStep& bound,
+                         const NonlinearOptions& options, const RunContext& context,
+                         NonlinearRun& run);
 
 }  // namespace relievo::relief

@@ -8,78 +8,76 @@
 #include "relief/nonlinear/contact_step.h"
 #include "relief/nonlinear/nonlinear_model.h"
 #include "relief/nonlinear/nonlinear_solution.h"
-#include "relief/ordering/depth_problem.h"
+#include "relief/ordering/depth_system.h"
 #include "relievo/run_context.h"
 
 namespace relievo::relief {
 
-/// Where the iteration stands; scene units.
+/// The state of the iteration, in scene units.
 struct NonlinearState {
-  Eigen::VectorXd u;      ///< #N, its root is f; on loose B of the other sign where the gap is -f
-  Eigen::VectorXd load;   ///< #N, with which the depth pairs change u
-  std::vector<double> h;  ///< #N, px, obeys the pairs; empty before the first end
+  /// #N, u. At nodes of B with a lifting gap it is y|y| (BoundStep): an open gap has the wrong
+  /// sign.
+  Eigen::VectorXd u;
+  Eigen::VectorXd load;   ///< #N, phi: load of the depth pairs on u
+  std::vector<double> h;  ///< #N, px, satisfies the pairs; empty before the iteration has converged
 };
 
-/// How firmly the steps take what they do not know exactly.
-struct Softness {
-  double share = 1;  ///< of the compliance of soft nodes that counts; larger is slower and firmer
-  double bound = 0;  ///< what resists steps on B besides, BoundStep::resist
-  double width = 0;  ///< of the root where u may have either sign, scene units
+/// How cautious the steps are.
+struct StepControl {
+  double compliance = 1;  ///< share of the compliance of mixed nodes that counts; less is slower
+  double stiffness = 0;   ///< added stiffness on B (BoundStep::add_stiffness)
+  double width = 0;       ///< of the smooth root where u may have either sign, scene units
 };
 
-/// What the steps of the iteration solve with.
-struct NonlinearSystems {
-  const InflationResponse& inflation;
-  DepthSystem& order;  ///< under the pairs of the problem
-  BoundStep& bound;    ///< prepared
-};
-
-/// The fixed-point problem x = F(x) of the non-linear formulation. F orders the parts for the
-/// present inflation, moves f on B against the slope of the energy, and then solves the inflation
-/// under the forces of the contact. x holds u at the nodes on which depth pairs press, f on B, and
-/// the loads of soft nodes, all scaled to the unit of u.
+/// The map x = F(x) whose fixed points solve the non-linear problem. One step orders the parts for
+/// the present inflation, moves f on B against the gradient, and solves the inflation under the
+/// forces of the contact. x holds u at contact nodes, y on B, and the loads of mixed nodes times
+/// their compliance, so that all have the unit of u or f.
 class NonlinearMap {
  public:
-  /// Begins with the gaps closed that are so in the order, and keeps what the steps learn in the
-  /// systems.
-  NonlinearMap(const NonlinearSystems& systems, const Softness& softness);
+  /// Starts from the active set of `depth`, and keeps active sets and factors in the arguments from
+  /// one step to the next. `bound` must be prepared.
+  NonlinearMap(const InflationResponse& response, DepthSystem& depth, BoundStep& bound,
+               const StepControl& control);
 
-  /// Makes what else the steps need; false where `context` is cancelled.
+  /// Analyses the contact problem. Returns false if `context` is cancelled.
   bool prepare(const RunContext& context) { return contact_step_.prepare(context); }
 
   Eigen::VectorXd pack(const NonlinearState& state) const;
 
-  /// Puts x into a state that a step has left. What would change sign, or shrink to a tenth, stays
-  /// as the step has left it: only its root has a meaning.
+  /// Puts x into the state that a step has left. A value of u that would change its sign or shrink
+  /// to a tenth stays as it is, because only its root has a meaning.
   void unpack(const Eigen::VectorXd& x, NonlinearState& state) const;
 
-  /// One step: leaves F in `state`, but for its heights, and says what it cost. Precondition:
-  /// prepared.
+  /// Takes one step: replaces u and the load of `state`, and fills in the energy and the number of
+  /// factorisations of `step`. Precondition: prepared.
   SolveStatus apply(NonlinearState& state, NonlinearStep& step, const RunContext& context);
 
-  /// The heights of the last step, whose u is that of `state`.
+  /// Sets h to the heights of the last step, whose u is that of `state`.
   void find_heights(NonlinearState& state) const;
 
-  /// Gaps that were held closed in the last step though they would have come loose, by their
-  /// children.
-  const std::vector<int>& pulled() const { return pulled_; }
+  /// Returns the lifting gaps, named by their children, that were closed in the last step with a
+  /// negative multiplier: they pulled.
+  const std::vector<int>& pulling() const { return pulling_; }
 
  private:
-  Eigen::VectorXd fixed_f(const NonlinearState& state) const;
-  Eigen::VectorXd f_on_bound(const NonlinearState& state) const;
-  Eigen::VectorXd opening(const Eigen::VectorXd& f) const;
-  Eigen::VectorXd squares_on_bound(const Eigen::VectorXd& f) const;
-  void set_loose(const Eigen::VectorXd& f, NonlinearState& state) const;
-  bool is_open(Eigen::Index i, double f) const;
-  void keep_loose_within_reach(const NonlinearState& state, Eigen::VectorXd& f_bound) const;
-  std::vector<int> pulled_gaps(const Eigen::VectorXd& f, const Contact& contact) const;
-  Springs springs(const NonlinearState& state) const;
+  Eigen::VectorXd known_f(const NonlinearState& state) const;
+  Eigen::VectorXd y_on_bound(const NonlinearState& state) const;
+  bool is_open(Eigen::Index i, double y) const;
+  Eigen::VectorXd opening(const Eigen::VectorXd& y) const;
+  Eigen::VectorXd u_on_bound(const Eigen::VectorXd& y) const;
+  void keep_gaps(const Eigen::VectorXd& y, NonlinearState& state) const;
+  void limit_gaps(const NonlinearState& state, Eigen::VectorXd& y) const;
+  std::vector<int> pulling_gaps(const Eigen::VectorXd& y, const Contact& contact) const;
+  Eigen::VectorXd mixed_stiffness(const NonlinearState& state) const;
+  Eigen::VectorXd mixed_linear_term(const NonlinearState& state) const;
   Eigen::VectorXd next_load(const Eigen::VectorXd& f, const NonlinearState& state,
                             const Contact& contact) const;
-  Eigen::VectorXd slope_on_bound(const Eigen::VectorXd& f, const Contact& contact,
-                                 const Excess& excess) const;
-  Eigen::VectorXd springs_on_bound(const Eigen::VectorXd& f, const Excess& excess) const;
-  Eigen::VectorXd compliance_of_soft_nodes(double share) const;
+  Eigen::VectorXd gradient_on_bound(const Eigen::VectorXd& y, const Contact& contact,
+                                    const Eigen::VectorXd& boundary_slope) const;
+  Eigen::VectorXd sigma_on_bound(const Eigen::VectorXd& y,
+                                 const Eigen::VectorXd& boundary_slope) const;
+  Eigen::VectorXd mixed_compliance(double share) const;
 
   const SmoothRoot& root(int node) const {
     return model_.sign[node] == 0 ? smooth_root_ : sharp_root_;
@@ -88,17 +86,17 @@ class NonlinearMap {
   const NonlinearModel& model_;
   const InflationResponse& response_;
   SmoothRoot sharp_root_;
-  SmoothRoot smooth_root_;  ///< where u may have either sign
-  std::vector<int> nodes_;  ///< on which pairs press, off B
-  std::vector<int> apart_;  ///< on which none do, off B
-  std::vector<int> soft_;   ///< those of nodes_ whose f is unknown in the contact
-  Eigen::VectorXd held_f_;  ///< #N, f where it is neither free nor on B; 0 elsewhere
+  SmoothRoot smooth_root_;          ///< where u may have either sign
+  std::vector<int> contact_nodes_;  ///< nodes of I in depth pairs
+  std::vector<int> other_nodes_;    ///< nodes of I in none
+  std::vector<int> mixed_nodes_;    ///< contact nodes where u may have either sign
+  Eigen::VectorXd fixed_f_;         ///< #N, f where it is neither on I nor on B; 0 elsewhere
   ContactStep contact_step_;
-  const SparseMatrix& gap_columns_;  ///< what heights do when a gap opens
+  const SparseMatrix& T_;  ///< column: change of the heights when a gap opens
   BoundStep& bound_step_;
-  Eigen::Index bounds_;  ///< #B
-  std::vector<int> pulled_;
-  Eigen::VectorXd compliance_;  ///< of the soft nodes: change of u for a change of load
+  Eigen::Index bound_count_;  ///< #B
+  std::vector<int> pulling_;
+  Eigen::VectorXd compliance_;  ///< #mixed nodes, C: change of u for a change of load
 };
 
 }  // namespace relievo::relief

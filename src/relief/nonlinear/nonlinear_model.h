@@ -15,86 +15,87 @@
 
 namespace relievo::relief {
 
-/// The non-linear problem in scene units, without its depth pairs.
+/// The non-linear problem without its depth pairs, in scene units.
 struct NonlinearModel {
   double lambda_bnd = 1;
   double lambda_shift = 1;
-  ShiftMetric metric;            ///< of the shift
+  ShiftMetric metric;            ///< A = L + epsilon M, and b
   SparseMatrix L;                ///< #N x #N, with the screening of flat parts
-  Eigen::VectorXd mass;          ///< #N
+  Eigen::VectorXd mass;          ///< #N, M
   Eigen::VectorXd load;          ///< #N, M c
-  std::vector<int> elimination;  ///< nodes in an order in which matrices on them fill in little
-  std::vector<int> sign;         ///< #N, of u: 1, -1, or 0 where both occur
-  std::vector<int> place;        ///< #N: row of the node in `inner`, -1 on outlines and B
-  std::vector<int> inner;        ///< nodes whose u is free, ascending
-  std::vector<int> bound;        ///< nodes of B, ascending
-  /// #B, where nothing but an inequality lifts f: the child of the gap that opens once f is 0; else
-  /// -1, as everywhere before find_loose_bound.
-  std::vector<int> loose_gap;
-  Eigen::VectorXd held;         ///< #N, u where it is neither free nor on B; 0 elsewhere
-  Eigen::VectorXd bound_mass;   ///< #B, lengths of outline that they stand for
-  std::vector<int> bound_ramp;  ///< #B, a range that they lie under
+  std::vector<int> elimination;  ///< nodes in an order with little fill-in
+  std::vector<int> sign;         ///< #N, sign of u: 1, -1, or 0 if both occur on the surface
+  std::vector<int> inner;        ///< I: nodes whose u is free, ascending
+  std::vector<int> inner_index;  ///< #N: index of the node in `inner`, or -1
+  std::vector<int> bound;        ///< B: nodes whose f lambda_bnd pulls to 0, ascending
+  Eigen::VectorXd bound_mass;    ///< #B, m: length of outline that the node stands for
+  std::vector<int> bound_ramp;   ///< #B, a Robin range that the node lies under
+  /// #B, for nodes where only an inequality lifts f: the child of its gap, which opens once f is 0.
+  /// -1 for the other nodes, and before find_lifting_gaps.
+  std::vector<int> lifting_gap;
+  Eigen::VectorXd fixed_u;  ///< #N, u of the nodes that are neither in I nor on B; 0 elsewhere
 };
 
-/// B are the nodes under Robin ranges that pairs tie to another part or may lift. Of the others
-/// under ranges, those that are seen have u = 0, as free nodes where it is 0 in the input, and
-/// those that are hidden keep the u of the input. `metric`: with its leans. O(N + F).
-NonlinearModel make_joint_model(const OrderingInput& input, const ShiftMetric& metric);
+/// Makes the model of a start. B are the nodes under Robin ranges that depth pairs tie to another
+/// part or may lift. At the other nodes under ranges u is fixed: at 0 if they are seen, otherwise
+/// at its value in the start. Nodes off ranges whose u is 0 in the start stay at 0. `metric`: with
+/// its wanted shifts. O(N + F).
+NonlinearModel make_joint_model(const SurfaceInput& surface, const Inflation& start,
+                                const ShiftMetric& metric);
 
-/// Finds where B is loose. O(N).
-void find_loose_bound(const DepthForest& forest, NonlinearModel& model);
+/// Finds the nodes of B that only an inequality lifts. O(N).
+void find_lifting_gaps(const DepthForest& forest, NonlinearModel& model);
 
-/// Whether u may have either sign somewhere. O(N).
+/// Checks whether u may have either sign on some surface. O(N).
 bool is_mixed(const NonlinearModel& model);
 
-/// Holds the nodes where u has not the sign of its surface at 0 from now on; false where there are
-/// none. O(N).
-bool hold_wrong_signs(const Eigen::VectorXd& u, NonlinearModel& model);
+/// Removes the nodes from I where u has the wrong sign, which fixes them at 0. Returns whether
+/// there were any. O(N).
+bool fix_wrong_signs(const Eigen::VectorXd& u, NonlinearModel& model);
 
-/// The energy at any u and g in scene units, #N each. O(N).
+/// Computes the energy of u and g, #N each in scene units. O(N).
 NonlinearEnergy nonlinear_energy(const NonlinearModel& model, const Eigen::VectorXd& u,
                                  const Eigen::VectorXd& g);
 
-/// How far the inflation exceeds c under a load.
-struct Excess {
-  Eigen::VectorXd s;      ///< #N, M^-1 L u - c
-  Eigen::VectorXd slope;  ///< #B, derivative of the inflation energy / 2 with respect to u there
-  double energy = 0;
-};
-
-/// Minimises the inflation energy minus twice a linear load over u off B: two Poisson solves with
-/// one factor, for the biharmonic matrix is L M^-1 L.
+/// The inflation energy minimised over u on I, for given loads on u and given u on B. It costs two
+/// Poisson solves with one factor, because the biharmonic matrix is L M^-1 L.
 class InflationResponse {
  public:
+  /// Factorises L_II.
   explicit InflationResponse(const NonlinearModel& model);
 
-  /// False where the Poisson problem has no unique solution.
-  bool sound() const { return sound_; }
+  /// Returns whether the Poisson problem has a unique solution.
+  bool is_solvable() const { return is_solvable_; }
 
   const NonlinearModel& model() const { return model_; }
 
-  /// load: #N, read at inner nodes.
-  Excess excess(const Eigen::VectorXd& load) const;
+  /// Solves L_II s = phi for the excess s = M^-1 L u - c, #N, 0 off I. `phi`: #N, read on I.
+  Eigen::VectorXd excess(const Eigen::VectorXd& phi) const { return solve_poisson(phi); }
 
-  /// The u (#N) that has this excess and, on B, u_bound (#B).
-  Eigen::VectorXd inflate(const Excess& excess, const Eigen::VectorXd& u_bound) const;
+  /// Returns L_BI s, #B: half the derivative of the inflation energy with respect to u on B.
+  Eigen::VectorXd boundary_slope(const Eigen::VectorXd& s) const;
 
-  /// How u answers to a load alone. #N
-  Eigen::VectorXd compliance(const Eigen::VectorXd& load) const;
+  /// Returns the inflation energy s'M s.
+  double energy(const Eigen::VectorXd& s) const { return s.dot(model_.mass.cwiseProduct(s)); }
+
+  /// Returns the u (#N) with excess s on I and u_bound (#B) on B.
+  Eigen::VectorXd inflate(const Eigen::VectorXd& s, const Eigen::VectorXd& u_bound) const;
+
+  /// Returns the change L_II^-1 M L_II^-1 phi of u by a load, #N.
+  Eigen::VectorXd compliance(const Eigen::VectorXd& phi) const;
 
  private:
-  Eigen::VectorXd with_bound(Eigen::VectorXd u, const Eigen::VectorXd& u_bound) const;
-  void subtract_bound(const Eigen::VectorXd& u_bound, Eigen::VectorXd& load) const;
   Eigen::VectorXd solve_poisson(const Eigen::VectorXd& load) const;
 
   const NonlinearModel& model_;
-  Eigen::VectorXd own_load_;  ///< #N, without B and the excess
-  SparseCholesky factor_;
-  bool sound_ = false;
+  Eigen::VectorXd fixed_load_;  ///< #N, M c - L fixed_u
+  SparseCholesky factor_;       ///< of L_II
+  bool is_solvable_ = false;
 };
 
-/// f = sgn(u) sqrt|u| and its inverse, in scene units. The slope of the root has no bound at 0;
-/// with a width w > 0 it is at most 1/w: f = u / (u^2 + w^4)^(1/4), the same to (w / f)^4 / 4.
+/// f = sgn(u) sqrt|u| and its inverse, in scene units. The slope of the root is unbounded at 0.
+/// With a width w > 0 it is at most 1/w: f = u / (u^2 + w^4)^(1/4), which is the root up to a
+/// relative error of (w / f)^4 / 4.
 class SmoothRoot {
  public:
   explicit SmoothRoot(double width = 0) : w4_(width * width * width * width) {}
@@ -104,14 +105,14 @@ class SmoothRoot {
     return u / std::sqrt(std::sqrt(u * u + w4_));
   }
 
-  /// df / du; of the sharp root as at |f| = smallest_f where |f| is less.
+  /// Returns df / du. For w = 0 the slope is that at |f| = smallest_f if |f| is smaller.
   double slope(double u) const {
     if (w4_ == 0) return 1 / (2 * std::max(std::sqrt(std::abs(u)), smallest_f));
     const double s = u * u + w4_;
     return (u * u / 2 + w4_) / (s * std::sqrt(std::sqrt(s)));
   }
 
-  /// The u whose root is f.
+  /// Returns the u whose root is f.
   double u(double f) const {
     const double f4 = f * f * f * f;
     return std::copysign(std::sqrt((f4 + std::sqrt(f4 * (f4 + 4 * w4_))) / 2), f);

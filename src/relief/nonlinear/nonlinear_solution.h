@@ -9,55 +9,50 @@
 
 namespace relievo::relief {
 
-/// What an iteration knew of one node where parts press on each other, or on B.
+/// The result of an iteration at one node of a depth pair or of B, independent of the mesh.
 struct NonlinearMark {
   int part = -1;
   Point2 position;          ///< px
-  bool on_outline = false;  ///< or on B
-  double rise = 0;          ///< u beyond that of the start, scene units
-  double load = 0;          ///< with which the pairs change u, scene units
+  bool on_outline = false;  ///< whether the node is on an outline or on B
+  double rise = 0;          ///< u minus that of the start, scene units
+  double load = 0;          ///< load phi of the depth pairs on u, scene units
 
   int group() const { return part; }
 };
 
-/// Where an iteration ended, for another to begin from, on the same mesh or one of a similar
+/// The end of an iteration, from which another can start on the same mesh or that of a similar
 /// scene.
 struct NonlinearMemory {
   std::vector<NonlinearMark> marks;  ///< by group and position
   std::vector<DepthContact> contacts;
 };
 
-/// The energy of the non-linear formulation [P eq 3-5] in scene units, by its terms with their
-/// weights.
+/// The terms of the non-linear energy [P eq 3-5] with their weights, in scene units.
 struct NonlinearEnergy {
-  double inflation = 0;  ///< (M^-1 L u - c)' M (M^-1 L u - c) over all nodes that are not held
+  double inflation = 0;  ///< (M^-1 L u - c)' M (M^-1 L u - c), summed over the free nodes I
   double boundary = 0;   ///< lambda_bnd times the line integral of f^2 over B
-  double shift = 0;      ///< lambda_shift times twice the cost of g, which is g'(L + epsilon M) g
-                         ///< where no part leans
+  double shift = 0;      ///< lambda_shift times twice the cost of g (ShiftMetric)
   double total() const { return inflation + boundary + shift; }
 };
 
 /// One step of the iteration.
 struct NonlinearStep {
-  NonlinearEnergy energy;  ///< of the step; belongs to one point only in the limit
+  NonlinearEnergy energy;  ///< its terms belong to one point only in the limit
   double residual = 0;     ///< largest change of u, relative to the largest u
-  int factorisations = 0;  ///< of the contact problem; 1 where its closed gaps stayed so
+  int factorisations = 0;  ///< of the contact problem; 1 if no gap changed sides
   double milliseconds = 0;
 };
 
-enum class NonlinearStatus { solved, iteration_limit };
-
 struct NonlinearReport {
-  NonlinearStatus status = NonlinearStatus::solved;
+  SolveStatus status = SolveStatus::solved;  ///< or iteration_limit
   std::vector<NonlinearStep> steps;
   NonlinearEnergy energy;  ///< of the solution
-  double residual = 0;
+  double residual = 0;     ///< of the last step
 };
 
-/// The surface where the iteration would end after one of its steps: the inflation of the step
-/// and the depth order for it.
+/// The surface after one step of the iteration: its inflation and the depth order for that.
 struct NonlinearSnapshot {
-  int step = 0;  ///< steps taken, from 1
+  int step = 0;  ///< number of steps taken, from 1
   Inflation inflation;
   Ordering ordering;
 };
@@ -67,8 +62,8 @@ struct NonlinearSolution {
   Inflation inflation;
   Ordering ordering;
   NonlinearReport report;
-  std::vector<NonlinearSnapshot> snapshots;  ///< as the options ask, in order
-  NonlinearMemory memory;                    ///< empty where the iteration did not converge
+  std::vector<NonlinearSnapshot> snapshots;  ///< at NonlinearOptions::snapshots, in order
+  NonlinearMemory memory;                    ///< empty if the iteration did not converge
 };
 
 }  // namespace relievo::relief

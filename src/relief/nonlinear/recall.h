@@ -9,15 +9,15 @@
 
 namespace relievo::relief {
 
-/// What `state` knows of the nodes of the pairs and of B. u_start: #N, scene units.
+/// Returns the marks of `state` at the nodes of the pairs and of B. u_start: #N, scene units.
 /// O(pairs log pairs).
 std::vector<NonlinearMark> remember(const LayeredMesh& mesh, const NonlinearModel& model,
                                     const std::vector<DepthPair>& pairs,
                                     const Eigen::VectorXd& u_start, const NonlinearState& state);
 
-/// Puts what is known of near nodes of the same part into `state`, whose u is that of the start: u
-/// on B, and the loads of the nodes of the pairs and B, which share that of the nearest mark.
-/// Leaves parts that are not known as they are. O(pairs log marks) where marks are not stacked
+/// Starts `state`, whose u is that of the start, from marks near its nodes on the same parts: sets
+/// u on B, and the loads of the nodes of the pairs and B, among which each mark's load is divided.
+/// Nodes of parts without marks keep their values. O(pairs log marks) unless marks are stacked
 /// above each other on the canvas.
 void recall(const LayeredMesh& mesh, const NonlinearModel& model,
             const std::vector<DepthPair>& pairs, const std::vector<NonlinearMark>& marks,

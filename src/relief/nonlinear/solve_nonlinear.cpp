@@ -1,3 +1,20 @@
+// Inflation and depth order at once [P eq 3-6], in scene units:
+//
+//   minimise  E = (M^-1 L u - c)' M (M^-1 L u - c) + lambda_bnd sum over B of m |u|
+//                 + lambda_shift (g'(L + eps M) g - 2 b'g)
+//   subject to h_lower <= h_upper, or equal;   h = f + g;   f = sgn(u) sqrt|u|;   u = 0 on outlines
+//
+// At nodes of B that only an inequality lifts, f >= 0 and its gap >= 0 are complementary. The
+// iteration solves with y = f or -gap, while the depth order has that gap fixed at 0.
+//
+//   letter       in the code
+//   u            NonlinearState::u
+//   h, g         Ordering::h, g
+//   M, L, M c    NonlinearModel::mass, L, load
+//   B, m         NonlinearModel::bound, bound_mass
+//   eps, b       ShiftMetric
+//   y            BoundStep; sgn(y) y^2 is stored in u
+
 #include "relief/nonlinear/solve_nonlinear.h"
 
 #include <algorithm>
@@ -22,9 +39,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// How often nodes with the wrong sign are looked for.
+/// Largest number of times that nodes with the wrong sign are fixed.
 constexpr int sign_rounds = 3;
-/// How often gaps that would pull are let go, and how long that may take each time.
+/// Largest number of times that pulling gaps are released, and of iterations each time.
 constexpr int release_rounds = 3;
 constexpr int release_iterations = 40;
 
@@ -40,18 +57,14 @@ Status check_options(const NonlinearOptions& options) {
   if (options.max_iterations < 1)
     return Error{ErrorCode::usage, "there must be at least one iteration", "max_iterations"};
   if (!std::is_sorted(options.snapshots.begin(), options.snapshots.end()))
-    return Error{ErrorCode::usage, "the steps must rise", "snapshots"};
-  if (options.anderson_depth < 0)
-    return Error{ErrorCode::usage, "the depth must not be negative", "anderson_depth"};
-  OrderingOptions ordering;
-  ordering.epsilon = options.epsilon;
-  return check_options(ordering);
+    return Error{ErrorCode::usage, "the steps must be in ascending order", "snapshots"};
+  return check_options(options.ordering);
 }
 
 NonlinearState first_state(const NonlinearModel& model, const Inflation& start) {
   NonlinearState state;
   const double area = model.metric.scale * model.metric.scale;
-  state.u = model.held;
+  state.u = model.fixed_u;
   for (const std::vector<int>* nodes : {&model.inner, &model.bound})
     for (const int n : *nodes) state.u[n] = area * start.u[n];
   state.load = VectorXd::Zero(state.u.size());
@@ -64,143 +77,134 @@ VectorXd in_scene_units(const std::vector<double>& values, double factor) {
   return result;
 }
 
-/// Holds these gaps (a list with -1 for none) at what the iteration says, or lets them go again,
-/// as they were: both have the same matrix.
-void hold_gaps(const std::vector<int>& gaps, bool held, DepthSystem& system) {
-  std::vector<uint8_t> meant(system.closed.size(), 0);
+/// Turns gaps >= 0 into gaps fixed at 0, or back. The matrix is the same for both. `gaps`: children
+/// of the gaps, or -1.
+void fix_gaps(const std::vector<int>& gaps, bool fixed, DepthSystem& depth) {
+  std::vector<bool> is_meant(depth.closed.size(), false);
   for (const int gap : gaps)
-    if (gap >= 0) meant[gap] = 1;
-  GapVariables& variables = system.problem.variables;
-  for (DepthGap& gap : system.problem.forest.gaps) {
-    if (meant[gap.child] == 0) continue;
-    gap.equal = held;
-    variables.fixed[gap.child] = system.qp.fixed[gap.child] = held;
-    variables.bounded[gap.child] = system.qp.bounded[gap.child] = !held;
+    if (gap >= 0) is_meant[gap] = true;
+  for (DepthGap& gap : depth.forest.gaps) {
+    if (!is_meant[gap.child]) continue;
+    gap.equal = fixed;
+    depth.qp.fixed[gap.child] = fixed;
+    depth.qp.bounded[gap.child] = !fixed;
   }
 }
 
-/// The iteration with what it solves with.
+/// The iteration and the systems that it solves with.
 class NonlinearSolver {
  public:
-  NonlinearSolver(const OrderingInput& input, const NonlinearOptions& options,
-                  const NonlinearMemory& known, OrderingSystem& system, const RunContext& context)
-      : input_(input),
+  NonlinearSolver(const SurfaceInput& surface, const Inflation& start,
+                  const NonlinearOptions& options, const NonlinearMemory& known,
+                  OrderingSystem& system, const RunContext& context)
+      : surface_(surface),
         known_(known),
         options_(options),
         system_(system),
         context_(context),
-        model_(make_joint_model(input, system.metric)),
-        recalled_(!known.marks.empty()) {
+        model_(make_joint_model(surface, start, system.metric)),
+        is_recalled_(!known.marks.empty()) {
     model_.lambda_bnd = options.lambda_bnd;
     model_.lambda_shift = options.lambda_shift;
-    run_.state = first_state(model_, input.inflation);
+    run_.state = first_state(model_, start);
     u_start_ = run_.state.u;
   }
 
-  /// Fills in inflation, ordering and snapshots.
   Status solve(NonlinearSolution& solution) {
-    set_pairs({input_.mesh, input_.discretisation, input_.scene}, system_, context_);
+    set_pairs(surface_, system_, context_);
     if (context_.cancelled()) return interrupted_error();
-    DepthSystem& order_system = system_.system;
-    order_system.closed = gaps_like(input_.mesh, order_system.problem, known_.contacts);
-    find_loose_bound(order_system.problem.forest, model_);
-    recall(input_.mesh, model_, input_.mesh.constraints, known_.marks, run_.state);
-    if (Status status = iterate_holding(options_); !status) return status;
-    if (run_.report.status == NonlinearStatus::solved && !is_mixed(model_))
-      if (Status status = release_pulled(); !status) return status;
-    for (const KeptState& kept : std::exchange(run_.kept, {})) {
-      NonlinearSnapshot snapshot{kept.step, inflation_of(kept.u), {}};
+    const LayeredMesh& mesh = surface_.mesh;
+    system_.depth.closed = gaps_like(mesh, system_.depth.forest, known_.contacts);
+    find_lifting_gaps(system_.depth.forest, model_);
+    recall(mesh, model_, mesh.constraints, known_.marks, run_.state);
+    if (Status status = iterate_with_gaps_fixed(options_); !status) return status;
+    if (run_.report.status == SolveStatus::solved && !is_mixed(model_))
+      if (Status status = release_pulling_gaps(); !status) return status;
+    for (const auto& [step, u] : std::exchange(run_.kept, {})) {
+      NonlinearSnapshot snapshot{step, inflation_of(u), {}};
       const Status status = order(snapshot.inflation, snapshot.ordering);
       if (!status) return status;
       solution.snapshots.push_back(std::move(snapshot));
     }
     solution.inflation = inflation_of(run_.state.u);
-    return order(solution.inflation, solution.ordering);
-  }
-
-  NonlinearMemory memory() const {
-    if (run_.report.status != NonlinearStatus::solved) return {};
-    return {remember(input_.mesh, model_, *system_.pairs, u_start_, run_.state),
-            contacts_of(input_.mesh, run_.state.h)};
-  }
-
-  /// With the energy at the end.
-  NonlinearReport report(const Ordering& ordering) const {
-    NonlinearReport report = run_.report;
-    const VectorXd g = in_scene_units(ordering.g, model_.metric.scale);
-    report.energy = nonlinear_energy(model_, with_signs(run_.state.u), g);
-    return report;
+    if (Status status = order(solution.inflation, solution.ordering); !status) return status;
+    const VectorXd g = in_scene_units(solution.ordering.g, model_.metric.scale);
+    run_.report.energy = nonlinear_energy(model_, with_signs(run_.state.u), g);
+    solution.report = run_.report;
+    if (run_.report.status == SolveStatus::solved)
+      solution.memory = {remember(mesh, model_, mesh.constraints, u_start_, run_.state),
+                         contacts_of(mesh, run_.state.h)};
+    return Done{};
   }
 
  private:
-  /// Iterates; where u comes out with the wrong sign, as obtuse faces allow, holds it at 0 and
-  /// goes on.
+  /// Iterates. Obtuse faces can give u the wrong sign; fixes it at 0 there and continues.
   Status iterate(const NonlinearOptions& options) {
-    VectorXd& u = run_.state.u;
-    BoundStep bound(model_, system_.system);
+    BoundStep bound(model_, system_.depth);
     if (Status status = prepare(bound); !status) return status;
     for (int i = 0;; ++i) {
       if (!response_) response_.emplace(model_);
-      if (!response_->sound())
+      if (!response_->is_solvable())
         return Error{ErrorCode::internal, "the inflation has no finite solution", ""};
-      if (std::exchange(recalled_, false)) inflate_recalled();
+      if (std::exchange(is_recalled_, false)) inflate_recalled();
       const Status status =
-          iterate_nonlinear({*response_, system_.system, bound}, options, context_, run_);
+          iterate_nonlinear(*response_, system_.depth, bound, options, context_, run_);
       if (!status) return status;
-      if (i == sign_rounds || !hold_wrong_signs(u, model_)) break;
+      if (i == sign_rounds || !fix_wrong_signs(run_.state.u, model_)) break;
       response_.reset();
     }
     return Done{};
   }
 
-  /// Iterates with the gaps on loose B held at what the iteration says of them.
-  Status iterate_holding(const NonlinearOptions& options) {
-    DepthSystem& order_system = system_.system;
-    hold_gaps(model_.loose_gap, true, order_system);
+  /// Iterates with the lifting gaps fixed in the depth order, since y on B contains them, and then
+  /// sets its active set from y.
+  Status iterate_with_gaps_fixed(const NonlinearOptions& options) {
+    fix_gaps(model_.lifting_gap, true, system_.depth);
     const Status status = iterate(options);
-    hold_gaps(model_.loose_gap, false, order_system);
+    fix_gaps(model_.lifting_gap, false, system_.depth);
     for (size_t i = 0; i < model_.bound.size(); ++i)
-      if (model_.loose_gap[i] >= 0)
-        order_system.closed[model_.loose_gap[i]] = lifted(run_.state.u, i) >= 0;
+      if (model_.lifting_gap[i] >= 0)
+        system_.depth.closed[model_.lifting_gap[i]] = towards_lift(run_.state.u, i) >= 0;
     return status;
   }
 
-  /// Where parts press beside B, u may rise there beyond what closes the gap, at little cost, and
-  /// what holds the gap would pull. Lets such gaps go, as long as that lowers the energy.
-  Status release_pulled() {
+  /// Where parts press beside B, u can rise cheaply above the height that closes a gap, and the
+  /// closed gap pulls. Treats such gaps as ordinary inequalities as long as that lowers the energy.
+  Status release_pulling_gaps() {
     NonlinearOptions options = options_;
     options.max_iterations = std::min(options.max_iterations, release_iterations);
-    run_.once = true;
-    for (int round = 0; round < release_rounds && !run_.pulled.empty(); ++round) {
+    run_.single_attempt = true;
+    for (int round = 0; round < release_rounds && !run_.pulling.empty(); ++round) {
       const NonlinearRun before = run_;
-      for (int& gap : model_.loose_gap)
-        if (std::count(before.pulled.begin(), before.pulled.end(), gap) > 0) gap = -1;
-      run_.pulled.clear();
+      for (int& gap : model_.lifting_gap)
+        if (std::count(before.pulling.begin(), before.pulling.end(), gap) > 0) gap = -1;
+      run_.pulling.clear();
       double energies[2] = {0, 0};
       if (Status status = find_energy(energies[0]); !status) return status;
-      if (Status status = iterate_holding(options); !status) return status;
+      if (Status status = iterate_with_gaps_fixed(options); !status) return status;
       if (Status status = find_energy(energies[1]); !status) return status;
-      if (run_.report.status == NonlinearStatus::solved && energies[1] < energies[0]) continue;
+      if (run_.report.status == SolveStatus::solved && energies[1] < energies[0]) continue;
       run_ = before;
       break;
     }
     return Done{};
   }
 
-  /// With the best heights for u.
+  /// Computes the energy of u with the best heights for it.
   Status find_energy(double& energy) {
     const double scale = model_.metric.scale;
     const VectorXd u = with_signs(run_.state.u);
     const VectorXd f = u.unaryExpr(&signed_root);
     Ordering ordering;
     const SolveStatus solved =
-        solve_heights(system_.system, model_.metric, f / scale, ordering, context_);
+        solve_heights(system_.depth, model_.metric, f / scale, ordering, context_);
     energy = nonlinear_energy(model_, u, in_scene_units(ordering.h, scale) - f).total();
     return check_solved(solved);
   }
 
-  /// u there in the direction in which gaps lift f; negative where one is open.
-  double lifted(const VectorXd& u, size_t i) const {
+  /// Returns u at node i of B, positive in the direction in which gaps lift f: negative if the gap
+  /// is open.
+  double towards_lift(const VectorXd& u, size_t i) const {
     const int n = model_.bound[i];
     return model_.sign[n] < 0 ? -u[n] : u[n];
   }
@@ -216,48 +220,49 @@ class NonlinearSolver {
     return check_solved(status);
   }
 
-  /// What was recalled are values node by node: u becomes the inflation under the loads.
+  /// Recalled values are only those of single nodes: sets u on I to the inflation under the
+  /// recalled loads.
   void inflate_recalled() {
     VectorXd& u = run_.state.u;
-    const VectorXd known = u;
-    const VectorXd inflated = with_signs(u);
-    const VectorXd u_bound = inflated(model_.bound);
+    const VectorXd recalled = u;
+    const VectorXd u_bound = with_signs(u)(model_.bound);
     u = response_->inflate(response_->excess(run_.state.load), u_bound);
-    for (const int n : model_.bound) u[n] = known[n];
+    for (const int n : model_.bound) u[n] = recalled[n];
   }
 
-  /// What has the wrong sign is a gap, or left of obtuse faces.
+  /// Sets u to 0 where it has the wrong sign, which stands for an open gap or comes from obtuse
+  /// faces.
   VectorXd with_signs(VectorXd u) const {
     for (Eigen::Index n = 0; n < u.size(); ++n)
       if (model_.sign[n] * u[n] < 0) u[n] = 0;
     for (size_t i = 0; i < model_.bound.size(); ++i)
-      if (model_.loose_gap[i] >= 0 && lifted(u, i) < 0) u[model_.bound[i]] = 0;
+      if (model_.lifting_gap[i] >= 0 && towards_lift(u, i) < 0) u[model_.bound[i]] = 0;
     return u;
   }
 
-  Inflation inflation_of(const VectorXd& u_and_gaps) const {
-    const VectorXd u = with_signs(u_and_gaps);
-    Inflation inflation = make_inflation(input_.discretisation.gradients, u, model_.metric.scale);
-    raise_bumps({input_.mesh, input_.discretisation, input_.scene}, options_.bumps, inflation);
+  Inflation inflation_of(const VectorXd& u) const {
+    Inflation inflation =
+        make_inflation(surface_.discretisation.gradients, with_signs(u), model_.metric.scale);
+    raise_bumps(surface_, options_.bumps, inflation);
     return inflation;
   }
 
-  /// The exact depth order for an inflation.
+  /// Computes the exact depth order for an inflation.
   Status order(const Inflation& inflation, Ordering& ordering) {
-    const SolveStatus solved = solve_heights(system_.system, model_.metric,
+    const SolveStatus solved = solve_heights(system_.depth, model_.metric,
                                              inflated_heights(inflation.u), ordering, context_);
     if (Status status = check_solved(solved); !status) return status;
-    finish_ordering({input_.mesh, input_.discretisation, inflation, input_.scene}, ordering);
+    finish_ordering(surface_, inflation, ordering);
     return Done{};
   }
 
-  const OrderingInput& input_;
+  const SurfaceInput& surface_;
   const NonlinearMemory& known_;
   const NonlinearOptions& options_;
   OrderingSystem& system_;
   const RunContext& context_;
   NonlinearModel model_;
-  bool recalled_;  ///< whether `u` holds what is known of another mesh
+  bool is_recalled_;  ///< whether u has recalled values that are not inflated yet
   std::optional<InflationResponse> response_;
   VectorXd u_start_;
   NonlinearRun run_;
@@ -265,21 +270,18 @@ class NonlinearSolver {
 
 }  // namespace
 
-Result<NonlinearSolution> solve_nonlinear(const OrderingInput& input,
+Result<NonlinearSolution> solve_nonlinear(const SurfaceInput& surface, const Inflation& start,
                                           const NonlinearOptions& options,
                                           const NonlinearMemory& known, OrderingSystem& system,
                                           const RunContext& context) {
-  assert(input.inflation.u.size() == input.mesh.node_vertex.size());
-  assert(static_cast<int>(input.scene.parts.size()) == input.mesh.part_count);
+  assert(start.u.size() == surface.mesh.node_vertex.size());
+  assert(static_cast<int>(surface.scene.parts.size()) == surface.mesh.part_count);
   if (Status status = check_options(options); !status) return status.error();
-  const SurfaceInput surface{input.mesh, input.discretisation, input.scene};
-  set_surface(surface, options.epsilon, system, context);
-  set_leans(surface, input.inflation, options.wanted, system);
-  NonlinearSolver solver(input, options, known, system, context);
+  set_metric(surface, options.ordering.epsilon, system, context);
+  set_wanted(surface, start, options.ordering, system);
+  NonlinearSolver solver(surface, start, options, known, system, context);
   NonlinearSolution solution;
   if (Status status = solver.solve(solution); !status) return status.error();
-  solution.report = solver.report(solution.ordering);
-  solution.memory = solver.memory();
   context.report("nonlinear", 1);
   return solution;
 }
@@ -290,7 +292,7 @@ Result<NonlinearSolution> solve_nonlinear(const LayeredMesh& mesh, const Scene& 
   const Discretisation discretisation = discretise(mesh, context);
   if (context.cancelled()) return interrupted_error();
   OrderingSystem system;
-  return solve_nonlinear({mesh, discretisation, start, scene}, options, {}, system, context);
+  return solve_nonlinear({mesh, discretisation, scene}, start, options, {}, system, context);
 }
 
 }  // namespace relievo::relief

@@ -16,32 +16,33 @@ namespace relievo::relief {
 constexpr double min_lambda_bnd = 1e-6;  ///< bounds of lambda_bnd
 constexpr double max_lambda_bnd = 1e6;
 constexpr double min_lambda_shift = 1e-3;  ///< bounds of lambda_shift
-constexpr double max_lambda_shift = 100;   ///< above it the iteration need not converge
+constexpr double max_lambda_shift = 100;   ///< the iteration need not converge above it
 
 struct NonlinearOptions {
-  double lambda_bnd = 0.01;           ///< pull of B to the drawing plane, in scene units
-  double lambda_shift = 1;            ///< weight of the shift against the inflation
-  double epsilon = 1e-4;              ///< weight of the pull to g = 0, in scene units
-  WantedShifts wanted{false, false};  ///< by the inflation of the start
-  InflationOptions bumps;             ///< by which bumps are raised on the solution (raise_bumps)
-  double tolerance = 1e-4;            ///< on the residual of the iteration
-  int max_iterations = 150;           ///< of one attempt
-  int anderson_depth = 16;
-  std::vector<int> snapshots;  ///< after which steps the surface is kept, ascending, from 1
+  double lambda_bnd = 0.01;  ///< weight of f^2 on B, in 1 / scene unit
+  double lambda_shift = 1;   ///< weight of the shift against the inflation
+  /// Cost of the shift. Limbs and caps are found in the inflation of the start.
+  OrderingOptions ordering{.straight_limbs = false, .close_caps = false};
+  InflationOptions bumps;      ///< for the bumps raised on the solution (raise_bumps)
+  double tolerance = 1e-4;     ///< on the residual of the iteration
+  int max_iterations = 150;    ///< of one attempt
+  std::vector<int> snapshots;  ///< steps after which the surface is kept, ascending, from 1
 };
 
 /// Inflates and shifts all parts at once [P eq 3-6]: minimises
 ///   (M^-1 L u - c)' M (M^-1 L u - c) + lambda_bnd int_B f^2 ds + lambda_shift g'(L + epsilon M) g
-/// over u and g, f = sgn(u) sqrt|u|, where the heights f + g obey the depth pairs, u = 0 on
-/// outlines, and B are the outlines under Robin ranges; the last term with leans and limbs as in
-/// the depth order. Begins from the inflation of the input, any of the mesh, and from what is known
-/// of a similar problem. `system` is as for order_depth, which may prepare it and go on with it.
-Result<NonlinearSolution> solve_nonlinear(const OrderingInput& input,
+/// over u and g, f = sgn(u) sqrt|u|, such that the heights f + g satisfy the depth pairs and u = 0
+/// on outlines. B are the outlines under Robin ranges. Wanted shifts change the last term as in the
+/// depth order. Starts from `start`, any inflation of the mesh, and from `known`, the end of a
+/// similar problem or empty. `system` is as for order_depth, and both may share it. If the
+/// iteration does not converge, returns the start, ordered, with the status iteration_limit. Fails
+/// with usage for options out of range, as order_depth, and when cancelled.
+Result<NonlinearSolution> solve_nonlinear(const SurfaceInput& surface, const Inflation& start,
                                           const NonlinearOptions& options,
                                           const NonlinearMemory& known, OrderingSystem& system,
                                           const RunContext& context = {});
 
-/// The same with operators for one use.
+/// Makes the discretisation and the system, and solves once.
 Result<NonlinearSolution> solve_nonlinear(const LayeredMesh& mesh, const Scene& scene,
                                           const Inflation& start, const NonlinearOptions& options,
                                           const RunContext& context = {});

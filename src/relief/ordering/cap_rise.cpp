@@ -1,10 +1,25 @@
+// Wanted shifts r of caps and spots (add_wanted), in scene units. On a cap with rim R and inner
+// nodes I,
+//
+//   r_R = share max(0, f_below),    or 0 where nothing lies below
+//   r_I = -A_II^-1 A_IR r_R
+//
+// On a spot, with w the area around a node that lies on something and p its position,
+//
+//   r = share (a + s . (p - m)),    (a, s) minimising  sum w (height_below - a - s . (p - m))^2
+//
+//   letter       in the code
+//   A_II, A_IR   Cap::factor, coupling
+//   f_below      f at the nodes of Cap::on
+//   w            Rest::weight
+//   m, a, s      middle, mean, slope in add_plane
+
 #include "relief/ordering/cap_rise.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -19,28 +34,30 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Of the outline of what it lies on a cap covers a share, of its own it has one on that, and one
-/// with nothing behind it: up to the first share of any there is no cap, from the second on of all
-/// it is one altogether.
+/// A cap covers a share of the other part's outline, with a share of its own, and has nothing
+/// behind another share of its own. A part is no cap if any share is below `no_cap`, and a cap
+/// altogether if all are above `whole_cap`.
 constexpr double no_cap = 0.17;
 constexpr double whole_cap = 0.25;
 
-/// From 0 to 1 with the share of a length in a whole.
+/// Grows from 0 to 1 with the share of a length in a whole.
 double capped(double length, double whole) {
   return whole > 0 ? smooth_step(no_cap, whole_cap, length / whole) : 0;
 }
 
-/// Of the area of a spot this much lies on what it is tied to, and all of it counts as doing so.
+/// Shares of a part's area that lie on what it is tied to: no spot below the first, altogether one
+/// above the second.
 constexpr double no_spot = 0.9;
 constexpr double whole_spot = 0.98;
 
-/// Whether the edge opposite to a corner of a face lies on the outline of its joined surface.
+/// Checks whether the edge opposite to a corner of a face lies on the outline of its joined
+/// surface.
 bool is_on_outline(const LayeredMesh& mesh, int face, int corner) {
   const int across = face_across(mesh, face, corner);
   return across < 0 || mesh.is_flap(across);
 }
 
-/// How much of the outline of its joined surface belongs to a face, px.
+/// Returns the length of a face's edges on the outline of its joined surface, px.
 double outline_length(const LayeredMesh& mesh, int face) {
   double length = 0;
   const Triangle& vertices = mesh.triangles[mesh.face_triangle[face]];
@@ -51,37 +68,35 @@ double outline_length(const LayeredMesh& mesh, int face) {
   return length;
 }
 
-/// What parts lie on each other with, px.
-struct Contact {
-  double own = 0;    ///< of the upper part's outline
-  double other = 0;  ///< of the lower part's outline
-};
+/// Returns the degree to which a part is a cap of the part `lower` by the lengths with which their
+/// outlines lie on each other, from 0 to 1. `outline`: length of each part's outline, px.
+double contact_share(const LayeredMesh& mesh, const std::vector<int>& faces, int part, int lower,
+                     const std::vector<double>& outline) {
+  double own = 0;
+  double other = 0;
+  for (const int face : faces)
+    for (int below = mesh.stack_begin[mesh.face_triangle[face]]; below < face; ++below) {
+      if (mesh.is_flap(below) || mesh.face_part[below] != lower) continue;
+      own += outline_length(mesh, face);
+      other += outline_length(mesh, below);
+    }
+  return capped(own, outline[part]) * capped(other, outline[lower]);
+}
 
-/// How much of a cap the part is, from 0 to 1. `outline`: length of each part's, px. `tied`: parts
-/// that it may be a cap of.
+/// Returns the degree to which a part is a cap, from 0 to 1. `tied`: parts that it may be a cap of.
 double cap_share(const LayeredMesh& mesh, const std::vector<int>& faces, int part,
                  const std::vector<double>& outline, const std::set<int>& tied) {
-  std::map<int, Contact> contacts;
   double open = 0;
-  for (const int face : faces) {
-    const double length = outline_length(mesh, face);
-    const int begin = mesh.stack_begin[mesh.face_triangle[face]];
-    if (face == begin) open += length;
-    for (int below = begin; below < face; ++below) {
-      if (mesh.is_flap(below) || tied.count(mesh.face_part[below]) == 0) continue;
-      Contact& contact = contacts[mesh.face_part[below]];
-      contact.own += length;
-      contact.other += outline_length(mesh, below);
-    }
-  }
+  for (const int face : faces)
+    if (face == mesh.stack_begin[mesh.face_triangle[face]]) open += outline_length(mesh, face);
   double most = 0;
-  for (const auto& [lower, contact] : contacts)
-    most =
-        std::max(most, capped(contact.own, outline[part]) * capped(contact.other, outline[lower]));
+  for (const int lower : tied)
+    most = std::max(most, contact_share(mesh, faces, part, lower, outline));
   return most * capped(open, outline[part]);
 }
 
-/// #N: of nodes on the part's outline, 1 where nothing lies behind them and 2 elsewhere.
+/// Returns 0 for nodes off the part's outline, 1 for those with nothing behind them and 2 for the
+/// other ones, #N.
 std::vector<uint8_t> outline_nodes(const LayeredMesh& mesh, const std::vector<int>& faces) {
   std::vector<uint8_t> kind(mesh.node_vertex.size(), 0);
   for (const int face : faces)
@@ -100,7 +115,7 @@ void sort_once(std::vector<int>& nodes) {
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
 }
 
-/// Fills in the cap's rim, and what it lies on.
+/// Finds the cap's rim and the nodes that it lies on.
 void find_rim(const LayeredMesh& mesh, const std::vector<int>& faces, const std::set<int>& tied,
               Cap& cap) {
   const std::vector<uint8_t> kind = outline_nodes(mesh, faces);
@@ -121,7 +136,8 @@ void find_rim(const LayeredMesh& mesh, const std::vector<int>& faces, const std:
   }
 }
 
-/// Fills in what is between, among these nodes; false where there is nothing, or no factor.
+/// Finds the inner nodes among `nodes` and factorises the metric on them. Returns false if there
+/// are none, or no factor.
 bool find_inner(const std::vector<int>& elimination, const SparseMatrix& A, std::vector<int> nodes,
                 Cap& cap) {
   sort_once(nodes);
@@ -129,34 +145,30 @@ bool find_inner(const std::vector<int>& elimination, const SparseMatrix& A, std:
                       std::back_inserter(cap.inner));
   if (cap.inner.empty()) return false;
   const auto size = static_cast<int>(cap.inner.size());
-  std::vector<int> place(static_cast<size_t>(A.cols()), -1);
-  for (int i = 0; i < size; ++i) place[cap.inner[i]] = i;
-  const SparseMatrix block = lower_block(A, place, size);
-  cap.factor.analyse(block, Refactorisation::complete, order_of_places(elimination, place));
+  std::vector<int> index(static_cast<size_t>(A.cols()), -1);
+  for (int i = 0; i < size; ++i) index[cap.inner[i]] = i;
+  const SparseMatrix block = lower_block(A, index, size);
+  cap.factor.analyse(block, Refactorisation::complete, order_of_places(elimination, index));
   cap.coupling.resize(size, static_cast<Eigen::Index>(cap.rim.size()));
   for (int j = 0; j < cap.coupling.cols(); ++j) {
     cap.coupling.startVec(j);
     for (SparseMatrix::InnerIterator entry(A, cap.rim[j]); entry; ++entry)
-      if (place[entry.row()] >= 0) cap.coupling.insertBack(place[entry.row()], j) = entry.value();
+      if (index[entry.row()] >= 0) cap.coupling.insertBack(index[entry.row()], j) = entry.value();
   }
   cap.coupling.finalize();
   return cap.factor.factorise(block);
 }
 
-/// A node of parts that lie on others.
-struct RestingNode {
-  double below = 0;   ///< the height of what it lies on
-  double weight = 0;  ///< px^2, of the faces around it that lie on something, 0 where none does
-};
-
-/// What parts lie on, of those that one is tied to.
+/// The area with which parts lie on those that they are tied to.
 struct Rest {
-  double area = 0;                   ///< px^2, of the parts
-  double resting = 0;                ///< that of it which lies on others
-  std::map<int, RestingNode> nodes;  ///< of the parts, all of them
+  double area = 0;         ///< of the parts, px^2
+  double resting = 0;      ///< of it, lies on others, px^2
+  std::vector<int> nodes;  ///< of the parts
+  VectorXd below;          ///< #N, height of what the node lies on
+  VectorXd weight;         ///< #N, a third of the faces around the node that lie on something, px^2
 };
 
-/// Adds what one part lies on. `height`: of all nodes.
+/// Adds one part. `height`: #N.
 void add_rest(const LayeredMesh& mesh, const std::vector<int>& faces, const std::set<int>& tied,
               const VectorXd& height, Rest& rest) {
   for (const int face : faces) {
@@ -165,7 +177,7 @@ void add_rest(const LayeredMesh& mesh, const std::vector<int>& faces, const std:
     const double area =
         std::abs(cross(mesh.vertices[corners[1]] - a, mesh.vertices[corners[2]] - a)) / 2;
     rest.area += area;
-    for (const int n : mesh.faces[face]) rest.nodes[n];
+    rest.nodes.insert(rest.nodes.end(), mesh.faces[face].begin(), mesh.faces[face].end());
     const int begin = mesh.stack_begin[mesh.face_triangle[face]];
     int below = face - 1;
     while (below >= begin && (mesh.is_flap(below) || tied.count(mesh.face_part[below]) == 0))
@@ -173,46 +185,44 @@ void add_rest(const LayeredMesh& mesh, const std::vector<int>& faces, const std:
     if (below < begin) continue;
     rest.resting += area;
     for (int k = 0; k < 3; ++k) {
-      RestingNode& node = rest.nodes[mesh.faces[face][k]];
-      node.below = std::max(node.below, height[mesh.faces[below][k]]);
-      node.weight += area / 3;
+      const int n = mesh.faces[face][k];
+      rest.below[n] = std::max(rest.below[n], height[mesh.faces[below][k]]);
+      rest.weight[n] += area / 3;
     }
   }
 }
 
-/// A plane over the canvas.
-struct Plane {
+/// Adds `share` times the plane nearest to what the nodes lie on, by the mean square, to `rise` and
+/// `height`. Precondition: some area lies on others.
+void add_plane(const LayeredMesh& mesh, const Rest& rest, double share, VectorXd& rise,
+               VectorXd& height) {
+  const auto position = [&mesh](int n) { return mesh.vertices[mesh.node_vertex[n]]; };
   Point2 middle;
-  double height = 0;
-  Point2 slope;
-
-  double at(Point2 p) const { return height + dot(slope, p - middle); }
-};
-
-/// The plane that departs least from what parts lie on, by its mean square. Precondition: they do.
-Plane plane_below(const LayeredMesh& mesh, const Rest& rest) {
-  const auto place = [&mesh](int n) { return mesh.vertices[mesh.node_vertex[n]]; };
-  Plane plane;
-  for (const auto& [n, node] : rest.nodes) {
-    plane.middle = plane.middle + node.weight / rest.resting * place(n);
-    plane.height += node.weight / rest.resting * node.below;
+  double mean = 0;
+  for (const int n : rest.nodes) {
+    middle = middle + rest.weight[n] / rest.resting * position(n);
+    mean += rest.weight[n] / rest.resting * rest.below[n];
   }
   double xx = 0;
   double xy = 0;
   double yy = 0;
   Point2 moment;
-  for (const auto& [n, node] : rest.nodes) {
-    const Point2 r = place(n) - plane.middle;
-    xx += node.weight * r.x * r.x;
-    xy += node.weight * r.x * r.y;
-    yy += node.weight * r.y * r.y;
-    moment = moment + node.weight * (node.below - plane.height) * r;
+  for (const int n : rest.nodes) {
+    const Point2 r = position(n) - middle;
+    xx += rest.weight[n] * r.x * r.x;
+    xy += rest.weight[n] * r.x * r.y;
+    yy += rest.weight[n] * r.y * r.y;
+    moment = moment + rest.weight[n] * (rest.below[n] - mean) * r;
   }
   const double determinant = xx * yy - xy * xy;
+  Point2 slope;
   if (determinant > 0)
-    plane.slope = {(yy * moment.x - xy * moment.y) / determinant,
-                   (xx * moment.y - xy * moment.x) / determinant};
-  return plane;
+    slope = {(yy * moment.x - xy * moment.y) / determinant,
+             (xx * moment.y - xy * moment.x) / determinant};
+  for (const int n : rest.nodes) {
+    rise[n] = share * (mean + dot(slope, position(n) - middle));
+    height[n] += rise[n];
+  }
 }
 
 }  // namespace
@@ -228,61 +238,60 @@ std::vector<std::set<int>> tied_parts(const Scene& scene) {
   return tied;
 }
 
-Caps find_caps(const LayeredMesh& mesh, const Discretisation& discretisation, const Scene& scene,
-               const SparseMatrix& A) {
-  Caps caps{tied_parts(scene), {}};
+std::vector<Cap> find_caps(const SurfaceInput& surface, const std::vector<std::set<int>>& tied,
+                           const SparseMatrix& A) {
+  const auto& [mesh, discretisation, scene] = surface;
+  std::vector<Cap> caps;
   const std::vector<std::vector<int>> faces = faces_by_part(mesh);
   const std::vector<Join> joins = joins_by_upper(scene);
   std::vector<double> outline(faces.size(), 0);
   for (size_t part = 0; part < faces.size(); ++part)
     for (const int face : faces[part]) outline[part] += outline_length(mesh, face);
   for (int part = 0; part < mesh.part_count; ++part) {
-    const std::set<int>& tied = caps.tied[part];
     Cap cap;
     cap.part = part;
-    if (!tied.empty()) cap.share = cap_share(mesh, faces[part], part, outline, tied);
+    if (!tied[part].empty()) cap.share = cap_share(mesh, faces[part], part, outline, tied[part]);
     if (!(cap.share > 0)) continue;
-    find_rim(mesh, faces[part], tied, cap);
+    find_rim(mesh, faces[part], tied[part], cap);
     std::vector<int> nodes;
     for (const int grown : grown_from(part, joins, scene.parts.size()))
       for (const int face : faces[grown])
         nodes.insert(nodes.end(), mesh.faces[face].begin(), mesh.faces[face].end());
     if (find_inner(discretisation.elimination, A, std::move(nodes), cap))
-      caps.caps.push_back(std::move(cap));
+      caps.push_back(std::move(cap));
   }
   return caps;
 }
 
-VectorXd cap_rise(const Caps& caps, const Inflation& inflation, double scale) {
+VectorXd cap_rise(const std::vector<Cap>& caps, const Inflation& inflation, double scale) {
   const VectorXd f = scale * inflated_heights(inflation.u);
   VectorXd rise = VectorXd::Zero(f.size());
-  for (const Cap& cap : caps.caps) {
+  for (const Cap& cap : caps) {
     VectorXd height = VectorXd::Zero(static_cast<Eigen::Index>(cap.rim.size()));
-    for (const auto& [place, below] : cap.on) height[place] = std::max(height[place], f[below]);
+    for (const auto& [i, below] : cap.on) height[i] = std::max(height[i], f[below]);
     rise(cap.rim) = cap.share * height;
     rise(cap.inner) = cap.share * cap.factor.solve(-(cap.coupling * height));
   }
   return rise;
 }
 
-VectorXd spot_rise(const LayeredMesh& mesh, const Scene& scene, const Caps& caps, VectorXd height) {
+VectorXd spot_rise(const SurfaceInput& surface, const std::vector<std::set<int>>& tied,
+                   const std::vector<Cap>& caps, VectorXd height) {
+  const auto& [mesh, discretisation, scene] = surface;
   const std::vector<std::vector<int>> faces = faces_by_part(mesh);
   const std::vector<Join> joins = joins_by_upper(scene);
   std::vector<double> share(scene.parts.size(), 1);
-  for (const Cap& cap : caps.caps) share[cap.part] -= cap.share;
+  for (const Cap& cap : caps) share[cap.part] -= cap.share;
   VectorXd rise = VectorXd::Zero(height.size());
   for (int part = 0; part < mesh.part_count; ++part) {
-    if (caps.tied[part].empty() || share[part] <= 0) continue;
-    Rest rest;
+    if (tied[part].empty() || share[part] <= 0) continue;
+    Rest rest{0, 0, {}, VectorXd::Zero(height.size()), VectorXd::Zero(height.size())};
     for (const int grown : grown_from(part, joins, scene.parts.size()))
-      add_rest(mesh, faces[grown], caps.tied[part], height, rest);
+      add_rest(mesh, faces[grown], tied[part], height, rest);
     if (!(rest.resting > no_spot * rest.area)) continue;
+    sort_once(rest.nodes);
     share[part] *= smooth_step(no_spot, whole_spot, rest.resting / rest.area);
-    const Plane plane = plane_below(mesh, rest);
-    for (const auto& [n, node] : rest.nodes) {
-      rise[n] = share[part] * plane.at(mesh.vertices[mesh.node_vertex[n]]);
-      height[n] += rise[n];
-    }
+    add_plane(mesh, rest, share[part], rise, height);
   }
   return rise;
 }

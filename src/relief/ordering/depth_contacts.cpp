@@ -1,3 +1,6 @@
+// Active sets that outlive a mesh. A gap z_child >= 0 is in the first active set if the depth pair
+// nearest to it, of the same two parts, had h_upper <= h_lower in an earlier solution.
+
 #include "relief/ordering/depth_contacts.h"
 
 #include <algorithm>
@@ -38,11 +41,11 @@ std::vector<DepthContact> contacts_of(const LayeredMesh& mesh, const std::vector
   return contacts;
 }
 
-std::vector<uint8_t> gaps_like(const LayeredMesh& mesh, const DepthProblem& problem,
+std::vector<uint8_t> gaps_like(const LayeredMesh& mesh, const DepthForest& forest,
                                std::vector<DepthContact> contacts) {
   sort_contacts(contacts);
-  std::vector<uint8_t> closed(problem.variables.bounded.size(), 0);
-  for (const DepthGap& gap : problem.forest.gaps) {
+  std::vector<uint8_t> closed(forest.group.size(), 0);
+  for (const DepthGap& gap : forest.gaps) {
     const int lower = gap.sign > 0 ? gap.parent : gap.child;
     const int upper = gap.sign > 0 ? gap.child : gap.parent;
     closed[gap.child] = closed_nearby(contacts, contact_at(mesh, lower, upper));

@@ -1,3 +1,14 @@
+// Depth pairs h_lower <= h_upper or h_lower = h_upper [P eq 13] as a forest of gaps:
+//
+//   h_child = h_parent + sign z_child,    z_child >= 0, or z_child = 0
+//
+//   letter    in the code
+//   z >= 0    DepthGap
+//   z = 0     DepthGap with `equal`
+//
+// Pairs that a directed graph implies are dropped (transitive reduction), and nodes of a directed
+// cycle are equal (strong components).
+
 #include "relief/ordering/depth_forest.h"
 
 #include <algorithm>
@@ -13,47 +24,34 @@
 namespace relievo::relief {
 namespace {
 
-/// h[lower] <= h[upper] between representatives; `group` tells apart what is linked.
-struct Edge {
-  int group = -1;
-  int lower = -1;
-  int upper = -1;
-  auto key() const { return std::tie(group, lower, upper); }
-};
-
-std::vector<Edge> inequalities(const std::vector<DepthPair>& pairs, DisjointSets& linked,
-                               DisjointSets& equal) {
-  std::vector<Edge> edges;
+/// Returns the inequalities between representatives of equal nodes, by group and without
+/// repetitions. `group`: #N.
+std::vector<DepthPair> inequalities(const std::vector<DepthPair>& pairs,
+                                    const std::vector<int>& group, DisjointSets& equal) {
+  std::vector<DepthPair> edges;
   for (const DepthPair& pair : pairs) {
     const int lower = equal.find(pair.lower);
     const int upper = equal.find(pair.upper);
-    if (lower != upper) edges.push_back({linked.find(lower), lower, upper});
+    if (lower != upper) edges.push_back({lower, upper, false});
   }
-  std::sort(edges.begin(), edges.end(),
-            [](const Edge& a, const Edge& b) { return a.key() < b.key(); });
-  edges.erase(std::unique(edges.begin(), edges.end(),
-                          [](const Edge& a, const Edge& b) { return a.key() == b.key(); }),
-              edges.end());
+  std::sort(edges.begin(), edges.end(), [&](const DepthPair& a, const DepthPair& b) {
+    return std::tie(group[a.lower], a.lower, a.upper) < std::tie(group[b.lower], b.lower, b.upper);
+  });
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
 }
 
-/// The inequalities of one group; item i of the graph is node items[i], ascending.
-struct Group {
-  std::vector<int> items;
-  DepthGraph graph;
-};
-
-Group make_group(std::vector<std::pair<int, int>> edges) {
-  Group group;
+/// Makes the graph of edges between nodes.
+DepthGraph make_graph(std::vector<std::pair<int, int>> edges) {
+  std::vector<int> nodes;
   for (const auto& [lower, upper] : edges) {
-    group.items.push_back(lower);
-    group.items.push_back(upper);
+    nodes.push_back(lower);
+    nodes.push_back(upper);
   }
-  std::sort(group.items.begin(), group.items.end());
-  group.items.erase(std::unique(group.items.begin(), group.items.end()), group.items.end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   const auto item_of = [&](int node) {
-    return static_cast<int>(std::lower_bound(group.items.begin(), group.items.end(), node) -
-                            group.items.begin());
+    return static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin());
   };
   for (auto& [lower, upper] : edges) {
     lower = item_of(lower);
@@ -61,65 +59,63 @@ Group make_group(std::vector<std::pair<int, int>> edges) {
   }
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  group.graph = {static_cast<int>(group.items.size()), std::move(edges)};
-  return group;
+  return {static_cast<int>(nodes.size()), std::move(edges), std::move(nodes)};
 }
 
 /// Merges the strongly connected components, in `equal` too.
-Group merge_cycles(const Group& group, DisjointSets& equal) {
-  const std::vector<int> component = strong_components(group.graph);
-  for (int i = 0; i < group.graph.size; ++i) equal.unite(group.items[i], group.items[component[i]]);
+DepthGraph merge_cycles(const DepthGraph& graph, DisjointSets& equal) {
+  const std::vector<int> component = strong_components(graph);
+  for (int i = 0; i < graph.size; ++i) equal.unite(graph.nodes[i], graph.nodes[component[i]]);
   std::vector<std::pair<int, int>> edges;
-  for (const auto& [lower, upper] : group.graph.edges)
+  for (const auto& [lower, upper] : graph.edges)
     if (component[lower] != component[upper])
-      edges.push_back({equal.find(group.items[lower]), equal.find(group.items[upper])});
-  return make_group(std::move(edges));
+      edges.push_back({equal.find(graph.nodes[lower]), equal.find(graph.nodes[upper])});
+  return make_graph(std::move(edges));
 }
 
-/// All items of the group one above the other.
-DepthGraph chain(const Group& group, const std::vector<int>& node_part) {
+/// Puts all items of the graph one above the other.
+DepthGraph chain(const DepthGraph& graph, const std::vector<int>& node_part) {
   std::vector<int> parts;
-  for (const int node : group.items) parts.push_back(node_part[node]);
-  const std::vector<int> order = linear_order(group.graph, parts);
-  DepthGraph result{group.graph.size, {}};
+  for (const int node : graph.nodes) parts.push_back(node_part[node]);
+  const std::vector<int> order = linear_order(graph, parts);
+  DepthGraph result{graph.size, {}, graph.nodes};
   for (size_t i = 0; i + 1 < order.size(); ++i) result.edges.push_back({order[i], order[i + 1]});
   return result;
 }
 
-/// The inequalities of a group as a tree that implies them; merges cycles in `equal`.
-Group tree_of(std::span<const Edge> edges, const std::vector<int>& node_part, DisjointSets& equal) {
-  std::vector<std::pair<int, int>> nodes;
-  for (const Edge& edge : edges) nodes.push_back({edge.lower, edge.upper});
-  Group group = make_group(std::move(nodes));
-  if (group.graph.is_tree()) return group;
-  group = merge_cycles(group, equal);
-  group.graph = transitive_reduction(group.graph);
-  if (group.graph.size > 0 && !group.graph.is_tree()) group.graph = chain(group, node_part);
-  return group;
+/// Returns a tree that implies the inequalities of a group. Merges cycles in `equal`.
+DepthGraph tree_of(std::span<const DepthPair> edges, const std::vector<int>& node_part,
+                   DisjointSets& equal) {
+  std::vector<std::pair<int, int>> pairs;
+  for (const DepthPair& edge : edges) pairs.push_back({edge.lower, edge.upper});
+  DepthGraph graph = make_graph(std::move(pairs));
+  if (graph.is_tree()) return graph;
+  graph = transitive_reduction(merge_cycles(graph, equal));
+  return graph.size > 0 && !graph.is_tree() ? chain(graph, node_part) : graph;
 }
 
-/// Of two nodes the smaller is the root.
-DepthGap single_gap(const Edge& edge) {
+/// Makes the smaller node the root.
+DepthGap single_gap(const DepthPair& edge) {
   if (edge.lower < edge.upper) return {edge.lower, edge.upper, 1, false};
   return {edge.upper, edge.lower, -1, false};
 }
 
-void append_gaps(const Group& tree, std::vector<DepthGap>& gaps) {
-  if (tree.graph.size == 0) return;
-  std::vector<std::vector<DepthGap>> from(tree.graph.size);
-  for (const auto& [lower, upper] : tree.graph.edges) {
+void append_gaps(const DepthGraph& tree, std::vector<DepthGap>& gaps) {
+  if (tree.size == 0) return;
+  std::vector<std::vector<DepthGap>> from(tree.size);
+  for (const auto& [lower, upper] : tree.edges) {
     from[lower].push_back({lower, upper, 1, false});
     from[upper].push_back({upper, lower, -1, false});
   }
-  std::vector<uint8_t> reached(tree.graph.size, 0);
-  std::vector<int> queue = {tree_centre(tree.graph)};
+  std::vector<uint8_t> reached(tree.size, 0);
+  std::vector<int> queue = {tree_centre(tree)};
   reached[queue[0]] = 1;
   for (size_t i = 0; i < queue.size(); ++i)
     for (const DepthGap& gap : from[queue[i]]) {
       if (reached[gap.child] != 0) continue;
       reached[gap.child] = 1;
       queue.push_back(gap.child);
-      gaps.push_back({tree.items[gap.parent], tree.items[gap.child], gap.sign, false});
+      gaps.push_back({tree.nodes[gap.parent], tree.nodes[gap.child], gap.sign, false});
     }
 }
 
@@ -143,7 +139,7 @@ class BitMatrix {
   std::vector<uint64_t> bits_;
 };
 
-/// Bit (i, j) is set where a path of at least one edge leads from i up to j.
+/// Sets bit (i, j) if a path of at least one edge leads from i up to j.
 BitMatrix reachability(const DepthGraph& graph) {
   BitMatrix reach(graph.size);
   for (const auto& [lower, upper] : graph.edges) reach.set(lower, upper);
@@ -162,20 +158,20 @@ DepthForest build_depth_forest(const std::vector<int>& node_part,
     if (pair.equal) equal.unite(pair.lower, pair.upper);
   DisjointSets linked(static_cast<int>(node_part.size()));
   for (const DepthPair& pair : pairs) linked.unite(pair.lower, pair.upper);
-  const std::vector<Edge> edges = inequalities(pairs, linked, equal);
-
   DepthForest forest;
+  for (int n = 0; n < linked.size(); ++n) forest.group.push_back(linked.find(n));
+
+  const std::vector<DepthPair> edges = inequalities(pairs, forest.group, equal);
   for (size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    while (end < edges.size() && edges[end].group == edges[begin].group) ++end;
+    const int group = forest.group[edges[begin].lower];
+    while (end < edges.size() && forest.group[edges[end].lower] == group) ++end;
     if (end - begin == 1)
       forest.gaps.push_back(single_gap(edges[begin]));
     else
       append_gaps(tree_of({&edges[begin], end - begin}, node_part, equal), forest.gaps);
   }
-  for (int n = 0; n < equal.size(); ++n) {
-    forest.group.push_back(linked.find(n));
+  for (int n = 0; n < equal.size(); ++n)
     if (equal.find(n) != n) forest.gaps.push_back({equal.find(n), n, 1, true});
-  }
   return forest;
 }
 
@@ -192,7 +188,7 @@ std::vector<int> strong_components(const DepthGraph& graph) {
 
 DepthGraph transitive_reduction(const DepthGraph& graph) {
   BitMatrix reach = reachability(graph);
-  DepthGraph reduced{graph.size, {}};
+  DepthGraph reduced{graph.size, {}, graph.nodes};
   auto siblings = graph.edges.begin();
   for (auto edge = graph.edges.begin(); edge != graph.edges.end(); ++edge) {
     if (edge->first != siblings->first) siblings = edge;

@@ -1,3 +1,17 @@
+// The wanted shift r of straight limbs (add_wanted), in scene units:
+//
+//   r = A smoothstep(x / e),    A = s min(F, largest_rise k),    F = top - k
+//   x(p) = (3/4 integral over the root of |p - q|^-5 dq)^(-1/4)    a distance without ridges
+//   e = the largest x of points at most l from the root
+//   l = max(least_fade w, distance at which the crest has fallen to k + rest_of_fall F)
+//   s = smoothstep of (reach / w) from `lump` to `slender`
+//
+//   letter    in the code
+//   x         Limb::reach
+//   k, top    crest in add_rise, Limb::top
+//   w         Limb::width, of the root
+//   e, l      end, length in add_rise
+
 #include "relief/ordering/limb_rise.h"
 
 #include <algorithm>
@@ -9,6 +23,8 @@
 #include <utility>
 
 #include "kernel/geometry/polygon.h"
+#include "relief/layers/layered_mesh.h"
+#include "relief/ordering/shift_metric.h"
 
 namespace relievo::relief {
 namespace {
@@ -16,62 +32,55 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// What reaches the first share of the root's width at most is a lump, the second at least a limb.
+/// A part that reaches at most `lump` widths of its root is a lump, and one that reaches `slender`
+/// widths a limb.
 constexpr double lump = 1;
 constexpr double slender = 1.75;
-/// From this share of its reach on a limb has its own height.
+/// The outer part of a limb, where it has its own height, begins at this share of its reach.
 constexpr double far_share = 0.6;
-/// It has come down where this share of the fall is left.
+/// The crest has come down where this share of the fall is left.
 constexpr double rest_of_fall = 0.1;
-constexpr double least_fade = 1.5;  ///< of the root's width
-/// A limb comes forward by so much of its own height at most, or a thin leg would hang before a
-/// thick belly.
+/// Least length of the rise, in widths of the root.
+constexpr double least_fade = 1.5;
+/// Largest rise relative to the limb's own height. Without the limit, a thin leg would hang in
+/// front of a thick belly.
 constexpr double largest_rise = 1.5;
-/// Distances without ridges are to some of more points than this, from so many of their steps on,
-/// little by little.
+/// Far from a root, the integral of a distance uses about this many of its points.
 constexpr size_t most_points = 64;
+/// Far begins here, in steps between those points, and the change is gradual up to twice as far.
 constexpr double far_steps = 4;
 
-/// Nodes by part, each once, of faces that no part grows out of.
-struct PartNodes {
-  std::vector<std::vector<int>> faces;  ///< by part
-  std::vector<std::vector<int>> of_part;
-  std::vector<int> parts;  ///< #N how many parts share the node
-};
-
-PartNodes nodes_by_part(const LayeredMesh& mesh) {
-  PartNodes nodes{faces_by_part(mesh), std::vector<std::vector<int>>(mesh.part_count),
-                  std::vector<int>(mesh.node_vertex.size(), 0)};
+/// Counts the parts that share each node, #N. `faces`: by part.
+std::vector<int> sharing_parts(const LayeredMesh& mesh,
+                               const std::vector<std::vector<int>>& faces) {
+  std::vector<int> count(mesh.node_vertex.size(), 0);
   std::vector<int> last(mesh.node_vertex.size(), -1);
   for (int part = 0; part < mesh.part_count; ++part)
-    for (const int face : nodes.faces[part])
+    for (const int face : faces[part])
       for (const int n : mesh.faces[face])
-        if (std::exchange(last[n], part) != part) {
-          nodes.of_part[part].push_back(n);
-          ++nodes.parts[n];
-        }
-  return nodes;
+        if (std::exchange(last[n], part) != part) ++count[n];
+  return count;
 }
 
-/// A joined part with all that grows out of it.
+/// A joined part and the parts that grow out of it, in scene units.
 struct Limb {
-  std::vector<int> nodes;  ///< the limb's own first, then those of what grows out of it alone
-  size_t own = 0;          ///< how many are its own
-  std::vector<std::array<int, 2>> edges;  ///< its own, places in `nodes`, some twice
-  std::vector<double> height;             ///< of each node, f, scene units
-  std::vector<double> distance;           ///< of each node to the root, scene units
-  std::vector<double> reach;              ///< the same without ridges
+  std::vector<int> nodes;  ///< of the joined part first, then the other nodes of the grown parts
+  size_t own = 0;          ///< number of nodes of the joined part
+  std::vector<std::array<int, 2>> edges;  ///< of the joined part, indices in `nodes`, some twice
+  std::vector<double> height;             ///< f of each node, in the direction of the inflation
+  std::vector<double> distance;           ///< of each node to the root
+  std::vector<double> reach;              ///< distance without ridges
   double width = 0;                       ///< of the root
-  double top = 0;                         ///< largest height there
+  double top = 0;                         ///< largest height on the root
 };
 
-/// A point of a root with the length of it that the point stands for.
+/// A point of a root and the length of root that it stands for.
 struct RootPoint {
   Point2 at;
   double length = 0;
 };
 
-/// Points in runs of about the square root of their number, each run with its box.
+/// The points of a root, in runs of about the square root of their number. Each run has its box.
 class PointRuns {
  public:
   explicit PointRuns(std::vector<RootPoint> points, const Box2& box) : points_(std::move(points)) {
@@ -104,22 +113,22 @@ class PointRuns {
     return std::sqrt(least);
   }
 
-  /// A distance without ridges where two points are equally near: that of the straight line which
-  /// would make the integral of distance^-5 along it as large. `distance`: the least one, not 0.
+  /// Returns a distance that is smooth where two points are equally near: that of an infinite
+  /// straight root with the same integral of distance^-5. `distance`: the least distance, not 0.
   double smooth_distance_to(Point2 p, double distance) const {
-    // An odd stride takes both arms of a bent root. From so far on it makes little difference.
+    // An odd stride takes points of both arms of a bent root.
     const size_t stride = points_.size() / most_points * 2 + 1;
     const double gap = length_ / static_cast<double>(points_.size()) * static_cast<double>(stride);
     const double far = smooth_step(far_steps * gap, 2 * far_steps * gap, distance);
     double sum = 0;
     if (far < 1) sum += (1 - far) * integral_to(p, 1);
     if (far > 0) sum += far * integral_to(p, stride);
-    // Roots have the same bits everywhere, powers have not.
+    // std::sqrt has the same bits everywhere, std::pow has not.
     return 1 / std::sqrt(std::sqrt(0.75 * sum));
   }
 
  private:
-  /// Of distance^-5, by every stride-th point.
+  /// Integrates distance^-5 over the root by every stride-th point.
   double integral_to(Point2 p, size_t stride) const {
     double sum = 0;
     double length = 0;
@@ -137,14 +146,15 @@ class PointRuns {
   size_t run_ = 1;
 };
 
-/// The edges between the limb and what it grows out of, ends ascending: those of one face of it.
-/// `is_root`: #N flags.
-std::vector<std::array<int, 2>> root_edges(const LayeredMesh& mesh, const PartNodes& nodes,
+/// Returns the edges between the limb and what it grows out of, ends ascending. Only one face of
+/// the limb has such an edge. `faces`: by part; `is_root`: #N flags.
+std::vector<std::array<int, 2>> root_edges(const LayeredMesh& mesh,
+                                           const std::vector<std::vector<int>>& faces,
                                            const std::vector<int>& grown,
                                            const std::vector<uint8_t>& is_root) {
   std::vector<std::array<int, 2>> edges;
   for (const int part : grown)
-    for (const int face : nodes.faces[part])
+    for (const int face : faces[part])
       for (int k = 0; k < 3; ++k) {
         const auto [a, b] = std::minmax(mesh.faces[face][k], mesh.faces[face][(k + 1) % 3]);
         if (is_root[a] != 0 && is_root[b] != 0) edges.push_back({a, b});
@@ -157,20 +167,20 @@ std::vector<std::array<int, 2>> root_edges(const LayeredMesh& mesh, const PartNo
   return once;
 }
 
-/// The edges of a part's faces, by the places of its nodes in `own`, which begins with them.
+/// Returns the edges of a part's faces as indices in `own`, which begins with the part's nodes.
 std::vector<std::array<int, 2>> own_edges(const LayeredMesh& mesh, const std::vector<int>& faces,
                                           const std::vector<int>& own) {
-  std::vector<int> place(mesh.node_vertex.size(), -1);
-  for (size_t i = 0; i < own.size(); ++i) place[own[i]] = static_cast<int>(i);
+  std::vector<int> index(mesh.node_vertex.size(), -1);
+  for (size_t i = 0; i < own.size(); ++i) index[own[i]] = static_cast<int>(i);
   std::vector<std::array<int, 2>> edges;
   for (const int face : faces)
     for (int k = 0; k < 3; ++k)
-      edges.push_back({place[mesh.faces[face][k]], place[mesh.faces[face][(k + 1) % 3]]});
+      edges.push_back({index[mesh.faces[face][k]], index[mesh.faces[face][(k + 1) % 3]]});
   return edges;
 }
 
-/// The largest value on the limb's edges where the level is at least `least`, both linear along
-/// them: nodes are far apart in the middle of a limb. 0 where it is so nowhere.
+/// Returns the largest value on the limb's edges at points whose level is at least `least`, or 0 if
+/// there are none. Both are linear along edges: nodes are far apart in the middle of a limb.
 double largest_where(const Limb& limb, const std::vector<double>& value,
                      const std::vector<double>& level, double least) {
   double largest = 0;
@@ -185,16 +195,19 @@ double largest_where(const Limb& limb, const std::vector<double>& value,
   return largest;
 }
 
-/// Heights are in the direction in which the part is inflated.
-Limb make_limb(const SurfaceInput& surface, const VectorXd& f, const PartNodes& nodes,
+/// `f`: #N, scene units; `faces`: by part; `sharing`: sharing_parts; `grown`: grown_from the part.
+Limb make_limb(const SurfaceInput& surface, const VectorXd& f,
+               const std::vector<std::vector<int>>& faces, const std::vector<int>& sharing,
                const std::vector<int>& grown) {
   const LayeredMesh& mesh = surface.mesh;
   const double sign = surface.scene.parts[grown.front()].d < 0 ? -1 : 1;
   Limb limb;
-  std::vector<int> in_limb(mesh.node_vertex.size(), 0);
+  std::vector<int> in_limb(mesh.node_vertex.size(), 0);  // parts of the limb that share the node
+  std::vector<int> last(mesh.node_vertex.size(), -1);
   for (const int part : grown) {
-    for (const int n : nodes.of_part[part])
-      if (in_limb[n]++ == 0) limb.nodes.push_back(n);
+    for (const int face : faces[part])
+      for (const int n : mesh.faces[face])
+        if (std::exchange(last[n], part) != part && in_limb[n]++ == 0) limb.nodes.push_back(n);
     if (part == grown.front()) limb.own = limb.nodes.size();
   }
   std::vector<uint8_t> is_root(mesh.node_vertex.size(), 0);
@@ -204,13 +217,13 @@ Limb make_limb(const SurfaceInput& surface, const VectorXd& f, const PartNodes& 
   const auto at = [&](int n) { return scale * mesh.vertices[mesh.node_vertex[n]]; };
   for (const int n : limb.nodes) {
     limb.height.push_back(sign * f[n]);
-    if (in_limb[n] == nodes.parts[n]) continue;
+    if (in_limb[n] == sharing[n]) continue;
     is_root[n] = 1;
     box.add(at(n));
     limb.top = std::max(limb.top, limb.height.back());
   }
-  limb.edges = own_edges(mesh, nodes.faces[grown.front()], limb.nodes);
-  for (const auto& [a, b] : root_edges(mesh, nodes, grown, is_root))
+  limb.edges = own_edges(mesh, faces[grown.front()], limb.nodes);
+  for (const auto& [a, b] : root_edges(mesh, faces, grown, is_root))
     root.push_back({0.5 * (at(a) + at(b)), distance(at(a), at(b))});
   if (root.empty()) return limb;
   limb.width = box.diagonal();
@@ -223,7 +236,7 @@ Limb make_limb(const SurfaceInput& surface, const VectorXd& f, const PartNodes& 
   return limb;
 }
 
-/// `sign`: of the part's inflation.
+/// `sign`: 1 or -1, that of the part's inflation.
 void add_rise(const Limb& limb, double sign, VectorXd& rise) {
   double reach = 0;
   for (size_t i = 0; i < limb.own; ++i) reach = std::max(reach, limb.distance[i]);
@@ -238,7 +251,7 @@ void add_rise(const Limb& limb, double sign, VectorXd& rise) {
   std::vector<double> nearness = limb.distance;
   for (double& distance : nearness) distance = -distance;
   const double end = largest_where(limb, limb.reach, nearness, -length);
-  // No node lies beside a root that is shorter than the edges.
+  // A root that is shorter than the edges may have no node beside it.
   if (end == 0) return;
   for (size_t i = 0; i < limb.nodes.size(); ++i)
     rise[limb.nodes[i]] += sign * amount * smooth_step(0, end, limb.reach[i]);
@@ -273,12 +286,14 @@ VectorXd limb_rise(const SurfaceInput& surface, const Inflation& inflation) {
   VectorXd rise = VectorXd::Zero(static_cast<Index>(inflation.u.size()));
   const std::vector<Join> joins = joins_by_upper(scene);
   const VectorXd f = surface.discretisation.scale * inflated_heights(inflation.u);
-  const PartNodes nodes = nodes_by_part(surface.mesh);
+  const std::vector<std::vector<int>> faces = faces_by_part(surface.mesh);
+  const std::vector<int> sharing = sharing_parts(surface.mesh, faces);
   for (size_t i = 0; i < joins.size(); ++i) {
     const int part = joins[i].upper;
     if (i > 0 && joins[i - 1].upper == part) continue;
     if (scene.parts[part].lean != Point2{}) continue;
-    const Limb limb = make_limb(surface, f, nodes, grown_from(part, joins, scene.parts.size()));
+    const Limb limb =
+        make_limb(surface, f, faces, sharing, grown_from(part, joins, scene.parts.size()));
     if (limb.width > 0) add_rise(limb, scene.parts[part].d < 0 ? -1 : 1, rise);
   }
   return rise;

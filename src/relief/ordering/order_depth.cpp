@@ -1,3 +1,15 @@
+// The depth order [P eq 10-13]:
+//
+//   minimise 1/2 (h - f)'A (h - f) - b'(h - f),   A = L + eps M
+//   subject to h_lower <= h_upper, or equal, for all depth pairs;    g = h - f
+//
+//   letter    in the code
+//   f         Inflation::u, by inflated_heights
+//   A, b      ShiftMetric::A, b
+//   pairs     LayeredMesh::constraints
+//   h, g      Ordering::h, g
+//   eps       OrderingOptions::epsilon
+
 #include "relief/ordering/order_depth.h"
 
 #include <algorithm>
@@ -11,13 +23,13 @@
 namespace relievo::relief {
 namespace {
 
-/// The gaps to start from.
+/// Returns the gaps of the first active set, #N flags.
 std::vector<uint8_t> first_guess(const LayeredMesh& mesh, const OrderingOptions& options,
                                  const OrderingSystem& system) {
-  const DepthProblem& problem = system.system.problem;
-  if (!system.h.empty()) return closed_gaps(problem, system.h);
-  if (!system.contacts.empty()) return gaps_like(mesh, problem, system.contacts);
-  return options.start_active ? problem.variables.bounded : std::vector<uint8_t>();
+  const DepthForest& forest = system.depth.forest;
+  if (!system.h.empty()) return closed_gaps(forest, system.h);
+  if (!system.contacts.empty()) return gaps_like(mesh, forest, system.contacts);
+  return options.start_active ? system.depth.qp.bounded : std::vector<uint8_t>();
 }
 
 double worst_violation(const std::vector<DepthPair>& pairs, const std::vector<double>& h) {
@@ -34,28 +46,28 @@ double worst_violation(const std::vector<DepthPair>& pairs, const std::vector<do
 void prepare_ordering(const SurfaceInput& surface, const OrderingOptions& options,
                       OrderingSystem& system, const RunContext& context) {
   if (!check_options(options)) return;
-  set_surface(surface, options.epsilon, system, context);
+  set_metric(surface, options.epsilon, system, context);
   set_pairs(surface, system, context);
 }
 
-Result<Ordering> order_depth(const OrderingInput& input, const OrderingOptions& options,
-                             OrderingSystem& system, const RunContext& context) {
-  const LayeredMesh& mesh = input.mesh;
-  const SurfaceInput surface{mesh, input.discretisation, input.scene};
-  assert(input.inflation.u.size() == mesh.node_vertex.size());
-  assert(static_cast<int>(input.scene.parts.size()) == mesh.part_count);
+Result<Ordering> order_depth(const SurfaceInput& surface, const Inflation& inflation,
+                             const OrderingOptions& options, OrderingSystem& system,
+                             const RunContext& context) {
+  const LayeredMesh& mesh = surface.mesh;
+  assert(inflation.u.size() == mesh.node_vertex.size());
+  assert(static_cast<int>(surface.scene.parts.size()) == mesh.part_count);
   if (Status status = check_options(options); !status) return status.error();
   context.report("order", 0);
-  set_surface(surface, options.epsilon, system, context);
-  set_leans(surface, input.inflation, options.wanted, system);
+  set_metric(surface, options.epsilon, system, context);
+  set_wanted(surface, inflation, options, system);
   set_pairs(surface, system, context);
   if (context.cancelled()) return interrupted_error();
-  if (system.system.closed.empty()) system.system.closed = first_guess(mesh, options, system);
+  if (system.depth.closed.empty()) system.depth.closed = first_guess(mesh, options, system);
   Ordering ordering;
-  const Eigen::VectorXd f = inflated_heights(input.inflation.u);
-  const SolveStatus solved = solve_heights(system.system, system.metric, f, ordering, context);
+  const Eigen::VectorXd f = inflated_heights(inflation.u);
+  const SolveStatus solved = solve_heights(system.depth, system.metric, f, ordering, context);
   if (Status status = check_solved(solved); !status) return status.error();
-  finish_ordering(input, ordering);
+  finish_ordering(surface, inflation, ordering);
   system.h = ordering.h;
   system.contacts = contacts_of(mesh, ordering.h);
   context.report("order", 1);
@@ -68,7 +80,7 @@ Result<Ordering> order_depth(const LayeredMesh& mesh, const Inflation& inflation
   const Discretisation discretisation = discretise(mesh, context);
   if (context.cancelled()) return interrupted_error();
   OrderingSystem system;
-  return order_depth({mesh, discretisation, inflation, scene}, options, system, context);
+  return order_depth({mesh, discretisation, scene}, inflation, options, system, context);
 }
 
 Status check_options(const OrderingOptions& options) {
@@ -91,16 +103,16 @@ Status check_solved(SolveStatus status) {
   return Error{ErrorCode::internal, "the depth order has no finite solution", ""};
 }
 
-void finish_ordering(const OrderingInput& input, Ordering& ordering) {
-  const Eigen::VectorXd f = inflated_heights(input.inflation.u);
+void finish_ordering(const SurfaceInput& surface, const Inflation& inflation, Ordering& ordering) {
+  const Eigen::VectorXd f = inflated_heights(inflation.u);
   ordering.g.clear();
   ordering.g.reserve(ordering.h.size());
   for (size_t n = 0; n < ordering.h.size(); ++n)
     ordering.g.push_back(ordering.h[n] - f[static_cast<Eigen::Index>(n)]);
-  const CreaseStencils& creases = input.discretisation.creases;
+  const CreaseStencils& creases = surface.discretisation.creases;
   ordering.creases = {creases.corner, crease_gradients(creases, ordering.g)};
-  ordering.grad_g = node_gradients(input.discretisation.gradients, ordering.g);
-  ordering.max_violation = worst_violation(input.mesh.constraints, ordering.h);
+  ordering.grad_g = node_gradients(surface.discretisation.gradients, ordering.g);
+  ordering.max_violation = worst_violation(surface.mesh.constraints, ordering.h);
 }
 
 }  // namespace relievo::relief

@@ -8,7 +8,7 @@
 
 namespace relievo::relief {
 
-/// Gradients at corners of faces on and beside creases, each from its own side.
+/// Gradients at face corners on and beside creases. Each uses the values on its own side only.
 struct CreaseGradients {
   std::vector<Corner> corner;    ///< ascending
   std::vector<Point2> gradient;  ///< of g, canvas axes (y down)
@@ -19,18 +19,19 @@ struct Ordering {
   std::vector<double> h;       ///< #N, px towards the viewer
   std::vector<double> g;       ///< #N, shift h - f, px
   std::vector<Point2> grad_g;  ///< #N, gradient of g at the node, canvas axes (y down)
-  CreaseGradients creases;     ///< in place of grad_g at their corners
-  /// #N, by how much h and g were brought down to hide the node, px; empty where nothing was.
+  CreaseGradients creases;     ///< replace grad_g at their corners
+  /// #N, amount by which hide_sheets lowered h and g, px; empty if it did not run.
   std::vector<double> lowered;
-  /// Faces that come out in front of what hides them wherever their nodes are put, ascending:
-  /// models leave them out.
+  /// Hidden faces that stay in front of a visible one wherever their nodes are put, ascending.
+  /// Models leave them out.
   std::vector<int> crossing;
+  int overlap_samples = 0;   ///< hidden faces still in front of the next one after hide_sheets
+  double overlap_worst = 0;  ///< their largest overlap, px
 
-  int equalities = 0;        ///< nodes held at the height of another
-  int inequalities = 0;      ///< pairs kept as gaps
+  int equalities = 0;        ///< nodes fixed at the height of another
+  int inequalities = 0;      ///< gaps >= 0
   double max_violation = 0;  ///< worst h[lower] - h[upper] over all pairs, px, 0 if none
-  /// Of the last solve; its energy is the cost of g (ShiftMetric), in scene units.
-  BoundQpReport report;
+  BoundQpReport report;      ///< of the last solve; the energy is the cost of g in scene units
 };
 
 }  // namespace relievo::relief

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
@@ -9,57 +10,52 @@
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/cap_rise.h"
 #include "relief/ordering/depth_contacts.h"
-#include "relief/ordering/depth_problem.h"
+#include "relief/ordering/depth_system.h"
 #include "relief/ordering/shift_metric.h"
 #include "relievo/run_context.h"
-#include "relievo/scene.h"
 
 namespace relievo::relief {
 
-/// The joined surface before it is inflated.
-struct SurfaceInput {
-  const LayeredMesh& mesh;
-  const Discretisation& discretisation;
-  const Scene& scene;
+struct OrderingOptions {
+  double epsilon = 1e-4;       ///< weight of the pull to h = f, in scene units (box diagonal 2)
+  bool start_active = false;   ///< first active set: all gaps closed, or none
+  bool straight_limbs = true;  ///< limbs keep the height of their roots (limb_rise); not in [P]
+  bool close_caps =
+      true;  ///< caps and spots follow what they lie on (cap_rise, spot_rise); not in [P]
 };
 
-/// What is wanted of shifts besides leans. The paper has neither.
-struct WantedShifts {
-  bool straight_limbs = true;  ///< limbs keep the height of their roots (limb_rise)
-  bool close_caps = true;      ///< caps and spots keep to what they lie on (cap_rise, spot_rise)
-};
-
-/// What the ordering of one surface leaves behind for the next one on it.
+/// State of the depth order of one surface, kept from one solve to the next.
 struct OrderingSystem {
-  double epsilon = 0;  ///< that of the metric; 0: there is none yet
+  double epsilon = 0;  ///< of the metric; 0 if there is none yet
   ShiftMetric metric;
-  std::optional<Caps> caps;                     ///< with that metric, once they were asked for
-  std::optional<std::vector<DepthPair>> pairs;  ///< that `system` is for now, if there is one
-  DepthSystem system;
-  /// Where a first solve begins: heights on this mesh, or else contacts on another, or else as the
-  /// options say.
+  std::optional<std::vector<std::set<int>>>
+      tied;  ///< tied_parts that `caps` were found for, if any
+  std::vector<Cap> caps;
+  std::optional<std::vector<DepthPair>> pairs;  ///< pairs of `depth`, if it is made
+  DepthSystem depth;
+  /// Start of the first solve: heights on this mesh if there are any, otherwise contacts on another
+  /// mesh, otherwise OrderingOptions::start_active.
   std::vector<double> h;
   std::vector<DepthContact> contacts;
 };
 
-/// Brings the metric but for its leans up to date; where it changes, the system is for no pairs any
-/// more. O(N + F) where there is anything to do.
-void set_surface(const SurfaceInput& surface, double epsilon, OrderingSystem& system,
-                 const RunContext& context);
+/// Makes the metric if epsilon has changed, and then marks pairs and caps as stale. O(N + F).
+void set_metric(const SurfaceInput& surface, double epsilon, OrderingSystem& system,
+                const RunContext& context);
 
-/// Brings up to date what the metric says of leans, limbs, caps and spots. Precondition: the
-/// surface was set. As lean_term and the rises, and find_caps where other parts are tied.
-void set_leans(const SurfaceInput& surface, const Inflation& inflation, const WantedShifts& wanted,
-               OrderingSystem& system);
+/// Sets the wanted shifts of leans, slopes, limbs, caps and spots in the metric. Precondition: the
+/// metric is set. Costs as set_slopes and the rises, and find_caps if other parts are tied.
+void set_wanted(const SurfaceInput& surface, const Inflation& inflation,
+                const OrderingOptions& options, OrderingSystem& system);
 
-/// Makes the system one for the mesh's pairs; anew where its pattern cannot serve, which takes
-/// make_depth_system. For none if `context` is cancelled.
+/// Makes the system for the mesh's pairs, by select_pairs if that serves. If `context` is
+/// cancelled, no pairs are set.
 void set_pairs(const SurfaceInput& surface, OrderingSystem& system, const RunContext& context);
 
-/// Makes a system one for `pairs` that link no nodes but those which it was built to link: matrix
-/// and factor keep their pattern, and what of the factor stays the same need not be computed again.
-/// False, and nothing changes, where other nodes are linked. `metric` is that of the system. Costs
-/// as making a system does, but for its analysis.
+/// Changes a system to `pairs` that link only nodes that it was made to link. The pattern of matrix
+/// and factor stays, and so do the unchanged parts of the factor. Returns false and changes nothing
+/// if other nodes are linked. `metric` is that of the system. Costs as make_depth_system without
+/// its analysis.
 bool select_pairs(const std::vector<int>& node_part, const std::vector<DepthPair>& pairs,
                   const ShiftMetric& metric, DepthSystem& system);
 

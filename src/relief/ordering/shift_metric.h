@@ -11,39 +11,33 @@
 
 namespace relievo::relief {
 
-/// What parts that lean, or have slopes or creases, add to the cost of a shift g with the metric
-/// A = L + epsilon M: 1/2 g'A g - g'pull + constant, in scene units, is
-///   1/2 sum over parts of integral |grad g - v|^2 + epsilon |g - r|^2,
-/// v the slope field of the part, r its rise + const, masses lumped: t and t . x + const where all
-/// that it has is a lean t. The constants are those by which the r of parts that cover each other
-/// differ least on average where they do, with mean 0 over such parts: what lies loose on a part
-/// that leans goes along.
-struct LeanTerm {
-  Eigen::VectorXd pull;  ///< #N, 0 where no part has slopes
-  double constant = 0;
-
-  /// Twice the cost of g is this beyond g'(A g - pull), the work of its force.
-  double rest(const Eigen::VectorXd& g) const { return 2 * constant - g.dot(pull); }
-};
-
-/// `scale`: scene units per px. O(N + F), and where there are slopes, those of slope_field and
-/// one for the graph of parts that cover each other.
-LeanTerm lean_term(const LayeredMesh& mesh, const Scene& scene, double scale, double epsilon);
-
-/// What a shift g costs: 1/2 g'A g in scene units [P eq 10], and what leaning parts and limbs add.
+/// The cost 1/2 g'A g - b'g + constant of a shift g, in scene units [P eq 10].
 struct ShiftMetric {
-  double scale = 1;  ///< scene units per px
-  SparseMatrix A;    ///< L + epsilon M, both triangles
-  LeanTerm lean;
+  double scale = 1;     ///< scene units per px
+  SparseMatrix A;       ///< L + epsilon M, both triangles
+  Eigen::VectorXd b;    ///< #N, 0 where no shift is wanted
+  double constant = 0;  ///< makes the cost 0 for a shift that is exactly as wanted
+
+  /// Returns 2 constant - b'g. Twice the cost of g is g'(A g - b) plus this.
+  double rest(const Eigen::VectorXd& g) const { return 2 * constant - g.dot(b); }
 };
 
-/// That of parts which do not lean, and are no limbs. O(entries of L).
+/// Makes the metric with b = 0. O(entries of L).
 ShiftMetric make_shift_metric(const Discretisation& discretisation, double epsilon);
 
-/// The shift r (#N, scene units) is wanted besides: every g costs what g - r did. O(entries of A).
+/// Sets b and the constant for the slopes that leans (tilted parts), slope cues and creases ask
+/// for. With t the slope field of a part and r its potential, the cost becomes
+///   1/2 sum over parts of integral |grad g - t|^2 + epsilon |g - r|^2,    masses lumped.
+/// r is known up to a constant for each part. The constants minimise the mean differences of r
+/// between parts that cover each other, so that a loose part follows the part that it lies on;
+/// their mean is 0 over such parts. `metric` must be made with `epsilon`. O(N + F); with slopes
+/// also slope_field and a factorisation for the graph of parts.
+void set_slopes(const LayeredMesh& mesh, const Scene& scene, double epsilon, ShiftMetric& metric);
+
+/// Makes r (#N, scene units) a wanted shift: g now costs what g - r did. O(entries of A).
 void add_wanted(const Eigen::VectorXd& r, ShiftMetric& metric);
 
-/// f = sgn(u) sqrt|u| at each node, in the root of the unit of u.
+/// Returns f = sgn(u) sqrt|u| at each node, in the root of the unit of u.
 Eigen::VectorXd inflated_heights(const std::vector<double>& u);
 
 }  // namespace relievo::relief

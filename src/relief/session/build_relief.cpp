@@ -16,7 +16,7 @@ void drop_shift(Relief& relief) {
   ordering.creases = {};
 }
 
-/// A flat inflation of 1 px takes the place of f: without any, a surface has no normals.
+/// Sets f to 1 px everywhere. A surface without inflation has no normals.
 void drop_inflation(Relief& relief) {
   relief.inflation.u.assign(relief.inflation.u.size(), 1);
   relief.inflation.grad_u.assign(relief.inflation.grad_u.size(), {0, 0});

@@ -20,37 +20,32 @@ struct ReliefOptions {
   LayerOptions layers;
   InflationOptions inflation;
   OrderingOptions ordering;
-  NonlinearOptions nonlinear;  ///< of the non-linear method; epsilon and limbs are the ordering's
-  /// Whether what is hidden from the front is wanted too: in models of whole sheets.
-  bool hidden = true;
+  NonlinearOptions nonlinear;  ///< its `ordering` and `bumps` are replaced by those above
+  bool hidden = true;          ///< whether to solve hidden sheets, for models of whole sheets
 };
 
-/// Wall time of a stage, or of a piece of work inside one. A name may occur several times. Only
-/// what is done beside others overlaps them.
+/// Wall time of a stage, or of a piece of work inside one. Names may repeat.
 struct StageTime {
   std::string stage;  ///< "mesh", "assemble", "analyse", "inflate", "order", "nonlinear" or "hide"
   double milliseconds = 0;
-  bool beside = false;  ///< on another thread than the stage that it counts to
+  bool beside = false;  ///< whether another thread than that of its stage did the work
 };
 
-/// Every intermediate value of a reconstruction.
+/// All intermediate results of a reconstruction.
 struct Relief {
   LayeredMesh layers;
   Inflation inflation;
   Ordering ordering;
-  int overlap_samples = 0;                   ///< faces that come out in front of the next one
-  double overlap_worst = 0;                  ///< and by how much at most, px
-  NonlinearReport nonlinear;                 ///< of the non-linear method; without steps otherwise
-  std::vector<NonlinearSnapshot> snapshots;  ///< likewise
-  std::vector<StageTime> times;              ///< of the stages that ran
+  NonlinearReport nonlinear;  ///< without steps for the approximate method
+  std::vector<NonlinearSnapshot> snapshots;
+  std::vector<StageTime> times;  ///< of the stages that ran
 };
 
-/// Layers and inflation, then the order of depths, or the non-linear problem from there.
+/// Builds layers and inflation, and then the depth order or the non-linear solution.
 Result<Relief> build_relief(const Scene& scene, const ReliefOptions& options,
                             const RunContext& context = {});
 
-/// Leaves only one of the fields in the relief, in place of h, so that it can be looked at.
-/// O(N).
+/// Replaces h by one of its summands, for inspection. O(N).
 void keep_field(Relief& relief, Field field);
 
 }  // namespace relievo::relief

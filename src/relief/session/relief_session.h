@@ -12,10 +12,10 @@
 
 namespace relievo::relief {
 
-/// Whether the value of a stage is that of its present inputs.
+/// Remembers the inputs that the value of a stage was computed from.
 class StageState {
  public:
-  /// Calls `compute` unless the last one that succeeded had the same inputs.
+  /// Calls `compute` unless the value was computed from the same inputs.
   template <class Compute>
   Status refresh(Key inputs, const Compute& compute) {
     if (inputs_ && *inputs_ == inputs) return Done{};
@@ -26,10 +26,10 @@ class StageState {
     return Done{};
   }
 
-  /// The value is gone.
+  /// Marks the value as gone.
   void forget() { inputs_.reset(); }
 
-  /// Grows with every computation: what later stages name as their input.
+  /// Returns a number that grows with every computation. It is in the keys of later stages.
   uint64_t version() const { return version_; }
 
  private:
@@ -38,55 +38,54 @@ class StageState {
 };
 
 /// The relief of a scene that is being edited. Keeps triangulation, matrices, factors and active
-/// sets, and computes again only what depends on what has changed:
+/// sets, and computes only what depends on a change:
 ///
 /// - c, d, a bulge: a solve of the inflation, and of the order from its active set;
-/// - lean, a slope, the angle of a crease: the solve of the order alone, likewise;
-/// - alpha0, rho: besides, the factor of the inflation where they act;
-/// - a relation: the constraints, and the order, with a new pattern where other nodes are linked;
+/// - lean, a slope, the angle of a crease: the same solve of the order alone;
+/// - alpha0, rho: as c, and the part of the inflation's factor where they act;
+/// - a relation: the constraints and the order, with a new pattern if other nodes are linked;
 /// - an outline, a join, the line of a crease, the order of parts, the resolution: everything.
 ///
-/// Where nothing is known of the order yet, it begins from that of a coarser mesh, and so does the
-/// iteration of the non-linear method. The minimum of a warm solve is the one of a cold solve: the
-/// same active set, and heights that differ by round-off at most, or, of the non-linear method, by
-/// its tolerance. Takes some 3 kB per node.
+/// The first solve starts from the contacts on a coarser mesh, and so does the non-linear
+/// iteration. A warm solve has the minimum of a cold one: the same active set, and heights that
+/// differ by round-off, or by the tolerance of the non-linear method. Takes about 3 kB per node.
 class ReliefSession {
  public:
   enum class Use {
     many,   ///< several updates
-    one,    ///< a single one, with less memory
-    guess,  ///< the same, on a mesh too coarse to begin from a coarser one
+    one,    ///< one update, with less memory
+    guess,  ///< one update, without a start from a coarser mesh
   };
 
   explicit ReliefSession(Use use = Use::many) : use_(use) {}
 
-  /// Brings the relief up to date. Fails as the stages do; then relief() is not to be used until an
-  /// update succeeds, which goes on with what is still right.
+  /// Brings the relief up to date. Fails as the stages do. After a failure relief() must not be
+  /// used until an update succeeds, which keeps the values that are still right.
   Status update(const Scene& scene, const ReliefOptions& options, const RunContext& context = {});
 
-  /// Of the last update. Its times are of the stages that were computed again.
+  /// Returns the relief of the last update. Its times are of the stages that ran.
   const Relief& relief() const { return relief_; }
 
-  /// Where parts touch in the relief, or may: of the approximate method.
+  /// Returns the contacts of the last solution by the approximate method.
   const std::vector<DepthContact>& contacts() const { return ordering_system_.contacts; }
 
-  /// Where the non-linear method ended.
+  /// Returns the end of the last solution by the non-linear method.
   const NonlinearMemory& nonlinear_memory() const { return nonlinear_memory_; }
 
-  /// The relief itself; the session is empty afterwards.
+  /// Moves the relief out; the session must not be used afterwards.
   Relief take() &&;
 
  private:
-  struct Request;
+  class Request;
 
-  Status update_surface(const Request& request);
-  Status update_layers(const Request& request);
-  Status update_discretisation(const Request& request);
-  Status update_inflation(const Request& request);
-  Status update_ordering(const Request& request);
-  Status update_nonlinear(const Request& request);
-  Status update_hidden(const Request& request);
-  void begin_like(const Scene& scene);
+  Status update_surface(Request& request);
+  Status update_layers(Request& request);
+  Status update_discretisation(Request& request);
+  Status update_inflation(Request& request);
+  Status update_ordering(Request& request);
+  Status update_nonlinear(Request& request);
+  Status update_hidden(Request& request);
+  void renumber_contacts(const Scene& scene);
 
   Use use_;
   StageState sheets_state_;
@@ -103,7 +102,7 @@ class ReliefSession {
   OrderingSystem ordering_system_;
   std::optional<FlapSystem> flaps_;  ///< of the discretisation
   NonlinearMemory nonlinear_memory_;
-  std::vector<std::string> part_ids_;  ///< that the contacts' and marks' parts had
+  std::vector<std::string> part_ids_;  ///< ids of the parts that contacts and marks name
   Relief relief_;
 };
 

@@ -1,84 +1,76 @@
 #include "relief/session/stage_keys.h"
 
 namespace relievo::relief {
-
-Key sheets_key(const Scene& scene, const LayerOptions& options) {
-  Key key;
-  key.add(scene.width).add(scene.height).add(scene.parts.size());
-  for (const Part& part : scene.parts) key.add(std::string_view(part.id)).add(part.outline);
-  key.add(scene.joins.size());
-  for (const Join& join : scene.joins) key.add(join.upper).add(join.lower).add(join.line);
-  key.add(scene.robin.size());
-  for (const RobinRange& range : scene.robin)
-    key.add(range.upper).add(range.lower).add(range.from).add(range.to);
-  for (const Relation& relation : scene.relations)
-    if (relation.range)
-      key.add(relation.upper).add(relation.range->first).add(relation.range->second);
-  for (const Cue& cue : scene.cues)
-    if (cue.kind == CueKind::crease) key.add(cue.part).add(cue.line);
-  key.add(options.vertex_budget).add(options.edge_length);
-  return key.add(options.max_nodes);
-}
-
 namespace {
 
 void add_cues(const Scene& scene, bool bulges, Key& key) {
   for (const Cue& cue : scene.cues)
-    if ((cue.kind == CueKind::bulge) == bulges)
-      key.add(cue.part).add(cue.kind).add(cue.line).add(cue.value);
+    if ((cue.kind == CueKind::bulge) == bulges) key.add(cue.part, cue.kind, cue.line, cue.value);
+}
+
+void add_relations(const Scene& scene, Key& key) {
+  for (const Relation& relation : scene.relations)
+    key.add(relation.upper, relation.lower, relation.kind, relation.range.has_value());
 }
 
 }  // namespace
 
+Key sheets_key(const Scene& scene, const LayerOptions& options) {
+  Key key;
+  key.add(scene.width, scene.height, scene.parts.size());
+  for (const Part& part : scene.parts) key.add(part.id, part.outline);
+  key.add(scene.joins.size());
+  for (const Join& join : scene.joins) key.add(join.upper, join.lower, join.line);
+  key.add(scene.robin.size());
+  for (const RobinRange& range : scene.robin)
+    key.add(range.upper, range.lower, range.from, range.to);
+  for (const Relation& relation : scene.relations)
+    if (relation.range) key.add(relation.upper, relation.range->first, relation.range->second);
+  for (const Cue& cue : scene.cues)
+    if (cue.kind == CueKind::crease) key.add(cue.part, cue.line);
+  return key.add(options.vertex_budget, options.edge_length, options.max_nodes);
+}
+
 Key layers_key(const Scene& scene, const LayerOptions& options) {
   Key key;
-  key.add(options.glue).add(options.attach).add(scene.relations.size());
-  for (const Relation& relation : scene.relations)
-    key.add(relation.upper).add(relation.lower).add(relation.kind).add(relation.range.has_value());
+  key.add(options.glue, options.attach, scene.relations.size());
+  add_relations(scene, key);
   for (const Part& part : scene.parts) key.add(part.d < 0);
   for (const RobinRange& range : scene.robin)
-    key.add(range.alpha0.has_value())
-        .add(range.alpha0.value_or(0))
-        .add(range.rho.has_value())
-        .add(range.rho.value_or(0));
+    key.add(range.alpha0.has_value(), range.alpha0.value_or(0), range.rho.has_value(),
+            range.rho.value_or(0));
   return key;
 }
 
 Key boundary_key(const LayeredMesh& mesh) {
   Key key;
-  key.add(mesh.node_role).add(mesh.ramps.size());
-  for (const RobinRamp& ramp : mesh.ramps) key.add(ramp.length).add(ramp.alpha0).add(ramp.rho);
+  key.add(mesh.node_role, mesh.ramps.size());
+  for (const RobinRamp& ramp : mesh.ramps) key.add(ramp.length, ramp.alpha0, ramp.rho);
   for (const RampNode& node : mesh.ramp_nodes)
-    key.add(node.node).add(node.ramp).add(node.below).add(node.t).add(node.mass);
-  for (const BumpNode& node : mesh.bump_nodes) key.add(node.node).add(node.ramp).add(node.t);
+    key.add(node.node, node.ramp, node.below, node.t, node.mass);
+  for (const BumpNode& node : mesh.bump_nodes) key.add(node.node, node.ramp, node.t);
   return key;
 }
 
 Key inflation_key(const Scene& scene, const InflationOptions& options) {
   Key key;
-  for (const Part& part : scene.parts) key.add(part.c).add(part.d).add(part.flat);
+  for (const Part& part : scene.parts) key.add(part.c, part.d, part.flat);
   add_cues(scene, true, key);
-  return key.add(options.alpha0).add(options.rho);
+  return key.add(options.alpha0, options.rho);
 }
 
 Key ordering_key(const LayeredMesh& mesh, const Scene& scene, const OrderingOptions& options) {
   Key key;
-  for (const DepthPair& pair : mesh.constraints)
-    key.add(pair.lower).add(pair.upper).add(pair.equal);
-  for (const Part& part : scene.parts) key.add(part.d < 0).add(part.lean);
+  for (const DepthPair& pair : mesh.constraints) key.add(pair.lower, pair.upper, pair.equal);
+  for (const Part& part : scene.parts) key.add(part.d < 0, part.lean);
   add_cues(scene, false, key);
-  for (const Relation& relation : scene.relations)
-    key.add(relation.upper).add(relation.lower).add(relation.kind).add(relation.range.has_value());
-  return key.add(options.epsilon)
-      .add(options.start_active)
-      .add(options.wanted.straight_limbs)
-      .add(options.wanted.close_caps);
+  add_relations(scene, key);
+  return key.add(options.epsilon, options.start_active, options.straight_limbs, options.close_caps);
 }
 
 Key nonlinear_key(const NonlinearOptions& options) {
-  Key key;
-  key.add(options.lambda_bnd).add(options.lambda_shift).add(options.tolerance);
-  return key.add(options.max_iterations).add(options.anderson_depth).add(options.snapshots);
+  return Key().add(options.lambda_bnd, options.lambda_shift, options.tolerance,
+                   options.max_iterations, options.snapshots);
 }
 
 }  // namespace relievo::relief

@@ -15,57 +15,60 @@
 
 namespace relievo::relief {
 
-/// The inputs of a computation, written one behind the other: two keys are equal exactly when all
+/// The inputs of a computation as bytes. Two keys of one computation are equal exactly if all
 /// inputs are.
 class Key {
  public:
-  /// Numbers and enumerations, which have no padding.
-  template <class T>
-  Key& add(T value) {
-    static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
-    char bytes[sizeof(T)];
-    std::memcpy(bytes, &value, sizeof(T));
-    bytes_.append(bytes, sizeof(T));
-    return *this;
-  }
-  Key& add(Point2 p) { return add(p.x).add(p.y); }
-  Key& add(std::string_view text) {
-    add(text.size());
-    bytes_.append(text);
-    return *this;
-  }
-  Key& add(const Key& other) { return add(std::string_view(other.bytes_)); }
-  template <class T>
-  Key& add(const std::vector<T>& values) {
-    add(values.size());
-    for (const T& value : values) add(value);
+  /// Appends numbers, enumerations, points, texts, keys and vectors of these.
+  template <class... T>
+  Key& add(const T&... values) {
+    (append(values), ...);
     return *this;
   }
 
   friend bool operator==(const Key&, const Key&) = default;
 
  private:
+  template <class T>
+  void append(const T& value) {
+    static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);  // types without padding
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, &value, sizeof(T));
+    bytes_.append(bytes, sizeof(T));
+  }
+  void append(Point2 p) { add(p.x, p.y); }
+  void append(const std::string& text) {
+    append(text.size());
+    bytes_.append(text);
+  }
+  void append(const Key& other) { append(other.bytes_); }
+  template <class T>
+  void append(const std::vector<T>& values) {
+    append(values.size());
+    for (const T& value : values) append(value);
+  }
+
   std::string bytes_;
 };
 
-// What each stage reads, besides values of earlier stages.
+// Each key holds what its stage reads, except values of earlier stages.
 
-/// Of join_sheets: geometry, joins, where ranges begin and end, and where creases lie.
+/// Returns the key of join_sheets: geometry, joins, ends of ranges, and lines of creases.
 Key sheets_key(const Scene& scene, const LayerOptions& options);
 
-/// Of constrain_sheets: relations and what Robin ranges say.
+/// Returns the key of constrain_sheets: relations and the values of Robin ranges.
 Key layers_key(const Scene& scene, const LayerOptions& options);
 
-/// What inflate reads of the mesh besides its triangulation.
+/// Returns what inflate reads of the mesh besides its triangulation.
 Key boundary_key(const LayeredMesh& mesh);
 
-/// Of inflate: amounts of inflation, and bulges.
+/// Returns the key of inflate: c, d, flat, and bulges.
 Key inflation_key(const Scene& scene, const InflationOptions& options);
 
-/// Of order_depth: constraints, which faces may cross, leans, and the cues that slope.
+/// Returns the key of order_depth: constraints, relations, leans, slopes and creases.
 Key ordering_key(const LayeredMesh& mesh, const Scene& scene, const OrderingOptions& options);
 
-/// Of solve_nonlinear, besides what the ordering reads.
+/// Returns what solve_nonlinear reads besides the inputs of order_depth.
 Key nonlinear_key(const NonlinearOptions& options);
 
 }  // namespace relievo::relief

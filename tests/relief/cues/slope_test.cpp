@@ -47,10 +47,11 @@ TEST(Slope, ASingleSlopeEqualsALean) {
   const SlopeField field = slope_field(mesh, arrow, 1);
   for (size_t f = 0; f < field.slope.size(); ++f)
     EXPECT_LE(norm(field.slope[f] - lean.parts[mesh.face_part[f]].lean), 1e-12);
-  const double scale = scene_scale(mesh);
-  const LeanTerm a = lean_term(mesh, arrow, scale, 1e-4);
-  const LeanTerm b = lean_term(mesh, lean, scale, 1e-4);
-  EXPECT_LE((a.pull - b.pull).lpNorm<Eigen::Infinity>(), 1e-12);
+  ShiftMetric a = make_shift_metric(discretise(mesh), 1e-4);
+  ShiftMetric b = a;
+  set_slopes(mesh, arrow, 1e-4, a);
+  set_slopes(mesh, lean, 1e-4, b);
+  EXPECT_LE((a.b - b.b).lpNorm<Eigen::Infinity>(), 1e-12);
   EXPECT_NEAR(a.constant, b.constant, 1e-12);
   const Ordering with_arrow = ordered(mesh, arrow);
   const Ordering with_lean = ordered(mesh, lean);

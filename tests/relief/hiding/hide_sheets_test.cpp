@@ -22,28 +22,31 @@ namespace {
 using testing::in_box;
 using testing::in_disc;
 
-/// A surface as it is seen, and with what is hidden.
+/// A surface before and after its hidden sheets are hidden.
 struct Hidden {
   LayeredMesh mesh;
   Scene scene;
   Discretisation discretisation;
+  Inflation visible_inflation;
+  Ordering visible_ordering;
   Inflation inflation;
   Ordering ordering;
-  HiddenSheets sheets;
 };
 
 Hidden hide(LayeredMesh mesh, const Scene& scene) {
-  Hidden result{std::move(mesh), scene, {}, {}, {}, {}};
+  Hidden result{std::move(mesh), scene, {}, {}, {}, {}, {}};
   result.discretisation = discretise(result.mesh);
-  result.inflation = *inflate(result.mesh, scene, {});
-  result.ordering = *order_depth(result.mesh, result.inflation, scene, {});
+  result.visible_inflation = result.inflation = *inflate(result.mesh, scene, {});
+  result.visible_ordering = result.ordering =
+      *order_depth(result.mesh, result.inflation, scene, {});
   std::optional<FlapSystem> flaps;
-  result.sheets = hide_sheets(
-      {result.mesh, result.discretisation, result.scene, result.inflation, result.ordering}, flaps);
+  hide_sheets({result.mesh, result.discretisation, result.scene}, flaps, result.inflation,
+              result.ordering);
   return result;
 }
 
-/// How far a face with a node that can be lowered comes out in front of what the front shows.
+/// Returns the largest distance, px, by which a face with a node that can be lowered comes out in
+/// front of the visible surface.
 double worst_dip_of(const Hidden& hidden) {
   double worst = -1e300;
   const std::vector<uint8_t> seen = seen_nodes(hidden.mesh);
@@ -51,8 +54,7 @@ double worst_dip_of(const Hidden& hidden) {
     pair.upper = hidden.mesh.stack_begin[hidden.mesh.face_triangle[pair.lower] + 1] - 1;
     const std::array<int, 3>& nodes = hidden.mesh.faces[pair.lower];
     if (std::all_of(nodes.begin(), nodes.end(), [&](int n) { return seen[n] != 0; })) continue;
-    worst = std::max(
-        worst, worst_dip(hidden.mesh, pair, hidden.sheets.inflation, hidden.sheets.ordering).depth);
+    worst = std::max(worst, worst_dip(hidden.mesh, pair, hidden.inflation, hidden.ordering).depth);
   }
   return worst;
 }
@@ -61,9 +63,9 @@ void expect_seen_unchanged(const Hidden& hidden) {
   const std::vector<uint8_t> seen = seen_nodes(hidden.mesh);
   for (size_t n = 0; n < seen.size(); ++n) {
     if (seen[n] == 0) continue;
-    EXPECT_EQ(hidden.sheets.ordering.h[n], hidden.ordering.h[n]);
-    EXPECT_EQ(hidden.sheets.ordering.grad_g[n], hidden.ordering.grad_g[n]);
-    EXPECT_EQ(hidden.sheets.inflation.u[n], hidden.inflation.u[n]);
+    EXPECT_EQ(hidden.ordering.h[n], hidden.visible_ordering.h[n]);
+    EXPECT_EQ(hidden.ordering.grad_g[n], hidden.visible_ordering.grad_g[n]);
+    EXPECT_EQ(hidden.inflation.u[n], hidden.visible_inflation.u[n]);
   }
 }
 
@@ -78,9 +80,9 @@ Hidden shields_over_ball(int shields) {
 
 TEST(HideSheets, LowersABallUnderAFlatShield) {
   const Hidden hidden = shields_over_ball(1);
-  EXPECT_GT(hidden.ordering.h[0], -1);
+  EXPECT_GT(hidden.visible_ordering.h[0], -1);
   EXPECT_LE(worst_dip_of(hidden), 0);
-  EXPECT_EQ(hidden.sheets.overlap_samples, 0);
+  EXPECT_EQ(hidden.ordering.overlap_samples, 0);
   expect_seen_unchanged(hidden);
 }
 
@@ -97,7 +99,7 @@ TEST(HideSheets, LetsFreePartsCross) {
   scene.parts[1].c = 0.05;
   scene.relations.push_back({1, 0, RelationKind::free, {}});
   const Hidden hidden = hide(std::move(mesh), scene);
-  EXPECT_EQ(hidden.sheets.ordering.h, hidden.ordering.h);
+  EXPECT_EQ(hidden.ordering.h, hidden.visible_ordering.h);
 }
 
 TEST(HideSheets, HangsFlapsUpWhereTheyGoOn) {
@@ -112,7 +114,7 @@ TEST(HideSheets, HangsFlapsUpWhereTheyGoOn) {
     EXPECT_EQ(hidden.mesh.face_part[f], 0);
     for (const int n : hidden.mesh.faces[f]) {
       const bool outline = hidden.mesh.node_role[n] == NodeRole::outline;
-      EXPECT_EQ(hidden.sheets.inflation.u[n] > 0, !outline);
+      EXPECT_EQ(hidden.inflation.u[n] > 0, !outline);
     }
   }
   EXPECT_GT(flaps, 50);
@@ -134,7 +136,7 @@ TEST(HideSheets, DrawsNothingOutToSpikesWhereOutlinesCoincide) {
   const auto lowest = [](const Ordering& ordering) {
     return *std::min_element(ordering.h.begin(), ordering.h.end());
   };
-  EXPECT_GT(lowest(hidden.sheets.ordering), lowest(hidden.ordering) - 40);
+  EXPECT_GT(lowest(hidden.ordering), lowest(hidden.visible_ordering) - 40);
 }
 
 TEST(HideSheets, LeavesNothingInFrontOnRandomScenes) {

@@ -48,7 +48,7 @@ Inflation solved(const LayeredMesh& mesh, const Scene& scene,
   return *result;
 }
 
-/// Largest |u - (R^2 - r^2 + rise)| over the nodes, px^2.
+/// Returns the largest |u - (R^2 - r^2 + rise)| over the nodes, px^2.
 double disc_error(const LayeredMesh& mesh, const std::vector<double>& u, double rise) {
   double worst = 0;
   for (size_t n = 0; n < u.size(); ++n) {
@@ -58,7 +58,7 @@ double disc_error(const LayeredMesh& mesh, const std::vector<double>& u, double 
   return worst;
 }
 
-/// Root mean square of u - (R^2 - r^2 + rise) over the disc, px^2.
+/// Returns the root mean square of u - (R^2 - r^2 + rise) over the disc, px^2.
 double disc_mean_error(const LayeredMesh& mesh, const std::vector<double>& u, double rise) {
   const std::vector<Point2> positions = node_positions(mesh);
   const Eigen::VectorXd mass = lumped_mass({positions, mesh.faces});
@@ -92,7 +92,7 @@ TEST(Inflate, ConvergesWithSecondOrderOnADisc) {
   }
 }
 
-/// A disc with the outline that its width is measured by.
+/// A scene of one disc, with the outline that gives its width.
 Scene flat_disc_scene(const LayeredMesh& mesh, double flat) {
   Scene scene = scene_of(mesh);
   Ring ring;
@@ -104,7 +104,7 @@ Scene flat_disc_scene(const LayeredMesh& mesh, double flat) {
   return scene;
 }
 
-/// The u of a flat disc, whose half-width by area and perimeter is radius / 2.
+/// Returns the u of a flat disc. Its half-width, area / perimeter, is radius / 2.
 double flat_disc_u(double flat, double r) {
   const double k = 8 * flat;
   const double level = radius * radius / (2 * (1 - 1 / std::cosh(k)));
@@ -186,7 +186,7 @@ TEST(Inflate, AlphaRisesLinearlyAlongARamp) {
   for (size_t n = 0; n < u.size(); ++n) EXPECT_NEAR(u[n], expected[n], 1e-9 * radius * radius);
 }
 
-/// A strip of half width a along x, its ends natural.
+/// A strip of half width a along x, with natural boundaries at its ends.
 LayeredMesh strip(int rows, double a) {
   LayeredMesh mesh = stack_parts(testing::grid_mesh(2 * rows, rows, 2 * a / rows), {everywhere});
   for (size_t n = 0; n < mesh.node_role.size(); ++n) {

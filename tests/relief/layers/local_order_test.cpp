@@ -93,7 +93,7 @@ TEST(LocalOrder, ScarfGoesBehindTheNeckAndInFrontOfIt) {
   EXPECT_GT(pairs_in(mesh, neck, scarf, {0, 200}, end), 20);
   EXPECT_EQ(pairs_in(mesh, scarf, neck, {0, 200}, end), 0);
   EXPECT_EQ(relief.ordering.max_violation, 0);
-  EXPECT_EQ(relief.overlap_samples, 0);
+  EXPECT_EQ(relief.ordering.overlap_samples, 0);
 }
 
 TEST(LocalOrder, TheFrontPartIsVisible) {
@@ -149,7 +149,7 @@ TEST(LocalOrder, HoldsInTheNonlinearMethodToo) {
     ReliefOptions options = options_for(2000);
     options.method = Method::nonlinear;
     const Relief relief = relief_of(scene, options);
-    EXPECT_EQ(relief.nonlinear.status, NonlinearStatus::solved);
+    EXPECT_EQ(relief.nonlinear.status, SolveStatus::solved);
     for (const DepthPair& pair : relief.layers.constraints)
       EXPECT_LE(relief.ordering.h[pair.lower], relief.ordering.h[pair.upper] + 1e-9);
   }

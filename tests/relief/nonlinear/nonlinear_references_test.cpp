@@ -55,8 +55,8 @@ TEST(NonlinearProgram, AgreesWithTheReportedEnergy) {
   EXPECT_LE(violation(program, point), 1e-12);
 }
 
-/// How often Ipopt came to an end and how often to a lower energy, and the worst ratio of ours to
-/// its.
+/// The number of times that Ipopt converged and that it found a lower energy, and the worst ratio
+/// of our energy to its own.
 struct Comparison {
   int scenes = 0;
   int refused = 0;
@@ -65,15 +65,15 @@ struct Comparison {
   double worst = 0;
 };
 
-/// Scenes whose surfaces have one sign each: others have several minima. And without bumps, which
-/// are raised afterwards.
+/// Finds scenes whose surfaces have one sign each, since others have several minima, and without
+/// bumps, which are raised afterwards.
 Comparison compare_with_ipopt(double lambda_bnd, int scenes, bool glue) {
   Comparison comparison;
   for (uint64_t seed = 1; comparison.scenes < scenes; ++seed) {
     const Scene scene = seed % 2 == 0 ? leaning(random_scene(seed), seed) : random_scene(seed);
     const auto relief = build_relief(scene, nonlinear_options(300, lambda_bnd));
     if (!relief && relief.error().code == ErrorCode::bad_input) {
-      // Joins that cross at their ends: few scenes have any.
+      // Few scenes have joins that cross at their ends.
       if (++comparison.refused > scenes) return comparison;
       continue;
     }
@@ -83,7 +83,7 @@ Comparison compare_with_ipopt(double lambda_bnd, int scenes, bool glue) {
     if (start.layers.ramp_nodes.empty() || !has_pure_surfaces(start.layers, test.scene)) continue;
     ++comparison.scenes;
     const NonlinearSolution ours = solve(test);
-    EXPECT_EQ(ours.report.status, NonlinearStatus::solved) << seed;
+    EXPECT_EQ(ours.report.status, SolveStatus::solved) << seed;
     EXPECT_LE(ours.ordering.max_violation, 1e-9) << seed;
     const NonlinearProgram program =
         make_nonlinear_program(start.layers, test.scene, test.options.nonlinear, ours.inflation);

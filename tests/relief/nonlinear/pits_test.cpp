@@ -22,7 +22,7 @@ Relief build(const Scene& scene, double lambda_bnd) {
   return relief.ok() ? *relief : Relief();
 }
 
-/// Of all ends of joins, the lowest height relative to that of the middle.
+/// Returns the lowest height at an end of a join relative to the height at its middle.
 double worst_end(const Relief& relief, const Scene& scene) {
   double worst = 1e300;
   for (const Join& join : scene.joins) {
@@ -48,7 +48,7 @@ TEST(Pits, ShowAtTheLegWithStiffBoundsOnly) {
   EXPECT_GT(worst_end(build(scene, 0.01), scene), 0.95);
 }
 
-/// The integral of f^2 over B, which for minimisers cannot grow with lambda_bnd.
+/// Returns the integral of f^2 over B. For minimisers it cannot grow with lambda_bnd.
 double bound_integral(const Scene& scene, double lambda_bnd, bool glue) {
   ReliefOptions options;
   options.method = Method::nonlinear;
@@ -58,7 +58,7 @@ double bound_integral(const Scene& scene, double lambda_bnd, bool glue) {
   const Result<Relief> relief = build_relief(scene, options);
   EXPECT_TRUE(relief.ok()) << (relief.ok() ? "" : to_string(relief.error()));
   if (!relief.ok()) return -1;
-  EXPECT_EQ(relief->nonlinear.status, NonlinearStatus::solved) << lambda_bnd;
+  EXPECT_EQ(relief->nonlinear.status, SolveStatus::solved) << lambda_bnd;
   return relief->nonlinear.energy.boundary / lambda_bnd;
 }
 
@@ -79,7 +79,7 @@ TEST(Pits, GrowWithLambdaWhetherOutlinesAreGluedOrNot) {
   }
 }
 
-/// The lowest inflation at a join's end relative to that of the lower part alone.
+/// Returns the lowest inflation at a join's end relative to that of the lower part alone.
 double worst_pit(const Scene& scene, double lambda_bnd) {
   Scene apart = scene;
   apart.joins.clear();

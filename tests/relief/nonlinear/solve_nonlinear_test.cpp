@@ -20,8 +20,8 @@ namespace {
 using namespace testing;
 using Eigen::VectorXd;
 
-/// The work of the depth pairs' forces on f, opposed to the slope of the inflation energy: how far
-/// they are from balance at free nodes and on B, relative to the largest.
+/// Returns the largest residual of the balance between the forces of the depth pairs on f and the
+/// slope of the inflation energy, at free nodes and on B, relative to the largest force.
 double imbalance_of_inflation(const NonlinearProgram& program, const NonlinearPoint& at) {
   const NonlinearPoint slope = gradient(program, at);
   const VectorXd root = VectorXd::NullaryExpr(at.p.size(), [&](Eigen::Index i) {
@@ -51,11 +51,11 @@ TEST_P(RandomScenes, EndAtPointsWhereAllForcesBalance) {
     test.options.nonlinear.tolerance = 1e-7;
     const LayeredMesh& mesh = test.approximate.layers;
     const NonlinearSolution solution = solve(test);
-    EXPECT_EQ(solution.report.status, NonlinearStatus::solved) << seed;
+    EXPECT_EQ(solution.report.status, SolveStatus::solved) << seed;
     EXPECT_LE(solution.ordering.max_violation, 1e-9) << seed;
     EXPECT_LE(solution.ordering.report.stationarity, 1e-11) << seed;
     const DepthOptimality order =
-        check_depth_optimality({mesh, test.scene, test.options.nonlinear.epsilon},
+        check_depth_optimality({mesh, test.scene, test.options.nonlinear.ordering.epsilon},
                                solution.inflation, enforced_pairs(mesh), solution.ordering.h);
     EXPECT_LE(order.imbalance, 1e-10) << seed;
     if (!has_pure_surfaces(mesh, test.scene)) continue;
@@ -76,13 +76,13 @@ TEST_P(RandomScenes, OfTwoThousandNodesConverge) {
     options.nonlinear.lambda_bnd = GetParam();
     const Result<Relief> relief = build_relief(random_scene(seed), options);
     ASSERT_TRUE(relief.ok()) << seed << to_string(relief.error());
-    EXPECT_EQ(relief->nonlinear.status, NonlinearStatus::solved) << seed;
+    EXPECT_EQ(relief->nonlinear.status, SolveStatus::solved) << seed;
     EXPECT_LE(relief->nonlinear.residual, options.nonlinear.tolerance) << seed;
     EXPECT_LE(relief->ordering.max_violation, 1e-9) << seed;
   }
 }
 
-// Surfaces of these scenes join parts with d > 0 and d < 0; their parts press where u passes 0.
+// Surfaces of these scenes join parts with d > 0 and d < 0 that touch others where u passes 0.
 TEST_P(RandomScenes, OfBothSignsConvergeOnFineMeshes) {
   for (const uint64_t seed : {7, 12, 21, 150, 195}) {
     ReliefOptions options;
@@ -91,7 +91,7 @@ TEST_P(RandomScenes, OfBothSignsConvergeOnFineMeshes) {
     options.nonlinear.lambda_bnd = GetParam();
     const Result<Relief> relief = build_relief(random_scene(seed), options);
     ASSERT_TRUE(relief.ok()) << seed << to_string(relief.error());
-    EXPECT_EQ(relief->nonlinear.status, NonlinearStatus::solved) << seed;
+    EXPECT_EQ(relief->nonlinear.status, SolveStatus::solved) << seed;
     EXPECT_LE(relief->ordering.max_violation, 1e-9) << seed;
   }
 }
@@ -158,7 +158,7 @@ Result<NonlinearSolution> solve_from(const NonlinearMemory& known, const Nonline
   const Relief& start = test.approximate;
   const Discretisation discretisation = discretise(start.layers);
   OrderingSystem system;
-  return solve_nonlinear({start.layers, discretisation, start.inflation, test.scene},
+  return solve_nonlinear({start.layers, discretisation, test.scene}, start.inflation,
                          test.options.nonlinear, known, system);
 }
 
@@ -168,7 +168,7 @@ TEST(SolveNonlinear, HasTheSameBitsWhereTheOrderWasPrepared) {
   const Discretisation discretisation = discretise(start.layers);
   OrderingSystem system;
   prepare_ordering({start.layers, discretisation, test.scene}, {}, system);
-  const auto prepared = solve_nonlinear({start.layers, discretisation, start.inflation, test.scene},
+  const auto prepared = solve_nonlinear({start.layers, discretisation, test.scene}, start.inflation,
                                         test.options.nonlinear, {}, system);
   ASSERT_TRUE(prepared.ok());
   const NonlinearSolution solution = solve(test);
@@ -186,7 +186,7 @@ TEST(SolveNonlinear, GoesOnWithTheSystemOfAnotherInflation) {
   for (const double c : {2.0, 3.0, 1.0}) {
     test.scene.parts[1].c = c;
     const Inflation start = *inflate(mesh, test.scene, {});
-    const auto warm = solve_nonlinear({mesh, discretisation, start, test.scene},
+    const auto warm = solve_nonlinear({mesh, discretisation, test.scene}, start,
                                       test.options.nonlinear, known, system);
     const auto cold = solve_nonlinear(mesh, test.scene, start, test.options.nonlinear);
     ASSERT_TRUE(warm.ok() && cold.ok());
@@ -257,12 +257,12 @@ TEST(SolveNonlinear, TellsWhenItRunsOutOfSteps) {
   NonlinearCase test = nonlinear_case(body_and_leg(), 1000, 100);
   test.options.nonlinear.max_iterations = 2;
   const NonlinearSolution solution = solve(test);
-  EXPECT_EQ(solution.report.status, NonlinearStatus::iteration_limit);
+  EXPECT_EQ(solution.report.status, SolveStatus::iteration_limit);
   EXPECT_LE(solution.ordering.max_violation, 1e-9);
 }
 
-// At a minimum a dearer shift is a smaller one, at the cost of the other terms: exact for minima of
-// any sum of two costs of which one is weighted.
+// For exact minima of a sum of two costs, a larger weight of one makes it smaller and the other one
+// larger.
 TEST(SolveNonlinear, DearerShiftsAreSmaller) {
   NonlinearCase test = nonlinear_case(body_and_leg(), 2000, 1);
   const Relief& start = test.approximate;
@@ -273,7 +273,7 @@ TEST(SolveNonlinear, DearerShiftsAreSmaller) {
     const auto solution =
         solve_nonlinear(start.layers, test.scene, start.inflation, test.options.nonlinear);
     ASSERT_TRUE(solution.ok()) << to_string(solution.error());
-    EXPECT_EQ(solution->report.status, NonlinearStatus::solved) << lambda;
+    EXPECT_EQ(solution->report.status, SolveStatus::solved) << lambda;
     const NonlinearEnergy& energy = solution->report.energy;
     const double shift = energy.shift / lambda;
     const double rest = energy.inflation + energy.boundary;
@@ -318,8 +318,7 @@ TEST(SolveNonlinear, RefusesOptionsThatMakeNoSense) {
     EXPECT_EQ(where([=](NonlinearOptions& o) { o.lambda_shift = shift; }), "lambda_shift");
   EXPECT_EQ(where([](NonlinearOptions& o) { o.tolerance = std::nan(""); }), "tolerance");
   EXPECT_EQ(where([](NonlinearOptions& o) { o.max_iterations = 0; }), "max_iterations");
-  EXPECT_EQ(where([](NonlinearOptions& o) { o.anderson_depth = -1; }), "anderson_depth");
-  EXPECT_EQ(where([](NonlinearOptions& o) { o.epsilon = 0; }), "epsilon");
+  EXPECT_EQ(where([](NonlinearOptions& o) { o.ordering.epsilon = 0; }), "epsilon");
   EXPECT_EQ(where([](NonlinearOptions& o) { o.snapshots = {3, 1}; }), "snapshots");
 }
 

@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 using testing::shifted;
 using testing::ShiftedScene;
 
-constexpr WantedShifts loose_caps = {true, false};
+constexpr OrderingOptions loose_caps{.close_caps = false};
 
 /// A hat on the upper half of a head, `by` times as large.
 Scene head_and_hat(double by = 1) {
@@ -36,11 +36,13 @@ ShiftMetric metric_of(const ShiftedScene& relief) {
 
 VectorXd wanted_of(const ShiftedScene& relief, const Scene& scene) {
   const ShiftMetric metric = metric_of(relief);
-  return cap_rise(find_caps(relief.mesh, relief.discretisation, scene, metric.A), relief.inflation,
-                  metric.scale);
+  const std::vector<Cap> caps =
+      find_caps({relief.mesh, relief.discretisation, scene}, tied_parts(scene), metric.A);
+  return cap_rise(caps, relief.inflation, metric.scale);
 }
 
-/// The farthest that the hat's outline beside and above the head is from the drawing plane.
+/// Returns the largest distance of the hat's outline beside and above the head from the drawing
+/// plane.
 double rim_height(const ShiftedScene& relief) {
   double most = 0;
   for (size_t n = 0; n < relief.ordering.h.size(); ++n) {
@@ -144,7 +146,7 @@ TEST(Cap, IsFoundAnewWhereOtherPartsAreTied) {
   OrderingSystem system;
   for (const Scene& scene : {upright, leaning, upright}) {
     const Result<Ordering> ordering =
-        order_depth({relief.mesh, relief.discretisation, relief.inflation, scene}, {}, system);
+        order_depth({relief.mesh, relief.discretisation, scene}, relief.inflation, {}, system);
     ASSERT_TRUE(ordering);
     EXPECT_EQ(ordering->h, shifted(scene).ordering.h);
   }
@@ -159,7 +161,7 @@ Scene head_and_eye(double by = 1) {
   return scene;
 }
 
-/// How far the head's shift is from being the same all over.
+/// Returns the range of the heights of the head's outline.
 double bend(const ShiftedScene& relief) {
   double least = 1e9;
   double most = -1e9;
@@ -171,10 +173,11 @@ double bend(const ShiftedScene& relief) {
   return most - least;
 }
 
-/// What spots of these heights, in scene units, come forward by.
+/// Returns the shift of spots for heights in scene units.
 VectorXd spots_of(const ShiftedScene& relief, const Scene& scene, const VectorXd& height) {
-  const Caps caps = find_caps(relief.mesh, relief.discretisation, scene, metric_of(relief).A);
-  return spot_rise(relief.mesh, scene, caps, height);
+  const SurfaceInput surface{relief.mesh, relief.discretisation, scene};
+  const std::vector<std::set<int>> tied = tied_parts(scene);
+  return spot_rise(surface, tied, find_caps(surface, tied, metric_of(relief).A), height);
 }
 
 TEST(Spot, BendsWhatItLiesOnLess) {

@@ -10,7 +10,7 @@
 namespace relievo::relief {
 namespace {
 
-/// holds[i][j]: h[i] <= h[j] follows.
+/// holds[i][j] is true if h[i] <= h[j] follows.
 using Closure = std::vector<std::vector<bool>>;
 
 Closure closed(Closure holds) {
@@ -42,7 +42,7 @@ Closure closure_of(const DepthForest& forest) {
   return closed(holds);
 }
 
-/// The smallest node that each is linked to by pairs, in whichever direction they hold.
+/// Returns the smallest node that pairs link to each node, in either direction.
 std::vector<int> linked_groups(size_t nodes, std::vector<DepthPair> pairs) {
   for (DepthPair& pair : pairs) pair.equal = true;
   const Closure linked = closure_of(nodes, pairs);
@@ -63,7 +63,7 @@ std::vector<DepthPair> random_pairs(int nodes, int count) {
   return pairs;
 }
 
-/// Whether every two linked items that the pairs leave open are decided by the forest.
+/// Checks whether the forest decides the order of all items that it links beyond what is asked.
 bool is_chain_where_stronger(const Closure& asked, const Closure& given) {
   for (size_t i = 0; i < asked.size(); ++i)
     for (size_t j = 0; j < asked.size(); ++j) {

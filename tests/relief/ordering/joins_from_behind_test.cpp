@@ -34,7 +34,7 @@ Relief relief_of(const Scene& scene) {
   return std::move(*relief);
 }
 
-/// Where the vertices of a part of the model lie.
+/// Returns the positions of the vertices of a part of the model.
 Places places_of(const Model& model, int part) {
   Places places;
   const ModelPart& run = model.parts[part];
@@ -46,7 +46,7 @@ Places places_of(const Model& model, int part) {
   return places;
 }
 
-/// Per base vertex the nodes there.
+/// Returns the nodes at each base vertex.
 std::vector<std::vector<int>> nodes_at_vertices(const LayeredMesh& mesh) {
   std::vector<std::vector<int>> nodes(mesh.vertices.size());
   for (size_t n = 0; n < mesh.node_vertex.size(); ++n)

@@ -29,7 +29,7 @@ ShiftedScene solved(const Scene& scene, bool straight_limbs) {
   return shifted(scene, {straight_limbs, true});
 }
 
-/// The largest height of the leg between two rows.
+/// Returns the largest height of the leg between two rows.
 double crest(const ShiftedScene& relief, double from, double to) {
   double top = 0;
   for (size_t n = 0; n < relief.ordering.h.size(); ++n)
@@ -150,7 +150,7 @@ TEST(Limb, EveryShiftCostsWhatItsDifferenceDid) {
   const VectorXd g = VectorXd::LinSpaced(wanted.size(), -1, 2);
   const double before = (g - wanted).dot(metric.A * (g - wanted));
   add_wanted(wanted, metric);
-  const double cost = g.dot(metric.A * g - metric.lean.pull) + metric.lean.rest(g);
+  const double cost = g.dot(metric.A * g - metric.b) + metric.rest(g);
   EXPECT_NEAR(cost, before, 1e-9 * before);
 }
 

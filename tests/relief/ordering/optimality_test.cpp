@@ -40,7 +40,7 @@ void check_random_part_graph() {
 }
 
 TEST(Optimality, HoldsOnAThousandRandomPartGraphs) {
-  // A property is checked a hundred times.
+  // RapidCheck runs a property a hundred times.
   EXPECT_TRUE(rc::check([] {
     for (int i = 0; i < 10; ++i) check_random_part_graph();
   }));
@@ -102,7 +102,7 @@ TEST(Optimality, IpoptFindsTheSameHeights) {
   EXPECT_TRUE(rc::check([] {
     const RandomDepth random = testing::random_depth();
     OrderingOptions options;
-    // An interior point method leaves heights that only a tiny epsilon determines vague.
+    // An interior point method finds heights that only a tiny epsilon determines inexactly.
     options.epsilon = 0.1;
     const Ordering ordering = ordered(random, options);
     const auto h = testing::solve_by_ipopt(stated_directly(random, options.epsilon));

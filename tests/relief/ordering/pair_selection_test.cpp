@@ -15,12 +15,12 @@ namespace {
 constexpr double epsilon = 1e-4;
 
 int count_equal(const DepthSystem& system) {
-  const std::vector<DepthGap>& gaps = system.problem.forest.gaps;
+  const std::vector<DepthGap>& gaps = system.forest.gaps;
   return static_cast<int>(
       std::count_if(gaps.begin(), gaps.end(), [](const DepthGap& gap) { return gap.equal; }));
 }
 
-/// The pairs of the mesh without those of the parts from `front` on.
+/// Returns the pairs of the mesh without those of the parts from `front` on.
 std::vector<DepthPair> pairs_behind(const LayeredMesh& mesh, int front) {
   std::vector<DepthPair> pairs = mesh.constraints;
   pairs.erase(
@@ -33,7 +33,7 @@ std::vector<DepthPair> pairs_behind(const LayeredMesh& mesh, int front) {
 class PairSelection : public ::testing::Test {
  protected:
   DepthSystem build(const std::vector<DepthPair>& pairs) const {
-    return make_depth_system(make_depth_problem(mesh_.node_part, pairs), metric_, {}, {}, {});
+    return make_depth_system(build_depth_forest(mesh_.node_part, pairs), metric_, {}, {}, {});
   }
   bool select(const std::vector<DepthPair>& pairs, DepthSystem& system) const {
     return select_pairs(mesh_.node_part, pairs, metric_, system);
@@ -69,7 +69,7 @@ TEST_F(PairSelection, GivesTheHeightsOfASystemBuiltForThePairs) {
 TEST_F(PairSelection, SplitsWhatWasEqualAndFindsWhatWasImplied) {
   std::vector<DepthPair> changed = mesh_.constraints;
   for (DepthPair& pair : changed) pair.equal = mesh_.node_part[pair.upper] % 3 == 0;
-  // Without the parts in between, a pair that they implied counts for itself.
+  // Without the pairs in between, a pair that they implied is not dropped.
   std::vector<DepthPair> over = mesh_.constraints;
   const auto next_but_one = [&](const DepthPair& pair) {
     return (mesh_.node_part[pair.upper] - mesh_.node_part[pair.lower]) % 2 == 0;
@@ -90,9 +90,9 @@ TEST_F(PairSelection, SplitsWhatWasEqualAndFindsWhatWasImplied) {
 
 TEST_F(PairSelection, RefusesPairsThatLinkOtherNodes) {
   DepthSystem system = build(pairs_behind(mesh_, 7));
-  const std::vector<DepthGap> gaps = system.problem.forest.gaps;
+  const std::vector<DepthGap> gaps = system.forest.gaps;
   EXPECT_FALSE(select(mesh_.constraints, system));
-  EXPECT_EQ(system.problem.forest.gaps, gaps);
+  EXPECT_EQ(system.forest.gaps, gaps);
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace {
 
 using namespace testing;
 
-/// Fine enough for limbs that hang straight: a part is glued up to an edge before its exit, so that
-/// its height moves with the edges.
+/// Edges are short enough for straight limbs: a part is glued up to one edge before its exit, so
+/// that its height depends on the length of edges.
 constexpr int many_vertices = 24000;
 
 Relief build(const Scene& scene, Method method, int vertices = 6000) {
@@ -44,7 +44,7 @@ Scene mapped(Scene scene, Map map) {
   return scene;
 }
 
-/// Largest difference of heights on a grid, px of the first scene; `scale` converts.
+/// Returns the largest difference of heights on a grid, px of the first scene; `scale` converts.
 template <class Map>
 double difference(const Scene& scene, const Scene& other, Map map, double scale, Method method,
                   int vertices = 6000) {

@@ -8,7 +8,7 @@
 #include "relief/session/relief_session.h"
 #include "support/random_scene.h"
 
-// What a reconstruction costs, counted in operations: these hold on any machine.
+// The cost of a reconstruction in operations, which is the same on any machine.
 
 namespace relievo::relief {
 namespace {
@@ -24,7 +24,7 @@ Ordering order_from(const Scene& scene, int vertices, const std::vector<DepthCon
   const Inflation inflation = *inflate({mesh, discretisation, scene}, {}, poisson);
   OrderingSystem system;
   system.contacts = contacts;
-  return *order_depth({mesh, discretisation, inflation, scene}, {}, system);
+  return *order_depth({mesh, discretisation, scene}, inflation, {}, system);
 }
 
 TEST(OperationCounts, AColdOrderTakesAtMostTwentyFactorisations) {

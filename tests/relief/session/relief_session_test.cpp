@@ -23,7 +23,7 @@ ReliefOptions options_for(int vertices) {
   return options;
 }
 
-/// An edit as a person makes it in the editor.
+/// An edit in the editor.
 void edit(Random& random, Scene& scene, ReliefOptions& options) {
   const int count = static_cast<int>(scene.parts.size());
   Part& part = scene.parts[random.integer(0, count - 1)];
@@ -216,7 +216,7 @@ TEST(ReliefSession, SwitchesBetweenTheMethods) {
   EXPECT_EQ(session.relief().ordering.h, approximate);
 }
 
-/// Restores the count of workers.
+/// Restores the number of workers.
 class Workers {
  public:
   explicit Workers(int count) { set_worker_count(count); }
@@ -229,14 +229,14 @@ TEST(ReliefSession, TheNonlinearMethodBeginsWhereItEnded) {
   Scene scene = body_and_leg();
   ReliefOptions options = options_for(4000);
   options.method = Method::nonlinear;
-  options.nonlinear.tolerance = 3e-5;  // or energies agree to 1e-6 alone
+  options.nonlinear.tolerance = 3e-5;  // by default, energies agree only to 1e-6
   ReliefSession session;
   ASSERT_TRUE(session.update(scene, options).ok());
   const size_t first = session.relief().nonlinear.steps.size();
   scene.parts[1].c *= 1.02;
   ASSERT_TRUE(session.update(scene, options).ok());
   const NonlinearReport& warm = session.relief().nonlinear;
-  EXPECT_EQ(warm.status, NonlinearStatus::solved);
+  EXPECT_EQ(warm.status, SolveStatus::solved);
   EXPECT_LT(warm.steps.size(), first);
   EXPECT_LT(warm.steps[0].residual, 0.1);
   const Result<Relief> cold = build_relief(scene, options);

@@ -49,7 +49,7 @@ TEST(Seam, DirichletEndsMakeThePaperPits) {
   EXPECT_LT(probe(relief, {180, 160}).h(), 0.75 * probe(relief, {200, 160}).h());
 }
 
-/// The angles across joins of random limbs: the median and the mean of each join's median, degrees.
+/// The angles across joins of random limbs: median and mean of each join's median, degrees.
 struct Sharpness {
   double median = 0;
   double mean = 0;
@@ -78,7 +78,7 @@ TEST(Seam, IsNoEdgeOnRandomLimbs) {
     const Sharpness fine = sharpness_of_limbs(method, 24000);
     EXPECT_LE(fine.median, 0.4);
     EXPECT_LE(fine.mean, 0.5);
-    // The edges are half as long, of short joins not quite.
+    // The edges are half as long, those of short joins somewhat longer.
     EXPECT_LE(fine.median, 0.6 * coarse.median);
     EXPECT_LE(fine.mean, 0.6 * coarse.mean);
   }
@@ -105,7 +105,7 @@ TEST(Seam, HasShorterEdgesThanOutlines) {
   ReliefOptions options;
   for (const int vertices : {30000, 48000}) {
     options.layers.vertex_budget = vertices;
-    for (const uint64_t seed : {46, 95}) {  // of the second join of 95, 5 px lie on the lower part
+    for (const uint64_t seed : {46, 95}) {  // 5 px of the second join of 95 lie on the lower part
       const Relief relief = relief_of(random_limbs(seed), options);
       for (const SeamChain& chain : seam_chains(relief.layers)) {
         const double edge = chain.length.back() / static_cast<double>(chain.nodes.size() - 1);
@@ -117,7 +117,7 @@ TEST(Seam, HasShorterEdgesThanOutlines) {
 }
 
 TEST(Seam, IsSmoothWhereALimbLiesOnWhatItGrowsOutOf) {
-  // Limbs on limbs, turned back so that they lie on limb and body with all of their outline.
+  // Limbs on limbs, turned back so that their whole outline lies on limb and body.
   for (const uint64_t seed : {38, 121}) {
     ReliefOptions options;
     options.layers.vertex_budget = 48000;
@@ -141,7 +141,7 @@ TEST(Seam, IsSmoothWhereTwoPointsOfARoundRootAreEquallyNear) {
   }
 }
 
-/// How many edges along the join, in the middle of it, are open between the faces that are seen.
+/// Counts the edges in the middle of the join that are open between visible faces.
 int torn_edges(const LayeredMesh& mesh, const Join& join) {
   const std::vector<Point2> middle(join.line.begin() + 2, join.line.end() - 2);
   int torn = 0;
@@ -228,7 +228,7 @@ TEST(Seam, DirichletEndsArePitsOfTheirOwn) {
   for (const double pit : alone.pits) EXPECT_GE(pit, 0.05);
 }
 
-/// A nose on a head that is a half ball where it is alone.
+/// A nose on a head. The head alone is a hemisphere.
 Scene head_and_nose(double d = 1) {
   Scene scene = canvas();
   Ring nose;
@@ -279,7 +279,8 @@ TEST(Bump, ComesLooseAlongAGivenRange) {
   EXPECT_LT(after, before - 0.5) << "a longer range is lower for longer";
 }
 
-/// The height at a join's end over what the lower part alone has there: below 1 is a pit.
+/// Returns the height at a join's end relative to that of the lower part alone. Below 1 it is a
+/// pit.
 double worst_pit(const Scene& scene, double alpha0) {
   Scene apart = scene;
   apart.joins.clear();
@@ -308,7 +309,7 @@ TEST(Animal, KeepsItsOrderEverywhere) {
   EXPECT_EQ(m.repeated_edges, 0);
   EXPECT_EQ(m.bow_ties, 0);
   EXPECT_LE(relief.ordering.max_violation, 1e-9);
-  EXPECT_LE(relief.overlap_worst, 0.5);
+  EXPECT_LE(relief.ordering.overlap_worst, 0.5);
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ using namespace testing;
 
 constexpr double max_residual = 1e-10;
 
-/// Which scenes; RELIEVO_UGLY_SCENES=FROM-TO asks for many, and for a table of what became of them.
+/// The range of scenes to test. RELIEVO_UGLY_SCENES=FROM-TO selects another and prints a table of the
+/// outcomes.
 struct Seeds {
   uint64_t first = 1;
   uint64_t last = 150;
@@ -50,11 +51,11 @@ double worst_residual(const BoundQpReport& report) {
   return std::max({report.stationarity, report.primal, report.dual, report.complementarity});
 }
 
-/// Scenes that have found defects: a root shorter than an edge, faces left out beside a cut, a
-/// lattice beside a speck.
+/// Scenes that once failed: a root shorter than an edge, faces left out beside a cut, a lattice
+/// beside a speck.
 constexpr std::array<uint64_t, 6> found_defects = {41474, 56105, 58849, 77152, 79830, 82743};
 
-/// What became of a scene: the kind of its error, "solved", or a defect.
+/// Returns the outcome of a scene: the kind of its error, "solved", or a defect.
 std::string outcome(const Scene& scene, const ReliefOptions& options) {
   if (!validate(scene)) return "not valid";
   const auto relief = build_relief(scene, options);
