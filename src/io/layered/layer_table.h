@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/layered/layer_pile.h"
+#include "io/layered/raster_layer.h"
 #include "relievo/result.h"
 
 namespace relievo {

@@ -46,21 +46,21 @@ Status check_total(const std::vector<PackedLayer>& layers, const ImageLimits& li
 
 }  // namespace
 
-Result<LayeredDrawing> unpack_layers(const std::vector<PackedLayer>& layers, ImageSize canvas,
-                                     const ImageLimits& limits) {
+Result<understanding::LayeredDrawing> unpack_layers(const std::vector<PackedLayer>& layers,
+                                                    ImageSize canvas, const ImageLimits& limits) {
   if (Status status = check_total(layers, limits); !status) return status.error();
   const bool open = canvas.width == 0 || canvas.height == 0;
   const auto size = open ? least_canvas(layers, limits) : Result<ImageSize>(canvas);
   if (!size) return size.error();
-  LayerPile pile = empty_pile(size->width, size->height);
+  understanding::LayeredDrawing drawing = empty_drawing(size->width, size->height);
   for (const PackedLayer& packed : layers) {
     auto pixels = decode_png(packed.png, limits);
     if (!pixels) return in_layer(pixels.error(), packed);
     RasterLayer layer = packed.layer;
     layer.rgba = std::move(*pixels);
-    put_layer(pile, layer);
+    put_layer(drawing, layer);
   }
-  return scene_of_pile(std::move(pile));
+  return drawing;
 }
 
 }  // namespace relievo

@@ -44,9 +44,10 @@ Result<std::vector<LayerRow>> rows_of(const fs::path& folder, std::vector<fs::pa
 
 }  // namespace
 
-Result<FolderDrawing> read_layer_folder(const fs::path& folder, const ImageLimits& limits) {
-  FolderDrawing result;
-  auto rows = rows_of(folder, result.files);
+Result<understanding::LayeredDrawing> read_layer_folder(const fs::path& folder,
+                                                        std::vector<fs::path>& files,
+                                                        const ImageLimits& limits) {
+  auto rows = rows_of(folder, files);
   if (!rows) return rows.error();
   std::vector<PackedLayer> layers;
   uint64_t room = max_packed_bytes;
@@ -58,12 +59,11 @@ Result<FolderDrawing> read_layer_folder(const fs::path& folder, const ImageLimit
     if (!bytes) return bytes.error();
     room -= bytes->size();
     layers.push_back({std::move(row.layer), path.string(), std::move(*bytes)});
-    result.files.push_back(path);
+    files.push_back(path);
   }
-  auto content = unpack_layers(layers, {}, limits);
-  if (!content) return in_file(content.error(), folder.string());
-  result.content = std::move(*content);
-  return result;
+  auto drawing = unpack_layers(layers, {}, limits);
+  if (!drawing) return in_file(drawing.error(), folder.string());
+  return drawing;
 }
 
 }  // namespace relievo

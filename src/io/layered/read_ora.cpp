@@ -110,7 +110,8 @@ bool is_ora(const std::vector<ArchiveEntry>& entries) {
   return said.rfind("image/openraster", 0) == 0;
 }
 
-Result<OraDrawing> read_ora(const std::vector<ArchiveEntry>& entries, const ImageLimits& limits) {
+Result<understanding::LayeredDrawing> read_ora(const std::vector<ArchiveEntry>& entries,
+                                               const ImageLimits& limits) {
   const ArchiveEntry* stack = find_entry(entries, stack_name);
   if (stack == nullptr) return Error{ErrorCode::bad_input, "has no stack.xml", ""};
   if (stack->bytes.size() > max_stack_bytes)
@@ -125,12 +126,10 @@ Result<OraDrawing> read_ora(const std::vector<ArchiveEntry>& entries, const Imag
   if (Status s = reader.read(image.child("stack"), Group(), 0); !s) return s.error();
   std::vector<PackedLayer> layers = reader.take_layers();
   settle_roles(layers);
-  auto content = unpack_layers(layers, *canvas, limits);
-  if (!content) return content.error();
-  OraDrawing result{std::move(*content), {}};
-  if (reader.blends())
-    result.warnings.emplace_back("layers that blend are painted as if they only covered");
-  return result;
+  auto drawing = unpack_layers(layers, *canvas, limits);
+  if (drawing && reader.blends())
+    drawing->warnings.emplace_back("layers with a blending mode are painted as normal layers");
+  return drawing;
 }
 
 }  // namespace relievo

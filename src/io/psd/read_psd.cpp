@@ -210,54 +210,44 @@ Status check_total(const std::vector<SeenLayer>& layers, const ImageLimits& limi
   return Done{};
 }
 
-Result<Drawing> merged_picture(const PsdFile& file) {
+Status paint_merged(const PsdFile& file, Image8& rgba) {
   const auto planes =
       decode_merged(file.merged, file.channels, file.width, file.height, file.depth);
   if (!planes) return planes.error();
-  Drawing drawing;
-  drawing.rgba = Image8(file.width, file.height, 4);
   for (size_t i = 0; i < (*planes)[0].size(); ++i) {
-    for (int k = 0; k < 3; ++k)
-      drawing.rgba.pixels[4 * i + k] = (*planes)[std::min(k, file.colors - 1)][i];
-    drawing.rgba.pixels[4 * i + 3] = 255;
+    for (int k = 0; k < 3; ++k) rgba.pixels[4 * i + k] = (*planes)[std::min(k, file.colors - 1)][i];
+    rgba.pixels[4 * i + 3] = 255;
   }
-  return drawing;
+  return Done{};
 }
 
 }  // namespace
 
-Result<PsdDrawing> read_psd(ByteView bytes, const ImageLimits& limits) {
+Result<understanding::LayeredDrawing> read_psd(ByteView bytes, const ImageLimits& limits) {
   const auto file = read_psd_file(bytes, limits);
   if (!file) return file.error();
-  PsdDrawing result;
+  understanding::LayeredDrawing drawing = empty_drawing(file->width, file->height);
   if (file->layers.empty()) {
-    auto merged = merged_picture(*file);
-    if (!merged) return merged.error();
-    result.flat = std::move(*merged);
-    return result;
+    if (Status status = paint_merged(*file, drawing.picture.rgba); !status) return status.error();
+    drawing.flat = true;
+    return drawing;
   }
   Structure structure = find_layers(*file);
   if (structure.layers.empty())
     return Error{ErrorCode::bad_input, "shows no layer that has pixels", "layers"};
   if (Status status = check_total(structure.layers, limits); !status) return status.error();
   settle_roles(structure.layers);
-  LayerPile pile = empty_pile(file->width, file->height);
   for (SeenLayer& seen : structure.layers) {
     auto pixels = pixels_of(seen, structure, *file);
     if (!pixels) return in_layer(pixels.error(), *seen.record);
     RasterLayer layer = seen.layer;
     layer.rgba = std::move(*pixels);
-    put_layer(pile, layer);
+    put_layer(drawing, layer);
   }
-  result.warnings.assign(structure.notes.begin(), structure.notes.end());
-  if (structure.layers.size() == 1) {
-    result.flat = Drawing{std::move(pile.rgba)};
-    return result;
-  }
-  auto content = scene_of_pile(std::move(pile));
-  if (!content) return content.error();
-  result.content = std::move(*content);
-  return result;
+  drawing.flat = structure.layers.size() == 1;
+  if (drawing.flat) drawing.warnings.clear();
+  drawing.warnings.insert(drawing.warnings.end(), structure.notes.begin(), structure.notes.end());
+  return drawing;
 }
 
 }  // namespace relievo

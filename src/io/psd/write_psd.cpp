@@ -158,16 +158,10 @@ Bytes layer_section(const std::vector<PsdPicture>& layers) {
   return section;
 }
 
-void lay_layer_over(const PsdPicture& layer, Image8& below) {
-  for (int y = 0; y < layer.rgba->height; ++y)
-    for (int x = 0; x < layer.rgba->width; ++x)
-      lay_over(&below.at(layer.left + x, layer.top + y), &layer.rgba->at(x, y));
-}
-
 void put_merged(const std::vector<PsdPicture>& layers, int width, int height, Bytes& bytes) {
   Image8 merged(width, height, 4);
   for (const PsdPicture& layer : layers)
-    if (!layer.hidden) lay_layer_over(layer, merged);
+    if (!layer.hidden) lay_picture_over(merged, layer.left, layer.top, *layer.rgba);
   PackedRows packed;
   for (const int channel : {0, 1, 2, 3}) pack(merged, channel, {0, 0, height, width}, packed);
   put16(bytes, 1);

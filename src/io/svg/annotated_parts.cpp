@@ -7,8 +7,7 @@
 #include "io/svg/scanner.h"
 #include "io/svg/svg_drawing.h"
 #include "kernel/geometry/region.h"
-#include "understanding/marks/part_cover.h"
-#include "understanding/marks/propose_parts.h"
+#include "scene/part_ids.h"
 
 namespace relievo {
 namespace {
@@ -133,16 +132,6 @@ Palette palette_of(const OwnedShapes& owned) {
   return palette;
 }
 
-bool some_overlap(const std::vector<Part>& parts) {
-  for (size_t i = 0; i < parts.size(); ++i) {
-    for (size_t j = 0; j < i; ++j) {
-      const double smaller = std::min(area(parts[i].outline), area(parts[j].outline));
-      if (area(intersect(parts[i].outline, parts[j].outline)) > 0.05 * smaller) return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 Result<std::vector<AnnotatedPart>> annotated_parts(const SvgDrawing& drawing, bool layers) {
@@ -158,7 +147,7 @@ Result<std::vector<AnnotatedPart>> annotated_parts(const SvgDrawing& drawing, bo
     groups.push_back(owned.group);
     colors.push_back(palette_of(owned));
   }
-  understanding::make_ids_unique(parts);
+  make_ids_unique(parts);
   std::vector<AnnotatedPart> result;
   for (size_t k = 0; k < parts.size(); ++k)
     result.push_back({groups[k], std::move(parts[k]), std::move(colors[k])});
@@ -189,28 +178,15 @@ Result<std::vector<Relation>> annotated_relations(const SvgDrawing& drawing,
   return relations;
 }
 
-bool layers_are_parts(const SvgDrawing& drawing) {
-  std::map<int, SvgDrawing> by_layer;
+std::vector<std::vector<understanding::Mark>> marks_by_layer(const SvgDrawing& drawing) {
+  std::map<int, std::vector<const SvgShape*>> by_layer;
   for (const SvgShape& shape : drawing.shapes) {
-    if (shape.is_note()) return true;
     const int owner = owner_of(drawing, shape.group, true);
-    if (owner < 0 || silhouette(shape, drawing).empty()) continue;
-    SvgDrawing& layer = by_layer[owner];
-    layer.shapes.push_back(shape);
+    if (owner >= 0 && !silhouette(shape, drawing).empty()) by_layer[owner].push_back(&shape);
   }
-  if (by_layer.size() < 2) return false;
-  return std::none_of(by_layer.begin(), by_layer.end(), [&](auto& entry) {
-    SvgDrawing& layer = entry.second;
-    layer.width = drawing.width;
-    layer.height = drawing.height;
-    layer.groups = drawing.groups;
-    layer.clips = drawing.clips;
-    const std::vector<Part> inside =
-        understanding::propose_parts(
-            understanding::group_figures(opaque_marks(layer), layer.canvas()))
-            .parts;
-    return inside.size() >= 4 && some_overlap(inside);
-  });
+  std::vector<std::vector<understanding::Mark>> layers;
+  for (const auto& [owner, shapes] : by_layer) layers.push_back(opaque_marks(drawing, shapes));
+  return layers;
 }
 
 int enclosing_part(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts, int group) {

@@ -27,10 +27,8 @@ Result<std::vector<AnnotatedPart>> annotated_parts(const SvgDrawing& drawing, bo
 Result<std::vector<Relation>> annotated_relations(const SvgDrawing& drawing,
                                                   const std::vector<AnnotatedPart>& parts);
 
-/// Whether layers stand for parts under SvgLayers::automatic: there are at least two with filled
-/// shapes, and none from whose shapes four or more parts would be proposed, some of them over
-/// others; or something in the drawing is annotated.
-bool layers_are_parts(const SvgDrawing& drawing);
+/// Returns the opaque marks of each Inkscape layer that shows a filled shape or a wide stroke.
+std::vector<std::vector<understanding::Mark>> marks_by_layer(const SvgDrawing& drawing);
 
 /// The part that the group lies in, or -1.
 int enclosing_part(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts, int group);

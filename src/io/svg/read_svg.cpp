@@ -13,13 +13,13 @@
 #include "io/svg/svg_document.h"
 #include "io/svg/svg_drawing.h"
 #include "io/svg/svg_units.h"
-#include "understanding/marks/propose_parts.h"
 
 namespace relievo {
 namespace {
 
-/// Elements that say something about parts and must not be painted.
-using Notes = std::vector<pugi::xml_node>;
+using understanding::LayeredDrawing;
+
+using Elements = std::vector<pugi::xml_node>;
 
 bool is_annotated(const SvgDrawing& drawing) {
   return std::any_of(drawing.groups.begin(), drawing.groups.end(), [](const SvgGroup& group) {
@@ -27,12 +27,15 @@ bool is_annotated(const SvgDrawing& drawing) {
   });
 }
 
-bool uses_layers(const SvgDrawing& drawing, const SvgOptions& options) {
-  if (options.layers == SvgLayers::automatic) return layers_are_parts(drawing);
-  return options.layers == SvgLayers::parts;
+bool has_notes(const SvgDrawing& drawing) {
+  return std::any_of(drawing.shapes.begin(), drawing.shapes.end(),
+                     [](const SvgShape& shape) { return shape.is_note(); });
 }
 
-Status take_annotations(const SvgDrawing& drawing, bool layers, SvgImport& result, Notes& notes) {
+/// Takes the parts and their joins, cues and relations; `lines` become the elements that draw
+/// joins and cues.
+Status take_annotations(const SvgDrawing& drawing, bool layers, LayeredDrawing& result,
+                        Elements& lines) {
   auto parts = annotated_parts(drawing, layers);
   if (!parts) return parts.error();
   auto joins = annotated_joins(drawing, *parts, layers);
@@ -50,36 +53,8 @@ Status take_annotations(const SvgDrawing& drawing, bool layers, SvgImport& resul
   scene.relations = std::move(*relations);
   scene.cues = std::move(cues->cues);
   turn_joins_from_behind(scene);
-  notes = std::move(joins->elements);
-  notes.insert(notes.end(), cues->elements.begin(), cues->elements.end());
-  return Done{};
-}
-
-Status propose(const SvgDrawing& drawing, const SvgOptions& options, SvgImport& result,
-               Notes& notes) {
-  if (drawing.shapes.size() > options.max_shapes) {
-    return Error{ErrorCode::limit,
-                 "too many shapes to propose parts from: group them into annotated parts (limit " +
-                     std::to_string(options.max_shapes) + ")",
-                 "svg"};
-  }
-  std::vector<understanding::Mark> marks = opaque_marks(drawing);
-  result.line_art =
-      !marks.empty() && std::none_of(marks.begin(), marks.end(),
-                                     [](const understanding::Mark& mark) { return mark.filled; });
-  const understanding::FigureList figures =
-      understanding::group_figures(std::move(marks), drawing.canvas());
-  understanding::ProposedParts proposed = understanding::propose_parts(figures);
-  result.scene.parts = std::move(proposed.parts);
-  result.colors = std::move(proposed.colors);
-  result.warnings.insert(result.warnings.end(), figures.notes.begin(), figures.notes.end());
-  result.proposed = true;
-  for (const SvgShape& shape : drawing.shapes) {
-    if (!shape.is_note()) continue;
-    notes.push_back(shape.element);
-    result.warnings.push_back(std::string(shape.join ? "joins" : "cues") +
-                              " are ignored where no part is annotated");
-  }
+  lines = std::move(joins->elements);
+  lines.insert(lines.end(), cues->elements.begin(), cues->elements.end());
   return Done{};
 }
 
@@ -221,59 +196,62 @@ struct StringWriter : pugi::xml_writer {
   }
 };
 
-/// The text of a PaintableSvg whose root has this size, px. The document becomes it; `notes` are
-/// elements of it that are left out.
-std::string paintable_text(SvgDocument& document, double width, double height,
-                           const std::vector<pugi::xml_node>& notes) {
-  for (pugi::xml_node note : notes) set_attribute(note, "data-relievo", "ignore");
-  remove_harmful(document.root);
-  repair_namespaces(document.root);
-  fix_size(document.root, width, height);
+/// Makes the document under `root` safe to paint (see PaintableSvg) and returns its text.
+std::string paintable_text(pugi::xml_node root, const SvgDrawing& drawing) {
+  remove_harmful(root);
+  repair_namespaces(root);
+  fix_size(root, drawing.px_width, drawing.px_height);
   StringWriter writer;
-  document.root.print(writer, "", pugi::format_raw);
+  root.print(writer, "", pugi::format_raw);
   return std::move(writer.text);
 }
 
-/// A drawing with what it means, which may be nothing.
-Result<SvgImport> interpret(std::string_view bytes, const SvgOptions& options) {
-  const auto document = parse_svg_document(bytes, options);
-  if (!document) return document.error();
-  const auto drawing = read_drawing(**document, options);
-  if (!drawing) return drawing.error();
-  SvgImport result;
-  Notes notes;
-  result.warnings = drawing->warnings;
-  result.scene.width = drawing->width;
-  result.scene.height = drawing->height;
-  const bool annotated = is_annotated(*drawing);
-  const bool layers = !annotated && uses_layers(*drawing, options);
-  const Status status = annotated || layers ? take_annotations(*drawing, layers, result, notes)
-                                            : propose(*drawing, options, result, notes);
-  if (!status) return status.error();
-  for (const SvgShape& shape : drawing->shapes)
-    if (shape.fill && !shape.is_note())
-      result.anchors.insert(result.anchors.end(), shape.anchors.begin(), shape.anchors.end());
-  result.paintable = {paintable_text(**document, drawing->px_width, drawing->px_height, notes),
-                      drawing->px_width, drawing->px_height};
-  return result;
+/// Sets the texts of the drawing to paint, without `lines`. Where the drawing's layers may be no
+/// parts, the text with these lines is kept too.
+void set_paintable(SvgDocument& document, const SvgDrawing& drawing, const Elements& lines,
+                   LayeredDrawing& result) {
+  if (!result.layers.empty() && !lines.empty()) {
+    pugi::xml_document copy;
+    copy.reset(document.xml);
+    result.text_with_lines = paintable_text(copy.document_element(), drawing);
+  }
+  for (pugi::xml_node line : lines) set_attribute(line, "data-relievo", "ignore");
+  result.paintable = {paintable_text(document.root, drawing), drawing.px_width, drawing.px_height};
+}
+
+std::vector<const SvgShape*> shapes_of(const SvgDrawing& drawing) {
+  std::vector<const SvgShape*> shapes;
+  for (const SvgShape& shape : drawing.shapes) shapes.push_back(&shape);
+  return shapes;
 }
 
 }  // namespace
 
-Result<SvgImport> read_svg(std::string_view bytes, const SvgOptions& options) {
-  auto result = interpret(bytes, options);
-  if (result && result->scene.parts.empty())
-    return Error{ErrorCode::bad_input,
-                 "no filled shape is visible on the canvas" +
-                     (result->warnings.empty() ? "" : ": " + result->warnings.front()),
-                 "svg"};
+Result<LayeredDrawing> read_svg(std::string_view bytes, const SvgOptions& options) {
+  const auto document = parse_svg_document(bytes, options);
+  if (!document) return document.error();
+  const auto drawing = read_drawing(**document, options);
+  if (!drawing) return drawing.error();
+  LayeredDrawing result;
+  result.warnings = drawing->warnings;
+  result.scene.width = drawing->width;
+  result.scene.height = drawing->height;
+  const bool annotated = is_annotated(*drawing);
+  const bool declared = annotated || has_notes(*drawing);
+  if (!declared) {
+    result.marks = opaque_marks(*drawing, shapes_of(*drawing));
+    result.layers = marks_by_layer(*drawing);
+    if (result.layers.size() < 2) result.layers.clear();
+  }
+  Elements lines;
+  if (declared || !result.layers.empty())
+    if (Status status = take_annotations(*drawing, !annotated, result, lines); !status)
+      return status.error();
+  for (const SvgShape& shape : drawing->shapes)
+    if (shape.fill && !shape.is_note())
+      result.anchors.insert(result.anchors.end(), shape.anchors.begin(), shape.anchors.end());
+  set_paintable(**document, *drawing, lines, result);
   return result;
-}
-
-Result<PaintableSvg> paintable_svg(std::string_view bytes, const SvgOptions& options) {
-  auto result = interpret(bytes, options);
-  if (!result) return result.error();
-  return std::move(result->paintable);
 }
 
 }  // namespace relievo

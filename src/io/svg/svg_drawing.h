@@ -7,7 +7,7 @@
 #include "io/svg/svg_document.h"
 #include "io/svg/svg_region.h"
 #include "relievo/result.h"
-#include "understanding/marks/figures.h"
+#include "understanding/marks/layered_drawing.h"
 
 namespace relievo {
 
@@ -75,9 +75,10 @@ Region light_region(const std::vector<SvgShape>& shapes, const SvgDrawing& drawi
 /// Paint with a lower alpha is not seen.
 constexpr double faint_alpha = 0.02;
 
-/// The shapes whose alpha is at least one half, or, where nothing is that opaque, whatever can be
-/// seen. Joins, cues and what is marked as texture or to be ignored are left out.
-std::vector<understanding::Mark> opaque_marks(const SvgDrawing& drawing);
+/// Returns the shapes (of `drawing`) whose alpha is at least one half, or, where no shape is that
+/// opaque, all that can be seen. Joins, cues, textures and ignored shapes are left out.
+std::vector<understanding::Mark> opaque_marks(const SvgDrawing& drawing,
+                                              const std::vector<const SvgShape*>& shapes);
 
 /// What an element is marked as by itself or the nearest marked group around it.
 SvgMark inherited_mark(const SvgDrawing& drawing, int group);

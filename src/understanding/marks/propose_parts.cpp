@@ -224,7 +224,6 @@ ProposedParts propose_parts(const FigureList& drawn) {
     proposed.parts.push_back(std::move(parts[k]));
     proposed.colors.push_back(colors[k]);
   }
-  make_ids_unique(proposed.parts);
   return proposed;
 }
 
