@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,7 +25,7 @@ using Elements = std::vector<pugi::xml_node>;
 
 bool is_annotated(const SvgDrawing& drawing) {
   return std::any_of(drawing.groups.begin(), drawing.groups.end(), [](const SvgGroup& group) {
-    return group.annotation.mark == SvgMark::part || group.annotation.has_part_values();
+    return group.mark == SvgMark::part || has_part_values(group.element);
   });
 }
 
@@ -38,27 +40,22 @@ Status take_annotations(const SvgDrawing& drawing, bool layers, LayeredDrawing& 
                         Elements& lines) {
   auto parts = annotated_parts(drawing, layers);
   if (!parts) return parts.error();
-  auto joins = annotated_joins(drawing, *parts, layers);
-  if (!joins) return joins.error();
-  auto cues = annotated_cues(drawing, *parts);
-  if (!cues) return cues.error();
+  Scene& scene = result.scene;
+  if (Status s = add_annotated_joins(drawing, *parts, layers, scene.joins, lines); !s) return s;
+  if (Status s = add_annotated_cues(drawing, *parts, scene.cues, lines); !s) return s;
   auto relations = annotated_relations(drawing, *parts);
   if (!relations) return relations.error();
-  Scene& scene = result.scene;
   for (AnnotatedPart& part : *parts) {
     scene.parts.push_back(std::move(part.part));
     result.colors.push_back(std::move(part.colors));
   }
-  scene.joins = std::move(joins->joins);
   scene.relations = std::move(*relations);
-  scene.cues = std::move(cues->cues);
   turn_joins_from_behind(scene);
-  lines = std::move(joins->elements);
-  lines.insert(lines.end(), cues->elements.begin(), cues->elements.end());
   return Done{};
 }
 
-constexpr size_t header_size = 24;
+constexpr size_t header_size = 24;  ///< of a PNG file, up to its height
+constexpr uint64_t most_embedded_pixels = 25'000'000;
 
 int base64_value(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
@@ -68,7 +65,7 @@ int base64_value(char c) {
   return c == '/' ? 63 : -1;
 }
 
-/// The first bytes that the base64 text stands for.
+/// Decodes the first `count` bytes of a base64 text.
 std::string decoded_front(std::string_view text, size_t count) {
   std::string bytes;
   uint32_t bits = 0;
@@ -93,33 +90,28 @@ uint32_t big_endian(std::string_view bytes) {
   return value;
 }
 
-struct EmbeddedSize {
-  uint32_t width = 0;
-  uint32_t height = 0;
-};
-
-/// Size of the PNG file that an <image> carries in a data: reference, from its header alone;
-/// nothing for any other content, and for references to elsewhere.
-std::optional<EmbeddedSize> embedded_png_size(const pugi::xml_node& image) {
+/// Returns the number of pixels of the PNG file that an <image> holds in a data: reference, from
+/// its header alone; nothing for any other content, and for references to elsewhere.
+std::optional<uint64_t> embedded_pixels(const pugi::xml_node& image) {
   for (const pugi::xml_attribute& attribute : image.attributes()) {
     if (local_name(attribute.name()) != "href") continue;
     const std::string_view href = trimmed_svg(attribute.value());
     constexpr std::string_view prefix = "data:image/png;base64,";
-    if (href.substr(0, prefix.size()) != prefix) return std::nullopt;
+    if (!href.starts_with(prefix)) return std::nullopt;
     const std::string header = decoded_front(href.substr(prefix.size()), header_size);
     const std::string_view view = header;
-    if (view.size() < header_size || view.substr(1, 3) != "PNG" || view.substr(12, 4) != "IHDR") {
+    if (view.size() < header_size || view.substr(1, 3) != "PNG" || view.substr(12, 4) != "IHDR")
       return std::nullopt;
-    }
-    return EmbeddedSize{big_endian(view.substr(16, 4)), big_endian(view.substr(20, 4))};
+    return uint64_t{big_endian(view.substr(16, 4))} * big_endian(view.substr(20, 4));
   }
   return std::nullopt;
 }
 
 constexpr std::string_view svg_namespace = "http://www.w3.org/2000/svg";
 
-/// Whether the name belongs to SVG: prefixes are looked up, none means SVG unless another namespace
-/// is the default. Values that begin with & are entities of the document type, which are repaired.
+/// Returns whether the element's name is one of SVG: its prefix is looked up; none means SVG unless
+/// another namespace is the default. Values that begin with & are entities of the document type,
+/// which repair_namespaces replaces.
 bool is_svg_name(const pugi::xml_node& element) {
   const std::string_view name = element.name();
   const size_t colon = name.find(':');
@@ -131,16 +123,16 @@ bool is_svg_name(const pugi::xml_node& element) {
   return plain;
 }
 
-/// Whether the renderer may see the element: no scripts, nothing foreign, nothing from elsewhere,
-/// and no picture of unknown size.
+/// Returns whether the renderer may see the element: no script, nothing foreign, nothing from
+/// elsewhere, and no picture of unknown size.
 bool is_harmless(const pugi::xml_node& element) {
   if (!is_svg_name(element)) return false;
   const std::string_view name = local_name(element.name());
   if (name == "script" || name == "foreignObject" || name == "feImage") return false;
   if (trimmed_svg(element.attribute("data-relievo").value()) == "ignore") return false;
   if (name != "image") return true;
-  const auto size = embedded_png_size(element);
-  return size && static_cast<int64_t>(size->width) * size->height <= 25000000;
+  const auto pixels = embedded_pixels(element);
+  return pixels && *pixels <= most_embedded_pixels;
 }
 
 void remove_harmful(pugi::xml_node parent) {
@@ -163,7 +155,7 @@ void set_attribute(pugi::xml_node node, const char* name, const std::string& val
   attribute.set_value(value.c_str());
 }
 
-/// Namespaces that were written as entities of the document type are put in their place.
+/// Replaces namespaces that are written as entities of the document type.
 void repair_namespaces(pugi::xml_node root) {
   for (pugi::xml_attribute attribute : root.attributes()) {
     const std::string_view name = attribute.name();
@@ -178,7 +170,7 @@ void repair_namespaces(pugi::xml_node root) {
   set_attribute(root, "xmlns:xlink", "http://www.w3.org/1999/xlink");
 }
 
-/// Gives the root the size that the canvas has for us, so that both agree on where things are.
+/// Gives the root our size of the canvas, so that the renderer's positions agree with ours.
 void fix_size(pugi::xml_node root, double px_width, double px_height) {
   const std::string width = std::to_string(px_width);
   const std::string height = std::to_string(px_height);
@@ -189,21 +181,14 @@ void fix_size(pugi::xml_node root, double px_width, double px_height) {
   }
 }
 
-struct StringWriter : pugi::xml_writer {
-  std::string text;
-  void write(const void* data, size_t size) override {
-    text.append(static_cast<const char*>(data), size);
-  }
-};
-
 /// Makes the document under `root` safe to paint (see PaintableSvg) and returns its text.
 std::string paintable_text(pugi::xml_node root, const SvgDrawing& drawing) {
   remove_harmful(root);
   repair_namespaces(root);
   fix_size(root, drawing.px_width, drawing.px_height);
-  StringWriter writer;
-  root.print(writer, "", pugi::format_raw);
-  return std::move(writer.text);
+  std::ostringstream text;
+  root.print(text, "", pugi::format_raw);
+  return text.str();
 }
 
 /// Sets the texts of the drawing to paint, without `lines`. Where the drawing's layers may be no

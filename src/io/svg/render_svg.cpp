@@ -142,7 +142,7 @@ struct Pipe {
 };
 
 void bound(int resource, rlim_t most) {
-  struct rlimit limit = {};
+  rlimit limit = {};
   if (getrlimit(static_cast<__rlimit_resource_t>(resource), &limit) != 0) return;
   limit.rlim_max = limit.rlim_cur = std::min({limit.rlim_cur, limit.rlim_max, most});
   setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
@@ -213,7 +213,7 @@ std::string listen(int from, double seconds, bool& in_time) {
   std::string said;
   while (true) {
     const std::chrono::duration<double, std::milli> left = end - Clock::now();
-    struct pollfd waiting = {from, POLLIN, 0};
+    pollfd waiting{from, POLLIN, 0};
     const int ready = poll(&waiting, 1, std::max(0, static_cast<int>(left.count())));
     if (ready < 0 && errno == EINTR) continue;
     in_time = ready > 0;

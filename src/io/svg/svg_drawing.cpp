@@ -82,7 +82,7 @@ std::vector<understanding::Mark> opaque_marks(const SvgDrawing& drawing,
 
 SvgMark inherited_mark(const SvgDrawing& drawing, int group) {
   for (; group >= 0; group = drawing.groups[group].parent) {
-    const SvgMark mark = drawing.groups[group].annotation.mark;
+    const SvgMark mark = drawing.groups[group].mark;
     if (mark != SvgMark::none) return mark;
   }
   return SvgMark::none;
@@ -90,8 +90,8 @@ SvgMark inherited_mark(const SvgDrawing& drawing, int group) {
 
 std::string inherited_name(const SvgDrawing& drawing, int group) {
   for (; group >= 0; group = drawing.groups[group].parent) {
-    const SvgGroup& g = drawing.groups[group];
-    if (!g.label.empty() || !g.id.empty()) return g.label.empty() ? g.id : g.label;
+    const std::string name = name_of(drawing.groups[group].element);
+    if (!name.empty()) return name;
   }
   return "";
 }

@@ -29,7 +29,9 @@ SvgDrawing drawing_of(const std::string& file) {
   auto drawing = read_drawing(**document, {});
   EXPECT_TRUE(drawing.ok());
   if (!drawing) return {};
+  // They belong to the document, which is gone.
   for (SvgShape& shape : drawing->shapes) shape.element = {};
+  for (SvgGroup& group : drawing->groups) group.element = {};
   return std::move(*drawing);
 }
 
