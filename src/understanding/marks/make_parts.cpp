@@ -30,7 +30,8 @@ bool some_overlap(const std::vector<Part>& parts) {
 }
 
 bool holds_several_parts(std::vector<Mark> layer, const Box2& canvas) {
-  const std::vector<Part> parts = propose_parts(group_figures(std::move(layer), canvas)).parts;
+  std::vector<Palette> colors;
+  const std::vector<Part> parts = propose_parts(group_figures(std::move(layer), canvas), colors);
   return parts.size() >= parts_of_drawing && some_overlap(parts);
 }
 
@@ -45,9 +46,7 @@ Status propose(LayeredDrawing& drawing, size_t max_marks) {
       !drawing.marks.empty() && std::none_of(drawing.marks.begin(), drawing.marks.end(),
                                              [](const Mark& mark) { return mark.filled; });
   const FigureList figures = group_figures(std::move(drawing.marks), canvas_of(drawing.scene));
-  ProposedParts proposed = propose_parts(figures);
-  drawing.scene.parts = std::move(proposed.parts);
-  drawing.colors = std::move(proposed.colors);
+  drawing.scene.parts = propose_parts(figures, drawing.colors);
   drawing.proposed = true;
   drawing.warnings.insert(drawing.warnings.end(), figures.notes.begin(), figures.notes.end());
   return Done{};
