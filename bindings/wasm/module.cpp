@@ -66,29 +66,28 @@ std::vector<ArchiveEntry> to_entries(const val& files) {
   return entries;
 }
 
-Result<std::vector<LayerRow>> rows_of(const std::vector<ArchiveEntry>& entries) {
+Result<std::vector<LayerFile>> layers_of(const std::vector<ArchiveEntry>& entries) {
   if (const ArchiveEntry* table = find_entry(entries, table_name)) {
-    auto rows =
+    auto layers =
         read_layer_table({reinterpret_cast<const char*>(table->bytes.data()), table->bytes.size()});
-    return rows ? rows : in_file(rows.error(), table_name);
+    return layers ? layers : in_file(layers.error(), table_name);
   }
   std::vector<std::string> names;
   for (const ArchiveEntry& entry : entries) names.push_back(entry.name);
-  return rows_of_names(std::move(names));
+  return layers_of_names(std::move(names));
 }
 
 Result<LayeredDrawing> read_pictures(const std::vector<ArchiveEntry>& entries) {
-  auto rows = rows_of(entries);
-  if (!rows) return rows.error();
-  std::vector<PackedLayer> layers;
-  for (LayerRow& row : *rows) {
-    const ArchiveEntry* picture = find_entry(entries, row.file);
+  auto layers = layers_of(entries);
+  if (!layers) return layers.error();
+  for (LayerFile& layer : *layers) {
+    const ArchiveEntry* picture = find_entry(entries, layer.file);
     if (picture == nullptr)
       return Error{ErrorCode::file, "is in the table of layers, but was not opened with it",
-                   row.file};
-    layers.push_back({std::move(row.layer), row.file, picture->bytes});
+                   layer.file};
+    layer.png = picture->bytes;
   }
-  return unpack_layers(layers, {}, page_limits);
+  return unpack_layers(*layers, {}, page_limits);
 }
 
 Result<LayeredDrawing> read_layers(const std::vector<ArchiveEntry>& entries) {
