@@ -12,6 +12,7 @@
 #include "relief/layers/layer_parts.h"
 #include "relief/nonlinear/solve_nonlinear.h"
 #include "relief/ordering/order_depth.h"
+#include "understanding/marks/make_parts.h"
 
 // Prints how far the approximate method is from the non-linear one on layered drawings.
 // Usage: fidelity VERTICES DRAWING.svg...
@@ -95,8 +96,8 @@ std::string read_file(const char* name) {
 }
 
 bool study(const char* name, int vertices) {
-  const auto drawing = read_svg(read_file(name));
-  if (!drawing) return false;
+  auto drawing = read_svg(read_file(name));
+  if (!drawing || !understanding::make_parts(*drawing)) return false;
   relief::LayerOptions layer_options;
   layer_options.vertex_budget = vertices;
   layer_options.attach = false;  // as in the paper

@@ -13,6 +13,7 @@
 #include "support/random_limbs.h"
 #include "support/regions.h"
 #include "support/seams.h"
+#include "understanding/marks/make_parts.h"
 
 // Prints how sharp the joins of drawings are and what pits and bumps there are at their ends, in
 // the drawing and where each join's two parts are alone.
@@ -30,7 +31,7 @@ std::optional<Scene> read_drawing(const std::string& name) {
   const std::string bytes = read_file(name);
   if (name.size() > 4 && name.substr(name.size() - 4) == ".svg") {
     auto drawing = read_svg(bytes);
-    if (drawing) return drawing->scene;
+    if (drawing && understanding::make_parts(*drawing)) return drawing->scene;
     return std::nullopt;
   }
   if (bytes.find("\"regions\"") != std::string::npos) return testing::read_regions(name);

@@ -13,6 +13,7 @@
 #include "io/scribbles/scribble_image.h"
 #include "io/scribbles/scribbles_json.h"
 #include "io/svg/read_svg.h"
+#include "understanding/marks/make_parts.h"
 
 namespace relievo::fuzz {
 namespace {
@@ -31,6 +32,12 @@ bool is_read(const Result<T>& result) {
   return result.ok();
 }
 
+/// Makes parts of a drawing that is read, of few marks.
+void make_parts_of(Result<understanding::LayeredDrawing> drawing) {
+  if (!is_read(drawing) || drawing->flat) return;
+  is_read(understanding::make_parts(*drawing, 100));
+}
+
 /// A scene that is passed on is valid.
 void expect_valid(const Scene& scene) {
   if (!validate(scene)) std::abort();
@@ -40,10 +47,8 @@ void svg(ByteView bytes) {
   SvgOptions options;
   options.max_points = 20000;
   options.max_elements = 2000;
-  options.max_shapes = 100;
   options.max_total_tangle = 1e5;
-  is_read(read_svg(text_of(bytes), options));
-  is_read(paintable_svg(text_of(bytes), options));
+  make_parts_of(read_svg(text_of(bytes), options));
 }
 
 void scene(ByteView bytes) {
@@ -57,14 +62,14 @@ void archive(ByteView bytes) {
   ArchiveLimits limits;
   limits.max_bytes = 1 << 20;
   const auto entries = unpack_archive(bytes, limits);
-  if (is_read(entries)) is_read(read_ora(*entries, small_pictures));
+  if (is_read(entries)) make_parts_of(read_ora(*entries, small_pictures));
 }
 
 void picture(ByteView bytes) { is_read(decode_image(bytes, small_pictures)); }
 
 void layers(ByteView bytes) { is_read(read_layer_table(text_of(bytes))); }
 
-void psd(ByteView bytes) { is_read(read_psd(bytes, small_pictures)); }
+void psd(ByteView bytes) { make_parts_of(read_psd(bytes, small_pictures)); }
 
 void glb(ByteView bytes) {
   GlbLimits limits;

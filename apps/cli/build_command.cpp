@@ -72,7 +72,7 @@ Status add_carve_map(Products& products, const BuildArguments& build) {
   if (build.carve_map.empty()) return Done{};
   const double base = build.relief.solid_options.thickness;
   return add(products, build.carve_map,
-             encode_carve_map(products.made->drawn.model, {build.px_per_mm, base}));
+             encode_carve_map(products.made->drawn.model, build.px_per_mm, base));
 }
 
 const Model* written_model(const Products& products) {

@@ -41,7 +41,7 @@ Result<Bytes> draw_overlay(const Scene& scene, const OverlayMarks& marks, const 
   if (drawing.pixels.empty()) return draw_overlay(scene, marks, white(scene));
   const double scale =
       std::max(1.0, std::round(overlay_side / std::max(drawing.width, drawing.height)));
-  const PaintableSvg lines{overlay_svg(scene, marks), scene.width, scene.height};
+  const understanding::PaintableSvg lines{overlay_svg(scene, marks), scene.width, scene.height};
   const auto overlay = render_svg(lines, static_cast<int>(drawing.width * scale),
                                   static_cast<int>(drawing.height * scale));
   if (!overlay) return overlay.error();

@@ -21,9 +21,11 @@
 #include "io/psd/write_psd.h"
 #include "io/scribbles/scribble_image.h"
 #include "io/scribbles/scribbles_json.h"
+#include "io/svg/read_svg.h"
 #include "kernel/base/stopwatch.h"
 #include "relievo/files.h"
 #include "understanding/labels/segment_drawing.h"
+#include "understanding/marks/make_parts.h"
 #include "understanding/scene/understand_drawing.h"
 
 namespace relievo::cli {
@@ -64,9 +66,10 @@ Result<SegmentInput> from_project(const InputFile& file) {
 /// The picture as which a vector drawing is segmented, a PNG file.
 Result<Bytes> picture_of(const Bytes& svg) {
   const std::string_view text{reinterpret_cast<const char*>(svg.data()), svg.size()};
-  const auto paintable = paintable_svg(text);
-  if (!paintable) return paintable.error();
-  const auto picture = rasterize(*paintable, vector_side);
+  auto drawing = read_svg(text);
+  if (!drawing) return drawing.error();
+  understanding::settle_layers(*drawing);
+  const auto picture = rasterize(drawing->paintable, vector_side);
   if (!picture) return picture.error();
   return encode_png(picture->rgba);
 }

@@ -19,34 +19,42 @@
 #include "io/scene/read_scene.h"
 #include "io/scene/write_scene.h"
 #include "io/svg/read_svg.h"
+#include "understanding/marks/make_parts.h"
 #include "understanding/scene/connect_scene.h"
 
 namespace relievo::wasm {
 namespace {
 
 using emscripten::val;
+using understanding::LayeredDrawing;
 
-/// {scene, proposed, lineArt, warnings, paintable} of a layered drawing: the text of a scene file
-/// (see read_svg and connect_scene) and the drawing as the page may paint it (see PaintableSvg).
+/// Returns the text of a scene file with the drawing's parts, connected.
+Result<std::string> connected(const LayeredDrawing& drawing) {
+  return write_scene(
+      understanding::connect_scene(drawing.scene, drawing.proposed, drawing.colors, drawing.anchors)
+          .scene);
+}
+
+/// Returns {scene, proposed, lineArt, warnings, paintable} of a vector drawing: the text of a scene
+/// file (see make_parts and connect_scene) and an SVG that the page may paint (see PaintableSvg).
 val import_svg(const val& array) {
   const Bytes bytes = to_bytes(array);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  const auto import = read_svg(text);
-  if (!import) return failure(import.error());
-  const auto scene = write_scene(
-      understanding::connect_scene(import->scene, import->proposed, import->colors, import->anchors)
-          .scene);
+  auto drawing = read_svg(text);
+  if (!drawing) return failure(drawing.error());
+  if (Status status = understanding::make_parts(*drawing); !status) return failure(status.error());
+  const auto scene = connected(*drawing);
   if (!scene) return failure(scene.error());
   val result = val::object();
   result.set("scene", *scene);
-  result.set("paintable", import->paintable.text);
-  result.set("proposed", import->proposed);
-  result.set("lineArt", import->line_art);
-  result.set("warnings", to_js(import->warnings));
+  result.set("paintable", drawing->paintable.text);
+  result.set("proposed", drawing->proposed);
+  result.set("lineArt", drawing->line_art);
+  result.set("warnings", to_js(drawing->warnings));
   return result;
 }
 
-/// More pixels are too much for the memory of a page.
+/// Limits that keep a page within its memory.
 const ImageLimits page_limits = {4096 * 4096, 32'767};
 const char* const table_name = "layers.tsv";
 
@@ -58,75 +66,62 @@ std::vector<ArchiveEntry> to_entries(const val& files) {
   return entries;
 }
 
-Result<std::vector<LayerRow>> rows_of(const std::vector<ArchiveEntry>& entries) {
+Result<std::vector<LayerFile>> layers_of(const std::vector<ArchiveEntry>& entries) {
   if (const ArchiveEntry* table = find_entry(entries, table_name)) {
-    auto rows =
+    auto layers =
         read_layer_table({reinterpret_cast<const char*>(table->bytes.data()), table->bytes.size()});
-    return rows ? rows : in_file(rows.error(), table_name);
+    return layers ? layers : in_file(layers.error(), table_name);
   }
   std::vector<std::string> names;
   for (const ArchiveEntry& entry : entries) names.push_back(entry.name);
-  return rows_of_names(std::move(names));
+  return layers_of_names(std::move(names));
 }
 
-Result<OraDrawing> read_pictures(const std::vector<ArchiveEntry>& entries) {
-  auto rows = rows_of(entries);
-  if (!rows) return rows.error();
-  std::vector<PackedLayer> layers;
-  for (LayerRow& row : *rows) {
-    const ArchiveEntry* picture = find_entry(entries, row.file);
+Result<LayeredDrawing> read_pictures(const std::vector<ArchiveEntry>& entries) {
+  auto layers = layers_of(entries);
+  if (!layers) return layers.error();
+  for (LayerFile& layer : *layers) {
+    const ArchiveEntry* picture = find_entry(entries, layer.file);
     if (picture == nullptr)
       return Error{ErrorCode::file, "is in the table of layers, but was not opened with it",
-                   row.file};
-    layers.push_back({std::move(row.layer), row.file, picture->bytes});
+                   layer.file};
+    layer.png = picture->bytes;
   }
-  auto content = unpack_layers(layers, {}, page_limits);
-  if (!content) return content.error();
-  return OraDrawing{std::move(*content), {}};
+  return unpack_layers(*layers, {}, page_limits);
 }
 
-/// {scene, proposed, warnings, drawing} of a painted drawing; without a scene the picture is flat.
-Result<val> layers_value(const LayeredDrawing& content, const std::vector<std::string>& warnings) {
-  const auto picture = encode_png(content.drawing.rgba);
-  if (!picture) return picture.error();
+Result<LayeredDrawing> read_layers(const std::vector<ArchiveEntry>& entries) {
+  if (entries.size() == 1 && is_psd(entries[0].bytes))
+    return read_psd(entries[0].bytes, page_limits);
+  return is_ora(entries) ? read_ora(entries, page_limits) : read_pictures(entries);
+}
+
+/// Returns {scene, proposed, warnings, drawing} of a painted drawing: the text of a scene file and
+/// the picture, a PNG file; no scene where all pixels are in one layer. `files` is an array of
+/// {name, bytes}: a Photoshop document, the entries of an OpenRaster archive, or transparent
+/// pictures, one a layer, as a layers.tsv among them says (see layer_table.h), else back to front
+/// in the natural order of their names.
+val import_layers(const val& files) {
+  auto drawing = read_layers(to_entries(files));
+  if (!drawing) return failure(drawing.error());
+  if (!drawing->flat)
+    if (Status status = understanding::make_parts(*drawing); !status)
+      return failure(status.error());
+  const auto picture = encode_png(drawing->picture.rgba);
+  if (!picture) return failure(picture.error());
   val result = val::object();
-  result.set("proposed", content.proposed);
-  result.set("warnings", to_js(warnings));
+  result.set("proposed", drawing->proposed);
+  result.set("warnings", to_js(drawing->warnings));
   result.set("drawing", to_js(*picture));
-  if (content.scene.parts.empty()) return result;
-  const auto scene = write_scene(
-      understanding::connect_scene(content.scene, content.proposed, content.colors).scene);
-  if (!scene) return scene.error();
+  if (drawing->flat) return result;
+  const auto scene = connected(*drawing);
+  if (!scene) return failure(scene.error());
   result.set("scene", *scene);
   return result;
 }
 
-Result<val> read_photoshop(const Bytes& bytes) {
-  auto psd = read_psd(bytes, page_limits);
-  if (!psd) return psd.error();
-  LayeredDrawing content = std::move(psd->content);
-  if (psd->flat) content.drawing = std::move(*psd->flat);
-  return layers_value(content, psd->warnings);
-}
-
-Result<val> read_layers(const std::vector<ArchiveEntry>& entries) {
-  if (entries.size() == 1 && is_psd(entries[0].bytes)) return read_photoshop(entries[0].bytes);
-  const auto read = is_ora(entries) ? read_ora(entries, page_limits) : read_pictures(entries);
-  if (!read) return read.error();
-  return layers_value(read->content, read->warnings);
-}
-
-/// {scene, proposed, warnings, drawing}: the text of a scene file and the picture, a PNG file, of a
-/// painted drawing; no scene where all of it is in one layer. `files` is an array of {name, bytes}:
-/// a Photoshop document, the entries of an OpenRaster archive, or transparent pictures, one a
-/// layer, as a layers.tsv among them says (see layer_table.h), else back to front in the natural
-/// order of their names.
-val import_layers(const val& files) {
-  const auto read = read_layers(to_entries(files));
-  return read ? *read : failure(read.error());
-}
-
-/// {bytes}: the parts of a scene, the text of a scene file, as layers of a Photoshop document.
+/// Returns {bytes}: the parts of a scene, the text of a scene file, as layers of a Photoshop
+/// document.
 val encode_layers(const std::string& text, const val& rgba, int width, int height) {
   const auto scene = read_scene(text);
   if (!scene) return failure(scene.error());

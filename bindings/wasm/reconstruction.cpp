@@ -191,10 +191,11 @@ class Files {
   std::optional<Error> error_;
 };
 
-val encode_obj_files(const Model& model, const Drawing* texture, const ObjOptions& options) {
-  const auto encoded = encode_obj(model, texture, options);
+val encode_obj_files(const Model& model, const Drawing* texture, double size_mm,
+                     const std::string& name) {
+  const auto encoded = encode_obj(model, texture, size_mm, name);
   if (!encoded) return failure(encoded.error());
-  const std::string stem = obj_file_name(options.name);
+  const std::string stem = obj_file_name(name);
   Files files;
   files.add(stem + ".obj", encoded->obj);
   files.add(stem + ".mtl", encoded->mtl);
@@ -210,18 +211,18 @@ val threemf_files(const Model& model, const Drawing* texture, const ExportOption
   return files.finish();
 }
 
-val encode_as(const std::string& format, const Model& model, const Drawing& drawing,
-              const ObjOptions& options, bool standing = false) {
+val encode_as(const std::string& format, const Model& model, const Drawing& drawing, double size_mm,
+              const std::string& name, bool standing = false) {
   const Drawing* texture = drawing.rgba.empty() ? nullptr : &drawing;
-  if (format == "obj") return encode_obj_files(model, texture, options);
-  if (format == "3mf") return threemf_files(model, texture, {options.size_mm, standing});
+  if (format == "obj") return encode_obj_files(model, texture, size_mm, name);
+  if (format == "3mf") return threemf_files(model, texture, {size_mm, standing});
   Files files;
-  const std::string file = options.name + "." + format;
-  if (format == "ply") files.add(file, encode_ply(model, texture, {options.size_mm, ""}));
-  if (format == "stl") files.add(file, encode_stl(model, options.size_mm, standing));
-  if (format == "glb") files.add(file, encode_glb(model, texture, options.size_mm));
-  if (format == "usdz") files.add(file, encode_usdz(model, texture, options.size_mm));
-  if (format == "html") files.add(file, encode_html(model, texture, options.name));
+  const std::string file = name + "." + format;
+  if (format == "ply") files.add(file, encode_ply(model, texture, size_mm));
+  if (format == "stl") files.add(file, encode_stl(model, size_mm, standing));
+  if (format == "glb") files.add(file, encode_glb(model, texture, size_mm));
+  if (format == "usdz") files.add(file, encode_usdz(model, texture, size_mm));
+  if (format == "html") files.add(file, encode_html(model, texture, name));
   return files.finish();
 }
 
@@ -312,7 +313,7 @@ val Reconstruction::encode_solid(const std::string& format, const std::string& n
   if (!solid) return failure(solid.error());
   const auto made = session_.solid(*solid, texture_);
   if (!made) return failure(made.error());
-  return encode_as(format, made->model, made->drawing, {longest_side(made->model), name},
+  return encode_as(format, made->model, made->drawing, longest_side(made->model), name,
                    stands(*solid));
 }
 
@@ -325,7 +326,7 @@ val Reconstruction::encode(const std::string& format, const std::string& name, d
   if (!assembled) return failure(assembled.error());
   if (options.visibility == Visibility::orbit) relief::narrow_inked_rims(*assembled, texture_);
   const auto [model, drawing] = relief::dress_hidden(std::move(*assembled), texture_);
-  return encode_as(format, model, drawing, {size_mm, name});
+  return encode_as(format, model, drawing, size_mm, name);
 }
 
 val Reconstruction::map(const std::string& kind, int side, bool green_down) {

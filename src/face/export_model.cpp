@@ -28,7 +28,7 @@ Result<Files> single(const fs::path& path, Result<Bytes> bytes) {
 Result<Files> obj_files(const Model& model, const Drawing* drawing, const fs::path& path,
                         double size_mm) {
   const std::string stem = path.stem().string();
-  auto encoded = encode_obj(model, drawing, {size_mm, stem});
+  auto encoded = encode_obj(model, drawing, size_mm, stem);
   if (!encoded) return encoded.error();
   const fs::path beside = path.parent_path() / obj_file_name(stem);
   Files files = {{path, std::move(encoded->obj)},
@@ -43,7 +43,7 @@ Result<Files> encode_as(const fs::path& path, const Model& model, const Drawing&
   const double size = options.size_mm;
   const fs::path ending = path.extension();
   if (ending == ".obj") return obj_files(model, texture, path, size);
-  if (ending == ".ply") return single(path, encode_ply(model, texture, {size, ""}));
+  if (ending == ".ply") return single(path, encode_ply(model, texture, size));
   if (ending == ".stl") return single(path, encode_stl(model, size, options.standing));
   if (ending == ".glb") return single(path, encode_glb(model, texture, size));
   if (ending == ".3mf") return single(path, encode_3mf(model, texture, options));

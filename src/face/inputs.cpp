@@ -19,6 +19,7 @@
 #include "kernel/base/workers.h"
 #include "kernel/image/image_size.h"
 #include "relievo/files.h"
+#include "understanding/marks/make_parts.h"
 #include "understanding/scene/connect_scene.h"
 
 namespace relievo {
@@ -42,7 +43,8 @@ bool begins_with(std::string_view text, std::string_view start) {
 
 /// The parts that the lines of a drawing without fills enclose, as `segment` finds them; nothing
 /// where there are none.
-std::optional<SceneInput> load_line_art(const InputFile& input, const PaintableSvg& svg,
+std::optional<SceneInput> load_line_art(const InputFile& input,
+                                        const understanding::PaintableSvg& svg,
                                         const RunContext& context) {
   auto drawing = rasterize(svg, line_art_side);
   if (!drawing) return std::nullopt;
@@ -53,51 +55,51 @@ std::optional<SceneInput> load_line_art(const InputFile& input, const PaintableS
   return std::move(*loaded);
 }
 
-Result<SceneInput> load_svg(const InputFile& input, const RunContext& context) {
-  auto import = read_svg(text_of(input.bytes));
-  if (!import) return import.error();
-  if (import->line_art)
-    if (auto lines = load_line_art(input, import->paintable, context)) return std::move(*lines);
+SceneInput with_layers(understanding::LayeredDrawing&& drawing) {
   SceneInput loaded;
-  loaded.drawing_file = input.name;
-  loaded.rendering = std::async(
-      worker_count() > 1 ? std::launch::async : std::launch::deferred,
-      [svg = std::move(import->paintable)] { return rasterize(svg, vector_texture_side); });
-  loaded.scene = std::move(import->scene);
-  loaded.colors = std::move(import->colors);
-  loaded.anchors = std::move(import->anchors);
-  loaded.warnings = std::move(import->warnings);
-  loaded.proposed = import->proposed;
+  loaded.scene = std::move(drawing.scene);
+  loaded.drawing = std::move(drawing.picture);
+  loaded.colors = std::move(drawing.colors);
+  loaded.anchors = std::move(drawing.anchors);
+  loaded.proposed = drawing.proposed;
   loaded.layered = true;
+  loaded.warnings = std::move(drawing.warnings);
   return loaded;
 }
 
-SceneInput with_layers(LayeredDrawing&& content) {
-  SceneInput loaded;
-  loaded.scene = std::move(content.scene);
-  loaded.drawing = std::move(content.drawing);
-  loaded.colors = std::move(content.colors);
-  loaded.proposed = content.proposed;
-  loaded.layered = true;
-  loaded.warnings = std::move(content.warnings);
+Result<SceneInput> load_svg(const InputFile& input, const RunContext& context) {
+  auto read = read_svg(text_of(input.bytes));
+  if (!read) return read.error();
+  if (Status status = understanding::make_parts(*read); !status) return status.error();
+  if (read->line_art)
+    if (auto lines = load_line_art(input, read->paintable, context)) return std::move(*lines);
+  auto rendering = std::async(
+      worker_count() > 1 ? std::launch::async : std::launch::deferred,
+      [svg = std::move(read->paintable)] { return rasterize(svg, vector_texture_side); });
+  SceneInput loaded = with_layers(std::move(*read));
+  loaded.drawing_file = input.name;
+  loaded.rendering = std::move(rendering);
   return loaded;
 }
 
 Result<SceneInput> load_folder(const InputFile& input) {
-  auto folder = read_layer_folder(input.name);
+  std::vector<fs::path> files;
+  auto folder = read_layer_folder(input.name, files);
   if (!folder) return folder.error();
-  SceneInput loaded = with_layers(std::move(folder->content));
-  loaded.files = std::move(folder->files);
+  if (Status status = understanding::make_parts(*folder); !status) return status.error();
+  SceneInput loaded = with_layers(std::move(*folder));
+  loaded.files = std::move(files);
   return loaded;
 }
 
 /// The pixels of a picture, or of a vector drawing that covers the scene's canvas.
 Result<Drawing> drawing_from(const Bytes& bytes, const Scene& scene) {
   if (sniff(bytes) == InputKind::svg) {
-    const auto svg = paintable_svg(text_of(bytes));
+    auto svg = read_svg(text_of(bytes));
     if (!svg) return svg.error();
+    understanding::settle_layers(*svg);
     const ImageSize size = fitted_size(scene.width, scene.height, vector_texture_side);
-    return render_svg(*svg, size.width, size.height);
+    return render_svg(svg->paintable, size.width, size.height);
   }
   auto pixels = decode_image(bytes);
   if (!pixels) return pixels.error();
@@ -152,16 +154,18 @@ Result<SceneInput> load_archive(const InputFile& input) {
                  "is an archive, but neither a project nor an OpenRaster drawing", ""};
   auto ora = read_ora(*entries);
   if (!ora) return ora.error();
-  SceneInput loaded = with_layers(std::move(ora->content));
-  loaded.warnings.insert(loaded.warnings.end(), ora->warnings.begin(), ora->warnings.end());
-  return loaded;
+  if (Status status = understanding::make_parts(*ora); !status) return status.error();
+  return with_layers(std::move(*ora));
 }
 
 Result<SceneInput> load_psd(const InputFile& input, const RunContext& context) {
   auto psd = read_psd(input.bytes);
   if (!psd) return psd.error();
-  auto loaded = psd->flat ? understand_flat(std::move(*psd->flat), input.name, context)
-                          : Result<SceneInput>(with_layers(std::move(psd->content)));
+  if (!psd->flat) {
+    if (Status status = understanding::make_parts(*psd); !status) return status.error();
+    return with_layers(std::move(*psd));
+  }
+  auto loaded = understand_flat(std::move(psd->picture), input.name, context);
   if (!loaded) return loaded.error();
   loaded->warnings.insert(loaded->warnings.end(), psd->warnings.begin(), psd->warnings.end());
   return loaded;
@@ -251,7 +255,7 @@ void stack_layers(SceneInput& input) {
 
 }  // namespace
 
-Result<Drawing> rasterize(const PaintableSvg& svg, double longest) {
+Result<Drawing> rasterize(const understanding::PaintableSvg& svg, double longest) {
   const ImageSize size = fitted_size(svg.width, svg.height, longest);
   return render_svg(svg, size.width, size.height);
 }

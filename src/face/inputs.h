@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "io/svg/read_svg.h"
 #include "relievo/bytes.h"
 #include "relievo/image.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
 #include "relievo/scene.h"
 #include "understanding/joins/join_proposals.h"
+#include "understanding/marks/layered_drawing.h"
 
 namespace relievo {
 
@@ -39,13 +39,13 @@ struct SceneInput {
   bool connected = false;               ///< how they connect was guessed with them
   bool layered = false;                 ///< they are whole, and how they connect may be open
   understanding::PartColors colors;     ///< of the parts of layered drawings; may be empty
-  std::vector<Point2> anchors;          ///< see SvgImport; may be empty
+  std::vector<Point2> anchors;          ///< see LayeredDrawing; may be empty
   understanding::JoinProposals
       guesses;  ///< how they connect, where that was guessed; as in the scene
 };
 
 /// The picture of an SVG, its longest side `longest` px.
-Result<Drawing> rasterize(const PaintableSvg& svg, double longest);
+Result<Drawing> rasterize(const understanding::PaintableSvg& svg, double longest);
 
 /// Reads the whole of a file, or of standard input where the name is "-". A folder is only named.
 Result<InputFile> read_input(const std::string& name);

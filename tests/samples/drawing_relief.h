@@ -11,6 +11,7 @@
 #include "io/svg/read_svg.h"
 #include "io/svg/render_svg.h"
 #include "support/probe.h"
+#include "understanding/marks/make_parts.h"
 #include "understanding/scene/connect_scene.h"
 
 namespace relievo::testing {
@@ -30,14 +31,15 @@ inline std::string read_text(const std::string& path) {
 inline DrawnRelief drawn_svg(const std::string& path) {
   DrawnRelief drawn;
   const std::string bytes = read_text(path);
-  const auto import = read_svg(bytes);
+  auto import = read_svg(bytes);
   EXPECT_TRUE(import.ok()) << path << ": " << (import.ok() ? "" : to_string(import.error()));
   if (!import.ok()) return drawn;
+  EXPECT_TRUE(understanding::make_parts(*import).ok()) << path;
   drawn.scene =
       understanding::connect_scene(import->scene, import->proposed, import->colors, import->anchors)
           .scene;
-  const auto drawing =
-      render_svg(bytes, static_cast<int>(drawn.scene.width), static_cast<int>(drawn.scene.height));
+  const auto drawing = render_svg(import->paintable, static_cast<int>(drawn.scene.width),
+                                  static_cast<int>(drawn.scene.height));
   EXPECT_TRUE(drawing.ok()) << path;
   if (drawing.ok()) drawn.drawing = *drawing;
   return drawn;
@@ -45,13 +47,13 @@ inline DrawnRelief drawn_svg(const std::string& path) {
 
 inline DrawnRelief drawn_folder(const std::string& path) {
   DrawnRelief drawn;
-  const auto import = read_layer_folder(path);
+  std::vector<std::filesystem::path> files;
+  auto import = read_layer_folder(path, files);
   EXPECT_TRUE(import.ok()) << path << ": " << (import.ok() ? "" : to_string(import.error()));
   if (!import.ok()) return drawn;
-  drawn.scene = understanding::connect_scene(import->content.scene, import->content.proposed,
-                                             import->content.colors)
-                    .scene;
-  drawn.drawing = import->content.drawing;
+  EXPECT_TRUE(understanding::make_parts(*import).ok()) << path;
+  drawn.scene = understanding::connect_scene(import->scene, import->proposed, import->colors).scene;
+  drawn.drawing = import->picture;
   return drawn;
 }
 

@@ -8,6 +8,7 @@
 
 #include "io/image/decode_image.h"
 #include "io/scribbles/scribbles_json.h"
+#include "io/svg/read_svg.h"
 #include "io/svg/render_svg.h"
 #include "kernel/image/outlines.h"
 #include "relievo/files.h"
@@ -30,7 +31,8 @@ class FlatDrawings : public testing::Test {
     EXPECT_TRUE(bytes.ok()) << name;
     if (fs::path(name).extension() == ".svg")
       return *render_svg(
-          std::string_view{reinterpret_cast<const char*>(bytes->data()), bytes->size()}, 792, 612);
+          read_svg({reinterpret_cast<const char*>(bytes->data()), bytes->size()})->paintable, 792,
+          612);
     return {*decode_image(*bytes)};
   }
 

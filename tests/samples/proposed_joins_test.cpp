@@ -13,7 +13,7 @@
 namespace relievo {
 namespace {
 
-SvgImport sample(const std::string& name) {
+understanding::LayeredDrawing sample(const std::string& name) {
   const auto bytes = read_file(std::string(RELIEVO_EXAMPLES) + "/" + name + ".svg");
   EXPECT_TRUE(bytes.ok());
   auto import = read_svg({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
@@ -33,7 +33,7 @@ TEST(ProposedJoins, AreMostlyThoseThatTheSamplesAuthorsDrew) {
   size_t proposed = 0;
   std::vector<double> off;
   for (const char* name : {"bunny", "elephant", "farmer", "lamb", "unicorn", "wolf"}) {
-    const SvgImport import = sample(name);
+    const understanding::LayeredDrawing import = sample(name);
     const Scene& scene = import.scene;
     const understanding::JoinProposals joining =
         understanding::propose_layer_joins(scene, import.colors, import.anchors);

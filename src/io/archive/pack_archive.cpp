@@ -1,25 +1,15 @@
 #include "io/archive/pack_archive.h"
 
-#include <zip.h>
-
 #include <ctime>
-#include <memory>
 #include <string>
 
 #include "io/archive/archive.h"
+#include "io/archive/zip_handles.h"
 #include "io/image/jpeg_decode.h"
 #include "io/image/png_decode.h"
 
 namespace relievo {
 namespace {
-
-struct Discard {
-  void operator()(zip_t* archive) const { zip_discard(archive); }
-};
-struct FreeSource {
-  void operator()(zip_source_t* source) const { zip_source_free(source); }
-};
-using Source = std::unique_ptr<zip_source_t, FreeSource>;
 
 /// Half the time of the usual 6, and files a twentieth larger.
 constexpr zip_uint32_t level = 4;
@@ -74,11 +64,11 @@ Result<Bytes> content(zip_source_t* source) {
 Result<Bytes> pack_archive(const std::vector<ArchiveEntry>& entries) {
   zip_error_t error;
   zip_error_init(&error);
-  const Source buffer(zip_source_buffer_create(nullptr, 0, 0, &error));
+  const OwnedZip<zip_source_t> buffer(zip_source_buffer_create(nullptr, 0, 0, &error));
   if (!buffer) return failed(zip_error_strerror(&error));
   // Closing the archive gives up its own hold on the source only.
   zip_source_keep(buffer.get());
-  std::unique_ptr<zip_t, Discard> archive(zip_open_from_source(buffer.get(), ZIP_TRUNCATE, &error));
+  OwnedZip<zip_t> archive(zip_open_from_source(buffer.get(), ZIP_TRUNCATE, &error));
   if (!archive) {
     zip_source_free(buffer.get());
     return failed(zip_error_strerror(&error));

@@ -1,32 +1,21 @@
 #include "io/archive/zip_archive.h"
 
-#include <zip.h>
-
 #include <algorithm>
-#include <memory>
 #include <set>
 #include <utility>
 
 #include "io/archive/archive.h"
+#include "io/archive/zip_handles.h"
 #include "kernel/base/text_rules.h"
 
 namespace relievo {
 namespace {
 
-struct CloseArchive {
-  void operator()(zip_t* archive) const { zip_discard(archive); }
-};
-using Archive = std::unique_ptr<zip_t, CloseArchive>;
-
-struct CloseEntry {
-  void operator()(zip_file_t* file) const { zip_fclose(file); }
-};
-
 Error damaged(const std::string& reason, const std::string& entry = "") {
   return {ErrorCode::bad_input, "the archive is damaged: " + reason, entry};
 }
 
-Result<Archive> open_archive(ByteView bytes) {
+Result<OwnedZip<zip_t>> open_archive(ByteView bytes) {
   zip_error_t error;
   zip_error_init(&error);
   const auto fail = [&error] {
@@ -36,7 +25,7 @@ Result<Archive> open_archive(ByteView bytes) {
   };
   zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
   if (source == nullptr) return fail();
-  Archive archive(zip_open_from_source(source, ZIP_RDONLY | ZIP_CHECKCONS, &error));
+  OwnedZip<zip_t> archive(zip_open_from_source(source, ZIP_RDONLY | ZIP_CHECKCONS, &error));
   if (archive) return archive;
   zip_source_free(source);
   return fail();
@@ -56,7 +45,7 @@ Status check_entry(const zip_stat_t& stat, const ArchiveLimits& limits, uint64_t
 }
 
 Result<Bytes> unpack(zip_t* archive, const zip_stat_t& stat) {
-  const std::unique_ptr<zip_file_t, CloseEntry> file(zip_fopen_index(archive, stat.index, 0));
+  const OwnedZip<zip_file_t> file(zip_fopen_index(archive, stat.index, 0));
   if (!file) return damaged(zip_strerror(archive), stat.name);
   Bytes bytes(stat.size);
   const zip_int64_t count = zip_fread(file.get(), bytes.data(), bytes.size());

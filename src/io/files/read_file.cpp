@@ -14,9 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
+using OwnedFile = std::unique_ptr<std::FILE, decltype([](std::FILE* file) { std::fclose(file); })>;
 
 Error read_error(const fs::path& path, int code) {
   return {ErrorCode::file, "cannot be read: " + std::generic_category().message(code),
@@ -33,7 +31,7 @@ Error too_large(const fs::path& path, uint64_t max_bytes) {
 Result<Bytes> read_file(const fs::path& path, uint64_t max_bytes) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return read_error(path, EISDIR);
-  const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
+  const OwnedFile file(std::fopen(path.c_str(), "rb"));
   if (!file) return read_error(path, errno);
 
   std::error_code unsized;

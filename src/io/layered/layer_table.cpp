@@ -16,7 +16,7 @@ namespace {
 
 using Fields = std::vector<std::string_view>;
 
-/// Layers farther off the canvas than this are taken for mistakes, px.
+/// Largest distance of a layer from the canvas, px.
 constexpr double farthest = 1e5;
 
 Error line_error(size_t line, const std::string& message) {
@@ -33,7 +33,7 @@ Fields split(std::string_view text, char separator) {
   }
 }
 
-/// A decimal number and nothing else. The browser's library has no std::from_chars for it.
+/// Reads a decimal number and nothing else. The browser's library has no std::from_chars for it.
 std::optional<double> parse_number(std::string_view text) {
   if (text.find_first_not_of("0123456789+-.eE") != std::string_view::npos) return std::nullopt;
   const std::string digits(text);
@@ -43,7 +43,7 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
-/// Fields of one line by the names of their columns.
+/// The fields of one line, by the names of their columns.
 class Row {
  public:
   Row(const std::map<std::string, size_t>& columns, Fields fields, size_t line)
@@ -55,18 +55,20 @@ class Row {
     return fields_[found->second];
   }
 
-  /// The number in a column; nothing where it is empty.
+  /// Reads the number in a column; nothing where it is empty.
   Result<std::optional<double>> number(const char* column, double low, double high) const {
     const std::string_view field = text(column);
     if (field.empty()) return std::optional<double>();
     const auto value = parse_number(field);
     if (!value || *value < low || *value > high)
-      return line_error(line_, std::string(column) + " is not a number that can be used here: " +
+      return line_error(line_, std::string(column) + " must be a number from " +
+                                   std::to_string(std::lround(low)) + " to " +
+                                   std::to_string(std::lround(high)) + ", not " +
                                    std::string(field.substr(0, 40)));
     return value;
   }
 
-  /// Two numbers with a space between them.
+  /// Reads two numbers with a space between them.
   Result<std::optional<Point2>> pair(const char* column, double low, double high) const {
     const std::string_view field = text(column);
     if (field.empty()) return std::optional<Point2>();
@@ -76,8 +78,10 @@ class Row {
       if (const auto value = parse_number(word); value && *value >= low && *value <= high)
         numbers.push_back(*value);
     if (words.size() != 2 || numbers.size() != 2)
-      return line_error(line_, std::string(column) + " is not two numbers that can be used here: " +
-                                   std::string(field.substr(0, 40)));
+      return line_error(
+          line_, std::string(column) + " must be two numbers from " +
+                     std::to_string(std::lround(low)) + " to " + std::to_string(std::lround(high)) +
+                     ", with a space between them, not " + std::string(field.substr(0, 40)));
     return std::optional(Point2{numbers[0], numbers[1]});
   }
 
@@ -94,10 +98,10 @@ Result<LayerRole> role_of(const Row& row) {
   if (role.empty()) return LayerRole::proposed;
   if (role == "part") return LayerRole::part;
   if (role == "texture") return LayerRole::texture;
-  return line_error(row.line(), "role is neither part nor texture");
+  return line_error(row.line(), "role must be part, texture or empty");
 }
 
-Status read_numbers(const Row& row, LayerRow& result) {
+Status read_numbers(const Row& row, LayerFile& result) {
   const auto order = row.number("order_back_to_front", -1e9, 1e9);
   if (!order) return order.error();
   const auto x = row.number("x", -farthest, farthest);
@@ -126,11 +130,11 @@ Status read_numbers(const Row& row, LayerRow& result) {
   return Done{};
 }
 
-Result<LayerRow> read_row(const Row& row) {
-  LayerRow result;
+Result<LayerFile> read_row(const Row& row) {
+  LayerFile result;
   result.file = row.text("file");
   if (!is_path_inside(result.file))
-    return line_error(row.line(), "file is not a path inside the folder");
+    return line_error(row.line(), "file must be a path inside the folder");
   result.layer.name = row.text("name");
   if (!result.layer.name.empty() && !is_sound_id(result.layer.name))
     return line_error(row.line(), "name is too long or not plain UTF-8");
@@ -152,7 +156,7 @@ Result<std::map<std::string, size_t>> read_columns(std::string_view line) {
   return columns;
 }
 
-/// Compares names so that numbers in them count as numbers: leg2 before leg10.
+/// Compares names with the numbers in them by value: leg2 before leg10.
 bool natural_less(const std::string& p, const std::string& q) {
   const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
   size_t i = 0;
@@ -184,7 +188,7 @@ std::string stem(const std::string& name) {
 
 }  // namespace
 
-Result<std::vector<LayerRow>> read_layer_table(std::string_view text) {
+Result<std::vector<LayerFile>> read_layer_table(std::string_view text) {
   if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
   const Fields lines = split(text, '\n');
   const auto without_return = [](std::string_view line) {
@@ -192,7 +196,7 @@ Result<std::vector<LayerRow>> read_layer_table(std::string_view text) {
   };
   const auto columns = read_columns(without_return(lines[0]));
   if (!columns) return columns.error();
-  std::vector<LayerRow> rows;
+  std::vector<LayerFile> rows;
   for (size_t i = 1; i < lines.size(); ++i) {
     const std::string_view line = without_return(lines[i]);
     if (line.empty()) continue;
@@ -202,20 +206,20 @@ Result<std::vector<LayerRow>> read_layer_table(std::string_view text) {
     if (rows.size() > max_layers)
       return Error{ErrorCode::limit, "has more than " + std::to_string(max_layers) + " layers", ""};
   }
-  if (rows.empty()) return Error{ErrorCode::bad_input, "names no layer", ""};
+  if (rows.empty()) return Error{ErrorCode::bad_input, "lists no layer", ""};
   std::stable_sort(rows.begin(), rows.end(),
-                   [](const LayerRow& p, const LayerRow& q) { return p.order < q.order; });
+                   [](const LayerFile& p, const LayerFile& q) { return p.order < q.order; });
   settle_roles(rows);
   return rows;
 }
 
-Result<std::vector<LayerRow>> rows_of_names(std::vector<std::string> names) {
+Result<std::vector<LayerFile>> layers_of_names(std::vector<std::string> names) {
   if (names.size() > max_layers)
     return Error{ErrorCode::limit, "has more than " + std::to_string(max_layers) + " layers", ""};
   std::sort(names.begin(), names.end(), natural_less);
-  std::vector<LayerRow> rows;
+  std::vector<LayerFile> rows;
   for (std::string& name : names) {
-    LayerRow row;
+    LayerFile row;
     row.layer.name = stem(name);
     row.file = std::move(name);
     rows.push_back(std::move(row));

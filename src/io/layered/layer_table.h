@@ -4,29 +4,32 @@
 #include <string_view>
 #include <vector>
 
-#include "io/layered/layer_pile.h"
+#include "io/layered/raster_layer.h"
+#include "relievo/bytes.h"
 #include "relievo/result.h"
 
 namespace relievo {
 
-/// One row of a table of layers.
-struct LayerRow {
-  std::string file;   ///< relative path inside the folder
+/// A layer that is a file of its own, and not decoded yet.
+struct LayerFile {
   RasterLayer layer;  ///< without its pixels
+  std::string file;   ///< its path in the folder or archive, which messages name
   double order = 0;   ///< the lowest lies at the back
+  Bytes png;          ///< may not be read yet
 };
 
 constexpr size_t max_layers = 1000;
 
-/// Reads a table of layers: lines of fields between tabs, the first with the names of the
-/// columns. `file` is needed; `order_back_to_front` (else the rows are in order), `name`, `x`,
-/// `y`, `opacity`, `role` (part, texture or empty), `c` and `d` are optional, other columns are
-/// passed over. Rows come back sorted from back to front. Where some row is a part, the others
-/// are texture. Errors name the line: bad_input, limit (more than `max_layers` rows).
-Result<std::vector<LayerRow>> read_layer_table(std::string_view text);
+/// Reads a table of layers: lines of fields between tabs, the first with the names of the columns.
+/// `file` is required; `order_back_to_front` (else the rows are in order), `name`, `x`, `y`,
+/// `opacity`, `role` (part, texture or empty), `c`, `d`, `flat` and `lean` (two numbers) are
+/// optional; other columns are ignored. Returns the layers from back to front. Where some layer is
+/// a part, the others are texture. Errors name the line: `bad_input`, `limit` (more than
+/// `max_layers` rows).
+Result<std::vector<LayerFile>> read_layer_table(std::string_view text);
 
-/// The layers that pictures with these file names are, each named as its file without extension, in
-/// the natural order of the names (leg2 before leg10), back to front. Error: limit.
-Result<std::vector<LayerRow>> rows_of_names(std::vector<std::string> names);
+/// Returns a layer for each picture, named as its file without extension, back to front in the
+/// natural order of the names (leg2 before leg10). Error: `limit`.
+Result<std::vector<LayerFile>> layers_of_names(std::vector<std::string> names);
 
 }  // namespace relievo

@@ -9,16 +9,16 @@
 namespace relievo {
 namespace {
 
-Error in_layer(Error error, const PackedLayer& packed) {
+Error in_layer(Error error, const LayerFile& packed) {
   error.where = packed.file;
   return error;
 }
 
-/// A canvas on which every layer lies, as far as it is right of and below the origin.
-Result<ImageSize> least_canvas(const std::vector<PackedLayer>& layers, const ImageLimits& limits) {
+/// Returns the smallest canvas, from the origin, that holds every layer to the right and below.
+Result<ImageSize> least_canvas(const std::vector<LayerFile>& layers, const ImageLimits& limits) {
   int64_t width = 1;
   int64_t height = 1;
-  for (const PackedLayer& packed : layers) {
+  for (const LayerFile& packed : layers) {
     const auto size = png_size(packed.png, limits);
     if (!size) return in_layer(size.error(), packed);
     width = std::max(width, int64_t{packed.layer.x} + size->width);
@@ -28,10 +28,10 @@ Result<ImageSize> least_canvas(const std::vector<PackedLayer>& layers, const Ima
   return ImageSize{static_cast<int>(width), static_cast<int>(height)};
 }
 
-/// Reading takes time in proportion to them.
-Status check_total(const std::vector<PackedLayer>& layers, const ImageLimits& limits) {
+/// Checks the pixels of all layers together, which the time of reading is proportional to.
+Status check_total(const std::vector<LayerFile>& layers, const ImageLimits& limits) {
   int64_t total = 0;
-  for (const PackedLayer& packed : layers) {
+  for (const LayerFile& packed : layers) {
     const auto size = png_size(packed.png, limits);
     if (!size) return in_layer(size.error(), packed);
     total += int64_t{size->width} * size->height;
@@ -46,21 +46,21 @@ Status check_total(const std::vector<PackedLayer>& layers, const ImageLimits& li
 
 }  // namespace
 
-Result<LayeredDrawing> unpack_layers(const std::vector<PackedLayer>& layers, ImageSize canvas,
-                                     const ImageLimits& limits) {
+Result<understanding::LayeredDrawing> unpack_layers(const std::vector<LayerFile>& layers,
+                                                    ImageSize canvas, const ImageLimits& limits) {
   if (Status status = check_total(layers, limits); !status) return status.error();
   const bool open = canvas.width == 0 || canvas.height == 0;
   const auto size = open ? least_canvas(layers, limits) : Result<ImageSize>(canvas);
   if (!size) return size.error();
-  LayerPile pile = empty_pile(size->width, size->height);
-  for (const PackedLayer& packed : layers) {
+  understanding::LayeredDrawing drawing = empty_drawing(size->width, size->height);
+  for (const LayerFile& packed : layers) {
     auto pixels = decode_png(packed.png, limits);
     if (!pixels) return in_layer(pixels.error(), packed);
     RasterLayer layer = packed.layer;
     layer.rgba = std::move(*pixels);
-    put_layer(pile, layer);
+    put_layer(drawing, layer);
   }
-  return scene_of_pile(std::move(pile));
+  return drawing;
 }
 
 }  // namespace relievo

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 bool is_png_name(const fs::path& path) { return lower_case(path.extension().string()) == ".png"; }
 
-Result<std::vector<LayerRow>> rows_by_name(const fs::path& folder) {
+Result<std::vector<LayerFile>> layers_by_name(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code code;
   for (const auto& entry : fs::directory_iterator(folder, code))
@@ -24,46 +24,46 @@ Result<std::vector<LayerRow>> rows_by_name(const fs::path& folder) {
   if (code) return Error{ErrorCode::file, "cannot be read: " + code.message(), folder.string()};
   if (names.empty())
     return Error{ErrorCode::bad_input,
-                 "holds no layers: neither a layers.tsv that lists them nor PNG files",
+                 "holds no layers: it needs PNG files, and may list them in layers.tsv",
                  folder.string()};
-  auto rows = rows_of_names(std::move(names));
-  return rows ? rows : in_file(rows.error(), folder.string());
+  auto layers = layers_of_names(std::move(names));
+  return layers ? layers : in_file(layers.error(), folder.string());
 }
 
-Result<std::vector<LayerRow>> rows_of(const fs::path& folder, std::vector<fs::path>& files) {
+Result<std::vector<LayerFile>> layers_in(const fs::path& folder, std::vector<fs::path>& files) {
   const fs::path table = folder / "layers.tsv";
   std::error_code code;
-  if (!fs::exists(table, code)) return rows_by_name(folder);
+  if (!fs::exists(table, code)) return layers_by_name(folder);
   const auto bytes = read_file(table);
   if (!bytes) return bytes.error();
-  auto rows = read_layer_table({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-  if (!rows) return in_file(rows.error(), table.string());
+  auto layers = read_layer_table({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+  if (!layers) return in_file(layers.error(), table.string());
   files.push_back(table);
-  return rows;
+  return layers;
 }
 
 }  // namespace
 
-Result<FolderDrawing> read_layer_folder(const fs::path& folder, const ImageLimits& limits) {
-  FolderDrawing result;
-  auto rows = rows_of(folder, result.files);
-  if (!rows) return rows.error();
-  std::vector<PackedLayer> layers;
+Result<understanding::LayeredDrawing> read_layer_folder(const fs::path& folder,
+                                                        std::vector<fs::path>& files,
+                                                        const ImageLimits& limits) {
+  auto layers = layers_in(folder, files);
+  if (!layers) return layers.error();
   uint64_t room = max_packed_bytes;
-  for (LayerRow& row : *rows) {
-    const fs::path path = folder / row.file;
+  for (LayerFile& layer : *layers) {
+    const fs::path path = folder / layer.file;
     if (!path_below(path, folder))
       return Error{ErrorCode::bad_input, "leads out of the folder", path.string()};
     auto bytes = read_file(path, room);
     if (!bytes) return bytes.error();
     room -= bytes->size();
-    layers.push_back({std::move(row.layer), path.string(), std::move(*bytes)});
-    result.files.push_back(path);
+    layer.file = path.string();
+    layer.png = std::move(*bytes);
+    files.push_back(path);
   }
-  auto content = unpack_layers(layers, {}, limits);
-  if (!content) return in_file(content.error(), folder.string());
-  result.content = std::move(*content);
-  return result;
+  auto drawing = unpack_layers(*layers, {}, limits);
+  if (!drawing) return in_file(drawing.error(), folder.string());
+  return drawing;
 }
 
 }  // namespace relievo

@@ -21,20 +21,21 @@ Error stack_error(const std::string& message) {
   return {ErrorCode::bad_input, message, stack_name};
 }
 
-/// What a group of layers hands down to its layers.
+/// The values that a group of layers passes on to its layers.
 struct Group {
   int number = -1;
   double opacity = 1;
   LayerRole role = LayerRole::proposed;
 };
 
-/// Walks the stack, topmost layer first, and collects the layers that are seen.
+/// Walks the stack, topmost layer first, and collects the visible layers.
 class StackReader {
  public:
   explicit StackReader(const std::vector<ArchiveEntry>& entries) : entries_(entries) {}
 
   Status read(const pugi::xml_node& stack, const Group& group, int depth) {
-    if (depth > max_depth) return Error{ErrorCode::limit, "groups nested too deeply", stack_name};
+    if (depth > max_depth)
+      return Error{ErrorCode::limit, "has groups of layers nested too deeply", stack_name};
     for (const pugi::xml_node& node : stack.children()) {
       const bool is_group = std::strcmp(node.name(), "stack") == 0;
       if (!is_group && std::strcmp(node.name(), "layer") != 0) continue;
@@ -46,8 +47,8 @@ class StackReader {
     return Done{};
   }
 
-  /// Back to front.
-  std::vector<PackedLayer> take_layers() {
+  /// Returns the layers, back to front.
+  std::vector<LayerFile> take_layers() {
     std::reverse(layers_.begin(), layers_.end());
     return std::move(layers_);
   }
@@ -72,7 +73,7 @@ class StackReader {
                    stack_name};
     const std::string file = node.attribute("src").value();
     const ArchiveEntry* entry = find_entry(entries_, file);
-    if (entry == nullptr) return stack_error("names a layer that is not in the archive: " + file);
+    if (entry == nullptr) return stack_error("names a picture that is not in the archive: " + file);
     RasterLayer layer;
     layer.name = plain_layer_name(node.attribute("name").value(), group.role);
     layer.group = group.number;
@@ -80,12 +81,12 @@ class StackReader {
     layer.y = std::clamp(node.attribute("y").as_int(), -1'000'000, 1'000'000);
     layer.opacity = group.opacity;
     layer.role = group.role;
-    layers_.push_back({std::move(layer), file, entry->bytes});
+    layers_.push_back({std::move(layer), file, 0, entry->bytes});
     return Done{};
   }
 
   const std::vector<ArchiveEntry>& entries_;
-  std::vector<PackedLayer> layers_;
+  std::vector<LayerFile> layers_;
   int groups_ = 0;
   bool blends_ = false;
 };
@@ -110,7 +111,8 @@ bool is_ora(const std::vector<ArchiveEntry>& entries) {
   return said.rfind("image/openraster", 0) == 0;
 }
 
-Result<OraDrawing> read_ora(const std::vector<ArchiveEntry>& entries, const ImageLimits& limits) {
+Result<understanding::LayeredDrawing> read_ora(const std::vector<ArchiveEntry>& entries,
+                                               const ImageLimits& limits) {
   const ArchiveEntry* stack = find_entry(entries, stack_name);
   if (stack == nullptr) return Error{ErrorCode::bad_input, "has no stack.xml", ""};
   if (stack->bytes.size() > max_stack_bytes)
@@ -123,14 +125,12 @@ Result<OraDrawing> read_ora(const std::vector<ArchiveEntry>& entries, const Imag
   if (!canvas) return canvas.error();
   StackReader reader(entries);
   if (Status s = reader.read(image.child("stack"), Group(), 0); !s) return s.error();
-  std::vector<PackedLayer> layers = reader.take_layers();
+  std::vector<LayerFile> layers = reader.take_layers();
   settle_roles(layers);
-  auto content = unpack_layers(layers, *canvas, limits);
-  if (!content) return content.error();
-  OraDrawing result{std::move(*content), {}};
-  if (reader.blends())
-    result.warnings.emplace_back("layers that blend are painted as if they only covered");
-  return result;
+  auto drawing = unpack_layers(layers, *canvas, limits);
+  if (drawing && reader.blends())
+    drawing->warnings.emplace_back("layers with a blending mode are painted as normal layers");
+  return drawing;
 }
 
 }  // namespace relievo

@@ -38,26 +38,28 @@ void raise_pixels(const std::array<Point3, 3>& corners, double depth, Image16& i
 
 }  // namespace
 
-Result<Bytes> encode_carve_map(const Model& solid, const CarveMapOptions& options) {
+Result<Bytes> encode_carve_map(const Model& solid, double px_per_mm, double base_mm) {
   const Box3 box = extent(solid);
   const Point3 sides = box.max - box.min;
   if (!(sides.z > 0)) return Error{ErrorCode::bad_input, "the solid has no height", ""};
-  const double wide = std::ceil(options.px_per_mm * sides.x);
-  const double high = std::ceil(options.px_per_mm * sides.y);
+  const double wide = std::ceil(px_per_mm * sides.x);
+  const double high = std::ceil(px_per_mm * sides.y);
   if (!(std::max(wide, high) <= most_pixels))
-    return Error{ErrorCode::limit, "the map would have more than 16384 px a side", ""};
+    return Error{
+        ErrorCode::limit,
+        "the map would have more than 16384 px a side; choose a smaller size or resolution", ""};
   Image16 image(std::max(1, static_cast<int>(wide)), std::max(1, static_cast<int>(high)), 1);
   for (const std::array<int, 3>& triangle : solid.triangles) {
     std::array<Point3, 3> corners;
     for (size_t k = 0; k < 3; ++k) {
       const Point3 p = solid.positions[triangle[k]] - box.min;
-      corners[k] = {options.px_per_mm * p.x, image.height - options.px_per_mm * p.y, p.z};
+      corners[k] = {px_per_mm * p.x, image.height - px_per_mm * p.y, p.z};
     }
     raise_pixels(corners, sides.z, image);
   }
-  return encode_png(image, {{"px_per_mm", shortest_text(options.px_per_mm)},
+  return encode_png(image, {{"px_per_mm", shortest_text(px_per_mm)},
                             {"depth_mm", shortest_text(sides.z)},
-                            {"base_mm", shortest_text(options.base_mm)},
+                            {"base_mm", shortest_text(base_mm)},
                             {"width_mm", shortest_text(sides.x)},
                             {"height_mm", shortest_text(sides.y)}});
 }

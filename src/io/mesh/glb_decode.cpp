@@ -21,13 +21,9 @@ constexpr int max_json_depth = 64;
 constexpr double default_canvas = 1000;
 constexpr double max_extent = 1e9;  ///< of every coordinate of a model that is passed on, px
 
-/// Thrown within this file alone; decode_glb turns it into its result.
-struct Refused {
-  Error error;
-};
-
+/// Throws an error, which decode_glb catches and returns.
 [[noreturn]] void refuse(const std::string& message, const std::string& where = "") {
-  throw Refused{{ErrorCode::bad_input, "not a model that can be read: " + message, where}};
+  throw Error{ErrorCode::bad_input, "is not a model that can be read: " + message, where};
 }
 
 uint32_t read_u32(const uint8_t* at) {
@@ -144,7 +140,7 @@ void append_vertices(const Glb& glb, const Json& primitive, const GlbLimits& lim
   if (normals.count != positions.count || uvs.count != positions.count)
     refuse("the attributes of a mesh differ in length", "meshes");
   if (model.positions.size() + positions.count > static_cast<uint64_t>(limits.max_vertices))
-    throw Refused{{ErrorCode::limit, "the model has too many vertices", ""}};
+    throw Error{ErrorCode::limit, "the model has too many vertices", ""};
   for (size_t i = 0; i < positions.count; ++i) {
     model.positions.push_back(read_point3(positions.at(i)));
     model.normals.push_back(file_normal(read_point3(normals.at(i))));
@@ -156,7 +152,7 @@ void append_triangles(const Accessor& indices, size_t first_vertex, const GlbLim
                       Model& model) {
   if (indices.component_type == component_f32) refuse("indices are not whole numbers", "accessors");
   if (model.triangles.size() + indices.count / 3 > static_cast<uint64_t>(limits.max_triangles))
-    throw Refused{{ErrorCode::limit, "the model has too many triangles", ""}};
+    throw Error{ErrorCode::limit, "the model has too many triangles", ""};
   const size_t vertex_count = model.positions.size() - first_vertex;
   const bool wide = indices.component_type == component_u32;
   for (size_t i = 0; i + 2 < indices.count; i += 3) {
@@ -197,47 +193,41 @@ void append_part(const Glb& glb, const Json& node, const GlbLimits& limits, Mode
   model.parts.push_back(std::move(part));
 }
 
-/// How the file's positions lead back to the canvas.
-struct Canvas {
-  double width = 0;
-  double height = 0;
-  Placement placement;
-};
-
-Canvas recorded_canvas(const Json& extras) {
+/// Sets the model's canvas as the file records it; returns the placement of the canvas in the file.
+Placement recorded_canvas(const Json& extras, Model& model) {
   const auto entry = [&](const char* key, size_t index) {
     return number(element(extras, key, index), key);
   };
-  Canvas canvas;
-  canvas.width = entry("canvas", 0);
-  canvas.height = entry("canvas", 1);
-  canvas.placement.scale = number(member(extras, "scale"), "scale");
-  canvas.placement.origin = {entry("origin", 0), entry("origin", 1), entry("origin", 2)};
+  model.width = entry("canvas", 0);
+  model.height = entry("canvas", 1);
+  const double scale = number(member(extras, "scale"), "scale");
+  const Point3 origin{entry("origin", 0), entry("origin", 1), entry("origin", 2)};
   const auto is_side = [](double side) { return side >= min_canvas && side <= max_coordinate; };
-  if (!is_side(canvas.width) || !is_side(canvas.height) || !(canvas.placement.scale > 0))
+  if (!is_side(model.width) || !is_side(model.height) || !(scale > 0))
     refuse("the canvas is not valid", "extras");
-  return canvas;
+  return {scale, origin};
 }
 
-Canvas fitted_canvas(const Model& model) {
+/// Sets a canvas that the model just fits on; returns the placement of the canvas in the file.
+Placement fitted_canvas(Model& model) {
   const Box3 box = extent(model);
   const Point3 sides = box.max - box.min;
   const double longest = std::max({sides.x, sides.y, sides.z});
   if (!(longest > 0)) refuse("it has no extent");
   const double scale = longest / default_canvas;
-  return {sides.x / scale, sides.y / scale, {scale, {-box.min.x / scale, -box.min.y / scale, 0}}};
+  model.width = sides.x / scale;
+  model.height = sides.y / scale;
+  return {scale, {-box.min.x / scale, -box.min.y / scale, 0}};
 }
 
 void return_to_canvas(const Glb& glb, Model& model) {
   const Json& scene = element(glb.json, "scenes", natural_member(glb.json, "scene", 0));
   const auto extras = scene.find("extras");
   const bool recorded = extras != scene.end() && extras->contains("canvas");
-  const Canvas canvas = recorded ? recorded_canvas(*extras) : fitted_canvas(model);
-  model.width = canvas.width;
-  model.height = canvas.height;
+  const Placement placement = recorded ? recorded_canvas(*extras, model) : fitted_canvas(model);
   for (Point3& p : model.positions) {
-    p = (1 / canvas.placement.scale) * p + canvas.placement.origin;
-    // Written so that a NaN is out of range.
+    p = (1 / placement.scale) * p + placement.origin;
+    // A NaN fails this comparison.
     if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= max_extent))
       refuse("a vertex lies too far from the canvas", "positions");
   }
@@ -254,7 +244,7 @@ Drawing read_drawing(const Glb& glb, const GlbLimits& limits) {
   if (!image.contains("bufferView")) refuse("its texture is not embedded", "images");
   const Json& view = element(glb.json, "bufferViews", natural_member(image, "bufferView"));
   Result<Image8> decoded = decode_image(view_bytes(glb, view), limits.image);
-  if (!decoded) throw Refused{decoded.error()};
+  if (!decoded) throw Error(decoded.error());
   return {std::move(*decoded)};
 }
 
@@ -278,7 +268,7 @@ Glb split_chunks(ByteView bytes, const GlbLimits& limits) {
   if (std::memcmp(&bytes[16], "JSON", 4) != 0 || json_size > bytes.size() - 20)
     refuse("its first chunk is not complete");
   if (json_size > static_cast<uint64_t>(limits.max_json_bytes))
-    throw Refused{{ErrorCode::limit, "the description of the model is too large", ""}};
+    throw Error{ErrorCode::limit, "the description of the model is too large", ""};
   const ByteView rest = bytes.subspan(20 + json_size);
   if (rest.size() < 8 || std::memcmp(&rest[4], "BIN\0", 4) != 0 ||
       read_u32(rest.data()) > rest.size() - 8)
@@ -291,9 +281,9 @@ relief::DrawnModel read(ByteView bytes, const GlbLimits& limits) {
   relief::DrawnModel result;
   for (const Json& node : member(glb.json, "nodes"))
     if (node.contains("mesh")) append_part(glb, node, limits, result.model);
-  if (Status status = check_exportable(result.model, 1); !status) throw Refused{status.error()};
+  if (Status status = check_exportable(result.model, 1); !status) throw Error(status.error());
   return_to_canvas(glb, result.model);
-  if (Status status = check_exportable(result.model, 1); !status) throw Refused{status.error()};
+  if (Status status = check_exportable(result.model, 1); !status) throw Error(status.error());
   result.drawing = read_drawing(glb, limits);
   return result;
 }
@@ -303,8 +293,8 @@ relief::DrawnModel read(ByteView bytes, const GlbLimits& limits) {
 Result<relief::DrawnModel> decode_glb(ByteView bytes, const GlbLimits& limits) {
   try {
     return read(bytes, limits);
-  } catch (const Refused& refused) {
-    return refused.error;
+  } catch (const Error& error) {
+    return error;
   }
 }
 

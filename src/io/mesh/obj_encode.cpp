@@ -2,7 +2,6 @@
 
 #include <array>
 #include <initializer_list>
-#include <map>
 #include <string_view>
 #include <vector>
 
@@ -24,23 +23,6 @@ void append_line(Bytes& bytes, std::string_view keyword, std::initializer_list<d
   bytes.push_back('\n');
 }
 
-/// Writes every position once, by the numbers that the file holds; returns its number by vertex,
-/// from 1.
-std::vector<int> append_positions(Bytes& obj, const Model& model, const Placement& placement) {
-  std::map<std::array<float, 3>, int> numbers;
-  std::vector<int> number;
-  number.reserve(model.positions.size());
-  for (const Point3& position : model.positions) {
-    const Point3 p = place(placement, position);
-    const auto [at, fresh] = numbers.try_emplace(
-        {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
-        static_cast<int>(numbers.size()) + 1);
-    if (fresh) append_line(obj, "v", {p.x, p.y, p.z});
-    number.push_back(at->second);
-  }
-  return number;
-}
-
 void append_attributes(Bytes& obj, const Model& model) {
   for (const Point2& uv : model.uvs) append_line(obj, "vt", {uv.x, 1 - uv.y});
   for (const Point3& normal : model.normals) {
@@ -56,7 +38,7 @@ void append_part(Bytes& obj, const Model& model, const ModelPart& part,
     append_text(obj, "f");
     for (const int v : model.triangles[t]) {
       const std::string index = std::to_string(v + 1);
-      append_text(obj, " " + std::to_string(position[v]) + "/" + index + "/" + index);
+      append_text(obj, " " + std::to_string(position[v] + 1) + "/" + index + "/" + index);
     }
     append_text(obj, "\n");
   }
@@ -77,10 +59,11 @@ std::string obj_file_name(const std::string& name) {
   return result;
 }
 
-Result<ObjFiles> encode_obj(const Model& model, const Drawing* drawing, const ObjOptions& options) {
-  if (Status status = check_exportable(model, options.size_mm); !status) return status.error();
+Result<ObjFiles> encode_obj(const Model& model, const Drawing* drawing, double size_mm,
+                            const std::string& file_name) {
+  if (Status status = check_exportable(model, size_mm); !status) return status.error();
   ObjFiles files;
-  const std::string name = obj_file_name(options.name);
+  const std::string name = obj_file_name(file_name);
   std::string texture;
   if (drawing != nullptr && !drawing->rgba.empty()) {
     Result<Bytes> png = encode_png(relief::model_texture(model, *drawing));
@@ -90,11 +73,11 @@ Result<ObjFiles> encode_obj(const Model& model, const Drawing* drawing, const Ob
   }
   append_text(files.mtl, material(texture));
   append_text(files.obj, "# relievo " RELIEVO_VERSION ", millimetres\nmtllib " + name + ".mtl\n");
-  const std::vector<int> position =
-      append_positions(files.obj, model, centred_placement(model, options.size_mm));
+  const SharedVertices shared = share_vertices(model, centred_placement(model, size_mm));
+  for (const auto& [x, y, z] : shared.places) append_line(files.obj, "v", {x, y, z});
   append_attributes(files.obj, model);
   for (const ModelPart& part : model.parts)
-    if (part.triangle_count > 0) append_part(files.obj, model, part, position);
+    if (part.triangle_count > 0) append_part(files.obj, model, part, shared.number);
   return files;
 }
 

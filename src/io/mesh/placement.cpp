@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <functional>
+#include <unordered_map>
 
 namespace relievo {
 namespace {
@@ -39,16 +42,38 @@ Placement octant_placement(const Model& model, double size, bool standing) {
   return {size / longest_side(box), corner, standing};
 }
 
+SharedVertices share_vertices(const Model& model, const Placement& placement) {
+  const auto hash = [](const std::array<float, 3>& place) {
+    uint64_t sum = 0;
+    for (const float value : place)
+      sum = sum * uint64_t{0x9E3779B97F4A7C15} + std::hash<float>()(value);
+    return static_cast<size_t>(sum);
+  };
+  SharedVertices shared;
+  std::unordered_map<std::array<float, 3>, int, decltype(hash)> numbers(model.positions.size());
+  shared.number.reserve(model.positions.size());
+  for (const Point3& position : model.positions) {
+    const Point3 p = place(placement, position);
+    const std::array<float, 3> narrow{static_cast<float>(p.x), static_cast<float>(p.y),
+                                      static_cast<float>(p.z)};
+    const auto [at, fresh] = numbers.try_emplace(narrow, static_cast<int>(shared.places.size()));
+    if (fresh) shared.places.push_back(narrow);
+    shared.number.push_back(at->second);
+  }
+  return shared;
+}
+
 Status check_exportable(const Model& model, double size_mm) {
   if (!std::isfinite(size_mm) || size_mm <= 0)
-    return Error{ErrorCode::usage, "the size of the model must be a positive number of mm", ""};
+    return Error{ErrorCode::usage, "the size of the model must be above 0 mm", ""};
   if (model.triangles.empty()) return Error{ErrorCode::bad_input, "the model has no triangles", ""};
   for (size_t v = 0; v < model.positions.size(); ++v)
     if (!is_finite(model.positions[v]) || !is_finite(model.normals[v]) || !is_finite(model.uvs[v]))
-      return Error{ErrorCode::bad_input, "the model has a vertex that is not finite",
+      return Error{ErrorCode::bad_input,
+                   "the model has a vertex with a coordinate that is not finite",
                    "vertex " + std::to_string(v)};
   if (longest_side(extent(model)) <= 0)
-    return Error{ErrorCode::bad_input, "the model has no extent", ""};
+    return Error{ErrorCode::bad_input, "all vertices of the model lie at one point", ""};
   return Done{};
 }
 

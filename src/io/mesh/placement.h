@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "relievo/model.h"
 #include "relievo/result.h"
 #include "relievo/solid.h"
@@ -12,14 +15,14 @@ struct Box3 {
   Point3 max;
 };
 
-/// The box around all vertices of a model. Precondition: there is at least one.
+/// Returns the box around all vertices of a model. Precondition: there is at least one.
 Box3 extent(const Model& model);
 
-/// The longest side of that box.
+/// Returns the longest side of that box.
 double longest_side(const Model& model);
 
-/// Where a model lies in a file: position in the file = scale * (position - origin), the position
-/// stood up before where it stands.
+/// Maps positions of a model to those in a file: scale * (position - origin). A standing model is
+/// stood up first.
 struct Placement {
   double scale = 1;
   Point3 origin;
@@ -30,22 +33,32 @@ inline Point3 place(const Placement& placement, Point3 p) {
   return placement.scale * ((placement.standing ? stood_up(p) : p) - placement.origin);
 }
 
-/// The longest side of the model becomes `size`; its middle lies at x = y = 0 and its drawing
+/// Returns the placement whose longest side is `size`, with the middle at x = y = 0 and the drawing
 /// plane at z = 0.
 Placement centred_placement(const Model& model, double size);
 
-/// The longest side of the model becomes `size`; it lies, or stands, in the positive octant and
-/// touches its three planes.
+/// Returns the placement whose longest side is `size`, lying or standing in the positive octant and
+/// touching its three planes.
 Placement octant_placement(const Model& model, double size, bool standing = false);
 
-/// The normal made exactly unit, towards the viewer where it is zero: files must not have others.
+/// The placed vertices of a model, those at one place shared.
+struct SharedVertices {
+  std::vector<std::array<float, 3>> places;  ///< in the order of their first vertices
+  std::vector<int> number;                   ///< #V index in `places`
+};
+
+/// Shares the vertices whose placed coordinates are equal as floats. O(V).
+SharedVertices share_vertices(const Model& model, const Placement& placement);
+
+/// Returns the normal with unit length; the viewing direction for a zero normal, which no file may
+/// hold.
 inline Point3 file_normal(Point3 normal) {
   const Point3 n = normalized(normal);
   return n == Point3{} ? Point3{0, 0, 1} : n;
 }
 
-/// What every mesh file needs: at least one triangle, finite vertices, an extent and a finite
-/// positive `size_mm`. Errors: `bad_input`, `usage` for the size.
+/// Checks what every mesh file needs: at least one triangle, finite vertices, an extent and a
+/// finite positive `size_mm`. Errors: `bad_input`, `usage` for the size.
 Status check_exportable(const Model& model, double size_mm);
 
 }  // namespace relievo

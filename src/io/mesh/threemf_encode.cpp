@@ -3,10 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
-#include <map>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -37,40 +35,8 @@ std::string relationship(const std::string& type, const std::string& target) {
          type + "\"/>\n</Relationships>\n";
 }
 
-using FloatPlace = std::array<float, 3>;
-
-struct PlaceHash {
-  size_t operator()(const FloatPlace& place) const {
-    uint64_t hash = 0;
-    for (const float value : place)
-      hash = hash * uint64_t{0x9E3779B97F4A7C15} + std::hash<float>()(value);
-    return static_cast<size_t>(hash);
-  }
-};
-
-/// The model's vertices with those at one place as one.
-struct SharedVertices {
-  std::vector<FloatPlace> places;
-  std::vector<int> number;  ///< #V
-};
-
-SharedVertices share_vertices(const Model& model, const Placement& placement) {
-  SharedVertices shared;
-  std::unordered_map<FloatPlace, int, PlaceHash> numbers;
-  numbers.reserve(model.positions.size());
-  for (const Point3& position : model.positions) {
-    const Point3 p = place(placement, position);
-    const FloatPlace narrow{static_cast<float>(p.x), static_cast<float>(p.y),
-                            static_cast<float>(p.z)};
-    const auto [at, fresh] = numbers.try_emplace(narrow, static_cast<int>(shared.places.size()));
-    if (fresh) shared.places.push_back(narrow);
-    shared.number.push_back(at->second);
-  }
-  return shared;
-}
-
-/// How slicers write that a whole triangle has a filament, counted from 1: two bits that tell of
-/// no subdivision, the filament in two bits, or from 3 on in four bits more; the last nibble first.
+/// Returns the code of slicers for a whole triangle of one filament, counted from 1: two bits for
+/// "not subdivided" and two for the filament; from 3 on four bits more. The last nibble is first.
 std::string paint_code(int filament) {
   if (filament < 3) return filament == 1 ? "4" : "8";
   std::string code(1, "0123456789ABCDEF"[filament - 3]);
@@ -143,7 +109,7 @@ class ModelWriter {
 
   void append_mesh() {
     xml_.append("<vertices>\n");
-    for (const FloatPlace& p : shared_.places) {
+    for (const std::array<float, 3>& p : shared_.places) {
       append_attribute(xml_, "<vertex x=\"", shortest_text(p[0]));
       append_attribute(xml_, " y=\"", shortest_text(p[1]));
       append_attribute(xml_, " z=\"", shortest_text(p[2]));

@@ -6,35 +6,25 @@
 #include <nlohmann/json.hpp>
 
 #include "io/project/project.h"
-#include "io/scene/annotation_reader.h"
 #include "io/scene/json_parse.h"
 #include "io/scene/json_reader.h"
-#include "io/scribbles/read_scribbles.h"
+#include "io/scribbles/scribbles_json.h"
 
 namespace relievo {
 namespace {
 
-constexpr size_t max_points = 1'000'000;
 constexpr std::array own_keys = {"format", "version", "name", "drawing", "segmentation"};
 
 /// Reads the values of project.json.
-class ProjectReader final : public AnnotationReader {
+class ProjectReader final : public JsonReader {
  public:
-  ProjectReader() : AnnotationReader(max_points) {}
+  ProjectReader() : JsonReader(JsonLimits().max_points) {}
 
   Project project(const Json& json) {
     Project project;
     const JsonPath root;
-    if (!json.is_object() || json.value("format", Json()) != "relievo-project") {
-      fail(root.member("format"), "is not a project: the key must say \"relievo-project\"");
-      return project;
-    }
-    const Json version = json.value("version", Json());
-    if (!version.is_number_integer() || version < 1 || version > project_version)
-      fail(root.member("version"), "this program reads versions up to " +
-                                       std::to_string(project_version) +
-                                       "; a newer file needs a newer program");
-    if (json.contains("name")) project.name = text(json["name"], root.member("name"));
+    if (!is_file(json, "project", project_version)) return project;
+    set(json, root, "name", project.name, &ProjectReader::text);
     if (json.contains("drawing") && !json["drawing"].is_null())
       project.drawing = drawing(json["drawing"], root.member("drawing"));
     if (json.contains("segmentation"))
@@ -49,9 +39,9 @@ class ProjectReader final : public AnnotationReader {
   ProjectDrawing drawing(const Json& json, const JsonPath& path) {
     ProjectDrawing drawing;
     if (!keys(json, path, {"name", "kind", "mime"}, {"paintable"})) return drawing;
-    drawing.name = text(json["name"], path.member("name"));
-    drawing.kind = text(json["kind"], path.member("kind"));
-    drawing.mime = text(json["mime"], path.member("mime"));
+    set(json, path, "name", drawing.name, &ProjectReader::text);
+    set(json, path, "kind", drawing.kind, &ProjectReader::text);
+    set(json, path, "mime", drawing.mime, &ProjectReader::text);
     if (drawing.kind != "svg" && drawing.kind != "image")
       fail(path.member("kind"), "must be \"image\" or \"svg\"");
     return drawing;
@@ -70,10 +60,8 @@ class ProjectReader final : public AnnotationReader {
   }
 
   understanding::PartLabel label(const Json& json, const JsonPath& path) {
-    const bool sound = json.is_number_integer() && json >= 1 &&
-                       json <= std::numeric_limits<understanding::PartLabel>::max();
-    if (!sound) fail(path, "must be a label, a whole number from 1 to 65535");
-    return sound ? json.get<understanding::PartLabel>() : understanding::PartLabel{0};
+    return static_cast<understanding::PartLabel>(
+        whole_number(json, path, std::numeric_limits<understanding::PartLabel>::max()));
   }
 
   int part_reference(const Json& json, const JsonPath& path) override { return label(json, path); }
@@ -93,11 +81,6 @@ class ProjectReader final : public AnnotationReader {
     const double value = number(json, path);
     if (!error() && !(value >= 0 && value <= 1)) fail(path, "must lie between 0 and 1");
     return value;
-  }
-
-  bool flag(const Json& json, const JsonPath& path) {
-    if (!json.is_boolean()) fail(path, "must be true or false");
-    return json.is_boolean() && json.get<bool>();
   }
 
   understanding::PartRecord part(const Json& json, const JsonPath& path) {
@@ -125,10 +108,10 @@ class ProjectReader final : public AnnotationReader {
   }
 
   understanding::Scribbles scribbles(const Json& json, const JsonPath& path) {
-    ScribblesReader reader({});
-    understanding::Scribbles scribbles = reader.object(json, path);
-    if (reader.error()) fail(*reader.error());
-    return scribbles;
+    auto scribbles = scribbles_of(json, path);
+    if (scribbles) return std::move(*scribbles);
+    fail(scribbles.error());
+    return {};
   }
 
   understanding::Corrections corrections(const Json& json, const JsonPath& path) {
@@ -152,13 +135,7 @@ class ProjectReader final : public AnnotationReader {
       const Json& json, const JsonPath& path) {
     understanding::PartCorrection correction;
     if (!keys(json, path, {"label"}, {"id", "outline", "c", "d", "flat", "lean"})) return {};
-    if (json.contains("id")) correction.id = text(json["id"], path.member("id"));
-    if (json.contains("c")) correction.c = number(json["c"], path.member("c"));
-    if (json.contains("d")) correction.d = number(json["d"], path.member("d"));
-    if (json.contains("flat")) correction.flat = number(json["flat"], path.member("flat"));
-    if (json.contains("lean")) correction.lean = point(json["lean"], path.member("lean"));
-    if (json.contains("outline"))
-      correction.outline = outline(json["outline"], path.member("outline"));
+    part_values(json, path, correction);
     return {label(json["label"], path.member("label")), std::move(correction)};
   }
 

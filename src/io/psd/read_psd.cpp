@@ -12,11 +12,13 @@
 namespace relievo {
 namespace {
 
-enum ChannelId { real_mask_channel = -3, mask_channel = -2, alpha_channel = -1 };
+/// As in PsdChannel.
+constexpr int mask_channel = -2;
+constexpr int alpha_channel = -1;
 
 constexpr int no_group = -1;
 
-/// What a group hands down to its layers.
+/// The values that a group passes on to its layers.
 struct Group {
   const PsdLayer* record = nullptr;
   int parent = no_group;
@@ -25,11 +27,11 @@ struct Group {
   LayerRole role = LayerRole::proposed;
 };
 
-/// A layer that is seen.
+/// A visible layer.
 struct SeenLayer {
   RasterLayer layer;  ///< without its pixels
   const PsdLayer* record = nullptr;
-  const PsdLayer* base = nullptr;  ///< what it is clipped to; none: nothing
+  const PsdLayer* base = nullptr;  ///< the layer that it is clipped to, if any
 };
 
 struct Structure {
@@ -43,7 +45,8 @@ bool blends(const PsdLayer& record) {
   return mode != "norm" && mode != "pass";
 }
 
-/// The groups, and which one each record is in. A group's record is in front of what it holds.
+/// Finds the groups and returns the group of each record. A group's record lies in front of its
+/// layers.
 std::vector<int> find_groups(const PsdFile& file, std::vector<Group>& groups) {
   std::vector<int> group_of(file.layers.size(), no_group);
   int current = no_group;
@@ -62,11 +65,11 @@ std::vector<int> find_groups(const PsdFile& file, std::vector<Group>& groups) {
 
 void take_notes(const PsdLayer& record, std::set<std::string>& notes) {
   const std::string name = "layer \"" + record.name + "\": ";
-  if (blends(record)) notes.insert(name + "its blending is painted as if it only covered");
+  if (blends(record)) notes.insert(name + "its blending mode is painted as normal");
   if (record.has_effects) notes.insert(name + "its effects are left out");
   if (record.has_vector_mask) notes.insert(name + "its vector mask is left out");
   if (record.adjusts && record.box.empty())
-    notes.insert(name + "adjustments and fills are left out");
+    notes.insert(name + "it adjusts or fills, and is left out");
 }
 
 RasterLayer raster_layer(const PsdLayer& record, int number, const Group& group) {
@@ -80,7 +83,7 @@ RasterLayer raster_layer(const PsdLayer& record, int number, const Group& group)
   return layer;
 }
 
-/// The layers that are seen, and what is to be said of the others.
+/// Finds the visible layers, with a note on everything that is painted differently.
 Structure find_layers(const PsdFile& file) {
   Structure found;
   const std::vector<int> group_of = find_groups(file, found.groups);
@@ -97,7 +100,7 @@ Structure find_layers(const PsdFile& file) {
     if (hidden || record.kind == PsdKind::group_end || (record.clipped && base_hidden)) continue;
     take_notes(record, found.notes);
     if (record.clipped && base == nullptr)
-      found.notes.insert("layer \"" + record.name + "\": is clipped to a group, and not cut");
+      found.notes.insert("layer \"" + record.name + "\": it is clipped to a group, and is not cut");
     if (record.kind == PsdKind::layer && !record.box.empty())
       found.layers.push_back(
           {raster_layer(record, group_of[k], group), &record, record.clipped ? base : nullptr});
@@ -111,8 +114,8 @@ const PsdChannel* channel(const PsdLayer& record, int id) {
   return found == record.channels.end() ? nullptr : &*found;
 }
 
-/// A plane that is not there is `value` everywhere; none of a box without pixels, whose sides may
-/// be negative.
+/// Returns the plane of a channel over a box, or `value` everywhere for a missing one. It is empty
+/// for a box without pixels, whose sides may be negative.
 Result<std::vector<uint8_t>> plane(const PsdLayer& record, int id, const PsdBox& box, int depth,
                                    uint8_t value) {
   if (box.empty()) return std::vector<uint8_t>();
@@ -121,7 +124,7 @@ Result<std::vector<uint8_t>> plane(const PsdLayer& record, int id, const PsdBox&
   return decode_channel(packed->data, box.width(), box.height(), depth);
 }
 
-/// Multiplies values over `box` with others over another, `outside` of which they are the same.
+/// Multiplies values over `box` with others over another box, which are `outside` beyond it.
 void multiply(const PsdBox& box, std::vector<uint8_t>& alpha, const PsdBox& other,
               const std::vector<uint8_t>& values, uint8_t outside) {
   size_t at = 0;
@@ -150,7 +153,7 @@ Status apply_mask(const PsdLayer& masked, int depth, const PsdBox& box,
   return Done{};
 }
 
-/// Alpha of a layer with its own mask.
+/// Returns the alpha of a layer, times its own mask.
 Result<std::vector<uint8_t>> alpha_of(const PsdLayer& record, int depth) {
   auto alpha = plane(record, alpha_channel, record.box, depth, 255);
   if (!alpha) return alpha.error();
@@ -158,7 +161,7 @@ Result<std::vector<uint8_t>> alpha_of(const PsdLayer& record, int depth) {
   return alpha;
 }
 
-/// Alpha with all masks and clipping.
+/// Returns the alpha of a layer, times all masks and the layer that it is clipped to.
 Result<std::vector<uint8_t>> seen_alpha(const SeenLayer& seen, const std::vector<Group>& groups,
                                         int depth) {
   const PsdBox& box = seen.record->box;
@@ -193,7 +196,8 @@ Error in_layer(Error error, const PsdLayer& record) {
   return error;
 }
 
-/// Reading takes time in proportion to the pixels of all layers, and of what they are clipped to.
+/// Checks the pixels of all layers and of those that they are clipped to, to which the time of
+/// reading is proportional.
 Status check_total(const std::vector<SeenLayer>& layers, const ImageLimits& limits) {
   int64_t total = 0;
   for (const SeenLayer& seen : layers)
@@ -201,63 +205,55 @@ Status check_total(const std::vector<SeenLayer>& layers, const ImageLimits& limi
       if (record == nullptr) continue;
       total += int64_t{record->box.width()} * record->box.height();
       if (total > limits.max_total)
-        return in_layer({ErrorCode::limit,
-                         "the layers up to this one have more than " +
-                             std::to_string(limits.max_total) + " pixels together",
-                         ""},
-                        *record);
+        return in_layer(
+            {ErrorCode::limit,
+             "the layers up to this one have more than " + std::to_string(limits.max_total) +
+                 " pixels together; crop layers to what is on them, or make them smaller",
+             ""},
+            *record);
     }
   return Done{};
 }
 
-Result<Drawing> merged_picture(const PsdFile& file) {
+Status paint_merged(const PsdFile& file, Image8& rgba) {
   const auto planes =
       decode_merged(file.merged, file.channels, file.width, file.height, file.depth);
   if (!planes) return planes.error();
-  Drawing drawing;
-  drawing.rgba = Image8(file.width, file.height, 4);
   for (size_t i = 0; i < (*planes)[0].size(); ++i) {
-    for (int k = 0; k < 3; ++k)
-      drawing.rgba.pixels[4 * i + k] = (*planes)[std::min(k, file.colors - 1)][i];
-    drawing.rgba.pixels[4 * i + 3] = 255;
+    for (int k = 0; k < 3; ++k) rgba.pixels[4 * i + k] = (*planes)[std::min(k, file.colors - 1)][i];
+    rgba.pixels[4 * i + 3] = 255;
   }
-  return drawing;
+  return Done{};
 }
 
 }  // namespace
 
-Result<PsdDrawing> read_psd(ByteView bytes, const ImageLimits& limits) {
+Result<understanding::LayeredDrawing> read_psd(ByteView bytes, const ImageLimits& limits) {
   const auto file = read_psd_file(bytes, limits);
   if (!file) return file.error();
-  PsdDrawing result;
+  understanding::LayeredDrawing drawing = empty_drawing(file->width, file->height);
   if (file->layers.empty()) {
-    auto merged = merged_picture(*file);
-    if (!merged) return merged.error();
-    result.flat = std::move(*merged);
-    return result;
+    if (Status status = paint_merged(*file, drawing.picture.rgba); !status) return status.error();
+    drawing.flat = true;
+    return drawing;
   }
   Structure structure = find_layers(*file);
   if (structure.layers.empty())
-    return Error{ErrorCode::bad_input, "shows no layer that has pixels", "layers"};
+    return Error{ErrorCode::bad_input, "shows no layer with pixels; make a layer visible",
+                 "layers"};
   if (Status status = check_total(structure.layers, limits); !status) return status.error();
   settle_roles(structure.layers);
-  LayerPile pile = empty_pile(file->width, file->height);
   for (SeenLayer& seen : structure.layers) {
     auto pixels = pixels_of(seen, structure, *file);
     if (!pixels) return in_layer(pixels.error(), *seen.record);
     RasterLayer layer = seen.layer;
     layer.rgba = std::move(*pixels);
-    put_layer(pile, layer);
+    put_layer(drawing, layer);
   }
-  result.warnings.assign(structure.notes.begin(), structure.notes.end());
-  if (structure.layers.size() == 1) {
-    result.flat = Drawing{std::move(pile.rgba)};
-    return result;
-  }
-  auto content = scene_of_pile(std::move(pile));
-  if (!content) return content.error();
-  result.content = std::move(*content);
-  return result;
+  drawing.flat = structure.layers.size() == 1;
+  if (drawing.flat) drawing.warnings.clear();
+  drawing.warnings.insert(drawing.warnings.end(), structure.notes.begin(), structure.notes.end());
+  return drawing;
 }
 
 }  // namespace relievo

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int max_side = 30000;
 
-/// Numbers with the most significant byte first, as all of the format's.
+/// Append a number, most significant byte first.
 void put16(Bytes& bytes, uint32_t value) {
   bytes.push_back(static_cast<uint8_t>(value >> 8 & 0xff));
   bytes.push_back(static_cast<uint8_t>(value & 0xff));
@@ -24,13 +24,17 @@ void put32(Bytes& bytes, size_t value) {
   put16(bytes, static_cast<uint32_t>(value & 0xffff));
 }
 
-/// A block after its length.
-void put_block(Bytes& bytes, const Bytes& block) {
-  put32(bytes, block.size());
-  bytes.insert(bytes.end(), block.begin(), block.end());
+void append(Bytes& bytes, const Bytes& more) {
+  bytes.insert(bytes.end(), more.begin(), more.end());
 }
 
-/// One row by PackBits: runs of three and more equal values as one, others as they are.
+/// Appends the length of a block and the block.
+void put_block(Bytes& bytes, const Bytes& block) {
+  put32(bytes, block.size());
+  append(bytes, block);
+}
+
+/// Packs one row by PackBits: three and more equal values as a run, others as they are.
 void pack_row(const std::vector<uint8_t>& row, Bytes& packed) {
   const auto run_at = [&](size_t i) {
     size_t end = i + 1;
@@ -54,19 +58,15 @@ void pack_row(const std::vector<uint8_t>& row, Bytes& packed) {
   }
 }
 
-/// Rows of a channel inside a box: their packed lengths, and what is packed.
-struct PackedRows {
-  Bytes lengths;
-  Bytes rows;
-};
-
-void pack(const Image8& rgba, int channel, const PsdBox& box, PackedRows& out) {
+/// Packs the rows of a channel inside a box: appends their packed lengths to `lengths` and the
+/// packed rows to `rows`.
+void pack(const Image8& rgba, int channel, const PsdBox& box, Bytes& lengths, Bytes& rows) {
   std::vector<uint8_t> row(static_cast<size_t>(box.width()));
   for (int y = box.top; y < box.bottom; ++y) {
     for (int x = box.left; x < box.right; ++x) row[x - box.left] = rgba.at(x, y, channel);
-    const size_t before = out.rows.size();
-    pack_row(row, out.rows);
-    put16(out.lengths, static_cast<uint32_t>(out.rows.size() - before));
+    const size_t before = rows.size();
+    pack_row(row, rows);
+    put16(lengths, static_cast<uint32_t>(rows.size() - before));
   }
 }
 
@@ -81,7 +81,7 @@ PsdBox opaque_box(const Image8& rgba) {
   return box.empty() ? PsdBox{} : box;
 }
 
-/// The code points of UTF-8 as counted UTF-16; what is not valid is replaced.
+/// Returns UTF-8 as counted UTF-16, with U+FFFD for invalid bytes.
 Bytes unicode_name(const std::string& name) {
   std::vector<uint32_t> units;
   for (size_t i = 0; i < name.size();) {
@@ -104,7 +104,7 @@ Bytes unicode_name(const std::string& name) {
   return bytes;
 }
 
-/// The fields of a record behind the fixed ones: no mask, no blending ranges, both names.
+/// Returns the fields of a record behind the fixed ones: no mask, no blending ranges, both names.
 Bytes extra_of(const std::string& name) {
   Bytes extra;
   put32(extra, 0);
@@ -128,13 +128,14 @@ void put_layer(const PsdPicture& layer, Bytes& records, Bytes& pixels) {
     put32(records, static_cast<size_t>(side));
   put16(records, channels.size());
   for (const int channel : channels) {
-    PackedRows packed;
-    pack(*layer.rgba, channel < 0 ? 3 : channel, box, packed);
+    Bytes lengths;
+    Bytes rows;
+    pack(*layer.rgba, channel < 0 ? 3 : channel, box, lengths, rows);
     put16(records, static_cast<uint16_t>(channel));
-    put32(records, 2 + packed.lengths.size() + packed.rows.size());
+    put32(records, 2 + lengths.size() + rows.size());
     put16(pixels, 1);
-    pixels.insert(pixels.end(), packed.lengths.begin(), packed.lengths.end());
-    pixels.insert(pixels.end(), packed.rows.begin(), packed.rows.end());
+    append(pixels, lengths);
+    append(pixels, rows);
   }
   append_text(records, "8BIMnorm");
   records.push_back(255);
@@ -150,7 +151,7 @@ Bytes layer_section(const std::vector<PsdPicture>& layers) {
   put16(info, static_cast<uint16_t>(-static_cast<int>(layers.size())));
   Bytes pixels;
   for (const PsdPicture& layer : layers) put_layer(layer, info, pixels);
-  info.insert(info.end(), pixels.begin(), pixels.end());
+  append(info, pixels);
   while (info.size() % 4 != 0) info.push_back(0);
   Bytes section;
   put_block(section, info);
@@ -158,28 +159,25 @@ Bytes layer_section(const std::vector<PsdPicture>& layers) {
   return section;
 }
 
-void lay_layer_over(const PsdPicture& layer, Image8& below) {
-  for (int y = 0; y < layer.rgba->height; ++y)
-    for (int x = 0; x < layer.rgba->width; ++x)
-      lay_over(&below.at(layer.left + x, layer.top + y), &layer.rgba->at(x, y));
-}
-
 void put_merged(const std::vector<PsdPicture>& layers, int width, int height, Bytes& bytes) {
   Image8 merged(width, height, 4);
   for (const PsdPicture& layer : layers)
-    if (!layer.hidden) lay_layer_over(layer, merged);
-  PackedRows packed;
-  for (const int channel : {0, 1, 2, 3}) pack(merged, channel, {0, 0, height, width}, packed);
+    if (!layer.hidden) lay_picture_over(merged, layer.left, layer.top, *layer.rgba);
+  Bytes lengths;
+  Bytes rows;
+  for (const int channel : {0, 1, 2, 3})
+    pack(merged, channel, {0, 0, height, width}, lengths, rows);
   put16(bytes, 1);
-  bytes.insert(bytes.end(), packed.lengths.begin(), packed.lengths.end());
-  bytes.insert(bytes.end(), packed.rows.begin(), packed.rows.end());
+  append(bytes, lengths);
+  append(bytes, rows);
 }
 
 }  // namespace
 
 Result<Bytes> encode_psd(const std::vector<PsdPicture>& layers, int width, int height) {
   if (width > max_side || height > max_side)
-    return Error{ErrorCode::limit, "a Photoshop document has at most 30,000 px a side", ""};
+    return Error{ErrorCode::limit,
+                 "a Photoshop document has at most 30,000 px a side; make the drawing smaller", ""};
   Bytes bytes;
   append_text(bytes, "8BPS");
   put16(bytes, 1);

@@ -10,7 +10,7 @@
 
 namespace relievo {
 
-/// A layer of a document.
+/// A layer of a document to be written.
 struct PsdPicture {
   std::string name;  ///< UTF-8
   const Image8* rgba = nullptr;
@@ -18,14 +18,14 @@ struct PsdPicture {
   bool hidden = false;
 };
 
-/// A Photoshop document of 8 bits in RGB with layers from the back to the front, packed by
-/// PackBits, and the flattened picture of those that are not hidden. Each layer is cut to what is
-/// not transparent of it. Errors: `limit` for sides above 30,000 px, the format's own. O(pixels).
+/// Encodes a Photoshop document of 8 bits in RGB with layers from back to front, packed by
+/// PackBits, and the flattened picture of the visible ones. Each layer is cut to its pixels that
+/// are not transparent. Errors: `limit` for sides above 30,000 px, the format's own. O(pixels).
 Result<Bytes> encode_psd(const std::vector<PsdPicture>& layers, int width, int height);
 
-/// The parts of a drawing as layers to paint on (see paint_layers), each named `part:` and its id,
-/// so that layers that are added are texture, and the drawing itself behind them, hidden. `rgba`
-/// covers the canvas. Errors: as encode_psd. O(pixels of all parts).
+/// Encodes the parts of a drawing as layers to paint on (see paint_layers), each named `part:` and
+/// its id, so that further layers become texture. The drawing itself lies behind them, hidden.
+/// `rgba` covers the canvas. Errors: as encode_psd. O(pixels of all parts).
 Result<Bytes> encode_part_layers(const Scene& scene, const Image8& rgba);
 
 }  // namespace relievo

@@ -22,13 +22,13 @@ std::string line_and_column(std::string_view text, size_t offset) {
   return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
-/// The reason inside a message of the parser: what follows its own prefix and position.
+/// Returns the reason in a message of the parser, which follows its prefix and position.
 std::string reason(const std::string& message) {
   const size_t colon = message.find(": ");
   return colon == std::string::npos ? message : message.substr(colon + 2);
 }
 
-/// Receives the parser's events and builds the value. Every event returns whether to go on.
+/// Receives the parser's events and builds the value. Every event returns whether parsing goes on.
 class Builder {
  public:
   Builder(std::string_view text, const JsonLimits& limits) : text_(text), limits_(limits) {}
@@ -51,7 +51,7 @@ class Builder {
     Frame& frame = open_.back();
     frame.key = std::move(name);
     if (!frame.container->contains(frame.key)) return true;
-    error_ = Error{ErrorCode::bad_input, "the key is given twice; keep one of them", path()};
+    error_ = Error{ErrorCode::bad_input, "the key is given twice; remove one of them", path()};
     return false;
   }
 

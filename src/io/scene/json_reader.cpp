@@ -43,12 +43,40 @@ bool JsonReader::is_list(const Json& json, const JsonPath& path, const char* wha
   return json.is_array();
 }
 
+bool JsonReader::is_file(const Json& json, const std::string& kind, int newest) {
+  const JsonPath root;
+  if (!json.is_object()) {
+    fail(root, "is not a " + kind + " file, which holds one JSON object { ... }");
+    return false;
+  }
+  const std::string format = "relievo-" + kind;
+  const auto found = json.find("format");
+  if (found == json.end() || *found != format)
+    fail(root.member("format"), "is not a " + kind + " file: the key must say \"" + format + "\"");
+  const auto version = json.find("version");
+  if (version == json.end() || !version->is_number_integer() || *version < 1 || *version > newest)
+    fail(root.member("version"), "this program reads version " + std::to_string(newest) +
+                                     " only; a newer file needs a newer program");
+  return !error_;
+}
+
 double JsonReader::number(const Json& json, const JsonPath& path) {
   if (!json.is_number()) {
     fail(path, "must be a number");
     return 0;
   }
   return json.get<double>();
+}
+
+int JsonReader::whole_number(const Json& json, const JsonPath& path, int most) {
+  const bool sound = json.is_number_integer() && json >= 1 && json <= most;
+  if (!sound) fail(path, "must be a whole number from 1 to " + std::to_string(most));
+  return sound ? json.get<int>() : 1;
+}
+
+bool JsonReader::flag(const Json& json, const JsonPath& path) {
+  if (!json.is_boolean()) fail(path, "must be true or false");
+  return json == true;
 }
 
 std::string JsonReader::text(const Json& json, const JsonPath& path) {
@@ -87,19 +115,65 @@ Outline JsonReader::outline(const Json& json, const JsonPath& path) {
   return outline;
 }
 
-RelationKind JsonReader::relation_kind(const Json& json, const JsonPath& path) {
-  for (const RelationKind kind : {RelationKind::equal, RelationKind::above, RelationKind::free,
-                                  RelationKind::below, RelationKind::joined})
-    if (json == name(kind)) return kind;
-  fail(path, "must be \"equal\", \"above\", \"free\", \"below\" or \"joined\"");
-  return RelationKind::above;
+Join JsonReader::join(const Json& json, const JsonPath& path) {
+  Join join;
+  if (!keys(json, path, {"upper", "lower", "line"}, {})) return join;
+  pair(json, path, join);
+  join.line = points(json["line"], path.member("line"));
+  return join;
 }
 
-CueKind JsonReader::cue_kind(const Json& json, const JsonPath& path) {
-  for (const CueKind kind : {CueKind::slope, CueKind::crease})
-    if (json == name(kind)) return kind;
-  if (json != "bulge") fail(path, "must be \"bulge\", \"slope\" or \"crease\"");
-  return CueKind::bulge;
+Relation JsonReader::relation(const Json& json, const JsonPath& path) {
+  Relation relation;
+  if (!keys(json, path, {"upper", "lower", "relation"}, {"range"})) return relation;
+  pair(json, path, relation);
+  const auto kinds = {RelationKind::equal, RelationKind::above, RelationKind::free,
+                      RelationKind::below, RelationKind::joined};
+  const auto kind = std::find_if(kinds.begin(), kinds.end(),
+                                 [&](RelationKind one) { return json["relation"] == name(one); });
+  if (kind == kinds.end())
+    fail(path.member("relation"),
+         "must be \"equal\", \"above\", \"free\", \"below\" or \"joined\"");
+  relation.kind = kind == kinds.end() ? RelationKind::above : *kind;
+  if (!json.contains("range")) {
+    if (relation.kind == RelationKind::below)
+      fail(path.member("range"),
+           "\"below\" needs a range; where it holds everywhere, swap the parts");
+    return relation;
+  }
+  const std::vector<Point2> ends = points(json["range"], path.member("range"));
+  if (ends.size() == 2)
+    relation.range = {ends[0], ends[1]};
+  else
+    fail(path.member("range"), "must be two points [[x, y], [x, y]]");
+  return relation;
+}
+
+RobinRange JsonReader::robin(const Json& json, const JsonPath& path) {
+  RobinRange range;
+  if (!keys(json, path, {"upper", "lower", "from", "to"}, {"alpha0", "rho"})) return range;
+  pair(json, path, range);
+  set(json, path, "from", range.from, &JsonReader::point);
+  set(json, path, "to", range.to, &JsonReader::point);
+  set(json, path, "alpha0", range.alpha0, &JsonReader::number);
+  set(json, path, "rho", range.rho, &JsonReader::number);
+  return range;
+}
+
+Cue JsonReader::cue(const Json& json, const JsonPath& path) {
+  Cue cue;
+  if (!keys(json, path, {"part", "kind", "line", "value"}, {})) return cue;
+  cue.part = part_reference(json["part"], path.member("part"));
+  const auto kinds = {CueKind::bulge, CueKind::slope, CueKind::crease};
+  const auto kind = std::find_if(kinds.begin(), kinds.end(),
+                                 [&](CueKind one) { return json["kind"] == name(one); });
+  if (kind == kinds.end())
+    fail(path.member("kind"), "must be \"bulge\", \"slope\" or \"crease\"");
+  else
+    cue.kind = *kind;
+  set(json, path, "line", cue.line, &JsonReader::points);
+  set(json, path, "value", cue.value, &JsonReader::number);
+  return cue;
 }
 
 }  // namespace relievo

@@ -7,8 +7,8 @@
 
 namespace relievo {
 
-/// The scene as a file, version 1: the same scene always gives the same bytes, and reading them
-/// back gives the same numbers to the last bit. Refuses what validate refuses.
+/// Returns the scene as a file, version 1. The same scene always gives the same bytes, and reading
+/// them back gives the same numbers to the last bit. Errors: as validate.
 Result<std::string> write_scene(const Scene& scene);
 
 }  // namespace relievo

@@ -11,8 +11,7 @@
 namespace relievo {
 namespace {
 
-/// How far a line in a layer may be from the outline it follows, as a fraction of the canvas
-/// diagonal.
+/// Largest distance of a line in a layer from the outline that it follows / diagonal of the canvas.
 constexpr double near_outline = 0.015;
 
 double distance_to_outline(Point2 p, const Outline& outline) {
@@ -25,7 +24,7 @@ double distance_to_outline(Point2 p, const Outline& outline) {
   return least;
 }
 
-/// The fraction of the line's length that is inside the outline, by midpoints of short pieces.
+/// Returns the fraction of the line's length inside the outline, by midpoints of short pieces.
 double fraction_inside(const std::vector<Point2>& line, const Outline& outline) {
   double inside = 0;
   double length = 0;
@@ -45,83 +44,76 @@ std::vector<Point2> without_repeats(std::vector<Point2> line) {
   return line;
 }
 
-/// Connects the lines of a drawing with its parts.
-class JoinFinder {
- public:
-  JoinFinder(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts)
-      : drawing_(drawing), parts_(parts) {}
-
-  /// The joins of a marked line, one for each of its subpaths.
-  Status add_marked(const SvgShape& shape, AnnotatedJoins& found) const {
-    const std::string where = shape.name.empty() ? "join" : shape.name;
-    const auto named = part_named(drawing_, parts_, shape.annotation.upper,
-                                  enclosing_part(drawing_, parts_, shape.group), where);
-    if (!named) return named.error();
-    const auto lower = part_named(drawing_, parts_, shape.annotation.lower, -1, where);
-    if (!lower) return lower.error();
-    const int upper = *named;
-    if (upper < 0) {
-      return Error{ErrorCode::bad_input, "the join is in no part: name it in data-upper", where};
+/// Returns the nearest part behind that contains most of the line, else the one that contains the
+/// largest share of it, or -1.
+int part_behind(const std::vector<AnnotatedPart>& parts, const std::vector<Point2>& line,
+                int upper) {
+  int best = -1;
+  double most = 0;
+  for (int k = upper - 1; k >= 0; --k) {
+    const double share = fraction_inside(line, parts[k].part.outline);
+    if (share > 0.5) return k;
+    if (share > most) {
+      most = share;
+      best = k;
     }
-    for (const Polyline& polyline : shape.lines) {
-      std::vector<Point2> line = without_repeats(polyline.points);
-      if (line.size() < 2) continue;
-      const int behind = *lower >= 0 ? *lower : part_behind(line, upper);
-      if (behind < 0 || behind == upper) {
-        return Error{ErrorCode::contradiction, "the join lies over no part behind its own", where};
-      }
-      found.joins.push_back({upper, behind, std::move(line)});
-    }
-    found.elements.push_back(shape.element);
-    return Done{};
   }
+  return best;
+}
 
-  /// A line in a layer that nobody marked: a join if it follows the outline over another part.
-  void add_likely(const SvgShape& shape, AnnotatedJoins& found) const {
-    const int upper = enclosing_part(drawing_, parts_, shape.group);
-    if (upper < 0 || shape.lines.size() != 1 || shape.lines.front().closed) return;
-    std::vector<Point2> line = without_repeats(shape.lines.front().points);
-    const int lower = line.size() < 2 ? -1 : part_behind(line, upper);
-    if (lower < 0 || fraction_inside(line, parts_[lower].part.outline) < 0.5) return;
-    const double reach = near_outline * drawing_.canvas().diagonal();
-    const Outline& outline = parts_[upper].part.outline;
-    const bool follows = std::all_of(line.begin(), line.end(), [&](Point2 p) {
-      return distance_to_outline(p, outline) <= reach;
-    });
-    if (!follows) return;
-    found.joins.push_back({upper, lower, std::move(line)});
-    found.elements.push_back(shape.element);
+/// Adds the joins of a marked line, one for each of its subpaths.
+Status add_marked(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts,
+                  const SvgShape& shape, std::vector<Join>& joins) {
+  const std::string where = shape.name.empty() ? "join" : shape.name;
+  const auto upper = part_named(drawing, parts, shape.element.attribute("data-upper").value(),
+                                enclosing_part(drawing, parts, shape.group), where);
+  if (!upper) return upper.error();
+  const auto lower =
+      part_named(drawing, parts, shape.element.attribute("data-lower").value(), -1, where);
+  if (!lower) return lower.error();
+  if (*upper < 0)
+    return Error{ErrorCode::bad_input, "the join lies in no part; name its part in data-upper",
+                 where};
+  for (const Polyline& polyline : shape.lines) {
+    std::vector<Point2> line = without_repeats(polyline.points);
+    if (line.size() < 2) continue;
+    const int behind = *lower >= 0 ? *lower : part_behind(parts, line, *upper);
+    if (behind < 0 || behind == *upper)
+      return Error{ErrorCode::contradiction,
+                   "the join lies over no part behind its own; move it over one, or name that part "
+                   "in data-lower",
+                   where};
+    joins.push_back({*upper, behind, std::move(line)});
   }
+  return Done{};
+}
 
- private:
-  /// The nearest part behind that contains most of the line, else the one that contains the
-  /// largest share of it, or -1.
-  int part_behind(const std::vector<Point2>& line, int upper) const {
-    int best = -1;
-    double most = 0;
-    for (int k = upper - 1; k >= 0; --k) {
-      const double share = fraction_inside(line, parts_[k].part.outline);
-      if (share > 0.5) return k;
-      if (share > most) {
-        most = share;
-        best = k;
-      }
-    }
-    return best;
-  }
-
-  const SvgDrawing& drawing_;
-  const std::vector<AnnotatedPart>& parts_;
-};
+/// Adds an unmarked line in a layer if it follows the outline of its part over another part;
+/// returns whether it does.
+bool add_likely(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts,
+                const SvgShape& shape, std::vector<Join>& joins) {
+  const int upper = enclosing_part(drawing, parts, shape.group);
+  if (upper < 0 || shape.lines.size() != 1 || shape.lines.front().closed) return false;
+  std::vector<Point2> line = without_repeats(shape.lines.front().points);
+  const int lower = line.size() < 2 ? -1 : part_behind(parts, line, upper);
+  if (lower < 0 || fraction_inside(line, parts[lower].part.outline) < 0.5) return false;
+  const double reach = near_outline * drawing.canvas().diagonal();
+  const Outline& outline = parts[upper].part.outline;
+  const bool follows = std::all_of(
+      line.begin(), line.end(), [&](Point2 p) { return distance_to_outline(p, outline) <= reach; });
+  if (follows) joins.push_back({upper, lower, std::move(line)});
+  return follows;
+}
 
 Result<CueKind> kind_of(const SvgShape& shape, const std::string& where) {
+  const std::string_view text = trimmed_svg(shape.element.attribute("data-cue").value());
   for (const CueKind kind : {CueKind::bulge, CueKind::slope, CueKind::crease})
-    if (shape.annotation.cue == name(kind)) return kind;
+    if (text == name(kind)) return kind;
   return Error{ErrorCode::bad_input, "data-cue must be bulge, slope or crease", where};
 }
 
 Result<double> value_of(const SvgShape& shape, CueKind kind, const std::string& where) {
-  SvgScanner scanner(trimmed_svg(shape.annotation.value));
+  SvgScanner scanner(trimmed_svg(shape.element.attribute("data-value").value()));
   const auto value = scanner.number();
   if (value && scanner.at_end() && has_sound_value({0, kind, {}, *value})) return *value;
   return Error{ErrorCode::bad_input,
@@ -138,23 +130,22 @@ std::vector<Point2> closed_up(const Polyline& polyline) {
 
 }  // namespace
 
-Result<AnnotatedJoins> annotated_joins(const SvgDrawing& drawing,
-                                       const std::vector<AnnotatedPart>& parts, bool layers) {
-  const JoinFinder finder(drawing, parts);
-  AnnotatedJoins found;
+Status add_annotated_joins(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts,
+                           bool layers, std::vector<Join>& joins,
+                           std::vector<pugi::xml_node>& elements) {
   for (const SvgShape& shape : drawing.shapes) {
     if (shape.join) {
-      if (const Status s = finder.add_marked(shape, found); !s) return s.error();
+      if (const Status s = add_marked(drawing, parts, shape, joins); !s) return s.error();
+      elements.push_back(shape.element);
     } else if (layers && !shape.cue && !shape.fill && shape.stroke) {
-      finder.add_likely(shape, found);
+      if (add_likely(drawing, parts, shape, joins)) elements.push_back(shape.element);
     }
   }
-  return found;
+  return Done{};
 }
 
-Result<AnnotatedCues> annotated_cues(const SvgDrawing& drawing,
-                                     const std::vector<AnnotatedPart>& parts) {
-  AnnotatedCues found;
+Status add_annotated_cues(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts,
+                          std::vector<Cue>& cues, std::vector<pugi::xml_node>& elements) {
   for (const SvgShape& shape : drawing.shapes) {
     if (!shape.cue) continue;
     const std::string where = shape.name.empty() ? "cue" : shape.name;
@@ -162,18 +153,19 @@ Result<AnnotatedCues> annotated_cues(const SvgDrawing& drawing,
     if (!kind) return kind.error();
     const auto value = value_of(shape, *kind, where);
     if (!value) return value.error();
-    const auto part = part_named(drawing, parts, shape.annotation.part,
+    const auto part = part_named(drawing, parts, shape.element.attribute("data-part").value(),
                                  enclosing_part(drawing, parts, shape.group), where);
     if (!part) return part.error();
     if (*part < 0)
-      return Error{ErrorCode::bad_input, "the cue is in no part: name it in data-part", where};
+      return Error{ErrorCode::bad_input, "the cue lies in no part; name its part in data-part",
+                   where};
     for (const Polyline& polyline : shape.lines) {
       std::vector<Point2> line = closed_up(polyline);
-      if (line.size() >= 2) found.cues.push_back({*part, *kind, std::move(line), *value});
+      if (line.size() >= 2) cues.push_back({*part, *kind, std::move(line), *value});
     }
-    found.elements.push_back(shape.element);
+    elements.push_back(shape.element);
   }
-  return found;
+  return Done{};
 }
 
 }  // namespace relievo

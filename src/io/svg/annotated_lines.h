@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pugixml.hpp>
 #include <vector>
 
 #include "io/svg/annotated_parts.h"
@@ -8,29 +9,20 @@
 
 namespace relievo {
 
-struct AnnotatedJoins {
-  std::vector<Join> joins;
-  std::vector<pugi::xml_node> elements;  ///< that must not be painted
-};
+/// Adds the joins of the drawing, and the elements that draw them to `elements`. A marked line
+/// joins the part that holds it (or data-upper) to data-lower, which may lie in front of it (see
+/// turn_joins_from_behind), or else to the nearest part behind that contains most of it. With
+/// `layers`, a stroke without a fill that runs along the outline of its part, over a part behind,
+/// is a join too. Errors: `bad_input` for unknown or missing names, `contradiction` for a line over
+/// no part behind.
+Status add_annotated_joins(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts,
+                           bool layers, std::vector<Join>& joins,
+                           std::vector<pugi::xml_node>& elements);
 
-/// Joins of the drawing. A marked line is a join of the part it lies in (or data-upper) to
-/// data-lower, which may lie in front of it (turn_joins_from_behind), or else to the nearest part
-/// behind that contains most of it. With `layers`, a stroke without a fill that runs along the
-/// outline of its part, over a part behind, is one too. Fails with bad_input where a name is
-/// unknown or the upper part is not said, with contradiction where the line lies over no part
-/// behind.
-Result<AnnotatedJoins> annotated_joins(const SvgDrawing& drawing,
-                                       const std::vector<AnnotatedPart>& parts, bool layers);
-
-struct AnnotatedCues {
-  std::vector<Cue> cues;
-  std::vector<pugi::xml_node> elements;  ///< that must not be painted
-};
-
-/// Cues of the drawing: each subpath of a marked line is one, of the part it lies in or data-part.
-/// Fails with bad_input where the part is unknown or not said, or data-cue or data-value is
-/// unsound.
-Result<AnnotatedCues> annotated_cues(const SvgDrawing& drawing,
-                                     const std::vector<AnnotatedPart>& parts);
+/// Adds the cues of the drawing, and the elements that draw them to `elements`: each subpath of a
+/// marked line is a cue of the part that holds it or of data-part. Errors: `bad_input` for an
+/// unknown or missing part, and for an unsound data-cue or data-value.
+Status add_annotated_cues(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts,
+                          std::vector<Cue>& cues, std::vector<pugi::xml_node>& elements);
 
 }  // namespace relievo

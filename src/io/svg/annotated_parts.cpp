@@ -7,17 +7,16 @@
 #include "io/svg/scanner.h"
 #include "io/svg/svg_drawing.h"
 #include "kernel/geometry/region.h"
-#include "understanding/marks/part_cover.h"
-#include "understanding/marks/propose_parts.h"
+#include "scene/part_ids.h"
 
 namespace relievo {
 namespace {
 
+/// Least width of a stroke without a fill that is a shape of its own / diagonal of the canvas.
 constexpr double wide_stroke = 0.02;
 
 bool is_part_group(const SvgGroup& group, bool layers) {
-  return group.annotation.mark == SvgMark::part || group.annotation.has_part_values() ||
-         (layers && group.layer);
+  return group.mark == SvgMark::part || has_part_values(group.element) || (layers && group.layer);
 }
 
 int owner_of(const SvgDrawing& drawing, int group, bool layers) {
@@ -36,13 +35,15 @@ Region silhouette(const SvgShape& shape, const SvgDrawing& drawing) {
 }
 
 std::string part_id(const SvgGroup& group) {
-  const bool by_id = !group.layer || group.label.empty();
-  return by_id && !group.id.empty() ? group.id : group.label;
+  std::string id = group.value("id");
+  std::string label = group.value("inkscape:label");
+  const bool by_id = !group.layer || label.empty();
+  return by_id && !id.empty() ? id : label;
 }
 
 /// Sets `value` from an attribute, where it is given.
-Status set_number(double& value, const std::string& text, const char* name,
-                  const std::string& part) {
+Status set_number(double& value, const SvgGroup& group, const char* name, const std::string& part) {
+  const std::string text = group.value(name);
   if (text.empty()) return Done{};
   SvgScanner scanner(trimmed_svg(text));
   const auto number = scanner.number();
@@ -53,7 +54,6 @@ Status set_number(double& value, const std::string& text, const char* name,
   return Done{};
 }
 
-/// Likewise two numbers.
 Status set_lean(Point2& lean, const std::string& text, const std::string& part) {
   if (text.empty()) return Done{};
   SvgScanner scanner(trimmed_svg(text));
@@ -66,57 +66,50 @@ Status set_lean(Point2& lean, const std::string& text, const std::string& part) 
   return Done{};
 }
 
-Status set_values(Part& part, const SvgAnnotation& annotation) {
-  if (const Status s = set_number(part.c, annotation.c, "data-c", part.id); !s) return s;
-  if (const Status s = set_number(part.d, annotation.d, "data-d", part.id); !s) return s;
-  if (const Status s = set_number(part.flat, annotation.flat, "data-flat", part.id); !s) return s;
-  if (const Status s = set_lean(part.lean, annotation.lean, part.id); !s) return s;
-  if (part.c <= 0) {
-    return Error{ErrorCode::bad_input, "data-c must be positive", part.id};
-  }
-  if (part.d == 0) {
-    return Error{ErrorCode::bad_input, "data-d must be a number other than 0", part.id};
-  }
-  if (part.flat < 0 || part.flat > 1) {
-    return Error{ErrorCode::bad_input, "data-flat must lie between 0 and 1", part.id};
-  }
+Status set_values(Part& part, const SvgGroup& group) {
+  if (const Status s = set_number(part.c, group, "data-c", part.id); !s) return s.error();
+  if (const Status s = set_number(part.d, group, "data-d", part.id); !s) return s.error();
+  if (const Status s = set_number(part.flat, group, "data-flat", part.id); !s) return s.error();
+  if (const Status s = set_lean(part.lean, group.value("data-lean"), part.id); !s) return s.error();
+  const auto wrong = [&](const char* message) {
+    return Error{ErrorCode::bad_input, message, part.id};
+  };
+  if (part.c <= 0) return wrong("data-c must be above 0");
+  if (part.d == 0) return wrong("data-d must not be 0");
+  if (part.flat < 0 || part.flat > 1) return wrong("data-flat must lie between 0 and 1");
   return Done{};
 }
 
-/// What a part group owns.
-struct OwnedShapes {
-  int group = -1;
-  std::vector<Region> regions;
-  std::vector<Color> colors;  ///< of their fills; of their strokes where they have none
-};
-
-/// The shapes that each part group owns, groups in the order of their first shape.
-std::vector<OwnedShapes> owned_shapes(const SvgDrawing& drawing, bool layers) {
-  std::vector<OwnedShapes> owned;
+/// Returns the shapes of each part group, with the group's index; groups are in the order of their
+/// first shape. A mark's colour is that of its fill, or of its stroke where it has no fill.
+std::vector<std::vector<understanding::Mark>> owned_shapes(const SvgDrawing& drawing, bool layers) {
+  std::vector<std::vector<understanding::Mark>> owned;
   std::map<int, size_t> place;
   for (const SvgShape& shape : drawing.shapes) {
     const int owner = owner_of(drawing, shape.group, layers);
     if (owner < 0 || shape.is_note()) continue;
     if (inherited_mark(drawing, shape.group) >= SvgMark::texture) continue;
-    Region region = silhouette(shape, drawing);
-    if (region.empty()) continue;
+    understanding::Mark mark;
+    mark.group = owner;
+    mark.region = silhouette(shape, drawing);
+    if (mark.region.empty()) continue;
+    mark.color = shape.fill ? *shape.fill : *shape.stroke;
     const auto [at, fresh] = place.emplace(owner, owned.size());
-    if (fresh) owned.push_back({owner, {}, {}});
-    owned[at->second].regions.push_back(std::move(region));
-    owned[at->second].colors.push_back(shape.fill ? *shape.fill : *shape.stroke);
+    if (fresh) owned.emplace_back();
+    owned[at->second].push_back(std::move(mark));
   }
   return owned;
 }
 
-/// The colours of a part's shapes that are seen on a tenth of it at least, most of it first.
-Palette palette_of(const OwnedShapes& owned) {
+/// Returns the colours that show on at least a tenth of the shapes' area, the most frequent first.
+Palette palette_of(const std::vector<understanding::Mark>& shapes) {
   Region above;
   std::vector<std::pair<double, std::array<double, 3>>> seen;
-  for (size_t i = owned.regions.size(); i-- > 0;) {
-    const Color& c = owned.colors[i];
+  for (size_t i = shapes.size(); i-- > 0;) {
+    const Color& c = shapes[i].color;
     const std::array<double, 3> color{c.r, c.g, c.b};
-    const double own = area(subtract(owned.regions[i], above));
-    above = unite(above, owned.regions[i]);
+    const double own = area(subtract(shapes[i].region, above));
+    above = unite(above, shapes[i].region);
     const auto same = std::find_if(seen.begin(), seen.end(),
                                    [&](const auto& entry) { return entry.second == color; });
     if (same == seen.end()) {
@@ -133,35 +126,23 @@ Palette palette_of(const OwnedShapes& owned) {
   return palette;
 }
 
-bool some_overlap(const std::vector<Part>& parts) {
-  for (size_t i = 0; i < parts.size(); ++i) {
-    for (size_t j = 0; j < i; ++j) {
-      const double smaller = std::min(area(parts[i].outline), area(parts[j].outline));
-      if (area(intersect(parts[i].outline, parts[j].outline)) > 0.05 * smaller) return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 Result<std::vector<AnnotatedPart>> annotated_parts(const SvgDrawing& drawing, bool layers) {
   std::vector<Part> parts;
-  std::vector<int> groups;
-  std::vector<Palette> colors;
-  for (const OwnedShapes& owned : owned_shapes(drawing, layers)) {
-    const SvgGroup& source = drawing.groups[owned.group];
-    Part part{part_id(source), tidied(unite(owned.regions), 0.1, 4)};
-    if (part.outline.empty()) continue;
-    if (const Status s = set_values(part, source.annotation); !s) return s.error();
-    parts.push_back(std::move(part));
-    groups.push_back(owned.group);
-    colors.push_back(palette_of(owned));
-  }
-  understanding::make_ids_unique(parts);
   std::vector<AnnotatedPart> result;
-  for (size_t k = 0; k < parts.size(); ++k)
-    result.push_back({groups[k], std::move(parts[k]), std::move(colors[k])});
+  for (const std::vector<understanding::Mark>& shapes : owned_shapes(drawing, layers)) {
+    const int group = shapes.front().group;
+    std::vector<Region> regions;
+    for (const understanding::Mark& shape : shapes) regions.push_back(shape.region);
+    Part part{part_id(drawing.groups[group]), tidied(unite(regions), 0.1, 4)};
+    if (part.outline.empty()) continue;
+    if (const Status s = set_values(part, drawing.groups[group]); !s) return s.error();
+    parts.push_back(std::move(part));
+    result.push_back({group, {}, palette_of(shapes)});
+  }
+  make_ids_unique(parts);
+  for (size_t k = 0; k < parts.size(); ++k) result[k].part = std::move(parts[k]);
   return result;
 }
 
@@ -169,7 +150,7 @@ Result<std::vector<Relation>> annotated_relations(const SvgDrawing& drawing,
                                                   const std::vector<AnnotatedPart>& parts) {
   std::vector<Relation> relations;
   for (size_t upper = 0; upper < parts.size(); ++upper) {
-    const std::string& text = drawing.groups[parts[upper].group].annotation.relation;
+    const std::string text = drawing.groups[parts[upper].group].value("data-relation");
     if (text.empty()) continue;
     RelationKind kind = RelationKind::free;
     if (text == "equal") {
@@ -189,28 +170,15 @@ Result<std::vector<Relation>> annotated_relations(const SvgDrawing& drawing,
   return relations;
 }
 
-bool layers_are_parts(const SvgDrawing& drawing) {
-  std::map<int, SvgDrawing> by_layer;
+std::vector<std::vector<understanding::Mark>> marks_by_layer(const SvgDrawing& drawing) {
+  std::map<int, std::vector<const SvgShape*>> by_layer;
   for (const SvgShape& shape : drawing.shapes) {
-    if (shape.is_note()) return true;
     const int owner = owner_of(drawing, shape.group, true);
-    if (owner < 0 || silhouette(shape, drawing).empty()) continue;
-    SvgDrawing& layer = by_layer[owner];
-    layer.shapes.push_back(shape);
+    if (owner >= 0 && !silhouette(shape, drawing).empty()) by_layer[owner].push_back(&shape);
   }
-  if (by_layer.size() < 2) return false;
-  return std::none_of(by_layer.begin(), by_layer.end(), [&](auto& entry) {
-    SvgDrawing& layer = entry.second;
-    layer.width = drawing.width;
-    layer.height = drawing.height;
-    layer.groups = drawing.groups;
-    layer.clips = drawing.clips;
-    const std::vector<Part> inside =
-        understanding::propose_parts(
-            understanding::group_figures(opaque_marks(layer), layer.canvas()))
-            .parts;
-    return inside.size() >= 4 && some_overlap(inside);
-  });
+  std::vector<std::vector<understanding::Mark>> layers;
+  for (const auto& [owner, shapes] : by_layer) layers.push_back(opaque_marks(drawing, shapes));
+  return layers;
 }
 
 int enclosing_part(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts, int group) {
@@ -227,10 +195,11 @@ Result<int> part_named(const SvgDrawing& drawing, const std::vector<AnnotatedPar
   if (name.empty()) return otherwise;
   for (size_t k = 0; k < parts.size(); ++k) {
     const SvgGroup& group = drawing.groups[parts[k].group];
-    if (name == parts[k].part.id || name == group.id || name == group.label)
+    if (name == parts[k].part.id || name == group.value("id") ||
+        name == group.value("inkscape:label"))
       return static_cast<int>(k);
   }
-  return Error{ErrorCode::bad_input, "there is no part named \"" + name + "\"", where};
+  return Error{ErrorCode::bad_input, "no part has the id or label \"" + name + "\"", where};
 }
 
 }  // namespace relievo

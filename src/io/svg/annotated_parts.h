@@ -15,28 +15,26 @@ struct AnnotatedPart {
   Palette colors;
 };
 
-/// The groups that are parts: those marked as such, and, with `layers`, all Inkscape layers. The
-/// innermost such group owns a shape. Back to front by the first shape of each; a group without
-/// a filled shape is no part. The silhouette of a part is what its filled shapes paint, their
-/// strokes included, and strokes without a fill that are wider than 1/50 of the canvas diagonal.
-/// Fails with bad_input where data-c or data-d is no sound number.
+/// Returns the groups that are parts: those marked as such, and, with `layers`, all Inkscape
+/// layers. The innermost such group owns a shape. Parts are sorted back to front by their first
+/// shapes; a group without a filled shape is no part. The outline of a part holds its filled shapes
+/// with their strokes, and strokes without a fill that are wider than 1/50 of the canvas diagonal.
+/// Errors: `bad_input` where data-c, data-d, data-flat or data-lean is out of range.
 Result<std::vector<AnnotatedPart>> annotated_parts(const SvgDrawing& drawing, bool layers);
 
-/// Relations that data-relation asks for: to every part behind that the part overlaps. Fails with
-/// bad_input where the value is not equal, above or free.
+/// Returns a relation for each part with data-relation to every part behind that it overlaps.
+/// Errors: `bad_input` where the value is not equal, above or free.
 Result<std::vector<Relation>> annotated_relations(const SvgDrawing& drawing,
                                                   const std::vector<AnnotatedPart>& parts);
 
-/// Whether layers stand for parts under SvgLayers::automatic: there are at least two with filled
-/// shapes, and none from whose shapes four or more parts would be proposed, some of them over
-/// others; or something in the drawing is annotated.
-bool layers_are_parts(const SvgDrawing& drawing);
+/// Returns the opaque marks of each Inkscape layer that shows a filled shape or a wide stroke.
+std::vector<std::vector<understanding::Mark>> marks_by_layer(const SvgDrawing& drawing);
 
-/// The part that the group lies in, or -1.
+/// Returns the part that holds the group, or -1.
 int enclosing_part(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts, int group);
 
-/// The part whose id, or whose group's id or label, is `name`; `otherwise` where that is empty.
-/// Fails with bad_input at `where` where there is none.
+/// Returns the part whose id, or whose group's id or label, is `name`; `otherwise` for an empty
+/// name. Errors: `bad_input` at `where` where there is no such part.
 Result<int> part_named(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts,
                        const std::string& name, int otherwise, const std::string& where);
 

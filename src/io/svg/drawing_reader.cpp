@@ -4,6 +4,7 @@
 
 #include "io/svg/basic_shapes.h"
 #include "io/svg/path_data.h"
+#include "io/svg/scanner.h"
 #include "io/svg/svg_document.h"
 #include "io/svg/svg_drawing.h"
 #include "io/svg/svg_region.h"
@@ -224,24 +225,21 @@ bool enter_nested(const pugi::xml_node& element, const pugi::xml_node& sized, Su
   return true;
 }
 
-void add_group(const pugi::xml_node& element, bool layer, const SvgAnnotation& annotation,
-               Surroundings& around, Reading& reading) {
-  const std::string_view mark = element.attribute("data-relievo").value();
-  if (!mark.empty() && annotation.mark == SvgMark::none) {
-    reading.warn("data-relievo=\"" + std::string(mark) + "\" is not known and ignored");
-  }
-  reading.drawing.groups.push_back({around.group, element.attribute("id").value(),
-                                    element.attribute("inkscape:label").value(), layer,
-                                    annotation});
+void add_group(const pugi::xml_node& element, bool layer, Surroundings& around, Reading& reading) {
+  const std::string_view text = element.attribute("data-relievo").value();
+  const SvgMark mark = svg_mark(element);
+  if (!text.empty() && mark == SvgMark::none)
+    reading.warn("data-relievo=\"" + std::string(text) +
+                 "\" is ignored: it must be part, texture, ignore, join or cue");
+  reading.drawing.groups.push_back({around.group, element, mark, layer});
   around.group = static_cast<int>(reading.drawing.groups.size()) - 1;
 }
 
 void enter_group(const pugi::xml_node& element, bool group_element, Surroundings& around,
                  Reading& reading) {
-  const SvgAnnotation annotation = annotation_of(element);
-  if (!group_element && annotation.empty()) return;
+  if (!group_element && !has_annotation(element)) return;
   const bool layer = std::string_view(element.attribute("inkscape:groupmode").value()) == "layer";
-  add_group(element, layer, annotation, around, reading);
+  add_group(element, layer, around, reading);
 }
 
 /// Name and lines of a shape; false where it has none or none that can be used.
@@ -279,19 +277,18 @@ bool read_lines(const pugi::xml_node& element, const Surroundings& around, SvgSh
 
 void read_shape(const pugi::xml_node& element, Surroundings& around, Reading& reading) {
   SvgShape shape;
-  shape.annotation = annotation_of(element);
-  shape.join = shape.annotation.mark == SvgMark::join || has_join_class(element);
-  shape.cue = !shape.join && (shape.annotation.mark == SvgMark::cue ||
-                              !shape.annotation.cue.empty() || has_cue_class(element));
+  const SvgMark mark = svg_mark(element);
+  const std::string_view cue = trimmed_svg(element.attribute("data-cue").value());
+  shape.join = mark == SvgMark::join || has_join_class(element);
+  shape.cue = !shape.join && (mark == SvgMark::cue || !cue.empty() || has_cue_class(element));
   if (!around.style.visible && !shape.is_note()) return;
   if (!read_lines(element, around, shape, reading)) return;
   set_paint(around, reading.document, shape);
   shape.clips = around.clips;
   shape.blurred = around.blurred;
   shape.element = element;
-  if (element.attribute("data-relievo") || !shape.annotation.empty()) {
-    add_group(element, false, shape.annotation, around, reading);
-  }
+  if (element.attribute("data-relievo") || has_annotation(element))
+    add_group(element, false, around, reading);
   shape.group = around.group;
   reading.drawing.shapes.push_back(std::move(shape));
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,77 +15,47 @@
 #include "io/svg/svg_document.h"
 #include "io/svg/svg_drawing.h"
 #include "io/svg/svg_units.h"
-#include "understanding/marks/propose_parts.h"
 
 namespace relievo {
 namespace {
 
-/// Elements that say something about parts and must not be painted.
-using Notes = std::vector<pugi::xml_node>;
+using understanding::LayeredDrawing;
+
+using Elements = std::vector<pugi::xml_node>;
 
 bool is_annotated(const SvgDrawing& drawing) {
   return std::any_of(drawing.groups.begin(), drawing.groups.end(), [](const SvgGroup& group) {
-    return group.annotation.mark == SvgMark::part || group.annotation.has_part_values();
+    return group.mark == SvgMark::part || has_part_values(group.element);
   });
 }
 
-bool uses_layers(const SvgDrawing& drawing, const SvgOptions& options) {
-  if (options.layers == SvgLayers::automatic) return layers_are_parts(drawing);
-  return options.layers == SvgLayers::parts;
+bool has_notes(const SvgDrawing& drawing) {
+  return std::any_of(drawing.shapes.begin(), drawing.shapes.end(),
+                     [](const SvgShape& shape) { return shape.is_note(); });
 }
 
-Status take_annotations(const SvgDrawing& drawing, bool layers, SvgImport& result, Notes& notes) {
+/// Takes the parts and their joins, cues and relations; `lines` become the elements that draw
+/// joins and cues.
+Status take_annotations(const SvgDrawing& drawing, bool layers, LayeredDrawing& result,
+                        Elements& lines) {
   auto parts = annotated_parts(drawing, layers);
   if (!parts) return parts.error();
-  auto joins = annotated_joins(drawing, *parts, layers);
-  if (!joins) return joins.error();
-  auto cues = annotated_cues(drawing, *parts);
-  if (!cues) return cues.error();
+  Scene& scene = result.scene;
+  if (Status s = add_annotated_joins(drawing, *parts, layers, scene.joins, lines); !s) return s;
+  if (Status s = add_annotated_cues(drawing, *parts, scene.cues, lines); !s) return s;
   auto relations = annotated_relations(drawing, *parts);
   if (!relations) return relations.error();
-  Scene& scene = result.scene;
   for (AnnotatedPart& part : *parts) {
     scene.parts.push_back(std::move(part.part));
     result.colors.push_back(std::move(part.colors));
   }
-  scene.joins = std::move(joins->joins);
   scene.relations = std::move(*relations);
-  scene.cues = std::move(cues->cues);
   turn_joins_from_behind(scene);
-  notes = std::move(joins->elements);
-  notes.insert(notes.end(), cues->elements.begin(), cues->elements.end());
   return Done{};
 }
 
-Status propose(const SvgDrawing& drawing, const SvgOptions& options, SvgImport& result,
-               Notes& notes) {
-  if (drawing.shapes.size() > options.max_shapes) {
-    return Error{ErrorCode::limit,
-                 "too many shapes to propose parts from: group them into annotated parts (limit " +
-                     std::to_string(options.max_shapes) + ")",
-                 "svg"};
-  }
-  std::vector<understanding::Mark> marks = opaque_marks(drawing);
-  result.line_art =
-      !marks.empty() && std::none_of(marks.begin(), marks.end(),
-                                     [](const understanding::Mark& mark) { return mark.filled; });
-  const understanding::FigureList figures =
-      understanding::group_figures(std::move(marks), drawing.canvas());
-  understanding::ProposedParts proposed = understanding::propose_parts(figures);
-  result.scene.parts = std::move(proposed.parts);
-  result.colors = std::move(proposed.colors);
-  result.warnings.insert(result.warnings.end(), figures.notes.begin(), figures.notes.end());
-  result.proposed = true;
-  for (const SvgShape& shape : drawing.shapes) {
-    if (!shape.is_note()) continue;
-    notes.push_back(shape.element);
-    result.warnings.push_back(std::string(shape.join ? "joins" : "cues") +
-                              " are ignored where no part is annotated");
-  }
-  return Done{};
-}
-
-constexpr size_t header_size = 24;
+constexpr size_t header_size = 24;  ///< of a PNG file, up to its height
+constexpr uint64_t most_embedded_pixels = 25'000'000;
 
 int base64_value(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
@@ -93,7 +65,7 @@ int base64_value(char c) {
   return c == '/' ? 63 : -1;
 }
 
-/// The first bytes that the base64 text stands for.
+/// Decodes the first `count` bytes of a base64 text.
 std::string decoded_front(std::string_view text, size_t count) {
   std::string bytes;
   uint32_t bits = 0;
@@ -118,33 +90,28 @@ uint32_t big_endian(std::string_view bytes) {
   return value;
 }
 
-struct EmbeddedSize {
-  uint32_t width = 0;
-  uint32_t height = 0;
-};
-
-/// Size of the PNG file that an <image> carries in a data: reference, from its header alone;
-/// nothing for any other content, and for references to elsewhere.
-std::optional<EmbeddedSize> embedded_png_size(const pugi::xml_node& image) {
+/// Returns the number of pixels of the PNG file that an <image> holds in a data: reference, from
+/// its header alone; nothing for any other content, and for references to elsewhere.
+std::optional<uint64_t> embedded_pixels(const pugi::xml_node& image) {
   for (const pugi::xml_attribute& attribute : image.attributes()) {
     if (local_name(attribute.name()) != "href") continue;
     const std::string_view href = trimmed_svg(attribute.value());
     constexpr std::string_view prefix = "data:image/png;base64,";
-    if (href.substr(0, prefix.size()) != prefix) return std::nullopt;
+    if (!href.starts_with(prefix)) return std::nullopt;
     const std::string header = decoded_front(href.substr(prefix.size()), header_size);
     const std::string_view view = header;
-    if (view.size() < header_size || view.substr(1, 3) != "PNG" || view.substr(12, 4) != "IHDR") {
+    if (view.size() < header_size || view.substr(1, 3) != "PNG" || view.substr(12, 4) != "IHDR")
       return std::nullopt;
-    }
-    return EmbeddedSize{big_endian(view.substr(16, 4)), big_endian(view.substr(20, 4))};
+    return uint64_t{big_endian(view.substr(16, 4))} * big_endian(view.substr(20, 4));
   }
   return std::nullopt;
 }
 
 constexpr std::string_view svg_namespace = "http://www.w3.org/2000/svg";
 
-/// Whether the name belongs to SVG: prefixes are looked up, none means SVG unless another namespace
-/// is the default. Values that begin with & are entities of the document type, which are repaired.
+/// Returns whether the element's name is one of SVG: its prefix is looked up; none means SVG unless
+/// another namespace is the default. Values that begin with & are entities of the document type,
+/// which repair_namespaces replaces.
 bool is_svg_name(const pugi::xml_node& element) {
   const std::string_view name = element.name();
   const size_t colon = name.find(':');
@@ -156,16 +123,16 @@ bool is_svg_name(const pugi::xml_node& element) {
   return plain;
 }
 
-/// Whether the renderer may see the element: no scripts, nothing foreign, nothing from elsewhere,
-/// and no picture of unknown size.
+/// Returns whether the renderer may see the element: no script, nothing foreign, nothing from
+/// elsewhere, and no picture of unknown size.
 bool is_harmless(const pugi::xml_node& element) {
   if (!is_svg_name(element)) return false;
   const std::string_view name = local_name(element.name());
   if (name == "script" || name == "foreignObject" || name == "feImage") return false;
   if (trimmed_svg(element.attribute("data-relievo").value()) == "ignore") return false;
   if (name != "image") return true;
-  const auto size = embedded_png_size(element);
-  return size && static_cast<int64_t>(size->width) * size->height <= 25000000;
+  const auto pixels = embedded_pixels(element);
+  return pixels && *pixels <= most_embedded_pixels;
 }
 
 void remove_harmful(pugi::xml_node parent) {
@@ -188,7 +155,7 @@ void set_attribute(pugi::xml_node node, const char* name, const std::string& val
   attribute.set_value(value.c_str());
 }
 
-/// Namespaces that were written as entities of the document type are put in their place.
+/// Replaces namespaces that are written as entities of the document type.
 void repair_namespaces(pugi::xml_node root) {
   for (pugi::xml_attribute attribute : root.attributes()) {
     const std::string_view name = attribute.name();
@@ -203,7 +170,7 @@ void repair_namespaces(pugi::xml_node root) {
   set_attribute(root, "xmlns:xlink", "http://www.w3.org/1999/xlink");
 }
 
-/// Gives the root the size that the canvas has for us, so that both agree on where things are.
+/// Gives the root our size of the canvas, so that the renderer's positions agree with ours.
 void fix_size(pugi::xml_node root, double px_width, double px_height) {
   const std::string width = std::to_string(px_width);
   const std::string height = std::to_string(px_height);
@@ -214,66 +181,62 @@ void fix_size(pugi::xml_node root, double px_width, double px_height) {
   }
 }
 
-struct StringWriter : pugi::xml_writer {
-  std::string text;
-  void write(const void* data, size_t size) override {
-    text.append(static_cast<const char*>(data), size);
-  }
-};
-
-/// The text of a PaintableSvg whose root has this size, px. The document becomes it; `notes` are
-/// elements of it that are left out.
-std::string paintable_text(SvgDocument& document, double width, double height,
-                           const std::vector<pugi::xml_node>& notes) {
-  for (pugi::xml_node note : notes) set_attribute(note, "data-relievo", "ignore");
-  remove_harmful(document.root);
-  repair_namespaces(document.root);
-  fix_size(document.root, width, height);
-  StringWriter writer;
-  document.root.print(writer, "", pugi::format_raw);
-  return std::move(writer.text);
+/// Makes the document under `root` safe to paint (see PaintableSvg) and returns its text.
+std::string paintable_text(pugi::xml_node root, const SvgDrawing& drawing) {
+  remove_harmful(root);
+  repair_namespaces(root);
+  fix_size(root, drawing.px_width, drawing.px_height);
+  std::ostringstream text;
+  root.print(text, "", pugi::format_raw);
+  return text.str();
 }
 
-/// A drawing with what it means, which may be nothing.
-Result<SvgImport> interpret(std::string_view bytes, const SvgOptions& options) {
-  const auto document = parse_svg_document(bytes, options);
-  if (!document) return document.error();
-  const auto drawing = read_drawing(**document, options);
-  if (!drawing) return drawing.error();
-  SvgImport result;
-  Notes notes;
-  result.warnings = drawing->warnings;
-  result.scene.width = drawing->width;
-  result.scene.height = drawing->height;
-  const bool annotated = is_annotated(*drawing);
-  const bool layers = !annotated && uses_layers(*drawing, options);
-  const Status status = annotated || layers ? take_annotations(*drawing, layers, result, notes)
-                                            : propose(*drawing, options, result, notes);
-  if (!status) return status.error();
-  for (const SvgShape& shape : drawing->shapes)
-    if (shape.fill && !shape.is_note())
-      result.anchors.insert(result.anchors.end(), shape.anchors.begin(), shape.anchors.end());
-  result.paintable = {paintable_text(**document, drawing->px_width, drawing->px_height, notes),
-                      drawing->px_width, drawing->px_height};
-  return result;
+/// Sets the texts of the drawing to paint, without `lines`. Where the drawing's layers may be no
+/// parts, the text with these lines is kept too.
+void set_paintable(SvgDocument& document, const SvgDrawing& drawing, const Elements& lines,
+                   LayeredDrawing& result) {
+  if (!result.layers.empty() && !lines.empty()) {
+    pugi::xml_document copy;
+    copy.reset(document.xml);
+    result.text_with_lines = paintable_text(copy.document_element(), drawing);
+  }
+  for (pugi::xml_node line : lines) set_attribute(line, "data-relievo", "ignore");
+  result.paintable = {paintable_text(document.root, drawing), drawing.px_width, drawing.px_height};
+}
+
+std::vector<const SvgShape*> shapes_of(const SvgDrawing& drawing) {
+  std::vector<const SvgShape*> shapes;
+  for (const SvgShape& shape : drawing.shapes) shapes.push_back(&shape);
+  return shapes;
 }
 
 }  // namespace
 
-Result<SvgImport> read_svg(std::string_view bytes, const SvgOptions& options) {
-  auto result = interpret(bytes, options);
-  if (result && result->scene.parts.empty())
-    return Error{ErrorCode::bad_input,
-                 "no filled shape is visible on the canvas" +
-                     (result->warnings.empty() ? "" : ": " + result->warnings.front()),
-                 "svg"};
+Result<LayeredDrawing> read_svg(std::string_view bytes, const SvgOptions& options) {
+  const auto document = parse_svg_document(bytes, options);
+  if (!document) return document.error();
+  const auto drawing = read_drawing(**document, options);
+  if (!drawing) return drawing.error();
+  LayeredDrawing result;
+  result.warnings = drawing->warnings;
+  result.scene.width = drawing->width;
+  result.scene.height = drawing->height;
+  const bool annotated = is_annotated(*drawing);
+  const bool declared = annotated || has_notes(*drawing);
+  if (!declared) {
+    result.marks = opaque_marks(*drawing, shapes_of(*drawing));
+    result.layers = marks_by_layer(*drawing);
+    if (result.layers.size() < 2) result.layers.clear();
+  }
+  Elements lines;
+  if (declared || !result.layers.empty())
+    if (Status status = take_annotations(*drawing, !annotated, result, lines); !status)
+      return status.error();
+  for (const SvgShape& shape : drawing->shapes)
+    if (shape.fill && !shape.is_note())
+      result.anchors.insert(result.anchors.end(), shape.anchors.begin(), shape.anchors.end());
+  set_paintable(**document, *drawing, lines, result);
   return result;
-}
-
-Result<PaintableSvg> paintable_svg(std::string_view bytes, const SvgOptions& options) {
-  auto result = interpret(bytes, options);
-  if (!result) return result.error();
-  return std::move(result->paintable);
 }
 
 }  // namespace relievo

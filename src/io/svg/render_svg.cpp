@@ -67,7 +67,7 @@ void straight_rgba(cairo_surface_t* surface, Image8& image) {
   }
 }
 
-Status rasterize(const PaintableSvg& svg, Image8& image) {
+Status rasterize(const understanding::PaintableSvg& svg, Image8& image) {
   GError* error = nullptr;
   const Owned<RsvgHandle> handle(rsvg_handle_new_from_data(
       reinterpret_cast<const guint8*>(svg.text.data()), svg.text.size(), &error));
@@ -142,7 +142,7 @@ struct Pipe {
 };
 
 void bound(int resource, rlim_t most) {
-  struct rlimit limit = {};
+  rlimit limit = {};
   if (getrlimit(static_cast<__rlimit_resource_t>(resource), &limit) != 0) return;
   limit.rlim_max = limit.rlim_cur = std::min({limit.rlim_cur, limit.rlim_max, most});
   setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
@@ -213,7 +213,7 @@ std::string listen(int from, double seconds, bool& in_time) {
   std::string said;
   while (true) {
     const std::chrono::duration<double, std::milli> left = end - Clock::now();
-    struct pollfd waiting = {from, POLLIN, 0};
+    pollfd waiting{from, POLLIN, 0};
     const int ready = poll(&waiting, 1, std::max(0, static_cast<int>(left.count())));
     if (ready < 0 && errno == EINTR) continue;
     in_time = ready > 0;
@@ -273,7 +273,7 @@ Result<Image8> paint_once(int width, int height, const PaintLimits& limits,
 
 }  // namespace
 
-Result<Drawing> render_svg(const PaintableSvg& svg, int width, int height) {
+Result<Drawing> render_svg(const understanding::PaintableSvg& svg, int width, int height) {
   if (width < 1 || height < 1 || width > max_side || height > max_side ||
       static_cast<int64_t>(width) * height > max_pixels) {
     return Error{ErrorCode::limit,
@@ -288,13 +288,6 @@ Result<Drawing> render_svg(const PaintableSvg& svg, int width, int height) {
       paint_apart(width, height, limits, [&](Image8& pixels) { return rasterize(svg, pixels); });
   if (!image) return image.error();
   return Drawing{std::move(*image)};
-}
-
-Result<Drawing> render_svg(std::string_view bytes, int width, int height,
-                           const SvgOptions& options) {
-  const auto paintable = paintable_svg(bytes, options);
-  if (!paintable) return paintable.error();
-  return render_svg(*paintable, width, height);
 }
 
 Result<Image8> paint_apart(int width, int height, const PaintLimits& limits,

@@ -58,7 +58,7 @@ std::optional<CompoundSelector::Attribute> attribute_condition(std::string_view 
   return condition;
 }
 
-/// One condition (".a", "#b", "[c=d]", ":first-child") at the front of `text`.
+/// Takes one condition (".a", "#b", "[c=d]", ":first-child") from the front of `text`.
 bool take_condition(std::string_view& text, CompoundSelector& compound) {
   const char kind = text.front();
   text.remove_prefix(1);
@@ -132,7 +132,7 @@ int specificity(const std::vector<CompoundSelector>& chain) {
   return 1000000 * std::min(ids, 999) + 1000 * std::min(classes, 999) + std::min(types, 999);
 }
 
-/// Position after the block that opens at `open`, or the end of the text.
+/// Returns the position after the block that opens at `open`, or the end of the text.
 size_t block_end(std::string_view text, size_t open) {
   int depth = 0;
   for (size_t i = open; i < text.size(); ++i) {
@@ -149,10 +149,6 @@ bool has_word(std::string_view list, std::string_view word) {
   return false;
 }
 
-bool ends_with(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-}
-
 bool holds(const CompoundSelector::Attribute& condition, const pugi::xml_node& element) {
   const pugi::xml_attribute attribute = element.attribute(condition.name.c_str());
   if (!attribute) return false;
@@ -166,9 +162,9 @@ bool holds(const CompoundSelector::Attribute& condition, const pugi::xml_node& e
     case '~':
       return has_word(value, wanted);
     case '^':
-      return !wanted.empty() && value.substr(0, wanted.size()) == wanted;
+      return !wanted.empty() && value.starts_with(wanted);
     case '$':
-      return !wanted.empty() && ends_with(value, wanted);
+      return !wanted.empty() && value.ends_with(wanted);
     case '*':
       return !wanted.empty() && value.find(wanted) != std::string_view::npos;
     default:
@@ -241,15 +237,15 @@ void add_rules(Stylesheet& sheet, std::string_view text) {
       selectors.remove_prefix(std::min(comma + 1, selectors.size()));
       if (chain.empty()) continue;
       const int weight = specificity(chain);
-      sheet.rules.push_back({std::move(chain), weight, parse_declarations(body)});
+      sheet.push_back({std::move(chain), weight, parse_declarations(body)});
     }
   }
 }
 
 void sort_rules(Stylesheet& sheet) {
-  std::stable_sort(
-      sheet.rules.begin(), sheet.rules.end(),
-      [](const StyleRule& p, const StyleRule& q) { return p.specificity < q.specificity; });
+  std::stable_sort(sheet.begin(), sheet.end(), [](const StyleRule& p, const StyleRule& q) {
+    return p.specificity < q.specificity;
+  });
 }
 
 bool matches(const StyleRule& rule, const pugi::xml_node& element) {

@@ -7,28 +7,26 @@
 
 namespace relievo {
 
-/// "name: value" of CSS, the name in lower case.
+/// A declaration of CSS, "name: value", with the name in lower case.
 struct Declaration {
   std::string name;
   std::string value;
   bool important = false;
 };
 
-std::vector<Declaration> parse_declarations(std::string_view text);
-
-/// One compound selector: every given condition must hold.
+/// A compound selector: all of its conditions must hold.
 struct CompoundSelector {
   struct Attribute {
     std::string name;
     std::string value;
-    char match = '\0';  ///< '\0' present, '=' equal, '~' one of the words, '^' '$' '*' part of it
+    char match = '\0';  ///< '\0' present, '=' equal, '~' one word, '^' start, '$' end, '*' part
   };
   std::string type;  ///< element name; empty: any
   std::string id;
   std::vector<std::string> classes;
   std::vector<Attribute> attributes;
   bool first_child = false;
-  bool child_of_previous = false;  ///< ">" before it; otherwise any ancestor will do
+  bool child_of_previous = false;  ///< ">" stands before it; else the previous is any ancestor
 };
 
 struct StyleRule {
@@ -38,20 +36,22 @@ struct StyleRule {
 };
 
 /// The rules of all <style> elements, least specific first, in document order among equals.
-struct Stylesheet {
-  std::vector<StyleRule> rules;
-};
+using Stylesheet = std::vector<StyleRule>;
 
-/// Adds the rules of one sheet. At-rules, pseudo-classes other than :first-child and sibling
-/// combinators are left out with all that depends on them; nothing is ever imported.
+/// Reads "name: value; ..." of a rule's block or a style attribute.
+std::vector<Declaration> parse_declarations(std::string_view text);
+
+/// Adds the rules of one sheet. Leaves out at-rules, and rules with pseudo-classes other than
+/// :first-child or with sibling combinators; nothing is ever imported.
 void add_rules(Stylesheet& sheet, std::string_view text);
 
-/// Puts the rules in order of specificity; to be called once after all sheets were added.
+/// Sorts the rules by specificity; call it once, after all sheets are added.
 void sort_rules(Stylesheet& sheet);
 
+/// Returns whether the rule's selector matches the element.
 bool matches(const StyleRule& rule, const pugi::xml_node& element);
 
-/// Element or attribute name without its namespace prefix.
+/// Returns the name of an element or attribute without its namespace prefix.
 std::string_view local_name(std::string_view name);
 
 }  // namespace relievo

@@ -1,6 +1,7 @@
 #include "io/svg/svg_document.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "io/svg/basic_shapes.h"
 #include "io/svg/scanner.h"
@@ -14,18 +15,18 @@ Error limit_error(const std::string& what, size_t limit) {
   return {ErrorCode::limit, what + " (limit " + std::to_string(limit) + ")", "svg"};
 }
 
-/// Bounds what the parser may allocate from the number of characters that start an element or
-/// give an attribute its value.
+/// Bounds the memory of the parser by counting the characters that start an element or give an
+/// attribute its value.
 Status check_bytes(std::string_view bytes, const SvgOptions& options) {
-  if (bytes.size() > options.max_bytes) return limit_error("file too large", options.max_bytes);
+  if (bytes.size() > options.max_bytes) return limit_error("has too many bytes", options.max_bytes);
   if (bytes.size() >= 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b') {
-    return Error{ErrorCode::bad_input, "compressed SVG: save it as plain SVG", "svg"};
+    return Error{ErrorCode::bad_input, "is compressed (SVGZ); save it as plain SVG", "svg"};
   }
   const auto tags = std::count(bytes.begin(), bytes.end(), '<');
   const auto attributes = std::count(bytes.begin(), bytes.end(), '=');
   if (static_cast<size_t>(tags) > 4 * options.max_elements ||
       static_cast<size_t>(attributes) > 30 * options.max_elements) {
-    return limit_error("too many elements", options.max_elements);
+    return limit_error("has too many elements", options.max_elements);
   }
   return Done{};
 }
@@ -36,16 +37,15 @@ void add_style_element(Stylesheet& sheet, const pugi::xml_node& element) {
   for (const pugi::xml_node& text : element.children()) add_rules(sheet, text.value());
 }
 
-/// Counts all elements, and collects what is referred to: ids and style sheets. `depth` is that of
-/// the children.
+/// Counts all elements and collects ids and style sheets. `depth` is that of the children.
 Status index_children(SvgDocument& document, const pugi::xml_node& parent, size_t depth,
                       size_t& elements, const SvgOptions& options) {
   if (parent.first_child() && depth > options.max_depth)
-    return limit_error("elements nested too deeply", options.max_depth);
+    return limit_error("has elements nested too deeply", options.max_depth);
   for (const pugi::xml_node& child : parent.children()) {
     if (child.type() != pugi::node_element) continue;
     if (++elements > options.max_elements)
-      return limit_error("too many elements", options.max_elements);
+      return limit_error("has too many elements", options.max_elements);
     const pugi::xml_attribute id = child.attribute("id");
     if (depth > 0 && *id.value() != '\0') document.ids.emplace(id.value(), child);
     if (local_name(child.name()) == "style") add_style_element(document.sheet, child);
@@ -58,6 +58,12 @@ Status index_children(SvgDocument& document, const pugi::xml_node& parent, size_
 int line_of(std::string_view bytes, std::ptrdiff_t offset) {
   const auto end = bytes.begin() + std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(bytes));
   return 1 + static_cast<int>(std::count(bytes.begin(), end, '\n'));
+}
+
+/// Returns whether one of the attributes has a value.
+bool has_any(const pugi::xml_node& element, std::initializer_list<const char*> names) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const char* name) { return *element.attribute(name).value() != '\0'; });
 }
 
 template <class Test>
@@ -77,7 +83,7 @@ Result<std::unique_ptr<SvgDocument>> parse_svg_document(std::string_view bytes,
   auto document = std::make_unique<SvgDocument>();
   const pugi::xml_parse_result parsed = document->xml.load_buffer(bytes.data(), bytes.size());
   if (!parsed) {
-    return Error{ErrorCode::bad_input, std::string("not XML: ") + parsed.description(),
+    return Error{ErrorCode::bad_input, std::string("is not XML: ") + parsed.description(),
                  "line " + std::to_string(line_of(bytes, parsed.offset))};
   }
   size_t elements = 0;
@@ -86,10 +92,10 @@ Result<std::unique_ptr<SvgDocument>> parse_svg_document(std::string_view bytes,
   sort_rules(document->sheet);
   document->root = document->xml.document_element();
   if (local_name(document->root.name()) != "svg") {
-    return Error{ErrorCode::bad_input, "the outermost element is not <svg>", "svg"};
+    return Error{ErrorCode::bad_input, "is not SVG: the outermost element must be <svg>", "svg"};
   }
   if (bytes.find("<!ENTITY") != std::string_view::npos) {
-    document->warnings.push_back("entities of the document type are not expanded");
+    document->warnings.push_back("entities of the document type are not replaced by their values");
   }
   return document;
 }
@@ -103,25 +109,23 @@ pugi::xml_node referenced_element(const SvgDocument& document, const pugi::xml_n
   return found == document.ids.end() ? pugi::xml_node() : found->second;
 }
 
-SvgAnnotation annotation_of(const pugi::xml_node& element) {
-  SvgAnnotation a;
+SvgMark svg_mark(const pugi::xml_node& element) {
   const std::string_view mark = trimmed_svg(element.attribute("data-relievo").value());
-  if (mark == "part") a.mark = SvgMark::part;
-  if (mark == "texture") a.mark = SvgMark::texture;
-  if (mark == "ignore") a.mark = SvgMark::ignore;
-  if (mark == "join") a.mark = SvgMark::join;
-  if (mark == "cue") a.mark = SvgMark::cue;
-  a.c = element.attribute("data-c").value();
-  a.d = element.attribute("data-d").value();
-  a.flat = element.attribute("data-flat").value();
-  a.lean = element.attribute("data-lean").value();
-  a.relation = element.attribute("data-relation").value();
-  a.upper = element.attribute("data-upper").value();
-  a.lower = element.attribute("data-lower").value();
-  a.cue = trimmed_svg(element.attribute("data-cue").value());
-  a.value = element.attribute("data-value").value();
-  a.part = element.attribute("data-part").value();
-  return a;
+  if (mark == "part") return SvgMark::part;
+  if (mark == "texture") return SvgMark::texture;
+  if (mark == "ignore") return SvgMark::ignore;
+  if (mark == "join") return SvgMark::join;
+  return mark == "cue" ? SvgMark::cue : SvgMark::none;
+}
+
+bool has_part_values(const pugi::xml_node& element) {
+  return has_any(element, {"data-c", "data-d", "data-flat", "data-lean", "data-relation"});
+}
+
+bool has_annotation(const pugi::xml_node& element) {
+  return svg_mark(element) != SvgMark::none || has_part_values(element) ||
+         has_any(element, {"data-upper", "data-lower"}) ||
+         !trimmed_svg(element.attribute("data-cue").value()).empty();
 }
 
 std::string name_of(const pugi::xml_node& element) {

@@ -37,11 +37,13 @@ understanding::Mark mark_of(const SvgShape& shape, const SvgDrawing& drawing, do
   return mark;
 }
 
-std::vector<understanding::Mark> visible_marks(const SvgDrawing& drawing, double least) {
+std::vector<understanding::Mark> visible_marks(const SvgDrawing& drawing,
+                                               const std::vector<const SvgShape*>& shapes,
+                                               double least) {
   std::vector<understanding::Mark> marks;
-  for (const SvgShape& shape : drawing.shapes) {
-    if (shape.is_note() || inherited_mark(drawing, shape.group) >= SvgMark::texture) continue;
-    understanding::Mark mark = mark_of(shape, drawing, least);
+  for (const SvgShape* shape : shapes) {
+    if (shape->is_note() || inherited_mark(drawing, shape->group) >= SvgMark::texture) continue;
+    understanding::Mark mark = mark_of(*shape, drawing, least);
     if (mark.region.empty()) continue;
     marks.push_back(std::move(mark));
   }
@@ -72,14 +74,15 @@ Region light_region(const std::vector<SvgShape>& shapes, const SvgDrawing& drawi
   return light;
 }
 
-std::vector<understanding::Mark> opaque_marks(const SvgDrawing& drawing) {
-  std::vector<understanding::Mark> marks = visible_marks(drawing, opaque);
-  return marks.empty() ? visible_marks(drawing, faint_alpha) : marks;
+std::vector<understanding::Mark> opaque_marks(const SvgDrawing& drawing,
+                                              const std::vector<const SvgShape*>& shapes) {
+  std::vector<understanding::Mark> marks = visible_marks(drawing, shapes, opaque);
+  return marks.empty() ? visible_marks(drawing, shapes, faint_alpha) : marks;
 }
 
 SvgMark inherited_mark(const SvgDrawing& drawing, int group) {
   for (; group >= 0; group = drawing.groups[group].parent) {
-    const SvgMark mark = drawing.groups[group].annotation.mark;
+    const SvgMark mark = drawing.groups[group].mark;
     if (mark != SvgMark::none) return mark;
   }
   return SvgMark::none;
@@ -87,8 +90,8 @@ SvgMark inherited_mark(const SvgDrawing& drawing, int group) {
 
 std::string inherited_name(const SvgDrawing& drawing, int group) {
   for (; group >= 0; group = drawing.groups[group].parent) {
-    const SvgGroup& g = drawing.groups[group];
-    if (!g.label.empty() || !g.id.empty()) return g.label.empty() ? g.id : g.label;
+    const std::string name = name_of(drawing.groups[group].element);
+    if (!name.empty()) return name;
   }
   return "";
 }

@@ -7,24 +7,26 @@
 #include "io/svg/svg_document.h"
 #include "io/svg/svg_region.h"
 #include "relievo/result.h"
-#include "understanding/marks/figures.h"
+#include "understanding/marks/layered_drawing.h"
 
 namespace relievo {
 
 /// A <g>, or a single annotated shape as the group of itself.
 struct SvgGroup {
   int parent = -1;
-  std::string id;     ///< may be empty
-  std::string label;  ///< inkscape:label; may be empty
+  pugi::xml_node element;
+  SvgMark mark = SvgMark::none;
   bool layer = false;
-  SvgAnnotation annotation;
+
+  /// Returns the value of an attribute; empty where there is none.
+  std::string value(const char* name) const { return element.attribute(name).value(); }
 };
 
 /// One shape as it is painted, in canvas px.
 struct SvgShape {
-  std::string name;        ///< inkscape:label or id; may be empty
-  pugi::xml_node element;  ///< where it comes from, in the document
-  int group = -1;          ///< innermost group, -1: none
+  std::string name;  ///< inkscape:label or id; may be empty
+  pugi::xml_node element;
+  int group = -1;  ///< innermost group, -1: none
   std::vector<Polyline> lines;
   std::vector<Point2> anchors;  ///< ends of its curves, where it is a path
   FillRule fill_rule = FillRule::nonzero;
@@ -35,14 +37,13 @@ struct SvgShape {
   bool blurred = false;    ///< by a filter
   bool join = false;       ///< marked as a join by data-relievo or by a class named join
   bool cue = false;        ///< likewise as a cue
-  SvgAnnotation annotation;
 
-  /// Whether it says something about parts and is not painted.
+  /// Returns whether it annotates parts and is not painted.
   bool is_note() const { return join || cue; }
 };
 
-/// The vector content of a file, flattened. Shapes are in paint order, groups before what they
-/// hold.
+/// The vector content of a file, flattened. Shapes are in paint order; a group stands before those
+/// inside it. Elements belong to the document, which must outlive the drawing.
 struct SvgDrawing {
   double width = 0;      ///< canvas, px
   double height = 0;     ///< canvas, px
@@ -56,33 +57,33 @@ struct SvgDrawing {
   Box2 canvas() const { return {{0, 0}, {width, height}}; }
 };
 
-/// Reads all shapes; where the root does not say how large the canvas is, it holds them. A mask
-/// cuts as a clip path does, where it is lighter than half. Text and images have no geometry here
-/// and are named in the warnings, with their layer, and so is a shape with points beyond 1e9 px,
-/// which is left out. Fails with limit or bad_input.
+/// Reads all shapes. A canvas without a stated size holds them all. A mask cuts like a clip path
+/// where it is lighter than half. Texts, images and shapes with points beyond 1e9 px are left out,
+/// with a warning that names them and their layer. Errors: `limit`, `bad_input`.
 Result<SvgDrawing> read_drawing(const SvgDocument& document, const SvgOptions& options);
 
-/// What the shape fills on the canvas, whatever its paint.
+/// Returns the area that the shape fills on the canvas, whatever its paint.
 Region fill_of(const SvgShape& shape, const SvgDrawing& drawing);
 
-/// What its stroke covers on the canvas; empty where it has none.
+/// Returns the area that its stroke covers on the canvas; empty where it has none.
 Region stroke_of(const SvgShape& shape, const SvgDrawing& drawing);
 
-/// What shapes leave lighter than half, painted one over the other on black: what a mask of them
-/// shows.
+/// Returns the area that is lighter than half where the shapes are painted on black, one over the
+/// other: the area that a mask of them shows.
 Region light_region(const std::vector<SvgShape>& shapes, const SvgDrawing& drawing);
 
-/// Paint with a lower alpha is not seen.
+/// Paint with a lower alpha is invisible.
 constexpr double faint_alpha = 0.02;
 
-/// The shapes whose alpha is at least one half, or, where nothing is that opaque, whatever can be
-/// seen. Joins, cues and what is marked as texture or to be ignored are left out.
-std::vector<understanding::Mark> opaque_marks(const SvgDrawing& drawing);
+/// Returns the shapes (of `drawing`) whose alpha is at least one half, or, where no shape is that
+/// opaque, all that can be seen. Joins, cues, textures and ignored shapes are left out.
+std::vector<understanding::Mark> opaque_marks(const SvgDrawing& drawing,
+                                              const std::vector<const SvgShape*>& shapes);
 
-/// What an element is marked as by itself or the nearest marked group around it.
+/// Returns the mark of the group or the nearest marked group around it.
 SvgMark inherited_mark(const SvgDrawing& drawing, int group);
 
-/// A name for what lies in the group: the nearest one given; may be empty.
+/// Returns the label or id of the group or the nearest group around it that has one; may be empty.
 std::string inherited_name(const SvgDrawing& drawing, int group);
 
 }  // namespace relievo

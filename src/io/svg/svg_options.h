@@ -4,13 +4,6 @@
 
 namespace relievo {
 
-/// Which groups of a drawing are its parts where no group says data-relievo="part".
-enum class SvgLayers {
-  automatic,  ///< Inkscape layers, unless one of them holds shapes that are parts of their own
-  parts,      ///< every Inkscape layer is one part
-  ignored,    ///< layers say nothing: parts are proposed from the shapes
-};
-
 struct SvgOptions {
   /// A flattened curve departs from the true one by less than this, canvas px.
   double tolerance = 0.1;
@@ -20,13 +13,11 @@ struct SvgOptions {
   double min_side = 400;
   double max_side = 4096;
   double scaled_side = 1000;
-  SvgLayers layers = SvgLayers::automatic;
 
   size_t max_bytes = size_t{32} << 20;  ///< of the file
   size_t max_elements = 100000;         ///< in the file, and again after `use` is expanded
   size_t max_depth = 128;               ///< of nesting, `use` included
   size_t max_points = 1000000;          ///< of all flattened outlines together
-  size_t max_shapes = 2000;             ///< that parts are proposed from
   double max_tangle = 2e6;              ///< of a shape (see tangle.h): a worse one is left out
   double max_total_tangle = 3e7;        ///< of all shapes together
 };

@@ -1,8 +1,8 @@
 #include "io/svg/svg_region.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -22,8 +22,8 @@ Ring box_ring(const Box2& box) {
   return {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
 }
 
-/// Cuts a closed ring at one side of a box (Sutherland and Hodgman): winding numbers inside the
-/// side stay as they were. `depth` is positive inside.
+/// Cuts a closed ring at one side of a box (Sutherland and Hodgman), which keeps winding numbers
+/// inside. `depth` is positive inside.
 template <class Depth>
 Ring cut_at(const Ring& ring, const Depth& depth) {
   Ring kept;
@@ -49,7 +49,7 @@ Box2 inflated(const Box2& box, double margin) {
   return {{box.min.x - margin, box.min.y - margin}, {box.max.x + margin, box.max.y + margin}};
 }
 
-/// The part of the segment inside the box as parameters [first, second], or nothing.
+/// Returns the part of the segment inside the box as parameters [first, second], or nothing.
 std::optional<std::pair<double, double>> segment_inside(Point2 a, Point2 b, const Box2& box) {
   double from = 0;
   double to = 1;
@@ -66,7 +66,7 @@ std::optional<std::pair<double, double>> segment_inside(Point2 a, Point2 b, cons
   return std::make_pair(from, to);
 }
 
-/// The runs of a line inside the box; a line wholly inside stays whole and closed.
+/// Returns the runs of a line inside the box; a line wholly inside stays whole and closed.
 std::vector<Polyline> runs_inside(const Polyline& line, const Box2& box) {
   const auto inside = [&](Point2 p) {
     return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y;
@@ -99,52 +99,24 @@ ClipperLib::EndType end_type(const Polyline& line, LineCap cap) {
 
 constexpr int cells = 64;
 
-/// Counts the segments in each cell of a grid over a box.
-class CellCounter {
- public:
-  explicit CellCounter(const Box2& box)
-      : origin_(box.min),
-        scale_x_(cells / std::max(1e-9, box.max.x - box.min.x)),
-        scale_y_(cells / std::max(1e-9, box.max.y - box.min.y)) {}
-
-  /// Walks the cells row by row; in each row the segment covers a run of columns.
-  void add(Point2 a, Point2 b) {
-    if (a.y > b.y) std::swap(a, b);
-    const int first = row(a.y);
-    const int last = row(b.y);
-    for (int y = first; y <= last; ++y) {
-      const double x0 = y == first ? a.x : at_row_edge(a, b, y);
-      const double x1 = y == last ? b.x : at_row_edge(a, b, y + 1);
-      const int from = column(std::min(x0, x1));
-      const int to = column(std::max(x0, x1));
-      for (int x = from; x <= to; ++x) ++counts_[y * cells + x];
-    }
-  }
-
-  double pairs() const {
-    double sum = 0;
-    for (const double count : counts_) sum += count * count;
-    return sum;
-  }
-
- private:
-  static int cell(double value) {
+/// Adds the segment from a to b to the counts of the cells that it runs through, row by row; in
+/// each row it covers a run of columns. Coordinates are in cells from the grid's corner.
+void count_cells(Point2 a, Point2 b, std::vector<double>& counts) {
+  const auto cell = [](double value) {
     return static_cast<int>(std::clamp(std::floor(value), 0.0, cells - 1.0));
+  };
+  if (a.y > b.y) std::swap(a, b);
+  const auto x_at = [&](int row) {
+    return a.x + std::clamp((row - a.y) / (b.y - a.y), 0.0, 1.0) * (b.x - a.x);
+  };
+  const int first = cell(a.y);
+  const int last = cell(b.y);
+  for (int y = first; y <= last; ++y) {
+    const double x0 = y == first ? a.x : x_at(y);
+    const double x1 = y == last ? b.x : x_at(y + 1);
+    for (int x = cell(std::min(x0, x1)); x <= cell(std::max(x0, x1)); ++x) ++counts[y * cells + x];
   }
-  int column(double x) const { return cell((x - origin_.x) * scale_x_); }
-  int row(double y) const { return cell((y - origin_.y) * scale_y_); }
-
-  double at_row_edge(Point2 a, Point2 b, int row) const {
-    const double y = origin_.y + row / scale_y_;
-    const double t = std::clamp((y - a.y) / (b.y - a.y), 0.0, 1.0);
-    return a.x + t * (b.x - a.x);
-  }
-
-  Point2 origin_;
-  double scale_x_;
-  double scale_y_;
-  std::array<double, cells* cells> counts_ = {};
-};
+}
 
 }  // namespace
 
@@ -181,13 +153,18 @@ double tangle(const std::vector<Polyline>& lines) {
   Box2 box;
   for (const Polyline& line : lines) box.add(bounding_box(line.points));
   if (box.empty()) return 0;
-  CellCounter counter(box);
+  const Point2 scale{cells / std::max(1e-9, box.max.x - box.min.x),
+                     cells / std::max(1e-9, box.max.y - box.min.y)};
+  const auto in_cells = [&](Point2 p) {
+    return Point2{(p.x - box.min.x) * scale.x, (p.y - box.min.y) * scale.y};
+  };
+  std::vector<double> counts(size_t{cells} * cells);
   for (const Polyline& line : lines) {
-    for (size_t i = 0; i < line.points.size(); ++i) {
-      counter.add(line.points[i], line.points[(i + 1) % line.points.size()]);
-    }
+    const size_t n = line.points.size();
+    for (size_t i = 0; i < n; ++i)
+      count_cells(in_cells(line.points[i]), in_cells(line.points[(i + 1) % n]), counts);
   }
-  return counter.pairs();
+  return std::inner_product(counts.begin(), counts.end(), counts.begin(), 0.0);
 }
 
 }  // namespace relievo

@@ -8,7 +8,7 @@
 
 namespace relievo {
 
-/// How a line is stroked, in canvas px.
+/// The pen of a stroke, in canvas px.
 struct StrokeShape {
   double width = 1;
   LineCap cap = LineCap::butt;
@@ -16,17 +16,17 @@ struct StrokeShape {
   double miter_limit = 4;
 };
 
-/// What the lines enclose inside `bounds`. Coordinates up to 1e9 px are cut there without harm.
+/// Returns the area inside `bounds` that the lines enclose. Coordinates may be as large as 1e9 px.
 Region fill_region(const std::vector<Polyline>& lines, FillRule rule, const Box2& bounds);
 
-/// What the pen covers inside `bounds`. Dashes are drawn as if solid.
+/// Returns the area inside `bounds` that the pen covers. Dashes count as solid lines.
 Region stroke_region(const std::vector<Polyline>& lines, const StrokeShape& shape,
                      const Box2& bounds);
 
-/// How much the lines run over each other, as an estimate of the work that a region of them
-/// takes: pairs of segments that share a cell of a 64 x 64 grid over their box, summed over the
-/// cells. A smooth outline of n points has about n^2 / 100 at most; a scribble over the whole box
-/// has about n^2. Preconditions: finite coordinates. O(cells touched).
+/// Estimates the work that a region of these lines takes: the number of pairs of segments that
+/// share a cell of a 64 x 64 grid over their box, summed over the cells. A smooth outline of n
+/// points has at most about n^2 / 100, a scribble over the whole box about n^2. Precondition:
+/// finite coordinates. O(cells touched).
 double tangle(const std::vector<Polyline>& lines);
 
 }  // namespace relievo

@@ -16,7 +16,7 @@ std::optional<double> parse_opacity(std::string_view text) {
   return std::clamp(*value, 0.0, 1.0);
 }
 
-/// The colour of "red icc-color(...)" or "currentColor".
+/// Reads the colour in "red icc-color(...)" or "currentColor".
 std::optional<Color> paint_color(std::string_view text, const Color& current) {
   text = trimmed_svg(text);
   const std::string_view first = text.substr(0, text.find(" icc-color"));
@@ -31,19 +31,12 @@ std::optional<SvgPaint> parse_paint(std::string_view text, const Color& current)
   if (text.substr(0, 4) == "url(") {
     const size_t close = text.find(')');
     if (close == std::string_view::npos) return std::nullopt;
-    paint.kind = SvgPaint::Kind::server;
     paint.server = local_reference(text.substr(0, close + 1));
-    const std::string_view fallback = trimmed_svg(text.substr(close + 1));
-    if (const auto color = paint_color(fallback, current)) {
-      paint.color = *color;
-      paint.has_fallback = true;
-    }
+    paint.color = paint_color(text.substr(close + 1), current);
     return paint;
   }
-  const auto color = paint_color(text, current);
-  if (!color) return std::nullopt;
-  paint.kind = SvgPaint::Kind::color;
-  paint.color = *color;
+  paint.color = paint_color(text, current);
+  if (!paint.color) return std::nullopt;
   return paint;
 }
 
@@ -52,48 +45,43 @@ void assign(T& target, const std::optional<T>& value) {
   if (value) target = *value;
 }
 
-/// What `inherit` stands for where a property is set on an element.
-struct Cascade {
-  SvgStyle& style;
-  const SvgStyle& parent;
-  const LengthContext& context;
-};
-
-bool apply_paint(Cascade& c, const std::string& name, const std::string& value) {
+/// Sets a property of painting in `s`, with the values of `parent` for "inherit"; returns whether
+/// it is one.
+bool apply_paint(SvgStyle& s, const SvgStyle& parent, const std::string& name,
+                 const std::string& value) {
   const bool inherit = value == "inherit";
-  SvgStyle& s = c.style;
   if (name == "fill") {
-    assign(s.fill, inherit ? c.parent.fill : parse_paint(value, s.color));
+    assign(s.fill, inherit ? parent.fill : parse_paint(value, s.color));
   } else if (name == "stroke") {
-    assign(s.stroke, inherit ? c.parent.stroke : parse_paint(value, s.color));
+    assign(s.stroke, inherit ? parent.stroke : parse_paint(value, s.color));
   } else if (name == "fill-opacity") {
-    assign(s.fill_opacity, inherit ? c.parent.fill_opacity : parse_opacity(value));
+    assign(s.fill_opacity, inherit ? parent.fill_opacity : parse_opacity(value));
   } else if (name == "stroke-opacity") {
-    assign(s.stroke_opacity, inherit ? c.parent.stroke_opacity : parse_opacity(value));
+    assign(s.stroke_opacity, inherit ? parent.stroke_opacity : parse_opacity(value));
   } else if (name == "opacity") {
-    assign(s.opacity, inherit ? c.parent.opacity : parse_opacity(value));
+    assign(s.opacity, inherit ? parent.opacity : parse_opacity(value));
   } else {
     return false;
   }
   return true;
 }
 
-bool apply_stroke(Cascade& c, const std::string& name, const std::string& value) {
+/// Likewise a property of strokes.
+bool apply_stroke(SvgStyle& s, const SvgStyle& parent, LengthContext context,
+                  const std::string& name, const std::string& value) {
   const bool inherit = value == "inherit";
-  SvgStyle& s = c.style;
-  LengthContext context = c.context;
   context.font_size = s.font_size;
   if (name == "stroke-width") {
-    const auto width = inherit ? std::optional<double>(c.parent.stroke_width)
+    const auto width = inherit ? std::optional<double>(parent.stroke_width)
                                : parse_length(value, LengthAxis::diagonal, context);
     if (width && *width >= 0) s.stroke_width = *width;
   } else if (name == "stroke-linecap") {
-    if (inherit) s.cap = c.parent.cap;
+    if (inherit) s.cap = parent.cap;
     if (value == "butt") s.cap = LineCap::butt;
     if (value == "round") s.cap = LineCap::round;
     if (value == "square") s.cap = LineCap::square;
   } else if (name == "stroke-linejoin") {
-    if (inherit) s.join = c.parent.join;
+    if (inherit) s.join = parent.join;
     if (value.substr(0, 5) == "miter") s.join = LineJoin::miter;
     if (value == "round") s.join = LineJoin::round;
     if (value == "bevel") s.join = LineJoin::bevel;
@@ -112,46 +100,46 @@ void apply_rule(FillRule& rule, const FillRule& parent, const std::string& value
   if (value == "evenodd") rule = FillRule::even_odd;
 }
 
-void apply_rest(Cascade& c, const std::string& name, const std::string& value) {
-  SvgStyle& s = c.style;
+void apply_rest(SvgStyle& s, const SvgStyle& parent, const std::string& name,
+                const std::string& value) {
   const bool inherit = value == "inherit";
   if (name == "fill-rule") {
-    apply_rule(s.fill_rule, c.parent.fill_rule, value);
+    apply_rule(s.fill_rule, parent.fill_rule, value);
   } else if (name == "clip-rule") {
-    apply_rule(s.clip_rule, c.parent.clip_rule, value);
+    apply_rule(s.clip_rule, parent.clip_rule, value);
   } else if (name == "visibility") {
-    if (inherit) s.visible = c.parent.visible;
+    if (inherit) s.visible = parent.visible;
     if (value == "visible") s.visible = true;
     if (value == "hidden" || value == "collapse") s.visible = false;
   } else if (name == "display") {
-    s.displayed = inherit ? c.parent.displayed : value != "none";
+    s.displayed = inherit ? parent.displayed : value != "none";
   } else if (name == "overflow") {
     s.clips_overflow = value != "visible" && value != "auto";
   } else if (name == "clip-path") {
-    s.clip_path = inherit ? c.parent.clip_path : local_reference(value);
+    s.clip_path = inherit ? parent.clip_path : local_reference(value);
   } else if (name == "mask") {
-    s.mask = inherit ? c.parent.mask : local_reference(value);
+    s.mask = inherit ? parent.mask : local_reference(value);
   } else if (name == "filter") {
-    s.filter = inherit ? c.parent.filter : local_reference(value);
+    s.filter = inherit ? parent.filter : local_reference(value);
   } else if (name == "transform") {
     s.transform = value;
   }
 }
 
-/// `color` and `font-size` come first, for other properties refer to them.
-void apply_first(Cascade& c, const std::string& name, const std::string& value) {
+/// Sets `color` or `font-size`, to which other properties refer.
+void apply_first(SvgStyle& s, const SvgStyle& parent, LengthContext context,
+                 const std::string& name, const std::string& value) {
   if (name == "color") {
-    assign(c.style.color, value == "inherit" ? c.parent.color : paint_color(value, c.parent.color));
+    assign(s.color, value == "inherit" ? parent.color : paint_color(value, parent.color));
   } else if (name == "font-size" && value != "inherit") {
-    LengthContext context = c.context;
-    context.font_size = c.parent.font_size;
-    context.viewport_height = c.parent.font_size;  // a percentage is of the parent's font size
+    context.font_size = parent.font_size;
+    context.viewport_height = parent.font_size;  // a percentage is of the parent's font size
     const auto size = parse_length(value, LengthAxis::vertical, context);
-    if (size && *size > 0) c.style.font_size = *size;
+    if (size && *size > 0) s.font_size = *size;
   }
 }
 
-/// All declarations that hold for the element, the strongest last.
+/// Returns all declarations for the element, the strongest last.
 std::vector<Declaration> declarations_of(const pugi::xml_node& element, const Stylesheet& sheet) {
   std::vector<Declaration> list;
   for (const pugi::xml_attribute& attribute : element.attributes()) {
@@ -159,7 +147,7 @@ std::vector<Declaration> declarations_of(const pugi::xml_node& element, const St
     if (name == "style" || name == "d" || name == "points" || name == "transform") continue;
     list.push_back({std::string(name), std::string(trimmed_svg(attribute.value())), false});
   }
-  for (const StyleRule& rule : sheet.rules) {
+  for (const StyleRule& rule : sheet) {
     if (!matches(rule, element)) continue;
     list.insert(list.end(), rule.declarations.begin(), rule.declarations.end());
   }
@@ -230,13 +218,12 @@ SvgStyle computed_style(const pugi::xml_node& element, const Stylesheet& sheet,
   style.mask.clear();
   style.filter.clear();
   style.transform.reset();
-  Cascade cascade{style, parent, context};
   const std::vector<Declaration> list = declarations_of(element, sheet);
-  for (const Declaration& d : list) apply_first(cascade, d.name, d.value);
+  for (const Declaration& d : list) apply_first(style, parent, context, d.name, d.value);
   for (const Declaration& d : list) {
-    if (!apply_paint(cascade, d.name, d.value) && !apply_stroke(cascade, d.name, d.value)) {
-      apply_rest(cascade, d.name, d.value);
-    }
+    if (!apply_paint(style, parent, d.name, d.value) &&
+        !apply_stroke(style, parent, context, d.name, d.value))
+      apply_rest(style, parent, d.name, d.value);
   }
   return style;
 }
@@ -254,12 +241,9 @@ std::string local_reference(std::string_view text) {
 }
 
 std::optional<Color> representative_color(const SvgPaint& paint, const SvgDocument& document) {
-  if (paint.kind == SvgPaint::Kind::none) return std::nullopt;
-  if (paint.kind == SvgPaint::Kind::color) return paint.color;
-  const auto found = document.ids.find(paint.server);
-  if (found == document.ids.end()) {
-    return paint.has_fallback ? std::optional<Color>(paint.color) : std::nullopt;
-  }
+  if (!paint.server) return paint.color;
+  const auto found = document.ids.find(*paint.server);
+  if (found == document.ids.end()) return paint.color;
   pugi::xml_node server = found->second;
   if (local_name(server.name()) == "pattern") return Color{0.5, 0.5, 0.5, 1};
   for (int i = 0; i < max_href_chain && server; ++i) {

@@ -17,18 +17,15 @@ enum class LineCap { butt, round, square };
 
 enum class LineJoin { miter, round, bevel };
 
-/// What fills or strokes: nothing, a colour, or a paint server with an optional fallback.
+/// A fill or stroke: nothing, a colour, or a paint server with an optional fallback.
 struct SvgPaint {
-  enum class Kind { none, color, server };
-  Kind kind = Kind::none;
-  Color color;  ///< of kind color, or the fallback of a server
-  bool has_fallback = false;
-  std::string server;  ///< id of the gradient or pattern
+  std::optional<Color> color;         ///< or the fallback of the server
+  std::optional<std::string> server;  ///< id of the gradient or pattern; empty where it is foreign
 };
 
-/// Computed style of one element. The first group is inherited, the second is not.
+/// The computed style of one element. The first group is inherited, the second is not.
 struct SvgStyle {
-  SvgPaint fill{SvgPaint::Kind::color, {}, false, ""};
+  SvgPaint fill{Color(), std::nullopt};
   SvgPaint stroke;
   Color color;
   double fill_opacity = 1;
@@ -45,22 +42,22 @@ struct SvgStyle {
   double opacity = 1;
   bool displayed = true;
   bool clips_overflow = true;            ///< of nested viewports
-  std::string clip_path;                 ///< id, or empty
-  std::string mask;                      ///< id, or empty
+  std::string clip_path;                 ///< id; may be empty
+  std::string mask;                      ///< likewise
   std::string filter;                    ///< likewise
   std::optional<std::string> transform;  ///< from CSS only
 };
 
-/// The style of `element` from its presentation attributes, the sheet and its style attribute, on
-/// top of its parent's. Values that cannot be read are as if absent.
+/// Computes the style of `element` from its parent's style, its presentation attributes, the sheet
+/// and its style attribute. Values that cannot be read are ignored.
 SvgStyle computed_style(const pugi::xml_node& element, const Stylesheet& sheet,
                         const SvgStyle& parent, const LengthContext& context);
 
-/// The id in "url(#id)" or "#id"; empty where the reference is not local.
+/// Returns the id in "url(#id)" or "#id"; empty where the reference is not local.
 std::string local_reference(std::string_view text);
 
-/// One colour that stands for the paint: its own, or the mean of a gradient's stops along the
-/// gradient, or grey for a pattern. A gradient is as transparent as its most transparent stop, for
+/// Returns one colour that stands for the paint: its own, the mean of a gradient's stops along the
+/// gradient, or grey for a pattern. A gradient has the alpha of its most transparent stop, since
 /// one that fades out is shading. Nothing where the paint draws nothing.
 std::optional<Color> representative_color(const SvgPaint& paint, const SvgDocument& document);
 

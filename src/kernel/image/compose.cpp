@@ -43,6 +43,12 @@ void lay_over(uint8_t* below, const uint8_t* above, double opacity) {
   below[3] = static_cast<uint8_t>(std::lround(255 * (a + b)));
 }
 
+void lay_picture_over(Image8& below, int left, int top, const Image8& above, double opacity) {
+  for (int y = 0; y < above.height; ++y)
+    for (int x = 0; x < above.width; ++x)
+      lay_over(&below.at(left + x, top + y), &above.at(x, y), opacity);
+}
+
 bool is_light_on_nothing(const Image8& rgba) {
   int64_t opaque = 0;
   int64_t light = 0;

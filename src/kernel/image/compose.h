@@ -18,6 +18,10 @@ inline uint8_t lay_over(int above, int below, int alpha) {
 /// alpha of the one above.
 void lay_over(uint8_t* below, const uint8_t* above, double opacity = 1);
 
+/// Lays the whole of a picture over another, both RGBA with straight alpha, its left upper pixel at
+/// (left, top). Precondition: it lies inside. O(pixels of `above`).
+void lay_picture_over(Image8& below, int left, int top, const Image8& above, double opacity = 1);
+
 /// A colour of this opacity as seen on white paper.
 inline uint8_t on_paper(int colour, int alpha) { return lay_over(colour, 255, alpha); }
 

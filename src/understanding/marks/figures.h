@@ -3,25 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "kernel/geometry/region.h"
-#include "kernel/image/color.h"
+#include "understanding/marks/layered_drawing.h"
 
 namespace relievo::understanding {
-
-/// Colours nearer than this look alike.
-constexpr double color_contrast = 0.12;
-
-/// One shape or layer as far as it is opaque.
-struct Mark {
-  std::string name;  ///< may be empty
-  int group = -1;    ///< innermost group it belongs to, -1: none
-  Region region;
-  Color color;
-  bool filled = true;     ///< false: a stroke alone
-  double pen_width = 0;   ///< of a stroke alone, px
-  bool outlined = false;  ///< a line of another colour runs along its outline
-  bool blurred = false;   ///< its edge is not sharp
-};
 
 /// Marks that share one silhouette (a dark twin behind a fill, a fill and the line drawn around
 /// it, shadings over all of it) taken as one.

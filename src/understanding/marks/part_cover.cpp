@@ -1,10 +1,8 @@
 #include "understanding/marks/part_cover.h"
 
 #include <algorithm>
-#include <set>
-#include <string>
+#include <cmath>
 
-#include "kernel/base/text_rules.h"
 #include "kernel/geometry/region.h"
 
 namespace relievo::understanding {
@@ -76,15 +74,6 @@ void cover_rest(std::vector<Part>& parts, const Region& covered) {
     }
     if (host < 0) host = nearest_part(parts, piece);
     parts[host].outline = unite(parts[host].outline, near);
-  }
-}
-
-void make_ids_unique(std::vector<Part>& parts) {
-  std::set<std::string> taken;
-  for (size_t k = 0; k < parts.size(); ++k) {
-    const std::string base = parts[k].id.empty() ? "part-" + std::to_string(k + 1) : parts[k].id;
-    parts[k].id = free_name(base, [&](const std::string& id) { return taken.count(id) > 0; });
-    taken.insert(parts[k].id);
   }
 }
 

@@ -16,7 +16,4 @@ void cover_ink(std::vector<Part>& parts, const Region& ink, double reach);
 /// it is worth it (1/500 of the whole), else another ring of the nearest part.
 void cover_rest(std::vector<Part>& parts, const Region& covered);
 
-/// Names parts without an id by their place and parts with a taken one by a suffix.
-void make_ids_unique(std::vector<Part>& parts);
-
 }  // namespace relievo::understanding

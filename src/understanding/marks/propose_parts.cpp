@@ -81,7 +81,7 @@ class Proposer {
     for (const Figure& figure : list.figures) boxes_.push_back(bounding_box(figure.region));
   }
 
-  ProposedParts run() {
+  std::vector<Part> run(std::vector<Palette>& colors) {
     for (size_t i = 0; i < list_.figures.size(); ++i) {
       const Figure& figure = list_.figures[i];
       const bool speck = area(figure.region) < least_visible * total_;
@@ -96,9 +96,8 @@ class Proposer {
       parts_.push_back({"", list_.covered});
       colors_.push_back(list_.figures.empty() ? Color() : list_.figures.front().color);
     }
-    std::vector<Palette> colors;
     for (const Color& c : colors_) colors.push_back({{c.r, c.g, c.b}});
-    return {std::move(parts_), std::move(colors)};
+    return std::move(parts_);
   }
 
  private:
@@ -209,22 +208,23 @@ class Proposer {
 
 }  // namespace
 
-ProposedParts propose_parts(const FigureList& drawn) {
+std::vector<Part> propose_parts(const FigureList& drawn, std::vector<Palette>& colors) {
   FigureList list = drawn;
   list.figures = without_frames(std::move(list.figures));
-  auto [parts, colors] = Proposer(list).run();
+  std::vector<Palette> found;
+  std::vector<Part> parts = Proposer(list).run(found);
   cover_ink(parts, list.ink, pen_reach * list.diagonal);
   cover_rest(parts, list.covered);
-  colors.resize(parts.size());
+  found.resize(parts.size());
   const double speck = std::max(4.0, speck_area * area(list.covered));
-  ProposedParts proposed;
+  std::vector<Part> proposed;
+  colors.clear();
   for (size_t k = 0; k < parts.size(); ++k) {
     parts[k].outline = tidied(parts[k].outline, 0.1, speck);
     if (parts[k].outline.empty()) continue;
-    proposed.parts.push_back(std::move(parts[k]));
-    proposed.colors.push_back(colors[k]);
+    proposed.push_back(std::move(parts[k]));
+    colors.push_back(std::move(found[k]));
   }
-  make_ids_unique(proposed.parts);
   return proposed;
 }
 

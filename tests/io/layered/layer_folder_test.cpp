@@ -21,13 +21,18 @@ class LayerFolder : public ::testing::Test {
     write(name, to_text(*encode_png(image)));
   }
 
-  Error error() const {
-    const auto drawing = read_layer_folder(folder_.path());
+  Result<understanding::LayeredDrawing> read_folder(const ImageLimits& limits = {}) {
+    return read_layer_folder(folder_.path(), files_, limits);
+  }
+
+  Error error() {
+    const auto drawing = read_folder();
     EXPECT_FALSE(drawing);
     return drawing.ok() ? Error() : drawing.error();
   }
 
   TemporaryFolder folder_;
+  std::vector<std::filesystem::path> files_;
 };
 
 TEST_F(LayerFolder, TheTableSaysOrderPlaceAndName) {
@@ -35,21 +40,21 @@ TEST_F(LayerFolder, TheTableSaysOrderPlaceAndName) {
   write("b.png", disc(200, 160, {100, 80}, 70, red));
   write("layers.tsv",
         "order_back_to_front\tfile\tname\tx\ty\n2\ta.png\thead\t150\t-10\n1\tb.png\tbody\t0\t0\n");
-  const auto drawing = read_layer_folder(folder_.path());
+  auto drawing = read_folder();
   ASSERT_TRUE(drawing) << to_string(drawing.error());
-  EXPECT_EQ(part_names(drawing->content), (Names{"body", "head"}));
-  EXPECT_EQ(drawing->content.scene.width, 210);
-  EXPECT_EQ(drawing->content.scene.height, 160);
-  EXPECT_EQ(drawing->files.size(), 3u);
+  EXPECT_EQ(part_names(*drawing), (Names{"body", "head"}));
+  EXPECT_EQ(drawing->scene.width, 210);
+  EXPECT_EQ(drawing->scene.height, 160);
+  EXPECT_EQ(files_.size(), 3u);
 }
 
 TEST_F(LayerFolder, WithoutATableNamesGiveTheOrder) {
   write("10-head.png", disc(200, 200, {150, 100}, 40, blue));
   write("2-body.PNG", disc(200, 200, {100, 100}, 70, red));
   write("notes.txt", "not a layer");
-  const auto drawing = read_layer_folder(folder_.path());
+  auto drawing = read_folder();
   ASSERT_TRUE(drawing) << to_string(drawing.error());
-  EXPECT_EQ(part_names(drawing->content), (Names{"2-body", "10-head"}));
+  EXPECT_EQ(part_names(*drawing), (Names{"2-body", "10-head"}));
 }
 
 TEST_F(LayerFolder, PixelsOfAllLayersTogetherAreLimited) {
@@ -57,9 +62,9 @@ TEST_F(LayerFolder, PixelsOfAllLayersTogetherAreLimited) {
     write(name, disc(60, 60, {30, 30}, 28, blue));
   ImageLimits limits;
   limits.max_total = 3 * 3600;
-  EXPECT_TRUE(read_layer_folder(folder_.path(), limits));
+  EXPECT_TRUE(read_folder(limits));
   limits.max_total -= 1;
-  const auto drawing = read_layer_folder(folder_.path(), limits);
+  const auto drawing = read_folder(limits);
   ASSERT_FALSE(drawing);
   EXPECT_EQ(drawing.error().code, ErrorCode::limit);
   EXPECT_NE(drawing.error().where.find("3.png"), std::string::npos);

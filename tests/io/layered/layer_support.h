@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "io/image/png_encode.h"
-#include "io/layered/layer_pile.h"
+#include "io/layered/raster_layer.h"
+#include "kernel/geometry/polygon.h"
+#include "understanding/marks/make_parts.h"
 
 namespace relievo {
 
@@ -41,8 +43,10 @@ inline RasterLayer layer(const std::string& name, Image8 rgba) {
   return layer;
 }
 
-inline std::vector<std::string> part_names(const LayeredDrawing& drawing) {
+/// The names of the drawing's parts (see make_parts).
+inline std::vector<std::string> part_names(understanding::LayeredDrawing& drawing) {
   std::vector<std::string> names;
+  if (!understanding::make_parts(drawing)) return names;
   for (const Part& part : drawing.scene.parts) names.push_back(part.id);
   return names;
 }

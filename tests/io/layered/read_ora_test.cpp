@@ -23,7 +23,7 @@ Files files_of(const std::string& stack) {
           {"data/ear.png", png(disc(90, 90, {45, 45}, 40, blue))}};
 }
 
-Result<OraDrawing> read(const Files& files) {
+Result<understanding::LayeredDrawing> read(const Files& files) {
   const auto entries = unpack_archive(test_archive(files));
   if (!entries) return entries.error();
   EXPECT_TRUE(is_ora(*entries));
@@ -31,13 +31,13 @@ Result<OraDrawing> read(const Files& files) {
 }
 
 TEST(ReadOra, TheFirstLayerLiesInFront) {
-  const auto ora =
+  auto ora =
       read(files_of("<layer name='ear' src='data/ear.png' x='105' y='35'/>"
                     "<layer name='body' src='data/body.png'/>"));
   ASSERT_TRUE(ora) << to_string(ora.error());
-  EXPECT_EQ(part_names(ora->content), (Names{"body", "ear"}));
-  EXPECT_EQ(ora->content.scene.width, 300);
-  const Box2 ear = bounding_box(ora->content.scene.parts[1].outline);
+  EXPECT_EQ(part_names(*ora), (Names{"body", "ear"}));
+  EXPECT_EQ(ora->scene.width, 300);
+  const Box2 ear = bounding_box(ora->scene.parts[1].outline);
   EXPECT_NEAR(ear.min.x, 110, 0.1);
   EXPECT_NEAR(ear.min.y, 40, 0.1);
   EXPECT_TRUE(ora->warnings.empty());
@@ -45,10 +45,10 @@ TEST(ReadOra, TheFirstLayerLiesInFront) {
 
 TEST(ReadOra, HiddenAndFaintLayersAreNoParts) {
   const auto parts = [](const std::string& attribute) {
-    const auto ora = read(files_of("<stack " + attribute +
-                                   "><layer name='ear' src='data/ear.png' x='105' y='35'/></stack>"
-                                   "<layer name='body' src='data/body.png'/>"));
-    return ora.ok() ? part_names(ora->content) : Names();
+    auto ora = read(files_of("<stack " + attribute +
+                             "><layer name='ear' src='data/ear.png' x='105' y='35'/></stack>"
+                             "<layer name='body' src='data/body.png'/>"));
+    return ora.ok() ? part_names(*ora) : Names();
   };
   EXPECT_EQ(parts(""), (Names{"body", "ear"}));
   EXPECT_EQ(parts("visibility='hidden'"), Names{"body"});
@@ -66,9 +66,11 @@ TEST(ReadOra, BlendingIsPaintedPlainlyAndSaidSo) {
 
 TEST(ReadOra, RefusesWhatItCannotUse) {
   const auto message = [](const Files& files) {
-    const auto ora = read(files);
-    EXPECT_FALSE(ora);
-    return ora.ok() ? "" : to_string(ora.error());
+    auto ora = read(files);
+    if (!ora) return to_string(ora.error());
+    const Status status = understanding::make_parts(*ora);
+    EXPECT_FALSE(status);
+    return status.ok() ? "" : to_string(status.error());
   };
   EXPECT_NE(message({{"mimetype", "image/openraster"}}).find("stack.xml"), std::string::npos);
   EXPECT_NE(message(files_of("<layer src='data/none.png'/>")).find("data/none.png"),

@@ -16,7 +16,7 @@ using namespace testing;
 TEST(CarveMap, HasTheHeightsOfABall) {
   const double radius = 20;
   const Model ball = hemisphere(radius, 64);
-  const auto png = encode_carve_map(ball, {4, 3});
+  const auto png = encode_carve_map(ball, 4, 3);
   ASSERT_TRUE(png.ok());
   const RawPng map = read_raw_png(*png);
   EXPECT_EQ(map.bit_depth, 16);
@@ -44,14 +44,14 @@ TEST(CarveMap, HasTheTopOfTheDrawingAtTheTop) {
   Model model = empty_model(100, 100);
   add_ellipsoid(model, {"high", {20, 20}, 0, {10, 10, 20}});
   add_ellipsoid(model, {"low", {80, 80}, 0, {10, 10, 5}});
-  const RawPng map = read_raw_png(*encode_carve_map(model, {1, 2}));
+  const RawPng map = read_raw_png(*encode_carve_map(model, 1, 2));
   EXPECT_GT(map.samples.at(10, 10), 65000);
   EXPECT_NEAR(map.samples.at(70, 70), 65535 / 4, 200);
   EXPECT_EQ(map.samples.at(70, 10), 0);
 }
 
 TEST(CarveMap, RefusesTooManyPixels) {
-  const auto png = encode_carve_map(hemisphere(20, 8), {1000, 2});
+  const auto png = encode_carve_map(hemisphere(20, 8), 1000, 2);
   ASSERT_FALSE(png.ok());
   EXPECT_EQ(png.error().code, ErrorCode::limit);
 }

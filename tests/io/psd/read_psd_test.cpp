@@ -43,10 +43,10 @@ TEST_P(ReadPsd, FindsLayersInEveryPacking) {
   const auto psd = read_psd(psd_bytes(spec));
   ASSERT_TRUE(psd) << psd.error().message;
   ASSERT_FALSE(psd->flat);
-  ASSERT_EQ(psd->content.scene.parts.size(), 2U);
-  EXPECT_EQ(psd->content.scene.parts[0].id, "body");
-  EXPECT_EQ(psd->content.scene.parts[1].id, "head");
-  const Image8& rgba = psd->content.drawing.rgba;
+  ASSERT_EQ(psd->marks.size(), 2U);
+  EXPECT_EQ(psd->marks[0].name, "body");
+  EXPECT_EQ(psd->marks[1].name, "head");
+  const Image8& rgba = psd->picture.rgba;
   EXPECT_EQ(rgba.width, 40);
   EXPECT_EQ(pixel(rgba, 10, 10), red);
   EXPECT_EQ(pixel(rgba, 39, 39), blue);
@@ -74,14 +74,14 @@ TEST(ReadPsdLayers, GroupsHideDimAndMaskWhatTheyHold) {
   spec.layers.insert(spec.layers.begin() + 2, group);
   auto psd = read_psd(psd_bytes(spec));
   ASSERT_TRUE(psd) << psd.error().message;
-  EXPECT_EQ(psd->content.drawing.rgba.at(5, 10, 3), 153);
-  EXPECT_EQ(psd->content.drawing.rgba.at(9, 10, 3), 0);  // outside of the mask
-  EXPECT_EQ(pixel(psd->content.drawing.rgba, 30, 30), blue);
+  EXPECT_EQ(psd->picture.rgba.at(5, 10, 3), 153);
+  EXPECT_EQ(psd->picture.rgba.at(9, 10, 3), 0);  // outside of the mask
+  EXPECT_EQ(pixel(psd->picture.rgba, 30, 30), blue);
   spec.layers[2].hidden = true;
   psd = read_psd(psd_bytes(spec));
   ASSERT_TRUE(psd) << psd.error().message;
   ASSERT_TRUE(psd->flat);  // one layer is left
-  EXPECT_EQ(psd->flat->rgba.at(5, 10, 3), 0);
+  EXPECT_EQ(psd->picture.rgba.at(5, 10, 3), 0);
 }
 
 TEST(ReadPsdLayers, WhatIsClippedIsTextureOnItsBase) {
@@ -90,14 +90,14 @@ TEST(ReadPsdLayers, WhatIsClippedIsTextureOnItsBase) {
   spec.layers[1].clipped = true;
   const auto psd = read_psd(psd_bytes(spec));
   ASSERT_TRUE(psd) << psd.error().message;
-  EXPECT_EQ(psd->content.scene.parts.size(), 2U);
-  EXPECT_EQ(pixel(psd->content.drawing.rgba, 10, 10), (std::vector<uint8_t>{0, 0, 0, 255}));
-  EXPECT_EQ(psd->content.drawing.rgba.at(2, 2, 3), 0);
+  EXPECT_EQ(psd->marks.size(), 2U);
+  EXPECT_EQ(pixel(psd->picture.rgba, 10, 10), (std::vector<uint8_t>{0, 0, 0, 255}));
+  EXPECT_EQ(psd->picture.rgba.at(2, 2, 3), 0);
   spec.layers[0].hidden = true;
   const auto without = read_psd(psd_bytes(spec));
   ASSERT_TRUE(without);
   ASSERT_TRUE(without->flat);
-  EXPECT_EQ(without->flat->rgba.at(10, 10, 3), 0);
+  EXPECT_EQ(without->picture.rgba.at(10, 10, 3), 0);
 }
 
 TEST(ReadPsdLayers, MasksCutAndSayWhatLiesOutside) {
@@ -106,8 +106,8 @@ TEST(ReadPsdLayers, MasksCutAndSayWhatLiesOutside) {
   spec.layers[0].outside = 255;
   const auto psd = read_psd(psd_bytes(spec));
   ASSERT_TRUE(psd) << psd.error().message;
-  EXPECT_EQ(psd->content.drawing.rgba.at(6, 6, 3), 0);
-  EXPECT_EQ(pixel(psd->content.drawing.rgba, 16, 6), red);
+  EXPECT_EQ(psd->picture.rgba.at(6, 6, 3), 0);
+  EXPECT_EQ(pixel(psd->picture.rgba, 16, 6), red);
 }
 
 TEST(ReadPsdLayers, WarnsOfWhatItPaintsOtherwise) {
@@ -128,7 +128,7 @@ TEST(ReadPsdLayers, TakesTheFlattenedPictureWhereThereAreNone) {
   const auto psd = read_psd(psd_bytes(spec));
   ASSERT_TRUE(psd) << psd.error().message;
   ASSERT_TRUE(psd->flat);
-  EXPECT_EQ(pixel(psd->flat->rgba, 3, 3), red);
+  EXPECT_EQ(pixel(psd->picture.rgba, 3, 3), red);
 }
 
 TEST(ReadPsdLayers, RefusesWithAReason) {
@@ -168,7 +168,7 @@ TEST(ReadPsdLayers, NothingIsSeenOnABaseWhoseSidesAreNegative) {
   channel[1] = 9;
   const auto psd = read_psd(bytes);
   ASSERT_TRUE(psd) << psd.error().message;
-  EXPECT_EQ(pixel(psd->flat ? psd->flat->rgba : psd->content.drawing.rgba, 10, 10), red);
+  EXPECT_EQ(pixel(psd->picture.rgba, 10, 10), red);
 }
 
 TEST(ReadPsdLayers, NeverReadsBeyondWhatIsThere) {

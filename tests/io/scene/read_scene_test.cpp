@@ -217,13 +217,13 @@ TEST(ReadScene, RefusesDeepNestingWithoutRecursion) {
 }
 
 TEST(ReadScene, KeepsToItsLimits) {
-  SceneLimits bytes;
+  JsonLimits bytes;
   bytes.max_bytes = 100;
-  SceneLimits parts;
+  JsonLimits parts;
   parts.max_parts = 1;
-  SceneLimits points;
+  JsonLimits points;
   points.max_points = 9;
-  for (const SceneLimits& limits : {bytes, parts, points}) {
+  for (const JsonLimits& limits : {bytes, parts, points}) {
     const auto scene = read_scene(sample_scene(), limits);
     ASSERT_FALSE(scene);
     EXPECT_EQ(scene.error().code, ErrorCode::limit);
@@ -231,7 +231,7 @@ TEST(ReadScene, KeepsToItsLimits) {
   bytes.max_bytes = sample_scene().size();
   parts.max_parts = 2;
   points.max_points = 25;
-  for (const SceneLimits& limits : {bytes, parts, points})
+  for (const JsonLimits& limits : {bytes, parts, points})
     EXPECT_TRUE(read_scene(sample_scene(), limits));
 }
 

@@ -84,9 +84,14 @@ TEST(understanding::Scribbles, MistakesAreNamedWithTheirPlace) {
 
 TEST(understanding::Scribbles, LimitsAreTheCallers) {
   const std::string text = write_scribbles(sample());
-  EXPECT_EQ(read_scribbles(text, {size_t{1} << 20, 3, 100}).error().code, ErrorCode::limit);
-  EXPECT_EQ(read_scribbles(text, {size_t{1} << 20, 100, 5}).error().code, ErrorCode::limit);
-  EXPECT_EQ(read_scribbles(text, {20, 100, 100}).error().code, ErrorCode::limit);
+  JsonLimits strokes;
+  strokes.max_strokes = 3;
+  JsonLimits points;
+  points.max_points = 5;
+  JsonLimits bytes;
+  bytes.max_bytes = 20;
+  for (const JsonLimits& limits : {strokes, points, bytes})
+    EXPECT_EQ(read_scribbles(text, limits).error().code, ErrorCode::limit);
 }
 
 TEST(understanding::Scribbles, EveryTruncationIsRefused) {

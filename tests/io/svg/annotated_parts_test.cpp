@@ -21,13 +21,13 @@ std::vector<std::string> ids(const Scene& scene) {
 using Names = std::vector<std::string>;
 
 Error error_of(const std::string& content) {
-  const auto import = read_svg(svg_file(content));
+  const auto import = read_parts(svg_file(content));
   EXPECT_FALSE(import.ok()) << content;
   return import ? Error() : import.error();
 }
 
 TEST(AnnotatedParts, AGroupIsTheUnionOfItsFilledShapes) {
-  const SvgImport import = import_of(
+  const understanding::LayeredDrawing import = import_of(
       svg_file(std::string(body) +
                "<g id='leg' data-relievo='part' data-c='2' data-d='-0.5' data-lean=' .25, -1' "
                "transform='translate(300 0)'>"
@@ -48,7 +48,7 @@ TEST(AnnotatedParts, AGroupIsTheUnionOfItsFilledShapes) {
 }
 
 TEST(AnnotatedParts, AnchorsAreTheEndsOfCurvesOfFilledPathsAlone) {
-  const SvgImport import = import_of(
+  const understanding::LayeredDrawing import = import_of(
       svg_file(std::string(body) +
                "<g id='leg' data-relievo='part' transform='translate(100 0)'>"
                "<path d='M100,100 C120,80 140,80 160,100 C180,120 180,140 160,160 L100,160Z'/>"
@@ -59,7 +59,7 @@ TEST(AnnotatedParts, AnchorsAreTheEndsOfCurvesOfFilledPathsAlone) {
 }
 
 TEST(AnnotatedParts, HolesRunAgainstTheirRing) {
-  const SvgImport import =
+  const understanding::LayeredDrawing import =
       import_of(svg_file("<path data-relievo='part' id='ring' fill-rule='evenodd' "
                          "d='M0 0H300V300H0ZM100 100H200V200H100Z'/>"));
   ASSERT_EQ(ids(import.scene), (Names{"ring"}));
@@ -70,14 +70,14 @@ TEST(AnnotatedParts, HolesRunAgainstTheirRing) {
 }
 
 TEST(AnnotatedParts, TheStrokeOfAFilledShapeBelongsToIt) {
-  const SvgImport import = import_of(svg_file(
+  const understanding::LayeredDrawing import = import_of(svg_file(
       "<rect id='a' data-relievo='part' x='100' y='100' width='100' height='100' stroke='red' "
       "stroke-width='10'/>"));
   EXPECT_NEAR(area(import.scene.parts.at(0).outline), 110 * 110, 0.5);
 }
 
 TEST(AnnotatedParts, IgnoredShapesAreNoParts) {
-  const SvgImport import =
+  const understanding::LayeredDrawing import =
       import_of(svg_file(std::string(body) +
                          "<g data-relievo='ignore'><rect data-c='3' data-relievo='ignore' "
                          "width='9' height='9'/></g>"));
@@ -85,7 +85,7 @@ TEST(AnnotatedParts, IgnoredShapesAreNoParts) {
 }
 
 TEST(AnnotatedParts, RelationsHoldToEveryOverlappedPartBehind) {
-  const SvgImport import = import_of(
+  const understanding::LayeredDrawing import = import_of(
       svg_file(std::string(body) +
                "<rect id='far' data-relievo='part' x='600' y='600' width='100' height='100'/>"
                "<rect id='ear' data-relievo='part' data-relation='equal' x='300' width='200' "
@@ -97,7 +97,7 @@ TEST(AnnotatedParts, RelationsHoldToEveryOverlappedPartBehind) {
 }
 
 TEST(AnnotatedParts, LayersArePartsNamedByTheirLabel) {
-  const SvgImport import = import_of(
+  const understanding::LayeredDrawing import = import_of(
       svg_file("<g inkscape:groupmode='layer' id='l1' inkscape:label='trunk'><rect width='400' "
                "height='400'/>"
                "</g><g inkscape:groupmode='layer' id='l2'><rect x='300' width='300' height='90'/>"
@@ -116,9 +116,7 @@ TEST(AnnotatedParts, ASingleLayerOrLayersOfManyPartsSayNothing) {
       svg_file(layer + "<g inkscape:groupmode='layer'><rect x='800' width='90' height='90'/></g>");
   EXPECT_TRUE(import_of(two).proposed);
   EXPECT_EQ(import_of(two).scene.parts.size(), 5u);
-  SvgOptions literal;
-  literal.layers = SvgLayers::parts;
-  EXPECT_EQ(read_svg(two, literal)->scene.parts.size(), 2u);
+  EXPECT_EQ(read_svg(two)->layers.size(), 2u);
 }
 
 TEST(AnnotatedParts, UnsoundValuesAreNamed) {
@@ -134,7 +132,7 @@ TEST(AnnotatedParts, UnsoundValuesAreNamed) {
 }
 
 TEST(AnnotatedCues, ACueBelongsToItsPartOrTheOneItNames) {
-  const SvgImport import = import_of(svg_file(
+  const understanding::LayeredDrawing import = import_of(svg_file(
       std::string(body) +
       "<g id='hat' data-relievo='part' transform='translate(300 100)'><rect width='300' "
       "height='90'/><path class='cue' data-cue='crease' data-value=' 40 ' d='M0 45H300M5 "
@@ -175,7 +173,7 @@ TEST(AnnotatedCues, UnsoundCuesAreNamed) {
 }
 
 TEST(AnnotatedJoins, AJoinBelongsToItsPartAndTheOneBehind) {
-  const SvgImport import = import_of(svg_file(
+  const understanding::LayeredDrawing import = import_of(svg_file(
       std::string("<rect id='back' data-relievo='part' width='900' height='900'/>") + body +
       "<g id='arm' data-relievo='part'><rect x='300' y='100' width='300' height='90'/>"
       "<path class='join' d='M300 100V190' fill='none' stroke='blue'/></g>"));
@@ -191,7 +189,7 @@ TEST(AnnotatedJoins, NamesOverrideWhatContainsTheLine) {
   const std::string parts =
       std::string("<rect id='back' data-relievo='part' width='900' height='900'/>") + body +
       "<rect id='arm' data-relievo='part' x='300' y='100' width='300' height='90'/>";
-  const SvgImport import = import_of(svg_file(
+  const understanding::LayeredDrawing import = import_of(svg_file(
       parts + "<path class='join left' data-upper='arm' data-lower='back' d='M300 100V190'/>"));
   ASSERT_EQ(import.scene.joins.size(), 1u);
   EXPECT_EQ(import.scene.joins[0].upper, 2);
@@ -204,7 +202,7 @@ TEST(AnnotatedJoins, NamesOverrideWhatContainsTheLine) {
       parts + "<path id='j' class='join' data-upper='back' data-lower='back' d='M300 100V190'/>");
   EXPECT_EQ(order.code, ErrorCode::contradiction);
   EXPECT_EQ(order.where, "j");
-  const SvgImport behind = import_of(
+  const understanding::LayeredDrawing behind = import_of(
       svg_file(parts + "<path class='join' data-upper='back' data-lower='arm' d='M300 100V190'/>"));
   EXPECT_TRUE(behind.scene.joins.empty());
   ASSERT_EQ(behind.scene.relations.size(), 1u);
@@ -216,7 +214,7 @@ TEST(AnnotatedJoins, NamesOverrideWhatContainsTheLine) {
 }
 
 TEST(AnnotatedJoins, InLayersALineAlongTheOutlineIsAJoinAndOthersAreNot) {
-  const SvgImport import = import_of(svg_file(
+  const understanding::LayeredDrawing import = import_of(svg_file(
       "<g inkscape:groupmode='layer' id='trunk'><rect width='400' height='400'/></g>"
       "<g inkscape:groupmode='layer' id='arm'><rect x='300' y='100' width='300' height='90'/>"
       "<path d='M303 100V190' fill='none' stroke='blue'/>"
@@ -227,7 +225,7 @@ TEST(AnnotatedJoins, InLayersALineAlongTheOutlineIsAJoinAndOthersAreNot) {
 }
 
 TEST(AnnotatedJoins, CountEvenWhereTheyAreHidden) {
-  const SvgImport import = import_of(
+  const understanding::LayeredDrawing import = import_of(
       svg_file(std::string("<style>.join { visibility: hidden }</style>") + body +
                "<g id='arm' data-relievo='part'><rect x='300' y='100' width='300' height='90'/>"
                "<path class='join' d='M300 100V190'/></g>"));
@@ -244,7 +242,7 @@ class Samples : public testing::TestWithParam<Sample> {};
 
 TEST_P(Samples, HaveTheirPartsAndJoins) {
   const std::string path = std::string(RELIEVO_EXAMPLES) + "/" + GetParam().name;
-  const SvgImport import = import_of(file_bytes(path));
+  const understanding::LayeredDrawing import = import_of(file_bytes(path));
   EXPECT_FALSE(import.proposed);
   EXPECT_TRUE(import.warnings.empty());
   EXPECT_EQ(import.scene.parts.size(), GetParam().parts);

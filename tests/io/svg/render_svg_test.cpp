@@ -9,7 +9,7 @@ namespace relievo {
 namespace {
 
 Image8 pixels(const std::string& file, int width = 100, int height = 100) {
-  auto drawing = render_svg(file, width, height);
+  auto drawing = painted_svg(file, width, height);
   EXPECT_TRUE(drawing.ok()) << (drawing ? "" : to_string(drawing.error()));
   return drawing ? std::move(drawing->rgba) : Image8(width, height, 4);
 }
@@ -33,7 +33,7 @@ TEST(RenderSvg, AgreesWithTheGeometryWhateverTheSizeAndRatio) {
         "<path d='M10 10L70 20L40 80z'/><circle cx='60' cy='75' "
         "r='9'/>",
         root);
-    const SvgImport import = import_of(file);
+    const understanding::LayeredDrawing import = import_of(file);
     const Drawing drawing{pixels(file, 640, 400)};
     EXPECT_GT(silhouette_agreement(import.scene, drawing), 0.99) << root;
   }

@@ -58,8 +58,8 @@ TEST(SvgCorpus, EveryFileIsReadOrRefusedWithAReason) {
   int read = 0;
   for (const auto& path : files) {
     const std::string file = file_bytes(path);
-    const auto import = read_svg(file);
-    const auto drawing = render_svg(file, 200, 200);
+    const auto import = read_parts(file);
+    const auto drawing = painted_svg(file, 200, 200);
     read += import ? 1 : 0;
     if (!import) {
       EXPECT_FALSE(import.error().message.empty()) << path;

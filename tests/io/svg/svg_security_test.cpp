@@ -4,6 +4,7 @@
 
 #include "io/svg/render_svg.h"
 #include "io/svg/svg_test_support.h"
+#include "understanding/marks/make_parts.h"
 
 namespace relievo {
 namespace {
@@ -11,14 +12,14 @@ namespace {
 const char* const square = "<rect width='100' height='100'/>";
 
 ErrorCode code_of(const std::string& file, const SvgOptions& options = {}) {
-  const auto import = read_svg(file, options);
+  const auto import = read_parts(file, options);
   EXPECT_FALSE(import.ok());
   return import ? ErrorCode::internal : import.error().code;
 }
 
 /// Alpha of one pixel of the drawing at 100 x 100 px.
 int alpha_at(const std::string& file, int x, int y) {
-  const auto drawing = render_svg(file, 100, 100);
+  const auto drawing = painted_svg(file, 100, 100);
   EXPECT_TRUE(drawing.ok()) << (drawing ? "" : to_string(drawing.error()));
   return drawing ? drawing->rgba.at(x, y, 3) : -1;
 }
@@ -42,7 +43,7 @@ TEST(SvgSecurity, EntitiesAreNeverExpanded) {
   const std::string file = bomb + svg_file(
                                       "<title>&a29;&file;</title><rect id='&file;' width='100' "
                                       "height='100'/><rect width='&size;' height='9'/>");
-  const SvgImport import = import_of(file);
+  const understanding::LayeredDrawing import = import_of(file);
   ASSERT_EQ(import.scene.parts.size(), 1u);
   EXPECT_EQ(import.scene.parts[0].id, "&file;");
   EXPECT_FALSE(import.warnings.empty());
@@ -92,10 +93,10 @@ TEST(SvgSecurity, WhatIsNotSvgInsideIsNotPainted) {
   EXPECT_EQ(alpha_at(file, 50, 50), 0);
   EXPECT_EQ(alpha_at(file, 5, 5), 255);
   EXPECT_EQ(alpha_at(file, 90, 5), 255);
-  const auto paintable = paintable_svg(file);
-  ASSERT_TRUE(paintable.ok());
-  EXPECT_EQ(paintable->text.find("include"), std::string::npos);
-  EXPECT_EQ(paintable->text.find("urn:other"), std::string::npos);
+  const auto drawing = read_svg(file);
+  ASSERT_TRUE(drawing.ok());
+  EXPECT_EQ(drawing->paintable.text.find("include"), std::string::npos);
+  EXPECT_EQ(drawing->paintable.text.find("urn:other"), std::string::npos);
 }
 
 /// The renderer ends itself on a convolution whose size does not fit what it is made of.
@@ -106,7 +107,7 @@ TEST(SvgSecurity, ARendererThatCrashesIsNoCrashOfOurs) {
       svg_file("<filter id='f'><feConvolveMatrix order='60' kernelMatrix='" + ones +
                "'/></filter><rect width='900' height='900' "
                "filter='url(#f)'/>");
-  const auto drawing = render_svg(file, 100, 100);
+  const auto drawing = painted_svg(file, 100, 100);
   EXPECT_TRUE(drawing.ok() || drawing.error().code == ErrorCode::bad_input);
 }
 
@@ -124,7 +125,7 @@ TEST(SvgSecurity, EmbeddedPicturesOfUnknownOrHugeSizeAreNotPainted) {
 }
 
 TEST(SvgSecurity, UseThatLeadsBackEnds) {
-  const SvgImport import = import_of(svg_file(
+  const understanding::LayeredDrawing import = import_of(svg_file(
       "<g id='a'><use href='#b'/><rect width='90' height='90'/></g><g id='b'><use href='#a'/></g>"
       "<use id='c' href='#c'/>"));
   EXPECT_EQ(import.scene.parts.size(), 1u);
@@ -141,7 +142,7 @@ TEST(SvgSecurity, UseThatMultipliesIsALimit) {
 }
 
 TEST(SvgSecurity, ClipPathsThatLeadBackEnd) {
-  const SvgImport import = import_of(
+  const understanding::LayeredDrawing import = import_of(
       svg_file("<clipPath id='c'><rect width='50' height='50' clip-path='url(#c)'/></clipPath>"
                "<rect width='100' height='100' clip-path='url(#c)'/>"));
   EXPECT_EQ(import.scene.parts.size(), 1u);
@@ -171,11 +172,13 @@ TEST(SvgSecurity, CountsAndSizesAreLimits) {
   options = {};
   options.max_bytes = 1000;
   EXPECT_EQ(code_of(svg_file(many), options), ErrorCode::limit);
-  options = {};
-  options.max_shapes = 49;
-  EXPECT_EQ(code_of(svg_file(many), options), ErrorCode::limit);
-  EXPECT_EQ(render_svg(svg_file(square), 100000, 5).error().code, ErrorCode::limit);
-  EXPECT_EQ(render_svg(svg_file(square), 0, 5).error().code, ErrorCode::limit);
+  auto drawing = read_svg(svg_file(many));
+  ASSERT_TRUE(drawing.ok());
+  const Status status = understanding::make_parts(*drawing, 49);
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().code, ErrorCode::limit);
+  EXPECT_EQ(painted_svg(svg_file(square), 100000, 5).error().code, ErrorCode::limit);
+  EXPECT_EQ(painted_svg(svg_file(square), 0, 5).error().code, ErrorCode::limit);
 }
 
 TEST(SvgSecurity, TanglesAreLeftOutAndNamed) {
@@ -185,14 +188,14 @@ TEST(SvgSecurity, TanglesAreLeftOutAndNamed) {
     state = state * 1664525u + 1013904223u;
     scribble += "L" + std::to_string(state >> 22) + " " + std::to_string(state >> 12 & 1023);
   }
-  const SvgImport import = import_of(svg_file(scribble + "'/>" + square));
+  const understanding::LayeredDrawing import = import_of(svg_file(scribble + "'/>" + square));
   EXPECT_EQ(import.scene.parts.size(), 1u);
   ASSERT_EQ(import.warnings.size(), 1u);
   EXPECT_NE(import.warnings[0].find("scribble"), std::string::npos);
 }
 
 TEST(SvgSecurity, HugeCoordinatesDoNoHarm) {
-  const SvgImport import = import_of(svg_file(
+  const understanding::LayeredDrawing import = import_of(svg_file(
       "<path d='M -874699606 5 C 1e9 1e9 -1e9 1e9 874699606 5 Z'/>"
       "<circle cx='1e30' cy='0' r='1e30'/><path d='M0 0L1e308 1e308' stroke='red' "
       "stroke-width='1e300'/><rect transform='scale(1e200)' width='1e200' height='1e200'/>" +

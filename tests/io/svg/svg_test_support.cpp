@@ -5,6 +5,9 @@
 #include <iterator>
 #include <utility>
 
+#include "io/svg/render_svg.h"
+#include "understanding/marks/make_parts.h"
+
 #if defined(__SANITIZE_ADDRESS__)
 // Fontconfig keeps its tables until the process ends when a drawing has text.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig"; }
@@ -26,14 +29,30 @@ SvgDrawing drawing_of(const std::string& file) {
   auto drawing = read_drawing(**document, {});
   EXPECT_TRUE(drawing.ok());
   if (!drawing) return {};
+  // They belong to the document, which is gone.
   for (SvgShape& shape : drawing->shapes) shape.element = {};
+  for (SvgGroup& group : drawing->groups) group.element = {};
   return std::move(*drawing);
 }
 
-SvgImport import_of(const std::string& file) {
-  auto import = read_svg(file);
+Result<understanding::LayeredDrawing> read_parts(const std::string& file,
+                                                 const SvgOptions& options) {
+  auto drawing = read_svg(file, options);
+  if (!drawing) return drawing;
+  if (Status status = understanding::make_parts(*drawing); !status) return status.error();
+  return drawing;
+}
+
+understanding::LayeredDrawing import_of(const std::string& file) {
+  auto import = read_parts(file);
   EXPECT_TRUE(import.ok()) << (import ? "" : to_string(import.error()));
-  return import ? std::move(*import) : SvgImport();
+  return import ? std::move(*import) : understanding::LayeredDrawing();
+}
+
+Result<Drawing> painted_svg(const std::string& file, int width, int height) {
+  const auto drawing = read_svg(file);
+  if (!drawing) return drawing.error();
+  return render_svg(drawing->paintable, width, height);
 }
 
 Region fill_of_only_shape(const std::string& content) {

@@ -8,6 +8,7 @@
 
 #include "io/svg/read_svg.h"
 #include "io/svg/svg_drawing.h"
+#include "understanding/marks/layered_drawing.h"
 
 namespace relievo {
 
@@ -17,8 +18,15 @@ std::string svg_file(const std::string& content, const std::string& attributes =
 /// The flattened drawing of a file that must be readable.
 SvgDrawing drawing_of(const std::string& file);
 
-/// The scene of a file that must be readable.
-SvgImport import_of(const std::string& file);
+/// A file with its parts (see make_parts).
+Result<understanding::LayeredDrawing> read_parts(const std::string& file,
+                                                 const SvgOptions& options = {});
+
+/// The parts of a file that must have some.
+understanding::LayeredDrawing import_of(const std::string& file);
+
+/// What a renderer paints of a file.
+Result<Drawing> painted_svg(const std::string& file, int width, int height);
 
 /// What the only shape of the content fills on the canvas of svg_file.
 Region fill_of_only_shape(const std::string& content);

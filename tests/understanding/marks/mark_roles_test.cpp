@@ -15,25 +15,25 @@ using Names = std::vector<std::string>;
 const std::string trunk = "<circle id='body' cx='500' cy='450' r='300' fill='#c84'/>";
 const std::string leg = "<path id='leg' d='M560 650h120v280h-120z' fill='#b73'/>";
 
-SvgImport roles_of(const std::string& content) {
-  SvgImport import = import_of(svg_file(content));
+LayeredDrawing roles_of(const std::string& content) {
+  LayeredDrawing import = import_of(svg_file(content));
   EXPECT_TRUE(import.proposed);
   return import;
 }
 
-Names names(const SvgImport& import) {
+Names names(const LayeredDrawing& import) {
   Names names;
   for (const Part& part : import.scene.parts) names.push_back(part.id);
   return names;
 }
 
-bool covered(const SvgImport& import, Point2 p) {
+bool covered(const LayeredDrawing& import, Point2 p) {
   return std::any_of(import.scene.parts.begin(), import.scene.parts.end(),
                      [&](const Part& part) { return contains(part.outline, p); });
 }
 
 /// Whether a warning begins with the name and says the word.
-bool says(const SvgImport& import, const std::string& name, const std::string& word) {
+bool says(const LayeredDrawing& import, const std::string& name, const std::string& word) {
   return std::any_of(
       import.warnings.begin(), import.warnings.end(), [&](const std::string& warning) {
         return warning.rfind(name, 0) == 0 && warning.find(word) != std::string::npos;
@@ -41,7 +41,7 @@ bool says(const SvgImport& import, const std::string& name, const std::string& w
 }
 
 TEST(MarkRoles, ThickPensDrawnOverTheColoursBelongToThePartsAlongThem) {
-  const SvgImport import =
+  const LayeredDrawing import =
       roles_of(trunk + leg +
                "<g fill='none' stroke='#000' stroke-width='40'>"
                "<path id='around' d='M500 150A300 300 0 0 1 700 674V930H540V747A300 300 0 1 1 500 "
@@ -53,7 +53,7 @@ TEST(MarkRoles, ThickPensDrawnOverTheColoursBelongToThePartsAlongThem) {
 }
 
 TEST(MarkRoles, ADarkPlateBelowAllColoursIsTheirOutline) {
-  const SvgImport import = roles_of(
+  const LayeredDrawing import = roles_of(
       "<path id='plate' d='M500 130A320 320 0 0 1 700 700V950H540V766A320 320 0 1 1 500 "
       "130z' fill='#111'/>" +
       trunk + leg);
@@ -85,8 +85,9 @@ TEST(MarkRoles, ShadesOfTheSameHueAndClearOnesAreTexture) {
 
 TEST(MarkRoles, CastShadowsAreLeftOutAndNamed) {
   for (const char* paint : {"fill='#333' opacity='.6'", "fill='#111'"}) {
-    const SvgImport import = roles_of("<ellipse id='shadow' cx='560' cy='930' rx='330' ry='40' " +
-                                      std::string(paint) + "/>" + trunk + leg);
+    const LayeredDrawing import =
+        roles_of("<ellipse id='shadow' cx='560' cy='930' rx='330' ry='40' " + std::string(paint) +
+                 "/>" + trunk + leg);
     EXPECT_EQ(names(import), (Names{"body", "leg"})) << paint;
     EXPECT_FALSE(covered(import, {300, 935}));
     EXPECT_TRUE(says(import, "shadow", "cast shadow"));
@@ -98,7 +99,7 @@ TEST(MarkRoles, CastShadowsAreLeftOutAndNamed) {
 }
 
 TEST(MarkRoles, BlurredShadowsAreLeftOut) {
-  const SvgImport import = roles_of(
+  const LayeredDrawing import = roles_of(
       "<filter id='soft'><feGaussianBlur stdDeviation='8'/></filter><g filter='url(#soft)'>"
       "<path id='shadow' d='M200 920h600v40h-600z' fill='#777'/></g>" +
       trunk + leg);
@@ -106,7 +107,7 @@ TEST(MarkRoles, BlurredShadowsAreLeftOut) {
 }
 
 TEST(MarkRoles, LinesApartFromEverythingAreMotionLines) {
-  const SvgImport import =
+  const LayeredDrawing import =
       roles_of(trunk +
                "<path id='whoosh' d='M20 100h100' stroke='#000' stroke-width='8'/>"
                "<path id='hair' d='M500 145v-100' stroke='#000' stroke-width='8'/>");
@@ -118,7 +119,7 @@ TEST(MarkRoles, LinesApartFromEverythingAreMotionLines) {
 }
 
 TEST(MarkRoles, SkyAndGroundAreBackground) {
-  const SvgImport import = roles_of(
+  const LayeredDrawing import = roles_of(
       "<rect id='sky' width='1000' height='700' fill='#cdf'/>"
       "<rect id='ground' y='700' width='1000' height='300' fill='#8a4'/>" +
       trunk + leg);
@@ -138,7 +139,7 @@ TEST(MarkRoles, HatchingIsTexture) {
 }
 
 TEST(MarkRoles, MasksCutLikeClipPaths) {
-  const SvgImport import = roles_of(
+  const LayeredDrawing import = roles_of(
       "<mask id='m'><rect width='1000' height='1000' fill='#fff'/><rect y='500' width='1000' "
       "height='500' fill='#000'/></mask><g mask='url(#m)'>" +
       trunk + "</g>");
@@ -149,7 +150,7 @@ TEST(MarkRoles, MasksCutLikeClipPaths) {
 }
 
 TEST(MarkRoles, PicturesTextAndMasksThatCannotBeHadAreNamedWithTheirLayer) {
-  const SvgImport import = roles_of(
+  const LayeredDrawing import = roles_of(
       "<mask id='m' maskContentUnits='objectBoundingBox'><rect width='1' height='1'/></mask>"
       "<g id='face'><image id='eyes' href='data:,'/><text id='word'>Hm</text>"
       "<circle id='ball' mask='url(#m)' cx='500' cy='500' r='200'/></g>");

@@ -17,7 +17,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 Names proposed(const std::string& content) {
-  const SvgImport import = import_of(svg_file(content));
+  const LayeredDrawing import = import_of(svg_file(content));
   EXPECT_TRUE(import.proposed);
   Names names;
   for (const Part& part : import.scene.parts) names.push_back(part.id);
@@ -40,7 +40,7 @@ TEST(ProposeParts, AFrameIsOneWithWhatShowsThroughItsHoles) {
       "350H470V650H300Z"
       "M530 350H700V650H530Z'/>";
   const auto rings_of_last = [](const std::string& content) {
-    const SvgImport import = import_of(svg_file(content));
+    const LayeredDrawing import = import_of(svg_file(content));
     EXPECT_EQ(import.scene.parts.back().id, "frame");
     return import.scene.parts.back().outline.size();
   };
@@ -51,7 +51,7 @@ TEST(ProposeParts, AFrameIsOneWithWhatShowsThroughItsHoles) {
 }
 
 TEST(ProposeParts, ADarkTwinBehindIsOnePartWithItsFill) {
-  const SvgImport import = import_of(svg_file(
+  const LayeredDrawing import = import_of(svg_file(
       "<circle id='line' cx='500' cy='500' r='310'/>" + large_circle +
       "<circle id='line2' cx='640' cy='420' r='80'/><circle id='eye' cx='640' cy='420' r='72' "
       "fill='#fff'/><circle id='pupil' cx='650' cy='420' r='25'/>"));
@@ -79,7 +79,7 @@ TEST(ProposeParts, TranslucentShadingIsTexture) {
 }
 
 TEST(ProposeParts, WideStrokesAreLimbsAndThinOnesExtendWhatTheyTouch) {
-  const SvgImport import = import_of(
+  const LayeredDrawing import = import_of(
       svg_file(large_circle +
                "<path id='arm' d='M700 600L950 900' fill='none' stroke='#c84' stroke-width='60'/>"
                "<path id='whisker' d='M300 500H100' fill='none' stroke='#000' stroke-width='4'/>"));
@@ -100,9 +100,9 @@ TEST_P(LayeredDrawings, PartsCoverTheDrawing) {
   const auto [name, part_count] = GetParam();
   const std::string file = file_bytes(std::string(RELIEVO_SHARED_DATA) + "/layered/" + name);
   if (file.empty()) GTEST_SKIP() << "no drawing " << name << " in " << RELIEVO_SHARED_DATA;
-  const SvgImport import = import_of(file);
-  const auto drawing = render_svg(file, static_cast<int>(std::lround(import.scene.width)),
-                                  static_cast<int>(std::lround(import.scene.height)));
+  const LayeredDrawing import = import_of(file);
+  const auto drawing = painted_svg(file, static_cast<int>(std::lround(import.scene.width)),
+                                   static_cast<int>(std::lround(import.scene.height)));
   ASSERT_TRUE(drawing.ok());
   EXPECT_GE(silhouette_agreement(import.scene, *drawing), 0.995);
   EXPECT_EQ(static_cast<int>(import.scene.parts.size()), part_count);

@@ -1,0 +1,84 @@
+#include "understanding/marks/make_parts.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "scene/part_ids.h"
+#include "understanding/marks/figures.h"
+#include "understanding/marks/propose_parts.h"
+
+namespace relievo::understanding {
+namespace {
+
+/// A layer from which so many parts are proposed, some over others, is no part itself.
+constexpr size_t parts_of_drawing = 4;
+/// Least common area of two parts of which one lies over the other / area of the smaller one.
+constexpr double least_overlap = 0.05;
+
+Box2 canvas_of(const Scene& scene) { return {{0, 0}, {scene.width, scene.height}}; }
+
+bool some_overlap(const std::vector<Part>& parts) {
+  for (size_t i = 0; i < parts.size(); ++i) {
+    for (size_t j = 0; j < i; ++j) {
+      const double smaller = std::min(area(parts[i].outline), area(parts[j].outline));
+      if (area(intersect(parts[i].outline, parts[j].outline)) > least_overlap * smaller)
+        return true;
+    }
+  }
+  return false;
+}
+
+bool holds_several_parts(std::vector<Mark> layer, const Box2& canvas) {
+  std::vector<Palette> colors;
+  const std::vector<Part> parts = propose_parts(group_figures(std::move(layer), canvas), colors);
+  return parts.size() >= parts_of_drawing && some_overlap(parts);
+}
+
+Status propose(LayeredDrawing& drawing, size_t max_marks) {
+  if (drawing.marks.size() > max_marks)
+    return Error{ErrorCode::limit,
+                 "has more than " + std::to_string(max_marks) +
+                     " shapes, too many to propose parts from; group the shapes of each part and "
+                     "mark the group with data-relievo=\"part\"",
+                 ""};
+  drawing.line_art =
+      !drawing.marks.empty() && std::none_of(drawing.marks.begin(), drawing.marks.end(),
+                                             [](const Mark& mark) { return mark.filled; });
+  const FigureList figures = group_figures(std::move(drawing.marks), canvas_of(drawing.scene));
+  drawing.scene.parts = propose_parts(figures, drawing.colors);
+  drawing.proposed = true;
+  drawing.warnings.insert(drawing.warnings.end(), figures.notes.begin(), figures.notes.end());
+  return Done{};
+}
+
+}  // namespace
+
+void settle_layers(LayeredDrawing& drawing) {
+  if (drawing.layers.empty()) return;
+  const Box2 canvas = canvas_of(drawing.scene);
+  const bool several =
+      std::any_of(drawing.layers.begin(), drawing.layers.end(),
+                  [&](const auto& layer) { return holds_several_parts(layer, canvas); });
+  drawing.layers.clear();
+  if (!several) return drawing.marks.clear();
+  drawing.scene.parts.clear();
+  drawing.scene.joins.clear();
+  drawing.colors.clear();
+  if (!drawing.text_with_lines.empty()) drawing.paintable.text = std::move(drawing.text_with_lines);
+}
+
+Status make_parts(LayeredDrawing& drawing, size_t max_marks) {
+  settle_layers(drawing);
+  if (drawing.scene.parts.empty())
+    if (Status status = propose(drawing, max_marks); !status) return status;
+  if (drawing.scene.parts.empty())
+    return Error{ErrorCode::bad_input,
+                 "shows nothing opaque on its canvas to make parts of" +
+                     (drawing.warnings.empty() ? "" : ": " + drawing.warnings.front()),
+                 ""};
+  make_ids_unique(drawing.scene.parts);
+  return Done{};
+}
+
+}  // namespace relievo::understanding
