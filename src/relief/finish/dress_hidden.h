@@ -1,6 +1,6 @@
 #pragma once
 
-#include "relief/surface/visible_sheet.h"
+#include "relief/finish/finish_model.h"
 #include "relievo/image.h"
 #include "relievo/model.h"
 

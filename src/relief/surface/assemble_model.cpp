@@ -125,6 +125,7 @@ Result<Model> assemble_model(const LayeredMesh& mesh, const Inflation& inflation
                                 drop_unused_vertices(model);
                               });
   if (!status) return status.error();
+  model.unfinished = options.visibility;
   return model;
 }
 

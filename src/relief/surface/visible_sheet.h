@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "relievo/image.h"
 #include "relievo/model.h"
 
 namespace relievo::relief {
@@ -43,12 +42,6 @@ struct LimbSheet {
   std::string id;     ///< of the part
   double middle = 0;  ///< px, where the part that it grows out of is neither in front nor behind
   VisibleSheet sheet;
-};
-
-/// A model and the picture that lies on it, which is empty where there is none.
-struct DrawnModel {
-  Model model;
-  Drawing drawing;
 };
 
 }  // namespace relievo::relief
