@@ -28,6 +28,11 @@ struct ModelPart {
   int triangle_count = 0;
   int hidden_count = 0;  ///< the last so many triangles lie behind another part in the front view,
                          ///< so that the drawing has no colours for them
+
+  /// One past the last triangle.
+  int end() const { return first_triangle + triangle_count; }
+  /// One past the last triangle that is not hidden.
+  int seen_end() const { return end() - hidden_count; }
 };
 
 /// A triangle mesh with a picture's coordinates. Model space is in canvas px: X right, Y up, Z

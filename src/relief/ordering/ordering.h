@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "kernel/geometry/triangles.h"
 #include "kernel/solvers/bound_qp.h"
 #include "relievo/point.h"
 

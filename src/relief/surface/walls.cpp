@@ -8,14 +8,14 @@
 namespace relievo::relief {
 namespace {
 
-/// An end of an open edge: a surface's copy of a base vertex.
-struct Corner {
+/// A surface's copy of the base vertex at an end of an open edge.
+struct EdgeEnd {
   int base = -1;
   double z = 0;
   int vertex = -1;
 };
 
-bool operator<(const Corner& a, const Corner& b) {
+bool operator<(const EdgeEnd& a, const EdgeEnd& b) {
   return std::tie(a.base, a.z, a.vertex) < std::tie(b.base, b.z, b.vertex);
 }
 
@@ -23,53 +23,52 @@ class WallBuilder {
  public:
   WallBuilder(const CutSurface& surface, double weld_tolerance, ModelBuilder& builder)
       : surface_(surface), weld_tolerance_(weld_tolerance), builder_(builder) {
-    collect_corners();
-    weld_corners();
+    collect_ends();
+    weld_ends();
   }
 
   void close(const OpenEdge& open) {
     first_.clear();
     second_.clear();
-    append_edge_points(surface_, open.first, false, first_);
-    append_edge_points(surface_, open.second, true, second_);
+    append_edge_points(surface_, open[0], false, first_);
+    append_edge_points(surface_, open[1], true, second_);
     weld_cuts();
     if (coincide()) return;
     first_higher_ = first_is_higher(open);
-    part_ = surface_.mesh.face_part[(first_higher_ ? open.first : open.second).face];
+    part_ = surface_.mesh.face_part[open[first_higher_ ? 0 : 1].face];
     find_normals();
     for (EdgePoint& p : first_) p.vertex = builder_.copy_vertex(p.vertex, normal_at(p.t));
     for (EdgePoint& p : second_) p.vertex = builder_.copy_vertex(p.vertex, normal_at(p.t));
-    const int triangle = surface_.mesh.face_triangle[open.first.face];
+    const int triangle = surface_.mesh.face_triangle[open[0].face];
     const std::array<int, 3>& base = surface_.mesh.triangles[triangle];
-    zip(base[next_place(open.first.corner)], base[last_place(open.first.corner)]);
+    zip(base[next_place(open[0].corner)], base[last_place(open[0].corner)]);
   }
 
  private:
-  void collect_corners() {
+  void collect_ends() {
     for (const OpenEdge& open : surface_.sheets.open_edges)
-      for (const FaceEdge edge : {open.first, open.second})
+      for (const FaceEdge edge : open)
         for (const int side : {1, 2}) {
           const int v = surface_.sheets.vertex[corner_of(edge.face, (edge.corner + side) % 3)];
           const int node = surface_.sheets.vertex_node[v];
-          corners_.push_back({surface_.mesh.node_vertex[node], z(v), v});
+          ends_.push_back({surface_.mesh.node_vertex[node], z(v), v});
         }
-    std::sort(corners_.begin(), corners_.end());
+    std::sort(ends_.begin(), ends_.end());
   }
 
-  void weld_corners() {
-    for (size_t i = 1; i < corners_.size(); ++i) {
-      Corner& corner = corners_[i];
-      const Corner& below = corners_[i - 1];
-      if (corner.base != below.base || z(corner.vertex) - z(below.vertex) > weld_tolerance_)
-        continue;
-      corner.z = below.z;
-      builder_.set_height(corner.vertex, corner.z);
+  void weld_ends() {
+    for (size_t i = 1; i < ends_.size(); ++i) {
+      EdgeEnd& end = ends_[i];
+      const EdgeEnd& below = ends_[i - 1];
+      if (end.base != below.base || z(end.vertex) - z(below.vertex) > weld_tolerance_) continue;
+      end.z = below.z;
+      builder_.set_height(end.vertex, end.z);
     }
   }
 
   double z(int vertex) const { return builder_.position(vertex).z; }
 
-  /// Puts the inner points of both copies at the same places where they nearly are.
+  /// Moves the inner points of the second copy to those of the first if all nearly coincide.
   void weld_cuts() {
     if (first_.size() != second_.size()) return;
     const auto near = [this](const EdgePoint& a, const EdgePoint& b) {
@@ -80,16 +79,16 @@ class WallBuilder {
       builder_.set_position(second_[i].vertex, builder_.position(first_[i].vertex));
   }
 
-  bool same_place(int a, int b) const { return builder_.position(a) == builder_.position(b); }
+  bool coincide(int a, int b) const { return builder_.position(a) == builder_.position(b); }
 
   bool coincide() const {
     const auto same = [this](const EdgePoint& a, const EdgePoint& b) {
-      return same_place(a.vertex, b.vertex);
+      return coincide(a.vertex, b.vertex);
     };
     return std::equal(first_.begin(), first_.end(), second_.begin(), second_.end(), same);
   }
 
-  /// Area below one copy of the edge, over its unit length.
+  /// Returns the area below one copy of the edge, whose length counts as 1.
   double area_below(const std::vector<EdgePoint>& points) const {
     double area = 0;
     for (size_t i = 1; i < points.size(); ++i)
@@ -101,11 +100,12 @@ class WallBuilder {
   bool first_is_higher(const OpenEdge& open) const {
     const double difference = area_below(first_) - area_below(second_);
     if (difference != 0) return difference > 0;
-    return surface_.mesh.face_part[open.first.face] >= surface_.mesh.face_part[open.second.face];
+    return surface_.mesh.face_part[open[0].face] >= surface_.mesh.face_part[open[1].face];
   }
 
-  /// The wall continues a rim: its normal is the horizontal part of the steeper of both normals
-  /// there, turned to the lower side, unless that does not face across the edge.
+  /// Computes the wall's normals at both ends. The wall continues a rim: the normal is the
+  /// horizontal part of the steeper of both normals there, turned to the lower side, unless that
+  /// does not face across the edge.
   void find_normals() {
     const Point3 along =
         builder_.position(first_.back().vertex) - builder_.position(first_.front().vertex);
@@ -149,16 +149,16 @@ class WallBuilder {
     }
   }
 
-  /// Whether to go on along the first copy: to the next point along the edge, unless only the
-  /// other triangle faces outwards.
+  /// Returns whether to advance on the first copy: to the next point along the edge, unless only
+  /// the other triangle faces outwards.
   bool advance_first(size_t i, size_t j) const {
     const bool preferred = prefer_first(i, j);
     return faces_inwards(i, j, preferred) && !faces_inwards(i, j, !preferred) ? !preferred
                                                                               : preferred;
   }
 
-  /// For points side by side the lower cross edge, so that nothing sticks out where both copies
-  /// cross.
+  /// Returns whether the next point along the edge is on the first copy. Of points side by side the
+  /// lower cross edge is preferred, so that nothing sticks out where both copies cross.
   bool prefer_first(size_t i, size_t j) const {
     if (first_[i + 1].t != second_[j + 1].t) return first_[i + 1].t < second_[j + 1].t;
     return z(first_[i + 1].vertex) + z(second_[j].vertex) <=
@@ -174,15 +174,16 @@ class WallBuilder {
 
   Point2 in_wall(const EdgePoint& p) const { return {p.t, z(p.vertex)}; }
 
-  /// A triangle whose vertical edge from -> to over a base vertex is cut at the heights of all
+  /// Adds a triangle whose vertical edge from -> to over a base vertex is cut at the heights of all
   /// surfaces that end there.
   void fan(int apex, int from, int to, int base) {
     const double z_from = z(from);
     const double z_to = z(to);
-    auto begin = std::lower_bound(corners_.begin(), corners_.end(),
-                                  Corner{base, std::min(z_from, z_to), -1});
-    const auto end = std::lower_bound(corners_.begin(), corners_.end(),
-                                      Corner{base, std::max(z_from, z_to), -1});
+    const auto at_height = [&](double z) {
+      return std::lower_bound(ends_.begin(), ends_.end(), EdgeEnd{base, z, -1});
+    };
+    auto begin = at_height(std::min(z_from, z_to));
+    const auto end = at_height(std::max(z_from, z_to));
     heights_.clear();
     for (; begin != end; ++begin)
       if (begin->z != std::min(z_from, z_to) && (heights_.empty() || heights_.back() != begin->z))
@@ -198,16 +199,16 @@ class WallBuilder {
   }
 
   void add_triangle(int a, int b, int c) {
-    if (same_place(a, b) || same_place(b, c) || same_place(c, a)) return;
-    builder_.add_triangle({part_, false}, a, b, c);
+    if (coincide(a, b) || coincide(b, c) || coincide(c, a)) return;
+    builder_.add_triangle(part_, false, a, b, c);
   }
 
   const CutSurface& surface_;
   double weld_tolerance_;
   ModelBuilder& builder_;
-  std::vector<Corner> corners_;  ///< sorted by base vertex and height
+  std::vector<EdgeEnd> ends_;  ///< sorted by base vertex and height
   bool first_higher_ = true;
-  int part_ = -1;  ///< the higher part
+  int part_ = -1;  ///< the higher part, which the wall belongs to
   Point3 normal_front_;
   Point3 normal_back_;
   std::vector<EdgePoint> first_;   ///< the first face's copy of the edge
@@ -217,6 +218,7 @@ class WallBuilder {
 
 constexpr BackPoint nothing{std::numeric_limits<double>::infinity(), 0};
 
+/// Finds the rearmost parts behind a surface.
 class BackFinder {
  public:
   BackFinder(const CutSurface& surface, const Inflation& inflation, const Ordering& ordering)
@@ -240,7 +242,8 @@ class BackFinder {
   }
 
  private:
-  /// A hollow has no back: it counts only where nothing else does.
+  /// Lowers `least` to the back of a sheet. A hollow has no back: it counts only where nothing else
+  /// does.
   static void lower(double u, double g, int part, BackPoint& least) {
     const double z = g - std::sqrt(std::abs(u));
     if (u < 0 ? least.z == nothing.z : z < least.z) least = {z, part};
@@ -267,7 +270,7 @@ class BackFinder {
     }
   }
 
-  /// The sheets of a triangle at (1 - t) from + t to, base vertices of its own.
+  /// Lowers `least` to the sheets of a triangle at (1 - t) from + t to, two of its base vertices.
   void lower_on_edge(int triangle, int from, int to, double t, BackPoint& least) const {
     for (int f = mesh_.stack_begin[triangle]; f < mesh_.stack_begin[triangle + 1]; ++f) {
       double u = 0;
@@ -286,7 +289,7 @@ class BackFinder {
   const SheetSurface& sheets_;
   const EdgeCuts& cuts_;
   const std::vector<double>& u_;
-  std::vector<double> g_;  ///< as if nothing had been hidden, which is of the front alone
+  std::vector<double> g_;  ///< without the lowering of hidden sheets, which concerns the front only
 };
 
 }  // namespace
