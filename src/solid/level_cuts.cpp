@@ -20,9 +20,9 @@ struct PlaceHash {
   }
 };
 
-/// A piece of a ring: across one triangle, from the edge that falls to the edge that rises.
+/// A piece of a ring across one triangle, from the edge that falls to the edge that rises.
 struct Crossing {
-  uint64_t from = 0;  ///< edge, by its two places
+  uint64_t from = 0;  ///< edge, by its two vertices
   uint64_t to = 0;
   int triangle = 0;
 };
@@ -86,7 +86,8 @@ LevelCut LevelCutter::cut(double height) const {
     for (size_t c = first; c < crossings.size() && done[c] == 0; c = starting_at(crossings[c].to)) {
       done[c] = 1;
       ring.push_back(place_on(crossings[c].from));
-      result.corners.push_back({ring.back(), triangle_part_[crossings[c].triangle]});
+      result.corners.push_back(ring.back());
+      result.corner_parts.push_back(triangle_part_[crossings[c].triangle]);
     }
   }
   return result;
