@@ -15,8 +15,8 @@ namespace {
 
 std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
-/// What was found.
-std::string finding(const Image16& labels, const Scene& scene) {
+/// Summarises what was found.
+std::string summary(const Image16& labels, const Scene& scene) {
   const auto background = std::count(labels.pixels.begin(), labels.pixels.end(), 0);
   const double covered =
       1 - static_cast<double>(background) / static_cast<double>(labels.pixels.size());
@@ -24,7 +24,7 @@ std::string finding(const Image16& labels, const Scene& scene) {
          counted(scene.joins.size(), "join") + "; they cover " + percent(covered) + " of it";
 }
 
-/// What to look at first, and how to correct it.
+/// Names the most doubtful decision, and the ways to correct it.
 std::string advice(const understanding::Proposal& proposal, const std::string& file) {
   const std::vector<understanding::OrderArrow>& arrows = proposal.stacking.arrows;
   const auto doubtful =
@@ -35,8 +35,8 @@ std::string advice(const understanding::Proposal& proposal, const std::string& f
   const auto id = [&](int part) { return proposal.scene.parts[proposal.stacking.rank[part]].id; };
   const std::string doubt = doubtful == arrows.end()
                                 ? ""
-                                : "least sure is that " + id(doubtful->upper) + " lies before " +
-                                      id(doubtful->lower) + " (" +
+                                : "the most doubtful decision is that " + id(doubtful->upper) +
+                                      " lies before " + id(doubtful->lower) + " (" +
                                       percent((1 + doubtful->confidence) / 2) + "); ";
   return doubt + "look with --overlay, correct with strokes: relievo segment " + file +
          " --scribbles strokes.png, or in the editor";
@@ -57,7 +57,7 @@ understanding::JoinProposals by_rank(understanding::JoinProposals joining,
 
 }  // namespace
 
-Result<SceneInput> understand_flat(Drawing drawing, const std::string& file,
+Result<SceneInput> understand_flat(Drawing drawing, const std::string& file, bool connect,
                                    const RunContext& context) {
   auto found = understanding::segment_drawing(drawing, {}, context);
   if (!found) return found.error();
@@ -65,23 +65,26 @@ Result<SceneInput> understand_flat(Drawing drawing, const std::string& file,
   auto understood = understanding::understand_drawing(drawing.rgba, record, {}, {}, context);
   if (!understood) return understood.error();
   understanding::Proposal& proposal = understood->proposal;
-  SceneInput loaded;
-  loaded.drawing = std::move(drawing);
+  SceneInput loaded{std::move(understood->scene), std::move(drawing)};
   loaded.drawing_file = file;
   loaded.proposed = true;
-  loaded.connected = true;
-  loaded.scene = std::move(understood->scene);
-  loaded.guesses = by_rank(std::move(proposal.joining), proposal.stacking.rank);
-  loaded.understood = {finding(record.labels, loaded.scene), advice(proposal, file)};
+  loaded.understood = {summary(record.labels, loaded.scene), advice(proposal, file)};
   loaded.warnings = std::move(found->notes);
   for (std::string& warning : proposal.warnings) loaded.warnings.push_back(std::move(warning));
+  if (connect) {
+    loaded.guesses = by_rank(std::move(proposal.joining), proposal.stacking.rank);
+  } else {
+    loaded.scene.joins.clear();
+    loaded.scene.relations.clear();
+    loaded.scene.robin.clear();
+  }
   return loaded;
 }
 
-Result<SceneInput> read_picture(const InputFile& input, const RunContext& context) {
+Result<SceneInput> read_picture(const InputFile& input, bool connect, const RunContext& context) {
   auto pixels = decode_image(input.bytes);
   if (!pixels) return pixels.error();
-  return understand_flat({std::move(*pixels)}, input.name, context);
+  return understand_flat({std::move(*pixels)}, input.name, connect, context);
 }
 
 }  // namespace relievo
