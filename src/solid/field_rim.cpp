@@ -125,11 +125,12 @@ Result<std::vector<std::array<int, 3>>> triangulate_inside(const HeightField& fi
   return triangles;
 }
 
-Status surround(const Plate& plate, const FieldEdges& edges, HeightField& field) {
+Status surround(const Outline& outline, int64_t height, int part, Point2 uv,
+                const FieldEdges& edges, HeightField& field) {
   RimPoints rim = number_rim(field, rim_edges(field, edges));
   std::vector<std::pair<Edge, char>> lines;
   for (const Edge& line : rim.lines) lines.push_back({line, 1});
-  for (const Ring& ring : plate.outline) {
+  for (const Ring& ring : outline) {
     const int first = static_cast<int>(rim.places.size());
     const int count = static_cast<int>(ring.size());
     for (int i = 0; i < count; ++i) {
@@ -156,17 +157,17 @@ Status surround(const Plate& plate, const FieldEdges& edges, HeightField& field)
     if (want < 0) {
       const Point2 middle =
           (1.0 / 3) * (rim.places[local[0]] + rim.places[local[1]] + rim.places[local[2]]);
-      want = regions->covered[regions->region[t]] == 0 && contains(plate.outline, middle) ? 1 : 0;
+      want = regions->covered[regions->region[t]] == 0 && contains(outline, middle) ? 1 : 0;
     }
     if (want == 0) continue;
     std::array<int, 3> triangle{};
     for (int k = 0; k < 3; ++k) {
       int& v = vertex[local[k]];
-      if (v < 0) v = field.add_vertex(rim.global[local[k]], plate.height, {0, 0, 1}, plate.uv);
+      if (v < 0) v = field.add_vertex(rim.global[local[k]], height, {0, 0, 1}, uv);
       triangle[k] = v;
     }
     field.triangles.push_back(triangle);
-    field.triangle_part.push_back(plate.part);
+    field.triangle_part.push_back(part);
   }
   return Done{};
 }

@@ -17,15 +17,10 @@ std::vector<std::vector<int>> rim_rings(const HeightField& field, const FieldEdg
 Result<std::vector<std::array<int, 3>>> triangulate_inside(const HeightField& field,
                                                            const FieldEdges& edges);
 
-/// A flat plate around a field.
-struct Plate {
-  Outline outline;     ///< grid steps; its rings stay clear of each other and of the field's rim
-  int64_t height = 0;  ///< grid steps of its top
-  int part = 0;        ///< of its triangles
-  Point2 uv;           ///< of its vertices
-};
-
-/// Adds triangles in the plate's outline around the field.
-Status surround(const Plate& plate, const FieldEdges& edges, HeightField& field);
+/// Surrounds a field with a flat plate of a height, grid steps, whose triangles belong to `part`
+/// and whose vertices have the coordinates `uv`. `outline`: of the plate, grid steps; its rings
+/// stay clear of each other and of the field's rim.
+Status surround(const Outline& outline, int64_t height, int part, Point2 uv,
+                const FieldEdges& edges, HeightField& field);
 
 }  // namespace relievo

@@ -20,7 +20,7 @@ struct LevelCut {
 /// Cuts closed models at any height. Vertices at one position count as one.
 class LevelCutter {
  public:
-  /// Keeps a reference. O(n) expected for n triangles.
+  /// Keeps a reference. O(n log n) for n triangles.
   explicit LevelCutter(const Model& model);
 
   /// Returns the section at a height. O(n).

@@ -145,7 +145,7 @@ Status add_around(const SolidOptions& options, double top, int part, Point2 uv,
   auto outline = plate_outline(silhouette, options, 1 / field.unit);
   if (!outline) return outline.error();
   const int64_t height = std::llround(top / field.unit);
-  return surround({std::move(*outline), height, part, uv}, edges, field);
+  return surround(*outline, height, part, uv, edges, field);
 }
 
 /// Puts the plate around the field, and the cutter's wall around the plate.

@@ -88,21 +88,7 @@ class FeetCutter {
   std::set<int64_t> taken_;
 };
 
-/// A box seen from above: x along the drawing, z towards the viewer.
-struct Footprint {
-  int64_t left = std::numeric_limits<int64_t>::max();
-  int64_t right = std::numeric_limits<int64_t>::min();
-  int64_t back = std::numeric_limits<int64_t>::max();
-  int64_t front = std::numeric_limits<int64_t>::min();
-
-  void add(int64_t x, int64_t z) {
-    left = std::min(left, x);
-    right = std::max(right, x);
-    back = std::min(back, z);
-    front = std::max(front, z);
-  }
-};
-
+/// Builds the plate below the feet of a figure.
 class StandBuilder {
  public:
   StandBuilder(const Stand& stand, HeightField& field)
@@ -110,7 +96,7 @@ class StandBuilder {
 
   Status add() {
     if (Status status = find_feet(); !status) return status;
-    for (const GridPoint p : stand_.others) feet_.add(p.x, p.y);
+    for (const GridPoint p : stand_.others) add_to_feet(p.x, p.y);
     add_mass();
     shape();
     lay_points();
@@ -120,6 +106,13 @@ class StandBuilder {
  private:
   int64_t above_plate(int vertex) const {
     return field_.floor_height(field_.vertex_point[vertex]) + field_.vertex_height[vertex];
+  }
+
+  void add_to_feet(int64_t x, int64_t z) {
+    left_ = std::min(left_, x);
+    right_ = std::max(right_, x);
+    back_ = std::min(back_, z);
+    front_ = std::max(front_, z);
   }
 
   Status find_feet() {
@@ -133,8 +126,8 @@ class StandBuilder {
         soles_.insert({field_.place(b).x, field_.vertex_point[b]});
         joined_to_right_.insert(field_.place(a).x);
         for (const int v : {a, b}) {
-          feet_.add(field_.place(v).x, above_plate(v));
-          feet_.add(field_.place(v).x, field_.floor_height(field_.vertex_point[v]));
+          add_to_feet(field_.place(v).x, above_plate(v));
+          add_to_feet(field_.place(v).x, field_.floor_height(field_.vertex_point[v]));
         }
       }
     if (soles_.empty() || touching_.size() != soles_.size())
@@ -158,24 +151,23 @@ class StandBuilder {
         z += area * high * (floor + 0.5 * high);
       }
     }
-    if (mass > 0) feet_.add(std::llround(x / mass), std::llround(z / mass));
+    if (mass > 0) add_to_feet(std::llround(x / mass), std::llround(z / mass));
   }
 
   /// Computes the corners of the plate as seen from above.
   void shape() {
-    const int64_t x = (feet_.left + feet_.right) / 2;
-    middle_ = (feet_.back + feet_.front) / 2;
+    const int64_t x = (left_ + right_) / 2;
+    middle_ = (back_ + front_) / 2;
     if (!stand_.round) {
-      const int64_t wide =
-          std::min((feet_.right - feet_.left) / 2 + stand_.margin, stand_.widest / 2);
-      half_depth_ = std::min((feet_.front - feet_.back) / 2 + stand_.margin, stand_.widest / 2);
+      const int64_t wide = std::min((right_ - left_) / 2 + stand_.margin, stand_.widest / 2);
+      half_depth_ = std::min((front_ - back_) / 2 + stand_.margin, stand_.widest / 2);
       bends_ = {{x - wide, half_depth_}, {x + wide, half_depth_}};
       return;
     }
-    const double radius = std::min(0.5 * std::hypot(static_cast<double>(feet_.right - feet_.left),
-                                                    static_cast<double>(feet_.front - feet_.back)) +
-                                       static_cast<double>(stand_.margin),
-                                   0.5 * static_cast<double>(stand_.widest));
+    const double radius = std::min(
+        0.5 * std::hypot(static_cast<double>(right_ - left_), static_cast<double>(front_ - back_)) +
+            static_cast<double>(stand_.margin),
+        0.5 * static_cast<double>(stand_.widest));
     for (int i = 0; i <= disc_sides / 2; ++i) {
       const double angle =
           blunt + (std::numbers::pi - 2 * blunt) * static_cast<double>(i) / (disc_sides / 2.0);
@@ -268,7 +260,11 @@ class StandBuilder {
   std::set<int> touching_;                   ///< points on the level of the plate's top
   std::set<std::pair<int64_t, int>> soles_;  ///< x and index of points along feet
   std::set<int64_t> joined_to_right_;        ///< x of those at which a foot continues to the right
-  Footprint feet_;
+  // The box of the feet seen from above: x along the drawing, z towards the viewer.
+  int64_t left_ = std::numeric_limits<int64_t>::max();
+  int64_t right_ = std::numeric_limits<int64_t>::min();
+  int64_t back_ = std::numeric_limits<int64_t>::max();
+  int64_t front_ = std::numeric_limits<int64_t>::min();
   int64_t middle_ = 0;  ///< of the plate, towards the viewer
   int64_t half_depth_ = 0;
   std::map<int64_t, int64_t> bends_;       ///< half the plate's depth at its corners, by x

@@ -108,10 +108,10 @@ class RimFlattener {
                std::vector<RimVertex> rim, double width)
       : width_(width), rim_(std::move(rim)), beside_(places_of(rim_), reach_of_ink * width) {
     find_band(given, vertices);
-    const NearPoints near_band(places_of(band_));
+    const BesideRim band(places_of(band_), reach_of_ink * width);
     smooth_widths();
     for (RimVertex& v : rim_)
-      if (v.width > 0) find_heights(near_band, v);
+      if (v.width > 0) find_heights(band, v);
     smooth_ends();
   }
 
@@ -169,7 +169,7 @@ class RimFlattener {
     for (RimVertex& v : rim_) {
       std::vector<double> widths;
       double all = 0;
-      beside_.rim().for_each(v.place, nearby * width_, [&](size_t i, double) {
+      beside_.for_each_within(v.place, nearby * width_, [&](size_t i, double) {
         ++all;
         if (rim_[i].width > 0) widths.push_back(rim_[i].width);
       });
@@ -186,7 +186,7 @@ class RimFlattener {
     for (const RimVertex& v : rim_) {
       Point2 sum;
       double all = 0;
-      beside_.rim().for_each(v.place, nearby * width_, [&](size_t i, double distance) {
+      beside_.for_each_within(v.place, nearby * width_, [&](size_t i, double distance) {
         if (rim_[i].width <= 0) return;
         const double weight = 1 - distance / (nearby * width_);
         sum = sum + weight * Point2{rim_[i].u, rim_[i].most};
@@ -203,11 +203,11 @@ class RimFlattener {
   /// Measures the greatest squared height nearby and the one at the end of the ink, rather too
   /// large than too small: a rest of ink would be a streak down the wall. At distance t from the
   /// rim f^2 is about proportional to t, and f^2 / t larger near the rim.
-  void find_heights(const NearPoints& near_band, RimVertex& v) const {
+  void find_heights(const BesideRim& band, RimVertex& v) const {
     std::vector<double> at_end;
     double farther = 0;
     double distances = 0;
-    near_band.for_each(v.place, nearby * v.width, [&](size_t i, double) {
+    band.for_each_within(v.place, nearby * v.width, [&](size_t i, double) {
       const BandVertex& near = band_[i];
       const double u = near.f * near.f;
       v.most = std::max(v.most, u);

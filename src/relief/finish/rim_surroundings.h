@@ -17,49 +17,31 @@
 
 namespace relievo::relief {
 
-/// Finds the points near a place. Precondition: there are points.
-class NearPoints {
+/// Finds the points of a rim near a place, and extends values at them to the places beside it.
+class BesideRim {
  public:
-  explicit NearPoints(std::vector<Point2> points)
-      : points_(std::move(points)), grid_(box(), points_.size()) {
-    grid_.build(points_.size(), [this](size_t i) { return std::pair(points_[i], points_[i]); });
+  /// `reach`: canvas px. Precondition: there are points.
+  BesideRim(std::vector<Point2> rim, double reach)
+      : rim_(std::move(rim)), reach_(reach), grid_(box(), rim_.size()) {
+    grid_.build(rim_.size(), [this](size_t i) { return std::pair(rim_[i], rim_[i]); });
   }
 
-  /// Calls visit(index, distance) for all closer than `radius`.
+  /// Calls visit(index, distance) for all points closer to a place than `radius`.
   template <class Visit>
-  void for_each(Point2 place, double radius, Visit visit) const {
+  void for_each_within(Point2 place, double radius, Visit visit) const {
     grid_.for_cells(place, place, radius, [&](size_t cell) {
       for (const int* i = grid_.begin(cell); i != grid_.end(cell); ++i) {
-        const double d = distance(points_[*i], place);
+        const double d = distance(rim_[*i], place);
         if (d < radius) visit(static_cast<size_t>(*i), d);
       }
     });
   }
 
- private:
-  Box2 box() const {
-    Box2 box;
-    for (const Point2 p : points_) box.add(p);
-    return box;
-  }
-
-  std::vector<Point2> points_;
-  SegmentGrid grid_;
-};
-
-/// Extends values at the vertices of a rim to the points beside it.
-class BesideRim {
- public:
-  /// `reach`: canvas px. Precondition: there are points.
-  BesideRim(std::vector<Point2> rim, double reach) : near_(std::move(rim)), reach_(reach) {}
-
-  const NearPoints& rim() const { return near_; }
-
   /// Returns the distance to the rim, `reach` at most.
   double distance_to(Point2 place) const {
     double nearest = reach_;
     for (double radius = reach_ / 16; radius <= reach_ && nearest == reach_; radius *= 2)
-      near_.for_each(place, radius, [&](size_t, double d) { nearest = std::min(nearest, d); });
+      for_each_within(place, radius, [&](size_t, double d) { nearest = std::min(nearest, d); });
     return nearest;
   }
 
@@ -73,8 +55,8 @@ class BesideRim {
       return inside * inside / ((d * d + 0.01) * (d * d + 0.01));
     };
     double sum = 0;
-    near_.for_each(place, radius, [&](size_t, double d) { sum += weight(d); });
-    near_.for_each(place, radius, [&](size_t i, double d) { visit(i, weight(d) / sum); });
+    for_each_within(place, radius, [&](size_t, double d) { sum += weight(d); });
+    for_each_within(place, radius, [&](size_t i, double d) { visit(i, weight(d) / sum); });
   }
 
   /// Returns a smooth weight, 1 at the rim and 0 at `reach`.
@@ -84,8 +66,15 @@ class BesideRim {
   }
 
  private:
-  NearPoints near_;
+  Box2 box() const {
+    Box2 box;
+    for (const Point2 p : rim_) box.add(p);
+    return box;
+  }
+
+  std::vector<Point2> rim_;
   double reach_;
+  SegmentGrid grid_;
 };
 
 /// A drawing and the parts that the model shows on its pixels.

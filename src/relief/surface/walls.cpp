@@ -218,79 +218,36 @@ class WallBuilder {
 
 constexpr BackPoint nothing{std::numeric_limits<double>::infinity(), 0};
 
-/// Finds the rearmost parts behind a surface.
-class BackFinder {
- public:
-  BackFinder(const CutSurface& surface, const Inflation& inflation, const Ordering& ordering)
-      : mesh_(surface.mesh),
-        sheets_(surface.sheets),
-        cuts_(surface.cuts),
-        u_(inflation.u),
-        g_(ordering.g) {
-    for (size_t n = 0; n < ordering.lowered.size(); ++n) g_[n] += ordering.lowered[n];
-  }
+/// Lowers `least` to the back of a sheet. A hollow has no back: it counts only if nothing else
+/// does.
+void lower(double u, double g, int part, BackPoint& least) {
+  const double z = g - std::sqrt(std::abs(u));
+  if (u < 0 ? least.z == nothing.z : z < least.z) least = {z, part};
+}
 
-  std::vector<BackPoint> find() const {
-    const std::vector<BackPoint> below = behind_base_vertices();
-    std::vector<BackPoint> back;
-    for (const int node : sheets_.vertex_node) back.push_back(below[mesh_.node_vertex[node]]);
-    const size_t edges = sheets_.edge_owner.size();
-    for (size_t e = 0; e < edges; ++e) append_cuts(e, back);
-    for (size_t e = 0; e < edges; ++e)
-      if (cuts_.twin[e] >= 0) append_cuts(e, back);
-    return back;
-  }
-
- private:
-  /// Lowers `least` to the back of a sheet. A hollow has no back: it counts only where nothing else
-  /// does.
-  static void lower(double u, double g, int part, BackPoint& least) {
-    const double z = g - std::sqrt(std::abs(u));
-    if (u < 0 ? least.z == nothing.z : z < least.z) least = {z, part};
-  }
-
-  std::vector<BackPoint> behind_base_vertices() const {
-    std::vector<BackPoint> below(mesh_.vertices.size(), nothing);
-    for (size_t f = 0; f < mesh_.faces.size(); ++f)
-      for (const int n : mesh_.faces[f])
-        lower(u_[n], g_[n], mesh_.face_part[f], below[mesh_.node_vertex[n]]);
-    return below;
-  }
-
-  void append_cuts(size_t e, std::vector<BackPoint>& back) const {
-    const auto [face, corner] = sheets_.edge_owner[e];
-    const int triangle = mesh_.face_triangle[face];
-    const int from = mesh_.node_vertex[mesh_.faces[face][next_place(corner)]];
-    const int to = mesh_.node_vertex[mesh_.faces[face][last_place(corner)]];
-    for (int i = cuts_.begin[e]; i < cuts_.begin[e + 1]; ++i) {
-      BackPoint least = nothing;
-      for (const int beside : {triangle, mesh_.neighbours[triangle][corner]})
-        if (beside >= 0) lower_on_edge(beside, from, to, cuts_.t[i], least);
-      back.push_back(least);
-    }
-  }
-
-  /// Lowers `least` to the sheets of a triangle at (1 - t) from + t to, two of its base vertices.
-  void lower_on_edge(int triangle, int from, int to, double t, BackPoint& least) const {
-    for (int f = mesh_.stack_begin[triangle]; f < mesh_.stack_begin[triangle + 1]; ++f) {
+/// Returns the rearmost sheet of both triangles beside an edge at position t on it.
+BackPoint behind_edge(const LayeredMesh& mesh, const std::vector<double>& node_u,
+                      const std::vector<double>& node_g, FaceEdge edge, double t) {
+  const int triangle = mesh.face_triangle[edge.face];
+  const int from = mesh.node_vertex[mesh.faces[edge.face][next_place(edge.corner)]];
+  const int to = mesh.node_vertex[mesh.faces[edge.face][last_place(edge.corner)]];
+  BackPoint least = nothing;
+  for (const int beside : {triangle, mesh.neighbours[triangle][edge.corner]}) {
+    if (beside < 0) continue;
+    for (int f = mesh.stack_begin[beside]; f < mesh.stack_begin[beside + 1]; ++f) {
       double u = 0;
       double g = 0;
-      for (const int n : mesh_.faces[f]) {
-        const int v = mesh_.node_vertex[n];
+      for (const int n : mesh.faces[f]) {
+        const int v = mesh.node_vertex[n];
         const double weight = v == from ? 1 - t : (v == to ? t : 0);
-        u += weight * u_[n];
-        g += weight * g_[n];
+        u += weight * node_u[n];
+        g += weight * node_g[n];
       }
-      lower(u, g, mesh_.face_part[f], least);
+      lower(u, g, mesh.face_part[f], least);
     }
   }
-
-  const LayeredMesh& mesh_;
-  const SheetSurface& sheets_;
-  const EdgeCuts& cuts_;
-  const std::vector<double>& u_;
-  std::vector<double> g_;  ///< without the lowering of hidden sheets, which concerns the front only
-};
+  return least;
+}
 
 }  // namespace
 
@@ -301,7 +258,25 @@ void close_open_edges(const CutSurface& surface, double weld_tolerance, ModelBui
 
 std::vector<BackPoint> back_points(const CutSurface& surface, const Inflation& inflation,
                                    const Ordering& ordering) {
-  return BackFinder(surface, inflation, ordering).find();
+  const auto& [mesh, sheets, cuts] = surface;
+  // Hidden sheets are lowered for the front alone.
+  std::vector<double> g = ordering.g;
+  for (size_t n = 0; n < ordering.lowered.size(); ++n) g[n] += ordering.lowered[n];
+  std::vector<BackPoint> below(mesh.vertices.size(), nothing);
+  for (size_t f = 0; f < mesh.faces.size(); ++f)
+    for (const int n : mesh.faces[f])
+      lower(inflation.u[n], g[n], mesh.face_part[f], below[mesh.node_vertex[n]]);
+  std::vector<BackPoint> back;
+  for (const int node : sheets.vertex_node) back.push_back(below[mesh.node_vertex[node]]);
+  const size_t edges = sheets.edge_owner.size();
+  const auto append_cuts = [&, &mesh = mesh, &sheets = sheets, &cuts = cuts](size_t e) {
+    for (int i = cuts.begin[e]; i < cuts.begin[e + 1]; ++i)
+      back.push_back(behind_edge(mesh, inflation.u, g, sheets.edge_owner[e], cuts.t[i]));
+  };
+  for (size_t e = 0; e < edges; ++e) append_cuts(e);
+  for (size_t e = 0; e < edges; ++e)
+    if (cuts.twin[e] >= 0) append_cuts(e);
+  return back;
 }
 
 }  // namespace relievo::relief
