@@ -1,3 +1,9 @@
+# A plain `cmake -B build` optimises, since Eigen and CGAL are many times slower without.
+get_property(relievo_multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
+if(PROJECT_IS_TOP_LEVEL AND NOT relievo_multi_config AND NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Debug, Release, RelWithDebInfo or MinSizeRel" FORCE)
+endif()
+
 # One interface target that every target of the project links privately: language, warnings and
 # the floating-point mode that makes results reproducible.
 add_library(relievo_options INTERFACE)

@@ -41,20 +41,19 @@ Status add(Products& products, const std::string& name, Result<Bytes> bytes) {
   return Done{};
 }
 
-/// Models that are printed and models that are looked at.
+/// Files for printers and files to look at.
 struct ModelNames {
   std::vector<std::string> printed;
   std::vector<std::string> shown;
 };
 
-/// Whole parts run through each other, which slicers dislike: files to print hold what the front
-/// shows, unless something else is asked for.
+/// Sorts the names of models: files for printers hold what the front shows (exported_visibility),
+/// unless the arguments ask for a solid or for other faces.
 ModelNames sort_models(const BuildArguments& build) {
   ModelNames names;
   for (const std::string& name : build.models) {
-    const std::filesystem::path ending = std::filesystem::path(name).extension();
-    const bool for_print = ending == ".stl" || ending == ".3mf";
-    const bool apart = for_print && !build.relief.visibility && !build.relief.solid;
+    const bool apart = exported_visibility(name) == Visibility::relief &&
+                       !build.relief.visibility && !build.relief.solid;
     (apart ? names.printed : names.shown).push_back(name);
   }
   return names;

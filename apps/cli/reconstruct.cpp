@@ -6,8 +6,7 @@
 
 #include "apps/cli/cue_argument.h"
 #include "face/solid_of.h"
-#include "relief/finish/dress_hidden.h"
-#include "relief/finish/ink_rims.h"
+#include "relief/finish/finish_model.h"
 #include "relief/surface/assemble_model.h"
 
 namespace relievo::cli {
@@ -101,8 +100,7 @@ Result<MadeModel> make_model(const relief::Relief& relief, const SceneInput& inp
   auto model = relief::assemble_model(relief.layers, relief.inflation, relief.ordering, input.scene,
                                       options, context);
   if (!model) return model.error();
-  if (options.visibility == Visibility::orbit) relief::narrow_inked_rims(*model, input.drawing);
-  return MadeModel{relief::dress_hidden(std::move(*model), input.drawing), {}};
+  return MadeModel{relief::finish_model(std::move(*model), input.drawing), {}};
 }
 
 std::vector<PrintFinding> print_findings(const MadeModel& made, const ReliefArguments& arguments) {

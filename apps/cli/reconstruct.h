@@ -6,7 +6,7 @@
 
 #include "apps/cli/arguments.h"
 #include "face/inputs.h"
-#include "relief/surface/visible_sheet.h"
+#include "relief/finish/finish_model.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
 #include "solid/check_print.h"

@@ -13,9 +13,9 @@
 #include "io/mesh/threemf_encode.h"
 #include "io/mesh/usdz_encode.h"
 #include "io/scene/read_scene.h"
-#include "relief/finish/dress_hidden.h"
+#include "relief/finish/finish_model.h"
 #include "relief/finish/hidden_patches.h"
-#include "relief/finish/ink_rims.h"
+#include "relievo/export.h"
 #include "solid/check_print.h"
 
 namespace relievo::wasm {
@@ -255,12 +255,10 @@ val Reconstruction::dressed(double tolerance) const {
   options.rim_tolerance = tolerance;
   auto model = session_.model(options);
   if (!model) return failure(model.error());
-  relief::narrow_inked_rims(*model, texture_);
-  Image8 rgba = texture_.rgba;
-  relief::extend_paint(*model, rgba);
+  const auto [finished, drawing] = relief::finish_rims(std::move(*model), texture_);
   val result = val::object();
-  result.set("surface", to_js(*model, relief::hidden_patches(*model, shown_)));
-  set_picture(result, rgba);
+  result.set("surface", to_js(finished, relief::hidden_patches(finished, shown_)));
+  set_picture(result, drawing.rgba);
   return result;
 }
 
@@ -320,12 +318,10 @@ val Reconstruction::encode_solid(const std::string& format, const std::string& n
 val Reconstruction::encode(const std::string& format, const std::string& name, double size_mm) {
   if (Status status = session_.make_exact(); !status) return failure(status.error());
   ModelOptions options;
-  // Whole parts run through each other, which slicers dislike.
-  if (format == "stl") options.visibility = Visibility::relief;
+  options.visibility = exported_visibility("model." + format);
   auto assembled = session_.model(options);
   if (!assembled) return failure(assembled.error());
-  if (options.visibility == Visibility::orbit) relief::narrow_inked_rims(*assembled, texture_);
-  const auto [model, drawing] = relief::dress_hidden(std::move(*assembled), texture_);
+  const auto [model, drawing] = relief::finish_model(std::move(*assembled), texture_);
   return encode_as(format, model, drawing, size_mm, name);
 }
 

@@ -27,9 +27,8 @@ class Reconstruction {
   emscripten::val surface(const std::string& visibility, double tolerance,
                           const std::string& field) const;
 
-  /// {surface, rgba, width, height}: the surface of orbit as files hold it, with ink that stays
-  /// thin at rims (narrow_inked_rims), and the drawing set as texture with paint around them
-  /// (extend_paint).
+  /// {surface, rgba, width, height}: the surface of orbit with finished rims, and the drawing set as
+  /// texture, with paint that continues over them (finish_rims).
   emscripten::val dressed(double tolerance) const;
 
   /// {joins, equal, above, ramps}, see Overlays.

@@ -2,12 +2,20 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "relievo/point.h"
 
 namespace relievo {
+
+/// Which faces of a relief a model keeps.
+enum class Visibility {
+  relief,  ///< the front part over each base triangle, with vertical walls between: to print
+  orbit,   ///< whole parts, except faces that a part with d < 0 covers: to turn
+  all,     ///< every face
+};
 
 /// The triangles of one part, consecutive in the model.
 struct ModelPart {
@@ -18,13 +26,19 @@ struct ModelPart {
   Point2 lean{};
   int first_triangle = 0;
   int triangle_count = 0;
-  int hidden_count = 0;  ///< the last so many of them lie behind another part in the front view,
-                         ///< and have no colours in the drawing
+  int hidden_count = 0;  ///< the last so many triangles lie behind another part in the front view,
+                         ///< so that the drawing has no colours for them
+
+  /// One past the last triangle.
+  int end() const { return first_triangle + triangle_count; }
+  /// One past the last triangle that is not hidden.
+  int seen_end() const { return end() - hidden_count; }
 };
 
-/// A surface ready for files and pictures. Model space in canvas px: X right, Y up, Z to the
-/// viewer; the canvas spans x in [0, width], y in [0, height]; z = 0 is the drawing plane of f.
-/// Vertices are shared between triangles of a smooth surface, and doubled where it is open.
+/// A triangle mesh with a picture's coordinates. Model space is in canvas px: X right, Y up, Z
+/// towards the viewer; the canvas spans x in [0, width] and y in [0, height]; z = 0 is the drawing
+/// plane of f. Triangles of a smooth surface share vertices; where the surface is open, vertices
+/// are doubled.
 struct Model {
   double width = 0;               ///< canvas, px
   double height = 0;              ///< canvas, px
@@ -33,12 +47,9 @@ struct Model {
   std::vector<Point2> uvs;        ///< [vertices] [0, 1] on the drawing, origin top-left, v down
   std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside
   std::vector<ModelPart> parts;               ///< back to front; their triangles are disjoint runs
-};
-
-enum class Visibility {
-  relief,  ///< top part per base triangle, with vertical walls between open edges: to print
-  orbit,   ///< whole sheets, except lower faces covered by a part with d < 0: to turn
-  all,     ///< every face, hidden ones too
+  /// The faces kept, for a surface whose inked rims and hidden triangles export_model still has to
+  /// finish. Empty for models that are written as they are, such as solids.
+  std::optional<Visibility> unfinished{};
 };
 
 struct ModelOptions {
@@ -46,12 +57,12 @@ struct ModelOptions {
   /// Faces are cut so that the surface departs from g + sgn(u) sqrt|u|, u and g linear on every
   /// face, by less than this, px; at least 1e-6.
   double rim_tolerance = 0.25;
-  /// A face is cut in at most 4^levels pieces, or else the tolerance is doubled for the whole
-  /// model until that holds; in [0, 8].
+  /// A face is cut into at most 4^max_rim_levels pieces; the tolerance is doubled for the whole
+  /// model until that holds. In [0, 8].
   int max_rim_levels = 4;
 };
 
-/// The heights and what they are the sum of, h = f + g [P Fig. 4].
+/// The heights h = f + g or one of the two summands [P Fig. 4].
 enum class Field {
   relief,     ///< h
   inflation,  ///< f

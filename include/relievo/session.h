@@ -16,32 +16,32 @@
 
 namespace relievo {
 
-/// What came out of a build.
+/// Sizes, quality and times of a build.
 struct BuildReport {
   size_t vertices = 0;
   size_t faces = 0;
-  int equalities = 0;        ///< vertices held at the height of another
-  int inequalities = 0;      ///< pairs of vertices kept in order
-  int active = 0;            ///< of these, those that touch
-  double max_violation = 0;  ///< worst of all pairs, px
-  double worst_overlap = 0;  ///< by how much a hidden face comes out in front at most, px
+  int equalities = 0;        ///< number of vertices fixed to the height of another
+  int inequalities = 0;      ///< number of pairs of vertices kept in order
+  int active = 0;            ///< number of these pairs that touch
+  double max_violation = 0;  ///< greatest violation of a pair's order, px
+  double worst_overlap = 0;  ///< greatest height by which a hidden face comes out in front, px
   double energy = 0;         ///< of the non-linear method, in scene units
-  bool converged = true;     ///< likewise
+  bool converged = true;     ///< whether the non-linear method did
   std::map<std::string, double> milliseconds;  ///< by stage
   std::vector<std::string> warnings;
 };
 
-/// Where the annotations of a scene lie on its mesh, as segments of edges in canvas px.
+/// The annotations of a scene on its mesh, as segments of edges in canvas px.
 struct MeshLines {
   std::vector<float> joins;  ///< S x 4: x0 y0 x1 y1
-  std::vector<float> equal;  ///< likewise: outlines whose height is that of the part behind
-  std::vector<float> above;  ///< likewise: outlines held apart from another part, either side
-  std::vector<float> below;  ///< likewise: those that are so against the order of parts
+  std::vector<float> equal;  ///< S x 4: outlines fixed to the height of the part behind
+  std::vector<float> above;  ///< S x 4: outlines kept in front of or behind another part
+  std::vector<float> below;  ///< S x 4: outlines kept so against the order of parts
   std::vector<float> ramps;  ///< S x 6: x0 y0 x1 y1, then alpha [P eq 9] at both ends
 };
 
-/// The relief of a scene, which may change: a build goes on from the one before and computes only
-/// what depends on what has changed. Not for several threads at once.
+/// The relief of a scene that may change. A build starts from the previous one and computes only
+/// the stages whose input has changed. Not for several threads at once.
 class Session {
  public:
   Session();
@@ -49,30 +49,32 @@ class Session {
   Session(Session&& other) noexcept;
   Session& operator=(Session&& other) noexcept;
 
-  /// Brings the relief up to date. Errors: `bad_input`, `contradiction` (both name the part, join
-  /// or relation), `limit`, `usage` for options out of range, `interrupted`; then there is no
-  /// relief until a build succeeds.
+  /// Builds the relief of a scene. Errors: `bad_input`, `contradiction` (both name the part, join
+  /// or relation), `limit`, `usage` for options out of range, `interrupted`; after an error there
+  /// is no relief until a build succeeds.
   Result<BuildReport> build(const Scene& scene, const BuildOptions& options = {},
                             const RunContext& context = {});
 
-  /// Builds again from nothing where the last build went on from another one. The numbers are then
-  /// those of a new session to the last bit, as before up to round-off. Errors: as build.
+  /// Builds again from nothing if the last build started from another one. The numbers then equal
+  /// those of a new session to the last bit; before, they do up to round-off. Errors: as build.
   Status make_exact(const RunContext& context = {});
 
-  /// The surface, or another field's. Error: `usage` where there is no relief; `limit`.
+  /// Returns the surface of a field, unfinished: export_model finishes it for files. Errors:
+  /// `usage` if there is no relief or an option is out of range, `limit`, `interrupted`.
   Result<Model> model(const ModelOptions& options = {}, Field field = Field::relief,
                       const RunContext& context = {}) const;
 
-  /// Height, normal and part of every pixel of the front view, `longest` px on the longer side.
-  /// Errors: likewise.
+  /// Returns height, normal and part of every pixel of the front view, `longest` px on the longer
+  /// side. Errors: as model.
   Result<ReliefMaps> maps(int longest, const RunContext& context = {}) const;
 
-  /// A closed solid of what the front shows, `drawing` on it. Errors: likewise; `usage` where an
-  /// option is out of range, or where size, thickness and margin leave no room.
+  /// Makes a closed solid of the surface seen from the front, `drawing` on it. Errors: as model,
+  /// and `usage` if size, thickness and margin leave no room.
   Result<Solid> solid(const SolidOptions& options = {}, const Drawing& drawing = {},
                       const RunContext& context = {}) const;
 
-  /// What holds where on the outlines of the approximate method. Error: likewise.
+  /// Returns the annotations on the mesh of the approximate method. Error: `usage` if there is no
+  /// relief.
   Result<MeshLines> lines() const;
 
  private:

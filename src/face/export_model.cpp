@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <utility>
 
 #include "io/image/png_encode.h"
@@ -9,8 +8,7 @@
 #include "io/mesh/stl_encode.h"
 #include "io/mesh/threemf_pack.h"
 #include "io/mesh/usdz_encode.h"
-#include "relief/finish/dress_hidden.h"
-#include "relief/finish/ink_rims.h"
+#include "relief/finish/finish_model.h"
 #include "relievo/export.h"
 
 namespace relievo {
@@ -59,13 +57,9 @@ Result<Files> export_model(const Model& model, const Drawing& drawing, const fs:
                            const ExportOptions& options) {
   if (options.filaments < 1 || options.filaments > 16)
     return Error{ErrorCode::usage, "must be from 1 to 16", "filaments"};
-  const auto has_hidden = [](const ModelPart& part) { return part.hidden_count > 0; };
-  if (std::none_of(model.parts.begin(), model.parts.end(), has_hidden))
-    return encode_as(path, model, drawing, options);
-  Model narrowed = model;
-  relief::narrow_inked_rims(narrowed, drawing);
-  const relief::DrawnModel dressed = relief::dress_hidden(std::move(narrowed), drawing);
-  return encode_as(path, dressed.model, dressed.drawing, options);
+  if (!model.unfinished) return encode_as(path, model, drawing, options);
+  const relief::DrawnModel finished = relief::finish_model(model, drawing);
+  return encode_as(path, finished.model, finished.drawing, options);
 }
 
 Result<Bytes> encode_picture(const Image8& picture) { return encode_png(picture); }

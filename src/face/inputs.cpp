@@ -27,10 +27,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Longest side of the texture that is made from a vector drawing, px.
+/// Longest side of a vector drawing's texture, px.
 constexpr double vector_texture_side = 2048;
 
-/// The same where its lines are looked at for parts.
+/// Longest side of a vector drawing without fills whose lines are searched for parts, px.
 constexpr double line_art_side = 1600;
 
 std::string_view text_of(const Bytes& bytes) {
@@ -41,58 +41,62 @@ bool begins_with(std::string_view text, std::string_view start) {
   return text.substr(0, start.size()) == start;
 }
 
-/// The parts that the lines of a drawing without fills enclose, as `segment` finds them; nothing
-/// where there are none.
+/// Finds the parts that the lines of a drawing without fills enclose, as `segment` does; nothing if
+/// there are none.
 std::optional<SceneInput> load_line_art(const InputFile& input,
-                                        const understanding::PaintableSvg& svg,
+                                        const understanding::PaintableSvg& svg, bool connect,
                                         const RunContext& context) {
   auto drawing = rasterize(svg, line_art_side);
   if (!drawing) return std::nullopt;
-  auto loaded = understand_flat(std::move(*drawing), input.name, context);
+  auto loaded = understand_flat(std::move(*drawing), input.name, connect, context);
   if (!loaded || loaded->scene.parts.empty()) return std::nullopt;
   loaded->warnings.emplace_back(
-      "nothing is filled: what the lines enclose are the parts, which relievo segment can correct");
+      "nothing is filled: the parts are the areas that lines enclose; relievo segment can correct "
+      "them");
   return std::move(*loaded);
 }
 
-SceneInput with_layers(understanding::LayeredDrawing&& drawing) {
-  SceneInput loaded;
-  loaded.scene = std::move(drawing.scene);
-  loaded.drawing = std::move(drawing.picture);
-  loaded.colors = std::move(drawing.colors);
-  loaded.anchors = std::move(drawing.anchors);
+/// Takes over the parts of a layered drawing, and connects them where that is wanted.
+SceneInput with_layers(understanding::LayeredDrawing&& drawing, bool connect) {
+  SceneInput loaded{std::move(drawing.scene), std::move(drawing.picture)};
   loaded.proposed = drawing.proposed;
-  loaded.layered = true;
   loaded.warnings = std::move(drawing.warnings);
+  if (connect) {
+    understanding::ConnectedScene connected = understanding::connect_scene(
+        std::move(loaded.scene), loaded.proposed, drawing.colors, drawing.anchors);
+    loaded.scene = std::move(connected.scene);
+    loaded.guesses = std::move(connected.proposals);
+  }
   return loaded;
 }
 
-Result<SceneInput> load_svg(const InputFile& input, const RunContext& context) {
+Result<SceneInput> load_svg(const InputFile& input, bool connect, const RunContext& context) {
   auto read = read_svg(text_of(input.bytes));
   if (!read) return read.error();
   if (Status status = understanding::make_parts(*read); !status) return status.error();
   if (read->line_art)
-    if (auto lines = load_line_art(input, read->paintable, context)) return std::move(*lines);
+    if (auto lines = load_line_art(input, read->paintable, connect, context))
+      return std::move(*lines);
   auto rendering = std::async(
       worker_count() > 1 ? std::launch::async : std::launch::deferred,
       [svg = std::move(read->paintable)] { return rasterize(svg, vector_texture_side); });
-  SceneInput loaded = with_layers(std::move(*read));
+  SceneInput loaded = with_layers(std::move(*read), connect);
   loaded.drawing_file = input.name;
   loaded.rendering = std::move(rendering);
   return loaded;
 }
 
-Result<SceneInput> load_folder(const InputFile& input) {
+Result<SceneInput> load_folder(const InputFile& input, bool connect) {
   std::vector<fs::path> files;
   auto folder = read_layer_folder(input.name, files);
   if (!folder) return folder.error();
   if (Status status = understanding::make_parts(*folder); !status) return status.error();
-  SceneInput loaded = with_layers(std::move(*folder));
+  SceneInput loaded = with_layers(std::move(*folder), connect);
   loaded.files = std::move(files);
   return loaded;
 }
 
-/// The pixels of a picture, or of a vector drawing that covers the scene's canvas.
+/// Returns the pixels of a picture, or of a vector drawing that covers the scene's canvas.
 Result<Drawing> drawing_from(const Bytes& bytes, const Scene& scene) {
   if (sniff(bytes) == InputKind::svg) {
     auto svg = read_svg(text_of(bytes));
@@ -106,8 +110,8 @@ Result<Drawing> drawing_from(const Bytes& bytes, const Scene& scene) {
   return Drawing{std::move(*pixels)};
 }
 
-/// The joins of a segmented drawing that nobody said, so that a mesh that cannot hold one may do
-/// without it.
+/// Returns the guessed joins of a segmented drawing, which may be left out if a mesh is too coarse
+/// for them.
 understanding::JoinProposals guessed_joins(const Scene& scene,
                                            const understanding::SegmentationRecord& record) {
   std::map<std::string_view, understanding::PartLabel> labels;
@@ -120,8 +124,8 @@ understanding::JoinProposals guessed_joins(const Scene& scene,
   };
   understanding::JoinProposals guesses;
   for (const Join& join : scene.joins) {
-    const auto& said = record.corrections.joins;
-    if (std::any_of(said.begin(), said.end(),
+    const auto& stated = record.corrections.joins;
+    if (std::any_of(stated.begin(), stated.end(),
                     [&](const Join& one) { return is_of(join, one.upper, one.lower); }))
       continue;
     for (const understanding::JoinRecord& known : record.joins)
@@ -145,7 +149,7 @@ Result<SceneInput> load_project(const InputFile& input) {
   return loaded;
 }
 
-Result<SceneInput> load_archive(const InputFile& input) {
+Result<SceneInput> load_archive(const InputFile& input, bool connect) {
   if (is_project(input.bytes)) return load_project(input);
   const auto entries = unpack_archive(input.bytes);
   if (!entries) return entries.error();
@@ -155,23 +159,23 @@ Result<SceneInput> load_archive(const InputFile& input) {
   auto ora = read_ora(*entries);
   if (!ora) return ora.error();
   if (Status status = understanding::make_parts(*ora); !status) return status.error();
-  return with_layers(std::move(*ora));
+  return with_layers(std::move(*ora), connect);
 }
 
-Result<SceneInput> load_psd(const InputFile& input, const RunContext& context) {
+Result<SceneInput> load_psd(const InputFile& input, bool connect, const RunContext& context) {
   auto psd = read_psd(input.bytes);
   if (!psd) return psd.error();
   if (!psd->flat) {
     if (Status status = understanding::make_parts(*psd); !status) return status.error();
-    return with_layers(std::move(*psd));
+    return with_layers(std::move(*psd), connect);
   }
-  auto loaded = understand_flat(std::move(psd->picture), input.name, context);
+  auto loaded = understand_flat(std::move(psd->picture), input.name, connect, context);
   if (!loaded) return loaded.error();
   loaded->warnings.insert(loaded->warnings.end(), psd->warnings.begin(), psd->warnings.end());
   return loaded;
 }
 
-/// The path of a scene's drawing; refused where a link leads out of the scene's folder.
+/// Returns the path of a scene's drawing; fails if a link leads out of the scene's folder.
 Result<fs::path> drawing_path(const InputFile& input, const std::string& drawing) {
   const fs::path parent = fs::path(input.name).parent_path();
   const fs::path folder = input.name == "-" || parent.empty() ? fs::path(".") : parent;
@@ -184,7 +188,8 @@ Result<fs::path> drawing_path(const InputFile& input, const std::string& drawing
 void warn_about_shape(const Drawing& drawing, const Scene& scene, SceneInput& loaded) {
   const double stretch = (drawing.rgba.width / scene.width) / (drawing.rgba.height / scene.height);
   if (stretch > 1.02 || stretch < 1 / 1.02)
-    loaded.warnings.emplace_back("the drawing has not the shape of the canvas and is stretched");
+    loaded.warnings.emplace_back(
+        "the drawing is stretched, as its proportions differ from those of the canvas");
 }
 
 Status load_drawing(const InputFile& input, SceneInput& loaded) {
@@ -223,34 +228,15 @@ Result<SceneInput> refuse(InputKind kind) {
   }
 }
 
-Result<SceneInput> load(const InputFile& input, const RunContext& context) {
+Result<SceneInput> load(const InputFile& input, bool connect, const RunContext& context) {
   const InputKind kind = input.folder ? InputKind::folder : sniff(input.bytes);
-  if (kind == InputKind::svg) return load_svg(input, context);
+  if (kind == InputKind::svg) return load_svg(input, connect, context);
   if (kind == InputKind::json) return load_json(input);
-  if (kind == InputKind::zip) return load_archive(input);
-  if (kind == InputKind::psd) return load_psd(input, context);
-  if (kind == InputKind::folder) return load_folder(input);
-  if (kind == InputKind::image) return read_picture(input, context);
+  if (kind == InputKind::zip) return load_archive(input, connect);
+  if (kind == InputKind::psd) return load_psd(input, connect, context);
+  if (kind == InputKind::folder) return load_folder(input, connect);
+  if (kind == InputKind::image) return read_picture(input, connect, context);
   return refuse(kind);
-}
-
-/// Connects the parts of a layered drawing; a scene or project file has had its say, and those of
-/// a flat picture are connected.
-void connect_layers(SceneInput& scene) {
-  if (!scene.layered) return;
-  understanding::ConnectedScene connected = understanding::connect_scene(
-      std::move(scene.scene), scene.proposed, scene.colors, scene.anchors);
-  scene.scene = std::move(connected.scene);
-  scene.guesses = std::move(connected.proposals);
-}
-
-/// Leaves out what was guessed of how parts connect.
-void stack_layers(SceneInput& input) {
-  if (!input.connected) return;
-  input.guesses = {};
-  input.scene.joins.clear();
-  input.scene.relations.clear();
-  input.scene.robin.clear();
 }
 
 }  // namespace
@@ -287,12 +273,8 @@ Result<InputFile> read_input(const std::string& name) {
 }
 
 Result<SceneInput> start_scene(const InputFile& input, bool connect, const RunContext& context) {
-  auto loaded = load(input, context);
+  auto loaded = load(input, connect, context);
   if (!loaded) return in_file(loaded.error(), input.name);
-  if (connect)
-    connect_layers(*loaded);
-  else
-    stack_layers(*loaded);
   if (input.name != "-" && !input.folder) loaded->files.emplace_back(input.name);
   return loaded;
 }

@@ -15,9 +15,10 @@
 
 namespace relievo {
 
-/// What a file holds, told by its content; or that it is a folder.
+/// The kind of an input: a folder, or a file by its content.
 enum class InputKind { svg, json, image, psd, glb, zip, gzip, folder, unknown };
 
+/// Returns the kind of a file by its content.
 InputKind sniff(ByteView bytes);
 
 struct InputFile {
@@ -29,37 +30,32 @@ struct InputFile {
 /// A drawing that is ready for reconstruction.
 struct SceneInput {
   Scene scene;
-  Drawing drawing;                           ///< empty where there is none
-  std::future<Result<Drawing>> rendering;    ///< of `drawing`, while that is not finished
-  std::string drawing_file;                  ///< whose picture it is; empty: no file of its own
-  std::vector<std::filesystem::path> files;  ///< all that were read, never to be overwritten
-  std::vector<std::string> warnings;
-  std::vector<std::string> understood;  ///< what a flat picture was taken for, and what to correct
-  bool proposed = false;                ///< the parts were guessed, not annotated
-  bool connected = false;               ///< how they connect was guessed with them
-  bool layered = false;                 ///< they are whole, and how they connect may be open
-  understanding::PartColors colors;     ///< of the parts of layered drawings; may be empty
-  std::vector<Point2> anchors;          ///< see LayeredDrawing; may be empty
-  understanding::JoinProposals
-      guesses;  ///< how they connect, where that was guessed; as in the scene
+  Drawing drawing{};                           ///< empty if there is none
+  std::future<Result<Drawing>> rendering{};    ///< of `drawing`, until finish_drawing
+  std::string drawing_file{};                  ///< file of the picture; empty: none of its own
+  std::vector<std::filesystem::path> files{};  ///< all files read, never to be overwritten
+  std::vector<std::string> warnings{};
+  std::vector<std::string> understood{};   ///< how a flat picture was understood, how to correct it
+  bool proposed = false;                   ///< the parts were guessed, not annotated
+  understanding::JoinProposals guesses{};  ///< the guessed connections among those of the scene
 };
 
-/// The picture of an SVG, its longest side `longest` px.
+/// Renders an SVG, its longest side `longest` px.
 Result<Drawing> rasterize(const understanding::PaintableSvg& svg, double longest);
 
-/// Reads the whole of a file, or of standard input where the name is "-". A folder is only named.
+/// Reads a file, or standard input if the name is "-". Of a folder only the name is kept.
 Result<InputFile> read_input(const std::string& name);
 
-/// What load_scene gives, but for the pixels of an SVG: another thread renders them.
+/// Loads a scene as load_scene does, while another thread renders the pixels of an SVG.
 Result<SceneInput> start_scene(const InputFile& input, bool connect,
                                const RunContext& context = {});
 
-/// Waits for the drawing.
+/// Waits for the drawing of start_scene.
 Status finish_drawing(const InputFile& input, SceneInput& scene);
 
-/// A scene from a layered drawing (SVG, OpenRaster, Photoshop, a folder of pictures), from a flat
-/// picture, or from a scene file and the drawing that it names. Where `connect`, what a layered
-/// drawing does not say of how its parts connect is guessed. The error's `where` begins with the
+/// Loads a scene from a layered drawing (SVG, OpenRaster, Photoshop, a folder of pictures), from a
+/// flat picture, or from a scene file and the drawing that it names. If `connect`, connections
+/// between parts that the drawing does not state are guessed. The error's `where` begins with the
 /// file's name.
 Result<SceneInput> load_scene(const InputFile& input, bool connect, const RunContext& context = {});
 

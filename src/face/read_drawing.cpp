@@ -27,7 +27,7 @@ Result<DrawnScene> understand_picture(const std::filesystem::path& path,
                                       const RunContext& context) {
   const auto file = read_input(path.string());
   if (!file) return file.error();
-  auto input = read_picture(*file, context);
+  auto input = read_picture(*file, true, context);
   if (!input) return in_file(input.error(), file->name);
   input->files = {path};
   return drawn(std::move(*input));

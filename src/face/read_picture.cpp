@@ -16,8 +16,8 @@ namespace {
 
 std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
-/// How many parts were found.
-std::string finding(const Image16& labels, const Scene& scene) {
+/// Summarises what was found.
+std::string summary(const Image16& labels, const Scene& scene) {
   const auto background = std::count(labels.pixels.begin(), labels.pixels.end(), 0);
   const double covered =
       1 - static_cast<double>(background) / static_cast<double>(labels.pixels.size());
@@ -25,7 +25,7 @@ std::string finding(const Image16& labels, const Scene& scene) {
          counted(scene.joins.size(), "join") + "; they cover " + percent(covered) + " of it";
 }
 
-/// The least confident guess, which to look at first, and how to correct it.
+/// Names the most doubtful decision, and the ways to correct it.
 std::string advice(const understanding::SegmentationRecord& record, const std::string& file) {
   const std::vector<understanding::OrderArrow>& arrows = record.order;
   const auto doubtful =
@@ -37,7 +37,7 @@ std::string advice(const understanding::SegmentationRecord& record, const std::s
   if (doubtful != arrows.end()) {
     std::map<understanding::PartLabel, std::string> id_of;
     for (const understanding::PartRecord& part : record.parts) id_of[part.label] = part.id;
-    doubt = "least sure is that " + id_of[doubtful->upper] + " lies before " +
+    doubt = "the most doubtful decision is that " + id_of[doubtful->upper] + " lies before " +
             id_of[doubtful->lower] + " (" + percent((1 + doubtful->confidence) / 2) + "); ";
   }
   return doubt + "look with --overlay, correct with strokes: relievo segment " + file +
@@ -46,30 +46,33 @@ std::string advice(const understanding::SegmentationRecord& record, const std::s
 
 }  // namespace
 
-Result<SceneInput> understand_flat(Drawing drawing, const std::string& file,
+Result<SceneInput> understand_flat(Drawing drawing, const std::string& file, bool connect,
                                    const RunContext& context) {
   auto found = understanding::segment_drawing(drawing, {}, context);
   if (!found) return found.error();
   auto understood =
       understanding::understand_drawing(drawing.rgba, std::move(*found), {}, {}, context);
   if (!understood) return understood.error();
-  SceneInput loaded;
-  loaded.drawing = std::move(drawing);
+  SceneInput loaded{std::move(understood->scene), std::move(drawing)};
   loaded.drawing_file = file;
   loaded.proposed = true;
-  loaded.connected = true;
-  loaded.scene = std::move(understood->scene);
-  loaded.guesses = std::move(understood->proposal.joining);
-  loaded.understood = {finding(understood->record.labels, loaded.scene),
+  loaded.understood = {summary(understood->record.labels, loaded.scene),
                        advice(understood->record, file)};
   loaded.warnings = std::move(understood->warnings);
+  if (connect) {
+    loaded.guesses = std::move(understood->proposal.joining);
+  } else {
+    loaded.scene.joins.clear();
+    loaded.scene.relations.clear();
+    loaded.scene.robin.clear();
+  }
   return loaded;
 }
 
-Result<SceneInput> read_picture(const InputFile& input, const RunContext& context) {
+Result<SceneInput> read_picture(const InputFile& input, bool connect, const RunContext& context) {
   auto pixels = decode_image(input.bytes);
   if (!pixels) return pixels.error();
-  return understand_flat({std::move(*pixels)}, input.name, context);
+  return understand_flat({std::move(*pixels)}, input.name, connect, context);
 }
 
 }  // namespace relievo

@@ -9,13 +9,14 @@
 
 namespace relievo {
 
-/// A scene of a flat drawing: its parts are found, completed, ordered and joined without a word of
-/// the user, and `understood` tells what it was taken for. `file` is the name that is said to the
-/// user. Errors: those of segment_drawing and understand_drawing.
-Result<SceneInput> understand_flat(Drawing drawing, const std::string& file,
+/// Makes the scene of a flat drawing: parts are found, completed, ordered and, if `connect`, joined
+/// without help, and `understood` describes the result. `file`: name of the drawing for messages.
+/// Errors: those of segment_drawing and understand_drawing.
+Result<SceneInput> understand_flat(Drawing drawing, const std::string& file, bool connect,
                                    const RunContext& context);
 
-/// The same of a PNG, JPEG or GIF file. Errors: besides, where it cannot be decoded.
-Result<SceneInput> read_picture(const InputFile& input, const RunContext& context);
+/// Makes the scene of a PNG, JPEG or GIF file as understand_flat does. Errors: as there, and
+/// `bad_input` if the file cannot be decoded.
+Result<SceneInput> read_picture(const InputFile& input, bool connect, const RunContext& context);
 
 }  // namespace relievo

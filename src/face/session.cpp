@@ -68,26 +68,21 @@ BuildReport report_of(const relief::Relief& relief) {
 }  // namespace
 
 struct Session::State {
-  enum class Value {
-    none,   ///< nothing is built
-    exact,  ///< from nothing
-    warm,   ///< from the build before
-  };
-
   Status update(const RunContext& context) {
-    // The non-linear method ends where its tolerance lets it, which depends on where it begins.
-    const bool fresh = value == Value::none || options.method == Method::nonlinear;
-    if (fresh) session = relief::ReliefSession();
-    value = Value::none;
+    // The non-linear method stops within a tolerance, at a point that depends on its start.
+    exact = !built || options.method == Method::nonlinear;
+    if (exact) session = relief::ReliefSession();
+    built = false;
     Status status = session.update(scene, options, context);
-    if (status) value = fresh ? Value::exact : Value::warm;
+    built = status.ok();
     return status;
   }
 
   Scene scene;
   relief::ReliefOptions options;
   relief::ReliefSession session;
-  Value value = Value::none;
+  bool built = false;
+  bool exact = false;  ///< the last build started from nothing
 };
 
 Session::Session() : state_(std::make_unique<State>()) {}
@@ -106,15 +101,15 @@ Result<BuildReport> Session::build(const Scene& scene, const BuildOptions& optio
 }
 
 Status Session::make_exact(const RunContext& context) {
-  if (state_->value == State::Value::none) return nothing_built;
-  if (state_->value == State::Value::exact) return Done{};
-  state_->value = State::Value::none;
+  if (!state_->built) return nothing_built;
+  if (state_->exact) return Done{};
+  state_->built = false;
   return state_->update(context);
 }
 
 Result<Model> Session::model(const ModelOptions& options, Field field,
                              const RunContext& context) const {
-  if (state_->value == State::Value::none) return nothing_built;
+  if (!state_->built) return nothing_built;
   const relief::Relief& relief = state_->session.relief();
   if (field == Field::relief)
     return relief::assemble_model(relief.layers, relief.inflation, relief.ordering, state_->scene,
@@ -128,7 +123,7 @@ Result<Model> Session::model(const ModelOptions& options, Field field,
 }
 
 Result<ReliefMaps> Session::maps(int longest, const RunContext& context) const {
-  if (state_->value == State::Value::none) return nothing_built;
+  if (!state_->built) return nothing_built;
   const relief::Relief& relief = state_->session.relief();
   const ImageSize size = fitted_size(state_->scene.width, state_->scene.height, longest);
   return relief::rasterize_relief(relief.layers, relief.inflation, relief.ordering, state_->scene,
@@ -137,12 +132,12 @@ Result<ReliefMaps> Session::maps(int longest, const RunContext& context) const {
 
 Result<Solid> Session::solid(const SolidOptions& options, const Drawing& drawing,
                              const RunContext& context) const {
-  if (state_->value == State::Value::none) return nothing_built;
+  if (!state_->built) return nothing_built;
   return solid_of(state_->session.relief(), state_->scene, drawing, options, context);
 }
 
 Result<MeshLines> Session::lines() const {
-  if (state_->value == State::Value::none) return nothing_built;
+  if (!state_->built) return nothing_built;
   return find_mesh_lines(state_->session.relief().layers, state_->options.inflation.alpha0);
 }
 

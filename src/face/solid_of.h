@@ -8,7 +8,7 @@
 
 namespace relievo {
 
-/// The solid of a relief and its drawing. Errors: those of assemble_limbs and make_solid.
+/// Makes the solid of a relief, its drawing on it. Errors: those of assemble_limbs and make_solid.
 Result<Solid> solid_of(const relief::Relief& relief, const Scene& scene, const Drawing& drawing,
                        const SolidOptions& options, const RunContext& context = {});
 

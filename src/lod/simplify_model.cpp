@@ -9,10 +9,10 @@
 namespace relievo {
 namespace {
 
-/// How far a surface may move, of the model's extent: beyond that limbs fall off.
+/// Greatest distance by which a surface may move, of the model's extent; beyond it limbs fall off.
 constexpr float most_error = 0.005F;
 
-/// A model whose parts share no vertex, as the simplifier takes it.
+/// A model whose parts share no vertex, in the simplifier's format.
 struct Pieces {
   std::vector<unsigned> indices;
   std::vector<std::array<float, 3>> positions;
@@ -26,7 +26,7 @@ Pieces take_apart(const Model& model) {
   for (size_t p = 0; p < model.parts.size(); ++p) {
     const ModelPart& part = model.parts[p];
     const size_t first = pieces.source.size();
-    for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t)
+    for (int t = part.first_triangle; t < part.end(); ++t)
       for (const int v : model.triangles[t]) {
         if (local[v] < 0) {
           local[v] = static_cast<int>(pieces.source.size());
@@ -43,7 +43,7 @@ Pieces take_apart(const Model& model) {
   return pieces;
 }
 
-/// The model of what is left of the indices.
+/// Returns the model of the indices that are left.
 Model put_together(const Model& model, const Pieces& pieces) {
   Model result;
   result.width = model.width;

@@ -2,35 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "kernel/geometry/box3.h"
 #include "render/shading.h"
 
 namespace relievo {
 namespace {
 
-constexpr double margin = 0.04;
+constexpr double margin = 0.04;  ///< around the model, of each side of the picture
 
-/// Bounds of the model along the camera's axes.
-struct Bounds {
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  Point3 low{infinity, infinity, infinity};
-  Point3 high{-infinity, -infinity, -infinity};
-};
-
-Bounds bounds_along(const Model& model, const Camera& camera) {
-  Bounds bounds;
+/// Returns the box of the model along the camera's axes.
+Box3 box_along(const Model& model, const Camera& camera) {
+  Box3 box;
   for (const std::array<int, 3>& triangle : model.triangles)
     for (const int v : triangle) {
       const Point3 p = model.positions[v];
-      const Point3 q{dot(p, camera.right), dot(p, camera.up), dot(p, camera.back)};
-      bounds.low = {std::min(bounds.low.x, q.x), std::min(bounds.low.y, q.y),
-                    std::min(bounds.low.z, q.z)};
-      bounds.high = {std::max(bounds.high.x, q.x), std::max(bounds.high.y, q.y),
-                     std::max(bounds.high.z, q.z)};
+      box.add({dot(p, camera.right), dot(p, camera.up), dot(p, camera.back)});
     }
-  return bounds;
+  return box;
 }
 
 }  // namespace
@@ -44,9 +34,9 @@ Camera framing_camera(const Model& model, const RenderOptions& options) {
   camera.up = cross(camera.back, camera.right);
   camera.width = options.width;
   camera.height = options.height;
-  const Bounds bounds = bounds_along(model, camera);
-  const Point3 middle = 0.5 * (bounds.low + bounds.high);
-  const Point3 sides = bounds.high - bounds.low;
+  const Box3 box = box_along(model, camera);
+  const Point3 middle = 0.5 * (box.min + box.max);
+  const Point3 sides = box.sides();
   const double room = 1 - 2 * margin;
   camera.centre = from_camera(camera, middle);
   camera.unit = std::max(sides.x / (room * options.width), sides.y / (room * options.height));

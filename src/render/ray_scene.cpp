@@ -6,7 +6,7 @@
 namespace relievo {
 namespace {
 
-/// Fills the geometry's own buffers; false where there is no memory for them.
+/// Fills the geometry's own buffers; returns false if there is no memory for them.
 bool set_triangles(RTCGeometry geometry, const Model& model) {
   auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
                                                                RTC_FORMAT_FLOAT3, 3 * sizeof(float),
@@ -26,7 +26,7 @@ bool keep_building(void* context, double) {
   return !static_cast<const RunContext*>(context)->cancelled();
 }
 
-/// Cosine between a face and a vertex's normal, below which that says nothing of a curved surface.
+/// Least cosine between the normals of a face and a vertex at which the surface counts as curved.
 constexpr double least_agreement = 0.35;
 
 RTCRay make_ray(Point3 origin, Point3 direction, float length) {
@@ -42,8 +42,8 @@ RTCRay make_ray(Point3 origin, Point3 direction, float length) {
   return ray;
 }
 
-/// A smooth normal can look away from a viewer who still sees the flat triangle: it is turned
-/// until it just faces them.
+/// Turns a normal until it just faces the viewer: a smooth normal can look away from a viewer who
+/// still sees the flat triangle.
 Point3 facing(Point3 normal, Point3 back) {
   constexpr double least = 0.02;
   const double cosine = dot(normal, back);
@@ -57,10 +57,11 @@ Result<RayScene> RayScene::build(const Model& model, const RunContext& context) 
   // One thread: the tree, and with it which of two coinciding faces is hit, must not depend on
   // the machine's number of cores.
   result.device_.reset(rtcNewDevice("threads=1"));
-  // It fails for want of memory, or on a processor too old for it.
+  // It fails without memory, or on a processor that is too old.
   if (!result.device_)
     return Error{ErrorCode::limit,
-                 "the ray tracer cannot be started, most likely for want of memory", ""};
+                 "the ray tracer cannot be started, most likely because there is too little memory",
+                 ""};
   RTCDevice device = result.device_.get();
   result.scene_.reset(rtcNewScene(device));
   RTCScene scene = result.scene_.get();

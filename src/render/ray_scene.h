@@ -11,7 +11,7 @@
 
 namespace relievo {
 
-/// Where a ray meets a triangle: (1 - u - v) corner 0 + u corner 1 + v corner 2.
+/// The point at which a ray meets a triangle: (1 - u - v) corner 0 + u corner 1 + v corner 2.
 struct RayHit {
   int triangle = 0;
   double u = 0;
@@ -21,39 +21,32 @@ struct RayHit {
 /// A model's triangles, ready for rays. Queries may run on several threads.
 class RayScene {
  public:
-  /// Errors: `limit` where memory does not suffice, `interrupted`. O(F log F).
+  /// Errors: `limit` if there is not enough memory, `interrupted`. O(F log F).
   static Result<RayScene> build(const Model& model, const RunContext& context);
 
-  /// The nearest triangle along the ray, whichever side it shows.
+  /// Finds the nearest triangle along the ray, whichever side it shows.
   std::optional<RayHit> first_hit(Point3 origin, Point3 direction) const;
 
-  /// Whether anything lies along the ray within `length`.
+  /// Returns whether a triangle lies along the ray within `length`.
   bool blocked(Point3 origin, Point3 direction, double length) const;
 
  private:
-  struct ReleaseDevice {
-    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-  };
-  struct ReleaseScene {
-    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-  };
-
-  std::unique_ptr<RTCDeviceTy, ReleaseDevice> device_;
-  std::unique_ptr<RTCSceneTy, ReleaseScene> scene_;
+  std::unique_ptr<RTCDeviceTy, void (*)(RTCDevice)> device_{nullptr, rtcReleaseDevice};
+  std::unique_ptr<RTCSceneTy, void (*)(RTCScene)> scene_{nullptr, rtcReleaseScene};
 };
 
-/// What shading needs to know of a hit.
+/// A point of the surface to be shaded.
 struct SurfacePoint {
   Point3 normal;      ///< smooth, unit, on the viewer's side
-  Point3 face;        ///< the flat triangle's, unit, on the same side
-  Point3 ray_origin;  ///< just above the smooth surface: where rays to the light begin
+  Point3 face;        ///< normal of the flat triangle, unit, on the same side
+  Point3 ray_origin;  ///< origin of rays to the light, just above the smooth surface
   Point2 uv;
 };
 
-/// The point that a ray towards -`back` has hit. Rays from a flat triangle of a rounded surface
-/// meet its neighbours near the border of the light; therefore they begin on the curved surface
-/// that the vertices' normals suggest (J. Hanika, Hacking the Shadow Terminator, 2021), `lift`
-/// above it.
+/// Returns the point that a ray towards -`back` has hit. Rays from a flat triangle of a rounded
+/// surface would meet its neighbours near the border of the light; therefore they begin `lift`
+/// above the curved surface that the vertices' normals suggest (J. Hanika, Hacking the Shadow
+/// Terminator, 2021).
 SurfacePoint surface_point(const Model& model, const RayHit& hit, Point3 back, double lift);
 
 }  // namespace relievo

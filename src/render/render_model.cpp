@@ -18,14 +18,13 @@ namespace {
 constexpr int max_side = 16384;
 constexpr int64_t max_pixels = 100'000'000;
 constexpr Rgb clay{0.80, 0.735, 0.665};
-/// Share of the surroundings' light that comes back from a surface that is in the way.
-constexpr double bounce = 0.15;
+constexpr double bounce = 0.15;   ///< share of the surroundings' light reflected by occluders
 constexpr uint32_t key_rays = 2;  ///< per sample
-/// Of the model's size: so far above a face that looks away from the light, where its smooth normal
-/// does not, rays to the light begin. They would meet the face's neighbours.
+/// Lift of rays to the light, of the model's size, above a face that looks away from the light
+/// while its smooth normal does not: else they would meet the face's neighbours.
 constexpr double terminator_lift = 0.008;
 
-/// Everything that a pixel depends on; constant while rows are worked on.
+/// All data for rendering a pixel; constant while rows are rendered.
 struct Renderer {
   const Model& model;
   const RenderOptions& options;
@@ -68,7 +67,7 @@ Status check_model(const Model& model) {
   return Done{};
 }
 
-/// Brings the surface in front of the window's centre to the middle of the picture.
+/// Moves the surface in front of the window's centre to the middle of the picture.
 void aim(Camera& camera, const RenderWindow& window, const Renderer& renderer) {
   const Model& model = renderer.model;
   const double front = norm(camera.centre) + 2 * camera.distance;
@@ -84,7 +83,7 @@ void aim(Camera& camera, const RenderWindow& window, const Renderer& renderer) {
   camera.unit = window.width / camera.width;
 }
 
-/// Light that falls on a point from all around, and what comes back from what is in the way.
+/// Returns the light on a point from all around, including light reflected by occluders.
 Rgb ambient_light(const Renderer& renderer, const SurfacePoint& point, uint32_t first_ray) {
   const auto count = static_cast<uint32_t>(renderer.options.ambient_rays);
   if (count == 0) return surroundings(renderer.rig, point.normal);
@@ -98,54 +97,35 @@ Rgb ambient_light(const Renderer& renderer, const SurfacePoint& point, uint32_t 
   return (1.0 / count) * sum;
 }
 
-/// Where a sample begins in the sequences of directions.
-struct SequencePlace {
-  uint32_t key = 0;
-  uint32_t ambient = 0;
-};
-
-/// Light of the key light and its highlight.
-struct KeyLight {
+/// Shades a point. `first_key`, `first_ambient`: its runs in the sequences of directions.
+Rgb shade(const Renderer& renderer, const SurfacePoint& point, uint32_t first_key,
+          uint32_t first_ambient) {
   double diffuse = 0;
   double gloss = 0;
-};
-
-KeyLight key_light(const Renderer& renderer, const SurfacePoint& point, uint32_t first_ray) {
-  KeyLight sum;
   for (uint32_t k = 0; k < key_rays; ++k) {
-    const Point3 to_light = key_direction(renderer.rig, even_point(first_ray + k));
+    const Point3 to_light = key_direction(renderer.rig, even_point(first_key + k));
     const double cosine = dot(point.normal, to_light);
     if (cosine <= 0) continue;
     const double higher = dot(point.face, to_light) < 0 ? terminator_lift * renderer.reach : 0;
     const Point3 origin = point.ray_origin + higher * point.normal;
     if (renderer.scene.blocked(origin, to_light, renderer.reach)) continue;
-    sum.diffuse += cosine / key_rays;
-    sum.gloss += highlight(renderer.rig, point.normal, to_light, renderer.camera.back) / key_rays;
+    diffuse += cosine / key_rays;
+    gloss += highlight(renderer.rig, point.normal, to_light, renderer.camera.back) / key_rays;
   }
-  return sum;
-}
-
-Rgb shade(const Renderer& renderer, const SurfacePoint& point, SequencePlace place) {
   const Rgb albedo = renderer.texture ? renderer.texture->at(point.uv) : clay;
-  const KeyLight key = key_light(renderer, point, place.key);
   const Rgb light =
-      ambient_light(renderer, point, place.ambient) + key.diffuse * renderer.rig.key_light;
-  return tone_curve(albedo * light + key.gloss * renderer.rig.key_light);
+      ambient_light(renderer, point, first_ambient) + diffuse * renderer.rig.key_light;
+  return tone_curve(albedo * light + gloss * renderer.rig.key_light);
 }
 
-/// What the background adds behind a pixel, and how opaque it is.
-struct Backdrop {
-  Rgb colour;
-  double alpha = 0;
-};
-
-Backdrop backdrop(const RenderOptions& options, int x, int y) {
-  if (options.background == Background::transparent) return {};
-  if (options.background == Background::white) return {{1, 1, 1}, 1};
+/// Returns the background behind a pixel, or nothing if it is transparent.
+std::optional<Rgb> backdrop(const RenderOptions& options, int x, int y) {
+  if (options.background == Background::transparent) return std::nullopt;
+  if (options.background == Background::white) return Rgb{1, 1, 1};
   const double dx = (x + 0.5) / options.width - 0.5;
   const double dy = (y + 0.5) / options.height - 0.42;
   const double far = std::min(1.0, 2 * (dx * dx + dy * dy));
-  return {mix({0.90, 0.895, 0.88}, {0.60, 0.60, 0.60}, far), 1};
+  return mix({0.90, 0.895, 0.88}, {0.60, 0.60, 0.60}, far);
 }
 
 uint8_t to_byte(double unit) {
@@ -167,13 +147,13 @@ void render_pixel(const Renderer& renderer, int x, int y, uint8_t* rgba) {
     ++hits;
     const SurfacePoint point =
         surface_point(renderer.model, *hit, renderer.camera.back, renderer.lift);
-    sum = sum + shade(renderer, point, {key_begin + s * key_rays, ambient_begin + s * rays});
+    sum = sum + shade(renderer, point, key_begin + s * key_rays, ambient_begin + s * rays);
   }
-  const Backdrop behind = backdrop(renderer.options, x, y);
+  const std::optional<Rgb> behind = backdrop(renderer.options, x, y);
   const double coverage = static_cast<double>(hits) / samples;
-  const double alpha = coverage + (1 - coverage) * behind.alpha;
+  const double alpha = coverage + (1 - coverage) * (behind ? 1 : 0);
   if (alpha == 0) return;
-  const Rgb premultiplied = (1.0 / samples) * sum + (1 - coverage) * behind.alpha * behind.colour;
+  const Rgb premultiplied = (1.0 / samples) * sum + (1 - coverage) * behind.value_or(Rgb{});
   rgba[0] = to_byte(to_srgb(premultiplied.r / alpha));
   rgba[1] = to_byte(to_srgb(premultiplied.g / alpha));
   rgba[2] = to_byte(to_srgb(premultiplied.b / alpha));

@@ -8,7 +8,7 @@
 namespace relievo {
 namespace {
 
-/// The unit square onto the unit disc, areas kept.
+/// Maps the unit square to the unit disc; areas are kept.
 Point2 disc_point(Point2 square) {
   const double radius = std::sqrt(square.x);
   const double angle = 2 * std::numbers::pi * square.y;

@@ -9,15 +9,14 @@ namespace {
 
 using Colour = std::array<uint8_t, 4>;
 
-/// A plain colour is so many pixels wide and high.
-constexpr int cell = 8;
+constexpr int cell = 8;  ///< px, side of the square of a plain colour
 constexpr Colour base_colour{236, 230, 218, 255};
 
-/// The mean over a part's triangles, by area, each with the colour in its middle.
+/// Returns the mean colour of a part's triangles by area, each with the colour in its middle.
 Colour mean_colour(const Model& model, const ModelPart& part, const Image8& rgba) {
   std::array<double, 3> sum{};
   double all = 0;
-  for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
+  for (int t = part.first_triangle; t < part.end(); ++t) {
     const auto& [a, b, c] = model.triangles[t];
     const Point2 middle = (1.0 / 3) * (model.uvs[a] + model.uvs[b] + model.uvs[c]);
     const Point3 p = model.positions[a];
@@ -33,7 +32,7 @@ Colour mean_colour(const Model& model, const ModelPart& part, const Image8& rgba
   return colour;
 }
 
-/// Cells below the drawing, row by row; their middles by colour.
+/// Adds a cell for each colour below the drawing, row by row; returns their middles.
 std::vector<Point2> add_cells(const std::vector<Colour>& colours, Image8& rgba) {
   const int width = rgba.width;
   const int in_row = std::max(1, width / cell);
@@ -58,17 +57,17 @@ std::vector<Point2> add_cells(const std::vector<Colour>& colours, Image8& rgba) 
 
 }  // namespace
 
-PaintedDrawing paint_back(const Drawing& drawing, const Model& model, BackSide side) {
+BackPaint paint_back(const Drawing& drawing, const Model& model, BackSide side) {
   if (drawing.rgba.empty()) return {};
   std::vector<Colour> colours;
   if (side == BackSide::parts)
     for (const ModelPart& part : model.parts)
       colours.push_back(mean_colour(model, part, drawing.rgba));
   colours.push_back(base_colour);
-  PaintedDrawing painted{drawing, 1, {}};
-  painted.paint.parts = add_cells(colours, painted.drawing.rgba);
-  painted.paint.plate = painted.paint.parts.back();
-  if (side != BackSide::parts) painted.paint.parts.clear();
+  BackPaint painted{drawing};
+  painted.parts = add_cells(colours, painted.drawing.rgba);
+  painted.plate = painted.parts.back();
+  if (side != BackSide::parts) painted.parts.clear();
   painted.shrink = static_cast<double>(drawing.rgba.height) / painted.drawing.rgba.height;
   return painted;
 }

@@ -18,15 +18,14 @@ using ClipperLib::Path;
 using ClipperLib::Paths;
 
 constexpr int most_cuts = 16;
-/// What counts, in nozzles: the length of thin walls, that of slender limbs, and the side of a
-/// square as large as what hangs by a neck, or over.
-constexpr double least_wall = 5;
-constexpr double least_limb = 8;
-constexpr double least_side = 10;
-/// A corner is no wall: what an opening leaves within this share of its radius.
-constexpr double opening_slack = 0.1;
+// Lengths in nozzles below which findings do not count; tuned on printed samples.
+constexpr double least_wall = 5;   ///< length of thin walls
+constexpr double least_limb = 8;   ///< length of slender limbs
+constexpr double least_side = 10;  ///< side of a square as large as a piece beyond a neck, or an
+                                   ///< overhang
+constexpr double opening_slack = 0.1;  ///< share of an opening's radius within which corners remain
 
-/// mm of each part, by its number.
+/// A measure of each part, mm or mm^2, by the part's index.
 using ByPart = std::map<int, double>;
 
 Paths grown(const Paths& paths, double mm) {
@@ -37,7 +36,7 @@ Paths grown(const Paths& paths, double mm) {
   return result;
 }
 
-/// An outer ring with the rings of its holes.
+/// Combines paths into pieces, each an outer ring with the rings of its holes.
 std::vector<Paths> pieces_of(ClipperLib::ClipType operation, const Paths& subject,
                              const Paths& clip) {
   ClipperLib::Clipper clipper;
@@ -55,14 +54,14 @@ std::vector<Paths> pieces_of(ClipperLib::ClipType operation, const Paths& subjec
   return pieces;
 }
 
-/// mm^2; holes run the other way.
+/// Returns the area of a piece without its holes, mm^2.
 double area_of(const Paths& piece) {
   double area = 0;
   for (const Path& ring : piece) area += ClipperLib::Area(ring);
   return area / (cut_steps * cut_steps);
 }
 
-/// Of a strip, which has its length twice in its outline, mm.
+/// Returns the width of a strip, mm: its area over half the length of its outline.
 double width_of(const Paths& piece) {
   double length = 0;
   for (const Path& ring : piece)
@@ -80,7 +79,8 @@ bool touch(const Paths& piece, const std::vector<Paths>& others) {
   });
 }
 
-/// What of a region no disc of the given width reaches, where that is `length` long.
+/// Returns the pieces of a region that no disc of the given width reaches and that are at least
+/// about `length` long; mm.
 std::vector<Paths> slender(const Paths& region, double width, double length) {
   const Paths opened = grown(grown(region, -0.5 * width), 0.5 * (1 + opening_slack) * width);
   std::vector<Paths> strips;
@@ -114,13 +114,13 @@ class PrintChecker {
     return found;
   }
 
-  /// Parts beyond a neck, and slender ones.
+  /// Returns parts beyond a neck, and slender parts.
   ByPart necks() const {
     Paths all;
     for (const LevelCut& cut : cuts_) all.insert(all.end(), cut.rings.begin(), cut.rings.end());
     ByPart found;
     for (const Paths& whole : pieces_of(ClipperLib::ctUnion, all, {})) {
-      // What the widest neck does not part, none does.
+      // If the widest neck does not separate any part, narrower ones do not either.
       for (const double width : {3 * nozzle_, 2 * nozzle_, nozzle_}) {
         const std::vector<int> apart = parted_by(whole, width);
         for (const int part : apart) found[part] = width;
@@ -144,7 +144,7 @@ class PrintChecker {
   }
 
  private:
-  /// The parts of all pieces but the largest that are left of a piece without its rim.
+  /// Returns the parts of all pieces but the largest into which a piece falls without its rim.
   std::vector<int> parted_by(const Paths& whole, double width) const {
     std::vector<Paths> apart = pieces_of(ClipperLib::ctUnion, grown(whole, -0.5 * width), {});
     std::sort(apart.begin(), apart.end(),
@@ -156,7 +156,7 @@ class PrintChecker {
     return parts;
   }
 
-  /// Keeps the smaller one.
+  /// Notes a measure of a part; of several, the smallest is kept.
   static void note(int part, double mm, ByPart& found) {
     const auto [at, fresh] = found.try_emplace(part, mm);
     if (!fresh) at->second = std::min(at->second, mm);
@@ -169,16 +169,16 @@ class PrintChecker {
         ->first;
   }
 
-  /// The part that most corners of a cut belong to that lie on the outline of a piece of it.
+  /// Returns the part of most of the cut's corners that lie on the outline of a piece.
   static int corner_part(const Paths& piece, const LevelCut& cut) {
     std::map<int, double> votes;
-    for (const CutCorner& corner : cut.corners)
+    for (size_t i = 0; i < cut.corners.size(); ++i)
       for (const Path& ring : piece)
-        if (ClipperLib::PointInPolygon(corner.place, ring) == -1) ++votes[corner.part];
+        if (ClipperLib::PointInPolygon(cut.corners[i], ring) == -1) ++votes[cut.corner_parts[i]];
     return most_frequent(votes);
   }
 
-  /// The part that is most of what the front shows of a piece of the plane.
+  /// Returns the part that covers most of a piece of the plane in the front view.
   int covering_part(const Paths& piece) const {
     std::map<int, double> votes;
     const ClipperLib::IntRect box = bounds(piece.front());
@@ -281,7 +281,7 @@ std::string describe(const PrintFinding& finding, double nozzle, double size) {
   const std::string larger = "--size " + rounded(enough_size(finding, nozzle, size), "%.0f");
   switch (finding.trouble) {
     case PrintTrouble::loose:
-      return finding.part + " is loose; --profile solid with --base plate or round holds it";
+      return finding.part + " is loose; --profile solid with --base plate or round connects it";
     case PrintTrouble::thin:
       return finding.part + " is " + rounded(finding.measure, "%.2f") +
              " mm thin, less than the nozzle; " + larger + ", or a finer --nozzle";

@@ -7,39 +7,39 @@
 
 namespace relievo {
 
-/// What a printer, or a hand, makes of a part.
+/// Reasons why a part prints badly or breaks.
 enum class PrintTrouble {
-  loose,     ///< touches nothing of the rest
-  thin,      ///< has walls that a nozzle cannot lay
-  neck,      ///< hangs by so little that it breaks off
-  overhang,  ///< has nothing below it while it is laid
+  loose,     ///< it touches no other part
+  thin,      ///< it has walls that are too thin for the nozzle
+  neck,      ///< it hangs by a neck so narrow that it may break off
+  overhang,  ///< it has nothing below it while it is printed
 };
 
 struct PrintFinding {
   PrintTrouble trouble = PrintTrouble::loose;
   std::string part;
-  double measure = 0;  ///< mm of the thinnest wall or of the neck, mm^2 that hang over; or 0
+  double measure = 0;  ///< mm of the thinnest wall or the neck; mm^2 of an overhang; 0 if loose
 };
 
-/// mm, of most printers.
+/// The nozzle of most printers, mm.
 constexpr double usual_nozzle = 0.4;
 
-/// What is wrong with a solid that lies on its back, or stands with the drawing's up as its own,
-/// of a model in mm: by kind, parts in their order. `loose` are ids of parts. Walls are found in
-/// level cuts, by opening them with a disc as wide as the nozzle (mm, > 0), and count where a cut
-/// above or below has them too; necks are narrower than three nozzles; faces hang over that are
-/// more level than upright, off the plate. O(n log n) for each of at most 16 cuts.
+/// Checks a solid, in mm, that is printed lying on its back or, if `standing`, upright. Returns its
+/// findings by kind, parts in their order. `loose`: ids of loose parts. Thin walls are found in
+/// level cuts, opened with a disc as wide as the nozzle (mm, > 0), and count if a cut above or
+/// below has them too. Necks are narrower than three nozzles. Overhangs are faces off the plate
+/// that look down and are more level than upright. O(n log n) for each of at most 16 cuts.
 std::vector<PrintFinding> check_print(const Model& model, const std::vector<std::string>& loose,
                                       double nozzle, bool standing = false);
 
-/// "loose", "thin", "neck" or "overhang".
+/// Returns "loose", "thin", "neck" or "overhang".
 const char* name(PrintTrouble trouble);
 
-/// The longest side, mm, with which a wall or a neck is wide enough where it is `size` now; 0 of
-/// what no size mends.
+/// Returns the longest side, mm, at which a wall or a neck is wide enough if it is `size` now; 0
+/// for findings that no size repairs.
 double enough_size(const PrintFinding& finding, double nozzle, double size);
 
-/// A finding in words, and what helps. `size` is the longest side, mm.
+/// Describes a finding and its remedy. `size` is the longest side, mm.
 std::string describe(const PrintFinding& finding, double nozzle, double size);
 
 }  // namespace relievo

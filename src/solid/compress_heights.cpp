@@ -17,54 +17,39 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// No slope becomes steeper, and small ones hardly change.
-constexpr double steepest = 3;
-/// No step becomes higher, of the depth that is wanted.
-constexpr double highest_step = 0.3;
-/// What large forms keep, of an even share; the rest is left to small ones.
-constexpr double kept_by_large = 0.3;
-/// Halvings of the range in which the size of the forms that keep their slopes is sought.
-constexpr int halvings = 7;
-/// Of points that no triangle uses.
-constexpr double unused_mass = 1e-12;
-constexpr double least_area = 1e-9;  ///< px^2
+// Tuned on figures and on the samples' solids.
+constexpr double steepest = 3;         ///< limit of slopes; small slopes hardly change
+constexpr double highest_step = 0.3;   ///< limit of steps, of the wanted depth
+constexpr double kept_by_large = 0.3;  ///< share of an even compression that large forms keep
+constexpr int halvings = 7;            ///< of the range of sizes of forms that keep their slopes
+constexpr double unused_mass = 1e-12;  ///< least diagonal stiffness, for points without triangles
+constexpr double least_area = 1e-9;    ///< px^2, least area of triangles that have slopes
 
-struct Range {
-  double low = 0;
-  double high = 0;
-
-  double length() const { return high - low; }
-};
-
-Range range_of(const Model& model, const VectorXd& z) {
-  constexpr double unbounded = std::numeric_limits<double>::infinity();
-  Range range{unbounded, -unbounded};
+/// Returns the difference between the greatest and the least height of the triangles.
+double depth_of(const Model& model, const VectorXd& z) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
   for (const std::array<int, 3>& t : model.triangles)
-    for (const int v : t) range = {std::min(range.low, z[v]), std::max(range.high, z[v])};
-  return range;
+    for (const int v : t) {
+      low = std::min(low, z[v]);
+      high = std::max(high, z[v]);
+    }
+  return high - low;
 }
 
-/// The sheet seen from the front, without the triangles that have no area and so no slopes.
-struct FrontView {
-  std::vector<Point2> places;
-  std::vector<std::array<int, 3>> triangles;
-
-  FlatMesh mesh() const { return {places, triangles}; }
-};
-
-FrontView front_view(const Model& model) {
-  FrontView view;
-  for (const Point3 p : model.positions) view.places.push_back({p.x, p.y});
+/// Returns the triangles that have an area as seen from the front.
+std::vector<std::array<int, 3>> broad_triangles(const Model& model) {
+  std::vector<std::array<int, 3>> broad;
   for (const std::array<int, 3>& t : model.triangles) {
     const Point3 a = model.positions[t[0]];
     const Point3 ab = model.positions[t[1]] - a;
     const Point3 ac = model.positions[t[2]] - a;
-    if (ab.x * ac.y - ab.y * ac.x > least_area) view.triangles.push_back(t);
+    if (ab.x * ac.y - ab.y * ac.x > least_area) broad.push_back(t);
   }
-  return view;
+  return broad;
 }
 
-/// Values up to `limit` that begin as they are.
+/// Bounds a value smoothly by `limit`; small values hardly change.
 double limited(double value, double limit) { return value / (1 + std::abs(value) / limit); }
 
 class Compression {
@@ -74,7 +59,7 @@ class Compression {
     const Model& model = sheet.model;
     heights_.resize(static_cast<Index>(model.positions.size()));
     for (Index v = 0; v < heights_.size(); ++v) heights_[v] = model.positions[v].z;
-    target_ = share * range_of(model, heights_).length();
+    target_ = share * depth_of(model, heights_);
     mass_ = lumped_mass(mesh);
     matrix_ = stiffness_matrix(mesh);
     std::vector<Point2> slopes = face_gradients(mesh, {heights_.data(), model.positions.size()});
@@ -83,18 +68,20 @@ class Compression {
     add_steps();
   }
 
-  /// The largest forms that keep their slopes are as large as the depth allows.
+  /// Computes the heights: the largest forms that keep their slopes are as large as the depth
+  /// allows.
   Result<VectorXd> run() {
-    Range logs{std::log(1e-3), std::log(10.0)};
+    double low = std::log(1e-3);
+    double high = std::log(10.0);
     const double size = std::sqrt(mass_.sum());
     VectorXd best = share_ * heights_;
     for (int i = 0; i < halvings; ++i) {
-      const double middle = 0.5 * (logs.low + logs.high);
+      const double middle = 0.5 * (low + high);
       VectorXd z;
       if (!solve(size * std::exp(middle), z))
         return Error{ErrorCode::internal, "the depth cannot be compressed", "--height"};
-      const bool fits = range_of(sheet_.model, z).length() <= target_;
-      (fits ? logs.low : logs.high) = middle;
+      const bool fits = depth_of(sheet_.model, z) <= target_;
+      (fits ? low : high) = middle;
       if (fits) best = std::move(z);
     }
     return best;
@@ -119,8 +106,8 @@ class Compression {
     matrix_ = (matrix_ + steps).eval();
   }
 
-  /// The minimum of |grad z - slopes|^2 and of the steps' misfit, both with what departs from
-  /// what large forms keep, (z - kept h)^2 / form^2.
+  /// Minimises the integral of |grad z - slopes|^2 + (z - kept h)^2 / form^2, plus the squared
+  /// misfit of the steps; kept = kept_by_large * share.
   bool solve(double form, VectorXd& z) {
     SparseMatrix screened = matrix_;
     VectorXd right = load_;
@@ -164,10 +151,13 @@ void set_heights(double share, const VectorXd& z, const FlatMesh& mesh,
 }  // namespace
 
 Status compress_heights(double share, relief::VisibleSheet& sheet) {
-  const FrontView view = front_view(sheet.model);
-  const auto z = Compression(share, sheet, view.mesh()).run();
+  std::vector<Point2> places;
+  for (const Point3 p : sheet.model.positions) places.push_back({p.x, p.y});
+  const std::vector<std::array<int, 3>> triangles = broad_triangles(sheet.model);
+  const FlatMesh mesh{places, triangles};
+  const auto z = Compression(share, sheet, mesh).run();
   if (!z) return z.error();
-  set_heights(share, *z, view.mesh(), sheet);
+  set_heights(share, *z, mesh, sheet);
   return Done{};
 }
 

@@ -1,15 +1,14 @@
 #include "solid/corner_fans.h"
 
-#include "solid/solid_steps.h"
-
 namespace relievo {
 namespace {
 
-/// The corner of the next triangle counter-clockwise around the same point, or -1 at the rim.
+/// Returns the corner of the next triangle counter-clockwise around the same point, or -1 at the
+/// rim.
 int next_corner(const HeightField& field, const FieldEdges& edges, int corner) {
   const int other = edges.across[corner / 3][(corner % 3 + 2) % 3];
   if (other < 0) return -1;
-  const int point = field.vertex_point[corner_vertex(field, corner)];
+  const int point = field.vertex_point[field.corner_vertex(corner)];
   for (int k = 0; k < 2; ++k)
     if (field.vertex_point[field.triangles[other][k]] == point) return 3 * other + k;
   return 3 * other + 2;

@@ -6,8 +6,8 @@
 
 namespace relievo {
 
-/// The corners around points, as 3 * triangle + k, counter-clockwise. A point has several fans
-/// where the field touches itself there.
+/// The corners around points, as 3 * triangle + k, counter-clockwise. A point at which the field
+/// touches itself has several fans.
 struct CornerFans {
   std::vector<int> begin;    ///< #fans + 1
   std::vector<int> corners;  ///< those of fan i are [begin[i], begin[i + 1])
@@ -16,7 +16,8 @@ struct CornerFans {
   size_t size() const { return closed.size(); }
 };
 
-/// Open fans first, then closed ones, both by their first corner. Linear.
+/// Collects the fans of all points: open ones, then closed ones, both by their first corner.
+/// Linear.
 CornerFans collect_fans(const HeightField& field, const FieldEdges& edges);
 
 }  // namespace relievo

@@ -12,7 +12,7 @@ namespace {
 
 using Edge = std::array<int, 2>;
 
-/// The directed edges of the rim between points, the field to their left, sorted.
+/// Returns the directed edges of the rim between points, the field to their left, sorted.
 std::vector<Edge> rim_edges(const HeightField& field, const FieldEdges& edges) {
   std::vector<Edge> rim;
   for (size_t t = 0; t < field.triangles.size(); ++t)
@@ -24,40 +24,30 @@ std::vector<Edge> rim_edges(const HeightField& field, const FieldEdges& edges) {
   return rim;
 }
 
-/// A triangulation that has all lines as edges, in regions between them.
+/// A triangulation that has lines as edges, and its regions between them.
 struct Regions {
   PlanarTriangulation mesh;   ///< of local numbers
   std::vector<int> region;    ///< #T
-  std::vector<char> covered;  ///< by region: whether it lies left of a rim
+  std::vector<char> covered;  ///< by region, whether it lies left of a rim
 };
 
-/// `lines`: directed, sorted; those with a number below `rim` of the `points` bound the field.
-class RegionFinder {
- public:
-  RegionFinder(std::vector<Point2> points, std::vector<Edge> lines, std::vector<char> is_rim)
-      : points_(std::move(points)), lines_(std::move(lines)), is_rim_(std::move(is_rim)) {}
-
-  Result<Regions> find() {
-    auto mesh = triangulate(points_, lines_);
-    if (!mesh) return mesh.error();
-    Regions regions{std::move(*mesh), {}, {}};
-    regions.region.assign(regions.mesh.triangles.size(), -1);
-    for (size_t t = 0; t < regions.region.size(); ++t)
-      if (regions.region[t] < 0) flood(static_cast<int>(t), regions);
-    return regions;
-  }
-
- private:
-  /// The number of the line from a to b, or -1.
-  int line(int a, int b) const {
-    const auto at = std::lower_bound(lines_.begin(), lines_.end(), Edge{a, b});
-    return at != lines_.end() && *at == Edge{a, b} ? static_cast<int>(at - lines_.begin()) : -1;
-  }
-
-  void flood(int seed, Regions& regions) const {
+/// Triangulates points in regions between `lines`, which are directed and sorted. `is_rim`: whether
+/// a line bounds the field.
+Result<Regions> find_regions(const std::vector<Point2>& points, const std::vector<Edge>& lines,
+                             const std::vector<char>& is_rim) {
+  auto mesh = triangulate(points, lines);
+  if (!mesh) return mesh.error();
+  Regions regions{std::move(*mesh), {}, {}};
+  regions.region.assign(regions.mesh.triangles.size(), -1);
+  const auto line_at = [&lines](int a, int b) {
+    const auto at = std::lower_bound(lines.begin(), lines.end(), Edge{a, b});
+    return at != lines.end() && *at == Edge{a, b} ? static_cast<int>(at - lines.begin()) : -1;
+  };
+  for (size_t seed = 0; seed < regions.region.size(); ++seed) {
+    if (regions.region[seed] >= 0) continue;
     const int number = static_cast<int>(regions.covered.size());
     regions.covered.push_back(0);
-    std::vector<int> open{seed};
+    std::vector<int> open{static_cast<int>(seed)};
     regions.region[seed] = number;
     while (!open.empty()) {
       const int t = open.back();
@@ -65,26 +55,23 @@ class RegionFinder {
       for (int k = 0; k < 3; ++k) {
         const int a = regions.mesh.triangles[t][(k + 1) % 3];
         const int b = regions.mesh.triangles[t][(k + 2) % 3];
-        const int left = line(a, b);
-        if (left >= 0 && is_rim_[left] != 0) regions.covered[number] = 1;
+        const int left = line_at(a, b);
+        if (left >= 0 && is_rim[left] != 0) regions.covered[number] = 1;
         const int other = regions.mesh.neighbours[t][k];
-        if (left >= 0 || line(b, a) >= 0 || other < 0 || regions.region[other] >= 0) continue;
+        if (left >= 0 || line_at(b, a) >= 0 || other < 0 || regions.region[other] >= 0) continue;
         regions.region[other] = number;
         open.push_back(other);
       }
     }
   }
-
-  std::vector<Point2> points_;
-  std::vector<Edge> lines_;
-  std::vector<char> is_rim_;
-};
+  return regions;
+}
 
 Point2 as_double(GridPoint p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
-/// The points of the rim get numbers of their own, in the order of their numbers in the field.
+/// The points of a rim, numbered in the order of their numbers in the field.
 struct RimPoints {
-  std::vector<int> global;
+  std::vector<int> global;  ///< number in the field
   std::vector<Point2> places;
   std::vector<Edge> lines;  ///< between local numbers
 };
@@ -126,9 +113,8 @@ std::vector<std::vector<int>> rim_rings(const HeightField& field, const FieldEdg
 
 Result<std::vector<std::array<int, 3>>> triangulate_inside(const HeightField& field,
                                                            const FieldEdges& edges) {
-  RimPoints rim = number_rim(field, rim_edges(field, edges));
-  const std::vector<char> all(rim.lines.size(), 1);
-  const auto regions = RegionFinder(std::move(rim.places), std::move(rim.lines), all).find();
+  const RimPoints rim = number_rim(field, rim_edges(field, edges));
+  const auto regions = find_regions(rim.places, rim.lines, std::vector<char>(rim.lines.size(), 1));
   if (!regions) return regions.error();
   std::vector<std::array<int, 3>> triangles;
   for (size_t t = 0; t < regions->region.size(); ++t) {
@@ -139,11 +125,12 @@ Result<std::vector<std::array<int, 3>>> triangulate_inside(const HeightField& fi
   return triangles;
 }
 
-Status surround(const Plate& plate, const FieldEdges& edges, HeightField& field) {
+Status surround(const Outline& outline, int64_t height, int part, Point2 uv,
+                const FieldEdges& edges, HeightField& field) {
   RimPoints rim = number_rim(field, rim_edges(field, edges));
   std::vector<std::pair<Edge, char>> lines;
   for (const Edge& line : rim.lines) lines.push_back({line, 1});
-  for (const Ring& ring : plate.outline) {
+  for (const Ring& ring : outline) {
     const int first = static_cast<int>(rim.places.size());
     const int count = static_cast<int>(ring.size());
     for (int i = 0; i < count; ++i) {
@@ -160,7 +147,7 @@ Status surround(const Plate& plate, const FieldEdges& edges, HeightField& field)
     sorted.push_back(line);
     is_rim.push_back(bounds);
   }
-  const auto regions = RegionFinder(rim.places, std::move(sorted), std::move(is_rim)).find();
+  const auto regions = find_regions(rim.places, sorted, is_rim);
   if (!regions) return regions.error();
   std::vector<int> vertex(rim.global.size(), -1);
   std::vector<signed char> wanted(regions->covered.size(), -1);
@@ -170,23 +157,17 @@ Status surround(const Plate& plate, const FieldEdges& edges, HeightField& field)
     if (want < 0) {
       const Point2 middle =
           (1.0 / 3) * (rim.places[local[0]] + rim.places[local[1]] + rim.places[local[2]]);
-      want = regions->covered[regions->region[t]] == 0 && contains(plate.outline, middle) ? 1 : 0;
+      want = regions->covered[regions->region[t]] == 0 && contains(outline, middle) ? 1 : 0;
     }
     if (want == 0) continue;
     std::array<int, 3> triangle{};
     for (int k = 0; k < 3; ++k) {
       int& v = vertex[local[k]];
-      if (v < 0) {
-        v = static_cast<int>(field.vertex_point.size());
-        field.vertex_point.push_back(rim.global[local[k]]);
-        field.vertex_height.push_back(plate.height);
-        field.normals.push_back({0, 0, 1});
-        field.uvs.push_back(plate.uv);
-      }
+      if (v < 0) v = field.add_vertex(rim.global[local[k]], height, {0, 0, 1}, uv);
       triangle[k] = v;
     }
     field.triangles.push_back(triangle);
-    field.triangle_part.push_back(plate.part);
+    field.triangle_part.push_back(part);
   }
   return Done{};
 }

@@ -9,23 +9,18 @@
 
 namespace relievo {
 
-/// The rim of a field as rings, counter-clockwise around what it covers. O(F).
+/// Returns the rim of a field as rings of points, counter-clockwise around the field. O(F).
 std::vector<std::vector<int>> rim_rings(const HeightField& field, const FieldEdges& edges);
 
-/// Triangles of points of the rim alone that cover what the field covers, counter-clockwise.
-/// O(n log n) for n points of the rim.
+/// Triangulates the area of a field with points of its rim alone; the triangles are
+/// counter-clockwise. O(n log n) for n points of the rim.
 Result<std::vector<std::array<int, 3>>> triangulate_inside(const HeightField& field,
                                                            const FieldEdges& edges);
 
-/// A flat plate around a field.
-struct Plate {
-  Outline outline;     ///< grid steps; its rings stay clear of each other and of the field's rim
-  int64_t height = 0;  ///< of its top, grid steps
-  int part = 0;        ///< of its triangles
-  Point2 uv;           ///< of its vertices
-};
-
-/// Adds triangles where the plate's outline covers the plane and the field does not.
-Status surround(const Plate& plate, const FieldEdges& edges, HeightField& field);
+/// Surrounds a field with a flat plate of a height, grid steps, whose triangles belong to `part`
+/// and whose vertices have the coordinates `uv`. `outline`: of the plate, grid steps; its rings
+/// stay clear of each other and of the field's rim.
+Status surround(const Outline& outline, int64_t height, int part, Point2 uv,
+                const FieldEdges& edges, HeightField& field);
 
 }  // namespace relievo

@@ -1,6 +1,7 @@
 #include "solid/height_field.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace relievo {
@@ -31,6 +32,24 @@ std::vector<HalfEdge> sorted_half_edges(const HeightField& field) {
 }
 
 }  // namespace
+
+int64_t HeightField::height_between(int a, int b, double s) const {
+  return std::llround((1 - s) * static_cast<double>(vertex_height[a]) +
+                      s * static_cast<double>(vertex_height[b]));
+}
+
+int HeightField::add_vertex(int point, int64_t height, Point3 normal, Point2 uv) {
+  vertex_point.push_back(point);
+  vertex_height.push_back(height);
+  normals.push_back(normal);
+  uvs.push_back(uv);
+  return static_cast<int>(vertex_point.size()) - 1;
+}
+
+int HeightField::add_vertex_between(int a, int b, double s, int point, int64_t height) {
+  return add_vertex(point, height, normalized((1 - s) * normals[a] + s * normals[b]),
+                    (1 - s) * uvs[a] + s * uvs[b]);
+}
 
 FieldEdges connect_field(const HeightField& field) {
   FieldEdges result;

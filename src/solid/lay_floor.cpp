@@ -13,16 +13,15 @@
 namespace relievo {
 namespace {
 
-/// Where nothing may move, and of points without area.
-constexpr double least_freedom = 1e-6;
-constexpr double least_mass = 1e-12;
+constexpr double least_freedom = 1e-6;  ///< least squared freedom, that of fixed points
+constexpr double least_mass = 1e-12;    ///< least diagonal stiffness, that of points without area
 
 struct Neighbour {
   int point = 0;
   double far = 0;  ///< grid steps
 };
 
-/// By point, with both directions of every edge, those between two triangles twice.
+/// By point; every edge is there in both directions, an edge between two triangles twice.
 using Neighbours = std::vector<std::vector<Neighbour>>;
 
 Neighbours neighbours_of(const HeightField& field) {
@@ -40,7 +39,7 @@ Neighbours neighbours_of(const HeightField& field) {
   return beside;
 }
 
-/// Raises values where they fall by more than one a step from a neighbour's.
+/// Raises values that are lower than a neighbour's by more than its distance.
 void spread(const Neighbours& beside, std::vector<int64_t>& values) {
   std::priority_queue<std::pair<int64_t, int>> open;
   for (size_t p = 0; p < values.size(); ++p)
@@ -58,25 +57,25 @@ void spread(const Neighbours& beside, std::vector<int64_t>& values) {
   }
 }
 
-/// How freely each point moves: 0 at the rim, 1 from `soft` inwards.
+/// Returns how freely each point moves: 0 at the rim, 1 from `soft` inwards.
 std::vector<double> freedom(const HeightField& field, const FieldEdges& edges,
                             const Neighbours& beside, int64_t soft) {
-  std::vector<int64_t> held(field.points.size(), 0);
+  std::vector<int64_t> fixed(field.points.size(), 0);
   for (size_t t = 0; t < field.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k)
       if (edges.across[t][k] < 0)
         for (const int end : {k, (k + 1) % 3})
-          held[field.vertex_point[field.triangles[t][end]]] = soft;
-  spread(beside, held);
+          fixed[field.vertex_point[field.triangles[t][end]]] = soft;
+  spread(beside, fixed);
   std::vector<double> free;
-  free.reserve(held.size());
-  for (const int64_t h : held)
+  free.reserve(fixed.size());
+  for (const int64_t h : fixed)
     free.push_back(1 - static_cast<double>(h) / static_cast<double>(soft));
   return free;
 }
 
-/// The floor that departs little from itself and has no steep slopes: the minimum of the integral
-/// of (z - floor)^2 / freedom^2 + soft^2 |grad z|^2.
+/// Smooths the floor: it becomes the z that minimises the integral of
+///   (z - floor)^2 / freedom^2 + soft^2 |grad z|^2.
 Status soften(const FieldEdges& edges, const Neighbours& beside, int64_t soft, HeightField& field) {
   // In units of `soft`, for numbers near 1.
   const double unit = 1 / static_cast<double>(soft);
@@ -94,20 +93,21 @@ Status soften(const FieldEdges& edges, const Neighbours& beside, int64_t soft, H
   Eigen::VectorXd load(mass.size());
   SparseMatrix matrix = stiffness_matrix(mesh);
   for (int p = 0; p < static_cast<int>(floor.size()); ++p) {
-    const double held = std::max(mass[p] / std::max(free[p] * free[p], least_freedom), least_mass);
-    matrix.coeffRef(p, p) += held;
-    load[p] = held * unit * static_cast<double>(field.floor[p].height);
+    const double stiffness =
+        std::max(mass[p] / std::max(free[p] * free[p], least_freedom), least_mass);
+    matrix.coeffRef(p, p) += stiffness;
+    load[p] = stiffness * unit * static_cast<double>(field.floor[p].height);
   }
   SparseCholesky factor;
   if (!factor.analyse(matrix) || !factor.factorise(matrix))
-    return Error{ErrorCode::internal, "the back of the figure cannot be found", ""};
+    return Error{ErrorCode::internal, "the back of the figure cannot be computed", ""};
   floor = factor.solve(load);
   for (size_t p = 0; p < free.size(); ++p)
     field.floor[p].height = std::llround(floor[static_cast<Eigen::Index>(p)] / unit);
   return Done{};
 }
 
-/// By how much the floor is too high, by point.
+/// Returns the height by which the floor is too high, by point.
 std::vector<int64_t> missing_depth(int64_t least, const HeightField& field) {
   std::vector<int64_t> missing(field.points.size(), 0);
   for (const std::array<int, 3>& triangle : field.triangles)
@@ -120,11 +120,11 @@ std::vector<int64_t> missing_depth(int64_t least, const HeightField& field) {
 
 }  // namespace
 
-Status lay_floor(const FloorLimits& limits, const FieldEdges& edges, HeightField& field) {
+Status lay_floor(int64_t least, int64_t soft, const FieldEdges& edges, HeightField& field) {
   const Neighbours beside = neighbours_of(field);
-  if (limits.soft > 0)
-    if (Status status = soften(edges, beside, limits.soft, field); !status) return status;
-  std::vector<int64_t> missing = missing_depth(limits.least, field);
+  if (soft > 0)
+    if (Status status = soften(edges, beside, soft, field); !status) return status;
+  std::vector<int64_t> missing = missing_depth(least, field);
   spread(beside, missing);
   for (size_t p = 0; p < missing.size(); ++p) field.floor[p].height -= missing[p];
   for (size_t v = 0; v < field.vertex_height.size(); ++v)

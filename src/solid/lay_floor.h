@@ -7,15 +7,10 @@
 
 namespace relievo {
 
-/// What a floor may be, in grid steps.
-struct FloorLimits {
-  int64_t least = 1;  ///< below the field
-  int64_t soft = 0;   ///< width of steps in it, about
-};
-
-/// Counts the heights of a field from its floor. Steps in the floor become ramps, but at the rim,
-/// and where the field comes too near it is lowered, and around there so that no spikes stand out.
-/// Fails with internal where that cannot be computed. Near-linear.
-Status lay_floor(const FloorLimits& limits, const FieldEdges& edges, HeightField& field);
+/// Counts the heights of a field from its floor. First the floor's steps become ramps about `soft`
+/// grid steps wide, except at the rim, and the floor is lowered to at least `least` grid steps
+/// below the field, with slopes around so that no spikes stand out. Fails with internal if that
+/// cannot be computed. Near-linear.
+Status lay_floor(int64_t least, int64_t soft, const FieldEdges& edges, HeightField& field);
 
 }  // namespace relievo

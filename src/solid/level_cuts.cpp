@@ -4,25 +4,31 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
+#include <numeric>
 #include <utility>
 
 namespace relievo {
 namespace {
 
-struct PlaceHash {
-  size_t operator()(const std::array<float, 3>& p) const {
-    uint64_t hash = 0;
-    for (const float v : p)
-      hash =
-          (hash ^ static_cast<uint64_t>(static_cast<int64_t>(v * cut_steps))) * 0x9E3779B97F4A7C15U;
-    return static_cast<size_t>(hash ^ (hash >> 29));
+/// Returns for each position the index of the first equal one, in single precision.
+std::vector<int> first_at_position(const std::vector<Point3>& positions) {
+  std::vector<std::array<float, 3>> keys;
+  for (const Point3 p : positions)
+    keys.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+  std::vector<int> order(keys.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return keys[a] < keys[b]; });
+  std::vector<int> first = order;
+  for (size_t i = 0; i < order.size(); ++i) {
+    const bool repeats = i > 0 && keys[order[i]] == keys[order[i - 1]];
+    first[order[i]] = repeats ? first[order[i - 1]] : order[i];
   }
-};
+  return first;
+}
 
-/// A piece of a ring: across one triangle, from the edge that falls to the edge that rises.
+/// A piece of a ring across one triangle, from the edge that falls to the edge that rises.
 struct Crossing {
-  uint64_t from = 0;  ///< edge, by its two places
+  uint64_t from = 0;  ///< edge, by its two vertices
   uint64_t to = 0;
   int triangle = 0;
 };
@@ -33,14 +39,8 @@ uint64_t edge_key(int a, int b) {
 
 }  // namespace
 
-LevelCutter::LevelCutter(const Model& model) : model_(model) {
-  std::unordered_map<std::array<float, 3>, int, PlaceHash> first;
-  first.reserve(model.positions.size());
-  for (const Point3 p : model.positions) {
-    const std::array<float, 3> key = {static_cast<float>(p.x), static_cast<float>(p.y),
-                                      static_cast<float>(p.z)};
-    place_.push_back(first.try_emplace(key, static_cast<int>(place_.size())).first->second);
-  }
+LevelCutter::LevelCutter(const Model& model)
+    : model_(model), place_(first_at_position(model.positions)) {
   triangle_part_.resize(model.triangles.size());
   for (size_t p = 0; p < model.parts.size(); ++p)
     std::fill_n(triangle_part_.begin() + model.parts[p].first_triangle,
@@ -86,7 +86,8 @@ LevelCut LevelCutter::cut(double height) const {
     for (size_t c = first; c < crossings.size() && done[c] == 0; c = starting_at(crossings[c].to)) {
       done[c] = 1;
       ring.push_back(place_on(crossings[c].from));
-      result.corners.push_back({ring.back(), triangle_part_[crossings[c].triangle]});
+      result.corners.push_back(ring.back());
+      result.corner_parts.push_back(triangle_part_[crossings[c].triangle]);
     }
   }
   return result;

@@ -7,33 +7,28 @@
 
 namespace relievo {
 
-/// Steps per mm of the plane in which cuts are told.
+/// Steps per mm of the plane of cuts.
 constexpr double cut_steps = 65536;
 
-/// Where a corner of a cut comes from.
-struct CutCorner {
-  ClipperLib::IntPoint place;
-  int part = 0;
-};
-
-/// What a level plane cuts out of a solid: rings, and by place the part of every corner.
+/// The section of a solid with a level plane.
 struct LevelCut {
   ClipperLib::Paths rings;
-  std::vector<CutCorner> corners;
+  ClipperLib::Path corners;       ///< of all rings
+  std::vector<int> corner_parts;  ///< the part of each corner
 };
 
-/// Cuts closed models at any height; vertices at one place are one.
+/// Cuts closed models at any height. Vertices at one position count as one.
 class LevelCutter {
  public:
-  /// Keeps a reference. O(n) expected for n triangles.
+  /// Keeps a reference. O(n log n) for n triangles.
   explicit LevelCutter(const Model& model);
 
-  /// O(n).
+  /// Returns the section at a height. O(n).
   LevelCut cut(double height) const;
 
  private:
   const Model& model_;
-  std::vector<int> place_;          ///< #V, the first vertex at the same place
+  std::vector<int> place_;          ///< #V, the first vertex at the same position
   std::vector<int> triangle_part_;  ///< #F
 };
 

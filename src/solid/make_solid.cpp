@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "kernel/base/disjoint_sets.h"
+#include "kernel/geometry/box3.h"
 #include "relief/finish/ink_rims.h"
 #include "solid/back_paint.h"
 #include "solid/compress_heights.h"
@@ -26,47 +27,29 @@
 namespace relievo {
 namespace {
 
-/// Where sides touch in a point, they are moved so many mm apart.
-constexpr double least_gap = 0.05;
-/// A figure is at least so many mm deep; its back gives way.
-constexpr double least_depth = 0.4;
-/// Steps on its back are ramps so wide, of its size.
-constexpr double soft_share = 0.015;
-/// mm, of what cuts dough.
-constexpr double cutter_wall = 0.8;
+constexpr double least_gap = 0.05;    ///< mm between sides that would touch in a point
+constexpr double least_depth = 0.4;   ///< mm of a figure; its back is lowered for that
+constexpr double soft_share = 0.015;  ///< width of ramps on a figure's back, of its size
+constexpr double cutter_wall = 0.8;   ///< mm, thickness of the wall that cuts dough
 
-constexpr double unbounded = std::numeric_limits<double>::infinity();
-
-struct Extent {
-  Point3 low{unbounded, unbounded, unbounded};
-  Point3 high{-unbounded, -unbounded, -unbounded};
-};
-
-/// Of a sheet, and of its back and of limbs on the far side where that is wanted.
-Extent extent_of(const relief::VisibleSheet& sheet, const std::vector<relief::LimbSheet>& limbs,
-                 bool backed) {
-  const Model& model = sheet.model;
-  Extent extent;
+/// Returns the box of a sheet and, if `backed`, of its back and its mirrored limbs, px.
+Box3 box_of(const relief::VisibleSheet& sheet, const std::vector<relief::LimbSheet>& limbs,
+            bool backed) {
+  Box3 box;
   if (backed)
-    for (const relief::BackPoint& back : sheet.back) extent.low.z = std::min(extent.low.z, back.z);
+    for (const relief::BackPoint& back : sheet.back) box.min.z = std::min(box.min.z, back.z);
   for (const relief::LimbSheet& limb : limbs)
     for (const std::array<int, 3>& triangle : limb.sheet.model.triangles)
       for (const int v : triangle)
-        extent.low.z = std::min(extent.low.z, 2 * limb.middle - limb.sheet.model.positions[v].z);
-  for (const std::array<int, 3>& triangle : model.triangles)
-    for (const int v : triangle) {
-      const Point3 p = model.positions[v];
-      extent.low = {std::min(extent.low.x, p.x), std::min(extent.low.y, p.y),
-                    std::min(extent.low.z, p.z)};
-      extent.high = {std::max(extent.high.x, p.x), std::max(extent.high.y, p.y),
-                     std::max(extent.high.z, p.z)};
-    }
-  return extent;
+        box.min.z = std::min(box.min.z, 2 * limb.middle - limb.sheet.model.positions[v].z);
+  for (const std::array<int, 3>& triangle : sheet.model.triangles)
+    for (const int v : triangle) box.add(sheet.model.positions[v]);
+  return box;
 }
 
-/// Half the diameter of the disc around the middle of the extent that holds the model, px.
-double radius_of(const Model& model, const Extent& extent) {
-  const Point3 middle = 0.5 * (extent.low + extent.high);
+/// Returns the radius of the disc around the middle of a box that covers the model, px.
+double radius_of(const Model& model, const Box3& box) {
+  const Point3 middle = 0.5 * (box.min + box.max);
   double radius = 0;
   for (const std::array<int, 3>& triangle : model.triangles)
     for (const int v : triangle) {
@@ -76,21 +59,21 @@ double radius_of(const Model& model, const Extent& extent) {
   return radius;
 }
 
-/// The scale with which the whole gets its size.
+/// Computes the placement that gives the whole its size.
 Result<GridPlacement> place_on_grid(const relief::VisibleSheet& sheet,
                                     const std::vector<relief::LimbSheet>& limbs,
                                     const SolidOptions& options) {
   const bool backed = options.back != BackSide::flat;
-  const Extent extent = extent_of(sheet, limbs, backed);
+  const Box3 box = box_of(sheet, limbs, backed);
   const double below = backed ? 0 : options.thickness;
-  const Point3 sides = extent.high - extent.low;
+  const Point3 sides = box.sides();
   const double wall = options.cutter > 0 ? cutter_wall : 0;
   const double around = options.base == BaseShape::none ? 0 : 2 * (options.margin + wall);
   const bool disc = options.base == BaseShape::round && !backed;
-  const double wide = disc ? 2 * radius_of(sheet.model, extent) : std::max(sides.x, sides.y);
+  const double wide = disc ? 2 * radius_of(sheet.model, box) : std::max(sides.x, sides.y);
   const double deep = backed ? around : below;
   double scale = (options.size - around) / wide;
-  // Where the height is limited, depth has no part in the size.
+  // If the height is limited, depth does not count for the size.
   if (sides.z > 0 && options.height == 0) scale = std::min(scale, (options.size - deep) / sides.z);
   if (!(scale > 0))
     return Error{ErrorCode::usage, "leaves no room beside the base's margin and thickness",
@@ -103,11 +86,10 @@ Result<GridPlacement> place_on_grid(const relief::VisibleSheet& sheet,
   if (!(height_scale > 0))
     return Error{ErrorCode::usage, "leaves no room above the base's thickness", "--height"};
   const double lift = below / height_scale;
-  return GridPlacement{
-      scale, height_scale, {extent.low.x, extent.low.y, extent.low.z - lift}, unit, backed};
+  return GridPlacement{scale, height_scale, box.min - Point3{0, 0, lift}, unit, backed};
 }
 
-/// The connected pieces of a field, and what is not of the largest.
+/// Counts the connected pieces of a field and lists the parts of all but the largest.
 SolidFacts find_pieces(const HeightField& field, const std::vector<ModelPart>& parts) {
   DisjointSets sets(static_cast<int>(field.points.size()));
   for (const std::array<int, 3>& t : field.triangles)
@@ -137,7 +119,7 @@ double volume_of(const Model& model) {
   return six / 6;
 }
 
-/// The scene's parts and, last, the base, whose name none of them has.
+/// Returns the model's parts and, last, the base, under a name that no part has.
 std::vector<ModelPart> parts_with_base(const Model& model) {
   std::vector<ModelPart> parts = model.parts;
   std::string id = "base";
@@ -149,7 +131,7 @@ std::vector<ModelPart> parts_with_base(const Model& model) {
   return parts;
 }
 
-/// Puts a plate around the field, of a height in mm.
+/// Puts a plate `top` mm high around the field.
 Status add_around(const SolidOptions& options, double top, int part, Point2 uv,
                   HeightField& field) {
   const FieldEdges edges = connect_field(field);
@@ -163,10 +145,10 @@ Status add_around(const SolidOptions& options, double top, int part, Point2 uv,
   auto outline = plate_outline(silhouette, options, 1 / field.unit);
   if (!outline) return outline.error();
   const int64_t height = std::llround(top / field.unit);
-  return surround({std::move(*outline), height, part, uv}, edges, field);
+  return surround(*outline, height, part, uv, edges, field);
 }
 
-/// Puts the plate around the field, and the cutter's wall around that.
+/// Puts the plate around the field, and the cutter's wall around the plate.
 Status add_plate(const SolidOptions& options, int part, Point2 uv, HeightField& field) {
   if (options.base == BaseShape::none) return Done{};
   const Status plate = add_around(options, options.thickness, part, uv, field);
@@ -176,7 +158,7 @@ Status add_plate(const SolidOptions& options, int part, Point2 uv, HeightField& 
   return add_around(wall, options.thickness + options.cutter, part, uv, field);
 }
 
-/// Keeps ink narrow along the rims of a figure, in front as behind.
+/// Narrows inked rims of a figure; its back comes forward as far as its front goes back.
 void narrow_rims(const Drawing& drawing, relief::VisibleSheet& sheet) {
   Model& model = sheet.model;
   std::vector<double> rise;
@@ -201,7 +183,7 @@ Status check_lengths(const SolidOptions& options) {
 Status check_options(const SolidOptions& options) {
   if (Status status = check_lengths(options); !status) return status;
   if (options.base == BaseShape::none && options.hole + options.ring > 0)
-    return Error{ErrorCode::usage, "a hole or a ring to hang it by needs a base", "--base"};
+    return Error{ErrorCode::usage, "a hole or a ring needs a base", "--base"};
   if (options.cutter > 0 && (options.base != BaseShape::outline || options.hole + options.ring > 0))
     return Error{ErrorCode::usage, "a cutter needs --base outline, without a hole or a ring",
                  "--cutter"};
@@ -210,23 +192,23 @@ Status check_options(const SolidOptions& options) {
     return Error{ErrorCode::usage,
                  "a figure stands on --base plate or round, without a hole or a ring", "--base"};
   if (!options.mirror.empty() && (!figure || options.detail))
-    return Error{ErrorCode::usage, "is of figures, without --height-mode detail", "--mirror"};
+    return Error{ErrorCode::usage, "needs a figure without --height-mode detail", "--mirror"};
   return Done{};
 }
 
-/// What fields have in common.
+/// Makes the fields of the solid and of its limbs alike.
 struct FieldMaker {
   const SolidOptions& options;
   const GridPlacement& placement;
-  const PaintedDrawing& painted;
+  const BackPaint& paint;
 
   int64_t steps(double mm) const { return std::llround(mm / placement.unit); }
-  /// How far the feet are sunk into a plate.
+  /// Returns the grid steps by which feet are sunk into a plate.
   int64_t sunk() const { return steps(0.5 * options.thickness); }
 
   HeightField field_of(const relief::VisibleSheet& sheet) const {
     HeightField field = snap_sheet(sheet, placement);
-    for (Point2& uv : field.uvs) uv.y *= painted.shrink;
+    for (Point2& uv : field.uvs) uv.y *= paint.shrink;
     return field;
   }
 
@@ -235,12 +217,12 @@ struct FieldMaker {
   }
 
   Status add_back(const FieldEdges& edges, HeightField& field) const {
-    return lay_floor({steps(least_depth), steps(soft_share * options.size)}, edges, field);
+    return lay_floor(steps(least_depth), steps(soft_share * options.size), edges, field);
   }
 
   Status stand(int part, std::vector<GridPoint> others, HeightField& field) const {
     return add_stand({options.base == BaseShape::round, 2 * sunk(), steps(options.margin),
-                      steps(options.size), part, painted.paint.plate, std::move(others)},
+                      steps(options.size), part, paint.plate, std::move(others)},
                      field);
   }
 };
@@ -251,23 +233,19 @@ GridPoint low_corner(const HeightField& field) {
   return low;
 }
 
-/// The solids of limbs, in the places that they have in the figure but for their corners.
-struct LimbFields {
-  std::vector<SolidLimb> solids;
-  std::vector<GridPoint> low;  ///< of each
-  std::vector<GridPoint> far;  ///< x, and z when it is mirrored, of what is below a level
-};
-
-Status add_limb(const FieldMaker& maker, const Drawing& drawing, const relief::LimbSheet& limb,
-                const std::vector<ModelPart>& parts, int64_t level, LimbFields& fields) {
+/// Makes the solid of a limb, on the grid's origin. Appends x and the mirrored z of its
+/// points up to a level to `feet`.
+Result<SolidLimb> make_limb(const FieldMaker& maker, const Drawing& drawing,
+                            const relief::LimbSheet& limb, const std::vector<ModelPart>& parts,
+                            int64_t level, std::vector<GridPoint>& feet) {
   relief::VisibleSheet sheet = limb.sheet;
   narrow_rims(drawing, sheet);
   HeightField field = maker.field_of(sheet);
-  if (Status status = maker.repair(field); !status) return status;
+  if (Status status = maker.repair(field); !status) return status.error();
   const FieldEdges edges = connect_field(field);
-  if (Status status = maker.add_back(edges, field); !status) return status;
+  if (Status status = maker.add_back(edges, field); !status) return status.error();
   settle_heights(edges, field);
-  auto model = raise_walls(field, edges, parts, maker.painted.paint);
+  auto model = raise_walls(field, edges, parts, maker.paint);
   if (!model) return model.error();
   const GridPlacement& placement = maker.placement;
   const int64_t twice =
@@ -276,21 +254,19 @@ Status add_limb(const FieldMaker& maker, const Drawing& drawing, const relief::L
     for (const int v : t)
       if (const GridPoint p = field.place(v); p.y <= level) {
         const int64_t inner = twice - field.floor_height(field.vertex_point[v]);
-        fields.far.push_back({p.x, inner});
-        fields.far.push_back({p.x, inner - field.vertex_height[v]});
+        feet.push_back({p.x, inner});
+        feet.push_back({p.x, inner - field.vertex_height[v]});
       }
-  fields.low.push_back(low_corner(field));
-  fields.solids.push_back(
-      {limb.id, placement.unit * static_cast<double>(twice), std::move(*model)});
-  return Done{};
+  return SolidLimb{limb.id, low_corner(field), placement.unit * static_cast<double>(twice),
+                   std::move(*model)};
 }
 
-/// Moves limbs to the corner that a figure's model is counted from.
-void align(GridPoint low, double unit, LimbFields& fields) {
-  for (size_t i = 0; i < fields.solids.size(); ++i)
-    for (Point3& p : fields.solids[i].model.positions)
-      p = p + Point3{unit * static_cast<double>(fields.low[i].x - low.x),
-                     unit * static_cast<double>(fields.low[i].y - low.y), 0};
+/// Moves limbs from their own low corners to the corner at the figure's origin.
+void move_limbs(GridPoint low, double unit, std::vector<SolidLimb>& limbs) {
+  for (SolidLimb& limb : limbs)
+    for (Point3& p : limb.model.positions)
+      p = p + Point3{unit * static_cast<double>(limb.low.x - low.x),
+                     unit * static_cast<double>(limb.low.y - low.y), 0};
 }
 
 }  // namespace
@@ -314,35 +290,36 @@ Result<Solid> make_solid(const relief::VisibleSheet& given,
   const bool stands = figure && options.base != BaseShape::none;
   const std::vector<ModelPart> parts =
       figure && !stands ? sheet.model.parts : parts_with_base(sheet.model);
-  PaintedDrawing painted = paint_back(drawing, sheet.model, options.back);
-  const FieldMaker maker{options, *placement, painted};
+  BackPaint paint = paint_back(drawing, sheet.model, options.back);
+  const FieldMaker maker{options, *placement, paint};
   HeightField field = maker.field_of(sheet);
   const int base = static_cast<int>(parts.size()) - 1;
   if (stands)
     if (Status status = cut_feet(maker.sunk(), field); !status) return status.error();
   if (Status status = maker.repair(field); !status) return status.error();
   if (!figure)
-    if (Status status = add_plate(options, base, painted.paint.plate, field); !status)
+    if (Status status = add_plate(options, base, paint.plate, field); !status)
       return status.error();
   FieldEdges edges = connect_field(field);
   if (figure)
     if (Status status = maker.add_back(edges, field); !status) return status.error();
-  LimbFields mirrored;
-  for (const relief::LimbSheet& limb : limbs)
-    if (Status status = add_limb(maker, drawing, limb, parts, lowest(field), mirrored); !status)
-      return status.error();
+  std::vector<SolidLimb> mirrored;
+  std::vector<GridPoint> feet;
+  for (const relief::LimbSheet& limb : limbs) {
+    auto made = make_limb(maker, drawing, limb, parts, lowest(field), feet);
+    if (!made) return made.error();
+    mirrored.push_back(std::move(*made));
+  }
   if (stands) {
-    if (Status status = maker.stand(base, std::move(mirrored.far), field); !status)
-      return status.error();
+    if (Status status = maker.stand(base, std::move(feet), field); !status) return status.error();
     edges = connect_field(field);
   }
   settle_heights(edges, field);
-  auto model = raise_walls(field, edges, parts, painted.paint);
+  auto model = raise_walls(field, edges, parts, paint);
   if (!model) return model.error();
-  Solid solid{std::move(*model), std::move(painted.drawing), find_pieces(field, parts)};
-  align(low_corner(field), field.unit, mirrored);
-  if (Status status = unite_with_limbs(mirrored.solids, field.unit, painted.paint.parts, solid);
-      !status)
+  Solid solid{std::move(*model), std::move(paint.drawing), find_pieces(field, parts)};
+  move_limbs(low_corner(field), field.unit, mirrored);
+  if (Status status = unite_with_limbs(mirrored, field.unit, paint.parts, solid); !status)
     return status.error();
   solid.facts.volume = volume_of(solid.model);
   return solid;

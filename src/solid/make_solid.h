@@ -8,12 +8,12 @@
 
 namespace relievo {
 
-/// Everything below what the front shows, down to a flat back or to what lies behind, with upright
-/// walls where depth changes: closed, a manifold and free of self-intersections, also when its
-/// coordinates are kept in single precision. The last part of its model is the base, if its back is
-/// flat. The drawing has a strip of plain colour at its lower end for that. `limbs` are on the far
-/// side too. Fails with usage where size, thickness and margin leave no room, options exclude each
-/// other, or a limb does not become one solid with the figure. Near-linear in triangles.
+/// Makes the solid between the surface in front and a flat back or the back of the parts, with
+/// upright walls at steps: closed, a manifold and free of self-intersections, even if its
+/// coordinates are rounded to single precision. With a flat back or a stand, the last part is the
+/// base, for which the drawing gets a strip of plain colour at its lower end. `limbs` are mirrored
+/// to the far side. Fails with usage if size, thickness and margin leave no room, options exclude
+/// each other, or a limb does not become one solid with the figure. Near-linear in triangles.
 Result<Solid> make_solid(const relief::VisibleSheet& given,
                          const std::vector<relief::LimbSheet>& limbs, const Drawing& drawing,
                          const SolidOptions& options);

@@ -11,8 +11,8 @@
 namespace relievo {
 namespace {
 
-/// Limb and figure have the same outline, so that one is moved for their walls not to lie in each
-/// other; by other multiples of so many mm where they meet badly even so.
+/// Moves of a limb, tried in this order, in units of `nudge` mm: limb and figure have the same
+/// outline, and their walls must not coincide.
 constexpr double nudge = 0.01;
 constexpr std::array<Point3, 5> nudges{
     {{1, 0.6, 0}, {-0.7, 1.1, 1}, {0.9, -1.3, -1}, {-1.6, -0.8, 3}, {2.1, 1.7, -3}}};
@@ -22,7 +22,7 @@ struct PaintedCorner {
   Point2 uv;
 };
 
-/// A solid whose points are places, and what its model says at the corners of its triangles.
+/// A closed mesh with the normals and texture coordinates of its model at the corners.
 struct PaintedMesh {
   ClosedMesh mesh;
   std::vector<std::array<PaintedCorner, 3>> corners;
@@ -53,7 +53,7 @@ PaintedMesh painted_mesh(const Model& model) {
   return painted;
 }
 
-/// What a triangle says at a place in it.
+/// Interpolates normal and texture coordinates at a point of a triangle.
 PaintedCorner corner_at(const PaintedMesh& from, int triangle, Point3 place) {
   const auto& [a, b, c] = from.mesh.triangles[triangle];
   const std::array<Point3, 3> p{from.mesh.points[a], from.mesh.points[b], from.mesh.points[c]};
@@ -89,7 +89,7 @@ PaintedMesh repaint(UnitedMesh united, const PaintedMesh& first, const PaintedMe
   return painted;
 }
 
-/// Puts what was painted back into a model that has the same parts.
+/// Replaces the triangles of a model with the same parts.
 void write_back(const PaintedMesh& painted, Model& model) {
   model.positions.clear();
   model.normals.clear();
@@ -118,7 +118,7 @@ void write_back(const PaintedMesh& painted, Model& model) {
   }
 }
 
-/// What was a distance in front of the middle is so far behind it.
+/// Mirrors a mesh about the middle, z to twice_middle - z, and moves it.
 PaintedMesh mirrored(PaintedMesh painted, double twice_middle, Point3 moved,
                      const std::vector<Point2>& colours) {
   for (Point3& p : painted.mesh.points) p = moved + Point3{p.x, p.y, twice_middle - p.z};
@@ -156,9 +156,9 @@ Status unite_with_limbs(const std::vector<SolidLimb>& limbs, double unit,
     }
     if (!united)
       return Error{ErrorCode::usage,
-                   "\"" + limb.id +
-                       "\", mirrored, does not become one solid with the figure; "
-                       "leave it out, or use other --vertices",
+                   "the mirrored \"" + limb.id +
+                       "\" does not become one solid with the figure; leave it out, or use "
+                       "other --vertices",
                    "--mirror"};
   }
   if (solid.facts.pieces == 1) solid.facts.loose.clear();

@@ -13,10 +13,8 @@ namespace {
 using ClipperLib::Path;
 using ClipperLib::Paths;
 
-/// A circle's chords depart from it by so many mm at most.
-constexpr double arc_tolerance = 0.02;
-/// What is left around a hole, mm.
-constexpr double hole_wall = 1.5;
+constexpr double arc_tolerance = 0.02;  ///< mm between a circle and its chords, at most
+constexpr double hole_wall = 1.5;       ///< mm of plate around a hole, at least
 
 Paths to_paths(const Outline& outline) {
   Paths paths;
@@ -57,7 +55,7 @@ Path circle(Point2 centre, double radius, double mm) {
   return path;
 }
 
-/// The rings that no other surrounds.
+/// Returns the rings that no other surrounds.
 Paths without_holes(const Paths& paths) {
   Paths outer;
   for (const Path& path : paths)
@@ -95,7 +93,7 @@ Paths plate(const Outline& silhouette, const SolidOptions& options, double mm) {
   return without_holes(offset(to_paths(silhouette), options.margin * mm, mm));
 }
 
-/// The highest point of the paths, rather in the middle.
+/// Returns a high point of the paths; distance from the middle counts half as much as height.
 ClipperLib::IntPoint top_of(const Paths& paths, double middle) {
   ClipperLib::IntPoint best = paths.front().front();
   const auto rank = [middle](const ClipperLib::IntPoint& p) {
@@ -124,7 +122,7 @@ Status drill(const Outline& silhouette, double diameter, double mm, Paths& plate
   return Done{};
 }
 
-/// The loop's hole begins where the plate ends, and its rim reaches into the plate.
+/// Adds a loop whose hole begins at the top of the plate and whose rim reaches into the plate.
 void add_loop(const Outline& silhouette, double diameter, double mm, Paths& plate) {
   const Box2 box = bounding_box(silhouette);
   const Point2 top = as_point(top_of(plate, 0.5 * (box.min.x + box.max.x)));

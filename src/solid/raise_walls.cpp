@@ -8,7 +8,6 @@
 
 #include "kernel/meshing/triangulate.h"
 #include "solid/field_rim.h"
-#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {
@@ -52,9 +51,8 @@ class WallRaiser {
   }
 
  private:
-  /// A wall's upright line over a point: the heights on it, from the top downwards.
+  /// An upright line at an end of a wall, from the top downwards.
   struct Column {
-    int point = -1;
     std::vector<int64_t> heights;
     std::vector<int> vertices;
   };
@@ -86,7 +84,7 @@ class WallRaiser {
     return static_cast<int>(model_.positions.size()) - 1;
   }
 
-  /// Heights of what lies across edge k of t, over its two ends; 0 outside of the field.
+  /// Returns the heights across edge k of t, over its two ends; 0 outside the field.
   std::array<int64_t, 2> heights_across(int t, int k) const {
     const int other = edges_.across[t][k];
     if (other < 0) return {0, 0};
@@ -99,7 +97,7 @@ class WallRaiser {
     return heights;
   }
 
-  /// The wall along edge k of t, where t is the higher side.
+  /// Adds the wall along edge k of t if t is the higher side.
   void raise_wall(int t, int k) {
     const int a = field_.triangles[t][k];
     const int b = field_.triangles[t][(k + 1) % 3];
@@ -152,7 +150,7 @@ class WallRaiser {
     return Done{};
   }
 
-  /// The floor from below: a vertex for every point and part.
+  /// Adds the floor seen from below, with a vertex for every point and part.
   void add_floor() {
     const std::vector<Point3> normals = floor_normals();
     std::map<std::array<int, 2>, int> vertices;
@@ -196,7 +194,8 @@ class WallRaiser {
   const BackPaint& paint_;
   GridPoint low_{std::numeric_limits<int64_t>::max(), std::numeric_limits<int64_t>::max()};
   GridPoint high_{std::numeric_limits<int64_t>::min(), std::numeric_limits<int64_t>::min()};
-  std::vector<std::vector<int64_t>> heights_;  ///< by point, of all that ends there, rising
+  std::vector<std::vector<int64_t>>
+      heights_;  ///< by point, those of all vertices over it, ascending
   Model model_;
   std::vector<std::vector<std::array<int, 3>>> triangles_;  ///< by part
   Column left_;

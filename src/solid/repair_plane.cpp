@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "solid/corner_fans.h"
-#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {
@@ -45,8 +44,8 @@ class PlaneRepair {
     return -1;
   }
 
-  /// The triangle with the edge between two points, in this direction, its corners beginning there;
-  /// -1 at the rim.
+  /// Finds the triangle with the edge between two points in this direction, or -1 at the rim;
+  /// `corners` begins with the edge.
   int triangle_at(int from, int to, Triangle& corners) const {
     for (int t = 0; t < static_cast<int>(field_.triangles.size()); ++t) {
       const Triangle& triangle = field_.triangles[t];
@@ -64,8 +63,8 @@ class PlaneRepair {
     field_.triangle_part.erase(field_.triangle_part.begin() + t);
   }
 
-  /// The corner opposite to the longest edge lies on or beyond that: it becomes a point of the edge
-  /// for the triangle across.
+  /// Removes the bad triangle between its neighbours: the corner opposite to its longest edge lies
+  /// on or beyond that edge and becomes a point of it for the triangle across.
   bool drop_between() {
     Triangle own = field_.triangles[bad_];
     const auto longer = [&](int i, int j) {
@@ -93,18 +92,12 @@ class PlaneRepair {
     return true;
   }
 
-  /// A vertex over the point of `at` with what lies between a and b there.
+  /// Adds a vertex over the point of `at` that is interpolated between a and b.
   int add_on_edge(int at, int a, int b) {
     const double from = length(field_.place(a), field_.place(at));
     const double to = length(field_.place(at), field_.place(b));
     const double s = from / (from + to);
-    field_.vertex_point.push_back(point(at));
-    field_.vertex_height.push_back(
-        std::llround((1 - s) * static_cast<double>(field_.vertex_height[a]) +
-                     s * static_cast<double>(field_.vertex_height[b])));
-    field_.normals.push_back(normalized((1 - s) * field_.normals[a] + s * field_.normals[b]));
-    field_.uvs.push_back((1 - s) * field_.uvs[a] + s * field_.uvs[b]);
-    return static_cast<int>(field_.vertex_point.size()) - 1;
+    return field_.add_vertex_between(a, b, s, point(at), field_.height_between(a, b, s));
   }
 
   /// Moves one end of an edge to the other, the shortest edge first.
@@ -140,8 +133,8 @@ class PlaneRepair {
     return false;
   }
 
-  /// Moves point p to q where no other triangle turns over by that and no two come to share an
-  /// edge on one side.
+  /// Moves point p to q if that turns no other triangle over and no two triangles come to share one
+  /// side of an edge.
   bool merge(int p, int q) {
     std::vector<int> gone;
     std::vector<std::array<int, 2>> edges;
@@ -202,7 +195,7 @@ class PlaneRepair {
 void pull_in(const CornerFans& fans, size_t f, double gap, HeightField& field) {
   const int first = fans.begin[f];
   const int end = fans.begin[f + 1];
-  const int at = field.vertex_point[corner_vertex(field, fans.corners[first])];
+  const int at = field.vertex_point[field.corner_vertex(fans.corners[first])];
   const GridPoint from = field.points[at];
   Point2 inwards;
   for (int i = first; i < end; ++i)
@@ -232,11 +225,9 @@ void pull_in(const CornerFans& fans, size_t f, double gap, HeightField& field) {
       auto copy = std::find_if(copies.begin(), copies.end(),
                                [v](const auto& pair) { return pair.first == v; });
       if (copy == copies.end()) {
-        field.vertex_point.push_back(static_cast<int>(field.points.size()) - 1);
-        field.vertex_height.push_back(field.vertex_height[v]);
-        field.normals.push_back(field.normals[v]);
-        field.uvs.push_back(field.uvs[v]);
-        copy = copies.insert(copies.end(), {v, static_cast<int>(field.vertex_point.size()) - 1});
+        const int point = static_cast<int>(field.points.size()) - 1;
+        copy = copies.insert(copies.end(), {v, field.add_vertex(point, field.vertex_height[v],
+                                                                field.normals[v], field.uvs[v])});
       }
       v = copy->second;
     }
@@ -248,7 +239,7 @@ void separate_fans(double gap, HeightField& field) {
   const CornerFans fans = collect_fans(field, connect_field(field));
   std::vector<char> taken(field.points.size());
   for (size_t f = 0; f < fans.size(); ++f) {
-    const int point = field.vertex_point[corner_vertex(field, fans.corners[fans.begin[f]])];
+    const int point = field.vertex_point[field.corner_vertex(fans.corners[fans.begin[f]])];
     if (taken[point] != 0)
       pull_in(fans, f, gap, field);
     else

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "solid/corner_fans.h"
-#include "solid/solid_steps.h"
 
 namespace relievo {
 namespace {
@@ -28,13 +27,8 @@ class Settler {
   }
 
  private:
-  /// The vertices of both triangles beside edge k of t, over its two ends.
-  struct Sides {
-    std::array<int, 2> own{};
-    std::array<int, 2> other{};
-  };
-
-  Sides sides(int t, int k) const {
+  /// Returns the vertices of t, then those of the triangle across edge k of t, over its two ends.
+  std::array<std::array<int, 2>, 2> sides(int t, int k) const {
     const std::array<int, 3>& own = field_.triangles[t];
     const int o = edges_.across[t][k];
     const std::array<int, 3>& other = field_.triangles[o];
@@ -42,23 +36,23 @@ class Settler {
     while (edges_.across[o][m] != t ||
            field_.vertex_point[other[m]] != field_.vertex_point[own[(k + 1) % 3]])
       ++m;
-    return {{own[k], own[(k + 1) % 3]}, {other[(m + 1) % 3], other[m]}};
+    return {{{own[k], own[(k + 1) % 3]}, {other[(m + 1) % 3], other[m]}}};
   }
 
   int64_t height(int vertex) const { return field_.vertex_height[vertex]; }
 
-  /// Where the two sides of an edge change places, makes them one at the end where less is needed.
+  /// Joins the two sides of edges at which they change order, at the end where they differ less.
   bool uncross() {
     bool changed = false;
     for (int t = 0; t < static_cast<int>(field_.triangles.size()); ++t)
       for (int k = 0; k < 3; ++k) {
         if (edges_.across[t][k] <= t) continue;
-        const Sides side = sides(t, k);
-        const int64_t a = height(side.own[0]) - height(side.other[0]);
-        const int64_t b = height(side.own[1]) - height(side.other[1]);
+        const auto [own, other] = sides(t, k);
+        const int64_t a = height(own[0]) - height(other[0]);
+        const int64_t b = height(own[1]) - height(other[1]);
         if ((a < 0) == (b < 0) || a == 0 || b == 0) continue;
         const int end = std::abs(a) <= std::abs(b) ? 0 : 1;
-        lift(side.own[end], side.other[end]);
+        lift(own[end], other[end]);
         changed = true;
       }
     return changed;
@@ -77,11 +71,11 @@ class Settler {
     return changed;
   }
 
-  /// From the lowest side on, no height falls before the highest one, either way around.
+  /// Raises heights so that from the lowest side to the highest none falls, either way around.
   bool fill_fan(size_t f) {
     ring_.clear();
     for (int i = fans_.begin[f]; i < fans_.begin[f + 1]; ++i)
-      ring_.push_back(corner_vertex(field_, fans_.corners[i]));
+      ring_.push_back(field_.corner_vertex(fans_.corners[i]));
     const auto lower = [this](int a, int b) { return height(a) < height(b); };
     if (fans_.closed[f] != 0)
       std::rotate(ring_.begin(), std::min_element(ring_.begin(), ring_.end(), lower), ring_.end());

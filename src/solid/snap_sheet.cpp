@@ -20,11 +20,11 @@ struct PointHash {
 
 int64_t on_grid(double mm, double unit) { return std::llround(mm / unit); }
 
-/// What one side of a step has over one of its points.
+/// A point of one side of a step.
 struct SidePoint {
   double t = 0;
   int vertex = -1;
-  bool added = false;
+  bool added = false;  ///< whether only the other side had a point there
 };
 
 class Snapper {
@@ -62,7 +62,7 @@ class Snapper {
     return at->second;
   }
 
-  /// The deepest of what lies behind the vertices over a point.
+  /// Sets the floor of every point to the deepest point behind its vertices.
   void lay_floor(const GridPlacement& placement) {
     field_.floor.assign(field_.points.size(), {std::numeric_limits<int64_t>::max(), 0});
     for (size_t v = 0; v < sheet_.back.size(); ++v) {
@@ -81,32 +81,20 @@ class Snapper {
     field_.floor.push_back({from.height + std::llround(s * rise), from.part});
   }
 
-  int add_between(int a, int b, double s, int point, int64_t height) {
-    field_.vertex_point.push_back(point);
-    field_.vertex_height.push_back(height);
-    field_.normals.push_back(normalized((1 - s) * field_.normals[a] + s * field_.normals[b]));
-    field_.uvs.push_back((1 - s) * field_.uvs[a] + s * field_.uvs[b]);
-    return static_cast<int>(field_.vertex_point.size()) - 1;
-  }
-
-  int64_t height_between(int a, int b, double s) const {
-    return std::llround((1 - s) * static_cast<double>(field_.vertex_height[a]) +
-                        s * static_cast<double>(field_.vertex_height[b]));
-  }
-
-  /// The points of `own`, and one more wherever the other side alone has one.
-  std::vector<SidePoint> completed(const std::vector<relief::StepPoint>& own,
-                                   const std::vector<relief::StepPoint>& other) {
+  /// Returns the points of `own`, and one more wherever only the other side has one.
+  std::vector<SidePoint> completed(const std::vector<relief::EdgePoint>& own,
+                                   const std::vector<relief::EdgePoint>& other) {
     std::vector<SidePoint> side{{0, own.front().vertex, false}};
     size_t j = 1;
     for (size_t i = 1; i < own.size(); ++i) {
-      const relief::StepPoint& from = own[i - 1];
-      const relief::StepPoint& to = own[i];
+      const relief::EdgePoint& from = own[i - 1];
+      const relief::EdgePoint& to = own[i];
       for (; j + 1 < other.size() && other[j].t < to.t; ++j) {
         const double s = (other[j].t - from.t) / (to.t - from.t);
         const int point = field_.vertex_point[other[j].vertex];
-        const int64_t height = height_between(from.vertex, to.vertex, s);
-        side.push_back({other[j].t, add_between(from.vertex, to.vertex, s, point, height), true});
+        const int64_t height = field_.height_between(from.vertex, to.vertex, s);
+        side.push_back({other[j].t,
+                        field_.add_vertex_between(from.vertex, to.vertex, s, point, height), true});
       }
       if (i + 1 < own.size() && j + 1 < other.size() && other[j].t == to.t) ++j;
       side.push_back({to.t, to.vertex, false});
@@ -142,10 +130,13 @@ class Snapper {
     if (place == p || place == q) return;
     const int point = number_of(place);
     lay_floor_between(field_.vertex_point[a[0]->vertex], field_.vertex_point[a[1]->vertex], s);
-    const int64_t height = height_between(a[0]->vertex, a[1]->vertex, s);
+    const int64_t height = field_.height_between(a[0]->vertex, a[1]->vertex, s);
     const double t = (1 - s) * a[0]->t + s * a[1]->t;
-    one.push_back({t, add_between(a[0]->vertex, a[1]->vertex, s, point, height), true});
-    two.push_back({t, add_between(b[0]->vertex, b[1]->vertex, s, point, height), true});
+    const auto add = [&](const Piece& piece) {
+      return field_.add_vertex_between(piece[0]->vertex, piece[1]->vertex, s, point, height);
+    };
+    one.push_back({t, add(a), true});
+    two.push_back({t, add(b), true});
   }
 
   int64_t gap(const SidePoint& a, const SidePoint& b) const {
@@ -156,7 +147,7 @@ class Snapper {
     std::vector<SidePoint> first = completed(step.first, step.second);
     std::vector<SidePoint> second = completed(step.second, step.first);
     if (first.size() == second.size()) {
-      // What both sides have at one t lies where the first has it.
+      // Points of both sides at one t lie where the first side has them.
       for (size_t i = 0; i < first.size(); ++i)
         field_.vertex_point[second[i].vertex] = field_.vertex_point[first[i].vertex];
       cross_profiles(first, second);
@@ -182,7 +173,7 @@ class Snapper {
     }
   }
 
-  /// Fans out over the first edge with more points until none is left.
+  /// Adds a triangle, split over its edges with added points.
   void add_triangle(const std::array<int, 3>& triangle, int part) {
     std::vector<std::array<int, 3>> open{triangle};
     while (!open.empty()) {

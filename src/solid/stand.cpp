@@ -13,17 +13,16 @@
 namespace relievo {
 namespace {
 
-constexpr int most_levels = 64;
-/// Sides of a disc, and the angle that its blunt ends leave.
-constexpr int disc_sides = 48;
-constexpr double blunt = 0.1;
+constexpr int most_levels = 64;  ///< tried for a clean cut
+constexpr int disc_sides = 48;   ///< of a round plate
+constexpr double blunt = 0.1;    ///< radians that the blunt left and right ends of a disc leave out
 
-/// What of a field lies above a level.
+/// Cuts off the part of a field that lies below a level.
 class FeetCutter {
  public:
   FeetCutter(const HeightField& field, int64_t level) : field_(field), level_(level) {}
 
-  /// Whether no two edges meet the level in one point.
+  /// Returns false if two edges meet the level in one point; then the field is of no use.
   bool cut() {
     const std::vector<std::array<int, 3>> triangles = std::exchange(field_.triangles, {});
     const std::vector<int> parts = std::exchange(field_.triangle_part, {});
@@ -53,19 +52,16 @@ class FeetCutter {
     }
   }
 
-  /// The vertex where the edge from a, above, to b meets the level.
+  /// Returns the vertex at which the edge from a, above, to b meets the level.
   int crossing(int a, int b) {
     const auto [known, fresh] = vertices_.try_emplace({a, b}, 0);
     if (!fresh) return known->second;
     const GridPoint p = field_.place(a);
     const GridPoint q = field_.place(b);
     const double s = static_cast<double>(p.y - level_) / static_cast<double>(p.y - q.y);
-    known->second = static_cast<int>(field_.vertex_point.size());
-    field_.vertex_point.push_back(point(field_.vertex_point[a], field_.vertex_point[b], s));
-    field_.vertex_height.push_back(between(field_.vertex_height[a], field_.vertex_height[b], s));
-    field_.normals.push_back(normalized((1 - s) * field_.normals[a] + s * field_.normals[b]));
-    field_.uvs.push_back((1 - s) * field_.uvs[a] + s * field_.uvs[b]);
-    return known->second;
+    const int at = point(field_.vertex_point[a], field_.vertex_point[b], s);
+    const int64_t height = between(field_.vertex_height[a], field_.vertex_height[b], s);
+    return known->second = field_.add_vertex_between(a, b, s, at, height);
   }
 
   static int64_t between(int64_t from, int64_t to, double s) {
@@ -92,21 +88,7 @@ class FeetCutter {
   std::set<int64_t> taken_;
 };
 
-/// Seen from above: x along the drawing, z towards the viewer.
-struct Footprint {
-  int64_t left = std::numeric_limits<int64_t>::max();
-  int64_t right = std::numeric_limits<int64_t>::min();
-  int64_t back = std::numeric_limits<int64_t>::max();
-  int64_t front = std::numeric_limits<int64_t>::min();
-
-  void add(int64_t x, int64_t z) {
-    left = std::min(left, x);
-    right = std::max(right, x);
-    back = std::min(back, z);
-    front = std::max(front, z);
-  }
-};
-
+/// Builds the plate below the feet of a figure.
 class StandBuilder {
  public:
   StandBuilder(const Stand& stand, HeightField& field)
@@ -114,7 +96,7 @@ class StandBuilder {
 
   Status add() {
     if (Status status = find_feet(); !status) return status;
-    for (const GridPoint p : stand_.others) feet_.add(p.x, p.y);
+    for (const GridPoint p : stand_.others) add_to_feet(p.x, p.y);
     add_mass();
     shape();
     lay_points();
@@ -124,6 +106,13 @@ class StandBuilder {
  private:
   int64_t above_plate(int vertex) const {
     return field_.floor_height(field_.vertex_point[vertex]) + field_.vertex_height[vertex];
+  }
+
+  void add_to_feet(int64_t x, int64_t z) {
+    left_ = std::min(left_, x);
+    right_ = std::max(right_, x);
+    back_ = std::min(back_, z);
+    front_ = std::max(front_, z);
   }
 
   Status find_feet() {
@@ -137,8 +126,8 @@ class StandBuilder {
         soles_.insert({field_.place(b).x, field_.vertex_point[b]});
         joined_to_right_.insert(field_.place(a).x);
         for (const int v : {a, b}) {
-          feet_.add(field_.place(v).x, above_plate(v));
-          feet_.add(field_.place(v).x, field_.floor_height(field_.vertex_point[v]));
+          add_to_feet(field_.place(v).x, above_plate(v));
+          add_to_feet(field_.place(v).x, field_.floor_height(field_.vertex_point[v]));
         }
       }
     if (soles_.empty() || touching_.size() != soles_.size())
@@ -146,7 +135,7 @@ class StandBuilder {
     return Done{};
   }
 
-  /// The centre of mass belongs over the plate.
+  /// Widens the footprint so that the centre of mass lies over the plate.
   void add_mass() {
     double mass = 0;
     double x = 0;
@@ -162,24 +151,23 @@ class StandBuilder {
         z += area * high * (floor + 0.5 * high);
       }
     }
-    if (mass > 0) feet_.add(std::llround(x / mass), std::llround(z / mass));
+    if (mass > 0) add_to_feet(std::llround(x / mass), std::llround(z / mass));
   }
 
-  /// Where the plate ends to the left and right, and the places where its outline bends.
+  /// Computes the corners of the plate as seen from above.
   void shape() {
-    const int64_t x = (feet_.left + feet_.right) / 2;
-    middle_ = (feet_.back + feet_.front) / 2;
+    const int64_t x = (left_ + right_) / 2;
+    middle_ = (back_ + front_) / 2;
     if (!stand_.round) {
-      const int64_t wide =
-          std::min((feet_.right - feet_.left) / 2 + stand_.margin, stand_.widest / 2);
-      half_depth_ = std::min((feet_.front - feet_.back) / 2 + stand_.margin, stand_.widest / 2);
+      const int64_t wide = std::min((right_ - left_) / 2 + stand_.margin, stand_.widest / 2);
+      half_depth_ = std::min((front_ - back_) / 2 + stand_.margin, stand_.widest / 2);
       bends_ = {{x - wide, half_depth_}, {x + wide, half_depth_}};
       return;
     }
-    const double radius = std::min(0.5 * std::hypot(static_cast<double>(feet_.right - feet_.left),
-                                                    static_cast<double>(feet_.front - feet_.back)) +
-                                       static_cast<double>(stand_.margin),
-                                   0.5 * static_cast<double>(stand_.widest));
+    const double radius = std::min(
+        0.5 * std::hypot(static_cast<double>(right_ - left_), static_cast<double>(front_ - back_)) +
+            static_cast<double>(stand_.margin),
+        0.5 * static_cast<double>(stand_.widest));
     for (int i = 0; i <= disc_sides / 2; ++i) {
       const double angle =
           blunt + (std::numbers::pi - 2 * blunt) * static_cast<double>(i) / (disc_sides / 2.0);
@@ -204,8 +192,8 @@ class StandBuilder {
     return static_cast<int>(plate_.size()) - 1;
   }
 
-  /// The back of a foot and that of the plate are one surface: between them it falls within so
-  /// little that it counts as level.
+  /// Adds the points of the plate. The back of a foot and that of the plate are one surface, which
+  /// falls between them within `slope`, so little that it counts as level.
   void lay_points() {
     const int64_t slope = std::max<int64_t>(stand_.thickness / 10, 2);
     for (const auto& [x, point] : soles_) plate_.push_back(point);
@@ -223,7 +211,7 @@ class StandBuilder {
     for (const auto& [x, depth] : bends_)
       if (is_free(x, slope)) ends.insert(x);
     for (const int64_t x : ends) lay_point(x, top_);
-    // Below that every line of the plate's outline goes straight on.
+    // Below that, every line of the plate's outline is straight.
     for (const auto& [x, point] : soles_) ends.insert(x);
     for (const auto& [x, depth] : bends_) ends.insert(x);
     int last = -1;
@@ -235,7 +223,7 @@ class StandBuilder {
     }
   }
 
-  /// Whether a place on the upper edge is beside all feet.
+  /// Returns whether a point of the upper edge is off all feet.
   bool is_free(int64_t x, int64_t slope) const {
     const auto right = soles_.lower_bound({x, -1});
     if (right != soles_.end() && right->first - x <= 2 * slope) return false;
@@ -253,14 +241,12 @@ class StandBuilder {
     if (!mesh) return mesh.error();
     const auto first = static_cast<int>(field_.vertex_point.size());
     for (const int p : plate_) {
-      field_.vertex_point.push_back(p);
       const int64_t front = middle_ + depth_at(field_.points[p].x);
-      field_.vertex_height.push_back(std::max<int64_t>(front - field_.floor[p].height, 1));
-      field_.normals.push_back({0, 0, 1});
-      field_.uvs.push_back(stand_.uv);
+      field_.add_vertex(p, std::max<int64_t>(front - field_.floor[p].height, 1), {0, 0, 1},
+                        stand_.uv);
     }
     for (std::array<int, 3> t : mesh->triangles) {
-      // A triangle's first corner tells what is behind it.
+      // The part behind a triangle is that of its first corner.
       while (t[0] < static_cast<int>(soles_.size())) std::rotate(t.begin(), t.begin() + 1, t.end());
       field_.triangles.push_back({first + t[0], first + t[1], first + t[2]});
       field_.triangle_part.push_back(stand_.part);
@@ -272,14 +258,18 @@ class StandBuilder {
   HeightField& field_;
   int64_t top_;
   std::set<int> touching_;                   ///< points on the level of the plate's top
-  std::set<std::pair<int64_t, int>> soles_;  ///< x and number of those along feet
-  std::set<int64_t> joined_to_right_;        ///< x of those where a foot goes on
-  Footprint feet_;
+  std::set<std::pair<int64_t, int>> soles_;  ///< x and index of points along feet
+  std::set<int64_t> joined_to_right_;        ///< x of those at which a foot continues to the right
+  // The box of the feet seen from above: x along the drawing, z towards the viewer.
+  int64_t left_ = std::numeric_limits<int64_t>::max();
+  int64_t right_ = std::numeric_limits<int64_t>::min();
+  int64_t back_ = std::numeric_limits<int64_t>::max();
+  int64_t front_ = std::numeric_limits<int64_t>::min();
   int64_t middle_ = 0;  ///< of the plate, towards the viewer
   int64_t half_depth_ = 0;
-  std::map<int64_t, int64_t> bends_;       ///< half its depth, by x
+  std::map<int64_t, int64_t> bends_;       ///< half the plate's depth at its corners, by x
   std::vector<int> plate_;                 ///< points, those of feet first
-  std::vector<std::array<int, 2>> lines_;  ///< between them, by their places there
+  std::vector<std::array<int, 2>> lines_;  ///< between them, by their index there
 };
 
 }  // namespace

@@ -14,6 +14,11 @@ def examples():
 
 
 @pytest.fixture(scope="session")
+def data():
+    return ROOT / "tests" / "data"
+
+
+@pytest.fixture(scope="session")
 def program():
     """The program of the same build, named by RELIEVO."""
     if "RELIEVO" not in os.environ:

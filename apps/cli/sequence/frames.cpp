@@ -61,7 +61,7 @@ Frame sprite_frame(const std::shared_ptr<const Image8>& sheet, const Sprite& spr
   frame.empty = is_blank(*sheet, sprite);
   frame.load = [sheet, sprite, file](const RunContext& context) {
     const std::string name = file + ": " + sprite.name;
-    auto input = understand_flat({cut_sprite(*sheet, sprite)}, name, context);
+    auto input = understand_flat({cut_sprite(*sheet, sprite)}, name, true, context);
     return input ? std::move(input) : Result<SceneInput>(in_file(input.error(), name));
   };
   return frame;

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "io/image/image_limits.h"
-#include "relief/surface/visible_sheet.h"
+#include "relief/finish/finish_model.h"
 #include "relievo/bytes.h"
 #include "relievo/result.h"
 

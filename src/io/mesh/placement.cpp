@@ -13,18 +13,15 @@ bool is_finite(Point3 p) { return std::isfinite(p.x) && std::isfinite(p.y) && st
 bool is_finite(Point2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 double longest_side(const Box3& box) {
-  const Point3 sides = box.max - box.min;
+  const Point3 sides = box.sides();
   return std::max({sides.x, sides.y, sides.z});
 }
 
 }  // namespace
 
 Box3 extent(const Model& model) {
-  Box3 box{model.positions.front(), model.positions.front()};
-  for (const Point3 p : model.positions) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
-  }
+  Box3 box;
+  for (const Point3 p : model.positions) box.add(p);
   return box;
 }
 

@@ -1,19 +1,11 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
+#include "kernel/geometry/box3.h"
 #include "relievo/model.h"
 #include "relievo/result.h"
 #include "relievo/solid.h"
 
 namespace relievo {
-
-/// An axis-aligned box in model space.
-struct Box3 {
-  Point3 min;
-  Point3 max;
-};
 
 /// Returns the box around all vertices of a model. Precondition: there is at least one.
 Box3 extent(const Model& model);

@@ -19,16 +19,14 @@
 namespace relievo::relief {
 namespace {
 
-/// Between the drawing and the patches, so that none shows at the rim of the other.
+/// px between the drawing and the patches, so that filtering does not mix their colours.
 constexpr int gap = 8;
 
-/// Where the left upper pixel of a patch lies in the picture.
-struct PatchPlace {
-  int x = 0;
-  int y = 0;
-};
+/// The x and y of a patch's top left pixel in the picture.
+using PatchPlace = std::array<int, 2>;
 
-/// Patches on shelves below the drawing, the high ones first; `height` grows to that of all.
+/// Places patches on shelves below a drawing, the high ones first. `height` grows from that of the
+/// drawing to that of all.
 std::vector<PatchPlace> place_patches(const std::vector<HiddenPatch>& patches, int width,
                                       int& height) {
   std::vector<int> order(patches.size());
@@ -53,18 +51,19 @@ std::vector<PatchPlace> place_patches(const std::vector<HiddenPatch>& patches, i
 }
 
 void paste_patch(const Image8& rgb, PatchPlace place, Image8& rgba) {
+  const auto [left, top] = place;
   for (int y = 0; y < rgb.height; ++y)
     for (int x = 0; x < rgb.width; ++x) {
-      for (int c = 0; c < 3; ++c) rgba.at(place.x + x, place.y + y, c) = rgb.at(x, y, c);
-      rgba.at(place.x + x, place.y + y, 3) = 255;
+      for (int c = 0; c < 3; ++c) rgba.at(left + x, top + y, c) = rgb.at(x, y, c);
+      rgba.at(left + x, top + y, 3) = 255;
     }
 }
 
-/// Has the hidden triangles of parts refer to vertices of their own, on their patches.
+/// Gives the hidden triangles of parts vertices of their own, on their patches.
 class PatchDresser {
  public:
-  /// `drawing`: the size of the one that patches are pieces of. The model's texture coordinates
-  /// are on the picture, `uvs` on the drawing.
+  /// `drawing`: the size of the shrunk drawing that patches are pieces of. `uvs`: the model's
+  /// texture coordinates on the drawing; the model's own are on the picture already.
   PatchDresser(Model& model, ImageSize drawing, ImageSize picture, const std::vector<Point2>& uvs)
       : model_(model),
         drawing_(drawing),
@@ -73,17 +72,16 @@ class PatchDresser {
         taken_(uvs.size(), 0),
         copy_(uvs.size(), -1) {}
 
-  /// Keeps the vertices of a part's triangles but the last `but` as they are.
-  void keep(const ModelPart& part, int but) {
-    for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count - but; ++t)
+  /// Keeps the vertices of a part's triangles up to `end`.
+  void keep(const ModelPart& part, int end) {
+    for (int t = part.first_triangle; t < end; ++t)
       for (const int v : model_.triangles[t]) taken_[v] = 1;
   }
 
   void dress(const HiddenPatch& patch, PatchPlace place) {
     const ModelPart& part = model_.parts[patch.part];
-    const int end = part.first_triangle + part.triangle_count;
     std::vector<int> used;
-    for (int t = end - part.hidden_count; t < end; ++t)
+    for (int t = part.seen_end(); t < part.end(); ++t)
       for (int& v : model_.triangles[t]) {
         if (copy_[v] < 0) {
           used.push_back(v);
@@ -97,11 +95,11 @@ class PatchDresser {
 
  private:
   Point2 on_patch(Point2 uv, const HiddenPatch& patch, PatchPlace place) const {
-    return {(uv.x * drawing_.width - patch.x + place.x) / picture_.width,
-            (uv.y * drawing_.height - patch.y + place.y) / picture_.height};
+    return {(uv.x * drawing_.width - patch.x + place[0]) / picture_.width,
+            (uv.y * drawing_.height - patch.y + place[1]) / picture_.height};
   }
 
-  /// The vertex itself where nothing else needs it, else a copy.
+  /// Returns the vertex itself if no other triangles use it, else a copy.
   int own_vertex(int vertex) {
     if (taken_[vertex] == 0) {
       taken_[vertex] = 1;
@@ -119,40 +117,43 @@ class PatchDresser {
   ImageSize drawing_;
   ImageSize picture_;
   const std::vector<Point2>& uvs_;
-  std::vector<uint8_t> taken_;  ///< of every vertex on the drawing
-  std::vector<int> copy_;       ///< likewise, for the present part
+  std::vector<uint8_t> taken_;  ///< by vertex of the drawing, whether triangles use it already
+  std::vector<int> copy_;       ///< by vertex of the drawing, its copy for the present part, or -1
 };
 
+/// Moves texture coordinates from the drawing to the picture and hidden triangles to their patches.
 /// `share`: of the picture's height that is the drawing.
 void dress_parts(const HiddenPatches& found, const std::vector<PatchPlace>& places,
                  ImageSize picture, double share, Model& model) {
   const std::vector<Point2> uvs = model.uvs;
   for (Point2& uv : model.uvs) uv.y *= share;
   PatchDresser dresser(model, found.drawing, picture, uvs);
-  std::vector<int> dressed(model.parts.size(), 0);
+  std::vector<int> kept_end;
+  for (const ModelPart& part : model.parts) kept_end.push_back(part.end());
   for (const HiddenPatch& patch : found.patches)
-    dressed[patch.part] = model.parts[patch.part].hidden_count;
-  for (size_t p = 0; p < model.parts.size(); ++p) dresser.keep(model.parts[p], dressed[p]);
+    kept_end[patch.part] = model.parts[patch.part].seen_end();
+  for (size_t p = 0; p < model.parts.size(); ++p) dresser.keep(model.parts[p], kept_end[p]);
   for (size_t k = 0; k < places.size(); ++k) dresser.dress(found.patches[k], places[k]);
 }
 
+// Tuned on the samples and on drawings on coloured paper.
 constexpr int blended = 3;          ///< px inside the outline that paper may blend into
-constexpr int outside = 3;          ///< px beyond it that get paint, for what lies between pixels
-constexpr int widest_sliver = 3;    ///< px, half the width of paper that an outline cut off
+constexpr int outside = 3;          ///< px beyond the outline that get paint, for filtering
+constexpr int widest_sliver = 3;    ///< px, half the width of slivers of paper inside the outline
 constexpr int ink_outside = 4;      ///< px beyond the outline that may hold half of its line
-constexpr int least_contrast = 60;  ///< between paper and paint that can be told apart
-constexpr double most_off_blend = 0.4;  ///< of that contrast, where a colour still is a blend
-constexpr double least_paint = 0.7;     ///< of what is no sliver
+constexpr int least_contrast = 60;  ///< RGB distance of paper and paint that can be distinguished
+constexpr double most_off_blend = 0.4;  ///< distance of blends from the line q c, of |c - q|
+constexpr double least_paint = 0.7;     ///< share of paint in pixels that are not slivers
 
 using Colour = std::array<int, 3>;
 
-/// The colour of a pixel as it looks on paper.
+/// Returns the colour of a pixel on white paper.
 Colour seen_colour(const Image8& rgba, size_t i) {
   const uint8_t* p = &rgba.pixels[4 * i];
   return {on_paper(p[0], p[3]), on_paper(p[1], p[3]), on_paper(p[2], p[3])};
 }
 
-/// The colours of pixels spread over the picture, a cell for `size` x `size` of its pixels.
+/// Colours of some pixels, spread smoothly over the picture in cells of `size` x `size` pixels.
 class SpreadColours {
  public:
   /// `of`: not 0 on the pixels whose colours are spread.
@@ -184,8 +185,9 @@ class SpreadColours {
   ImageF colours_;
 };
 
-/// How much of a colour is paint and the rest of it paper; nothing where it is neither, as ink is,
-/// or where the two are much the same.
+/// Computes the share of paint in a colour p that blends paint c with paper q,
+///   (p - q) . (c - q) / |c - q|^2.
+/// Returns nothing if p is no such blend, as ink, or c is too similar to q.
 std::optional<double> share_of_paint(const Colour& seen, const Colour& paint, const Colour& paper) {
   double along = 0;
   double contrast = 0;
@@ -203,7 +205,7 @@ std::optional<double> share_of_paint(const Colour& seen, const Colour& paint, co
   return along / contrast;
 }
 
-/// The pixels farther than `distance` px from those of a mask.
+/// Returns the pixels farther than `distance` px from those of a mask.
 Image8 beyond(const Image8& mask, int distance) {
   const Image<int32_t> away = squared_distance_to(mask);
   Image8 far(mask.width, mask.height, 1);
@@ -212,7 +214,7 @@ Image8 beyond(const Image8& mask, int distance) {
   return far;
 }
 
-/// The paper around a model, spread below it.
+/// Returns the colours of the paper around a model, spread below the model. `open`: not 0 on paper.
 SpreadColours paper_around(const Image8& open, const Image8& rgba) {
   constexpr int cells = 64;  // along the longer side
   const Image8 off_ink = beyond(complement(open), ink_outside);
@@ -221,8 +223,8 @@ SpreadColours paper_around(const Image8& open, const Image8& rgba) {
   return {is_known ? off_ink : open, rgba, size};
 }
 
-/// The paper and the slivers of it that outlines cut off: narrow, beside broad paint, and open to
-/// the paper around.
+/// Returns the paper around a model with the slivers of paper inside its outline: narrow, beside
+/// broad paint, and connected to the paper around.
 Image8 with_slivers(const Image8& open, const Image8& rgba, const SpreadColours& paper) {
   constexpr int cell = 8;  // px
   const Image8 deep = beyond(open, blended + widest_sliver);
@@ -242,10 +244,10 @@ Image8 with_slivers(const Image8& open, const Image8& rgba, const SpreadColours&
   return connected_to({0, 0, std::move(like)}, {0, 0, open}).inside;
 }
 
-/// Goes outwards from what is painted for certain, one pixel a step.
+/// Carries paint outwards from the pixels that certainly show paint, one pixel a step.
 class PaintCarrier {
  public:
-  /// `open`: 1 where the model is not.
+  /// `open`: 1 on pixels that the model does not cover.
   PaintCarrier(const Image8& open, Image8& rgba)
       : rgba_(rgba),
         paper_(paper_around(open, rgba)),
@@ -259,7 +261,7 @@ class PaintCarrier {
     }
   }
 
-  /// False where there is nothing left to paint.
+  /// Returns false if there is nothing left to paint.
   bool step() {
     std::vector<std::pair<int, Colour>> found;
     for (const int i : waiting_) add_if_beside(i % known_.width, i / known_.width, found);
@@ -273,7 +275,7 @@ class PaintCarrier {
   }
 
  private:
-  /// Whether paper blends into a pixel whose paint would be of this colour.
+  /// Returns whether paper blends into a pixel whose paint would be of this colour.
   bool is_blend(int i, const Colour& colour) const {
     const auto share = share_of_paint(seen(i), colour, paper_.at(i % rgba_.width, i / rgba_.width));
     return share && *share < 1;
@@ -304,9 +306,9 @@ class PaintCarrier {
 
   Image8& rgba_;
   SpreadColours paper_;
-  Image8 open_;  ///< with slivers
-  Image8 known_;
-  std::vector<int> waiting_;  ///< pixels that can be reached
+  Image8 open_;               ///< the paper, with slivers
+  Image8 known_;              ///< the pixels that show paint
+  std::vector<int> waiting_;  ///< pixels still to reach
 };
 
 }  // namespace

@@ -12,7 +12,7 @@
 
 namespace relievo::relief {
 
-/// The corners of a model's triangle on its drawing, in pixels of an image of the drawing.
+/// Returns the corners of a model's triangle in pixels of an image of the drawing.
 inline std::array<Point2, 3> corners_on_image(const Model& model, size_t triangle, ImageSize size) {
   std::array<Point2, 3> corners;
   for (size_t k = 0; k < 3; ++k) {
@@ -22,7 +22,7 @@ inline std::array<Point2, 3> corners_on_image(const Model& model, size_t triangl
   return corners;
 }
 
-/// Visits (x, y) of every pixel of an image whose centre lies in a triangle, given in its pixels.
+/// Calls visit(x, y) for every pixel of an image whose centre lies in a triangle, given in pixels.
 template <class Visit>
 void for_each_pixel_inside(const std::array<Point2, 3>& corners, ImageSize size, Visit visit) {
   const auto [a, b, c] = corners;
@@ -45,7 +45,7 @@ void for_each_pixel_inside(const std::array<Point2, 3>& corners, ImageSize size,
     }
 }
 
-/// 1 on the pixels of an image of this size that no triangle of the model covers.
+/// Returns an image of the drawing, 1 on the pixels that no triangle of the model covers, else 0.
 inline Image8 uncovered_pixels(const Model& model, ImageSize size) {
   Image8 mask(size.width, size.height, 1, 1);
   for (size_t t = 0; t < model.triangles.size(); ++t)
@@ -54,14 +54,12 @@ inline Image8 uncovered_pixels(const Model& model, ImageSize size) {
   return mask;
 }
 
-/// The part that is seen at every pixel of an image of this size, counted from 1; 0 where there is
-/// none.
+/// Returns the part seen at every pixel of an image of the drawing, counted from 1, or 0.
 inline Image16 front_parts(const Model& model, ImageSize size) {
   Image16 front(size.width, size.height, 1);
   for (size_t p = 0; p < model.parts.size(); ++p) {
     const ModelPart& part = model.parts[p];
-    const int end = part.first_triangle + part.triangle_count - part.hidden_count;
-    for (int t = part.first_triangle; t < end; ++t)
+    for (int t = part.first_triangle; t < part.seen_end(); ++t)
       for_each_pixel_inside(corners_on_image(model, t, size), size, [&front, p](int x, int y) {
         front.at(x, y) = static_cast<uint16_t>(p + 1);
       });

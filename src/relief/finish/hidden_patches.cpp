@@ -15,11 +15,9 @@
 namespace relievo::relief {
 namespace {
 
-constexpr int longest_side = 512;
-/// So far beside its outline a part is taken to be inked, px of the shrunk drawing.
-constexpr int ink_band = 4;
-/// Around what is hidden, so that colours between pixels are there too.
-constexpr int patch_margin = 2;
+constexpr int longest_side = 512;  ///< px of the shrunk drawing
+constexpr int ink_band = 4;        ///< px of it beside a part's outline that may be inked
+constexpr int patch_margin = 2;    ///< px of it around hidden triangles, for filtering
 
 /// Pixels from (x0, y0) to before (x1, y1).
 struct PixelBox {
@@ -36,19 +34,7 @@ Image8 shrunk(const Image8& rgba) {
   return shrink(rgba, (longest + longest_side - 1) / longest_side);
 }
 
-/// The triangles of a part that are seen, and those that are not: [begin, seen_end), [.., end).
-struct Runs {
-  int begin = 0;
-  int seen_end = 0;
-  int end = 0;
-};
-
-Runs runs_of(const ModelPart& part) {
-  const int end = part.first_triangle + part.triangle_count;
-  return {part.first_triangle, end - part.hidden_count, end};
-}
-
-/// The pixels around triangles [begin, end).
+/// Returns the pixels around triangles [begin, end).
 PixelBox box_around(const Model& model, int begin, int end, ImageSize size) {
   Box2 box;
   for (int t = begin; t < end; ++t)
@@ -62,8 +48,8 @@ PixelBox box_around(const Model& model, int begin, int end, ImageSize size) {
           std::min(size.height, pixel(box.max.y, size.height) + patch_margin + 1)};
 }
 
-/// How far each pixel of a part lies from what is not the part, in Chebyshev distance, at most
-/// `most`; beyond the drawing lies nothing.
+/// Returns the Chebyshev distance of each pixel from the pixels that are not the part's, those
+/// beyond the drawing included, at most `most`.
 Image8 depths(const Image16& front, const PixelBox& box, uint16_t part, int most) {
   const auto [width, height] = box.size();
   Image8 depth(width, height, 1);
@@ -86,7 +72,7 @@ Image8 depths(const Image16& front, const PixelBox& box, uint16_t part, int most
   return depth;
 }
 
-/// What is seen of a part, with the weights of pull_push; nothing where it is not seen.
+/// Returns the seen colours of a part, weighted for pull_push; nothing if none of it is seen.
 std::optional<ImageF> seen_of(const Image16& front, const Image8& drawing, const PixelBox& box,
                               uint16_t part) {
   const Image8 depth = depths(front, box, part, ink_band + 1);
@@ -114,7 +100,7 @@ HiddenPatch cut_patch(const ImageF& filled, const PixelBox& whole, const PixelBo
   return patch;
 }
 
-/// A channel of a patch between its pixels, at a place of the shrunk drawing.
+/// Interpolates a channel of a patch at a place of the shrunk drawing.
 uint8_t colour_at(const HiddenPatch& patch, Point2 place, int channel) {
   const Image8& rgb = patch.rgb;
   const double x = std::clamp(place.x - patch.x - 0.5, 0.0, rgb.width - 1.0);
@@ -140,11 +126,11 @@ HiddenPatches hidden_patches(const Model& model, const Drawing& drawing) {
   const Image16 front = front_parts(model, result.drawing);
   for (size_t p = 0; p < model.parts.size(); ++p) {
     if (!hides(model.parts[p])) continue;
-    const Runs runs = runs_of(model.parts[p]);
-    const PixelBox whole = box_around(model, runs.begin, runs.end, result.drawing);
+    const ModelPart& part = model.parts[p];
+    const PixelBox whole = box_around(model, part.first_triangle, part.end(), result.drawing);
     const auto seen = seen_of(front, small, whole, static_cast<uint16_t>(p + 1));
     if (!seen) continue;
-    const PixelBox hidden = box_around(model, runs.seen_end, runs.end, result.drawing);
+    const PixelBox hidden = box_around(model, part.seen_end(), part.end(), result.drawing);
     result.patches.push_back(cut_patch(pull_push(*seen), whole, hidden));
     result.patches.back().part = static_cast<int>(p);
   }
@@ -154,8 +140,8 @@ HiddenPatches hidden_patches(const Model& model, const Drawing& drawing) {
 std::vector<uint8_t> hidden_colours(const Model& model, const HiddenPatches& patches) {
   std::vector<uint8_t> colours(3 * model.positions.size(), 255);
   for (const HiddenPatch& patch : patches.patches) {
-    const Runs runs = runs_of(model.parts[patch.part]);
-    for (int t = runs.seen_end; t < runs.end; ++t)
+    const ModelPart& part = model.parts[patch.part];
+    for (int t = part.seen_end(); t < part.end(); ++t)
       for (const int v : model.triangles[t]) {
         const Point2 uv = model.uvs[v];
         const Point2 place{uv.x * patches.drawing.width, uv.y * patches.drawing.height};

@@ -16,43 +16,40 @@
 namespace relievo::relief {
 namespace {
 
-constexpr double upright = 1e-6;     ///< z of normals at outlines, at most
-constexpr double widest_ink = 0.03;  ///< of the drawing's diagonal
-constexpr double inked_share = 0.5;  ///< of what is seen of a part's outline
-constexpr double blurred = 1.5;      ///< px beside ink that hold some of it
-constexpr double broad_share = 0.8;  ///< of the widths of ink nearby lie below the one that counts
-constexpr double broadest_line = 3;  ///< of the usual width, up to which darkness is ink
-constexpr double nearby = 4;         ///< widths of ink
-constexpr double reach_of_ink = 6;   ///< widths of ink, up to where surfaces give way
-constexpr double deepest_ink = 0.5;  ///< of the squared height in the middle of a limb, at most
-constexpr double begin_of_paint = 0.85;  ///< heights of the ink's end, where the surface begins
-constexpr double edge_of_line = 0.5;     ///< widths of ink, how high the line's own edge is
-constexpr double reach_of_others = 2;    ///< widths of ink, within which what ends on it follows
-constexpr double reach_of_joins = 3;     ///< widths of ink, within which nothing gives way at joins
-constexpr double above_others = 0.002;   ///< of the canvas, how far ink keeps above what lies below
+// Tuned on the samples, the lengths by turning them to a side view.
+constexpr double upright = 1e-6;         ///< greatest |z| of unit normals at outlines: round-off
+constexpr double widest_ink = 0.03;      ///< of the drawing's diagonal
+constexpr double blurred = 1.5;          ///< px of the drawing beside ink that hold some of it
+constexpr double broad_share = 0.8;      ///< quantile of the widths of ink nearby that counts
+constexpr double broadest_line = 3;      ///< usual widths; broader darkness is paint, as on hooves
+constexpr double nearby = 4;             ///< widths of ink over which measurements are averaged
+constexpr double reach_of_ink = 6;       ///< widths of ink up to which surfaces are lowered
+constexpr double deepest_ink = 0.5;      ///< of the squared height in the middle of a limb, at most
+constexpr double begin_of_paint = 0.85;  ///< k: the surface begins at k F, F the ink end's height
+constexpr double above_others = 0.002;   ///< of the canvas: least height of ink above parts below
 
-/// A vertex of a part's outline where it is seen, with nothing nearer beyond it.
+/// A vertex on a part's seen outline, with nothing nearer beyond it.
 struct RimVertex {
-  int vertex = 0;
-  Point2 place;      ///< canvas px
+  Point2 place;      ///< canvas px, y up
   double z = 0;      ///< px
-  double width = 0;  ///< of the ink inwards, canvas px; 0 where there is none
-  double u = 0;      ///< px^2, the squared height over the rim where the ink ends
+  double width = 0;  ///< of the ink inwards, canvas px; 0 if there is none
+  double u = 0;      ///< px^2, the squared height over the rim at the end of the ink
   double most = 0;   ///< px^2, the greatest squared height nearby
-  double fade = 0;   ///< the share of inked outline nearby, as a weight from 0 to 1
+  double fade = 0;   ///< smoothed share of inked outline nearby, in [0, 1]
 };
 
-/// The vertices of a part, ascending.
+/// Returns the vertices of a part, ascending.
 std::vector<int> vertices_of(const Model& model, const ModelPart& part) {
   std::vector<int> vertices;
-  for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t)
+  for (int t = part.first_triangle; t < part.end(); ++t)
     vertices.insert(vertices.end(), model.triangles[t].begin(), model.triangles[t].end());
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
 }
 
-/// The vertices along a part's outline where it is seen, ascending.
+/// Returns the vertices on a part's seen outline, ascending. `given`: positions before any
+/// lowering.
 std::vector<RimVertex> find_rim(const Model& model, const std::vector<Point3>& given,
                                 const RimView& view, int part, const std::vector<int>& vertices) {
   std::vector<RimVertex> rim;
@@ -61,12 +58,12 @@ std::vector<RimVertex> find_rim(const Model& model, const std::vector<Point3>& g
     if (std::abs(model.normals[v].z) > upright || !view.ends_here(v, part)) continue;
     const Point3 p = given[v];
     const double width = view.ink_width(v, widest).value_or(0);
-    rim.push_back({v, {p.x, p.y}, p.z, width > 0 ? (width + blurred) / view.scale() : 0});
+    rim.push_back({{p.x, p.y}, p.z, width > 0 ? (width + blurred) / view.scale() : 0});
   }
   return rim;
 }
 
-/// A height at a quantile of values, which it reorders. Precondition: there are some.
+/// Returns a quantile of values, which it reorders. Precondition: there is a value.
 double quantile(std::vector<double>& values, double share) {
   const auto at =
       values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -74,14 +71,13 @@ double quantile(std::vector<double>& values, double share) {
   return *at;
 }
 
-/// The width of ink along most of a part's outline, canvas px; 0 where most has none. Where dark
-/// paint reaches the outline, as on a hoof, the ink has the width that is usual elsewhere.
+/// Returns the width of ink along a part's outline, canvas px, or 0 unless at least half of the
+/// outline is inked. Where dark paint reaches the outline, the ink gets the median width.
 double settle_widths(std::vector<RimVertex>& rim) {
   std::vector<double> widths;
   for (const RimVertex& v : rim)
     if (v.width > 0) widths.push_back(v.width);
-  const double least = inked_share * static_cast<double>(rim.size());
-  if (widths.empty() || static_cast<double>(widths.size()) < least) return 0;
+  if (widths.empty() || 2 * widths.size() < rim.size()) return 0;
   const double usual = quantile(widths, 0.5);
   const auto is_paint = [usual](double width) { return width > broadest_line * usual; };
   std::replace_if(widths.begin(), widths.end(), is_paint, usual);
@@ -102,64 +98,56 @@ struct BandVertex {
   int vertex = 0;
   Point2 place;         ///< canvas px
   double distance = 0;  ///< canvas px to the rim
-  double f = 0;         ///< px, the height over the rim beside it
+  double f = 0;         ///< px, height over the rim beside it
 };
 
-/// Lets the surface of one part begin where its ink ends.
+/// Lowers the rim of one part so that its surface begins where its ink ends.
 class RimFlattener {
  public:
   RimFlattener(const std::vector<Point3>& given, const std::vector<int>& vertices,
                std::vector<RimVertex> rim, double width)
       : width_(width), rim_(std::move(rim)), beside_(places_of(rim_), reach_of_ink * width) {
     find_band(given, vertices);
-    const NearPoints near_band(places_of(band_));
+    const BesideRim band(places_of(band_), reach_of_ink * width);
     smooth_widths();
     for (RimVertex& v : rim_)
-      if (v.width > 0) find_heights(near_band, v);
+      if (v.width > 0) find_heights(band, v);
     smooth_ends();
   }
 
-  /// How far each vertex near the rim goes back.
+  /// Returns vertices near the rim and the distances by which they are lowered, px.
   std::vector<std::pair<int, double>> drops() const {
     std::vector<std::pair<int, double>> found;
     for (const BandVertex& near : band_) {
-      double u = 0;
-      double most = 0;
-      double fade = 0;
-      double width = 0;
+      RimVertex rim;
       beside_.for_each(near.place, near.distance, [&](size_t i, double weight) {
-        u += weight * rim_[i].u;
-        most += weight * rim_[i].most;
-        fade += weight * rim_[i].fade;
-        width += weight * rim_[i].width;
+        rim.u += weight * rim_[i].u;
+        rim.most += weight * rim_[i].most;
+        rim.fade += weight * rim_[i].fade;
+        rim.width += weight * rim_[i].width;
       });
-      const double left = near.f - lowered(near.f, {u, most, edge_of_line * width});
-      const double drop = fade * beside_.share_at(near.distance) * left;
+      const double drop =
+          rim.fade * beside_.share_at(near.distance) * (near.f - lowered(near.f, rim));
       if (drop > 0) found.emplace_back(near.vertex, drop);
     }
     return found;
   }
 
  private:
-  /// What a surface rises from at a rim.
-  struct Start {
-    double u = 0;     ///< px^2, the squared height where ink ends
-    double most = 0;  ///< px^2, the greatest squared height
-    double edge = 0;  ///< px, of the line itself
-  };
-
-  /// The height that a height f over the rim becomes where ink ends: there the surface begins,
-  /// without an edge, and from twice that height, or the greatest, on it is f.
-  static double lowered(double f, const Start& start) {
-    const double end = std::sqrt(start.u);
+  /// Computes the height that a height f over the rim is lowered to, at least that of the line's
+  /// own edge, half its width. With F = sqrt(u) the height at the end of the ink, T = min(2, M /
+  /// F), M = sqrt(most), and s = (f / F - k) / (T - k):
+  ///   0 if s < 0,   F s^2 (T (3 - 2 s) - (T - k) (1 - s)) if s < 1,   f otherwise,
+  /// a cubic from 0 with slope 0 to T F with slope 1.
+  static double lowered(double f, const RimVertex& rim) {
+    const double end = std::sqrt(rim.u);
     if (end <= 0) return f;
-    const double again = std::min(2.0, std::sqrt(start.most) / end);
+    const double again = std::min(2.0, std::sqrt(rim.most) / end);
     if (f >= again * end) return f;
-    // The cubic from 0 with slope 0 to `again` with slope 1.
     const double span = again - begin_of_paint;
     const double s = std::max(0.0, (f / end - begin_of_paint) / span);
     const double rise = s * s * (again * (3 - 2 * s) - span * (1 - s));
-    return std::max(end * rise, std::min(f, start.edge));
+    return std::max(end * rise, std::min(f, 0.5 * rim.width));
   }
 
   void find_band(const std::vector<Point3>& given, const std::vector<int>& vertices) {
@@ -181,7 +169,7 @@ class RimFlattener {
     for (RimVertex& v : rim_) {
       std::vector<double> widths;
       double all = 0;
-      beside_.rim().for_each(v.place, nearby * width_, [&](size_t i, double) {
+      beside_.for_each_within(v.place, nearby * width_, [&](size_t i, double) {
         ++all;
         if (rim_[i].width > 0) widths.push_back(rim_[i].width);
       });
@@ -192,13 +180,13 @@ class RimFlattener {
     for (size_t i = 0; i < rim_.size(); ++i) rim_[i].width = smooth[i];
   }
 
-  /// What is measured of heights varies from vertex to vertex, which would fold the surface.
+  /// Averages the measured heights over the rim nearby: their noise would fold the surface.
   void smooth_ends() {
     std::vector<Point2> smooth;
     for (const RimVertex& v : rim_) {
       Point2 sum;
       double all = 0;
-      beside_.rim().for_each(v.place, nearby * width_, [&](size_t i, double distance) {
+      beside_.for_each_within(v.place, nearby * width_, [&](size_t i, double distance) {
         if (rim_[i].width <= 0) return;
         const double weight = 1 - distance / (nearby * width_);
         sum = sum + weight * Point2{rim_[i].u, rim_[i].most};
@@ -212,14 +200,14 @@ class RimFlattener {
     }
   }
 
-  /// The greatest squared height nearby and the one where ink of this width ends, rather too much
-  /// than too little: what is left of the ink beyond would be a streak down the wall. Nearer to the
-  /// rim f^2 / t is larger, t being the distance.
-  void find_heights(const NearPoints& near_band, RimVertex& v) const {
+  /// Measures the greatest squared height nearby and the one at the end of the ink, rather too
+  /// large than too small: a rest of ink would be a streak down the wall. At distance t from the
+  /// rim f^2 is about proportional to t, and f^2 / t larger near the rim.
+  void find_heights(const BesideRim& band, RimVertex& v) const {
     std::vector<double> at_end;
     double farther = 0;
     double distances = 0;
-    near_band.for_each(v.place, nearby * v.width, [&](size_t i, double) {
+    band.for_each_within(v.place, nearby * v.width, [&](size_t i, double) {
       const BandVertex& near = band_[i];
       const double u = near.f * near.f;
       v.most = std::max(v.most, u);
@@ -239,53 +227,40 @@ class RimFlattener {
   std::vector<BandVertex> band_;
 };
 
-/// Parts that end on others that went back go with them.
-class RimFollower {
- public:
-  /// `touching`: px, between heights that count as one; `reach`: canvas px, of what follows.
-  RimFollower(const Floor& before, const Floor& after, double touching, double reach)
-      : before_(before), after_(after), touching_(touching), reach_(reach) {}
-
-  /// How far each vertex near an outline goes back.
-  std::vector<std::pair<int, double>> drops(const Model& model, const std::vector<Point3>& given,
-                                            const std::vector<int>& vertices) const {
-    std::vector<Point2> rim;
-    std::vector<double> gaps;
-    for (const int v : vertices) {
-      if (std::abs(model.normals[v].z) > upright) continue;
-      rim.push_back({given[v].x, given[v].y});
-      gaps.push_back(gap(model.uvs[v], given[v].z));
-    }
-    std::vector<std::pair<int, double>> found;
-    if (std::none_of(gaps.begin(), gaps.end(), [](double gap) { return gap > 0; })) return found;
-    const BesideRim beside(std::move(rim), reach_);
-    for (const int v : vertices) {
-      const Point2 place{given[v].x, given[v].y};
-      const double distance = beside.distance_to(place);
-      if (distance >= reach_) continue;
-      double drop = 0;
-      beside.for_each(place, distance, [&](size_t i, double weight) { drop += weight * gaps[i]; });
-      if (drop > 0) found.emplace_back(v, drop * beside.share_at(distance));
-    }
-    return found;
+/// Returns the vertices near the outline of a part that ends on others that were lowered, and the
+/// distances by which they follow those, px. `before`, `after`: the others before and after that.
+/// `touching`: px, greatest gap between heights that touch. `reach`: canvas px over which the part
+/// follows.
+std::vector<std::pair<int, double>> following_drops(const Floor& before, const Floor& after,
+                                                    const Model& model,
+                                                    const std::vector<Point3>& given,
+                                                    const std::vector<int>& vertices,
+                                                    double touching, double reach) {
+  std::vector<Point2> rim;
+  std::vector<double> gaps;
+  for (const int v : vertices) {
+    if (std::abs(model.normals[v].z) > upright) continue;
+    rim.push_back({given[v].x, given[v].y});
+    const auto [least, most] = before.range_at(model.uvs[v]);
+    const bool touches = given[v].z >= least - touching && given[v].z <= most + touching;
+    const auto now = after.range_at(model.uvs[v]);
+    gaps.push_back(touches ? std::max(0.0, 0.5 * (least + most - now[0] - now[1])) : 0);
   }
-
- private:
-  /// How far what touched a place at a height from below went back.
-  double gap(Point2 uv, double z) const {
-    const auto [least, most] = before_.range_at(uv);
-    if (z < least - touching_ || z > most + touching_) return 0;
-    const auto now = after_.range_at(uv);
-    return std::max(0.0, 0.5 * (least + most - now[0] - now[1]));
+  std::vector<std::pair<int, double>> found;
+  if (std::none_of(gaps.begin(), gaps.end(), [](double gap) { return gap > 0; })) return found;
+  const BesideRim beside(std::move(rim), reach);
+  for (const int v : vertices) {
+    const Point2 place{given[v].x, given[v].y};
+    const double distance = beside.distance_to(place);
+    if (distance >= reach) continue;
+    double drop = 0;
+    beside.for_each(place, distance, [&](size_t i, double weight) { drop += weight * gaps[i]; });
+    if (drop > 0) found.emplace_back(v, drop * beside.share_at(distance));
   }
+  return found;
+}
 
-  const Floor& before_;
-  const Floor& after_;
-  double touching_;
-  double reach_;
-};
-
-/// 1 for those of `count` vertices that several parts have, which lie at joins.
+/// Returns 1 for those of `count` vertices that several parts share, which lie at joins, else 0.
 std::vector<uint8_t> sewn_vertices(const std::vector<std::vector<int>>& parts, size_t count) {
   std::vector<uint8_t> taken(count, 0);
   std::vector<uint8_t> sewn(count, 0);
@@ -297,8 +272,8 @@ std::vector<uint8_t> sewn_vertices(const std::vector<std::vector<int>>& parts, s
   return sewn;
 }
 
-/// Joins stay as they are: what goes back does so the less the nearer to one, within `reach`
-/// (canvas px).
+/// Reduces the lowering of a part's vertices towards its joins, to 0 there, within `reach` (canvas
+/// px).
 void keep_joins(const std::vector<Point3>& given, const std::vector<int>& part,
                 const std::vector<uint8_t>& sewn, double reach, std::vector<double>& back) {
   std::vector<Point2> join;
@@ -326,7 +301,7 @@ void narrow_inked_rims(Model& model, const Drawing& drawing) {
   for (size_t p = 0; p < model.parts.size(); ++p) {
     const std::vector<int>& vertices = parts[p];
     std::vector<double> back(given.size(), 0);
-    const auto go_back = [&](int v, double by) {
+    const auto lower = [&](int v, double by) {
       const double z = given[v].z - back[v];
       const double least = std::min(z, after.range_at(model.uvs[v])[1] + lift);
       back[v] = given[v].z - std::max(z - by, least);
@@ -335,13 +310,13 @@ void narrow_inked_rims(Model& model, const Drawing& drawing) {
     const double width = settle_widths(rim);
     if (width > 0)
       for (const auto& [v, by] : RimFlattener(given, vertices, std::move(rim), width).drops())
-        go_back(v, by);
+        lower(v, by);
     if (broadest > 0)
-      for (const auto& [v, by] : RimFollower(before, after, lift, reach_of_others * broadest)
-                                     .drops(model, given, vertices))
-        go_back(v, by);
+      for (const auto& [v, by] : following_drops(before, after, model, given, vertices, lift,
+                                                 reach_of_ink / 3 * broadest))
+        lower(v, by);
     broadest = std::max(broadest, width);
-    keep_joins(given, vertices, sewn, reach_of_joins * (width > 0 ? width : broadest), back);
+    keep_joins(given, vertices, sewn, reach_of_ink / 2 * (width > 0 ? width : broadest), back);
     for (const int v : vertices) model.positions[v].z = given[v].z - back[v];
     before.add(model, model.parts[p], given);
     after.add(model, model.parts[p], model.positions);

@@ -15,50 +15,32 @@
 namespace relievo::relief {
 namespace {
 
-/// Copies colours from known pixels to the others, to each from about the nearest in Chebyshev
-/// distance: two passes over the pixels, each looking at the neighbours before it.
-class Spread {
- public:
-  Spread(int width, int height)
-      : width_(width),
-        stride_(static_cast<std::ptrdiff_t>(width) + 2),
-        distance_(static_cast<size_t>(stride_) * (static_cast<size_t>(height) + 2), far) {}
-
-  void mark_known(int x, int y) { distance_[at(x, y)] = 0; }
-
-  void run(Image8& colours) {
-    for (int y = 0; y < colours.height; ++y)
-      for (int x = 0; x < width_; ++x) relax(x, y, -1, colours);
-    for (int y = colours.height - 1; y >= 0; --y)
-      for (int x = width_ - 1; x >= 0; --x) relax(x, y, 1, colours);
-  }
-
- private:
-  static constexpr uint16_t far = std::numeric_limits<uint16_t>::max();
-
-  /// There is a margin of one pixel that is never near.
-  std::ptrdiff_t at(int x, int y) const { return (std::ptrdiff_t{y} + 1) * stride_ + x + 1; }
-
-  void relax(int x, int y, int step, Image8& colours) {
-    const std::ptrdiff_t here = at(x, y);
-    if (distance_[here] <= 1) return;
-    const std::array<std::array<int, 2>, 4> offsets = {
-        {{step, 0}, {-1, step}, {0, step}, {1, step}}};
-    for (const auto& [dx, dy] : offsets) {
-      const int next = distance_[here + dy * stride_ + dx] + 1;
-      if (next >= distance_[here]) continue;
-      distance_[here] = static_cast<uint16_t>(next);
-      for (int c = 0; c < 3; ++c) colours.at(x, y, c) = colours.at(x + dx, y + dy, c);
-    }
-  }
-
-  int width_;
-  std::ptrdiff_t stride_;
-  std::vector<uint16_t> distance_;
-};
-
 /// Chebyshev distance from a pixel that is not covered.
 constexpr int silhouette_band = 2;
+
+/// Copies colours from known pixels to the others, to each from about the nearest in Chebyshev
+/// distance: two passes over the pixels, each looking at the neighbours before it.
+void spread_colours(const Image8& known, Image8& colours) {
+  constexpr uint16_t far = std::numeric_limits<uint16_t>::max();
+  // With a margin of one pixel that is never near.
+  Image16 distances(known.width + 2, known.height + 2, 1, far);
+  const auto relax = [&](int x, int y, int step) {
+    uint16_t& here = distances.at(x + 1, y + 1);
+    if (known.at(x, y) != 0) here = 0;
+    if (here <= 1) return;
+    for (const auto& [dx, dy] :
+         std::array<std::array<int, 2>, 4>{{{step, 0}, {-1, step}, {0, step}, {1, step}}}) {
+      const int next = distances.at(x + 1 + dx, y + 1 + dy) + 1;
+      if (next >= here) continue;
+      here = static_cast<uint16_t>(next);
+      for (int c = 0; c < 3; ++c) colours.at(x, y, c) = colours.at(x + dx, y + dy, c);
+    }
+  };
+  for (int y = 0; y < known.height; ++y)
+    for (int x = 0; x < known.width; ++x) relax(x, y, -1);
+  for (int y = known.height - 1; y >= 0; --y)
+    for (int x = known.width - 1; x >= 0; --x) relax(x, y, 1);
+}
 
 }  // namespace
 
@@ -68,15 +50,15 @@ Image8 model_texture(const Model& model, const Drawing& drawing) {
   const Image8 near =
       max_filter(uncovered_pixels(model, {rgba.width, rgba.height}), silhouette_band);
   Image8 texture(rgba.width, rgba.height, 3, 255);
-  Spread known(rgba.width, rgba.height);
+  Image8 known(rgba.width, rgba.height, 1);
   for (int y = 0; y < rgba.height; ++y)
     for (int x = 0; x < rgba.width; ++x) {
       const int alpha = rgba.at(x, y, 3);
       if (alpha < 255 && near.at(x, y) != 0) continue;
-      known.mark_known(x, y);
+      known.at(x, y) = 1;
       for (int c = 0; c < 3; ++c) texture.at(x, y, c) = on_paper(rgba.at(x, y, c), alpha);
     }
-  known.run(texture);
+  spread_colours(known, texture);
   return texture;
 }
 

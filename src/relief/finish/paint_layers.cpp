@@ -12,7 +12,8 @@
 namespace relievo::relief {
 namespace {
 
-/// Of the longer side: colours so near to another part may be ink of the outline between them.
+/// Distance from another part within which colours may be ink of the outline between them, of the
+/// drawing's longer side.
 constexpr double ink_share = 0.006;
 
 Outline scaled(const Outline& outline, double sx, double sy) {
@@ -22,7 +23,7 @@ Outline scaled(const Outline& outline, double sx, double sy) {
   return out;
 }
 
-/// The part in front at every pixel, -1 where there is none.
+/// Returns the part in front at every pixel, or -1.
 Image<int32_t> front_parts(const std::vector<Mask>& masks, int width, int height) {
   Image<int32_t> front(width, height, 1, -1);
   for (size_t p = 0; p < masks.size(); ++p)
@@ -30,37 +31,33 @@ Image<int32_t> front_parts(const std::vector<Mask>& masks, int width, int height
   return front;
 }
 
-/// The drawing by parts.
-struct PartMap {
-  Image<int32_t> front;        ///< the part in front, -1 where there is none
-  Image<int32_t> from_border;  ///< px^2 to the next pixel beside another part's
-};
-
-PartMap map_parts(const std::vector<Mask>& masks, int width, int height) {
-  PartMap map{front_parts(masks, width, height), {}};
-  Image8 border(width, height, 1);
-  const auto differ = [&](int x, int y, int u, int v) {
-    if (map.front.at(x, y) != map.front.at(u, v)) border.at(x, y) = border.at(u, v) = 1;
+/// Returns the squared distance of every pixel, px^2, from the nearest pixel beside another part.
+Image<int32_t> border_distance(const Image<int32_t>& front) {
+  Image8 border(front.width, front.height, 1);
+  const auto compare = [&](int x, int y, int u, int v) {
+    if (front.at(x, y) != front.at(u, v)) border.at(x, y) = border.at(u, v) = 1;
   };
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      if (x > 0) differ(x, y, x - 1, y);
-      if (y > 0) differ(x, y, x, y - 1);
+  for (int y = 0; y < front.height; ++y)
+    for (int x = 0; x < front.width; ++x) {
+      if (x > 0) compare(x, y, x - 1, y);
+      if (y > 0) compare(x, y, x, y - 1);
     }
-  map.from_border = squared_distance_to(border);
-  return map;
+  return squared_distance_to(border);
 }
 
-/// The colours of a part that are surely its own, 4 channels weighted by the last; all that are
-/// seen of it where none is. `reach` in px.
-ImageF own_colours(const Mask& mask, const PartMap& map, const Image8& rgba, int part, int reach) {
+/// Returns the seen colours of a part at least ink_share from others, or all that are seen of it if
+/// there are none; 4 channels, weighted by the last.
+ImageF own_colours(const Mask& mask, const Image<int32_t>& front, const Image<int32_t>& from_border,
+                   const Image8& rgba, int part) {
+  const int reach =
+      std::max(2, static_cast<int>(std::lround(ink_share * std::max(rgba.width, rgba.height))));
   ImageF colours(mask.inside.width, mask.inside.height, 4);
   bool any = false;
   for (const int least : {reach * reach, 0}) {
     if (any) break;
     for_each_pixel(mask, [&](int x, int y) {
-      if (map.front.at(x, y) != part || rgba.at(x, y, 3) == 0) return;
-      if (map.from_border.at(x, y) < least) return;
+      if (front.at(x, y) != part || rgba.at(x, y, 3) == 0) return;
+      if (from_border.at(x, y) < least) return;
       any = true;
       for (int c = 0; c < 3; ++c)
         colours.at(x - mask.left, y - mask.top, c) = static_cast<float>(rgba.at(x, y, c));
@@ -70,15 +67,14 @@ ImageF own_colours(const Mask& mask, const PartMap& map, const Image8& rgba, int
   return colours;
 }
 
-Image8 paint(const Mask& mask, const PartMap& map, const Image8& rgba, int part) {
-  const int reach =
-      std::max(2, static_cast<int>(std::lround(ink_share * std::max(rgba.width, rgba.height))));
-  const ImageF filled = pull_push(own_colours(mask, map, rgba, part, reach));
+/// Returns a part's pixels: those of the drawing where it is in front, `filled` behind others.
+Image8 paint(const Mask& mask, const Image<int32_t>& front, const ImageF& filled,
+             const Image8& rgba, int part) {
   Image8 layer(mask.inside.width, mask.inside.height, 4);
   for_each_pixel(mask, [&](int x, int y) {
     const int u = x - mask.left;
     const int v = y - mask.top;
-    if (map.front.at(x, y) == part) {
+    if (front.at(x, y) == part) {
       for (int c = 0; c < 4; ++c) layer.at(u, v, c) = rgba.at(x, y, c);
       return;
     }
@@ -98,11 +94,15 @@ std::vector<PaintedLayer> paint_layers(const Scene& scene, const Image8& rgba) {
     masks.push_back(
         fill_outline(scaled(part.outline, rgba.width / scene.width, rgba.height / scene.height),
                      rgba.width, rgba.height));
-  const PartMap map = map_parts(masks, rgba.width, rgba.height);
+  const Image<int32_t> front = front_parts(masks, rgba.width, rgba.height);
+  const Image<int32_t> from_border = border_distance(front);
   std::vector<PaintedLayer> layers;
-  for (size_t p = 0; p < masks.size(); ++p)
+  for (size_t p = 0; p < masks.size(); ++p) {
+    const int part = static_cast<int>(p);
+    const ImageF filled = pull_push(own_colours(masks[p], front, from_border, rgba, part));
     layers.push_back({scene.parts[p].id, masks[p].left, masks[p].top,
-                      paint(masks[p], map, rgba, static_cast<int>(p))});
+                      paint(masks[p], front, filled, rgba, part)});
+  }
   return layers;
 }
 

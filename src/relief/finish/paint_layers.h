@@ -15,9 +15,9 @@ struct PaintedLayer {
   Image8 rgba;            ///< straight alpha; transparent outside the part
 };
 
-/// The parts of a drawing as layers, back to front: a part has the drawing's pixels where it is
-/// seen, and where others hide it colours that go on from its own, away from their outlines. Seen
-/// from the front they give the drawing. `rgba` covers the canvas. O(pixels of all parts).
+/// Returns the parts of a drawing as layers, back to front. A part has the drawing's pixels where
+/// it is seen; behind others its own colours are extended, except those near outlines, which may be
+/// ink. Together the layers give the drawing. `rgba` covers the canvas. O(pixels of all parts).
 std::vector<PaintedLayer> paint_layers(const Scene& scene, const Image8& rgba);
 
 }  // namespace relievo::relief

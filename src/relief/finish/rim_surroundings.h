@@ -17,54 +17,36 @@
 
 namespace relievo::relief {
 
-/// Finds the points near a place. Precondition: there are points.
-class NearPoints {
+/// Finds the points of a rim near a place, and extends values at them to the places beside it.
+class BesideRim {
  public:
-  explicit NearPoints(std::vector<Point2> points)
-      : points_(std::move(points)), grid_(box(), points_.size()) {
-    grid_.build(points_.size(), [this](size_t i) { return std::pair(points_[i], points_[i]); });
+  /// `reach`: canvas px. Precondition: there are points.
+  BesideRim(std::vector<Point2> rim, double reach)
+      : rim_(std::move(rim)), reach_(reach), grid_(box(), rim_.size()) {
+    grid_.build(rim_.size(), [this](size_t i) { return std::pair(rim_[i], rim_[i]); });
   }
 
-  /// Calls visit(index, distance) for all closer than `radius`.
+  /// Calls visit(index, distance) for all points closer to a place than `radius`.
   template <class Visit>
-  void for_each(Point2 place, double radius, Visit visit) const {
+  void for_each_within(Point2 place, double radius, Visit visit) const {
     grid_.for_cells(place, place, radius, [&](size_t cell) {
       for (const int* i = grid_.begin(cell); i != grid_.end(cell); ++i) {
-        const double d = distance(points_[*i], place);
+        const double d = distance(rim_[*i], place);
         if (d < radius) visit(static_cast<size_t>(*i), d);
       }
     });
   }
 
- private:
-  Box2 box() const {
-    Box2 box;
-    for (const Point2 p : points_) box.add(p);
-    return box;
-  }
-
-  std::vector<Point2> points_;
-  SegmentGrid grid_;
-};
-
-/// Carries what is known at the vertices of a rim to the places beside it.
-class BesideRim {
- public:
-  /// `reach`: canvas px. Precondition: there are places.
-  BesideRim(std::vector<Point2> rim, double reach) : near_(std::move(rim)), reach_(reach) {}
-
-  const NearPoints& rim() const { return near_; }
-
-  /// The distance to the rim, `reach` at most.
+  /// Returns the distance to the rim, `reach` at most.
   double distance_to(Point2 place) const {
     double nearest = reach_;
     for (double radius = reach_ / 16; radius <= reach_ && nearest == reach_; radius *= 2)
-      near_.for_each(place, radius, [&](size_t, double d) { nearest = std::min(nearest, d); });
+      for_each_within(place, radius, [&](size_t, double d) { nearest = std::min(nearest, d); });
     return nearest;
   }
 
-  /// Calls visit(index, weight) for the rim beside a place at a distance below `reach`; weights
-  /// add up to 1 and vary smoothly from place to place.
+  /// Calls visit(index, weight) for the points of the rim beside a place, whose distance `nearest`
+  /// from the rim is below `reach`. The weights add up to 1 and vary smoothly with the place.
   template <class Visit>
   void for_each(Point2 place, double nearest, Visit visit) const {
     const double radius = 1.5 * nearest + 1;
@@ -73,22 +55,29 @@ class BesideRim {
       return inside * inside / ((d * d + 0.01) * (d * d + 0.01));
     };
     double sum = 0;
-    near_.for_each(place, radius, [&](size_t, double d) { sum += weight(d); });
-    near_.for_each(place, radius, [&](size_t i, double d) { visit(i, weight(d) / sum); });
+    for_each_within(place, radius, [&](size_t, double d) { sum += weight(d); });
+    for_each_within(place, radius, [&](size_t i, double d) { visit(i, weight(d) / sum); });
   }
 
-  /// 1 at the rim, 0 at `reach`, smooth.
+  /// Returns a smooth weight, 1 at the rim and 0 at `reach`.
   double share_at(double distance) const {
     const double t = distance / reach_;
     return (1 - t * t) * (1 - t * t);
   }
 
  private:
-  NearPoints near_;
+  Box2 box() const {
+    Box2 box;
+    for (const Point2 p : rim_) box.add(p);
+    return box;
+  }
+
+  std::vector<Point2> rim_;
   double reach_;
+  SegmentGrid grid_;
 };
 
-/// A drawing's pixels with what the model shows on each.
+/// A drawing and the parts that the model shows on its pixels.
 class RimView {
  public:
   RimView(const Model& model, const Image8& rgba)
@@ -97,10 +86,10 @@ class RimView {
         scale_(rgba.width / model.width),
         front_(front_parts(model, {rgba.width, rgba.height})) {}
 
-  /// Pixels of the drawing in one of the canvas.
+  /// Returns the pixels of the drawing per pixel of the canvas.
   double scale() const { return scale_; }
 
-  /// A vertex's place moved towards the inside of its outline, in pixels.
+  /// Returns a vertex's position on the drawing, moved by `by` pixels inwards from its outline.
   Point2 inwards(int vertex, double by) const {
     const Point2 uv = model_.uvs[vertex];
     const Point3 n = model_.normals[vertex];
@@ -108,7 +97,7 @@ class RimView {
     return {uv.x * rgba_.width - by * n.x / length, uv.y * rgba_.height + by * n.y / length};
   }
 
-  /// The part seen there, from 1; 0 where there is paper.
+  /// Returns the part seen at a pixel, counted from 1; 0 on paper.
   int part_at(Point2 p) const {
     const int x = static_cast<int>(std::floor(p.x));
     const int y = static_cast<int>(std::floor(p.y));
@@ -116,13 +105,14 @@ class RimView {
     return on ? front_.at(x, y) : 0;
   }
 
-  /// Whether the part, from 0, is seen on one side of the vertex and none before it on the other.
+  /// Returns whether the part, counted from 0, is seen on one side of the vertex and no part in
+  /// front of it on the other.
   bool ends_here(int vertex, int part) const {
     return part_at(inwards(vertex, probe)) == part + 1 && part_at(inwards(vertex, -probe)) <= part;
   }
 
-  /// The width of the ink from a vertex inwards, px of the drawing, where there is ink with paint
-  /// beside it.
+  /// Measures the width of the ink from a vertex inwards, px of the drawing, `widest` at most.
+  /// Returns nothing unless there is ink with paint beside it.
   std::optional<double> ink_width(int vertex, double widest) const {
     std::vector<double> values;
     for (double t = 0.5; t < 2 * widest; t += 1) values.push_back(brightness(inwards(vertex, t)));
@@ -152,7 +142,7 @@ class RimView {
   }
 
  private:
-  /// Of a place on the drawing, 0 to 255.
+  /// Returns the brightness of a pixel, 0 to 255.
   double brightness(Point2 p) const {
     const int x = std::clamp(static_cast<int>(p.x), 0, rgba_.width - 1);
     const int y = std::clamp(static_cast<int>(p.y), 0, rgba_.height - 1);
@@ -160,11 +150,11 @@ class RimView {
     return (on_paper(c[0], c[3]) + on_paper(c[1], c[3]) + on_paper(c[2], c[3])) / 3.0;
   }
 
+  // Tuned on the samples.
   static constexpr double least_contrast = 40;  ///< between ink and the paint beside it, of 255
-  /// Of the greatest contrast to ink, which paint has at least.
-  static constexpr double paint_share = 0.35;
-  static constexpr double level_share = 0.1;  ///< of the contrast to ink, by which paint varies
-  static constexpr double probe = 2;          ///< px, where to look on both sides of an outline
+  static constexpr double paint_share = 0.35;   ///< least contrast of paint, of the greatest
+  static constexpr double level_share = 0.1;    ///< variation of paint, of its contrast to ink
+  static constexpr double probe = 2;  ///< px from the outline at which parts are looked up
   static constexpr std::ptrdiff_t antialiased = 3;  ///< px inside an outline that may hold paper
 
   const Model& model_;
@@ -173,7 +163,7 @@ class RimView {
   Image16 front_;
 };
 
-/// The greatest height of the parts so far, on a small view of the canvas.
+/// The greatest height of the parts added so far, on a small raster of the canvas.
 class Floor {
  public:
   explicit Floor(const Model& model)
@@ -182,7 +172,7 @@ class Floor {
 
   /// Adds a part with its vertices at `positions`.
   void add(const Model& model, const ModelPart& part, const std::vector<Point3>& positions) {
-    for (int t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
+    for (int t = part.first_triangle; t < part.end(); ++t) {
       const auto [a, b, c] = corners_on_image(model, t, size_);
       const double area = cross(b - a, c - a);
       const auto z = [&](size_t k) { return positions[model.triangles[t][k]].z; };
@@ -196,7 +186,7 @@ class Floor {
     }
   }
 
-  /// The least and the greatest height around a vertex, both lowest() where there is nothing.
+  /// Returns the least and the greatest height around a vertex, lowest() where no part is.
   std::array<double, 2> range_at(Point2 uv) const {
     const int x = static_cast<int>(std::floor(uv.x * size_.width - 0.5));
     const int y = static_cast<int>(std::floor(uv.y * size_.height - 0.5));

@@ -12,19 +12,19 @@
 namespace relievo::relief {
 namespace {
 
-constexpr int band_rows = 16;          // that a thread takes at once
-constexpr double horizon_reach = 0.2;  // of the longer side
-constexpr double step_growth = 1.35;   // of the steps along a line
+constexpr int band_rows = 16;          ///< rows that a thread takes at once
+constexpr double horizon_reach = 0.2;  ///< of the view's longer side
+constexpr double step_growth = 1.35;   ///< ratio of successive steps along a line
 
-/// A line through pixels, and the share of all directions that it stands for.
+/// A direction on the pixel grid, and the share of all directions that it stands for.
 struct Line {
   int x;
   int y;
   double share;
 };
 
-/// They pass through centres of pixels, so that a slope has no steps: lines 1:0, 2:1 and 1:1 stand
-/// for half of what lies between them and the next ones.
+/// Returns lines through pixel centres, so that a slope has no steps. Each of the lines 1:0, 2:1,
+/// 1:1, ... stands for the directions up to halfway to its neighbours.
 std::array<Line, 8> lines_of() {
   const double knight = std::atan2(1, 2) / std::numbers::pi;
   const double diagonal = 0.25 - knight;
@@ -38,7 +38,8 @@ std::array<Line, 8> lines_of() {
            {-2, 1, 0.125}}};
 }
 
-/// How many times a line's own step it is looked at: each of the first few, then sparser.
+/// Returns the multiples of a line's step at which heights are sampled: the first few, then
+/// sparser.
 std::vector<int> steps_of(int longest) {
   std::vector<int> steps;
   for (int at = 1; at <= std::max(1.0, horizon_reach * longest);
@@ -47,13 +48,14 @@ std::vector<int> steps_of(int longest) {
   return steps;
 }
 
+/// The occlusion of pixels by the heights around them [Jimenez et al. 2016, eq. 7].
 struct Sky {
   const ReliefMaps& maps;
   double pixel;
   std::vector<int> steps;
   std::array<Line, 8> lines = lines_of();
 
-  /// Cosine of the angle between the viewer's direction and the horizon, dx and dy px a step.
+  /// Returns the cosine of the angle between the viewer's direction and the horizon along (dx, dy).
   double horizon(int x, int y, int dx, int dy) const {
     const ImageF& height = maps.height;
     const auto here = static_cast<double>(height.at(x, y));
@@ -65,7 +67,7 @@ struct Sky {
       if (u < 0 || v < 0 || u >= height.width || v >= height.height) break;
       const double rise = static_cast<double>(height.at(u, v)) - here;
       if (!std::isfinite(rise)) continue;
-      // What is far fades, so that nothing ends at an edge.
+      // Far heights fade, so that no edge shows at the end of the reach.
       const double weight = std::min(1.0, 2 - 2.0 * step / (steps.back() + 1));
       highest = std::max(
           highest,
@@ -74,8 +76,9 @@ struct Sky {
     return highest;
   }
 
-  /// The share of the sky in the plane of the viewer and the line, times the length of the normal
-  /// in that plane.
+  /// Returns the open share of the sky in the plane of the viewer and a line, times the length l of
+  /// the normal's projection to that plane. With t the angle of the projection and h the horizons
+  /// h1 < t < h2, it is l (a(h2) + a(h1)), a(h) = (cos t - cos(2 h - t) + 2 h sin t) / 4.
   double slice(int x, int y, const Line& line) const {
     const Point3 n = {maps.normal.at(x, y, 0), maps.normal.at(x, y, 1), maps.normal.at(x, y, 2)};
     // Rows run downwards, the normal's Y upwards.

@@ -13,11 +13,8 @@ namespace {
 constexpr int max_side = 32768;
 constexpr int64_t max_pixels = int64_t{1} << 28;
 
-/// Vertices in fixed point, so that every pixel centre is on exactly one side of an edge.
-struct FixedVertices {
-  int64_t one = 0;  ///< units per pixel, a power of two and at least 2
-  std::vector<std::array<int64_t, 2>> points;
-};
+/// A point in fixed-point pixels, so that every pixel centre is on exactly one side of an edge.
+using FixedPoint = std::array<int64_t, 2>;
 
 Status check_size(int width, int height) {
   if (width < 1 || height < 1)
@@ -30,9 +27,10 @@ Status check_size(int width, int height) {
   return Done{};
 }
 
+/// Converts vertices to fixed point, `one` units a pixel, a power of two and at least 2.
 /// Differences of coordinates stay below 2^30, so edge functions fit 62 bits.
-Result<FixedVertices> to_fixed_point(const LayeredMesh& mesh, const Scene& scene, int width,
-                                     int height) {
+Result<std::vector<FixedPoint>> to_fixed_point(const LayeredMesh& mesh, const Scene& scene,
+                                               int width, int height, int64_t& one) {
   const double scale_x = width / scene.width;
   const double scale_y = height / scene.height;
   double extent = std::max(width, height);
@@ -40,27 +38,27 @@ Result<FixedVertices> to_fixed_point(const LayeredMesh& mesh, const Scene& scene
     extent = std::max({extent, std::abs(p.x * scale_x), std::abs(p.y * scale_y)});
   const double room = std::ldexp(1.0, 29) / extent;
   if (!(room >= 2)) return Error{ErrorCode::limit, "a part reaches too far off the canvas", ""};
-  FixedVertices fixed;
-  fixed.one = int64_t{1} << std::min(std::ilogb(room), 16);
-  fixed.points.reserve(mesh.vertices.size());
-  const double one = static_cast<double>(fixed.one);
+  one = int64_t{1} << std::min(std::ilogb(room), 16);
+  const auto unit = static_cast<double>(one);
+  std::vector<FixedPoint> points;
+  points.reserve(mesh.vertices.size());
   for (const Point2 p : mesh.vertices)
-    fixed.points.push_back({std::llround(p.x * scale_x * one), std::llround(p.y * scale_y * one)});
-  return fixed;
+    points.push_back({std::llround(p.x * scale_x * unit), std::llround(p.y * scale_y * unit)});
+  return points;
 }
 
 int64_t floor_divide(int64_t a, int64_t b) { return a / b - (a % b != 0 && (a < 0) != (b < 0)); }
 
-/// Twice the signed area of an edge and a point, as a function of the pixel column in one row.
-/// A centre exactly on an edge belongs to the triangle on one side of it, by the direction of
-/// the edge: the same as moving all centres by an infinitesimal step.
+/// Twice the signed area of the triangle of an edge and a pixel centre. A centre exactly on an edge
+/// belongs to the triangle on one side of it, by the direction of the edge: as if all centres were
+/// moved by an infinitesimal step.
 struct EdgeFunction {
   int64_t at_origin = 0;  ///< at the centre of pixel (0, 0)
   int64_t per_column = 0;
   int64_t per_row = 0;
   int64_t least = 0;  ///< inside where the value is at least this: 0 or 1
 
-  EdgeFunction(const std::array<int64_t, 2>& a, const std::array<int64_t, 2>& b, int64_t one) {
+  EdgeFunction(const FixedPoint& a, const FixedPoint& b, int64_t one) {
     const int64_t dx = b[0] - a[0];
     const int64_t dy = b[1] - a[1];
     at_origin = dx * (one / 2 - a[1]) - dy * (one / 2 - a[0]);
@@ -85,11 +83,12 @@ struct EdgeFunction {
   }
 };
 
+/// Draws front faces into maps.
 class Rasterizer {
  public:
   Rasterizer(const LayeredMesh& mesh, const Inflation& inflation, const Ordering& ordering,
-             const FixedVertices& fixed)
-      : mesh_(mesh), inflation_(inflation), ordering_(ordering), fixed_(fixed) {}
+             const std::vector<FixedPoint>& points, int64_t one)
+      : mesh_(mesh), inflation_(inflation), ordering_(ordering), points_(points), one_(one) {}
 
   void allocate(int width, int height) {
     maps_.height = ImageF(width, height, 1, std::numeric_limits<float>::quiet_NaN());
@@ -100,19 +99,18 @@ class Rasterizer {
 
   void draw(int face) {
     const std::array<int, 3>& triangle = mesh_.triangles[mesh_.face_triangle[face]];
-    const std::array<int64_t, 2>& a = fixed_.points[triangle[0]];
-    const std::array<int64_t, 2>& b = fixed_.points[triangle[1]];
-    const std::array<int64_t, 2>& c = fixed_.points[triangle[2]];
+    const FixedPoint& a = points_[triangle[0]];
+    const FixedPoint& b = points_[triangle[1]];
+    const FixedPoint& c = points_[triangle[2]];
     const int64_t area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     if (area <= 0) return;
-    const std::array<EdgeFunction, 3> edges{EdgeFunction(b, c, fixed_.one),
-                                            EdgeFunction(c, a, fixed_.one),
-                                            EdgeFunction(a, b, fixed_.one)};
+    const std::array<EdgeFunction, 3> edges{EdgeFunction(b, c, one_), EdgeFunction(c, a, one_),
+                                            EdgeFunction(a, b, one_)};
     const auto [top, bottom] = std::minmax({a[1], b[1], c[1]});
-    const int64_t half = fixed_.one / 2;
-    const int64_t first_row = std::max<int64_t>(0, -floor_divide(half - top, fixed_.one));
+    const int64_t half = one_ / 2;
+    const int64_t first_row = std::max<int64_t>(0, -floor_divide(half - top, one_));
     const int64_t last_row =
-        std::min<int64_t>(maps_.height.height - 1, floor_divide(bottom - half, fixed_.one));
+        std::min<int64_t>(maps_.height.height - 1, floor_divide(bottom - half, one_));
     load_corners(face);
     for (int64_t y = first_row; y <= last_row; ++y)
       draw_row(static_cast<int>(y), edges, 1 / static_cast<double>(area));
@@ -155,7 +153,8 @@ class Rasterizer {
   const LayeredMesh& mesh_;
   const Inflation& inflation_;
   const Ordering& ordering_;
-  const FixedVertices& fixed_;
+  const std::vector<FixedPoint>& points_;
+  int64_t one_;  ///< units of points per pixel
   ReliefMaps maps_;
   std::array<SurfaceSample, 3> corners_;  ///< of the face being drawn
   int part_ = -1;                         ///< its part
@@ -169,9 +168,10 @@ Result<ReliefMaps> rasterize_relief(const LayeredMesh& mesh, const Inflation& in
   if (Status status = check_size(width, height); !status.ok()) return status.error();
   if (Status status = check_surface(mesh, inflation, ordering, scene); !status.ok())
     return status.error();
-  const auto fixed = to_fixed_point(mesh, scene, width, height);
-  if (!fixed) return fixed.error();
-  Rasterizer rasterizer(mesh, inflation, ordering, *fixed);
+  int64_t one = 0;
+  const auto points = to_fixed_point(mesh, scene, width, height, one);
+  if (!points) return points.error();
+  Rasterizer rasterizer(mesh, inflation, ordering, *points, one);
   rasterizer.allocate(width, height);
   const int triangles = static_cast<int>(mesh.triangles.size());
   for (int t = 0; t < triangles; ++t) {

@@ -12,8 +12,8 @@ namespace relievo::relief {
 
 /// Samples the relief at the centres of width x height pixels spread over the canvas. u and g are
 /// interpolated and the root taken per pixel, so the maps are smooth at any resolution. A pixel
-/// belongs to exactly one base triangle. Fails with usage or limit where a side is not in
-/// [1, 32768] or there are more than 2^28 pixels, before memory is spent. O(pixels + triangles).
+/// belongs to exactly one base triangle. Fails with usage or limit, before memory is spent, if a
+/// side is not in [1, 32768] or there are more than 2^28 pixels. O(pixels + triangles).
 Result<ReliefMaps> rasterize_relief(const LayeredMesh& mesh, const Inflation& inflation,
                                     const Ordering& ordering, const Scene& scene, int width,
                                     int height, const RunContext& context = {});

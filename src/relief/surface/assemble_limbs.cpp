@@ -13,22 +13,23 @@
 namespace relievo::relief {
 namespace {
 
-/// What lies on a limb goes with it where so much of it does.
+/// Share of a loose part's area that must lie on the limb for the part to go with it.
 constexpr double resting_share = 0.8;
-/// At its join a limb fills so much of what it grows out of.
+/// Depth of a limb at its join, of that of its trunk.
 constexpr double root_share = 0.7;
-/// Its free outline is drawn in by so much of that, where it lies on the trunk.
+/// Drawing in at the limb's free outline on the trunk, of that at its join.
 constexpr double rim_share = 0.4;
-/// What is less off the middle is in it, of its mean half depth.
+/// Least distance of a limb from the middle of its trunk, of the limb's mean half depth.
 constexpr double least_offset = 0.15;
-/// So far from its join, from that outline and from where it leaves the trunk, of the join's width.
+/// Distances, in widths of the join, over which the drawing in fades: from the join, from the free
+/// outline, and from the points where the limb leaves the trunk.
 constexpr double root_reach = 0.75;
 constexpr double rim_reach = 0.25;
 constexpr double leaving_reach = 0.375;
 
 constexpr double unreached = std::numeric_limits<double>::infinity();
 
-/// The part that a limb grows out of, the largest of several; or -1.
+/// Returns the part that a limb grows out of, the largest of several; or -1.
 int trunk_of(const Scene& scene, const std::vector<double>& areas, int limb) {
   int trunk = -1;
   for (const Join& join : scene.joins)
@@ -36,7 +37,7 @@ int trunk_of(const Scene& scene, const std::vector<double>& areas, int limb) {
   return trunk;
 }
 
-/// The area of each part, px^2.
+/// Returns the area of each part, px^2.
 std::vector<double> part_areas(const LayeredMesh& mesh, const std::vector<double>& areas) {
   std::vector<double> of_part(mesh.part_count, 0);
   for (size_t f = 0; f < mesh.faces.size(); ++f)
@@ -44,7 +45,7 @@ std::vector<double> part_areas(const LayeredMesh& mesh, const std::vector<double
   return of_part;
 }
 
-/// What is joined to the limb other than through its trunk, by part.
+/// Returns for each part whether it is joined to the limb other than through the trunk.
 std::vector<char> joined_to(const Scene& scene, int limb, int trunk) {
   std::vector<char> member(scene.parts.size(), 0);
   std::vector<int> open{limb};
@@ -63,7 +64,8 @@ std::vector<char> joined_to(const Scene& scene, int limb, int trunk) {
   return member;
 }
 
-/// Adds what is joined to nothing and lies on the limb. `areas`: of triangles, `whole`: of parts.
+/// Adds the parts that are joined to nothing and lie on the limb. `areas`: of triangles, `whole`:
+/// of parts, px^2.
 void add_resting(const LayeredMesh& mesh, const Scene& scene, const std::vector<double>& areas,
                  const std::vector<double>& whole, std::vector<char>& member) {
   std::vector<char> free(scene.parts.size(), 1);
@@ -79,14 +81,14 @@ void add_resting(const LayeredMesh& mesh, const Scene& scene, const std::vector<
   }
 }
 
-/// A part of a relief, with the numbers of its faces in the whole.
+/// A relief of some of the parts.
 struct PartialRelief {
   LayeredMesh mesh;
   Inflation inflation;
   Ordering ordering;
 };
 
-/// The faces of some parts; all nodes stay.
+/// Returns the faces of some parts; all nodes stay.
 PartialRelief faces_of(const LayeredMesh& mesh, const Inflation& inflation,
                        const Ordering& ordering, const std::vector<char>& member) {
   PartialRelief limb{mesh, inflation, ordering};
@@ -125,12 +127,12 @@ PartialRelief faces_of(const LayeredMesh& mesh, const Inflation& inflation,
       limb.ordering.creases.corner.push_back(corner);
       limb.ordering.creases.gradient.push_back(ordering.creases.gradient[i]);
     }
-  // These cross what hid them, which is not there.
+  // Faces cross parts that hid them, which are not there.
   limb.ordering.crossing.clear();
   return limb;
 }
 
-/// Of all parts at a base vertex, px.
+/// The depth range of all parts at a base vertex, px.
 struct Column {
   double back = unreached;
   double front = -unreached;
@@ -150,7 +152,7 @@ std::vector<Column> columns_of(const LayeredMesh& mesh, const Inflation& inflati
   return columns;
 }
 
-/// Where a limb is joined to its trunk, leaves it and ends.
+/// The root of a limb: its join with the trunk, and the points where it leaves the trunk.
 class LimbRoot {
  public:
   LimbRoot(const LayeredMesh& mesh, const std::vector<char>& member, int trunk)
@@ -158,7 +160,7 @@ class LimbRoot {
         edges_(mesh.vertices.size()),
         leaving_(mesh.vertices.size(), 0),
         of_limb_(mesh.node_vertex.size(), 0) {
-    for (size_t t = 0; t < mesh.triangles.size(); ++t) look_at(t, member, trunk);
+    for (size_t t = 0; t < mesh.triangles.size(); ++t) add_triangle(t, member, trunk);
     std::set<int> joined;
     for (size_t f = 0; f < mesh.faces.size(); ++f)
       if (member[mesh.face_part[f]] == 0)
@@ -167,10 +169,11 @@ class LimbRoot {
     joined_.assign(joined.begin(), joined.end());
   }
 
-  /// Nodes that the limb shares with other parts, ascending.
+  /// Returns the nodes that the limb shares with other parts, ascending.
   const std::vector<int>& joined() const { return joined_; }
 
-  /// How far the limb is drawn in, by base vertex: 1 at its join, 0 where it leaves the trunk.
+  /// Returns how far the limb is drawn in, by base vertex: 1 at its join, 0 where it leaves the
+  /// trunk.
   std::vector<double> depth() const {
     const auto from_join = spread([this](std::vector<double>& distance) {
       for (const int n : joined_) distance[mesh_.node_vertex[n]] = 0;
@@ -197,7 +200,7 @@ class LimbRoot {
   }
 
  private:
-  void look_at(size_t t, const std::vector<char>& member, int trunk) {
+  void add_triangle(size_t t, const std::vector<char>& member, int trunk) {
     bool limb = false;
     bool carried = false;
     for (int f = mesh_.stack_begin[t]; f < mesh_.stack_begin[t + 1]; ++f) {
@@ -217,14 +220,15 @@ class LimbRoot {
     }
   }
 
-  /// Of the join, px.
+  /// Returns the width of the join, px.
   double width() const {
     Box2 box;
     for (const int n : joined_) box.add(mesh_.vertices[mesh_.node_vertex[n]]);
     return box.diagonal();
   }
 
-  /// Distances along the limb's triangles from where `begin` sets 0.
+  /// Returns the distances along the edges of the limb's triangles to the vertices at which `begin`
+  /// sets 0.
   template <class Begin>
   std::vector<double> spread(Begin begin) const {
     std::vector<double> distance(mesh_.vertices.size(), unreached);
@@ -248,13 +252,14 @@ class LimbRoot {
 
   const LayeredMesh& mesh_;
   std::vector<std::vector<std::pair<int, double>>> edges_;  ///< of the limb, by base vertex
-  std::vector<char> leaving_;                               ///< whether it is off the trunk there
-  std::vector<char> of_limb_;                               ///< by node
+  std::vector<char> leaving_;  ///< by base vertex, whether a triangle beside it is off the trunk
+  std::vector<char> of_limb_;  ///< by node
   std::vector<int> joined_;
 };
 
-/// Draws the root of a limb in, so that what it becomes when it is mirrored ends inside of the
-/// columns.
+/// Draws the root of a limb in, so that the mirrored root ends inside the columns: with depth s,
+/// f <- (1 - s) f + s min(f, root_share half depth) and g <- (1 - s) g + s (2 middle - column
+/// middle).
 void draw_in(const std::vector<double>& depth, const std::vector<Column>& columns, double middle,
              PartialRelief& limb) {
   std::vector<char> done(limb.mesh.node_vertex.size(), 0);
@@ -274,7 +279,8 @@ void draw_in(const std::vector<double>& depth, const std::vector<Column>& column
     }
 }
 
-/// Whether what of a limb is not drawn in lies about a middle as if it had been mirrored already.
+/// Returns whether the part of a limb that is not drawn in lies about the middle, so that its
+/// mirror image is much the same.
 bool in_the_middle(const PartialRelief& limb, const std::vector<double>& depth, double middle) {
   double off = 0;
   double thick = 0;
@@ -287,7 +293,7 @@ bool in_the_middle(const PartialRelief& limb, const std::vector<double>& depth, 
   return off < least_offset * thick;
 }
 
-/// As if nothing lay in front.
+/// Raises sheets that were lowered to hide them.
 void raise_lowered(Ordering& ordering) {
   for (size_t n = 0; n < ordering.lowered.size(); ++n) {
     ordering.g[n] += ordering.lowered[n];
@@ -299,7 +305,7 @@ void raise_lowered(Ordering& ordering) {
 Result<int> part_named(const Scene& scene, const std::string& id) {
   for (size_t p = 0; p < scene.parts.size(); ++p)
     if (scene.parts[p].id == id) return static_cast<int>(p);
-  return Error{ErrorCode::usage, "no part is called \"" + id + "\"", "--mirror"};
+  return Error{ErrorCode::usage, "there is no part \"" + id + "\"", "--mirror"};
 }
 
 }  // namespace

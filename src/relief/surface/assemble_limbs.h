@@ -13,9 +13,9 @@
 
 namespace relievo::relief {
 
-/// The limbs that `ids` lists, parts joined to one behind them. Fails with usage, naming the part,
-/// where there is none of that name, it is joined to no part behind it or lies in that one's
-/// middle; else as assemble_visible_sheet. Near-linear for each limb.
+/// Assembles the limbs named in `ids`: parts that are joined to a part behind them. Fails with
+/// usage, naming the part, if there is no part of that name, it is joined to no part behind it or
+/// lies in the middle of that part; otherwise as assemble_visible_sheet. Near-linear for each limb.
 Result<std::vector<LimbSheet>> assemble_limbs(const LayeredMesh& mesh, const Inflation& inflation,
                                               const Ordering& ordering, const Scene& scene,
                                               const std::vector<std::string>& ids,

@@ -15,9 +15,9 @@ namespace {
 
 constexpr double min_rim_tolerance = 1e-6;
 constexpr int most_rim_levels = 8;
-/// Heights count as equal within this fraction of the canvas.
+/// Heights that differ by less than this count as equal, of the canvas's longer side.
 constexpr double weld_fraction = 1e-9;
-/// What lies less than this fraction of the canvas below another part counts as seen.
+/// Faces count as hidden from this depth below the front part on, of the canvas's longer side.
 constexpr double hidden_fraction = 0.004;
 
 Status check_options(const ModelOptions& options) {
@@ -29,7 +29,8 @@ Status check_options(const ModelOptions& options) {
   return Done{};
 }
 
-/// Nodes take the height of the ordering itself, which is exactly equal where parts touch.
+/// Adds the surface's own vertices. They take the height of the ordering itself, which is exactly
+/// equal where parts touch.
 void add_corner_vertices(const LayeredMesh& mesh, const Inflation& inflation,
                          const Ordering& ordering, const SheetSurface& sheets,
                          ModelBuilder& builder) {
@@ -41,12 +42,12 @@ void add_corner_vertices(const LayeredMesh& mesh, const Inflation& inflation,
   }
 }
 
-/// The cuts of edge e with the normals of one of its faces, `last` being the corner where the edge
-/// ends.
+/// Adds the cuts of edge e, which runs from corner `first` to corner `last` of one face, with the
+/// normals of that face.
 void add_cuts_of(const CutSurface& surface, size_t e, FaceEdge first, FaceEdge last,
                  const Inflation& inflation, const Ordering& ordering, ModelBuilder& builder) {
   const LayeredMesh& mesh = surface.mesh;
-  const auto place = [&](FaceEdge at) {
+  const auto position = [&](FaceEdge at) {
     return mesh.vertices[mesh.node_vertex[mesh.faces[at.face][at.corner]]];
   };
   const SurfaceSample from = corner_sample(mesh, inflation, ordering, first.face, first.corner);
@@ -54,7 +55,7 @@ void add_cuts_of(const CutSurface& surface, size_t e, FaceEdge first, FaceEdge l
   for (int i = surface.cuts.begin[e]; i < surface.cuts.begin[e + 1]; ++i) {
     const double t = surface.cuts.t[i];
     const SurfaceSample sample = interpolate(from, to, t);
-    builder.add_vertex((1 - t) * place(first) + t * place(last), height(sample),
+    builder.add_vertex((1 - t) * position(first) + t * position(last), height(sample),
                        surface_normal(sample));
   }
 }
@@ -75,16 +76,7 @@ void add_cut_vertices(const CutSurface& surface, const Inflation& inflation,
   }
 }
 
-std::vector<StepPoint> step_points(const CutSurface& surface, FaceEdge edge, bool backwards) {
-  std::vector<EdgePoint> points;
-  append_edge_points(surface, edge, backwards, points);
-  std::vector<StepPoint> step;
-  step.reserve(points.size());
-  for (const EdgePoint& point : points) step.push_back({point.vertex, point.t});
-  return step;
-}
-
-/// Builds the faces that are kept and hands them to `finish`.
+/// Builds the faces that are kept and passes them to `finish`.
 template <class Finish>
 Status build_faces(const LayeredMesh& mesh, const Inflation& inflation, const Ordering& ordering,
                    const Scene& scene, const ModelOptions& options, const RunContext& context,
@@ -125,6 +117,7 @@ Result<Model> assemble_model(const LayeredMesh& mesh, const Inflation& inflation
                                 drop_unused_vertices(model);
                               });
   if (!status) return status.error();
+  model.unfinished = options.visibility;
   return model;
 }
 
@@ -137,9 +130,11 @@ Result<VisibleSheet> assemble_visible_sheet(const LayeredMesh& mesh, const Infla
   VisibleSheet sheet;
   Status status = build_faces(mesh, inflation, ordering, scene, relief, context,
                               [&](const CutSurface& surface, ModelBuilder& builder) {
-                                for (const OpenEdge& open : surface.sheets.open_edges)
-                                  sheet.steps.push_back({step_points(surface, open.first, false),
-                                                         step_points(surface, open.second, true)});
+                                for (const auto& [first, second] : surface.sheets.open_edges) {
+                                  SheetStep& step = sheet.steps.emplace_back();
+                                  append_edge_points(surface, first, false, step.first);
+                                  append_edge_points(surface, second, true, step.second);
+                                }
                                 sheet.back = back_points(surface, inflation, ordering);
                                 sheet.model = std::move(builder).build();
                               });

@@ -11,17 +11,17 @@
 
 namespace relievo::relief {
 
-/// Turns heights into a surface with analytic normals N ~ (-1/2 grad u - |f| grad g, |f|) and
-/// texture coordinates on the drawing. Every part of the scene has its run of triangles, empty
-/// where nothing of it is kept. After vertices at one place are merged, the relief is open only
-/// along the silhouette of the drawing. Fails with usage, limit (2^24 triangles) or interrupted.
-/// Near-linear in faces.
+/// Turns heights into an unfinished surface with texture coordinates on the drawing and analytic
+/// normals N ~ (-1/2 grad u - |f| grad g, |f|). Every part of the scene has a run of triangles,
+/// which is empty if none of its faces is kept. After vertices at one position are merged, a relief
+/// is open only along the drawing's silhouette. Fails with usage, limit (2^24 triangles) or
+/// interrupted. Near-linear in faces.
 Result<Model> assemble_model(const LayeredMesh& mesh, const Inflation& inflation,
                              const Ordering& ordering, const Scene& scene,
                              const ModelOptions& options, const RunContext& context = {});
 
-/// The same triangles of the relief without walls, whatever visibility the options say, and where
-/// these would stand. Fails as assemble_model. Near-linear in faces.
+/// Assembles the same triangles without walls, as Visibility::relief whatever the options say, and
+/// lists the edges where walls would stand. Fails as assemble_model. Near-linear in faces.
 Result<VisibleSheet> assemble_visible_sheet(const LayeredMesh& mesh, const Inflation& inflation,
                                             const Ordering& ordering, const Scene& scene,
                                             const ModelOptions& options,

@@ -3,32 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <utility>
+#include <numeric>
 
 #include "relievo/run_context.h"
 
 namespace relievo::relief {
 namespace {
 
-/// The corners of a face by rising level.
-struct RisingCorners {
-  std::array<int, 3> corner{0, 1, 2};
-  bool even = true;  ///< whether they run as the face does
-};
-
-RisingCorners rising_corners(const CutSurface& surface, int face) {
-  RisingCorners rising;
-  const auto lower = [&surface, face](int a, int b) {
+/// Returns the corners of a face by rising level.
+std::array<int, 3> rising_corners(const CutSurface& surface, int face) {
+  std::array<int, 3> corners{0, 1, 2};
+  std::stable_sort(corners.begin(), corners.end(), [&surface, face](int a, int b) {
     const std::vector<double>& level = surface.cuts.vertex_level;
     const std::vector<int>& vertex = surface.sheets.vertex;
     return level[vertex[corner_of(face, a)]] < level[vertex[corner_of(face, b)]];
-  };
-  for (const int i : {0, 1, 0}) {
-    if (!lower(rising.corner[i + 1], rising.corner[i])) continue;
-    std::swap(rising.corner[i], rising.corner[i + 1]);
-    rising.even = !rising.even;
-  }
-  return rising;
+  });
+  return corners;
 }
 
 class FaceCutter {
@@ -37,38 +27,43 @@ class FaceCutter {
       : surface_(surface), builder_(builder), hidden_depth_(hidden_depth) {}
 
   void cut(int face) {
-    if (whole(face)) {
+    const int part = surface_.mesh.face_part[face];
+    const bool hidden = is_hidden(face);
+    if (is_whole(face)) {
       const int* v = &surface_.sheets.vertex[corner_of(face, 0)];
-      builder_.add_triangle(run_of(face), v[0], v[2], v[1]);
+      builder_.add_triangle(part, hidden, v[0], v[2], v[1]);
       return;
     }
-    const RisingCorners rising = rising_corners(surface_, face);
-    const auto [low, middle, high] = rising.corner;
+    const auto [low, middle, high] = rising_corners(surface_, face);
     left_.clear();
     right_.clear();
     append(face, low, high, left_);
     append(face, low, middle, right_);
     right_.pop_back();
     append(face, middle, high, right_);
-    zip(run_of(face), rising.even);
+    const bool even = middle == next_place(low);
+    zip([&](int a, int b, int next) {
+      if (a == b || next == a || next == b) return;
+      builder_.add_triangle(part, hidden, a, even ? next : b, even ? b : next);
+    });
   }
 
  private:
-  /// Where two surfaces all but touch, the lower one goes on looking like the drawing, so that it
-  /// makes no difference which of them a viewer shows.
-  TriangleRun run_of(int face) const {
+  /// Returns whether a face lies clearly below the front one. If the two all but touch, the lower
+  /// one keeps the drawing's colours, so that it does not matter which of them a viewer shows.
+  bool is_hidden(int face) const {
     const LayeredMesh& mesh = surface_.mesh;
     const int front = mesh.stack_begin[mesh.face_triangle[face] + 1] - 1;
     double depth = 0;
     for (int k = 0; k < 3 && front != face; ++k) depth = std::max(depth, z(front, k) - z(face, k));
-    return {mesh.face_part[face], depth > hidden_depth_};
+    return depth > hidden_depth_;
   }
 
   double z(int face, int corner) const {
     return builder_.position(surface_.sheets.vertex[corner_of(face, corner)]).z;
   }
 
-  bool whole(int face) const {
+  bool is_whole(int face) const {
     const std::vector<int>& begin = surface_.cuts.begin;
     const int* edge = &surface_.sheets.edge[corner_of(face, 0)];
     return std::all_of(edge, edge + 3, [&begin](int e) { return begin[e] == begin[e + 1]; });
@@ -78,38 +73,34 @@ class FaceCutter {
     append_edge_points(surface_, {face, 3 - from - to}, (from + 1) % 3 != to, chain);
   }
 
-  /// Joins both chains from the lowest corner to the highest, always advancing to the lower of
-  /// the two next points, so that every cross edge lies within the range of an edge piece.
-  void zip(TriangleRun run, bool even) {
+  /// Joins both chains by triangles (left, right, next) from the lowest corner to the highest,
+  /// always advancing to the lower of the two next points, so that every cross edge lies within the
+  /// range of an edge piece.
+  template <class AddTriangle>
+  void zip(AddTriangle add_triangle) const {
     size_t i = 0;
     size_t j = 0;
     while (i + 1 < left_.size() || j + 1 < right_.size()) {
       const bool advance_left = j + 1 == right_.size() ||
                                 (i + 1 < left_.size() && left_[i + 1].level <= right_[j + 1].level);
       const int next = advance_left ? left_[i + 1].vertex : right_[j + 1].vertex;
-      add_triangle(run, even, left_[i].vertex, right_[j].vertex, next);
+      add_triangle(left_[i].vertex, right_[j].vertex, next);
       ++(advance_left ? i : j);
     }
-  }
-
-  void add_triangle(TriangleRun run, bool even, int left, int right, int next) {
-    if (left == right || next == left || next == right) return;
-    if (even)
-      builder_.add_triangle(run, left, next, right);
-    else
-      builder_.add_triangle(run, left, right, next);
   }
 
   const CutSurface& surface_;
   ModelBuilder& builder_;
   double hidden_depth_;
   std::vector<EdgePoint> left_;   ///< from the lowest corner straight to the highest
-  std::vector<EdgePoint> right_;  ///< the same by way of the middle one
+  std::vector<EdgePoint> right_;  ///< by way of the middle one
 };
 
 constexpr int64_t max_triangles = int64_t{1} << 24;
+/// tau / tolerance; the rest of the tolerance is for heights so small that they count as 0.
+constexpr double chord_share = 15.0 / 16;
 
-/// The vertices at both ends of an edge, in its direction.
+/// Returns the vertices at both ends of an edge, in its direction.
 std::array<int, 2> edge_ends(const SheetSurface& surface, int edge) {
   const FaceEdge owner = surface.edge_owner[edge];
   return {surface.vertex[corner_of(owner.face, next_place(owner.corner))],
@@ -117,10 +108,10 @@ std::array<int, 2> edge_ends(const SheetSurface& surface, int edge) {
 }
 
 std::vector<double> vertex_levels(const SheetSurface& surface, const Inflation& inflation,
-                                  const RimLevels& levels) {
+                                  double tolerance) {
   std::vector<double> level(surface.vertex_node.size());
   for (size_t v = 0; v < level.size(); ++v)
-    level[v] = levels.level(inflation.u[surface.vertex_node[v]]);
+    level[v] = rim_level(inflation.u[surface.vertex_node[v]], tolerance);
   return level;
 }
 
@@ -133,30 +124,23 @@ std::vector<int> cut_counts(const SheetSurface& surface, const std::vector<doubl
   return count;
 }
 
-/// Every cut on an edge of a face makes one more triangle of it.
-struct PieceCount {
-  int64_t total = 0;
-  int64_t worst = 0;  ///< of one face
-};
-
-PieceCount count_pieces(const SheetSurface& surface, const std::vector<int>& cuts) {
-  PieceCount pieces;
+/// Returns the number of triangles of every kept face: one more than there are cuts on its edges.
+std::vector<int64_t> count_pieces(const SheetSurface& surface, const std::vector<int>& cuts) {
+  std::vector<int64_t> pieces;
   for (size_t f = 0; f < surface.edge.size(); f += 3) {
     if (surface.edge[f] < 0) continue;
     int64_t count = 1;
     for (size_t k = 0; k < 3; ++k) count += cuts[surface.edge[f + k]];
-    pieces.total += count;
-    pieces.worst = std::max(pieces.worst, count);
+    pieces.push_back(count);
   }
   return pieces;
 }
 
-double position_of_level(const RimLevels& levels, double level, double u_first, double u_last) {
-  const double f = levels.height(level);
+double position_of_height(double f, double u_first, double u_last) {
   return std::clamp((f * std::abs(f) - u_first) / (u_last - u_first), 0.0, 1.0);
 }
 
-void place_cuts(const SheetSurface& surface, const Inflation& inflation, const RimLevels& levels,
+void place_cuts(const SheetSurface& surface, const Inflation& inflation, double tolerance,
                 EdgeCuts& cuts) {
   for (size_t e = 0; e < surface.edge_owner.size(); ++e) {
     const auto [a, b] = edge_ends(surface, static_cast<int>(e));
@@ -164,13 +148,14 @@ void place_cuts(const SheetSurface& surface, const Inflation& inflation, const R
     const double u_last = inflation.u[surface.vertex_node[b]];
     for (int i = cuts.begin[e]; i < cuts.begin[e + 1]; ++i) {
       cuts.level[i] = cut_level(cuts.vertex_level[a], cuts.vertex_level[b], i - cuts.begin[e]);
-      cuts.t[i] = position_of_level(levels, cuts.level[i], u_first, u_last);
+      cuts.t[i] = position_of_height(rim_height(cuts.level[i], tolerance), u_first, u_last);
     }
   }
 }
 
-// Rounding must not turn a span of one level into two pieces of half a level: neighbouring chains
-// of cuts advance in step only because pieces of a cut edge are longer than half a level.
+/// Returns the number of pieces of a span. Rounding must not turn a span of one level into two
+/// pieces of half a level: neighbouring chains of cuts advance in step only because pieces of a cut
+/// edge are longer than half a level.
 int piece_count(double span) {
   const double slack = 1e-9;
   return static_cast<int>(std::clamp(std::ceil(span - slack), 1.0, 1e6));
@@ -218,17 +203,19 @@ Result<EdgeCuts> cut_edges(const SheetSurface& surface, const Inflation& inflati
   double tolerance = options.rim_tolerance;
   EdgeCuts cuts;
   std::vector<int> count;
-  PieceCount pieces;
+  std::vector<int64_t> pieces;
   for (;; tolerance *= 2) {
-    cuts.vertex_level = vertex_levels(surface, inflation, RimLevels(tolerance));
+    cuts.vertex_level = vertex_levels(surface, inflation, tolerance);
     count = cut_counts(surface, cuts.vertex_level);
     pieces = count_pieces(surface, count);
-    if (pieces.worst <= max_pieces) break;
+    if (std::all_of(pieces.begin(), pieces.end(), [&](int64_t n) { return n <= max_pieces; }))
+      break;
   }
-  if (pieces.total > max_triangles)
+  const int64_t total = std::accumulate(pieces.begin(), pieces.end(), int64_t{0});
+  if (total > max_triangles)
     return Error{ErrorCode::limit,
-                 "the surface would have " + std::to_string(pieces.total) +
-                     " triangles, more than " + std::to_string(max_triangles),
+                 "the surface would have " + std::to_string(total) + " triangles, more than " +
+                     std::to_string(max_triangles),
                  "rim_tolerance"};
   cuts.begin.assign(count.size() + 1, 0);
   for (size_t e = 0; e < count.size(); ++e) cuts.begin[e + 1] = cuts.begin[e] + count[e];
@@ -240,19 +227,19 @@ Result<EdgeCuts> cut_edges(const SheetSurface& surface, const Inflation& inflati
   }
   cuts.level.resize(cuts.begin.back());
   cuts.t.resize(cuts.begin.back());
-  place_cuts(surface, inflation, RimLevels(tolerance), cuts);
+  place_cuts(surface, inflation, tolerance, cuts);
   return cuts;
 }
 
-RimLevels::RimLevels(double tolerance) : tau_(15.0 / 16 * tolerance), flat_(tolerance / 32) {}
-
-double RimLevels::level(double u) const {
+double rim_level(double u, double tolerance) {
   const double f = std::sqrt(std::abs(u));
-  if (f <= flat_) return 0;
-  return std::copysign(0.5 * (std::sqrt(1 + 2 * f / tau_) - 1), u);
+  if (f <= tolerance / 32) return 0;
+  return std::copysign(0.5 * (std::sqrt(1 + 2 * f / (chord_share * tolerance)) - 1), u);
 }
 
-double RimLevels::height(double level) const { return 2 * tau_ * level * (std::abs(level) + 1); }
+double rim_height(double level, double tolerance) {
+  return 2 * (chord_share * tolerance) * level * (std::abs(level) + 1);
+}
 
 int cut_count(double first, double last) {
   if (changes_sign(first, last))

@@ -20,9 +20,9 @@ int ModelBuilder::copy_vertex(int vertex, Point3 normal) {
   return static_cast<int>(model_.positions.size()) - 1;
 }
 
-void ModelBuilder::add_triangle(TriangleRun run, int a, int b, int c) {
+void ModelBuilder::add_triangle(int part, bool hidden, int a, int b, int c) {
   model_.triangles.push_back({a, b, c});
-  run_.push_back(run);
+  run_.push_back(2 * part + (hidden ? 1 : 0));
 }
 
 void ModelBuilder::reserve(size_t vertices, size_t triangles) {
@@ -38,21 +38,19 @@ Model ModelBuilder::build() && {
   model_.height = scene_.height;
   for (const Part& part : scene_.parts)
     model_.parts.push_back({part.id, part.c, part.d, part.flat, part.lean, 0, 0});
-  for (const TriangleRun run : run_) {
-    ++model_.parts[run.part].triangle_count;
-    if (run.hidden) ++model_.parts[run.part].hidden_count;
+  for (const int run : run_) {
+    ++model_.parts[run / 2].triangle_count;
+    model_.parts[run / 2].hidden_count += run % 2;
   }
-  std::vector<std::array<int, 2>> next(model_.parts.size());
+  std::vector<int> next;  // by run
   int first = 0;
-  for (size_t p = 0; p < model_.parts.size(); ++p) {
-    ModelPart& part = model_.parts[p];
+  for (ModelPart& part : model_.parts) {
     part.first_triangle = first;
-    next[p] = {first, first + part.triangle_count - part.hidden_count};
     first += part.triangle_count;
+    next.insert(next.end(), {part.first_triangle, part.seen_end()});
   }
   std::vector<std::array<int, 3>> grouped(model_.triangles.size());
-  for (size_t t = 0; t < grouped.size(); ++t)
-    grouped[next[run_[t].part][run_[t].hidden ? 1 : 0]++] = model_.triangles[t];
+  for (size_t t = 0; t < grouped.size(); ++t) grouped[next[run_[t]]++] = model_.triangles[t];
   model_.triangles = std::move(grouped);
   return std::move(model_);
 }

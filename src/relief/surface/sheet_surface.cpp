@@ -19,14 +19,14 @@ int first_kept_face(const LayeredMesh& mesh, const Scene& scene, Visibility visi
   return begin;
 }
 
-/// The corner of triangle `t` opposite to its edge with triangle `other`.
+/// Returns the corner of triangle `t` opposite to its edge with triangle `other`.
 int corner_towards(const LayeredMesh& mesh, int t, int other) {
   int k = 0;
   while (k < 2 && mesh.neighbours[t][k] != other) ++k;
   return k;
 }
 
-/// The last face of [begin, end) that shares the nodes of `edge`, or -1.
+/// Returns the last face of [begin, end) that shares the nodes of `edge`, or -1.
 int face_across(const LayeredMesh& mesh, FaceEdge edge, int begin, int end) {
   if (begin == end) return -1;
   const int t = mesh.face_triangle[begin];
@@ -119,10 +119,12 @@ class Connector {
     if (other_triangle < triangle || surface_.across[edge.index()] >= 0) return;
     const int other = mesh_.stack_begin[other_triangle + 1] - 1;
     if (other < mesh_.stack_begin[other_triangle]) return;
-    surface_.open_edges.push_back({edge, {other, corner_towards(mesh_, other_triangle, triangle)}});
+    surface_.open_edges.push_back(
+        {edge, FaceEdge{other, corner_towards(mesh_, other_triangle, triangle)}});
   }
 
-  /// Pairs the lowest kept face with the uppermost surface that was cut along its edge.
+  /// Pairs the lowest kept face of a triangle with the uppermost surface that is cut along its
+  /// edge.
   void find_cut(FaceEdge edge, int other_triangle) {
     const int triangle = mesh_.face_triangle[edge.face];
     const int dropped = mesh_.stack_begin[triangle];
@@ -133,7 +135,7 @@ class Connector {
     for (int f = mesh_.stack_begin[other_triangle + 1] - 1;
          f >= surface_.kept_begin[other_triangle]; --f) {
       if (!is_kept(f) || face_across(mesh_, {f, k}, dropped, edge.face) < 0) continue;
-      surface_.open_edges.push_back({edge, {f, k}});
+      surface_.open_edges.push_back({edge, FaceEdge{f, k}});
       return;
     }
   }

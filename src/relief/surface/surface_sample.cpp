@@ -32,7 +32,8 @@ Status check_surface(const LayeredMesh& mesh, const Inflation& inflation, const 
   if (!(scene.width > 0 && scene.height > 0 && std::isfinite(scene.width * scene.height)))
     return Error{ErrorCode::bad_input, "the canvas must have a positive, finite size", "canvas"};
   if (!one_value_per_node(mesh, inflation, ordering))
-    return Error{ErrorCode::internal, "heights and mesh differ in their number of nodes", ""};
+    return Error{ErrorCode::internal, "the heights and the mesh have different numbers of nodes",
+                 ""};
   for (const int part : mesh.face_part)
     if (part < 0 || part >= static_cast<int>(scene.parts.size()))
       return Error{ErrorCode::internal, "a face belongs to no part of the scene", ""};

@@ -12,8 +12,8 @@
 
 namespace relievo::relief {
 
-/// The relief at one point of a face. All members vary linearly over the face; the height and
-/// the normal follow from them, never the other way round.
+/// The relief at one point of a face. All members vary linearly over the face; height and normal
+/// are computed from them, never interpolated.
 struct SurfaceSample {
   double u = 0;   ///< px^2, signed square of the inflated height
   double g = 0;   ///< px, shift
@@ -21,11 +21,12 @@ struct SurfaceSample {
   Point2 grad_g;  ///< canvas axes (y down)
 };
 
-/// Height towards the viewer, px.
+/// Returns the height towards the viewer, px.
 inline double height(const SurfaceSample& s) { return s.g + signed_root(s.u); }
 
-/// The unit normal ~ (-1/2 grad u - |f| grad g, |f|) in model axes (Y up): finite and horizontal
-/// at outlines, where the height has infinite slope. (0, 0, 1) where both terms vanish.
+/// Returns the unit normal ~ (-1/2 grad u - |f| grad g, |f|) in model axes (Y up): finite and
+/// horizontal at outlines, where the slope of the height is infinite; (0, 0, 1) if both terms
+/// vanish.
 inline Point3 surface_normal(const SurfaceSample& s) {
   const double f = std::sqrt(std::abs(s.u));
   const Point2 slope = 0.5 * s.grad_u + f * s.grad_g;
@@ -33,24 +34,24 @@ inline Point3 surface_normal(const SurfaceSample& s) {
   return normal == Point3{} ? Point3{0, 0, 1} : normal;
 }
 
-/// The sample at `node`.
+/// Returns the sample at a node.
 inline SurfaceSample node_sample(const Inflation& inflation, const Ordering& ordering, int node) {
   return {inflation.u[node], ordering.g[node], inflation.grad_u[node], ordering.grad_g[node]};
 }
 
-/// The sample at a corner of a face, on its side of a crease.
+/// Returns the sample at a corner of a face, on the face's side of a crease.
 SurfaceSample corner_sample(const LayeredMesh& mesh, const Inflation& inflation,
                             const Ordering& ordering, int face, int corner);
 
-/// (1 - t) a + t b.
+/// Returns (1 - t) a + t b.
 inline SurfaceSample interpolate(const SurfaceSample& a, const SurfaceSample& b, double t) {
   const double s = 1 - t;
   return {s * a.u + t * b.u, s * a.g + t * b.g, s * a.grad_u + t * b.grad_u,
           s * a.grad_g + t * b.grad_g};
 }
 
-/// Whether heights can be taken from these values: one finite value a node, a part for every
-/// face, a canvas with area. Fails with internal or bad_input. O(nodes + faces).
+/// Checks that there are one finite value per node, a part for every face and a canvas with area.
+/// Fails with internal or bad_input. O(nodes + faces).
 Status check_surface(const LayeredMesh& mesh, const Inflation& inflation, const Ordering& ordering,
                      const Scene& scene);
 

@@ -8,14 +8,14 @@
 namespace relievo::relief {
 namespace {
 
-/// An end of an open edge: a surface's copy of a base vertex.
-struct Corner {
+/// A surface's copy of the base vertex at an end of an open edge.
+struct EdgeEnd {
   int base = -1;
   double z = 0;
   int vertex = -1;
 };
 
-bool operator<(const Corner& a, const Corner& b) {
+bool operator<(const EdgeEnd& a, const EdgeEnd& b) {
   return std::tie(a.base, a.z, a.vertex) < std::tie(b.base, b.z, b.vertex);
 }
 
@@ -23,53 +23,52 @@ class WallBuilder {
  public:
   WallBuilder(const CutSurface& surface, double weld_tolerance, ModelBuilder& builder)
       : surface_(surface), weld_tolerance_(weld_tolerance), builder_(builder) {
-    collect_corners();
-    weld_corners();
+    collect_ends();
+    weld_ends();
   }
 
   void close(const OpenEdge& open) {
     first_.clear();
     second_.clear();
-    append_edge_points(surface_, open.first, false, first_);
-    append_edge_points(surface_, open.second, true, second_);
+    append_edge_points(surface_, open[0], false, first_);
+    append_edge_points(surface_, open[1], true, second_);
     weld_cuts();
     if (coincide()) return;
     first_higher_ = first_is_higher(open);
-    part_ = surface_.mesh.face_part[(first_higher_ ? open.first : open.second).face];
+    part_ = surface_.mesh.face_part[open[first_higher_ ? 0 : 1].face];
     find_normals();
     for (EdgePoint& p : first_) p.vertex = builder_.copy_vertex(p.vertex, normal_at(p.t));
     for (EdgePoint& p : second_) p.vertex = builder_.copy_vertex(p.vertex, normal_at(p.t));
-    const int triangle = surface_.mesh.face_triangle[open.first.face];
+    const int triangle = surface_.mesh.face_triangle[open[0].face];
     const std::array<int, 3>& base = surface_.mesh.triangles[triangle];
-    zip(base[next_place(open.first.corner)], base[last_place(open.first.corner)]);
+    zip(base[next_place(open[0].corner)], base[last_place(open[0].corner)]);
   }
 
  private:
-  void collect_corners() {
+  void collect_ends() {
     for (const OpenEdge& open : surface_.sheets.open_edges)
-      for (const FaceEdge edge : {open.first, open.second})
+      for (const FaceEdge edge : open)
         for (const int side : {1, 2}) {
           const int v = surface_.sheets.vertex[corner_of(edge.face, (edge.corner + side) % 3)];
           const int node = surface_.sheets.vertex_node[v];
-          corners_.push_back({surface_.mesh.node_vertex[node], z(v), v});
+          ends_.push_back({surface_.mesh.node_vertex[node], z(v), v});
         }
-    std::sort(corners_.begin(), corners_.end());
+    std::sort(ends_.begin(), ends_.end());
   }
 
-  void weld_corners() {
-    for (size_t i = 1; i < corners_.size(); ++i) {
-      Corner& corner = corners_[i];
-      const Corner& below = corners_[i - 1];
-      if (corner.base != below.base || z(corner.vertex) - z(below.vertex) > weld_tolerance_)
-        continue;
-      corner.z = below.z;
-      builder_.set_height(corner.vertex, corner.z);
+  void weld_ends() {
+    for (size_t i = 1; i < ends_.size(); ++i) {
+      EdgeEnd& end = ends_[i];
+      const EdgeEnd& below = ends_[i - 1];
+      if (end.base != below.base || z(end.vertex) - z(below.vertex) > weld_tolerance_) continue;
+      end.z = below.z;
+      builder_.set_height(end.vertex, end.z);
     }
   }
 
   double z(int vertex) const { return builder_.position(vertex).z; }
 
-  /// Puts the inner points of both copies at the same places where they nearly are.
+  /// Moves the inner points of the second copy to those of the first if all nearly coincide.
   void weld_cuts() {
     if (first_.size() != second_.size()) return;
     const auto near = [this](const EdgePoint& a, const EdgePoint& b) {
@@ -80,16 +79,16 @@ class WallBuilder {
       builder_.set_position(second_[i].vertex, builder_.position(first_[i].vertex));
   }
 
-  bool same_place(int a, int b) const { return builder_.position(a) == builder_.position(b); }
+  bool coincide(int a, int b) const { return builder_.position(a) == builder_.position(b); }
 
   bool coincide() const {
     const auto same = [this](const EdgePoint& a, const EdgePoint& b) {
-      return same_place(a.vertex, b.vertex);
+      return coincide(a.vertex, b.vertex);
     };
     return std::equal(first_.begin(), first_.end(), second_.begin(), second_.end(), same);
   }
 
-  /// Area below one copy of the edge, over its unit length.
+  /// Returns the area below one copy of the edge, whose length counts as 1.
   double area_below(const std::vector<EdgePoint>& points) const {
     double area = 0;
     for (size_t i = 1; i < points.size(); ++i)
@@ -101,11 +100,12 @@ class WallBuilder {
   bool first_is_higher(const OpenEdge& open) const {
     const double difference = area_below(first_) - area_below(second_);
     if (difference != 0) return difference > 0;
-    return surface_.mesh.face_part[open.first.face] >= surface_.mesh.face_part[open.second.face];
+    return surface_.mesh.face_part[open[0].face] >= surface_.mesh.face_part[open[1].face];
   }
 
-  /// The wall continues a rim: its normal is the horizontal part of the steeper of both normals
-  /// there, turned to the lower side, unless that does not face across the edge.
+  /// Computes the wall's normals at both ends. The wall continues a rim: the normal is the
+  /// horizontal part of the steeper of both normals there, turned to the lower side, unless that
+  /// does not face across the edge.
   void find_normals() {
     const Point3 along =
         builder_.position(first_.back().vertex) - builder_.position(first_.front().vertex);
@@ -149,16 +149,16 @@ class WallBuilder {
     }
   }
 
-  /// Whether to go on along the first copy: to the next point along the edge, unless only the
-  /// other triangle faces outwards.
+  /// Returns whether to advance on the first copy: to the next point along the edge, unless only
+  /// the other triangle faces outwards.
   bool advance_first(size_t i, size_t j) const {
     const bool preferred = prefer_first(i, j);
     return faces_inwards(i, j, preferred) && !faces_inwards(i, j, !preferred) ? !preferred
                                                                               : preferred;
   }
 
-  /// For points side by side the lower cross edge, so that nothing sticks out where both copies
-  /// cross.
+  /// Returns whether the next point along the edge is on the first copy. Of points side by side the
+  /// lower cross edge is preferred, so that nothing sticks out where both copies cross.
   bool prefer_first(size_t i, size_t j) const {
     if (first_[i + 1].t != second_[j + 1].t) return first_[i + 1].t < second_[j + 1].t;
     return z(first_[i + 1].vertex) + z(second_[j].vertex) <=
@@ -174,15 +174,16 @@ class WallBuilder {
 
   Point2 in_wall(const EdgePoint& p) const { return {p.t, z(p.vertex)}; }
 
-  /// A triangle whose vertical edge from -> to over a base vertex is cut at the heights of all
+  /// Adds a triangle whose vertical edge from -> to over a base vertex is cut at the heights of all
   /// surfaces that end there.
   void fan(int apex, int from, int to, int base) {
     const double z_from = z(from);
     const double z_to = z(to);
-    auto begin = std::lower_bound(corners_.begin(), corners_.end(),
-                                  Corner{base, std::min(z_from, z_to), -1});
-    const auto end = std::lower_bound(corners_.begin(), corners_.end(),
-                                      Corner{base, std::max(z_from, z_to), -1});
+    const auto at_height = [&](double z) {
+      return std::lower_bound(ends_.begin(), ends_.end(), EdgeEnd{base, z, -1});
+    };
+    auto begin = at_height(std::min(z_from, z_to));
+    const auto end = at_height(std::max(z_from, z_to));
     heights_.clear();
     for (; begin != end; ++begin)
       if (begin->z != std::min(z_from, z_to) && (heights_.empty() || heights_.back() != begin->z))
@@ -198,16 +199,16 @@ class WallBuilder {
   }
 
   void add_triangle(int a, int b, int c) {
-    if (same_place(a, b) || same_place(b, c) || same_place(c, a)) return;
-    builder_.add_triangle({part_, false}, a, b, c);
+    if (coincide(a, b) || coincide(b, c) || coincide(c, a)) return;
+    builder_.add_triangle(part_, false, a, b, c);
   }
 
   const CutSurface& surface_;
   double weld_tolerance_;
   ModelBuilder& builder_;
-  std::vector<Corner> corners_;  ///< sorted by base vertex and height
+  std::vector<EdgeEnd> ends_;  ///< sorted by base vertex and height
   bool first_higher_ = true;
-  int part_ = -1;  ///< the higher part
+  int part_ = -1;  ///< the higher part, which the wall belongs to
   Point3 normal_front_;
   Point3 normal_back_;
   std::vector<EdgePoint> first_;   ///< the first face's copy of the edge
@@ -217,77 +218,36 @@ class WallBuilder {
 
 constexpr BackPoint nothing{std::numeric_limits<double>::infinity(), 0};
 
-class BackFinder {
- public:
-  BackFinder(const CutSurface& surface, const Inflation& inflation, const Ordering& ordering)
-      : mesh_(surface.mesh),
-        sheets_(surface.sheets),
-        cuts_(surface.cuts),
-        u_(inflation.u),
-        g_(ordering.g) {
-    for (size_t n = 0; n < ordering.lowered.size(); ++n) g_[n] += ordering.lowered[n];
-  }
+/// Lowers `least` to the back of a sheet. A hollow has no back: it counts only if nothing else
+/// does.
+void lower(double u, double g, int part, BackPoint& least) {
+  const double z = g - std::sqrt(std::abs(u));
+  if (u < 0 ? least.z == nothing.z : z < least.z) least = {z, part};
+}
 
-  std::vector<BackPoint> find() const {
-    const std::vector<BackPoint> below = behind_base_vertices();
-    std::vector<BackPoint> back;
-    for (const int node : sheets_.vertex_node) back.push_back(below[mesh_.node_vertex[node]]);
-    const size_t edges = sheets_.edge_owner.size();
-    for (size_t e = 0; e < edges; ++e) append_cuts(e, back);
-    for (size_t e = 0; e < edges; ++e)
-      if (cuts_.twin[e] >= 0) append_cuts(e, back);
-    return back;
-  }
-
- private:
-  /// A hollow has no back: it counts only where nothing else does.
-  static void lower(double u, double g, int part, BackPoint& least) {
-    const double z = g - std::sqrt(std::abs(u));
-    if (u < 0 ? least.z == nothing.z : z < least.z) least = {z, part};
-  }
-
-  std::vector<BackPoint> behind_base_vertices() const {
-    std::vector<BackPoint> below(mesh_.vertices.size(), nothing);
-    for (size_t f = 0; f < mesh_.faces.size(); ++f)
-      for (const int n : mesh_.faces[f])
-        lower(u_[n], g_[n], mesh_.face_part[f], below[mesh_.node_vertex[n]]);
-    return below;
-  }
-
-  void append_cuts(size_t e, std::vector<BackPoint>& back) const {
-    const auto [face, corner] = sheets_.edge_owner[e];
-    const int triangle = mesh_.face_triangle[face];
-    const int from = mesh_.node_vertex[mesh_.faces[face][next_place(corner)]];
-    const int to = mesh_.node_vertex[mesh_.faces[face][last_place(corner)]];
-    for (int i = cuts_.begin[e]; i < cuts_.begin[e + 1]; ++i) {
-      BackPoint least = nothing;
-      for (const int beside : {triangle, mesh_.neighbours[triangle][corner]})
-        if (beside >= 0) lower_on_edge(beside, from, to, cuts_.t[i], least);
-      back.push_back(least);
-    }
-  }
-
-  /// The sheets of a triangle at (1 - t) from + t to, base vertices of its own.
-  void lower_on_edge(int triangle, int from, int to, double t, BackPoint& least) const {
-    for (int f = mesh_.stack_begin[triangle]; f < mesh_.stack_begin[triangle + 1]; ++f) {
+/// Returns the rearmost sheet of both triangles beside an edge at position t on it.
+BackPoint behind_edge(const LayeredMesh& mesh, const std::vector<double>& node_u,
+                      const std::vector<double>& node_g, FaceEdge edge, double t) {
+  const int triangle = mesh.face_triangle[edge.face];
+  const int from = mesh.node_vertex[mesh.faces[edge.face][next_place(edge.corner)]];
+  const int to = mesh.node_vertex[mesh.faces[edge.face][last_place(edge.corner)]];
+  BackPoint least = nothing;
+  for (const int beside : {triangle, mesh.neighbours[triangle][edge.corner]}) {
+    if (beside < 0) continue;
+    for (int f = mesh.stack_begin[beside]; f < mesh.stack_begin[beside + 1]; ++f) {
       double u = 0;
       double g = 0;
-      for (const int n : mesh_.faces[f]) {
-        const int v = mesh_.node_vertex[n];
+      for (const int n : mesh.faces[f]) {
+        const int v = mesh.node_vertex[n];
         const double weight = v == from ? 1 - t : (v == to ? t : 0);
-        u += weight * u_[n];
-        g += weight * g_[n];
+        u += weight * node_u[n];
+        g += weight * node_g[n];
       }
-      lower(u, g, mesh_.face_part[f], least);
+      lower(u, g, mesh.face_part[f], least);
     }
   }
-
-  const LayeredMesh& mesh_;
-  const SheetSurface& sheets_;
-  const EdgeCuts& cuts_;
-  const std::vector<double>& u_;
-  std::vector<double> g_;  ///< as if nothing had been hidden, which is of the front alone
-};
+  return least;
+}
 
 }  // namespace
 
@@ -298,7 +258,25 @@ void close_open_edges(const CutSurface& surface, double weld_tolerance, ModelBui
 
 std::vector<BackPoint> back_points(const CutSurface& surface, const Inflation& inflation,
                                    const Ordering& ordering) {
-  return BackFinder(surface, inflation, ordering).find();
+  const auto& [mesh, sheets, cuts] = surface;
+  // Hidden sheets are lowered for the front alone.
+  std::vector<double> g = ordering.g;
+  for (size_t n = 0; n < ordering.lowered.size(); ++n) g[n] += ordering.lowered[n];
+  std::vector<BackPoint> below(mesh.vertices.size(), nothing);
+  for (size_t f = 0; f < mesh.faces.size(); ++f)
+    for (const int n : mesh.faces[f])
+      lower(inflation.u[n], g[n], mesh.face_part[f], below[mesh.node_vertex[n]]);
+  std::vector<BackPoint> back;
+  for (const int node : sheets.vertex_node) back.push_back(below[mesh.node_vertex[node]]);
+  const size_t edges = sheets.edge_owner.size();
+  const auto append_cuts = [&, &mesh = mesh, &sheets = sheets, &cuts = cuts](size_t e) {
+    for (int i = cuts.begin[e]; i < cuts.begin[e + 1]; ++i)
+      back.push_back(behind_edge(mesh, inflation.u, g, sheets.edge_owner[e], cuts.t[i]));
+  };
+  for (size_t e = 0; e < edges; ++e) append_cuts(e);
+  for (size_t e = 0; e < edges; ++e)
+    if (cuts.twin[e] >= 0) append_cuts(e);
+  return back;
 }
 
 }  // namespace relievo::relief

@@ -27,21 +27,21 @@ double chord_error(double a, double b) {
 }
 
 TEST(RimLevels, LevelAndHeightAreInverse) {
-  const RimLevels levels(0.25);
+  const double tolerance = 0.25;
   for (const double f : {-300.0, -1.0, 0.02, 0.5, 7.0, 1000.0})
-    EXPECT_NEAR(levels.height(levels.level(signed_square(f))), f, 1e-12 * std::abs(f));
-  EXPECT_EQ(levels.level(0), 0);
-  EXPECT_EQ(levels.level(1e-12), 0);
-  EXPECT_EQ(levels.level(-1e-12), 0);
+    EXPECT_NEAR(rim_height(rim_level(signed_square(f), tolerance), tolerance), f,
+                1e-12 * std::abs(f));
+  for (const double u : {0.0, 1e-12, -1e-12}) EXPECT_EQ(rim_level(u, tolerance), 0);
 }
 
 TEST(RimLevels, ChordsOfOneLevelStayWithinTolerance) {
   const double tolerance = 0.25;
-  const RimLevels levels(tolerance);
-  for (double low = 0; low < 12; low += 0.37)
-    EXPECT_LE(chord_error(levels.height(low), levels.height(low + 1)), tolerance);
-  EXPECT_GT(chord_error(levels.height(0), levels.height(1)), 0.9 * tolerance);
-  EXPECT_GT(chord_error(levels.height(9), levels.height(10)), 0.9 * tolerance);
+  const auto error_from = [tolerance](double low) {
+    return chord_error(rim_height(low, tolerance), rim_height(low + 1, tolerance));
+  };
+  for (double low = 0; low < 12; low += 0.37) EXPECT_LE(error_from(low), tolerance);
+  EXPECT_GT(error_from(0), 0.9 * tolerance);
+  EXPECT_GT(error_from(9), 0.9 * tolerance);
 }
 
 TEST(RimLevels, CutsSpanAtMostOneLevelAndStopAtZero) {

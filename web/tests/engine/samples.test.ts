@@ -6,6 +6,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { type BuildOptions, isFailure, type SolidFormat, type SolidOptions, type Texture } from '../../engine/messages';
 import type { ReliefService } from '../../engine/relief_service';
 import { relievo, root, temporaryFolder } from '../support/command_line';
+import { pngOf } from '../support/pictures';
 import { must, shown, startService, usual } from './service';
 
 const samples = ['bunny', 'elephant', 'farmer', 'lamb', 'unicorn', 'wolf'];
@@ -49,6 +50,38 @@ describe('the engine and the command line', () => {
     expect(Buffer.from(file!.bytes).equals(readFileSync(join(folder, `${name}.glb`)))).toBe(true);
     const map = must(service.map('normal', 2048, false)).bytes;
     expect(Buffer.from(map).equals(readFileSync(join(folder, `${name}.png`)))).toBe(true);
+  });
+
+  it('narrow the same rims of a circle with a broad black stroke', () => {
+    const size = 200;
+    const middle = size / 2;
+    const radius = 87;
+    const paint = (x: number, y: number) => {
+      const inside = radius - Math.hypot(x + 0.5 - middle, y + 0.5 - middle);
+      if (inside < 0) return [0, 0, 0, 0] as const;
+      return inside < 14 ? ([0, 0, 0, 255] as const) : ([232, 160, 106, 255] as const);
+    };
+    const outline = Array.from({ length: 120 }, (_, i) => {
+      const turn = (i * Math.PI) / 60;
+      return [middle + radius * Math.cos(turn), middle + radius * Math.sin(turn)];
+    });
+    const scene = JSON.stringify({
+      format: 'relievo-scene', version: 1, canvas: { width: size, height: size }, drawing: 'circle.png',
+      parts: [{ id: 'ball', outline: [outline] }],
+    });
+    writeFileSync(join(folder, 'circle.png'), pngOf(size, size, paint));
+    native('circle', scene, '-o', join(folder, 'circle.glb'), '-o', join(folder, 'circle.stl'));
+    build(scene);
+    const rgba = Uint8Array.from(Array.from({ length: size * size }, (_, i) => paint(i % size, Math.floor(i / size))).flat());
+    for (const format of ['glb', 'stl'] as const) {
+      const [file] = must(service.encode(format, 'circle', 100, { rgba, width: size, height: size })).files;
+      expect(Buffer.from(file!.bytes).equals(readFileSync(join(folder, `circle.${format}`)))).toBe(true);
+    }
+    const { surface: narrowed } = must(service.dress(shown.tolerance, { rgba, width: size, height: size }));
+    const heights = [narrowed, must(service.surface(shown))].map(({ positions }) =>
+      positions.reduce((sum, p, i) => (i % 3 === 2 ? sum + p : sum), 0),
+    );
+    expect(heights[0]! / heights[1]!).toBeLessThan(0.98);
   });
 
   it('make the same bytes after edits that reuse the build before', () => {
