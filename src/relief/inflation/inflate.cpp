@@ -2,7 +2,7 @@
 //
 //   (L + B + K) u = M c,      u = 0 on outlines,      f = sgn(u) sqrt|u|
 //
-// u is the paper's f tilde with the sign of d. The paper's Robin condition
+// u is d|d| times the paper's f tilde. The paper's Robin condition
 //
 //   alpha u + (1 - alpha) l du/dn = 0,    alpha = alpha0 + (1 - alpha0) t,    l = rho (ramp length)
 //

@@ -7,8 +7,8 @@
 // unknowns Z, B and the matrix K of the shift energy over both (shift_matrix),
 //
 //   S = lambda_shift (K_BB - K_BZ K_ZZ^-1 K_ZB)                    Schur complement
-//   sigma = lambda_bnd m + 2 |L_BI s|, or with the sign of s if that is not too soft
-//   sigma = 0 where the gap is open: f stays 0, and only the heights resist
+//   sigma = lambda_bnd m + 2 sgn(f) L_BI s      or with |L_BI s| if that is too small
+//   sigma = 0 where the gap is open: f stays 0, and only S acts
 //
 //   letter          in the code (all / lambda_shift)
 //   S               result of eliminate_heights; its diagonal schur_diagonal_

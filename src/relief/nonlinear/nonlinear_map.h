@@ -24,7 +24,7 @@ struct NonlinearState {
 
 /// How cautious the steps are.
 struct StepControl {
-  double compliance = 1;  ///< share of the compliance of mixed nodes that counts; less is slower
+  double compliance = 1;  ///< share of the compliance of mixed nodes that counts; larger is slower
   double stiffness = 0;   ///< added stiffness on B (BoundStep::add_stiffness)
   double width = 0;       ///< of the smooth root where u may have either sign, scene units
 };

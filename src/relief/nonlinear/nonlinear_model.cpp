@@ -6,7 +6,7 @@
 // With the excess s = M^-1 L u - c, half the slope of the first term with respect to u is L_II s on
 // I and L_BI s on B. A load phi on I is therefore in balance for
 //
-//   L_II s = phi,    L_II u_I = (M c + M s)_I - L_IB u_B - L_I. fixed_u
+//   L_II s = phi,    L_II u_I = (M c + M s)_I - L_IB u_B - (L fixed_u)_I
 //
 //   letter          in the code
 //   L, M, M c       NonlinearModel::L, mass, load

@@ -21,8 +21,8 @@ using namespace testing;
 
 constexpr double max_residual = 1e-10;
 
-/// The range of scenes to test. RELIEVO_UGLY_SCENES=FROM-TO selects another and prints a table of the
-/// outcomes.
+/// The range of scenes to test. RELIEVO_UGLY_SCENES=FROM-TO selects another and prints a table of
+/// the outcomes.
 struct Seeds {
   uint64_t first = 1;
   uint64_t last = 150;
