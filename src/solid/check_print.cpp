@@ -18,7 +18,7 @@ using ClipperLib::Path;
 using ClipperLib::Paths;
 
 constexpr int most_cuts = 16;
-// Lengths in nozzles below which findings do not count; tuned on printed samples.
+// Lengths in nozzles below which findings do not count.
 constexpr double least_wall = 5;   ///< length of thin walls
 constexpr double least_limb = 8;   ///< length of slender limbs
 constexpr double least_side = 10;  ///< side of a square as large as a piece beyond a neck, or an

@@ -17,7 +17,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Tuned on figures and on the samples' solids.
+// Limits of the compression.
 constexpr double steepest = 3;         ///< limit of slopes; small slopes hardly change
 constexpr double highest_step = 0.3;   ///< limit of steps, of the wanted depth
 constexpr double kept_by_large = 0.3;  ///< share of an even compression that large forms keep

@@ -134,11 +134,10 @@ class RimFlattener {
   }
 
  private:
-  /// Computes the height that a height f over the rim is lowered to, at least that of the line's
-  /// own edge, half its width. With F = sqrt(u) the height at the end of the ink, T = min(2, M /
-  /// F), M = sqrt(most), and s = (f / F - k) / (T - k):
+  /// Computes the height that a height f over the rim is lowered to, at least half a line's width:
   ///   0 if s < 0,   F s^2 (T (3 - 2 s) - (T - k) (1 - s)) if s < 1,   f otherwise,
-  /// a cubic from 0 with slope 0 to T F with slope 1.
+  /// a cubic from 0 with slope 0 to T F with slope 1. F = sqrt(u) is the height at the end of the
+  /// ink, M = sqrt(most) the greatest nearby, T = min(2, M / F) and s = (f / F - k) / (T - k).
   static double lowered(double f, const RimVertex& rim) {
     const double end = std::sqrt(rim.u);
     if (end <= 0) return f;
