@@ -14,7 +14,7 @@ namespace {
 constexpr size_t alignment = 64;
 constexpr size_t local_header = 30;
 constexpr size_t extra_header = 4;
-/// Of an extra field that pads, as the tools of the format's authors write it.
+/// Id of an extra field for padding, as the tools of the format's authors write it.
 constexpr uint16_t padding_field = 0x1986;
 constexpr uint16_t version = 20;
 constexpr uint16_t first_of_1980 = (1 << 5) | 1;
@@ -24,7 +24,7 @@ uint32_t checksum(const Bytes& bytes) {
   return static_cast<uint32_t>(crc32_z(crc, bytes.data(), bytes.size()));
 }
 
-/// What both headers of an entry have in common.
+/// Appends the fields that both headers of an entry have.
 void append_facts(Bytes& zip, const ArchiveEntry& entry, size_t padding) {
   append_u16(zip, version);
   append_u16(zip, 0);  // flags

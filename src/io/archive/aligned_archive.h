@@ -8,8 +8,9 @@
 
 namespace relievo {
 
-/// A zip archive of the entries in their order, stored, the bytes of each beginning at a multiple
-/// of 64. Error: `limit` above 4 GB.
+/// Packs a zip archive of the entries in their order, stored, with the bytes of each at a multiple
+/// of
+/// 64. Error: `limit` above 4 GB.
 Result<Bytes> pack_aligned(const std::vector<ArchiveEntry>& entries);
 
 }  // namespace relievo

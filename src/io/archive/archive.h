@@ -13,7 +13,7 @@ struct ArchiveEntry {
   Bytes bytes;
 };
 
-/// The entry with a name, or null.
+/// Returns the entry with this name, or null.
 inline const ArchiveEntry* find_entry(const std::vector<ArchiveEntry>& entries,
                                       const std::string& name) {
   const auto found = std::find_if(entries.begin(), entries.end(),

@@ -11,14 +11,14 @@
 namespace relievo {
 namespace {
 
-/// Half the time of the usual 6, and files a twentieth larger.
+/// Takes half the time of the usual level 6, for files a twentieth larger.
 constexpr zip_uint32_t level = 4;
 
 Error failed(const std::string& reason) {
   return {ErrorCode::internal, "the archive cannot be made: " + reason, ""};
 }
 
-/// Zip files hold local times, so this is what becomes the first of January 1980 everywhere.
+/// Returns the time that becomes the first of January 1980, since zip files hold local times.
 std::time_t oldest_time() {
   std::tm date{};
   date.tm_year = 80;

@@ -8,9 +8,9 @@
 
 namespace relievo {
 
-/// A zip archive of the entries, in their order. Entries that are pictures or named "mimetype" are
+/// Packs a zip archive of the entries, in their order. Pictures and an entry named "mimetype" are
 /// stored, others deflated. The same entries give the same bytes: all carry the first of January
-/// 1980. Errors: `internal` where the library fails, `limit` where there is no memory.
+/// 1980. Error: `internal` where the library fails.
 Result<Bytes> pack_archive(const std::vector<ArchiveEntry>& entries);
 
 }  // namespace relievo

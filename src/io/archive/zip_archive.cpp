@@ -56,7 +56,7 @@ Result<Bytes> unpack(zip_t* archive, const zip_stat_t& stat) {
   return bytes;
 }
 
-/// What the directory says of all files, checked.
+/// Returns the checked directory entries of all files.
 Result<std::vector<zip_stat_t>> list_files(zip_t* archive, const ArchiveLimits& limits) {
   const zip_int64_t count = zip_get_num_entries(archive, 0);
   if (count > static_cast<zip_int64_t>(limits.max_entries))
@@ -85,7 +85,7 @@ bool is_archive(ByteView bytes) {
 }
 
 Result<std::vector<ArchiveEntry>> unpack_archive(ByteView bytes, const ArchiveLimits& limits) {
-  if (!is_archive(bytes)) return damaged("it does not begin as one");
+  if (!is_archive(bytes)) return damaged("it does not begin like one");
   const auto archive = open_archive(bytes);
   if (!archive) return archive.error();
   const auto files = list_files(archive->get(), limits);

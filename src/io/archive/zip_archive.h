@@ -9,18 +9,18 @@
 
 namespace relievo {
 
-/// What an archive may ask for; checked from its directory, before anything is unpacked.
+/// Limits of an archive, checked from its directory before anything is unpacked.
 struct ArchiveLimits {
   uint64_t max_entries = 2000;
   uint64_t max_bytes = uint64_t{1} << 30;  ///< of all entries together, unpacked
-  uint64_t max_ratio = 1000;               ///< of an entry's size unpacked and packed
+  uint64_t max_ratio = 1000;               ///< of an entry's unpacked to its packed size
 };
 
-/// Whether `bytes` begin as a zip archive does.
+/// Returns whether `bytes` begin like a zip archive.
 bool is_archive(ByteView bytes);
 
-/// The files of a zip archive in the order of its directory; folders are passed over. Errors:
-/// bad_input (damaged, encrypted, a name twice or one that leads out of the archive), limit.
+/// Unpacks the files of a zip archive in the order of its directory, without folders. Errors:
+/// `bad_input` (damaged, encrypted, a repeated name or one that leads out of the archive), `limit`.
 Result<std::vector<ArchiveEntry>> unpack_archive(ByteView bytes, const ArchiveLimits& limits = {});
 
 }  // namespace relievo

@@ -8,7 +8,7 @@
 
 namespace relievo {
 
-/// Append a number to `bytes`, least significant byte first on every machine.
+/// Append a number to `bytes`, least significant byte first.
 inline void append_u16(Bytes& bytes, uint16_t value) {
   bytes.push_back(static_cast<uint8_t>(value & 0xff));
   bytes.push_back(static_cast<uint8_t>(value >> 8));

@@ -9,8 +9,8 @@
 
 namespace relievo {
 
-/// The shortest text that reads back as the same double or float: fixed, or scientific where that
-/// is shorter. It is what to_chars gives, for libraries that lack it. Relies on the "C" locale.
+/// Returns the shortest text that reads back as the same double or float: fixed, or scientific
+/// where that is shorter. Equals to_chars, for libraries that lack it. Requires the "C" locale.
 template <class Number>
 std::string searched_text(Number number) {
   std::array<char, 400> text;
@@ -31,7 +31,7 @@ std::string searched_text(Number number) {
   return fixed.size() <= scientific.size() ? fixed : scientific;
 }
 
-/// The shortest text that reads back as the same number, whatever the locale.
+/// Returns the shortest text that reads back as the same number, in any locale.
 template <class Number>
 std::string shortest_text(Number number) {
 #ifdef __cpp_lib_to_chars
@@ -46,7 +46,7 @@ std::string shortest_text(Number number) {
 #endif
 }
 
-/// "1 part", "2 parts".
+/// Returns "1 part", "2 parts" and so on.
 inline std::string counted(size_t number, const std::string& what) {
   return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
 }

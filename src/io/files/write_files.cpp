@@ -26,14 +26,15 @@ Status check_destination(const fs::path& path, const std::vector<fs::path>& inpu
     return file_error(path, "it is not a regular file");
   for (const fs::path& input : inputs)
     if (fs::exists(status) && fs::equivalent(path, input, code))
-      return Error{ErrorCode::usage, "is an input and is never overwritten", path.string()};
+      return Error{ErrorCode::usage, "is an input, which is never overwritten; choose another name",
+                   path.string()};
   if (!fs::is_directory(path.parent_path(), code))
     return file_error(path, "its folder does not exist");
   return Done{};
 }
 
-/// Creates an empty file in the destination's folder under a name that nobody else has, with the
-/// permissions of any new file; empty when that fails.
+/// Creates an empty file in the destination's folder under an unused name, with the permissions of
+/// a new file, and returns its path; empty on failure.
 fs::path reserve_name_beside(const fs::path& destination) {
   static std::atomic<unsigned> next{0};
   while (true) {
@@ -56,7 +57,7 @@ bool write_bytes(const fs::path& path, const Bytes& bytes) {
   return (std::fclose(file) == 0) && complete;
 }
 
-/// One output on its way to its destination. Removes what it left beside it when it goes.
+/// One output on its way to its destination. The destructor removes temporary files.
 class Staged {
  public:
   explicit Staged(fs::path destination) : destination_(std::move(destination)) {}
@@ -77,7 +78,7 @@ class Staged {
     return Done{};
   }
 
-  /// Keeps the file that is about to be replaced reachable under a second name.
+  /// Keeps a second name for the file that is about to be replaced.
   Status keep_previous() {
     std::error_code code;
     if (!fs::exists(destination_, code)) return Done{};
@@ -127,7 +128,8 @@ Result<StagedFiles> stage(const std::vector<OutputFile>& outputs,
     if (code || output.path.empty()) return file_error(output.path, "the path is not valid");
     if (Status status = check_destination(destination, inputs); !status) return status.error();
     if (!taken.insert(destination).second)
-      return Error{ErrorCode::usage, "is given as output twice", output.path.string()};
+      return Error{ErrorCode::usage, "is the name of two outputs; choose another name for one",
+                   output.path.string()};
     destinations.push_back(std::move(destination));
   }
   StagedFiles staged;

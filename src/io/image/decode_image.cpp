@@ -10,8 +10,8 @@ Result<Image8> decode_image(ByteView bytes, const ImageLimits& limits) {
   if (is_png(bytes)) return decode_png(bytes, limits);
   if (is_jpeg(bytes)) return decode_jpeg(bytes, limits);
   if (is_gif(bytes)) return decode_gif(bytes, limits);
-  if (is_nearly_png(bytes)) return decode_png(bytes, limits);  // which tells what is wrong
-  return Error{ErrorCode::bad_input, "the file is neither a PNG nor a JPEG nor a GIF image", ""};
+  if (is_nearly_png(bytes)) return decode_png(bytes, limits);  // which names the defect
+  return Error{ErrorCode::bad_input, "is neither a PNG nor a JPEG nor a GIF picture", ""};
 }
 
 }  // namespace relievo

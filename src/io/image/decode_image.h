@@ -10,12 +10,11 @@
 
 namespace relievo {
 
-/// A PNG, JPEG or GIF file, told apart by its content, as 8-bit sRGB with straight alpha, 4
-/// channels. Errors: `bad_input` where it is none of them or damaged, `limit` where it is too
-/// large.
+/// Decodes a PNG, JPEG or GIF file, recognised by its content, to 8-bit sRGB with straight alpha, 4
+/// channels. Errors: `bad_input` where it is damaged or none of them, `limit`.
 Result<Image8> decode_image(ByteView bytes, const ImageLimits& limits = {});
 
-/// How every PNG file begins.
+/// The first bytes of every PNG file.
 constexpr std::array<uint8_t, 8> png_signature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
 }  // namespace relievo

@@ -13,7 +13,7 @@
 namespace relievo {
 namespace {
 
-/// A code of 12 bits stands for at most 4096 pixels.
+/// A code of 12 bits stands for at most 4096 pixels: 4096 / 1.5.
 constexpr int64_t most_pixels_per_byte = 2731;
 
 int read_bytes(GifFileType* gif, GifByteType* out, int count) {

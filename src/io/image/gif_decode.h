@@ -7,12 +7,12 @@
 
 namespace relievo {
 
-/// Whether `bytes` begin as a GIF file does.
+/// Returns whether `bytes` begin like a GIF file.
 bool is_gif(ByteView bytes);
 
-/// The first picture of a GIF file on its canvas as 8-bit sRGB with straight alpha, 4 channels;
-/// the canvas around it is transparent. Errors: `bad_input` where the file is damaged or cut short
-/// (the reason is in the message), `limit`.
+/// Decodes the first picture of a GIF file on its transparent canvas to 8-bit sRGB with straight
+/// alpha, 4 channels. Errors: `bad_input` where the file is damaged or cut short (the message has
+/// the reason), `limit`.
 Result<Image8> decode_gif(ByteView bytes, const ImageLimits& limits = {});
 
 }  // namespace relievo

@@ -7,23 +7,23 @@
 
 namespace relievo {
 
-/// What an image file may ask for; checked from its header, before its pixels take memory.
+/// Limits of an image file, checked from its header before its pixels take memory.
 struct ImageLimits {
   int64_t max_pixels = 100'000'000;
   int64_t max_side = 32'767;
   int64_t max_total = 600'000'000;  ///< pixels of all layers of a drawing together
 };
 
-/// `limit` where width x height exceeds `limits`, `bad_input` where one of them is 0.
+/// Errors: `limit` where width x height exceeds `limits`, `bad_input` where one of them is 0.
 inline Status check_image_size(int64_t width, int64_t height, const ImageLimits& limits) {
   const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
   if (width <= 0 || height <= 0) return Error{ErrorCode::bad_input, "image of " + size, ""};
   if (width > limits.max_side || height > limits.max_side || width > limits.max_pixels / height)
-    return Error{ErrorCode::limit, "image of " + size + " is over the limit", ""};
+    return Error{ErrorCode::limit, "image of " + size + " is over the limit; make it smaller", ""};
   return Done{};
 }
 
-/// format: "PNG", say. reason: what is wrong in the file.
+/// Returns an error on a file of a format ("PNG") with the reason.
 inline Error damaged_image(const std::string& format, const std::string& reason) {
   return {ErrorCode::bad_input, "the " + format + " file is damaged: " + reason, ""};
 }

@@ -20,8 +20,7 @@ namespace {
 
 constexpr int max_scans = 100;
 
-/// libjpeg reports failures by a jump, so what outlives one is kept here, outside the jumping
-/// calls.
+/// State that must survive a jump, by which libjpeg reports failures.
 struct JpegReader {
   jpeg_decompress_struct jpeg = {};
   jpeg_error_mgr errors = {};
@@ -116,7 +115,7 @@ bool too_short(const JpegReader& reader, size_t byte_count) {
 constexpr uint32_t orientation_tag = 0x0112;
 constexpr uint32_t type_short = 3;
 
-/// Bounds-checked numbers of a TIFF block; what lies outside reads as 0.
+/// Reads numbers of a TIFF block; those beyond its end are 0.
 struct TiffView {
   ByteView bytes;
   bool big_endian = false;

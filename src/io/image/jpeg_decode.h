@@ -7,19 +7,19 @@
 
 namespace relievo {
 
-/// Whether `bytes` begin as a JPEG file does.
+/// Returns whether `bytes` begin like a JPEG file.
 bool is_jpeg(ByteView bytes);
 
-/// A JPEG file (grey, colour or CMYK, baseline or progressive) as 8-bit sRGB with alpha 255,
-/// 4 channels, upright by its EXIF orientation. Colour profiles are ignored. Errors: `bad_input`
-/// where the file is damaged or cut short (the reason is in the message), `limit`.
+/// Decodes a JPEG file (grey, colour or CMYK, baseline or progressive) to 8-bit sRGB with alpha
+/// 255, 4 channels, upright by its EXIF orientation. Colour profiles are ignored. Errors:
+/// `bad_input` where the file is damaged or cut short (the message has the reason), `limit`.
 Result<Image8> decode_jpeg(ByteView bytes, const ImageLimits& limits = {});
 
-/// The orientation, 1 to 8, that an EXIF block ("Exif\0\0" and a TIFF directory) asks for;
-/// 1 (upright) where it says nothing valid.
+/// Returns the orientation, 1 to 8, in an EXIF block ("Exif\0\0" and a TIFF directory); 1 (upright)
+/// where it has no valid one.
 int exif_orientation(ByteView exif);
 
-/// The image turned and mirrored so that it is upright, given its EXIF orientation.
+/// Returns the image turned and mirrored to be upright, given its EXIF orientation.
 Image8 upright(const Image8& image, int orientation);
 
 }  // namespace relievo

@@ -21,7 +21,7 @@ int64_t big_endian(const uint8_t* at) {
   return int64_t{at[0]} << 24 | int64_t{at[1]} << 16 | int64_t{at[2]} << 8 | int64_t{at[3]};
 }
 
-/// libpng reports failures by a jump, so what outlives one is kept here, outside the jumping calls.
+/// State that must survive a jump, by which libpng reports failures.
 struct PngReader {
   png_structp png = nullptr;
   png_infop info = nullptr;
@@ -49,7 +49,7 @@ void on_read(png_structp png, png_bytep out, size_t count) {
   reader->rest = reader->rest.subspan(count);
 }
 
-/// What the rows hold.
+/// The kind of values in the rows.
 enum class Samples {
   rgba,    ///< 8-bit RGBA
   values,  ///< grey values or palette indices as they are, 8 or 16 bits
@@ -94,7 +94,7 @@ constexpr size_t first_line_end = 4;
 constexpr size_t bit_depth_at = 24;
 constexpr size_t color_type_at = 25;
 
-/// The bit depths of a colour type; none where there is no such type.
+/// Returns the bit depths of a colour type; none for an unknown type.
 std::vector<int> bit_depths(int color_type) {
   switch (color_type) {
     case 0:
@@ -117,7 +117,8 @@ size_t equal_bytes(ByteView bytes) {
   return count;
 }
 
-/// Whether the signature's line ends are all of one other kind, as a transfer as text leaves them.
+/// Returns whether the signature's line ends are all of one other kind, as after a transfer as
+/// text.
 bool has_other_line_ends(ByteView bytes) {
   const auto is_line_end = [](uint8_t byte) { return byte == '\r' || byte == '\n'; };
   if (bytes.size() < png_signature.size() ||
@@ -137,7 +138,7 @@ std::string header_defect(ByteView bytes) {
   return "its header (IHDR) holds values that do not exist";
 }
 
-/// Chunks as people call them.
+/// Returns the common name of a chunk.
 std::string chunk_in_words(const std::string& name) {
   if (name == "IHDR") return "header (IHDR)";
   if (name == "IDAT") return "pixels (IDAT)";

@@ -7,23 +7,29 @@
 namespace relievo {
 namespace {
 
+int colour_type(int channels) {
+  if (channels == 1) return PNG_COLOR_TYPE_GRAY;
+  return channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGBA;
+}
+
 struct PngWriter {
   png_structp png = nullptr;
   png_infop info = nullptr;
-  Bytes bytes;
-  std::string message;
+  png_uint_32 width;
+  png_uint_32 height;
+  int bit_depth;
+  int colours;
+  Bytes bytes = {};
+  std::string message = {};
 
-  PngWriter() = default;
+  PngWriter(int image_width, int image_height, int depth, int channels)
+      : width(static_cast<png_uint_32>(image_width)),
+        height(static_cast<png_uint_32>(image_height)),
+        bit_depth(depth),
+        colours(colour_type(channels)) {}
   PngWriter(const PngWriter&) = delete;
   PngWriter& operator=(const PngWriter&) = delete;
   ~PngWriter() { png_destroy_write_struct(&png, &info); }
-};
-
-struct PngLayout {
-  png_uint_32 width = 0;
-  png_uint_32 height = 0;
-  int bit_depth = 8;
-  int colour_type = PNG_COLOR_TYPE_RGBA;
 };
 
 [[noreturn]] void on_write_error(png_structp png, png_const_charp message) {
@@ -40,15 +46,14 @@ void on_write(png_structp png, png_bytep data, size_t count) {
 
 void on_flush(png_structp) {}
 
-bool write_all(PngWriter& writer, const PngLayout& layout, std::vector<png_text>& notes,
-               std::vector<png_bytep>& rows) {
+bool write_all(PngWriter& writer, std::vector<png_text>& notes, std::vector<png_bytep>& rows) {
   if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
   png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
   png_set_write_fn(writer.png, &writer, on_write, on_flush);
   png_set_compression_level(writer.png, 4);
   png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB | PNG_FILTER_UP | PNG_FILTER_AVG);
-  png_set_IHDR(writer.png, writer.info, layout.width, layout.height, layout.bit_depth,
-               layout.colour_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+  png_set_IHDR(writer.png, writer.info, writer.width, writer.height, writer.bit_depth,
+               writer.colours, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                PNG_FILTER_TYPE_DEFAULT);
   if (!notes.empty())
     png_set_text(writer.png, writer.info, notes.data(), static_cast<int>(notes.size()));
@@ -58,9 +63,9 @@ bool write_all(PngWriter& writer, const PngLayout& layout, std::vector<png_text>
   return true;
 }
 
-Result<Bytes> encode(const PngLayout& layout, std::vector<png_bytep> rows,
+Result<Bytes> encode(PngWriter& writer, std::vector<png_bytep> rows,
                      const std::vector<PngText>& texts) {
-  if (rows.empty() || layout.width == 0)
+  if (rows.empty() || writer.width == 0)
     return Error{ErrorCode::bad_input, "an image without pixels cannot be written", ""};
   std::vector<png_text> notes;
   for (const PngText& text : texts) {
@@ -71,23 +76,12 @@ Result<Bytes> encode(const PngLayout& layout, std::vector<png_bytep> rows,
     note.text_length = text.text.size();
     notes.push_back(note);
   }
-  PngWriter writer;
   writer.png =
       png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer, on_write_error, on_write_warning);
   if (writer.png != nullptr) writer.info = png_create_info_struct(writer.png);
-  if (writer.info == nullptr || !write_all(writer, layout, notes, rows))
+  if (writer.info == nullptr || !write_all(writer, notes, rows))
     return Error{ErrorCode::internal, "the image cannot be written as PNG: " + writer.message, ""};
   return std::move(writer.bytes);
-}
-
-int colour_type(int channels) {
-  if (channels == 1) return PNG_COLOR_TYPE_GRAY;
-  return channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGBA;
-}
-
-PngLayout layout_of(int width, int height, int bit_depth, int channels) {
-  return {static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), bit_depth,
-          colour_type(channels)};
 }
 
 }  // namespace
@@ -98,7 +92,8 @@ Result<Bytes> encode_png(const Image8& image, const std::vector<PngText>& texts)
   std::vector<png_bytep> rows;
   if (!image.empty())
     for (int y = 0; y < image.height; ++y) rows.push_back(const_cast<png_bytep>(&image.at(0, y)));
-  return encode(layout_of(image.width, image.height, 8, image.channels), rows, texts);
+  PngWriter writer(image.width, image.height, 8, image.channels);
+  return encode(writer, rows, texts);
 }
 
 Result<Bytes> encode_png(const Image16& image, const std::vector<PngText>& texts) {
@@ -114,7 +109,8 @@ Result<Bytes> encode_png(const Image16& image, const std::vector<PngText>& texts
   if (!image.empty())
     for (int y = 0; y < image.height; ++y)
       rows.push_back(big_endian.data() + size_t{2} * image.width * y);
-  return encode(layout_of(image.width, image.height, 16, 1), rows, texts);
+  PngWriter writer(image.width, image.height, 16, 1);
+  return encode(writer, rows, texts);
 }
 
 }  // namespace relievo

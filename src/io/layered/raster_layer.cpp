@@ -79,8 +79,8 @@ std::optional<Color> mean_color(const RasterLayer& layer, const Image8& set) {
   return Color{sum[0] / count, sum[1] / count, sum[2] / count, sum[3] / count};
 }
 
-/// Sets the mean colour of the opaque pixels, without the rim where the layer is wider than that,
-/// and whether the rim has another colour, as where a line runs around a fill.
+/// Sets the mark's colour to the mean of the layer's opaque pixels, without the rim where the layer
+/// is wider than that, and whether the rim has another colour, like a line around a fill.
 void set_color(const RasterLayer& layer, understanding::Mark& mark) {
   Image8 rim = opaque_pixels(layer);
   Image8 core = rim;

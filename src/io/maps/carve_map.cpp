@@ -21,7 +21,7 @@ void raise_pixels(const std::array<Point3, 3>& corners, double depth, Image16& i
   const Point3 c = corners[2];
   const Point2 ab{b.x - a.x, b.y - a.y};
   const Point2 ac{c.x - a.x, c.y - a.y};
-  // Rows run downwards.
+  // Rows run downwards, so the area of a triangle that faces up is negative.
   const double area = -cross(ab, ac);
   if (!(area > 0)) return;
   const std::array<Point2, 3> flat{Point2{a.x, a.y}, Point2{b.x, b.y}, Point2{c.x, c.y}};

@@ -18,7 +18,7 @@ double linear(uint8_t value) {
   return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
 }
 
-/// OKLab (B. Ottosson, 2020): distances in it are about those that people see.
+/// Converts to OKLab (B. Ottosson, 2020), whose distances match perceived ones.
 Point3 oklab(const Rgb& rgb) {
   const double r = linear(rgb[0]);
   const double g = linear(rgb[1]);
@@ -64,7 +64,8 @@ Rgb mean(const std::array<double, 3>& sum, double area) {
   return rgb;
 }
 
-/// A swatch for every colour of 5 bits a channel; `of_triangle`: its index by triangle.
+/// Collects a swatch for every colour of 5 bits a channel; `of_triangle` gets its index by
+/// triangle.
 std::vector<Swatch> collect_swatches(const Model& model, const Image8& texture,
                                      std::vector<int>& of_triangle) {
   std::map<int, int> numbers;
@@ -75,7 +76,7 @@ std::vector<Swatch> collect_swatches(const Model& model, const Image8& texture,
     const auto [at, fresh] = numbers.try_emplace(key, static_cast<int>(swatches.size()));
     if (fresh) swatches.emplace_back();
     Swatch& swatch = swatches[at->second];
-    // A triangle without area has a colour all the same.
+    // A triangle without area needs a colour too.
     const double area = area_of(model, t) + 1e-12;
     swatch.area += area;
     for (size_t c = 0; c < 3; ++c) swatch.sum[c] += area * rgb[c];

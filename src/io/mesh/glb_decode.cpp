@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 
 constexpr int max_json_depth = 64;
 constexpr double default_canvas = 1000;
-constexpr double max_extent = 1e9;  ///< of every coordinate of a model that is passed on, px
+constexpr double max_extent = 1e9;  ///< largest coordinate of a model, px
 
 /// Throws an error, which decode_glb catches and returns.
 [[noreturn]] void refuse(const std::string& message, const std::string& where = "") {

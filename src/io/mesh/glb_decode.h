@@ -10,7 +10,7 @@
 
 namespace relievo {
 
-/// glTF 2.0's numbers for the types of an accessor's components.
+/// Numbers of glTF 2.0 for the types of an accessor's components.
 constexpr size_t component_u16 = 5123;
 constexpr size_t component_u32 = 5125;
 constexpr size_t component_f32 = 5126;

@@ -53,12 +53,12 @@ std::vector<Submesh> split_by_part(const Model& model) {
   return submeshes;
 }
 
-/// The two chunks of the file while they are filled.
+/// The two chunks of the file.
 struct Asset {
   OrderedJson json;
   Bytes binary;
 
-  /// Closes the buffer view that began at `begin`; every view begins at a multiple of 4.
+  /// Adds the buffer view from `begin` to the end; every view begins at a multiple of 4.
   int add_view(size_t begin, int stride, int target) {
     OrderedJson view = {
         {"buffer", 0}, {"byteOffset", begin}, {"byteLength", binary.size() - begin}};

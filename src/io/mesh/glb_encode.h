@@ -7,7 +7,7 @@
 
 namespace relievo {
 
-/// The model as binary glTF 2.0: metres, right-handed, Y up, front towards +Z, longest side
+/// Encodes the model as binary glTF 2.0: metres, right-handed, Y up, front towards +Z, longest side
 /// `size_mm`, middle at x = y = 0, drawing plane at z = 0. Every part with faces is a node named
 /// by its id with its own compact vertices (equal, also in normals, along seams: readers drop or
 /// copy vertices that a mesh shares with others) and extras {part, order, c, d}. The scene's extras

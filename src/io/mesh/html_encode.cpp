@@ -38,7 +38,7 @@ std::string escaped(const std::string& title) {
   return text;
 }
 
-/// In the middle of a box from -1 to 1.
+/// Returns the vertices, centred in a box from -1 to 1.
 Bytes packed_vertices(const Model& model) {
   Placement placement = centred_placement(model, 2);
   const Box3 box = extent(model);

@@ -9,9 +9,9 @@
 
 namespace relievo {
 
-/// A page that shows the model in any browser with WebGL and needs nothing else, neither a network
-/// nor a server: turned by dragging, nearer and farther by the wheel. The drawing (may be null) is
-/// its texture. The same input gives the same bytes. Errors: as check_exportable.
+/// Returns a page that shows the model in any browser with WebGL, without a network or server.
+/// Dragging turns it, the wheel zooms. The drawing (may be null) is its texture. The same input
+/// gives the same bytes. Errors: as check_exportable.
 Result<Bytes> encode_html(const Model& model, const Drawing* drawing, const std::string& title);
 
 }  // namespace relievo

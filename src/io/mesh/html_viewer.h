@@ -4,9 +4,9 @@
 
 namespace relievo {
 
-/// The page around its data. `vertices` are interleaved positions, normals and texture coordinates
-/// as single precision numbers, `triangles` 32-bit indices, both base64; `picture` is a data URL or
-/// empty.
+/// Returns the page around its data. `vertices` are interleaved positions, normals and texture
+/// coordinates as single precision numbers, `triangles` 32-bit indices, both base64; `picture` is a
+/// data URL or empty.
 constexpr std::string_view viewer_head = R"(<!DOCTYPE html>
 <html lang="en">
 <meta charset="utf-8">

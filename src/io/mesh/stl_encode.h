@@ -6,8 +6,8 @@
 
 namespace relievo {
 
-/// The model as binary STL: mm, longest side `size_mm`, lying on z = 0 with the height of the
-/// relief as Z, or `standing` with the drawing's up as Z, in the positive octant. Errors: as
+/// Encodes the model as binary STL: mm, longest side `size_mm`, lying on z = 0 with the height of
+/// the relief as Z, or `standing` with the drawing's up as Z, in the positive octant. Errors: as
 /// check_exportable.
 Result<Bytes> encode_stl(const Model& model, double size_mm = 100, bool standing = false);
 

@@ -10,11 +10,10 @@
 
 namespace relievo {
 
-/// The model as the files of a 3MF package: mm, lying or standing as in an STL, one object whose
-/// vertices at one place are one. With a drawing its triangles carry that as a texture (materials
-/// extension), and are painted for several filaments, whose colours are listed in the package's
-/// description. Precondition: the model is a closed manifold. Errors: as check_exportable;
-/// `internal` where it cannot be packed.
+/// Returns the model as the files of a 3MF package: mm, lying or standing as in an STL, one object
+/// with shared vertices. With a drawing, its triangles have a texture (materials extension) and are
+/// painted for several filaments, whose colours the package's description lists. Precondition: the
+/// model is a closed manifold. Errors: as check_exportable; `internal` where it cannot be packed.
 Result<std::vector<ArchiveEntry>> threemf_entries(const Model& model, const Drawing* drawing,
                                                   const ExportOptions& options = {});
 

@@ -8,7 +8,7 @@
 
 namespace relievo {
 
-/// The same as the bytes of a file.
+/// Encodes the model as a 3MF file (see threemf_entries).
 Result<Bytes> encode_3mf(const Model& model, const Drawing* drawing,
                          const ExportOptions& options = {});
 

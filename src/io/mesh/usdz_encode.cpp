@@ -74,12 +74,12 @@ void append_tuple(Bytes& usda, std::initializer_list<double> numbers) {
   append_text(usda, "), ");
 }
 
-/// One line `declaration = [...]`; `fill` appends values followed by commas.
+/// Appends one line `declaration = [...]`; `fill` appends values, each with a comma.
 template <class Fill>
 void append_array(Bytes& usda, const char* declaration, Fill fill) {
   append_text(usda, std::string("        ") + declaration + " = [");
   fill();
-  // Without the last comma and blank, which the format does not know.
+  // The format allows no comma at the end.
   usda.resize(usda.size() - 2);
   append_text(usda, "]");
 }

@@ -10,13 +10,13 @@ namespace {
 struct Edge {
   int a = -1;  ///< nodes, a < b
   int b = -1;
-  int face = -1;  ///< one that has it
+  int face = -1;  ///< one of its faces
 
   bool operator==(const Edge& other) const { return a == other.a && b == other.b; }
   bool operator<(const Edge& other) const { return a != other.a ? a < other.a : b < other.b; }
 };
 
-/// Every edge once for each face that has it, sorted.
+/// Returns every edge once for each of its faces, sorted.
 std::vector<Edge> sorted_edges(const relief::LayeredMesh& mesh) {
   std::vector<Edge> edges;
   edges.reserve(3 * mesh.faces.size());
@@ -45,7 +45,7 @@ std::vector<Tie> ties_of_nodes(const relief::LayeredMesh& mesh) {
   return ties;
 }
 
-/// Alpha under Robin ranges; 1 elsewhere, but the ramps' own start on joins.
+/// Returns alpha by node: under Robin ranges that of the range, on joins the ramps' start, else 1.
 std::vector<float> alphas(const relief::LayeredMesh& mesh, double usual) {
   std::vector<float> alpha(mesh.node_vertex.size(), 1);
   for (size_t i = 0; i < alpha.size(); ++i)
@@ -61,7 +61,7 @@ std::vector<float> alphas(const relief::LayeredMesh& mesh, double usual) {
   return alpha;
 }
 
-/// What of a bump's outline a node lies on.
+/// The part of a bump's outline that a node lies on.
 enum class Rim : uint8_t { none, join, ramp, loose };
 
 std::vector<Rim> rims_of_nodes(const relief::LayeredMesh& mesh) {
@@ -110,7 +110,7 @@ class Finder {
     lines.ramps.push_back(alpha_[edge.b]);
   }
 
-  /// Of an outline that lies under another part.
+  /// Returns the tie of an outline that lies under another part.
   Tie hidden_tie(Edge edge) const {
     const int front = mesh_.stack_begin[mesh_.face_triangle[edge.face] + 1] - 1;
     if (front == edge.face) return Tie::none;

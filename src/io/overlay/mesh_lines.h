@@ -5,7 +5,8 @@
 
 namespace relievo {
 
-/// `alpha0` is that of the inflation, for ramps that have none of their own. Linear in faces.
+/// Returns the segments of the mesh that lie on joins, relations and Robin ranges. `alpha0` of the
+/// inflation serves ramps without one of their own. O(faces log faces).
 MeshLines find_mesh_lines(const relief::LayeredMesh& mesh, double alpha0);
 
 }  // namespace relievo

@@ -11,7 +11,7 @@
 namespace relievo {
 namespace {
 
-/// Width of lines relative to the canvas' diagonal.
+/// Width of lines / diagonal of the canvas.
 constexpr double line_share = 0.002;
 constexpr int ramp_pieces = 12;
 constexpr int range_pieces = 200;
@@ -25,17 +25,17 @@ std::string number(double value) { return shortest_text(std::round(value * 100) 
 
 std::string channel(double value) { return std::to_string(static_cast<int>(std::lround(value))); }
 
-/// Between two colours given as red, green, blue.
+/// Mixes two colours, given as red, green and blue.
 std::string mix(std::array<double, 3> a, std::array<double, 3> b, double t) {
   std::string text = "rgb(";
   for (int i = 0; i < 3; ++i) text += (i > 0 ? "," : "") + channel(a[i] + t * (b[i] - a[i]));
   return text + ")";
 }
 
-/// From soft to firm.
+/// Returns a colour from green (alpha 0) to red (alpha 1).
 std::string ramp_colour(double alpha) { return mix({0, 190, 0}, {230, 0, 0}, alpha); }
 
-/// x0 y0 x1 y1, px.
+/// Returns path data of a segment, given as x0 y0 x1 y1 in px.
 std::string segment_data(const float* ends) {
   return "M" + number(ends[0]) + " " + number(ends[1]) + "L" + number(ends[2]) + " " +
          number(ends[3]);
@@ -68,8 +68,8 @@ struct Way {
   double length = 0;  ///< negative: against the ring's direction
 };
 
-/// Along the ring nearest to `from`: the shorter way, or the one in its direction. Precondition:
-/// the outline has a ring.
+/// Returns the way along the ring nearest to `from`: the shorter one, or the one in the ring's
+/// direction. Precondition: the outline has a ring.
 Way way_along(const Outline& outline, Point2 from, Point2 to, bool shorter) {
   Way way;
   double best = std::numeric_limits<double>::infinity();
@@ -89,7 +89,7 @@ Way way_along(const Outline& outline, Point2 from, Point2 to, bool shorter) {
   return way;
 }
 
-/// The point after `i` of `pieces` equal pieces.
+/// Returns the point after `i` of `pieces` equal pieces.
 Point2 point_on(const Way& way, int i, int pieces) {
   const double s = way.from + way.length * i / pieces;
   return point_at(*way.ring, way.measure, s + way.measure.length);
@@ -153,7 +153,7 @@ class Painter {
     if (!data.empty()) stroke(data, colour, width, "");
   }
 
-  /// The runs of the upper outline that lie inside the lower part, of the range if there is one.
+  /// Paints the runs of the upper outline, or of the range in it, that lie inside the lower part.
   void paint_relation(const Relation& relation) {
     if (relation.kind == RelationKind::free) return;
     const Outline& upper = scene_.parts[relation.upper].outline;

@@ -15,17 +15,17 @@ struct ProjectDrawing {
   std::string name;            ///< file name without folders
   std::string kind = "image";  ///< "image" or "svg"
   std::string mime;            ///< "image/png", "image/jpeg" or "image/svg+xml"
-  Bytes bytes;                 ///< untouched
+  Bytes bytes;                 ///< as the artist saved it
 };
 
-/// What a project file holds [docs/project.md].
+/// The content of a project file [docs/project.md].
 struct Project {
   std::string name;
   ProjectDrawing drawing;
   std::optional<understanding::SegmentationRecord> segmentation;  ///< of a flat drawing
   Scene scene;    ///< the result; its drawing names the entry that covers the canvas
   Bytes picture;  ///< that entry, a PNG or JPEG file; empty where it is the drawing itself
-  /// What project.json holds besides, by key, as JSON: the settings and colours of the web editor.
+  /// Further keys of project.json, as JSON: the settings and colours of the web editor.
   std::map<std::string, std::string> other_keys;
 };
 

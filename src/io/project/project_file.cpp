@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view mimetype = "application/vnd.relievo";
 constexpr ArchiveLimits limits = {64, uint64_t{512} << 20, 1000};
-/// Where the mimetype lies: behind a header of 30 bytes and its own name.
+/// Offset of the mimetype, behind a header of 30 bytes and its name.
 constexpr size_t mimetype_offset = 38;
 
 std::string_view text_of(const Bytes& bytes) {
@@ -29,10 +29,10 @@ std::string_view text_of(const Bytes& bytes) {
 }
 
 Error missing(const std::string& entry) {
-  return {ErrorCode::bad_input, "is missing in the project", entry};
+  return {ErrorCode::bad_input, "is missing in the project file, which is incomplete", entry};
 }
 
-/// Puts the entries that project.json does not hold into the project.
+/// Reads a project from project.json and the other entries.
 class Unpacker {
  public:
   explicit Unpacker(const std::vector<ArchiveEntry>& entries) : entries_(entries) {}
@@ -110,7 +110,7 @@ Result<Project> decode_project(ByteView bytes) {
   if (!entries) return entries.error();
   const ArchiveEntry* type = find_entry(*entries, "mimetype");
   if (type == nullptr || text_of(type->bytes) != mimetype)
-    return Error{ErrorCode::bad_input, "is no Relievo project", "mimetype"};
+    return Error{ErrorCode::bad_input, "is not that of a Relievo project", "mimetype"};
   return Unpacker(*entries).project();
 }
 

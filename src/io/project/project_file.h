@@ -6,14 +6,14 @@
 
 namespace relievo {
 
-/// Whether an archive says that it is a project file.
+/// Returns whether an archive states that it is a project file.
 bool is_project(ByteView bytes);
 
-/// The project as a file [docs/project.md]. The same project gives the same bytes. Errors: those
-/// of its scene (`bad_input`), `internal`.
+/// Encodes the project as a file [docs/project.md]. The same project gives the same bytes. Errors:
+/// as write_scene, `internal`.
 Result<Bytes> encode_project(const Project& project);
 
-/// Errors: `bad_input` with the entry and the key that is wrong, `limit`.
+/// Reads a project file. Errors: `bad_input` with the entry and the key, `limit`.
 Result<Project> decode_project(ByteView bytes);
 
 }  // namespace relievo

@@ -7,7 +7,7 @@
 
 namespace relievo {
 
-/// Reads what write_project_json wrote; keys that only the web editor understands are kept as text.
+/// Reads a text of write_project_json. Keys that only the web editor understands are kept as JSON.
 /// Errors: `bad_input` with the path of the key, `limit`.
 Result<Project> read_project_json(std::string_view json);
 

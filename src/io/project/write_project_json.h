@@ -6,8 +6,8 @@
 
 namespace relievo {
 
-/// project.json without the scene, the labels and the drawing's bytes, which are entries of their
-/// own.
+/// Returns the text of project.json. The scene, the labels and the drawing's bytes are entries of
+/// their own.
 std::string write_project_json(const Project& project);
 
 }  // namespace relievo

@@ -15,7 +15,7 @@ constexpr int grey_mode = 1;
 constexpr int rgb_mode = 3;
 
 Error bad(const std::string& message) { return {ErrorCode::bad_input, message, ""}; }
-Error damaged() { return bad("is damaged: it ends too early, or its layers do not fit into it"); }
+Error damaged() { return bad("is damaged: it ends early, or its layers have impossible sizes"); }
 
 std::string_view text_of(ByteView bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -57,7 +57,7 @@ void append_utf8(uint32_t code, std::string& text) {
   }
 }
 
-/// A counted string of UTF-16 as UTF-8.
+/// Takes a counted string of UTF-16 as UTF-8.
 std::string take_unicode(BigEndian data) {
   std::string text;
   const uint32_t count = data.u32();
@@ -72,7 +72,7 @@ std::string take_unicode(BigEndian data) {
   return text;
 }
 
-/// Keys of layers that have no pixels of their own.
+/// Returns whether a key belongs to layers without pixels of their own.
 bool is_adjustment(std::string_view key) {
   static constexpr std::array<std::string_view, 19> keys = {
       "brit", "levl", "curv", "expA", "vibA", "hue ", "hue2", "blnc", "blwh", "phfl",
@@ -108,7 +108,7 @@ std::optional<PsdMask> take_mask(ByteView block) {
   return mask;
 }
 
-/// The part of a record that follows its fixed fields.
+/// Reads the part of a record behind its fixed fields.
 void read_extra(BigEndian extra, PsdLayer& layer) {
   layer.mask = take_mask(extra.bytes(extra.u32()));
   extra.skip(extra.u32());  // blending ranges
@@ -125,7 +125,7 @@ void read_extra(BigEndian extra, PsdLayer& layer) {
   }
 }
 
-/// A record without its channels' data; the lengths of these are added to `lengths`.
+/// Takes a record without its channels' data, whose lengths are added to `lengths`.
 Result<PsdLayer> take_record(BigEndian& data, const ImageLimits& limits,
                              std::vector<uint32_t>& lengths) {
   PsdLayer layer;
@@ -171,7 +171,7 @@ Status read_layers(BigEndian data, const ImageLimits& limits, PsdFile& file) {
   return Done{};
 }
 
-/// Layers of 16 bits stand in a block behind the others.
+/// Reads the layers; those of 16 bits stand in a block behind the others.
 Status read_layer_section(BigEndian data, const ImageLimits& limits, PsdFile& file) {
   if (data.left() < 4) return Done{};
   const ByteView info = data.bytes(data.u32());
@@ -192,10 +192,10 @@ Status read_layer_section(BigEndian data, const ImageLimits& limits, PsdFile& fi
 enum Packing : uint16_t { raw, pack_bits, zip, zip_differences };
 
 Error does_not_unpack() {
-  return {ErrorCode::bad_input, "is damaged: its pixels do not unpack", ""};
+  return {ErrorCode::bad_input, "is damaged: its pixels cannot be unpacked", ""};
 }
 
-/// One row of PackBits.
+/// Unpacks one row of PackBits.
 bool unpack_row(ByteView packed, uint8_t* row, size_t size) {
   size_t made = 0;
   for (size_t k = 0; k < packed.size() && made < size;) {
@@ -215,7 +215,7 @@ bool unpack_row(ByteView packed, uint8_t* row, size_t size) {
   return made == size;
 }
 
-/// Rows of PackBits, the lengths of all of them first.
+/// Unpacks rows of PackBits, whose lengths come first.
 bool unpack_rows(BigEndian& data, size_t rows, size_t row_bytes, std::vector<uint8_t>& bytes) {
   std::vector<uint16_t> lengths(rows);
   for (uint16_t& length : lengths) length = data.u16();
@@ -230,7 +230,7 @@ bool inflate_all(ByteView packed, std::vector<uint8_t>& bytes) {
   return (code == Z_OK || code == Z_BUF_ERROR) && size == bytes.size();
 }
 
-/// Sums the differences along every row; those of 16-bit values are of the values.
+/// Sums the differences along every row, of 16-bit values where `depth` is 16.
 void add_up(std::vector<uint8_t>& bytes, size_t row_bytes, int depth) {
   for (size_t at = 0; at + row_bytes <= bytes.size(); at += row_bytes) {
     uint8_t* row = bytes.data() + at;
@@ -247,7 +247,7 @@ void add_up(std::vector<uint8_t>& bytes, size_t row_bytes, int depth) {
   }
 }
 
-/// 8-bit values of what was unpacked.
+/// Converts unpacked values to 8 bits.
 std::vector<uint8_t> to_8_bit(std::vector<uint8_t> bytes, int depth) {
   if (depth == 8) return bytes;
   std::vector<uint8_t> values(bytes.size() / 2);
@@ -258,11 +258,11 @@ std::vector<uint8_t> to_8_bit(std::vector<uint8_t> bytes, int depth) {
   return values;
 }
 
-/// Rows of all planes, one after the other.
+/// Unpacks the rows of all planes, one after the other.
 Result<std::vector<uint8_t>> unpack(ByteView packed, size_t rows, size_t row_bytes, int depth) {
   BigEndian data(packed);
   const uint16_t packing = data.u16();
-  // Nothing packs better than zlib, by some 1032 to 1.
+  // The best packing is that of zlib, of at most 1032 to 1.
   if (rows * row_bytes > 1100 * (packed.size() + 100)) return does_not_unpack();
   std::vector<uint8_t> bytes(rows * row_bytes);
   if (packing == raw) {

@@ -12,7 +12,7 @@
 
 namespace relievo {
 
-/// A rectangle of the canvas, in px; it may reach beyond it.
+/// A rectangle in canvas px, which may reach beyond the canvas.
 struct PsdBox {
   int top = 0;
   int left = 0;
@@ -23,16 +23,16 @@ struct PsdBox {
   bool empty() const { return right <= left || bottom <= top; }
 };
 
-/// One plane, still packed.
+/// One packed plane.
 struct PsdChannel {
   int id = 0;  ///< 0 to 2: red, green, blue, or 0: grey; -1: alpha; -2: mask; -3: real user mask
   ByteView data;
 };
 
-/// What a layer's pixels are multiplied with.
+/// The mask that a layer's alpha is multiplied with.
 struct PsdMask {
   PsdBox box;
-  uint8_t outside = 0;  ///< its value there
+  uint8_t outside = 0;  ///< its value outside the box
   bool disabled = false;
 };
 
@@ -48,7 +48,7 @@ struct PsdLayer {
   std::array<char, 4> blend = {'n', 'o', 'r', 'm'};
   double opacity = 1;
   bool hidden = false;
-  bool clipped = false;      ///< to the next layer below that is not
+  bool clipped = false;      ///< to the next layer below that is not clipped
   bool adjusts = false;      ///< it has no pixels but changes what is below
   bool has_effects = false;  ///< shadows, strokes and the like around it
   bool has_vector_mask = false;
@@ -64,26 +64,26 @@ struct PsdFile {
   ByteView merged;               ///< the flattened picture, packed
 };
 
-/// Whether the bytes begin as a Photoshop document.
+/// Returns whether the bytes begin like a Photoshop document.
 bool is_psd(ByteView bytes);
 
-/// Reads all but pixels; `bytes` must outlive the result. Written after "Adobe Photoshop File
-/// Formats Specification". Errors: bad_input for other colour modes and depths, large documents
-/// (PSB) and damage; limit. Linear in the size of the records.
+/// Reads everything but pixels; `bytes` must outlive the result. Follows "Adobe Photoshop File
+/// Formats Specification". Errors: `bad_input` for other colour modes and depths, large documents
+/// (PSB) and damage; `limit`. Linear in the size of the records.
 Result<PsdFile> read_psd_file(ByteView bytes, const ImageLimits& limits);
 
-/// One plane of a layer: width x height values, of which 16-bit ones keep their upper half rounded.
-/// `data` begins with the way it is packed: raw, PackBits, or zlib with or without differences
-/// along rows. `depth`: 8 or 16. Error: bad_input where the data is damaged. Takes memory for the
-/// plane alone, whatever the data says.
+/// Unpacks one plane of a layer: width x height values, those of 16 bits rounded to 8. `data`
+/// begins with its packing: raw, PackBits, or zlib with or without differences along rows. `depth`:
+/// 8 or
+/// 16. Error: `bad_input` where the data is damaged. Memory: the plane alone, for any data.
 Result<std::vector<uint8_t>> decode_channel(ByteView data, int width, int height, int depth);
 
-/// The planes of the flattened picture at the end of the file, which are packed together.
+/// Unpacks the planes of the flattened picture at the end of the file, which are packed together.
 Result<std::vector<std::vector<uint8_t>>> decode_merged(ByteView data, int planes, int width,
                                                         int height, int depth);
 
-/// Takes numbers, most significant byte first, from the front of some bytes. What lies beyond their
-/// end is 0, and is remembered.
+/// Takes numbers, most significant byte first, from the front of some bytes. Bytes beyond their end
+/// are 0.
 class BigEndian {
  public:
   explicit BigEndian(ByteView bytes) : left_(bytes) {}
@@ -117,7 +117,7 @@ class BigEndian {
 
   size_t left() const { return left_.size(); }
 
-  /// Whether more was taken than was there.
+  /// Returns whether more bytes were taken than there were.
   bool beyond() const { return beyond_; }
 
  private:

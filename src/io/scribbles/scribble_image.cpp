@@ -17,7 +17,7 @@ constexpr uint32_t black = 0x000000;
 constexpr uint32_t mid_grey = 0x808080;
 constexpr uint32_t white = 0xffffff;
 
-/// What a pixel says: its colour and whether softly; `nothing` where it says nothing.
+/// The colour of a pixel, with a bit for soft strokes; `nothing` for no stroke.
 using Paint = int64_t;
 constexpr Paint nothing = -1;
 constexpr Paint soft_bit = 1 << 24;
@@ -47,7 +47,10 @@ class ImageReader {
                    "in plain colours",
                    ""};
     if (colours_.size() > most_colours)
-      return Error{ErrorCode::limit, "the scribble picture has too many colours", ""};
+      return Error{ErrorCode::limit,
+                   "the scribble picture has more than " + std::to_string(most_colours) +
+                       " colours; paint without smooth edges",
+                   ""};
     for (int y = 0; y < rgba_.height; ++y) collect_runs(y);
     for (size_t r = 0; r < runs_.size(); ++r)
       if (!runs_[r].visited) add_stroke(r);
@@ -74,7 +77,7 @@ class ImageReader {
       }
   }
 
-  /// Pixels of one paint side by side in a row, end excluded.
+  /// Neighbouring pixels of one paint in a row, end excluded.
   struct Run {
     Paint paint;
     int y, begin, end;
@@ -90,7 +93,7 @@ class ImageReader {
     }
   }
 
-  /// An unvisited run of the same paint that shares a side with run r, or -1.
+  /// Returns an unvisited run of the same paint that shares a side with run r, or -1.
   ptrdiff_t next_to(size_t r) const {
     const Run& run = runs_[r];
     for (const int y : {run.y - 1, run.y + 1}) {
@@ -106,8 +109,8 @@ class ImageReader {
     return -1;
   }
 
-  /// One line along all runs that hang together with run r, never off their pixels: there and
-  /// back along the branches of a tree.
+  /// Adds one line through all runs connected with run r, never off their pixels: there and back
+  /// along the branches of a tree.
   void add_stroke(size_t r) {
     understanding::Scribble stroke = stroke_of(runs_[r].paint);
     const auto go_to = [&](int x, int y) { stroke.points.push_back(Point2{x + 0.5, y + 0.5}); };

@@ -10,7 +10,7 @@
 namespace relievo {
 namespace {
 
-/// The lengths that attributes of a shape give.
+/// Reads lengths from the attributes of a shape.
 struct Lengths {
   const pugi::xml_node& element;
   const LengthContext& context;
@@ -44,7 +44,7 @@ PathData circle(const Lengths& l) {
   return ellipse_path({l.x("cx"), l.y("cy")}, l.r("r"), l.r("r"));
 }
 
-/// rx and ry; one that is missing or negative is as the other.
+/// Returns rx and ry; a missing or negative one equals the other.
 Point2 radii(const Lengths& l) {
   auto rx = l.given("rx", LengthAxis::horizontal);
   auto ry = l.given("ry", LengthAxis::vertical);

@@ -8,11 +8,11 @@
 
 namespace relievo {
 
-/// Whether the element is a path, rect, circle, ellipse, line, polyline or polygon.
+/// Returns whether the element is a path, rect, circle, ellipse, line, polyline or polygon.
 bool is_shape_element(std::string_view local_name);
 
-/// The outline of a shape element in its user units; empty where it is disabled by its own
-/// geometry (a zero radius, say). `complete` tells whether all of its data could be read.
+/// Returns the outline of a shape element in its user units; empty where its geometry disables it
+/// (a zero radius). `complete`, if given, becomes whether all of its data could be read.
 PathData shape_path(const pugi::xml_node& element, const LengthContext& context,
                     bool* complete = nullptr);
 

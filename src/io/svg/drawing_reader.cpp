@@ -14,7 +14,7 @@
 namespace relievo {
 namespace {
 
-/// What an element inherits.
+/// The state that an element inherits.
 struct Surroundings {
   Affine2 to_canvas;
   SvgStyle style;
@@ -27,7 +27,7 @@ struct Surroundings {
   bool in_clip = false;
 };
 
-/// Farther points, px, are beyond what regions can be computed from.
+/// Largest coordinate from which regions can be computed, px.
 constexpr double farthest = 1e9;
 
 bool all_in_reach(const std::vector<Polyline>& lines) {
@@ -48,7 +48,7 @@ void enter_view_box(const pugi::xml_node& element, RootSize size, Surroundings& 
   around.lengths.viewport_height = box->height;
 }
 
-/// The size of a nested <svg> or a used <symbol>, which `sized` may override.
+/// Returns the size of a nested <svg> or a used <symbol>, which `sized` may override.
 RootSize viewport_of(const pugi::xml_node& element, const pugi::xml_node& sized,
                      const LengthContext& lengths) {
   const auto size = [&](const char* name, LengthAxis axis) {
@@ -59,7 +59,7 @@ RootSize viewport_of(const pugi::xml_node& element, const pugi::xml_node& sized,
   return {size("width", LengthAxis::horizontal), size("height", LengthAxis::vertical)};
 }
 
-/// To where the element's x and y say.
+/// Returns the translation by the element's x and y.
 Affine2 placement_of(const pugi::xml_node& element, const LengthContext& lengths) {
   const auto at = [&](const char* name, LengthAxis axis) {
     return parse_length(element.attribute(name).value(), axis, lengths).value_or(0);
@@ -67,7 +67,7 @@ Affine2 placement_of(const pugi::xml_node& element, const LengthContext& lengths
   return translation(at("x", LengthAxis::horizontal), at("y", LengthAxis::vertical));
 }
 
-/// An element as warnings name it.
+/// Returns the name of an element for warnings.
 std::string whereabouts(const pugi::xml_node& element, const Surroundings& around,
                         const SvgDrawing& drawing) {
   const std::string name = name_of(element);
@@ -87,7 +87,7 @@ void set_paint(const Surroundings& around, const SvgDocument& document, SvgShape
   if (shape.stroke) shape.stroke->a *= style.stroke_opacity * around.opacity;
 }
 
-/// What is read so far, and from what.
+/// The state of reading a document.
 struct Reading {
   const SvgDocument& document;
   const SvgOptions& options;
@@ -119,18 +119,18 @@ void read_children(const pugi::xml_node& parent, const Surroundings& around, Rea
   }
 }
 
-/// Guards against references that lead back to themselves.
+/// Opens a reference; returns false where it is open already, since it leads back to itself.
 bool begin_reference(const pugi::xml_node& target, Reading& reading) {
   if (std::find(reading.open_references.begin(), reading.open_references.end(), target) !=
       reading.open_references.end()) {
-    reading.warn("a reference to itself is ignored");
+    reading.warn("an element that uses itself is ignored");
     return false;
   }
   reading.open_references.push_back(target);
   return true;
 }
 
-/// The shapes of an open reference, which the drawing itself does not show.
+/// Closes an open reference and returns its shapes, which the drawing itself does not show.
 std::vector<SvgShape> shapes_apart(const pugi::xml_node& parent, const Surroundings& inside,
                                    Reading& reading) {
   const size_t groups = reading.drawing.groups.size();
@@ -152,7 +152,7 @@ void enter_clip(Surroundings& around, Reading& reading) {
   if (found == reading.document.ids.end() || local_name(found->second.name()) != "clipPath") return;
   const pugi::xml_node& clip = found->second;
   if (std::string_view(clip.attribute("clipPathUnits").value()) == "objectBoundingBox") {
-    return reading.warn("clip paths in units of the bounding box are ignored");
+    return reading.warn("clip paths with objectBoundingBox units are ignored");
   }
   if (!begin_reference(clip, reading)) return;
   Surroundings inside = around;
@@ -173,7 +173,7 @@ void enter_mask(const pugi::xml_node& element, Surroundings& around, Reading& re
   const pugi::xml_node& mask = found->second;
   if (std::string_view(mask.attribute("maskContentUnits").value()) == "objectBoundingBox")
     return reading.warn(whereabouts(element, around, reading.drawing) +
-                        ": a mask in units of the bounding box is ignored");
+                        ": its mask with objectBoundingBox units is ignored");
   if (!begin_reference(mask, reading)) return;
   Surroundings inside = around;
   inside.clips.clear();
@@ -182,13 +182,13 @@ void enter_mask(const pugi::xml_node& element, Surroundings& around, Reading& re
   add_clip(light_region(shapes_apart(mask, inside, reading), reading.drawing), around, reading);
 }
 
-/// Style, transform and clip of the element on top of what surrounds it; false where nothing
-/// of it is drawn.
+/// Applies the element's style, transform and clip to `around`; returns false where it is not
+/// drawn.
 bool enter(const pugi::xml_node& element, Surroundings& around, Reading& reading) {
   if (++reading.elements > reading.options.max_elements)
-    reading.fail("too many elements", reading.options.max_elements);
+    reading.fail("has too many elements", reading.options.max_elements);
   if (++around.depth > reading.options.max_depth)
-    reading.fail("nested too deeply", reading.options.max_depth);
+    reading.fail("has elements nested too deeply", reading.options.max_depth);
   if (reading.error) return false;
   around.style = computed_style(element, reading.document.sheet, around.style, around.lengths);
   if (!around.style.displayed) return false;
@@ -197,7 +197,7 @@ bool enter(const pugi::xml_node& element, Surroundings& around, Reading& reading
   const std::string own = element.attribute("transform").value();
   const auto transform = parse_transform(around.style.transform.value_or(own));
   if (transform) around.to_canvas = around.to_canvas * *transform;
-  if (!transform) reading.warn("a transform that cannot be read is ignored");
+  if (!transform) reading.warn("an unreadable transform is ignored");
   if (!around.style.clip_path.empty()) enter_clip(around, reading);
   if (!around.style.mask.empty()) enter_mask(element, around, reading);
   around.blurred = around.blurred || is_blur(reading.document, around.style.filter);
@@ -212,7 +212,8 @@ void clip_to_viewport(RootSize size, Surroundings& around, Reading& reading) {
   add_clip(fill_region({box}, FillRule::nonzero, reading.drawing.canvas()), around, reading);
 }
 
-/// Enters the viewport of a nested <svg> or a used <symbol>, whose size `sized` may override.
+/// Enters the viewport of a nested <svg> or a used <symbol>, whose size `sized` may override;
+/// returns false where it has no area.
 bool enter_nested(const pugi::xml_node& element, const pugi::xml_node& sized, Surroundings& around,
                   Reading& reading) {
   const RootSize size = viewport_of(element, sized, around.lengths);
@@ -242,7 +243,7 @@ void enter_group(const pugi::xml_node& element, bool group_element, Surroundings
   add_group(element, layer, around, reading);
 }
 
-/// Name and lines of a shape; false where it has none or none that can be used.
+/// Reads the name and lines of a shape; returns false where it has no usable lines.
 bool read_lines(const pugi::xml_node& element, const Surroundings& around, SvgShape& shape,
                 Reading& reading) {
   bool complete = true;
@@ -253,25 +254,27 @@ bool read_lines(const pugi::xml_node& element, const Surroundings& around, SvgSh
       shape.anchors.push_back(around.to_canvas(s.end));
   shape.name = name_of(element);
   const std::string label = shape.name.empty() ? "a shape" : "shape " + shape.name;
-  if (!complete) reading.warn(label + ": its data has an error and is used up to there");
+  if (!complete) reading.warn(label + ": its path data has an error and is used up to there");
   const size_t room =
       reading.options.max_points - std::min(reading.points, reading.options.max_points);
   shape.lines = flatten(path, around.to_canvas, reading.options.tolerance, room);
   for (const Polyline& line : shape.lines) reading.points += line.points.size();
   if (reading.points > reading.options.max_points) {
-    reading.fail("too many points", reading.options.max_points);
+    reading.fail("has too many points; simplify its paths", reading.options.max_points);
     return false;
   }
   const bool in_reach = all_in_reach(shape.lines);
   const double tangled = in_reach ? tangle(shape.lines) : 0;
   const bool usable = in_reach && tangled <= reading.options.max_tangle;
   if (!usable)
-    reading.warn(label +
-                 " is ignored: " + (in_reach ? "its outline is a tangle" : "it reaches too far"));
+    reading.warn(label + " is ignored: " +
+                 (in_reach ? "its outline crosses itself too often; simplify it"
+                           : "it lies too far from the canvas"));
   else
     reading.tangle += tangled;
   if (reading.tangle > reading.options.max_total_tangle)
-    reading.fail("outlines too tangled", static_cast<size_t>(reading.options.max_total_tangle));
+    reading.fail("has outlines that cross themselves too often; simplify them",
+                 static_cast<size_t>(reading.options.max_total_tangle));
   return usable && !reading.error;
 }
 
@@ -302,7 +305,7 @@ void read_switch(const pugi::xml_node& element, const Surroundings& around, Read
 
 void read_use(const pugi::xml_node& element, Surroundings& around, Reading& reading) {
   const pugi::xml_node target = referenced_element(reading.document, element);
-  if (!target) return reading.warn("a reference that is missing or outside the file is ignored");
+  if (!target) return reading.warn("a reference to a missing element or another file is ignored");
   if (!begin_reference(target, reading)) return;
   around.to_canvas = around.to_canvas * placement_of(element, around.lengths);
   const std::string_view name = local_name(target.name());
@@ -340,7 +343,7 @@ void read_element(const pugi::xml_node& element, const Surroundings& outside, Re
   read_children(element, around, reading);
 }
 
-/// The tree in paint order, on a canvas as large as the viewport of the root, scaled.
+/// Reads the tree in paint order, on a canvas as large as the scaled viewport of the root.
 Result<SvgDrawing> read_tree(const SvgDocument& document, const SvgOptions& options, RootSize size,
                              double scale) {
   Reading reading{document, options};
@@ -364,7 +367,7 @@ Result<SvgDrawing> read_tree(const SvgDocument& document, const SvgOptions& opti
   return std::move(drawing);
 }
 
-/// Right and bottom of all shapes as seen from the origin of user units.
+/// Returns the right and bottom of all shapes from the origin of user units.
 Result<RootSize> extent(const SvgDocument& document, const SvgOptions& options) {
   const auto drawing = read_tree(document, options, {1, 1}, 1);
   if (!drawing) return drawing.error();
@@ -387,7 +390,7 @@ Result<SvgDrawing> read_drawing(const SvgDocument& document, const SvgOptions& o
   }
   const double longest = std::max(size->width, size->height);
   if (!std::isfinite(longest) || !(std::min(size->width, size->height) * 1000 > longest)) {
-    return Error{ErrorCode::bad_input, "the drawing is more than 1000 times longer than wide",
+    return Error{ErrorCode::bad_input, "is more than 1000 times as long as wide; crop its page",
                  "svg"};
   }
   const bool keep = longest >= options.min_side && longest <= options.max_side;

@@ -12,14 +12,14 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// An ellipse by its centre and the map from the unit circle.
+/// An arc of an ellipse, as an arc of the unit circle and a map from it.
 struct EllipseArc {
   Affine2 from_unit;
   double begin = 0;  ///< radians on the unit circle
   double span = 0;   ///< signed
 };
 
-/// Endpoint to centre parametrisation [SVG 1.1, F.6.5 and F.6.6].
+/// Converts endpoints to the centre parametrisation [SVG 1.1, F.6.5 and F.6.6].
 EllipseArc centre_form(Point2 from, const ArcShape& shape, Point2 to) {
   const double phi = shape.rotation * pi / 180;
   const double c = std::cos(phi);
@@ -52,7 +52,7 @@ EllipseArc centre_form(Point2 from, const ArcShape& shape, Point2 to) {
   return arc;
 }
 
-/// Reads the commands one after another and keeps what the next one depends on.
+/// Reads the commands one after the other and keeps the state that the next one depends on.
 class PathReader {
  public:
   explicit PathReader(std::string_view text) : scanner_(text) {}

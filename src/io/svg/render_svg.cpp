@@ -44,7 +44,7 @@ Error render_error(GError* cause) {
           "the drawing cannot be rendered: " + message, "svg"};
 }
 
-/// Premultiplied native-endian ARGB to straight RGBA.
+/// Converts premultiplied native-endian ARGB to straight RGBA.
 void straight_rgba(cairo_surface_t* surface, Image8& image) {
   const int width = image.width;
   const int height = image.height;
@@ -75,7 +75,8 @@ Status rasterize(const understanding::PaintableSvg& svg, Image8& image) {
   const Owned<cairo_surface_t> surface(
       cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height));
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) {
-    return Error{ErrorCode::limit, "not enough memory for the texture", "svg"};
+    return Error{ErrorCode::limit, "there is not enough memory for the picture of the drawing",
+                 "svg"};
   }
   const Owned<cairo_t> context(cairo_create(surface.get()));
   cairo_scale(context.get(), image.width / svg.width, image.height / svg.height);
@@ -88,16 +89,16 @@ Status rasterize(const understanding::PaintableSvg& svg, Image8& image) {
 }
 
 constexpr size_t max_message = 1000;
-constexpr rlim_t max_complaint = 1 << 16;  // bytes that the process may say
-constexpr int crashed = 2;                 // exit codes of the process
-constexpr int gave_up = 3;                 // it leaves an error
+constexpr rlim_t max_complaint = 1 << 16;  ///< bytes that the process may write to stderr
+constexpr int crashed = 2;                 ///< exit code of the process
+constexpr int gave_up = 3;                 ///< likewise, with an error in the report
 
 Error too_little_memory() {
   return {ErrorCode::limit, "there is not enough memory to paint the drawing; make it smaller",
           "svg"};
 }
 
-/// What both processes see: how it ended, then the pixels.
+/// The head of the memory that both processes share; the pixels follow.
 struct Report {
   ErrorCode code;
   char message[max_message];
@@ -123,7 +124,7 @@ class SharedMemory {
   void* data_;
 };
 
-/// Both ends of a pipe.
+/// A pipe with both ends.
 struct Pipe {
   int ends[2] = {-1, -1};
   Pipe() {
@@ -148,7 +149,7 @@ void bound(int resource, rlim_t most) {
   setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
 }
 
-/// Bytes of address space that this process has taken.
+/// Returns the bytes of address space of this process.
 rlim_t present_memory() {
   std::FILE* file = std::fopen("/proc/self/statm", "r");
   unsigned long long pages = 0;
@@ -158,13 +159,14 @@ rlim_t present_memory() {
   return found == 1 ? pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
-/// Sanitizers take terabytes of address space, and read their own tables from files.
+/// Sanitizers take terabytes of address space and read tables from files, so limits cannot hold.
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool sanitized = true;
 #else
 constexpr bool sanitized = false;
 #endif
-/// How many times as long as alone a process may take beside others; it may hang (paint_apart).
+/// Wall time / processor time that a process may take beside others. With a sanitizer it may hang
+/// (see paint_apart).
 constexpr double patience = sanitized ? 1 : 10;
 
 void confine(const PaintLimits& limits, uint64_t pixels) {
@@ -186,7 +188,7 @@ void leave(const Error& error, Report& report) {
   std::strncpy(report.where, error.where.c_str(), max_message - 1);
 }
 
-/// The work of the process; its exit code.
+/// Does the work of the process and returns its exit code.
 int work(int width, int height, const std::function<Status(Image8&)>& paint,
          const SharedMemory& shared) {
   try {
@@ -200,13 +202,14 @@ int work(int width, int height, const std::function<Status(Image8&)>& paint,
   } catch (const std::bad_alloc&) {
     leave(too_little_memory(), shared.report());
   } catch (...) {
-    // Panics of libraries in other languages; nothing of ours goes on in this process.
+    // Panics of libraries in other languages end this process only.
     return crashed;
   }
   return gave_up;
 }
 
-/// What the process has said until it ended, its last words at the end; nothing after `seconds`.
+/// Reads the process's stderr until it ends or `seconds` have passed; `in_time` becomes whether it
+/// ended.
 std::string listen(int from, double seconds, bool& in_time) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
@@ -277,8 +280,8 @@ Result<Drawing> render_svg(const understanding::PaintableSvg& svg, int width, in
   if (width < 1 || height < 1 || width > max_side || height > max_side ||
       static_cast<int64_t>(width) * height > max_pixels) {
     return Error{ErrorCode::limit,
-                 "texture of " + std::to_string(width) + " x " + std::to_string(height) +
-                     " px is not in the limits",
+                 "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                     " px is outside the limits",
                  "svg"};
   }
   PaintLimits limits;
@@ -293,7 +296,8 @@ Result<Drawing> render_svg(const understanding::PaintableSvg& svg, int width, in
 Result<Image8> paint_apart(int width, int height, const PaintLimits& limits,
                            const std::function<Status(Image8&)>& paint) {
   Result<Image8> image = paint_once(width, height, limits, paint);
-  // A sanitizer's allocator that another thread was in at the fork stays locked in the new process.
+  // A sanitizer's allocator stays locked in the new process if another thread was in it at the
+  // fork.
   for (int again = 0; sanitized && again < 2; ++again) {
     if (image || image.error().code != ErrorCode::limit) break;
     image = paint_once(width, height, limits, paint);

@@ -10,8 +10,8 @@ bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' |
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// Digits from `i` on, appended to `mantissa`; returns their count. Digits past the precision of
-/// a double only move the decimal point.
+/// Appends the digits from `i` on to `mantissa` and returns their count. Digits beyond the
+/// precision of a double only move the decimal point.
 int read_digits(std::string_view text, size_t& i, double& mantissa, int& dropped) {
   int count = 0;
   for (; i < text.size() && is_digit(text[i]); ++i, ++count) {
@@ -24,7 +24,7 @@ int read_digits(std::string_view text, size_t& i, double& mantissa, int& dropped
   return count;
 }
 
-/// The exponent at `i` ("e-3"), or 0 where there is none.
+/// Reads the exponent at `i` ("e-3"); 0 where there is none.
 int read_exponent(std::string_view text, size_t& i) {
   if (i >= text.size() || (text[i] != 'e' && text[i] != 'E')) return 0;
   size_t j = i + 1;

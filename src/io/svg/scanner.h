@@ -6,8 +6,8 @@
 
 namespace relievo {
 
-/// Reads the small languages inside SVG attributes from left to right. Independent of the locale.
-/// A failed read leaves the position where it was.
+/// Reads the values of SVG attributes from left to right, in any locale. A failed read keeps the
+/// position.
 class SvgScanner {
  public:
   explicit SvgScanner(std::string_view text) : rest_(text) {}
@@ -17,18 +17,18 @@ class SvgScanner {
   std::string_view rest() const { return rest_; }
 
   void skip_space();
-  /// White space with at most one comma in it.
+  /// Skips white space with at most one comma in it.
   void skip_separator();
   bool take(char c);
 
-  /// A number of the SVG grammar; "1.5em" yields 1.5 and stops at "em". An exponent that
-  /// overflows yields an infinity.
+  /// Reads a number of the SVG grammar; "1.5em" gives 1.5 and stops at "em". An exponent that
+  /// overflows gives an infinity.
   std::optional<double> number();
 
-  /// An arc flag: one character, 0 or 1, that needs no separator after it.
+  /// Reads an arc flag: one character, 0 or 1, that needs no separator after it.
   std::optional<bool> flag();
 
-  /// Letters and hyphens; empty where there is none.
+  /// Reads letters and hyphens; may be empty.
   std::string_view word();
 
  private:
@@ -37,7 +37,7 @@ class SvgScanner {
 
 std::string_view trimmed_svg(std::string_view text);
 
-/// Next comma- or space-separated item of `text`, which is shortened by it; empty at the end.
+/// Takes the next comma- or space-separated item from the front of `text`; empty at the end.
 std::string_view next_svg_item(std::string_view& text);
 
 }  // namespace relievo

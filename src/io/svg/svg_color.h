@@ -7,8 +7,8 @@
 
 namespace relievo {
 
-/// #rgb, #rgba, #rrggbb, #rrggbbaa, rgb(), rgba(), hsl(), hsla(), transparent and the named
-/// colours; nothing where it is none of them.
+/// Reads #rgb, #rgba, #rrggbb, #rrggbbaa, rgb(), rgba(), hsl(), hsla(), transparent or a colour
+/// keyword; nothing for any other text.
 std::optional<Color> parse_color(std::string_view text);
 
 }  // namespace relievo

@@ -23,8 +23,7 @@ enum class SvgMark {
   cue,      ///< a cue, not painted
 };
 
-/// A parsed file. Entities of a document type are never expanded and nothing is ever loaded from
-/// elsewhere.
+/// A parsed file. Entities of a document type are never expanded, and no other file is ever read.
 struct SvgDocument {
   pugi::xml_document xml;
   pugi::xml_node root;                                  ///< the outermost <svg>

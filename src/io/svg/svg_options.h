@@ -5,11 +5,10 @@
 namespace relievo {
 
 struct SvgOptions {
-  /// A flattened curve departs from the true one by less than this, canvas px.
+  /// Largest distance of a flattened curve from the true one, canvas px.
   double tolerance = 0.1;
-  /// The canvas is the viewport of the root element in px where its longest side is in
-  /// [min_side, max_side]; a smaller or larger one is scaled so that its longest side becomes
-  /// scaled_side.
+  /// The canvas is the viewport of the root element, px. If its longest side is outside [min_side,
+  /// max_side], it is scaled so that this side becomes scaled_side.
   double min_side = 400;
   double max_side = 4096;
   double scaled_side = 1000;
@@ -18,7 +17,7 @@ struct SvgOptions {
   size_t max_elements = 100000;         ///< in the file, and again after `use` is expanded
   size_t max_depth = 128;               ///< of nesting, `use` included
   size_t max_points = 1000000;          ///< of all flattened outlines together
-  double max_tangle = 2e6;              ///< of a shape (see tangle.h): a worse one is left out
+  double max_tangle = 2e6;              ///< of a shape (see tangle); a worse one is left out
   double max_total_tangle = 3e7;        ///< of all shapes together
 };
 

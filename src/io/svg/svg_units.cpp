@@ -48,7 +48,7 @@ std::optional<std::vector<double>> arguments(SvgScanner& scanner) {
   return values;
 }
 
-/// User units per unit, or 0 where the unit is not known.
+/// Returns the user units per unit, or 0 for an unknown unit.
 double unit_factor(const std::string& unit, const LengthContext& context) {
   if (unit.empty() || unit == "px") return 1;
   if (unit == "pt") return 96.0 / 72;
@@ -62,14 +62,14 @@ double unit_factor(const std::string& unit, const LengthContext& context) {
   return 0;
 }
 
-/// 0, 1/2 or 1 of the free space for Min, Mid or Max at `position` of an alignment like xMidYMax.
+/// Returns 0, 1/2 or 1 for Min, Mid or Max at `position` of an alignment like xMidYMax.
 double alignment(std::string_view align, size_t position) {
   const std::string_view word = align.size() >= position + 3 ? align.substr(position, 3) : "Mid";
   if (word == "Min") return 0;
   return word == "Max" ? 1 : 0.5;
 }
 
-/// An absolute length, or nothing for one that is missing, relative or not positive.
+/// Reads an absolute length; nothing for one that is missing, relative or not positive.
 std::optional<double> absolute_length(const pugi::xml_attribute& attribute) {
   const std::string_view text = trimmed_svg(attribute.value());
   if (text.empty() || text.back() == '%') return std::nullopt;

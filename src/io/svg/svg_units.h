@@ -8,7 +8,7 @@
 
 namespace relievo {
 
-/// x' = a x + c y + e, y' = b x + d y + f.
+/// The map x' = a x + c y + e, y' = b x + d y + f.
 struct Affine2 {
   double a = 1;
   double b = 0;
@@ -19,35 +19,36 @@ struct Affine2 {
 
   Point2 operator()(Point2 p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
 
-  /// Factor by which lengths grow on average: the root of the area factor.
+  /// Returns the mean factor of lengths: the root of the area factor.
   double mean_scale() const { return std::sqrt(std::abs(a * d - b * c)); }
 };
 
-/// First `inner`, then `outer`.
+/// Returns the map that applies `inner` first, then `outer`.
 Affine2 operator*(const Affine2& outer, const Affine2& inner);
 
 inline Affine2 translation(double x, double y) { return {1, 0, 0, 1, x, y}; }
 inline Affine2 scaling(double x, double y) { return {x, 0, 0, y, 0, 0}; }
 
-/// A list of matrix, translate, scale, rotate, skewX and skewY; nothing where it is malformed.
+/// Reads a list of matrix, translate, scale, rotate, skewX and skewY; nothing where it is
+/// malformed.
 std::optional<Affine2> parse_transform(std::string_view text);
 
-/// What relative units refer to, in user units.
+/// The lengths that relative units refer to, in user units.
 struct LengthContext {
   double font_size = 16;
   double viewport_width = 0;
   double viewport_height = 0;
 };
 
-/// What a percentage is of.
+/// The length of the viewport that a percentage refers to.
 enum class LengthAxis { horizontal, vertical, diagonal };
 
-/// A length in user units (1 in = 96 px): px, pt, pc, mm, cm, in, em, ex, rem, % or no unit.
+/// Reads a length (px, pt, pc, mm, cm, in, em, ex, rem, % or no unit; 1 in = 96 px) in user units.
 /// Nothing where it is malformed; not necessarily finite.
 std::optional<double> parse_length(std::string_view text, LengthAxis axis,
                                    const LengthContext& context);
 
-/// How large a viewport is along the axis; along the diagonal sqrt((w^2 + h^2) / 2).
+/// Returns the size of the viewport along the axis; along the diagonal sqrt((w^2 + h^2) / 2).
 double reference_length(LengthAxis axis, const LengthContext& context);
 
 struct ViewBox {
@@ -57,10 +58,10 @@ struct ViewBox {
   double height = 0;
 };
 
-/// The viewBox attribute; nothing where it is absent, malformed, not finite or without area.
+/// Reads a viewBox attribute; nothing where it is absent, malformed, not finite or without area.
 std::optional<ViewBox> parse_view_box(std::string_view text);
 
-/// Maps the box into a viewport of the given size at the origin as preserveAspectRatio asks.
+/// Returns the map of the box into a viewport of this size at the origin, by preserveAspectRatio.
 Affine2 fit_view_box(const ViewBox& box, double width, double height,
                      std::string_view preserve_aspect_ratio);
 
@@ -70,8 +71,8 @@ struct RootSize {
   double height = 0;
 };
 
-/// From width, height and viewBox of the root; nothing where they do not say it. A missing or
-/// relative size follows the viewBox.
+/// Returns the size from width, height and viewBox of the root; nothing where they do not state it.
+/// A missing or relative side follows the viewBox.
 std::optional<RootSize> root_size(const pugi::xml_node& root);
 
 }  // namespace relievo

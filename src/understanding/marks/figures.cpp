@@ -7,11 +7,11 @@
 namespace relievo::understanding {
 namespace {
 
-/// Alike figures of one group that are smaller than this fraction of the drawing belong together,
-/// as strands of hair do.
+/// Largest strand / area of the drawing. Neighbouring figures of one group and colour that are
+/// smaller, like strands of hair, become one.
 constexpr double strand_area = 0.02;
 
-/// Adds the mark to the topmost figure of the same silhouette; false where there is none.
+/// Adds the mark to the topmost figure of the same silhouette; returns false where there is none.
 bool join_figure(std::vector<Figure>& figures, const Mark& mark, bool line, double diagonal) {
   const Region silhouette = line ? without_holes(mark.region) : mark.region;
   if (line && area(silhouette) < 1.5 * area(mark.region)) return false;
@@ -26,7 +26,7 @@ bool join_figure(std::vector<Figure>& figures, const Mark& mark, bool line, doub
   return false;
 }
 
-/// Whether both are strands of one tuft.
+/// Returns whether both are strands of one tuft.
 bool are_strands(const Figure& p, const Figure& q, double total) {
   return p.group == q.group && !p.outlined && !q.outlined &&
          color_distance(p.color, q.color) < color_contrast &&
@@ -55,14 +55,14 @@ bool is_left_out(MarkRole role) {
 }
 
 std::string note_on(const Mark& mark, MarkRole role) {
-  const std::string what = role == MarkRole::shadow       ? "a cast shadow"
-                           : role == MarkRole::background ? "a background"
-                                                          : "a motion line";
-  return (mark.name.empty() ? "a shape" : mark.name) + " is taken for " + what +
+  const std::string taken_for = role == MarkRole::shadow       ? "a cast shadow"
+                                : role == MarkRole::background ? "a background"
+                                                               : "a motion line";
+  return (mark.name.empty() ? "a shape" : mark.name) + " is taken for " + taken_for +
          " and left out of the model";
 }
 
-/// Lengths are fractions of the diagonal of the drawing, shares those of the mark's own area.
+/// Lengths are fractions of the diagonal of the drawing, shares fractions of the mark's area.
 constexpr double rim_thickness = 0.012;  ///< of lines, and between twins
 /// A stroke without a fill that is wider than this is a body of its own unless it is ink.
 constexpr double wide_stroke = 0.02;
@@ -72,13 +72,13 @@ constexpr double apart = 0.03;           ///< lines farther from fills than this
 constexpr double dark = 0.2;             ///< luminance
 constexpr double dull = 0.4;             ///< the lightest of red, green and blue
 constexpr double translucent = 0.95;     ///< alpha
-constexpr double over_others = 0.8;      ///< share of a shade over what was painted before
-constexpr double within_others = 0.95;   ///< the same of an opaque one
-constexpr double same_hue = 0.985;       ///< cosine between colours, or between what they lack
+constexpr double over_others = 0.8;      ///< share of a shade over earlier marks
+constexpr double within_others = 0.95;   ///< likewise of an opaque shade
+constexpr double same_hue = 0.985;       ///< cosine between colours, or between their complements
 
-constexpr double flat_shadow = 2.5;     ///< width over height of a cast shadow
-constexpr double shadow_width = 0.35;   ///< of its width in that of the drawing, where it is opaque
-constexpr double ground_height = 0.12;  ///< of the drawing, where shadows lie
+constexpr double flat_shadow = 2.5;    ///< width over height of a cast shadow
+constexpr double shadow_width = 0.35;  ///< of its width in that of the drawing, where it is opaque
+constexpr double floor_height = 0.12;  ///< of the drawing, where shadows lie
 constexpr double ellipse_share = 0.785;
 
 bool is_dark(const Color& c) { return luminance(c) < dark && std::max({c.r, c.g, c.b}) < dull; }
@@ -89,7 +89,7 @@ double cosine(const Color& p, const Color& q) {
   return norms > 0 ? (p.r * q.r + p.g * q.g + p.b * q.b) / norms : 0;
 }
 
-/// Whether one colour is the other made darker or lighter.
+/// Returns whether one colour is the other made darker or lighter.
 bool is_tint(const Color& p, const Color& q) {
   const auto rest = [](const Color& c) { return Color{1 - c.r, 1 - c.g, 1 - c.b, 1}; };
   return cosine(p, q) > same_hue || cosine(rest(p), rest(q)) > same_hue;
@@ -108,7 +108,7 @@ double common_area(const Box2& p, const Box2& q) {
   return std::max(0.0, width) * std::max(0.0, height);
 }
 
-/// Gives roles one after the other, each among the marks that have none yet.
+/// Assigns one role after the other, each to marks that have none yet.
 class RoleFinder {
  public:
   RoleFinder(const std::vector<Mark>& marks, const Box2& canvas) : marks_(marks), canvas_(canvas) {
@@ -148,7 +148,7 @@ class RoleFinder {
     }
   }
 
-  /// The marks of a range as far as they are shapes and near.
+  /// Returns the area of all shapes of a range that are near.
   Region shapes(size_t from, size_t to, const Box2& near, size_t without) const {
     std::vector<Region> regions;
     for (size_t j = from; j < to; ++j)
@@ -166,7 +166,7 @@ class RoleFinder {
       if (j != i && is_shape(j)) others.add(boxes_[j]);
     if (others.empty() || !boxes_meet(box, others)) return false;
     const double middle = (box.min.y + box.max.y) / 2;
-    if (middle < others.max.y - ground_height * height(others)) return false;
+    if (middle < others.max.y - floor_height * height(others)) return false;
     const double own = area(mark.region);
     const bool ellipse = std::abs(own / (width(box) * height(box)) - ellipse_share) < 0.04;
     const bool opaque_shadow = ellipse && is_dark(mark.color) &&
@@ -179,7 +179,7 @@ class RoleFinder {
     return is_dark(marks_[i].color) && marks_[i].color.a >= 0.5 && !marks_[i].outlined;
   }
 
-  /// Thin lines first; then what is dark, where enough is left for it to be the ink of.
+  /// Finds thin lines, then dark marks along or inside the remaining fills.
   void find_ink() {
     const double diagonal = whole_.diagonal();
     for (size_t i = 0; i < marks_.size(); ++i) {
@@ -205,7 +205,7 @@ class RoleFinder {
     }
   }
 
-  /// Whether it is the dark rim of one fill, which is one figure with it.
+  /// Returns whether the mark is the dark rim of one fill, with which it is one figure.
   bool has_twin(size_t i) const {
     for (size_t j = 0; j < marks_.size(); ++j)
       if (j != i && is_shape(j) && marks_[j].filled &&
@@ -232,11 +232,11 @@ class RoleFinder {
     if (!clear && area(grow(mark.region, -0.25 * std::sqrt(own))) > 0) return false;
     const double over = area(intersect(mark.region, shapes(0, i, boxes_[i], i))) / own;
     if (clear) return over > over_others;
-    return over > within_others && is_tint(mark.color, ground_of(i));
+    return over > within_others && is_tint(mark.color, color_below(i));
   }
 
-  /// The colour of the topmost mark under most of mark i.
-  Color ground_of(size_t i) const {
+  /// Returns the colour of the topmost mark under most of mark i.
+  Color color_below(size_t i) const {
     Region left = marks_[i].region;
     double most = 0;
     Color color = marks_[i].color;
@@ -251,7 +251,7 @@ class RoleFinder {
     return color;
   }
 
-  /// Connected lines count together.
+  /// Finds ink that is nowhere near a fill; connected lines count as one.
   void find_motion() {
     std::vector<Region> ink;
     std::vector<Region> fills;
@@ -275,7 +275,7 @@ class RoleFinder {
   Box2 canvas_;
   std::vector<Box2> boxes_;
   std::vector<MarkRole> roles_;
-  Box2 whole_;  ///< around all but background
+  Box2 whole_;  ///< around everything but background
 };
 
 }  // namespace

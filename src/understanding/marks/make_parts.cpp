@@ -11,7 +11,7 @@
 namespace relievo::understanding {
 namespace {
 
-/// A layer from which so many parts are proposed, some over others, is no part itself.
+/// Least number of parts, some over others, that make a layer a drawing of several parts.
 constexpr size_t parts_of_drawing = 4;
 /// Least common area of two parts of which one lies over the other / area of the smaller one.
 constexpr double least_overlap = 0.05;

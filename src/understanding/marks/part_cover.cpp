@@ -9,7 +9,7 @@ namespace relievo::understanding {
 namespace {
 
 constexpr double touching = 1;  ///< px
-constexpr int ink_rounds = 4;   ///< in which ink is shared out
+constexpr int ink_rounds = 4;   ///< of sharing out ink
 
 double gap(const Box2& p, const Box2& q) {
   const double dx = std::max({0.0, p.min.x - q.max.x, q.min.x - p.max.x});
@@ -17,7 +17,7 @@ double gap(const Box2& p, const Box2& q) {
   return std::hypot(dx, dy);
 }
 
-/// The part that shares most with the piece's surroundings, or -1.
+/// Returns the part with the largest common area with the piece's surroundings, or -1.
 int touched_part(const std::vector<Part>& parts, const Region& surroundings) {
   int best = -1;
   double most = 0;

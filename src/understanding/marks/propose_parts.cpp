@@ -14,8 +14,8 @@ constexpr double least_visible = 0.001;  ///< of a part beside others
 constexpr double least_crossing = 0.004;
 constexpr double least_contained = 0.008;
 constexpr double least_ball = 0.02;
-constexpr double speck_area = 1e-4;  ///< smaller rings and holes are dropped
-/// Fraction of the diagonal of the drawing: ink that is nearer to a part goes with it.
+constexpr double speck_area = 1e-4;  ///< of the smallest ring or hole
+/// Largest distance of ink from the part that it goes with / diagonal of the drawing.
 constexpr double pen_reach = 0.045;
 
 /// Fractions of the area of the figure itself.
@@ -23,15 +23,15 @@ constexpr double most_hidden = 0.9;
 constexpr double least_protrusion = 0.02;
 constexpr double mostly_inside = 0.75;
 
-/// A frame has so many holes, is this share of what it goes round, that is this share at least of
-/// each figure that shows in its holes, and they fill this share of those.
+/// A frame has at least so many holes; its area / that of its silhouette; the silhouette / the area
+/// of each figure in its holes; the filled share of the holes.
 constexpr size_t least_holes = 2;
 constexpr double least_frame = 0.25;
 constexpr double least_framed = 0.5;
 constexpr double mostly_filled = 0.9;
 
-/// What speaks for or against a figure as a part of its own. Fractions are of its own area unless
-/// said otherwise.
+/// Evidence for or against a figure as a part of its own. Fractions are of its area unless stated
+/// otherwise.
 struct Evidence {
   double size = 0;          ///< area / area of the drawing
   double visible = 0;       ///< area not covered by later figures / area of the drawing
@@ -54,8 +54,8 @@ size_t hole_count(const Region& region) {
                                            [](const Ring& ring) { return signed_area(ring) < 0; }));
 }
 
-/// Whether figures behind fill the holes of one that goes round most of them, as the plates of a
-/// shell between its ribs and the panes of a window do.
+/// Returns whether the figure is a frame: figures behind fill its holes, like the plates between
+/// the ribs of a shell, or the panes of a window.
 bool is_frame(const std::vector<Figure>& figures, size_t i) {
   const Region& region = figures[i].region;
   if (hole_count(region) < least_holes) return false;
@@ -67,14 +67,14 @@ bool is_frame(const std::vector<Figure>& figures, size_t i) {
   return fraction_of(subtract(whole, region), unite(behind)) > mostly_filled;
 }
 
-/// What shows through the holes of a frame is paint on one surface with it.
+/// Fills the holes of frames: the figures that show through them are paint on the frame's surface.
 std::vector<Figure> without_frames(std::vector<Figure> figures) {
   for (size_t i = 0; i < figures.size(); ++i)
     if (is_frame(figures, i)) figures[i].region = without_holes(figures[i].region);
   return figures;
 }
 
-/// Decides figure by figure, back to front.
+/// Decides figure by figure, back to front, whether it is a part.
 class Proposer {
  public:
   explicit Proposer(const FigureList& list) : list_(list), total_(area(list.covered)) {
@@ -101,9 +101,9 @@ class Proposer {
   }
 
  private:
-  /// What is hardly seen never counts. What stands out beside the parts below counts, unless it
-  /// is a patch without an outline that mostly follows them. What lies inside counts where it
-  /// crosses something, has its own outline, or is a ball of another colour.
+  /// A figure that is hardly visible is no part. One that protrudes beyond the parts below is a
+  /// part, unless it is a patch without an outline that mostly follows them. One inside them is a
+  /// part if it crosses something, has an outline of its own, or is a ball of another colour.
   static bool is_part(const Figure& figure, const Evidence& e) {
     if (e.hidden > most_hidden || e.visible < least_visible) return false;
     const bool contained = e.protrusion < least_protrusion;
@@ -128,7 +128,7 @@ class Proposer {
     return e;
   }
 
-  /// The parts so far, as far as they are near.
+  /// Returns the area of the parts so far that are near.
   Region below(const Box2& box) const {
     std::vector<Region> near;
     for (const Part& part : parts_) {
@@ -137,7 +137,7 @@ class Proposer {
     return unite(near);
   }
 
-  /// What lies in front of figure i, as far as it is near.
+  /// Returns the area of the figures in front of figure i that are near.
   Region above(size_t i) const {
     std::vector<Region> near;
     for (size_t j = i + 1; j < boxes_.size(); ++j) {
@@ -163,17 +163,17 @@ class Proposer {
     if (host < 0) return;
     const double own = area(figure.region);
     const double host_area = area(parts_[host].outline);
-    const Color& ground = colors_[host];
+    const Color& host_color = colors_[host];
     e.crossing = seen > 1 || crosses_patch(figure);
     const Region core = grow(parts_[host].outline, -0.006 * list_.diagonal);
     e.at_edge = fraction_of(figure.region, core) < 0.98;
     e.ball = e.size >= least_ball && own < 0.15 * host_area &&
-             color_distance(figure.color, ground) > 0.3;
-    e.pale_patch = own > 0.1 * host_area && luminance(figure.color) > luminance(ground) + 0.2 &&
+             color_distance(figure.color, host_color) > 0.3;
+    e.pale_patch = own > 0.1 * host_area && luminance(figure.color) > luminance(host_color) + 0.2 &&
                    !carries_something(i);
   }
 
-  /// Whether the figure, in one piece, lies over the edge of a patch at least as large.
+  /// Returns whether the figure, in one piece, lies over the edge of a patch at least as large.
   bool crosses_patch(const Figure& figure) const {
     const double own = area(figure.region);
     const Box2 box = bounding_box(figure.region);
@@ -185,7 +185,7 @@ class Proposer {
     return over_edge && pieces(figure.region).size() == 1;
   }
 
-  /// Whether a later figure lies inside figure i.
+  /// Returns whether a later figure lies inside figure i.
   bool carries_something(size_t i) const {
     for (size_t j = i + 1; j < list_.figures.size(); ++j) {
       const Region& other = list_.figures[j].region;

@@ -119,6 +119,28 @@ TEST(AnnotatedParts, ASingleLayerOrLayersOfManyPartsSayNothing) {
   EXPECT_EQ(read_svg(two)->layers.size(), 2u);
 }
 
+TEST(AnnotatedParts, LinesBetweenLayersArePaintedOnlyWhereLayersAreNoParts) {
+  const auto layer = [](const std::string& content) {
+    return "<g inkscape:groupmode='layer'>" + content + "</g>";
+  };
+  const std::string upper = layer(
+      "<rect x='300' y='100' width='300' height='90'/>"
+      "<path id='seam' d='M300 100V190' fill='none' stroke='#00f' stroke-width='4'/>");
+  const std::string trunk = "<rect width='400' height='400'/>";
+  const auto parts = import_of(svg_file(layer(trunk) + upper));
+  EXPECT_FALSE(parts.proposed);
+  EXPECT_EQ(parts.scene.joins.size(), 1u);
+  EXPECT_EQ(parts.paintable.text.find("seam"), std::string::npos);
+  const auto shapes =
+      import_of(svg_file(layer(trunk + "<rect x='350' y='250' width='200' height='90'/>"
+                                       "<rect x='-90' y='200' width='200' height='90'/>"
+                                       "<circle cx='200' cy='450' r='90'/>") +
+                         upper));
+  EXPECT_TRUE(shapes.proposed);
+  EXPECT_TRUE(shapes.scene.joins.empty());
+  EXPECT_NE(shapes.paintable.text.find("seam"), std::string::npos);
+}
+
 TEST(AnnotatedParts, UnsoundValuesAreNamed) {
   for (const char* attribute :
        {"data-c='x'", "data-c='-1'", "data-d='0'", "data-c='1e999'", "data-d='2px'",
