@@ -1,15 +1,10 @@
 #pragma once
 
-#include <cstdint>
-
 #include "relievo/image.h"
 
 namespace relievo {
 
-/// Counts the ones of a mask. O(pixels).
-int64_t count_of(const Image8& mask);
-
-/// Computes the share of the box around the ones of a mask that they fill; 0 for an empty mask.
+/// Computes the share of their bounding box that the ones of a mask fill; 0 for an empty mask.
 /// O(pixels).
 double share_of_box(const Image8& mask);
 

@@ -3,7 +3,7 @@
 namespace relievo {
 namespace {
 
-/// Sides from `at` on, a step of 1 or n - 1 at a time, with the same label beyond; up to `most`.
+/// Counts the sides from `at` on, in steps of 1 or n - 1, with the same label beyond; up to `most`.
 size_t run_length(const LabelRing& ring, size_t at, size_t step, size_t most) {
   size_t count = 0;
   for (size_t i = at; count < most && ring.beyond[i] == ring.beyond[at];

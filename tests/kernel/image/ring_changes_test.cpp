@@ -10,7 +10,7 @@
 namespace relievo {
 namespace {
 
-/// Label 1 lies above 2 on the left and 3 on the right of a column; all around is 0.
+/// Makes labels with 1 above 2 on the left and 3 on the right of a column, and 0 around.
 Image16 three_labels(int column) {
   Image16 labels(80, 80, 1);
   for (int y = 10; y < 70; ++y)
