@@ -63,7 +63,6 @@ class PoissonSystem {
   SparseMatrix A_;  ///< with the boundary of the factor
   SparseCholesky factor_;
   std::optional<PoissonBoundary> last_;  ///< in the factor, if there is one
-  ForwardSweep sweep_;                   ///< of the last solution
 };
 
 /// -div grad u + screening u = density within a part, in scene units.

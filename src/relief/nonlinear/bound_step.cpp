@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "kernel/cholesky/symmetric_graph.h"
+#include "kernel/cholesky/sparse_products.h"
 #include "relief/nonlinear/soft_matrix.h"
 
 namespace relievo::relief {

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "kernel/cholesky/symmetric_graph.h"
+#include "kernel/cholesky/sparse_products.h"
 
 namespace relievo::relief {
 
@@ -30,7 +30,6 @@ BoundQpSolution solve_program(DepthSystem& system, BoundQpOptions options,
   options.start_active = std::move(system.closed);
   options.tolerance = contact_tolerance;
   BoundQpSolution solution = solve_bound_qp(system.qp, system.factor, std::move(options), context);
-  system.factorised = solution.report.factorisations > 0;
   system.closed = std::move(solution.active);
   return solution;
 }
@@ -120,7 +119,6 @@ Contact ContactStep::solve_firmly(const VectorXd& f, const RunContext& context) 
   const VectorXd force = multiply_transposed(model_.metric.A, rest) + lean.pull;
   order_.qp.b = multiply_transposed(problem_.variables.T, force);
   BoundQpOptions options;
-  options.same_matrix = order_.factorised;
   options.start = std::move(last_);
   options.start_gradient = std::move(last_gradient_);
   options.refine = false;

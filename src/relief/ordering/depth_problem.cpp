@@ -92,7 +92,6 @@ void set_problem(DepthProblem problem, const ShiftMetric& metric, DepthSystem& s
   system.qp.fixed = problem.variables.fixed;
   system.problem = std::move(problem);
   system.closed.clear();
-  system.factorised = false;
 }
 
 DepthSystem make_depth_system(DepthProblem problem, const ShiftMetric& metric,
@@ -119,8 +118,6 @@ SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const 
   system.qp.b = variables.T.transpose() * force;
   BoundQpOptions options;
   options.start_active = system.closed;
-  options.same_matrix = system.factorised;
-  options.sweep = std::move(system.sweep);
   BoundQpSolution solution = solve_bound_qp(system.qp, system.factor, std::move(options), context);
   ordering.h = heights_of(problem, root_heights(problem, f), solution.z, metric.scale);
   ordering.equalities = count(variables.fixed);
@@ -128,8 +125,6 @@ SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const 
   ordering.report = solution.report;
   ordering.report.energy += 0.5 * (rest.dot(force) + metric.lean.rest(-rest));
   system.closed = std::move(solution.active);
-  system.sweep = std::move(solution.sweep);
-  system.factorised = solution.report.factorisations > 0;
   return solution.report.status;
 }
 

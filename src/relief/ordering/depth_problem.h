@@ -64,8 +64,6 @@ struct DepthSystem {
   BoundQp qp;                   ///< b is that of the last solution
   SparseCholesky factor;        ///< analysed incrementally
   std::vector<uint8_t> closed;  ///< gaps to begin with closed, then those of the solution; or empty
-  bool factorised = false;      ///< the factor is one of K
-  ForwardSweep sweep;           ///< of the last solution with the factor, if any
 };
 
 /// Makes the problem that of the system, with the matrix for it; the factor is none of it, and no
