@@ -13,7 +13,7 @@
 
 namespace relievo::benchmarks {
 
-/// A drawing of the examples and the number of vertices that the paper has for its likeness.
+/// A drawing of the examples and the number of vertices of its counterpart in the paper.
 struct Character {
   const char* name;
   int paper_vertices;
@@ -21,12 +21,12 @@ struct Character {
 
 const std::vector<Character>& characters();
 
-/// The scene of examples/<name>.svg; ends the program where it cannot be read.
+/// Returns the scene of examples/<name>.svg. Ends the program where it cannot be read.
 const Scene& scene_of(const std::string& name);
 
 relief::ReliefOptions options_for(int vertices);
 
-/// Everything up to the order, computed once for each name and number of vertices.
+/// All stages before the order.
 struct Surface {
   relief::LayeredMesh mesh;
   relief::Discretisation discretisation;
@@ -34,9 +34,10 @@ struct Surface {
   std::vector<relief::DepthContact> coarse;  ///< contacts on a mesh with an eighth of the vertices
 };
 
+/// Returns these stages of a drawing, computed once for consecutive calls with the same arguments.
 const Surface& surface_of(const std::string& name, int vertices);
 
-/// The quadratic program of the first round, solved from nothing, and its metric.
+/// The quadratic program of the first round, its metric and its solution without an initial guess.
 struct Program {
   relief::ShiftMetric metric;
   relief::DepthSystem system;

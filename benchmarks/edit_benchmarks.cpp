@@ -51,7 +51,7 @@ const Edit edits[] = {
 
 using Touch = std::tuple<int, int, double, double>;
 
-/// Where parts touch, in order.
+/// Returns the points where parts touch, sorted.
 std::vector<Touch> touches(const std::vector<relief::DepthContact>& contacts) {
   std::vector<Touch> result;
   for (const relief::DepthContact& contact : contacts)
@@ -68,7 +68,7 @@ int changes(const std::vector<Touch>& before, const std::vector<Touch>& after) {
   return static_cast<int>(different.size());
 }
 
-/// Makes the edit and takes it back in turn; the time is of one of the two.
+/// Times making the edit and taking it back in turn.
 void run(State& state, const Edit& edit, const std::string& name) {
   const Scene plain = scene_of(name);
   const relief::ReliefOptions plain_options = options_for(40000);

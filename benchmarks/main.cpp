@@ -11,7 +11,7 @@
 
 namespace {
 
-/// The references run on one thread, as they are compared; their libraries read this once, at the
+/// Limits the libraries of the references to one thread. They read these variables once, at the
 /// start.
 void restart_with_one_thread(char** argv) {
   if (std::getenv("OMP_THREAD_LIMIT") != nullptr) return;
@@ -20,7 +20,7 @@ void restart_with_one_thread(char** argv) {
   execv("/proc/self/exe", argv);
 }
 
-/// The value of the first argument where that is the option, which is removed; or null.
+/// Returns the value of the first argument and removes it if it is the option; else null.
 const char* take_option(const char* option, int& argc, char**& argv) {
   if (argc < 2 || std::strncmp(argv[1], option, std::strlen(option)) != 0) return nullptr;
   const char* value = argv[1] + std::strlen(option);

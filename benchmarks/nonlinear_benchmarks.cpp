@@ -22,13 +22,13 @@ using benchmark::State;
 using Eigen::VectorXd;
 
 constexpr int largest_for_descent = 2000;
-/// The descent may stop where its energy is that of the solution but for this share.
+/// The descent stops where its energy exceeds that of the solution by at most this share.
 constexpr double descent_accuracy = 1e-3;
 constexpr int descent_rounds = 40;
 constexpr int descent_steps = 3000;
 constexpr double penalty = 30;
 
-/// Both methods take turns, so that what else the machine does weighs on both alike.
+/// Both methods take turns, so that other work on the machine slows both equally.
 constexpr int turns = 11;
 
 double processor_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -38,7 +38,7 @@ double wall_ms() {
   return std::chrono::duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
 }
 
-/// The least times of what is repeated.
+/// The least times of repeated runs.
 struct LeastTimes {
   double processor = std::numeric_limits<double>::infinity();
   double wall = std::numeric_limits<double>::infinity();
@@ -52,7 +52,7 @@ struct LeastTimes {
   }
 };
 
-/// What a mesh with an eighth of the vertices tells.
+/// The initial guess, from a mesh with an eighth of the vertices.
 relief::NonlinearMemory coarse_memory(const std::string& name, int vertices,
                                       const relief::NonlinearOptions& options) {
   relief::ReliefOptions coarse = options_for(vertices / 8);
@@ -63,7 +63,7 @@ relief::NonlinearMemory coarse_memory(const std::string& name, int vertices,
                                                 : relief::NonlinearMemory();
 }
 
-/// The inflation, and beside it the matrix of the depth order.
+/// Computes the inflation and, on another thread, the matrix of the depth order.
 relief::Inflation inflation_of(const relief::SurfaceInput& surface,
                                relief::OrderingSystem& system) {
   relief::Inflation inflation;
@@ -77,7 +77,7 @@ relief::Inflation inflation_of(const relief::SurfaceInput& surface,
   return inflation;
 }
 
-/// Operators, inflation and order from the coarse guess.
+/// Times operators, inflation and order from the coarse guess.
 void approximate(const std::string& name, const Surface& surface) {
   const Scene& scene = scene_of(name);
   const relief::Discretisation operators = relief::discretise(surface.mesh);
@@ -88,7 +88,7 @@ void approximate(const std::string& name, const Surface& surface) {
       relief::order_depth({surface.mesh, operators, scene}, inflation, {}, system));
 }
 
-/// The same by the non-linear method.
+/// Times the same by the non-linear method.
 Result<relief::NonlinearSolution> solve(const std::string& name, const Surface& surface,
                                         const relief::NonlinearOptions& options,
                                         const relief::NonlinearMemory& known) {
@@ -126,7 +126,7 @@ void nonlinear(State& state, const std::string& name, int vertices, double lambd
   }
 }
 
-/// The paper's way: L-BFGS on the augmented Lagrangian, until its energy is near enough.
+/// Times the paper's method: L-BFGS on the augmented Lagrangian, until its energy is near enough.
 void descent(State& state, const std::string& name, int vertices, double lambda_bnd) {
   const Surface& surface = surface_of(name, vertices);
   relief::NonlinearOptions options;

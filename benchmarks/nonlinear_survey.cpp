@@ -18,7 +18,7 @@ struct Tally {
   int failed = 0;
 };
 
-/// Whether some surface joins parts with d > 0 and d < 0.
+/// Returns whether a surface joins parts with d > 0 and d < 0.
 bool has_mixed_joins(const Scene& scene) {
   return std::any_of(scene.joins.begin(), scene.joins.end(), [&](const Join& join) {
     return scene.parts[join.upper].d * scene.parts[join.lower].d < 0;

@@ -11,16 +11,16 @@
 #include "understanding/labels/label_basins.h"
 #include "understanding/scene/propose_scene.h"
 
-// Prints what segmentation, a changed stroke, and completing, ordering and joining 15 parts cost,
-// and how that grows with the size of a drawing. CPU time of all threads, so that other work on the
-// machine does not count. Usage: relievo_segmentation [DRAWING]; without one, circles.
+// Prints the CPU time, of all threads, of segmentation, of a changed stroke, and of completing,
+// ordering and joining 15 parts, for drawings of increasing size. Usage: relievo_segmentation
+// [DRAWING]; without one, circles.
 
 namespace relievo {
 namespace {
 
 constexpr int repetitions = 5;
 
-/// Circles of ink with a gap in each, coloured in part, on paper with grain.
+/// Draws circles of ink with a gap in each, some of them coloured, on paper with grain.
 Drawing circles(int side) {
   Drawing drawing{Image8(side, side, 4, 250)};
   const double cell = side / 3.0;
@@ -40,7 +40,7 @@ Drawing circles(int side) {
   return drawing;
 }
 
-/// Fifteen discs in rows of four, each of which hides some of its neighbours.
+/// Makes fifteen discs in rows of four, each of which hides some of its neighbours.
 Image16 pile(int side) {
   Image16 labels(side, side, 1);
   const double cell = side / 4.4;
@@ -61,7 +61,7 @@ double cpu_milliseconds() {
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-/// Shortest of several runs, ms of CPU time.
+/// Measures the least CPU time of several runs, ms.
 double time_of(const std::function<void()>& work) {
   double best = 1e9;
   for (int k = 0; k < repetitions; ++k) {
@@ -93,7 +93,7 @@ double measure(const Drawing& drawing) {
   return find / megapixels;
 }
 
-/// The time per megapixel for the parts of a scene.
+/// Measures the time per megapixel for the parts of a scene.
 double measure_proposal(int side) {
   const Image16 labels = pile(side);
   const double megapixels = 1e-6 * side * side;

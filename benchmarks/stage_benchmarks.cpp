@@ -68,7 +68,7 @@ void order_from_coarse(State& state, const std::string& name, int vertices) {
   order_from(state, name, surface, surface.coarse);
 }
 
-/// Operators, inflation and order: everything but the mesh.
+/// Times operators, inflation and order: everything but the mesh.
 void solve(State& state, const std::string& name, int vertices) {
   const Surface& surface = surface_of(name, vertices);
   const Scene& scene = scene_of(name);
@@ -101,7 +101,7 @@ void model(State& state, const std::string& name, int vertices) {
   }
 }
 
-/// What is to be held, checked, and its file to print, painted.
+/// Times a solid, the check whether it can be printed, and its painted 3MF file.
 void hold(State& state, const std::string& name, int vertices, const SolidOptions& kind) {
   relief::ReliefOptions options = options_for(vertices);
   options.hidden = kind.back != BackSide::flat;
@@ -127,7 +127,7 @@ void figure(State& state, const std::string& name, int vertices) {
   hold(state, name, vertices, as_figure());
 }
 
-/// A figure united with a leg of its far side.
+/// Times a figure united with the mirrored legs of its far side.
 void mirrored(State& state, const std::string& name, int vertices) {
   SolidOptions options = as_figure();
   for (const Part& part : scene_of(name).parts)

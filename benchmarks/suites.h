@@ -2,7 +2,7 @@
 
 namespace relievo::benchmarks {
 
-/// Which sizes are run: the paper's and 5k to `largest` vertices.
+/// The sizes that are run: those of the paper, and 5k to `largest` vertices.
 struct Extent {
   int largest = 160000;
 };

@@ -16,7 +16,7 @@ class CholmodFactor {
   CholmodFactor(const CholmodFactor&) = delete;
   CholmodFactor& operator=(const CholmodFactor&) = delete;
 
-  /// Factorises the values of the matrix; false where it is not positive definite.
+  /// Factorises the values of the matrix. Returns false where it is not positive definite.
   bool factorise();
 
  private:

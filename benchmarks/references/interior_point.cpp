@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/cholesky/symmetric_graph.h"
+#include "kernel/cholesky/sparse_products.h"
 
 namespace relievo::benchmarks {
 namespace {
@@ -60,7 +60,7 @@ class InteriorPoint {
     return factor_.factorise(A_, program_.fixed);
   }
 
-  /// The Newton step to z s = target.
+  /// Computes the Newton step to z s = target.
   Point direction(const VectorXd& residual, const VectorXd& target) const {
     VectorXd right = -residual;
     for (Index i = 0; i < right.size(); ++i)
@@ -71,7 +71,7 @@ class InteriorPoint {
     return d;
   }
 
-  /// The longest step up to 1 that stays inside.
+  /// Returns the longest step up to 1 that stays inside the bounds.
   double longest_step(const Point& d) const {
     double length = 1;
     for (Index i = 0; i < d.z.size(); ++i) {

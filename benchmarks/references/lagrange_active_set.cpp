@@ -31,7 +31,7 @@ SparseMatrix kkt_matrix(const SparseMatrix& A, const std::vector<relief::DepthPa
   return K;
 }
 
-/// Lets the pairs change sides that are on the wrong one; false where there are none.
+/// Flips the pairs that are on the wrong side. Returns false where there are none.
 bool flip_wrong(const std::vector<relief::DepthPair>& pairs, const VectorXd& solution,
                 Eigen::Index nodes, std::vector<uint8_t>& active) {
   bool changed = false;

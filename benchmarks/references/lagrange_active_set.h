@@ -14,10 +14,10 @@ struct ReferenceSolution {
   bool solved = false;
 };
 
-/// Minimises 1/2 (h - f)'A (h - f) under the pairs as an active-set method with Lagrange
-/// multipliers does that uses a general sparse solver [P §3.2, Jacobson et al. 2013]: nothing is
-/// merged, and each step factorises the whole system [A C'; C 0] from scratch by sparse LU. Pairs
-/// form no cycles.
+/// Minimises 1/2 (h - f)'A (h - f) under the pairs by an active-set method with Lagrange
+/// multipliers and a general sparse solver [P §3.2, Jacobson et al. 2013]: merges no unknowns, and
+/// factorises the whole system [A C'; C 0] from scratch by sparse LU in each step. Precondition:
+/// the pairs form no cycles.
 ReferenceSolution solve_with_multipliers(const SparseMatrix& A, const Eigen::VectorXd& f,
                                          const std::vector<relief::DepthPair>& pairs);
 

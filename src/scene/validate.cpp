@@ -14,6 +14,7 @@ Error bad(std::string where, std::string message) {
   return {ErrorCode::bad_input, std::move(message), std::move(where)};
 }
 
+/// Returns the path of an entry of a list, as "parts[2]".
 std::string at(const char* list, size_t index) {
   return std::string(list) + "[" + std::to_string(index) + "]";
 }
@@ -27,7 +28,7 @@ Error out_of_range(std::string where) {
   return bad(std::move(where), "a coordinate is not a number within ±1000000 px");
 }
 
-/// Whether the points do not all lie on one line.
+/// Returns whether the points of a ring do not all lie on one line.
 bool has_area(const Ring& ring) {
   if (ring.size() < 3) return false;
   const auto other =
@@ -172,7 +173,8 @@ Status check_drawing(const Scene& scene) {
              "'..'");
 }
 
-/// The ring that all of the line is nearest to. Precondition: there is one.
+/// Returns the ring with the least sum of distances from the points of the line. Precondition: the
+/// outline has a ring.
 const Ring& followed_ring(const Outline& outline, const std::vector<Point2>& line) {
   const auto gap = [&](const Ring& ring) {
     const RingMeasure m = measure(ring);
@@ -184,7 +186,7 @@ const Ring& followed_ring(const Outline& outline, const std::vector<Point2>& lin
                            [&](const Ring& a, const Ring& b) { return gap(a) < gap(b); });
 }
 
-/// Whether the feet of the line's points go round the ring in its direction.
+/// Returns whether the points of the ring nearest to those of the line follow its direction.
 bool runs_forward(const Ring& ring, const std::vector<Point2>& line) {
   const RingMeasure m = measure(ring);
   const auto foot = [&](Point2 p) { return nearest_on_ring(ring, m, p).s; };
@@ -194,7 +196,7 @@ bool runs_forward(const Ring& ring, const std::vector<Point2>& line) {
   return forward >= 0;
 }
 
-/// A join of a limb behind `front` as the relation that it is.
+/// Returns the relation that a join of a limb behind the part with the outline `front` stands for.
 Relation from_behind(const Join& join, Outline front) {
   orient_by_nesting(front);
   Relation relation{join.lower, join.upper, RelationKind::joined, {}};

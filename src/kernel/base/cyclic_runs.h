@@ -5,8 +5,8 @@
 namespace relievo {
 
 /// Divides the circle 0 .. n-1 into its longest runs along which same(i, i + 1) holds, and calls
-/// visit(first, count) for each, in the order of their firsts; a run may go on beyond n-1 at 0.
-/// Where the whole circle is one run, it is visit(0, n). O(n).
+/// visit(first, count) for each run, in the order of their first elements. A run may continue past
+/// n-1 at 0. Where the whole circle is one run, calls visit(0, n). O(n).
 template <class Same, class Visit>
 void for_each_run(size_t n, Same same, Visit visit) {
   size_t start = 0;

@@ -6,8 +6,8 @@
 
 namespace relievo {
 
-/// Union-find over 0 .. size()-1. The representative of a set is its smallest member, so results do
-/// not depend on the order of the unions.
+/// A partition of 0 .. size()-1 into sets (union-find). A set is represented by its smallest
+/// member, so results do not depend on the order of the unions.
 class DisjointSets {
  public:
   explicit DisjointSets(int n) : parent_(static_cast<size_t>(n)) {
@@ -16,13 +16,13 @@ class DisjointSets {
 
   int size() const { return static_cast<int>(parent_.size()); }
 
-  /// Adds a member, alone in its set, and returns it.
+  /// Adds a set with one new member, and returns that member.
   int add() {
     parent_.push_back(size());
     return parent_.back();
   }
 
-  /// Smallest member of the set of i. O(log n) amortised.
+  /// Returns the smallest member of the set of i. O(log n) amortised.
   int find(int i) {
     while (parent_[i] != i) {
       parent_[i] = parent_[parent_[i]];
@@ -31,6 +31,7 @@ class DisjointSets {
     return i;
   }
 
+  /// Unites the sets of i and j. O(log n) amortised.
   void unite(int i, int j) {
     const auto [low, high] = std::minmax({find(i), find(j)});
     parent_[high] = low;

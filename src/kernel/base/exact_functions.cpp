@@ -7,15 +7,15 @@
 namespace relievo::exact {
 namespace {
 
-/// pi / 2 and log 2 in two pieces: whole multiples of the first are exact.
+/// pi / 2 and log 2, each as a sum of two numbers: whole multiples of the first one are exact.
 constexpr double quarter = 1.57079632673412561417e+00;
 constexpr double quarter_rest = 6.07710050650619224932e-11;
 constexpr double ln2 = 6.93147180369123816490e-01;
 constexpr double ln2_rest = 1.90821492927058770002e-10;
 constexpr double largest_exponent = 700;
 
-/// Sum of sign^k x^2k / ((first + 1) ... (first + 2 k)), k < terms: the series of sine (first = 1)
-/// and cosine (0).
+/// Computes the sum of (-1)^k x^2k / ((first + 1) ... (first + 2 k)) for k < terms, the series of
+/// sin(x) / x (first = 1) and cos(x) (first = 0).
 double alternating_series(double x2, int first, int terms) {
   double sum = 1;
   for (int k = terms - 1; k >= 1; --k) {
@@ -25,14 +25,14 @@ double alternating_series(double x2, int first, int terms) {
   return sum;
 }
 
-/// Sum of (-x2)^k / (2 k + 1), k < terms: atan(x) / x.
+/// Computes the sum of (-x^2)^k / (2 k + 1) for k < terms, the series of atan(x) / x.
 double atan_series(double x2, int terms) {
   double sum = 0;
   for (int k = terms - 1; k >= 0; --k) sum = 1.0 / (2 * k + 1) - sum * x2;
   return sum;
 }
 
-/// Of x in [0, 1]. Halved twice, the angle is at most pi / 16.
+/// Computes atan(x) for x in [0, 1]. The angle is halved twice, to at most pi / 16.
 double small_angle(double x) {
   const double half = x / (1 + std::sqrt(1 + x * x));
   const double fourth = half / (1 + std::sqrt(1 + half * half));
@@ -41,7 +41,7 @@ double small_angle(double x) {
 
 }  // namespace
 
-Direction direction_of(double angle) {
+Point2 direction_of(double angle) {
   const double turns = std::nearbyint(angle / (quarter + quarter_rest));
   const double r = (angle - turns * quarter) - turns * quarter_rest;
   const double s = r * alternating_series(r * r, 1, 10);
@@ -80,7 +80,7 @@ double log(double x) {
     --power;
   }
   const double s = (m - 1) / (m + 1);
-  // The series of atanh is that of atan with the other sign.
+  // The series of atanh is the one of atan without the alternating signs.
   return power * ln2 + (2 * s * atan_series(-s * s, 12) + power * ln2_rest);
 }
 

@@ -1,28 +1,27 @@
 #pragma once
 
+#include "relievo/point.h"
+
 namespace relievo {
 
-/// Elementary functions of the four operations and roots alone. C libraries round the last digit of
-/// theirs as they like; these give the same bits on every machine and in the browser, so that what
-/// is guessed of a drawing is guessed everywhere. Relative errors are below 1e-15 (absolute ones
-/// of angles, and of sines beside their zeros) for finite arguments.
+/// Elementary functions that use nothing but +, -, *, / and square roots, which IEEE 754 rounds
+/// correctly. The functions of C libraries differ in their last digit. These return the same bits
+/// on every machine and in the browser, so that a drawing is understood in the same way everywhere.
+/// For finite arguments the relative error is below 1e-15; angles, and sines near their zeros, have
+/// an absolute error below 1e-15.
 namespace exact {
 
-struct Direction {
-  double cosine = 1;
-  double sine = 0;
-};
+/// Returns the unit vector (cos angle, sin angle); `angle` is in radians. Precondition:
+/// |angle| < 1e6.
+Point2 direction_of(double angle);
 
-/// Precondition: |angle| < 1e6.
-Direction direction_of(double angle);
-
-/// In (-pi, pi]; 0 at the origin.
+/// Returns atan2(y, x) in radians, in (-pi, pi]; 0 at the origin.
 double angle_of(double y, double x);
 
-/// 0 below -700; above 700 as there.
+/// Returns e^x; 0 for x < -700, and e^700 for x > 700.
 double exp(double x);
 
-/// Precondition: x > 0, not subnormal.
+/// Returns the natural logarithm. Precondition: x > 0, not subnormal.
 double log(double x);
 
 }  // namespace exact

@@ -6,15 +6,15 @@
 
 namespace relievo {
 
-/// Measures wall time.
+/// Measures wall time in milliseconds.
 class Stopwatch {
  public:
-  /// Since the last lap, or since construction.
+  /// Returns the time since the last lap, or since construction.
   double milliseconds() const {
     return std::chrono::duration<double, std::milli>(Clock::now() - last_).count();
   }
 
-  /// The same, and begins a new lap.
+  /// Returns the same time, and begins a new lap.
   double lap() {
     const double elapsed = milliseconds();
     last_ = Clock::now();
@@ -26,7 +26,8 @@ class Stopwatch {
   Clock::time_point last_ = Clock::now();
 };
 
-/// Tells a context how long a piece of work took: from construction to stop() or destruction.
+/// Reports the wall time of a piece of work, from construction to stop() or destruction, to
+/// `context.timed`. `context` and `piece` outlive the timer.
 class PieceTimer {
  public:
   PieceTimer(const RunContext& context, const char* piece) : context_(context), piece_(piece) {}
@@ -35,18 +36,14 @@ class PieceTimer {
   ~PieceTimer() { stop(); }
 
   void stop() {
-    if (piece_ == nullptr) return;
-    const std::chrono::duration<double, std::milli> elapsed = Clock::now() - begin_;
-    if (context_.timed) context_.timed(piece_, elapsed.count());
+    if (piece_ != nullptr && context_.timed) context_.timed(piece_, watch_.milliseconds());
     piece_ = nullptr;
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   const RunContext& context_;
   const char* piece_;
-  Clock::time_point begin_ = Clock::now();
+  Stopwatch watch_;
 };
 
 }  // namespace relievo

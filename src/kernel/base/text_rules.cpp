@@ -6,7 +6,7 @@
 namespace relievo {
 namespace {
 
-/// Length of the sequence that `lead` begins, or 0 where it begins none.
+/// Returns the length of the UTF-8 sequence that begins with byte `lead`, or 0 where none does.
 size_t sequence_length(uint8_t lead) {
   if (lead < 0x80) return 1;
   if (lead >= 0xc2 && lead < 0xe0) return 2;
@@ -15,7 +15,7 @@ size_t sequence_length(uint8_t lead) {
   return 0;
 }
 
-/// Decodes one sequence of known length; its continuation bytes are checked.
+/// Decodes one sequence of known length. Returns false where a continuation byte is invalid.
 bool decode(std::string_view sequence, uint32_t& code) {
   const auto lead = static_cast<uint8_t>(sequence[0]);
   code = sequence.size() == 1 ? lead : lead & (0x7fU >> sequence.size());
@@ -27,6 +27,8 @@ bool decode(std::string_view sequence, uint32_t& code) {
   return true;
 }
 
+/// Returns whether `code`, encoded in `length` bytes, is neither a control character nor overlong,
+/// a surrogate or out of range.
 bool is_allowed(uint32_t code, size_t length) {
   if (code < 0x20 || (code >= 0x7f && code < 0xa0)) return false;
   if (length == 3 && (code < 0x800 || (code >= 0xd800 && code < 0xe000))) return false;

@@ -9,23 +9,23 @@
 namespace relievo {
 namespace {
 
-/// How long a thread with nothing to do stays awake.
+/// How long an idle thread spins before it sleeps.
 constexpr std::chrono::microseconds patience{100};
 
 }  // namespace
 
-/// One call of run().
+/// The state of one call of run().
 struct ThreadPool::Batch {
   const int count;
   const std::function<void(int)>& task;
   const int workers;
-  const Batch* const parent;  ///< whose task called
-  int helpers = 0;            ///< threads that take part beside the caller's; under the mutex
+  const Batch* const parent;  ///< the batch whose task called run(), or null
+  int helpers = 0;            ///< threads at work besides the caller's; guarded by the mutex
   std::atomic<int> next = 0;
   std::atomic<bool> failed = false;
   std::exception_ptr failure = {};
 
-  /// What this thread takes tasks of.
+  /// The batch whose task this thread runs, or null.
   inline static thread_local const Batch* current = nullptr;
 
   bool has_tasks() const { return next.load(std::memory_order_relaxed) < count; }
@@ -67,7 +67,7 @@ void ThreadPool::run(int count, const std::function<void(int)>& task, int worker
   if (batch.failure) std::rethrow_exception(batch.failure);
 }
 
-/// Lets others take part.
+/// Offers the batch to the threads of the pool.
 void ThreadPool::open(Batch& batch) {
   const int helpers = std::min(batch.workers, batch.count) - 1;
   {
@@ -92,13 +92,14 @@ void ThreadPool::close(Batch& batch) {
       await_news(asleep, changed_, lock);
 }
 
-/// As many as there are not yet. Where the system has no more, the others do the work.
+/// Starts threads until there are `count`. Where the system refuses more, the existing ones do the
+/// work.
 void ThreadPool::start_threads(int count) try {
   while (static_cast<int>(threads_.size()) < count) threads_.emplace_back([this] { help(); });
 } catch (const std::system_error&) {
 }
 
-/// What the threads of the pool do.
+/// Runs tasks of open batches until the pool stops: the loop of each thread.
 void ThreadPool::help() {
   Lock lock(mutex_);
   Clock::time_point asleep = Clock::now() + patience;
@@ -115,7 +116,7 @@ void ThreadPool::help() {
   }
 }
 
-/// The oldest batch that has tasks left and suits.
+/// Returns the oldest batch that has tasks left and suits, or null.
 ThreadPool::Batch* ThreadPool::find(const std::function<bool(const Batch&)>& suits) const {
   const auto found = std::find_if(batches_.begin(), batches_.end(), [&](const Batch* batch) {
     return batch->has_tasks() && suits(*batch);
@@ -133,7 +134,7 @@ void ThreadPool::take_part(Batch& batch, Lock& lock) {
   changed_.notify_all();
 }
 
-/// Returns once something has changed: awake until the time `asleep`, then asleep.
+/// Waits until something changes: spins until the time `asleep`, then sleeps.
 void ThreadPool::await_news(Clock::time_point asleep, std::condition_variable& news, Lock& lock) {
   const unsigned seen = changes_;
   lock.unlock();

@@ -13,8 +13,8 @@
 
 namespace relievo {
 
-/// Threads that take part in the work of others. They start when first needed and sleep when there
-/// is nothing to do, but only after a short while: to wake one takes longer than many tasks do.
+/// A pool of threads that share the tasks of their callers. Threads start when first needed. An
+/// idle thread spins for a short while before it sleeps: waking it takes longer than many tasks do.
 class ThreadPool {
  public:
   ThreadPool() = default;
@@ -22,9 +22,9 @@ class ThreadPool {
   ThreadPool& operator=(const ThreadPool&) = delete;
   ~ThreadPool();
 
-  /// Calls task(0) .. task(count - 1) as run_tasks does on up to `workers` threads, 1 of them the
-  /// caller's, which never waits for a thread that has not begun. Tasks may call this again: a
-  /// thread that waits for others takes part in what these have called.
+  /// Calls task(0) .. task(count - 1), as run_tasks does, on up to `workers` threads including the
+  /// caller's. The caller never waits for a thread that has not begun a task. Tasks may call run()
+  /// themselves: a thread that waits for its batch helps with the nested ones.
   void run(int count, const std::function<void(int)>& task, int workers);
 
  private:
@@ -43,11 +43,11 @@ class ThreadPool {
   std::mutex mutex_;
   std::vector<Batch*> batches_;  ///< open ones, oldest first
   std::vector<std::thread> threads_;
-  int busy_ = 0;  ///< of the threads
+  int busy_ = 0;  ///< number of threads with a task
   bool stopping_ = false;
-  std::atomic<unsigned> changes_ = 0;  ///< of all this
-  std::condition_variable opened_;     ///< for threads of the pool
-  std::condition_variable changed_;    ///< for callers
+  std::atomic<unsigned> changes_ = 0;  ///< counts the changes of the state above
+  std::condition_variable opened_;     ///< wakes threads of the pool
+  std::condition_variable changed_;    ///< wakes callers
 };
 
 }  // namespace relievo

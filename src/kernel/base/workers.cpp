@@ -9,7 +9,7 @@
 namespace relievo {
 namespace {
 
-/// Starting a thread costs as much as this many steps of a simple loop, or more.
+/// Waking a thread costs at least as much as this many steps of a simple loop.
 constexpr int shortest_range = 4096;
 constexpr int ranges_per_worker = 4;
 

@@ -2,18 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "kernel/cholesky/frontal_kernels.h"
 
 namespace relievo {
 namespace {
 
-/// Of all arithmetic, in one task.
+/// Largest share of all arithmetic in one task.
 constexpr double largest_share = 1.0 / 16;
-/// Multiplications that are not worth a thread of their own.
+/// Multiplications of a factorisation below which threads do not pay.
 constexpr double least_shared_work = 2e6;
 
-/// Multiplications of the elimination of each front.
+/// Estimates the multiplications of the elimination of each front, #S.
 std::vector<double> work_of_fronts(const Supernodes& fronts) {
   std::vector<double> work;
   work.reserve(fronts.parent.size());
@@ -28,7 +29,7 @@ std::vector<double> work_of_fronts(const Supernodes& fronts) {
   return work;
 }
 
-/// Fronts, whose parents are among them, by the length of the longest way down from each.
+/// Groups the top fronts by the length of the longest way down from each through top fronts.
 std::vector<std::vector<int>> levels_of(const std::vector<int>& top, const Supernodes& fronts) {
   std::vector<std::vector<int>> levels;
   std::vector<size_t> level(fronts.parent.size(), 0);
@@ -43,9 +44,10 @@ std::vector<std::vector<int>> levels_of(const std::vector<int>& top, const Super
 
 using Eigen::Index;
 
-/// Cuts the tree of fronts so that no task has more than a small share of the arithmetic, unless
-/// all of it is little: that is one task. O(S + n).
-FrontTasks split_into_tasks(const Supernodes& fronts) {
+/// Divides the fronts into tasks, each with at most a small share of the arithmetic, and top
+/// fronts. Where there is little arithmetic in all, it is one task. O(S + n).
+void split_into_tasks(FrontLayout& layout) {
+  const Supernodes& fronts = layout.fronts;
   std::vector<double> subtree = work_of_fronts(fronts);
   double total = 0;
   for (const double work : subtree) total += work;
@@ -53,27 +55,25 @@ FrontTasks split_into_tasks(const Supernodes& fronts) {
     if (fronts.parent[s] >= 0) subtree[fronts.parent[s]] += subtree[s];
   const double limit = total < least_shared_work ? total : largest_share * total;
 
-  FrontTasks result;
-  result.top_place.assign(fronts.order.size(), -1);
+  layout.top_column.assign(fronts.order.size(), -1);
   double gathered = 0;
   bool open = false;
   for (int s = 0; s < fronts.size(); ++s) {
     if (subtree[s] > limit) {
-      result.top.push_back(s);
+      layout.top.push_back(s);
       for (int c = fronts.column_begin[s]; c < fronts.column_begin[s + 1]; ++c)
-        result.top_place[c] = result.top_columns++;
+        layout.top_column[c] = layout.top_columns++;
       open = false;
       continue;
     }
-    if (!open) result.tasks.push_back({s, s});
+    if (!open) layout.tasks.push_back({s, s});
     if (!open) gathered = 0;
-    result.tasks.back().last = s + 1;
+    layout.tasks.back().end = s + 1;
     const bool root = fronts.parent[s] < 0 || subtree[fronts.parent[s]] > limit;
     if (root) gathered += subtree[s];
     open = !root || gathered < 0.5 * limit;
   }
-  result.top_levels = levels_of(result.top, fronts);
-  return result;
+  layout.top_levels = levels_of(layout.top, fronts);
 }
 
 void link_children(FrontLayout& layout) {
@@ -105,20 +105,22 @@ Index update_size(const Supernodes& fronts, int s) {
   return Front{fronts.rows(s), fronts.columns(s)}.update_size();
 }
 
+/// Gives the update of front s a place of its own.
 void keep_update(FrontLayout& layout, int s) {
   layout.update_begin[s] = layout.updates_size;
   layout.updates_size += update_size(layout.fronts, s);
 }
 
-/// Lays the updates inside a task on its two stacks, behind what has its place already.
-void stack_updates(FrontLayout& layout, const FrontTask& task, const std::vector<int>& parity) {
+/// Places the updates of a task on its two stacks, behind those placed before. `parity`: of the
+/// depth of each front.
+void stack_updates(FrontLayout& layout, Range task, const std::vector<int>& parity) {
   const Supernodes& fronts = layout.fronts;
   std::array<Index, 2> used = {0, 0};
   std::array<Index, 2> most = {0, 0};
   const auto leaves_task = [&](int s) {
-    return fronts.parent[s] < 0 || fronts.parent[s] >= task.last;
+    return fronts.parent[s] < 0 || fronts.parent[s] >= task.end;
   };
-  for (int s = task.first; s < task.last; ++s) {
+  for (int s = task.begin; s < task.end; ++s) {
     const int stack = parity[s];
     if (!leaves_task(s)) {
       layout.update_begin[s] = used[stack];
@@ -127,29 +129,29 @@ void stack_updates(FrontLayout& layout, const FrontTask& task, const std::vector
     }
     if (layout.first_child[s] >= 0) used[1 - stack] = layout.update_begin[layout.first_child[s]];
   }
-  for (int s = task.first; s < task.last; ++s)
+  for (int s = task.begin; s < task.end; ++s)
     if (!leaves_task(s))
       layout.update_begin[s] += layout.updates_size + (parity[s] != 0 ? most[0] : 0);
   layout.updates_size += most[0] + most[1];
-  for (int s = task.first; s < task.last; ++s)
+  for (int s = task.begin; s < task.end; ++s)
     if (leaves_task(s)) keep_update(layout, s);
 }
 
-void place_updates(FrontLayout& layout, Updates updates) {
+void place_updates(FrontLayout& layout, bool keep) {
   const Supernodes& fronts = layout.fronts;
   layout.update_begin.assign(fronts.parent.size(), 0);
-  if (updates == Updates::kept) {
+  if (keep) {
     for (int s = 0; s < fronts.size(); ++s) keep_update(layout, s);
     return;
   }
   std::vector<int> parity(fronts.parent.size(), 0);
   for (int s = fronts.size() - 1; s >= 0; --s)
     if (fronts.parent[s] >= 0) parity[s] = 1 - parity[fronts.parent[s]];
-  for (const FrontTask& task : layout.tasks.tasks) stack_updates(layout, task, parity);
-  for (const int s : layout.tasks.top) keep_update(layout, s);
+  for (const Range task : layout.tasks) stack_updates(layout, task, parity);
+  for (const int s : layout.top) keep_update(layout, s);
 }
 
-/// Index of the diagonal entry of each column in the values of A, -1 where it is missing.
+/// Finds the diagonal entry of each column in the values of A, -1 where it is missing.
 std::vector<int> diagonal_sources(const SparseMatrix& A) {
   std::vector<int> source(static_cast<size_t>(A.outerSize()), -1);
   for (int j = 0; j < A.outerSize(); ++j)
@@ -158,7 +160,8 @@ std::vector<int> diagonal_sources(const SparseMatrix& A) {
   return source;
 }
 
-/// Lists the matrix's entries in one front, of whose rows `position` holds the places.
+/// Lists the entries of the matrix in one front. `position`: index of each row of the matrix in the
+/// front, -1 for those eliminated before.
 void list_entries(const SymmetricGraph& graph, const std::vector<int>& diagonal, int front,
                   const std::vector<int>& position, FrontLayout& layout) {
   const Supernodes& fronts = layout.fronts;
@@ -174,8 +177,7 @@ void list_entries(const SymmetricGraph& graph, const std::vector<int>& diagonal,
   layout.entry_begin.push_back(static_cast<Index>(layout.entries.size()));
 }
 
-/// Entries go to panels, and rows to those of parents: both need the place of each row of the
-/// matrix in the front, which is -1 where the row was eliminated before.
+/// Maps the entries of the matrix to panels, and the rows of each front to those of its parent.
 void connect_rows(const SparseMatrix& A, const SymmetricGraph& graph, FrontLayout& layout) {
   const Supernodes& fronts = layout.fronts;
   const std::vector<int> diagonal = diagonal_sources(A);
@@ -199,13 +201,13 @@ void connect_rows(const SparseMatrix& A, const SymmetricGraph& graph, FrontLayou
 }  // namespace
 
 FrontLayout lay_out(const SparseMatrix& A, const SymmetricGraph& graph, Supernodes fronts,
-                    Updates updates) {
+                    bool keep_updates) {
   FrontLayout layout;
   layout.fronts = std::move(fronts);
-  layout.tasks = split_into_tasks(layout.fronts);
+  split_into_tasks(layout);
   link_children(layout);
   place_panels(layout);
-  place_updates(layout, updates);
+  place_updates(layout, keep_updates);
   connect_rows(A, graph, layout);
   return layout;
 }

@@ -8,14 +8,15 @@
 #define RELIEVO_WIDE_KERNELS
 #endif
 
-/// What the wide kernels call must be compiled for their instruction set: inlined.
+/// Functions called by the wide kernels must be compiled for their instruction set, so they are
+/// inlined.
 #define RELIEVO_INLINE [[gnu::always_inline]] inline
 
 namespace relievo {
 namespace {
 
 using Index = std::ptrdiff_t;
-/// Vectors of the instruction sets. Their lanes are separate sums: the width changes no result.
+/// Vectors of the instruction sets. Their lanes are separate sums, so the width changes no result.
 using Pack2 = double __attribute__((vector_size(16)));
 using Pack4 = double __attribute__((vector_size(32)));
 
@@ -31,7 +32,7 @@ RELIEVO_INLINE void store(const Pack& pack, double* to) {
   std::memcpy(to, &pack, sizeof pack);
 }
 
-/// to -= from * factor for rows [begin, end), multiples of pack_rows.
+/// Computes to -= from * factor for the rows [begin, end), multiples of pack_rows.
 template <class Pack>
 RELIEVO_INLINE void subtract_multiple(double* to, const double* from, double factor, int begin,
                                       int end) {
@@ -45,7 +46,7 @@ RELIEVO_INLINE void subtract_multiple(double* to, const double* from, double fac
   }
 }
 
-/// C -= A B' for a tile of C. Columns of A and B are `stride` apart; `depth` of them.
+/// The product A B' that is subtracted from a tile. A and B have `depth` columns, `stride` apart.
 struct Product {
   const double* A;
   const double* B;
@@ -74,7 +75,7 @@ RELIEVO_INLINE void subtract_tile(double* C, Index c_stride, const Product& prod
     }
 }
 
-/// Rows [row, end) of `Columns` columns of the front, both multiples of a pack.
+/// Subtracts a product from the rows [row, end) of `Columns` columns, both multiples of a pack.
 template <class Pack, int Packs, int Columns>
 RELIEVO_INLINE void subtract_strip(double* C, Index c_stride, Product product, int row, int end) {
   const double* A = product.A;
@@ -88,8 +89,8 @@ RELIEVO_INLINE void subtract_strip(double* C, Index c_stride, Product product, i
   }
 }
 
-/// Subtracts what the panel's columns `from` contribute to `count` <= tile_columns columns on some
-/// rows.
+/// Subtracts the contribution of the panel's columns `from` from `count` <= tile_columns columns on
+/// some rows.
 template <class Pack, int Packs>
 RELIEVO_INLINE void subtract_columns(const Front& front, int column, int count, Range from,
                                      Range rows) {
@@ -111,15 +112,15 @@ RELIEVO_INLINE void subtract_columns(const Front& front, int column, int count, 
   }
 }
 
-/// Replaces the pivot of a column by its root, unless it is not positive.
+/// Replaces a pivot by its square root. Returns false where it is not positive and finite.
 RELIEVO_INLINE bool take_root(double& pivot) {
   if (!(pivot > 0 && pivot < HUGE_VAL)) return false;
   pivot = std::sqrt(pivot);
   return true;
 }
 
-/// Eliminates some rows of a panel column after what the columns before `first` contribute was
-/// subtracted. Its pivot comes first.
+/// Eliminates some rows of a panel column from which the contribution of the columns before `first`
+/// was subtracted. Returns false where the pivot is among the rows and not positive.
 template <class Pack>
 RELIEVO_INLINE bool eliminate_column(const Front& front, int first, int column, Range rows) {
   double* x = front.panel + column * front.stride();
@@ -163,7 +164,7 @@ RELIEVO_INLINE void update_columns(const Front& front, Range block, Range column
     subtract_columns<Pack, Packs>(front, j, std::min(tile_columns, columns.end - j), block, rows);
 }
 
-/// The columns [block, block + count) of one pack of rows.
+/// The columns [block, block + count) of the panel; `block` is a multiple of a pack.
 struct ColumnBlock {
   const double* L;  ///< first column
   Index stride;
@@ -171,7 +172,7 @@ struct ColumnBlock {
   int count;
 };
 
-/// The triangle of a block: its values are what the rows below lose.
+/// Solves with the triangle of a block.
 RELIEVO_INLINE void solve_block_forward(const ColumnBlock& columns, double* x) {
   const double* L = columns.L;
   for (int c = columns.block; c < columns.block + columns.count; ++c, L += columns.stride) {
@@ -181,7 +182,7 @@ RELIEVO_INLINE void solve_block_forward(const ColumnBlock& columns, double* x) {
   }
 }
 
-/// x -= L value for the rows [begin, end) and the first columns of a block.
+/// Computes x -= L value for the rows [begin, end), where value is x on the columns of the block.
 template <class Pack, int Columns>
 RELIEVO_INLINE void subtract_block(const ColumnBlock& columns, double* x, int begin, int end) {
   double value[Columns];
@@ -222,18 +223,18 @@ RELIEVO_INLINE void solve_forward(const Front& front, double* x) {
   }
 }
 
-/// Doubles between what is read and what is asked for beforehand. Backward solves walk through the
-/// panels from their end, which processors do not foresee.
-constexpr Index asked_ahead = 1024;
+/// Distance in doubles by which backward solves prefetch. They read the panels from their end,
+/// which processors do not predict.
+constexpr Index prefetch_distance = 1024;
 
-/// Sums of L x over the rows [begin, end) for `Columns` columns: their chains of additions go on
-/// side by side.
+/// Computes the sums of L x over the rows [begin, end) for `Columns` columns, whose chains of
+/// additions run side by side.
 template <class Pack, int Columns>
 RELIEVO_INLINE void sum_products(const ColumnBlock& columns, const double* x, int begin, int end,
                                  double* sums) {
   constexpr int parts = pack_rows / lanes<Pack>;
   Pack sum[Columns][parts] = {};
-  const double* before = columns.L - asked_ahead;
+  const double* before = columns.L - prefetch_distance;
   for (int row = begin; row < end; row += pack_rows) {
     for (int k = 0; k < Columns; ++k) __builtin_prefetch(before + k * columns.stride + row);
     for (int r = 0; r < parts; ++r) {

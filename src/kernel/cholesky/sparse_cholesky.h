@@ -12,23 +12,16 @@
 
 namespace relievo {
 
-/// Whether refactorise() computes everything again, or no more than needed: this takes some three
-/// times the memory of the factor in addition.
+/// How much of the factor refactorise() computes again: all of it, or only the fronts that depend
+/// on changed entries. The latter keeps all updates, which takes about three times the memory of
+/// the factor in addition.
 enum class Refactorisation { complete, incremental };
 
-/// What the tasks of a factor made of a right-hand side, in the order of elimination.
-struct ForwardSweep {
-  std::vector<uint64_t> version;  ///< of each task when it was solved
-  Eigen::VectorXd b;
-  Eigen::VectorXd y;      ///< L^-1 b on the columns of the tasks
-  Eigen::MatrixXd above;  ///< what each task contributes to the columns above, one column each
-};
-
-/// Cholesky factorisation of symmetric positive definite sparse matrices: the pattern is analysed
-/// once, values are factorised as often as needed, by the multifrontal method [Duff and Reid 1983;
-/// Liu 1992]. Only the lower triangle (row >= column) of the matrices, which must be
-/// compressed, is read; explicit zeros belong to the pattern. The same input gives the same bits on
-/// every processor and with any number of threads.
+/// Cholesky factorisation P A P' = L L' of symmetric positive definite sparse matrices by the
+/// multifrontal method [Duff and Reid 1983; Liu 1992]. A pattern is analysed once, and values are
+/// factorised as often as needed. Matrices must be compressed; only their lower triangle (row >=
+/// column) is read, and explicit zeros belong to the pattern. The same input gives the same bits on
+/// every processor and with any number of threads. docs/cholesky.md describes the method.
 class SparseCholesky {
  public:
   SparseCholesky();
@@ -36,47 +29,40 @@ class SparseCholesky {
   SparseCholesky(SparseCholesky&&) noexcept;
   SparseCholesky& operator=(SparseCholesky&&) noexcept;
 
-  /// Lays out the factor for the pattern of A, where there is room in the memory of the last one.
-  /// `order` says in which order to eliminate the rows (all of them, each once); where it is empty,
-  /// one that fills in little is chosen. Near-linear in the entries of A and the row indices of the
-  /// fronts. False where `context` is cancelled: then nothing is analysed.
+  /// Analyses the pattern of A and lays out the factor, in the memory of the last one where it
+  /// fits. Rows are eliminated in the given `order`, a permutation; where it is empty, in an
+  /// approximate minimum degree order. Returns false where `context` is cancelled; then nothing is
+  /// analysed. Near-linear in the entries of A and the row indices of the fronts.
   bool analyse(const SparseMatrix& A, Refactorisation refactorisation = Refactorisation::complete,
                std::span<const int> order = {}, const RunContext& context = {});
 
-  /// Entries of the lower triangle of the factor, stored zeros included.
+  /// Returns the number of entries of L, stored zeros included. O(n).
   Eigen::Index factor_entries() const;
 
-  /// Factorises values on the analysed pattern; false when A is not positive definite, or when
-  /// `context` is cancelled. Rows and columns i with fixed[i] != 0 (none, or #rows flags) are
-  /// replaced by those of the identity. Uses all workers.
+  /// Factorises A, which has the analysed pattern. Rows and columns i with fixed[i] != 0 (empty, or
+  /// #rows flags) are replaced by those of the identity. Returns false where A is not positive
+  /// definite, or `context` is cancelled. Uses all workers. O(sum of columns * rows^2 of the
+  /// fronts).
   bool factorise(const SparseMatrix& A, std::span<const uint8_t> fixed = {},
                  const RunContext& context = {});
 
-  /// Does what factorise() does, with the same bits; after an incremental analysis, computes only
-  /// what depends on entries that are not as in the last factorisation.
+  /// Factorises A with the same result, to the last bit, as factorise(). After an incremental
+  /// analysis it computes only the fronts that depend on entries which differ from the last
+  /// factorisation. O(entries of A + arithmetic of these fronts).
   bool refactorise(const SparseMatrix& A, std::span<const uint8_t> fixed = {},
                    const RunContext& context = {});
 
-  /// The same where only `fixed`, #rows flags, differs from the last factorisation. Looks at the
-  /// entries of rows that change, and at no others. Precondition: the rest of A is as it was, with
-  /// the whole diagonal.
-  bool refactorise_fixed(const SparseMatrix& A, std::span<const uint8_t> fixed,
-                         const RunContext& context = {});
-
-  /// The entries of the analysed pattern; nothing but after an incremental analysis.
+  /// Returns the graph of the analysed pattern after an incremental analysis, else an empty one.
   const SymmetricGraph& graph() const;
 
-  /// Solves A x = b with the last factorised A, b having #rows entries.
-  /// Precondition: the last factorisation returned true.
+  /// Solves A x = b with the last factorised A; b has #rows entries. Precondition: the last
+  /// factorisation returned true. O(entries of L), fewer where b is local.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
-  /// The same with the same bits, where `last` is empty or was left by such a solve with this
-  /// factor: where neither b nor A have changed, half of it is not repeated.
-  Eigen::VectorXd solve(const Eigen::VectorXd& b, ForwardSweep& last) const;
-
-  /// What is left of the last factorised A on `rows` once all others are eliminated: #rows x #rows,
-  /// symmetric. Preconditions: the last factorisation returned true, and `rows` were the last in
-  /// the order of the analysis. At most cubic in #rows.
+  /// Computes the Schur complement of the last factorised A on `rows`: the symmetric matrix, as
+  /// large as there are `rows`, that is left once all others are eliminated. Preconditions: the
+  /// last factorisation returned true, and `rows` were the last in the order of the analysis. O(n +
+  /// #rows^3).
   Eigen::MatrixXd schur_complement(std::span<const int> rows) const;
 
  private:
@@ -84,11 +70,13 @@ class SparseCholesky {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// The lower triangle of the rows and columns n of A with place[n] >= 0, moved there. `place` rises
-/// along the nodes and has `size` entries that are not negative. O(entries).
+/// Extracts the lower triangle of a block of A, `size` x `size`: row and column n of A become those
+/// with number place[n], or are left out where it is -1. Precondition: `place` ascends apart from
+/// -1. O(entries).
 SparseMatrix lower_block(const SparseMatrix& A, const std::vector<int>& place, int size);
 
-/// The places that are not negative, in an order of the nodes. O(N).
+/// Restricts an order of the rows of A to such a block: returns place[n] for each n of the order
+/// where it is not -1. O(n).
 std::vector<int> order_of_places(const std::vector<int>& order, const std::vector<int>& place);
 
 }  // namespace relievo

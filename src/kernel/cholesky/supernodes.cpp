@@ -6,6 +6,7 @@
 namespace relievo {
 namespace {
 
+/// Returns order[by[i]] for each i.
 std::vector<int> renumbered(const std::vector<int>& order, const std::vector<int>& by) {
   std::vector<int> result;
   result.reserve(order.size());
@@ -15,14 +16,14 @@ std::vector<int> renumbered(const std::vector<int>& order, const std::vector<int
 
 /// A supernode while it may still be merged into its parent.
 struct Group {
-  double entries = 0;  ///< of the factor, without zeros stored by merging
+  double entries = 0;  ///< of the factor, without the zeros that merging stores
   int columns = 0;
   int rows = 0;
   int parent = -1;
   int merged_into = -1;
 };
 
-/// Maximal supernodes of a postordered tree; group_of[j] is the one of column j.
+/// Finds the maximal supernodes of a postordered tree. Writes group_of[j], the one of column j.
 std::vector<Group> maximal_supernodes(const std::vector<int>& parent, const std::vector<int>& count,
                                       std::vector<int>& group_of) {
   std::vector<Group> groups;
@@ -44,7 +45,7 @@ std::vector<Group> maximal_supernodes(const std::vector<int>& parent, const std:
   return groups;
 }
 
-/// The union of a child and its parent: the child's rows below its columns are rows of the parent.
+/// Unites a child with its parent, which has all rows below the child's columns.
 Group united(const Group& child, const Group& parent) {
   Group result = parent;
   result.columns += child.columns;
@@ -53,7 +54,8 @@ Group united(const Group& child, const Group& parent) {
   return result;
 }
 
-/// Whether a front is worth the zeros it stores: small ones save more by having fewer fronts.
+/// Returns whether a merged front stores few enough zeros. Small fronts may store more, as their
+/// number costs more than their zeros.
 bool dense_enough(const Group& group) {
   const double w = group.columns;
   const double stored = w * group.rows - 0.5 * w * (w - 1);
@@ -64,7 +66,7 @@ bool dense_enough(const Group& group) {
   return zeros < 0.05;
 }
 
-/// Bottom up, so that what merges has merged its own children already.
+/// Merges groups into their parents, bottom up.
 void merge_into_parents(std::vector<Group>& groups) {
   std::vector<int> last_child(groups.size(), -1);
   std::vector<int> sibling(groups.size(), -1);
@@ -82,9 +84,8 @@ void merge_into_parents(std::vector<Group>& groups) {
   }
 }
 
-/// Sets the columns, the numbers of rows and the parents of the fronts: those groups that were not
-/// merged away, in their order, which is a postorder still. Returns the former column of each
-/// column.
+/// Makes fronts of the groups that are left, in their order, which is still a postorder: sets the
+/// columns, the numbers of rows and the parents. Returns the former column of each column.
 std::vector<int> gather_columns(const std::vector<Group>& groups, const std::vector<int>& group_of,
                                 Supernodes& result) {
   std::vector<int> top(groups.size());
@@ -110,8 +111,8 @@ std::vector<int> gather_columns(const std::vector<Group>& groups, const std::vec
   return former;
 }
 
-/// Row i is one of all fronts on the ways up the tree from its neighbours before it. Taken one
-/// after the other, rows come to each front in order.
+/// Lists the rows of each front. Row i belongs to all fronts on the paths up the tree from its
+/// earlier neighbours to itself. Rows are added one after the other, so they ascend.
 void collect_rows(const SymmetricGraph& graph, Supernodes& fronts) {
   const std::vector<int> position = positions_in(fronts.order);
   std::vector<int> front_of(fronts.order.size());
@@ -135,7 +136,7 @@ void collect_rows(const SymmetricGraph& graph, Supernodes& fronts) {
   }
 }
 
-/// Smallest column of the subtree of each column of a postordered tree.
+/// Finds the smallest column of the subtree of each column of a postordered tree.
 std::vector<int> first_descendants(const std::vector<int>& parent) {
   const int n = static_cast<int>(parent.size());
   std::vector<int> first(parent.size(), n);
@@ -146,8 +147,9 @@ std::vector<int> first_descendants(const std::vector<int>& parent) {
   return first;
 }
 
-/// Finds the leaves of the row subtrees, column by column. Row i of the factor is the subtree whose
-/// leaves are the columns reported for it; consecutive leaves overlap from their common ancestor.
+/// Finds the leaves of the row subtrees, column by column. The entries of row i of the factor form
+/// the subtree spanned by its leaves and i; the paths from consecutive leaves join at their least
+/// common ancestor.
 class RowSubtrees {
  public:
   explicit RowSubtrees(const std::vector<int>& parent)
@@ -156,19 +158,22 @@ class RowSubtrees {
     std::iota(ancestor_.begin(), ancestor_.end(), 0);
   }
 
+  /// Returns whether the column is a leaf of the row's subtree, and notes it if so.
   bool add_leaf(int row, int column) {
     if (first_[column] <= last_first_[row]) return false;
     last_first_[row] = first_[column];
     return true;
   }
 
-  /// Where the path from the new leaf joins the paths of the row's former leaves; -1 for the first.
+  /// Returns the column where the path from a new leaf joins those of the row's former leaves; -1
+  /// for the first leaf.
   int meeting_point(int row, int column) {
     const int former = last_leaf_[row];
     last_leaf_[row] = column;
     return former < 0 ? -1 : find(former);
   }
 
+  /// Ends the visit of a column.
   void finish(int column, int parent) {
     if (parent >= 0) ancestor_[column] = parent;
   }

@@ -1,41 +1,8 @@
 #include "kernel/cholesky/symmetric_graph.h"
 
 #include <algorithm>
-#include <array>
-
-#include "kernel/base/workers.h"
 
 namespace relievo {
-namespace {
-
-using Eigen::Index;
-using Eigen::VectorXd;
-
-/// Of columns, as many with any number of workers, so that sums are the same.
-constexpr int blocks = 4;
-/// Fewer entries are not worth a thread.
-constexpr Index fewest_entries = 50000;
-
-/// What the entries of columns [first, end) and those across the diagonal from them contribute to
-/// the rows from `first` on.
-VectorXd product_of_columns(const SparseMatrix& lower, int first, int end, const VectorXd& x) {
-  const int* begin = lower.outerIndexPtr();
-  const int* row = lower.innerIndexPtr();
-  const double* entry = lower.valuePtr();
-  VectorXd y = VectorXd::Zero(lower.rows() - first);
-  for (int j = first; j < end; ++j) {
-    double sum = 0;
-    for (int e = begin[j]; e < begin[j + 1]; ++e) {
-      sum += entry[e] * x[row[e]];
-      if (row[e] != j) y[row[e] - first] += entry[e] * x[j];
-    }
-    y[j - first] += sum;
-  }
-  return y;
-}
-
-}  // namespace
-
 SymmetricGraph make_symmetric_graph(const SparseMatrix& lower) {
   SymmetricGraph graph;
   graph.begin.assign(static_cast<size_t>(lower.rows()) + 1, 0);
@@ -90,39 +57,6 @@ std::vector<int> positions_in(const std::vector<int>& order) {
   std::vector<int> position(order.size());
   for (size_t i = 0; i < order.size(); ++i) position[order[i]] = static_cast<int>(i);
   return position;
-}
-
-VectorXd multiply_symmetric(const SparseMatrix& lower, const VectorXd& x) {
-  const auto columns = static_cast<int>(lower.cols());
-  if (lower.nonZeros() < fewest_entries) return product_of_columns(lower, 0, columns, x);
-  const int* begin = lower.outerIndexPtr();
-  const auto cut = [&](int block) {
-    const Index before = lower.nonZeros() * block / blocks;
-    return static_cast<int>(std::lower_bound(begin, begin + columns, before) - begin);
-  };
-  std::array<VectorXd, blocks> products;
-  run_tasks(blocks, [&](int block) {
-    products[block] = product_of_columns(lower, cut(block), cut(block + 1), x);
-  });
-  for (int block = 1; block < blocks; ++block)
-    products[0].tail(products[block].size()) += products[block];
-  return products[0];
-}
-
-double multiply_row(const SparseMatrix& lower, const SymmetricGraph& graph, int i,
-                    const VectorXd& x) {
-  double sum = lower.valuePtr()[lower.outerIndexPtr()[i]] * x[i];
-  for (int p = graph.begin[i]; p < graph.begin[i + 1]; ++p)
-    sum += lower.valuePtr()[graph.source[p]] * x[graph.neighbour[p]];
-  return sum;
-}
-
-VectorXd multiply_transposed(const SparseMatrix& A, const VectorXd& x) {
-  VectorXd product(A.cols());
-  run_ranges(static_cast<int>(A.cols()), [&](int first, int last) {
-    for (int j = first; j < last; ++j) product[j] = A.col(j).dot(x);
-  });
-  return product;
 }
 
 }  // namespace relievo

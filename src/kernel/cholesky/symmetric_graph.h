@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,8 +8,8 @@
 
 namespace relievo {
 
-/// The off-diagonal entries of a symmetric matrix, each at both of its ends: those of row i are
-/// entries begin[i] .. begin[i + 1] - 1.
+/// The off-diagonal entries of a symmetric matrix as a graph, each entry at both of its ends: those
+/// of row i are the entries begin[i] .. begin[i + 1] - 1.
 struct SymmetricGraph {
   std::vector<int> begin;      ///< #n + 1
   std::vector<int> neighbour;  ///< row at the other end
@@ -19,26 +18,15 @@ struct SymmetricGraph {
   int size() const { return static_cast<int>(begin.size()) - 1; }
 };
 
-/// Reads the strictly lower triangle of a compressed matrix. O(n + entries).
+/// Makes the graph from the strictly lower triangle of a compressed matrix. O(n + entries).
 SymmetricGraph make_symmetric_graph(const SparseMatrix& lower);
 
-/// Rows at most `steps` edges from the seeds, ascending. Those with left_out[i] != 0 (none, or #n
-/// flags) are not among them, and lead to no others. O(n + edges around the seeds).
+/// Lists the rows at most `steps` edges from the seeds, ascending. Paths do not pass through rows
+/// with left_out[i] != 0 (empty, or #n flags), which are not listed. O(n + edges around the seeds).
 std::vector<int> rows_around(const SymmetricGraph& graph, std::span<const int> seeds, int steps,
                              std::span<const uint8_t> left_out = {});
 
-/// Where each row comes in an order: the inverse of a permutation.
+/// Computes the position of each row in an order: the inverse permutation. O(n).
 std::vector<int> positions_in(const std::vector<int>& order);
-
-/// y = A x for a symmetric A of which only the lower triangle is stored. O(entries), on all
-/// workers where there are many.
-Eigen::VectorXd multiply_symmetric(const SparseMatrix& lower, const Eigen::VectorXd& x);
-
-/// Row i of A times x; `graph` is that of A's lower triangle. O(entries of the row).
-double multiply_row(const SparseMatrix& lower, const SymmetricGraph& graph, int i,
-                    const Eigen::VectorXd& x);
-
-/// A'x, or A x for a symmetric A of which both triangles are stored. O(entries), on all workers.
-Eigen::VectorXd multiply_transposed(const SparseMatrix& A, const Eigen::VectorXd& x);
 
 }  // namespace relievo

@@ -6,20 +6,23 @@
 
 namespace relievo {
 
-/// Clipper computes with integers; coordinates are rounded to 1/1024 px.
+/// Clipper computes with integers: coordinates are rounded to 1/1024 px.
 constexpr double clipper_units_per_px = 1024;
 
-/// A circle drawn by Clipper departs from the true one by less than this, in its units.
+/// The largest distance of a rounded corner made by Clipper from the true arc, in its units.
 constexpr double clipper_arc_tolerance = 0.05 * clipper_units_per_px;
 
+/// Returns the ring in units of Clipper. O(n).
 ClipperLib::Path to_path(const Ring& ring);
+
+/// Returns all rings of the region in units of Clipper. O(n).
 ClipperLib::Paths to_paths(const Region& region);
 
-/// The paths as rings; those of less than three points are dropped.
+/// Returns the paths as rings in px. Drops those of less than three points. O(n).
 Region to_region(const ClipperLib::Paths& paths);
 
-/// A boolean operation; `rule` is that of the subject, the clip is filled by the non-zero rule.
-/// A `simple` result has no two equal points.
+/// Computes a boolean operation of two sets of paths. The subject is filled by `rule`, the clip by
+/// the non-zero rule. A `simple` result has no two equal points. O(n log n + crossings).
 ClipperLib::Paths combine(ClipperLib::ClipType operation, const ClipperLib::Paths& subject,
                           const ClipperLib::Paths& clip,
                           ClipperLib::PolyFillType rule = ClipperLib::pftNonZero,

@@ -7,15 +7,15 @@
 
 namespace relievo {
 
-/// The main axes of points; no direction where there are none.
+/// The principal axes of a set of points; all zero where there are none.
 struct MainAxes {
   Point2 centre;
-  Point2 along;        ///< unit, of the longer one, either way
-  double longer = 0;   ///< variance along it
-  double shorter = 0;  ///< and across it
+  Point2 along;        ///< unit vector of the longer axis, of either sign
+  double longer = 0;   ///< variance along the longer axis
+  double shorter = 0;  ///< variance across it
 };
 
-/// Sums up points.
+/// Sums the first and second moments of points.
 class Moments {
  public:
   void add(Point2 p) {
@@ -26,6 +26,7 @@ class Moments {
     yy_ += p.y * p.y;
   }
 
+  /// Computes the principal axes of the points added.
   MainAxes axes() const {
     if (count_ == 0) return {};
     const Point2 centre = 1 / count_ * sum_;

@@ -11,22 +11,24 @@
 
 namespace relievo {
 
-/// A place on the canvas that is only compared with those of its group.
+/// Returns the sort key of a mark, a value with a `position` on the canvas and a group(). Marks are
+/// only compared with those of their group.
 template <class Mark>
 auto mark_key(const Mark& mark) {
   return std::tuple(mark.group(), mark.position.x, mark.position.y);
 }
 
-/// By mark_key; marks of one place keep their order.
+/// Sorts marks by mark_key; marks with equal keys keep their order. O(n log n).
 template <class Mark>
 void sort_marks(std::vector<Mark>& marks) {
   std::stable_sort(marks.begin(), marks.end(),
                    [](const Mark& a, const Mark& b) { return mark_key(a) < mark_key(b); });
 }
 
-/// The mark nearest to `place` of those in its group that `accept` takes, the first of them that
-/// the search meets, or null where there is none. `marks` rise by mark_key. O(log marks) where
-/// marks are not stacked above each other on the canvas and most near ones are accepted.
+/// Finds the mark nearest to `place` among those of its group for which accept(mark) is true. Of
+/// several at one distance returns the first that the search meets; null where there is none.
+/// Precondition: `marks` are sorted by mark_key. O(log marks) where few marks share an x and most
+/// near ones are accepted.
 template <class Mark, class Accept>
 const Mark* nearest_mark(const std::vector<Mark>& marks, const Mark& place, const Accept& accept) {
   const auto at =
@@ -48,21 +50,22 @@ const Mark* nearest_mark(const std::vector<Mark>& marks, const Mark& place, cons
   return best;
 }
 
-/// The same of all marks.
+/// Finds the nearest of all marks of the group.
 template <class Mark>
 const Mark* nearest_mark(const std::vector<Mark>& marks, const Mark& place) {
   return nearest_mark(marks, place, [](const Mark&) { return true; });
 }
 
-/// Two marks with a place between them.
+/// Two marks on opposite sides of a place.
 template <class Mark>
 struct MarksBeside {
-  const Mark* near = nullptr;    ///< the nearest one
-  const Mark* beyond = nullptr;  ///< the nearest one on the other side of the place, `near` if none
-  double share = 0;              ///< of the way from `near` to `beyond`, 0 to 1
+  const Mark* near = nullptr;    ///< the nearest mark
+  const Mark* beyond = nullptr;  ///< the nearest one on the other side of the place, or `near`
+  double share = 0;              ///< position of the place between `near` (0) and `beyond` (1)
 };
 
-/// The marks next to `place` among those that `accept` takes, or nothing where there is none.
+/// Finds the marks on both sides of `place` among those of its group for which accept(mark) is
+/// true; nothing where there is none. Precondition and cost as for nearest_mark.
 template <class Mark, class Accept>
 std::optional<MarksBeside<Mark>> marks_beside(const std::vector<Mark>& marks, const Mark& place,
                                               const Accept& accept) {

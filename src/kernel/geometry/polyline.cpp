@@ -11,17 +11,11 @@
 namespace relievo {
 namespace {
 
-/// Where a line crosses an outline, and by how much its winding number changes there.
-struct Crossing {
-  double s = 0;
-  int turn = 0;
-};
-
-/// Appends the crossings of segment ab, which begins at arc length `start`. Ends belong to the
-/// side that rounding puts them on, of the outline's edges and of the segment alike, so that a
-/// crossing through a vertex counts once.
+/// Appends the crossings of segment ab, which begins at arc length `start`, with a ring. An end of
+/// the segment or of an edge belongs to the side on which rounding puts it, so that a crossing
+/// through a vertex counts once.
 void add_crossings(Point2 a, Point2 b, double start, const Ring& ring,
-                   std::vector<Crossing>& crossings) {
+                   std::vector<LineCrossing>& crossings) {
   const Point2 along = b - a;
   for (size_t i = 0; i < ring.size(); ++i) {
     const Point2 p = ring[i];
@@ -37,7 +31,8 @@ void add_crossings(Point2 a, Point2 b, double start, const Ring& ring,
   }
 }
 
-/// A point from which the line is reached straight on from outside the outline.
+/// Returns a point outside the outline from which the first segment of the line is its
+/// continuation.
 Point2 far_before(const std::vector<Point2>& line, const Outline& outline) {
   Box2 box = bounding_box(outline);
   box.add(line[0]);
@@ -48,14 +43,15 @@ Point2 far_before(const std::vector<Point2>& line, const Outline& outline) {
   return length > 0 ? line[0] - 2 * box.diagonal() / length * along : line[0];
 }
 
-/// Length of a Bezier handle relative to the chord, given the angles of both ends to it.
+/// Computes the length of a Bezier handle over that of the chord, given the angles at its own and
+/// at the other end.
 double handle(double own, double other) {
   const double sqrt5 = std::sqrt(5.0);
-  const exact::Direction a = exact::direction_of(own);
-  const exact::Direction b = exact::direction_of(other);
-  const double bend = (a.sine - b.sine / 16) * (b.sine - a.sine / 16) * (a.cosine - b.cosine);
-  const double spread = 3 * (1 + 0.5 * (sqrt5 - 1) * a.cosine + 0.5 * (3 - sqrt5) * b.cosine);
-  // The denominator nears 0 where both ends point backwards; beyond 3 chords it is a loop.
+  const Point2 a = exact::direction_of(own);
+  const Point2 b = exact::direction_of(other);
+  const double bend = (a.y - b.y / 16) * (b.y - a.y / 16) * (a.x - b.x);
+  const double spread = 3 * (1 + 0.5 * (sqrt5 - 1) * a.x + 0.5 * (3 - sqrt5) * b.x);
+  // The denominator nears 0 where both ends point backwards. A handle above 3 chords makes a loop.
   return std::clamp((2 + std::sqrt(2.0) * bend) / std::max(spread, 1e-3), 0.05, 3.0);
 }
 
@@ -63,10 +59,10 @@ double handle(double own, double other) {
 
 std::vector<LineSpan> spans_inside(const std::vector<Point2>& line, const Outline& outline) {
   if (line.size() < 2) return {};
-  // What the winding number is at the first point follows from the same tests as all changes of
-  // it, also where that point is on the outline.
+  // The winding number at the first point follows from the same tests as all its changes, also
+  // where that point is on the outline.
   const Point2 far = far_before(line, outline);
-  std::vector<Crossing> crossings;
+  std::vector<LineCrossing> crossings;
   for (const Ring& ring : outline)
     add_crossings(far, line[0], -distance(far, line[0]), ring, crossings);
   double length = 0;
@@ -75,7 +71,7 @@ std::vector<LineSpan> spans_inside(const std::vector<Point2>& line, const Outlin
     length += distance(line[i], line[i + 1]);
   }
   std::stable_sort(crossings.begin(), crossings.end(),
-                   [](const Crossing& a, const Crossing& b) { return a.s < b.s; });
+                   [](const LineCrossing& a, const LineCrossing& b) { return a.s < b.s; });
   int winding = 0;
   std::vector<LineSpan> spans;
   double from = 0;
@@ -83,7 +79,7 @@ std::vector<LineSpan> spans_inside(const std::vector<Point2>& line, const Outlin
     if (winding != 0 && to > from) spans.push_back({from, to});
     from = std::max(from, to);
   };
-  for (const Crossing& crossing : crossings) {
+  for (const LineCrossing& crossing : crossings) {
     if ((winding == 0) != (winding + crossing.turn == 0)) close(crossing.s);
     winding += crossing.turn;
   }

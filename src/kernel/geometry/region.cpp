@@ -14,7 +14,7 @@ Region unite(const Region& p, const Region& q) {
 }
 
 Region unite(const std::vector<Region>& regions) {
-  // In rounds of pairs, for what lies inside drops out early.
+  // Rounds of pairs: rings inside others drop out early.
   std::vector<Paths> round;
   for (const Region& region : regions) round.push_back(to_paths(region));
   while (round.size() > 1) {

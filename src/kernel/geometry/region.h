@@ -6,33 +6,38 @@
 
 namespace relievo {
 
-/// Plane regions as outlines whose rings do not cross: outer rings of positive area, holes
-/// negative. All results of the functions below are such; coordinates are rounded to 1/1024 px.
+/// A plane region: an outline whose rings do not cross, outer rings with positive area, holes with
+/// negative. All results of the functions below are such, with coordinates rounded to 1/1024 px.
+/// Each of them costs O(n log n + crossings).
 using Region = Outline;
 
+/// Computes the union of two regions.
 Region unite(const Region& p, const Region& q);
 
+/// Computes the union of all regions.
 Region unite(const std::vector<Region>& regions);
 
+/// Computes the points that are in both regions.
 Region intersect(const Region& p, const Region& q);
 
+/// Computes the points of p that are not in q.
 Region subtract(const Region& p, const Region& q);
 
-/// The points nearer than `distance` to the region; with a negative one, those inside it that are
-/// farther than -distance from its outside. Round corners.
+/// Computes the points within `distance` (px) of the region. A negative distance shrinks it to the
+/// points that are farther than -distance from its outside. Corners are round.
 Region grow(const Region& region, double distance);
 
-/// Whether the closed boxes have a point in common.
+/// Returns whether the closed boxes have a point in common.
 bool boxes_meet(const Box2& p, const Box2& q);
 
-/// The connected pieces, each with its holes, the largest first.
+/// Returns the connected pieces, each with its holes, largest first.
 std::vector<Region> pieces(const Region& region);
 
-/// The region with its holes filled.
+/// Fills the holes of the region.
 Region without_holes(const Region& region);
 
-/// Drops rings below `min_area` and points that change the outline by less than `tolerance`; no
-/// two points of the result coincide.
+/// Drops rings below `min_area` (px^2), and points that change the outline by less than `tolerance`
+/// (px). No two points of the result coincide.
 Region tidied(const Region& region, double tolerance, double min_area);
 
 }  // namespace relievo

@@ -8,10 +8,11 @@
 
 namespace relievo {
 
-using Triangle = std::array<int, 3>;  ///< nodes, counter-clockwise where areas are positive
+/// The nodes of a triangle in the order that gives it positive area.
+using Triangle = std::array<int, 3>;
 
 /// Corner k of triangle t as one number, 3 t + k. The edge opposite to it runs from corner k + 1 to
-/// corner k + 2 of the triangle.
+/// corner k + 2 of the triangle, modulo 3.
 using Corner = int;
 
 constexpr Corner corner_of(int triangle, int k) { return 3 * triangle + k; }
@@ -27,19 +28,19 @@ constexpr int place_of_node(const Triangle& triangle, int node) {
   return triangle[0] == node ? 0 : triangle[1] == node ? 1 : 2;
 }
 
-/// Whether the edge of `a` opposite to place i is the edge of `b` opposite to place j, seen from
-/// the other side.
+/// Returns whether the edge of `a` opposite to corner i is the edge of `b` opposite to corner j, in
+/// the other direction.
 constexpr bool share_edge(const Triangle& a, int i, const Triangle& b, int j) {
   return a[next_place(i)] == b[last_place(j)] && a[last_place(i)] == b[next_place(j)];
 }
 
-/// A view of triangles in the plane. Sheets may overlap: only the indices say what is connected.
+/// A view of triangles in the plane. They may overlap: connectivity is by node indices alone.
 struct FlatMesh {
   std::span<const Point2> positions;    ///< #N
   std::span<const Triangle> triangles;  ///< #F, positive area cross(b - a, c - a) / 2
 };
 
-/// The corners at each node, ascending, as flat arrays.
+/// The corners at each node, ascending: those of node n are entries begin[n] .. begin[n + 1] - 1.
 struct NodeCorners {
   std::vector<int> begin;      ///< #N + 1
   std::vector<Corner> corner;  ///< 3 #F
@@ -52,10 +53,10 @@ struct NodeCorners {
 /// Lists the corners at each of `nodes` nodes. O(N + F).
 NodeCorners corners_at_nodes(std::span<const Triangle> triangles, size_t nodes);
 
-/// Area of each triangle, #F.
+/// Computes the area of each triangle, #F. O(F).
 std::vector<double> triangle_areas(const FlatMesh& mesh);
 
-/// What hangs together: of each of `nodes` nodes the smallest node of its piece. Near-linear.
+/// Computes the connected component of each node, #nodes, named by its smallest node. Near-linear.
 std::vector<int> connected_pieces(std::span<const Triangle> triangles, size_t nodes);
 
 }  // namespace relievo

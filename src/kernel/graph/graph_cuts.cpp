@@ -11,7 +11,8 @@ int64_t cost(const PottsProblem& problem, int node, int label) {
   return problem.costs[static_cast<size_t>(node) * problem.label_count + label];
 }
 
-/// The cheapest way to change some nodes to `alpha`; those are the source side of a cut.
+/// Changes the set of nodes to label `alpha` that lowers the energy most; that set is the source
+/// side of a minimum cut.
 std::vector<int> expanded(const PottsProblem& problem, const std::vector<int>& labels, int alpha) {
   CutGraph graph(problem.node_count());
   for (int i = 0; i < problem.node_count(); ++i)
@@ -47,10 +48,11 @@ void CutGraph::add_costs(int node, int64_t on_source_side, int64_t on_sink_side)
 }
 
 void CutGraph::connect(int a, int b, int64_t forward, int64_t backward) {
-  out_[a].push_back(static_cast<int>(arcs_.size()));
-  arcs_.push_back({b, forward});
-  out_[b].push_back(static_cast<int>(arcs_.size()));
-  arcs_.push_back({a, backward});
+  const int arc = static_cast<int>(head_.size());
+  out_[a].push_back(arc);
+  out_[b].push_back(arc + 1);
+  head_.insert(head_.end(), {b, a});
+  left_.insert(left_.end(), {forward, backward});
 }
 
 void CutGraph::add_edge(int a, int b, int64_t forward, int64_t backward) {
@@ -64,10 +66,9 @@ bool CutGraph::measure_depths() {
   std::vector<int> queue = {source_};
   for (size_t k = 0; k < queue.size(); ++k)
     for (const int i : out_[queue[k]]) {
-      const Arc& arc = arcs_[i];
-      if (arc.left == 0 || depth_[arc.to] >= 0) continue;
-      depth_[arc.to] = depth_[queue[k]] + 1;
-      queue.push_back(arc.to);
+      if (left_[i] == 0 || depth_[head_[i]] >= 0) continue;
+      depth_[head_[i]] = depth_[queue[k]] + 1;
+      queue.push_back(head_[i]);
     }
   return depth_[sink_] >= 0;
 }
@@ -77,10 +78,10 @@ int64_t CutGraph::push(int node, int64_t flow) {
   int64_t pushed = 0;
   for (size_t& k = next_[node]; k < out_[node].size(); ++k) {
     const int i = out_[node][k];
-    if (arcs_[i].left == 0 || depth_[arcs_[i].to] != depth_[node] + 1) continue;
-    const int64_t part = push(arcs_[i].to, std::min(flow - pushed, arcs_[i].left));
-    arcs_[i].left -= part;
-    arcs_[i ^ 1].left += part;
+    if (left_[i] == 0 || depth_[head_[i]] != depth_[node] + 1) continue;
+    const int64_t part = push(head_[i], std::min(flow - pushed, left_[i]));
+    left_[i] -= part;
+    left_[i ^ 1] += part;
     pushed += part;
     if (pushed == flow) return pushed;
   }

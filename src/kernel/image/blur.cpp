@@ -7,8 +7,8 @@
 namespace relievo {
 namespace {
 
-/// The rounded mean of at most 15 bytes from their sum: with an error of the reciprocal of up to
-/// 15 / 2^16, sums below 255.5 * 15 give the exact quotient.
+/// Computes the rounded mean of at most 15 bytes from their sum. The error of the reciprocal is at
+/// most 15 / 2^16, so that sums below 255.5 * 15 give the exact quotient.
 class MeanOfFew {
  public:
   using Sum = uint16_t;
@@ -25,7 +25,8 @@ class MeanOfFew {
   Sum reciprocal_;
 };
 
-/// Sums of at most 4001 bytes times the reciprocal of their number, of 24 bits, fit in 32.
+/// Computes the rounded mean of at most 4001 bytes from their sum, whose product with the 24-bit
+/// reciprocal of their number fits in 32 bits.
 class MeanOfMany {
  public:
   using Sum = uint32_t;
@@ -40,8 +41,8 @@ class MeanOfMany {
   Sum reciprocal_;
 };
 
-/// Means of `window` values of a row, `step` apart. Sums over a power of two of values come from
-/// those over half as many; the window is put together from the ones in its binary number.
+/// Computes means of 2 radius + 1 values of a row, `step` apart. Sums over 2^k values come from
+/// those over 2^(k-1); the sum over the window is put together by the binary digits of its length.
 template <class Mean>
 class RowBlur {
  public:
@@ -74,7 +75,7 @@ class RowBlur {
  private:
   using Sum = typename Mean::Sum;
 
-  /// Beyond its ends the row goes on as it ends.
+  /// Copies the row, extended beyond its ends by its first and last pixels.
   void pad(const uint8_t* in) {
     const size_t margin = radius_ * step_;
     for (size_t i = 0; i < n_; ++i) padded_[margin + i] = in[i];
@@ -100,33 +101,7 @@ class RowBlur {
   std::vector<Sum> window_;
 };
 
-/// The rows of an image, each blurred when it is first asked for; as many are kept as a window
-/// and the row after it need.
-template <class Mean>
-class BlurredRows {
- public:
-  BlurredRows(const Image8& image, int radius)
-      : image_(image),
-        kept_(std::min(image.height, 2 * radius + 2)),
-        rows_(image.width, kept_, image.channels),
-        blur_(static_cast<size_t>(image.width) * image.channels, image.channels, radius) {}
-
-  /// Rows must be asked for in ascending order, or be among the last ones.
-  const uint8_t* operator[](int y) {
-    y = std::clamp(y, 0, image_.height - 1);
-    for (; done_ <= y; ++done_) blur_.run(&image_.at(0, done_), &rows_.at(0, done_ % kept_));
-    return &rows_.at(0, y % kept_);
-  }
-
- private:
-  const Image8& image_;
-  int kept_;
-  int done_ = 0;
-  Image8 rows_;
-  RowBlur<Mean> blur_;
-};
-
-/// Sums of every value of a row of blocks over its columns.
+/// Sums the rows [y0, y1).
 void sum_columns(const Image8& image, int y0, int y1, std::vector<uint32_t>& sums) {
   std::fill(sums.begin(), sums.end(), 0);
   for (int y = y0; y < y1; ++y) {
@@ -135,21 +110,31 @@ void sum_columns(const Image8& image, int y0, int y1, std::vector<uint32_t>& sum
   }
 }
 
+/// Blurs along rows, then along columns. Keeps as many blurred rows as a window and the row after
+/// it need.
 template <class Mean>
 Image8 blur(const Image8& image, int radius) {
   using Sum = typename Mean::Sum;
   const Mean mean(2 * radius + 1);
-  BlurredRows<Mean> rows(image, radius);
   std::vector<Sum> sums(static_cast<size_t>(image.width) * image.channels, 0);
+  RowBlur<Mean> row_blur(sums.size(), image.channels, radius);
+  const int kept = std::min(image.height, 2 * radius + 2);
+  Image8 blurred(image.width, kept, image.channels);
+  int done = 0;
+  const auto blurred_row = [&](int y) {
+    y = std::clamp(y, 0, image.height - 1);
+    for (; done <= y; ++done) row_blur.run(&image.at(0, done), &blurred.at(0, done % kept));
+    return static_cast<const uint8_t*>(&blurred.at(0, y % kept));
+  };
   for (int y = -radius; y <= radius; ++y) {
-    const uint8_t* row = rows[y];
+    const uint8_t* row = blurred_row(y);
     for (size_t i = 0; i < sums.size(); ++i) sums[i] = static_cast<Sum>(sums[i] + row[i]);
   }
   Image8 result(image.width, image.height, image.channels);
   for (int y = 0; y < image.height; ++y) {
     uint8_t* out = &result.at(0, y);
-    const uint8_t* enters = rows[y + radius + 1];
-    const uint8_t* leaves = rows[y - radius];
+    const uint8_t* enters = blurred_row(y + radius + 1);
+    const uint8_t* leaves = blurred_row(y - radius);
     for (size_t i = 0; i < sums.size(); ++i) {
       out[i] = mean(sums[i]);
       sums[i] = static_cast<Sum>(sums[i] + enters[i] - leaves[i]);

@@ -9,45 +9,41 @@
 namespace relievo {
 namespace {
 
-/// Pixels of a row that follow each other in the mask.
+/// A run of consecutive pixels of the mask in a row.
 struct Run {
   int32_t begin = 0;
   int32_t end = 0;  ///< one past the last
   int32_t label = 0;
 };
 
-/// The runs of all rows; those of row y are from row[y] to before row[y + 1].
-struct Runs {
+/// Lists the runs of all rows. Writes `row_begin`, empty at first: the runs of row y are
+/// [row_begin[y], row_begin[y + 1]).
+std::vector<Run> find_runs(const Image8& mask, std::vector<size_t>& row_begin) {
   std::vector<Run> runs;
-  std::vector<size_t> row;
-};
-
-Runs find_runs(const Image8& mask) {
-  Runs found;
   for (int y = 0; y < mask.height; ++y) {
-    found.row.push_back(found.runs.size());
+    row_begin.push_back(runs.size());
     const uint8_t* row = mask.pixels.data() + static_cast<size_t>(y) * mask.width;
     for (int x = 0; x < mask.width; ++x) {
       if (row[x] == 0) continue;
       const int begin = x;
       while (x < mask.width && row[x] != 0) ++x;
-      found.runs.push_back({begin, x, 0});
+      runs.push_back({begin, x, 0});
     }
   }
-  found.row.push_back(found.runs.size());
-  return found;
+  row_begin.push_back(runs.size());
+  return runs;
 }
 
-/// Labels the runs of a row from those of the row above that are no farther than `reach` beside
-/// them, uniting labels where several are.
-void label_row(Runs& found, int y, int reach, DisjointSets& sets) {
-  size_t first = y > 0 ? found.row[y - 1] : found.row[y];
-  const size_t end = found.row[y];
-  for (size_t i = found.row[y]; i < found.row[y + 1]; ++i) {
-    Run& run = found.runs[i];
-    while (first < end && found.runs[first].end + reach <= run.begin) ++first;
-    for (size_t k = first; k < end && found.runs[k].begin < run.end + reach; ++k) {
-      const int32_t above = found.runs[k].label;
+/// Labels the runs [begin, end) of a row. Each takes the label of the runs [first, begin) of the
+/// row above that it touches, or, with a `reach` of 1, touches at a corner; several labels are
+/// united.
+void label_row(std::vector<Run>& runs, size_t first, size_t begin, size_t end, int reach,
+               DisjointSets& sets) {
+  for (size_t i = begin; i < end; ++i) {
+    Run& run = runs[i];
+    while (first < begin && runs[first].end + reach <= run.begin) ++first;
+    for (size_t k = first; k < begin && runs[k].begin < run.end + reach; ++k) {
+      const int32_t above = runs[k].label;
       if (run.label != 0 && run.label != above) sets.unite(run.label, above);
       run.label = above;
     }
@@ -55,7 +51,7 @@ void label_row(Runs& found, int y, int reach, DisjointSets& sets) {
   }
 }
 
-/// Numbers the sets but the first without gaps, in the order of their smallest members.
+/// Numbers all sets but the first consecutively from 1, in the order of their smallest members.
 std::vector<int32_t> number(DisjointSets& sets, int32_t& count) {
   std::vector<int32_t> numbers(sets.size(), 0);
   count = 0;
@@ -68,10 +64,12 @@ std::vector<int32_t> number(DisjointSets& sets, int32_t& count) {
 
 Components connected_components(const Image8& mask, Connectivity connectivity) {
   assert(mask.channels == 1);
-  Runs found = find_runs(mask);
+  std::vector<size_t> begin;
+  std::vector<Run> runs = find_runs(mask, begin);
   DisjointSets sets(1);
+  const int reach = connectivity == Connectivity::corners ? 1 : 0;
   for (int y = 0; y < mask.height; ++y)
-    label_row(found, y, connectivity == Connectivity::corners ? 1 : 0, sets);
+    label_row(runs, begin[std::max(y - 1, 0)], begin[y], begin[y + 1], reach, sets);
   int32_t count = 0;
   const std::vector<int32_t> numbers = number(sets, count);
   Components result{Image<int32_t>(mask.width, mask.height, 1), {}};
@@ -79,8 +77,8 @@ Components connected_components(const Image8& mask, Connectivity connectivity) {
   result.areas[0] = static_cast<int64_t>(mask.pixels.size());
   for (int y = 0; y < mask.height; ++y) {
     int32_t* row = result.label.pixels.data() + static_cast<size_t>(y) * mask.width;
-    for (size_t i = found.row[y]; i < found.row[y + 1]; ++i) {
-      const Run& run = found.runs[i];
+    for (size_t i = begin[y]; i < begin[y + 1]; ++i) {
+      const Run& run = runs[i];
       const int32_t label = numbers[run.label];
       std::fill(row + run.begin, row + run.end, label);
       result.areas[label] += run.end - run.begin;

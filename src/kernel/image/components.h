@@ -8,25 +8,28 @@
 
 namespace relievo {
 
-/// Which pixels are neighbours: those that share a side, or also those that share a corner.
+/// The neighbours of a pixel: those that share a side with it, or those that share a corner too.
 enum class Connectivity { sides, corners };
 
+/// The connected components of a mask.
 struct Components {
-  Image<int32_t> label;        ///< 0 outside the mask, else 1 ... #C in the order of first pixels
-  std::vector<int64_t> areas;  ///< [#C + 1] px; [0] is what lies outside the mask
+  Image<int32_t> label;        ///< 0 outside the mask, else 1 .. #C in the order of first pixels
+  std::vector<int64_t> areas;  ///< [#C + 1] px; [0] is the area outside the mask
 };
 
-/// The connected pieces of the pixels of `mask` (one channel) that are not 0. O(pixels).
+/// Labels the connected components of the pixels of `mask` (one channel) that are not 0. O(pixels).
 Components connected_components(const Image8& mask, Connectivity connectivity);
 
-/// Of each piece, 1 where it reaches the picture's edge; [0] is 0. O(edge).
+/// Returns for each component 1 where it reaches the picture's edge, else 0, [#C + 1]; [0] is 0.
+/// O(edge).
 std::vector<uint8_t> pieces_at_edge(const Components& pieces);
 
 /// Returns 1 where `values` (one channel) reach `low` and are connected, over sides and corners, to
 /// a pixel that reaches `high`; 0 elsewhere. O(pixels).
 Image8 hysteresis_threshold(const Image8& values, int low, int high);
 
-/// The pixels of `mask` that are connected by sides within it to a pixel of `seed`. O(box).
+/// Returns the pixels of `mask` that are connected by sides, within it, to a pixel of `seed`.
+/// O(box).
 Mask connected_to(const Mask& mask, const Mask& seed);
 
 }  // namespace relievo

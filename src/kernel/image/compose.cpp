@@ -8,9 +8,9 @@
 namespace relievo {
 namespace {
 
-constexpr int colour_margin = 3;  ///< px
+constexpr int colour_margin = 3;  ///< least distance from another label, px
 
-/// Sum of colours on white, and how many pixels it is of.
+/// A sum of colours on white and the number of its pixels.
 struct ColourSum {
   std::array<double, 3> sum = {};
   double pixels = 0;
@@ -21,8 +21,8 @@ struct ColourSum {
   }
 };
 
-/// Whether the four pixels at the margin's distance, as far as they are in the picture, have the
-/// same label.
+/// Returns whether those of the four pixels at the margin's distance that lie in the picture have
+/// the same label.
 bool is_inside(const Image16& labels, int x, int y) {
   const uint16_t own = labels.at(x, y);
   const auto same = [&](int u, int v) {

@@ -12,11 +12,11 @@ constexpr int coarsest_sweeps = 200;
 constexpr int sweeps = 16;
 constexpr float relaxation = 1.6F;
 
-/// Of a grid: what is wanted, how much, and what there is.
+/// A grid of the hierarchy.
 struct Level {
-  ImageF wanted;
-  ImageF weight;
-  ImageF value;
+  ImageF wanted;  ///< v
+  ImageF weight;  ///< w
+  ImageF value;   ///< u
 };
 
 Level finest(const ImageF& known) {
@@ -29,8 +29,8 @@ Level finest(const ImageF& known) {
   return level;
 }
 
-/// Half as many cells a side. In two dimensions the pairs' term is the same on every grid, so
-/// weights add up.
+/// Makes a grid of half as many cells a side. In two dimensions the term of the pairs is the same
+/// on every grid, so weights add up.
 Level coarser(const Level& fine) {
   const int width = (fine.wanted.width + 1) / 2;
   const int height = (fine.wanted.height + 1) / 2;
@@ -48,7 +48,7 @@ Level coarser(const Level& fine) {
   return coarse;
 }
 
-/// Where relaxation begins: fixed values as they are, all others as on the coarser grid.
+/// Initialises the finer grid: fixed values as they are, all others from the coarser grid.
 void refine(const ImageF& coarse, Level& fine) {
   for (int y = 0; y < fine.value.height; ++y)
     for (int x = 0; x < fine.value.width; ++x)
@@ -56,7 +56,7 @@ void refine(const ImageF& coarse, Level& fine) {
           fine.weight.at(x, y) >= fixed_weight ? fine.wanted.at(x, y) : coarse.at(x / 2, y / 2);
 }
 
-/// The sum of the cells beside one, and how many these are.
+/// Returns the sum of the values of the cells beside one, and their number.
 std::pair<float, float> beside(const ImageF& value, int x, int y) {
   float sum = 0;
   float count = 0;
@@ -72,7 +72,7 @@ std::pair<float, float> beside(const ImageF& value, int x, int y) {
   return {sum, count};
 }
 
-/// Every second cell of a row from x = first on.
+/// Relaxes every second cell of a row from x = first on.
 void relax_row(Level& level, int y, int first) {
   const int w = level.value.width;
   const bool inside = y > 0 && y + 1 < level.value.height;
@@ -90,7 +90,7 @@ void relax_row(Level& level, int y, int first) {
   }
 }
 
-/// Successive over-relaxation, red cells before black ones.
+/// Performs `count` sweeps of successive over-relaxation, red cells before black ones.
 void relax(Level& level, int count) {
   for (int sweep = 0; sweep < 2 * count; ++sweep)
     for (int y = 0; y < level.value.height; ++y) relax_row(level, y, (y + sweep) % 2);

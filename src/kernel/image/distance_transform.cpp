@@ -4,15 +4,13 @@
 #include <cassert>
 #include <vector>
 
-#include "kernel/image/filters.h"
-
 namespace relievo {
 namespace {
 
 /// Larger than any side, small enough that the sum of two squares of sides fits.
 constexpr int far_away = 1 << 15;
 
-/// Distance to the nearest pixel of the mask in the same column.
+/// Computes the distance of each pixel to the nearest pixel of the mask in the same column.
 Image<int32_t> column_distances(const Image8& mask) {
   const int w = mask.width;
   Image<int32_t> distance(w, mask.height, 1, far_away);
@@ -29,11 +27,13 @@ Image<int32_t> column_distances(const Image8& mask) {
   return distance;
 }
 
-/// Lower envelope of the parabolas (x - i)^2 + g[i]^2 along one row.
+/// The lower envelope of the parabolas (x - i)^2 + g[i]^2 along a row, where g is the distance in
+/// the column.
 class RowEnvelope {
  public:
   explicit RowEnvelope(int width) : apex_(width), start_(width), squares_(width) {}
 
+  /// Replaces g by the squared distances in the plane.
   void replace_by_distances(int32_t* row, int width) {
     for (int i = 0; i < width; ++i) squares_[i] = row[i] < far_away ? row[i] * row[i] : 0;
     collect(row, width);
@@ -60,7 +60,7 @@ class RowEnvelope {
 
   int32_t height(int32_t x, int32_t apex) const { return (x - apex) * (x - apex) + squares_[apex]; }
 
-  /// Last x at which the parabola of i is not above that of j > i.
+  /// Returns the last x at which the parabola of i is not above that of j > i.
   int32_t crossing(int32_t i, int32_t j) const {
     const int64_t numerator = int64_t{j} * j - int64_t{i} * i + squares_[j] - squares_[i];
     if (numerator < 0) return -1;

@@ -1,15 +1,19 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "relievo/image.h"
 
 namespace relievo {
 
-/// Exact squared Euclidean distance, px^2, from every pixel centre to the nearest pixel of `mask`
-/// that is not 0; 0 on the mask itself. Precondition: one channel, sides up to 32767. O(pixels).
-/// Meijster, Roerdink, Hesselink: A general algorithm for computing distance transforms in linear
-/// time (2000).
+/// The value of squared_distance_to everywhere for an empty mask.
+constexpr int32_t no_distance = std::numeric_limits<int32_t>::max();
+
+/// Computes the exact squared Euclidean distance, px^2, from each pixel centre to the nearest pixel
+/// of `mask` that is not 0; 0 on the mask itself. Precondition: one channel, sides up to 32767.
+/// O(pixels). Meijster, Roerdink, Hesselink: A general algorithm for computing distance transforms
+/// in linear time (2000).
 Image<int32_t> squared_distance_to(const Image8& mask);
 
 }  // namespace relievo

@@ -6,13 +6,14 @@
 
 namespace relievo {
 
+/// The size of a picture in px.
 struct ImageSize {
   int width = 0;
   int height = 0;
 };
 
-/// The pixels, at least one a side, of a picture of the shape width x height whose longest side
-/// has `longest` of them.
+/// Returns the size of a picture with the aspect ratio of width x height whose longer side has
+/// `longest` px; at least one px a side.
 inline ImageSize fitted_size(double width, double height, double longest) {
   const auto pixels = [&](double side) {
     return std::max(1, static_cast<int>(std::lround(longest * side / std::max(width, height))));
@@ -20,7 +21,7 @@ inline ImageSize fitted_size(double width, double height, double longest) {
   return {pixels(width), pixels(height)};
 }
 
-/// Calls visit(x, y) once for every pixel of the picture's edge.
+/// Calls visit(x, y) once for each pixel of the picture's edge.
 template <class Visit>
 void along_edge(int width, int height, Visit visit) {
   for (int x = 0; x < width; ++x) {
@@ -33,7 +34,7 @@ void along_edge(int width, int height, Visit visit) {
   }
 }
 
-/// The share of the pixels of the picture's edge of which is(x, y) is true.
+/// Computes the share of the picture's edge, 2 (width + height) px, at which is(x, y) is true.
 template <class Is>
 double share_of_edge(int width, int height, Is is) {
   int64_t count = 0;

@@ -7,16 +7,16 @@
 namespace relievo {
 namespace {
 
-/// Where a contour crosses the segment between two neighbouring samples: from (x, y) to the right
-/// (`upright` false) or downwards (true).
+/// A crossing of a contour with the segment from sample (x, y) to its right neighbour (`upright`
+/// false) or to the one below (true).
 struct LevelCrossing {
   int x = 0;
   int y = 0;
   bool upright = false;
 };
 
-/// Follows contours from cell to cell. Cell (x, y) has the samples (x, y) to (x + 1, y + 1);
-/// samples and cells beside the image count from -1.
+/// Follows contours from cell to cell. Cell (x, y) has the samples (x, y) to (x + 1, y + 1).
+/// Samples and cells beside the image have the index -1.
 class LevelTracer {
  public:
   LevelTracer(const ImageF& field, float level, float outside)
@@ -50,9 +50,9 @@ class LevelTracer {
     return {at.x + 0.5 + (at.upright ? 0 : t), at.y + 0.5 + (at.upright ? t : 0)};
   }
 
-  /// Walks with the inside on the right hand as seen on the screen, y down. The contour leaves
-  /// the crossing between (x, y) and its right neighbour downwards where the inside is to the
-  /// left of it, upwards otherwise.
+  /// Follows the contour through the crossing between (x, y) and its right neighbour, with the
+  /// inside on the right hand as seen on the screen, y down. It leaves the crossing downwards where
+  /// the inside is to the left of it, upwards otherwise.
   Ring trace(int x, int y) {
     Ring ring;
     const LevelCrossing start{x, y, false};
@@ -66,13 +66,15 @@ class LevelTracer {
     return ring;
   }
 
-  /// The other end of the contour's piece in the cell that it enters.
+  /// Returns the other end of the contour's piece in the cell that it enters, and its direction
+  /// there.
   std::pair<LevelCrossing, bool> next(const LevelCrossing& at, bool forward) const {
     if (!at.upright) return forward ? across(at.x, at.y, 0) : across(at.x, at.y - 1, 2);
     return forward ? across(at.x - 1, at.y, 1) : across(at.x, at.y, 3);
   }
 
-  /// Sides of a cell: 0 top, 1 right, 2 bottom, 3 left; corner k begins side k clockwise.
+  /// Returns the same for the cell (x, y), entered through `side`: 0 top, 1 right, 2 bottom, 3
+  /// left. Corner k begins side k clockwise.
   std::pair<LevelCrossing, bool> across(int x, int y, int side) const {
     const bool corner[4] = {is_inside(x, y), is_inside(x + 1, y), is_inside(x + 1, y + 1),
                             is_inside(x, y + 1)};
@@ -84,8 +86,9 @@ class LevelTracer {
     return leave(x, y, exit & 3);
   }
 
-  /// In a cell with two diagonal corners inside: whether the contour that enters a side turns
-  /// around the corner that begins it. It separates that corner from the centre of the cell.
+  /// Returns whether a contour that enters a side of a cell with two diagonal corners inside turns
+  /// around the corner that begins the side: it does if that corner and the centre of the cell are
+  /// on different sides of the level.
   bool turn(int x, int y, bool corner_inside) const {
     const float centre = 0.25F * (sample(x, y) + sample(x + 1, y)) +
                          0.25F * (sample(x, y + 1) + sample(x + 1, y + 1));

@@ -5,12 +5,12 @@
 
 namespace relievo {
 
-/// The lines along which a field of one channel reaches `level` (marching squares). Pixel (x, y)
-/// is the sample at (x + 1/2, y + 1/2); between samples the field is bilinear along the grid
-/// lines, and around the image it is `outside`, below the level. What lies at or above the level
-/// is on the inner side: rings around it have positive area, holes in it negative. Where two
-/// diagonal samples of a cell are above and two below, the mean of the four decides. Rings come
-/// in the order of their first crossing, row by row; they never meet. O(pixels).
+/// Traces the lines along which a field of one channel reaches `level` (marching squares). Pixel
+/// (x, y) is the sample at (x + 1/2, y + 1/2). The field is linear along the lines between samples,
+/// and `outside`, which is below the level, around the image. Rings around values at or above the
+/// level have positive area, holes negative. Where two diagonal samples of a cell are above and two
+/// below, the mean of the four decides. Rings never meet; they come in the order of their first
+/// crossing, row by row. O(pixels).
 Outline level_contours(const ImageF& field, float level, float outside = 0);
 
 }  // namespace relievo

@@ -5,24 +5,22 @@
 
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/components.h"
+#include "kernel/image/mask.h"
 #include "kernel/image/morphology.h"
 #include "kernel/image/outlines.h"
 
 namespace relievo {
 namespace {
 
-constexpr double piece_share = 0.03;  ///< area of a piece over that of the largest, at least
+constexpr double piece_share = 0.03;  ///< least area of a piece over that of the largest
 
 }  // namespace
-
-int64_t count_of(const Image8& mask) {
-  return std::count(mask.pixels.begin(), mask.pixels.end(), 1);
-}
 
 double share_of_box(const Image8& mask) {
   const Box2 box = box_of(mask);
   if (box.empty()) return 0;
-  return static_cast<double>(count_of(mask)) / ((box.max.x - box.min.x) * (box.max.y - box.min.y));
+  return static_cast<double>(pixel_count(mask)) /
+         ((box.max.x - box.min.x) * (box.max.y - box.min.y));
 }
 
 Image8 without_small_pieces(const Image8& mask) {

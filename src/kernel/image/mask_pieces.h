@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "relievo/image.h"
 
 namespace relievo {
@@ -14,10 +12,7 @@ Image8 mask_where(int width, int height, const Is& is) {
   return mask;
 }
 
-/// Counts the ones of a mask. O(pixels).
-int64_t count_of(const Image8& mask);
-
-/// Computes the share of the box around the ones of a mask that they fill; 0 for an empty mask.
+/// Computes the share of their bounding box that the ones of a mask fill; 0 for an empty mask.
 /// O(pixels).
 double share_of_box(const Image8& mask);
 

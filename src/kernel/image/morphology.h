@@ -8,30 +8,31 @@
 
 namespace relievo {
 
-/// Largest value within the square of side 2 radius + 1 around each pixel, clipped by the image;
-/// each channel by itself. Precondition: radius >= 0. One pass; O(values) along columns, whatever
-/// the radius (van Herk 1992; Gil, Werman 1993), and O(values log radius) along rows, which takes
-/// less time since it suits vectors.
+/// Computes the largest value within the square of side 2 radius + 1 around each pixel, clipped by
+/// the image, for each channel separately. Precondition: radius >= 0. One pass: O(values) along
+/// columns, whatever the radius (van Herk 1992; Gil, Werman 1993), and O(values log radius) along
+/// rows, which vectorises and is faster there.
 Image8 max_filter(const Image8& image, int radius);
 
-/// Smallest value within that square.
+/// Computes the smallest value within that square.
 Image8 min_filter(const Image8& image, int radius);
 
-/// Removes what is darker than its surroundings and narrower than the square.
+/// Removes whatever is darker than its surroundings and narrower than the square (closing).
 Image8 close_gaps(const Image8& image, int radius);
 
-/// Removes what is brighter than its surroundings and narrower than the square.
+/// Removes whatever is brighter than its surroundings and narrower than the square (opening).
 Image8 remove_specks(const Image8& image, int radius);
 
-/// The zeros of a mask, as ones.
+/// Returns 1 - mask, for a mask of zeros and ones.
 Image8 complement(const Image8& mask);
 
-/// The mask's pixels, thinned to connected curves of one pixel that keep their ends: 255 on them,
-/// 0 elsewhere. `mask` has one channel. O(pixels * widest half width) (Zhang, Suen 1984).
+/// Thins the pixels of `mask` (one channel) that are not 0 to connected curves one pixel wide that
+/// keep their ends: 255 on them, 0 elsewhere (Zhang, Suen 1984). O(pixels * largest half width).
 Image8 thin(const Image8& mask);
 
-/// The eight pixels around one that are not 0: bits clockwise from the one above. The pixel lies
-/// inside an image of one channel whose rows are `stride` apart.
+/// Returns the eight pixels around one as bits, clockwise from the one above: 1 where a pixel is
+/// not 0. Precondition: the pixel is not at the edge of its image, which has one channel and rows
+/// `stride` apart.
 inline uint32_t ring_around(const uint8_t* pixel, int stride) {
   const std::array<int, 8> offsets = {-stride, 1 - stride, 1,  1 + stride,
                                       stride,  stride - 1, -1, -1 - stride};
@@ -40,21 +41,14 @@ inline uint32_t ring_around(const uint8_t* pixel, int stride) {
   return ring;
 }
 
-/// Whether a ring has its pixel k, counted around.
+/// Returns bit k of a ring, modulo 8.
 inline bool has_pixel(uint32_t ring, int k) { return ((ring >> (k % 8)) & 1U) != 0; }
 
-struct RingCount {
-  int pixels = 0;
-  int runs = 0;  ///< of pixels beside each other; 0 for a full ring
-};
-
-inline RingCount count_ring(uint32_t ring) {
-  RingCount count;
-  for (int k = 0; k < 8; ++k) {
-    count.pixels += has_pixel(ring, k) ? 1 : 0;
-    count.runs += !has_pixel(ring, k) && has_pixel(ring, k + 1) ? 1 : 0;
-  }
-  return count;
+/// Counts the runs of consecutive ones around a ring; 0 for a full ring.
+inline int runs_in_ring(uint32_t ring) {
+  int runs = 0;
+  for (int k = 0; k < 8; ++k) runs += !has_pixel(ring, k) && has_pixel(ring, k + 1) ? 1 : 0;
+  return runs;
 }
 
 }  // namespace relievo

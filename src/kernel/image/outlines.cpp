@@ -19,7 +19,7 @@ Image16 as_labels(const Mask& mask) {
   return labels;
 }
 
-/// Simplified in thirds, so that no piece is closed.
+/// Simplifies a ring in thirds, so that no piece is closed.
 Ring simplified(const Ring& ring, double tolerance) {
   if (ring.size() < 8) return ring;
   const auto third = static_cast<std::ptrdiff_t>(ring.size() / 3);
@@ -35,15 +35,15 @@ Ring simplified(const Ring& ring, double tolerance) {
   return few;
 }
 
-/// Of D'D, where D takes the third differences of a closed ring: entries by distance from the
+/// Entries of D'D, where D takes the third differences of a closed ring, by distance from the
 /// diagonal.
 constexpr std::array<double, 4> jerk_stencil = {20, -15, 6, -1};
-constexpr double most_of_width = 0.125;  ///< mean, by which outlines move
-constexpr int least_fair = 8;            ///< points; shorter rings stay
+constexpr double most_of_width = 0.125;  ///< largest move of an outline over the mask's mean width
+constexpr int least_fair = 8;            ///< points; shorter rings stay as they are
 constexpr int most_rounds = 12;
-constexpr double least_growth = 1.5;  ///< of weights in a round
+constexpr double least_growth = 1.5;  ///< of a weight in a round
 
-/// Lower triangle of `stiffness` D'D on n points, n > 6.
+/// Returns the lower triangle of stiffness D'D on n points, n > 6.
 SparseMatrix jerk_matrix(int n, double stiffness) {
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < n; ++i)
@@ -56,7 +56,7 @@ SparseMatrix jerk_matrix(int n, double stiffness) {
   return J;
 }
 
-/// From both sides in turn, so that a ring fills in no more than a chain.
+/// Returns an elimination order of a ring, from both sides in turn, with the fill-in of a chain.
 std::vector<int> order_of_ring(int n) {
   std::vector<int> order;
   for (int i = 0; 2 * i < n; ++i) {
@@ -66,16 +66,16 @@ std::vector<int> order_of_ring(int n) {
   return order;
 }
 
-/// A point's coordinate moved to `to`, by no more than `reach`.
+/// Moves a coordinate towards `to` by at most `reach`.
 double moved(double from, double to, double reach) {
   return std::clamp(to, from - reach, from + reach);
 }
 
-/// The fair curve near a ring p of equally spaced points: it minimises sum w |x - p|^2 + stiffness
-/// |D x|^2, which takes half of waves of the given length, in points, and leaves circles round:
-/// that of the ring itself is three times as long at least. The weights w are 1 at first; where x
-/// is farther than `reach` from p in x or y they grow, for a few rounds, so that corners stay.
-/// O(n) a round.
+/// Computes the fair curve x near a ring p of equally spaced points, which minimises
+///   sum w |x - p|^2 + stiffness |D x|^2,   stiffness = (wavelength / 2 pi)^6.
+/// It halves the amplitude of waves of that length, in points, which is at most a third of the
+/// ring, so that circles stay round. The weights w are 1 at first. Where x is farther than `reach`
+/// from p in x or y they grow, for a few rounds, so that corners stay. O(n) a round.
 Ring fair(const Ring& ring, double wavelength, double reach) {
   const int n = static_cast<int>(ring.size());
   if (n < least_fair || wavelength <= 0) return ring;
@@ -111,18 +111,14 @@ Ring fair(const Ring& ring, double wavelength, double reach) {
   return curve;
 }
 
-/// Where a ring crosses the line through the centres of a row of pixels.
-struct RowCrossing {
-  double x = 0;
-  int direction = 0;
-};
-
-/// First pixel whose centre is at or after coordinate v, kept within [0, size].
+/// Returns the first pixel whose centre is at or after coordinate v, clamped to [0, size].
 int first_centre(double v, int size) {
   return static_cast<int>(std::clamp(std::ceil(v - 0.5), 0.0, static_cast<double>(size)));
 }
 
-void add_crossings(Point2 a, Point2 b, int top, std::vector<std::vector<RowCrossing>>& rows) {
+/// Adds the crossings of edge ab with the lines through the centres of the pixel rows from `top`
+/// on.
+void add_crossings(Point2 a, Point2 b, int top, std::vector<std::vector<LineCrossing>>& rows) {
   if (a.y == b.y) return;
   const int direction = a.y < b.y ? 1 : -1;
   if (direction < 0) std::swap(a, b);
@@ -135,18 +131,15 @@ void add_crossings(Point2 a, Point2 b, int top, std::vector<std::vector<RowCross
   }
 }
 
-void fill_row(std::vector<RowCrossing>& row, Mask& mask, int y) {
-  std::sort(row.begin(), row.end(), [](const RowCrossing& p, const RowCrossing& q) {
-    return p.x < q.x || (p.x == q.x && p.direction < q.direction);
+void fill_row(std::vector<LineCrossing>& row, Mask& mask, int y) {
+  std::sort(row.begin(), row.end(), [](const LineCrossing& p, const LineCrossing& q) {
+    return p.s < q.s || (p.s == q.s && p.turn < q.turn);
   });
-  int winding = 0;
-  for (size_t i = 0; i + 1 < row.size(); ++i) {
-    winding += row[i].direction;
-    if (winding == 0) continue;
-    const int first = first_centre(row[i].x - mask.left, mask.inside.width);
-    const int last = first_centre(row[i + 1].x - mask.left, mask.inside.width);
+  for_each_span_inside(row, [&](double from, double to) {
+    const int first = first_centre(from - mask.left, mask.inside.width);
+    const int last = first_centre(to - mask.left, mask.inside.width);
     for (int x = first; x < last; ++x) mask.inside.at(x, y) = 1;
-  }
+  });
 }
 
 /// A side of a pixel: 0 top, 1 right, 2 bottom, 3 left, travelled clockwise.
@@ -160,6 +153,7 @@ struct Side {
 constexpr std::array<int, 4> normal_x = {0, 1, 0, -1};
 constexpr std::array<int, 4> normal_y = {-1, 0, 1, 0};
 
+/// Follows the boundaries of all labels.
 class RingTracer {
  public:
   explicit RingTracer(const Image16& labels)
@@ -184,7 +178,7 @@ class RingTracer {
   uint16_t beyond(const Side& s) const {
     return label(s.x + normal_x[s.side], s.y + normal_y[s.side]);
   }
-  /// Whether no ring runs along the pixel.
+  /// Returns whether no ring runs along the pixel.
   bool is_inside(int x, int y) const {
     const uint16_t* p = &labels_.at(x, y);
     if (*p == 0) return true;
@@ -197,7 +191,7 @@ class RingTracer {
     return own != 0 && beyond(s) != own && (visited_.at(s.x, s.y) & (1U << s.side)) == 0;
   }
 
-  /// The side that follows: around the corner of the same pixel, straight on, or inwards.
+  /// Returns the side that follows: around the corner of the same pixel, straight on, or inwards.
   Side next(const Side& s) const {
     const int turn = (s.side + 1) % 4;
     const uint16_t own = labels_.at(s.x, s.y);
@@ -283,7 +277,7 @@ Mask fill_outline(const Outline& outline, int width, int height) {
   const int bottom = first_centre(box.max.y, height);
   if (right <= left || bottom <= top) return {};
   Mask mask = empty_mask(left, top, right, bottom);
-  std::vector<std::vector<RowCrossing>> rows(mask.inside.height);
+  std::vector<std::vector<LineCrossing>> rows(mask.inside.height);
   for (const Ring& ring : outline)
     for (size_t i = 0; i < ring.size(); ++i)
       add_crossings(ring[i], ring[(i + 1) % ring.size()], mask.top, rows);

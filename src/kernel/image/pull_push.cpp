@@ -6,7 +6,8 @@
 namespace relievo {
 namespace {
 
-/// Half the size: weighted means of squares of four, and how much is known of each.
+/// Halves the size: weighted means of squares of four pixels, with the sum of their weights up
+/// to 1.
 ImageF pulled(const ImageF& fine) {
   const int last = fine.channels - 1;
   ImageF coarse((fine.width + 1) / 2, (fine.height + 1) / 2, fine.channels);
@@ -25,7 +26,7 @@ ImageF pulled(const ImageF& fine) {
   return coarse;
 }
 
-/// The value of a coarser level at a fine pixel, linear between the four around it.
+/// Interpolates a coarser level bilinearly at a fine pixel.
 float between(const ImageF& coarse, int x, int y, int c) {
   const int x0 = x / 2;
   const int y0 = y / 2;
@@ -36,7 +37,7 @@ float between(const ImageF& coarse, int x, int y, int c) {
   return 0.75F * near + 0.25F * far;
 }
 
-/// Fills what `fine` does not know from a coarser level that knows all.
+/// Fills the unknown pixels of `fine` from a coarser level that is known everywhere.
 void push(const ImageF& coarse, ImageF& fine) {
   const int last = fine.channels - 1;
   for (int y = 0; y < fine.height; ++y)

@@ -10,7 +10,7 @@
 namespace relievo {
 namespace {
 
-/// Calls visit(index) for the up to four pixels that share a side with pixel i.
+/// Calls visit(index) for each of the up to four pixels that share a side with pixel i.
 template <class Visit>
 void for_sides(int32_t i, int width, int height, const Visit& visit) {
   const int y = static_cast<int>(static_cast<uint32_t>(i) / static_cast<uint32_t>(width));
@@ -21,15 +21,15 @@ void for_sides(int32_t i, int width, int height, const Visit& visit) {
   if (y + 1 < height) visit(i + width);
 }
 
-/// First-in-first-out queues of pixels, one a height; the lowest is served first. A pixel that
-/// comes in below the level being served joins that level.
+/// First-in-first-out queues of pixels, one per height; the lowest is served first. A pixel pushed
+/// below the height being served joins the queue of that height.
 class HeightQueues {
  public:
   void push(uint8_t height, int32_t pixel) {
     queues_[std::max<size_t>(height, level_)].push_back(pixel);
   }
 
-  /// The next pixel, or -1 when there is none.
+  /// Returns the next pixel, or -1 when there is none.
   int32_t pop() {
     while (next_ == queues_[level_].size()) {
       queues_[level_] = {};
@@ -45,7 +45,7 @@ class HeightQueues {
   size_t next_ = 0;
 };
 
-/// Pixels of seeds with one beside them that can be reached.
+/// Lists the pixels of seeds that share a side with a pixel of value 0.
 std::vector<int32_t> seeds_beside_open(const Image<int32_t>& label) {
   const int w = label.width;
   std::vector<int32_t> rim;
@@ -63,31 +63,27 @@ std::vector<int32_t> seeds_beside_open(const Image<int32_t>& label) {
   return rim;
 }
 
-/// Steps of distance that the descending order tells apart, per px.
+/// Levels of the descending order per px of distance.
 constexpr int level_steps = 8;
 
-/// The distances of a field in steps.
-class Levels {
- public:
-  explicit Levels(const Image<int32_t>& squared)
-      : cap_((squared.width + squared.height) * level_steps) {}
+/// Returns a level above all finite distances of a field.
+int32_t highest_level(const Image<int32_t>& squared) {
+  return (squared.width + squared.height) * level_steps;
+}
 
-  int32_t operator()(int32_t squared) const {
-    const float distance = std::sqrt(static_cast<float>(squared));
-    const auto level = static_cast<int32_t>(distance * float{level_steps});
-    return level < cap_ ? level : cap_;
-  }
+/// Returns the level of a squared distance, at most `cap`.
+int32_t level_of(int32_t squared, int32_t cap) {
+  const float distance = std::sqrt(static_cast<float>(squared));
+  const auto level = static_cast<int32_t>(distance * float{level_steps});
+  return level < cap ? level : cap;
+}
 
- private:
-  int32_t cap_;
-};
-
-/// Pixels come highest level first, in raster order within a level; those beside a pixel that come
-/// before it are its seniors. This is where the one with the largest distance is: a pixel without
-/// any is a peak, one at distance 0 leads nowhere.
+/// Pixels are ordered by level, highest first, and in raster order within a level. The seniors of a
+/// pixel are its neighbours that come before it. The way uphill leads to the senior with the
+/// largest distance; a pixel without seniors is a peak, and one at distance 0 has no way.
 enum Uphill : uint8_t { up = 0, left = 1, right = 2, down = 3, peak = 4, nowhere = 5 };
 
-/// A row of squared distances and their levels, with a pixel of 0 on either side.
+/// A row of squared distances and their levels, with a pixel of value 0 at either end.
 struct FieldRow {
   std::vector<int32_t> squared;
   std::vector<int32_t> level;
@@ -95,7 +91,8 @@ struct FieldRow {
   explicit FieldRow(int width)
       : squared(static_cast<size_t>(width) + 2), level(static_cast<size_t>(width) + 2) {}
 
-  void read(const Image<int32_t>& field, int y, Levels level_of) {
+  /// Reads row y of the field; a row beyond its end is 0.
+  void read(const Image<int32_t>& field, int y, int32_t cap) {
     const int w = field.width;
     if (y >= field.height) {
       std::fill(squared.begin(), squared.end(), 0);
@@ -105,12 +102,12 @@ struct FieldRow {
     const int32_t* in = &field.at(0, y);
     std::copy_n(in, w, squared.begin() + 1);
     int32_t* out = level.data() + 1;
-    for (int x = 0; x < w; ++x) out[x] = level_of(in[x]);
+    for (int x = 0; x < w; ++x) out[x] = level_of(in[x], cap);
   }
 };
 
-/// The way uphill of every pixel in a row; of seniors alike, the first. Without branches and in
-/// values of one width, for the sake of vectors.
+/// Finds the way uphill of each pixel of a row; of equal seniors, to the first. The loop
+/// vectorises, as it has no branches and values of one width.
 void uphill_of_row(const FieldRow& above, const FieldRow& row, const FieldRow& below,
                    std::vector<int32_t>& uphill) {
   const auto width = uphill.size();
@@ -137,15 +134,15 @@ void uphill_of_row(const FieldRow& above, const FieldRow& row, const FieldRow& b
 }
 
 Image8 uphill_directions(const Image<int32_t>& squared) {
-  const Levels level_of(squared);
+  const int32_t cap = highest_level(squared);
   Image8 uphill(squared.width, squared.height, 1);
   FieldRow above(squared.width);
   FieldRow row(squared.width);
   FieldRow below(squared.width);
   std::vector<int32_t> towards(static_cast<size_t>(squared.width));
-  row.read(squared, 0, level_of);
+  row.read(squared, 0, cap);
   for (int y = 0; y < squared.height; ++y) {
-    below.read(squared, y + 1, level_of);
+    below.read(squared, y + 1, cap);
     uphill_of_row(above, row, below, towards);
     std::copy(towards.begin(), towards.end(), &uphill.at(0, y));
     std::swap(above, row);
@@ -154,41 +151,35 @@ Image8 uphill_directions(const Image<int32_t>& squared) {
   return uphill;
 }
 
-/// Orders things of a level, highest level first, those of one level as they came, by counting.
-template <class Thing>
-std::vector<Thing> highest_first(const std::vector<Thing>& things) {
+/// Sorts things by level_of(thing), highest first; those of one level keep their order. A counting
+/// sort: O(things + levels).
+template <class Thing, class Level>
+std::vector<Thing> highest_first(const std::vector<Thing>& things, const Level& level_of) {
   int32_t top = 0;
-  for (const Thing& thing : things) top = std::max(top, thing.level);
+  for (const Thing& thing : things) top = std::max(top, level_of(thing));
   std::vector<size_t> begin(static_cast<size_t>(top) + 2, 0);
-  for (const Thing& thing : things) ++begin[top - thing.level + 1];
+  for (const Thing& thing : things) ++begin[top - level_of(thing) + 1];
   for (size_t k = 1; k < begin.size(); ++k) begin[k] += begin[k - 1];
   std::vector<Thing> sorted(things.size());
-  for (const Thing& thing : things) sorted[begin[top - thing.level]++] = thing;
+  for (const Thing& thing : things) sorted[begin[top - level_of(thing)]++] = thing;
   return sorted;
 }
 
-struct Peak {
-  int32_t level = 0;
-  int32_t pixel = 0;
-};
-
-std::vector<Peak> find_peaks(const Image<int32_t>& squared, const Image8& uphill) {
-  const Levels level_of(squared);
-  std::vector<Peak> peaks;
+/// Returns the pixels that are peaks, highest first.
+std::vector<int32_t> find_peaks(const Image<int32_t>& squared, const Image8& uphill) {
+  const int32_t cap = highest_level(squared);
+  std::vector<int32_t> peaks;
   for (size_t i = 0; i < uphill.pixels.size(); ++i)
-    if (uphill.pixels[i] == peak)
-      peaks.push_back({level_of(squared.pixels[i]), static_cast<int32_t>(i)});
-  return highest_first(peaks);
+    if (uphill.pixels[i] == peak) peaks.push_back(static_cast<int32_t>(i));
+  return highest_first(peaks, [&](int32_t pixel) { return level_of(squared.pixels[pixel], cap); });
 }
 
-/// Labels every pixel as the peak to which it leads uphill, by the peak's place in the order
-/// from 1.
-Image<int32_t> follow_uphill(const Image8& uphill, const std::vector<Peak>& peaks) {
+/// Labels each pixel by the peak to which its way uphill leads: the index of the peak, from 1.
+Image<int32_t> follow_uphill(const Image8& uphill, const std::vector<int32_t>& peaks) {
   const int32_t w = uphill.width;
   const std::array<int32_t, 4> step = {-w, -1, 1, w};
   Image<int32_t> label(w, uphill.height, 1);
-  for (size_t k = 0; k < peaks.size(); ++k)
-    label.pixels[peaks[k].pixel] = static_cast<int32_t>(k) + 1;
+  for (size_t k = 0; k < peaks.size(); ++k) label.pixels[peaks[k]] = static_cast<int32_t>(k) + 1;
   const auto count = static_cast<int32_t>(label.pixels.size());
   for (int32_t i = 0; i < count; ++i) {
     if (uphill.pixels[i] == nowhere) continue;
@@ -200,14 +191,14 @@ Image<int32_t> follow_uphill(const Image8& uphill, const std::vector<Peak>& peak
   return label;
 }
 
-/// Where a pixel of one label has a senior of another.
+/// A pixel of one label that has a senior of another.
 struct Pass {
   int32_t level = 0;  ///< of the pixel
   int32_t a = 0;      ///< its label
   int32_t b = 0;      ///< label of the senior
 };
 
-/// Marks the pixels of a row with a label that differs from that of a pixel beside them.
+/// Sets `borders` to other than 0 at the pixels of row y that share a side with another label.
 void mark_borders(const Image<int32_t>& label, int y, std::vector<int32_t>& borders) {
   const int32_t* row = &label.at(0, y);
   const int32_t* above = y > 0 ? row - label.width : row;
@@ -223,15 +214,15 @@ void mark_borders(const Image<int32_t>& label, int y, std::vector<int32_t>& bord
   if (w > 1) out[w - 1] = differ(w - 1, w - 2, w - 1);
 }
 
-/// All passes, highest first.
+/// Lists all passes, highest first.
 std::vector<Pass> find_passes(const Image<int32_t>& squared, const Image<int32_t>& label) {
-  const Levels level_of(squared);
+  const int32_t cap = highest_level(squared);
   const int w = label.width;
   std::vector<Pass> passes;
   const auto look = [&](size_t i, size_t j, bool before) {
     if (label.pixels[j] == label.pixels[i] || label.pixels[j] == 0) return;
-    const int32_t level = level_of(squared.pixels[i]);
-    const int32_t beside = level_of(squared.pixels[j]);
+    const int32_t level = level_of(squared.pixels[i], cap);
+    const int32_t beside = level_of(squared.pixels[j], cap);
     if (beside > level || (before && beside == level))
       passes.push_back({level, label.pixels[i], label.pixels[j]});
   };
@@ -247,47 +238,26 @@ std::vector<Pass> find_passes(const Image<int32_t>& squared, const Image<int32_t
       if (y + 1 < label.height) look(i, i + w, false);
     }
   }
-  return highest_first(passes);
+  return highest_first(passes, [](const Pass& pass) { return pass.level; });
 }
 
-/// Which basins are left; a set is the highest peak, its smallest member, and those it absorbed.
-class BasinUnions {
- public:
-  BasinUnions(const std::vector<Peak>& peaks, const BasinOptions& options)
-      : peaks_(peaks), options_(options), sets_(static_cast<int>(peaks.size()) + 1) {}
-
-  /// Two basins meet at a pass; the lower ends there if it does not rise enough above it.
-  void meet(const Pass& pass) {
-    const int a = sets_.find(pass.a);
-    const int b = sets_.find(pass.b);
-    if (a == b) return;
-    const auto [higher, lower] = std::minmax({a, b});
-    const double top = peaks_[lower - 1].level;
-    if (top - pass.level < options_.min_rise * double{level_steps} ||
-        pass.level > options_.max_pass_ratio * top)
-      sets_.unite(higher, lower);
+/// Unites basins at passes, highest first, where the lower peak does not rise enough above the
+/// pass. `levels`: level of each peak, in order. A set of basins is represented by its highest
+/// peak, the smallest member.
+DisjointSets unite_basins(const std::vector<int32_t>& levels, const std::vector<Pass>& passes,
+                          const BasinOptions& options) {
+  DisjointSets sets(static_cast<int>(levels.size()) + 1);
+  for (const Pass& pass : passes) {
+    const int a = sets.find(pass.a);
+    const int b = sets.find(pass.b);
+    if (a == b) continue;
+    const double top = levels[std::max(a, b) - 1];
+    if (top - pass.level < options.min_rise * double{level_steps} ||
+        pass.level > options.max_pass_ratio * top)
+      sets.unite(a, b);
   }
-
-  /// Numbers of the basins that are left, from 1, and their peaks.
-  std::vector<int32_t> number(std::vector<double>& heights) {
-    std::vector<int32_t> numbers(sets_.size(), 0);
-    heights = {0};
-    for (int i = 1; i < sets_.size(); ++i) {
-      if (sets_.find(i) == i) {
-        numbers[i] = static_cast<int32_t>(heights.size());
-        heights.push_back(peaks_[i - 1].level / double{level_steps});
-      } else {
-        numbers[i] = numbers[sets_.find(i)];
-      }
-    }
-    return numbers;
-  }
-
- private:
-  const std::vector<Peak>& peaks_;
-  BasinOptions options_;
-  DisjointSets sets_;
-};
+  return sets;
+}
 
 }  // namespace
 
@@ -309,12 +279,19 @@ void flood_from_seeds(const Image8& height, Image<int32_t>& label) {
 PeakBasins peak_basins(const Image<int32_t>& squared_distance, const BasinOptions& options) {
   assert(squared_distance.channels == 1);
   const Image8 uphill = uphill_directions(squared_distance);
-  const std::vector<Peak> peaks = find_peaks(squared_distance, uphill);
-  PeakBasins found;
-  found.label = follow_uphill(uphill, peaks);
-  BasinUnions basins(peaks, options);
-  for (const Pass& pass : find_passes(squared_distance, found.label)) basins.meet(pass);
-  const std::vector<int32_t> numbers = basins.number(found.peaks);
+  const std::vector<int32_t> peaks = find_peaks(squared_distance, uphill);
+  std::vector<int32_t> levels;
+  for (const int32_t pixel : peaks)
+    levels.push_back(level_of(squared_distance.pixels[pixel], highest_level(squared_distance)));
+  PeakBasins found{follow_uphill(uphill, peaks), {0}};
+  DisjointSets sets = unite_basins(levels, find_passes(squared_distance, found.label), options);
+  std::vector<int32_t> numbers(sets.size(), 0);
+  for (int i = 1; i < sets.size(); ++i) {
+    numbers[i] = numbers[sets.find(i)];
+    if (sets.find(i) != i) continue;
+    numbers[i] = static_cast<int32_t>(found.peaks.size());
+    found.peaks.push_back(levels[i - 1] / double{level_steps});
+  }
   for (int32_t& label : found.label.pixels) label = numbers[label];
   return found;
 }

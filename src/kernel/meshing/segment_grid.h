@@ -8,11 +8,10 @@
 
 namespace relievo {
 
-/// A uniform grid over a box that lists which items touch each cell. Filled in two passes
-/// (count, then fill), so that it is two flat arrays.
+/// A uniform grid over a box that lists the items in each cell, as two flat arrays.
 class SegmentGrid {
  public:
-  /// About one cell per item, square cells, never more than 4 * items + 16 of them.
+  /// Makes square cells, about one per item and at most 4 * items + 16.
   SegmentGrid(const Box2& box, size_t items) : origin_(box.min) {
     const double w = std::max(box.max.x - box.min.x, 1e-300);
     const double h = std::max(box.max.y - box.min.y, 1e-300);
@@ -24,7 +23,7 @@ class SegmentGrid {
     begin_.assign(static_cast<size_t>(columns_) * rows_ + 1, 0);
   }
 
-  /// Calls visit(cell) for the cells within `margin` of the segment's box.
+  /// Calls visit(cell) for each cell within `margin` of the bounding box of segment ab.
   template <class Visit>
   void for_cells(Point2 a, Point2 b, double margin, Visit visit) const {
     const int x0 = column(std::min(a.x, b.x) - margin);
@@ -35,7 +34,8 @@ class SegmentGrid {
       for (int x = x0; x <= x1; ++x) visit(static_cast<size_t>(y) * columns_ + x);
   }
 
-  /// Builds the lists; box(i) gives two corners {a, b} of item i.
+  /// Builds the lists of `items` items; ends(i) returns two opposite corners of the box of item i.
+  /// O(items + entries).
   template <class Ends>
   void build(size_t items, Ends ends) {
     for (size_t i = 0; i < items; ++i)
@@ -48,6 +48,7 @@ class SegmentGrid {
                 [&](size_t cell) { entries_[next[cell]++] = static_cast<int>(i); });
   }
 
+  /// The items of a cell are [begin(cell), end(cell)), ascending.
   const int* begin(size_t cell) const { return entries_.data() + begin_[cell]; }
   const int* end(size_t cell) const { return entries_.data() + begin_[cell + 1]; }
 

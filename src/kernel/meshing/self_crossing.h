@@ -6,8 +6,8 @@
 
 namespace relievo {
 
-/// A place where two edges of an outline cross each other, the first along it; none where all
-/// rings are simple and meet each other at most at corners. Exact but for the place itself.
+/// Finds the first point along an outline where two of its edges cross; nothing where all rings are
+/// simple and meet each other at corners at most. The test is exact, the point is rounded.
 /// Near-linear for edges of similar length.
 std::optional<Point2> find_self_crossing(const Outline& outline);
 

@@ -6,20 +6,21 @@
 
 namespace relievo {
 
-/// Wanted edge length over the plane, on a regular grid: small beside samples of curves, growing
-/// linearly with the distance from them, and nowhere below a sixteenth of a cell; and how many
-/// regions cover each cell.
+/// The wanted edge length over the plane on a regular grid: small near samples of curves, growing
+/// linearly with the distance from them, and never below a sixteenth of a cell. Also the number of
+/// regions over each cell.
 struct SizeField {
   Point2 origin;
   double cell = 1;
   int columns = 0;
   int rows = 0;
   double max_size = 1;       ///< upper bound of the size, and the step of the coarsest lattice
-  std::vector<double> size;  ///< columns * rows, at cell centres
-  std::vector<int> cover;    ///< columns * rows, regions that contain the cell's centre
+  std::vector<double> size;  ///< columns * rows, wanted edge length at the centre of each cell
+  std::vector<int> cover;    ///< columns * rows, number of regions that contain the centre
 
   double size_at(Point2 p) const { return size[index(p)]; }
   int cover_at(Point2 p) const { return cover[index(p)]; }
+  /// Returns the index of the cell of p; outside the grid that of the nearest cell.
   size_t index(Point2 p) const;
 };
 
@@ -29,17 +30,18 @@ struct CurveSample {
   double spacing = 1;
 };
 
+/// How a size field is made.
 struct SizeOptions {
   double grading = 0.25;  ///< growth of the size per unit of distance
   double max_size = 1;    ///< upper bound of the size
-  int cells = 400;        ///< along the longer side of the box
+  int cells = 400;        ///< number along the longer side of the samples' box
 };
 
-/// O(cells^2 + samples + rows * edges of the regions).
+/// Makes the size field around the samples. O(cells^2 + samples + rows * edges of the regions).
 SizeField make_size_field(const std::vector<CurveSample>& samples,
                           const std::vector<Outline>& regions, const SizeOptions& options);
 
-/// Points of nested hexagonal lattices whose density follows the field, inside at least one
+/// Returns points of nested hexagonal lattices whose spacing follows the field, inside at least one
 /// region. O(points).
 std::vector<Point2> lattice_points(const SizeField& field);
 

@@ -23,7 +23,7 @@ struct Insertion {
 
 using Edges = std::vector<std::array<int, 2>>;
 
-/// Without repeated points, and with spikes a-b-a, whose edges cancel, folded up.
+/// Removes repeated points and spikes a-b-a, whose edges cancel.
 std::vector<int> tidied(const std::vector<int>& loop, bool open) {
   std::vector<int> tidy;
   for (const int p : loop) {
@@ -59,7 +59,7 @@ SegmentGrid edge_grid(const std::vector<Point2>& points, const Edges& edges) {
   return grid;
 }
 
-/// Whether a point lies on, or nearly on, the inside of an edge, at parameter t of it.
+/// Returns whether a point lies on, or nearly on, the inside of an edge; t is the parameter there.
 bool touches(const std::vector<Point2>& points, int p, const std::array<int, 2>& edge, double reach,
              double grain, double& t) {
   if (p == edge[0] || p == edge[1]) return false;
@@ -72,7 +72,7 @@ bool touches(const std::vector<Point2>& points, int p, const std::array<int, 2>&
   return std::abs(cross(d, points[p] - a)) <= bound * length;
 }
 
-/// Appends what was inserted into the edge from a to b; insertions are sorted.
+/// Appends the points inserted into the edge between `ends`. Precondition: insertions are sorted.
 void append_between(const std::array<int, 2>& ends, const Edges& edges,
                     const std::vector<Insertion>& insertions, std::vector<int>& loop) {
   const auto [a, b] = ends;
@@ -87,7 +87,7 @@ void append_between(const std::array<int, 2>& ends, const Edges& edges,
   if (a > b) std::reverse(loop.begin() + static_cast<std::ptrdiff_t>(before), loop.end());
 }
 
-/// A point of a curve, and how far it may move to another.
+/// A point of a curve and the distance by which it may move to another.
 struct Item {
   int curve;
   int index;
@@ -95,8 +95,8 @@ struct Item {
   double reach;
 };
 
-/// The points of all curves, the closed ones first, each of them its own point or that of an
-/// earlier one close to it; kept points come first so that others move to them.
+/// Welds the points of all curves, the first `closed` of them closed: each becomes a point of its
+/// own or that of an earlier one close to it. Kept points come first, so that others move to them.
 SplicedCurves welded(const std::vector<InputCurve>& curves, size_t closed) {
   SplicedCurves out;
   std::vector<Item> items;
@@ -145,6 +145,7 @@ SplicedCurves welded(const std::vector<InputCurve>& curves, size_t closed) {
   return out;
 }
 
+/// Splits edges at contacts and crossings until there are none.
 class Splicer {
  public:
   Splicer(const std::vector<InputCurve>& curves, const std::vector<InputCurve>& lines, double grain)
@@ -169,12 +170,13 @@ class Splicer {
   }
 
  private:
-  // The edges of a loop go round; those of a line, which come after all loops, do not.
+  /// Returns the number of edges: a loop is closed, a line, which comes after all loops, is not.
   size_t edge_count(const std::vector<int>& loop) const {
     const bool open = &loop >= out_.loops.data() + closed_;
     return loop.size() - (open && !loop.empty() ? 1 : 0);
   }
 
+  /// Returns the result, with loops and lines apart.
   SplicedCurves separated() {
     const auto first = out_.loops.begin() + static_cast<std::ptrdiff_t>(closed_);
     out_.lines.assign(std::make_move_iterator(first), std::make_move_iterator(out_.loops.end()));
@@ -183,7 +185,7 @@ class Splicer {
     return std::move(out_);
   }
 
-  // Points nearer to an earlier one than the grain become that one.
+  /// Replaces points nearer to an earlier one than the grain by that one.
   void merge_grains() {
     Box2 box;
     for (const Point2 p : out_.points) box.add(p);
@@ -213,7 +215,7 @@ class Splicer {
     for (std::vector<int>& loop : out_.loops) loop = tidied(loop, edge_count(loop) < loop.size());
   }
 
-  // The distinct undirected edges of all loops, sorted.
+  /// Collects the distinct undirected edges of all loops, sorted.
   void collect_edges() {
     edges_.clear();
     for (const std::vector<int>& loop : out_.loops)
@@ -232,7 +234,7 @@ class Splicer {
     }
   }
 
-  // Vertices that lie on, or nearly on, the inside of an edge.
+  /// Finds vertices that lie on, or nearly on, the inside of an edge.
   std::vector<Insertion> find_contacts() const {
     std::vector<Insertion> found;
     const SegmentGrid grid = edge_grid(out_.points, edges_);
@@ -254,7 +256,7 @@ class Splicer {
     return found;
   }
 
-  // Proper crossings of two edges; each becomes a vertex of both.
+  /// Finds proper crossings of two edges; each becomes a vertex of both.
   std::vector<Insertion> find_crossings() {
     std::vector<Insertion> found;
     const SegmentGrid grid = edge_grid(out_.points, edges_);
@@ -301,7 +303,7 @@ class Splicer {
     if (vertex != c && vertex != d) found.push_back({f, s, vertex});
   }
 
-  // Threads the inserted points into every loop that uses the edge.
+  /// Threads the inserted points into every loop that has the edge.
   void insert(std::vector<Insertion>& insertions) {
     std::sort(insertions.begin(), insertions.end(), [](const Insertion& x, const Insertion& y) {
       return x.edge != y.edge ? x.edge < y.edge : (x.t != y.t ? x.t < y.t : x.point < y.point);
@@ -318,12 +320,12 @@ class Splicer {
     }
   }
 
-  std::vector<InputCurve> curves_;  // closed ones, then open ones
-  size_t closed_;                   // so many
-  double grain_;                    // nothing is nearer to each other
+  std::vector<InputCurve> curves_;  ///< closed ones, then open ones
+  size_t closed_;                   ///< number of closed ones
+  double grain_;                    ///< least distance of two vertices
   SplicedCurves out_;
   Edges edges_;
-  std::vector<double> shortest_;  // per point: its shortest edge
+  std::vector<double> shortest_;  ///< length of the shortest edge at each point
 };
 
 }  // namespace

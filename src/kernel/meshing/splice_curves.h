@@ -7,33 +7,33 @@
 
 namespace relievo {
 
-/// A curve to be put into a planar arrangement.
+/// A curve of a planar arrangement.
 struct InputCurve {
-  Ring points;             ///< at least 3, or 2 of an open one
-  std::vector<bool> kept;  ///< per point: a corner or an end that others snap to
+  Ring points;             ///< at least 3, or 2 of an open line
+  std::vector<bool> kept;  ///< per point: whether it is a corner or an end to which others snap
 };
 
-/// Curves without crossings: two edges meet only at shared vertices or coincide.
+/// Curves without crossings: two edges coincide, or meet only at shared vertices.
 struct SplicedCurves {
   std::vector<Point2> points;
-  /// Per closed curve the point indices around it; empty where the curve collapsed.
+  /// Point indices around each closed curve; empty where the curve collapsed.
   std::vector<std::vector<int>> loops;
-  /// Per open line the point indices along it; likewise.
+  /// Point indices along each open line; empty where the line collapsed.
   std::vector<std::vector<int>> lines;
-  /// Per closed curve and input point the index that stands for it.
+  /// For each point of each closed curve the index of the point that replaces it.
   std::vector<std::vector<int>> image;
 };
 
-/// Bounds of the snapping, as fractions of the shorter of the edges involved.
+/// Bounds of the snapping over the length of the shortest edge involved.
 inline constexpr double snap_to_vertex = 0.15;
 inline constexpr double snap_to_edge = 0.1;
 
 /// Splices closed curves and open lines at crossings and contacts. A vertex moves by at most
-/// snap_to_vertex of its shorter edge, those of lines rather than those of curves; a curve is bent
-/// to a vertex at most snap_to_edge of the shorter edge beside it; but in the
-/// end no two vertices are nearer than `grain`, and no vertex and edge than half of it. Fails with
-/// bad_input where the curves are too tangled to settle, or limit where they cross too often.
-/// Near-linear for edges of similar length.
+/// snap_to_vertex of its shorter edge, vertices of lines before those of curves. A curve bends to a
+/// vertex by at most snap_to_edge of the shorter edge involved. In the end no two vertices are
+/// nearer than `grain`, and no vertex is nearer to an edge than half of it; for that both may move
+/// farther. Fails with bad_input where the curves are too tangled to settle, and with limit where
+/// they cross too often. Near-linear for edges of similar length.
 Result<SplicedCurves> splice_curves(const std::vector<InputCurve>& curves,
                                     const std::vector<InputCurve>& lines = {}, double grain = 0);
 

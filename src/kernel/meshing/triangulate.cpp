@@ -26,12 +26,13 @@ using Triangulation =
 
 constexpr int steps_between_looks = 4096;
 
+/// A face with its corners, the smallest first.
 struct CornerFace {
   std::array<int, 3> corners;
   Triangulation::Face_handle face;
 };
 
-/// Which corner of a face has the smallest number.
+/// Returns the corner of a face with the smallest number.
 int first_corner(Triangulation::Face_handle face) {
   int first = 0;
   for (int k = 1; k < 3; ++k)
@@ -39,8 +40,8 @@ int first_corner(Triangulation::Face_handle face) {
   return first;
 }
 
-/// All triangles by their corners, smallest first: an order that does not depend on the one in
-/// which points were inserted, which differs between standard libraries.
+/// Sorts all triangles by their corners. This order does not depend on the one in which points were
+/// inserted, which differs between standard libraries.
 std::vector<CornerFace> sorted_faces(const Triangulation& cdt) {
   std::vector<CornerFace> faces;
   faces.reserve(cdt.number_of_faces());
@@ -75,8 +76,8 @@ PlanarTriangulation numbered_triangles(const Triangulation& cdt) {
   return out;
 }
 
-/// Inserts the points along a curve that fills the plane; a vertex for each, null where another
-/// point lies there already or `context` was cancelled before.
+/// Inserts the points along a space-filling curve. Returns the vertex of each, null where another
+/// point coincides with it or `context` was cancelled before.
 std::vector<Triangulation::Vertex_handle> insert_points(const std::vector<Point2>& points,
                                                         Triangulation& cdt,
                                                         const RunContext& context) {

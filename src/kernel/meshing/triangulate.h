@@ -12,18 +12,19 @@ namespace relievo {
 /// A triangulation of the convex hull of its points.
 struct PlanarTriangulation {
   std::vector<std::array<int, 3>> triangles;  ///< #T, positive signed area
-  /// #T x 3: triangle across the edge opposite to corner k, or -1 on the hull.
+  /// #T, for each corner k the triangle across the opposite edge, or -1 on the hull.
   std::vector<std::array<int, 3>> neighbours;
 };
 
-/// Constrained Delaunay triangulation. Preconditions: points are distinct, edges do not cross and
-/// contain no points other than their ends. Triangles are sorted, so that the result depends on
-/// the input only. Fails with interrupted where `context` is cancelled. O(n log n).
+/// Computes the constrained Delaunay triangulation. Preconditions: points are distinct; edges do
+/// not cross and contain no points other than their ends. Triangles are sorted, so that the result
+/// depends on the input only. Fails with interrupted where `context` is cancelled, and with
+/// internal where a precondition is violated. O(n log n).
 Result<PlanarTriangulation> triangulate(const std::vector<Point2>& points,
                                         const std::vector<std::array<int, 2>>& edges,
                                         const RunContext& context = {});
 
-/// Sign of the signed area of the triangle abc, exact: 1, 0 or -1.
+/// Computes the exact sign of the signed area of triangle abc: 1, 0 or -1.
 int orientation(Point2 a, Point2 b, Point2 c);
 
 }  // namespace relievo

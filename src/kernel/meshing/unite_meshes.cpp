@@ -27,8 +27,8 @@ using Face = Mesh::Face_index;
 using Vertex = Mesh::Vertex_index;
 using Sources = Mesh::Property_map<Face, UnitedSource>;
 
-/// Edges up to so many units long are contracted at once, in the last round four times as long ones
-/// as in the one before.
+/// Length in units up to which edges are contracted in the first round; four times as long in each
+/// further round.
 constexpr double shortest_edge = 16;
 constexpr int tidy_rounds = 7;
 
@@ -38,7 +38,7 @@ Sources sources_of(Mesh& mesh) {
   return mesh.add_property_map<Face, UnitedSource>("f:source", UnitedSource{}).first;
 }
 
-/// Hands the sources of faces on to what they are cut into and copied to.
+/// Passes the sources of faces on to their pieces and copies.
 struct SourceKeeper : pmp::Corefinement::Default_visitor<Mesh> {
   void before_subface_creations(Face face, Mesh& mesh) { cut = sources_of(mesh)[face]; }
   void after_subface_created(Face face, Mesh& mesh) { sources_of(mesh)[face] = cut; }
@@ -48,7 +48,7 @@ struct SourceKeeper : pmp::Corefinement::Default_visitor<Mesh> {
   UnitedSource cut;
 };
 
-/// Nothing where an edge has more than two triangles.
+/// Copies solid `number` into a mesh. Returns false where an edge does not have two triangles.
 bool fill(const ClosedMesh& solid, int number, Mesh& mesh) {
   mesh.reserve(static_cast<Mesh::size_type>(solid.points.size()),
                static_cast<Mesh::size_type>(3 * solid.triangles.size() / 2),
@@ -73,7 +73,7 @@ bool fill(const ClosedMesh& solid, int number, Mesh& mesh) {
   return CGAL::is_closed(mesh);
 }
 
-/// Points that were rounded to others; those of the solids were not.
+/// Marks the points that rounding has moved; points of the solids are not among them.
 using Moved = Mesh::Property_map<Vertex, bool>;
 
 Moved round_points(double unit, Mesh& mesh) {
@@ -87,8 +87,8 @@ Moved round_points(double unit, Mesh& mesh) {
   return moved;
 }
 
-/// Contracts the shortest edge of a triangle, if it is at most so long and has a moved end. Whether
-/// it did.
+/// Contracts the shortest edge of a triangle with a moved end, if it is at most `longest`. Returns
+/// whether it did.
 bool contract_shortest(Face face, double longest, const Moved& moved, Mesh& mesh) {
   Mesh::Halfedge_index best;
   double least = longest * longest;
@@ -112,8 +112,8 @@ bool contract_shortest(Face face, double longest, const Moved& moved, Mesh& mesh
   return true;
 }
 
-/// Whether no triangles cross any more, once edges along the line where the solids meet that are
-/// too short for the grid are contracted; longer ones where that does not suffice.
+/// Contracts edges, along the line where the solids meet, that are too short for the grid, and
+/// longer ones where that does not suffice. Returns whether no triangles cross any more.
 bool tidy(double unit, const Moved& moved, Mesh& mesh) {
   double longest = shortest_edge * unit;
   std::vector<Face> open(mesh.faces().begin(), mesh.faces().end());
@@ -147,7 +147,8 @@ UnitedMesh read(Mesh& mesh) {
   return united;
 }
 
-/// The surfaces that are left when those that look inwards are dropped, and what these enclosed.
+/// Drops the surfaces that face inwards. Returns the number of those left and the volume that the
+/// dropped ones enclosed.
 std::pair<int, double> drop_hollows(Mesh& mesh) {
   auto piece = mesh.add_property_map<Face, size_t>("f:piece").first;
   const size_t count = pmp::connected_components(mesh, piece);
@@ -202,7 +203,7 @@ Result<UnitedMesh> unite_meshes(const ClosedMesh& first, const ClosedMesh& secon
 
 namespace relievo {
 
-// It would make the page's download a good deal longer, and the page has no use for it.
+// The page has no use for it, and it would make the download much larger.
 Result<UnitedMesh> unite_meshes(const ClosedMesh&, const ClosedMesh&, double) {
   return Error{ErrorCode::usage, "solids cannot be united in the browser", ""};
 }

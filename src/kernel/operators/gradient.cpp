@@ -14,21 +14,23 @@
 namespace relievo {
 namespace {
 
-/// Neighbours a quadratic fit needs at least; five would merely interpolate.
+/// Least number of neighbours of a quadratic fit; five would merely interpolate.
 constexpr size_t enough_neighbours = 6;
-/// Of a node on average, with room to spare.
+/// Neighbours of a node on average, with room to spare.
 constexpr size_t usual_neighbours = 9;
-/// Stencils are made in up to so many pieces, each with a look-up as large as the mesh.
+/// Stencils are made in up to so many pieces, as each needs a look-up table as large as the mesh.
 constexpr int most_pieces = 16;
+/// Nodes per piece at least.
 constexpr int least_nodes = 4096;
 
-/// Least squares fit of a x + b y + c x^2 + d x y + e y^2, samples weighted by 1 / distance^2: what
-/// it says of a and b, c, d and e being eliminated.
+/// The least squares fit of a x + b y + c x^2 + d x y + e y^2 with weights 1 / distance^2. Solves
+/// the normal equations for the gradient (a, b) by eliminating c, d and e.
 class QuadraticFit {
  public:
-  /// `reach` is the longest of the offsets.
+  /// `reach`: length of the longest offset.
   explicit QuadraticFit(double reach) : per_reach_(1 / reach) {}
 
+  /// Adds a sample at `offset` from the node.
   void add(Point2 offset) {
     const Sample s = sample_at(offset);
     const double xx = s.weight * s.xx;
@@ -42,7 +44,7 @@ class QuadraticFit {
     quartic_[4] += yy * s.yy;
   }
 
-  /// Solves for the gradient at the origin; false where the samples do not determine it.
+  /// Prepares weight_of(). Returns false where the samples do not determine the gradient.
   bool solve() {
     Eigen::Matrix3d quadratic;        // lower triangle
     quadratic << quartic_[0], 0, 0,   //
@@ -69,7 +71,8 @@ class QuadraticFit {
     return true;
   }
 
-  /// By how much the gradient grows with the value at a sample. After solve().
+  /// Returns the derivative of the gradient by the value at a sample. Precondition: solve()
+  /// returned true.
   Point2 weight_of(Point2 offset) const {
     const Sample s = sample_at(offset);
     const Eigen::Vector2d rest =
@@ -91,50 +94,38 @@ class QuadraticFit {
     return {1 / (x * x + y * y), x, y, x * x, x * y, y * y};
   }
 
-  static constexpr double flatness = 1e-4;
+  static constexpr double flatness = 1e-4;  ///< least ratio of the pivots
   double per_reach_;
-  // Sums of the weighted products: of the linear terms, of those with the quadratic ones, of these.
+  // The blocks of the normal matrix: weighted sums of products of two linear terms, of a linear and
+  // a quadratic one, and of two quadratic ones.
   Eigen::Vector3d linear_ = Eigen::Vector3d::Zero();  ///< xx xy yy
   Eigen::Vector4d cubic_ = Eigen::Vector4d::Zero();   ///< xxx xxy xyy yyy
   std::array<double, 5> quartic_{};                   ///< xxxx xxxy xxyy xyyy yyyy
-  Eigen::Matrix<double, 3, 2> eliminated_;
-  std::array<double, 3> inverse_{};  ///< of what is left for the linear terms: xx xy yy
+  Eigen::Matrix<double, 3, 2> eliminated_;            ///< quadratic block^-1 times the mixed block
+  std::array<double, 3> inverse_{};                   ///< of the Schur complement: xx xy yy
 };
 
-/// Collects the nodes around one node after the other.
-class Neighbourhoods {
- public:
-  Neighbourhoods(const FlatMesh& mesh, const NodeCorners& corners)
-      : mesh_(mesh), corners_(corners), seen_(mesh.positions.size(), -1) {}
-
-  /// One ring of neighbours inside; two on a boundary and where one has too few.
-  const std::vector<int>& around(int node) {
-    nodes_.clear();
-    seen_[node] = node;
-    add_ring(node, node);
-    const size_t ring = nodes_.size();
-    if (ring != corners_.at(node).size() || ring < enough_neighbours)
-      for (size_t i = 0; i < ring; ++i) add_ring(nodes_[i], node);
-    return nodes_;
-  }
-
- private:
-  void add_ring(int centre, int node) {
-    for (const Corner corner : corners_.at(centre))
-      for (const int other : mesh_.triangles[triangle_of(corner)]) {
-        if (seen_[other] == node) continue;
-        seen_[other] = node;
-        nodes_.push_back(other);
+/// Collects in `nodes` the neighbours that the fit at `node` takes: one ring inside; two on a
+/// boundary and where one has too few. `seen`, #N: the last node for which each was collected.
+void collect_neighbours(const FlatMesh& mesh, const NodeCorners& corners, int node,
+                        std::vector<int>& seen, std::vector<int>& nodes) {
+  const auto add_ring = [&](int centre) {
+    for (const Corner corner : corners.at(centre))
+      for (const int other : mesh.triangles[triangle_of(corner)]) {
+        if (seen[other] == node) continue;
+        seen[other] = node;
+        nodes.push_back(other);
       }
-  }
+  };
+  nodes.clear();
+  seen[node] = node;
+  add_ring(node);
+  const size_t ring = nodes.size();
+  if (ring != corners.at(node).size() || ring < enough_neighbours)
+    for (size_t i = 0; i < ring; ++i) add_ring(nodes[i]);
+}
 
-  const FlatMesh& mesh_;
-  const NodeCorners& corners_;
-  std::vector<int> seen_;
-  std::vector<int> nodes_;
-};
-
-/// Appends the stencil of a quadratic fit; false where there is none.
+/// Appends the stencil of a quadratic fit. Returns false where the fit is not determined.
 bool append_fit(const FlatMesh& mesh, int node, const std::vector<int>& around,
                 GradientStencils& stencils) {
   const Point2 origin = mesh.positions[node];
@@ -167,7 +158,7 @@ Point2 face_gradient(const FlatMesh& mesh, std::span<const double> values, int f
           (along_f * e.x - along_e * f.x) / twice_area};
 }
 
-/// Appends the stencil of the area-weighted mean of the gradients on the faces around.
+/// Appends the stencil of the area-weighted mean of the gradients on the faces around the node.
 void append_mean(const FlatMesh& mesh, int node, const NodeCorners& corners,
                  GradientStencils& stencils) {
   double twice_area = 0;
@@ -189,18 +180,19 @@ void append_mean(const FlatMesh& mesh, int node, const NodeCorners& corners,
   }
 }
 
-/// The stencils of nodes [first, last), with `begin` from 0.
+/// Computes the stencils of the nodes [first, last), with `begin` counted from 0.
 GradientStencils stencils_of_range(const FlatMesh& mesh, const NodeCorners& corners, int first,
                                    int last) {
-  Neighbourhoods neighbourhoods(mesh, corners);
+  std::vector<int> seen(mesh.positions.size(), -1);
+  std::vector<int> around;
   GradientStencils stencils;
   stencils.begin.reserve(static_cast<size_t>(last - first) + 1);
   stencils.neighbour.reserve(usual_neighbours * static_cast<size_t>(last - first));
   stencils.weight.reserve(stencils.neighbour.capacity());
   stencils.begin.push_back(0);
   for (int n = first; n < last; ++n) {
-    if (!append_fit(mesh, n, neighbourhoods.around(n), stencils))
-      append_mean(mesh, n, corners, stencils);
+    collect_neighbours(mesh, corners, n, seen, around);
+    if (!append_fit(mesh, n, around, stencils)) append_mean(mesh, n, corners, stencils);
     stencils.begin.push_back(stencils.neighbour.size());
   }
   return stencils;

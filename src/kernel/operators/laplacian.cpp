@@ -8,7 +8,7 @@
 namespace relievo {
 namespace {
 
-/// Half the cotangent of the angle at each corner.
+/// Computes half the cotangent of the angle at each corner, #F.
 std::vector<std::array<double, 3>> half_cotangents(const FlatMesh& mesh) {
   std::vector<std::array<double, 3>> weights(mesh.triangles.size());
   for (size_t t = 0; t < weights.size(); ++t) {
@@ -26,12 +26,13 @@ std::vector<std::array<double, 3>> half_cotangents(const FlatMesh& mesh) {
 /// Builds a compressed matrix column by column from unordered contributions.
 class ColumnBuilder {
  public:
-  /// `entries` is a guess of their number.
+  /// `entries`: estimated number of entries of the matrix.
   ColumnBuilder(int rows, int columns, Eigen::Index entries)
       : matrix_(rows, columns), slots_(static_cast<size_t>(rows)) {
     matrix_.resizeNonZeros(entries);
   }
 
+  /// Adds to an entry of the current column.
   void add(int row, double value) {
     Slot& slot = slots_[row];
     if (slot.column != column_) {
@@ -41,6 +42,7 @@ class ColumnBuilder {
     slot.value += value;
   }
 
+  /// Writes the current column and begins the next one.
   void finish_column() {
     if (!std::is_sorted(rows_.begin(), rows_.end())) std::sort(rows_.begin(), rows_.end());
     const int begin = matrix_.outerIndexPtr()[column_];
@@ -53,6 +55,7 @@ class ColumnBuilder {
     rows_.clear();
   }
 
+  /// Returns the matrix. Precondition: all columns are finished.
   SparseMatrix take() {
     matrix_.resizeNonZeros(matrix_.outerIndexPtr()[column_]);
     SparseMatrix taken;
@@ -61,7 +64,7 @@ class ColumnBuilder {
   }
 
  private:
-  /// The sum in a row, of the column that last touched it.
+  /// The sum in a row of the last column that has an entry there.
   struct Slot {
     int column = -1;
     double value = 0;

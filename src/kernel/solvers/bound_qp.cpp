@@ -4,26 +4,29 @@
 #include <cassert>
 #include <utility>
 
-#include "kernel/cholesky/symmetric_graph.h"
+#include "kernel/cholesky/sparse_products.h"
 #include "kernel/solvers/face_solver.h"
+#include "kernel/solvers/relax_around.h"
 
 namespace relievo {
 namespace {
 
 using Eigen::VectorXd;
 
+/// Iterations in a row in which the number of wrong bounds may fail to fall.
 constexpr int block_tries = 3;
-/// How often wrong bounds may grow more numerous without counting as such a try.
+/// How often that number may grow without counting as one of them.
 constexpr int max_leaps = 2;
-/// So few wrong bounds are likely to be the last ones: the next solve is one to end with.
+/// With so few wrong bounds the next solve is likely to be the last.
 constexpr size_t few = 8;
 
+/// Sets negative bounded unknowns to 0.
 void project(const BoundQp& problem, VectorXd& z) {
   for (Eigen::Index i = 0; i < z.size(); ++i)
     if (problem.bounded[i] != 0) z[i] = std::max(z[i], 0.0);
 }
 
-/// The lowest point along the negative gradient of the bounds that pull.
+/// Moves z to the lowest point along the negative gradient of the bounds `pulling`.
 void release(const BoundQp& problem, const std::vector<int>& pulling, const VectorXd& mu,
              VectorXd& z) {
   VectorXd direction = VectorXd::Zero(z.size());
@@ -32,8 +35,8 @@ void release(const BoundQp& problem, const std::vector<int>& pulling, const Vect
   z += direction.squaredNorm() / curvature * direction;
 }
 
-/// The longest of the steps 1, 1/2, 1/4, ... along the projected direction that lowers the
-/// energy; at least as far as the first bound.
+/// Returns the longest of the steps 1, 1/2, 1/4, ... along the projected direction that lowers the
+/// energy, or else the step to the first bound.
 VectorXd projected_step(const BoundQp& problem, const VectorXd& z, const VectorXd& direction) {
   double to_bound = 1;
   for (Eigen::Index i = 0; i < z.size(); ++i)
@@ -52,7 +55,8 @@ VectorXd projected_step(const BoundQp& problem, const VectorXd& z, const VectorX
   return end - z;
 }
 
-/// Guesses active bounds until none is on the wrong side.
+/// Guesses active bounds until none is on the wrong side. solution_.mu is the gradient until the
+/// end.
 class ActiveSetSolver {
  public:
   ActiveSetSolver(const BoundQp& problem, SparseCholesky& factor, BoundQpOptions options,
@@ -76,13 +80,12 @@ class ActiveSetSolver {
       if (problem.bounded[i] != 0) bounds_.push_back(static_cast<int>(i));
     if (!options.start_active.empty())
       for (const int i : bounds_) solution_.active[i] = options.start_active[i];
-    solution_.sweep = std::move(options.sweep);
-    const bool goes_on = options.start.size() > 0;
-    solution_.z = goes_on ? std::move(options.start) : VectorXd::Zero(problem.b.size());
+    const bool has_start = options.start.size() > 0;
+    solution_.z = has_start ? std::move(options.start) : VectorXd::Zero(problem.b.size());
     if (options.start_gradient.size() > 0)
       solution_.mu = std::move(options.start_gradient);
     else
-      solution_.mu = goes_on ? gradient_at(problem_, solution_.z) : solution_.z;
+      solution_.mu = has_start ? gradient_at(problem_, solution_.z) : solution_.z;
   }
 
   BoundQpSolution run() {
@@ -96,8 +99,8 @@ class ActiveSetSolver {
   }
 
  private:
-  /// Guesses anew around all wrong bounds at a time, or flips them where that did not reduce their
-  /// number; iteration_limit also where that does not get on.
+  /// Guesses around all wrong bounds at a time, or flips them where that did not reduce their
+  /// number. Returns iteration_limit also where neither makes progress.
   SolveStatus pivot_blocks() {
     size_t fewest = problem_.bounded.size() + 1;
     int tries = block_tries;
@@ -123,8 +126,8 @@ class ActiveSetSolver {
     return SolveStatus::iteration_limit;
   }
 
-  /// Goes from one feasible point to a lower one: towards the minimiser of the face that the zero
-  /// bounds span, or away from it where it is reached. No face's minimiser occurs twice.
+  /// Moves from one feasible point to a lower one: towards the minimiser of the face of its zero
+  /// bounds, or off that face where it is reached. No face's minimiser occurs twice.
   SolveStatus descend() {
     VectorXd z = solution_.z;
     project(problem_, z);
@@ -145,7 +148,7 @@ class ActiveSetSolver {
     return SolveStatus::iteration_limit;
   }
 
-  /// The bounds that are on the wrong side; that there are none is decided on refined values.
+  /// Returns the bounds on the wrong side. That there are none is decided on refined values.
   std::vector<int> refined_wrong_bounds() {
     std::vector<int> wrong = wrong_bounds();
     if (!refines_) return wrong;
@@ -171,8 +174,9 @@ class ActiveSetSolver {
     for (const int i : bounds) solution_.active[i] = solution_.active[i] == 0;
   }
 
-  /// After a leap: what came loose with its last active bound has passed many others at once, of
-  /// which few will stop it. Those become active that are passed by more than all around them.
+  /// Guesses after a leap: a part that lost its last active bound violates many bounds at once, of
+  /// which few will stop it. Makes the wrong bounds active whose violation is the largest among
+  /// their neighbours.
   void catch_deepest(const std::vector<int>& wrong) {
     const auto deepest = [&](int i) {
       const int* first = &graph_.neighbour[graph_.begin[i]];
@@ -186,13 +190,10 @@ class ActiveSetSolver {
 
   void guess_around(const std::vector<int>& wrong) {
     if (is_dense()) return flip(wrong);
-    const ActiveGuess guess = relax_around(
-        wrong, {problem_.K, graph_, problem_.bounded, problem_.fixed, solution_.z, solution_.mu});
-    for (size_t i = 0; i < guess.unknowns.size(); ++i)
-      solution_.active[guess.unknowns[i]] = guess.active[i];
+    relax_around(wrong, problem_, graph_, solution_);
   }
 
-  /// Whether nothing is far from anything: then a solve costs no more than relaxing.
+  /// Returns whether most unknowns are neighbours: then a solve costs no more than relaxing.
   bool is_dense() const {
     const double size = static_cast<double>(problem_.b.size());
     return static_cast<double>(graph_.neighbour.size()) > 0.5 * size * size;
@@ -207,7 +208,7 @@ class ActiveSetSolver {
     return wrong;
   }
 
-  /// Bounds that round-off left barely on the wrong side become active, so that z >= 0 exactly.
+  /// Makes bounds active that round-off left barely on the wrong side, so that z >= 0 exactly.
   void snap_to_bounds() {
     for (const int i : bounds_) {
       if (solution_.z[i] > 0 || solution_.z[i] < -tolerance_) continue;

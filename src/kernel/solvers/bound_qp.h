@@ -10,41 +10,42 @@
 
 namespace relievo {
 
-/// Minimise 1/2 z'Kz - b'z subject to z_i >= 0 where bounded[i] and z_i = 0 where fixed[i]. K is
-/// positive definite.
+/// The problem of minimising 1/2 z'Kz - b'z subject to z_i >= 0 where bounded[i] and z_i = 0 where
+/// fixed[i]. K is symmetric positive definite.
 struct BoundQp {
   SparseMatrix K;                ///< n x n, lower triangle with the whole diagonal
   Eigen::VectorXd b;             ///< n, finite
   std::vector<uint8_t> bounded;  ///< n, 0 or 1
-  std::vector<uint8_t> fixed;    ///< n, 0 or 1, not where bounded; empty: none
+  std::vector<uint8_t> fixed;    ///< n, 0 or 1, never both 1; empty: none
 };
 
 struct BoundQpOptions {
-  std::vector<uint8_t> start_active;  ///< n: bounds first taken to hold with equality; empty: none
-  bool same_matrix = false;           ///< K is the one that the factor was last computed of
-  /// n, a point near the minimiser, 0 where fixed: only what is different from it is solved for.
-  /// Empty: none; the result then depends on the problem and its active set alone, to the last bit.
+  std::vector<uint8_t> start_active;  ///< n: bounds first guessed to be active; empty: none
+  /// n, a point near the minimiser, 0 where fixed: the solver computes the difference from it.
+  /// Without a start (empty) the result depends on the problem and its active set alone, to the
+  /// last bit.
   Eigen::VectorXd start;
   Eigen::VectorXd start_gradient;  ///< n, K start - b, if known; or empty
-  /// Whether the residual of the free unknowns is computed at the end, and refined. Where not, it
-  /// is taken to be what `start_gradient` says and 0 after a solve: round-off adds up.
+  /// Whether the residual of the free unknowns is computed and refined at the end, where there is a
+  /// start. Without it the residual is taken from `start_gradient`, and as 0 after a solve, so that
+  /// round-off adds up over a sequence of programs.
   bool refine = true;
-  ForwardSweep sweep;  ///< of the last solution with this factor, which may save repeating it
   int max_iterations = 500;
-  /// A bound changes sides when z or mu is below -tolerance * max(1, |b|).
+  /// A bound is on the wrong side where z or mu is below -tolerance * max(1, |b|).
   double tolerance = 1e-13;
 };
 
+/// The outcome of a solver.
 enum class SolveStatus { solved, iteration_limit, not_positive_definite, interrupted };
 
-/// How a bound-constrained quadratic program was solved. Residuals are in the units that the
-/// solver was given (scene units), in the maximum norm relative to max(1, |b|).
+/// Statistics of a solution. Residuals are in the units of the problem, in the maximum norm,
+/// divided by max(1, |b|).
 struct BoundQpReport {
   SolveStatus status = SolveStatus::solved;
   int iterations = 0;
   int factorisations = 0;
   int safeguard_steps = 0;     ///< iterations of the safeguard that ends cycles
-  int active = 0;              ///< bounds that hold with equality
+  int active = 0;              ///< number of active bounds
   double stationarity = 0;     ///< max |K z - b - mu|
   double primal = 0;           ///< worst violation of z >= 0
   double dual = 0;             ///< worst violation of mu >= 0
@@ -52,26 +53,33 @@ struct BoundQpReport {
   double energy = 0;           ///< 1/2 z'Kz - b'z
 };
 
-/// The minimiser, exactly 0 where active and never negative on other bounds; K z - b = mu.
+/// The minimiser z, exactly 0 where active and never negative on other bounds, with K z - b = mu.
 struct BoundQpSolution {
   Eigen::VectorXd z;            ///< n
-  Eigen::VectorXd mu;           ///< n, multipliers: 0 but where active
-  Eigen::VectorXd gradient;     ///< n, K z - b; what differs from mu is round-off
-  std::vector<uint8_t> active;  ///< n, 1 where fixed and where the bound holds with equality
-  ForwardSweep sweep;           ///< of the last direct solve
+  Eigen::VectorXd mu;           ///< n, multipliers, 0 where not active
+  Eigen::VectorXd gradient;     ///< n, K z - b, mu up to round-off
+  std::vector<uint8_t> active;  ///< n, 1 where fixed or the bound is active
   BoundQpReport report;
 };
 
-/// Primal-dual active set: every iteration fixes the guessed active bounds to 0 (their rows and
-/// columns become the identity, so the pattern never changes), solves for the rest and guesses anew
-/// around all bounds with the wrong sign, by local relaxation; where their number did not fall,
-/// they change sides instead (block pivoting, Judice and Pires 1994). Where it does not fall four
-/// times in a row, a safeguard takes over that lowers the energy in every iteration, moving along
-/// projected directions from face to face (as More and Toraldo 1991 do, with exact solutions on the
-/// faces); both together end after finitely many iterations. Refines iteratively, so that the
-/// residuals of the report stay near round-off. `factor` must have analysed the pattern of K
-/// incrementally, and holds the last factor afterwards. Watches `context` between factorisations,
-/// of which every iteration takes one.
+/// Solves a bound-constrained quadratic program by a primal-dual active set method. The solution
+/// satisfies the KKT conditions
+///   K z - b = mu,  z >= 0,  mu >= 0,  z mu = 0   on bounds,   K z = b   on free unknowns.
+/// Each iteration
+///   1. sets the guessed active bounds to 0 (their rows and columns become those of the identity,
+///   so
+///      that the pattern never changes) and solves for the other unknowns;
+///   2. collects the bounds on the wrong side, z < 0 or mu < 0, and ends if there are none;
+///   3. guesses the active bounds around them by local relaxation (relax_around). Where their
+///   number
+///      did not fall, they change sides instead (block pivoting, Judice and Pires 1994).
+/// Where their number does not fall several times in a row, a safeguard takes over that lowers the
+/// energy in each iteration: it moves along projected directions from face to face (More and
+/// Toraldo 1991, with exact solutions on the faces). Both together end after finitely many
+/// iterations. Iterative refinement keeps the residuals of the report near round-off.
+///
+/// Precondition: `factor` has analysed the pattern of K incrementally. It holds the last factor
+/// afterwards. One factorisation an iteration; checks `context` before each.
 BoundQpSolution solve_bound_qp(const BoundQp& problem, SparseCholesky& factor,
                                BoundQpOptions options = {}, const RunContext& context = {});
 

@@ -122,7 +122,7 @@ std::optional<VectorXd> PoissonSystem::solve(const PoissonBoundary& boundary, co
     if (!factor_.refactorise(A_, fixed, context)) return std::nullopt;
     last_ = boundary;
   }
-  const VectorXd x = factor_.solve(b, sweep_);
+  const VectorXd x = factor_.solve(b);
   if (!x.allFinite()) return std::nullopt;
   VectorXd u = VectorXd::Zero(load.size());
   for (Index i = 0; i < unknowns; ++i) u[node_[i]] = x[i];

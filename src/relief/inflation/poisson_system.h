@@ -57,7 +57,6 @@ class PoissonSystem {
   SparseMatrix A_;  ///< L + B that was last factorised
   SparseCholesky factor_;
   std::optional<PoissonBoundary> last_;  ///< conditions in the factor, if there is one
-  ForwardSweep sweep_;                   ///< of the last solution
 };
 
 /// Returns the source of u inside a part: c d|d|, and for a flat part the factor

@@ -23,7 +23,7 @@
 #include <numeric>
 #include <utility>
 
-#include "kernel/cholesky/symmetric_graph.h"
+#include "kernel/cholesky/sparse_products.h"
 #include "relief/nonlinear/shift_matrix.h"
 
 namespace relievo::relief {

@@ -19,7 +19,7 @@
 #include <numeric>
 #include <utility>
 
-#include "kernel/cholesky/symmetric_graph.h"
+#include "kernel/cholesky/sparse_products.h"
 
 namespace relievo::relief {
 
@@ -46,7 +46,6 @@ BoundQpSolution solve_program(DepthSystem& system, BoundQpOptions options,
   options.start_active = std::move(system.closed);
   options.tolerance = contact_tolerance;
   BoundQpSolution solution = solve_bound_qp(system.qp, system.factor, std::move(options), context);
-  system.factorised = solution.report.factorisations > 0;
   system.closed = std::move(solution.active);
   return solution;
 }
@@ -135,7 +134,6 @@ Contact ContactStep::solve_fixed(const VectorXd& f, const RunContext& context) {
   const VectorXd force = multiply_transposed(metric.A, d) + metric.b;
   depth_.qp.b = multiply_transposed(depth_.T, force);
   BoundQpOptions options;
-  options.same_matrix = depth_.factorised;
   options.start = std::move(z_);
   options.start_gradient = std::move(gradient_);
   options.refine = false;

@@ -108,7 +108,6 @@ void set_forest(DepthForest forest, const ShiftMetric& metric, DepthSystem& syst
     (gap.equal ? system.qp.fixed : system.qp.bounded)[gap.child] = 1;
   system.forest = std::move(forest);
   system.closed.clear();
-  system.factorised = false;
 }
 
 DepthSystem make_depth_system(DepthForest forest, const ShiftMetric& metric,
@@ -133,8 +132,6 @@ SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const 
   system.qp.b = system.T.transpose() * force;
   BoundQpOptions options;
   options.start_active = system.closed;
-  options.same_matrix = system.factorised;
-  options.sweep = std::move(system.sweep);
   BoundQpSolution solution = solve_bound_qp(system.qp, system.factor, std::move(options), context);
   ordering.h = heights_of(system, root_heights(system.forest, f), solution.z, metric.scale);
   ordering.equalities = count(system.qp.fixed);
@@ -142,8 +139,6 @@ SolveStatus solve_heights(DepthSystem& system, const ShiftMetric& metric, const 
   ordering.report = solution.report;
   ordering.report.energy += 0.5 * (d.dot(force) + metric.rest(-d));
   system.closed = std::move(solution.active);
-  system.sweep = std::move(solution.sweep);
-  system.factorised = solution.report.factorisations > 0;
   return solution.report.status;
 }
 

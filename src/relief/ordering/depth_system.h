@@ -22,8 +22,6 @@ struct DepthSystem {
   BoundQp qp;                   ///< K = T'A T; gaps are bounded or fixed; b of the last solve
   SparseCholesky factor;        ///< analysed incrementally
   std::vector<uint8_t> closed;  ///< #N: gaps of the first active set, then of the last; or empty
-  bool factorised = false;      ///< whether the factor is one of K
-  ForwardSweep sweep;           ///< of the last solution with the factor, if any
 
   bool is_root(int node) const { return qp.bounded[node] == 0 && qp.fixed[node] == 0; }
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
+#include "kernel/image/mask.h"
 #include "kernel/image/mask_pieces.h"
 #include "kernel/image/morphology.h"
 #include "understanding/figure/figure_mask.h"
@@ -72,7 +73,7 @@ Image8 find_page(RegionMerging& regions, const Basins& basins, int paper) {
       without_holes(mask_where(basins.index.width, basins.index.height, [&](size_t i) {
         return regions.region_of(basins.index.pixels[i]) == paper;
       }));
-  const int64_t area = count_of(page);
+  const int64_t area = pixel_count(page);
   const auto all = static_cast<int64_t>(page.pixels.size());
   if (static_cast<double>(area) < page_share * static_cast<double>(all) ||
       page_overlap(page) < least_page_overlap)

@@ -9,6 +9,7 @@
 
 #include "kernel/image/components.h"
 #include "kernel/image/image_size.h"
+#include "kernel/image/mask.h"
 #include "kernel/image/mask_pieces.h"
 #include "kernel/image/morphology.h"
 #include "kernel/image/outlines.h"
@@ -106,8 +107,8 @@ void open_slits(const Image8& paint, Image8& closed) {
   Image8 added = closed;
   for (size_t i = 0; i < added.pixels.size(); ++i)
     if (paint.pixels[i] != 0) added.pixels[i] = 0;
-  const auto figure = static_cast<double>(count_of(closed));
-  if (static_cast<double>(count_of(added)) > grain_share * figure) return;
+  const auto figure = static_cast<double>(pixel_count(closed));
+  if (static_cast<double>(pixel_count(added)) > grain_share * figure) return;
   const Components gaps = connected_components(added, Connectivity::sides);
   const Components open = connected_components(complement(closed), Connectivity::sides);
   const std::vector<uint8_t> is_page = pieces_at_edge(open);
@@ -133,9 +134,9 @@ FigureMask find_figure(const Image8& rgba, const Image8& rgb, const LineMap& map
                        bool on_pure_white) {
   const Image8 opaque =
       mask_where(rgba.width, rgba.height, [&](size_t i) { return rgba.pixels[4 * i + 3] >= 128; });
-  const int64_t pixels = count_of(opaque);
+  const int64_t pixels = pixel_count(opaque);
   if (pixels < static_cast<int64_t>(opaque.pixels.size())) {
-    const auto surrounded = static_cast<double>(count_of(without_holes(opaque)));
+    const auto surrounded = static_cast<double>(pixel_count(without_holes(opaque)));
     if (static_cast<double>(pixels) < solid_share * surrounded || pixels == 0) return {};
     return {opaque, true, true};
   }

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "kernel/image/distance_transform.h"
-#include "kernel/image/filters.h"
 #include "kernel/image/watershed.h"
 #include "understanding/areas/basin_graph.h"
 

@@ -9,6 +9,7 @@
 
 #include "kernel/image/blur.h"
 #include "kernel/image/components.h"
+#include "kernel/image/mask.h"
 #include "kernel/image/mask_pieces.h"
 #include "kernel/image/morphology.h"
 #include "kernel/image/outlines.h"
@@ -52,7 +53,7 @@ bool is_painted(const Image8& rgb, bool on_pure_white) {
   if (drawn.empty()) return false;
   const Image8 wide = min_filter(covered, static_cast<int>(std::lround(half_line(cells))) + 1);
   const double box = (drawn.max.x - drawn.min.x) * (drawn.max.y - drawn.min.y);
-  return static_cast<double>(count_of(wide)) > painted_share * box;
+  return static_cast<double>(pixel_count(wide)) > painted_share * box;
 }
 
 /// Returns one value a pixel in which lines are dark. On paint this is the brightest channel, since

@@ -1,6 +1,7 @@
 #include "understanding/lines/stroke_ends.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -145,8 +146,8 @@ class StrokeWalk {
 /// Returns whether a stroke ends at a pixel inside the picture: its one or two neighbours lie
 /// together.
 bool is_end(const Image8& thinned, int i) {
-  const RingCount count = count_ring(ring_around(&thinned.pixels[i], thinned.width));
-  return count.runs == 1 && count.pixels <= 2;
+  const uint32_t ring = ring_around(&thinned.pixels[i], thinned.width);
+  return runs_in_ring(ring) == 1 && std::popcount(ring) <= 2;
 }
 
 }  // namespace

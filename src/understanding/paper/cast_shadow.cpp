@@ -9,6 +9,7 @@
 
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/components.h"
+#include "kernel/image/mask.h"
 #include "kernel/image/mask_pieces.h"
 #include "kernel/image/morphology.h"
 #include "kernel/image/outlines.h"
@@ -239,7 +240,7 @@ Image8 without_cast_shadow(const Image8& rgba) {
   const Box2 figure = box_of(tinted);
   const double middle = (figure.min.y + figure.max.y - 1) / 2;
   Image8 shadow = soft_shadow(smoothly_reached(rgba), rgba, middle);
-  if (count_of(shadow) == 0) {
+  if (pixel_count(shadow) == 0) {
     shadow = hard_shadow(rgba, tinted, middle);
     if (shadow.empty()) return {};
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
+#include "kernel/image/mask.h"
 #include "kernel/image/mask_pieces.h"
 
 namespace relievo::understanding {
@@ -55,7 +56,7 @@ std::array<Point2, 4> corners_of(const Image8& mask) {
 }  // namespace
 
 double page_overlap(const Image8& mask) {
-  if (count_of(mask) == 0) return 0;
+  if (pixel_count(mask) == 0) return 0;
   const std::array<Point2, 4> corners = corners_of(mask);
   const auto is_between = [&](Point2 p) {
     for (size_t k = 0; k < 4; ++k)

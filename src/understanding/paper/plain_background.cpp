@@ -12,6 +12,7 @@
 #include "kernel/image/blur.h"
 #include "kernel/image/components.h"
 #include "kernel/image/image_size.h"
+#include "kernel/image/mask.h"
 #include "kernel/image/mask_pieces.h"
 #include "kernel/image/morphology.h"
 #include "understanding/lines/line_map.h"
@@ -199,7 +200,8 @@ bool is_lighter(const Image8& rgba, const Background& background, const Image8& 
 bool is_paint_on(const Image8& like) {
   const int half_line = static_cast<int>(widest_line / 2 * std::hypot(like.width, like.height));
   const Image8 wide = min_filter(complement(like), std::max(3, half_line));
-  return static_cast<double>(count_of(wide)) > wide_share * static_cast<double>(wide.pixels.size());
+  return static_cast<double>(pixel_count(wide)) >
+         wide_share * static_cast<double>(wide.pixels.size());
 }
 
 /// Computes for each piece of the `pieces` the difference of its mean from the background.
@@ -268,7 +270,7 @@ std::optional<ByteColour> colour_of_rim(const Image8& rgba, const Image8& mask) 
 
 /// Returns whether a mask on the background is a page: lighter, not small, and a quadrilateral.
 bool is_page(const Image8& rgba, const Background& background, const Image8& mask) {
-  const auto area = static_cast<double>(count_of(mask));
+  const auto area = static_cast<double>(pixel_count(mask));
   const auto is_inside = [&](int x, int y) { return mask.at(x, y) != 0; };
   if (area < least_page * static_cast<double>(mask.pixels.size()) ||
       share_of_edge(mask.width, mask.height, is_inside) > cut_page_share ||

@@ -10,6 +10,7 @@
 
 #include "kernel/image/blur.h"
 #include "kernel/image/compose.h"
+#include "kernel/image/mask.h"
 #include "kernel/image/mask_pieces.h"
 #include "understanding/paper/paper_light.h"
 #include "understanding/paper/pure_white.h"
@@ -109,8 +110,8 @@ void divide_by(Image8& rgb, const Light& lights) {
 
 /// Returns whether a good part of a picture's paint is white in `lit`.
 bool erases_paint(const Image8& rgb, const Image8& lit) {
-  const int64_t paint = count_of(tinted_pixels(rgb));
-  const int64_t erased = paint - count_of(tinted_pixels(lit));
+  const int64_t paint = pixel_count(tinted_pixels(rgb));
+  const int64_t erased = paint - pixel_count(tinted_pixels(lit));
   return static_cast<double>(erased) > erased_share * static_cast<double>(paint);
 }
 

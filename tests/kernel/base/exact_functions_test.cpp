@@ -15,9 +15,9 @@ double from_minus_one_to_one() { return *rc::gen::inRange(-1'000'000'000, 1'000'
 
 RC_GTEST_PROP(ExactFunctions, TurnByAnAngle, ()) {
   const double angle = 50 * from_minus_one_to_one();
-  const exact::Direction direction = exact::direction_of(angle);
-  RC_ASSERT(std::abs(direction.cosine - std::cos(angle)) < digits);
-  RC_ASSERT(std::abs(direction.sine - std::sin(angle)) < digits);
+  const Point2 direction = exact::direction_of(angle);
+  RC_ASSERT(std::abs(direction.x - std::cos(angle)) < digits);
+  RC_ASSERT(std::abs(direction.y - std::sin(angle)) < digits);
 }
 
 RC_GTEST_PROP(ExactFunctions, TellTheAngle, ()) {
@@ -37,7 +37,7 @@ TEST(ExactFunctions, AreRightWhereTheyMeet) {
   EXPECT_EQ(exact::angle_of(0, 0), 0);
   EXPECT_EQ(exact::angle_of(0, -1), std::numbers::pi);
   EXPECT_EQ(exact::angle_of(-1, 0), -std::numbers::pi / 2);
-  EXPECT_EQ(exact::direction_of(0).cosine, 1);
+  EXPECT_EQ(exact::direction_of(0).x, 1);
   EXPECT_EQ(exact::exp(0), 1);
   EXPECT_EQ(exact::exp(-1e9), 0);
   EXPECT_EQ(exact::exp(1e9), exact::exp(700));

@@ -49,7 +49,7 @@ TEST_P(RunTasks, MayBeNested) {
   EXPECT_EQ(calls, 20);
 }
 
-/// Calls of a tree of tasks, `width` below each.
+/// Counts the calls of a tree of tasks, each with `width` children.
 int nested_calls(int depth, int width) {
   if (depth == 0) return 1;
   std::vector<int> calls(static_cast<size_t>(width), 0);
@@ -121,7 +121,7 @@ TEST_P(RunTasks, TakesNoMoreThreadsThanItMay) {
   EXPECT_LE(most, GetParam());
 }
 
-/// Two tasks that wait for each other end only where each has a thread.
+/// Two tasks that wait for each other end only if each has a thread.
 TEST_P(RunTasks, RunsTasksSideBySide) {
   if (GetParam() == 1) GTEST_SKIP();
   const auto meet = [] {

@@ -12,7 +12,7 @@ namespace {
 
 using BoolMatrix = Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// Pattern of the Cholesky factor, by eliminating one column after the other.
+/// Computes the pattern of the Cholesky factor by eliminating one column after the other.
 BoolMatrix filled_pattern(const SparseMatrix& lower) {
   BoolMatrix pattern = BoolMatrix(testing::dense_symmetric(lower).array() != 0);
   const Eigen::Index n = pattern.rows();
@@ -37,7 +37,7 @@ std::vector<int> natural_order(Eigen::Index n) {
   return order;
 }
 
-/// The lower triangle of A with rows and columns in the given order.
+/// Returns the lower triangle of A with rows and columns in the given order.
 SparseMatrix permuted(const SparseMatrix& lower, const std::vector<int>& order) {
   const Eigen::MatrixXd A = testing::dense_symmetric(lower)(order, order);
   return Eigen::MatrixXd(A.triangularView<Eigen::Lower>()).sparseView(0, -1);

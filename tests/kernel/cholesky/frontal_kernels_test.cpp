@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "kernel/base/workers.h"
-#include "kernel/cholesky/front_numerics.h"
+#include "kernel/cholesky/eliminate_front.h"
 
 namespace relievo {
 namespace {

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "kernel/base/workers.h"
-#include "kernel/cholesky/symmetric_graph.h"
+#include "kernel/cholesky/sparse_products.h"
 #include "kernel/operators/laplacian.h"
 #include "support/sparse_patterns.h"
 #include "support/structured_meshes.h"
@@ -151,8 +151,6 @@ TEST(SparseCholesky, RefactorisesWithTheSameBits) {
       SparseCholesky changing;
       changing.analyse(lower, kind);
       ASSERT_TRUE(changing.factorise(lower)) << name;
-      SparseCholesky changing_fixed;
-      changing_fixed.analyse(lower, kind);
       for (const size_t step : {2, 3, 3, 50, 1000, 1}) {
         std::vector<uint8_t> fixed(static_cast<size_t>(lower.rows()), 0);
         for (size_t i = step / 2; i < fixed.size(); i += step) fixed[i] = 1;
@@ -161,35 +159,11 @@ TEST(SparseCholesky, RefactorisesWithTheSameBits) {
         ASSERT_TRUE(fresh.factorise(lower, fixed)) << name;
         ASSERT_TRUE(changing.refactorise(lower, fixed)) << name;
         EXPECT_EQ(changing.solve(b), fresh.solve(b)) << name << " " << step;
-        ASSERT_TRUE(changing_fixed.refactorise_fixed(lower, fixed)) << name;
-        EXPECT_EQ(changing_fixed.solve(b), fresh.solve(b)) << name << " " << step;
       }
     }
 }
 
-/// What other right-hand sides and other values leave as it was need not be solved again.
-TEST(SparseCholesky, RepeatsSweepsWithTheSameBits) {
-  for (const auto& [name, lower] : testing::telling_matrices()) {
-    const auto n = static_cast<size_t>(lower.rows());
-    VectorXd b = VectorXd::LinSpaced(lower.rows(), -1, 3);
-    SparseCholesky factor;
-    factor.analyse(lower, Refactorisation::incremental);
-    std::vector<uint8_t> fixed(n, 0);
-    ASSERT_TRUE(factor.factorise(lower, fixed)) << name;
-    ForwardSweep sweep;
-    for (const size_t row : {n / 2, size_t{0}, n - 1, n / 3}) {
-      EXPECT_EQ(factor.solve(b, sweep), factor.solve(b)) << name;
-      EXPECT_EQ(factor.solve(b, sweep), factor.solve(b)) << name;
-      fixed[row] ^= 1;
-      ASSERT_TRUE(factor.refactorise_fixed(lower, fixed)) << name;
-      EXPECT_EQ(factor.solve(b, sweep), factor.solve(b)) << name;
-      b[static_cast<Eigen::Index>(n - 1 - row)] += 1;
-      EXPECT_EQ(factor.solve(b, sweep), factor.solve(b)) << name;
-    }
-  }
-}
-
-/// Whole subtrees have nothing to do with it, and are passed over.
+/// A local right-hand side does not reach whole subtrees, which the solve skips.
 TEST(SparseCholesky, SolvesForALocalRightHandSideAsForAnyOther) {
   for (const auto& [name, lower] : testing::telling_matrices()) {
     SparseCholesky factor;

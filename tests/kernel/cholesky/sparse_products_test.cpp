@@ -1,9 +1,10 @@
+#include "kernel/cholesky/sparse_products.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "kernel/base/workers.h"
-#include "kernel/cholesky/symmetric_graph.h"
 #include "kernel/operators/laplacian.h"
 #include "support/structured_meshes.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Enough entries for several threads, and values that are not symmetric about anything.
+/// Makes a matrix with enough entries for several threads and without any symmetry in its values.
 SparseMatrix stiffness(int cells) {
   return stiffness_matrix(testing::jittered(testing::grid_mesh(cells, cells, 1), 0.02).flat());
 }

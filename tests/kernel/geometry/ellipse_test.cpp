@@ -7,7 +7,7 @@
 namespace relievo {
 namespace {
 
-/// Points of an ellipse from parameter t0 to t1.
+/// Returns points of an ellipse from parameter t0 to t1.
 std::vector<Point2> arc(const Ellipse& e, double t0, double t1, int count) {
   std::vector<Point2> points;
   for (int i = 0; i < count; ++i) {
@@ -46,8 +46,8 @@ TEST(Ellipse, IsFoundFromTwoSidesAndWhatItContains) {
 }
 
 TEST(Ellipse, LimbIsAsLongAsItsSidesBendOnAGridOfPixels) {
-  // The middle half of a limb, rounded to pixels: distances along rays from its centre would weigh
-  // the far points, and their rounding, too much and make it short.
+  // The middle half of a limb, rounded to pixels. Distances along rays from its centre would give
+  // the far points, and their rounding, too much weight and make it short.
   for (const double slope : {0.1, 0.5, 0.8}) {
     const Ellipse truth{{200, 200}, 120, 30, slope};
     EllipseEvidence evidence;

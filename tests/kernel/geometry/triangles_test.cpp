@@ -7,7 +7,7 @@
 namespace relievo {
 namespace {
 
-// A strip of two triangles, and one apart.
+/// A strip of two triangles, and a separate one.
 const std::vector<Triangle> strip = {{0, 1, 2}, {2, 1, 3}, {4, 5, 6}};
 
 TEST(Triangles, ListEveryCornerAtItsNodeOnce) {

@@ -9,7 +9,7 @@
 namespace relievo {
 namespace {
 
-/// Means over the rows' windows, rounded.
+/// Computes the rounded means over the windows of rows.
 Image8 blurred_rows(const Image8& image, int radius) {
   Image8 result = image;
   for (int y = 0; y < image.height; ++y)

@@ -9,7 +9,7 @@
 namespace relievo {
 namespace {
 
-/// Labels by one search after the other, in the order of first pixels.
+/// Labels components by one search after the other, in the order of first pixels.
 Image<int32_t> searched(const Image8& mask, bool corners) {
   Image<int32_t> label(mask.width, mask.height, 1);
   int32_t count = 0;

@@ -49,7 +49,7 @@ TEST(Diffusion, ClosesAGapStraight) {
   }
 }
 
-/// A step gives way on both sides: with w = 1/36 the screened equation u'' = w (u - v) decays by a
+/// A step is smoothed on both sides: with w = 1/36 the solution of u'' = w (u - v) decays by a
 /// factor e every 6 px.
 TEST(Diffusion, SmoothsAStepOverItsWeight) {
   ImageF known(200, 20, 2);
@@ -63,7 +63,7 @@ TEST(Diffusion, SmoothsAStepOverItsWeight) {
     EXPECT_NEAR(u.at(x, 10), 1 - std::exp(-(x - 99.5) / 6), 0.02) << x;
 }
 
-/// What is not known goes on as what is known beside it.
+/// Unknown pixels continue the known ones beside them.
 TEST(Diffusion, FillsAHoleInAPlane) {
   ImageF known(128, 128, 2);
   for (int y = 0; y < 128; ++y)

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "kernel/image/filters.h"
 #include "support/random_image.h"
 
 namespace relievo {

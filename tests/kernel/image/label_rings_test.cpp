@@ -10,11 +10,12 @@ namespace {
 
 using namespace testing;
 
-/// Twice the area that a ring of unit sides encloses, from where their middles lie.
+/// Computes twice the area that a ring of unit sides encloses from the middles of the sides.
 double enclosed_area(const LabelRing& ring) {
   double area = 0;
   for (size_t i = 0; i < ring.size(); ++i) {
-    // Whole x: a vertical side, which travels down on the right of its label and up on the left.
+    // An integer x is a vertical side, which runs down on the right of its label and up on the
+    // left.
     const Point2 p = ring.sides[i];
     const Point2 next = ring.sides[(i + 1) % ring.size()];
     const Point2 before = ring.sides[(i + ring.size() - 1) % ring.size()];

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Radius minus distance from the centre of the image.
+/// Makes the field of the radius minus the distance from the centre of the image.
 ImageF cone(int side, double radius) {
   ImageF field(side, side, 1);
   for (int y = 0; y < side; ++y)

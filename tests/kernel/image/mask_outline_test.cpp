@@ -31,12 +31,12 @@ TEST(MaskOutline, FillsBackToTheSameMask) {
     int64_t differ = 0;
     for (int y = 0; y < labels.height; ++y)
       for (int x = 0; x < labels.width; ++x) differ += filled.has(x, y) != mask.has(x, y) ? 1 : 0;
-    // The middles of sides cut corners off; no centre of a pixel is lost but on them.
+    // The middles of sides cut corners off; only centres of pixels on the outline itself are lost.
     EXPECT_EQ(differ, 0) << seed;
   }
 }
 
-/// The pixels whose centres are in a disc of this radius.
+/// Makes the mask of the pixels whose centres are in a disc of this radius.
 Mask disc_mask(double radius) {
   return mask_of(painted(240, 240, {disc(120.3, 119.8, radius)}), 1);
 }
@@ -52,7 +52,7 @@ TEST(MaskOutline, LeavesDiscsRound) {
   }
 }
 
-/// The greatest difference to the turn of a circle over steps of 3 px, rad.
+/// Computes the largest difference from the turn of a circle over steps of 3 px, rad.
 double worst_turn(const Ring& ring, double radius) {
   const RingMeasure along = measure(ring);
   const auto at = [&](double s) { return point_at(ring, along, s); };
@@ -75,8 +75,7 @@ TEST(MaskOutline, HasNoStairs) {
   }
 }
 
-/// What a trembling hand adds to a disc stays within the usual reach, and goes within a greater
-/// one.
+/// The tremor of a hand-drawn disc exceeds the usual reach and stays; with a larger reach it goes.
 TEST(MaskOutline, WavesOfTheReachGo) {
   const Mask mask =
       mask_of(painted(240, 240, {[](double x, double y) {
@@ -108,7 +107,7 @@ TEST(MaskOutline, CornersStayWithinTheReach) {
     const RingMeasure along = measure(ring);
     for (const Point2 corner : {Point2{10, 20}, {110, 20}, {110, 80}, {10, 80}}) {
       const double off = nearest_on_ring(ring, along, corner).distance;
-      // The middles of the pixels' sides cut half a pixel off.
+      // The middles of pixel sides cut half a pixel off.
       EXPECT_LT(off, std::sqrt(2) * options.reach + 0.5) << scale;
     }
   }

@@ -16,9 +16,9 @@
 namespace relievo {
 namespace {
 
-/// The basins of a field of distances, no two alike, by the definition: pixels from the highest
-/// down, each labelled as its highest neighbour that has a label, and basins that meet united
-/// unless the lower one rises enough above the place. Labels are the pixels of peaks.
+/// Computes the basins of a field of distances, no two equal, by the definition: visits pixels from
+/// the highest down, labels each like its highest labelled neighbour, and unites basins that meet
+/// unless the lower one rises enough above the pass. Labels are the pixels of peaks.
 std::vector<int> basins_by_definition(const Image<double>& distance, const BasinOptions& options) {
   const int w = distance.width;
   const std::vector<double>& d = distance.pixels;
@@ -61,7 +61,8 @@ std::vector<int> basins_by_definition(const Image<double>& distance, const Basin
   return label;
 }
 
-/// Eighths of pixels, each once, and walls; `squared` is the least square that rounds down to it.
+/// Makes a field of distances in eighths of px, each once, and walls; `squared` is the least square
+/// that rounds down to each.
 void random_field(uint32_t seed, Image<double>& distance, Image<int32_t>& squared) {
   std::vector<int> eighths(distance.pixels.size());
   std::iota(eighths.begin(), eighths.end(), 64);
@@ -95,7 +96,7 @@ TEST(PeakBasins, AreThoseOfTheDefinition) {
   }
 }
 
-/// Walls everywhere but in two discs whose gap is `gap` px wide.
+/// Makes walls everywhere but in two discs, joined by a gap of `gap` px.
 Image8 two_discs(int gap) {
   Image8 wall(140, 80, 1, 1);
   for (int y = 0; y < 80; ++y)

@@ -10,7 +10,7 @@ namespace {
 constexpr int columns = 37;
 constexpr int rows = 23;
 
-/// Two colours, known in a left and a right stripe.
+/// Makes an image of two colours, known in a left and a right stripe.
 ImageF stripes(float left, float right) {
   ImageF image(columns, rows, 2);
   for (int y = 0; y < rows; ++y)

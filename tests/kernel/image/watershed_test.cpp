@@ -11,7 +11,8 @@
 namespace relievo {
 namespace {
 
-/// Least over all paths from a seed of the highest height on the way (seeds excluded).
+/// Computes the least, over all paths from a seed, of the greatest height on the path, seeds
+/// excluded.
 std::vector<int> pass_heights(const Image8& height, const Image<int32_t>& seeds, int32_t only) {
   std::vector<int> pass(height.pixels.size(), 1000);
   using Entry = std::pair<int, int>;

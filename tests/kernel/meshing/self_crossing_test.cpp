@@ -10,7 +10,7 @@
 namespace relievo {
 namespace {
 
-/// A star polygon {n/k}: the corners of a regular n-gon of radius 1, every k-th one.
+/// Makes the star polygon {n/k}: every k-th corner of a regular n-gon of radius 1.
 Ring star(int n, int k) {
   Ring ring;
   for (int i = 0; i < n; ++i) {

@@ -9,7 +9,7 @@ namespace {
 
 const Outline square = {{{20, 20}, {80, 20}, {80, 80}, {20, 80}}};
 
-/// Fine samples along the left side, the coarsest along the right.
+/// Makes fine samples along the left side and the coarsest along the right.
 std::vector<CurveSample> along_the_sides(double spacing, double coarsest) {
   std::vector<CurveSample> samples;
   for (double y = 10; y <= 90; y += spacing) samples.push_back({{10, y}, spacing});

@@ -46,7 +46,7 @@ std::set<Segment> edges_of(const SplicedCurves& spliced) {
   return edges;
 }
 
-/// Whether two segments share more than ends of both.
+/// Returns whether two segments share more than common ends.
 bool meet_inside(const std::vector<Point2>& points, Segment s, Segment t) {
   if (s.first == t.first || s.first == t.second || s.second == t.first || s.second == t.second)
     return false;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double side = 100;
 
-/// The corners of a square, and points in it.
+/// Makes the corners of a square and points in it.
 std::vector<Point2> points_in_square(int count, unsigned seed) {
   std::mt19937 random(seed);
   const auto coordinate = [&] { return side * static_cast<double>(1 + random() % 9998) / 10000; };
@@ -27,7 +27,8 @@ double area(const std::vector<Point2>& points, const std::array<int, 3>& t) {
   return cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]) / 2;
 }
 
-/// Positive where d lies inside the circle through the positively oriented triangle abc.
+/// Returns a positive value where d lies inside the circumcircle of the positively oriented
+/// triangle abc.
 double in_circle(Point2 a, Point2 b, Point2 c, Point2 d) {
   const Point2 u = a - d, v = b - d, w = c - d;
   return dot(u, u) * cross(v, w) - dot(v, v) * cross(u, w) + dot(w, w) * cross(u, v);

@@ -47,7 +47,7 @@ double volume_of(const ClosedMesh& mesh) {
   return six / 6;
 }
 
-/// Whether every edge is run through once each way.
+/// Returns whether every edge occurs once in each direction.
 bool is_closed(const ClosedMesh& mesh) {
   std::map<std::pair<int, int>, int> uses;
   for (const auto& t : mesh.triangles)
@@ -67,7 +67,7 @@ Box random_box(Random& random) {
   return box;
 }
 
-/// Boxes on whole numbers, whose faces and edges often lie in each other.
+/// Makes a box with integer coordinates; faces and edges of two such boxes often coincide.
 TEST(UniteMeshes, CountsWhatBoxesShareOnce) {
   Random random(7);
   int united = 0;
@@ -86,7 +86,7 @@ TEST(UniteMeshes, CountsWhatBoxesShareOnce) {
     }
     const auto both = unite_meshes(mesh_of(a), mesh_of(b), unit);
     if (!both) {
-      // They have no more than an edge or a corner in common.
+      // They share only an edge or a corner.
       EXPECT_GE(touching, 2);
       continue;
     }

@@ -15,7 +15,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A dense problem with integer data: small integers make ties and degenerate bounds likely.
+/// Makes a dense problem of small integers, which make ties and degenerate bounds likely.
 BoundQp random_problem(int n) {
   const auto entry = rc::gen::inRange(-3, 4);
   MatrixXd F(n, n);
@@ -38,7 +38,7 @@ MatrixXd dense_K(const BoundQp& problem) {
   return MatrixXd(problem.K).selfadjointView<Eigen::Lower>();
 }
 
-/// The best feasible point over all active sets.
+/// Returns the best feasible point over all active sets.
 VectorXd enumerate_active_sets(const BoundQp& problem) {
   const int n = static_cast<int>(problem.b.size());
   const auto is_fixed = [&](int i) { return !problem.fixed.empty() && problem.fixed[i] != 0; };
@@ -150,8 +150,8 @@ TEST(BoundQp, NeedsOneFactorisationFromTheRightStart) {
   }));
 }
 
-/// A membrane of n x n nodes above 0, pulled up in the middle and pressed down around it; it
-/// touches in the corners.
+/// Makes the problem of a membrane of n x n nodes above 0 that is pulled up in the middle and
+/// pressed down around it. It touches 0 in the corners.
 BoundQp membrane(int n) {
   BoundQp problem;
   problem.K.resize(n * n, n * n);
@@ -185,9 +185,9 @@ TEST(BoundQp, TakesFewStepsToTheBorderOfAContact) {
   }
 }
 
-/// A stiff string on a soft bed that lifts it to 1, in its first half above a floor at 0, in its
-/// second below a ceiling that is lowest, 0.2, over one of its nodes. The unknowns are its
-/// distances from these.
+/// Makes the problem of a stiff string on a soft bed that lifts it to 1: in its first half above a
+/// floor at 0, in its second half below a ceiling that is lowest, 0.2, over one of its nodes. The
+/// unknowns are its distances from these.
 BoundQp string_between(int n, int lowest, double bed) {
   VectorXd side(n);
   VectorXd limit(n);
@@ -228,7 +228,6 @@ TEST(BoundQp, EndsAtTheSameBitsWhereverItBegins) {
   const BoundQpSolution cold = solve_bound_qp(problem, factor);
   EXPECT_GT(cold.report.iterations, 2);
   BoundQpOptions options;
-  options.same_matrix = true;
   for (const int left_out : {0, 1, 40}) {
     options.start_active = cold.active;
     for (int left = left_out, i = 0; left > 0; ++i)
@@ -267,8 +266,8 @@ TEST(BoundQp, AgreesWithIpopt) {
 }
 
 TEST(BoundQp, EndsWhereBlockPivotingCycles) {
-  // Many of these ill-conditioned problems make the flips of all wrong bounds repeat themselves,
-  // and no local relaxation helps.
+  // In many of these ill-conditioned problems flipping all wrong bounds cycles, and local
+  // relaxation does not help.
   int safeguarded = 0;
   for (int seed = 0; seed < 100; ++seed) {
     const int n = 15 + seed % 45;
