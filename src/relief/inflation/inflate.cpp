@@ -55,7 +55,8 @@ Status check_held(const LayeredMesh& mesh, const std::vector<int>& surface, cons
     if (held[surface[mesh.faces[f][0]]] == 0)
       return Error{ErrorCode::bad_input,
                    "nothing holds the surface of this part at height 0: its outline is all join",
-                   scene.parts[mesh.face_part[f]].id};
+                   scene.parts[mesh.face_part[f]].id,
+                   {CulpritList::parts, static_cast<size_t>(mesh.face_part[f])}};
   return Done{};
 }
 

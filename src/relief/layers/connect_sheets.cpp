@@ -100,7 +100,7 @@ class Connector {
     if (last - first < min_seam_edges)
       return Error{ErrorCode::bad_input,
                    "the join hardly runs inside the lower part; move it inwards or remove it",
-                   join.name};
+                   join.name, join.culprit};
     if (last - first < static_cast<int>(outer_.size()))
       warnings_.push_back(join.name + ": only the part of the join inside the lower part is used");
     follow(join, first, last);
@@ -110,7 +110,7 @@ class Connector {
       return Error{ErrorCode::bad_input,
                    "three surfaces would meet along the join; move it away from the other joins of "
                    "these parts or remove one of them",
-                   join.name};
+                   join.name, join.culprit};
     unite(join.upper, join.lower, mesh_.surface);
     return Done{};
   }

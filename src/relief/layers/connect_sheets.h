@@ -16,6 +16,7 @@ struct JoinPath {
   int position = 0;           ///< of the first vertex in that loop
   std::vector<int> vertices;  ///< base vertices, consecutive in the loop (modulo its size)
   std::string name;           ///< for messages, such as `joins[2] ("leg" to "body")`
+  Culprit culprit;            ///< the join, for errors
 };
 
 /// Cuts the lower sheets open along the joins, back to front, and reconnects what the upper part

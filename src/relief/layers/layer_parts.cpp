@@ -96,11 +96,12 @@ Result<std::vector<JoinPath>> join_paths(const Scene& scene, const SplicedCurves
     JoinPath path;
     path.upper = join.upper;
     path.lower = join.lower;
-    path.name = "joins[" + std::to_string(j) + "] (\"" + scene.parts[join.upper].id + "\" to \"" +
+    path.culprit = {CulpritList::joins, j};
+    path.name = to_string(path.culprit) + " (\"" + scene.parts[join.upper].id + "\" to \"" +
                 scene.parts[join.lower].id + "\")";
     if (runs[j].loop < 0)
       return Error{ErrorCode::bad_input, "the outline collapses along the join; use a finer mesh",
-                   path.name};
+                   path.name, path.culprit};
     path.loop = runs[j].loop;
     path.position = runs[j].position;
     const std::vector<int>& loop = spliced.loops[path.loop];

@@ -145,12 +145,15 @@ class Finder {
 
   Error contradiction(const Range& below, const Range& above) const {
     const auto id = [&](int part) { return "\"" + scene_.parts[part].id + "\""; };
+    const auto relation = [](const Range& range) {
+      return Culprit{CulpritList::relations, static_cast<size_t>(range.relation)};
+    };
     return {ErrorCode::contradiction,
-            "puts " + id(below.upper) + " behind " + id(below.lower) + " where relations[" +
-                std::to_string(above.relation) + "] puts it in front of " + id(above.lower) +
+            "puts " + id(below.upper) + " behind " + id(below.lower) + " where " +
+                to_string(relation(above)) + " puts it in front of " + id(above.lower) +
                 (above.lower == below.lower ? "" : ", which covers that") +
                 "; give them ranges that do not overlap",
-            "relations[" + std::to_string(below.relation) + "]"};
+            to_string(relation(below)), relation(below)};
   }
 
   const SheetMesh& mesh_;

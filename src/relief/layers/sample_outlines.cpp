@@ -225,7 +225,8 @@ class Sampler {
  private:
   Status locate_join(size_t j) {
     const Join& join = scene_.joins[j];
-    const std::string where = "joins[" + std::to_string(j) + "].line";
+    const Culprit culprit{CulpritList::joins, j};
+    const std::string where = to_string(culprit) + ".line";
     double gap = 0;
     const int best = nearest_ring(rings_, join.upper, join.line, gap);
     const std::string& upper = scene_.parts[join.upper].id;
@@ -234,7 +235,7 @@ class Sampler {
       return Error{ErrorCode::bad_input,
                    "the join's line is far from the outline of \"" + upper +
                        "\"; draw it along that outline, where it lies inside the lower part",
-                   where};
+                   where, culprit};
     const PartRing& ring = rings_[best];
     const double a = mark_near(ring, join.line.front());
     const double b = mark_near(ring, join.line.back());
@@ -242,7 +243,7 @@ class Sampler {
     if (std::min(ahead, ring.measure.length - ahead) < 1e-6 * ring.measure.length)
       return Error{ErrorCode::bad_input,
                    "both ends of the join meet the outline of \"" + upper + "\" at one point",
-                   where};
+                   where, culprit};
     const bool as_drawn = gap_to_line(ring, a, b, join.line) <= gap_to_line(ring, b, a, join.line);
     joins_.push_back(as_drawn ? ArcRange{best, a, b, false} : ArcRange{best, b, a, true});
     mark(joins_.back(), rings_);

@@ -26,7 +26,8 @@ constexpr size_t most_parts = 65534;
 constexpr int most_count = 1000;
 
 Error bad_stroke(size_t number, const std::string& what) {
-  return {ErrorCode::bad_input, what, "scribble stroke " + std::to_string(number + 1)};
+  const Culprit stroke{CulpritList::strokes, number};
+  return {ErrorCode::bad_input, what, to_string(stroke), stroke};
 }
 
 Status check_scribbles(const Scribbles& scribbles) {
