@@ -26,8 +26,9 @@ namespace {
 
 using emscripten::val;
 
-/// {scene, proposed, lineArt, warnings, paintable} of a layered drawing: the text of a scene file
-/// (see read_svg and connect_scene) and the drawing as the page may paint it (see PaintableSvg).
+/// Imports a layered drawing. Returns {scene, proposed, lineArt, warnings, paintable}: the text of
+/// a scene file (see read_svg and connect_scene), and the drawing for the page to paint (see
+/// PaintableSvg).
 val import_svg(const val& array) {
   const Bytes bytes = to_bytes(array);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -46,7 +47,7 @@ val import_svg(const val& array) {
   return result;
 }
 
-/// More pixels are too much for the memory of a page.
+/// Limits that suit the memory of a page.
 const ImageLimits page_limits = {4096 * 4096, 32'767};
 const char* const table_name = "layers.tsv";
 
@@ -76,7 +77,7 @@ Result<OraDrawing> read_pictures(const std::vector<ArchiveEntry>& entries) {
   for (LayerRow& row : *rows) {
     const ArchiveEntry* picture = find_entry(entries, row.file);
     if (picture == nullptr)
-      return Error{ErrorCode::file, "is in the table of layers, but was not opened with it",
+      return Error{ErrorCode::file, "is listed in the table of layers, but was not opened with it",
                    row.file};
     layers.push_back({std::move(row.layer), row.file, picture->bytes});
   }
@@ -85,7 +86,7 @@ Result<OraDrawing> read_pictures(const std::vector<ArchiveEntry>& entries) {
   return OraDrawing{std::move(*content), {}};
 }
 
-/// {scene, proposed, warnings, drawing} of a painted drawing; without a scene the picture is flat.
+/// Returns {scene, proposed, warnings, drawing} of a painted drawing; no scene if it is flat.
 Result<val> layers_value(const LayeredDrawing& content, const std::vector<std::string>& warnings) {
   const auto picture = encode_png(content.drawing.rgba);
   if (!picture) return picture.error();
@@ -116,17 +117,18 @@ Result<val> read_layers(const std::vector<ArchiveEntry>& entries) {
   return layers_value(read->content, read->warnings);
 }
 
-/// {scene, proposed, warnings, drawing}: the text of a scene file and the picture, a PNG file, of a
-/// painted drawing; no scene where all of it is in one layer. `files` is an array of {name, bytes}:
-/// a Photoshop document, the entries of an OpenRaster archive, or transparent pictures, one a
-/// layer, as a layers.tsv among them says (see layer_table.h), else back to front in the natural
-/// order of their names.
+/// Imports a painted drawing. Returns {scene, proposed, warnings, drawing}: the text of a scene
+/// file, missing if there is only one layer, and the picture, a PNG file. `files` is an array of
+/// {name, bytes}: a Photoshop document, the entries of an OpenRaster archive, or transparent
+/// pictures, one per layer. These are listed in a layers.tsv among them (see layer_table.h), or
+/// else are back to front in the natural order of their names.
 val import_layers(const val& files) {
   const auto read = read_layers(to_entries(files));
   return read ? *read : failure(read.error());
 }
 
-/// {bytes}: the parts of a scene, the text of a scene file, as layers of a Photoshop document.
+/// Returns {bytes}, a Photoshop document with the parts of a scene, the text of a scene file, as
+/// layers.
 val encode_layers(const std::string& text, const val& rgba, int width, int height) {
   const auto scene = read_scene(text);
   if (!scene) return failure(scene.error());

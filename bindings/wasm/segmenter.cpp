@@ -31,7 +31,7 @@ Result<Project> read_project(const std::string& text) {
   return project;
 }
 
-/// The scene in a text; without parts where the text is empty.
+/// Reads the text of a scene; an empty text is a scene without parts.
 Result<Scene> read_edited(const std::string& text) {
   if (text.empty()) return Scene{};
   auto scene = read_scene(text);
@@ -69,7 +69,7 @@ val bridges_of(const understanding::Segmentation& found,
 
 }  // namespace
 
-/// A project with the labels that its strokes make.
+/// A project with the labels made from its strokes.
 struct Segmenter::Labelled {
   Project project;
   understanding::Segmentation found;
