@@ -13,7 +13,7 @@
 #include "relief/nonlinear/solve_nonlinear.h"
 #include "relief/ordering/order_depth.h"
 
-// Prints how far the approximate method is from the non-linear one on layered drawings.
+// Measures the difference between the approximate and the non-linear method on layered drawings.
 // Usage: relievo-fidelity VERTICES DRAWING.svg...
 
 namespace relievo::research {
@@ -24,9 +24,9 @@ struct Surface {
   relief::Ordering ordering;
 };
 
-/// Differences over the faces that are seen from the front.
+/// Differences over the faces visible from the front.
 struct Difference {
-  double heights = 0;  ///< rms / standard deviation of the second surface's heights
+  double heights = 0;  ///< rms / standard deviation of the heights of the second surface
   double median = 0;   ///< of the angles between normals, degrees
   double p95 = 0;
 };
@@ -45,7 +45,7 @@ double angle(Point3 a, Point3 b) {
   return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / 3.14159265358979323846;
 }
 
-/// The angle below which a share of the area lies.
+/// Returns the angle below which a share of the area lies.
 double quantile(const std::vector<std::pair<double, double>>& sorted, double share) {
   double total = 0;
   for (const auto& [value, area] : sorted) total += area;

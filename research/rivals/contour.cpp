@@ -26,9 +26,9 @@ using Function = std::function<double(Kernel::Point_3)>;
 using Surface = CGAL::Implicit_surface_3<Kernel, Function>;
 
 constexpr size_t most_triangles = 2000000;
-/// Of the points that refinement begins with / the radius there.
+/// Spacing of the points where refinement begins / the radius there.
 constexpr double first_spacing = 0.15;
-/// Of the squared sine of a triangle's smallest angle: 25 degrees.
+/// Minimum of the squared sine of a triangle's smallest angle: 25 degrees.
 constexpr double least_squared_sine = 0.1786;
 
 Point3 from_cgal(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
@@ -36,7 +36,7 @@ Kernel::Point_3 to_cgal(Point3 p) { return {p.x, p.y, p.z}; }
 
 struct Stopped {};
 
-/// Which triangles are to be refined: large ones for their place, and slivers.
+/// The criterion of refinement: a triangle is too large for its place, or a sliver.
 class Sizes {
  public:
   using Facet = Triangulation::Facet;
@@ -55,13 +55,13 @@ class Sizes {
     const double most = std::max(smallest_, cell_ * convolution_.radius(middle));
     const double size = norm(p[0] - middle) / most;
     const double thinness = least_squared_sine / squared_sine(p);
-    // Sizes first: angles are of the final triangles.
+    // Sizes come first, since only the angles of final triangles matter.
     quality = size > 1 ? 1 / (1 + size) : 1 / thinness;
     return size > 1 || thinness > 1;
   }
 
  private:
-  /// Of the smallest angle, which lies opposite to the shortest edge.
+  /// The squared sine of the smallest angle, which is opposite to the shortest edge.
   static double squared_sine(const std::array<Point3, 3>& p) {
     std::array<double, 3> squares{};
     for (int k = 0; k < 3; ++k) {
@@ -79,7 +79,7 @@ class Sizes {
   const RunContext& context_;
 };
 
-/// Where the ray from inside leaves the surface, or nothing.
+/// Returns the point where a ray from inside leaves the surface, or nothing.
 std::optional<Point3> leave(const Convolution& convolution, Point3 from, Point3 step) {
   if (convolution.value(from) <= 1) return std::nullopt;
   Point3 inside = from;
@@ -98,7 +98,7 @@ bool is_apart(const std::vector<Point3>& points, Point3 p, double least) {
                       [&](Point3 other) { return norm(other - p) < least; });
 }
 
-/// In the directions of a cube's corners and faces, a little askew.
+/// Directions of the corners and faces of a cube, slightly rotated.
 std::vector<Point3> first_points(const Convolution& convolution) {
   std::vector<Point3> points;
   for (const Bone& bone : convolution.bones()) {
@@ -112,7 +112,7 @@ std::vector<Point3> first_points(const Convolution& convolution) {
   return points;
 }
 
-/// The same surface with its vertices and triangles in an order that depends on nothing else.
+/// Sorts the vertices and triangles, so that their order depends on the surface alone.
 TriangleSurface sorted(const TriangleSurface& surface) {
   std::vector<int> order(surface.positions.size());
   std::iota(order.begin(), order.end(), 0);
@@ -151,7 +151,7 @@ TriangleSurface triangles_of(const Complex& complex, const Convolution& convolut
     }
     surface.triangles.push_back(corners);
   }
-  // The field falls off towards the outside.
+  // The field decreases outwards.
   for (auto& [a, b, c] : surface.triangles) {
     const auto& p = surface.positions;
     const Point3 normal = cross(p[b] - p[a], p[c] - p[a]);
@@ -161,9 +161,9 @@ TriangleSurface triangles_of(const Complex& complex, const Convolution& convolut
   return sorted(surface);
 }
 
-/// Of the kernel: it ends where x reaches this.
+/// The kernel is 0 from this x on.
 constexpr double support = 2;
-/// 1 over the integral of the kernel over an infinite line at distance 1.
+/// 1 / the integral of the kernel along an infinite line at distance 1.
 constexpr double line_scale = 1.49683;
 constexpr double point_scale = 64.0 / 27;
 /// Of the grid that finds bones.
@@ -176,8 +176,8 @@ double kernel(double squared_distance, double radius) {
 
 double squared_distance(Point3 a, Point3 b) { return dot(a - b, a - b); }
 
-/// Where along the bone the kernel is positive, within [0, 1]: |a + t d - p| < support (r + t s),
-/// between two places, or beyond one where the radius changes faster than the place.
+/// Returns the range of t in [0, 1] in which the kernel is positive: |a + t d - p| < support (r + t
+/// s). It lies between two roots, or beyond one if the radius changes faster than the position.
 std::pair<double, double> reach(const Bone& bone, Point3 p) {
   const Point3 d = bone.b - bone.a;
   const Point3 from = bone.a - p;
@@ -214,8 +214,8 @@ Result<TriangleSurface> contour(const Convolution& convolution, double cell, dou
     return 1 - convolution.value(from_cgal(p));
   };
   const Kernel::Point_3 centre = to_cgal(0.5 * (low + high));
-  // The mesher orders facets by their addresses: vertices agree between runs as far as they are on
-  // the surface.
+  // The mesher orders facets by their addresses, so vertices of two runs agree only as closely as
+  // they lie on the surface.
   const Surface surface(outside, Kernel::Sphere_3(centre, reach * reach), 1e-10);
   Complex complex(triangulation);
   try {

@@ -17,25 +17,25 @@ namespace {
 
 /// Spacing of the samples of outlines / the diagonal of the drawing.
 constexpr double sample_spacing = 1.0 / 500;
-/// Cells are no smaller than this share of it.
+/// Minimum size of cells, as a share of the diagonal.
 constexpr double smallest_cell = 1.0 / 400;
-/// By so much of its radius a part is sunk into the one that it lies on.
+/// Depth to which a part is sunk into the part below / its radius.
 constexpr double sinking = 0.3;
 
-/// The surface ends where the outline does if the axis goes on for so much of its last radius:
-/// half of the kernel's line would be missing otherwise. Our reading.
+/// Length by which axes are extended / their last radius, so that the surface ends at the outline:
+/// otherwise half of the kernel's line would be missing. Our reading.
 constexpr double end_length = 0.75;
 
-/// Where two parts hold on to each other.
+/// A place where two parts hold on to each other.
 struct Link {
-  int near = -1;  ///< the one in front
+  int near = -1;  ///< the part in front
   int far = -1;
   bool joined = false;
-  double area = 0;  ///< of the overlap, px^2; of a join 0
+  double area = 0;  ///< of the overlap, px^2; 0 for a join
   Point2 at;
 };
 
-/// Joins, and overlaps of parts.
+/// Lists the joins and overlaps of parts.
 std::vector<Link> find_links(const Scene& scene, const relief::LayeredMesh& mesh) {
   std::vector<Link> links;
   for (const Join& join : scene.joins)
@@ -57,7 +57,7 @@ std::vector<Link> find_links(const Scene& scene, const relief::LayeredMesh& mesh
   return links;
 }
 
-/// Half of the thickness that the discs of an axis give at a point.
+/// Computes half of the thickness that the discs of an axis give at a point.
 double half_thickness(const MedialAxis& axis, Point2 p) {
   double most = 0;
   for (size_t i = 0; i < axis.centre.size(); ++i) {
@@ -68,7 +68,7 @@ double half_thickness(const MedialAxis& axis, Point2 p) {
   return most;
 }
 
-/// The radius of the disc nearest to a point.
+/// Returns the radius of the disc nearest to a point.
 double radius_near(const MedialAxis& axis, Point2 p) {
   double nearest = Box2::infinity;
   double radius = 0;
@@ -85,8 +85,9 @@ double largest_radius(const MedialAxis& axis) {
   return axis.radius.empty() ? 0 : *std::max_element(axis.radius.begin(), axis.radius.end());
 }
 
-/// Depths of the axes: the thickest part is the trunk, at 0; the others follow from part to part,
-/// over joins first and large overlaps next, and lie on the flank of the one that they hold on to.
+/// Computes the depths of the axes. The thickest part is the trunk, at 0. The others follow from
+/// part to part, by joins first and large overlaps next, and lie on the flank of the part that they
+/// hold on to.
 class Placement {
  public:
   Placement(const std::vector<MedialAxis>& axes, std::vector<Link> links)
@@ -194,7 +195,7 @@ Result<Model> reconstruct_entem(const RivalInput& input, const RunContext& conte
   }
   const std::vector<double> z = Placement(axes, find_links(scene, input.joined)).run();
   std::vector<Bone> bones;
-  // Convolution surfaces have no hollows.
+  // Hollow parts are left out, since convolution surfaces have no hollows.
   for (size_t p = 0; p < axes.size(); ++p)
     if (scene.parts[p].d > 0) add_bones(axes[p], z[p], scene.height, bones);
   const Convolution convolution(std::move(bones));

@@ -7,7 +7,7 @@
 
 namespace relievo::research {
 
-/// A convolution surface over the medial axes of all parts (Entem et al. 2015), closed.
+/// Reconstructs a closed convolution surface over the medial axes of all parts (Entem et al. 2015).
 Result<Model> reconstruct_entem(const RivalInput& input, const RunContext& context);
 
 }  // namespace relievo::research

@@ -28,7 +28,7 @@ std::vector<std::vector<int>> node_neighbours(const relief::LayeredMesh& mesh) {
   return next;
 }
 
-/// Flags what is within `reach` of the nodes of the chain.
+/// Flags the nodes within `reach` of the chain.
 void flood(const relief::LayeredMesh& mesh, const std::vector<std::vector<int>>& next,
            const testing::SeamChain& chain, double reach, std::vector<uint8_t>& band) {
   using Front = std::tuple<double, int, int>;  // distance, node, source
@@ -48,8 +48,8 @@ void flood(const relief::LayeredMesh& mesh, const std::vector<std::vector<int>>&
   }
 }
 
-/// Takes back what is within two edges of the rest of a bump's outline: there one node stands for
-/// two parts at different heights, which the graft must not see.
+/// Clears the flags within two edges of the rest of a bump's outline, where one node belongs to two
+/// parts of different heights.
 void keep_off_rims(const relief::LayeredMesh& mesh, const std::vector<std::vector<int>>& next,
                    std::vector<uint8_t>& band) {
   std::set<int> near = testing::loose_rims(mesh);
@@ -106,7 +106,7 @@ Result<Graft> graft(const relief::LayeredMesh& mesh, const relief::Discretisatio
     return relief::is_inside(mesh.node_role[n]) &&
            discretisation.mass[static_cast<Eigen::Index>(n)] > 0;
   };
-  // The energy is that of the surface's inside: outlines are held, but may bend freely.
+  // Only the inside has bending energy: outlines are fixed, but their slopes are free.
   const Numbering rows = number(h.size(), inside);
   const Numbering free = number(h.size(), [&](size_t n) { return grafted[n] != 0 && inside(n); });
   const Numbering held = number(h.size(), [&](size_t n) { return free.place[n] < 0; });

@@ -15,7 +15,7 @@
 namespace relievo::research {
 namespace {
 
-/// The grafted heights as those of the separate parts: u stays, g takes up the difference.
+/// Transfers the grafted heights to the separate parts: keeps u and changes g.
 void take_over(const Graft& grafted, const std::vector<uint8_t>& changed,
                const SeparateParts& parts, const GradientStencils& gradients, Solution& solution) {
   const std::vector<Point2> slopes = node_gradients(gradients, grafted.h);
@@ -26,7 +26,7 @@ void take_over(const Graft& grafted, const std::vector<uint8_t>& changed,
     double& u = solution.inflation.u[n];
     Point2& grad_u = solution.inflation.grad_u[n];
     if (std::abs(u) < thin * thin) {
-      // The rim is no longer steep: its normal is that of the heights.
+      // The rim is no longer steep, so its normal follows from the heights.
       u = thin * thin;
       grad_u = {};
     }
@@ -37,7 +37,7 @@ void take_over(const Graft& grafted, const std::vector<uint8_t>& changed,
   }
 }
 
-/// Flags the nodes of what is seen that lie where the mask is not dark.
+/// Flags the visible nodes at which the mask is not dark.
 std::vector<uint8_t> brushed(const relief::LayeredMesh& mesh, const Scene& scene,
                              const Image8& mask) {
   std::vector<uint8_t> flags = relief::seen_nodes(mesh);

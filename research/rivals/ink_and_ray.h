@@ -7,8 +7,9 @@
 
 namespace relievo::research {
 
-/// Ink-and-Ray (Sýkora et al. 2014): parts by themselves with a natural boundary where they join,
-/// brought to the height of the lower part there by the depth order, and grafted afterwards.
+/// Reconstructs by Ink-and-Ray (Sýkora et al. 2014): inflates separate parts with natural
+/// boundaries along joins, brings them there to the height of the lower part by the depth order,
+/// and grafts.
 Result<Model> reconstruct_ink_and_ray(const RivalInput& input, const RunContext& context);
 
 }  // namespace relievo::research

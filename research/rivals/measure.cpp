@@ -21,16 +21,16 @@ namespace {
 constexpr double degrees_per_radian = 180 / 3.14159265358979323846;
 constexpr int steps_aside = 8;
 constexpr double edges_per_step = 0.5;
-/// Of the grid on which water stands, on a side.
+/// Cells on a side of the grid for the water.
 constexpr int pond_side = 96;
 
-/// Height and slope at the beginning of a walk.
+/// Height and slope at the start of a walk.
 struct Start {
   double height = 0;
   double slope = 0;
 };
 
-/// By a parabola through the heights at 1, 2, ... steps; nothing where the surface ends.
+/// Fits a parabola to the heights at 1, 2, ... steps; nothing if the surface ends before.
 std::optional<Start> look_back(const FrontProbe& probe, Point2 from, Point2 step) {
   Eigen::Matrix<double, steps_aside, 3> powers;
   Eigen::Matrix<double, steps_aside, 1> heights;
@@ -45,7 +45,7 @@ std::optional<Start> look_back(const FrontProbe& probe, Point2 from, Point2 step
   return Start{x[0], x[1] / norm(step)};
 }
 
-/// Nodes that the front shows, far enough off all outlines for a walk.
+/// The visible nodes that are far enough from all outlines for a walk.
 class SmoothNodes {
  public:
   SmoothNodes(const relief::LayeredMesh& mesh) : mesh_(mesh), seen_(relief::seen_nodes(mesh)) {
@@ -89,8 +89,8 @@ void measure_chain(const FrontProbe& probe, const relief::LayeredMesh& mesh,
   }
 }
 
-/// The deepest water within half of `radius` around the middle, where what is outside of it, or of
-/// the surface, lets it run off.
+/// Returns the depth of the deepest water within half of `radius` around the centre. Water runs off
+/// outside `radius` and beside the surface.
 double deepest_water(const FrontProbe& probe, Point2 middle, double radius) {
   const double cell = 2 * radius / pond_side;
   std::vector<double> ground(pond_side * pond_side, std::numeric_limits<double>::quiet_NaN());
@@ -133,7 +133,7 @@ double deepest_water(const FrontProbe& probe, Point2 middle, double radius) {
   return deepest;
 }
 
-/// The base triangulation where parts cover it, flat.
+/// Makes a flat model of the covered base triangles.
 Model drawn_area(const relief::LayeredMesh& mesh, const Model& like) {
   Model model;
   model.width = like.width;

@@ -12,17 +12,17 @@
 
 namespace relievo::research {
 
-/// The surface of a model as the front view shows it, wherever it came from: what is nearest.
+/// The nearest surface of a model in the front view, for models of any method.
 class FrontProbe {
  public:
-  /// `model` must live as long. Errors: as RayScene::build.
+  /// `model` must outlive the probe. Errors: as RayScene::build.
   static Result<FrontProbe> build(const Model& model, const RunContext& context);
 
-  /// Height over a point of the canvas, px; nothing where there is no surface.
+  /// Returns the height over a point of the canvas, px; nothing if there is no surface.
   std::optional<double> height(Point2 canvas) const;
 
-  /// Height and normal of every pixel, `longest` px on the longer side; part 0 where there is any
-  /// surface. O(pixels log F).
+  /// Returns the height and normal of every pixel, `longest` px on the longer side. The part is 0
+  /// wherever there is a surface. O(pixels log F).
   ReliefMaps maps(int longest) const;
 
  private:
@@ -33,29 +33,31 @@ class FrontProbe {
 
   const Model* model_;
   RayScene rays_;
-  double top_;  ///< above all of the model, px
+  double top_;  ///< a height above the model, px
 };
 
-/// What the front view of a model is like where parts join, and along the contour. All measures
-/// look at the surface alone, so that they mean the same for every method.
+/// Measures of the front view of a model at its joins and its contour. They depend on the surface
+/// alone, so they mean the same for every method.
 struct Measures {
-  /// Of the middle half of every join that is seen, degrees by which the slope across it jumps,
-  /// sorted. Slopes are of parabolas through the heights within four edges on either side.
+  /// Jumps of the slope across joins, degrees, sorted: at all nodes of the middle half of every
+  /// visible join. Slopes are those of parabolas through the heights within four edges on either
+  /// side.
   std::vector<double> slope_jumps;
-  /// Likewise, the jump of the height, px.
+  /// Jumps of the height at the same nodes, px, sorted.
   std::vector<double> height_jumps;
-  /// How high water stands within a quarter of a join's length around each of its ends, if it runs
-  /// off at half of it and at the contour, / the length; sorted.
+  /// Depths of pits at the ends of joins / the length of the join, sorted: of water that would
+  /// stand within a quarter of the length around each end, if it ran off at half of the length and
+  /// at the contour.
   std::vector<double> pits;
   double contour_iou = 0;  ///< of the model's silhouette and the drawing's
 };
 
-/// `joined` tells where the joins are and what the drawing covers; silhouettes are compared on
-/// pixels, `longest` on the longer side. Errors: as FrontProbe::build.
+/// Measures a model. `joined` gives the joins and the silhouette of the drawing. Compares
+/// silhouettes on pixels, `longest` on the longer side. Errors: as FrontProbe::build.
 Result<Measures> measure(const Model& model, const relief::LayeredMesh& joined, int longest,
                          const RunContext& context = {});
 
-/// Value below which `share` of the sorted values lie; 0 of none.
+/// Returns the value below which a `share` of the sorted values lies; 0 for none.
 double quantile(const std::vector<double>& sorted, double share);
 
 }  // namespace relievo::research

@@ -13,7 +13,7 @@ namespace relievo::research {
 namespace {
 
 constexpr double least_detour = 1.6;
-/// Of centres along a branch / the radius there.
+/// Spacing of centres along a branch / the radius there.
 constexpr double centre_spacing = 0.5;
 
 struct Samples {
@@ -56,7 +56,7 @@ TouchingDisc circumscribed(Point2 a, Point2 b, Point2 c) {
   return {a + away, norm(away)};
 }
 
-/// Whether the two samples are much farther apart along the outline than straight.
+/// Checks whether two samples are much farther apart along the outline than straight.
 bool faces_across(const Samples& samples, int a, int b) {
   if (samples.ring[a] != samples.ring[b]) return true;
   const double between = std::abs(samples.s[a] - samples.s[b]);
@@ -64,7 +64,7 @@ bool faces_across(const Samples& samples, int a, int b) {
   return arc > least_detour * distance(samples.points[a], samples.points[b]);
 }
 
-/// Discs and what links them, as they come out of the triangulation.
+/// The discs of a triangulation and their links.
 struct Graph {
   std::vector<TouchingDisc> discs;
   std::map<int, std::set<int>> links;
@@ -100,7 +100,7 @@ Graph voronoi_graph(const Samples& samples, const PlanarTriangulation& mesh,
   return graph;
 }
 
-/// Keeps ends and forks, and as many of the discs between them as the radius asks for.
+/// Keeps ends and forks, and thins the discs between them according to their radius.
 class Thinner {
  public:
   explicit Thinner(Graph graph) : graph_(std::move(graph)) {}
@@ -113,7 +113,7 @@ class Thinner {
       number(t);
       while (!graph_.links[t].empty()) follow(t);
     }
-    // What is left are rings.
+    // The rest are rings.
     for (auto& [t, next] : graph_.links)
       while (!next.empty()) follow(t);
     return std::move(axis_);

@@ -15,37 +15,38 @@
 namespace relievo::research {
 
 struct RivalOptions {
-  double graft = 0.25;  ///< of Ink-and-Ray: half the width of the graft / the join's length, >= 0
-  Image8 graft_mask;    ///< likewise: what is grafted instead, where it is not dark, over the
-                        ///< whole canvas; none where it is empty
-  double cell = 0.2;    ///< of Entem: size of cells / the radius there, > 0
+  double graft = 0.25;  ///< for Ink-and-Ray: half the width of the graft / length of the join, >= 0
+  Image8 graft_mask;    ///< for Ink-and-Ray: picture of the canvas that is not dark where to graft
+                        ///< instead; or empty
+  double cell = 0.2;    ///< for Entem: size of triangles / the radius there, > 0
 };
 
-/// What every method of reconstruction is given: the same parts on the same triangulation.
+/// The input of every method: the same parts on the same triangulation.
 struct RivalInput {
   const Scene& scene;
-  const relief::LayeredMesh& joined;  ///< of layer_for_rivals; a rival may undo its joins
+  const relief::LayeredMesh& joined;  ///< from layer_for_rivals; a rival may undo its joins
   const RivalOptions& options;
 };
 
-/// A method of reconstruction. Whole parts, hidden ones too, in the space of `Model`. Fails as the
-/// stages do.
+/// A method of reconstruction. Returns whole parts, including hidden ones. Errors: those of the
+/// stages.
 using Reconstruct = Result<Model> (*)(const RivalInput& input, const RunContext& context);
 
+/// A published method.
 struct Rival {
-  const char* name;    ///< as the command line spells it
-  const char* source;  ///< where it was published
+  const char* name;    ///< on the command line
+  const char* source;  ///< publication
   Reconstruct reconstruct;
 };
 
-/// The parts on one triangulation, joined as in the paper, for all methods. Fails as layer_parts.
+/// Triangulates the parts and joins them as in the paper, for all methods. Errors: as layer_parts.
 Result<relief::LayeredMesh> layer_for_rivals(const Scene& scene, relief::LayerOptions layers,
                                              const RunContext& context = {});
 
-/// Every method, ours first.
+/// Returns all methods, ours first.
 std::span<const Rival> rivals();
 
-/// The one of that name, or null.
+/// Returns the method of that name, or null.
 const Rival* find_rival(std::string_view name);
 
 }  // namespace relievo::research

@@ -44,7 +44,7 @@ class Separator {
     mesh.stack_begin.push_back(0);
     for (size_t t = 0; t < joined_.triangles.size(); ++t) {
       for (int f = joined_.stack_begin[t]; f < joined_.stack_begin[t + 1]; ++f) {
-        // The faces of a bump took the place of those below it.
+        // The faces of a bump replace those below it.
         if (joined_.source(f) != joined_.face_part[f]) add_face(joined_.source(f), f);
         add_face(joined_.face_part[f], f);
       }
@@ -52,7 +52,7 @@ class Separator {
     }
   }
 
-  /// The face of `part` where the joined face is.
+  /// Returns the face of `part` in place of the joined face.
   void add_face(int part, int face) {
     relief::LayeredMesh& mesh = out_.mesh;
     const int t = joined_.face_triangle[face];
@@ -111,7 +111,7 @@ class Separator {
     add_bump_pairs();
   }
 
-  /// The part behind the upper one whose faces share node i of the chain, or -1.
+  /// Returns the part behind the upper one whose faces share node i of the chain, or -1.
   int part_below(const testing::SeamChain& chain, size_t i) {
     if (lower_of_.empty())
       for (size_t f = 0; f < joined_.faces.size(); ++f)
@@ -158,7 +158,7 @@ class Separator {
   const relief::LayeredMesh& joined_;
   Roots roots_;
   SeparateParts out_;
-  std::vector<int> node_;                      ///< by vertex and part, -1 where there is none
+  std::vector<int> node_;                      ///< by vertex and part; -1: none
   std::map<int, std::set<int>> lower_of_;      ///< parts at each joined node
   std::map<std::pair<int, int>, bool> pairs_;  ///< (lower, upper): whether they are equal
 };

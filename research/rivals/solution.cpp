@@ -37,7 +37,7 @@ Status order_parts(Solution& solution, const Scene& scene, const RunContext& con
 }
 
 void make_linear(const std::vector<double>& h, Solution& solution) {
-  // A flat inflation of 1 px carries the normals.
+  // Normals need a non-zero inflation: 1 px everywhere.
   solution.inflation.u.assign(h.size(), 1);
   solution.inflation.grad_u.assign(h.size(), {0, 0});
   solution.ordering.h = h;

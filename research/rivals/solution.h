@@ -11,7 +11,7 @@
 
 namespace relievo::research {
 
-/// Parts on a mesh with their heights, and what is needed to compute more.
+/// The parts on a mesh with the intermediate results of the stages.
 struct Solution {
   relief::LayeredMesh mesh;
   relief::Discretisation discretisation;
@@ -26,11 +26,11 @@ Result<Solution> inflate_parts(relief::LayeredMesh mesh, const Scene& scene,
 /// Puts the inflated parts in order [P eq 10-13].
 Status order_parts(Solution& solution, const Scene& scene, const RunContext& context);
 
-/// Makes the heights linear on faces, in place of g + sgn(u) sqrt|u|: the slope at outlines is then
-/// finite. `h` is #N, px.
+/// Replaces the heights g + sgn(u) sqrt|u| by ones that are linear on faces, whose slope at
+/// outlines is finite. `h` is #N, px.
 void make_linear(const std::vector<double>& h, Solution& solution);
 
-/// Whole parts, those that are hidden brought below what is seen.
+/// Assembles whole parts, with hidden ones below the visible surface.
 Result<Model> model_of(const Solution& solution, const Scene& scene, const RunContext& context);
 
 }  // namespace relievo::research

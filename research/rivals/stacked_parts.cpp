@@ -12,8 +12,8 @@
 namespace relievo::research {
 namespace {
 
-/// In place of f = sgn(u) sqrt|u| the parabola u / sqrt(most |u| of the part), as an inflation: its
-/// u is f |f|.
+/// Replaces the profile f = sgn(u) sqrt|u| by the parabola f = u / sqrt(max |u| of the part), and
+/// returns it as an inflation whose u is f |f|.
 relief::Inflation parabolas(const relief::LayeredMesh& mesh, const relief::Inflation& inflation) {
   std::vector<double> most(mesh.part_count, 0);
   for (size_t n = 0; n < inflation.u.size(); ++n) {

@@ -7,18 +7,18 @@
 
 namespace relievo::research {
 
-/// Our own, with its defaults.
+/// Reconstructs by our method, with its defaults.
 Result<Model> reconstruct_ours(const RivalInput& input, const RunContext& context);
 
-/// Our joined surface with u = 0 along the whole outline of the upper part, as in Monster Mash
-/// (Dvorožňák et al. 2020): pits where joins end.
+/// Reconstructs our joined surface with u = 0 along the whole outline of the upper part, as in
+/// Monster Mash (Dvorožňák et al. 2020). It has pits at the ends of joins.
 Result<Model> reconstruct_with_firm_ends(const RivalInput& input, const RunContext& context);
 
-/// Every part by itself, without joins: what inflating layers one by one gives.
+/// Inflates every part separately, without joins.
 Result<Model> reconstruct_pillows(const RivalInput& input, const RunContext& context);
 
-/// Parts by themselves with the profile of Poisson's equation without the root (Yeh et al. 2017,
-/// Jayaraman et al. 2018): f = d u s, s of each part such that its apex is that of d sqrt(u).
+/// Inflates every part separately, with the parabolic profile of Yeh et al. 2017 and Jayaraman et
+/// al. 2018: f = d u s, where s gives each part the apex of d sqrt(u).
 Result<Model> reconstruct_parabolic(const RivalInput& input, const RunContext& context);
 
 }  // namespace relievo::research

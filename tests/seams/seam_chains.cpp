@@ -9,7 +9,7 @@ namespace {
 
 using Edges = std::map<int, std::vector<int>>;
 
-/// Takes the chain that begins at `node` out of the edges.
+/// Removes the chain that begins at `node` from the edges, and returns it.
 SeamChain take_chain(const relief::LayeredMesh& mesh, int upper, int node, Edges& edges) {
   SeamChain chain{upper, {node}, {0}};
   for (auto at = edges.find(node); at != edges.end() && !at->second.empty();
