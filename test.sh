@@ -32,7 +32,7 @@ if [ "$all" ]; then
   # The tests that follow run on the libraries that are packed.
   scripts/make-packages.sh
   build=build/package
-  cmake --preset package -DRELIEVO_TESTS=ON > /dev/null
+  cmake --preset package -DRELIEVO_TESTS=ON -DRELIEVO_RESEARCH=ON > /dev/null
 else
   build=build/test
   cmake --preset test > /dev/null

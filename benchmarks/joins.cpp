@@ -73,7 +73,7 @@ void study(const std::string& name, const Scene& scene, const relief::ReliefOpti
     return;
   }
   const relief::LayeredMesh& mesh = relief->layers;
-  for (const SeamChain& chain : seam_chains(mesh)) {
+  for (const testing::SeamChain& chain : testing::seam_chains(mesh)) {
     const std::vector<double> angles = testing::seam_angles(mesh, relief->ordering.h, chain);
     const testing::JoinEnds ends = testing::join_ends(mesh, relief->ordering.h, chain);
     const testing::JoinEnds alone = testing::join_ends_alone(scene, mesh, chain, options);

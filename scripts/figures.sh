@@ -1,18 +1,17 @@
 #!/bin/sh
-# Remakes the paper's figures and table from the samples, with the rivals, into docs/figures and
-# docs/figures.md. Given TRUTH, a folder of rendered characters (docs/figures.md tells what it
-# holds), measures all methods on them as well, which takes a quarter of an hour more.
-# Installs what it needs and builds the program where these are missing.
+# Remakes the paper's figures and table from the samples, by all methods, into docs/figures and
+# docs/figures.md. Given TRUTH, a folder of rendered characters (research/figures/compare-truth.py
+# describes it), measures all methods on them as well, which takes a quarter of an hour more.
+# Installs the packages that it needs and builds the programs.
 # Usage: figures.sh [TRUTH]
 set -eu
 truth="${1:+$(realpath "$1")}"
 cd "$(dirname "$0")/.."
-relievo=build/release/apps/cli/relievo
 scripts/install-packages.sh figures
-if [ ! -x "$relievo" ]; then
-  cmake --preset release
-  cmake --build build/release --target relievo
-fi
+cmake --preset figures > /dev/null
+cmake --build build/figures --target relievo relievo-compare
+relievo=build/figures/apps/cli/relievo
+compare=build/figures/research/compare/relievo-compare
 to=docs/figures
 samples="wolf bunny farmer unicorn elephant lamb"
 methods="relievo pillows firm-ends parabolic ink-and-ray entem"
@@ -45,7 +44,7 @@ sheet() {
 echo "Models and measures of all methods" >&2
 for name in $samples; do
   for method in $methods; do
-    "$relievo" compare "examples/$name.svg" --as "$method" --quiet --map-size 512 \
+    "$compare" "examples/$name.svg" --as "$method" --quiet --map-size 512 \
       -o "$work/$name-$method.glb" --report "$work/$name-$method.json"
   done
   rsvg-convert --width 480 --keep-aspect-ratio --background-color white "examples/$name.svg" \
@@ -192,9 +191,9 @@ lamb 30000
 END
 
 # shellcheck disable=SC2086
-scripts/figures-table.py "$work" docs/figures.md $methods
+research/figures/figures-table.py "$work" docs/figures.md $methods
 if [ -n "$truth" ]; then
   echo "Rendered characters" >&2
   # shellcheck disable=SC2086
-  scripts/compare-truth.py "$relievo" "$truth" docs/figures.md $methods
+  research/figures/compare-truth.py "$compare" "$truth" docs/figures.md $methods
 fi

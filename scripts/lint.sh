@@ -4,7 +4,7 @@
 # lint.sh --quick leaves clang-tidy out.
 set -eu
 cd "$(dirname "$0")/.."
-find include src apps bindings tests benchmarks examples \( -name '*.h' -o -name '*.cpp' \) -print0 |
+find include src apps bindings research tests benchmarks examples \( -name '*.h' -o -name '*.cpp' \) -print0 |
   xargs -0 clang-format --dry-run -Werror
 shellcheck run.sh test.sh .ci/run scripts/*.sh scripts/cluster/*.sh tests/*/*.sh
 # Takes less than a second; where it is missing, ./test.sh --all looks.
@@ -20,7 +20,7 @@ if [ ! -f "$build/compile_commands.json" ]; then
   echo "lint: $build has no compile_commands.json; configure the dev preset first" >&2
   exit 1
 fi
-find src apps -name '*.cpp' -print0 | sort -z |
+find src apps research -name '*.cpp' -print0 | sort -z |
   xargs -0 -n 1 -P "$jobs" clang-tidy -p "$build" --quiet \
     --extra-arg=-Wno-unknown-warning-option 2> "$build/clang-tidy.log" ||
   { cat "$build/clang-tidy.log" >&2; exit 1; }

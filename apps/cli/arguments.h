@@ -1,50 +1,49 @@
 #pragma once
 
-#include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "kernel/geometry/polygon.h"
+#include "apps/cli/interruption.h"
 #include "kernel/image/image_size.h"
 #include "relief/session/build_relief.h"
 #include "relievo/export.h"
 #include "relievo/scene.h"
 #include "relievo/solid.h"
-#include "rivals/rival.h"
 #include "solid/check_print.h"
 
 namespace relievo::cli {
 
-/// What all commands take.
+/// Arguments of every command.
 struct CommonArguments {
   std::string input;  ///< a file, or "-" for standard input
   bool quiet = false;
   double timeout = 0;   ///< s; 0: none
-  int threads = 0;      ///< 0: as many as the machine has
-  bool connect = true;  ///< guess how the parts of a layered drawing connect where it does not say
+  int threads = 0;      ///< 0: one per processor
+  bool connect = true;  ///< guess how parts of a layered drawing connect if it does not say so
 };
 
-/// A cue for a part that has yet to be found in the scene.
+/// A cue on the part with the given id, which is looked up once the scene is known.
 struct CueArgument {
-  std::string part;  ///< id
+  std::string part;
   Cue cue;
 };
 
-/// How a drawing is reconstructed.
+/// Arguments of the reconstruction.
 struct ReliefArguments {
   relief::ReliefOptions options;
-  std::optional<double> c;        ///< in place of every part's own
-  std::optional<double> flat;     ///< likewise
-  std::optional<Point2> lean;     ///< likewise
-  std::vector<CueArgument> cues;  ///< besides those of the drawing
-  bool as_in_paper = false;       ///< c, d, profile and lean of all parts as the paper has them
-  std::optional<Visibility> visibility;  ///< orbit where nothing is said, relief in files to print
+  std::optional<double> c;               ///< replaces the c of every part
+  std::optional<double> flat;            ///< replaces the profile of every part
+  std::optional<Point2> lean;            ///< replaces the tilt of every part
+  std::vector<CueArgument> cues;         ///< added to those of the drawing
+  bool as_in_paper = false;              ///< use the paper's c, d, profile and tilt for all parts
+  std::optional<Visibility> visibility;  ///< default: relief in files to print, else orbit
   Field field = Field::relief;
-  bool solid = false;            ///< something to hold, in place of the surface
-  SolidOptions solid_options;    ///< its size is that of the outputs
-  double nozzle = usual_nozzle;  ///< mm, of the printer that a solid is checked for
+  bool solid = false;            ///< make a closed solid in place of the surface
+  SolidOptions solid_options;    ///< their size is that of the outputs
+  double nozzle = usual_nozzle;  ///< mm, of the printer that solids are checked for
 };
 
 struct BuildArguments {
@@ -52,11 +51,11 @@ struct BuildArguments {
   ReliefArguments relief;
   std::vector<std::string> models;  ///< .glb, .obj, .ply, .stl, .3mf, .usdz, .html
   double size_mm = 100;             ///< longest side of the model
-  int triangles = 0;                ///< that models have at most; 0: any
+  int triangles = 0;                ///< maximum in a model; 0: any number
   int levels = 1;                   ///< files of each model, each with half of the triangles
-  bool one_mesh = false;            ///< all parts as one
-  int filaments = 4;                ///< colours that a .3mf is painted with at most
-  Slicer slicer = Slicer::prusa;    ///< that it is painted for
+  bool one_mesh = false;            ///< write all parts as one mesh
+  int filaments = 4;                ///< maximum number of colours of a .3mf
+  Slicer slicer = Slicer::prusa;    ///< reads the paint of a .3mf
   std::string normal_map;           ///< files; empty: not wanted
   std::string depth_map;
   std::string part_map;
@@ -77,7 +76,7 @@ struct CheckArguments {
   CommonArguments common;
   std::string output;      ///< scene .json; empty: not wanted
   std::string overlay;     ///< file; empty: not wanted
-  ReliefArguments relief;  ///< of which what is said of solids is used
+  ReliefArguments relief;  ///< of which the options of solids are used
 };
 
 struct RenderArguments {
@@ -85,76 +84,60 @@ struct RenderArguments {
   ReliefArguments relief;
   std::string output;
   std::string view = "three-quarter";  ///< front, three-quarter, side or sheet
-  std::optional<double> yaw;           ///< degrees, in place of the view's
-  std::optional<double> pitch;         ///< likewise
+  std::optional<double> yaw;           ///< degrees; replaces that of the view
+  std::optional<double> pitch;         ///< degrees; replaces that of the view
   std::vector<double> light;           ///< azimuth to the right and elevation, degrees; or empty
   int size = 1200;                     ///< longest side, px
-  bool clay = false;                   ///< without the drawing
+  bool clay = false;                   ///< leave the drawing out
   std::vector<double> window;          ///< middle x, y and width, canvas px; or empty
 };
 
 struct SegmentArguments {
   CommonArguments common;
-  std::string labels;     ///< files; empty: found in the drawing, or those of the project
+  std::string labels;     ///< file; empty: found in the drawing, or those of the project
   std::string scribbles;  ///< .png or .json
-  std::string figure;     ///< what of the drawing is the figure (.png); empty: found
-  int parts = 0;          ///< so many are proposed; 0: as many as are found
-  std::string output;     ///< project .relievo or scene .json
+  std::string figure;     ///< mask of the figure (.png); empty: found
+  int parts = 0;          ///< number of parts to propose; 0: as many as are found
+  std::string output;     ///< project .relievo, scene .json or layers .psd
   std::string overlay;    ///< files; empty: not wanted
   std::string report;
-};
-
-/// A share of a batch: of every `count` drawings the one of this index, from 1.
-struct Shard {
-  int index = 1;
-  int count = 1;
 };
 
 struct BatchArguments {
   CommonArguments common;
   std::vector<std::string> inputs;          ///< drawings, folders, tables
   std::string output;                       ///< folder
-  std::vector<std::string> make = {"glb"};  ///< of each drawing
+  std::vector<std::string> make = {"glb"};  ///< outputs for each drawing
   std::vector<std::string> words;           ///< options of `build` for every drawing
-  int jobs = 0;                             ///< at once; 0: as many as there are processors
-  double memory_mb = 0;                     ///< for all of them; 0: most of what is free
-  Shard shard;
-  bool retry = false;  ///< build those again that failed
-  bool sheet = false;  ///< make a contact sheet
-  bool merge = false;  ///< the journals of shards, and build nothing
+  int jobs = 0;                             ///< drawings at once; 0: one per processor
+  double memory_mb = 0;                     ///< for all of them; 0: most of the free memory
+  int shard = 1;                            ///< number of the share to build, from 1
+  int shards = 1;                           ///< into which the batch is divided
+  bool retry = false;                       ///< build failed drawings again
+  bool sheet = false;                       ///< make a contact sheet
+  bool merge = false;                       ///< merge the journals of shards, and build nothing
 };
 
 struct SequenceArguments {
   CommonArguments common;
   ReliefArguments relief;
-  std::vector<std::string> inputs;  ///< drawings, or one sheet of sprites
-  std::string output;               ///< folder
-  std::vector<std::string> make = {"colour", "normal", "depth"};  ///< of each frame
+  std::vector<std::string> inputs;                                ///< drawings, or one sprite sheet
+  std::string output;                                             ///< folder
+  std::vector<std::string> make = {"colour", "normal", "depth"};  ///< outputs for each frame
   std::optional<ImageSize> grid;  ///< columns and rows of a sheet without a list
-  int columns = 0;                ///< of the sheet that the frames are put on; 0: one file a frame
+  int columns = 0;                ///< of the sheet to write; 0: one file per frame
   int map_size = 1024;            ///< longest side of a drawing's maps, px
   bool normal_y_down = false;
 };
 
-struct CompareArguments {
+/// A command with its arguments. `run` returns the exit code.
+struct Command {
   CommonArguments common;
-  ReliefArguments relief;  ///< of which the mesh's options alone are used
-  std::string method;      ///< name of a rival
-  RivalOptions options;
-  std::vector<std::string> models;  ///< .glb, .obj, .ply, .stl
-  std::string graft_mask;           ///< file; empty: none
-  std::string preview;              ///< files; empty: not wanted
-  std::string normal_map;
-  std::string depth_map;
-  std::string report;
-  int map_size = 1024;  ///< longest side of the maps, px
+  std::function<Result<int>(Interruption&)> run;
 };
 
-using Command = std::variant<BuildArguments, CheckArguments, CompareArguments, RenderArguments,
-                             SegmentArguments, BatchArguments, SequenceArguments>;
-
-/// The command, or the exit code where there is nothing more to do: help or the version was
-/// printed on standard output, or what is wrong was told on standard error.
+/// A command, or an exit code if nothing is left to do: help, the version or a usage error has been
+/// printed.
 using ParsedArguments = std::variant<Command, int>;
 
 ParsedArguments parse_arguments(int argc, const char* const* argv);

@@ -22,28 +22,28 @@ void add_print_options(CLI::App& app, BuildArguments& build) {
   app.add_option("--size", build.size_mm, "Longest side in mm (default 100)")
       ->check(within(0.001, 1e6));
   app.add_option("--filaments", build.filaments,
-                 "Paint a .3mf with so many colours at most (default 4)")
+                 "Maximum number of colours that a .3mf is painted with (default 4)")
       ->check(CLI::Range(1, 16));
   app.add_option_function<std::string>(
          "--slicer",
          [&build](const std::string& name) {
            build.slicer = name == "bambu" ? Slicer::bambu : Slicer::prusa;
          },
-         "Paint a .3mf for prusa (the default) or bambu, whose paint the other does not read")
+         "Slicer that a .3mf is painted for: prusa (the default) or bambu; each reads only its own")
       ->check(CLI::IsMember({"prusa", "bambu"}));
 }
 
 void add_level_options(CLI::App& app, BuildArguments& build) {
   app.add_option("--triangles", build.triangles,
-                 "Triangles of a model at most, as far as its seams and outlines allow that")
+                 "Maximum number of triangles in a model, as far as its seams and outlines allow")
       ->check(CLI::Range(4, 100000000));
   app.add_option(
          "--lods", build.levels,
-         "Levels of detail: so many files of each model, wolf.glb, wolf-lod1.glb, ..., each "
-         "with half of the triangles")
+         "Levels of detail: writes this many files of each model, wolf.glb, wolf-lod1.glb, ..., "
+         "each with half of the triangles")
       ->check(CLI::Range(1, 8));
   app.add_flag("--one-mesh", build.one_mesh,
-               "Models with all parts as one mesh: one draw call, no names of parts");
+               "Writes all parts as one mesh: one draw call, but no names of parts");
 }
 
 void add_picture_options(CLI::App& app, BuildArguments& build) {
@@ -53,7 +53,7 @@ void add_picture_options(CLI::App& app, BuildArguments& build) {
       ->check(CLI::IsMember({"+", "-"}));
   app.add_option("--map-size", build.map_size, "Longest side of the maps in px (default 2048)")
       ->check(CLI::Range(1, 16384));
-  app.add_option("--px-per-mm", build.px_per_mm, "Of the carve map (default 10)")
+  app.add_option("--px-per-mm", build.px_per_mm, "Resolution of the carve map (default 10)")
       ->check(within(0.1, 1000.0));
   app.add_option("--preview-size", build.preview_size,
                  "Longest side of the preview in px (default 1200)")
@@ -62,29 +62,32 @@ void add_picture_options(CLI::App& app, BuildArguments& build) {
 
 void add_outputs(CLI::App& app, BuildArguments& build) {
   app.add_option("-o,--output", build.models,
-                 "Model: .glb, .obj, .ply, .stl, .3mf, .usdz or .html; may be repeated")
+                 "Model: .glb, .obj, .ply, .stl, .3mf, .usdz or .html (repeatable)")
       ->check(extension({".glb", ".obj", ".ply", ".stl", ".3mf", ".usdz", ".html"}))
       ->expected(1)
       ->take_all();
   const auto picture = extension({".png"});
-  app.add_option("--normal-map", build.normal_map, "Normals (.png)")->check(picture);
-  app.add_option("--depth-map", build.depth_map, "Heights, 16 bit, near is white (.png)")
+  app.add_option("--normal-map", build.normal_map, "Normal map (.png)")->check(picture);
+  app.add_option("--depth-map", build.depth_map, "Depth map, 16 bit, near is white (.png)")
       ->check(picture);
-  app.add_option("--part-map", build.part_map, "Numbers of the parts, 16 bit (.png)")
+  app.add_option("--part-map", build.part_map, "Map of the part numbers, 16 bit (.png)")
       ->check(picture);
   app.add_option("--carve-map", build.carve_map,
-                 "Heights of a solid above the bed, 16 bit, for mills (.png)")
+                 "Heights of a solid above the bed, 16 bit, for milling (.png)")
       ->check(picture);
-  app.add_option("--occlusion-map", build.occlusion_map,
-                 "Light of an even sky that reaches each pixel, white is all (.png)")
+  app.add_option(
+         "--occlusion-map", build.occlusion_map,
+         "Ambient occlusion: share of an even sky seen by each pixel, white is all of it (.png)")
       ->check(picture);
   app.add_option("--preview", build.preview, "Picture of the model (.png)")->check(picture);
-  app.add_option("--overlay", build.overlay, "What was understood, over the drawing (.png)")
+  app.add_option("--overlay", build.overlay,
+                 "Picture of the drawing with its parts and joins marked (.png)")
       ->check(picture);
   app.add_option("--convergence", build.convergence,
-                 "Of nonlinear: the surface after some of its steps, side by side (.png)")
+                 "For nonlinear: the surface after some of the steps, side by side (.png)")
       ->check(picture);
-  app.add_option("--report", build.report, "What was computed, how exactly, how fast (.json)")
+  app.add_option("--report", build.report,
+                 "Report with sizes, accuracy, timings and warnings (.json)")
       ->check(extension({".json"}));
   app.add_flag("--json", build.print_report, "Print the report on standard output");
 }
@@ -125,17 +128,19 @@ void settle_build(const BuildArguments& build) {
   if (wants_nothing(build))
     throw CLI::ValidationError("nothing to write: give -o, a map, --preview, --report or --json");
   if (!build.convergence.empty() && build.relief.options.method != Method::nonlinear)
-    throw CLI::ValidationError("--convergence needs --method nonlinear: the other has no steps");
+    throw CLI::ValidationError(
+        "--convergence needs --method nonlinear, since the approximate method has no steps");
   if (wants(build, {".3mf"}) && !build.relief.solid)
-    throw CLI::ValidationError("a .3mf holds solids alone: add --profile solid");
+    throw CLI::ValidationError("a .3mf can hold only solids: add --profile solid");
   const bool simpler = build.triangles > 0 || build.levels > 1;
   if (simpler && build.relief.solid && wants(build, {".stl", ".3mf"}))
     throw CLI::ValidationError(
-        "a solid to print needs the triangles that close it: give --vertices in place of "
+        "a solid to print cannot lose triangles, or it would have gaps: use --vertices in place of "
         "--triangles and --lods");
   const bool flat = build.relief.solid && build.relief.solid_options.back == BackSide::flat;
   if (!build.carve_map.empty() && !flat)
-    throw CLI::ValidationError("a mill carves from one side: --carve-map needs --profile solid");
+    throw CLI::ValidationError(
+        "--carve-map needs --profile solid, since a mill carves from one side");
 }
 
 Result<BuildArguments> parse_build(const std::string& input,

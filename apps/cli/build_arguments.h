@@ -9,16 +9,16 @@
 
 namespace relievo::cli {
 
-/// Adds the command.
+/// Adds the command `build`.
 void add_build(CLI::App& main, BuildArguments& build);
 
-/// Adds how a drawing is built: all options but its input and outputs.
+/// Adds all options of `build` except its input and outputs.
 void add_build_choices(CLI::App& app, BuildArguments& build);
 
-/// Throws CLI::ValidationError where options contradict each other.
+/// Throws CLI::ValidationError if options contradict each other.
 void settle_build(const BuildArguments& build);
 
-/// What `relievo build INPUT WORDS...` would do. Errors: `usage`.
+/// Parses the arguments of `relievo build INPUT WORDS...`. Errors: `usage`.
 Result<BuildArguments> parse_build(const std::string& input, const std::vector<std::string>& words);
 
 }  // namespace relievo::cli

@@ -12,6 +12,7 @@
 #include "apps/cli/reconstruct.h"
 #include "apps/cli/report.h"
 #include "face/inputs.h"
+#include "io/files/number_text.h"
 #include "io/image/png_encode.h"
 #include "io/maps/carve_map.h"
 #include "io/maps/encode_maps.h"
@@ -27,34 +28,23 @@
 namespace relievo::cli {
 namespace {
 
-/// What a build has made so far.
+/// The results of a build.
 struct Products {
   std::vector<OutputFile> files;
   std::optional<MadeModel> made;
-  std::optional<Model> written;  ///< in place of the one that was made
+  std::optional<Model> written;        ///< the level of detail written last, if not `made` itself
+  std::vector<std::string> summaries;  ///< one for each model
   std::vector<std::string> warnings;
 };
 
-Status add(Products& products, const std::string& name, Result<Bytes> bytes) {
-  if (!bytes) return bytes.error();
-  products.files.push_back({name, std::move(*bytes)});
-  return Done{};
-}
-
-/// Files for printers and files to look at.
-struct ModelNames {
-  std::vector<std::string> printed;
-  std::vector<std::string> shown;
-};
-
-/// Sorts the names of models: files for printers hold what the front shows (exported_visibility),
-/// unless the arguments ask for a solid or for other faces.
-ModelNames sort_models(const BuildArguments& build) {
-  ModelNames names;
+/// Selects the models to print, or the others. Files to print hold the surface seen from the front
+/// (exported_visibility) unless the options ask for a solid or for other faces.
+std::vector<std::string> models_of(const BuildArguments& build, bool printed) {
+  std::vector<std::string> names;
   for (const std::string& name : build.models) {
-    const bool apart = exported_visibility(name) == Visibility::relief &&
-                       !build.relief.visibility && !build.relief.solid;
-    (apart ? names.printed : names.shown).push_back(name);
+    const bool for_print = exported_visibility(name) == Visibility::relief;
+    if ((for_print && !build.relief.visibility && !build.relief.solid) == printed)
+      names.push_back(name);
   }
   return names;
 }
@@ -64,14 +54,15 @@ Status add_preview(Products& products, const BuildArguments& build, const RunCon
   RenderArguments picture;
   picture.size = build.preview_size;
   const relief::DrawnModel& drawn = products.made->drawn;
-  return add(products, build.preview, draw_picture(drawn.model, drawn.drawing, picture, context));
+  return add_file(products.files, build.preview,
+                  draw_picture(drawn.model, drawn.drawing, picture, context));
 }
 
 Status add_carve_map(Products& products, const BuildArguments& build) {
   if (build.carve_map.empty()) return Done{};
   const double base = build.relief.solid_options.thickness;
-  return add(products, build.carve_map,
-             encode_carve_map(products.made->drawn.model, build.px_per_mm, base));
+  return add_file(products.files, build.carve_map,
+                  encode_carve_map(products.made->drawn.model, build.px_per_mm, base));
 }
 
 const Model* written_model(const Products& products) {
@@ -79,7 +70,7 @@ const Model* written_model(const Products& products) {
   return products.made ? &products.made->drawn.model : nullptr;
 }
 
-/// What of the made model is written as a level of detail.
+/// Simplifies the model to a level of detail, if the options ask for that.
 void make_level(Products& products, const BuildArguments& build, int level) {
   if (build.triangles == 0 && build.levels == 1 && !build.one_mesh) return;
   const Model& made = products.made->drawn.model;
@@ -89,10 +80,30 @@ void make_level(Products& products, const BuildArguments& build, int level) {
   products.written = simplify_model(model, std::max(most, 1));
   const size_t left = products.written->triangles.size();
   if (left > static_cast<size_t>(most))
-    products.warnings.push_back(std::to_string(left) + " triangles are left where " +
+    products.warnings.push_back("the model keeps " + std::to_string(left) + " triangles, not " +
                                 std::to_string(most) +
-                                " were wanted: seams and outlines need them; fewer --vertices "
-                                "make fewer");
+                                ": its seams and outlines need them; use fewer --vertices");
+}
+
+/// Formats a count as "143,782".
+std::string grouped(size_t number) {
+  std::string text = std::to_string(number);
+  for (size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
+  return text;
+}
+
+/// Describes a model whose longest side is `size` mm: "wolf.glb: 13 parts, 143,782 triangles,
+/// 100 x 80 x 31 mm".
+std::string summary(const std::string& name, size_t parts, const Model& model, double size) {
+  const Box3 box = extent(model);
+  const double scale = size / longest_side(model);
+  const auto side = [scale](double length) {
+    const double mm = scale * length;
+    return shortest_text(mm < 10 ? std::round(10 * mm) / 10 : std::round(mm));
+  };
+  return name + ": " + counted(parts, "part") + ", " + grouped(model.triangles.size()) +
+         " triangles, " + side(box.max.x - box.min.x) + " x " + side(box.max.y - box.min.y) +
+         " x " + side(box.max.z - box.min.z) + " mm";
 }
 
 Status add_models(Products& products, const BuildArguments& build, const SceneInput& input,
@@ -106,22 +117,26 @@ Status add_models(Products& products, const BuildArguments& build, const SceneIn
     // A solid is in mm already.
     const double size = products.made->solid ? longest_side(model) : build.size_mm;
     const bool standing = arguments.solid && stands(arguments.solid_options);
-    // The finest last, which the report tells of.
+    // The report describes the finest level, so it comes last.
     for (int level = names.empty() ? -1 : build.levels - 1; level >= 0; --level) {
       make_level(products, build, level);
       const Model& written = products.written ? *products.written : model;
       const double share = longest_side(written) / longest_side(model);
       for (const std::string& name : names) {
-        auto files = export_model(written, drawing, level_name(name, level),
+        const std::string file = level_name(name, level);
+        auto files = export_model(written, drawing, file,
                                   {share * size, standing, build.filaments, build.slicer});
         if (!files) return files.error();
         std::move(files->begin(), files->end(), std::back_inserter(products.files));
+        products.summaries.push_back(
+            summary(file, input.scene.parts.size(), written, share * size));
         if (context.cancelled()) return interrupted_error();
       }
     }
     return Done{};
   };
-  const auto [printed, shown] = sort_models(build);
+  const std::vector<std::string> shown = models_of(build, false);
+  const std::vector<std::string> printed = models_of(build, true);
   if (!shown.empty() || !build.preview.empty() || !build.carve_map.empty()) {
     if (Status status = put(shown); !status) return status;
     if (Status status = add_preview(products, build, context); !status) return status;
@@ -146,76 +161,94 @@ Status add_maps(Products& products, const BuildArguments& build, const Scene& sc
     return Done{};
   const auto maps = make_maps(build, scene, relief, context);
   if (!maps) return maps.error();
-  if (!build.normal_map.empty())
-    if (Status s = add(products, build.normal_map, encode_normal_map(*maps, build.normal_y_down));
-        !s)
-      return s;
-  if (!build.depth_map.empty())
-    if (Status s = add(products, build.depth_map, encode_depth_map(*maps)); !s) return s;
-  if (!build.part_map.empty())
-    if (Status s = add(products, build.part_map, encode_part_map(*maps)); !s) return s;
-  if (!build.occlusion_map.empty()) {
+  const auto put = [&](const std::string& name, const auto& encode) -> Status {
+    return name.empty() ? Status(Done{}) : add_file(products.files, name, encode());
+  };
+  if (Status s =
+          put(build.normal_map, [&] { return encode_normal_map(*maps, build.normal_y_down); });
+      !s)
+    return s;
+  if (Status s = put(build.depth_map, [&] { return encode_depth_map(*maps); }); !s) return s;
+  if (Status s = put(build.part_map, [&] { return encode_part_map(*maps); }); !s) return s;
+  return put(build.occlusion_map, [&] {
     const double pixel = scene.width / maps->height.width;
-    const Image8 open = share_image(relief::ambient_occlusion(*maps, pixel));
-    if (Status s = add(products, build.occlusion_map, encode_png(open)); !s) return s;
-  }
-  return Done{};
+    return encode_png(share_image(relief::ambient_occlusion(*maps, pixel)));
+  });
 }
 
 Status add_convergence(Products& products, const BuildArguments& build, const Scene& scene,
                        const relief::Relief& relief, const RunContext& context) {
   if (build.convergence.empty()) return Done{};
-  return add(products, build.convergence, draw_convergence(relief, scene, context));
+  return add_file(products.files, build.convergence, draw_convergence(relief, scene, context));
 }
 
-std::string summary(const relief::Relief& relief) {
-  return std::to_string(relief.layers.node_vertex.size()) + " vertices, " +
-         std::to_string(relief.ordering.equalities) + " equalities, " +
-         std::to_string(relief.ordering.inequalities) + " inequalities, " +
-         std::to_string(relief.ordering.report.active) + " active";
-}
-
-void print_files(const BuildArguments& build, const Products& products) {
+void print_outcome(const BuildArguments& build, const SceneInput& input, const Products& products) {
+  const bool quiet = build.common.quiet;
+  print_warnings(products.warnings, quiet);
+  for (const std::string& line : input.understood) print_note(line, quiet);
+  for (const std::string& line : products.summaries) print_note(line, quiet);
+  if (products.summaries.empty())
+    print_note(build.common.input + ": " + counted(input.scene.parts.size(), "part"), quiet);
   if (build.print_report) return;
-  for (const OutputFile& file : products.files)
-    print_result(file.path.string(), build.common.quiet);
+  for (const OutputFile& file : products.files) print_result(file.path.string(), quiet);
 }
 
-std::vector<std::string> relief_warnings(const relief::Relief& relief) {
-  std::vector<std::string> warnings = relief.layers.warnings;
-  if (relief.nonlinear.status == SolveStatus::iteration_limit)
-    warnings.push_back(
-        "the non-linear method did not converge; the relief keeps its order but is not the best");
-  return warnings;
-}
-
-/// What is to be said of a solid. All figures hang over, which is in the report.
-std::vector<std::string> solid_warnings(const Products& products,
-                                        const std::vector<PrintFinding>& findings, double nozzle) {
-  std::vector<std::string> warnings;
-  if (findings.empty()) return warnings;
-  const double size = longest_side(products.made->drawn.model);
-  for (const PrintFinding& finding : findings)
-    if (finding.trouble != PrintTrouble::overhang)
-      warnings.push_back(describe(finding, nozzle, size));
-  return warnings;
-}
-
-std::vector<std::string> joined(std::vector<std::string> warnings,
-                                const std::vector<std::string>& more) {
-  warnings.insert(warnings.end(), more.begin(), more.end());
-  return warnings;
-}
-
-/// The options of the reconstruction, with what the outputs need besides: what lies hidden is
-/// placed where a model shows it.
+/// Returns the options of the reconstruction. Hidden parts are placed only if a model shows them.
 ReliefArguments relief_arguments(const BuildArguments& build) {
   ReliefArguments relief = build.relief;
-  if (!relief.visibility && sort_models(build).shown.empty() && build.preview.empty())
+  if (!relief.visibility && models_of(build, false).empty() && build.preview.empty())
     relief.visibility = Visibility::relief;
   if (!build.convergence.empty())
     relief.options.nonlinear.snapshots = convergence_steps(relief.options.nonlinear.max_iterations);
   return relief;
+}
+
+/// Makes all outputs but the report.
+Result<Products> make_products(const BuildArguments& build, const InputFile& file,
+                               SceneInput& input, const relief::Relief& relief,
+                               const RunContext& context) {
+  Products products;
+  if (Status s = finish_drawing(file, input); !s) return s.error();
+  if (Status s = add_models(products, build, input, relief, context); !s) return s.error();
+  if (Status s = add_maps(products, build, input.scene, relief, context); !s) return s.error();
+  if (Status s = add_convergence(products, build, input.scene, relief, context); !s)
+    return s.error();
+  if (build.overlay.empty()) return products;
+  if (Status s = add_file(products.files, build.overlay,
+                          draw_overlay(input.scene, {}, input.drawing.rgba));
+      !s)
+    return s.error();
+  return products;
+}
+
+/// Collects the warnings about the relief, the solid and the models, in this order. Overhangs are
+/// only in the report, since every figure has some.
+std::vector<std::string> all_warnings(const relief::Relief& relief, const Products& products,
+                                      const std::vector<PrintFinding>& findings, double nozzle) {
+  std::vector<std::string> warnings = relief.layers.warnings;
+  if (relief.nonlinear.status == SolveStatus::iteration_limit)
+    warnings.push_back(
+        "the non-linear method did not converge: the depth order holds, but the shape is not the "
+        "best possible");
+  for (const PrintFinding& finding : findings)
+    if (finding.trouble != PrintTrouble::overhang)
+      warnings.push_back(describe(finding, nozzle, longest_side(products.made->drawn.model)));
+  warnings.insert(warnings.end(), products.warnings.begin(), products.warnings.end());
+  return warnings;
+}
+
+/// Writes the report, and completes the warnings of `products`.
+std::string finish_report(const BuildArguments& build, const SceneInput& input,
+                          const relief::Relief& relief, Products& products,
+                          std::vector<relief::StageTime> times) {
+  std::vector<PrintFinding> findings;
+  if (products.made) findings = print_findings(*products.made, build.relief);
+  products.warnings = all_warnings(relief, products, findings, build.relief.nozzle);
+  std::vector<std::string> warnings = input.warnings;
+  warnings.insert(warnings.end(), products.warnings.begin(), products.warnings.end());
+  return write_report({build.common.input, input.scene, relief, build.relief.options.nonlinear,
+                       written_model(products), products.made ? products.made->solid : std::nullopt,
+                       findings, std::move(times), warnings});
 }
 
 }  // namespace
@@ -235,47 +268,23 @@ Status run_build(const BuildArguments& build, Interruption& interruption) {
   if (Status status = check_outputs(outputs, input->files); !status) return status;
   const double read_time = total.milliseconds();
 
-  Products products;
   const auto relief = reconstruct(*input, relief_arguments(build), context);
   print_warnings(input->warnings, build.common.quiet);
   if (!relief) return relief.error();
   const Stopwatch exporting;
-  if (Status s = finish_drawing(*file, *input); !s) return s;
-  if (Status s = add_models(products, build, *input, *relief, context); !s) return s;
-  if (Status s = add_maps(products, build, input->scene, *relief, context); !s) return s;
-  if (Status s = add_convergence(products, build, input->scene, *relief, context); !s) return s;
-  if (!build.overlay.empty())
-    if (Status s =
-            add(products, build.overlay, draw_overlay(input->scene, {}, input->drawing.rgba));
-        !s)
-      return s;
+  auto products = make_products(build, *file, *input, *relief, context);
+  if (!products) return products.error();
   progress.reset();
 
-  const double nozzle = build.relief.nozzle;
-  const auto findings =
-      products.made ? print_findings(*products.made, build.relief) : std::vector<PrintFinding>{};
-  const std::vector<std::string> warnings =
-      joined(joined(relief_warnings(*relief), solid_warnings(products, findings, nozzle)),
-             products.warnings);
-  const std::string report = write_report(
-      {build.common.input,
-       input->scene,
-       *relief,
-       build.relief.options.nonlinear,
-       written_model(products),
-       products.made ? products.made->solid : std::nullopt,
-       findings,
-       {{"read", read_time}, {"export", exporting.milliseconds()}, {"total", total.milliseconds()}},
-       joined(input->warnings, warnings)});
-  if (!build.report.empty()) products.files.push_back({build.report, bytes_of(report)});
-  // A report that nobody gets must not leave a model behind.
+  const std::string report = finish_report(
+      build, *input, *relief, *products,
+      {{"read", read_time}, {"export", exporting.milliseconds()}, {"total", total.milliseconds()}});
+  if (!build.report.empty()) products->files.push_back({build.report, bytes_of(report)});
+  // No model is written if the report cannot be printed.
   if (build.print_report) print_result(report, false);
   if (Status status = flush_results(); !status) return status;
-  if (Status status = save(products.files, input->files, interruption); !status) return status;
-  print_warnings(warnings, build.common.quiet);
-  for (const std::string& line : input->understood) print_note(line, build.common.quiet);
-  print_note(summary(*relief), build.common.quiet);
-  print_files(build, products);
+  if (Status status = save(products->files, input->files, interruption); !status) return status;
+  print_outcome(build, *input, *products);
   return Done{};
 }
 

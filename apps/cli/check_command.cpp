@@ -28,14 +28,14 @@
 namespace relievo::cli {
 namespace {
 
-/// Characters of UTF-8 text: all bytes but those that continue one.
+/// Counts the characters of UTF-8 text, which are the bytes that do not continue one.
 size_t length(const std::string& text) {
   return static_cast<size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
   }));
 }
 
-/// Text in aligned columns, a heading above each.
+/// Text in aligned columns with headings.
 class Table {
  public:
   explicit Table(std::vector<std::string> headings) : rows_{std::move(headings)} {}
@@ -61,14 +61,14 @@ std::string Table::text() const {
   return text;
 }
 
-/// At most six significant digits.
+/// Formats a number with at most six significant digits.
 std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
 }
 
-/// Enough to find every contradiction between annotations, and quick.
+/// Vertices of the trial mesh: few, but enough to find all contradictions between annotations.
 constexpr int trial_vertices = 5000;
 
 std::string part_table(const Scene& scene) {
@@ -89,22 +89,22 @@ std::string guessed(double confidence) {
   return "guessed, " + number(std::round(100 * confidence)) + " % sure";
 }
 
-/// How sure a guess is; empty for what was said.
-std::string trust(const understanding::JoinProposals& guesses, const Join& join) {
+/// Formats the confidence of a guess; empty for an annotation of the drawing.
+std::string confidence_of(const understanding::JoinProposals& guesses, const Join& join) {
   for (const understanding::ProposedJoin& guess : guesses.joins)
     if (guess.join.upper == join.upper && guess.join.lower == join.lower)
       return guessed(guess.confidence);
   return "";
 }
 
-std::string trust(const understanding::JoinProposals& guesses, const Relation& relation) {
+std::string confidence_of(const understanding::JoinProposals& guesses, const Relation& relation) {
   for (const understanding::ProposedRelation& guess : guesses.relations)
     if (guess.relation.upper == relation.upper && guess.relation.lower == relation.lower)
       return relation.kind == RelationKind::joined ? guessed(guess.confidence) : "guessed";
   return "";
 }
 
-/// What is said of a relation, from which its kind can be told.
+/// Describes the kind of a relation, and whether it holds along a range only.
 std::string detail_of(const Relation& relation) {
   const std::string kind =
       relation.kind == RelationKind::joined ? "from behind" : name(relation.kind);
@@ -117,10 +117,10 @@ std::string annotation_table(const SceneInput& input) {
   const auto id = [&](int part) { return scene.parts[part].id; };
   for (const Join& join : scene.joins)
     table.add({"join", id(join.upper), id(join.lower), counted(join.line.size(), "point"),
-               trust(input.guesses, join)});
+               confidence_of(input.guesses, join)});
   for (const Relation& relation : scene.relations)
     table.add({relation.kind == RelationKind::joined ? "join" : "relation", id(relation.upper),
-               id(relation.lower), detail_of(relation), trust(input.guesses, relation)});
+               id(relation.lower), detail_of(relation), confidence_of(input.guesses, relation)});
   for (const RobinRange& range : scene.robin)
     table.add({"robin", id(range.upper), id(range.lower),
                "alpha0 " + (range.alpha0 ? number(*range.alpha0) : "default") + ", rho " +
@@ -141,18 +141,18 @@ std::string cue_table(const Scene& scene) {
   return table.empty() ? "" : table.text();
 }
 
-/// Outlines that cross themselves: the surface is pinched there.
+/// Warns of outlines that cross themselves, where the surface is pinched.
 std::vector<std::string> warnings_about_outlines(const Scene& scene) {
   std::vector<std::string> warnings;
   for (size_t p = 0; p < scene.parts.size(); ++p)
     if (const auto place = find_self_crossing(scene.parts[p].outline))
       warnings.push_back("parts[" + std::to_string(p) + "] (\"" + scene.parts[p].id +
                          "\"): its outline crosses itself at " + number(place->x) + " " +
-                         number(place->y) + "; all that it goes round is filled");
+                         number(place->y) + "; everything inside it is filled");
   return warnings;
 }
 
-/// What the depth constraints tie together, pair by pair.
+/// Lists the pairs of parts that overlap, and how much of the overlap is glued.
 std::string overlap_table(const Scene& scene, const relief::LayeredMesh& mesh) {
   std::map<std::pair<int, int>, std::pair<size_t, size_t>> pairs;
   for (const relief::DepthPair& pair : mesh.constraints) {
@@ -168,7 +168,20 @@ std::string overlap_table(const Scene& scene, const relief::LayeredMesh& mesh) {
   return table.text();
 }
 
-/// The scene as it was understood, with its drawing.
+void print_scene(const SceneInput& input, bool quiet) {
+  const Scene& scene = input.scene;
+  print_result("canvas " + number(scene.width) + " x " + number(scene.height) + " px, " +
+                   counted(scene.parts.size(), "part") +
+                   (input.proposed ? " found in the drawing" : "") + ", back to front",
+               quiet);
+  print_result("\n" + part_table(scene), quiet);
+  for (const std::string& table : {annotation_table(input), cue_table(scene)})
+    if (!table.empty()) print_result("\n" + table, quiet);
+  print_warnings(warnings_about_cues(scene), quiet);
+  print_warnings(warnings_about_outlines(scene), quiet);
+}
+
+/// Returns the scene file, and a copy of the drawing if needed.
 Result<std::vector<OutputFile>> scene_outputs(const CheckArguments& check, const InputFile& file,
                                               const SceneInput& input) {
   const std::string& from = input.drawing_file;
@@ -183,8 +196,8 @@ Result<std::vector<OutputFile>> scene_outputs(const CheckArguments& check, const
   return scene_files(check.output, input.scene, {from, std::move(*bytes)});
 }
 
-/// What a printer makes of the solid or figure that is asked for.
-Status tell_of_print(const CheckArguments& check, SceneInput& input, const RunContext& context) {
+/// Lists what would go wrong in printing the solid or figure.
+Status print_weak_spots(const CheckArguments& check, SceneInput& input, const RunContext& context) {
   ReliefArguments arguments = check.relief;
   arguments.options.layers.vertex_budget = trial_vertices;
   const auto relief = reconstruct(input, arguments, context);
@@ -192,14 +205,14 @@ Status tell_of_print(const CheckArguments& check, SceneInput& input, const RunCo
   const auto made = make_model(*relief, input, arguments, context);
   if (!made) return made.error();
   const double size = longest_side(made->drawn.model);
-  Table table({"to print", "part", "what, and what helps"});
+  Table table({"to print", "part", "problem and remedy"});
   for (const PrintFinding& finding : print_findings(*made, arguments))
     table.add({name(finding.trouble), finding.part, describe(finding, arguments.nozzle, size)});
-  print_result(table.empty() ? "\nit prints as it is\n" : "\n" + table.text(), check.common.quiet);
+  print_result(table.empty() ? "\nready to print\n" : "\n" + table.text(), check.common.quiet);
   return Done{};
 }
 
-/// Writes what was asked for.
+/// Writes the scene and the overlay, if they are wanted.
 Status write_outputs(const CheckArguments& check, const InputFile& file, const SceneInput& input,
                      const relief::LayeredMesh& mesh, Interruption& interruption) {
   std::vector<OutputFile> files;
@@ -210,9 +223,10 @@ Status write_outputs(const CheckArguments& check, const InputFile& file, const S
   }
   if (!check.overlay.empty()) {
     const MeshLines lines = find_mesh_lines(mesh, relief::InflationOptions().alpha0);
-    auto picture = draw_overlay(input.scene, {{}, lines}, input.drawing.rgba);
-    if (!picture) return picture.error();
-    files.push_back({check.overlay, std::move(*picture)});
+    if (Status s = add_file(files, check.overlay,
+                            draw_overlay(input.scene, {{}, lines}, input.drawing.rgba));
+        !s)
+      return s;
   }
   if (Status s = save(files, input.files, interruption); !s) return s;
   for (const OutputFile& written : files) print_result(written.path.string(), check.common.quiet);
@@ -239,21 +253,11 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
   if (Status status = validate(input->scene); !status) return status;
   print_warnings(input->warnings, quiet);
   for (const std::string& line : input->understood) print_note(line, quiet);
-  const Scene& scene = input->scene;
-  print_result("canvas " + number(scene.width) + " x " + number(scene.height) + " px, " +
-                   counted(scene.parts.size(), "part") +
-                   (input->proposed ? " proposed from the shapes" : "") + ", back to front",
-               quiet);
-  print_result("\n" + part_table(scene), quiet);
-  if (const std::string table = annotation_table(*input); !table.empty())
-    print_result("\n" + table, quiet);
-  if (const std::string table = cue_table(scene); !table.empty()) print_result("\n" + table, quiet);
-  print_warnings(warnings_about_cues(scene), quiet);
-  print_warnings(warnings_about_outlines(scene), quiet);
+  print_scene(*input, quiet);
   relief::LayerOptions options;
   options.vertex_budget = trial_vertices;
-  // A guess that is too short for this mesh alone is no mistake.
-  Scene tried = scene;
+  // A guessed join that is too short for this coarse mesh is not a mistake of the drawing.
+  Scene tried = input->scene;
   understanding::JoinProposals guesses = input->guesses;
   std::vector<std::string> left_out;
   const auto mesh = without_bad_guesses({tried, guesses, left_out}, [&] {
@@ -262,12 +266,12 @@ Status run_check(const CheckArguments& check, Interruption& interruption) {
   if (!mesh) return mesh.error();
   if (Status status = relief::check_fixed(*mesh, tried, {}); !status) return status;
   print_warnings(mesh->warnings, quiet);
-  if (const std::string table = overlap_table(scene, *mesh); !table.empty())
+  if (const std::string table = overlap_table(input->scene, *mesh); !table.empty())
     print_result("\n" + table, quiet);
   if (check.relief.solid)
-    if (Status s = tell_of_print(check, *input, {interruption.flag(), {}}); !s) return s;
+    if (Status s = print_weak_spots(check, *input, {interruption.flag(), {}}); !s) return s;
   if (Status s = write_outputs(check, *file, *input, *mesh, interruption); !s) return s;
-  print_note("nothing is wrong with " + check.common.input, quiet);
+  print_note(check.common.input + ": no mistakes found", quiet);
   return Done{};
 }
 

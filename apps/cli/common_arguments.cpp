@@ -2,25 +2,25 @@
 
 namespace relievo::cli {
 
-void add_common(CLI::App& app, CommonArguments& common, const char* what) {
-  app.add_option("INPUT", common.input, what)->required();
+void add_common(CLI::App& app, CommonArguments& common, const char* help) {
+  app.add_option("INPUT", common.input, help)->required();
   add_run_options(app, common);
 }
 
 void add_run_options(CLI::App& app, CommonArguments& common) {
-  app.add_flag("-q,--quiet", common.quiet, "Say nothing but errors");
-  app.add_option("--timeout", common.timeout, "Give up after so many seconds")
+  app.add_flag("-q,--quiet", common.quiet, "Print errors only");
+  app.add_option("--timeout", common.timeout, "Give up after this many seconds")
       ->check(CLI::PositiveNumber);
   app.add_option("--threads", common.threads,
-                 "Threads to use (default: as many as there are); the results are the same")
+                 "Number of threads (default: one per processor); the results do not depend on it")
       ->check(CLI::Range(1, 256));
 }
 
 void add_connect(CLI::App& app, CommonArguments& common) {
   app.add_option_function<std::string>(
          "--connect", [&common](const std::string& how) { common.connect = how == "auto"; },
-         "How parts of layered drawings connect that say nothing of it: auto guesses (the "
-         "default), none stacks them")
+         "Where a layered drawing does not say how its parts connect: auto guesses (the default), "
+         "none stacks them")
       ->check(CLI::IsMember({"auto", "none"}));
 }
 

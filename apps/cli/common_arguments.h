@@ -8,21 +8,21 @@
 
 namespace relievo::cli {
 
-/// What commands that take drawings say of their input.
+/// Help for the input of commands that take drawings.
 inline constexpr const char* input_help =
     "Layered drawing (SVG, OpenRaster, PSD, a folder of pictures), flat picture (PNG, JPEG, GIF), "
     "project or scene file (JSON); - reads standard input";
 
-/// Adds the input, `what` being its help, and what all commands take.
-void add_common(CLI::App& app, CommonArguments& common, const char* what);
+/// Adds the input, with `help`, and the options of every command.
+void add_common(CLI::App& app, CommonArguments& common, const char* help);
 
-/// Adds what all commands take but the input.
+/// Adds the options of every command: --quiet, --timeout and --threads.
 void add_run_options(CLI::App& app, CommonArguments& common);
 
-/// Adds how the parts of layered drawings connect.
+/// Adds --connect.
 void add_connect(CLI::App& app, CommonArguments& common);
 
-/// A usage error where the file's extension is none of those given.
+/// Requires that a file name ends in one of the given extensions.
 CLI::Validator extension(const std::vector<std::string>& allowed);
 
 }  // namespace relievo::cli

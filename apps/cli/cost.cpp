@@ -12,16 +12,17 @@
 namespace relievo::cli {
 namespace {
 
-/// What a build takes at the least, and for each vertex of the approximate method, MB.
+/// Memory of a build: at least, and in addition for each vertex by the approximate method, MB.
 constexpr double base_mb = 90;
 constexpr double vertex_mb = 0.002;
 
-/// Seconds for each vertex, of large meshes by the approximate method, on one slow processor.
+/// Time for each vertex of a large mesh by the approximate method on one slow processor, s.
 constexpr double vertex_seconds = 1.3e-5;
 constexpr double nonlinear_factor = 4;
 constexpr double long_seconds = 10;
 
-/// The number of MB in the line of a file of /proc that begins with `key`, or `otherwise`.
+/// Reads the kB in the line of a /proc file that begins with `key`, as MB; `otherwise` if none
+/// does.
 double megabytes_in(const char* name, const std::string& key, double otherwise) {
   std::ifstream file(name);
   for (std::string line; std::getline(file, line);)
@@ -44,7 +45,7 @@ double least_mb(double vertices) { return base_mb + vertex_mb * vertices; }
 Status check_cost(const relief::ReliefOptions& options, bool quiet) {
   if (options.layers.edge_length > 0) return Done{};
   const double vertices = options.layers.vertex_budget;
-  // What is mapped already is most of the base.
+  // This process has mapped most of the base already.
   const double needed = least_mb(vertices) - base_mb;
   const double free = free_mb();
   if (needed > free)
@@ -57,7 +58,7 @@ Status check_cost(const relief::ReliefOptions& options, bool quiet) {
       vertices * vertex_seconds * (options.method == Method::nonlinear ? nonlinear_factor : 1);
   if (seconds > long_seconds)
     print_note("this takes about " + std::to_string(std::lround(seconds)) + " s and " +
-                   std::to_string(std::lround(needed)) + " MB; fewer --vertices are quicker",
+                   std::to_string(std::lround(needed)) + " MB; use fewer --vertices to be quicker",
                quiet);
   return Done{};
 }

@@ -5,15 +5,15 @@
 
 namespace relievo::cli {
 
-/// Memory that is free or can be made so within this process's own limit of address space, MB of
+/// Returns the memory that this process can still get, within its limit of address space, in MB of
 /// 2^20 bytes.
 double free_mb();
 
-/// The least that a build of so many vertices takes, MB.
+/// Estimates the minimum memory of a build with the given number of vertices, MB.
 double least_mb(double vertices);
 
-/// Tells, unless `quiet`, that a build will take long, and refuses with `limit` one for which there
-/// certainly is too little memory. Says nothing of meshes that are asked for by their edge length.
+/// Prints a note, unless `quiet`, if a build will take long. Fails with `limit` if there is
+/// certainly too little memory. Does not check meshes that are specified by their edge length.
 Status check_cost(const relief::ReliefOptions& options, bool quiet);
 
 }  // namespace relievo::cli

@@ -12,7 +12,7 @@ namespace {
 
 Error misread(const char* message) { return {ErrorCode::usage, message, "--cue"}; }
 
-/// All numbers of a list with commas; nothing where something else is in it.
+/// Parses a comma-separated list of numbers; nothing if it contains anything else.
 std::optional<std::vector<double>> numbers(std::string_view text) {
   std::vector<double> list;
   while (true) {
@@ -27,7 +27,7 @@ std::optional<std::vector<double>> numbers(std::string_view text) {
   }
 }
 
-/// Takes what follows the last colon off the text.
+/// Removes the last colon and the text after it. Returns that text.
 std::string_view take_last(std::string_view& text) {
   const size_t colon = text.rfind(':');
   if (colon == std::string_view::npos) return {};
@@ -51,13 +51,14 @@ Result<CueArgument> parse_cue(const std::string& text) {
     known = true;
   }
   if (!known || rest.empty())
-    return misread("must be PART:KIND:X,Y,X,Y,...:VALUE with KIND bulge, slope or crease");
+    return misread("must be PART:KIND:X,Y,X,Y,...:VALUE, where KIND is bulge, slope or crease");
   if (!line || line->size() < 4 || line->size() % 2 != 0)
     return misread("needs a line of at least two points as X,Y,X,Y");
   if (!value || value->size() != 1) return misread("needs one number as its value");
   argument.cue.value = value->front();
   if (!has_sound_value(argument.cue))
-    return misread("has a value out of range: 0.05 to 10 of a bulge, -75 to 75 degrees of others");
+    return misread(
+        "has a value out of range: it must be 0.05 to 10 for a bulge, -75 to 75 degrees otherwise");
   for (size_t i = 0; i < line->size(); i += 2)
     argument.cue.line.push_back({(*line)[i], (*line)[i + 1]});
   return argument;
@@ -81,7 +82,7 @@ std::vector<std::string> warnings_about_cues(const Scene& scene) {
     const Part& part = scene.parts[cue.part];
     if (spans_inside(cue.line, part.outline).empty())
       warnings.push_back(std::string("a ") + name(cue.kind) + " of \"" + part.id +
-                         "\" lies nowhere in it and has no effect");
+                         "\" lies outside that part and has no effect");
   }
   return warnings;
 }

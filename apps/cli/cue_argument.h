@@ -8,13 +8,13 @@
 
 namespace relievo::cli {
 
-/// Reads PART:KIND:X,Y,X,Y,...:VALUE; the part's id may have colons. Fails with usage.
+/// Parses PART:KIND:X,Y,X,Y,...:VALUE. The part's id may contain colons. Errors: `usage`.
 Result<CueArgument> parse_cue(const std::string& text);
 
-/// Adds the cues to the scene. Fails with usage where it has no part of that name.
+/// Adds the cues to the scene. Errors: `usage` if it has no part with the id of a cue.
 Status add_cues(const std::vector<CueArgument>& cues, Scene& scene);
 
-/// One for each cue that lies nowhere in its part, which makes it of no effect.
+/// Returns a warning for each cue whose line lies outside its part, where it has no effect.
 std::vector<std::string> warnings_about_cues(const Scene& scene);
 
 }  // namespace relievo::cli

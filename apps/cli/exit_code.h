@@ -9,7 +9,7 @@ constexpr int exit_usage = 2;
 constexpr int exit_limit = 5;
 constexpr int exit_interrupted = 130;
 
-/// The exit code that tells a caller what kind of failure it was.
+/// Returns the exit code for a kind of failure.
 inline int exit_code(ErrorCode code) {
   switch (code) {
     case ErrorCode::internal:

@@ -12,7 +12,7 @@
 namespace relievo::cli {
 namespace {
 
-// A signal handler can reach nothing but these.
+// A signal handler may only use lock-free globals.
 std::atomic<bool> stop{false};
 std::atomic<bool> time_is_up{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
@@ -58,10 +58,10 @@ Error Interruption::reason() const {
   std::string seconds = std::to_string(timeout_);
   seconds.erase(seconds.find_last_not_of('0') + 1);
   if (seconds.back() == '.') seconds.pop_back();
-  return {ErrorCode::limit, "not done within --timeout " + seconds + " s", ""};
+  return {ErrorCode::limit, "did not finish within --timeout " + seconds + " s", ""};
 }
 
-/// Sleeps; false when the work has ended meanwhile.
+/// Sleeps. Returns false if the work has finished meanwhile.
 bool Interruption::wait(int milliseconds) {
   std::unique_lock lock(mutex_);
   return !wake_.wait_for(lock, std::chrono::milliseconds(milliseconds),

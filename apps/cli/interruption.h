@@ -9,12 +9,12 @@
 
 namespace relievo::cli {
 
-/// Stops the program when it is asked to (SIGINT, SIGTERM) or its time is up. The work is first
-/// asked to stop by a flag; where it does not within 60 ms (a library is busy), the process ends
-/// itself. One object at a time, in the main thread.
+/// Stops the program on SIGINT, SIGTERM or a timeout. First sets a flag that the work checks; if
+/// the work does not stop within 60 ms (a library is busy), ends the process. Only one object may
+/// exist at a time, in the main thread.
 class Interruption {
  public:
-  /// `timeout` in seconds; 0: no limit.
+  /// `timeout` is in seconds; 0 means no limit.
   explicit Interruption(double timeout);
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
@@ -22,13 +22,13 @@ class Interruption {
 
   const std::atomic<bool>* flag() const;
 
-  /// While the lock is held the process does not end itself: files are being written.
+  /// Keeps the process from ending while the lock is held, since files are being written.
   std::unique_lock<std::mutex> hold_off();
 
-  /// Nothing is left to be stopped: from here on the process ends in its own way.
+  /// Declares the work done: from now on nothing is interrupted.
   void finish();
 
-  /// Why the work was stopped: `interrupted`, or `limit` where its time was up.
+  /// Returns the reason for stopping: `interrupted`, or `limit` after the timeout.
   Error reason() const;
 
  private:

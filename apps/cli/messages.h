@@ -10,28 +10,28 @@
 
 namespace relievo::cli {
 
-/// `text` with control characters replaced, so that names from a file cannot steer the terminal.
+/// Replaces control characters, so that names from a file cannot control the terminal.
 std::string printable(const std::string& text);
 
-/// What a line on stderr begins with, and after it a warning.
+/// The beginning of every line on stderr, and the word that follows in warnings.
 constexpr std::string_view program_prefix = "relievo: ";
 constexpr std::string_view warning_prefix = "warning: ";
 
-/// One line on stderr: "relievo: where: message".
+/// Prints one line on stderr: "relievo: where: message".
 void print_error(const Error& error);
 
-/// Lines on stderr, none when `quiet`.
+/// Print lines on stderr, unless `quiet`.
 void print_warnings(const std::vector<std::string>& warnings, bool quiet);
 void print_note(const std::string& text, bool quiet);
 
-/// A line on standard output, none when `quiet`.
+/// Prints a line on standard output, unless `quiet`.
 void print_result(const std::string& text, bool quiet);
 
-/// Whether all results have been taken.
+/// Flushes standard output. Errors: `file` if it cannot be written.
 Status flush_results();
 
-/// One line of progress on stderr, rewritten in place; only when stderr is a terminal and not
-/// `quiet`. Leaves no trace once it is gone.
+/// A progress line on stderr, rewritten in place and removed by the destructor. Shows nothing if
+/// `quiet` or if stderr is not a terminal.
 class Progress {
  public:
   explicit Progress(bool quiet);
@@ -39,7 +39,7 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// Shows what happens under the context, for as long as this lives.
+  /// Shows the progress reported to `context`, which must not outlive this object.
   void watch(RunContext& context);
 
  private:

@@ -16,7 +16,7 @@ fs::path beside(const fs::path& path, const std::string& extension) {
   return path.parent_path() / name;
 }
 
-/// One name for a file, however its folder is written. The file need not exist.
+/// Returns a path that is the same for all spellings of a file's path. The file need not exist.
 fs::path identity(const fs::path& path) {
   std::error_code code;
   const fs::path canonical = fs::weakly_canonical(path, code);
@@ -64,6 +64,19 @@ Status check_outputs(const std::vector<fs::path>& paths, const std::vector<fs::p
       if (fs::equivalent(path, input, code))
         return Error{ErrorCode::usage, "is an input and is never overwritten", path.string()};
   }
+  return Done{};
+}
+
+Status make_folder(const fs::path& folder) {
+  std::error_code code;
+  fs::create_directories(folder, code);
+  if (code) return Error{ErrorCode::file, "cannot be created: " + code.message(), folder.string()};
+  return Done{};
+}
+
+Status add_file(Files& files, const fs::path& path, Result<Bytes> content) {
+  if (!content) return content.error();
+  files.push_back({path, std::move(*content)});
   return Done{};
 }
 

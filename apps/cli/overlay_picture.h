@@ -7,8 +7,8 @@
 
 namespace relievo::cli {
 
-/// What was understood of a drawing, over it, as a PNG file. `drawing` has 4 channels and covers
-/// the canvas; where it is empty the ground is white.
+/// Draws the parts and annotations of a scene over its drawing, as a PNG file. `drawing` is RGBA
+/// and covers the canvas; if it is empty, the background is white.
 Result<Bytes> draw_overlay(const Scene& scene, const OverlayMarks& marks, const Image8& drawing);
 
 }  // namespace relievo::cli

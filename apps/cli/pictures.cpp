@@ -41,7 +41,7 @@ RenderOptions options_of(const RenderArguments& arguments, const Model& model, b
   return options;
 }
 
-constexpr int cell_side = 480;  ///< longest side of one picture, px
+constexpr int cell_side = 480;  ///< longest side of one picture of the strip, px
 constexpr size_t max_cells = 7;
 
 RenderOptions cell_options(const Scene& scene) {

@@ -13,15 +13,15 @@
 
 namespace relievo::cli {
 
-/// A picture of a model as a PNG file, as the arguments describe it.
+/// Renders a model as a PNG file, as the arguments specify.
 Result<Bytes> draw_picture(const Model& model, const Drawing& drawing,
                            const RenderArguments& arguments, const RunContext& context);
 
-/// After which steps the surface is shown: closely at first, then ever farther apart.
+/// Returns the steps after which the surface is shown: 1, 2, 3, 5, 8, ..., up to `last`.
 std::vector<int> convergence_steps(int last);
 
-/// The surfaces that the non-linear method passed through and the one it ended at, in clay, side
-/// by side at one scale, as a PNG file.
+/// Renders the intermediate surfaces of the non-linear method and the final one, in clay, side by
+/// side at the same scale, as a PNG file.
 Result<Bytes> draw_convergence(const relief::Relief& relief, const Scene& scene,
                                const RunContext& context);
 

@@ -1,7 +1,6 @@
 #include "apps/cli/reconstruct.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 #include "apps/cli/cue_argument.h"
@@ -12,10 +11,10 @@
 namespace relievo::cli {
 namespace {
 
-/// In the middle of what the paper gives for outlines beside joins, [0, 0.2].
+/// The middle of the range that the paper gives for outlines beside joins, [0, 0.2].
 constexpr double paper_alpha0 = 0.1;
 
-/// What the paper used for all of its results [P section 4]; the sign of d is the drawing's.
+/// Gives a part the values of all results of the paper [P section 4]. Keeps the sign of d.
 Part as_in_paper(Part part) {
   part.c = 4;
   part.d = part.d < 0 ? -1 : 1;
@@ -24,7 +23,7 @@ Part as_in_paper(Part part) {
   return part;
 }
 
-/// Whole parts hold together when the model is turned; walls between what the front shows do not.
+/// Whole parts are the default, since they stay connected when the model is turned.
 Visibility shown(const ReliefArguments& arguments) {
   return arguments.visibility.value_or(Visibility::orbit);
 }
@@ -54,9 +53,8 @@ Result<relief::ReliefOptions> settle_options(Scene& scene, const ReliefArguments
 
 bool leave_out_guess(const Error& error, const GuessedScene& guessed) {
   const auto& [scene, guesses, warnings] = guessed;
-  size_t index = 0;
-  if (std::sscanf(error.where.c_str(), "joins[%zu]", &index) != 1) return false;
-  if (index >= scene.joins.size()) return false;
+  const auto [list, index] = error.culprit;
+  if (list != CulpritList::joins || index >= scene.joins.size()) return false;
   const Join join = scene.joins[index];
   const auto between = [&](const auto& other) {
     return other.upper == join.upper && other.lower == join.lower;
@@ -70,7 +68,7 @@ bool leave_out_guess(const Error& error, const GuessedScene& guessed) {
   std::erase_if(scene.robin, between);
   warnings.push_back("the guess that \"" + scene.parts[join.upper].id + "\" joins \"" +
                      scene.parts[join.lower].id +
-                     "\" is left out, as it does not fit the mesh; use more vertices");
+                     "\" is left out: the join is too small for this mesh; use more --vertices");
   return true;
 }
 

@@ -14,31 +14,30 @@
 
 namespace relievo::cli {
 
-/// A model, and what is to be told of it where it is a solid.
+/// A model with its drawing, and the facts about it if it is a solid.
 struct MadeModel {
   relief::DrawnModel drawn;
   std::optional<SolidFacts> solid;
 };
 
-/// What is wrong with a solid as it lies, or stands, on the bed; nothing with other models.
+/// Finds the weak spots of a solid as it lies or stands on the bed. Other models have none.
 std::vector<PrintFinding> print_findings(const MadeModel& made, const ReliefArguments& arguments);
 
-/// The options of a relief, and what they change of the scene's own values.
+/// Returns the options of the relief, and applies those that replace values of the scene.
 Result<relief::ReliefOptions> settle_options(Scene& scene, const ReliefArguments& arguments);
 
-/// A scene, what of it was guessed, and where to say that some of that is left out.
+/// A scene, the guesses in it, and the warnings, which say if a guess is left out.
 struct GuessedScene {
   Scene& scene;
   understanding::JoinProposals& guesses;
   std::vector<std::string>& warnings;
 };
 
-/// Takes a join that was guessed out of the scene where it is what an error is about; false where
-/// the error is about something else.
+/// Removes the guessed join that an error is about. Returns false if it is about anything else.
 bool leave_out_guess(const Error& error, const GuessedScene& guessed);
 
-/// What `work` makes of the scene, once no guessed join is in its way: one that is fine for a mesh
-/// may be too short for a coarser one.
+/// Returns the result of `work`, which is repeated without the guessed joins that make it fail: a
+/// join that suits a fine mesh may be too short for a coarse one.
 template <class Work>
 auto without_bad_guesses(const GuessedScene& guessed, Work work) {
   auto done = work();
@@ -46,13 +45,13 @@ auto without_bad_guesses(const GuessedScene& guessed, Work work) {
   return done;
 }
 
-/// The relief of a scene by the chosen options, or the field of it that they ask for. They may
-/// change the scene's own values (c), and guessed joins may be left out.
+/// Builds the relief of a scene, or the field of it that the options ask for. Changes the scene:
+/// options may replace its values, and guessed joins may be left out.
 Result<relief::Relief> reconstruct(SceneInput& input, const ReliefArguments& arguments,
                                    const RunContext& context);
 
-/// The solid of a relief where that is asked for; otherwise the surface that the chosen visibility
-/// keeps, with the drawing on it, and what is hidden has colours of its own.
+/// Makes a solid of the relief if the options ask for one. Otherwise makes the surface that the
+/// chosen visibility keeps, with the drawing on it and colours for its hidden faces.
 Result<MadeModel> make_model(const relief::Relief& relief, const SceneInput& input,
                              const ReliefArguments& arguments, const RunContext& context);
 

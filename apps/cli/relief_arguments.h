@@ -6,13 +6,13 @@
 
 namespace relievo::cli {
 
-/// Adds how fine the mesh is.
+/// Adds the options for the resolution of the mesh.
 void add_mesh_options(CLI::App& app, ReliefArguments& relief);
 
-/// Adds the mesh, the method and the shape of the parts.
+/// Adds the options for the mesh, the method and the shape of the parts.
 void add_relief_options(CLI::App& app, ReliefArguments& relief);
 
-/// Adds which surface a model holds, and what a solid is and stands on.
+/// Adds --visible, and the options of solids.
 void add_visibility(CLI::App& app, ReliefArguments& relief);
 
 }  // namespace relievo::cli

@@ -6,19 +6,21 @@
 #include "apps/cli/pictures.h"
 #include "apps/cli/reconstruct.h"
 #include "face/inputs.h"
+#include "io/files/paths.h"
 #include "io/mesh/glb_decode.h"
 
 namespace relievo::cli {
 namespace {
 
+/// A model to render.
 struct Subject {
   relief::DrawnModel drawn;
-  std::vector<std::filesystem::path> files;  ///< that were read
+  std::vector<std::filesystem::path> files;  ///< inputs, never overwritten
 };
 
 Result<Subject> load_model(const InputFile& input) {
   auto drawn = decode_glb(input.bytes);
-  if (!drawn) return Error{drawn.error().code, drawn.error().message, input.name};
+  if (!drawn) return in_file(drawn.error(), input.name);
   Subject subject{std::move(*drawn), {}};
   if (input.name != "-") subject.files.emplace_back(input.name);
   return subject;
@@ -32,7 +34,7 @@ Result<Subject> build_model(const InputFile& input, const RenderArguments& rende
   const auto relief = reconstruct(*loaded, render.relief, context);
   print_warnings(loaded->warnings, render.common.quiet);
   if (!relief) return relief.error();
-  // Clay shows no ink, for which rims of files are narrowed: it shows the relief itself.
+  // Rims are narrowed for the ink of the drawing, which clay does not show.
   if (render.clay && !render.relief.solid) loaded->drawing = {};
   auto drawn = make_model(*relief, *loaded, render.relief, context);
   if (!drawn) return drawn.error();

@@ -77,7 +77,8 @@ Json nonlinear_json(const relief::NonlinearReport& report,
           {"steps", steps}};
 }
 
-/// Milliseconds by stage: those of the contract first, 0 where a stage did not run.
+/// Sums the milliseconds by stage. The stages of docs/report.md come first, with 0 if they did not
+/// run.
 Json times(const ReportInput& input) {
   Json sums;
   for (const char* stage :

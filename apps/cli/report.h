@@ -10,19 +10,20 @@
 
 namespace relievo::cli {
 
+/// The contents of a report.
 struct ReportInput {
   std::string name;  ///< of the input
   const Scene& scene;
   const relief::Relief& relief;
-  const relief::NonlinearOptions& options;  ///< of the non-linear method
-  const Model* model = nullptr;             ///< where one was made
+  const relief::NonlinearOptions& options;
+  const Model* model = nullptr;  ///< null if none was made
   std::optional<SolidFacts> solid;
-  std::vector<PrintFinding> print;       ///< what is wrong with the solid
+  std::vector<PrintFinding> print;       ///< weak spots of the solid
   std::vector<relief::StageTime> times;  ///< of the program: "read", "export", "total"
   std::vector<std::string> warnings;
 };
 
-/// The report as JSON text, keys in a fixed order; described in docs/report.md.
+/// Formats the report as JSON, with keys in a fixed order. docs/report.md describes it.
 std::string write_report(const ReportInput& input);
 
 }  // namespace relievo::cli

@@ -14,18 +14,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The path of the drawing seen from the scene's folder, or empty where it is not inside or has
+/// Returns the path of the drawing relative to the scene's folder; empty if it is not inside or has
 /// no file of its own.
 std::string path_from(const fs::path& scene, const std::string& drawing) {
   if (drawing.empty() || drawing == "-") return "";
   std::error_code code;
-  const fs::path place = fs::weakly_canonical(fs::absolute(scene, code), code);
-  const auto inside = path_below(drawing, place.parent_path());
+  const fs::path canonical = fs::weakly_canonical(fs::absolute(scene, code), code);
+  const auto inside = path_below(drawing, canonical.parent_path());
   return code || !inside ? "" : inside->generic_string();
 }
 
-/// The file beside the scene that takes a copy of a drawing from elsewhere: where nothing is, or
-/// the same. What is there may be somebody's drawing, or the copy of an earlier one.
+/// Returns a path beside the scene for a copy of the drawing: a free name, or that of an identical
+/// file. An existing file may be someone's drawing, so it is never replaced.
 fs::path copy_of_drawing(const fs::path& scene, const Bytes& drawing) {
   const std::string extension = "." + picture_kind(drawing);
   for (int number = 1;; ++number) {

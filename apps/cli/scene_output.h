@@ -11,17 +11,17 @@
 
 namespace relievo::cli {
 
-/// A drawing to which a scene file refers.
+/// The drawing that a scene file refers to.
 struct SceneDrawing {
-  std::string file;  ///< its path; empty where it has none of its own
-  Bytes bytes;       ///< empty: there is no drawing
+  std::string file;  ///< its path; empty if it has no file of its own
+  Bytes bytes;       ///< empty if there is no drawing
 };
 
-/// What kind of picture it is, as the ending of its name.
+/// Returns the file extension for the format of a picture, without the dot.
 std::string picture_kind(ByteView bytes);
 
-/// The scene file, and a copy of the drawing beside it where that lies elsewhere, numbered where
-/// another file has its name. Errors: as write_scene.
+/// Returns the scene file and, if the drawing is not in its folder or below, a copy of the drawing
+/// beside it. The copy is numbered if its name is taken. Errors: as write_scene.
 Result<std::vector<OutputFile>> scene_files(const std::string& output, Scene scene,
                                             const SceneDrawing& drawing);
 

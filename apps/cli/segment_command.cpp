@@ -12,6 +12,7 @@
 #include "apps/cli/scene_output.h"
 #include "apps/cli/segment_report.h"
 #include "face/inputs.h"
+#include "io/files/number_text.h"
 #include "io/files/paths.h"
 #include "io/image/decode_image.h"
 #include "io/image/png_decode.h"
@@ -35,14 +36,14 @@ namespace fs = std::filesystem;
 
 /// A flat drawing with its known segmentation and its project.
 struct SegmentInput {
-  std::string drawing_file;  ///< its path or "-"; empty where it is inside a project or made here
-  ProjectDrawing drawing;    ///< the artist's own file, or the picture of their vectors
+  std::string drawing_file;  ///< its path or "-"; empty if a project holds it or it was made here
+  ProjectDrawing drawing;    ///< the artist's own file, or a picture of a vector drawing
   Image8 pixels;             ///< of the drawing, RGBA
   understanding::SegmentationRecord record;
-  understanding::Segmentation found;              ///< empty where the record has the labels
-  std::string name;                               ///< of the project; empty where there is none
-  Scene scene;                                    ///< likewise
-  std::map<std::string, std::string> other_keys;  ///< of the project, which are kept
+  understanding::Segmentation found;              ///< empty if the record has the labels
+  std::string name;                               ///< of the project; empty if there was none
+  Scene scene;                                    ///< of the project; empty if there was none
+  std::map<std::string, std::string> other_keys;  ///< unknown keys of the project, kept
 };
 
 /// Longest side of the picture that is made from a vector drawing, px.
@@ -52,8 +53,8 @@ Result<SegmentInput> from_project(const InputFile& file) {
   auto project = decode_project(file.bytes);
   if (!project) return project.error();
   if (!project->segmentation)
-    return Error{ErrorCode::bad_input, "is a project of a layered drawing, which has its parts",
-                 ""};
+    return Error{ErrorCode::bad_input,
+                 "is a project of a layered drawing, whose layers are its parts already", ""};
   SegmentInput input;
   input.drawing = std::move(project->drawing);
   input.record = std::move(*project->segmentation);
@@ -63,7 +64,7 @@ Result<SegmentInput> from_project(const InputFile& file) {
   return input;
 }
 
-/// The picture as which a vector drawing is segmented, a PNG file.
+/// Paints a vector drawing as the picture to segment, a PNG file.
 Result<Bytes> picture_of(const Bytes& svg) {
   const std::string_view text{reinterpret_cast<const char*>(svg.data()), svg.size()};
   auto drawing = read_svg(text);
@@ -82,7 +83,8 @@ SegmentInput from_picture(const InputFile& file) {
   return input;
 }
 
-/// The pixels are kept, not the vectors: labels belong to pixels, and a build reads the same ones.
+/// Keeps the pixels in place of the vectors, since labels belong to pixels and a build reads the
+/// same.
 Result<SegmentInput> from_svg(const InputFile& file) {
   auto picture = picture_of(file.bytes);
   if (!picture) return picture.error();
@@ -133,7 +135,8 @@ bool is_transparent_somewhere(const Image8& rgba) {
   return false;
 }
 
-/// Cuts the figure out of the drawing, which is kept so: everybody who reads it takes it as cut.
+/// Makes the drawing transparent outside the mask `name`. The result replaces the drawing, so that
+/// everything which reads it later finds the same figure.
 Status cut_out(const std::string& name, SegmentInput& input) {
   const auto bytes = read_file(name);
   if (!bytes) return bytes.error();
@@ -155,13 +158,13 @@ Status cut_out(const std::string& name, SegmentInput& input) {
   return Done{};
 }
 
-/// Reads or finds the labels that the arguments ask for.
+/// Reads or finds the labels, as the arguments specify.
 Status choose_labels(const SegmentArguments& segment, SegmentInput& input,
                      const RunContext& context) {
   if (!segment.labels.empty()) return read_labels(segment.labels, input);
-  const bool says_nothing =
+  const bool as_in_project =
       segment.scribbles.empty() && segment.figure.empty() && segment.parts == 0;
-  if (says_nothing && !input.record.labels.empty()) return Done{};
+  if (as_in_project && !input.record.labels.empty()) return Done{};
   if (!segment.figure.empty())
     if (Status status = cut_out(segment.figure, input); !status) return status;
   if (!segment.scribbles.empty()) {
@@ -194,7 +197,7 @@ Result<SegmentInput> load(const SegmentArguments& segment, const RunContext& con
 
 using Files = std::vector<OutputFile>;
 
-/// The project that keeps the drawing and what was understood of it.
+/// Makes a project of the drawing and its segmentation.
 Project project_of(const SegmentInput& input, const understanding::Understanding& understanding) {
   Project project;
   project.name = input.name.empty() ? fs::path(input.drawing.name).stem().string() : input.name;
@@ -206,31 +209,23 @@ Project project_of(const SegmentInput& input, const understanding::Understanding
   return project;
 }
 
-Result<Files> project_files(const SegmentArguments& segment, const SegmentInput& input,
-                            const understanding::Understanding& understanding) {
-  auto bytes = encode_project(project_of(input, understanding));
-  if (!bytes) return bytes.error();
-  return Files{{segment.output, std::move(*bytes)}};
-}
-
-Result<Files> painted_files(const SegmentArguments& segment, const SegmentInput& input,
-                            const understanding::Understanding& understanding) {
-  auto bytes = encode_part_layers(understanding.scene, input.pixels);
-  if (!bytes) return bytes.error();
-  return Files{{segment.output, std::move(*bytes)}};
-}
-
-/// What the output's name asks for.
+/// Makes the main output, in the format given by its extension.
 Result<Files> main_files(const SegmentArguments& segment, const SegmentInput& input,
                          const understanding::Understanding& understanding) {
   const fs::path ending = fs::path(segment.output).extension();
-  if (ending == ".relievo") return project_files(segment, input, understanding);
-  if (ending == ".psd") return painted_files(segment, input, understanding);
-  return scene_files(segment.output, understanding.scene,
-                     {input.drawing_file, input.drawing.bytes});
+  if (ending == ".json")
+    return scene_files(segment.output, understanding.scene,
+                       {input.drawing_file, input.drawing.bytes});
+  Files files;
+  const Status added =
+      add_file(files, segment.output,
+               ending == ".psd" ? encode_part_layers(understanding.scene, input.pixels)
+                                : encode_project(project_of(input, understanding)));
+  if (!added) return added.error();
+  return files;
 }
 
-/// Every file that the command writes.
+/// Makes all files that the command writes.
 Result<Files> files_of(const SegmentArguments& segment, const SegmentInput& input,
                        const understanding::Understanding& understanding, double milliseconds) {
   auto files = main_files(segment, input, understanding);
@@ -239,9 +234,9 @@ Result<Files> files_of(const SegmentArguments& segment, const SegmentInput& inpu
     std::vector<std::vector<Point2>> bridges;
     for (const understanding::Bridge& bridge : understanding.segmentation.bridges)
       bridges.push_back(bridge.points);
-    auto overlay = draw_overlay(understanding.scene, {bridges, {}}, input.pixels);
-    if (!overlay) return overlay.error();
-    files->push_back({segment.overlay, std::move(*overlay)});
+    const Status added = add_file(*files, segment.overlay,
+                                  draw_overlay(understanding.scene, {bridges, {}}, input.pixels));
+    if (!added) return added.error();
   }
   if (!segment.report.empty())
     files->push_back(
@@ -250,14 +245,15 @@ Result<Files> files_of(const SegmentArguments& segment, const SegmentInput& inpu
   return files;
 }
 
+/// Describes a scene: "6 parts, 5 joins, 8 relations, 1 tilted".
 std::string summary(const Scene& scene) {
-  const auto leaning = std::count_if(scene.parts.begin(), scene.parts.end(),
-                                     [](const Part& part) { return part.lean != Point2{}; });
+  const auto tilted = std::count_if(scene.parts.begin(), scene.parts.end(),
+                                    [](const Part& part) { return part.lean != Point2{}; });
   const auto flat = std::count_if(scene.parts.begin(), scene.parts.end(),
                                   [](const Part& part) { return part.flat > 0; });
-  return std::to_string(scene.parts.size()) + " parts, " + std::to_string(scene.joins.size()) +
-         " joins, " + std::to_string(scene.relations.size()) + " relations" +
-         (leaning > 0 ? ", " + std::to_string(leaning) + " leaning" : "") +
+  return counted(scene.parts.size(), "part") + ", " + counted(scene.joins.size(), "join") + ", " +
+         counted(scene.relations.size(), "relation") +
+         (tilted > 0 ? ", " + std::to_string(tilted) + " tilted" : "") +
          (flat > 0 ? ", " + std::to_string(flat) + " flat" : "");
 }
 
@@ -283,7 +279,7 @@ Status run_segment(const SegmentArguments& segment, Interruption& interruption) 
       loaded->pixels, std::move(loaded->found), std::move(loaded->record), loaded->scene, context);
   if (!understood) return understood.error();
   if (understood->scene.parts.empty())
-    return Error{ErrorCode::bad_input, "has no parts left: all were removed in the project", ""};
+    return Error{ErrorCode::bad_input, "has no parts: all were removed in the project", ""};
   const auto files = files_of(segment, *loaded, *understood, watch.milliseconds());
   if (!files) return files.error();
   if (Status status = save(*files, inputs, interruption); !status) return status;

@@ -7,8 +7,8 @@
 
 namespace relievo::cli {
 
-/// Formats the report of `relievo segment --report` (JSON): parts with how they were completed,
-/// arrows of order with their confidence, joins, relations, tilts, times and warnings.
+/// Formats the report of `relievo segment` as JSON: the parts and how they were completed, the
+/// depth order and the joins with their confidence, relations, tilts, times and warnings.
 std::string write_segment_report(const std::string& input, const understanding::Proposal& proposal,
                                  double milliseconds);
 

@@ -18,9 +18,8 @@ void add_solid_options(CLI::App& app, ReliefArguments& relief) {
                relief.solid = name != "relief";
                relief.solid_options.back = name == "figure" ? BackSide::drawing : BackSide::flat;
              },
-             "relief: the surface alone (the default); solid: everything below it, closed, with a "
-             "flat back, to print or to carve; figure: closed too, with a back as round as its "
-             "front")
+             "relief writes the surface alone (the default); solid a closed body with a flat back, "
+             "to print or carve; figure a closed body with a back as round as its front")
           ->check(CLI::IsMember({"relief", "solid", "figure"}));
   const std::map<std::string, BaseShape> bases(std::begin(base_shapes), std::end(base_shapes));
   std::vector<CLI::Option*> options = {
@@ -28,33 +27,35 @@ void add_solid_options(CLI::App& app, ReliefArguments& relief) {
              "--back",
              [&solid](const std::string& name) {
                if (solid.back == BackSide::flat)
-                 throw CLI::ValidationError("--back is of figures: add --profile figure");
+                 throw CLI::ValidationError("--back applies to figures: add --profile figure");
                if (name == "parts") solid.back = BackSide::parts;
              },
-             "Of a figure: what is on its back, the drawing (the default) or the mean colours of "
-             "its parts")
+             "Colours on the back of a figure: drawing (the default), or parts, the mean colour of "
+             "each part")
           ->check(CLI::IsMember({"drawing", "parts"})),
       app.add_option("--mirror", solid.mirror,
-                     "Of figure: the id of a limb that its far side gets too, a part joined to one "
-                     "behind it (repeatable)")
+                     "Adds a copy of a limb to the far side of a figure: the id of a part that is "
+                     "joined to one behind it (repeatable)")
           ->take_all()
           ->expected(1),
       app.add_option_function<std::string>(
              "--base", [&solid, bases](const std::string& name) { solid.base = bases.at(name); },
-             "Of solid: none (the default), or a plate below it: outline, plate (a rectangle) or "
-             "round; of figure: one under its feet, plate or round")
+             "Plate below a solid: none (the default), outline, plate (a rectangle) or round; or "
+             "under the feet of a figure: plate or round")
           ->check(CLI::IsMember(bases)),
       app.add_option_function<std::string>(
              "--height-mode",
              [&solid](const std::string& name) { solid.detail = name == "detail"; },
-             "How it shrinks: linear (evenly, the default), or detail (small forms stay)")
+             "How --height reduces depth: linear (evenly, the default), or detail (keeps small "
+             "forms)")
           ->check(CLI::IsMember({"linear", "detail"})),
-      app.add_option("--nozzle", relief.nozzle,
-                     "Of solid and figure: width in mm that its walls are checked for (default "
-                     "0.4)")
+      app.add_option(
+             "--nozzle", relief.nozzle,
+             "Width in mm of the nozzle that the walls of a solid or figure are checked for "
+             "(default 0.4)")
           ->check(within(0.05, 10.0))};
   for (const auto& [name, length, least, most, text] : solid_lengths)
-    // A size is of every model.
+    // --size applies to every model.
     if (length != &SolidOptions::size)
       options.push_back(app.add_option(std::string("--") + name, solid.*length, text)
                             ->check(within(least, most)));

@@ -6,7 +6,7 @@
 
 namespace relievo::cli {
 
-/// Adds the profile, and what a solid is and stands on.
+/// Adds --profile and the options of solids and their bases.
 void add_solid_options(CLI::App& app, ReliefArguments& relief);
 
 }  // namespace relievo::cli

@@ -4,7 +4,8 @@
 
 namespace relievo::cli {
 
-/// What --version prints: "relievo 1.2.3", then a line each on how it was built and with what.
+/// Returns the text of --version: "relievo 1.2.3", then the revision, the compiler and the
+/// libraries.
 std::string version_text();
 
 }  // namespace relievo::cli

@@ -2,7 +2,7 @@ import createCore, { type Reconstruction, type RelievoModule } from './relievo.m
 import {
   type BuildOptions, type EngineError, type ExportFormat, type Failure, type Field, type MapKind,
   type OutputFile, type Progress, type Report, type SolidFacts, type SolidFormat, type SolidOptions,
-  type Surface, type SvgImport, type Visibility, isFailure, told,
+  type Surface, type SvgImport, type Visibility, errorText, isFailure,
 } from './messages.js';
 
 export type {
@@ -10,44 +10,48 @@ export type {
   SolidOptions, Surface, SvgImport, Visibility,
 } from './messages.js';
 
-/** What cannot be done, and its culprit. */
+/** The error that every call throws if it fails. */
 export class RelievoError extends Error {
   readonly code: EngineError['code'];
-  /** Path of a key of the scene, id of a part, name of an option, or empty. */
+  /** The place, for a person: the path of a key of the scene, the id of a part, the name of an option, or empty. */
   readonly where: string;
+  /** The item of the scene at fault, if there is one. */
+  readonly culprit: EngineError['culprit'];
 
   constructor(error: EngineError) {
-    super(told(error));
+    super(errorText(error));
     this.name = 'RelievoError';
     this.code = error.code;
     this.where = error.where;
+    this.culprit = error.culprit;
   }
 }
 
-function taken<T extends object>(result: T | Failure): T {
+/** Returns a result, or throws its error. */
+function unwrap<T extends object>(result: T | Failure): T {
   if (isFailure(result)) throw new RelievoError(result.error);
   return result;
 }
 
-const usualBuild: BuildOptions = {
+const defaultBuild: BuildOptions = {
   method: 'approximate', vertices: 40000, edge: 0, rho: 0.25, alpha0: 0, lambdaBnd: 0.01, lambdaShift: 1,
   glue: true,
 };
 
-/** `usual` with what is given; a name that there is not is refused. */
-function settled<T extends object>(usual: T, given: Partial<T>): T {
-  for (const name of Object.keys(given))
-    if (!(name in usual))
+/** Returns `base` with the values of `changes`. Throws if a name is unknown. */
+function merged<T extends object>(base: T, changes: Partial<T>): T {
+  for (const name of Object.keys(changes))
+    if (!(name in base))
       throw new RelievoError({
-        code: 'usage', message: `there is no such option; there are ${Object.keys(usual).join(', ')}`, where: name,
+        code: 'usage', message: `there is no such option; the options are ${Object.keys(base).join(', ')}`, where: name,
       });
-  return { ...usual, ...given };
+  return { ...base, ...changes };
 }
 
-/** The relief of a scene, which may change. Holds memory until it is freed. */
+/** The relief of a scene, which may be rebuilt after changes. Call `free` to release its memory. */
 export class Relief {
   readonly #core: Reconstruction;
-  #options = usualBuild;
+  #options = defaultBuild;
   #report!: Report;
 
   /** @internal */
@@ -56,55 +60,55 @@ export class Relief {
     this.rebuild(scene, options, progress);
   }
 
-  /** Of the last build. */
+  /** The report of the last build. */
   get report(): Report {
     return this.#report;
   }
 
-  /** Brings the relief up to date; options that are not named stay. Computes only what has changed. */
+  /** Rebuilds the relief. Options that are not given keep their values; unchanged stages are not computed again. */
   rebuild(scene: string, options: Partial<BuildOptions> = {}, progress: Progress = () => undefined): Report {
-    this.#options = settled(this.#options, options);
-    this.#report = taken(this.#core.build(scene, this.#options, progress));
+    this.#options = merged(this.#options, options);
+    this.#report = unwrap(this.#core.build(scene, this.#options, progress));
     return this.#report;
   }
 
-  /** Pixels of the drawing for files to come: four bytes each, straight alpha; none where empty. */
+  /** Sets the drawing for files to be encoded: four bytes per pixel, straight alpha. An empty array removes it. */
   setTexture(rgba: Uint8Array, width: number, height: number): void {
     this.#core.setTexture(rgba, width, height);
   }
 
-  /** The surface in px of the canvas, its rim exact to `tolerance` px. */
+  /** Returns the surface in px of the canvas. Its rim is exact to `tolerance` px. */
   surface(visibility: Visibility = 'orbit', tolerance = 0.25, field: Field = 'relief'): Surface {
-    return taken(this.#core.surface(visibility, tolerance, field));
+    return unwrap(this.#core.surface(visibility, tolerance, field));
   }
 
-  /** The files of the model, the first of which is `name` with the format's ending. */
+  /** Encodes the model. The first file is `name` with the extension of the format. */
   encode(format: ExportFormat, name: string, sizeMm = 100): OutputFile[] {
-    return taken(this.#core.encode(format, name, sizeMm)).files;
+    return unwrap(this.#core.encode(format, name, sizeMm)).files;
   }
 
-  /** Volume, pieces and size of a closed solid, and its surface in mm. */
+  /** Makes a closed solid. Returns its volume, number of pieces and size, and its surface in mm. */
   solid(options: SolidOptions = {}): SolidFacts & { surface: Surface } {
-    return taken(this.#core.solid(options));
+    return unwrap(this.#core.solid(options));
   }
 
-  /** Its files; as '3mf' the files of its package, to be zipped. */
+  /** Encodes a closed solid. For '3mf', returns the files of the package, which the caller zips. */
   encodeSolid(format: SolidFormat, name: string, options: SolidOptions = {}): OutputFile[] {
-    return taken(this.#core.encodeSolid(format, name, options)).files;
+    return unwrap(this.#core.encodeSolid(format, name, options)).files;
   }
 
-  /** A map of the front view as a PNG file, `longest` px on the longer side. */
+  /** Returns a map of the front view as a PNG file, `longest` px on the longer side. */
   map(kind: MapKind, longest = 2048, greenDown = false): Uint8Array {
-    return taken(this.#core.map(kind, longest, greenDown)).bytes;
+    return unwrap(this.#core.map(kind, longest, greenDown)).bytes;
   }
 
-  /** Gives its memory back; it is of no use any more. */
+  /** Releases the memory. Nothing may be called afterwards. */
   free(): void {
     this.#core.delete();
   }
 }
 
-/** The core. */
+/** The loaded core. */
 export class Relievo {
   readonly #module: RelievoModule;
 
@@ -113,12 +117,12 @@ export class Relievo {
     this.#module = module;
   }
 
-  /** The scene of a layered SVG drawing, to be built, and what should be known of it. */
+  /** Reads a layered SVG drawing. Returns its scene, ready to be built, and warnings. */
   readSvg(bytes: Uint8Array): SvgImport {
-    return taken(this.#module.importSvg(bytes));
+    return unwrap(this.#module.importSvg(bytes));
   }
 
-  /** The relief of the text of a scene file. */
+  /** Builds the relief of a scene, given as the text of a scene file. */
   build(scene: string, options: Partial<BuildOptions> = {}, progress?: Progress): Relief {
     const core = new this.#module.Reconstruction();
     try {
@@ -130,6 +134,7 @@ export class Relievo {
   }
 }
 
+/** Reads relievo.wasm from the folder of this file. */
 async function bytesBeside(): Promise<BufferSource> {
   const url = new URL('./relievo.wasm', import.meta.url);
   if (url.protocol === 'file:') return (await import('node:fs/promises')).readFile(url);
@@ -138,7 +143,7 @@ async function bytesBeside(): Promise<BufferSource> {
   return response.arrayBuffer();
 }
 
-/** Loads the core, from relievo.wasm beside this file or from its bytes. */
+/** Loads the core from `wasm`, or from relievo.wasm beside this file. */
 export async function load(wasm?: BufferSource): Promise<Relievo> {
   const compiled = await WebAssembly.compile(wasm ?? await bytesBeside());
   const module = await createCore({

@@ -11,7 +11,7 @@
 
 namespace relievo::python {
 
-/// The memory of `values` as an array of the given shape, which keeps `owner` alive.
+/// Returns a view of `values` as an array of the given shape, which keeps `owner` alive.
 template <class Number, class Value>
 pybind11::array view(std::vector<Value>& values, std::vector<pybind11::ssize_t> shape,
                      const pybind11::handle& owner) {
@@ -19,7 +19,7 @@ pybind11::array view(std::vector<Value>& values, std::vector<pybind11::ssize_t> 
                                    owner);
 }
 
-/// Likewise of the rows of a list, each of `columns` numbers.
+/// Returns a view of a list, with a row of numbers for each item.
 template <class Number, class Value>
 pybind11::array view_rows(std::vector<Value>& rows, const pybind11::handle& owner) {
   static_assert(sizeof(Value) % sizeof(Number) == 0);
@@ -27,7 +27,7 @@ pybind11::array view_rows(std::vector<Value>& rows, const pybind11::handle& owne
   return view<Number>(rows, {static_cast<pybind11::ssize_t>(rows.size()), columns}, owner);
 }
 
-/// Likewise of an image: height x width, and x channels where there are several.
+/// Returns a view of an image: height x width, or height x width x channels if there are several.
 template <class T>
 pybind11::array view_image(Image<T>& image, const pybind11::handle& owner) {
   std::vector<pybind11::ssize_t> shape = {image.height, image.width};
@@ -35,18 +35,18 @@ pybind11::array view_image(Image<T>& image, const pybind11::handle& owner) {
   return view<T>(image.pixels, std::move(shape), owner);
 }
 
-/// An array that owns the image.
+/// Moves an image into an array.
 pybind11::array to_array(Image8 image);
 
-/// The picture in an array of height x width or height x width x 3 or 4 bytes, copied once.
-/// Raises UsageError for other arrays; `what` is its name.
+/// Copies an array of height x width or height x width x 3 or 4 bytes to an image. Raises
+/// UsageError for other arrays, which `what` names.
 Image8 to_image(const pybind11::array& array, const char* what);
 
-/// The same with four channels; empty for None.
+/// Copies an array to a drawing with four channels; empty for None.
 Drawing to_drawing(const pybind11::object& array);
 
-/// Points from and to an array of n x 2 numbers, which cannot be written to. Raises BadInputError
-/// where it has another shape; `where` is the path of the culprit.
+/// Convert points from and to an array of n x 2 numbers, which is read-only. Raise BadInputError
+/// for other shapes, with the path `where`.
 std::vector<Point2> to_points(const pybind11::handle& array, const std::string& where);
 pybind11::array to_array(const std::vector<Point2>& points);
 

@@ -8,13 +8,13 @@
 
 namespace relievo::python {
 
-/// Raises the exception of relievo/errors.py that stands for the error's code. Needs the
-/// interpreter's lock.
+/// Raises the exception of relievo/errors.py for the code of an error. Precondition: the caller
+/// holds the interpreter's lock.
 [[noreturn]] void raise(const Error& error);
 
-/// The value, or the exception.
+/// Returns the value of a result, or raises its error.
 template <class T>
-T taken(Result<T> result) {
+T unwrap(Result<T> result) {
   if (!result) raise(result.error());
   return std::move(result).value();
 }

@@ -16,31 +16,31 @@
 
 namespace relievo::python {
 
-/// What was read to make a relief.
+/// The drawing and the files from which a relief is made.
 struct Source {
   Drawing drawing;
   std::vector<std::filesystem::path> files;  ///< never to be overwritten
 };
 using SharedSource = std::shared_ptr<Source>;
 
-/// A model with what saving and rendering it take.
+/// A model with the data to save and render it.
 struct ShownModel {
   Model model;
   std::shared_ptr<const Source> source;
-  std::optional<Drawing> drawing;   ///< in place of the source's
+  std::optional<Drawing> drawing;   ///< replaces that of the source
   std::optional<SolidFacts> solid;  ///< of a solid, whose model is in mm
-  bool standing = false;            ///< whether files to print have it upright
+  bool standing = false;            ///< upright in files to print
 
   const Drawing& shown() const { return drawing ? *drawing : source->drawing; }
 };
 
-/// Maps, and what must not be overwritten when they are saved.
+/// Maps, and the source, whose files must not be overwritten.
 struct ShownMaps {
   ReliefMaps maps;
   std::shared_ptr<const Source> source;
 };
 
-/// The classes Model, ModelPart, Maps and SolidFacts.
+/// Adds the classes Model, ModelPart, Maps and SolidFacts to the module.
 void bind_models(pybind11::module_& module);
 
 }  // namespace relievo::python

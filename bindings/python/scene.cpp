@@ -15,7 +15,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// A value of an object of Python, and the path to it that errors name.
+/// A Python value with its path, for errors.
 struct Value {
   py::object value;
   std::string path;
@@ -64,7 +64,7 @@ int part_number(const Value& id, const PartNumbers& numbers) {
   return found->second;
 }
 
-/// The kind of that name, one of the first `count`.
+/// Returns the kind with the given name, one of the first `count`.
 template <class Kind>
 Kind kind_named(const Value& text, int count) {
   const std::string wanted = text.text();

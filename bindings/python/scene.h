@@ -6,11 +6,11 @@
 
 namespace relievo::python {
 
-/// The scene that an object of relievo/scene.py describes. Raises BadInputError, which names the
-/// value that is none of its kind, or the part that there is none of.
+/// Converts a Scene of relievo/scene.py. Raises BadInputError, with the path, for values of a wrong
+/// type and for unknown parts.
 Scene to_scene(const pybind11::handle& scene);
 
-/// The object of relievo/scene.py.
+/// Converts to a Scene of relievo/scene.py.
 pybind11::object to_python(const Scene& scene);
 
 }  // namespace relievo::python

@@ -4,7 +4,7 @@
 
 namespace relievo::python {
 
-/// Adds the class Session, and the options of its functions, to the module.
+/// Adds the class Session and its options to the module.
 void bind_sessions(pybind11::module_& module);
 
 }  // namespace relievo::python

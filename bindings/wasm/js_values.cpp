@@ -37,6 +37,12 @@ val failure(const Error& error) {
   what.set("code", name(error.code));
   what.set("message", error.message);
   what.set("where", error.where);
+  if (error.culprit.list != CulpritList::none) {
+    val culprit = val::object();
+    culprit.set("list", std::string(culprit_list_names[static_cast<int>(error.culprit.list)]));
+    culprit.set("index", static_cast<double>(error.culprit.index));
+    what.set("culprit", culprit);
+  }
   val result = val::object();
   result.set("error", what);
   return result;

@@ -12,16 +12,17 @@
 
 namespace relievo::wasm {
 
-/// {error: {code, message, where}}: what a call returns that failed.
+/// Returns {error: {code, message, where, culprit: {list, index}}}, the result of a failed call.
+/// The culprit is missing if the error has none.
 emscripten::val failure(const Error& error);
 
-/// The content of a Uint8Array.
+/// Copies a Uint8Array.
 Bytes to_bytes(const emscripten::val& array);
 
-/// A picture from its pixels, 4 bytes each, straight alpha.
+/// Makes a picture of pixels of 4 bytes each, straight alpha.
 Image8 to_image(const emscripten::val& rgba, int width, int height);
 
-/// Copies that the page owns.
+/// Copy values to arrays that the page owns.
 emscripten::val to_js(const Bytes& bytes);
 emscripten::val to_js(const std::vector<float>& numbers);
 emscripten::val to_js(const std::vector<uint16_t>& numbers);

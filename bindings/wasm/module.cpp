@@ -35,8 +35,9 @@ Result<std::string> connected(const LayeredDrawing& drawing) {
           .scene);
 }
 
-/// Returns {scene, proposed, lineArt, warnings, paintable} of a vector drawing: the text of a scene
-/// file (see make_parts and connect_scene) and an SVG that the page may paint (see PaintableSvg).
+/// Imports a layered drawing. Returns {scene, proposed, lineArt, warnings, paintable}: the text of
+/// a scene file (see make_parts and connect_scene), and the drawing for the page to paint (see
+/// PaintableSvg).
 val import_svg(const val& array) {
   const Bytes bytes = to_bytes(array);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -54,7 +55,7 @@ val import_svg(const val& array) {
   return result;
 }
 
-/// Limits that keep a page within its memory.
+/// Limits that suit the memory of a page.
 const ImageLimits page_limits = {4096 * 4096, 32'767};
 const char* const table_name = "layers.tsv";
 
@@ -83,7 +84,7 @@ Result<LayeredDrawing> read_pictures(const std::vector<ArchiveEntry>& entries) {
   for (LayerFile& layer : *layers) {
     const ArchiveEntry* picture = find_entry(entries, layer.file);
     if (picture == nullptr)
-      return Error{ErrorCode::file, "is in the table of layers, but was not opened with it",
+      return Error{ErrorCode::file, "is listed in the table of layers, but was not opened with it",
                    layer.file};
     layer.png = picture->bytes;
   }
@@ -96,11 +97,11 @@ Result<LayeredDrawing> read_layers(const std::vector<ArchiveEntry>& entries) {
   return is_ora(entries) ? read_ora(entries, page_limits) : read_pictures(entries);
 }
 
-/// Returns {scene, proposed, warnings, drawing} of a painted drawing: the text of a scene file and
-/// the picture, a PNG file; no scene where all pixels are in one layer. `files` is an array of
+/// Imports a painted drawing. Returns {scene, proposed, warnings, drawing}: the text of a scene
+/// file, missing if there is only one layer, and the picture, a PNG file. `files` is an array of
 /// {name, bytes}: a Photoshop document, the entries of an OpenRaster archive, or transparent
-/// pictures, one a layer, as a layers.tsv among them says (see layer_table.h), else back to front
-/// in the natural order of their names.
+/// pictures, one per layer. These are listed in a layers.tsv among them (see layer_table.h), or
+/// else are back to front in the natural order of their names.
 val import_layers(const val& files) {
   auto drawing = read_layers(to_entries(files));
   if (!drawing) return failure(drawing.error());
@@ -120,8 +121,8 @@ val import_layers(const val& files) {
   return result;
 }
 
-/// Returns {bytes}: the parts of a scene, the text of a scene file, as layers of a Photoshop
-/// document.
+/// Returns {bytes}, a Photoshop document with the parts of a scene, the text of a scene file, as
+/// layers.
 val encode_layers(const std::string& text, const val& rgba, int width, int height) {
   const auto scene = read_scene(text);
   if (!scene) return failure(scene.error());

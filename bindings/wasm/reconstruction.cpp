@@ -67,7 +67,7 @@ Status choose(const Choices& choices, const std::string& option, const val& name
       chosen = choice;
       return Done{};
     }
-  return Error{ErrorCode::usage, "has no such value", option};
+  return Error{ErrorCode::usage, "has an unknown value", option};
 }
 
 Status set_option(const std::string& name, const val& value, SolidOptions& options) {
@@ -84,7 +84,7 @@ Status set_option(const std::string& name, const val& value, SolidOptions& optio
   return Done{};
 }
 
-/// Those that are given; others are as usual.
+/// Reads the given options. Others have their defaults.
 Result<SolidOptions> to_solid_options(const val& given) {
   SolidOptions options;
   const val names = val::global("Object").call<val>("keys", given);
@@ -154,12 +154,12 @@ val findings(const Solid& solid, bool standing) {
   val list = val::array();
   for (const PrintFinding& finding :
        check_print(solid.model, solid.facts.loose, usual_nozzle, standing)) {
-    val told = val::object();
-    told.set("trouble", std::string(name(finding.trouble)));
-    told.set("part", finding.part);
-    told.set("measure", finding.measure);
-    told.set("enough", enough_size(finding, usual_nozzle, longest_side(solid.model)));
-    list.call<void>("push", told);
+    val entry = val::object();
+    entry.set("trouble", std::string(name(finding.trouble)));
+    entry.set("part", finding.part);
+    entry.set("measure", finding.measure);
+    entry.set("enough", enough_size(finding, usual_nozzle, longest_side(solid.model)));
+    list.call<void>("push", entry);
   }
   return list;
 }

@@ -32,7 +32,7 @@ Result<Project> read_project(const std::string& text) {
   return project;
 }
 
-/// The scene in a text; without parts where the text is empty.
+/// Reads the text of a scene; an empty text is a scene without parts.
 Result<Scene> read_edited(const std::string& text) {
   if (text.empty()) return Scene{};
   auto scene = read_scene(text);
@@ -68,7 +68,7 @@ val bridges_of(const understanding::Segmentation& segmentation) {
 
 }  // namespace
 
-/// A project and the segmentation that its strokes make, which is not renumbered yet.
+/// A project with the segmentation that its strokes make, which is not renumbered yet.
 struct Segmenter::Labelled {
   Project project;
   understanding::Segmentation found;

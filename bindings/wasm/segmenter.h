@@ -11,27 +11,26 @@
 
 namespace relievo::wasm {
 
-/// A flat drawing on which a person scribbles. Keeps what only the drawing decides, so that a
-/// changed stroke costs little. `project` is the text of a project.json with the segmentation as it
-/// was before, but for its strokes and corrections; `last` the labels.png from then, empty where
-/// there is none. Every call returns a plain object, {error} where it failed (see failure).
+/// A flat drawing under scribbles. Keeps the results that depend on the drawing alone, so that a
+/// changed stroke costs little. In all calls, `project` is the text of a project.json with the last
+/// segmentation and the current strokes and corrections, and `last` is the labels.png of the last
+/// segmentation, or empty. Every call returns a plain object, or {error} if it fails (see failure).
 class Segmenter {
  public:
-  /// {}: takes a PNG file as the drawing.
+  /// Sets the drawing, a PNG file. Returns {}.
   emscripten::val open_png(const emscripten::val& file);
 
-  /// {}: takes pixels, 4 bytes each, straight alpha.
+  /// Sets the drawing, pixels of 4 bytes each, straight alpha. Returns {}.
   emscripten::val open_pixels(const emscripten::val& rgba, int width, int height);
 
-  /// {labels, parts: [{label, id}], bridges: [{points, left, right}], notes}: the label of every
-  /// pixel under the strokes, and the gaps in lines that are closed, with the labels beside them.
-  /// See label_basins, relabel and Bridge.
+  /// Returns {labels, parts: [{label, id}], bridges: [{points, left, right}], notes}: the label of
+  /// every pixel, and the closed gaps in lines with the labels beside them. See label_basins,
+  /// relabel and Bridge.
   emscripten::val label(const std::string& project, const emscripten::val& last);
 
-  /// {project, scene, labels, warnings}: all that follows from strokes, corrections and what was
-  /// done to the scene, as texts of a project.json and a scene file and as a labels.png. `edited`
-  /// is the text of the scene file as it is now. Texts of scenes without parts are empty. See
-  /// understand_drawing.
+  /// Returns {project, scene, labels, warnings}, the results of strokes, corrections and edits: the
+  /// texts of a project.json and a scene file, and a labels.png. `edited` is the text of the edited
+  /// scene file. The text of a scene without parts is empty. See understand_drawing.
   emscripten::val propose(const std::string& project, const emscripten::val& last,
                           const std::string& edited);
 
@@ -48,7 +47,7 @@ class Segmenter {
   Image16 last_labels_;  ///< of last_file_
 };
 
-/// {}, or why the text of a project.json or its labels.png cannot be used.
+/// Checks the text of a project.json and its labels.png. Returns {} if they are valid.
 emscripten::val check_segmentation(const std::string& project, const emscripten::val& labels);
 
 }  // namespace relievo::wasm

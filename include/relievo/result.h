@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cassert>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -8,25 +9,46 @@
 
 namespace relievo {
 
-/// Why an operation could not be done. The command line maps each to an exit code.
+/// Why an operation failed. The command line has an exit code for each.
 enum class ErrorCode {
-  internal,       ///< a defect of ours
-  usage,          ///< the call itself is wrong (options, arguments)
-  bad_input,      ///< a file or value that does not say something valid
+  internal,       ///< a bug in Relievo
+  usage,          ///< a wrong option or argument
+  bad_input,      ///< an invalid file or value
   contradiction,  ///< annotations that cannot all hold
-  limit,          ///< size, time or memory over a stated limit
-  file,           ///< reading or writing failed
+  limit,          ///< a size, time or amount of memory over its limit
+  file,           ///< a file that cannot be read or written
   interrupted,    ///< cancelled by the caller
 };
 
-/// An expected failure: what is wrong, where, and what to do about it.
-struct Error {
-  ErrorCode code = ErrorCode::internal;
-  std::string message;  ///< one sentence for a person, without a trailing period
-  std::string where;    ///< culprit: file, JSON path, part id or line; may be empty
+/// The list that a culprit is an item of: a list of the scene, or the scribbled strokes.
+enum class CulpritList { none, parts, joins, relations, robin, cues, strokes };
+
+/// The names of these lists, as scene and scribble files spell them.
+inline constexpr const char* culprit_list_names[] = {"",      "parts", "joins",  "relations",
+                                                     "robin", "cues",  "strokes"};
+
+/// The item that an error is about, for programs: the scene's `list[index]`.
+struct Culprit {
+  CulpritList list = CulpritList::none;
+  size_t index = 0;
 };
 
-/// The error as one line: "where: message".
+/// Formats a culprit as "joins[2]"; empty if there is none.
+inline std::string to_string(Culprit culprit) {
+  if (culprit.list == CulpritList::none) return "";
+  return std::string(culprit_list_names[static_cast<int>(culprit.list)]) + "[" +
+         std::to_string(culprit.index) + "]";
+}
+
+/// An expected failure: its cause, its place, and how to mend it.
+struct Error {
+  ErrorCode code = ErrorCode::internal;
+  std::string message;   ///< one sentence for a person, without a trailing period
+  std::string where;     ///< the place, for a person: a file, JSON path, part id or line; or empty
+  Culprit culprit = {};  ///< the item at fault, where there is one
+};
+
+/// Formats an error as one line: "where: message".
 inline std::string to_string(const Error& error) {
   return error.where.empty() ? error.message : error.where + ": " + error.message;
 }

@@ -60,18 +60,19 @@ struct SolidLength {
 inline constexpr SolidLength solid_lengths[] = {
     {"size", &SolidOptions::size, 1, 10000, "Longest side in mm (default 100)"},
     {"thickness", &SolidOptions::thickness, 0.1, 1000,
-     "Of solid: mm below its lowest visible point; also of a base (default 2)"},
+     "Thickness in mm of a solid below its lowest visible point, and of a base (default 2)"},
     {"height", &SolidOptions::height, 0.2, 1000,
-     "Of solid and figure: mm, its depth at most; it shrinks where there is more"},
+     "Maximum depth of a solid or figure in mm; a deeper one is compressed"},
     {"margin", &SolidOptions::margin, 0.5, 1000,
-     "Of solid and figure: mm from it, or its feet, to the edge of its base (default 3)"},
+     "Distance in mm from a solid, or the feet of a figure, to the edge of the base (default 3)"},
     {"corner", &SolidOptions::corner, 0, 1000,
-     "Of solid: mm, radius of the corners of a plate (default 3)"},
-    {"hole", &SolidOptions::hole, 0.5, 100, "Of solid: a hole so many mm wide in its base"},
+     "Radius in mm of the corners of a plate (default 3)"},
+    {"hole", &SolidOptions::hole, 0.5, 100,
+     "Makes a hole of this diameter in mm in the base of a solid"},
     {"ring", &SolidOptions::ring, 0.5, 100,
-     "Of solid: a loop above its base, its hole so many mm wide"},
+     "Adds a loop above the base of a solid, with a hole of this diameter in mm"},
     {"cutter", &SolidOptions::cutter, 1, 1000,
-     "Of solid: a wall of 0.8 mm around --base outline, so many mm above it, to cut dough with"}};
+     "Adds a wall of 0.8 mm around --base outline, this many mm high, to make a cookie cutter"}};
 
 /// Whether a printer makes it standing, not lying: a figure on a base.
 inline bool stands(const SolidOptions& options) {

@@ -10,22 +10,24 @@
 namespace relievo {
 namespace {
 
-Error bad(std::string where, std::string message) {
-  return {ErrorCode::bad_input, std::move(message), std::move(where)};
+Error bad(std::string where, std::string message, Culprit culprit = {}) {
+  return {ErrorCode::bad_input, std::move(message), std::move(where), culprit};
 }
 
-/// Returns the path of an entry of a list, as "parts[2]".
-std::string at(const char* list, size_t index) {
-  return std::string(list) + "[" + std::to_string(index) + "]";
+/// An error about a key of a culprit, such as ".outline[0]".
+Error bad(Culprit culprit, const std::string& key, std::string message) {
+  return bad(to_string(culprit) + key, std::move(message), culprit);
 }
+
+std::string element(size_t index) { return "[" + std::to_string(index) + "]"; }
 
 bool in_range(Point2 p) {
   // Written so that a NaN is out of range.
   return std::abs(p.x) <= max_coordinate && std::abs(p.y) <= max_coordinate;
 }
 
-Error out_of_range(std::string where) {
-  return bad(std::move(where), "a coordinate is not a number within ±1000000 px");
+Error out_of_range(Culprit culprit, const std::string& key) {
+  return bad(culprit, key, "a coordinate is not a number within ±1000000 px");
 }
 
 /// Returns whether the points of a ring do not all lie on one line.
@@ -46,71 +48,74 @@ Status check_canvas(const Scene& scene) {
   return Done{};
 }
 
-Status check_outline(const Outline& outline, const std::string& where) {
-  if (outline.empty()) return bad(where, "has no ring; give at least one list of points");
+Status check_outline(const Outline& outline, Culprit part) {
+  if (outline.empty())
+    return bad(part, ".outline", "has no ring; give at least one list of points");
   for (size_t r = 0; r < outline.size(); ++r) {
-    const std::string ring = where + "[" + std::to_string(r) + "]";
+    const std::string ring = ".outline" + element(r);
     for (size_t i = 0; i < outline[r].size(); ++i)
-      if (!in_range(outline[r][i])) return out_of_range(ring + "[" + std::to_string(i) + "]");
+      if (!in_range(outline[r][i])) return out_of_range(part, ring + element(i));
     if (!has_area(outline[r]))
-      return bad(ring, "has no area; a ring needs three points that are not on one line");
+      return bad(part, ring, "has no area; a ring needs three points that are not on one line");
   }
   return Done{};
 }
 
-Status check_part(const Part& part, const std::string& where) {
+Status check_part(const Part& part, Culprit culprit) {
   if (!is_sound_id(part.id))
-    return bad(where + ".id", "must be 1 to 200 bytes of UTF-8 text without control characters");
+    return bad(culprit, ".id", "must be 1 to 200 bytes of UTF-8 text without control characters");
   if (!(part.c >= min_inflation && part.c <= max_inflation))
-    return bad(where + ".c", "must be a number from 0.001 to 1000");
+    return bad(culprit, ".c", "must be a number from 0.001 to 1000");
   if (!(std::abs(part.d) >= min_inflation && std::abs(part.d) <= max_inflation))
-    return bad(where + ".d", "must be a number with a magnitude from 0.001 to 1000");
+    return bad(culprit, ".d", "must be a number with a magnitude from 0.001 to 1000");
   if (!(part.flat >= 0 && part.flat <= 1))
-    return bad(where + ".flat", "must be a number from 0 to 1");
+    return bad(culprit, ".flat", "must be a number from 0 to 1");
   if (!(std::abs(part.lean.x) <= max_lean && std::abs(part.lean.y) <= max_lean))
-    return bad(where + ".lean", "must be two numbers from -2 to 2");
-  return check_outline(part.outline, where + ".outline");
+    return bad(culprit, ".lean", "must be two numbers from -2 to 2");
+  return check_outline(part.outline, culprit);
 }
 
 Status check_parts(const Scene& scene) {
   if (scene.parts.empty()) return bad("parts", "is empty; a scene needs at least one part");
-  std::map<std::string_view, size_t> first;
+  std::map<std::string_view, Culprit> first;
   for (size_t i = 0; i < scene.parts.size(); ++i) {
     const Part& part = scene.parts[i];
-    if (Status status = check_part(part, at("parts", i)); !status) return status;
-    if (const auto [known, added] = first.emplace(part.id, i); !added)
-      return bad(at("parts", i) + ".id",
-                 "the id \"" + part.id + "\" is taken by " + at("parts", known->second));
+    const Culprit culprit{CulpritList::parts, i};
+    if (Status status = check_part(part, culprit); !status) return status;
+    if (const auto [known, added] = first.emplace(part.id, culprit); !added)
+      return bad(culprit, ".id",
+                 "the id \"" + part.id + "\" is taken by " + to_string(known->second));
   }
   return Done{};
 }
 
-Status check_pair(const Scene& scene, int upper, int lower, const std::string& where) {
+Status check_pair(const Scene& scene, int upper, int lower, Culprit culprit) {
   const int count = static_cast<int>(scene.parts.size());
-  if (upper < 0 || upper >= count) return bad(where + ".upper", "names no part of the scene");
-  if (lower < 0 || lower >= count) return bad(where + ".lower", "names no part of the scene");
-  if (upper == lower) return bad(where, "upper and lower are the same part");
+  if (upper < 0 || upper >= count) return bad(culprit, ".upper", "names no part of the scene");
+  if (lower < 0 || lower >= count) return bad(culprit, ".lower", "names no part of the scene");
+  if (upper == lower) return bad(culprit, "", "upper and lower are the same part");
   if (upper < lower)
-    return bad(where, "upper \"" + scene.parts[upper].id + "\" lies behind lower \"" +
-                          scene.parts[lower].id + "\"; swap them, or the order of the parts");
+    return bad(culprit, "",
+               "upper \"" + scene.parts[upper].id + "\" lies behind lower \"" +
+                   scene.parts[lower].id + "\"; swap them, or the order of the parts");
   return Done{};
 }
 
-Status check_line(const std::vector<Point2>& line, const std::string& where) {
+Status check_line(const std::vector<Point2>& line, Culprit culprit) {
   for (size_t k = 0; k < line.size(); ++k)
-    if (!in_range(line[k])) return out_of_range(where + "[" + std::to_string(k) + "]");
+    if (!in_range(line[k])) return out_of_range(culprit, ".line" + element(k));
   const bool has_length =
       std::any_of(line.begin(), line.end(), [&](Point2 p) { return !(p == line[0]); });
-  if (!has_length) return bad(where, "has no length; give at least two points");
+  if (!has_length) return bad(culprit, ".line", "has no length; give at least two points");
   return Done{};
 }
 
 Status check_joins(const Scene& scene) {
   for (size_t i = 0; i < scene.joins.size(); ++i) {
     const Join& join = scene.joins[i];
-    const std::string where = at("joins", i);
-    if (Status pair = check_pair(scene, join.upper, join.lower, where); !pair) return pair;
-    if (Status line = check_line(join.line, where + ".line"); !line) return line;
+    const Culprit culprit{CulpritList::joins, i};
+    if (Status pair = check_pair(scene, join.upper, join.lower, culprit); !pair) return pair;
+    if (Status line = check_line(join.line, culprit); !line) return line;
   }
   return Done{};
 }
@@ -118,16 +123,17 @@ Status check_joins(const Scene& scene) {
 Status check_relations(const Scene& scene) {
   for (size_t i = 0; i < scene.relations.size(); ++i) {
     const Relation& relation = scene.relations[i];
-    const std::string where = at("relations", i);
-    if (Status pair = check_pair(scene, relation.upper, relation.lower, where); !pair) return pair;
+    const Culprit culprit{CulpritList::relations, i};
+    if (Status pair = check_pair(scene, relation.upper, relation.lower, culprit); !pair)
+      return pair;
     if (!relation.range && relation.kind == RelationKind::below)
-      return bad(where + ".range",
+      return bad(culprit, ".range",
                  "\"below\" needs a range; where it holds everywhere, swap the order of the parts");
     if (!relation.range) continue;
-    if (!in_range(relation.range->first)) return out_of_range(where + ".range[0]");
-    if (!in_range(relation.range->second)) return out_of_range(where + ".range[1]");
+    if (!in_range(relation.range->first)) return out_of_range(culprit, ".range[0]");
+    if (!in_range(relation.range->second)) return out_of_range(culprit, ".range[1]");
     if (relation.range->first == relation.range->second)
-      return bad(where + ".range", "begins where it ends; give two different points");
+      return bad(culprit, ".range", "begins where it ends; give two different points");
   }
   return Done{};
 }
@@ -135,16 +141,16 @@ Status check_relations(const Scene& scene) {
 Status check_robin(const Scene& scene) {
   for (size_t i = 0; i < scene.robin.size(); ++i) {
     const RobinRange& range = scene.robin[i];
-    const std::string where = at("robin", i);
-    if (Status pair = check_pair(scene, range.upper, range.lower, where); !pair) return pair;
-    if (!in_range(range.from)) return out_of_range(where + ".from");
-    if (!in_range(range.to)) return out_of_range(where + ".to");
+    const Culprit culprit{CulpritList::robin, i};
+    if (Status pair = check_pair(scene, range.upper, range.lower, culprit); !pair) return pair;
+    if (!in_range(range.from)) return out_of_range(culprit, ".from");
+    if (!in_range(range.to)) return out_of_range(culprit, ".to");
     if (range.from == range.to)
-      return bad(where, "begins where it ends; give two different points");
+      return bad(culprit, "", "begins where it ends; give two different points");
     if (range.alpha0 && !(*range.alpha0 >= 0 && *range.alpha0 < 1))
-      return bad(where + ".alpha0", "must be at least 0 and below 1");
+      return bad(culprit, ".alpha0", "must be at least 0 and below 1");
     if (range.rho && !(*range.rho > 0 && *range.rho <= max_rho))
-      return bad(where + ".rho", "must be above 0 and at most 1000");
+      return bad(culprit, ".rho", "must be above 0 and at most 1000");
   }
   return Done{};
 }
@@ -153,15 +159,15 @@ Status check_cues(const Scene& scene) {
   if (scene.cues.size() > max_cues) return bad("cues", "has more than 256 cues");
   for (size_t i = 0; i < scene.cues.size(); ++i) {
     const Cue& cue = scene.cues[i];
-    const std::string where = at("cues", i);
+    const Culprit culprit{CulpritList::cues, i};
     if (cue.part < 0 || cue.part >= static_cast<int>(scene.parts.size()))
-      return bad(where + ".part", "names no part of the scene");
-    if (cue.line.size() > max_cue_points) return bad(where + ".line", "has more than 1000 points");
-    if (Status line = check_line(cue.line, where + ".line"); !line) return line;
+      return bad(culprit, ".part", "names no part of the scene");
+    if (cue.line.size() > max_cue_points) return bad(culprit, ".line", "has more than 1000 points");
+    if (Status line = check_line(cue.line, culprit); !line) return line;
     if (!has_sound_value(cue))
-      return bad(where + ".value", cue.kind == CueKind::bulge
-                                       ? "must be a number from 0.05 to 10"
-                                       : "must be a number of degrees from -75 to 75");
+      return bad(culprit, ".value",
+                 cue.kind == CueKind::bulge ? "must be a number from 0.05 to 10"
+                                            : "must be a number of degrees from -75 to 75");
   }
   return Done{};
 }

@@ -119,13 +119,13 @@ TEST_F(Batch, ATablesMistakesAreNamedBeforeAnythingIsBuilt) {
     write("bad.tsv", table);
     expect_failure({"batch", "bad.tsv", "-o", "out"}, code, message);
   };
-  expect("file\nin/cat.svg\n", 3, "bad.tsv:1: the first line names the columns");
+  expect("file\nin/cat.svg\n", 3, "bad.tsv:1: the first line must name the columns");
   expect("input\tc\nin/cat.svg\t3\t4\n", 3, "bad.tsv:2: has more cells");
-  expect("input\tc\nin/cat.svg\t1\n\t2\n", 3, "bad.tsv:3: names no input");
+  expect("input\tc\nin/cat.svg\t1\n\t2\n", 3, "bad.tsv:3: has no input");
   expect("input\tname\nin/cat.svg\t../x\n", 3, "bad.tsv:2: \"../x\" cannot be a name");
   expect("input\tdepth-of-field\nin/cat.svg\t3\n", 2, "bad.tsv:2: ");
   expect("input\tc\nin/cat.svg\tmuch\n", 2, "bad.tsv:2: ");
-  expect("input\tname\nin/cat.svg\ta\nin/more/dog.svg\ta\n", 2, "would have the results of");
+  expect("input\tname\nin/cat.svg\ta\nin/more/dog.svg\ta\n", 2, "would have the same outputs as");
 }
 
 TEST_F(Batch, DrawingsOfOneNameGetTheirExtensions) {
@@ -197,7 +197,7 @@ TEST_F(Batch, AJournalThatIsNoneIsRefused) {
   write("out/journal.jsonl", "{\"name\":1}\n");
   const Outcome outcome = batch({"in"});
   EXPECT_EQ(outcome.exit_code, 3);
-  EXPECT_NE(outcome.err.find("out/journal.jsonl:1: is no line of a journal"), std::string::npos)
+  EXPECT_NE(outcome.err.find("out/journal.jsonl:1: is not a journal entry"), std::string::npos)
       << outcome.err;
 }
 

@@ -20,7 +20,7 @@ TEST_F(Failures, AReportThatNobodyGetsLeavesNoModel) {
 }
 
 TEST_F(Failures, UsageIsTwo) {
-  expect_failure({}, 2, "build, batch, check, compare, render, segment or sequence");
+  expect_failure({}, 2, "build, batch, check, render, segment or sequence");
   expect_failure({"paint"}, 2, "paint");
   expect_failure({"build", "scene.json"}, 2, "nothing to write");
   expect_failure({"build", "-o", "out.glb"}, 2, "INPUT");

@@ -35,7 +35,7 @@ class SegmentDrawing : public CliTest {
 TEST_F(SegmentDrawing, PartsAreFoundAndBuilt) {
   const Outcome segmented = relievo({"segment", "figure.png", "-o", "figure.relievo"});
   ASSERT_EQ(segmented.exit_code, 0) << segmented.err;
-  EXPECT_NE(segmented.err.find("2 parts"), std::string::npos) << segmented.err;
+  EXPECT_NE(segmented.err.find("2 parts,"), std::string::npos) << segmented.err;
   const Outcome built = relievo({"build", "figure.relievo", "-o", "figure.ply"});
   EXPECT_EQ(built.exit_code, 0) << built.err;
   EXPECT_TRUE(exists("figure.ply"));
@@ -54,13 +54,13 @@ TEST_F(SegmentDrawing, GivesThePartsAsLayersToPaintOn) {
 TEST_F(SegmentDrawing, AsManyPartsAreFoundAsAreSaidAndTheProjectKeepsIt) {
   const Outcome one = relievo({"segment", "figure.png", "--parts", "1", "-o", "one.relievo"});
   ASSERT_EQ(one.exit_code, 0) << one.err;
-  EXPECT_NE(one.err.find("1 parts"), std::string::npos) << one.err;
+  EXPECT_NE(one.err.find("1 part,"), std::string::npos) << one.err;
   const auto project = decode_project(to_bytes(read("one.relievo")));
   ASSERT_TRUE(project.ok());
   EXPECT_EQ(project->segmentation->scribbles.count, 1);
   const Outcome two = relievo({"segment", "one.relievo", "--parts", "2", "-o", "two.relievo"});
   ASSERT_EQ(two.exit_code, 0) << two.err;
-  EXPECT_NE(two.err.find("2 parts"), std::string::npos) << two.err;
+  EXPECT_NE(two.err.find("2 parts,"), std::string::npos) << two.err;
   expect_failure({"segment", "figure.png", "--parts", "0", "-o", "a.relievo"}, 2, "--parts");
 }
 
@@ -71,7 +71,7 @@ TEST_F(SegmentDrawing, StrokesNameTheirParts) {
   const Outcome segmented =
       relievo({"segment", "figure.png", "--scribbles", "strokes.json", "-o", "scene.json"});
   ASSERT_EQ(segmented.exit_code, 0) << segmented.err;
-  EXPECT_NE(segmented.err.find("1 parts"), std::string::npos) << segmented.err;
+  EXPECT_NE(segmented.err.find("1 part,"), std::string::npos) << segmented.err;
   EXPECT_NE(read("scene.json").find("\"snow head\""), std::string::npos);
 }
 
@@ -171,7 +171,7 @@ TEST_F(SegmentDrawing, VectorsAreTakenAsThePictureThatTheyPaint) {
              M96.4 134.1 a70 70 0 1 0 47.2 0" fill="none" stroke="black" stroke-width="4"/></svg>)");
   const Outcome segmented = relievo({"segment", "figure.svg", "-o", "figure.relievo"});
   ASSERT_EQ(segmented.exit_code, 0) << segmented.err;
-  EXPECT_NE(segmented.err.find("2 parts"), std::string::npos) << segmented.err;
+  EXPECT_NE(segmented.err.find("2 parts,"), std::string::npos) << segmented.err;
   ASSERT_EQ(relievo({"segment", "figure.svg", "-o", "scene.json"}).exit_code, 0);
   const auto picture = decode_image(to_bytes(read("scene.png")));
   ASSERT_TRUE(picture.ok());

@@ -62,8 +62,8 @@ const Names open_rooms = {"labels", "marks", "scene", "session", "finish", "maps
 const Names open_headers = {"areas/basins.h", "areas/find_basins.h", "joins/join_proposals.h"};
 
 struct Place {
-  /// relievo, kernel, scene, understanding, relief, io, lod, render, solid, face, rivals, apps,
-  /// tests, benchmarks
+  /// relievo, kernel, scene, understanding, relief, io, lod, render, solid, face, apps, bindings,
+  /// research, tests, benchmarks
   std::string top;
   std::string folder;  ///< below it
   std::string rest;    ///< folder/file
@@ -145,16 +145,17 @@ std::string check_solid(const Place& to) {
 std::string check_apps(const Place& from, const Place& to) {
   for (const char* top : {"kernel", "scene", "io", "lod", "render", "solid", "face"})
     if (to.top == top || to.top == from.top) return "";
-  if (to.top == "rivals" && from.top == "apps") return "";
   if (!is_wing(to.top)) return from.top + " use the libraries only";
   if (is_handed_on(to) || is_verb(to) || is_open(to)) return "";
   return from.top + " use open rooms and the stages' structs and verbs, not their insides";
 }
 
-/// Checks other methods, which are compared with ours: they are made of the same stages, and no
-/// library holds them.
-std::string check_rivals(const Place& from, const Place& to) {
-  if (to.top == "io" || to.top == "solid" || to.top == "face")
+/// Checks research: rival methods are made of the same stages as ours; its programs use the parts
+/// of the command line.
+std::string check_research(const Place& from, const Place& to) {
+  if (to.top == "seams") return "";
+  if (from.folder != "rivals") return to.top == "apps" ? "" : check_apps(from, to);
+  if (to.top == "io" || to.top == "solid" || to.top == "face" || to.folder == "compare")
     return "rivals use the kernel, the stages, the renderer and themselves only";
   return check_apps(from, to);
 }
@@ -186,10 +187,11 @@ std::string include_violation(const std::string& from, const std::string& to) {
   if (source.top == "render") return check_render(target);
   if (source.top == "solid") return check_solid(target);
   if (source.top == "lod") return check_lod(target);
-  if (source.top == "rivals") return check_rivals(source, target);
+  if (source.top == "research" && source.folder != "tests") return check_research(source, target);
   if (source.top == "apps" || source.top == "bindings" || source.top == "face")
     return check_apps(source, target);
   if (target.top == "apps" || target.top == "bindings") return "nobody includes " + target.top;
+  if (target.top == "research" && source.top != "research") return "nobody includes research";
   return "";
 }
 

@@ -24,7 +24,7 @@ std::vector<SourceFile> product_files() {
   std::vector<SourceFile> files;
   for (SourceFile& file : source_files())
     if (!begins_with(file.path, "tests/") && !begins_with(file.path, "benchmarks/") &&
-        !begins_with(file.path, "fuzz/"))
+        !begins_with(file.path, "fuzz/") && !begins_with(file.path, "research/tests/"))
       files.push_back(std::move(file));
   return files;
 }

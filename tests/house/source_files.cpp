@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 std::vector<SourceFile> source_files() {
   const fs::path root = RELIEVO_SOURCE_DIR;
   std::vector<SourceFile> files;
-  for (const char* top : {"include", "src", "apps", "bindings", "tests", "benchmarks", "fuzz"}) {
+  for (const char* top :
+       {"include", "src", "apps", "bindings", "research", "tests", "benchmarks", "fuzz"}) {
     if (!fs::exists(root / top)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
       const fs::path extension = entry.path().extension();

@@ -29,8 +29,12 @@ std::string culprit(Change change) {
   change(scene);
   const Status status = validate(scene);
   if (status) return "accepted";
-  EXPECT_EQ(status.error().code, ErrorCode::bad_input);
-  return status.error().where;
+  const Error& error = status.error();
+  EXPECT_EQ(error.code, ErrorCode::bad_input);
+  // Programs get the same item as people.
+  EXPECT_EQ(error.where.find(to_string(error.culprit)), 0U) << error.where;
+  EXPECT_EQ(error.culprit.list != CulpritList::none, error.where.find('[') != std::string::npos);
+  return error.where;
 }
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -5,7 +5,7 @@
 #include "relief/layers/layered_mesh.h"
 #include "relief/session/build_relief.h"
 #include "relievo/scene.h"
-#include "rivals/seam_chains.h"
+#include "seams/seam_chains.h"
 
 namespace relievo::testing {
 

@@ -23,8 +23,10 @@ export interface BuildOptions {
 export interface EngineError {
   code: 'internal' | 'usage' | 'bad_input' | 'contradiction' | 'limit' | 'file' | 'interrupted';
   message: string;
-  /** The cause: the path of a key of the scene, the id of a part, or empty. */
+  /** The place, for a person: the path of a key of the scene, the id of a part, or empty. */
   where: string;
+  /** The item at fault, if there is one: an element of a list of the scene or of the strokes. */
+  culprit?: { list: 'parts' | 'joins' | 'relations' | 'robin' | 'cues' | 'strokes'; index: number };
 }
 
 export interface Failure {
@@ -46,7 +48,7 @@ export interface Report {
   warnings: string[];
 }
 
-interface PartRun {
+export interface PartRun {
   id: string;
   firstTriangle: number;
   triangleCount: number;

@@ -8,9 +8,9 @@ namespace relievo::cli {
 namespace {
 
 constexpr const char* help =
-    R"(Builds many drawings with the same options, several at once, and keeps a journal: begun again,
-it does what is missing or has changed, and nothing twice. A drawing that fails is told, and
-the rest goes on. Takes the options of build besides its outputs.
+    R"(Builds many drawings with the same options, several at once, and keeps a journal. Run the same
+command again and only drawings that are new, changed or missing their output are built.
+A drawing that fails is reported and does not stop the others. Takes the options of build.
 
 Examples:
   relievo batch drawings -o models
@@ -19,31 +19,31 @@ Examples:
   relievo batch drawings -o models --shard 3/20
   relievo batch --merge -o models)";
 
-/// The options of `build`, in the help.
+/// Heading of the options of `build` in the help.
 constexpr const char* choices_group = "Each drawing";
 
-Shard shard(const std::string& text) {
-  Shard shard;
+void set_shard(const std::string& text, BatchArguments& batch) {
   char rest = 0;
-  const int read = std::sscanf(text.c_str(), "%d/%d%c", &shard.index, &shard.count, &rest);
-  if (read != 2 || shard.count < 1 || shard.index < 1 || shard.index > shard.count)
-    throw CLI::ValidationError("--shard " + text, "is not of the form 3/20, from 1/20 to 20/20");
-  return shard;
+  const int read = std::sscanf(text.c_str(), "%d/%d%c", &batch.shard, &batch.shards, &rest);
+  if (read != 2 || batch.shards < 1 || batch.shard < 1 || batch.shard > batch.shards)
+    throw CLI::ValidationError("--shard " + text, "must be of the form 3/20, from 1/20 to 20/20");
 }
 
 void add_work(CLI::App& app, BatchArguments& batch) {
-  app.add_option("--jobs", batch.jobs, "Drawings at once (default: as many as processors)")
+  app.add_option("--jobs", batch.jobs,
+                 "Number of drawings to build at once (default: one per processor)")
       ->check(CLI::Range(1, 1024));
   app.add_option("--memory", batch.memory_mb,
-                 "Memory for all of them together in MB (default: 80 % of what is free)")
+                 "Memory for all of them together in MB (default: 80 % of the free memory)")
       ->check(CLI::Range(200.0, 1e7));
   app.add_option_function<std::string>(
-      "--shard", [&batch](const std::string& text) { batch.shard = shard(text); },
-      "Build the Kth of N shares alone, with a journal of its own; K/N");
-  app.add_flag("--retry", batch.retry, "Try those again that failed");
-  app.add_flag("--sheet", batch.sheet, "Make a contact sheet, index.html, and its pictures");
-  app.add_flag("--merge", batch.merge, "Build nothing; make one journal of those of the shards");
-  app.add_flag("-q,--quiet", batch.common.quiet, "Say nothing but errors");
+      "--shard", [&batch](const std::string& text) { set_shard(text, batch); },
+      "Builds only the Kth of N shares, given as K/N, with a journal of its own");
+  app.add_flag("--retry", batch.retry, "Builds failed drawings again");
+  app.add_flag("--sheet", batch.sheet, "Makes a contact sheet, index.html, and its pictures");
+  app.add_flag("--merge", batch.merge,
+               "Merges the journals of all shards into one, and builds nothing");
+  app.add_flag("-q,--quiet", batch.common.quiet, "Print errors only");
 }
 
 }  // namespace
@@ -51,18 +51,20 @@ void add_work(CLI::App& app, BatchArguments& batch) {
 CLI::App& add_batch(CLI::App& main, BatchArguments& batch, BuildArguments& choices) {
   CLI::App& app = *main.add_subcommand("batch", help);
   app.add_option("INPUT", batch.inputs,
-                 "Drawings, folders that are searched for them, tables of drawings (.tsv)");
-  app.add_option("-o,--output", batch.output, "Folder of the results")->required();
+                 "Drawings, folders to search for drawings, or tables of drawings (.tsv)");
+  app.add_option("-o,--output", batch.output, "Output folder")->required();
   app.add_option(
          "--make", batch.make,
-         "What to make of each, between commas: glb (the default), obj, ply, stl, 3mf, usdz, "
-         "html, normal, depth, part, occlusion, preview, overlay, report")
+         "Outputs for each drawing, separated by commas: glb (the default), obj, ply, stl, 3mf, "
+         "usdz, html, normal, depth, part, occlusion, preview, overlay, report")
       ->delimiter(',')
       ->check(CLI::IsMember({"glb", "obj", "ply", "stl", "3mf", "usdz", "html", "normal", "depth",
                              "part", "occlusion", "preview", "overlay", "report"}));
   add_work(app, batch);
   CLI::App& group = *app.add_option_group(choices_group);
-  group.add_option("--timeout", choices.common.timeout, "Give up a drawing after so many seconds")
+  group
+      .add_option("--timeout", choices.common.timeout,
+                  "Give up on a drawing after this many seconds")
       ->check(CLI::PositiveNumber);
   add_build_choices(group, choices);
   return app;

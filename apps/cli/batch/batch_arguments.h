@@ -6,12 +6,12 @@
 
 namespace relievo::cli {
 
-/// Adds the command. `choices` takes the options that are those of `build` and is of no further
-/// use.
+/// Adds the command `batch`. `choices` receives the options of `build`, and must live until the
+/// arguments are parsed.
 CLI::App& add_batch(CLI::App& main, BatchArguments& batch, BuildArguments& choices);
 
-/// Takes over the options of `build` that were given to `app`, the command. Throws
-/// CLI::ValidationError where options contradict each other.
+/// Copies the options of `build` that were given to `app`, the command, to `batch`. Throws
+/// CLI::ValidationError if options contradict each other.
 void settle_batch(const CLI::App& app, BatchArguments& batch);
 
 }  // namespace relievo::cli

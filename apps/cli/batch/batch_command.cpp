@@ -18,6 +18,7 @@
 #include "apps/cli/cost.h"
 #include "apps/cli/exit_code.h"
 #include "apps/cli/messages.h"
+#include "apps/cli/outputs.h"
 #include "io/files/number_text.h"
 #include "kernel/base/stopwatch.h"
 #include "relievo/files.h"
@@ -27,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the memory that is free, how much is used unless something else is said.
+/// Share of the free memory that is used by default.
 constexpr double share_of_memory = 0.8;
 
 int processors() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
@@ -41,7 +42,7 @@ std::string time_of_day() {
   return text.data();
 }
 
-/// Warnings of a build, and the line that says why it failed.
+/// Extracts the warnings of a build, and the error if it failed.
 void read_messages(const std::string& text, JournalEntry& entry) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -53,10 +54,11 @@ void read_messages(const std::string& text, JournalEntry& entry) {
       entry.message = line;
   }
   if (entry.code > 128 && entry.message.empty())
-    entry.message = "defect: ended by signal " + std::to_string(entry.code - 128);
+    entry.message =
+        "internal error (please report it): ended by signal " + std::to_string(entry.code - 128);
 }
 
-/// The line of progress, rewritten in place on terminals.
+/// A progress line on a terminal, rewritten in place.
 class Rate {
  public:
   Rate(size_t all, bool quiet) : all_(all), shown_(!quiet && isatty(STDERR_FILENO) != 0) {}
@@ -89,25 +91,15 @@ class Rate {
 std::vector<PoolTask> tasks_of(const BatchPlan& plan, int processes) {
   const std::string threads = std::to_string(std::max(1, processors() / processes));
   std::vector<PoolTask> tasks;
-  for (const auto& [job, entry] : plan.builds) {
-    std::vector<std::string> words = {"build", job.input.string(), "--threads", threads};
-    words.insert(words.end(), job.words.begin(), job.words.end());
-    tasks.push_back({std::move(words), least_mb(job.vertices)});
+  for (const auto& [entry, vertices] : plan.builds) {
+    std::vector<std::string> words = {"build", entry.input, "--threads", threads};
+    words.insert(words.end(), entry.options.begin(), entry.options.end());
+    tasks.push_back({std::move(words), least_mb(vertices)});
   }
   return tasks;
 }
 
-Status make_folders(const std::vector<fs::path>& files) {
-  for (const fs::path& file : files) {
-    std::error_code code;
-    const fs::path folder = file.parent_path();
-    fs::create_directories(folder, code);
-    if (code) return Error{ErrorCode::file, "cannot be made: " + code.message(), folder.string()};
-  }
-  return Done{};
-}
-
-/// The entry of a build that has ended; an error where the batch itself is being stopped.
+/// Completes the entry of a finished build. Errors: `interrupted` if the batch is being stopped.
 Result<JournalEntry> finished(JournalEntry entry, const ChildOutcome& outcome) {
   if (outcome.code == exit_interrupted || outcome.code == 128 + SIGTERM) return interrupted_error();
   entry.code = outcome.code;
@@ -120,11 +112,12 @@ Result<JournalEntry> finished(JournalEntry entry, const ChildOutcome& outcome) {
   return entry;
 }
 
-/// Builds what is planned. Seconds that it took.
+/// Builds the drawings of a plan. Returns the time that it took, s.
 Result<double> build_planned(const BatchArguments& batch, const BatchPlan& plan, Journal& journal,
                              JournalEntries& entries, Interruption& interruption) {
-  for (const PlannedBuild& planned : plan.builds)
-    if (Status status = make_folders(planned.job.outputs); !status) return status.error();
+  for (const BatchJob& job : plan.builds)
+    for (const fs::path file : job.entry.files)
+      if (Status status = make_folder(file.parent_path()); !status) return status.error();
   const int processes = batch.jobs > 0 ? batch.jobs : processors();
   const double memory = batch.memory_mb > 0 ? batch.memory_mb : share_of_memory * free_mb();
   Rate rate(plan.builds.size(), batch.common.quiet);
@@ -153,7 +146,7 @@ size_t count_failed(const JournalEntries& entries) {
                        [](const auto& entry) { return entry.second.code != 0; });
 }
 
-/// A defect, else the highest.
+/// Returns the code of an internal error if there is one, else the highest code.
 int worst_code(const JournalEntries& entries) {
   int worst = exit_done;
   for (const auto& [name, entry] : entries) {
@@ -177,7 +170,7 @@ void summarise(const BatchArguments& batch, const JournalEntries& entries, size_
                double seconds) {
   std::array<char, 160> text{};
   std::snprintf(text.data(), text.size(),
-                ": %zu taken up in %.1f s, %zu as before, %zu failed in all", built, seconds,
+                ": %zu built in %.1f s, %zu unchanged, %zu failed in total", built, seconds,
                 entries.size() - built, count_failed(entries));
   print_result(counted(entries.size(), "drawing") + text.data(), batch.common.quiet);
 }
@@ -186,10 +179,10 @@ Result<int> build_batch(const BatchArguments& batch, Interruption& interruption)
   auto jobs = collect_jobs(batch);
   if (!jobs) return jobs.error();
   const fs::path folder = batch.output;
-  if (Status status = make_folders({folder / "journal"}); !status) return status.error();
-  const auto& [index, count] = batch.shard;
+  if (Status status = make_folder(folder); !status) return status.error();
   const std::string shard =
-      count > 1 ? "-" + std::to_string(index) + "-of-" + std::to_string(count) : "";
+      batch.shards > 1 ? "-" + std::to_string(batch.shard) + "-of-" + std::to_string(batch.shards)
+                       : "";
   auto journal = Journal::open(folder / ("journal" + shard + ".jsonl"));
   if (!journal) return journal.error();
   auto entries = read_journals(folder);
@@ -199,22 +192,22 @@ Result<int> build_batch(const BatchArguments& batch, Interruption& interruption)
   const auto seconds = build_planned(batch, *plan, *journal, *entries, interruption);
   if (!seconds) return seconds.error();
   std::erase_if(*entries, [&](const auto& entry) { return plan->names.count(entry.first) == 0; });
-  if (count == 1)
+  if (batch.shards == 1)
     if (Status status = write_page(batch, *entries); !status) return status.error();
   summarise(batch, *entries, plan->builds.size(), *seconds);
   return worst_code(*entries);
 }
 
-/// Makes one journal of those of the shards.
+/// Merges the journals of all shards into one.
 Result<int> merge_batch(const BatchArguments& batch) {
   const fs::path folder = batch.output;
   const std::vector<fs::path> paths = journals_in(folder);
-  if (paths.empty()) return Error{ErrorCode::file, "no journals are there", folder.string()};
-  std::vector<Journal> held;
+  if (paths.empty()) return Error{ErrorCode::file, "contains no journals", folder.string()};
+  std::vector<Journal> locked;
   for (const fs::path& path : paths) {
     auto journal = Journal::open(path);
     if (!journal) return journal.error();
-    held.push_back(std::move(*journal));
+    locked.push_back(std::move(*journal));
   }
   const auto entries = read_journals(folder);
   if (!entries) return entries.error();

@@ -6,7 +6,7 @@
 
 namespace relievo::cli {
 
-/// Goes on where drawings fail. The exit code: that of the worst failure, 0 where all are built.
+/// Builds a batch. Goes on if a drawing fails. Returns the exit code of the worst failure, or 0.
 Result<int> run_batch(const BatchArguments& batch, Interruption& interruption);
 
 }  // namespace relievo::cli

@@ -15,7 +15,7 @@
 namespace relievo::cli {
 namespace {
 
-/// More than a build has to say; what follows is lost.
+/// Maximum length of its messages, bytes. More than a build writes; the rest is lost.
 constexpr size_t most_messages = 64 << 10;
 
 double now() {
@@ -26,14 +26,14 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// Sanitizers take terabytes of address space.
+/// Address space is not limited under sanitizers, which use terabytes.
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool bounds_memory = false;
 #else
 constexpr bool bounds_memory = true;
 #endif
 
-/// In the child, between fork and exec: calls nothing that a thread of the parent may have locked.
+/// Replaces the forked process by the program. Calls nothing that another thread may have locked.
 [[noreturn]] void become(char* const* argv, int errors, rlim_t memory, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(127);
@@ -74,7 +74,7 @@ Result<Child> Child::start(const std::vector<std::string>& arguments, uint64_t m
   std::vector<char*> argv = {const_cast<char*>("relievo")};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
-  const Error refused{ErrorCode::limit, "no further process can be started; use fewer --jobs", ""};
+  const Error refused{ErrorCode::limit, "cannot start another process; use fewer --jobs", ""};
   std::array<int, 2> pipe{};
   if (pipe2(pipe.data(), O_CLOEXEC) != 0) return refused;
   Child child;

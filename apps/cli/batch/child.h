@@ -10,37 +10,37 @@
 
 namespace relievo::cli {
 
-/// How a child ended.
+/// The end of a child process.
 struct ChildOutcome {
-  int code = 0;          ///< exit code; 128 + the signal where one ended it
-  std::string messages;  ///< what it wrote on standard error
-  double seconds = 0;    ///< by the clock
+  int code = 0;          ///< exit code, or 128 + the signal that ended it
+  std::string messages;  ///< its standard error
+  double seconds = 0;    ///< elapsed
   double cpu_seconds = 0;
-  double peak_mb = 0;
+  double peak_mb = 0;  ///< memory, 2^20 bytes
 };
 
-/// This program, run once more with other arguments. It is asked to stop when this process ends,
-/// however that comes.
+/// A child process that runs this program with other arguments. It receives SIGTERM when this
+/// process ends, for any reason.
 class Child {
  public:
   Child(Child&& other) noexcept;
   Child& operator=(Child&& other) noexcept;
   ~Child();
 
-  /// `memory`: bytes of address space that it may take. Errors: `limit` where the system has no
-  /// more processes.
+  /// Starts a child. `memory` limits its address space, bytes. Errors: `limit` if the system cannot
+  /// start another process.
   static Result<Child> start(const std::vector<std::string>& arguments, uint64_t memory);
 
-  /// Readable when it has written something, or ended.
+  /// A file descriptor that is readable once the child has written something or ended.
   int stream() const { return stream_; }
 
-  /// Takes what it has written; whether it has ended since.
+  /// Reads its messages. Returns whether it has ended.
   bool take();
 
-  /// Waits for its end, which take() has seen.
+  /// Returns its outcome. Precondition: take() has returned true.
   ChildOutcome wait();
 
-  /// Asks it to stop.
+  /// Sends it SIGTERM.
   void stop() const;
 
  private:

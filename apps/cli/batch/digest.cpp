@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 class Sha256 {
  public:
-  /// The length goes first, so that no two lists of pieces give the same.
+  /// Adds a piece, with its length first so that different lists of pieces have different sums.
   void add(const void* bytes, size_t size) {
     const std::string length = std::to_string(size) + ":";
     update(length.data(), length.size());
@@ -56,7 +56,7 @@ Status add_folder(const fs::path& folder, Sha256& sum) {
   return Done{};
 }
 
-/// The drawing that a scene file names; empty where it is no scene or names none.
+/// Returns the drawing that a scene file names; empty if it is not a scene or names none.
 fs::path drawing_of(const fs::path& input) {
   if (input.extension() != ".json") return {};
   const auto bytes = read_file(input);
@@ -76,7 +76,7 @@ Result<std::string> digest_of(const fs::path& input) {
     return sum.digits();
   }
   if (Status status = add_file(input, "", sum); !status) return status.error();
-  // The build says what is wrong with a drawing that cannot be read.
+  // The build reports a drawing that cannot be read.
   if (const fs::path drawing = drawing_of(input); !drawing.empty() && fs::exists(drawing, code))
     if (Status status = add_file(drawing, "drawing", sum); !status) return status.error();
   return sum.digits();

@@ -7,8 +7,8 @@
 
 namespace relievo::cli {
 
-/// SHA-256, in hexadecimal digits, of what a drawing's results depend on: the file and the drawing
-/// that a scene names, or the files of a folder with their names. Errors: `file`, `limit`.
+/// Returns the SHA-256 of an input, in hexadecimal digits: of the file and the drawing that a scene
+/// names, or of the files of a folder with their names. Errors: `file`, `limit`.
 Result<std::string> digest_of(const std::filesystem::path& input);
 
 }  // namespace relievo::cli

@@ -14,16 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A drawing, and what is said of it alone.
-struct Found {
-  fs::path input;
-  fs::path name;  ///< with the input's extension
-  bool named = false;
-  std::vector<std::string> words;
-  std::string where;  ///< the manifest's line; empty: none
-};
-
-/// Scene files are left to those who name them: much else ends in .json.
+/// Checks for the extension of a drawing. Scene files must be named one by one, since other files
+/// end in .json too.
 bool is_drawing(const fs::path& path) {
   static const std::array<const char*, 8> endings = {".svg", ".ora",  ".psd", ".png",
                                                      ".jpg", ".jpeg", ".gif", ".relievo"};
@@ -39,8 +31,9 @@ bool is_layer_folder(const fs::path& path) {
   return fs::is_directory(path, code) && fs::exists(path / "layers.tsv", code);
 }
 
-/// In the order of their names, whatever that of the file system is.
-Status search_folder(const fs::path& folder, const fs::path& below, std::vector<Found>& found) {
+/// Finds the drawings in a folder and below, sorted by name.
+Status search_folder(const fs::path& folder, const fs::path& below,
+                     std::vector<ListedDrawing>& found) {
   std::error_code code;
   std::vector<fs::path> entries;
   for (fs::directory_iterator it(folder, code), end; !code && it != end; it.increment(code))
@@ -58,15 +51,13 @@ Status search_folder(const fs::path& folder, const fs::path& below, std::vector<
   return Done{};
 }
 
-Status find_inputs(const std::string& input, std::vector<Found>& found) {
+Status find_inputs(const std::string& input, std::vector<ListedDrawing>& found) {
   const fs::path path(input);
   std::error_code code;
   if (path.extension() == ".tsv") {
     const auto rows = read_manifest(path);
     if (!rows) return rows.error();
-    for (const ManifestRow& row : *rows)
-      found.push_back({row.input, row.name.empty() ? row.input.filename() : fs::path(row.name),
-                       !row.name.empty(), row.words, input + ":" + std::to_string(row.line)});
+    found.insert(found.end(), rows->begin(), rows->end());
     return Done{};
   }
   if (fs::is_directory(path, code) && !is_layer_folder(path)) return search_folder(path, "", found);
@@ -75,13 +66,13 @@ Status find_inputs(const std::string& input, std::vector<Found>& found) {
   return Done{};
 }
 
-std::string plain_name(const Found& found) {
+std::string plain_name(const ListedDrawing& found) {
   if (found.named) return found.name.generic_string();
   return fs::path(found.name).replace_extension().generic_string();
 }
 
-/// Without its extension where no other drawing has that name.
-std::string job_name(const Found& found, const std::map<std::string, int>& uses) {
+/// Returns the name of a drawing, with its extension only if others have the same name.
+std::string job_name(const ListedDrawing& found, const std::map<std::string, int>& uses) {
   const std::string name = plain_name(found);
   if (uses.at(name) == 1 || found.named || !found.name.has_extension()) return name;
   return name + "-" + found.name.extension().string().substr(1);
@@ -91,7 +82,7 @@ bool has(const std::vector<std::string>& words, const char* word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// The options of what is to be made of a drawing.
+/// Returns the options of `build` that name the outputs of a drawing.
 std::vector<std::string> output_words(const BatchArguments& batch, const std::string& name) {
   const fs::path folder = batch.output;
   const std::string stem = (folder / name).string();
@@ -119,38 +110,41 @@ std::vector<std::string> output_words(const BatchArguments& batch, const std::st
   return words;
 }
 
-Result<BatchJob> job_of(const Found& found, const std::string& name, const BatchArguments& batch) {
-  BatchJob job{found.input, name, batch.words, {}, 0};
-  job.words.insert(job.words.end(), found.words.begin(), found.words.end());
-  const auto made = output_words(batch, name);
-  job.words.insert(job.words.end(), made.begin(), made.end());
-  const auto build = parse_build(job.input.string(), job.words);
+Result<BatchJob> job_of(const ListedDrawing& found, const std::string& name,
+                        const BatchArguments& batch) {
+  JournalEntry entry;
+  entry.name = name;
+  entry.input = found.input.string();
+  entry.version = RELIEVO_VERSION;
+  entry.options = batch.words;
+  for (const auto& words : {found.words, output_words(batch, name)})
+    entry.options.insert(entry.options.end(), words.begin(), words.end());
+  const auto build = parse_build(entry.input, entry.options);
   if (!build) return Error{build.error().code, build.error().message, found.where};
-  job.outputs = planned_outputs(*build);
-  job.vertices = build->relief.options.layers.vertex_budget;
-  return job;
+  for (const fs::path& file : planned_outputs(*build)) entry.files.push_back(file.string());
+  return BatchJob{std::move(entry), build->relief.options.layers.vertex_budget};
 }
 
 }  // namespace
 
 Result<std::vector<BatchJob>> collect_jobs(const BatchArguments& batch) {
-  std::vector<Found> found;
+  std::vector<ListedDrawing> found;
   for (const std::string& input : batch.inputs)
     if (Status status = find_inputs(input, found); !status) return status.error();
   if (found.empty())
-    return Error{ErrorCode::bad_input, "no drawings are there", batch.inputs.front()};
+    return Error{ErrorCode::bad_input, "contains no drawings", batch.inputs.front()};
   std::map<std::string, int> uses;
-  for (const Found& one : found) ++uses[plain_name(one)];
+  for (const ListedDrawing& one : found) ++uses[plain_name(one)];
   std::map<std::string, BatchJob> jobs;
-  for (const Found& one : found) {
+  for (const ListedDrawing& one : found) {
     const std::string name = job_name(one, uses);
     auto job = job_of(one, name, batch);
     if (!job) return job.error();
-    const auto [place, added] = jobs.emplace(name, std::move(*job));
+    const auto [same, added] = jobs.emplace(name, std::move(*job));
     if (!added)
       return Error{
           ErrorCode::usage,
-          "would have the results of " + place->second.input.string() + "; name them in a manifest",
+          "would have the same outputs as " + same->second.entry.input + "; name them in a table",
           one.input.string()};
   }
   std::vector<BatchJob> list;

@@ -1,28 +1,23 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
 #include <vector>
 
 #include "apps/cli/arguments.h"
+#include "apps/cli/batch/journal.h"
 #include "relievo/result.h"
 
 namespace relievo::cli {
 
-/// One drawing of a batch.
+/// The build of one drawing.
 struct BatchJob {
-  std::filesystem::path input;
-  std::string name;                            ///< of its outputs, relative to their folder
-  std::vector<std::string> words;              ///< options of its `build`, outputs included
-  std::vector<std::filesystem::path> outputs;  ///< what these write
-  int vertices = 0;                            ///< about so many will be made
+  JournalEntry entry;  ///< with the fields that are known before the build
+  int vertices = 0;    ///< approximate number
 };
 
-/// The drawings of a batch in the order of their names: those given, those in folders and below,
-/// and those that manifests name. A folder of layers is one drawing. Two of one name get their
-/// extensions into it.
-/// Errors: `usage` where an option of a row is wrong, `bad_input` for a manifest, naming its line,
-/// `file` where something cannot be read.
+/// Returns the builds of a batch, sorted by name: of the drawings given, those in folders and
+/// below, and those in tables. A folder of layers is one drawing. Drawings of the same name get
+/// their extensions appended. Errors: `usage` for a wrong option in a table, `bad_input` for a
+/// table, with its line, `file` if something cannot be read.
 Result<std::vector<BatchJob>> collect_jobs(const BatchArguments& batch);
 
 }  // namespace relievo::cli

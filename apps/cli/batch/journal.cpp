@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr uint64_t largest_journal = uint64_t{4} << 30;  ///< bytes
 
-/// Calls visit(name, value) for what a line holds, in its order.
+/// Calls visit(name, value) for each field of an entry, in the order of the line.
 template <class Entry, class Visit>
 void each_field(Entry& entry, Visit visit) {
   visit("name", entry.name);
@@ -46,7 +46,8 @@ Result<JournalEntry> read_entry(const std::string& line) {
     return entry;
   } catch (const Json::exception&) {
     return Error{ErrorCode::bad_input,
-                 "is no line of a journal; remove it, and its drawing is built again", ""};
+                 "is not a journal entry; remove the line, and its drawing will be built again",
+                 ""};
   }
 }
 
@@ -121,7 +122,7 @@ Result<Journal> Journal::open(const fs::path& path) {
   if (journal.file_ < 0) return cannot_write(path);
   if (flock(journal.file_, LOCK_EX | LOCK_NB) != 0)
     return Error{ErrorCode::file, "another batch is writing it", path.string()};
-  // What a killed batch left half-written ends here.
+  // Remove a line that a killed batch left half-written.
   const off_t size = lseek(journal.file_, 0, SEEK_END);
   char last = '\n';
   if (size > 0 && pread(journal.file_, &last, 1, size - 1) == 1 && last != '\n') {

@@ -9,7 +9,7 @@
 
 namespace relievo::cli {
 
-/// What became of one drawing: a line of a journal.
+/// The outcome of one drawing: a line of a journal.
 struct JournalEntry {
   std::string name;
   std::string input;
@@ -17,28 +17,29 @@ struct JournalEntry {
   std::vector<std::string> options;
   std::string version;  ///< of the program
   int code = 0;         ///< exit code of its build
-  std::string message;  ///< why it failed
+  std::string message;  ///< the error if it failed
   std::vector<std::string> warnings;
-  double seconds = 0;      ///< by the clock
+  double seconds = 0;      ///< elapsed
   double cpu_seconds = 0;  ///< of all its threads
   double peak_mb = 0;      ///< of memory, 2^20 bytes
   std::vector<std::string> files;
-  std::string finished;  ///< time of day, UTC, as in ISO 8601
+  std::string finished;  ///< date and time, UTC, ISO 8601
 };
 
 /// The last entry of each drawing, by name.
 using JournalEntries = std::map<std::string, JournalEntry>;
 
-/// What all journals of a folder say. A line that a killed batch left half-written counts as none.
-/// Errors: `file`; `bad_input` where a line is no entry, `where` names it.
+/// Reads all journals of a folder. Ignores a line that a killed batch left half-written. Errors:
+/// `file`; `bad_input` for a line that is not an entry, with its place.
 Result<JournalEntries> read_journals(const std::filesystem::path& folder);
 
-/// The journals of a folder.
+/// Returns the paths of the journals in a folder, sorted.
 std::vector<std::filesystem::path> journals_in(const std::filesystem::path& folder);
 
+/// Formats an entry as a line of JSON.
 std::string journal_line(const JournalEntry& entry);
 
-/// A journal that entries are added to, by one process at a time.
+/// A journal to append to. Only one process can have it open.
 class Journal {
  public:
   Journal() = default;
@@ -46,10 +47,10 @@ class Journal {
   Journal& operator=(Journal&& other) noexcept;
   ~Journal();
 
-  /// Makes the file where there is none. Errors: `file`, also where another process has it.
+  /// Opens a journal, or creates it. Errors: `file`, also if another process has it open.
   static Result<Journal> open(const std::filesystem::path& path);
 
-  /// Adds a line at once, so that a process that is killed leaves whole lines.
+  /// Appends an entry in one write, so that a killed process leaves whole lines.
   Status add(const JournalEntry& entry);
 
  private:

@@ -26,38 +26,42 @@ std::vector<std::string> option_words(const std::string& column, const std::stri
   return words;
 }
 
-/// A row, or what is wrong with it.
-Result<ManifestRow> read_row(const std::vector<std::string>& columns, const std::string& line,
-                             const fs::path& folder) {
+Result<ListedDrawing> read_row(const std::vector<std::string>& columns, const std::string& line,
+                               const fs::path& folder, const std::string& where) {
   const std::vector<std::string> cells = split(line, '\t');
-  const auto bad = [](const std::string& what) { return Error{ErrorCode::bad_input, what, ""}; };
-  if (cells.size() > columns.size()) return bad("has more cells than there are columns");
-  ManifestRow row;
+  const auto bad = [&where](const std::string& what) {
+    return Error{ErrorCode::bad_input, what, where};
+  };
+  if (cells.size() > columns.size()) return bad("has more cells than columns");
+  ListedDrawing row;
+  row.where = where;
   for (size_t k = 0; k < cells.size(); ++k) {
     if (cells[k].empty()) continue;
     if (columns[k] == "input") {
       row.input = folder / cells[k];
     } else if (columns[k] == "name") {
       if (!is_path_inside(cells[k]))
-        return bad("\"" + cells[k] + "\" cannot be a name: it leads out of the folder of results");
+        return bad("\"" + cells[k] + "\" cannot be a name: it leads out of the output folder");
       row.name = cells[k];
+      row.named = true;
     } else {
       const auto words = option_words(columns[k], cells[k]);
       row.words.insert(row.words.end(), words.begin(), words.end());
     }
   }
-  if (row.input.empty()) return bad("names no input");
+  if (row.input.empty()) return bad("has no input");
+  if (!row.named) row.name = row.input.filename();
   return row;
 }
 
 }  // namespace
 
-Result<std::vector<ManifestRow>> read_manifest(const fs::path& path) {
+Result<std::vector<ListedDrawing>> read_manifest(const fs::path& path) {
   const auto bytes = read_file(path);
   if (!bytes) return bytes.error();
   std::string text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
   if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-  std::vector<ManifestRow> rows;
+  std::vector<ListedDrawing> rows;
   std::vector<std::string> columns;
   int number = 0;
   for (std::string line : split(text, '\n')) {
@@ -68,16 +72,15 @@ Result<std::vector<ManifestRow>> read_manifest(const fs::path& path) {
     if (columns.empty()) {
       columns = split(line, '\t');
       if (std::find(columns.begin(), columns.end(), "input") == columns.end())
-        return Error{ErrorCode::bad_input, "the first line names the columns; none is \"input\"",
-                     where};
+        return Error{ErrorCode::bad_input,
+                     "the first line must name the columns, and one must be \"input\"", where};
       continue;
     }
-    auto row = read_row(columns, line, path.parent_path());
-    if (!row) return Error{row.error().code, row.error().message, where};
-    row->line = number;
+    auto row = read_row(columns, line, path.parent_path(), where);
+    if (!row) return row.error();
     rows.push_back(std::move(*row));
   }
-  if (rows.empty()) return Error{ErrorCode::bad_input, "names no drawings", path.string()};
+  if (rows.empty()) return Error{ErrorCode::bad_input, "lists no drawings", path.string()};
   return rows;
 }
 

@@ -8,19 +8,20 @@
 
 namespace relievo::cli {
 
-struct ManifestRow {
-  int line = 0;  ///< in the file, from 1
+/// A drawing of a batch.
+struct ListedDrawing {
   std::filesystem::path input;
-  std::string name;                ///< empty: that of the input
-  std::vector<std::string> words;  ///< options of `build`
+  std::filesystem::path name;  ///< of its outputs: as in the table, or the input's with extension
+  bool named = false;          ///< whether a table gives the name
+  std::vector<std::string> words;  ///< options of `build` for this drawing
+  std::string where;               ///< file and line of a table; empty: none
 };
 
-/// A table of drawings: lines of cells between tabs, the first one names the columns. `input` is a
-/// path from the manifest's folder, `name` that of the outputs, and each other column an option of
-/// `build` without its dashes; empty cells say nothing, `yes` sets an option that takes no value,
-/// and values of an option that takes several are between blanks. Lines that are empty or begin
-/// with # are passed over.
-/// Errors: `file`; `bad_input`, `where` is the file and the line.
-Result<std::vector<ManifestRow>> read_manifest(const std::filesystem::path& path);
+/// Reads a table of drawings: lines of cells separated by tabs. The first line names the columns:
+/// `input`, a path relative to the table's folder; `name`, that of the outputs; and options of
+/// `build` without their dashes. An empty cell leaves an option out, `yes` sets an option without a
+/// value, and several values are separated by blanks. Lines that are empty or begin with # are
+/// ignored. Errors: `file`; `bad_input`, whose `where` is the file and the line.
+Result<std::vector<ListedDrawing>> read_manifest(const std::filesystem::path& path);
 
 }  // namespace relievo::cli

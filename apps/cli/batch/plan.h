@@ -11,21 +11,15 @@
 
 namespace relievo::cli {
 
-/// A drawing that is to be built, and its line of the journal as far as that is known before.
-struct PlannedBuild {
-  BatchJob job;
-  JournalEntry entry;
-};
-
 struct BatchPlan {
-  std::set<std::string> names;       ///< of all drawings of the batch, or of its shard
-  std::vector<PlannedBuild> builds;  ///< those that are missing or changed, in the order of names
+  std::set<std::string> names;   ///< of all drawings of the batch, or of its shard
+  std::vector<BatchJob> builds;  ///< new, changed or without their outputs, sorted by name
 };
 
-/// What is left to do of a batch: drawings without an entry, whose content, options or program are
-/// others than those of their entry, or whose results are gone; failed ones too where they are to
-/// be tried again. Reads every drawing once. `jobs`: all of the batch, as
-/// collect_jobs has them. Errors: `interrupted`.
+/// Selects the builds of a batch that are still to do: drawings without a journal entry, with other
+/// content, options or program than in their entry, or without their outputs; and failed ones if
+/// `batch.retry`. Reads every drawing once. `jobs` are those of collect_jobs. Errors:
+/// `interrupted`.
 Result<BatchPlan> plan_batch(const BatchArguments& batch, std::vector<BatchJob> jobs,
                              const JournalEntries& known, const std::atomic<bool>& stop);
 

@@ -9,8 +9,8 @@
 namespace relievo::cli {
 namespace {
 
-/// After which it is seen that the batch is to stop, ms.
-constexpr int look_up = 50;
+/// Interval at which the pool checks whether to stop, ms.
+constexpr int poll_interval = 50;
 
 struct Running {
   size_t task;
@@ -23,7 +23,8 @@ class Pool {
   Pool(const std::vector<PoolTask>& tasks, const PoolOptions& options)
       : tasks_(tasks), options_(options) {}
 
-  Status begin_some() {
+  /// Starts tasks while there is room.
+  Status start_some() {
     while (next_ < tasks_.size() && has_room()) {
       auto child = Child::start(tasks_[next_].arguments,
                                 static_cast<uint64_t>(options_.memory_mb * (1 << 20)));
@@ -38,12 +39,12 @@ class Pool {
 
   bool idle() const { return running_.empty(); }
 
-  /// The tasks that ended within a moment.
+  /// Waits for a moment. Returns the tasks that have ended.
   std::vector<std::pair<size_t, ChildOutcome>> wait_for_some() {
     std::vector<pollfd> streams;
     for (const Running& one : running_) streams.push_back({one.child.stream(), POLLIN, 0});
     std::vector<std::pair<size_t, ChildOutcome>> ended;
-    if (poll(streams.data(), streams.size(), look_up) <= 0) return ended;
+    if (poll(streams.data(), streams.size(), poll_interval) <= 0) return ended;
     for (size_t k = running_.size(); k-- > 0;) {
       if (streams[k].revents == 0 || !running_[k].child.take()) continue;
       ended.emplace_back(running_[k].task, running_[k].child.wait());
@@ -68,7 +69,7 @@ class Pool {
   std::vector<Running> running_;
   size_t next_ = 0;
   double reserved_mb_ = 0;
-  double most_mb_ = 0;  ///< that a task took
+  double most_mb_ = 0;  ///< used by a task so far
 };
 
 }  // namespace
@@ -78,7 +79,7 @@ Status run_pool(const std::vector<PoolTask>& tasks, const PoolOptions& options,
   Pool pool(tasks, options);
   while (true) {
     if (options.stopped()) return interrupted_error();
-    if (Status status = pool.begin_some(); !status) return status;
+    if (Status status = pool.start_some(); !status) return status;
     if (pool.idle()) return Done{};
     for (auto& [task, outcome] : pool.wait_for_some())
       if (Status status = done(task, std::move(outcome)); !status) return status;

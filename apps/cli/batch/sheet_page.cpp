@@ -58,7 +58,7 @@ std::string address(const fs::path& path) {
   return encoded;
 }
 
-/// What tells a drawing's files from each other.
+/// Returns the part of a file's path that follows the name of its drawing.
 std::string label(const fs::path& path, const std::string& name) {
   const std::string text = path.generic_string();
   return text.starts_with(name) ? text.substr(name.size() + 1) : text;

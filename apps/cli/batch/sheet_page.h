@@ -7,14 +7,14 @@
 
 namespace relievo::cli {
 
-/// Longest side of the small pictures, px.
+/// Longest side of the thumbnails, px.
 constexpr int sheet_size = 320;
 
-/// Where the small picture of a drawing lies, from the folder of results.
+/// Returns the path of the thumbnail of a drawing, relative to the output folder.
 std::filesystem::path sheet_picture(const std::string& name);
 
-/// A contact sheet: a page of HTML to lie in the folder of results, `folder` as the journal's files
-/// begin. Each drawing has its picture, or why there is none, and links to its files.
+/// Returns a contact sheet, an HTML page for the output folder. Each drawing has its thumbnail and
+/// links to its files, or its error. The files of `entries` begin with `folder`.
 std::string write_sheet(const JournalEntries& entries, const std::filesystem::path& folder);
 
 }  // namespace relievo::cli

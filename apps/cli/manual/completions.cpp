@@ -7,7 +7,7 @@ namespace {
 
 using Kind = OptionValue::Kind;
 
-/// `text` with a backslash before each of `special`.
+/// Puts a backslash before each character of `special`.
 std::string guarded(const std::string& text, const std::string& special) {
   std::string out;
   for (const char c : text) {
@@ -17,7 +17,7 @@ std::string guarded(const std::string& text, const std::string& special) {
   return out;
 }
 
-/// In single quotes.
+/// Puts the text in single quotes.
 std::string quoted(const std::string& text) {
   std::string out;
   for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);

@@ -5,7 +5,7 @@
 
 namespace relievo::cli {
 
-/// What makes a shell complete commands, options and their values: bash, zsh or fish.
+/// Returns the script with which bash, zsh or fish completes commands, options and their values.
 std::string completions(const CLI::App& program, const std::string& shell);
 
 }  // namespace relievo::cli

@@ -9,7 +9,7 @@ bool begins_with(const std::string& text, const std::string& start) {
   return text.compare(0, start.size(), start) == 0;
 }
 
-/// The words of "TEXT:{a,b}"; none where there are no braces.
+/// Returns the words of "TEXT:{a,b}"; none if there are no braces.
 std::vector<std::string> words_in_braces(const std::string& type) {
   const size_t open = type.find('{');
   const size_t close = type.find('}');
@@ -48,7 +48,7 @@ std::vector<const CLI::Option*> shown_options(const CLI::App& command) {
   auto options = command.get_options([](const CLI::Option* option) {
     return option->nonpositional() && !option->get_group().empty();
   });
-  // Groups of options are commands without a name.
+  // CLI11 represents a group of options as a command without a name.
   for (const CLI::App* group :
        command.get_subcommands([](const CLI::App* sub) { return sub->get_name().empty(); }))
     for (const CLI::Option* option : shown_options(*group)) options.push_back(option);
@@ -77,8 +77,9 @@ OptionValue value_of(const CLI::Option& option) {
     value.kind = OptionValue::Kind::number;
   if (value.words.empty()) return value;
   value.kind = OptionValue::Kind::word;
-  value.said.clear();
-  for (const std::string& word : value.words) value.said += (value.said.empty() ? "" : "|") + word;
+  value.formatted.clear();
+  for (const std::string& word : value.words)
+    value.formatted += (value.formatted.empty() ? "" : "|") + word;
   return value;
 }
 

@@ -6,7 +6,7 @@
 
 namespace relievo::cli {
 
-/// The pieces of a help text: its first sentence, all before the examples, and these, a line each.
+/// A help text: its first sentence, all text before the examples, and the examples, one per line.
 struct HelpText {
   std::string summary;
   std::string description;
@@ -15,21 +15,21 @@ struct HelpText {
 
 HelpText split_help(const std::string& help);
 
-/// Commands and options that help shows.
+/// Return the commands and options that help shows.
 std::vector<const CLI::App*> shown_commands(const CLI::App& program);
 
 std::vector<const CLI::Option*> shown_options(const CLI::App& command);
 
-/// "-o", "--output" and so on.
+/// Returns all names of an option, such as "-o" and "--output".
 std::vector<std::string> dashed_names(const CLI::Option& option);
 
 std::string joined(const std::vector<std::string>& words, const char* between);
 
-/// What may follow an option: nothing (a flag), one of some words, a number, or anything.
+/// The value of an option: none (a flag), one of several words, a number, or any text.
 struct OptionValue {
   enum class Kind { none, word, number, text } kind = Kind::none;
   std::vector<std::string> words;
-  std::string said;  ///< as help says it: "approximate|nonlinear", "INT in [1 - 256]"
+  std::string formatted;  ///< as in help: "approximate|nonlinear", "INT in [1 - 256]"
 };
 
 OptionValue value_of(const CLI::Option& option);

@@ -8,11 +8,11 @@ namespace relievo::cli {
 namespace {
 
 constexpr const char* exit_codes = R"(.SH EXIT STATUS
-0 done, 1 a defect of the program, 2 usage, 3 bad input, 4 contradictory annotations, 5 a limit,
-6 files, 130 interrupted.
+0 success, 1 internal error (please report it), 2 usage error, 3 bad input, 4 contradictory
+annotations, 5 limit exceeded, 6 file error, 130 interrupted.
 )";
 
-/// Text as groff takes it: hyphens that can be copied, no requests.
+/// Escapes text for groff: hyphens stay hyphens, and no line is read as a request.
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -33,7 +33,7 @@ std::string upper(std::string text) {
   return text;
 }
 
-/// A sentence as the list of pages shows it: without a capital.
+/// Lower-cases the first letter, as the list of manual pages shows a sentence.
 std::string uncapitalised(std::string text) {
   if (!text.empty()) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
   return text;
@@ -44,7 +44,7 @@ std::string options(const CLI::App& app) {
   for (const CLI::Option* option : shown_options(app)) {
     text += ".TP\n\\fB" + escaped(joined(dashed_names(*option), ", ")) + "\\fR";
     if (const OptionValue value = value_of(*option); value.kind != OptionValue::Kind::none)
-      text += " \\fI" + escaped(value.said) + "\\fR";
+      text += " \\fI" + escaped(value.formatted) + "\\fR";
     text += "\n" + escaped(option->get_description()) + "\n";
   }
   return text;

@@ -5,8 +5,8 @@
 
 namespace relievo::cli {
 
-/// The manual page (groff's man macros) of the program, or of a command of it, which is what
-/// `--help` says. Precondition: `command` is empty or one of them.
+/// Returns the manual page of the program, or of one of its commands, in groff's man macros. It has
+/// the contents of `--help`. Precondition: `command` is empty or the name of a command.
 std::string man_page(const CLI::App& program, const std::string& command);
 
 }  // namespace relievo::cli

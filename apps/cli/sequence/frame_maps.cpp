@@ -14,14 +14,15 @@
 namespace relievo::cli {
 namespace {
 
+/// Maximum differences at still pixels: of a colour, of 255, and of an outline, canvas px.
 constexpr int still_colour = 2;
 constexpr double still_px = 0.5;
 
-/// As a share of the longer side: over what distance held heights give way to those that move, so
-/// that the border between them is no kink.
-constexpr float give_way = 0.005F;
+/// Distance over which still heights blend into moving ones, so that their border has no kink; a
+/// share of the longer side.
+constexpr float blend_distance = 0.005F;
 
-/// The pixels of the old picture that one of the new covers along a side.
+/// Returns the range of old pixels that a new pixel covers along a side.
 std::pair<int, int> covered(int i, int old_side, int new_side) {
   const int from = static_cast<int>(static_cast<int64_t>(i) * old_side / new_side);
   const int to = static_cast<int>(static_cast<int64_t>(i + 1) * old_side / new_side);
@@ -33,7 +34,7 @@ bool same_shape(const Ring& a, const Ring& b) {
                     [](Point2 p, Point2 q) { return distance(p, q) <= still_px; });
 }
 
-/// Whether each part is the same in both frames.
+/// Returns, for each part, whether its outline is the same in both frames.
 std::map<int, bool> parts_at_rest(const FrameMaps& a, const FrameMaps& b) {
   std::map<int, bool> rests;
   for (const auto& [number, outline] : a.outlines) {
@@ -51,7 +52,7 @@ bool same_colour(const FrameMaps& a, const FrameMaps& b, size_t i) {
   return true;
 }
 
-/// The pixels that stand still; none where the frames differ in size.
+/// Returns the still pixels; none if the frames differ in size.
 std::vector<size_t> still_pixels(const FrameMaps& before, const FrameMaps& after) {
   if (before.part.width != after.part.width || before.part.height != after.part.height) return {};
   std::map<int, bool> at_rest = parts_at_rest(before, after);
@@ -64,7 +65,7 @@ std::vector<size_t> still_pixels(const FrameMaps& before, const FrameMaps& after
   return still;
 }
 
-/// Adds heights to a surface and turns its normals as they do. `pixel`: canvas px per pixel.
+/// Adds heights to a surface, and adapts its normals. `pixel`: canvas px per pixel.
 void add_heights(const ImageF& rise, double pixel, FrameMaps& frame, ImageF& normal) {
   const auto [w, h] = std::pair(rise.width, rise.height);
   for (int y = 0; y < h; ++y)
@@ -168,7 +169,7 @@ void hold_heights(const FrameMaps& before, double pixel, FrameMaps& frame, Image
   const std::vector<size_t> still = still_pixels(before, frame);
   if (still.empty()) return;
   const auto [w, h] = std::pair(frame.height.width, frame.height.height);
-  const float softness = give_way * static_cast<float>(std::max(w, h));
+  const float softness = blend_distance * static_cast<float>(std::max(w, h));
   ImageF known(w, h, 2);
   for (const size_t i : still) {
     known.pixels[2 * i] = before.height.pixels[i] - frame.height.pixels[i];

@@ -11,29 +11,30 @@
 
 namespace relievo::cli {
 
-/// What is kept of a frame until the range of all of them is known.
+/// The maps of a frame, kept until the range of all heights is known.
 struct FrameMaps {
   std::string name;
   Image8 colour;                    ///< the drawing, RGBA, straight alpha
-  Image8 normal;                    ///< as normal_image
-  Image8 occlusion;                 ///< as share_image; empty where it is not wanted
+  Image8 normal;                    ///< see normal_image
+  Image8 occlusion;                 ///< see share_image; empty if not wanted
   ImageF height;                    ///< px, NaN on the background
-  Image<int32_t> part;              ///< numbers that all frames share, -1 on the background
-  std::map<int, Outline> outlines;  ///< by these numbers, canvas px
+  Image<int32_t> part;              ///< numbers shared by all frames, -1 on the background
+  std::map<int, Outline> outlines;  ///< by part number, canvas px
 };
 
-/// Of a frame on which nothing is drawn.
+/// Returns the maps of an empty frame.
 FrameMaps blank_maps(const std::string& name, ImageSize size);
 
-/// A picture at another size: means of what a pixel covers, weighted by alpha, where it gets
-/// smaller, the nearest pixel otherwise.
+/// Resizes a picture. Pixels are means of those that they cover, weighted by alpha, if it shrinks,
+/// and the nearest ones otherwise.
 Image8 resized(const Image8& rgba, ImageSize size);
 
-/// Numbers of parts that stay the same from frame to frame.
+/// Part numbers that stay the same from frame to frame.
 class PartNumbers {
  public:
-  /// Gives the parts of a map their numbers: one for each name or, where names say nothing, that of
-  /// the part which covered most of it in the frame before. Returns them.
+  /// Renumbers the parts of a map. Parts of the same name have the same number; parts of `flat`
+  /// frames, which have no names of their own, have that of the part that covered most of them in
+  /// the previous frame. Returns the number of each part of the scene.
   std::vector<int> renumber(const Scene& scene, bool flat, Image<int32_t>& part);
 
   const std::vector<std::string>& names() const { return names_; }
@@ -44,25 +45,24 @@ class PartNumbers {
   int number_of(const std::string& name);
 
   std::vector<std::string> names_;  ///< by number
-  Image<int32_t> last_;             ///< the frame before
+  Image<int32_t> last_;             ///< the previous frame
 };
 
-/// Gives what stands still in `frame` the heights of the frame before, and what moves those that
-/// bring it there smoothly: beside a join that moves, the surface is another one in each frame.
-/// `pixel`: canvas px per pixel; `normal`: of `frame`, as ReliefMaps. O(pixels).
+/// Gives still pixels of `frame` the heights of the previous frame, and adapts moving ones
+/// smoothly. Otherwise heights would change beside a moving join. `pixel`: canvas px per pixel;
+/// `normal`: of `frame`, as in ReliefMaps. O(pixels).
 void hold_heights(const FrameMaps& before, double pixel, FrameMaps& frame, ImageF& normal);
 
-/// How heights change from one frame to the next where the drawing stands still: shares of the
-/// range of all heights.
+/// Changes of height from one frame to the next at still pixels, as shares of the range of heights.
 struct Flicker {
-  double still = 0;  ///< share of the figure's pixels that do
+  double still = 0;  ///< share of the figure's pixels that are still
   double median = 0;
-  double most99 = 0;  ///< 99 of 100 pixels change no more
-  double most = 0;
+  double most99 = 0;  ///< 99th percentile
+  double most = 0;    ///< maximum
 };
 
-/// A pixel stands still where its colours differ by at most 2 of 255, and the outline of its part
-/// by at most half a canvas px.
+/// Measures flicker. A pixel is still if its colours differ by at most 2 of 255, and the outline of
+/// its part by at most half a canvas px.
 Flicker measure_flicker(const FrameMaps& before, const FrameMaps& after, const HeightRange& range);
 
 }  // namespace relievo::cli

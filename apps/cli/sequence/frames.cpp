@@ -21,22 +21,19 @@ std::string_view text_of(const Bytes& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// Whether a file lists the sprites of a sheet; scenes have no frames.
+/// Checks whether a file lists the sprites of a sheet. Scene files have no "frames".
 bool lists_sprites(const InputFile& file) {
   return !file.folder && sniff(file.bytes) == InputKind::json &&
          text_of(file.bytes).find("\"frames\"") != std::string_view::npos;
 }
 
 bool is_blank(const Image8& sheet, const Sprite& sprite) {
-  for (int y = 0; y < sprite.size.height; ++y)
-    for (int x = 0; x < sprite.size.width; ++x) {
-      const SheetPixel at = on_sheet(sprite, x, y);
-      if (sheet.at(at.x, at.y, 3) != 0) return false;
-    }
-  return true;
+  bool blank = true;
+  for_each_pixel(sprite, [&](int, int, int x, int y) { blank &= sheet.at(x, y, 3) == 0; });
+  return blank;
 }
 
-/// Names with numbers in the order of these: walk 2 before walk 10.
+/// Compares names by the numbers in them: walk 2 comes before walk 10.
 bool before(const std::string& a, const std::string& b) {
   const auto digits = [](const std::string& s, size_t from) {
     size_t end = from;
@@ -67,13 +64,13 @@ Frame sprite_frame(const std::shared_ptr<const Image8>& sheet, const Sprite& spr
   return frame;
 }
 
-/// The frames of a sheet whose picture is `file`.
+/// Returns the frames of a sheet whose picture is `file`.
 Result<Frames> frames_on(SpriteSheet sheet, const std::string& file, Image8 picture) {
   const ImageSize needed = extent(sheet);
   if (needed.width > picture.width || needed.height > picture.height)
     return Error{ErrorCode::bad_input,
                  "has " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
-                     " px, and sprites reach to " + std::to_string(needed.width) + " x " +
+                     " px, but its sprites reach to " + std::to_string(needed.width) + " x " +
                      std::to_string(needed.height),
                  file};
   Frames found;
@@ -89,7 +86,7 @@ Result<Frames> frames_on(SpriteSheet sheet, const std::string& file, Image8 pict
 
 Result<Image8> read_picture_file(const InputFile& file) {
   if (file.folder || sniff(file.bytes) != InputKind::image)
-    return Error{ErrorCode::bad_input, "is not a picture; a sheet of sprites is one", file.name};
+    return Error{ErrorCode::bad_input, "must be a picture: that of a sprite sheet", file.name};
   auto picture = decode_image(file.bytes);
   if (!picture) return in_file(picture.error(), file.name);
   return picture;
@@ -103,7 +100,8 @@ Result<Frames> frames_of_list(const InputFile& list) {
   const fs::path folder = fs::path(list.name).parent_path();
   const auto inside = path_below(folder / sheet->picture, folder.empty() ? "." : folder);
   if (sheet->picture.empty() || !inside)
-    return Error{ErrorCode::bad_input, "must name the sheet's picture, in its own folder",
+    return Error{ErrorCode::bad_input,
+                 "must name the picture of the sheet, in the folder of this file",
                  list.name + ": meta.image"};
   const auto file = read_input((folder / sheet->picture).string());
   if (!file) return file.error();
@@ -150,13 +148,14 @@ Result<Frames> collect_frames(const SequenceArguments& sequence) {
     if (!file) return file.error();
     const bool list = lists_sprites(*file);
     if ((list || sequence.grid) && sequence.inputs.size() > 1)
-      return Error{ErrorCode::usage, "a sheet of sprites is a sequence of its own", name};
+      return Error{ErrorCode::usage,
+                   "must be the only input, since a sprite sheet is a whole sequence", name};
     if (list) return frames_of_list(*file);
     if (sequence.grid) return frames_of_grid(*file, *sequence.grid);
     found.frames.push_back(file_frame(*file, sequence.common.connect));
     found.files.emplace_back(name);
     if (!names.insert(found.frames.back().name).second)
-      return Error{ErrorCode::usage, "another frame has this name too", name};
+      return Error{ErrorCode::usage, "has the same name as another frame", name};
   }
   return found;
 }

@@ -13,25 +13,25 @@
 
 namespace relievo::cli {
 
-/// One picture of a sequence.
+/// A frame of a sequence.
 struct Frame {
-  std::string name;   ///< of its outputs: that of its file, or that of a sprite
-  bool flat = false;  ///< what its parts are called says nothing
-  bool empty = false;
-  /// Reads and understands it; as load_scene. Precondition: not empty.
+  std::string name;    ///< of its outputs: that of its file or sprite
+  bool flat = false;   ///< its parts have no names of their own
+  bool empty = false;  ///< nothing is drawn
+  /// Loads the scene; see load_scene. Precondition: not empty.
   std::function<Result<SceneInput>(const RunContext&)> load;
 };
 
 struct Frames {
   std::vector<Frame> frames;
-  std::optional<SpriteSheet> sheet;          ///< where they are the sprites of one
-  ImageSize sheet_size;                      ///< of its picture
-  std::vector<std::filesystem::path> files;  ///< that were read for them
+  std::optional<SpriteSheet> sheet;          ///< if they are its sprites
+  ImageSize sheet_size;                      ///< of the picture
+  std::vector<std::filesystem::path> files;  ///< inputs, never overwritten
 };
 
-/// The frames that are asked for: files, or the sprites of one sheet, whose list (.json) or grid is
-/// given. Errors: `usage` where two have one name, `bad_input` for sheets that are not sound or
-/// sprites that lie beside the picture, `file`.
+/// Returns the frames: files, or the sprites of a sheet with a list (.json) or a grid. Errors:
+/// `usage` if two frames have the same name, `bad_input` for invalid sheets and sprites outside the
+/// picture, `file`.
 Result<Frames> collect_frames(const SequenceArguments& sequence);
 
 }  // namespace relievo::cli

@@ -9,9 +9,9 @@ namespace relievo::cli {
 namespace {
 
 constexpr const char* help =
-    R"(Makes maps of the frames of an animation that go together: one scale, one range of depth, parts
-of one name have one number, and what stands still keeps its height. The frames are drawings
-of one size in their order, or the sprites of a sheet, whose maps have its layout.
+    R"(Makes consistent maps for the frames of an animation. All frames have the same scale and depth
+range, parts of the same name have the same number, and still parts keep their heights. The
+frames are drawings of the same size, in order, or the sprites of a sheet.
 
 Examples:
   relievo sequence walk-*.svg -o maps
@@ -25,7 +25,7 @@ ImageSize grid(const std::string& text) {
   const int read = std::sscanf(text.c_str(), "%dx%d%c", &cells.width, &cells.height, &rest);
   const auto sound = [](int n) { return n >= 1 && n <= 1000; };
   if (read != 2 || !sound(cells.width) || !sound(cells.height))
-    throw CLI::ValidationError("--grid " + text, "is not columns and rows, of the form 8x2");
+    throw CLI::ValidationError("--grid " + text, "must be columns and rows, of the form 8x2");
   return cells;
 }
 
@@ -34,24 +34,26 @@ ImageSize grid(const std::string& text) {
 void add_sequence(CLI::App& main, SequenceArguments& sequence) {
   CLI::App& app = *main.add_subcommand("sequence", help);
   app.add_option("INPUT", sequence.inputs,
-                 "Drawings as build takes them, or a sheet: the list of its sprites as Aseprite "
-                 "and TexturePacker write it (.json), or its picture with --grid")
+                 "Drawings as for build, or a sprite sheet: its list of sprites, as written by "
+                 "Aseprite or TexturePacker (.json), or its picture with --grid")
       ->required();
-  app.add_option("-o,--output", sequence.output, "Folder of the results")->required();
+  app.add_option("-o,--output", sequence.output, "Output folder")->required();
   app.add_option("--make", sequence.make,
-                 "What to make of each frame, between commas: colour, normal, depth (these are the "
-                 "default), part, occlusion")
+                 "Outputs for each frame, separated by commas: colour, normal, depth, part, "
+                 "occlusion (default: colour,normal,depth)")
       ->delimiter(',')
       ->check(CLI::IsMember({"colour", "normal", "depth", "part", "occlusion"}));
   auto* cells = app.add_option_function<std::string>(
       "--grid", [&sequence](const std::string& text) { sequence.grid = grid(text); },
-      "The picture is a sheet of so many columns and rows; 8x2");
-  app.add_option("--columns", sequence.columns,
-                 "Put the frames on one sheet with so many columns, and list them (.json)")
+      "Columns and rows of a sprite sheet, such as 8x2");
+  app.add_option(
+         "--columns", sequence.columns,
+         "Writes the frames on one sheet with this many columns, and a list of them (.json)")
       ->check(CLI::Range(1, 1000))
       ->excludes(cells);
-  app.add_option("--map-size", sequence.map_size,
-                 "Longest side of a drawing's maps in px (default 1024); of sprites it is theirs")
+  app.add_option(
+         "--map-size", sequence.map_size,
+         "Longest side of the maps of drawings in px (default 1024); sprites keep their size")
       ->check(CLI::Range(1, 8192));
   app.add_option_function<std::string>(
          "--normal-y",

@@ -14,6 +14,7 @@
 #include "apps/cli/reconstruct.h"
 #include "apps/cli/sequence/frame_maps.h"
 #include "apps/cli/sequence/frames.h"
+#include "io/files/paths.h"
 #include "io/image/png_encode.h"
 #include "relief/maps/ambient_occlusion.h"
 #include "relief/maps/relief_maps.h"
@@ -25,14 +26,14 @@ namespace {
 namespace fs = std::filesystem;
 using OrderedJson = nlohmann::ordered_json;
 
-/// Of all frames together.
+/// Maximum number of pixels of all frames together.
 constexpr size_t max_pixels = size_t{1} << 27;
 
 bool wants(const SequenceArguments& sequence, const char* kind) {
   return std::find(sequence.make.begin(), sequence.make.end(), kind) != sequence.make.end();
 }
 
-/// Makes the maps of one frame after the other, each from where the one before ended.
+/// Makes the maps of one frame after the other. Each build starts from the results of the last one.
 class Animator {
  public:
   explicit Animator(const SequenceArguments& sequence) : sequence_(sequence) {}
@@ -97,7 +98,7 @@ class Animator {
   std::vector<std::string> warnings_;
 };
 
-/// A picture of a kind: 8 bits, or 16 for depth and parts.
+/// A map of 8 bits, or 16 for depth and parts.
 using Picture = std::variant<Image8, Image16>;
 
 Result<Picture> picture_of(const FrameMaps& frame, const std::string& kind,
@@ -117,7 +118,7 @@ Result<Bytes> encode(const Picture& picture, const std::string& kind, const Dept
   return kind == "depth" ? encode_depth_image(large, depth) : encode_png(large);
 }
 
-/// All frames of a kind on one sheet.
+/// Puts all frames of a kind on one sheet.
 Result<Picture> sheet_of(const std::vector<FrameMaps>& frames, const std::string& kind,
                          const DepthScale& depth, const Frames& layout) {
   auto sheet = picture_of(blank_maps("", layout.sheet_size), kind, depth);
@@ -157,9 +158,7 @@ OrderedJson report_of(const Animator& animator, const DepthScale& depth) {
   return json;
 }
 
-Bytes bytes_of_text(const std::string& text) { return Bytes(text.begin(), text.end()); }
-
-/// Where the frames lie on their sheet: as they came, or in the columns that are asked for.
+/// Lays the frames out in the columns of a new sheet, if the arguments ask for one.
 void lay_out(const SequenceArguments& sequence, ImageSize size, Frames& frames) {
   if (frames.sheet || sequence.columns == 0) return;
   const int count = static_cast<int>(frames.frames.size());
@@ -181,10 +180,7 @@ Result<std::vector<OutputFile>> encode_all(const SequenceArguments& sequence,
   const auto add = [&](const Result<Picture>& picture, const std::string& name,
                        const std::string& kind) -> Status {
     if (!picture) return picture.error();
-    auto bytes = encode(*picture, kind, depth);
-    if (!bytes) return bytes.error();
-    files.push_back({folder / (name + "-" + kind + ".png"), std::move(*bytes)});
-    return Done{};
+    return add_file(files, folder / (name + "-" + kind + ".png"), encode(*picture, kind, depth));
   };
   for (const std::string& kind : sequence.make) {
     if (frames.sheet) {
@@ -198,39 +194,32 @@ Result<std::vector<OutputFile>> encode_all(const SequenceArguments& sequence,
       if (Status s = add(picture_of(frame, kind, depth), frame.name, kind); !s) return s.error();
   }
   if (sequence.columns > 0)
-    files.push_back({folder / "sheet.json",
-                     bytes_of_text(write_sprite_sheet(*frames.sheet, frames.sheet_size))});
-  files.push_back(
-      {folder / "sequence.json", bytes_of_text(report_of(animator, depth).dump(1) + "\n")});
+    files.push_back(
+        {folder / "sheet.json", bytes_of(write_sprite_sheet(*frames.sheet, frames.sheet_size))});
+  files.push_back({folder / "sequence.json", bytes_of(report_of(animator, depth).dump(1) + "\n")});
   return files;
 }
 
-/// Size of the maps of a frame: that of the sprite, or fitted to the canvas, which is the same for
-/// all drawings.
-struct Canvas {
-  double width = 0;
-  double height = 0;
-};
-
-Status check_canvas(const Scene& scene, const Frame& frame, Canvas& canvas) {
-  if (canvas.width == 0) canvas = {scene.width, scene.height};
-  if (canvas.width == scene.width && canvas.height == scene.height) return Done{};
-  return Error{ErrorCode::bad_input, "has another size than the first frame", frame.name};
+/// Checks that a frame has the canvas of the first one, whose size is set here (x width, y height).
+Status check_canvas(const Scene& scene, const Frame& frame, Point2& canvas) {
+  const Point2 size{scene.width, scene.height};
+  if (canvas == Point2{}) canvas = size;
+  if (canvas == size) return Done{};
+  return Error{ErrorCode::bad_input, "differs in size from the first frame", frame.name};
 }
 
-/// Adds the pixels of a frame to those of all before.
+/// Adds the pixels of a frame to the total. Errors: `limit`.
 Status count_pixels(ImageSize size, size_t& pixels) {
   pixels += static_cast<size_t>(size.width) * size.height;
   if (pixels <= max_pixels) return Done{};
   return Error{ErrorCode::limit,
-               "the maps of all frames have too many pixels; make fewer frames or smaller ones at "
-               "a time",
+               "the maps of all frames have too many pixels; use fewer frames or smaller maps",
                "--map-size"};
 }
 
 Status animate(const SequenceArguments& sequence, Frames& frames, Animator& animator,
                const RunContext& context) {
-  Canvas canvas;
+  Point2 canvas;
   size_t pixels = 0;
   for (size_t i = 0; i < frames.frames.size(); ++i) {
     const Frame& frame = frames.frames[i];
@@ -248,16 +237,13 @@ Status animate(const SequenceArguments& sequence, Frames& frames, Animator& anim
     if (!input) return input.error();
     if (!frames.sheet) {
       if (Status s = check_canvas(input->scene, frame, canvas); !s) return s;
-      size = fitted_size(canvas.width, canvas.height, sequence.map_size);
+      size = fitted_size(canvas.x, canvas.y, sequence.map_size);
       if (Status s = count_pixels(size, pixels); !s) return s;
     }
-    if (Status s = animator.add(frame, std::move(*input), size, context); !s) {
-      Error error = s.error();
-      error.where = frame.name + (error.where.empty() ? "" : ": " + error.where);
-      return error;
-    }
+    if (Status s = animator.add(frame, std::move(*input), size, context); !s)
+      return in_file(s.error(), frame.name);
   }
-  lay_out(sequence, fitted_size(canvas.width, canvas.height, sequence.map_size), frames);
+  lay_out(sequence, fitted_size(canvas.x, canvas.y, sequence.map_size), frames);
   return Done{};
 }
 
@@ -276,9 +262,7 @@ Status run_sequence(const SequenceArguments& sequence, Interruption& interruptio
   progress.reset();
   const auto files = encode_all(sequence, animator, *frames);
   if (!files) return files.error();
-  std::error_code code;
-  fs::create_directories(sequence.output, code);
-  if (code) return Error{ErrorCode::file, "cannot be made: " + code.message(), sequence.output};
+  if (Status s = make_folder(sequence.output); !s) return s;
   if (Status s = save(*files, frames->files, interruption); !s) return s;
   print_warnings(animator.warnings(), quiet);
   for (const OutputFile& file : *files) print_result(file.path.string(), quiet);

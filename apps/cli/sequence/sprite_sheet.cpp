@@ -20,8 +20,7 @@ Error wrong(const std::string& where, const std::string& message) {
   return {ErrorCode::bad_input, message, where};
 }
 
-/// Values of an object that are whole numbers of pixels, from 0; the first one that is not is kept
-/// as an error.
+/// Reads whole numbers of pixels, at least 0, from the objects of a frame. Keeps the first error.
 struct PixelReader {
   const Json& frame;
   const std::string& where;
@@ -34,7 +33,7 @@ struct PixelReader {
       if (value.is_number_integer() && value >= 0 && value <= max_side) return value.get<int>();
     }
     if (!error)
-      error = wrong(where + "." + object + "." + key, "must be a whole number of px from 0");
+      error = wrong(where + "." + object + "." + key, "must be a whole number of px, at least 0");
     return 0;
   }
 };
@@ -64,7 +63,7 @@ Result<Sprite> read_sprite(const Json& frame, const std::string& name, const std
   if (sprite.whole.width < 1 || sprite.whole.height < 1) return wrong(where, "has no pixels");
   if (sprite.left + sprite.size.width > sprite.whole.width ||
       sprite.top + sprite.size.height > sprite.whole.height)
-    return wrong(where + ".spriteSourceSize", "reaches beyond the whole picture, sourceSize");
+    return wrong(where + ".spriteSourceSize", "reaches beyond the sprite's sourceSize");
   return sprite;
 }
 

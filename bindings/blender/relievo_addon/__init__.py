@@ -1,4 +1,4 @@
-"""Reliefs of drawings in Blender: File > Import > Drawing as relief, Object > Relief of strokes."""
+"""Turns drawings into reliefs: File > Import > Drawing as relief, and Object > Relief of strokes."""
 
 import pathlib
 
@@ -18,11 +18,11 @@ bl_info = {
     "category": "Import-Export",
 }
 
-WAIT = 0.2  #: s that a slider must rest before the relief is built again
+WAIT = 0.2  #: delay from the last change of a slider to the rebuild, s
 
 
 def rebuild(thing):
-    """Builds the object's relief anew, in place. Raises builder.BuildError."""
+    """Rebuilds the relief of an object in place. Raises builder.BuildError."""
     relief = thing.relievo
     source = bpy.path.abspath(relief.source)
     settings = {
@@ -42,7 +42,7 @@ def rebuild(thing):
 
 
 def build_strokes(thing, settings, program):
-    """The model of the strokes, where and as large as they are."""
+    """Builds the model of the strokes, in their place and size."""
     try:
         text, (left, top, unit) = strokes.to_svg(thing.relievo.strokes)
     except ValueError as error:
@@ -58,7 +58,7 @@ def build_strokes(thing, settings, program):
 
 
 def later(relief, context):
-    """Called by sliders; without windows there is nobody to wait for."""
+    """Rebuilds after a slider has rested; at once if Blender runs without windows."""
     thing = relief.id_data
     if not isinstance(thing, bpy.types.Object) or thing.type != "MESH" or relief.quiet:
         return
@@ -80,7 +80,7 @@ def later(relief, context):
     bpy.app.timers.register(now, first_interval=WAIT)
 
 
-#: What is to be done when sliders rest, by the names of objects.
+#: The timers that wait for sliders to rest, by names of objects.
 waiting = {}
 
 
@@ -90,11 +90,11 @@ class ReliefSettings(bpy.types.PropertyGroup):
     quiet: BoolProperty(options={"HIDDEN", "SKIP_SAVE"})
     vertices: IntProperty(name="Vertices", default=20000, min=100, max=1000000, update=later)
     method: EnumProperty(name="Method", update=later, items=[
-        ("approximate", "Approximate", "Inflation, then depth order"),
-        ("nonlinear", "Non-linear", "Both at once")])
-    rho: FloatProperty(name="Softness", description="Of ramps beside joins", default=0.25, min=0.01,
+        ("approximate", "Approximate", "Solves inflation, then depth order"),
+        ("nonlinear", "Non-linear", "Solves both together")])
+    rho: FloatProperty(name="Softness", description="Softness of ramps beside joins", default=0.25, min=0.01,
                        max=0.5, update=later)
-    own_shape: BoolProperty(name="As the drawing says", default=True, update=later)
+    own_shape: BoolProperty(name="Shape from drawing", default=True, update=later)
     c: FloatProperty(name="Inflation", default=4, min=0.01, max=20, update=later)
     flat: FloatProperty(name="Flatness", default=0, min=0, max=1, update=later)
     size: FloatProperty(name="Size", default=2, min=0.001, subtype="DISTANCE", update=later)
@@ -103,14 +103,14 @@ class ReliefSettings(bpy.types.PropertyGroup):
 class Preferences(bpy.types.AddonPreferences):
     bl_idname = __package__
     program: StringProperty(name="Program", subtype="FILE_PATH",
-                            description="Where the Python module is missing; empty: on the path")
+                            description="The relievo program, used if the Python module is missing. Empty: search the path")
 
     def draw(self, context):
         self.layout.prop(self, "program")
 
 
 def add_relief(operator, context, name, **settings):
-    """A new object with the relief; none is left where it cannot be built."""
+    """Adds an object with the relief. Leaves none if it cannot be built."""
     thing = bpy.data.objects.new(name, bpy.data.meshes.new(name))
     relief = thing.relievo
     relief.quiet = True
@@ -149,7 +149,7 @@ class ImportRelief(bpy.types.Operator, ImportHelper):
 
 
 class ReliefOfStrokes(bpy.types.Operator):
-    """Build the relief of the active Grease Pencil object: each stroke is a part"""
+    """Build the relief of the active Grease Pencil object. Each stroke becomes a part"""
 
     bl_idname = "object.relievo_strokes"
     bl_label = "Relief of strokes"
@@ -164,7 +164,7 @@ class ReliefOfStrokes(bpy.types.Operator):
 
 
 class RebuildRelief(bpy.types.Operator):
-    """Build the relief again from its drawing or strokes"""
+    """Rebuild the relief from its drawing or strokes"""
 
     bl_idname = "object.relievo_rebuild"
     bl_label = "Rebuild"

@@ -1,4 +1,4 @@
-"""Models of drawings, by the Python module where there is one, else by the program."""
+"""Builds models of drawings, with the Python module if it is installed, else with the program."""
 
 import pathlib
 import shutil
@@ -9,16 +9,18 @@ from .glb import Model
 
 
 class BuildError(Exception):
-    """What Relievo says is wrong."""
+    """An error of Relievo."""
 
 
-#: Sessions of the module, by the names of objects: they compute only what has changed.
+#: The reliefs of the module, by names of objects. A rebuild computes only what has changed.
 sessions = {}
 
 
 def build(key, source, settings, program=""):
-    """The model of the drawing `source`; `settings` are {vertices, method, rho, size, shape}, the last
-    (c, flat) for all parts or None for what the drawing says. `key` names whose model it is."""
+    """Returns the model of the drawing `source`.
+
+    `settings` has the keys vertices, method, rho, size and shape, which is (c, flat) for all parts, or
+    None for the shapes of the drawing. `key` identifies the object of the model."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder, "model.glb")
         try:
@@ -50,8 +52,8 @@ def by_module(relievo, key, source, settings, file):
 def by_program(source, settings, file, program):
     program = program or shutil.which("relievo")
     if not program:
-        raise BuildError("neither the Python module nor the program of Relievo is installed; "
-                         "the add-on's preferences name the program")
+        raise BuildError("neither the Python module nor the program of Relievo was found; "
+                         "install one, or set the program in the add-on's preferences")
     words = [program, "build", source, "-q", "-o", str(file), "--size", str(1000 * settings["size"]),
              "--vertices", str(settings["vertices"]), "--method", settings["method"],
              "--rho", str(settings["rho"])]

@@ -1,4 +1,4 @@
-"""The models that Relievo writes, as arrays."""
+"""Reads models written by Relievo."""
 
 import json
 import struct
@@ -10,10 +10,12 @@ WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3}
 
 
 class Model:
-    """`vertices` n x 3 in units (x right, y up, z to the viewer, the middle of the drawing at 0),
-    `normals` n x 3, `uvs` n x 2 with v up, `faces` m x 3; `parts` are names and how many vertices each
-    has, in order; `picture` is a PNG file or None. A point of the canvas (px, y down) lies at
-    (scale * (px - origin[0]), scale * (height - py - origin[1]))."""
+    """A model as arrays.
+
+    `vertices` is n x 3 in units (x right, y up, z to the viewer, the middle of the drawing at 0),
+    `normals` n x 3, `uvs` n x 2 with v up, `faces` m x 3. `parts` lists the name and the number of
+    vertices of each part, in order. `picture` is a PNG file or None. The canvas point (px, py), y down,
+    is at (scale * (px - origin[0]), scale * (height - py - origin[1]))."""
 
     def __init__(self, data):
         length = struct.unpack_from("<I", data, 12)[0]

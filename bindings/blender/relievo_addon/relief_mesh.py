@@ -1,4 +1,4 @@
-"""Models as Blender's meshes."""
+"""Converts models to meshes of Blender."""
 
 import os
 import tempfile
@@ -8,8 +8,8 @@ import numpy as np
 
 
 def set_mesh(thing, model):
-    """Gives the object the model's triangles in place of its own: texture, normals, a vertex group for
-    each part. The front faces -Y."""
+    """Replaces the mesh of an object by a model, with its texture, normals, and a vertex group for each
+    part. The front faces -Y."""
     mesh = thing.data
     material = mesh.materials[0] if mesh.materials else None
     mesh.clear_geometry()
@@ -48,7 +48,7 @@ def set_groups(thing, parts):
 
 
 def picture_of(name, png):
-    """The PNG file as a picture that is packed into the .blend file."""
+    """Loads a PNG file as an image packed into the .blend file."""
     handle, path = tempfile.mkstemp(suffix=".png")
     try:
         with os.fdopen(handle, "wb") as file:

@@ -1,15 +1,15 @@
-"""Grease Pencil strokes as a drawing: each is a part, filled with its material's colour."""
+"""Converts Grease Pencil strokes to a drawing. Each stroke is a part in the colour of its material."""
 
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-SIDE = 1000.0  #: px, the longer side of the strokes on the canvas
-MARGIN = 20.0
+SIDE = 1000.0  #: longer side of the strokes on the canvas, px
+MARGIN = 20.0  #: around the strokes, px
 
 
 def outlines(thing):
-    """(name, colour, points n x 2 in the world's x and z) of every stroke, back to front."""
+    """Returns (name, colour, points) of every stroke, back to front. Points are n x 2, world x and z."""
     found = []
     for layer in thing.data.layers:
         frame = layer.active_frame or (layer.frames[0] if len(layer.frames) else None)
@@ -31,21 +31,21 @@ def fill_of(thing, stroke):
     if style is None:
         return "#b0a090"
     colour = style.fill_color if style.show_fill else style.color
-    # Blender's colours are linear, those of drawings are not.
+    # Blender's colours are linear, those of SVG are sRGB.
     srgb = [12.92 * c if c <= 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055 for c in colour[:3]]
     return "#" + "".join(f"{round(255 * min(max(c, 0), 1)):02x}" for c in srgb)
 
 
 def to_svg(thing):
-    """The text of a layered drawing, and (x, z, units a px) of the canvas's upper left corner."""
+    """Returns the text of a layered SVG, and (x, z, units per px) of the upper left corner of its canvas."""
     shapes = outlines(thing)
     if not shapes:
-        raise ValueError("there is no stroke of three points or more")
+        raise ValueError("no stroke has three points or more")
     points = np.concatenate([shape[2] for shape in shapes])
     low, high = points.min(0), points.max(0)
     unit = float((high - low).max()) / SIDE
     if unit == 0:
-        raise ValueError("all points of the strokes lie in one place")
+        raise ValueError("all points of the strokes are in the same place")
     left, top = low[0] - MARGIN * unit, high[1] + MARGIN * unit
     width, height = (high - low) / unit + 2 * MARGIN
     lines = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.3f}" height="{height:.3f}">']

@@ -1,4 +1,7 @@
-"""Drawings of characters as seamless high reliefs: relievo.build("wolf.svg").save("wolf.glb")."""
+"""Turns drawings of characters into seamless high reliefs:
+
+relievo.build("wolf.svg").save("wolf.glb")
+"""
 
 from ._core import Maps, ModelPart, Report, SolidFacts, version as __version__
 from .errors import (

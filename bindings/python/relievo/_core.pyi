@@ -64,7 +64,7 @@ class RenderOptions:
     ambient_rays: int
 
 class Report:
-    """What came out of a build."""
+    """The results of a build."""
 
     @property
     def vertices(self) -> int: ...
@@ -90,7 +90,7 @@ class Report:
     def warnings(self) -> List[str]: ...
 
 class ModelPart:
-    """The faces of one part, a run of the model's."""
+    """A run of faces that belong to one part."""
 
     @property
     def id(self) -> str: ...
@@ -133,7 +133,7 @@ class Model:
     def render(self, options: RenderOptions) -> npt.NDArray[np.uint8]: ...
 
 class Maps:
-    """What the front view shows at every pixel; the arrays are its own memory."""
+    """Maps of the front view. The arrays are views of its memory."""
 
     @property
     def heights(self) -> npt.NDArray[np.float32]: ...

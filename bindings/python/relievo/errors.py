@@ -1,9 +1,9 @@
-"""What is raised where something cannot be done."""
+"""The exceptions that Relievo raises."""
 
 
 class Error(Exception):
-    """What is wrong (`message`) and its culprit (`where`: a file, part, option or path into a scene;
-    may be empty)."""
+    """An error with its `message` and its place, `where`: a file, part, option or path in a scene, or
+    empty."""
 
     def __init__(self, message: str, where: str = "") -> None:
         super().__init__(f"{where}: {message}" if where else message)
@@ -12,24 +12,24 @@ class Error(Exception):
 
 
 class UsageError(Error, ValueError):
-    """The call itself is wrong: an option out of its range."""
+    """A call is wrong, such as an option out of range."""
 
 
 class BadInputError(Error, ValueError):
-    """A file or a scene does not say something valid."""
+    """A file or scene is invalid."""
 
 
 class ContradictionError(Error, ValueError):
-    """Annotations cannot all hold."""
+    """The annotations contradict each other."""
 
 
 class LimitError(Error):
-    """Too large, too long, too much memory."""
+    """A size, time or amount of memory is over its limit."""
 
 
 class FileError(Error, OSError):
-    """Reading or writing failed."""
+    """A file cannot be read or written."""
 
 
 class InternalError(Error):
-    """A defect of Relievo."""
+    """An internal error; please report it."""

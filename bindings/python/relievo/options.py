@@ -1,4 +1,4 @@
-"""Options by name: what there is, and how what a caller gives is checked."""
+"""The options, and the checks of their names and values."""
 
 from __future__ import annotations
 
@@ -13,47 +13,47 @@ T = TypeVar("T")
 
 class BuildOptions(TypedDict, total=False):
     method: Literal["approximate", "nonlinear"]
-    vertices: int  #: of the mesh, roughly
-    edge: float  #: length of edges along outlines in px, in place of `vertices`
-    alpha0: float  #: how firmly ramps beside joins begin, 0 to 1
+    vertices: int  #: approximate number in the mesh
+    edge: float  #: length of edges along outlines in px; replaces `vertices`
+    alpha0: float  #: how firmly ramps beside joins are held where they begin, 0 to 1
     rho: float  #: softness of ramps beside joins
-    lambda_bnd: float  #: of nonlinear: how firmly outlines beside joins stay down
-    lambda_shift: float  #: of nonlinear: what a shift costs
-    glue: bool  #: outlines beside joins lie on the part below
-    attach: bool  #: they begin at its height and come loose gradually
+    lambda_bnd: float  #: for nonlinear: how firmly outlines beside joins stay down
+    lambda_shift: float  #: for nonlinear: the cost of a shift
+    glue: bool  #: keep outlines beside joins on the part below
+    attach: bool  #: let them leave its surface gradually
 
 
 class SolidOptions(TypedDict, total=False):
     size: float  #: mm, longest side
     back: Literal["flat", "drawing", "parts"]
     base: Literal["none", "outline", "plate", "round"]
-    mirror: List[str]  #: of a figure: parts that its far side gets too
-    height: float  #: mm at most; 0: any
-    detail: bool  #: small forms keep their depth where there is more than `height`
-    thickness: float  #: mm below the lowest point that is seen
-    margin: float  #: mm from the silhouette to the plate's edge
-    corner: float  #: mm, radius of a rectangle's corners
+    mirror: List[str]  #: ids of limbs to copy to the far side of a figure
+    height: float  #: mm, maximum; 0: any
+    detail: bool  #: keep the depth of small forms if `height` reduces that of the whole
+    thickness: float  #: mm below the lowest visible point
+    margin: float  #: mm from the silhouette to the edge of the plate
+    corner: float  #: mm, radius of the corners of a rectangle
     hole: float  #: mm, diameter of a hole to hang it by; 0: none
-    ring: float  #: mm, diameter of a hole in a loop at its top; 0: none
+    ring: float  #: mm, diameter of the hole in a loop at the top; 0: none
     cutter: float  #: mm, height above the plate of a thin wall around it; 0: none
 
 
 class RenderOptions(TypedDict, total=False):
     width: int  #: px
     height: int  #: px
-    yaw: float  #: degrees by which the camera moves to its right
-    pitch: float  #: degrees by which it moves up
-    window: Optional[Tuple[float, float, float]]  #: x and y of its middle and its width, canvas px
+    yaw: float  #: degrees by which the camera turns to the right
+    pitch: float  #: degrees by which the camera is raised
+    window: Optional[Tuple[float, float, float]]  #: x and y of the centre, and width, canvas px
     shading: Literal["clay", "textured"]
     background: Literal["transparent", "white", "gradient"]
-    light: Tuple[float, float, float]  #: towards it; x right, y up, z to the camera
-    light_radius: float  #: degrees
-    samples: int  #: rays a pixel
-    ambient_rays: int
+    light: Tuple[float, float, float]  #: direction towards the light; x right, y up, z to the camera
+    light_radius: float  #: apparent radius of the light, degrees
+    samples: int  #: rays per pixel
+    ambient_rays: int  #: for ambient occlusion, per sample
 
 
 def member(kind: Any, name: str, value: object) -> Any:
-    """The value of an enumeration that is called `value`."""
+    """Returns the member of an enumeration by its name. Raises UsageError for unknown names."""
     members = kind.__members__
     if value not in members:
         raise UsageError(f"must be one of {', '.join(members)}, not {value!r}", name)
@@ -61,7 +61,7 @@ def member(kind: Any, name: str, value: object) -> Any:
 
 
 def apply(options: T, given: Mapping[str, object]) -> T:
-    """`options` with the values given; other names and kinds of values are refused by name."""
+    """Sets the given options, and returns `options`. Raises TypeError for unknown names and wrong types."""
     known = [name for name in dir(options) if not name.startswith("_")]
     for name, value in given.items():
         if name not in known:

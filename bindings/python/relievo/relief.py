@@ -1,4 +1,4 @@
-"""A relief: built, changed, looked at, saved."""
+"""Reliefs and models: built, changed, rendered and saved."""
 
 from __future__ import annotations
 
@@ -21,26 +21,26 @@ PathLike = Union[str, "os.PathLike[str]"]
 Slicer = Literal["prusa", "bambu"]
 Visible = Literal["relief", "orbit", "all"]
 
-#: Degrees by which the camera moves to its right, and up.
+#: Yaw and pitch of the camera, degrees.
 VIEWS = {"front": (0.0, 0.0), "three-quarter": (38.0, 14.0), "side": (90.0, 0.0)}
 View = Literal["front", "three-quarter", "side"]
 
 
 class Model:
-    """A surface of triangles. Its arrays are the model's own memory: what is written to them is what
-    is saved and rendered."""
+    """A triangle mesh. Its arrays are views of the model's memory: changes to them are saved and
+    rendered."""
 
     def __init__(self, core: _core.Model) -> None:
         self._core = core
 
     @property
     def vertices(self) -> npt.NDArray[np.float64]:
-        """n x 3; px of the canvas (mm where it is a solid), x right, y up, z to the viewer."""
+        """n x 3; px of the canvas (mm for a solid), x right, y up, z to the viewer."""
         return self._core.vertices
 
     @property
     def normals(self) -> npt.NDArray[np.float64]:
-        """n x 3, of length 1."""
+        """n x 3 unit vectors."""
         return self._core.normals
 
     @property
@@ -55,12 +55,12 @@ class Model:
 
     @property
     def parts(self) -> List[_core.ModelPart]:
-        """Whose faces are which, back to front."""
+        """The run of faces of each part, back to front."""
         return self._core.parts
 
     @property
     def solid(self) -> Optional[_core.SolidFacts]:
-        """Volume and pieces of a solid; None of a surface."""
+        """Volume and pieces of a solid; None for a surface."""
         return self._core.solid
 
     def save(
@@ -71,14 +71,15 @@ class Model:
         filaments: int = 4,
         slicer: Slicer = "prusa",
     ) -> None:
-        """Writes .glb, .obj, .ply, .stl, .usdz, .html, or of a solid .3mf, painted with at most so
-        many `filaments` for PrusaSlicer and its kin or for those of Bambu Studio. The longest side
-        is `size` mm (a solid's own, else 100). In files to print a figure on a base is upright.
-        Nothing is left half-written, and the drawing is not overwritten."""
+        """Writes a .glb, .obj, .ply, .stl, .usdz or .html file, or a .3mf file of a solid.
+
+        The longest side is `size` mm (default: that of a solid, else 100). A .3mf is painted with at
+        most `filaments` colours for the given slicer. A figure on a base stands upright in files to
+        print. Output is all-or-nothing, and the drawing is never overwritten."""
         self._core.save(path, size, filaments, paint(slicer))
 
     def render(self, view: View = "three-quarter", **options: Unpack[RenderOptions]) -> Picture:
-        """A picture, height x width x 4; `yaw` and `pitch` in place of the view's."""
+        """Renders a picture, height x width x 4. `yaw` and `pitch` override those of the view."""
         if view not in VIEWS:
             raise ValueError(f"view must be one of {', '.join(VIEWS)}, not {view!r}")
         render = _core.RenderOptions()
@@ -87,8 +88,7 @@ class Model:
 
 
 class Relief:
-    """The relief of a scene, and the session that goes on from it: change `scene` or options, then
-    `rebuild`."""
+    """The relief of a scene. To change it, change `scene` or options, and call `rebuild`."""
 
     def __init__(
         self,
@@ -99,8 +99,8 @@ class Relief:
         **options: Unpack[BuildOptions],
     ) -> None:
         self.scene = scene
-        self.warnings = warnings  #: of the drawing
-        self.proposed = proposed  #: the parts were guessed, not annotated
+        self.warnings = warnings  #: about the drawing
+        self.proposed = proposed  #: whether the parts were guessed, not annotated
         self._source = source
         self._session = _core.Session(source)
         self._options = _core.BuildOptions()
@@ -108,39 +108,39 @@ class Relief:
 
     @property
     def drawing(self) -> Picture:
-        """The picture that lies on the model, height x width x 4, its own memory; empty where there is
-        none."""
+        """The picture on the model, height x width x 4, a view of its memory; empty if there is none."""
         return self._source.drawing
 
     def rebuild(self, **options: Unpack[BuildOptions]) -> _core.Report:
-        """Brings the relief up to date with `scene` and with options, which stay as they are where
-        they are not named. Computes only what has changed."""
+        """Rebuilds the relief after changes of `scene` or options. Options that are not given keep their
+        values. Computes only stages whose inputs have changed."""
         apply(self._options, options)
         self.report = self._session.build(self.scene, self._options)
         return self.report
 
     def make_exact(self) -> None:
-        """Builds from nothing, so that files have the bytes of a relief that was never changed."""
+        """Builds from scratch, so that files have the same bytes as those of an unchanged relief."""
         self._session.make_exact()
 
     def model(self, *, visible: Visible = "orbit", shown: str = "relief", **options: Any) -> Model:
-        """The surface: whole parts (orbit), what the front shows, with walls (relief), or every face
-        (all). `shown` may be one of the two that the heights are the sum of: inflation, shift."""
+        """Makes the surface of whole parts (orbit), of what is visible from the front, with walls
+        (relief), or of every face (all). `shown` is the height field: relief, or one of its two terms,
+        inflation or shift."""
         model_options = apply(_core.ModelOptions(), options)
         model_options.visible = visibility(visible)
         return Model(self._session.model(model_options, field(shown)))
 
     def solid(self, **options: Unpack[SolidOptions]) -> Model:
-        """A closed solid to print or to mill, or with `back` a figure, in mm."""
+        """Makes a closed solid in mm, to print or mill; a figure if `back` is drawing or parts."""
         return Model(self._session.solid(apply(_core.SolidOptions(), options)))
 
     def maps(self, longest: int = 2048) -> _core.Maps:
-        """Heights, normals and parts of the front view, `longest` px on the longer side."""
+        """Makes maps of the front view: heights, normals and parts, `longest` px on the longer side."""
         return self._session.maps(longest)
 
     def save(self, path: PathLike, *, size: float = 100) -> None:
-        """Writes the model as `relievo build` does: whole parts, what the front shows for .stl, or a
-        solid for .3mf, which has nothing else."""
+        """Writes the same model as `relievo build`: whole parts; the surface visible from the front for
+        .stl; a solid for .3mf."""
         ending = pathlib.PurePath(path).suffix
         if ending == ".3mf":
             self.solid(size=size).save(path)
@@ -148,7 +148,7 @@ class Relief:
             self.model(visible="relief" if ending == ".stl" else "orbit").save(path, size=size)
 
     def render(self, view: View = "three-quarter", **options: Unpack[RenderOptions]) -> Picture:
-        """As Model.render."""
+        """Renders the model; see Model.render."""
         return self.model().render(view, **options)
 
 
@@ -158,16 +158,16 @@ def build(
     picture: Optional[Picture] = None,
     **options: Unpack[BuildOptions],
 ) -> Relief:
-    """The relief of a drawing (a file of any kind that `relievo build` takes) or of a scene, on whose
-    canvas `picture` lies. Raises Error; Ctrl-C stops it."""
+    """Builds the relief of a drawing, a file that `relievo build` accepts, or of a scene with a
+    `picture` of its canvas. Raises Error. Ctrl-C stops it."""
     if isinstance(drawing, Scene):
         return Relief(drawing, _core.Source(picture), [], False, **options)
     if picture is not None:
-        raise TypeError("a picture goes with a scene; a file brings its own")
+        raise TypeError("a picture can be given only with a scene; a file has its own")
     scene, source, warnings, proposed = _core.read(drawing)
     return Relief(scene, source, warnings, proposed, **options)
 
 
 def save_picture(path: PathLike, picture: Picture) -> None:
-    """Writes an array of height x width, or x 3 or 4, as a PNG file."""
+    """Writes an array of height x width, height x width x 3 or height x width x 4 as a PNG file."""
     _core.save_picture(path, picture)

@@ -1,4 +1,4 @@
-"""A drawing as its parts: what a relief is built of. Coordinates are px of the canvas, y down."""
+"""Scenes: the parts of a drawing and their annotations. Coordinates are canvas px, y down."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ Line = npt.NDArray[np.float64]  #: n x 2
 
 @dataclass
 class Part:
-    """A region of the drawing, whole also where others hide it."""
+    """A region of the drawing, including what other parts hide."""
 
     id: str
-    outline: List[Line]  #: closed rings, not repeating their first points; holes run against them
-    c: float = 4.0  #: inflation: 4 makes a hemisphere of a disc
+    outline: List[Line]  #: closed rings without a repeated first point; holes run the other way
+    c: float = 4.0  #: inflation: 4 turns a disc into a hemisphere
     d: float = 1.0  #: depth, not 0; negative: away from the viewer
-    flat: float = 0.0  #: profile: 0 round, 1 a flat top
-    lean: Point = (0.0, 0.0)  #: how much nearer it comes per px to the right and downwards
+    flat: float = 0.0  #: profile: from 0, round, to 1, a flat top
+    lean: Point = (0.0, 0.0)  #: tilt: how much nearer it comes per px to the right and downwards
 
 
 @dataclass
 class Join:
-    """A line along which one part is one surface with another.
+    """A line along which a part continues the surface of another.
 
-    A limb that lies behind the other part meets it along that one's outline, at a crease.
+    A limb behind the other part meets it along the outline of that part, at a crease.
     """
 
     upper: str  #: id of the part that grows out of the other
@@ -38,17 +38,17 @@ class Join:
 
 @dataclass
 class Relation:
-    """What holds between two parts that overlap."""
+    """A depth relation between two parts that overlap."""
 
     upper: str
     lower: str
     kind: Literal["equal", "above", "free", "below", "joined"] = "above"
-    range: Optional[Tuple[Point, Point]] = None  #: of the upper outline; None: everywhere
+    range: Optional[Tuple[Point, Point]] = None  #: on the upper outline; None: everywhere
 
 
 @dataclass
 class Ramp:
-    """Where the upper outline comes loose from the lower part gradually."""
+    """A range in which the upper outline leaves the lower part gradually."""
 
     upper: str
     lower: str
@@ -60,7 +60,7 @@ class Ramp:
 
 @dataclass
 class Cue:
-    """What the profile of a part is like along a line."""
+    """A profile of a part along a line."""
 
     part: str
     kind: Literal["bulge", "slope", "crease"]
@@ -70,7 +70,7 @@ class Cue:
 
 @dataclass
 class Scene:
-    """Everything that is known of a drawing. `scene["ear"]` is the part with that id."""
+    """The parts of a drawing and their annotations. `scene["ear"]` is the part with that id."""
 
     width: float  #: of the canvas
     height: float

@@ -1,6 +1,7 @@
 #include "io/scene/json_reader.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace relievo {
 
@@ -11,8 +12,24 @@ std::string to_string(const JsonPath& path) {
   return before + (before.empty() ? "" : ".") + std::string(path.key);
 }
 
+namespace {
+
+/// The item of a list of the scene that a value belongs to.
+Culprit culprit_of(const JsonPath& path) {
+  if (path.parent == nullptr) return {};
+  const JsonPath& list = *path.parent;
+  const bool is_item = path.key.empty() && list.parent != nullptr && list.parent->parent == nullptr;
+  if (!is_item) return culprit_of(list);
+  const auto begin = std::begin(culprit_list_names);
+  const auto name = std::find(begin, std::end(culprit_list_names), list.key);
+  if (name == std::end(culprit_list_names)) return {};
+  return {static_cast<CulpritList>(name - begin), path.index};
+}
+
+}  // namespace
+
 void JsonReader::fail(const JsonPath& path, std::string message, ErrorCode code) {
-  fail({code, std::move(message), to_string(path)});
+  fail({code, std::move(message), to_string(path), culprit_of(path)});
 }
 
 void JsonReader::fail(Error error) {

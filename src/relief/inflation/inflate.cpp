@@ -79,7 +79,8 @@ Status check_fixed(const LayeredMesh& mesh, const std::vector<int>& surface, con
       return Error{ErrorCode::bad_input,
                    "nothing fixes this part to the drawing plane: its whole outline is joined to "
                    "other parts",
-                   scene.parts[mesh.face_part[f]].id};
+                   scene.parts[mesh.face_part[f]].id,
+                   {CulpritList::parts, static_cast<size_t>(mesh.face_part[f])}};
   return Done{};
 }
 

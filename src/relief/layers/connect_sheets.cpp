@@ -14,8 +14,8 @@ constexpr int min_seam_edges = 3;
 
 std::string name_of(const Scene& scene, size_t j) {
   const Join& join = scene.joins[j];
-  return "joins[" + std::to_string(j) + "] (\"" + scene.parts[join.upper].id + "\" to \"" +
-         scene.parts[join.lower].id + "\")";
+  return to_string(Culprit{CulpritList::joins, j}) + " (\"" + scene.parts[join.upper].id +
+         "\" to \"" + scene.parts[join.lower].id + "\")";
 }
 
 /// Finds the longest stretch [first, last) of path edges with a face below.
@@ -128,7 +128,8 @@ class Connector {
     if (last - first < min_seam_edges)
       return Error{ErrorCode::bad_input,
                    "the join hardly runs inside the lower part; move it inwards or remove it",
-                   name_of(scene_, j)};
+                   name_of(scene_, j),
+                   {CulpritList::joins, j}};
     if (last - first < static_cast<int>(outer_.size()))
       warnings_.push_back(name_of(scene_, j) +
                           ": only the part of the join inside the lower part is used");
@@ -143,7 +144,8 @@ class Connector {
       return Error{ErrorCode::bad_input,
                    "three surfaces would meet along the join; move it away from the other joins of "
                    "these parts or remove one of them",
-                   name_of(scene_, j)};
+                   name_of(scene_, j),
+                   {CulpritList::joins, j}};
     unite(upper_, lower_, mesh_.surface);
     return Done{};
   }
@@ -322,8 +324,10 @@ Result<std::vector<std::string>> connect_sheets(const Scene& scene,
   const std::vector<Join>& joins = scene.joins;
   for (size_t j = 0; j < joins.size(); ++j)
     if (runs[j].loop < 0)
-      return Error{ErrorCode::bad_input, "the outline collapses along the join; use a finer mesh",
-                   name_of(scene, j)};
+      return Error{ErrorCode::bad_input,
+                   "the outline collapses along the join; use a finer mesh",
+                   name_of(scene, j),
+                   {CulpritList::joins, j}};
   std::vector<size_t> order(joins.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),

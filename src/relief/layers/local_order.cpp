@@ -96,12 +96,15 @@ bool contradict(const SheetMesh& mesh, const LocalOrder& order, const PlacedRela
 
 Error contradiction(const Scene& scene, const PlacedRelation& below, const PlacedRelation& above) {
   const auto id = [&](int part) { return "\"" + scene.parts[part].id + "\""; };
+  const auto relation = [](const PlacedRelation& placed) {
+    return Culprit{CulpritList::relations, static_cast<size_t>(placed.index)};
+  };
   return {ErrorCode::contradiction,
-          "puts " + id(below.upper) + " behind " + id(below.lower) + " where relations[" +
-              std::to_string(above.index) + "] puts it in front of " + id(above.lower) +
+          "puts " + id(below.upper) + " behind " + id(below.lower) + " where " +
+              to_string(relation(above)) + " puts it in front of " + id(above.lower) +
               (above.lower == below.lower ? "" : ", which covers that") +
               "; give them ranges that do not overlap",
-          "relations[" + std::to_string(below.index) + "]"};
+          to_string(relation(below)), relation(below)};
 }
 
 }  // namespace

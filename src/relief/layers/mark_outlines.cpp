@@ -127,7 +127,8 @@ void mark_rings(const Scene& scene, MarkedOutlines& out) {
 
 Status mark_join(const Scene& scene, size_t j, double spacing, MarkedOutlines& out) {
   const Join& join = scene.joins[j];
-  const std::string where = "joins[" + std::to_string(j) + "].line";
+  const Culprit culprit{CulpritList::joins, j};
+  const std::string where = to_string(culprit) + ".line";
   const std::string& upper = scene.parts[join.upper].id;
   const double diagonal = std::hypot(scene.width, scene.height);
   double gap = 0;
@@ -136,13 +137,14 @@ Status mark_join(const Scene& scene, size_t j, double spacing, MarkedOutlines& o
     return Error{ErrorCode::bad_input,
                  "the join's line is far from the outline of \"" + upper +
                      "\"; draw it along that outline, where it lies inside the lower part",
-                 where};
+                 where, culprit};
   MarkedRing& ring = out.rings[best];
   const double a = mark_near(ring, join.line.front(), spacing);
   const double b = mark_near(ring, join.line.back(), spacing);
   if (arc_distance(a, b, ring.measure.length) < shortest_join * ring.measure.length)
     return Error{ErrorCode::bad_input,
-                 "both ends of the join meet the outline of \"" + upper + "\" at one point", where};
+                 "both ends of the join meet the outline of \"" + upper + "\" at one point", where,
+                 culprit};
   const bool reversed = gap_to_line(ring, a, b, join.line) > gap_to_line(ring, b, a, join.line);
   out.joins.push_back(mark_run(best, a, b, reversed, ring));
   const double inside = length_inside(ring, out.joins.back(), scene.parts[join.lower].outline);

@@ -44,7 +44,11 @@ Status check_surface(const LayeredMesh& mesh, const Inflation& inflation, const 
     if (std::isfinite(s.u) && std::isfinite(s.g) && std::isfinite(ordering.h[n]) &&
         finite(s.grad_u) && finite(s.grad_g))
       continue;
-    return Error{ErrorCode::internal, "a height is not finite", scene.parts[mesh.node_part[n]].id};
+    const int part = mesh.node_part[n];
+    return Error{ErrorCode::internal,
+                 "a height is not finite",
+                 scene.parts[part].id,
+                 {CulpritList::parts, static_cast<size_t>(part)}};
   }
   for (const Point2 slope : ordering.creases.gradient)
     if (!finite(slope)) return Error{ErrorCode::internal, "a slope is not finite", ""};

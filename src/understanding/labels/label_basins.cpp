@@ -25,7 +25,8 @@ constexpr double farthest = 1e6;        ///< px, largest coordinate of a stroke
 constexpr double widest_stroke = 1000;  ///< px
 
 Error bad_stroke(size_t number, const std::string& what) {
-  return {ErrorCode::bad_input, what, "scribble stroke " + std::to_string(number + 1)};
+  const Culprit stroke{CulpritList::strokes, number};
+  return {ErrorCode::bad_input, what, to_string(stroke), stroke};
 }
 
 Status check_scribbles(const Scribbles& scribbles) {

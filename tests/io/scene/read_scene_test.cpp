@@ -78,6 +78,11 @@ TEST_P(RefusedScene, NamesTheKey) {
   ASSERT_FALSE(scene);
   EXPECT_EQ(scene.error().code, ErrorCode::bad_input);
   EXPECT_EQ(scene.error().where, GetParam().where);
+  const Culprit culprit = scene.error().culprit;
+  EXPECT_EQ(scene.error().where.find(to_string(culprit)), 0U);
+  const bool in_list = scene.error().where.find('[') != std::string::npos;
+  const bool parsed = std::string(GetParam().message) != "given twice";
+  EXPECT_EQ(culprit.list != CulpritList::none, in_list && parsed);
   EXPECT_NE(scene.error().message.find(GetParam().message), std::string::npos)
       << scene.error().message;
 }

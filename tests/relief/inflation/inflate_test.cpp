@@ -272,6 +272,7 @@ TEST(Inflate, NamesThePartThatNothingHolds) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::bad_input);
   EXPECT_EQ(result.error().where, "part1");
+  EXPECT_EQ(to_string(result.error().culprit), "parts[1]");
 }
 
 TEST(Inflate, RefusesOptionsOutOfRange) {

@@ -177,6 +177,7 @@ TEST(LayerParts, JoinOutsideTheLowerPartIsRefused) {
   ASSERT_FALSE(mesh.ok());
   EXPECT_EQ(mesh.error().code, ErrorCode::bad_input);
   EXPECT_NE(mesh.error().where.find("joins[0]"), std::string::npos);
+  EXPECT_EQ(to_string(mesh.error().culprit), "joins[0]");
 }
 
 TEST(LayerParts, StopsAfterEachReportWhenCancelled) {

@@ -191,6 +191,7 @@ TEST(LocalOrder, ContradictionsNameBothRelations) {
   const Error error = failure_of(scene);
   EXPECT_EQ(error.code, ErrorCode::contradiction);
   EXPECT_EQ(error.where, "relations[0]");
+  EXPECT_EQ(to_string(error.culprit), "relations[0]");
   EXPECT_NE(error.message.find("relations[2]"), std::string::npos);
   // Outside the neck the parts do not overlap.
   scene.relations.back() = relation(RelationKind::above, {255, 120}, {300, 120});

@@ -252,7 +252,7 @@ TEST(LabelBasins, BadStrokesAreRefused) {
     const Result<Segmentation> s = label_basins(basins, bad);
     ASSERT_FALSE(s.ok());
     EXPECT_EQ(s.error().code, ErrorCode::bad_input);
-    EXPECT_FALSE(s.error().where.empty() && bad.parts[0] != "");
+    EXPECT_EQ(to_string(s.error().culprit), bad.strokes.empty() ? "" : "strokes[0]");
   }
 }
 

@@ -63,14 +63,12 @@ function shapeOf(document: Document): readonly unknown[] {
 }
 
 /** Returns the id of the part that an error is about, or null. */
-function culpritOf(error: EngineError, document: Document): string | null {
-  const path = /^(parts|joins|relations|robin|cues)\[(\d+)\]/.exec(error.where);
-  if (!path) return document.parts.find((part) => part.id === error.where)?.id ?? null;
-  const index = Number(path[2]);
-  if (path[1] === 'parts') return document.parts[index]?.id ?? null;
-  if (path[1] === 'cues') return document.cues[index]?.part ?? null;
-  const list = document[path[1] as 'joins' | 'relations' | 'robin'];
-  return list[index]?.upper ?? null;
+function culpritOf({ culprit }: EngineError, document: Document): string | null {
+  if (!culprit || culprit.list === 'strokes') return null;
+  const { list, index } = culprit;
+  if (list === 'parts') return document.parts[index]?.id ?? null;
+  if (list === 'cues') return document.cues[index]?.part ?? null;
+  return document[list][index]?.upper ?? null;
 }
 
 /**

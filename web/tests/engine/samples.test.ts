@@ -177,6 +177,7 @@ describe('the engine', () => {
     const refused = service.build({ scene: broken, options: usual, ...shown }, quiet);
     expect(isFailure(refused) && refused.error.code).toBe('bad_input');
     expect(isFailure(refused) && refused.error.where).toBe('parts[0].c');
+    expect(isFailure(refused) && refused.error.culprit).toEqual({ list: 'parts', index: 0 });
     build(scene, { vertices: 2000 });
   });
 
