@@ -8,25 +8,25 @@
 
 namespace relievo {
 
-/// Why an operation could not be done. The command line maps each to an exit code.
+/// The reason of a failure. The command line maps each to an exit code.
 enum class ErrorCode {
-  internal,       ///< a defect of ours
-  usage,          ///< the call itself is wrong (options, arguments)
-  bad_input,      ///< a file or value that does not say something valid
+  internal,       ///< an internal error, to be reported
+  usage,          ///< wrong options or arguments
+  bad_input,      ///< an invalid file or value
   contradiction,  ///< annotations that cannot all hold
   limit,          ///< size, time or memory over a stated limit
   file,           ///< reading or writing failed
   interrupted,    ///< cancelled by the caller
 };
 
-/// An expected failure: what is wrong, where, and what to do about it.
+/// An expected failure, with its culprit and, if there is one, a remedy.
 struct Error {
   ErrorCode code = ErrorCode::internal;
-  std::string message;  ///< one sentence for a person, without a trailing period
+  std::string message;  ///< one sentence for the user, without a trailing period
   std::string where;    ///< culprit: file, JSON path, part id or line; may be empty
 };
 
-/// The error as one line: "where: message".
+/// Formats the error as one line: "where: message".
 inline std::string to_string(const Error& error) {
   return error.where.empty() ? error.message : error.where + ": " + error.message;
 }
@@ -41,7 +41,7 @@ class [[nodiscard]] Result {
   bool ok() const { return content_.index() == 0; }
   explicit operator bool() const { return ok(); }
 
-  /// The value. Precondition: ok().
+  /// Returns the value. Precondition: ok().
   T& value() & {
     assert(ok());
     return std::get<0>(content_);
@@ -60,7 +60,7 @@ class [[nodiscard]] Result {
   T& operator*() & { return value(); }
   const T& operator*() const& { return value(); }
 
-  /// The error. Precondition: !ok().
+  /// Returns the error. Precondition: !ok().
   const Error& error() const {
     assert(!ok());
     return std::get<1>(content_);

@@ -9,38 +9,38 @@
 
 namespace relievo {
 
-/// What a solid stands on.
+/// The base of a solid.
 enum class BaseShape {
-  none,     ///< nothing but itself
-  outline,  ///< a plate that follows its silhouette
+  none,
+  outline,  ///< a plate that follows the silhouette
   plate,    ///< a rectangle
   round,    ///< a disc
 };
 
-/// What lies behind a solid.
+/// The back of a solid.
 enum class BackSide {
-  flat,     ///< the plate
-  drawing,  ///< its parts again, from behind, with the drawing on them: a figure
-  parts,    ///< likewise, each part with the mean of its colours
+  flat,
+  drawing,  ///< the parts seen from behind, with the drawing on them: a figure
+  parts,    ///< the parts seen from behind, each in its mean colour: a figure
 };
 
 struct SolidOptions {
-  double size = 100;  ///< mm, longest side of the whole, a ring aside; > 0
+  double size = 100;  ///< mm, longest side of the whole except a ring; > 0
   BackSide back = BackSide::flat;
-  BaseShape base = BaseShape::none;  ///< none behind what has no flat back
-  /// Ids of parts of a figure that its far side gets too: limbs joined to a part behind them.
+  BaseShape base = BaseShape::none;
+  /// Ids of parts of a figure to mirror to its far side: limbs joined to a part behind them.
   std::vector<std::string> mirror;
-  double height = 0;     ///< mm, of the whole at most: depth shrinks where there is more; 0: any
-  bool detail = false;   ///< whether small forms keep their depth then, as far as that goes
-  double thickness = 2;  ///< mm below the lowest point that is seen, and of the plate; > 0
+  double height = 0;     ///< mm, greatest height of the whole, to which depth shrinks; 0: any
+  bool detail = false;   ///< whether small forms keep their depth when it shrinks
+  double thickness = 2;  ///< mm below the lowest visible point, and of the plate; > 0
   double margin = 3;     ///< mm from the silhouette to the plate's edge, at least 0.5
-  double corner = 3;     ///< mm, radius of a rectangle's corners; at most its half side counts
+  double corner = 3;     ///< mm, radius of a rectangle's corners, at most half its shorter side
   double hole = 0;       ///< mm, diameter of a hole in the plate to hang it by; 0: none
   double ring = 0;       ///< mm, diameter of a hole in a loop at the plate's top; 0: none
   double cutter = 0;     ///< mm, height above the plate of a thin wall around it; 0: none
 };
 
-/// What choices are called on the command line, in Python and in the browser.
+/// The names of choices on the command line, in Python and in the browser.
 inline constexpr std::pair<const char*, BaseShape> base_shapes[] = {{"none", BaseShape::none},
                                                                     {"outline", BaseShape::outline},
                                                                     {"plate", BaseShape::plate},
@@ -52,7 +52,7 @@ inline constexpr std::pair<const char*, BackSide> back_sides[] = {
 struct SolidLength {
   const char* name;
   double SolidOptions::*value;
-  double least;  ///< mm; where 0 stands for none, that is taken too
+  double least;  ///< mm; 0 is accepted too if it is the default
   double most;   ///< mm
   const char* text;
 };
@@ -62,35 +62,35 @@ inline constexpr SolidLength solid_lengths[] = {
     {"thickness", &SolidOptions::thickness, 0.1, 1000,
      "Of solid: mm below its lowest visible point; also of a base (default 2)"},
     {"height", &SolidOptions::height, 0.2, 1000,
-     "Of solid and figure: mm, its depth at most; it shrinks where there is more"},
+     "Of solid and figure: greatest depth in mm, to which it shrinks"},
     {"margin", &SolidOptions::margin, 0.5, 1000,
      "Of solid and figure: mm from it, or its feet, to the edge of its base (default 3)"},
     {"corner", &SolidOptions::corner, 0, 1000,
      "Of solid: mm, radius of the corners of a plate (default 3)"},
-    {"hole", &SolidOptions::hole, 0.5, 100, "Of solid: a hole so many mm wide in its base"},
+    {"hole", &SolidOptions::hole, 0.5, 100, "Of solid: diameter in mm of a hole in its base"},
     {"ring", &SolidOptions::ring, 0.5, 100,
-     "Of solid: a loop above its base, its hole so many mm wide"},
+     "Of solid: diameter in mm of the hole of a loop above its base"},
     {"cutter", &SolidOptions::cutter, 1, 1000,
-     "Of solid: a wall of 0.8 mm around --base outline, so many mm above it, to cut dough with"}};
+     "Of solid: height in mm of a wall 0.8 mm thick around --base outline, to cut dough"}};
 
-/// Whether a printer makes it standing, not lying: a figure on a base.
+/// Returns whether the solid is printed upright instead of lying: a figure on a base.
 inline bool stands(const SolidOptions& options) {
   return options.back != BackSide::flat && options.base != BaseShape::none;
 }
 
-/// The place of what stands: what was up on the drawing is up on the bed, Y becomes Z.
+/// Turns a point of a lying solid upright: the drawing's up, Y, becomes the bed's up, Z.
 inline Point3 stood_up(Point3 p) { return {p.x, -p.z, p.y}; }
 
 struct SolidFacts {
   double volume = 0;               ///< mm^3
-  int pieces = 0;                  ///< that do not hang together
+  int pieces = 0;                  ///< number of connected pieces
   std::vector<std::string> loose;  ///< parts of all pieces but the largest
 };
 
-/// A closed model for printers and mills, and the picture that lies on it.
+/// A closed model for printers and mills, and the picture on it.
 struct Solid {
-  Model model;      ///< in mm, not px: lying on z = 0, its box's corner in the origin
-  Drawing drawing;  ///< empty where there is none
+  Model model;      ///< in mm instead of px: lying on z = 0, the corner of its box at the origin
+  Drawing drawing;  ///< empty if there is none
   SolidFacts facts;
 };
 
