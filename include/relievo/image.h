@@ -32,8 +32,8 @@ using Image8 = Image<uint8_t>;
 using Image16 = Image<uint16_t>;
 using ImageF = Image<float>;
 
-/// The artist's drawing as pixels: 8-bit sRGB with straight alpha, 4 channels. Covers the whole
-/// canvas of the scene; its resolution may differ from the canvas size. Empty when there is none.
+/// The artist's drawing as pixels: 8-bit sRGB with straight alpha, 4 channels. It covers the whole
+/// canvas of the scene; its resolution may differ from the canvas size. Empty if there is none.
 struct Drawing {
   Image8 rgba;
 };

@@ -23,8 +23,8 @@ inline double distance(Point2 a, Point2 b) { return norm(a - b); }
 /// A closed polyline; the last point connects to the first, which is not repeated.
 using Ring = std::vector<Point2>;
 
-/// A region bounded by rings, filled by the non-zero rule: a point is inside where the sum of
-/// the rings' winding numbers is not 0. A hole runs against the ring around it.
+/// A region bounded by rings, filled by the non-zero rule: a point is inside if the sum of the
+/// rings' winding numbers is not 0. A hole runs against the ring around it.
 using Outline = std::vector<Ring>;
 
 /// A point or vector in model space: X right, Y up, Z towards the viewer, right-handed.
@@ -44,7 +44,7 @@ inline Point3 cross(Point3 a, Point3 b) {
 }
 inline double norm(Point3 a) { return std::sqrt(dot(a, a)); }
 
-/// a / |a|, or the zero vector where |a| is 0.
+/// Returns a / |a|, or the zero vector if |a| is 0.
 inline Point3 normalized(Point3 a) {
   const double n = norm(a);
   return n > 0 ? (1 / n) * a : Point3{};

@@ -14,20 +14,20 @@ namespace relievo {
 /// A drawing and its parts.
 struct DrawnScene {
   Scene scene;
-  Drawing drawing;                           ///< empty where there is none
-  std::vector<std::filesystem::path> files;  ///< all that were read
-  std::vector<std::string> warnings;         ///< what a person should know, one sentence each
+  Drawing drawing;                           ///< empty if there is none
+  std::vector<std::filesystem::path> files;  ///< all files read
+  std::vector<std::string> warnings;         ///< for the user, one sentence each
   bool proposed = false;                     ///< the parts were guessed, not annotated
 };
 
-/// Reads a layered drawing (SVG, OpenRaster, a folder of pictures), a flat picture (as
-/// understand_picture), a project, or a scene file with the drawing that it names; told by the
-/// content. Errors begin with the file's name: `file`,
-/// `bad_input`, `contradiction`, `limit`, `interrupted`.
+/// Reads a layered drawing (SVG, OpenRaster, Photoshop, a folder of pictures), a flat picture (as
+/// understand_picture), a project, or a scene file with the drawing that it names. The content of
+/// the file decides which. Errors, whose `where` begins with the file's name: `file`, `bad_input`,
+/// `contradiction`, `limit`, `interrupted`.
 Result<DrawnScene> read_drawing(const std::filesystem::path& path, const RunContext& context = {});
 
-/// Finds the parts of a flat picture (PNG, JPEG, GIF), completes what of them is hidden, and orders
-/// and joins them. Errors: as read_drawing.
+/// Finds the parts of a flat picture (PNG, JPEG, GIF), completes hidden areas, and orders and joins
+/// the parts. Errors: as read_drawing.
 Result<DrawnScene> understand_picture(const std::filesystem::path& path,
                                       const RunContext& context = {});
 

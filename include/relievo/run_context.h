@@ -7,17 +7,16 @@
 
 namespace relievo {
 
-/// How a long computation is watched and stopped. Copyable; all members are optional.
+/// Watches and stops a long computation. Copyable; all members are optional.
 struct RunContext {
-  /// Set to true (from another thread or a signal handler) to stop; checked often
-  /// enough that work ends within 0.1 s. Not owned.
+  /// Set to true, from another thread or a signal handler, to stop; checked often enough that work
+  /// ends within 0.1 s. Not owned.
   const std::atomic<bool>* cancel = nullptr;
-  /// Called with a stage's name and the fraction of it done, in [0, 1].
+  /// Called with the name of a stage and the fraction of it that is done, in [0, 1].
   std::function<void(const char* stage, double fraction)> progress{};
-  /// Called when a piece of work inside a stage ("assemble", "analyse") is done, with its wall
-  /// time.
+  /// Called after a step of a stage ("assemble", "analyse") with its wall time.
   std::function<void(const char* piece, double milliseconds)> timed{};
-  /// Called with a quantity that tells how the stage is getting on ("energy").
+  /// Called with a quantity that shows the progress of a stage ("energy").
   std::function<void(const char* quantity, double value)> measured{};
 
   bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }

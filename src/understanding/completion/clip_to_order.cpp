@@ -17,7 +17,7 @@ Mask joint_box(const Mask& a, const Mask& b, int margin, const Image16& canvas) 
 }
 
 /// Distance that hidden regions keep from where their occluders end, px.
-constexpr int rim = 2;
+constexpr int rim_margin = 2;
 
 /// Whether the test holds in the square of `radius` around a pixel.
 template <class Test>
@@ -79,7 +79,7 @@ Mask clipped(const PartRegions& regions, const Mask& shape, int part, int overla
     return regions.part_at(x, y) == part || below_another(x, y);
   };
   const auto well_below = [&](int x, int y) {
-    return below_another(x, y) && all_around(x, y, rim, own_or_below);
+    return below_another(x, y) && all_around(x, y, rim_margin, own_or_below);
   };
   for_each_pixel(shape, [&](int x, int y) {
     if (well_below(x, y)) result.add(x, y);

@@ -59,7 +59,7 @@ TEST(ProposeRegions, SmallPiecesUniteMoreEasilyThanLargeOnes) {
 /// A block that is brown on the left and yellow on the right and changes over `width` px in its
 /// middle. A line separates both there except for a fifth at the top and at the bottom.
 Drawing block_with_change(double width) {
-  constexpr std::array<int, 3> brown = {140, 80, 30};
+  constexpr std::array<int, 3> umber = {140, 80, 30};
   constexpr std::array<int, 3> yellow = {240, 200, 60};
   Drawing drawing{Image8(400, 300, 4, 255)};
   for (int y = 60; y < 240; ++y)
@@ -68,7 +68,7 @@ Drawing block_with_change(double width) {
       const bool line = std::abs(x + 0.5 - 200) < 3 && y >= 96 && y < 204;
       for (int c = 0; c < 3; ++c)
         drawing.rgba.at(x, y, c) =
-            static_cast<uint8_t>(line ? 20 : brown[c] + to_right * (yellow[c] - brown[c]));
+            static_cast<uint8_t>(line ? 20 : umber[c] + to_right * (yellow[c] - umber[c]));
     }
   return drawing;
 }

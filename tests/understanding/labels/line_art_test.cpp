@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <utility>
 
@@ -50,7 +51,8 @@ TEST(LineArt, IsClosedWhereAPencilHardlyMarksThePaper) {
     ASSERT_TRUE(s.ok()) << to_string(s.error());
     EXPECT_EQ(s->parts.size(), 1U) << faintest;
     EXPECT_NE(s->labels.at(160, 160), 0) << faintest;
-    EXPECT_NEAR(static_cast<double>(s->parts[0].area), pi * 111 * 111, 0.03 * pi * 111 * 111)
+    EXPECT_NEAR(static_cast<double>(s->parts[0].area), std::numbers::pi * 111 * 111,
+                0.03 * std::numbers::pi * 111 * 111)
         << faintest;
   }
 }
