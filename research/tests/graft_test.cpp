@@ -17,7 +17,7 @@ namespace {
 using testing::Cover;
 
 constexpr double disc_radius = 200;
-const relief::Cover everywhere = [](int, Point2) { return true; };
+const Cover everywhere = [](int, Point2) { return true; };
 
 /// A disc around the origin, and the band |x| < 40 of it.
 struct BandedDisc {

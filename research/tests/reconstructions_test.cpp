@@ -14,8 +14,6 @@
 namespace relievo::research {
 namespace {
 
-using testing::reconstructed;
-
 Scene one_part(Ring ring) {
   Scene scene = testing::canvas();
   scene.parts = {testing::part("part", std::move(ring))};

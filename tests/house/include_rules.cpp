@@ -9,10 +9,10 @@
 namespace relievo::house {
 namespace {
 
-using Names = std::set<std::string>;
+using NameSet = std::set<std::string>;
 
 /// The kernel: which other rooms of it a room may use.
-const std::map<std::string, Names> kernel_rules = {
+const std::map<std::string, NameSet> kernel_rules = {
     {"base", {}},
     {"cholesky", {"base"}},
     {"geometry", {"base"}},
@@ -34,32 +34,32 @@ const std::map<std::string, std::vector<std::string>> wings = {
 };
 
 /// What a stage of the relief hands on. Everything else in its room is its own.
-const Names stage_structs = {
+const NameSet stage_structs = {
     "cues/cue_fields.h",       "discretisation/discretisation.h", "inflation/inflation.h",
     "layers/layered_mesh.h",   "nonlinear/nonlinear_solution.h",  "ordering/ordering.h",
     "surface/visible_sheet.h",
 };
 
 /// Values of the understanding that files hold, for their readers and writers.
-const Names file_structs = {
+const NameSet file_structs = {
     "labels/scribbles.h",
     "marks/layered_drawing.h",
     "scene/corrections.h",
 };
 
 /// The verbs of the stages, for the session alone.
-const Names stage_verbs = {
+const NameSet stage_verbs = {
     "hiding/hide_sheets.h",     "inflation/inflate.h",      "layers/layer_parts.h",
     "maps/relief_maps.h",       "ordering/order_depth.h",   "nonlinear/solve_nonlinear.h",
     "surface/assemble_limbs.h", "surface/assemble_model.h",
 };
 
 /// The non-linear stage unites these two and is made of their parts.
-const Names united_rooms = {"inflation", "ordering"};
+const NameSet united_rooms = {"inflation", "ordering"};
 
 /// The rooms that programs and bindings use as a whole, and headers of others that they use.
-const Names open_rooms = {"labels", "marks", "scene", "session", "finish", "maps"};
-const Names open_headers = {"areas/basins.h", "areas/find_basins.h", "joins/join_proposals.h"};
+const NameSet open_rooms = {"labels", "marks", "scene", "session", "finish", "maps"};
+const NameSet open_headers = {"areas/basins.h", "areas/find_basins.h", "joins/join_proposals.h"};
 
 struct Place {
   /// relievo, kernel, scene, understanding, relief, io, lod, render, solid, face, apps, bindings,

@@ -17,7 +17,7 @@ understanding::Scribbles sample() {
            {understanding::ScribbleKind::hole, 0, {{9, 9}, {10, 9}}, 3}}};
 }
 
-TEST(understanding::Scribbles, WhatIsWrittenReadsBack) {
+TEST(Scribbles, WhatIsWrittenReadsBack) {
   const Result<understanding::Scribbles> s = read_scribbles(write_scribbles(sample()));
   ASSERT_TRUE(s.ok()) << to_string(s.error());
   const understanding::Scribbles expected = sample();
@@ -32,7 +32,7 @@ TEST(understanding::Scribbles, WhatIsWrittenReadsBack) {
   EXPECT_EQ(write_scribbles(*s), write_scribbles(expected));
 }
 
-TEST(understanding::Scribbles, FilesAreCompleteUnlessTheySayOtherwise) {
+TEST(Scribbles, FilesAreCompleteUnlessTheySayOtherwise) {
   const auto with = [](const std::string& word) {
     std::string text = write_scribbles(sample());
     return read_scribbles(text.insert(text.find("\"parts\""), "\"complete\": " + word + ", "));
@@ -44,7 +44,7 @@ TEST(understanding::Scribbles, FilesAreCompleteUnlessTheySayOtherwise) {
   EXPECT_EQ(with("0").error().where, "complete");
 }
 
-TEST(understanding::Scribbles, TheNumberOfPartsIsAWholeNumberOrNotSaid) {
+TEST(Scribbles, TheNumberOfPartsIsAWholeNumberOrNotSaid) {
   const auto with = [](const std::string& word) {
     std::string text = write_scribbles(sample());
     return read_scribbles(text.insert(text.find("\"parts\""), "\"count\": " + word + ", "));
@@ -58,7 +58,7 @@ TEST(understanding::Scribbles, TheNumberOfPartsIsAWholeNumberOrNotSaid) {
   }
 }
 
-TEST(understanding::Scribbles, MistakesAreNamedWithTheirPlace) {
+TEST(Scribbles, MistakesAreNamedWithTheirPlace) {
   const std::string good = write_scribbles(sample());
   const auto refuse = [&](const std::string& from, const std::string& to, const char* where) {
     std::string text = good;
@@ -82,7 +82,7 @@ TEST(understanding::Scribbles, MistakesAreNamedWithTheirPlace) {
   refuse("[\"head\"", "[\"body \\\"1\\\"\"", "parts[1]");
 }
 
-TEST(understanding::Scribbles, LimitsAreTheCallers) {
+TEST(Scribbles, LimitsAreTheCallers) {
   const std::string text = write_scribbles(sample());
   JsonLimits strokes;
   strokes.max_strokes = 3;
@@ -94,14 +94,14 @@ TEST(understanding::Scribbles, LimitsAreTheCallers) {
     EXPECT_EQ(read_scribbles(text, limits).error().code, ErrorCode::limit);
 }
 
-TEST(understanding::Scribbles, EveryTruncationIsRefused) {
+TEST(Scribbles, EveryTruncationIsRefused) {
   const std::string text = write_scribbles(sample());
   for (size_t size = 0; size + 2 < text.size(); ++size)
     EXPECT_FALSE(read_scribbles(std::string_view(text).substr(0, size)).ok()) << size;
 }
 
 /// Seeds with more and more strokes of all kinds.
-TEST(understanding::Scribbles, DamageOfTenSeedsNeverCrashes) {
+TEST(Scribbles, DamageOfTenSeedsNeverCrashes) {
   understanding::Scribbles scribbles = sample();
   for (int seed = 0; seed < 10; ++seed) {
     const Bytes good = to_bytes(write_scribbles(scribbles));
