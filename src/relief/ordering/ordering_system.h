@@ -20,16 +20,15 @@ struct OrderingOptions {
   double epsilon = 1e-4;       ///< weight of the pull to h = f, in scene units (box diagonal 2)
   bool start_active = false;   ///< first active set: all gaps closed, or none
   bool straight_limbs = true;  ///< limbs keep the height of their roots (limb_rise); not in [P]
-  bool close_caps =
-      true;  ///< caps and spots follow what they lie on (cap_rise, spot_rise); not in [P]
+  bool close_caps = true;      ///< caps and spots follow what they lie on (cap_rise); not in [P]
 };
 
 /// State of the depth order of one surface, kept from one solve to the next.
 struct OrderingSystem {
   double epsilon = 0;  ///< of the metric; 0 if there is none yet
   ShiftMetric metric;
-  std::optional<std::vector<std::set<int>>>
-      tied;  ///< tied_parts that `caps` were found for, if any
+  /// The tied_parts that `caps` were found for, if any.
+  std::optional<std::vector<std::set<int>>> tied;
   std::vector<Cap> caps;
   std::optional<std::vector<DepthPair>> pairs;  ///< pairs of `depth`, if it is made
   DepthSystem depth;

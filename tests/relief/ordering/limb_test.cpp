@@ -26,7 +26,9 @@ Scene body_and_limb(double by = 1) {
 }
 
 ShiftedScene solved(const Scene& scene, bool straight_limbs) {
-  return shifted(scene, {straight_limbs, true});
+  OrderingOptions options;
+  options.straight_limbs = straight_limbs;
+  return shifted(scene, options);
 }
 
 /// Returns the largest height of the leg between two rows.
