@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "relief/surface/assemble_model.h"
 #include "relief/surface/surface_sample.h"
 #include "relievo/model.h"
 

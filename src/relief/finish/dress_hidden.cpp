@@ -20,7 +20,7 @@ namespace relievo::relief {
 namespace {
 
 /// px between the drawing and the patches, so that filtering does not mix their colours.
-constexpr int gap = 8;
+constexpr int tile_gap = 8;
 
 /// The x and y of a patch's top left pixel in the picture.
 using PatchPlace = std::array<int, 2>;
@@ -41,11 +41,11 @@ std::vector<PatchPlace> place_patches(const std::vector<HiddenPatch>& patches, i
     const Image8& rgb = patches[k].rgb;
     if (x + rgb.width > width) {
       x = 0;
-      top = height + gap;
+      top = height + tile_gap;
       height = top + rgb.height;
     }
     places[k] = {x, top};
-    x += rgb.width + gap;
+    x += rgb.width + tile_gap;
   }
   return places;
 }
