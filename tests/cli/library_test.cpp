@@ -14,7 +14,9 @@ class Library : public CliTest {
     auto drawn = read_drawing(std::filesystem::path(RELIEVO_TEST_DATA) / "inked_circle.svg");
     ASSERT_TRUE(drawn.ok());
     drawn_ = std::move(*drawn);
-    ASSERT_TRUE(session_.build(drawn_.scene).ok());
+    BuildOptions options;
+    options.vertices = 4000;
+    ASSERT_TRUE(session_.build(drawn_.scene, options).ok());
   }
 
   std::string file_of(const Model& model, const Drawing& drawing, const std::string& name,
@@ -25,8 +27,8 @@ class Library : public CliTest {
   }
 
   std::string built(const std::string& name, std::vector<std::string> options = {}) const {
-    options.insert(options.begin(),
-                   {"build", RELIEVO_TEST_DATA "/inked_circle.svg", "-q", "-o", name});
+    options.insert(options.begin(), {"build", RELIEVO_TEST_DATA "/inked_circle.svg", "-q",
+                                     "--vertices", "4000", "-o", name});
     EXPECT_EQ(relievo(options).exit_code, 0);
     return read(name);
   }
