@@ -17,13 +17,13 @@ using Corner = int;
 
 constexpr Corner corner_of(int triangle, int k) { return 3 * triangle + k; }
 constexpr int triangle_of(Corner corner) { return corner / 3; }
-/// Which corner of its triangle it is.
+/// Returns the index of a corner in its triangle, 0 to 2.
 constexpr int place_of(Corner corner) { return corner % 3; }
-/// Of the corner at place k, the place of the next one in its triangle, and of the one after that.
+/// Return the index of the corner after corner k of a triangle, and of the one before it.
 constexpr int next_place(int k) { return (k + 1) % 3; }
 constexpr int last_place(int k) { return (k + 2) % 3; }
 
-/// The place of a node in a triangle that has it.
+/// Returns the index of the corner at a node. Precondition: the triangle has the node.
 constexpr int place_of_node(const Triangle& triangle, int node) {
   return triangle[0] == node ? 0 : triangle[1] == node ? 1 : 2;
 }
