@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -69,7 +70,9 @@ class Merger {
     std::pair<double, int64_t> worth;
     int a = 0;
     int b = 0;
-    auto operator<=>(const Union&) const = default;
+    friend bool operator<(const Union& p, const Union& q) {
+      return std::tie(p.worth, p.a, p.b) < std::tie(q.worth, q.a, q.b);
+    }
   };
 
   Merger(RegionMerging& regions, Worth worth);
