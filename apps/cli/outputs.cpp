@@ -19,7 +19,8 @@ fs::path beside(const fs::path& path, const std::string& extension) {
 /// Returns a path that is the same for all spellings of a file's path. The file need not exist.
 fs::path identity(const fs::path& path) {
   std::error_code code;
-  const fs::path canonical = fs::weakly_canonical(path, code);
+  // A relative path to a file that does not exist yet would stay relative.
+  const fs::path canonical = fs::weakly_canonical(fs::absolute(path, code), code);
   return code ? fs::absolute(path, code).lexically_normal() : canonical;
 }
 
@@ -59,7 +60,8 @@ Status check_outputs(const std::vector<fs::path>& paths, const std::vector<fs::p
     if (fs::is_directory(path, code))
       return Error{ErrorCode::file, "cannot be written: it is a folder", path.string()};
     if (!taken.insert(identity(path)).second)
-      return Error{ErrorCode::usage, "is to be written twice", path.string()};
+      return Error{ErrorCode::usage, "is the name of two outputs; choose another name for one",
+                   path.string()};
     for (const fs::path& input : inputs)
       if (fs::equivalent(path, input, code))
         return Error{ErrorCode::usage, "is an input and is never overwritten", path.string()};

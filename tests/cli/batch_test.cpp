@@ -206,7 +206,7 @@ TEST_F(Batch, RefusesWhatMakesNoSense) {
   expect_failure({"batch", "in", "--merge", "-o", "out"}, 2, "--merge takes no drawings");
   expect_failure({"batch", "in", "--shard", "3/2", "-o", "out"}, 2, "--shard 3/2");
   expect_failure({"batch", "in", "--make", "3mf", "-o", "out"}, 2, "--profile solid");
-  expect_failure({"batch", "--merge", "-o", "nowhere"}, 6, "no journals are there");
+  expect_failure({"batch", "--merge", "-o", "nowhere"}, 6, "contains no journals");
 }
 
 }  // namespace

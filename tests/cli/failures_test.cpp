@@ -79,8 +79,8 @@ TEST_F(Failures, BasesAndBacksBelongToTheirProfiles) {
 }
 
 TEST_F(Failures, OutputsNeverCollide) {
-  expect_failure(with(build, {"-o", "./out.glb"}), 2, "twice");
-  expect_failure({"build", "scene.json", "-o", "a.obj", "--preview", "a.png"}, 2, "twice");
+  expect_failure(with(build, {"-o", "./out.glb"}), 2, "two outputs");
+  expect_failure({"build", "scene.json", "-o", "a.obj", "--preview", "a.png"}, 2, "two outputs");
   const std::string before = read("scene.json");
   expect_failure({"build", "scene.json", "--report", "scene.json"}, 2, "never overwritten");
   std::filesystem::create_hard_link(folder_.path() / "scene.json", folder_.path() / "link.json");

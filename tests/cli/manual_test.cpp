@@ -39,8 +39,7 @@ std::set<std::string> options_in(const std::string& text) {
 }
 
 TEST_F(Manual, PagesSayWhatHelpSays) {
-  for (const std::string command :
-       {"build", "batch", "check", "render", "segment", "sequence"}) {
+  for (const std::string command : {"build", "batch", "check", "render", "segment", "sequence"}) {
     const std::string written = page({"man", command});
     const std::string text = std::regex_replace(written, std::regex(R"(\\-)"), "-");
     EXPECT_EQ(options_in(text), options_in(relievo({command, "--help"}).out)) << command;
