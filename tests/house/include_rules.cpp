@@ -44,7 +44,7 @@ const NameSet stage_structs = {
 const NameSet file_structs = {
     "labels/scribbles.h",
     "marks/layered_drawing.h",
-    "scene/corrections.h",
+    "scene/segmentation_record.h",
 };
 
 /// The verbs of the stages, for the session alone.

@@ -132,8 +132,8 @@ TEST(AnnotatedParts, LinesBetweenLayersArePaintedOnlyWhereLayersAreNoParts) {
   EXPECT_EQ(parts.scene.joins.size(), 1u);
   EXPECT_EQ(parts.paintable.text.find("seam"), std::string::npos);
   const auto shapes =
-      import_of(svg_file(layer(trunk + "<rect x='350' y='250' width='200' height='90'/>"
-                                       "<rect x='-90' y='200' width='200' height='90'/>"
+      import_of(svg_file(layer(trunk + "<rect x='350' width='200' height='90'/>"
+                                       "<rect x='350' y='250' width='200' height='90'/>"
                                        "<circle cx='200' cy='450' r='90'/>") +
                          upper));
   EXPECT_TRUE(shapes.proposed);
