@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "io/scene/json_parse.h"
+#include "io/scene/json_limits.h"
 #include "relievo/result.h"
 #include "relievo/scene.h"
 
