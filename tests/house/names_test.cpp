@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -11,10 +12,18 @@
 namespace relievo::house {
 namespace {
 
-constexpr int max_constants = 10;  ///< in a file
+constexpr int max_constants = 10;              ///< in a file
+constexpr double max_types_per_thousand = 10;  ///< lines of the library
 
 bool begins_with(const std::string& path, const std::string& start) {
   return path.rfind(start, 0) == 0;
+}
+
+/// Checks whether a file belongs to src/, whose paths begin with the room's name.
+bool is_library(const std::string& path) {
+  for (const char* top : {"relievo/", "apps/", "bindings/", "research/"})
+    if (begins_with(path, top)) return false;
+  return true;
 }
 
 bool is_source(const std::string& path) { return path.size() > 4 && path.ends_with(".cpp"); }
@@ -65,6 +74,19 @@ TEST(Names, TunedConstantsAreFew) {
     if (begins_with(file.path, "understanding/") || begins_with(file.path, "relievo/")) continue;
     EXPECT_LE(constant_count(file.text), max_constants) << file.path;
   }
+}
+
+/// Each type is a concept that a newcomer pays for.
+TEST(Names, TypesAreFew) {
+  double types = 0;
+  double lines = 0;
+  for (const SourceFile& file : product_files()) {
+    if (!is_library(file.path)) continue;
+    types += type_count(file.text);
+    lines += static_cast<double>(std::count(file.text.begin(), file.text.end(), '\n'));
+  }
+  EXPECT_GT(lines, 0);
+  EXPECT_LE(1000 * types / lines, max_types_per_thousand) << types << " types";
 }
 
 TEST(Names, AreFoundInText) {
