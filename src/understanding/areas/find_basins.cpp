@@ -14,9 +14,9 @@
 #include "understanding/lines/line_map.h"
 #include "understanding/lines/stroke_ends.h"
 #include "understanding/paper/cast_shadow.h"
+#include "understanding/paper/lay_on_white.h"
 #include "understanding/paper/plain_background.h"
 #include "understanding/paper/pure_white.h"
-#include "understanding/paper/remove_paper.h"
 #include "understanding/paper/rulings.h"
 
 namespace relievo::understanding {
@@ -72,7 +72,7 @@ Result<Basins> find_basins(const Drawing& drawing, const RunContext& context) {
   const bool on_pure_white = figure.is_cut || is_on_pure_white(drawn);
   const Image8 shadowless = on_pure_white && !figure.is_cut ? without_cast_shadow(drawn) : Image8{};
   const Image8& rgba = shadowless.empty() ? drawn : shadowless;
-  const Image8 rgb = remove_paper(rgba, on_pure_white);
+  const Image8 rgb = lay_on_white(rgba, on_pure_white);
   if (!go_on(context, 0.1)) return interrupted_error();
   LineMap map = find_lines(rgb, on_pure_white);
   close_line_gaps(rgb, map);

@@ -8,11 +8,11 @@
 #include "kernel/base/exact_functions.h"
 #include "kernel/image/mask_pieces.h"
 #include "kernel/image/morphology.h"
-#include "understanding/areas/background.h"
 #include "understanding/areas/basin_graph.h"
 #include "understanding/areas/find_pieces.h"
 #include "understanding/areas/region_merging.h"
 #include "understanding/areas/see_through.h"
+#include "understanding/areas/unite_background.h"
 #include "understanding/lines/line_map.h"
 
 namespace relievo::understanding {

@@ -10,8 +10,8 @@ struct FigureMask {
   Image8 inside;  ///< [drawing size] 1 on the figure; empty where it is unknown
   /// The drawing is transparent outside the mask, which is therefore certainly background.
   bool cut_out = false;
-  /// The mask's rim separates areas, however pale: the drawing was cut out, was painted on pure
-  /// white, or is line art, of which the mask holds the dark shapes alone.
+  /// The mask's rim separates areas even where both sides are pale. True if the drawing was cut
+  /// out, was painted on pure white, or is line art, of which the mask holds the dark shapes only.
   bool sharp = false;
 };
 

@@ -18,17 +18,17 @@ int region_at(const Basins& basins, int32_t pixel) {
 /// Removes the marks that do not vote: those on lines, unless all of the stroke lies on lines, and
 /// those on the background of strokes along lines, which are for the ink (see take_ink).
 void remove_silent(const Basins& basins, const Scribbles& scribbles,
-                   std::vector<MarkedPixel>& marks) {
-  const auto on_line = [&](const MarkedPixel& mark) {
+                   std::vector<StrokePixel>& marks) {
+  const auto on_line = [&](const StrokePixel& mark) {
     return basins.barrier.pixels[mark.pixel] != 0;
   };
   std::vector<int64_t> on_lines(scribbles.strokes.size(), 0);
   std::vector<int64_t> all(scribbles.strokes.size(), 0);
-  for (const MarkedPixel& mark : marks) {
+  for (const StrokePixel& mark : marks) {
     on_lines[mark.stroke] += on_line(mark) ? 1 : 0;
     ++all[mark.stroke];
   }
-  std::erase_if(marks, [&](const MarkedPixel& mark) {
+  std::erase_if(marks, [&](const StrokePixel& mark) {
     const int s = mark.stroke;
     if (on_line(mark) && on_lines[s] < all[s]) return true;
     return is_for_part(scribbles.strokes[s].kind) && region_at(basins, mark.pixel) == 0 &&
@@ -57,18 +57,18 @@ void hold_background_at_edge(const Basins& basins, BasinVotes& votes) {
 }  // namespace
 
 BasinVotes count_votes(const Basins& basins, const Scribbles& scribbles,
-                       std::vector<MarkedPixel> marks) {
+                       std::vector<StrokePixel> marks) {
   remove_silent(basins, scribbles, marks);
   std::vector<std::map<int, int64_t>> in_region(scribbles.strokes.size());
   std::vector<int64_t> all(scribbles.strokes.size(), 0);
-  for (const MarkedPixel& mark : marks) {
+  for (const StrokePixel& mark : marks) {
     ++in_region[mark.stroke][region_at(basins, mark.pixel)];
     ++all[mark.stroke];
   }
   BasinVotes votes;
   votes.soft.resize(basins.basins.size());
   votes.labels_in_region.resize(static_cast<size_t>(basins.region_count) + 1);
-  for (const MarkedPixel& mark : marks) {
+  for (const StrokePixel& mark : marks) {
     const Scribble& stroke = scribbles.strokes[mark.stroke];
     const int basin = basins.index.pixels[mark.pixel];
     const int region = basins.region[basin];

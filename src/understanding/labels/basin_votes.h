@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "understanding/areas/basins.h"
-#include "understanding/labels/mark_pixels.h"
+#include "understanding/labels/stroke_pixels.h"
 
 namespace relievo::understanding {
 
@@ -29,6 +29,6 @@ struct BasinVotes {
 /// less than a tenth of it, or less than half of it on the background. Where a hard stroke of a
 /// part lies in background at the picture's border, that border is marked as background.
 BasinVotes count_votes(const Basins& basins, const Scribbles& scribbles,
-                       std::vector<MarkedPixel> marks);
+                       std::vector<StrokePixel> marks);
 
 }  // namespace relievo::understanding

@@ -38,12 +38,12 @@ class InkTaker {
   InkTaker(const Basins& basins, int last_label, Image<int32_t>& labels)
       : basins_(basins), last_label_(last_label), labels_(labels) {}
 
-  void run(const Scribbles& scribbles, const std::vector<MarkedPixel>& marks) {
+  void run(const Scribbles& scribbles, const std::vector<StrokePixel>& marks) {
     grow_contours();
     const std::vector<LooseInk> pieces = loose_pieces();
     const double diagonal = figure_diagonal(pieces);
     std::map<int32_t, int> strokes;
-    for (const MarkedPixel& mark : marks)
+    for (const StrokePixel& mark : marks)
       if (is_free_ink(mark.pixel)) strokes[mark.pixel] = scribbles.strokes[mark.stroke].label();
     for (const LooseInk& piece : pieces) settle(piece, diagonal, strokes);
   }
@@ -203,7 +203,7 @@ class InkTaker {
 }  // namespace
 
 void take_ink(const Basins& basins, const Scribbles& scribbles,
-              const std::vector<MarkedPixel>& marks, int last_label, Image<int32_t>& labels) {
+              const std::vector<StrokePixel>& marks, int last_label, Image<int32_t>& labels) {
   InkTaker(basins, last_label, labels).run(scribbles, marks);
 }
 

@@ -5,7 +5,7 @@
 
 #include "relievo/image.h"
 #include "understanding/areas/basins.h"
-#include "understanding/labels/mark_pixels.h"
+#include "understanding/labels/stroke_pixels.h"
 
 namespace relievo::understanding {
 
@@ -17,7 +17,7 @@ namespace relievo::understanding {
 /// `labels` has the labels of all pixels and is changed; new labels follow `last_label`. `marks`
 /// are the pixels of the strokes. O(pixels).
 void take_ink(const Basins& basins, const Scribbles& scribbles,
-              const std::vector<MarkedPixel>& marks, int last_label, Image<int32_t>& labels);
+              const std::vector<StrokePixel>& marks, int last_label, Image<int32_t>& labels);
 
 /// Labels every pixel of the figure's mask: pixels without a label take the nearest one, or a new
 /// one after `last_label` where none can be reached. Areas that strokes made background stay it.

@@ -7,12 +7,12 @@
 
 #include "kernel/image/watershed.h"
 #include "understanding/areas/count_regions.h"
-#include "understanding/labels/basin_labelling.h"
 #include "understanding/labels/basin_votes.h"
+#include "understanding/labels/choose_labels.h"
 #include "understanding/labels/figure_ink.h"
 #include "understanding/labels/find_bridges.h"
-#include "understanding/labels/mark_pixels.h"
 #include "understanding/labels/split_basins.h"
+#include "understanding/labels/stroke_pixels.h"
 
 namespace relievo::understanding {
 namespace {
@@ -95,7 +95,7 @@ void give_to_scribbled(int parts, Image<int32_t>& pixels) {
 
 /// Labels all pixels, ink included. `labels`: [#B] those of the basins.
 Image<int32_t> label_pixels(const Basins& basins, const std::vector<int>& labels,
-                            const Scribbles& scribbles, const std::vector<MarkedPixel>& marks) {
+                            const Scribbles& scribbles, const std::vector<StrokePixel>& marks) {
   Image<int32_t> pixels(basins.index.width, basins.index.height, 1);
   for (size_t i = 0; i < pixels.pixels.size(); ++i)
     pixels.pixels[i] = labels[basins.index.pixels[i]];
@@ -140,7 +140,7 @@ void add_notes(const Basins& basins, const Scribbles& scribbles, Segmentation& s
 }
 
 Segmentation assemble(const Basins& basins, const std::vector<int>& labels,
-                      const Scribbles& scribbles, const std::vector<MarkedPixel>& marks) {
+                      const Scribbles& scribbles, const std::vector<StrokePixel>& marks) {
   Segmentation segmentation;
   const Image<int32_t> of_pixel = label_pixels(basins, labels, scribbles, marks);
   const std::vector<uint16_t> number =
@@ -164,8 +164,8 @@ Result<Segmentation> label_basins(const Basins& basins, const Scribbles& scribbl
   Basins counted = counts ? basins : Basins();
   if (counts) count_regions(scribbles.count, counted);
   const Basins& proposed = counts ? counted : basins;
-  const std::vector<MarkedPixel> marks =
-      mark_pixels(scribbles, basins.index.width, basins.index.height);
+  const std::vector<StrokePixel> marks =
+      stroke_pixels(scribbles, basins.index.width, basins.index.height);
   BasinVotes votes = count_votes(proposed, scribbles, marks);
   const bool split = needs_split(votes);
   const Basins divided = split ? split_basins(proposed, votes) : Basins();

@@ -5,7 +5,7 @@
 #include <array>
 #include <set>
 
-#include "understanding/labels/mark_pixels.h"
+#include "understanding/labels/stroke_pixels.h"
 
 namespace relievo {
 namespace {
@@ -47,7 +47,7 @@ TEST(ScribbleImage, StrokesCoverExactlyTheirPixels) {
   ASSERT_TRUE(s.ok());
   ASSERT_EQ(s->strokes.size(), 1U);
   std::set<int32_t> covered;
-  for (const understanding::MarkedPixel& mark : understanding::mark_pixels(*s, 50, 50))
+  for (const understanding::StrokePixel& mark : understanding::stroke_pixels(*s, 50, 50))
     covered.insert(mark.pixel);
   for (int32_t i = 0; i < 2500; ++i)
     EXPECT_EQ(covered.count(i) > 0, image.pixels[4 * i + 1] == 200) << i % 50 << ", " << i / 50;

@@ -10,7 +10,7 @@
 
 #include "support/ink_drawing.h"
 #include "understanding/areas/find_basins.h"
-#include "understanding/labels/mark_pixels.h"
+#include "understanding/labels/stroke_pixels.h"
 
 namespace relievo::understanding {
 namespace {
@@ -141,8 +141,8 @@ TEST(LabelBasins, HardStrokesAreNeverOverruled) {
                                stroke(ScribbleKind::hard, 1, {{x + 20, 60}, {x + 40, 160}}, 3)}};
     const Result<Segmentation> s = label_basins(basins, scribbles);
     ASSERT_TRUE(s.ok());
-    for (const MarkedPixel& mark :
-         mark_pixels(scribbles, basins.index.width, basins.index.height)) {
+    for (const StrokePixel& mark :
+         stroke_pixels(scribbles, basins.index.width, basins.index.height)) {
       const std::string& id = scribbles.parts[scribbles.strokes[mark.stroke].part];
       ASSERT_EQ(s->parts[s->labels.pixels[mark.pixel] - 1].id, id) << k;
     }

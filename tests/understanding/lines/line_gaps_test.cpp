@@ -9,7 +9,7 @@
 #include "support/ink_drawing.h"
 #include "understanding/areas/find_basins.h"
 #include "understanding/labels/segment_drawing.h"
-#include "understanding/paper/remove_paper.h"
+#include "understanding/paper/lay_on_white.h"
 
 namespace relievo::understanding {
 namespace {
@@ -44,7 +44,7 @@ struct Arm {
 };
 
 std::vector<LineGap> roots_of(const InkDrawing& ink) {
-  const LineMap map = find_lines(remove_paper(ink.drawing().rgba));
+  const LineMap map = find_lines(lay_on_white(ink.drawing().rgba));
   return find_open_roots(find_loose_ends(map), map);
 }
 
@@ -207,7 +207,7 @@ TEST(BrokenOutlines, AreNotWherePaintEnds) {
     for (double x = 90; limbs && x < 220; x += 5)
       ink.disc({x, 215}, 15, 200, 120, 40).disc({500 - x, 215}, 15, 200, 120, 40);
     ink.line({80, 200}, {230, 200}).line({270, 200}, {420, 200});
-    const Image8 rgb = remove_paper(ink.drawing().rgba);
+    const Image8 rgb = lay_on_white(ink.drawing().rgba);
     const LineMap map = find_lines(rgb, true);
     ASSERT_TRUE(map.painted);
     EXPECT_EQ(find_broken_outlines(find_loose_ends(map), map, rgb).empty(), limbs);

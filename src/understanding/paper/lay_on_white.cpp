@@ -1,4 +1,4 @@
-#include "understanding/paper/remove_paper.h"
+#include "understanding/paper/lay_on_white.h"
 
 #include <algorithm>
 #include <array>
@@ -40,7 +40,7 @@ Image8 drop_alpha(const Image8& rgba) {
 }
 
 /// Composites a picture, inverted if need be, over white.
-Image8 lay_on_white(const Image8& rgba, bool invert) {
+Image8 composite_on_white(const Image8& rgba, bool invert) {
   const uint8_t flip = invert ? 255 : 0;
   Image8 rgb(rgba.width, rgba.height, 3);
   const uint8_t* in = rgba.pixels.data();
@@ -117,11 +117,12 @@ bool erases_paint(const Image8& rgb, const Image8& lit) {
 
 }  // namespace
 
-Image8 remove_paper(const Image8& rgba, bool on_pure_white) {
+Image8 lay_on_white(const Image8& rgba, bool on_pure_white) {
   assert(rgba.channels == 4);
   const uint8_t alpha = least_alpha(rgba);
   const bool transparent = alpha < 128;
-  Image8 rgb = alpha == 255 ? drop_alpha(rgba) : lay_on_white(rgba, is_light_on_nothing(rgba));
+  Image8 rgb =
+      alpha == 255 ? drop_alpha(rgba) : composite_on_white(rgba, is_light_on_nothing(rgba));
   if (rgb.empty() || transparent) return rgb;
   const Image8 cells = light_cells(rgb);
   const std::vector<Quadratic> terms = light_terms(cells);

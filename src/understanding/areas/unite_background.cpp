@@ -1,4 +1,4 @@
-#include "understanding/areas/background.h"
+#include "understanding/areas/unite_background.h"
 
 #include <algorithm>
 #include <array>

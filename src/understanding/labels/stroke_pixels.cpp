@@ -1,4 +1,4 @@
-#include "understanding/labels/mark_pixels.h"
+#include "understanding/labels/stroke_pixels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,18 +45,18 @@ void visit_stroke(const Scribble& stroke, int width, int height, const Visit& vi
 
 }  // namespace
 
-std::vector<MarkedPixel> mark_pixels(const Scribbles& scribbles, int width, int height) {
-  std::vector<MarkedPixel> marks;
+std::vector<StrokePixel> stroke_pixels(const Scribbles& scribbles, int width, int height) {
+  std::vector<StrokePixel> marks;
   for (size_t k = 0; k < scribbles.strokes.size(); ++k)
     visit_stroke(scribbles.strokes[k], width, height, [&](int x, int y) {
       marks.push_back({static_cast<int32_t>(int64_t{y} * width + x), static_cast<int>(k)});
     });
-  std::sort(marks.begin(), marks.end(), [](const MarkedPixel& a, const MarkedPixel& b) {
+  std::sort(marks.begin(), marks.end(), [](const StrokePixel& a, const StrokePixel& b) {
     return a.pixel != b.pixel ? a.pixel < b.pixel : a.stroke > b.stroke;
   });
   marks.erase(
       std::unique(marks.begin(), marks.end(),
-                  [](const MarkedPixel& a, const MarkedPixel& b) { return a.pixel == b.pixel; }),
+                  [](const StrokePixel& a, const StrokePixel& b) { return a.pixel == b.pixel; }),
       marks.end());
   return marks;
 }

@@ -1,4 +1,4 @@
-#include "understanding/labels/basin_labelling.h"
+#include "understanding/labels/choose_labels.h"
 
 #include "kernel/graph/graph_cuts.h"
 #include "understanding/areas/join_regions.h"
