@@ -20,7 +20,7 @@
 #include "io/mesh/placement.h"
 #include "io/overlay/mesh_lines.h"
 #include "kernel/geometry/polyline.h"
-#include "kernel/meshing/self_crossing.h"
+#include "kernel/meshing/splice_curves.h"
 #include "relief/inflation/inflate.h"
 #include "relief/layers/layer_parts.h"
 #include "relievo/files.h"

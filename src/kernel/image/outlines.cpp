@@ -111,37 +111,6 @@ Ring fair(const Ring& ring, double wavelength, double reach) {
   return curve;
 }
 
-/// Returns the first pixel whose centre is at or after coordinate v, clamped to [0, size].
-int first_centre(double v, int size) {
-  return static_cast<int>(std::clamp(std::ceil(v - 0.5), 0.0, static_cast<double>(size)));
-}
-
-/// Adds the crossings of edge ab with the lines through the centres of the pixel rows from `top`
-/// on.
-void add_crossings(Point2 a, Point2 b, int top, std::vector<std::vector<LineCrossing>>& rows) {
-  if (a.y == b.y) return;
-  const int direction = a.y < b.y ? 1 : -1;
-  if (direction < 0) std::swap(a, b);
-  const int count = static_cast<int>(rows.size());
-  const int first = first_centre(a.y - top, count);
-  const int last = first_centre(b.y - top, count);
-  for (int y = first; y < last; ++y) {
-    const double t = (y + top + 0.5 - a.y) / (b.y - a.y);
-    rows[y].push_back({a.x + t * (b.x - a.x), direction});
-  }
-}
-
-void fill_row(std::vector<LineCrossing>& row, Mask& mask, int y) {
-  std::sort(row.begin(), row.end(), [](const LineCrossing& p, const LineCrossing& q) {
-    return p.s < q.s || (p.s == q.s && p.turn < q.turn);
-  });
-  for_each_span_inside(row, [&](double from, double to) {
-    const int first = first_centre(from - mask.left, mask.inside.width);
-    const int last = first_centre(to - mask.left, mask.inside.width);
-    for (int x = first; x < last; ++x) mask.inside.at(x, y) = 1;
-  });
-}
-
 /// A side of a pixel: 0 top, 1 right, 2 bottom, 3 left, travelled clockwise.
 struct Side {
   int x = 0;
@@ -277,11 +246,9 @@ Mask fill_outline(const Outline& outline, int width, int height) {
   const int bottom = first_centre(box.max.y, height);
   if (right <= left || bottom <= top) return {};
   Mask mask = empty_mask(left, top, right, bottom);
-  std::vector<std::vector<LineCrossing>> rows(mask.inside.height);
-  for (const Ring& ring : outline)
-    for (size_t i = 0; i < ring.size(); ++i)
-      add_crossings(ring[i], ring[(i + 1) % ring.size()], mask.top, rows);
-  for (int y = 0; y < mask.inside.height; ++y) fill_row(rows[y], mask, y);
+  const CellGrid grid{{left * 1.0, top * 1.0}, 1, right - left, bottom - top};
+  for (const CellRun& run : cells_inside(outline, grid))
+    for (int x = run.begin; x < run.end; ++x) mask.inside.at(x, run.row) = 1;
   return mask;
 }
 

@@ -1,4 +1,4 @@
-#include "kernel/meshing/self_crossing.h"
+#include "kernel/meshing/splice_curves.h"
 
 #include <gtest/gtest.h>
 
