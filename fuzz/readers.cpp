@@ -9,7 +9,7 @@
 #include "io/mesh/glb_decode.h"
 #include "io/project/project_file.h"
 #include "io/psd/read_psd.h"
-#include "io/scene/read_scene.h"
+#include "io/scene/scene_json.h"
 #include "io/scribbles/scribble_image.h"
 #include "io/scribbles/scribbles_json.h"
 #include "io/svg/read_svg.h"
