@@ -4,7 +4,7 @@
 
 #include "io/archive/zip_archive.h"
 #include "io/image/decode_image.h"
-#include "io/layered/layer_table.h"
+#include "io/layered/layer_files.h"
 #include "io/layered/read_ora.h"
 #include "io/mesh/glb_decode.h"
 #include "io/project/project_file.h"

@@ -16,7 +16,7 @@
 #include "apps/cli/scene_output.h"
 #include "face/inputs.h"
 #include "io/files/number_text.h"
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "io/mesh/placement.h"
 #include "io/overlay/mesh_lines.h"
 #include "kernel/geometry/polyline.h"

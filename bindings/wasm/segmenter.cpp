@@ -5,8 +5,7 @@
 
 #include "bindings/wasm/js_values.h"
 #include "io/files/paths.h"
-#include "io/image/png_decode.h"
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "io/project/project_json.h"
 #include "io/scene/scene_json.h"
 #include "understanding/areas/find_basins.h"

@@ -2,7 +2,7 @@
 
 #include "io/image/gif_decode.h"
 #include "io/image/jpeg_decode.h"
-#include "io/image/png_decode.h"
+#include "io/image/png.h"
 
 namespace relievo {
 

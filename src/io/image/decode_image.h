@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-
 #include "io/image/image_limits.h"
 #include "relievo/bytes.h"
 #include "relievo/image.h"
@@ -13,8 +10,5 @@ namespace relievo {
 /// Decodes a PNG, JPEG or GIF file, recognised by its content, to 8-bit sRGB with straight alpha, 4
 /// channels. Errors: `bad_input` where it is damaged or none of them, `limit`.
 Result<Image8> decode_image(ByteView bytes, const ImageLimits& limits = {});
-
-/// The first bytes of every PNG file.
-constexpr std::array<uint8_t, 8> png_signature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
 }  // namespace relievo

@@ -6,8 +6,7 @@
 #include <pugixml.hpp>
 #include <utility>
 
-#include "io/layered/layer_table.h"
-#include "io/layered/packed_layers.h"
+#include "io/layered/layer_files.h"
 #include "kernel/image/image_size.h"
 
 namespace relievo {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "io/files/byte_writer.h"
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "io/mesh/html_viewer.h"
 #include "io/mesh/placement.h"
 #include "relief/finish/model_texture.h"

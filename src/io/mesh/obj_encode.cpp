@@ -7,7 +7,7 @@
 
 #include "io/files/byte_writer.h"
 #include "io/files/number_text.h"
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "io/mesh/placement.h"
 #include "relief/finish/model_texture.h"
 

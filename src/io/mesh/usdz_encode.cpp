@@ -4,11 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "io/archive/aligned_archive.h"
 #include "io/archive/archive.h"
 #include "io/files/byte_writer.h"
 #include "io/files/number_text.h"
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "io/mesh/placement.h"
 #include "relief/finish/model_texture.h"
 

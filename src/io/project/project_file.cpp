@@ -5,11 +5,9 @@
 #include <string_view>
 
 #include "io/archive/archive.h"
-#include "io/archive/pack_archive.h"
 #include "io/archive/zip_archive.h"
 #include "io/files/paths.h"
-#include "io/image/png_decode.h"
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "io/project/project_json.h"
 #include "io/scene/scene_json.h"
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "io/layered/layer_table.h"
+#include "io/layered/layer_files.h"
 
 namespace relievo {
 namespace {

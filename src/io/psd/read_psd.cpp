@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "io/layered/layer_table.h"
+#include "io/layered/layer_files.h"
 #include "io/psd/psd_file.h"
 #include "kernel/base/text_rules.h"
 

@@ -5,9 +5,8 @@
 #include <random>
 
 #include "io/archive/archive.h"
-#include "io/archive/pack_archive.h"
 #include "io/archive/zip_archive.h"
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "io/project/project_json.h"
 #include "io/scene/scene_json.h"
 #include "io/support/damage.h"

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "io/image/image_limits.h"
 #include "kernel/image/image_size.h"
@@ -9,6 +12,9 @@
 #include "relievo/result.h"
 
 namespace relievo {
+
+/// The first bytes of every PNG file.
+constexpr std::array<uint8_t, 8> png_signature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
 /// Returns whether `bytes` begin like a PNG file.
 bool is_png(ByteView bytes);
@@ -35,5 +41,19 @@ std::string signature_defect(ByteView bytes);
 /// Returns the defect that libpng's message reports, with the part of the file. Precondition:
 /// `bytes` hold a whole header.
 std::string png_defect(ByteView bytes, const std::string& message);
+
+/// A text inside a PNG file. The keyword has 1 to 79 Latin-1 characters.
+struct PngText {
+  std::string keyword;
+  std::string text;
+};
+
+/// Encodes an image of 1 (grey), 3 (RGB) or 4 (RGBA, straight alpha) channels as a PNG file. The
+/// same pixels always give the same bytes: no time, no gamma, fixed compression. Errors:
+/// `bad_input` for an empty image, `internal`.
+Result<Bytes> encode_png(const Image8& image, const std::vector<PngText>& texts = {});
+
+/// Likewise a grey image of 16 bits.
+Result<Bytes> encode_png(const Image16& image, const std::vector<PngText>& texts = {});
 
 }  // namespace relievo

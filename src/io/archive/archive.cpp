@@ -1,11 +1,10 @@
-#include "io/archive/aligned_archive.h"
+#include "io/archive/archive.h"
 
 #include <zlib.h>
 
 #include <cstdint>
 #include <limits>
 
-#include "io/archive/archive.h"
 #include "io/files/byte_writer.h"
 
 namespace relievo {
