@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "io/svg/path_data.h"
-#include "io/svg/scanner.h"
 #include "io/svg/stylesheet.h"
+#include "io/svg/svg_values.h"
 
 namespace relievo {
 namespace {

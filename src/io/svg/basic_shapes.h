@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "io/svg/path_data.h"
-#include "io/svg/svg_units.h"
+#include "io/svg/svg_values.h"
 
 namespace relievo {
 

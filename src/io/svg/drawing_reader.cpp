@@ -4,12 +4,11 @@
 
 #include "io/svg/basic_shapes.h"
 #include "io/svg/path_data.h"
-#include "io/svg/scanner.h"
 #include "io/svg/svg_document.h"
 #include "io/svg/svg_drawing.h"
 #include "io/svg/svg_region.h"
 #include "io/svg/svg_style.h"
-#include "io/svg/svg_units.h"
+#include "io/svg/svg_values.h"
 
 namespace relievo {
 namespace {

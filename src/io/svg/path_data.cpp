@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
-#include "io/svg/scanner.h"
+#include "io/svg/svg_values.h"
 
 namespace relievo {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// An arc of an ellipse, as an arc of the unit circle and a map from it.
 struct EllipseArc {

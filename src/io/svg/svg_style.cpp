@@ -4,13 +4,13 @@
 #include <cmath>
 #include <vector>
 
-#include "io/svg/scanner.h"
-#include "io/svg/svg_color.h"
+#include "io/svg/svg_values.h"
 
 namespace relievo {
 namespace {
 
-std::optional<double> parse_opacity(std::string_view text) {
+/// Reads a number or a percentage, clamped to [0, 1].
+std::optional<double> parse_fraction(std::string_view text) {
   const auto value = parse_length(text, LengthAxis::horizontal, {16, 1, 1});
   if (!value || std::isnan(*value)) return std::nullopt;
   return std::clamp(*value, 0.0, 1.0);
@@ -55,11 +55,11 @@ bool apply_paint(SvgStyle& s, const SvgStyle& parent, const std::string& name,
   } else if (name == "stroke") {
     assign(s.stroke, inherit ? parent.stroke : parse_paint(value, s.color));
   } else if (name == "fill-opacity") {
-    assign(s.fill_opacity, inherit ? parent.fill_opacity : parse_opacity(value));
+    assign(s.fill_opacity, inherit ? parent.fill_opacity : parse_fraction(value));
   } else if (name == "stroke-opacity") {
-    assign(s.stroke_opacity, inherit ? parent.stroke_opacity : parse_opacity(value));
+    assign(s.stroke_opacity, inherit ? parent.stroke_opacity : parse_fraction(value));
   } else if (name == "opacity") {
-    assign(s.opacity, inherit ? parent.opacity : parse_opacity(value));
+    assign(s.opacity, inherit ? parent.opacity : parse_fraction(value));
   } else {
     return false;
   }
@@ -175,17 +175,12 @@ std::string property(const pugi::xml_node& element, const char* name) {
 
 std::vector<Stop> own_stops(const pugi::xml_node& gradient) {
   std::vector<Stop> stops;
-  const LengthContext fraction{16, 1, 1};
   for (const pugi::xml_node& child : gradient.children()) {
     if (local_name(child.name()) != "stop") continue;
-    const auto offset =
-        parse_length(child.attribute("offset").value(), LengthAxis::horizontal, fraction);
-    const auto opacity =
-        parse_length(property(child, "stop-opacity"), LengthAxis::horizontal, fraction);
-    Stop stop{std::clamp(offset.value_or(0), 0.0, 1.0),
+    Stop stop{parse_fraction(child.attribute("offset").value()).value_or(0),
               parse_color(property(child, "stop-color")).value_or(Color{})};
     if (!stops.empty()) stop.offset = std::max(stop.offset, stops.back().offset);
-    stop.color.a *= std::clamp(opacity.value_or(1), 0.0, 1.0);
+    stop.color.a *= parse_fraction(property(child, "stop-opacity")).value_or(1);
     stops.push_back(stop);
   }
   return stops;
