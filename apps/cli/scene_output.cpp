@@ -4,7 +4,7 @@
 
 #include "face/inputs.h"
 #include "io/files/paths.h"
-#include "io/image/gif_decode.h"
+#include "io/image/decode_image.h"
 #include "io/image/png.h"
 #include "io/scene/scene_json.h"
 #include "relievo/files.h"

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "relievo/bytes.h"
-#include "relievo/result.h"
 
 namespace relievo {
 
@@ -21,9 +20,5 @@ inline const ArchiveEntry* find_entry(const std::vector<ArchiveEntry>& entries,
                                   [&](const ArchiveEntry& entry) { return entry.name == name; });
   return found == entries.end() ? nullptr : &*found;
 }
-
-/// Packs a zip archive of the entries in their order, stored, with the bytes of each at a multiple
-/// of 64. Error: `limit` above 4 GB.
-Result<Bytes> pack_aligned(const std::vector<ArchiveEntry>& entries);
 
 }  // namespace relievo

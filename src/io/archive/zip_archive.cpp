@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "io/image/jpeg_decode.h"
+#include "io/image/decode_image.h"
 #include "io/image/png.h"
 #include "kernel/base/text_rules.h"
 

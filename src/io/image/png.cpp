@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -94,21 +95,9 @@ constexpr size_t first_line_end = 4;
 constexpr size_t bit_depth_at = 24;
 constexpr size_t color_type_at = 25;
 
-/// Returns the bit depths of a colour type; none for an unknown type.
-std::vector<int> bit_depths(int color_type) {
-  switch (color_type) {
-    case 0:
-      return {1, 2, 4, 8, 16};
-    case 3:
-      return {1, 2, 4, 8};
-    case 2:
-    case 4:
-    case 6:
-      return {8, 16};
-    default:
-      return {};
-  }
-}
+/// The bit depths of the colour types that exist.
+const std::map<int, std::vector<int>> bit_depths = {
+    {0, {1, 2, 4, 8, 16}}, {2, {8, 16}}, {3, {1, 2, 4, 8}}, {4, {8, 16}}, {6, {8, 16}}};
 
 size_t equal_bytes(ByteView bytes) {
   size_t count = 0;
@@ -130,9 +119,9 @@ bool has_other_line_ends(ByteView bytes) {
 std::string header_defect(ByteView bytes) {
   const int color_type = bytes[color_type_at];
   const int depth = bytes[bit_depth_at];
-  const std::vector<int> depths = bit_depths(color_type);
-  if (depths.empty()) return "there is no colour type " + std::to_string(color_type);
-  if (std::find(depths.begin(), depths.end(), depth) == depths.end())
+  const auto known = bit_depths.find(color_type);
+  if (known == bit_depths.end()) return "there is no colour type " + std::to_string(color_type);
+  if (std::find(known->second.begin(), known->second.end(), depth) == known->second.end())
     return "colour type " + std::to_string(color_type) + " has no bit depth of " +
            std::to_string(depth);
   return "its header (IHDR) holds values that do not exist";
@@ -144,6 +133,27 @@ std::string chunk_in_words(const std::string& name) {
   if (name == "IDAT") return "pixels (IDAT)";
   if (name == "PLTE") return "palette (PLTE)";
   return name + " chunk";
+}
+
+/// Returns the defect of a wrong signature.
+std::string signature_defect(ByteView bytes) {
+  if (has_other_line_ends(bytes))
+    return "the line ends in its signature were changed, as by a transfer as text";
+  if (!is_nearly_png(bytes)) return "it does not begin with the PNG signature";
+  size_t at = 0;
+  while (at < png_signature.size() && bytes[at] == png_signature[at]) ++at;
+  return "byte " + std::to_string(at + 1) + " of its signature is wrong";
+}
+
+/// Returns the defect that libpng's message reports, with the part of the file. Precondition:
+/// `bytes` hold a whole header.
+std::string png_defect(ByteView bytes, const std::string& message) {
+  if (message == "Invalid IHDR data") return header_defect(bytes);
+  if (message == "IEND: out of place") return "it has no pixels (IDAT)";
+  const size_t colon = message.find(": CRC error");
+  if (colon != std::string::npos)
+    return "the checksum of its " + chunk_in_words(message.substr(0, colon)) + " is wrong";
+  return message;
 }
 
 /// Reads the header of a file of checked size.
@@ -287,24 +297,6 @@ Result<Image16> decode_png_values(ByteView bytes, const ImageLimits& limits) {
 
 bool is_nearly_png(ByteView bytes) {
   return bytes.size() >= png_signature.size() && equal_bytes(bytes) >= least_alike;
-}
-
-std::string signature_defect(ByteView bytes) {
-  if (has_other_line_ends(bytes))
-    return "the line ends in its signature were changed, as by a transfer as text";
-  if (!is_nearly_png(bytes)) return "it does not begin with the PNG signature";
-  size_t at = 0;
-  while (at < png_signature.size() && bytes[at] == png_signature[at]) ++at;
-  return "byte " + std::to_string(at + 1) + " of its signature is wrong";
-}
-
-std::string png_defect(ByteView bytes, const std::string& message) {
-  if (message == "Invalid IHDR data") return header_defect(bytes);
-  if (message == "IEND: out of place") return "it has no pixels (IDAT)";
-  const size_t colon = message.find(": CRC error");
-  if (colon != std::string::npos)
-    return "the checksum of its " + chunk_in_words(message.substr(0, colon)) + " is wrong";
-  return message;
 }
 
 Result<Bytes> encode_png(const Image8& image, const std::vector<PngText>& texts) {

@@ -35,13 +35,6 @@ Result<Image16> decode_png_values(ByteView bytes, const ImageLimits& limits = {}
 /// Returns whether `bytes` begin like a PNG file but for at most three bytes.
 bool is_nearly_png(ByteView bytes);
 
-/// Returns the defect of a wrong signature.
-std::string signature_defect(ByteView bytes);
-
-/// Returns the defect that libpng's message reports, with the part of the file. Precondition:
-/// `bytes` hold a whole header.
-std::string png_defect(ByteView bytes, const std::string& message);
-
 /// A text inside a PNG file. The keyword has 1 to 79 Latin-1 characters.
 struct PngText {
   std::string keyword;

@@ -197,12 +197,8 @@ Status check_total(const std::vector<LayerFile>& layers, const ImageLimits& limi
   for (const LayerFile& packed : layers) {
     const auto size = png_size(packed.png, limits);
     if (!size) return in_layer(size.error(), packed);
-    total += int64_t{size->width} * size->height;
-    if (total > limits.max_total)
-      return Error{ErrorCode::limit,
-                   "the layers up to this one have more than " + std::to_string(limits.max_total) +
-                       " pixels together; crop layers to what is on them, or make them smaller",
-                   packed.file};
+    const Status added = add_layer_pixels(size->width, size->height, limits, packed.file, total);
+    if (!added) return added;
   }
   return Done{};
 }

@@ -86,6 +86,14 @@ Status set_values(Part& part, const SvgGroup& group) {
   return Done{};
 }
 
+/// Returns the one of the kinds that has this name.
+template <class Kind>
+std::optional<Kind> kind_named(std::string_view text, std::initializer_list<Kind> kinds) {
+  for (const Kind kind : kinds)
+    if (text == name(kind)) return kind;
+  return std::nullopt;
+}
+
 /// Returns the shapes of each part group, with the group's index; groups are in the order of their
 /// first shape. A mark's colour is that of its fill, or of its stroke where it has no fill.
 std::vector<std::vector<understanding::Mark>> owned_shapes(const SvgDrawing& drawing, bool layers) {
@@ -241,9 +249,9 @@ bool add_likely(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& par
 }
 
 Result<CueKind> kind_of(const SvgShape& shape, const std::string& where) {
-  const std::string_view text = trimmed_svg(shape.element.attribute("data-cue").value());
-  for (const CueKind kind : {CueKind::bulge, CueKind::slope, CueKind::crease})
-    if (text == name(kind)) return kind;
+  const auto kind = kind_named(trimmed_svg(shape.element.attribute("data-cue").value()),
+                               {CueKind::bulge, CueKind::slope, CueKind::crease});
+  if (kind) return *kind;
   return Error{ErrorCode::bad_input, "data-cue must be bulge, slope or crease", where};
 }
 
@@ -288,19 +296,15 @@ Result<std::vector<Relation>> annotated_relations(const SvgDrawing& drawing,
   for (size_t upper = 0; upper < parts.size(); ++upper) {
     const std::string text = drawing.groups[parts[upper].group].value("data-relation");
     if (text.empty()) continue;
-    RelationKind kind = RelationKind::free;
-    if (text == "equal") {
-      kind = RelationKind::equal;
-    } else if (text == "above") {
-      kind = RelationKind::above;
-    } else if (text != "free") {
+    const auto kind =
+        kind_named(text, {RelationKind::equal, RelationKind::above, RelationKind::free});
+    if (!kind)
       return Error{ErrorCode::bad_input, "data-relation must be equal, above or free",
                    parts[upper].part.id};
-    }
     for (size_t lower = 0; lower < upper; ++lower) {
       const Region common = intersect(parts[upper].part.outline, parts[lower].part.outline);
       if (area(common) < 1) continue;
-      relations.push_back({static_cast<int>(upper), static_cast<int>(lower), kind, {}});
+      relations.push_back({static_cast<int>(upper), static_cast<int>(lower), *kind, {}});
     }
   }
   return relations;

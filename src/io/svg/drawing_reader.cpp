@@ -246,7 +246,7 @@ void enter_group(const pugi::xml_node& element, bool group_element, Surroundings
 bool read_lines(const pugi::xml_node& element, const Surroundings& around, SvgShape& shape,
                 Reading& reading) {
   bool complete = true;
-  const PathData path = shape_path(element, around.lengths, &complete);
+  const PathData path = shape_path(element, around.lengths, complete);
   if (path.empty()) return false;
   for (const PathSegment& s : path)
     if (s.kind == SegmentKind::cubic && local_name(element.name()) == "path")
