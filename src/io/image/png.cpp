@@ -3,6 +3,8 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <cstring>
 #include <map>
 #include <string>
@@ -12,6 +14,9 @@
 
 namespace relievo {
 namespace {
+
+/// The first bytes of every PNG file.
+constexpr std::array<uint8_t, 8> png_signature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
 constexpr size_t header_end = 33;
 /// Deflate cannot pack its input tighter than this.

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,9 +10,6 @@
 #include "relievo/result.h"
 
 namespace relievo {
-
-/// The first bytes of every PNG file.
-constexpr std::array<uint8_t, 8> png_signature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
 /// Returns whether `bytes` begin like a PNG file.
 bool is_png(ByteView bytes);

@@ -66,10 +66,10 @@ class Row {
     const std::string_view field = text(column);
     if (field.empty()) return std::nullopt;
     const auto value = parse_number(field);
-    if (!value || *value < low || *value > high)
-      fail(std::string(column) + " must be a number from " + range_text(low, high) + ", not " +
-           std::string(field.substr(0, 40)));
-    return value;
+    if (value && *value >= low && *value <= high) return value;
+    fail(std::string(column) + " must be a number from " + range_text(low, high) + ", not " +
+         std::string(field.substr(0, 40)));
+    return std::nullopt;
   }
 
   /// Reads two numbers with a space between them.

@@ -13,12 +13,11 @@ namespace relievo {
 namespace {
 
 constexpr double highest_value = 65535;
+constexpr double most_pixels = 16384;  ///< a side of a carve map
 
 uint8_t encode_component(float n) {
   return static_cast<uint8_t>(std::lround(std::clamp(127.5 * n + 127.5, 0.0, 255.0)));
 }
-
-constexpr double most_pixels = 16384;
 
 /// Raises the pixels below a triangle that faces up.
 void raise_pixels(const std::array<Point3, 3>& corners, double depth, Image16& image) {
