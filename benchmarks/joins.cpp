@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/scene/read_scene.h"
+#include "io/scene/scene_json.h"
 #include "io/svg/read_svg.h"
 #include "relief/session/build_relief.h"
 #include "support/random_limbs.h"

@@ -8,7 +8,7 @@
 #include "benchmarks/suites.h"
 #include "face/solid_of.h"
 #include "io/mesh/glb_encode.h"
-#include "io/mesh/threemf_pack.h"
+#include "io/mesh/threemf_encode.h"
 #include "kernel/base/workers.h"
 #include "relief/session/relief_session.h"
 #include "relief/surface/assemble_model.h"

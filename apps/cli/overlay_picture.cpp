@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "io/svg/render_svg.h"
 #include "kernel/image/compose.h"
 #include "kernel/image/image_size.h"

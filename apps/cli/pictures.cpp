@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "kernel/image/compose.h"
 #include "kernel/image/image_size.h"
 #include "relief/surface/assemble_model.h"

@@ -4,9 +4,9 @@
 
 #include "face/inputs.h"
 #include "io/files/paths.h"
-#include "io/image/gif_decode.h"
-#include "io/image/png_decode.h"
-#include "io/scene/write_scene.h"
+#include "io/image/decode_image.h"
+#include "io/image/png.h"
+#include "io/scene/scene_json.h"
 #include "relievo/files.h"
 
 namespace relievo::cli {

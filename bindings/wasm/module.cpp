@@ -9,15 +9,13 @@
 #include "bindings/wasm/reconstruction.h"
 #include "bindings/wasm/segmenter.h"
 #include "io/files/paths.h"
-#include "io/image/png_encode.h"
-#include "io/layered/layer_table.h"
-#include "io/layered/packed_layers.h"
+#include "io/image/png.h"
+#include "io/layered/layer_files.h"
 #include "io/layered/read_ora.h"
 #include "io/psd/psd_file.h"
 #include "io/psd/read_psd.h"
 #include "io/psd/write_psd.h"
-#include "io/scene/read_scene.h"
-#include "io/scene/write_scene.h"
+#include "io/scene/scene_json.h"
 #include "io/svg/read_svg.h"
 #include "understanding/marks/make_parts.h"
 #include "understanding/scene/connect_scene.h"
@@ -100,7 +98,7 @@ Result<LayeredDrawing> read_layers(const std::vector<ArchiveEntry>& entries) {
 /// Imports a painted drawing. Returns {scene, proposed, warnings, drawing}: the text of a scene
 /// file, missing if there is only one layer, and the picture, a PNG file. `files` is an array of
 /// {name, bytes}: a Photoshop document, the entries of an OpenRaster archive, or transparent
-/// pictures, one per layer. These are listed in a layers.tsv among them (see layer_table.h), or
+/// pictures, one per layer. These are listed in a layers.tsv among them (see layer_files.h), or
 /// else are back to front in the natural order of their names.
 val import_layers(const val& files) {
   auto drawing = read_layers(to_entries(files));

@@ -12,7 +12,7 @@
 #include "io/mesh/stl_encode.h"
 #include "io/mesh/threemf_encode.h"
 #include "io/mesh/usdz_encode.h"
-#include "io/scene/read_scene.h"
+#include "io/scene/scene_json.h"
 #include "relief/finish/finish_model.h"
 #include "relief/finish/hidden_patches.h"
 #include "relievo/export.h"

@@ -2,7 +2,7 @@
 
 #include "cli/cli_test.h"
 #include "io/image/decode_image.h"
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "io/mesh/glb_decode.h"
 
 namespace relievo::research {

@@ -1,12 +1,12 @@
 #include <utility>
 
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "io/mesh/glb_encode.h"
 #include "io/mesh/html_encode.h"
 #include "io/mesh/obj_encode.h"
 #include "io/mesh/ply_encode.h"
 #include "io/mesh/stl_encode.h"
-#include "io/mesh/threemf_pack.h"
+#include "io/mesh/threemf_encode.h"
 #include "io/mesh/usdz_encode.h"
 #include "relief/finish/finish_model.h"
 #include "relievo/export.h"

@@ -13,7 +13,7 @@
 #include "io/project/project_file.h"
 #include "io/psd/psd_file.h"
 #include "io/psd/read_psd.h"
-#include "io/scene/read_scene.h"
+#include "io/scene/scene_json.h"
 #include "io/svg/read_svg.h"
 #include "io/svg/render_svg.h"
 #include "kernel/base/workers.h"

@@ -1,6 +1,6 @@
 #include "cli/cli_test.h"
 #include "io/image/decode_image.h"
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "relievo/point.h"
 
 namespace relievo {

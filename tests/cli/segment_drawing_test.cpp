@@ -3,7 +3,7 @@
 
 #include "cli/cli_test.h"
 #include "io/image/decode_image.h"
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "io/project/project_file.h"
 #include "relievo/bytes.h"
 

@@ -4,7 +4,7 @@
 
 #include "cli/cli_test.h"
 #include "io/image/decode_image.h"
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 
 namespace relievo {
 namespace {

@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "io/image/png_decode.h"
+#include "io/image/png.h"
 #include "relievo/files.h"
 
 namespace relievo::testing {

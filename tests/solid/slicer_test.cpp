@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/mesh/threemf_pack.h"
+#include "io/mesh/threemf_encode.h"
 #include "io/support/temporary_folder.h"
 #include "samples/drawing_relief.h"
 #include "solid/program_output.h"

@@ -7,7 +7,7 @@
 #include "io/archive/archive.h"
 #include "io/archive/zip_archive.h"
 #include "io/mesh/filament_colours.h"
-#include "io/mesh/threemf_pack.h"
+#include "io/mesh/threemf_encode.h"
 #include "relief/finish/model_texture.h"
 #include "solid/solid_case.h"
 #include "support/random_scene.h"

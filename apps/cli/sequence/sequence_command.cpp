@@ -15,7 +15,7 @@
 #include "apps/cli/sequence/frame_maps.h"
 #include "apps/cli/sequence/frames.h"
 #include "io/files/paths.h"
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "relief/maps/ambient_occlusion.h"
 #include "relief/maps/relief_maps.h"
 #include "relief/session/relief_session.h"

@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "io/scene/json_parse.h"
 #include "io/scene/json_reader.h"
 
 namespace relievo::cli {

@@ -9,6 +9,11 @@
 
 namespace relievo {
 
+/// Packs a zip archive of the entries, in their order. Pictures and an entry named "mimetype" are
+/// stored, others deflated. The same entries give the same bytes: all carry the first of January
+/// 1980. Error: `internal` where the library fails.
+Result<Bytes> pack_archive(const std::vector<ArchiveEntry>& entries);
+
 /// Limits of an archive, checked from its directory before anything is unpacked.
 struct ArchiveLimits {
   uint64_t max_entries = 2000;

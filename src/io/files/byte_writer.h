@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
 #include <string_view>
 
 #include "relievo/bytes.h"
@@ -22,6 +23,10 @@ inline void append_f32(Bytes& bytes, double value) {
   uint32_t bits = 0;
   std::memcpy(&bits, &narrow, sizeof bits);
   append_u32(bytes, bits);
+}
+/// Append numbers in single precision.
+inline void append_f32s(Bytes& bytes, std::initializer_list<double> values) {
+  for (const double value : values) append_f32(bytes, value);
 }
 
 inline void append_text(Bytes& bytes, std::string_view text) {

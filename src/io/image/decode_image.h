@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-
 #include "io/image/image_limits.h"
 #include "relievo/bytes.h"
 #include "relievo/image.h"
@@ -14,7 +11,27 @@ namespace relievo {
 /// channels. Errors: `bad_input` where it is damaged or none of them, `limit`.
 Result<Image8> decode_image(ByteView bytes, const ImageLimits& limits = {});
 
-/// The first bytes of every PNG file.
-constexpr std::array<uint8_t, 8> png_signature = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+/// Returns whether `bytes` begin like a JPEG file.
+bool is_jpeg(ByteView bytes);
+
+/// Decodes a JPEG file (grey, colour or CMYK, baseline or progressive) to 8-bit sRGB with alpha
+/// 255, 4 channels, upright by its EXIF orientation. Colour profiles are ignored. Errors:
+/// `bad_input` where the file is damaged or cut short (the message has the reason), `limit`.
+Result<Image8> decode_jpeg(ByteView bytes, const ImageLimits& limits = {});
+
+/// Returns the orientation, 1 to 8, in an EXIF block ("Exif\0\0" and a TIFF directory); 1 (upright)
+/// where it has no valid one.
+int exif_orientation(ByteView exif);
+
+/// Returns the image turned and mirrored to be upright, given its EXIF orientation.
+Image8 upright(const Image8& image, int orientation);
+
+/// Returns whether `bytes` begin like a GIF file.
+bool is_gif(ByteView bytes);
+
+/// Decodes the first picture of a GIF file on its transparent canvas to 8-bit sRGB with straight
+/// alpha, 4 channels. Errors: `bad_input` where the file is damaged or cut short (the message has
+/// the reason), `limit`.
+Result<Image8> decode_gif(ByteView bytes, const ImageLimits& limits = {});
 
 }  // namespace relievo

@@ -23,6 +23,17 @@ inline Status check_image_size(int64_t width, int64_t height, const ImageLimits&
   return Done{};
 }
 
+/// Adds a layer's pixels to `total`, those of the layers before it. Error: `limit`, at `where`.
+inline Status add_layer_pixels(int64_t width, int64_t height, const ImageLimits& limits,
+                               const std::string& where, int64_t& total) {
+  total += width * height;
+  if (total <= limits.max_total) return Done{};
+  return Error{ErrorCode::limit,
+               "the layers up to this one have more than " + std::to_string(limits.max_total) +
+                   " pixels together; crop layers to what is on them, or make them smaller",
+               where};
+}
+
 /// Returns an error on a file of a format ("PNG") with the reason.
 inline Error damaged_image(const std::string& format, const std::string& reason) {
   return {ErrorCode::bad_input, "the " + format + " file is damaged: " + reason, ""};

@@ -8,6 +8,7 @@
 #include "kernel/geometry/region.h"
 #include "kernel/image/compose.h"
 #include "kernel/image/level_contours.h"
+#include "kernel/image/mask.h"
 
 namespace relievo {
 namespace {
@@ -48,14 +49,6 @@ Region opaque_region(const RasterLayer& layer) {
   return tidied(region, outline_tolerance, 1);
 }
 
-/// Returns an image of one channel, 1 where the layer is opaque, else 0.
-Image8 opaque_pixels(const RasterLayer& layer) {
-  Image8 opaque(layer.rgba.width, layer.rgba.height, 1);
-  for (size_t i = 0; i < opaque.pixels.size(); ++i)
-    opaque.pixels[i] = layer.opacity * layer.rgba.pixels[4 * i + 3] >= 127.5 ? 1 : 0;
-  return opaque;
-}
-
 /// Returns the pixels whose four neighbours are all in the set too.
 Image8 eroded(const Image8& set) {
   Image8 inner(set.width, set.height, 1);
@@ -82,7 +75,9 @@ std::optional<Color> mean_color(const RasterLayer& layer, const Image8& set) {
 /// Sets the mark's colour to the mean of the layer's opaque pixels, without the rim where the layer
 /// is wider than that, and whether the rim has another colour, like a line around a fill.
 void set_color(const RasterLayer& layer, understanding::Mark& mark) {
-  Image8 rim = opaque_pixels(layer);
+  Image8 rim = mask_where(layer.rgba.width, layer.rgba.height, [&](size_t i) {
+    return layer.opacity * layer.rgba.pixels[4 * i + 3] >= 127.5;
+  });
   Image8 core = rim;
   for (int k = 0; k < rim_width; ++k) core = eroded(core);
   for (size_t i = 0; i < rim.pixels.size(); ++i)

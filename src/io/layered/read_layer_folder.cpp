@@ -4,8 +4,7 @@
 #include <utility>
 
 #include "io/files/paths.h"
-#include "io/layered/layer_table.h"
-#include "io/layered/packed_layers.h"
+#include "io/layered/layer_files.h"
 #include "kernel/base/text_rules.h"
 #include "relievo/files.h"
 

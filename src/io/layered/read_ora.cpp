@@ -6,8 +6,7 @@
 #include <pugixml.hpp>
 #include <utility>
 
-#include "io/layered/layer_table.h"
-#include "io/layered/packed_layers.h"
+#include "io/layered/layer_files.h"
 #include "kernel/image/image_size.h"
 
 namespace relievo {
@@ -91,17 +90,6 @@ class StackReader {
   bool blends_ = false;
 };
 
-Result<ImageSize> canvas_of(const pugi::xml_node& image, const ImageLimits& limits) {
-  const int width = image.attribute("w").as_int();
-  const int height = image.attribute("h").as_int();
-  if (Status size = check_image_size(width, height, limits); !size) {
-    Error error = size.error();
-    error.where = stack_name;
-    return error;
-  }
-  return ImageSize{width, height};
-}
-
 }  // namespace
 
 bool is_ora(const std::vector<ArchiveEntry>& entries) {
@@ -121,13 +109,14 @@ Result<understanding::LayeredDrawing> read_ora(const std::vector<ArchiveEntry>& 
   const auto parsed = xml.load_buffer(stack->bytes.data(), stack->bytes.size());
   if (!parsed) return stack_error(std::string("is not XML: ") + parsed.description());
   const pugi::xml_node image = xml.child("image");
-  const auto canvas = canvas_of(image, limits);
-  if (!canvas) return canvas.error();
+  const ImageSize canvas{image.attribute("w").as_int(), image.attribute("h").as_int()};
+  if (const Status size = check_image_size(canvas.width, canvas.height, limits); !size)
+    return Error{size.error().code, size.error().message, stack_name};
   StackReader reader(entries);
   if (Status s = reader.read(image.child("stack"), Group(), 0); !s) return s.error();
   std::vector<LayerFile> layers = reader.take_layers();
   settle_roles(layers);
-  auto drawing = unpack_layers(layers, *canvas, limits);
+  auto drawing = unpack_layers(layers, canvas, limits);
   if (drawing && reader.blends())
     drawing->warnings.emplace_back("layers with a blending mode are painted as normal layers");
   return drawing;

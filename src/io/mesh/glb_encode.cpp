@@ -8,7 +8,7 @@
 #include <string>
 
 #include "io/files/byte_writer.h"
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "io/mesh/glb_decode.h"
 #include "io/mesh/placement.h"
 #include "relief/finish/model_texture.h"

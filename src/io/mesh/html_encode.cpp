@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "io/files/byte_writer.h"
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "io/mesh/html_viewer.h"
 #include "io/mesh/placement.h"
 #include "relief/finish/model_texture.h"
@@ -47,8 +47,7 @@ Bytes packed_vertices(const Model& model) {
   for (size_t v = 0; v < model.positions.size(); ++v) {
     const Point3 p = place(placement, model.positions[v]);
     const Point3 n = file_normal(model.normals[v]);
-    for (const double number : {p.x, p.y, p.z, n.x, n.y, n.z, model.uvs[v].x, model.uvs[v].y})
-      append_f32(bytes, number);
+    append_f32s(bytes, {p.x, p.y, p.z, n.x, n.y, n.z, model.uvs[v].x, model.uvs[v].y});
   }
   return bytes;
 }

@@ -7,7 +7,7 @@
 
 #include "io/files/byte_writer.h"
 #include "io/files/number_text.h"
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "io/mesh/placement.h"
 #include "relief/finish/model_texture.h"
 
@@ -21,14 +21,6 @@ void append_line(Bytes& bytes, std::string_view keyword, std::initializer_list<d
     append_text(bytes, shortest_text(static_cast<float>(number)));
   }
   bytes.push_back('\n');
-}
-
-void append_attributes(Bytes& obj, const Model& model) {
-  for (const Point2& uv : model.uvs) append_line(obj, "vt", {uv.x, 1 - uv.y});
-  for (const Point3& normal : model.normals) {
-    const Point3 n = file_normal(normal);
-    append_line(obj, "vn", {n.x, n.y, n.z});
-  }
 }
 
 void append_part(Bytes& obj, const Model& model, const ModelPart& part,
@@ -75,7 +67,11 @@ Result<ObjFiles> encode_obj(const Model& model, const Drawing* drawing, double s
   append_text(files.obj, "# relievo " RELIEVO_VERSION ", millimetres\nmtllib " + name + ".mtl\n");
   const SharedVertices shared = share_vertices(model, centred_placement(model, size_mm));
   for (const auto& [x, y, z] : shared.places) append_line(files.obj, "v", {x, y, z});
-  append_attributes(files.obj, model);
+  for (const Point2& uv : model.uvs) append_line(files.obj, "vt", {uv.x, 1 - uv.y});
+  for (const Point3& normal : model.normals) {
+    const Point3 n = file_normal(normal);
+    append_line(files.obj, "vn", {n.x, n.y, n.z});
+  }
   for (const ModelPart& part : model.parts)
     if (part.triangle_count > 0) append_part(files.obj, model, part, shared.number);
   return files;

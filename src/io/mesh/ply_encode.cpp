@@ -43,8 +43,7 @@ Result<Bytes> encode_ply(const Model& model, const Drawing* drawing, double size
     const Point3 p = place(placement, model.positions[v]);
     const Point3 n = file_normal(model.normals[v]);
     const Point2 uv = model.uvs[v];
-    for (const double value : {p.x, p.y, p.z, n.x, n.y, n.z, uv.x, 1 - uv.y})
-      append_f32(ply, value);
+    append_f32s(ply, {p.x, p.y, p.z, n.x, n.y, n.z, uv.x, 1 - uv.y});
     for (int c = 0; c < 3 && !texture.empty(); ++c)
       ply.push_back(texture.at(pixel_at(uv.x, texture.width), pixel_at(uv.y, texture.height), c));
   }

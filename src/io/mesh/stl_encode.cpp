@@ -11,12 +11,6 @@ namespace {
 constexpr size_t header_size = 80;
 constexpr size_t triangle_size = 50;
 
-void append_point(Bytes& bytes, Point3 p) {
-  append_f32(bytes, p.x);
-  append_f32(bytes, p.y);
-  append_f32(bytes, p.z);
-}
-
 }  // namespace
 
 Result<Bytes> encode_stl(const Model& model, double size_mm, bool standing) {
@@ -31,10 +25,8 @@ Result<Bytes> encode_stl(const Model& model, double size_mm, bool standing) {
     const Point3 a = place(placement, model.positions[triangle[0]]);
     const Point3 b = place(placement, model.positions[triangle[1]]);
     const Point3 c = place(placement, model.positions[triangle[2]]);
-    append_point(stl, normalized(cross(b - a, c - a)));
-    append_point(stl, a);
-    append_point(stl, b);
-    append_point(stl, c);
+    for (const Point3 p : {normalized(cross(b - a, c - a)), a, b, c})
+      append_f32s(stl, {p.x, p.y, p.z});
     append_u16(stl, 0);
   }
   return stl;

@@ -8,8 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "io/archive/zip_archive.h"
 #include "io/files/number_text.h"
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "io/mesh/filament_colours.h"
 #include "io/mesh/placement.h"
 #include "relief/finish/model_texture.h"
@@ -168,5 +169,14 @@ Result<std::vector<ArchiveEntry>> threemf_entries(const Model& model, const Draw
   entries.push_back({"3D/3dmodel.model", xml_bytes(std::move(writer).write())});
   return entries;
 }
+
+#ifndef __EMSCRIPTEN__
+
+Result<Bytes> encode_3mf(const Model& model, const Drawing* drawing, const ExportOptions& options) {
+  const auto entries = threemf_entries(model, drawing, options);
+  return entries ? pack_archive(*entries) : entries.error();
+}
+
+#endif
 
 }  // namespace relievo

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "io/archive/archive.h"
+#include "relievo/bytes.h"
 #include "relievo/export.h"
 #include "relievo/image.h"
 #include "relievo/model.h"
@@ -16,5 +17,9 @@ namespace relievo {
 /// model is a closed manifold. Errors: as check_exportable; `internal` where it cannot be packed.
 Result<std::vector<ArchiveEntry>> threemf_entries(const Model& model, const Drawing* drawing,
                                                   const ExportOptions& options = {});
+
+/// Encodes the model as a 3MF file (see threemf_entries). The browser packs its entries itself.
+Result<Bytes> encode_3mf(const Model& model, const Drawing* drawing,
+                         const ExportOptions& options = {});
 
 }  // namespace relievo

@@ -5,16 +5,11 @@
 #include <string_view>
 
 #include "io/archive/archive.h"
-#include "io/archive/pack_archive.h"
 #include "io/archive/zip_archive.h"
 #include "io/files/paths.h"
-#include "io/image/png_decode.h"
-#include "io/image/png_encode.h"
-#include "io/project/project.h"
-#include "io/project/read_project_json.h"
-#include "io/project/write_project_json.h"
-#include "io/scene/read_scene.h"
-#include "io/scene/write_scene.h"
+#include "io/image/png.h"
+#include "io/project/project_json.h"
+#include "io/scene/scene_json.h"
 
 namespace relievo {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/project/project.h"
+#include "io/project/project_json.h"
 #include "relievo/bytes.h"
 #include "relievo/result.h"
 

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <pugixml.hpp>
 #include <string_view>
 
-#include "io/layered/layer_table.h"
+#include "io/layered/layer_files.h"
 
 namespace relievo {
 namespace {
@@ -38,28 +39,9 @@ Status check_box(const PsdBox& box, const ImageLimits& limits) {
   return check_image_size(box.width(), box.height(), limits);
 }
 
-void append_utf8(uint32_t code, std::string& text) {
-  const auto put = [&](uint32_t byte) { text += static_cast<char>(byte); };
-  if (code < 0x80) {
-    put(code);
-  } else if (code < 0x800) {
-    put(0xc0 | code >> 6);
-    put(0x80 | (code & 0x3f));
-  } else if (code < 0x10000) {
-    put(0xe0 | code >> 12);
-    put(0x80 | (code >> 6 & 0x3f));
-    put(0x80 | (code & 0x3f));
-  } else {
-    put(0xf0 | code >> 18);
-    put(0x80 | (code >> 12 & 0x3f));
-    put(0x80 | (code >> 6 & 0x3f));
-    put(0x80 | (code & 0x3f));
-  }
-}
-
 /// Takes a counted string of UTF-16 as UTF-8.
 std::string take_unicode(BigEndian data) {
-  std::string text;
+  std::wstring text;
   const uint32_t count = data.u32();
   for (uint32_t k = 0; k < count && data.left() >= 2; ++k) {
     uint32_t code = data.u16();
@@ -67,9 +49,9 @@ std::string take_unicode(BigEndian data) {
       code = 0x10000 + ((code - 0xd800) << 10) + (data.u16() - 0xdc00u);
       ++k;
     }
-    if (code != 0 && code < 0x110000) append_utf8(code, text);
+    if (code != 0 && code < 0x110000) text += static_cast<wchar_t>(code);
   }
-  return text;
+  return pugi::as_utf8(text);
 }
 
 /// Returns whether a key belongs to layers without pixels of their own.

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "io/layered/layer_table.h"
+#include "io/layered/layer_files.h"
 #include "io/psd/psd_file.h"
 #include "kernel/base/text_rules.h"
 
@@ -63,8 +63,10 @@ std::vector<int> find_groups(const PsdFile& file, std::vector<Group>& groups) {
   return group_of;
 }
 
+std::string where_of(const PsdLayer& record) { return "layer \"" + record.name + "\""; }
+
 void take_notes(const PsdLayer& record, std::set<std::string>& notes) {
-  const std::string name = "layer \"" + record.name + "\": ";
+  const std::string name = where_of(record) + ": ";
   if (blends(record)) notes.insert(name + "its blending mode is painted as normal");
   if (record.has_effects) notes.insert(name + "its effects are left out");
   if (record.has_vector_mask) notes.insert(name + "its vector mask is left out");
@@ -100,7 +102,7 @@ Structure find_layers(const PsdFile& file) {
     if (hidden || record.kind == PsdKind::group_end || (record.clipped && base_hidden)) continue;
     take_notes(record, found.notes);
     if (record.clipped && base == nullptr)
-      found.notes.insert("layer \"" + record.name + "\": it is clipped to a group, and is not cut");
+      found.notes.insert(where_of(record) + ": it is clipped to a group, and is not cut");
     if (record.kind == PsdKind::layer && !record.box.empty())
       found.layers.push_back(
           {raster_layer(record, group_of[k], group), &record, record.clipped ? base : nullptr});
@@ -191,11 +193,6 @@ Result<Image8> pixels_of(const SeenLayer& seen, const Structure& structure, cons
   return rgba;
 }
 
-Error in_layer(Error error, const PsdLayer& record) {
-  error.where = "layer \"" + record.name + "\"";
-  return error;
-}
-
 /// Checks the pixels of all layers and of those that they are clipped to, to which the time of
 /// reading is proportional.
 Status check_total(const std::vector<SeenLayer>& layers, const ImageLimits& limits) {
@@ -203,14 +200,9 @@ Status check_total(const std::vector<SeenLayer>& layers, const ImageLimits& limi
   for (const SeenLayer& seen : layers)
     for (const PsdLayer* record : {seen.record, seen.base}) {
       if (record == nullptr) continue;
-      total += int64_t{record->box.width()} * record->box.height();
-      if (total > limits.max_total)
-        return in_layer(
-            {ErrorCode::limit,
-             "the layers up to this one have more than " + std::to_string(limits.max_total) +
-                 " pixels together; crop layers to what is on them, or make them smaller",
-             ""},
-            *record);
+      const Status added = add_layer_pixels(record->box.width(), record->box.height(), limits,
+                                            where_of(*record), total);
+      if (!added) return added;
     }
   return Done{};
 }
@@ -245,7 +237,7 @@ Result<understanding::LayeredDrawing> read_psd(ByteView bytes, const ImageLimits
   settle_roles(structure.layers);
   for (SeenLayer& seen : structure.layers) {
     auto pixels = pixels_of(seen, structure, *file);
-    if (!pixels) return in_layer(pixels.error(), *seen.record);
+    if (!pixels) return Error{pixels.error().code, pixels.error().message, where_of(*seen.record)};
     RasterLayer layer = seen.layer;
     layer.rgba = std::move(*pixels);
     put_layer(drawing, layer);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <pugixml.hpp>
 
 #include "io/files/byte_writer.h"
 #include "io/psd/psd_file.h"
@@ -81,16 +82,11 @@ PsdBox opaque_box(const Image8& rgba) {
   return box.empty() ? PsdBox{} : box;
 }
 
-/// Returns UTF-8 as counted UTF-16, with U+FFFD for invalid bytes.
+/// Returns UTF-8 as counted UTF-16, without invalid bytes.
 Bytes unicode_name(const std::string& name) {
   std::vector<uint32_t> units;
-  for (size_t i = 0; i < name.size();) {
-    const auto head = static_cast<uint8_t>(name[i++]);
-    const int more = head >= 0xf0 ? 3 : head >= 0xe0 ? 2 : head >= 0xc0 ? 1 : 0;
-    uint32_t code = more == 0 ? head : head & (0x3fU >> more);
-    for (int k = 0; k < more && i < name.size(); ++k)
-      code = code << 6 | (static_cast<uint8_t>(name[i++]) & 0x3fU);
-    if (head >= 0x80 && head < 0xc0) code = 0xfffd;
+  for (const wchar_t character : pugi::as_wide(name)) {
+    auto code = static_cast<uint32_t>(character);
     if (code >= 0x10000) {
       units.push_back(0xd800 + ((code - 0x10000) >> 10 & 0x3ff));
       code = 0xdc00 + ((code - 0x10000) & 0x3ff);

@@ -2,17 +2,124 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace relievo {
+namespace {
 
-std::string to_string(const JsonPath& path) {
-  if (path.parent == nullptr) return "";
-  const std::string before = to_string(*path.parent);
-  if (path.key.empty()) return before + "[" + std::to_string(path.index) + "]";
-  return before + (before.empty() ? "" : ".") + std::string(path.key);
+using Json = nlohmann::json;
+
+std::string line_and_column(std::string_view text, size_t offset) {
+  const std::string_view before = text.substr(0, std::min(offset, text.size()));
+  const size_t last_break = before.rfind('\n');
+  const size_t column =
+      last_break == std::string_view::npos ? before.size() + 1 : before.size() - last_break;
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
-namespace {
+/// Returns the reason in a message of the parser, which follows its prefix and position.
+std::string reason(const std::string& message) {
+  const size_t colon = message.find(": ");
+  return colon == std::string::npos ? message : message.substr(colon + 2);
+}
+
+/// Receives the parser's events and builds the value. Every event returns whether parsing goes on.
+class Builder {
+ public:
+  Builder(std::string_view text, const JsonLimits& limits) : text_(text), limits_(limits) {}
+
+  bool null() { return add(nullptr) != nullptr; }
+  bool boolean(bool value) { return add(value) != nullptr; }
+  bool number_integer(Json::number_integer_t value) { return add(value) != nullptr; }
+  bool number_unsigned(Json::number_unsigned_t value) { return add(value) != nullptr; }
+  bool number_float(Json::number_float_t value, const std::string&) {
+    return add(value) != nullptr;
+  }
+  bool string(std::string& value) { return add(std::move(value)) != nullptr; }
+  bool binary(Json::binary_t&) { return false; }
+  bool start_object(size_t) { return open(Json::object()); }
+  bool start_array(size_t) { return open(Json::array()); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+
+  bool key(std::string& name) {
+    Frame& frame = open_.back();
+    frame.key = std::move(name);
+    if (!frame.container->contains(frame.key)) return true;
+    error_ = Error{ErrorCode::bad_input, "the key is given twice; remove one of them", path()};
+    return false;
+  }
+
+  bool parse_error(size_t offset, const std::string&, const Json::exception& exception) {
+    error_ = Error{ErrorCode::bad_input, "malformed JSON: " + reason(exception.what()),
+                   line_and_column(text_, offset)};
+    return false;
+  }
+
+  const std::optional<Error>& error() const { return error_; }
+  Json take() { return std::move(root_); }
+
+ private:
+  struct Frame {
+    Json* container;
+    std::string key;  ///< of the member being read, in an object
+  };
+
+  std::string path() const {
+    std::string path;
+    for (const Frame& frame : open_) {
+      if (frame.container->is_array())
+        path += "[" + std::to_string(frame.container->size() - 1) + "]";
+      else
+        path += (path.empty() ? "" : ".") + frame.key;
+    }
+    return path;
+  }
+
+  Json* add(Json value) {
+    if (++values_ > limits_.max_values) {
+      error_ = Error{ErrorCode::limit,
+                     "holds more than " + std::to_string(limits_.max_values) + " values", ""};
+      return nullptr;
+    }
+    if (open_.empty()) {
+      root_ = std::move(value);
+      return &root_;
+    }
+    Frame& frame = open_.back();
+    if (frame.container->is_object()) return &((*frame.container)[frame.key] = std::move(value));
+    frame.container->push_back(std::move(value));
+    return &frame.container->back();
+  }
+
+  bool open(Json container) {
+    if (open_.size() >= limits_.max_depth) {
+      error_ = Error{ErrorCode::limit,
+                     "is nested deeper than " + std::to_string(limits_.max_depth) + " levels", ""};
+      return false;
+    }
+    Json* added = add(std::move(container));
+    if (added == nullptr) return false;
+    open_.push_back({added, {}});
+    return true;
+  }
+
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  std::string_view text_;
+  const JsonLimits& limits_;
+  Json root_;
+  std::vector<Frame> open_;
+  size_t values_ = 0;
+  std::optional<Error> error_;
+};
 
 /// The item of a list of the scene that a value belongs to.
 Culprit culprit_of(const JsonPath& path) {
@@ -27,6 +134,27 @@ Culprit culprit_of(const JsonPath& path) {
 }
 
 }  // namespace
+
+Result<nlohmann::json> parse_json(std::string_view text, const JsonLimits& limits) {
+  if (text.size() > limits.max_bytes)
+    return Error{ErrorCode::limit,
+                 "is larger than " + std::to_string(limits.max_bytes >> 20U) + " MB", ""};
+  // The parser takes a zero byte for the end of the text and would not look beyond it.
+  if (const size_t zero = text.find('\0'); zero != std::string_view::npos)
+    return Error{ErrorCode::bad_input, "malformed JSON: a zero byte", line_and_column(text, zero)};
+  Builder builder(text, limits);
+  const bool complete = nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
+  if (builder.error()) return *builder.error();
+  if (!complete) return Error{ErrorCode::internal, "the JSON reader stopped without a reason", ""};
+  return builder.take();
+}
+
+std::string to_string(const JsonPath& path) {
+  if (path.parent == nullptr) return "";
+  const std::string before = to_string(*path.parent);
+  if (path.key.empty()) return before + "[" + std::to_string(path.index) + "]";
+  return before + (before.empty() ? "" : ".") + std::string(path.key);
+}
 
 void JsonReader::fail(const JsonPath& path, std::string message, ErrorCode code) {
   fail({code, std::move(message), to_string(path), culprit_of(path)});
@@ -102,6 +230,20 @@ std::string JsonReader::text(const Json& json, const JsonPath& path) {
   return "";
 }
 
+size_t JsonReader::choice(const Json& json, const JsonPath& path,
+                          const std::vector<const char*>& names) {
+  std::string known;
+  for (size_t k = 0; k < names.size(); ++k) {
+    if (json == names[k]) return k;
+    known += (k == 0                 ? "\""
+              : k + 1 < names.size() ? ", \""
+                                     : " or \"") +
+             std::string(names[k]) + "\"";
+  }
+  fail(path, "must be " + known);
+  return 0;
+}
+
 Point2 JsonReader::point(const Json& json, const JsonPath& path) {
   if (!json.is_array() || json.size() != 2) {
     fail(path, "must be a point [x, y]");
@@ -144,14 +286,9 @@ Relation JsonReader::relation(const Json& json, const JsonPath& path) {
   Relation relation;
   if (!keys(json, path, {"upper", "lower", "relation"}, {"range"})) return relation;
   pair(json, path, relation);
-  const auto kinds = {RelationKind::equal, RelationKind::above, RelationKind::free,
-                      RelationKind::below, RelationKind::joined};
-  const auto kind = std::find_if(kinds.begin(), kinds.end(),
-                                 [&](RelationKind one) { return json["relation"] == name(one); });
-  if (kind == kinds.end())
-    fail(path.member("relation"),
-         "must be \"equal\", \"above\", \"free\", \"below\" or \"joined\"");
-  relation.kind = kind == kinds.end() ? RelationKind::above : *kind;
+  relation.kind = kind(json["relation"], path.member("relation"),
+                       {RelationKind::equal, RelationKind::above, RelationKind::free,
+                        RelationKind::below, RelationKind::joined});
   if (!json.contains("range")) {
     if (relation.kind == RelationKind::below)
       fail(path.member("range"),
@@ -181,13 +318,8 @@ Cue JsonReader::cue(const Json& json, const JsonPath& path) {
   Cue cue;
   if (!keys(json, path, {"part", "kind", "line", "value"}, {})) return cue;
   cue.part = part_reference(json["part"], path.member("part"));
-  const auto kinds = {CueKind::bulge, CueKind::slope, CueKind::crease};
-  const auto kind = std::find_if(kinds.begin(), kinds.end(),
-                                 [&](CueKind one) { return json["kind"] == name(one); });
-  if (kind == kinds.end())
-    fail(path.member("kind"), "must be \"bulge\", \"slope\" or \"crease\"");
-  else
-    cue.kind = *kind;
+  cue.kind =
+      kind(json["kind"], path.member("kind"), {CueKind::bulge, CueKind::slope, CueKind::crease});
   set(json, path, "line", cue.line, &JsonReader::points);
   set(json, path, "value", cue.value, &JsonReader::number);
   return cue;

@@ -8,10 +8,16 @@
 #include <string_view>
 #include <vector>
 
+#include "io/scene/json_limits.h"
 #include "relievo/result.h"
 #include "relievo/scene.h"
 
 namespace relievo {
+
+/// Parses strict JSON (RFC 8259; a byte order mark is skipped). Beyond the grammar, it refuses a
+/// key that its object already has, and numbers that overflow a double. It does not recurse.
+/// Errors: `bad_input` ("malformed JSON ...", with line and column in `where`), `limit`.
+Result<nlohmann::json> parse_json(std::string_view text, const JsonLimits& limits = {});
 
 /// The path of a value, as a list towards the root; it becomes text only for an error.
 struct JsonPath {
@@ -59,6 +65,8 @@ class JsonReader {
   int whole_number(const Json& json, const JsonPath& path, int most);  ///< from 1
   bool flag(const Json& json, const JsonPath& path);
   std::string text(const Json& json, const JsonPath& path);
+  /// Reads a text that is one of `names`; returns its index.
+  size_t choice(const Json& json, const JsonPath& path, const std::vector<const char*>& names);
   Point2 point(const Json& json, const JsonPath& path);
   std::vector<Point2> points(const Json& json, const JsonPath& path);
   Outline outline(const Json& json, const JsonPath& path);
@@ -67,6 +75,14 @@ class JsonReader {
   Relation relation(const Json& json, const JsonPath& path);
   RobinRange robin(const Json& json, const JsonPath& path);
   Cue cue(const Json& json, const JsonPath& path);
+
+  /// Reads the name of one of the kinds.
+  template <class Kind>
+  Kind kind(const Json& json, const JsonPath& path, std::initializer_list<Kind> kinds) {
+    std::vector<const char*> names;
+    for (const Kind one : kinds) names.push_back(name(one));
+    return kinds.begin()[choice(json, path, names)];
+  }
 
   /// Reads the values that scenes and corrections have of a part, where there are any: id, outline,
   /// c, d, flat, lean.

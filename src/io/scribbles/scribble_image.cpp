@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -93,8 +94,8 @@ class ImageReader {
     }
   }
 
-  /// Returns an unvisited run of the same paint that shares a side with run r, or -1.
-  ptrdiff_t next_to(size_t r) const {
+  /// Returns an unvisited run of the same paint that shares a side with run r.
+  std::optional<size_t> next_to(size_t r) const {
     const Run& run = runs_[r];
     for (const int y : {run.y - 1, run.y + 1}) {
       if (y < 0 || y >= rgba_.height) continue;
@@ -103,10 +104,10 @@ class ImageReader {
         const Run& other = runs_[n];
         if (!other.visited && other.paint == run.paint && other.begin < run.end &&
             run.begin < other.end)
-          return static_cast<ptrdiff_t>(n);
+          return n;
       }
     }
-    return -1;
+    return std::nullopt;
   }
 
   /// Adds one line through all runs connected with run r, never off their pixels: there and back
@@ -128,10 +129,10 @@ class ImageReader {
     enter(r);
     while (!trail.empty()) {
       const size_t here = trail.back();
-      if (const ptrdiff_t next = next_to(here); next >= 0) {
-        cross_over(here, static_cast<size_t>(next));
-        enter(static_cast<size_t>(next));
-        trail.push_back(static_cast<size_t>(next));
+      if (const auto next = next_to(here)) {
+        cross_over(here, *next);
+        enter(*next);
+        trail.push_back(*next);
         continue;
       }
       trail.pop_back();

@@ -17,7 +17,7 @@ using understanding::Scribbles;
 constexpr int max_count = 1000;
 
 /// In the order of ScribbleKind.
-constexpr std::array<const char*, 4> kind_names = {"soft", "hard", "outside", "hole"};
+const std::vector<const char*> kind_names = {"soft", "hard", "outside", "hole"};
 
 class ScribblesReader final : public JsonReader {
  public:
@@ -66,7 +66,7 @@ class ScribblesReader final : public JsonReader {
   Scribble stroke(const Json& json, const JsonPath& path) {
     Scribble stroke;
     if (!keys(json, path, {"kind", "width", "points"}, {"part"})) return stroke;
-    stroke.kind = kind(json["kind"], path.member("kind"));
+    stroke.kind = static_cast<ScribbleKind>(choice(json["kind"], path.member("kind"), kind_names));
     if (is_for_part(stroke.kind) != json.contains("part"))
       fail(path.member("part"),
            is_for_part(stroke.kind) ? "is missing" : "is for soft and hard strokes only");
@@ -75,13 +75,6 @@ class ScribblesReader final : public JsonReader {
     stroke.width = width(json["width"], path.member("width"));
     stroke.points = line(json["points"], path.member("points"));
     return stroke;
-  }
-
-  ScribbleKind kind(const Json& json, const JsonPath& path) {
-    const auto found = std::find(kind_names.begin(), kind_names.end(), json);
-    if (found != kind_names.end()) return static_cast<ScribbleKind>(found - kind_names.begin());
-    fail(path, "must be \"soft\", \"hard\", \"outside\" or \"hole\"");
-    return ScribbleKind::hard;
   }
 
   int part_reference(const Json& json, const JsonPath& path) override {

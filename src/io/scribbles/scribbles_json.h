@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "io/scene/json_parse.h"
 #include "io/scene/json_reader.h"
 #include "relievo/result.h"
 #include "understanding/labels/scribbles.h"

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "io/svg/path_data.h"
-#include "io/svg/scanner.h"
 #include "io/svg/stylesheet.h"
+#include "io/svg/svg_values.h"
 
 namespace relievo {
 namespace {
@@ -115,20 +115,18 @@ bool is_shape_element(std::string_view name) {
          name == "line" || name == "polyline" || name == "polygon";
 }
 
-PathData shape_path(const pugi::xml_node& element, const LengthContext& context, bool* complete) {
+PathData shape_path(const pugi::xml_node& element, const LengthContext& context, bool& complete) {
   const std::string_view name = local_name(element.name());
   const Lengths lengths{element, context};
-  bool whole = true;
-  PathData path;
-  if (name == "path") path = parse_path_data(element.attribute("d").value(), &whole);
-  if (name == "rect") path = rect(lengths);
-  if (name == "circle") path = circle(lengths);
-  if (name == "ellipse") path = ellipse(lengths);
-  if (name == "line") path = line(lengths);
-  if (name == "polyline") path = poly(element, false, whole);
-  if (name == "polygon") path = poly(element, true, whole);
-  if (complete) *complete = whole;
-  return path;
+  complete = true;
+  if (name == "path") return parse_path_data(element.attribute("d").value(), &complete);
+  if (name == "rect") return rect(lengths);
+  if (name == "circle") return circle(lengths);
+  if (name == "ellipse") return ellipse(lengths);
+  if (name == "line") return line(lengths);
+  if (name == "polyline") return poly(element, false, complete);
+  if (name == "polygon") return poly(element, true, complete);
+  return {};
 }
 
 }  // namespace relievo

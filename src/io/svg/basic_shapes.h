@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "io/svg/path_data.h"
-#include "io/svg/svg_units.h"
+#include "io/svg/svg_values.h"
 
 namespace relievo {
 
@@ -12,8 +12,7 @@ namespace relievo {
 bool is_shape_element(std::string_view local_name);
 
 /// Returns the outline of a shape element in its user units; empty where its geometry disables it
-/// (a zero radius). `complete`, if given, becomes whether all of its data could be read.
-PathData shape_path(const pugi::xml_node& element, const LengthContext& context,
-                    bool* complete = nullptr);
+/// (a zero radius). `complete` becomes whether all of its data could be read.
+PathData shape_path(const pugi::xml_node& element, const LengthContext& context, bool& complete);
 
 }  // namespace relievo

@@ -4,12 +4,11 @@
 
 #include "io/svg/basic_shapes.h"
 #include "io/svg/path_data.h"
-#include "io/svg/scanner.h"
 #include "io/svg/svg_document.h"
 #include "io/svg/svg_drawing.h"
 #include "io/svg/svg_region.h"
 #include "io/svg/svg_style.h"
-#include "io/svg/svg_units.h"
+#include "io/svg/svg_values.h"
 
 namespace relievo {
 namespace {
@@ -247,7 +246,7 @@ void enter_group(const pugi::xml_node& element, bool group_element, Surroundings
 bool read_lines(const pugi::xml_node& element, const Surroundings& around, SvgShape& shape,
                 Reading& reading) {
   bool complete = true;
-  const PathData path = shape_path(element, around.lengths, &complete);
+  const PathData path = shape_path(element, around.lengths, complete);
   if (path.empty()) return false;
   for (const PathSegment& s : path)
     if (s.kind == SegmentKind::cubic && local_name(element.name()) == "path")

@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
-#include "io/svg/scanner.h"
+#include "io/svg/svg_values.h"
 
 namespace relievo {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+using std::numbers::pi;
 
 /// An arc of an ellipse, as an arc of the unit circle and a map from it.
 struct EllipseArc {
@@ -57,16 +58,11 @@ class PathReader {
  public:
   explicit PathReader(std::string_view text) : scanner_(text) {}
 
-  PathData read(bool& complete) {
-    complete = true;
-    scanner_.skip_space();
-    while (!scanner_.at_end()) {
-      if (!next_command() || !step()) {
-        complete = false;
-        break;
-      }
-      scanner_.skip_space();
-    }
+  PathData read(bool* complete) {
+    bool whole = true;
+    for (scanner_.skip_space(); whole && !scanner_.at_end(); scanner_.skip_space())
+      whole = next_command() && step();
+    if (complete) *complete = whole;
     return std::move(path_);
   }
 
@@ -272,12 +268,8 @@ void flatten_cubic(std::vector<Point2>& points, const PathSegment& s, const Affi
 
 void append_arc(PathData& path, Point2 from, const ArcShape& shape, Point2 to) {
   if (from == to) return;
-  if (shape.rx == 0 || shape.ry == 0) {
-    path.push_back({SegmentKind::line, {}, {}, to});
-    return;
-  }
   const EllipseArc arc = centre_form(from, shape, to);
-  if (!std::isfinite(arc.span)) {
+  if (shape.rx == 0 || shape.ry == 0 || !std::isfinite(arc.span)) {
     path.push_back({SegmentKind::line, {}, {}, to});
     return;
   }
@@ -295,10 +287,7 @@ void append_arc(PathData& path, Point2 from, const ArcShape& shape, Point2 to) {
 }
 
 PathData parse_path_data(std::string_view text, bool* complete) {
-  bool whole = true;
-  PathData path = PathReader(text).read(whole);
-  if (complete) *complete = whole;
-  return path;
+  return PathReader(text).read(complete);
 }
 
 std::vector<Polyline> flatten(const PathData& path, const Affine2& transform, double tolerance,

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/svg/svg_units.h"
+#include "io/svg/svg_values.h"
 #include "relievo/point.h"
 
 namespace relievo {

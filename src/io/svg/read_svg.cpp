@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
 
-#include "io/svg/annotated_lines.h"
-#include "io/svg/annotated_parts.h"
-#include "io/svg/scanner.h"
+#include "io/image/png.h"
+#include "io/svg/annotations.h"
 #include "io/svg/stylesheet.h"
 #include "io/svg/svg_document.h"
 #include "io/svg/svg_drawing.h"
-#include "io/svg/svg_units.h"
+#include "io/svg/svg_values.h"
 
 namespace relievo {
 namespace {
@@ -54,8 +52,8 @@ Status take_annotations(const SvgDrawing& drawing, bool layers, LayeredDrawing& 
   return Done{};
 }
 
-constexpr size_t header_size = 24;  ///< of a PNG file, up to its height
-constexpr uint64_t most_embedded_pixels = 25'000'000;
+constexpr size_t header_size = 33;  ///< of a PNG file
+constexpr ImageLimits embedded = {25'000'000, 25'000'000};
 
 int base64_value(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
@@ -66,8 +64,8 @@ int base64_value(char c) {
 }
 
 /// Decodes the first `count` bytes of a base64 text.
-std::string decoded_front(std::string_view text, size_t count) {
-  std::string bytes;
+Bytes decoded_front(std::string_view text, size_t count) {
+  Bytes bytes;
   uint32_t bits = 0;
   int filled = 0;
   for (const char c : text) {
@@ -78,33 +76,23 @@ std::string decoded_front(std::string_view text, size_t count) {
     filled += 6;
     if (filled < 8) continue;
     filled -= 8;
-    bytes.push_back(static_cast<char>(bits >> filled & 255));
+    bytes.push_back(static_cast<uint8_t>(bits >> filled & 255));
     if (bytes.size() == count) break;
   }
   return bytes;
 }
 
-uint32_t big_endian(std::string_view bytes) {
-  uint32_t value = 0;
-  for (const char c : bytes) value = value << 8 | static_cast<unsigned char>(c);
-  return value;
-}
-
-/// Returns the number of pixels of the PNG file that an <image> holds in a data: reference, from
-/// its header alone; nothing for any other content, and for references to elsewhere.
-std::optional<uint64_t> embedded_pixels(const pugi::xml_node& image) {
+/// Returns whether an <image> holds, in a data: reference, a PNG file that is not too large to
+/// paint, by its header alone.
+bool embeds_picture(const pugi::xml_node& image) {
   for (const pugi::xml_attribute& attribute : image.attributes()) {
     if (local_name(attribute.name()) != "href") continue;
     const std::string_view href = trimmed_svg(attribute.value());
     constexpr std::string_view prefix = "data:image/png;base64,";
-    if (!href.starts_with(prefix)) return std::nullopt;
-    const std::string header = decoded_front(href.substr(prefix.size()), header_size);
-    const std::string_view view = header;
-    if (view.size() < header_size || view.substr(1, 3) != "PNG" || view.substr(12, 4) != "IHDR")
-      return std::nullopt;
-    return uint64_t{big_endian(view.substr(16, 4))} * big_endian(view.substr(20, 4));
+    if (!href.starts_with(prefix)) return false;
+    return png_size(decoded_front(href.substr(prefix.size()), header_size), embedded).ok();
   }
-  return std::nullopt;
+  return false;
 }
 
 constexpr std::string_view svg_namespace = "http://www.w3.org/2000/svg";
@@ -130,9 +118,7 @@ bool is_harmless(const pugi::xml_node& element) {
   const std::string_view name = local_name(element.name());
   if (name == "script" || name == "foreignObject" || name == "feImage") return false;
   if (trimmed_svg(element.attribute("data-relievo").value()) == "ignore") return false;
-  if (name != "image") return true;
-  const auto pixels = embedded_pixels(element);
-  return pixels && *pixels <= most_embedded_pixels;
+  return name != "image" || embeds_picture(element);
 }
 
 void remove_harmful(pugi::xml_node parent) {

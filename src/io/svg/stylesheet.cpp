@@ -4,7 +4,7 @@
 #include <cctype>
 #include <optional>
 
-#include "io/svg/scanner.h"
+#include "io/svg/svg_values.h"
 #include "kernel/base/text_rules.h"
 
 namespace relievo {

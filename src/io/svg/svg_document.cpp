@@ -4,9 +4,9 @@
 #include <initializer_list>
 
 #include "io/svg/basic_shapes.h"
-#include "io/svg/scanner.h"
 #include "io/svg/stylesheet.h"
 #include "io/svg/svg_style.h"
+#include "io/svg/svg_values.h"
 
 namespace relievo {
 namespace {

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <vector>
 
-#include "io/svg/scanner.h"
-#include "io/svg/svg_color.h"
+#include "io/svg/svg_values.h"
 
 namespace relievo {
 namespace {
 
-std::optional<double> parse_opacity(std::string_view text) {
+/// Reads a number or a percentage, clamped to [0, 1].
+std::optional<double> parse_fraction(std::string_view text) {
   const auto value = parse_length(text, LengthAxis::horizontal, {16, 1, 1});
   if (!value || std::isnan(*value)) return std::nullopt;
   return std::clamp(*value, 0.0, 1.0);
@@ -40,103 +41,86 @@ std::optional<SvgPaint> parse_paint(std::string_view text, const Color& current)
   return paint;
 }
 
-template <class T>
-void assign(T& target, const std::optional<T>& value) {
-  if (value) target = *value;
-}
+/// A declaration that is applied to the style of an element.
+struct Applied {
+  SvgStyle& style;
+  const SvgStyle& parent;
+  LengthContext context;
+  const std::string& value;
 
-/// Sets a property of painting in `s`, with the values of `parent` for "inherit"; returns whether
-/// it is one.
-bool apply_paint(SvgStyle& s, const SvgStyle& parent, const std::string& name,
-                 const std::string& value) {
-  const bool inherit = value == "inherit";
-  if (name == "fill") {
-    assign(s.fill, inherit ? parent.fill : parse_paint(value, s.color));
-  } else if (name == "stroke") {
-    assign(s.stroke, inherit ? parent.stroke : parse_paint(value, s.color));
-  } else if (name == "fill-opacity") {
-    assign(s.fill_opacity, inherit ? parent.fill_opacity : parse_opacity(value));
-  } else if (name == "stroke-opacity") {
-    assign(s.stroke_opacity, inherit ? parent.stroke_opacity : parse_opacity(value));
-  } else if (name == "opacity") {
-    assign(s.opacity, inherit ? parent.opacity : parse_opacity(value));
-  } else {
-    return false;
+  /// Sets a property to that of the parent for "inherit", else to the value read, if any.
+  template <class T>
+  void set(T SvgStyle::*property, const std::optional<T>& read) const {
+    if (value == "inherit")
+      style.*property = parent.*property;
+    else if (read)
+      style.*property = *read;
   }
-  return true;
-}
 
-/// Likewise a property of strokes.
-bool apply_stroke(SvgStyle& s, const SvgStyle& parent, LengthContext context,
-                  const std::string& name, const std::string& value) {
-  const bool inherit = value == "inherit";
-  context.font_size = s.font_size;
-  if (name == "stroke-width") {
-    const auto width = inherit ? std::optional<double>(parent.stroke_width)
-                               : parse_length(value, LengthAxis::diagonal, context);
-    if (width && *width >= 0) s.stroke_width = *width;
-  } else if (name == "stroke-linecap") {
-    if (inherit) s.cap = parent.cap;
-    if (value == "butt") s.cap = LineCap::butt;
-    if (value == "round") s.cap = LineCap::round;
-    if (value == "square") s.cap = LineCap::square;
-  } else if (name == "stroke-linejoin") {
-    if (inherit) s.join = parent.join;
-    if (value.substr(0, 5) == "miter") s.join = LineJoin::miter;
-    if (value == "round") s.join = LineJoin::round;
-    if (value == "bevel") s.join = LineJoin::bevel;
-  } else if (name == "stroke-miterlimit") {
-    const auto limit = SvgScanner(value).number();
-    if (limit && *limit >= 1) s.miter_limit = *limit;
-  } else {
-    return false;
+  /// Sets a property to the value of a keyword.
+  template <class T>
+  void choose(T SvgStyle::*property, const std::map<std::string, T>& keywords) const {
+    const auto found = keywords.find(value);
+    set(property, found == keywords.end() ? std::nullopt : std::optional(found->second));
   }
-  return true;
+};
+
+const std::map<std::string, LineCap> caps = {
+    {"butt", LineCap::butt}, {"round", LineCap::round}, {"square", LineCap::square}};
+const std::map<std::string, LineJoin> joins = {{"miter", LineJoin::miter},
+                                               {"miter-clip", LineJoin::miter},
+                                               {"round", LineJoin::round},
+                                               {"bevel", LineJoin::bevel}};
+const std::map<std::string, FillRule> rules = {{"nonzero", FillRule::nonzero},
+                                               {"evenodd", FillRule::even_odd}};
+const std::map<std::string, bool> visibilities = {
+    {"visible", true}, {"hidden", false}, {"collapse", false}};
+
+std::optional<double> pen_width(const Applied& a) {
+  LengthContext context = a.context;
+  context.font_size = a.style.font_size;
+  const auto width = parse_length(a.value, LengthAxis::diagonal, context);
+  return width && *width >= 0 ? width : std::nullopt;
 }
 
-void apply_rule(FillRule& rule, const FillRule& parent, const std::string& value) {
-  if (value == "inherit") rule = parent;
-  if (value == "nonzero") rule = FillRule::nonzero;
-  if (value == "evenodd") rule = FillRule::even_odd;
+std::optional<double> miter_limit(std::string_view text) {
+  const auto limit = SvgScanner(text).number();
+  return limit && *limit >= 1 ? limit : std::nullopt;
 }
 
-void apply_rest(SvgStyle& s, const SvgStyle& parent, const std::string& name,
-                const std::string& value) {
-  const bool inherit = value == "inherit";
-  if (name == "fill-rule") {
-    apply_rule(s.fill_rule, parent.fill_rule, value);
-  } else if (name == "clip-rule") {
-    apply_rule(s.clip_rule, parent.clip_rule, value);
-  } else if (name == "visibility") {
-    if (inherit) s.visible = parent.visible;
-    if (value == "visible") s.visible = true;
-    if (value == "hidden" || value == "collapse") s.visible = false;
-  } else if (name == "display") {
-    s.displayed = inherit ? parent.displayed : value != "none";
-  } else if (name == "overflow") {
-    s.clips_overflow = value != "visible" && value != "auto";
-  } else if (name == "clip-path") {
-    s.clip_path = inherit ? parent.clip_path : local_reference(value);
-  } else if (name == "mask") {
-    s.mask = inherit ? parent.mask : local_reference(value);
-  } else if (name == "filter") {
-    s.filter = inherit ? parent.filter : local_reference(value);
-  } else if (name == "transform") {
-    s.transform = value;
-  }
+/// Sets any property but those of apply_first.
+void apply(const Applied& a, std::string_view name) {
+  const std::string& value = a.value;
+  if (name == "fill") return a.set(&SvgStyle::fill, parse_paint(value, a.style.color));
+  if (name == "stroke") return a.set(&SvgStyle::stroke, parse_paint(value, a.style.color));
+  if (name == "fill-opacity") return a.set(&SvgStyle::fill_opacity, parse_fraction(value));
+  if (name == "stroke-opacity") return a.set(&SvgStyle::stroke_opacity, parse_fraction(value));
+  if (name == "opacity") return a.set(&SvgStyle::opacity, parse_fraction(value));
+  if (name == "stroke-width") return a.set(&SvgStyle::stroke_width, pen_width(a));
+  if (name == "stroke-linecap") return a.choose(&SvgStyle::cap, caps);
+  if (name == "stroke-linejoin") return a.choose(&SvgStyle::join, joins);
+  if (name == "stroke-miterlimit") return a.set(&SvgStyle::miter_limit, miter_limit(value));
+  if (name == "fill-rule") return a.choose(&SvgStyle::fill_rule, rules);
+  if (name == "clip-rule") return a.choose(&SvgStyle::clip_rule, rules);
+  if (name == "visibility") return a.choose(&SvgStyle::visible, visibilities);
+  if (name == "display") return a.set(&SvgStyle::displayed, std::optional(value != "none"));
+  if (name == "overflow") a.style.clips_overflow = value != "visible" && value != "auto";
+  const std::optional<std::string> reference = local_reference(value);
+  if (name == "clip-path") return a.set(&SvgStyle::clip_path, reference);
+  if (name == "mask") return a.set(&SvgStyle::mask, reference);
+  if (name == "filter") return a.set(&SvgStyle::filter, reference);
+  if (name == "transform") a.style.transform = value;
 }
 
 /// Sets `color` or `font-size`, to which other properties refer.
-void apply_first(SvgStyle& s, const SvgStyle& parent, LengthContext context,
-                 const std::string& name, const std::string& value) {
-  if (name == "color") {
-    assign(s.color, value == "inherit" ? parent.color : paint_color(value, parent.color));
-  } else if (name == "font-size" && value != "inherit") {
-    context.font_size = parent.font_size;
-    context.viewport_height = parent.font_size;  // a percentage is of the parent's font size
-    const auto size = parse_length(value, LengthAxis::vertical, context);
-    if (size && *size > 0) s.font_size = *size;
-  }
+void apply_first(const Applied& a, std::string_view name) {
+  if (name == "color") return a.set(&SvgStyle::color, paint_color(a.value, a.parent.color));
+  if (name != "font-size") return;
+  LengthContext context = a.context;
+  context.font_size = a.parent.font_size;
+  context.viewport_height = a.parent.font_size;  // a percentage is of the parent's font size
+  const auto size = parse_length(a.value, LengthAxis::vertical, context);
+  if (size && *size > 0) a.style.font_size = *size;
 }
 
 /// Returns all declarations for the element, the strongest last.
@@ -175,17 +159,12 @@ std::string property(const pugi::xml_node& element, const char* name) {
 
 std::vector<Stop> own_stops(const pugi::xml_node& gradient) {
   std::vector<Stop> stops;
-  const LengthContext fraction{16, 1, 1};
   for (const pugi::xml_node& child : gradient.children()) {
     if (local_name(child.name()) != "stop") continue;
-    const auto offset =
-        parse_length(child.attribute("offset").value(), LengthAxis::horizontal, fraction);
-    const auto opacity =
-        parse_length(property(child, "stop-opacity"), LengthAxis::horizontal, fraction);
-    Stop stop{std::clamp(offset.value_or(0), 0.0, 1.0),
+    Stop stop{parse_fraction(child.attribute("offset").value()).value_or(0),
               parse_color(property(child, "stop-color")).value_or(Color{})};
     if (!stops.empty()) stop.offset = std::max(stop.offset, stops.back().offset);
-    stop.color.a *= std::clamp(opacity.value_or(1), 0.0, 1.0);
+    stop.color.a *= parse_fraction(property(child, "stop-opacity")).value_or(1);
     stops.push_back(stop);
   }
   return stops;
@@ -219,12 +198,8 @@ SvgStyle computed_style(const pugi::xml_node& element, const Stylesheet& sheet,
   style.filter.clear();
   style.transform.reset();
   const std::vector<Declaration> list = declarations_of(element, sheet);
-  for (const Declaration& d : list) apply_first(style, parent, context, d.name, d.value);
-  for (const Declaration& d : list) {
-    if (!apply_paint(style, parent, d.name, d.value) &&
-        !apply_stroke(style, parent, context, d.name, d.value))
-      apply_rest(style, parent, d.name, d.value);
-  }
+  for (const Declaration& d : list) apply_first({style, parent, context, d.value}, d.name);
+  for (const Declaration& d : list) apply({style, parent, context, d.value}, d.name);
   return style;
 }
 

@@ -6,7 +6,7 @@
 
 #include "io/svg/stylesheet.h"
 #include "io/svg/svg_document.h"
-#include "io/svg/svg_units.h"
+#include "io/svg/svg_values.h"
 #include "kernel/image/color.h"
 
 namespace relievo {

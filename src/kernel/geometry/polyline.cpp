@@ -11,6 +11,12 @@
 namespace relievo {
 namespace {
 
+/// A crossing of a line with an outline.
+struct LineCrossing {
+  double s = 0;  ///< position along the line
+  int turn = 0;  ///< change of the outline's winding number there, 1 or -1
+};
+
 /// Appends the crossings of segment ab, which begins at arc length `start`, with a ring. An end of
 /// the segment or of an edge belongs to the side on which rounding puts it, so that a crossing
 /// through a vertex counts once.
@@ -28,6 +34,18 @@ void add_crossings(Point2 a, Point2 b, double start, const Ring& ring,
     if (before == after) continue;
     const double t = std::clamp(cross(p - a, q - p) / cross(along, q - p), 0.0, 1.0);
     crossings.push_back({start + t * norm(along), before ? 1 : -1});
+  }
+}
+
+/// Appends the crossings of edge ab with the lines through the centres of the rows.
+void add_row_crossings(Point2 a, Point2 b, const CellGrid& grid,
+                       std::vector<std::vector<LineCrossing>>& rows) {
+  const int turn = a.y < b.y ? 1 : -1;
+  if (turn < 0) std::swap(a, b);
+  const int last = first_centre((b.y - grid.origin.y) / grid.cell, grid.rows);
+  for (int row = first_centre((a.y - grid.origin.y) / grid.cell, grid.rows); row < last; ++row) {
+    const double t = (grid.origin.y + (row + 0.5) * grid.cell - a.y) / (b.y - a.y);
+    rows[row].push_back({a.x + t * (b.x - a.x), turn});
   }
 }
 
@@ -85,6 +103,32 @@ std::vector<LineSpan> spans_inside(const std::vector<Point2>& line, const Outlin
   }
   close(length);
   return spans;
+}
+
+int first_centre(double v, int size) {
+  return static_cast<int>(std::clamp(std::ceil(v - 0.5), 0.0, static_cast<double>(size)));
+}
+
+std::vector<CellRun> cells_inside(const Outline& outline, const CellGrid& grid) {
+  std::vector<std::vector<LineCrossing>> rows(grid.rows);
+  for (const Ring& ring : outline)
+    for (size_t i = 0; i < ring.size(); ++i)
+      add_row_crossings(ring[i], ring[(i + 1) % ring.size()], grid, rows);
+  const auto column = [&](const LineCrossing& crossing) {
+    return first_centre((crossing.s - grid.origin.x) / grid.cell, grid.columns);
+  };
+  std::vector<CellRun> runs;
+  for (int y = 0; y < grid.rows; ++y) {
+    std::sort(rows[y].begin(), rows[y].end(), [](const LineCrossing& p, const LineCrossing& q) {
+      return p.s < q.s || (p.s == q.s && p.turn < q.turn);
+    });
+    int winding = 0;
+    for (size_t i = 0; i + 1 < rows[y].size(); ++i) {
+      winding += rows[y][i].turn;
+      if (winding != 0) runs.push_back({y, column(rows[y][i]), column(rows[y][i + 1])});
+    }
+  }
+  return runs;
 }
 
 double line_length(const std::vector<Point2>& line) {

@@ -17,22 +17,28 @@ struct LineSpan {
 /// O(points of the line * points of the outline).
 std::vector<LineSpan> spans_inside(const std::vector<Point2>& line, const Outline& outline);
 
-/// A crossing of a line with an outline.
-struct LineCrossing {
-  double s = 0;  ///< position along the line
-  int turn = 0;  ///< change of the outline's winding number there, 1 or -1
+/// A grid of square cells in the plane.
+struct CellGrid {
+  Point2 origin;    ///< corner of the first cell
+  double cell = 1;  ///< side of a cell
+  int columns = 0;
+  int rows = 0;
 };
 
-/// Calls visit(from, to) for each stretch between consecutive crossings where the winding number is
-/// not 0. `crossings` are sorted along the line, which begins outside the outline. O(crossings).
-template <class Visit>
-void for_each_span_inside(const std::vector<LineCrossing>& crossings, Visit visit) {
-  int winding = 0;
-  for (size_t i = 0; i + 1 < crossings.size(); ++i) {
-    winding += crossings[i].turn;
-    if (winding != 0) visit(crossings[i].s, crossings[i + 1].s);
-  }
-}
+/// Cells [begin, end) of a row of a grid.
+struct CellRun {
+  int row = 0;
+  int begin = 0;
+  int end = 0;
+};
+
+/// Returns the first of `size` cells of a row whose centre is at or after v, in cells from the
+/// row's beginning; `size` where there is none.
+int first_centre(double v, int size);
+
+/// Returns the cells whose centres are inside the outline by the non-zero rule, row by row.
+/// O(points + crossed rows).
+std::vector<CellRun> cells_inside(const Outline& outline, const CellGrid& grid);
 
 /// Computes the sum of the segments' lengths. O(n).
 double line_length(const std::vector<Point2>& line);

@@ -5,9 +5,13 @@
 
 #include "kernel/base/disjoint_sets.h"
 #include "kernel/image/image_size.h"
+#include "kernel/image/morphology.h"
+#include "kernel/image/outlines.h"
 
 namespace relievo {
 namespace {
+
+constexpr double piece_share = 0.03;  ///< least area of a piece over that of the largest
 
 /// A run of consecutive pixels of the mask in a row.
 struct Run {
@@ -88,16 +92,9 @@ Components connected_components(const Image8& mask, Connectivity connectivity) {
   return result;
 }
 
-Mask connected_to(const Mask& mask, const Mask& seed) {
-  const Components pieces = connected_components(mask.inside, Connectivity::sides);
-  std::vector<uint8_t> reached(pieces.areas.size(), 0);
-  for_each_pixel(seed, [&](int x, int y) {
-    if (mask.has(x, y)) reached[pieces.label.at(x - mask.left, y - mask.top)] = 1;
-  });
-  Mask result = mask;
-  for (size_t i = 0; i < pieces.label.pixels.size(); ++i)
-    result.inside.pixels[i] = reached[pieces.label.pixels[i]];
-  return result;
+Image8 mask_of_pieces(const Components& pieces, const std::vector<uint8_t>& chosen) {
+  return mask_where(pieces.label.width, pieces.label.height,
+                    [&](size_t i) { return chosen[pieces.label.pixels[i]] != 0; });
 }
 
 std::vector<uint8_t> pieces_at_edge(const Components& pieces) {
@@ -108,27 +105,46 @@ std::vector<uint8_t> pieces_at_edge(const Components& pieces) {
   return reaches;
 }
 
+Mask connected_to(const Mask& mask, const Mask& seed) {
+  const Components pieces = connected_components(mask.inside, Connectivity::sides);
+  std::vector<uint8_t> reached(pieces.areas.size(), 0);
+  for_each_pixel(seed, [&](int x, int y) {
+    if (mask.has(x, y)) reached[pieces.label.at(x - mask.left, y - mask.top)] = 1;
+  });
+  return {mask.left, mask.top, mask_of_pieces(pieces, reached)};
+}
+
 Image8 hysteresis_threshold(const Image8& values, int low, int high) {
-  const int w = values.width;
-  Image8 result(w, values.height, 1);
-  std::vector<int> open;
-  const auto take = [&](int i) {
-    result.pixels[i] = 1;
-    open.push_back(i);
-  };
-  const auto count = static_cast<int>(values.pixels.size());
-  for (int i = 0; i < count; ++i)
-    if (values.pixels[i] >= high) take(i);
-  while (!open.empty()) {
-    const int i = open.back();
-    open.pop_back();
-    const int x = i % w;
-    const int y = i / w;
-    for (int v = std::max(0, y - 1); v <= std::min(values.height - 1, y + 1); ++v)
-      for (int u = std::max(0, x - 1); u <= std::min(w - 1, x + 1); ++u)
-        if (result.at(u, v) == 0 && values.at(u, v) >= low) take(v * w + u);
-  }
-  return result;
+  const Image8 possible =
+      mask_where(values.width, values.height, [&](size_t i) { return values.pixels[i] >= low; });
+  const Components pieces = connected_components(possible, Connectivity::corners);
+  std::vector<uint8_t> sure(pieces.areas.size(), 0);
+  for (size_t i = 0; i < values.pixels.size(); ++i)
+    if (values.pixels[i] >= high) sure[pieces.label.pixels[i]] = 1;
+  return mask_of_pieces(pieces, sure);
+}
+
+double share_of_box(const Image8& mask) {
+  const Box2 box = box_of(mask);
+  if (box.empty()) return 0;
+  return static_cast<double>(pixel_count(mask)) /
+         ((box.max.x - box.min.x) * (box.max.y - box.min.y));
+}
+
+Image8 without_small_pieces(const Image8& mask) {
+  const Components pieces = connected_components(mask, Connectivity::corners);
+  if (pieces.areas.size() < 2) return mask;
+  const auto largest =
+      static_cast<double>(*std::max_element(pieces.areas.begin() + 1, pieces.areas.end()));
+  std::vector<uint8_t> large(pieces.areas.size(), 0);
+  for (size_t k = 1; k < large.size(); ++k)
+    large[k] = static_cast<double>(pieces.areas[k]) >= piece_share * largest;
+  return mask_of_pieces(pieces, large);
+}
+
+Image8 without_holes(const Image8& mask) {
+  const Components outside = connected_components(complement(mask), Connectivity::sides);
+  return complement(mask_of_pieces(outside, pieces_at_edge(outside)));
 }
 
 }  // namespace relievo

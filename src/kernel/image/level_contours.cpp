@@ -96,16 +96,8 @@ class LevelTracer {
   }
 
   static std::pair<LevelCrossing, bool> leave(int x, int y, int side) {
-    switch (side) {
-      case 0:
-        return {{x, y, false}, false};
-      case 1:
-        return {{x + 1, y, true}, false};
-      case 2:
-        return {{x, y + 1, false}, true};
-      default:
-        return {{x, y, true}, true};
-    }
+    const bool upright = side == 1 || side == 3;
+    return {{side == 1 ? x + 1 : x, side == 2 ? y + 1 : y, upright}, side >= 2};
   }
 
   const ImageF& field_;

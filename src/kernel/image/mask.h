@@ -37,6 +37,14 @@ void for_each_pixel(const Mask& mask, Visit visit) {
       if (mask.inside.at(x, y) != 0) visit(mask.left + x, mask.top + y);
 }
 
+/// Returns the image that is 1 at the pixels, by index, of which is(i) is true. O(pixels).
+template <class Is>
+Image8 mask_where(int width, int height, const Is& is) {
+  Image8 mask(width, height, 1);
+  for (size_t i = 0; i < mask.pixels.size(); ++i) mask.pixels[i] = is(i) ? 1 : 0;
+  return mask;
+}
+
 /// Counts the ones of an image of zeros and ones. O(pixels).
 inline int64_t pixel_count(const Image8& mask) {
   int64_t count = 0;

@@ -24,11 +24,6 @@ void pick_rows(const uint8_t* a, const uint8_t* b, uint8_t* out, size_t n) {
   for (size_t i = 0; i < n; ++i) out[i] = pick<larger>(a[i], b[i]);
 }
 
-template <bool larger>
-void pick_into(uint8_t* row, const uint8_t* other, size_t n) {
-  for (size_t i = 0; i < n; ++i) row[i] = pick<larger>(row[i], other[i]);
-}
-
 /// Computes extremes of `window` values of a row, `step` apart, by doubling a window while it fits.
 template <bool larger>
 class RowFilter {
@@ -93,7 +88,7 @@ Image8 filter_squares(const Image8& image, int radius) {
     for (int y = block + radius; y < std::min(image.height, block + radius + window); ++y) {
       pick_rows<larger>(&to_end[n * (y - radius - block)], from_begin.data(), rows.row(), n);
       rows.run(&result.at(0, y));
-      pick_into<larger>(from_begin.data(), row(y + radius + 1), n);
+      pick_rows<larger>(from_begin.data(), row(y + radius + 1), from_begin.data(), n);
     }
   }
   return result;

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <numbers>
 #include <vector>
 
+#include "kernel/base/exact_functions.h"
 #include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/geometry/polyline.h"
 
@@ -79,7 +81,7 @@ double moved(double from, double to, double reach) {
 Ring fair(const Ring& ring, double wavelength, double reach) {
   const int n = static_cast<int>(ring.size());
   if (n < least_fair || wavelength <= 0) return ring;
-  const double length = std::min(wavelength, n / 3.0) / (2 * M_PI);
+  const double length = std::min(wavelength, n / 3.0) / (2 * std::numbers::pi);
   const double cube = length * length * length;
   const SparseMatrix J = jerk_matrix(n, cube * cube);
   SparseCholesky factor;
@@ -109,37 +111,6 @@ Ring fair(const Ring& ring, double wavelength, double reach) {
     if (within) break;
   }
   return curve;
-}
-
-/// Returns the first pixel whose centre is at or after coordinate v, clamped to [0, size].
-int first_centre(double v, int size) {
-  return static_cast<int>(std::clamp(std::ceil(v - 0.5), 0.0, static_cast<double>(size)));
-}
-
-/// Adds the crossings of edge ab with the lines through the centres of the pixel rows from `top`
-/// on.
-void add_crossings(Point2 a, Point2 b, int top, std::vector<std::vector<LineCrossing>>& rows) {
-  if (a.y == b.y) return;
-  const int direction = a.y < b.y ? 1 : -1;
-  if (direction < 0) std::swap(a, b);
-  const int count = static_cast<int>(rows.size());
-  const int first = first_centre(a.y - top, count);
-  const int last = first_centre(b.y - top, count);
-  for (int y = first; y < last; ++y) {
-    const double t = (y + top + 0.5 - a.y) / (b.y - a.y);
-    rows[y].push_back({a.x + t * (b.x - a.x), direction});
-  }
-}
-
-void fill_row(std::vector<LineCrossing>& row, Mask& mask, int y) {
-  std::sort(row.begin(), row.end(), [](const LineCrossing& p, const LineCrossing& q) {
-    return p.s < q.s || (p.s == q.s && p.turn < q.turn);
-  });
-  for_each_span_inside(row, [&](double from, double to) {
-    const int first = first_centre(from - mask.left, mask.inside.width);
-    const int last = first_centre(to - mask.left, mask.inside.width);
-    for (int x = first; x < last; ++x) mask.inside.at(x, y) = 1;
-  });
 }
 
 /// A side of a pixel: 0 top, 1 right, 2 bottom, 3 left, travelled clockwise.
@@ -226,6 +197,20 @@ class RingTracer {
   Image8 visited_;  ///< per pixel, one bit a side
 };
 
+constexpr size_t near_side = 3;  ///< pixel sides at a junction that do not count for its directions
+constexpr size_t far_side = 14;  ///< pixel sides from a junction up to which they count
+constexpr double spread = std::numbers::pi / 6;  ///< s below, from Palou and Salembier
+
+/// Counts the sides from `at` on, in steps of 1 or n - 1, with the same label beyond, up to
+/// far_side.
+size_t run_length(const LabelRing& ring, size_t at, size_t step) {
+  size_t count = 0;
+  for (size_t i = at; count < far_side && ring.beyond[i] == ring.beyond[at];
+       i = (i + step) % ring.size())
+    ++count;
+  return count;
+}
+
 }  // namespace
 
 Outline outline_of(const Mask& mask, const OutlineOptions& options) {
@@ -277,16 +262,39 @@ Mask fill_outline(const Outline& outline, int width, int height) {
   const int bottom = first_centre(box.max.y, height);
   if (right <= left || bottom <= top) return {};
   Mask mask = empty_mask(left, top, right, bottom);
-  std::vector<std::vector<LineCrossing>> rows(mask.inside.height);
-  for (const Ring& ring : outline)
-    for (size_t i = 0; i < ring.size(); ++i)
-      add_crossings(ring[i], ring[(i + 1) % ring.size()], mask.top, rows);
-  for (int y = 0; y < mask.inside.height; ++y) fill_row(rows[y], mask, y);
+  const CellGrid grid{{left * 1.0, top * 1.0}, 1, right - left, bottom - top};
+  for (const CellRun& run : cells_inside(outline, grid))
+    for (int x = run.begin; x < run.end; ++x) mask.inside.at(x, run.row) = 1;
   return mask;
 }
 
 std::vector<LabelRing> trace_label_rings(const Image16& labels) {
   return RingTracer(labels).trace();
+}
+
+std::vector<Junction> find_junctions(const LabelRing& ring) {
+  std::vector<Junction> junctions;
+  const size_t n = ring.size();
+  for (size_t i = 0; i < n; ++i) {
+    const size_t previous = (i + n - 1) % n;
+    if (ring.beyond[i] == ring.beyond[previous]) continue;
+    Junction junction{i, ring.beyond[previous], ring.beyond[i], {}, {}};
+    const size_t before = run_length(ring, previous, n - 1);
+    const size_t after = run_length(ring, i, 1);
+    if (before > near_side + 1)
+      junction.in = ring.sides[(i + n - near_side) % n] - ring.sides[(i + n - before) % n];
+    if (after > near_side + 1)
+      junction.out = ring.sides[(i + after - 1) % n] - ring.sides[(i + near_side) % n];
+    junctions.push_back(junction);
+  }
+  return junctions;
+}
+
+/// confidence = exp(-|turn| / s^2): G. Palou, P. Salembier, Monocular depth ordering using
+/// T-junctions and convexity occlusion cues (2013).
+double t_junction_confidence(const Junction& junction) {
+  if (junction.in == Point2{} || junction.out == Point2{}) return 0;
+  return exact::exp(-std::abs(turn_between(junction.in, junction.out)) / (spread * spread));
 }
 
 }  // namespace relievo

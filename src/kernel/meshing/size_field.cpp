@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernel/geometry/polyline.h"
-
 namespace relievo {
 namespace {
 
@@ -39,36 +37,6 @@ void spread(SizeField& field, double grading) {
     if (y + 1 < field.rows) spread_from(row(y + 1), straight, diagonal, field.columns, size);
     for (int x = field.columns - 2; x >= 0; --x)
       size[x] = std::min(size[x], size[x + 1] + straight);
-  }
-}
-
-/// Adds 1 to the cover of each cell whose centre lies in the region, row by row.
-void add_cover(SizeField& field, const Outline& region) {
-  std::vector<std::vector<LineCrossing>> crossings(field.rows);
-  for (const Ring& ring : region)
-    for (size_t i = 0; i < ring.size(); ++i) {
-      const Point2 a = ring[i];
-      const Point2 b = ring[(i + 1) % ring.size()];
-      const double low = (std::min(a.y, b.y) - field.origin.y) / field.cell - 0.5;
-      const double high = (std::max(a.y, b.y) - field.origin.y) / field.cell - 0.5;
-      const int first = std::max(0, static_cast<int>(std::ceil(low)));
-      const int last = std::min(field.rows - 1, static_cast<int>(std::ceil(high)) - 1);
-      for (int row = first; row <= last; ++row) {
-        const double y = field.origin.y + (row + 0.5) * field.cell;
-        crossings[row].push_back({a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x), a.y < b.y ? 1 : -1});
-      }
-    }
-  for (int row = 0; row < field.rows; ++row) {
-    std::vector<LineCrossing>& line = crossings[row];
-    std::sort(line.begin(), line.end(),
-              [](const LineCrossing& a, const LineCrossing& b) { return a.s < b.s; });
-    const auto column = [&](double x) { return (x - field.origin.x) / field.cell - 0.5; };
-    for_each_span_inside(line, [&](double from, double to) {
-      const double last = column(to);
-      int x = std::max(0, static_cast<int>(std::ceil(column(from))));
-      for (; x < field.columns && x < last; ++x)
-        ++field.cover[static_cast<size_t>(row) * field.columns + x];
-    });
   }
 }
 
@@ -126,7 +94,10 @@ SizeField make_size_field(const std::vector<CurveSample>& samples,
     size = std::min(size, std::max(sample.spacing, finest * field.cell));
   }
   spread(field, options.grading);
-  for (const Outline& region : regions) add_cover(field, region);
+  for (const Outline& region : regions)
+    for (const CellRun& run : cells_inside(region, field))
+      for (int x = run.begin; x < run.end; ++x)
+        ++field.cover[static_cast<size_t>(run.row) * field.columns + x];
   return field;
 }
 

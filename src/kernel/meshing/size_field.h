@@ -2,18 +2,14 @@
 
 #include <vector>
 
-#include "kernel/geometry/polygon.h"
+#include "kernel/geometry/polyline.h"
 
 namespace relievo {
 
 /// The wanted edge length over the plane on a regular grid: small near samples of curves, growing
 /// linearly with the distance from them, and never below a sixteenth of a cell. Also the number of
 /// regions over each cell.
-struct SizeField {
-  Point2 origin;
-  double cell = 1;
-  int columns = 0;
-  int rows = 0;
+struct SizeField : CellGrid {
   double max_size = 1;       ///< upper bound of the size, and the step of the coarsest lattice
   std::vector<double> size;  ///< columns * rows, wanted edge length at the centre of each cell
   std::vector<int> cover;    ///< columns * rows, number of regions that contain the centre

@@ -50,13 +50,8 @@ std::vector<int> tidied(const std::vector<int>& loop, bool open) {
 }
 
 SegmentGrid edge_grid(const std::vector<Point2>& points, const Edges& edges) {
-  Box2 box;
-  for (const auto& edge : edges)
-    for (const int p : edge) box.add(points[p]);
-  SegmentGrid grid(box, edges.size());
-  grid.build(edges.size(),
-             [&](size_t e) { return std::pair(points[edges[e][0]], points[edges[e][1]]); });
-  return grid;
+  return {edges.size(),
+          [&](size_t e) { return std::pair(points[edges[e][0]], points[edges[e][1]]); }};
 }
 
 /// Returns whether a point lies on, or nearly on, the inside of an edge; t is the parameter there.
@@ -100,7 +95,6 @@ struct Item {
 SplicedCurves welded(const std::vector<InputCurve>& curves, size_t closed) {
   SplicedCurves out;
   std::vector<Item> items;
-  Box2 box;
   for (size_t c = 0; c < curves.size(); ++c) {
     const Ring& ring = curves[c].points;
     const size_t n = ring.size();
@@ -111,28 +105,24 @@ SplicedCurves welded(const std::vector<InputCurve>& curves, size_t closed) {
                                    distance(ring[i], ring[first ? 1 : (i + n - 1) % n]));
       items.push_back(
           {static_cast<int>(c), static_cast<int>(i), curves[c].kept[i], snap_to_vertex * edge});
-      box.add(ring[i]);
     }
     out.image.emplace_back(n);
   }
   std::stable_partition(items.begin(), items.end(), [](const Item& item) { return item.kept; });
   const auto position = [&](const Item& item) { return curves[item.curve].points[item.index]; };
-  SegmentGrid grid(box, items.size());
-  grid.build(items.size(),
-             [&](size_t i) { return std::pair(position(items[i]), position(items[i])); });
+  const SegmentGrid grid(
+      items.size(), [&](size_t i) { return std::pair(position(items[i]), position(items[i])); });
   std::vector<int> point_of(items.size(), -1);
   for (size_t i = 0; i < items.size(); ++i) {
     const Point2 p = position(items[i]);
     int found = -1;
     double nearest = std::numeric_limits<double>::infinity();
-    grid.for_cells(p, p, items[i].reach, [&](size_t cell) {
-      for (const int* j = grid.begin(cell); j != grid.end(cell); ++j) {
-        if (static_cast<size_t>(*j) >= i || point_of[*j] < 0) continue;
-        const double gap = distance(p, out.points[point_of[*j]]);
-        if (gap > std::min(items[i].reach, items[*j].reach) || gap >= nearest) continue;
-        nearest = gap;
-        found = point_of[*j];
-      }
+    grid.for_each_near(p, p, items[i].reach, [&](int j) {
+      if (static_cast<size_t>(j) >= i) return;
+      const double gap = distance(p, out.points[point_of[j]]);
+      if (gap > std::min(items[i].reach, items[j].reach) || gap >= nearest) return;
+      nearest = gap;
+      found = point_of[j];
     });
     if (found < 0) {
       found = static_cast<int>(out.points.size());
@@ -187,20 +177,15 @@ class Splicer {
 
   /// Replaces points nearer to an earlier one than the grain by that one.
   void merge_grains() {
-    Box2 box;
-    for (const Point2 p : out_.points) box.add(p);
-    SegmentGrid grid(box, out_.points.size());
-    grid.build(out_.points.size(),
-               [&](size_t i) { return std::pair(out_.points[i], out_.points[i]); });
+    const SegmentGrid grid(out_.points.size(),
+                           [&](size_t i) { return std::pair(out_.points[i], out_.points[i]); });
     std::vector<int> stands_for(out_.points.size());
     bool any = false;
     for (size_t i = 0; i < stands_for.size(); ++i) {
       const Point2 p = out_.points[i];
       int found = static_cast<int>(i);
-      grid.for_cells(p, p, grain_, [&](size_t cell) {
-        for (const int* j = grid.begin(cell); j != grid.end(cell); ++j)
-          if (*j < found && stands_for[*j] == *j && distance(p, out_.points[*j]) <= grain_)
-            found = *j;
+      grid.for_each_near(p, p, grain_, [&](int j) {
+        if (j < found && stands_for[j] == j && distance(p, out_.points[j]) <= grain_) found = j;
       });
       stands_for[i] = found;
       any = any || found != static_cast<int>(i);
@@ -243,14 +228,12 @@ class Splicer {
       const Point2 x = out_.points[p];
       const double reach = std::max(0.5 * grain_, snap_to_edge * shortest_[p]);
       const size_t first = found.size();
-      grid.for_cells(x, x, reach, [&](size_t cell) {
-        for (const int* e = grid.begin(cell); e != grid.end(cell); ++e) {
-          double t = 0;
-          if (!touches(out_.points, static_cast<int>(p), edges_[*e], reach, grain_, t)) continue;
-          const auto same = [&](const Insertion& other) { return other.edge == *e; };
-          if (std::none_of(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), same))
-            found.push_back({*e, t, static_cast<int>(p)});
-        }
+      grid.for_each_near(x, x, reach, [&](int e) {
+        double t = 0;
+        if (!touches(out_.points, static_cast<int>(p), edges_[e], reach, grain_, t)) return;
+        const auto same = [&](const Insertion& other) { return other.edge == e; };
+        if (std::none_of(found.begin() + static_cast<std::ptrdiff_t>(first), found.end(), same))
+          found.push_back({e, t, static_cast<int>(p)});
       });
     }
     return found;
@@ -264,12 +247,10 @@ class Splicer {
     for (size_t e = 0; e < edges_.size(); ++e) {
       const Point2 a = out_.points[edges_[e][0]];
       const Point2 b = out_.points[edges_[e][1]];
-      grid.for_cells(a, b, 0, [&](size_t cell) {
-        for (const int* f = grid.begin(cell); f != grid.end(cell); ++f) {
-          if (static_cast<size_t>(*f) <= e || seen[*f] == static_cast<int>(e)) continue;
-          seen[*f] = static_cast<int>(e);
-          add_crossing(static_cast<int>(e), *f, found);
-        }
+      grid.for_each_near(a, b, 0, [&](int f) {
+        if (static_cast<size_t>(f) <= e || seen[f] == static_cast<int>(e)) return;
+        seen[f] = static_cast<int>(e);
+        add_crossing(static_cast<int>(e), f, found);
       });
     }
     return found;
@@ -328,11 +309,39 @@ class Splicer {
   std::vector<double> shortest_;  ///< length of the shortest edge at each point
 };
 
+using Segment = std::pair<Point2, Point2>;
+
+bool cross_inside(const Segment& s, const Segment& t) {
+  return orientation(s.first, s.second, t.first) * orientation(s.first, s.second, t.second) < 0 &&
+         orientation(t.first, t.second, s.first) * orientation(t.first, t.second, s.second) < 0;
+}
+
+Point2 meeting_point(const Segment& s, const Segment& t) {
+  const Point2 along = s.second - s.first;
+  const Point2 other = t.second - t.first;
+  return s.first + (cross(t.first - s.first, other) / cross(along, other)) * along;
+}
+
 }  // namespace
 
 Result<SplicedCurves> splice_curves(const std::vector<InputCurve>& curves,
                                     const std::vector<InputCurve>& lines, double grain) {
   return Splicer(curves, lines, grain).run();
+}
+
+std::optional<Point2> find_self_crossing(const Outline& outline) {
+  std::vector<Segment> edges;
+  for (const Ring& ring : outline)
+    for (size_t i = 0; i < ring.size(); ++i)
+      edges.emplace_back(ring[i], ring[(i + 1) % ring.size()]);
+  const SegmentGrid grid(edges.size(), [&](size_t e) { return edges[e]; });
+  std::optional<Point2> found;
+  for (size_t e = 0; e < edges.size() && !found; ++e)
+    grid.for_each_near(edges[e].first, edges[e].second, 0, [&](int other) {
+      if (!found && cross_inside(edges[e], edges[other]))
+        found = meeting_point(edges[e], edges[other]);
+    });
+  return found;
 }
 
 }  // namespace relievo

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
@@ -36,5 +37,10 @@ inline constexpr double snap_to_edge = 0.1;
 /// they cross too often. Near-linear for edges of similar length.
 Result<SplicedCurves> splice_curves(const std::vector<InputCurve>& curves,
                                     const std::vector<InputCurve>& lines = {}, double grain = 0);
+
+/// Finds the first point along an outline where two of its edges cross; nothing where all rings are
+/// simple and meet each other at corners at most. The test is exact, the point is rounded.
+/// Near-linear for edges of similar length.
+std::optional<Point2> find_self_crossing(const Outline& outline);
 
 }  // namespace relievo

@@ -10,9 +10,9 @@
 
 #include "kernel/image/components.h"
 #include "kernel/image/compose.h"
+#include "kernel/image/diffusion.h"
 #include "kernel/image/distance_transform.h"
 #include "kernel/image/morphology.h"
-#include "kernel/image/pull_push.h"
 #include "relief/finish/fill_triangle.h"
 #include "relief/finish/hidden_patches.h"
 

@@ -9,7 +9,7 @@
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/blur.h"
 #include "kernel/image/compose.h"
-#include "kernel/image/pull_push.h"
+#include "kernel/image/diffusion.h"
 #include "relief/finish/fill_triangle.h"
 
 namespace relievo::relief {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdint>
 
+#include "kernel/image/diffusion.h"
 #include "kernel/image/distance_transform.h"
 #include "kernel/image/mask.h"
 #include "kernel/image/outlines.h"
-#include "kernel/image/pull_push.h"
 
 namespace relievo::relief {
 namespace {

@@ -22,18 +22,16 @@ class BesideRim {
  public:
   /// `reach`: canvas px. Precondition: there are points.
   BesideRim(std::vector<Point2> rim, double reach)
-      : rim_(std::move(rim)), reach_(reach), grid_(box(), rim_.size()) {
-    grid_.build(rim_.size(), [this](size_t i) { return std::pair(rim_[i], rim_[i]); });
-  }
+      : rim_(std::move(rim)),
+        reach_(reach),
+        grid_(rim_.size(), [this](size_t i) { return std::pair(rim_[i], rim_[i]); }) {}
 
   /// Calls visit(index, distance) for all points closer to a place than `radius`.
   template <class Visit>
   void for_each_within(Point2 place, double radius, Visit visit) const {
-    grid_.for_cells(place, place, radius, [&](size_t cell) {
-      for (const int* i = grid_.begin(cell); i != grid_.end(cell); ++i) {
-        const double d = distance(rim_[*i], place);
-        if (d < radius) visit(static_cast<size_t>(*i), d);
-      }
+    grid_.for_each_near(place, place, radius, [&](int i) {
+      const double d = distance(rim_[i], place);
+      if (d < radius) visit(static_cast<size_t>(i), d);
     });
   }
 
@@ -66,12 +64,6 @@ class BesideRim {
   }
 
  private:
-  Box2 box() const {
-    Box2 box;
-    for (const Point2 p : rim_) box.add(p);
-    return box;
-  }
-
   std::vector<Point2> rim_;
   double reach_;
   SegmentGrid grid_;

@@ -161,21 +161,17 @@ SizeField size_field_for(const SampledOutlines& sampled, double spacing) {
 
 std::vector<Point2> inner_points(const SizeField& field, const std::vector<Point2>& points,
                                  const std::vector<std::array<int, 2>>& edges) {
-  Box2 box;
-  for (const Point2 p : points) box.add(p);
-  SegmentGrid grid(box, edges.size());
-  grid.build(edges.size(),
-             [&](size_t e) { return std::pair(points[edges[e][0]], points[edges[e][1]]); });
+  const SegmentGrid grid(
+      edges.size(), [&](size_t e) { return std::pair(points[edges[e][0]], points[edges[e][1]]); });
   const std::vector<Point2> lattice = lattice_points(field);
   std::vector<uint8_t> clear(lattice.size(), 1);
   run_ranges(static_cast<int>(lattice.size()), [&](int first, int last) {
     for (int i = first; i < last; ++i) {
       const Point2 p = lattice[i];
       const double clearance = relative_clearance * field.size_at(p);
-      grid.for_cells(p, p, clearance, [&](size_t cell) {
-        for (const int* e = grid.begin(cell); clear[i] != 0 && e != grid.end(cell); ++e)
-          clear[i] =
-              distance_to_segment(p, points[edges[*e][0]], points[edges[*e][1]]) >= clearance;
+      grid.for_each_near(p, p, clearance, [&](int e) {
+        const auto& [a, b] = edges[e];
+        if (clear[i] != 0) clear[i] = distance_to_segment(p, points[a], points[b]) >= clearance;
       });
     }
   });

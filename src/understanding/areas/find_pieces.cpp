@@ -11,7 +11,7 @@
 #include "kernel/base/cyclic_runs.h"
 #include "kernel/base/exact_functions.h"
 #include "kernel/geometry/polyline.h"
-#include "kernel/image/junctions.h"
+#include "kernel/image/outlines.h"
 
 namespace relievo::understanding {
 namespace {

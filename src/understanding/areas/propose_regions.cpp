@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernel/base/exact_functions.h"
-#include "kernel/image/mask_pieces.h"
+#include "kernel/image/components.h"
 #include "kernel/image/morphology.h"
 #include "understanding/areas/basin_graph.h"
 #include "understanding/areas/find_pieces.h"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
+#include "kernel/image/components.h"
 #include "kernel/image/mask.h"
-#include "kernel/image/mask_pieces.h"
 #include "kernel/image/morphology.h"
 #include "understanding/figure/figure_mask.h"
 #include "understanding/lines/line_map.h"

@@ -10,7 +10,6 @@
 #include "kernel/image/components.h"
 #include "kernel/image/image_size.h"
 #include "kernel/image/mask.h"
-#include "kernel/image/mask_pieces.h"
 #include "kernel/image/morphology.h"
 #include "kernel/image/outlines.h"
 #include "kernel/image/watershed.h"

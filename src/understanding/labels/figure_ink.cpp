@@ -8,7 +8,6 @@
 
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/components.h"
-#include "kernel/image/mask_pieces.h"
 #include "kernel/image/watershed.h"
 #include "understanding/lines/line_map.h"
 

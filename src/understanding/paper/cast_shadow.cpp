@@ -10,7 +10,6 @@
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/components.h"
 #include "kernel/image/mask.h"
-#include "kernel/image/mask_pieces.h"
 #include "kernel/image/morphology.h"
 #include "kernel/image/outlines.h"
 #include "understanding/lines/line_map.h"

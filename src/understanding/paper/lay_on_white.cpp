@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "kernel/image/blur.h"
+#include "kernel/image/components.h"
 #include "kernel/image/compose.h"
 #include "kernel/image/mask.h"
-#include "kernel/image/mask_pieces.h"
 #include "understanding/paper/paper_light.h"
 #include "understanding/paper/pure_white.h"
 

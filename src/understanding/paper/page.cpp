@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "kernel/geometry/polygon.h"
+#include "kernel/image/components.h"
 #include "kernel/image/mask.h"
-#include "kernel/image/mask_pieces.h"
 
 namespace relievo::understanding {
 namespace {

@@ -13,7 +13,6 @@
 #include "kernel/image/components.h"
 #include "kernel/image/image_size.h"
 #include "kernel/image/mask.h"
-#include "kernel/image/mask_pieces.h"
 #include "kernel/image/morphology.h"
 #include "understanding/lines/line_map.h"
 #include "understanding/paper/page.h"

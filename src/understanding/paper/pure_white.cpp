@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "kernel/image/components.h"
 #include "kernel/image/image_size.h"
-#include "kernel/image/mask_pieces.h"
 #include "kernel/image/outlines.h"
 #include "understanding/lines/line_map.h"
 

@@ -1,6 +1,6 @@
 #include "understanding/stacking/junctions.h"
 
-#include "kernel/image/junctions.h"
+#include "kernel/image/outlines.h"
 
 namespace relievo::understanding {
 namespace {

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "io/image/decode_image.h"
-#include "io/image/gif_decode.h"
 #include "io/support/damage.h"
 
 namespace relievo {

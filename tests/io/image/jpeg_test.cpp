@@ -5,7 +5,6 @@
 #include <cstdlib>
 
 #include "io/image/decode_image.h"
-#include "io/image/jpeg_decode.h"
 
 namespace relievo {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/image/decode_image.h"
-#include "io/image/png_decode.h"
+#include "io/image/png.h"
 #include "io/support/reference_png.h"
 #include "relievo/files.h"
 

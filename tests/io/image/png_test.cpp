@@ -1,11 +1,11 @@
+#include "io/image/png.h"
+
 #include <gtest/gtest.h>
 #include <zlib.h>
 
 #include <algorithm>
 
 #include "io/image/decode_image.h"
-#include "io/image/png_decode.h"
-#include "io/image/png_encode.h"
 #include "io/support/raw_png.h"
 
 namespace relievo {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "io/layered/layer_files.h"
 #include "io/layered/layer_support.h"
-#include "io/layered/layer_table.h"
 #include "io/layered/read_layer_folder.h"
 #include "io/support/temporary_folder.h"
 #include "relievo/files.h"

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/image/png_encode.h"
+#include "io/image/png.h"
 #include "io/layered/raster_layer.h"
 #include "kernel/geometry/polygon.h"
 #include "understanding/marks/make_parts.h"

@@ -1,10 +1,9 @@
-#include "io/maps/carve_map.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
+#include "io/maps/encode_maps.h"
 #include "io/support/raw_png.h"
 #include "support/sample_models.h"
 

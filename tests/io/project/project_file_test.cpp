@@ -5,13 +5,10 @@
 #include <random>
 
 #include "io/archive/archive.h"
-#include "io/archive/pack_archive.h"
 #include "io/archive/zip_archive.h"
-#include "io/image/png_encode.h"
-#include "io/project/project.h"
-#include "io/project/read_project_json.h"
-#include "io/project/write_project_json.h"
-#include "io/scene/write_scene.h"
+#include "io/image/png.h"
+#include "io/project/project_json.h"
+#include "io/scene/scene_json.h"
 #include "io/support/damage.h"
 #include "io/support/temporary_folder.h"
 #include "support/label_maps.h"

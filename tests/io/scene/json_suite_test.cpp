@@ -6,9 +6,8 @@
 #include <iterator>
 #include <vector>
 
-#include "io/scene/json_parse.h"
 #include "io/scene/json_reader.h"
-#include "io/scene/read_scene.h"
+#include "io/scene/scene_json.h"
 
 namespace relievo {
 namespace {

@@ -1,8 +1,7 @@
-#include "io/scene/read_scene.h"
-
 #include <gtest/gtest.h>
 
 #include "io/scene/sample_scene.h"
+#include "io/scene/scene_json.h"
 #include "kernel/geometry/polygon.h"
 
 namespace relievo {

@@ -9,9 +9,8 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
-#include "io/scene/read_scene.h"
 #include "io/scene/sample_scene.h"
-#include "io/scene/write_scene.h"
+#include "io/scene/scene_json.h"
 
 namespace relievo {
 namespace {

@@ -1,5 +1,3 @@
-#include "io/scene/write_scene.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,8 +5,8 @@
 #include <limits>
 #include <random>
 
-#include "io/scene/read_scene.h"
 #include "io/scene/sample_scene.h"
+#include "io/scene/scene_json.h"
 
 namespace relievo {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/svg/annotated_lines.h"
+#include "io/svg/annotations.h"
 #include "io/svg/svg_test_support.h"
 
 namespace relievo {

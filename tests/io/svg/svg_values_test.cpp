@@ -1,10 +1,8 @@
+#include "io/svg/svg_values.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "io/svg/scanner.h"
-#include "io/svg/svg_color.h"
-#include "io/svg/svg_units.h"
 
 namespace relievo {
 namespace {

@@ -1,11 +1,10 @@
-#include "kernel/image/junctions.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "kernel/geometry/polyline.h"
+#include "kernel/image/outlines.h"
 
 namespace relievo {
 namespace {

@@ -1,8 +1,8 @@
-#include "kernel/image/pull_push.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
+
+#include "kernel/image/diffusion.h"
 
 namespace relievo {
 namespace {

@@ -1,10 +1,9 @@
-#include "kernel/meshing/self_crossing.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "kernel/meshing/splice_curves.h"
 #include "relievo/point.h"
 
 namespace relievo {

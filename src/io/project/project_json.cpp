@@ -1,12 +1,10 @@
-#include "io/project/read_project_json.h"
+#include "io/project/project_json.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "io/project/project.h"
-#include "io/scene/json_parse.h"
 #include "io/scene/json_reader.h"
 #include "io/scribbles/scribbles_json.h"
 
@@ -67,14 +65,9 @@ class ProjectReader final : public JsonReader {
   int part_reference(const Json& json, const JsonPath& path) override { return label(json, path); }
 
   understanding::CompletionKind completion(const Json& json, const JsonPath& path) {
-    std::string known;
-    for (size_t k = 0; k < understanding::completion_names.size(); ++k) {
-      if (json == understanding::completion_names[k])
-        return static_cast<understanding::CompletionKind>(k);
-      known += (k == 0 ? "\"" : "\", \"") + std::string(understanding::completion_names[k]);
-    }
-    fail(path, "must be one of " + known + "\"");
-    return {};
+    const auto& names = understanding::completion_names;
+    return static_cast<understanding::CompletionKind>(
+        choice(json, path, {names.begin(), names.end()}));
   }
 
   double share(const Json& json, const JsonPath& path) {
@@ -148,6 +141,118 @@ class ProjectReader final : public JsonReader {
   }
 };
 
+using Ordered = nlohmann::ordered_json;
+
+template <class Items, class Write>
+Ordered list_of(const Items& items, Write write) {
+  Ordered list = Ordered::array();
+  for (const auto& item : items) list.push_back(write(item));
+  return list;
+}
+
+Ordered point_json(Point2 p) { return Ordered::array({p.x, p.y}); }
+
+Ordered line_json(const std::vector<Point2>& points) { return list_of(points, point_json); }
+
+template <class Item>
+Ordered pair_of(const Item& item) {
+  return {{"upper", item.upper}, {"lower", item.lower}};
+}
+
+Ordered scribbles_json(const understanding::Scribbles& scribbles) {
+  Ordered json = {
+      {"parts", scribbles.parts},
+      {"strokes", list_of(scribbles.strokes, [&](const understanding::Scribble& stroke) {
+         return stroke_json(stroke, scribbles);
+       })}};
+  if (scribbles.complete) json["complete"] = true;
+  if (scribbles.count > 0) json["count"] = scribbles.count;
+  return json;
+}
+
+Ordered part_json(
+    const std::pair<const understanding::PartLabel, understanding::PartCorrection>& part) {
+  const auto& [label, correction] = part;
+  Ordered item = {{"label", label}};
+  if (correction.id) item["id"] = *correction.id;
+  if (correction.c) item["c"] = *correction.c;
+  if (correction.d) item["d"] = *correction.d;
+  if (correction.flat) item["flat"] = *correction.flat;
+  if (correction.lean) item["lean"] = point_json(*correction.lean);
+  if (correction.outline) item["outline"] = list_of(*correction.outline, line_json);
+  return item;
+}
+
+Ordered labels_json(const std::pair<understanding::PartLabel, understanding::PartLabel>& labels) {
+  return {{"upper", labels.first}, {"lower", labels.second}};
+}
+
+Ordered join_json(const Join& join) {
+  Ordered item = pair_of(join);
+  item["line"] = line_json(join.line);
+  return item;
+}
+
+Ordered relation_json(const Relation& relation) {
+  Ordered item = pair_of(relation);
+  item["relation"] = name(relation.kind);
+  if (relation.range) item["range"] = line_json({relation.range->first, relation.range->second});
+  return item;
+}
+
+Ordered robin_json(const RobinRange& range) {
+  Ordered item = pair_of(range);
+  item["from"] = point_json(range.from);
+  item["to"] = point_json(range.to);
+  if (range.alpha0) item["alpha0"] = *range.alpha0;
+  if (range.rho) item["rho"] = *range.rho;
+  return item;
+}
+
+Ordered cue_json(const Cue& cue) {
+  return {{"part", cue.part},
+          {"kind", name(cue.kind)},
+          {"line", line_json(cue.line)},
+          {"value", cue.value}};
+}
+
+Ordered corrections_json(const understanding::Corrections& corrections) {
+  Ordered json = {{"parts", list_of(corrections.parts, part_json)},
+                  {"order", list_of(corrections.order, labels_json)},
+                  {"joins", list_of(corrections.joins, join_json)},
+                  {"no_joins", list_of(corrections.no_joins, labels_json)},
+                  {"relations", list_of(corrections.relations, relation_json)},
+                  {"robin", list_of(corrections.robin, robin_json)}};
+  if (!corrections.cues.empty()) json["cues"] = list_of(corrections.cues, cue_json);
+  return json;
+}
+
+Ordered part_record_json(const understanding::PartRecord& part) {
+  return {{"label", part.label}, {"id", part.id}, {"completion", name(part.completion)}};
+}
+
+Ordered arrow_json(const understanding::OrderArrow& arrow) {
+  Ordered item = pair_of(arrow);
+  item["confidence"] = arrow.confidence;
+  item["user"] = arrow.user;
+  item["kept"] = arrow.kept;
+  return item;
+}
+
+Ordered join_record_json(const understanding::JoinRecord& join) {
+  Ordered item = pair_of(join);
+  item["confidence"] = join.confidence;
+  return item;
+}
+
+Ordered record_json(const understanding::SegmentationRecord& record) {
+  return {{"parts", list_of(record.parts, part_record_json)},
+          {"order", list_of(record.order, arrow_json)},
+          {"joins", list_of(record.joins, join_record_json)},
+          {"scribbles", scribbles_json(record.scribbles)},
+          {"corrections", corrections_json(record.corrections)}};
+}
+
 }  // namespace
 
 Result<Project> read_project_json(std::string_view text) {
@@ -157,6 +262,19 @@ Result<Project> read_project_json(std::string_view text) {
   Project project = reader.project(*json);
   if (reader.error()) return *reader.error();
   return project;
+}
+
+std::string write_project_json(const Project& project) {
+  Ordered json = {{"format", "relievo-project"}, {"version", project_version}};
+  json["name"] = project.name;
+  json["drawing"] = nullptr;
+  if (!project.drawing.bytes.empty())
+    json["drawing"] = {{"name", project.drawing.name},
+                       {"kind", project.drawing.kind},
+                       {"mime", project.drawing.mime}};
+  for (const auto& [key, value] : project.other_keys) json[key] = Ordered::parse(value);
+  if (project.segmentation) json["segmentation"] = record_json(*project.segmentation);
+  return json.dump(1, ' ', false, Ordered::error_handler_t::replace) + "\n";
 }
 
 }  // namespace relievo

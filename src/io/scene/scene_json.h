@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "io/scene/json_limits.h"
@@ -14,5 +15,9 @@ namespace relievo {
 /// "malformed JSON", one larger than `limits` with `limit`. The scene is valid (see validate), and
 /// its rings are oriented by nesting. Linear in bytes, but for the orientation.
 Result<Scene> read_scene(std::string_view json, const JsonLimits& limits = {});
+
+/// Returns the scene as a file, version 1. The same scene always gives the same bytes, and reading
+/// them back gives the same numbers to the last bit. Errors: as validate.
+Result<std::string> write_scene(const Scene& scene);
 
 }  // namespace relievo

@@ -1,4 +1,4 @@
-#include "io/layered/layer_table.h"
+#include "io/layered/layer_files.h"
 
 #include <algorithm>
 #include <cctype>
@@ -9,7 +9,9 @@
 #include <string>
 #include <utility>
 
+#include "io/image/png.h"
 #include "kernel/base/text_rules.h"
+#include "kernel/image/image_size.h"
 
 namespace relievo {
 namespace {
@@ -43,7 +45,11 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
-/// The fields of one line, by the names of their columns.
+std::string range_text(double low, double high) {
+  return std::to_string(std::lround(low)) + " to " + std::to_string(std::lround(high));
+}
+
+/// The fields of one line, by the names of their columns, and the first error in them.
 class Row {
  public:
   Row(const std::map<std::string, size_t>& columns, Fields fields, size_t line)
@@ -56,92 +62,72 @@ class Row {
   }
 
   /// Reads the number in a column; nothing where it is empty.
-  Result<std::optional<double>> number(const char* column, double low, double high) const {
+  std::optional<double> number(const char* column, double low, double high) {
     const std::string_view field = text(column);
-    if (field.empty()) return std::optional<double>();
+    if (field.empty()) return std::nullopt;
     const auto value = parse_number(field);
-    if (!value || *value < low || *value > high)
-      return line_error(line_, std::string(column) + " must be a number from " +
-                                   std::to_string(std::lround(low)) + " to " +
-                                   std::to_string(std::lround(high)) + ", not " +
-                                   std::string(field.substr(0, 40)));
-    return value;
+    if (value && *value >= low && *value <= high) return value;
+    fail(std::string(column) + " must be a number from " + range_text(low, high) + ", not " +
+         std::string(field.substr(0, 40)));
+    return std::nullopt;
   }
 
   /// Reads two numbers with a space between them.
-  Result<std::optional<Point2>> pair(const char* column, double low, double high) const {
+  std::optional<Point2> pair(const char* column, double low, double high) {
     const std::string_view field = text(column);
-    if (field.empty()) return std::optional<Point2>();
+    if (field.empty()) return std::nullopt;
     const Fields words = split(field, ' ');
     std::vector<double> numbers;
     for (const std::string_view word : words)
       if (const auto value = parse_number(word); value && *value >= low && *value <= high)
         numbers.push_back(*value);
-    if (words.size() != 2 || numbers.size() != 2)
-      return line_error(
-          line_, std::string(column) + " must be two numbers from " +
-                     std::to_string(std::lround(low)) + " to " + std::to_string(std::lround(high)) +
-                     ", with a space between them, not " + std::string(field.substr(0, 40)));
-    return std::optional(Point2{numbers[0], numbers[1]});
+    if (words.size() == 2 && numbers.size() == 2) return Point2{numbers[0], numbers[1]};
+    fail(std::string(column) + " must be two numbers from " + range_text(low, high) +
+         ", with a space between them, not " + std::string(field.substr(0, 40)));
+    return std::nullopt;
   }
 
+  LayerRole role() {
+    const std::string_view role = text("role");
+    if (role == "part") return LayerRole::part;
+    if (role == "texture") return LayerRole::texture;
+    if (!role.empty()) fail("role must be part, texture or empty");
+    return LayerRole::proposed;
+  }
+
+  void fail(const std::string& message) {
+    if (!error_) error_ = line_error(line_, message);
+  }
+
+  const std::optional<Error>& error() const { return error_; }
   size_t line() const { return line_; }
 
  private:
   const std::map<std::string, size_t>& columns_;
   Fields fields_;
   size_t line_;
+  std::optional<Error> error_;
 };
 
-Result<LayerRole> role_of(const Row& row) {
-  const std::string_view role = row.text("role");
-  if (role.empty()) return LayerRole::proposed;
-  if (role == "part") return LayerRole::part;
-  if (role == "texture") return LayerRole::texture;
-  return line_error(row.line(), "role must be part, texture or empty");
-}
-
-Status read_numbers(const Row& row, LayerFile& result) {
-  const auto order = row.number("order_back_to_front", -1e9, 1e9);
-  if (!order) return order.error();
-  const auto x = row.number("x", -farthest, farthest);
-  if (!x) return x.error();
-  const auto y = row.number("y", -farthest, farthest);
-  if (!y) return y.error();
-  const auto opacity = row.number("opacity", 0, 1);
-  if (!opacity) return opacity.error();
-  const auto c = row.number("c", 0, max_inflation);
-  if (!c) return c.error();
-  const auto d = row.number("d", -max_inflation, max_inflation);
-  if (!d) return d.error();
-  const auto flat = row.number("flat", 0, 1);
-  if (!flat) return flat.error();
-  const auto lean = row.pair("lean", -max_lean, max_lean);
-  if (!lean) return lean.error();
-  result.order = order->value_or(static_cast<double>(row.line()));
-  RasterLayer& layer = result.layer;
-  layer.x = static_cast<int>(std::lround(x->value_or(0)));
-  layer.y = static_cast<int>(std::lround(y->value_or(0)));
-  layer.opacity = opacity->value_or(1);
-  layer.c = *c;
-  layer.d = *d;
-  layer.flat = *flat;
-  layer.lean = *lean;
-  return Done{};
-}
-
-Result<LayerFile> read_row(const Row& row) {
+Result<LayerFile> read_row(Row row) {
   LayerFile result;
+  RasterLayer& layer = result.layer;
   result.file = row.text("file");
-  if (!is_path_inside(result.file))
-    return line_error(row.line(), "file must be a path inside the folder");
-  result.layer.name = row.text("name");
-  if (!result.layer.name.empty() && !is_sound_id(result.layer.name))
-    return line_error(row.line(), "name is too long or not plain UTF-8");
-  const auto role = role_of(row);
-  if (!role) return role.error();
-  result.layer.role = *role;
-  if (Status status = read_numbers(row, result); !status) return status.error();
+  if (!is_path_inside(result.file)) row.fail("file must be a path inside the folder");
+  layer.name = row.text("name");
+  if (!layer.name.empty() && !is_sound_id(layer.name))
+    row.fail("name is too long or not plain UTF-8");
+  layer.role = row.role();
+  const auto order = row.number("order_back_to_front", -1e9, 1e9);
+  result.order = order.value_or(static_cast<double>(row.line()));
+  layer.x = static_cast<int>(std::lround(row.number("x", -farthest, farthest).value_or(0)));
+  layer.y = static_cast<int>(std::lround(row.number("y", -farthest, farthest).value_or(0)));
+  layer.opacity = row.number("opacity", 0, 1).value_or(1);
+  layer.c = row.number("c", 0, max_inflation);
+  layer.d = row.number("d", -max_inflation, max_inflation);
+  layer.flat = row.number("flat", 0, 1);
+  layer.lean = row.pair("lean", -max_lean, max_lean);
+  if (row.error()) return *row.error();
   return result;
 }
 
@@ -186,6 +172,37 @@ std::string stem(const std::string& name) {
   return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
 }
 
+Error in_layer(Error error, const LayerFile& packed) {
+  error.where = packed.file;
+  return error;
+}
+
+/// Returns the smallest canvas, from the origin, that holds every layer to the right and below.
+Result<ImageSize> least_canvas(const std::vector<LayerFile>& layers, const ImageLimits& limits) {
+  int64_t width = 1;
+  int64_t height = 1;
+  for (const LayerFile& packed : layers) {
+    const auto size = png_size(packed.png, limits);
+    if (!size) return in_layer(size.error(), packed);
+    width = std::max(width, int64_t{packed.layer.x} + size->width);
+    height = std::max(height, int64_t{packed.layer.y} + size->height);
+  }
+  if (Status status = check_image_size(width, height, limits); !status) return status.error();
+  return ImageSize{static_cast<int>(width), static_cast<int>(height)};
+}
+
+/// Checks the pixels of all layers together, which the time of reading is proportional to.
+Status check_total(const std::vector<LayerFile>& layers, const ImageLimits& limits) {
+  int64_t total = 0;
+  for (const LayerFile& packed : layers) {
+    const auto size = png_size(packed.png, limits);
+    if (!size) return in_layer(size.error(), packed);
+    const Status added = add_layer_pixels(size->width, size->height, limits, packed.file, total);
+    if (!added) return added;
+  }
+  return Done{};
+}
+
 }  // namespace
 
 Result<std::vector<LayerFile>> read_layer_table(std::string_view text) {
@@ -225,6 +242,23 @@ Result<std::vector<LayerFile>> layers_of_names(std::vector<std::string> names) {
     rows.push_back(std::move(row));
   }
   return rows;
+}
+
+Result<understanding::LayeredDrawing> unpack_layers(const std::vector<LayerFile>& layers,
+                                                    ImageSize canvas, const ImageLimits& limits) {
+  if (Status status = check_total(layers, limits); !status) return status.error();
+  const bool open = canvas.width == 0 || canvas.height == 0;
+  const auto size = open ? least_canvas(layers, limits) : Result<ImageSize>(canvas);
+  if (!size) return size.error();
+  understanding::LayeredDrawing drawing = empty_drawing(size->width, size->height);
+  for (const LayerFile& packed : layers) {
+    auto pixels = decode_png(packed.png, limits);
+    if (!pixels) return in_layer(pixels.error(), packed);
+    RasterLayer layer = packed.layer;
+    layer.rgba = std::move(*pixels);
+    put_layer(drawing, layer);
+  }
+  return drawing;
 }
 
 }  // namespace relievo

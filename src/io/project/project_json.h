@@ -3,8 +3,10 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "relievo/bytes.h"
+#include "relievo/result.h"
 #include "relievo/scene.h"
 #include "understanding/scene/segmentation_record.h"
 
@@ -31,5 +33,13 @@ struct Project {
 
 /// The newest version of project files that is read, and the one that is written.
 constexpr int project_version = 1;
+
+/// Reads a text of write_project_json. Keys that only the web editor understands are kept as JSON.
+/// Errors: `bad_input` with the path of the key, `limit`.
+Result<Project> read_project_json(std::string_view json);
+
+/// Returns the text of project.json. The scene, the labels and the drawing's bytes are entries of
+/// their own.
+std::string write_project_json(const Project& project);
 
 }  // namespace relievo

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "io/image/image_limits.h"
 #include "kernel/image/image_size.h"
@@ -29,11 +30,18 @@ Result<Image16> decode_png_values(ByteView bytes, const ImageLimits& limits = {}
 /// Returns whether `bytes` begin like a PNG file but for at most three bytes.
 bool is_nearly_png(ByteView bytes);
 
-/// Returns the defect of a wrong signature.
-std::string signature_defect(ByteView bytes);
+/// A text inside a PNG file. The keyword has 1 to 79 Latin-1 characters.
+struct PngText {
+  std::string keyword;
+  std::string text;
+};
 
-/// Returns the defect that libpng's message reports, with the part of the file. Precondition:
-/// `bytes` hold a whole header.
-std::string png_defect(ByteView bytes, const std::string& message);
+/// Encodes an image of 1 (grey), 3 (RGB) or 4 (RGBA, straight alpha) channels as a PNG file. The
+/// same pixels always give the same bytes: no time, no gamma, fixed compression. Errors:
+/// `bad_input` for an empty image, `internal`.
+Result<Bytes> encode_png(const Image8& image, const std::vector<PngText>& texts = {});
+
+/// Likewise a grey image of 16 bits.
+Result<Bytes> encode_png(const Image16& image, const std::vector<PngText>& texts = {});
 
 }  // namespace relievo

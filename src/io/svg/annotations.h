@@ -1,5 +1,6 @@
 #pragma once
 
+#include <pugixml.hpp>
 #include <string>
 #include <vector>
 
@@ -30,12 +31,20 @@ Result<std::vector<Relation>> annotated_relations(const SvgDrawing& drawing,
 /// Returns the opaque marks of each Inkscape layer that shows a filled shape or a wide stroke.
 std::vector<std::vector<understanding::Mark>> marks_by_layer(const SvgDrawing& drawing);
 
-/// Returns the part that holds the group, or -1.
-int enclosing_part(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts, int group);
+/// Adds the joins of the drawing, and the elements that draw them to `elements`. A marked line
+/// joins the part that holds it (or data-upper) to data-lower, which may lie in front of it (see
+/// turn_joins_from_behind), or else to the nearest part behind that contains most of it. With
+/// `layers`, a stroke without a fill that runs along the outline of its part, over a part behind,
+/// is a join too. Errors: `bad_input` for unknown or missing names, `contradiction` for a line over
+/// no part behind.
+Status add_annotated_joins(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts,
+                           bool layers, std::vector<Join>& joins,
+                           std::vector<pugi::xml_node>& elements);
 
-/// Returns the part whose id, or whose group's id or label, is `name`; `otherwise` for an empty
-/// name. Errors: `bad_input` at `where` where there is no such part.
-Result<int> part_named(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts,
-                       const std::string& name, int otherwise, const std::string& where);
+/// Adds the cues of the drawing, and the elements that draw them to `elements`: each subpath of a
+/// marked line is a cue of the part that holds it or of data-part. Errors: `bad_input` for an
+/// unknown or missing part, and for an unsound data-cue or data-value.
+Status add_annotated_cues(const SvgDrawing& drawing, const std::vector<AnnotatedPart>& parts,
+                          std::vector<Cue>& cues, std::vector<pugi::xml_node>& elements);
 
 }  // namespace relievo

@@ -1,12 +1,16 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "io/image/image_limits.h"
 #include "io/layered/raster_layer.h"
+#include "kernel/image/image_size.h"
 #include "relievo/bytes.h"
 #include "relievo/result.h"
+#include "understanding/marks/layered_drawing.h"
 
 namespace relievo {
 
@@ -31,5 +35,14 @@ Result<std::vector<LayerFile>> read_layer_table(std::string_view text);
 /// Returns a layer for each picture, named as its file without extension, back to front in the
 /// natural order of the names (leg2 before leg10). Error: `limit`.
 Result<std::vector<LayerFile>> layers_of_names(std::vector<std::string> names);
+
+/// Most bytes of all compressed layers of a drawing together.
+constexpr uint64_t max_packed_bytes = uint64_t{1} << 30;
+
+/// Decodes the layers, back to front, one at a time, and puts them on each other. A canvas of size
+/// 0 becomes as large as the layers need. All sizes are checked first. Errors name the layer's
+/// file: `bad_input` (no PNG, damaged), `limit`.
+Result<understanding::LayeredDrawing> unpack_layers(const std::vector<LayerFile>& layers,
+                                                    ImageSize canvas, const ImageLimits& limits);
 
 }  // namespace relievo
