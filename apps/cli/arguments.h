@@ -72,13 +72,6 @@ struct BuildArguments {
   bool print_report = false;  ///< on standard output
 };
 
-struct CheckArguments {
-  CommonArguments common;
-  std::string output;      ///< scene .json; empty: not wanted
-  std::string overlay;     ///< file; empty: not wanted
-  ReliefArguments relief;  ///< of which the options of solids are used
-};
-
 struct RenderArguments {
   CommonArguments common;
   ReliefArguments relief;
@@ -90,17 +83,6 @@ struct RenderArguments {
   int size = 1200;                     ///< longest side, px
   bool clay = false;                   ///< leave the drawing out
   std::vector<double> window;          ///< middle x, y and width, canvas px; or empty
-};
-
-struct SegmentArguments {
-  CommonArguments common;
-  std::string labels;     ///< file; empty: found in the drawing, or those of the project
-  std::string scribbles;  ///< .png or .json
-  std::string figure;     ///< mask of the figure (.png); empty: found
-  int parts = 0;          ///< number of parts to propose; 0: as many as are found
-  std::string output;     ///< project .relievo, scene .json or layers .psd
-  std::string overlay;    ///< files; empty: not wanted
-  std::string report;
 };
 
 struct BatchArguments {
@@ -133,7 +115,7 @@ struct SequenceArguments {
 /// A command with its arguments. `run` returns the exit code.
 struct Command {
   CommonArguments common;
-  std::function<Result<int>(Interruption&)> run;
+  std::function<Result<int>(Interruption&)> run{};
 };
 
 /// A command, or an exit code if nothing is left to do: help, the version or a usage error has been

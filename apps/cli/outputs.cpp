@@ -9,8 +9,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Files = std::vector<OutputFile>;
-
 fs::path beside(const fs::path& path, const std::string& extension) {
   const std::string name = obj_file_name(path.stem().string()) + extension;
   return path.parent_path() / name;
@@ -76,16 +74,12 @@ Status make_folder(const fs::path& folder) {
   return Done{};
 }
 
-Status add_file(Files& files, const fs::path& path, Result<Bytes> content) {
-  if (!content) return content.error();
-  files.push_back({path, std::move(*content)});
-  return Done{};
-}
-
-Status save(const Files& files, const std::vector<fs::path>& inputs, Interruption& interruption) {
+Status save(const Outputs& outputs, const std::vector<fs::path>& inputs,
+            Interruption& interruption) {
+  if (!outputs.status) return outputs.status;
   const auto writing = interruption.hold_off();
   if (*interruption.flag()) return interrupted_error();
-  Status status = write_files(files, inputs);
+  Status status = write_files(outputs.files, inputs);
   if (status) interruption.finish();
   return status;
 }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/cli/arguments.h"
@@ -26,12 +27,26 @@ std::string level_name(const std::string& name, int level);
 /// Makes a folder, and those above it. Errors: `file`.
 Status make_folder(const std::filesystem::path& folder);
 
-/// Adds a file with the given content. Errors: those of `content`.
-Status add_file(std::vector<OutputFile>& files, const std::filesystem::path& path,
-                Result<Bytes> content);
+/// The files that a command makes.
+struct Outputs {
+  std::vector<OutputFile> files;
+  Status status = Done{};  ///< the first error, after which no more files are made
 
-/// Writes all files, or none if the work has been stopped. Errors: as write_files, `interrupted`.
-Status save(const std::vector<OutputFile>& files, const std::vector<std::filesystem::path>& inputs,
+  /// Adds the file `name` with the bytes that `make` returns, if it has a name.
+  template <class Make>
+  void add(const std::filesystem::path& name, Make make) {
+    if (name.empty() || !status) return;
+    Result<Bytes> bytes = make();
+    if (bytes)
+      files.push_back({name, std::move(*bytes)});
+    else
+      status = bytes.error();
+  }
+};
+
+/// Writes all files, or none if the work has been stopped. Errors: that of `outputs`; as
+/// write_files; `interrupted`.
+Status save(const Outputs& outputs, const std::vector<std::filesystem::path>& inputs,
             Interruption& interruption);
 
 }  // namespace relievo::cli

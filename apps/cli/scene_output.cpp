@@ -46,19 +46,19 @@ std::string picture_kind(ByteView bytes) {
   return sniff(bytes) == InputKind::svg ? "svg" : "jpeg";
 }
 
-Result<std::vector<OutputFile>> scene_files(const std::string& output, Scene scene,
-                                            const SceneDrawing& drawing) {
-  std::vector<OutputFile> files;
+void add_scene(Outputs& outputs, const std::string& output, Scene scene,
+               const SceneDrawing& drawing) {
   scene.drawing = path_from(output, drawing.file);
   if (scene.drawing.empty() && !drawing.bytes.empty()) {
     const fs::path copy = copy_of_drawing(output, drawing.bytes);
     scene.drawing = copy.filename().string();
-    files.push_back({copy, drawing.bytes});
+    outputs.add(copy, [&] { return drawing.bytes; });
   }
-  const auto text = write_scene(scene);
-  if (!text) return text.error();
-  files.push_back({output, bytes_of(*text)});
-  return files;
+  outputs.add(output, [&]() -> Result<Bytes> {
+    const auto text = write_scene(scene);
+    if (!text) return text.error();
+    return bytes_of(*text);
+  });
 }
 
 }  // namespace relievo::cli

@@ -1,12 +1,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "kernel/geometry/polygon.h"
+#include "apps/cli/outputs.h"
 #include "relievo/bytes.h"
-#include "relievo/files.h"
-#include "relievo/result.h"
 #include "relievo/scene.h"
 
 namespace relievo::cli {
@@ -20,9 +17,9 @@ struct SceneDrawing {
 /// Returns the file extension for the format of a picture, without the dot.
 std::string picture_kind(ByteView bytes);
 
-/// Returns the scene file and, if the drawing is not in its folder or below, a copy of the drawing
+/// Adds the scene file and, if the drawing is not in its folder or below, a copy of the drawing
 /// beside it. The copy is numbered if its name is taken. Errors: as write_scene.
-Result<std::vector<OutputFile>> scene_files(const std::string& output, Scene scene,
-                                            const SceneDrawing& drawing);
+void add_scene(Outputs& outputs, const std::string& output, Scene scene,
+               const SceneDrawing& drawing);
 
 }  // namespace relievo::cli

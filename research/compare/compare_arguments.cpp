@@ -78,7 +78,8 @@ cli::ParsedArguments parse_compare(int argc, const char* const* argv) {
     app.parse(argc, argv);
     check_outputs_given(compare);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error, std::cout, std::cerr) == 0 ? cli::exit_done : cli::exit_usage;
+    return app.exit(error, std::cout, std::cerr) == 0 ? cli::exit_done
+                                                      : cli::exit_code(ErrorCode::usage);
   }
   return cli::Command{compare.common, [compare](cli::Interruption& interruption) -> Result<int> {
                         const Status status = run_compare(compare, interruption);

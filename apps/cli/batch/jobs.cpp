@@ -1,13 +1,14 @@
 #include "apps/cli/batch/jobs.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
+#include <set>
 
 #include "apps/cli/batch/manifest.h"
 #include "apps/cli/batch/sheet_page.h"
 #include "apps/cli/build_arguments.h"
 #include "apps/cli/outputs.h"
+#include "kernel/base/text_rules.h"
 
 namespace relievo::cli {
 namespace {
@@ -17,13 +18,9 @@ namespace fs = std::filesystem;
 /// Checks for the extension of a drawing. Scene files must be named one by one, since other files
 /// end in .json too.
 bool is_drawing(const fs::path& path) {
-  static const std::array<const char*, 8> endings = {".svg", ".ora",  ".psd", ".png",
-                                                     ".jpg", ".jpeg", ".gif", ".relievo"};
-  std::string ending = path.extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return std::any_of(endings.begin(), endings.end(),
-                     [&](const char* known) { return ending == known; });
+  static const std::set<std::string> endings = {".svg", ".ora",  ".psd", ".png",
+                                                ".jpg", ".jpeg", ".gif", ".relievo"};
+  return endings.count(lower_case(path.extension().string())) > 0;
 }
 
 bool is_layer_folder(const fs::path& path) {
@@ -92,20 +89,16 @@ std::vector<std::string> output_words(const BatchArguments& batch, const std::st
     if (!has(batch.words, "--preview-size"))
       words.insert(words.end(), {"--preview-size", std::to_string(sheet_size)});
   }
+  static const std::set<std::string> maps = {"normal", "depth", "part", "occlusion"};
   for (const std::string& what : batch.make) {
-    if (what == "normal" || what == "depth" || what == "part" || what == "occlusion") {
-      words.push_back("--" + what + "-map");
-      words.push_back(stem + "-" + what + ".png");
-    } else if (what == "preview" || what == "overlay") {
-      words.push_back("--" + what);
-      words.push_back(stem + "-" + what + ".png");
-    } else if (what == "report") {
-      words.emplace_back("--report");
-      words.push_back(stem + "-report.json");
-    } else {
-      words.emplace_back("-o");
-      words.push_back(stem + "." + what);
-    }
+    if (maps.count(what) > 0)
+      words.insert(words.end(), {"--" + what + "-map", stem + "-" + what + ".png"});
+    else if (what == "preview" || what == "overlay")
+      words.insert(words.end(), {"--" + what, stem + "-" + what + ".png"});
+    else if (what == "report")
+      words.insert(words.end(), {"--report", stem + "-report.json"});
+    else
+      words.insert(words.end(), {"-o", stem + "." + what});
   }
   return words;
 }

@@ -1,14 +1,21 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "apps/cli/batch/child.h"
 #include "relievo/result.h"
 
 namespace relievo::cli {
+
+/// The end of a run.
+struct ChildOutcome {
+  int code = 0;          ///< exit code, or 128 + the signal that ended it
+  std::string messages;  ///< its standard error
+  double seconds = 0;    ///< elapsed
+  double cpu_seconds = 0;
+  double peak_mb = 0;  ///< memory, 2^20 bytes
+};
 
 /// A run of the program.
 struct PoolTask {
@@ -25,7 +32,8 @@ struct PoolOptions {
 /// Runs the tasks in order, as many at once as `options` allow, but at least one. Calls `done` with
 /// the outcome of each task once it has ended. Reserves, for each task, its expected memory or the
 /// most that a task has used, and limits each to the whole memory. Errors: that of `done`, after
-/// which no task is started; `interrupted`; `limit` as Child::start.
+/// which no task is started; `interrupted`; `limit` if the system can
+/// start no process.
 Status run_pool(const std::vector<PoolTask>& tasks, const PoolOptions& options,
                 const std::function<Status(size_t task, ChildOutcome outcome)>& done);
 

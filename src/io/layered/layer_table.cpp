@@ -156,8 +156,14 @@ Result<std::map<std::string, size_t>> read_columns(std::string_view line) {
   return columns;
 }
 
-/// Compares names with the numbers in them by value: leg2 before leg10.
-bool natural_less(const std::string& p, const std::string& q) {
+std::string stem(const std::string& name) {
+  const size_t dot = name.rfind('.');
+  return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
+}
+
+}  // namespace
+
+bool comes_before(const std::string& p, const std::string& q) {
   const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
   size_t i = 0;
   size_t j = 0;
@@ -180,13 +186,6 @@ bool natural_less(const std::string& p, const std::string& q) {
   }
   return p.size() - i != q.size() - j ? p.size() - i < q.size() - j : p < q;
 }
-
-std::string stem(const std::string& name) {
-  const size_t dot = name.rfind('.');
-  return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
-}
-
-}  // namespace
 
 Result<std::vector<LayerFile>> read_layer_table(std::string_view text) {
   if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
@@ -216,7 +215,7 @@ Result<std::vector<LayerFile>> read_layer_table(std::string_view text) {
 Result<std::vector<LayerFile>> layers_of_names(std::vector<std::string> names) {
   if (names.size() > max_layers)
     return Error{ErrorCode::limit, "has more than " + std::to_string(max_layers) + " layers", ""};
-  std::sort(names.begin(), names.end(), natural_less);
+  std::sort(names.begin(), names.end(), comes_before);
   std::vector<LayerFile> rows;
   for (std::string& name : names) {
     LayerFile row;
