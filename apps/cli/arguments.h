@@ -10,6 +10,7 @@
 #include "kernel/image/image_size.h"
 #include "relief/session/build_relief.h"
 #include "relievo/export.h"
+#include "relievo/render.h"
 #include "relievo/scene.h"
 #include "relievo/solid.h"
 #include "solid/check_print.h"
@@ -76,13 +77,13 @@ struct RenderArguments {
   CommonArguments common;
   ReliefArguments relief;
   std::string output;
-  std::string view = "three-quarter";  ///< front, three-quarter, side or sheet
-  std::optional<double> yaw;           ///< degrees; replaces that of the view
-  std::optional<double> pitch;         ///< degrees; replaces that of the view
-  std::vector<double> light;           ///< azimuth to the right and elevation, degrees; or empty
-  int size = 1200;                     ///< longest side, px
-  bool clay = false;                   ///< leave the drawing out
-  std::vector<double> window;          ///< middle x, y and width, canvas px; or empty
+  std::optional<View> view = View::three_quarter;  ///< nothing: all views on a sheet
+  std::optional<double> yaw;                       ///< degrees; replaces that of the view
+  std::optional<double> pitch;                     ///< degrees; replaces that of the view
+  std::vector<double> light;   ///< azimuth to the right and elevation, degrees; or empty
+  int size = 1200;             ///< longest side, px
+  bool clay = false;           ///< leave the drawing out
+  std::vector<double> window;  ///< middle x, y and width, canvas px; or empty
 };
 
 struct BatchArguments {

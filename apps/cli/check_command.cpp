@@ -16,7 +16,6 @@
 #include "apps/cli/pictures.h"
 #include "apps/cli/reconstruct.h"
 #include "apps/cli/relief_arguments.h"
-#include "apps/cli/scene_output.h"
 #include "face/inputs.h"
 #include "io/files/number_text.h"
 #include "io/image/png_encode.h"
@@ -248,20 +247,14 @@ Status write_outputs(const CheckArguments& check, const InputFile& file, const S
   return Done{};
 }
 
-std::vector<std::filesystem::path> outputs_of(const CheckArguments& check) {
-  std::vector<std::filesystem::path> paths;
-  if (!check.output.empty()) paths.emplace_back(check.output);
-  if (!check.overlay.empty()) paths.emplace_back(check.overlay);
-  return paths;
-}
-
 Status run_check(const CheckArguments& check, Interruption& interruption) {
-  if (Status s = check_outputs(outputs_of(check), {check.common.input}); !s) return s;
+  const std::vector<std::filesystem::path> outputs = {check.output, check.overlay};
+  if (Status s = check_outputs(outputs, {check.common.input}); !s) return s;
   const auto file = read_input(check.common.input);
   if (!file) return file.error();
   auto input = load_scene(*file, check.common.connect, {interruption.flag(), {}});
   if (!input) return input.error();
-  if (Status s = check_outputs(outputs_of(check), input->files); !s) return s;
+  if (Status s = check_outputs(outputs, input->files); !s) return s;
   if (Status status = validate(input->scene); !status) return status;
   print_warnings(input->warnings);
   for (const std::string& line : input->understood) print_note(line);

@@ -2,7 +2,12 @@
 
 #include <set>
 
+#include "face/inputs.h"
+#include "io/files/paths.h"
+#include "io/image/gif_decode.h"
+#include "io/image/png_decode.h"
 #include "io/mesh/obj_encode.h"
+#include "io/scene/write_scene.h"
 
 namespace relievo::cli {
 namespace {
@@ -20,6 +25,28 @@ fs::path identity(const fs::path& path) {
   // A relative path to a file that does not exist yet would stay relative.
   const fs::path canonical = fs::weakly_canonical(fs::absolute(path, code), code);
   return code ? fs::absolute(path, code).lexically_normal() : canonical;
+}
+
+/// Returns the path of the drawing relative to the scene's folder; empty if it is not inside or has
+/// no file of its own.
+std::string path_from(const fs::path& scene, const std::string& drawing) {
+  if (drawing.empty() || drawing == "-") return "";
+  const auto inside = path_below(drawing, identity(scene).parent_path());
+  return inside ? inside->generic_string() : "";
+}
+
+/// Returns a path beside the scene for a copy of the drawing: a free name, or that of an identical
+/// file. An existing file may be someone's drawing, so it is never replaced.
+fs::path copy_of_drawing(const fs::path& scene, const Bytes& drawing) {
+  const std::string extension = "." + picture_kind(drawing);
+  for (int number = 1;; ++number) {
+    const std::string end = number > 1 ? "-" + std::to_string(number) : "";
+    const fs::path copy = scene.parent_path() / (scene.stem().string() + end + extension);
+    std::error_code code;
+    if (!fs::exists(copy, code)) return copy;
+    const auto there = read_file(copy);
+    if (there && *there == drawing) return copy;
+  }
 }
 
 }  // namespace
@@ -51,6 +78,7 @@ std::string level_name(const std::string& name, int level) {
 Status check_outputs(const std::vector<fs::path>& paths, const std::vector<fs::path>& inputs) {
   std::set<fs::path> taken;
   for (const fs::path& path : paths) {
+    if (path.empty()) continue;
     std::error_code code;
     const fs::path folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
     if (!fs::is_directory(folder, code))
@@ -72,6 +100,27 @@ Status make_folder(const fs::path& folder) {
   fs::create_directories(folder, code);
   if (code) return Error{ErrorCode::file, "cannot be created: " + code.message(), folder.string()};
   return Done{};
+}
+
+std::string picture_kind(ByteView bytes) {
+  if (is_png(bytes)) return "png";
+  if (is_gif(bytes)) return "gif";
+  return sniff(bytes) == InputKind::svg ? "svg" : "jpeg";
+}
+
+void add_scene(Outputs& outputs, const std::string& output, Scene scene,
+               const SceneDrawing& drawing) {
+  scene.drawing = path_from(output, drawing.file);
+  if (scene.drawing.empty() && !drawing.bytes.empty()) {
+    const fs::path copy = copy_of_drawing(output, drawing.bytes);
+    scene.drawing = copy.filename().string();
+    outputs.add(copy, [&] { return drawing.bytes; });
+  }
+  outputs.add(output, [&]() -> Result<Bytes> {
+    const auto text = write_scene(scene);
+    if (!text) return text.error();
+    return bytes_of(*text);
+  });
 }
 
 Status save(const Outputs& outputs, const std::vector<fs::path>& inputs,

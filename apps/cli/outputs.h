@@ -7,8 +7,10 @@
 
 #include "apps/cli/arguments.h"
 #include "apps/cli/interruption.h"
+#include "relievo/bytes.h"
 #include "relievo/files.h"
 #include "relievo/result.h"
+#include "relievo/scene.h"
 
 namespace relievo::cli {
 
@@ -17,7 +19,7 @@ namespace relievo::cli {
 std::vector<std::filesystem::path> planned_outputs(const BuildArguments& build);
 
 /// Checks that `paths` are different files in existing folders, and that none is one of `inputs`.
-/// Errors: `usage`, `file`.
+/// Empty paths are outputs that are not wanted. Errors: `usage`, `file`.
 Status check_outputs(const std::vector<std::filesystem::path>& paths,
                      const std::vector<std::filesystem::path>& inputs);
 
@@ -43,6 +45,20 @@ struct Outputs {
       status = bytes.error();
   }
 };
+
+/// The drawing that a scene file refers to.
+struct SceneDrawing {
+  std::string file;  ///< its path; empty if it has no file of its own
+  Bytes bytes;       ///< empty if there is no drawing
+};
+
+/// Returns the file extension for the format of a picture, without the dot.
+std::string picture_kind(ByteView bytes);
+
+/// Adds the scene file and, if the drawing is not in its folder or below, a copy of the drawing
+/// beside it. The copy is numbered if its name is taken. Errors: as write_scene.
+void add_scene(Outputs& outputs, const std::string& output, Scene scene,
+               const SceneDrawing& drawing);
 
 /// Writes all files, or none if the work has been stopped. Errors: that of `outputs`; as
 /// write_files; `interrupted`.

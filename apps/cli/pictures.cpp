@@ -16,11 +16,6 @@ namespace {
 
 constexpr double radians_per_degree = 3.14159265358979323846 / 180;
 
-View named_view(const std::string& name) {
-  if (name == "front") return View::front;
-  return name == "side" ? View::side : View::three_quarter;
-}
-
 Point3 light_direction(double azimuth, double elevation) {
   const double a = radians_per_degree * azimuth;
   const double e = radians_per_degree * elevation;
@@ -28,7 +23,7 @@ Point3 light_direction(double azimuth, double elevation) {
 }
 
 RenderOptions options_of(const RenderArguments& arguments, const Model& model, bool has_drawing) {
-  RenderOptions options = seen_from(named_view(arguments.view), {});
+  RenderOptions options = seen_from(arguments.view.value_or(View::front), {});
   const ImageSize size = fitted_size(model.width, model.height, arguments.size);
   options.width = size.width;
   options.height = size.height;
@@ -98,9 +93,8 @@ Result<Bytes> draw_picture(const Model& model, const Drawing& drawing,
                            const RenderArguments& arguments, const RunContext& context) {
   const Drawing* texture = drawing.rgba.empty() ? nullptr : &drawing;
   const RenderOptions options = options_of(arguments, model, texture != nullptr);
-  const auto picture = arguments.view == "sheet"
-                           ? render_contact_sheet(model, texture, options, context)
-                           : render_model(model, texture, options, context);
+  const auto picture = arguments.view ? render_model(model, texture, options, context)
+                                      : render_contact_sheet(model, texture, options, context);
   if (!picture) return picture.error();
   return encode_png(*picture);
 }

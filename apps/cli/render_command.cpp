@@ -78,8 +78,11 @@ void add_render(CLI::App& main, Command& chosen) {
   add_common(app, render->common, "Model (.glb), or any input of build; - reads standard input");
   add_connect(app, render->common);
   add_path(app, "-o,--output", render->output, "Picture (.png)")->required();
-  app.add_option("--view", render->view, "front, three-quarter (the default), side or sheet")
-      ->check(CLI::IsMember({"front", "three-quarter", "side", "sheet"}));
+  add_choice(app, "--view", render->view, "front, three-quarter (the default), side or sheet",
+             {{"front", View::front},
+              {"three-quarter", View::three_quarter},
+              {"side", View::side},
+              {"sheet", std::nullopt}});
   app.add_option("--yaw", render->yaw,
                  "Turns the camera to the right, in degrees; overrides --view")
       ->check(within(-360.0, 360.0));

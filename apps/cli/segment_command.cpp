@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,7 +11,6 @@
 #include "apps/cli/outputs.h"
 #include "apps/cli/pictures.h"
 #include "apps/cli/report.h"
-#include "apps/cli/scene_output.h"
 #include "face/inputs.h"
 #include "io/files/number_text.h"
 #include "io/files/paths.h"
@@ -58,16 +56,12 @@ struct SegmentArguments {
   std::string report;
 };
 
-/// A flat drawing with its known segmentation and its project.
+/// A flat drawing with what is known of it.
 struct SegmentInput {
   std::string drawing_file;  ///< its path or "-"; empty if a project holds it or it was made here
-  ProjectDrawing drawing;    ///< the artist's own file, or a picture of a vector drawing
+  Project project;           ///< new, or as it was read; it has a segmentation
   Image8 pixels;             ///< of the drawing, RGBA
-  understanding::SegmentationRecord record;
-  understanding::Segmentation found;              ///< empty if the record has the labels
-  std::string name;                               ///< of the project; empty if there was none
-  Scene scene;                                    ///< of the project; empty if there was none
-  std::map<std::string, std::string> other_keys;  ///< unknown keys of the project, kept
+  understanding::Segmentation found;  ///< empty if the project has the labels
 };
 
 /// Longest side of the picture that is made from a vector drawing, px.
@@ -79,13 +73,7 @@ Result<SegmentInput> from_project(const InputFile& file) {
   if (!project->segmentation)
     return Error{ErrorCode::bad_input,
                  "is a project of a layered drawing, whose layers are its parts already", ""};
-  SegmentInput input;
-  input.drawing = std::move(project->drawing);
-  input.record = std::move(*project->segmentation);
-  input.name = std::move(project->name);
-  input.other_keys = std::move(project->other_keys);
-  input.scene = std::move(project->scene);
-  return input;
+  return SegmentInput{"", std::move(*project), {}, {}};
 }
 
 /// Paints a vector drawing as the picture to segment, a PNG file.
@@ -101,8 +89,9 @@ Result<Bytes> picture_of(const Bytes& svg) {
 SegmentInput from_picture(const InputFile& file) {
   SegmentInput input;
   input.drawing_file = file.name;
-  input.drawing = {file.name == "-" ? "drawing" : fs::path(file.name).filename().string(), "image",
-                   "image/" + picture_kind(file.bytes), file.bytes};
+  input.project.segmentation.emplace();
+  input.project.drawing = {file.name == "-" ? "drawing" : fs::path(file.name).filename().string(),
+                           "image", "image/" + picture_kind(file.bytes), file.bytes};
   return input;
 }
 
@@ -113,7 +102,8 @@ Result<SegmentInput> from_svg(const InputFile& file) {
   if (!picture) return picture.error();
   SegmentInput input = from_picture({file.name, std::move(*picture)});
   input.drawing_file.clear();
-  input.drawing.name = fs::path(input.drawing.name).replace_extension("png").string();
+  input.project.drawing.name =
+      fs::path(input.project.drawing.name).replace_extension("png").string();
   return input;
 }
 
@@ -167,8 +157,8 @@ Status cut_out(const std::string& name, SegmentInput& input) {
   }
   auto cut = encode_png(input.pixels);
   if (!cut) return cut.error();
-  const std::string title = fs::path(input.drawing.name).replace_extension("png").string();
-  input.drawing = {title, "image", "image/png", std::move(*cut)};
+  const std::string title = fs::path(input.project.drawing.name).replace_extension("png").string();
+  input.project.drawing = {title, "image", "image/png", std::move(*cut)};
   input.drawing_file.clear();
   return Done{};
 }
@@ -176,16 +166,17 @@ Status cut_out(const std::string& name, SegmentInput& input) {
 /// Reads or finds the labels, as the arguments specify.
 Status choose_labels(const SegmentArguments& segment, SegmentInput& input,
                      const RunContext& context) {
+  understanding::SegmentationRecord& record = *input.project.segmentation;
   if (!segment.labels.empty()) {
     auto labels =
         read_as(segment.labels, [](const Bytes& bytes) { return decode_png_values(bytes); });
     if (!labels) return labels.error();
-    input.record.labels = std::move(*labels);
+    record.labels = std::move(*labels);
     return Done{};
   }
   const bool as_in_project =
       segment.scribbles.empty() && segment.figure.empty() && segment.parts == 0;
-  if (as_in_project && !input.record.labels.empty()) return Done{};
+  if (as_in_project && !record.labels.empty()) return Done{};
   if (!segment.figure.empty())
     if (Status status = cut_out(segment.figure, input); !status) return status;
   if (!segment.scribbles.empty()) {
@@ -193,11 +184,10 @@ Status choose_labels(const SegmentArguments& segment, SegmentInput& input,
       return decode_scribbles(bytes, input.pixels);
     });
     if (!scribbles) return scribbles.error();
-    input.record.scribbles = std::move(*scribbles);
+    record.scribbles = std::move(*scribbles);
   }
-  if (segment.parts > 0) input.record.scribbles.count = segment.parts;
-  auto found =
-      understanding::segment_drawing(Drawing{input.pixels}, input.record.scribbles, context);
+  if (segment.parts > 0) record.scribbles.count = segment.parts;
+  auto found = understanding::segment_drawing(Drawing{input.pixels}, record.scribbles, context);
   if (!found) return found.error();
   input.found = std::move(*found);
   return Done{};
@@ -208,11 +198,12 @@ Result<SegmentInput> load(const SegmentArguments& segment, const RunContext& con
   if (!file) return file.error();
   auto input = from_file(*file);
   if (!input) return in_file(input.error(), file->name);
-  auto pixels = decode_image(input->drawing.bytes);
+  auto pixels = decode_image(input->project.drawing.bytes);
   if (!pixels) return in_file(pixels.error(), file->name);
   input->pixels = std::move(*pixels);
   if (Status status = choose_labels(segment, *input, context); !status) return status.error();
-  const Image16& labels = input->found.labels.empty() ? input->record.labels : input->found.labels;
+  const Image16& labels =
+      input->found.labels.empty() ? input->project.segmentation->labels : input->found.labels;
   if (labels.width != input->pixels.width || labels.height != input->pixels.height)
     return wrong_size(input->pixels, segment.labels);
   return input;
@@ -220,13 +211,12 @@ Result<SegmentInput> load(const SegmentArguments& segment, const RunContext& con
 
 /// Makes a project of the drawing and its segmentation.
 Project project_of(const SegmentInput& input, const understanding::Understanding& understanding) {
-  Project project;
-  project.name = input.name.empty() ? fs::path(input.drawing.name).stem().string() : input.name;
-  project.drawing = input.drawing;
+  Project project = input.project;
+  if (project.name.empty()) project.name = fs::path(project.drawing.name).stem().string();
   project.segmentation = understanding.record;
   project.scene = understanding.scene;
   project.scene.drawing = "drawing";
-  project.other_keys = input.other_keys;
+  project.picture.clear();
   return project;
 }
 
@@ -237,7 +227,7 @@ Outputs outputs_of(const SegmentArguments& segment, const SegmentInput& input,
   const fs::path ending = fs::path(segment.output).extension();
   if (ending == ".json")
     add_scene(outputs, segment.output, understanding.scene,
-              {input.drawing_file, input.drawing.bytes});
+              {input.drawing_file, input.project.drawing.bytes});
   else
     outputs.add(segment.output, [&] {
       return ending == ".psd" ? encode_part_layers(understanding.scene, input.pixels)
@@ -269,21 +259,21 @@ std::string summary(const Scene& scene) {
 }
 
 Status run_segment(const SegmentArguments& segment, Interruption& interruption) {
-  std::vector<fs::path> outputs = {segment.output};
-  for (const std::string* name : {&segment.overlay, &segment.report})
-    if (!name->empty()) outputs.emplace_back(*name);
   std::vector<fs::path> inputs;
   for (const std::string* name :
        {&segment.common.input, &segment.labels, &segment.scribbles, &segment.figure})
     if (!name->empty() && *name != "-") inputs.emplace_back(*name);
-  if (Status status = check_outputs(outputs, inputs); !status) return status;
+  if (Status status = check_outputs({segment.output, segment.overlay, segment.report}, inputs);
+      !status)
+    return status;
   Progress progress;
   const RunContext context = progress.context(interruption.flag());
   auto loaded = load(segment, context);
   if (!loaded) return loaded.error();
   const Stopwatch watch;
   const auto understood = understanding::understand_drawing(
-      loaded->pixels, std::move(loaded->found), std::move(loaded->record), loaded->scene, context);
+      loaded->pixels, std::move(loaded->found), std::move(*loaded->project.segmentation),
+      loaded->project.scene, context);
   if (!understood) return understood.error();
   if (understood->scene.parts.empty())
     return Error{ErrorCode::bad_input, "has no parts: all were removed in the project", ""};

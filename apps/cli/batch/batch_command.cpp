@@ -108,7 +108,7 @@ std::vector<PoolTask> tasks_of(const BatchPlan& plan, int processes) {
 }
 
 /// Completes the entry of a finished build. Errors: `interrupted` if the batch is being stopped.
-Result<JournalEntry> finished(JournalEntry entry, const ChildOutcome& outcome) {
+Result<JournalEntry> finished(JournalEntry entry, const TaskOutcome& outcome) {
   if (outcome.code == exit_code(ErrorCode::interrupted) || outcome.code == 128 + SIGTERM)
     return interrupted_error();
   entry.code = outcome.code;
@@ -130,7 +130,7 @@ Result<double> build_planned(const BatchArguments& batch, const BatchPlan& plan,
   const int processes = batch.jobs > 0 ? batch.jobs : processors();
   const double memory = batch.memory_mb > 0 ? batch.memory_mb : share_of_memory * free_mb();
   Rate rate(plan.builds.size());
-  const auto keep = [&](size_t task, const ChildOutcome& outcome) -> Status {
+  const auto keep = [&](size_t task, const TaskOutcome& outcome) -> Status {
     auto entry = finished(plan.builds[task].entry, outcome);
     if (!entry) return entry.error();
     if (entry->code != 0) {
@@ -142,8 +142,7 @@ Result<double> build_planned(const BatchArguments& batch, const BatchPlan& plan,
     entries[entry->name] = std::move(*entry);
     return Done{};
   };
-  const PoolOptions options{processes, memory,
-                            [&interruption] { return interruption.flag()->load(); }};
+  const PoolOptions options{processes, memory, *interruption.flag()};
   const Status status = run_pool(tasks_of(plan, processes), options, keep);
   clear_progress();
   if (!status) return status.error();

@@ -70,7 +70,7 @@ class Child {
   bool take();
 
   /// Returns its outcome. Precondition: take() has returned true.
-  ChildOutcome wait();
+  TaskOutcome wait();
 
  private:
   explicit Child(int stream) : stream_(stream) {}
@@ -111,7 +111,7 @@ bool Child::take() {
   return count == 0;
 }
 
-ChildOutcome Child::wait() {
+TaskOutcome Child::wait() {
   int status = 0;
   struct rusage usage = {};
   const pid_t id = std::exchange(id_, -1);
@@ -152,10 +152,10 @@ class Pool {
   bool idle() const { return running_.empty(); }
 
   /// Waits for a moment. Returns the tasks that have ended.
-  std::vector<std::pair<size_t, ChildOutcome>> wait_for_some() {
+  std::vector<std::pair<size_t, TaskOutcome>> wait_for_some() {
     std::vector<pollfd> streams;
     for (const Running& one : running_) streams.push_back({one.child->stream(), POLLIN, 0});
-    std::vector<std::pair<size_t, ChildOutcome>> ended;
+    std::vector<std::pair<size_t, TaskOutcome>> ended;
     if (poll(streams.data(), streams.size(), poll_interval) <= 0) return ended;
     for (size_t k = running_.size(); k-- > 0;) {
       if (streams[k].revents == 0 || !running_[k].child->take()) continue;
@@ -187,10 +187,10 @@ class Pool {
 }  // namespace
 
 Status run_pool(const std::vector<PoolTask>& tasks, const PoolOptions& options,
-                const std::function<Status(size_t task, ChildOutcome outcome)>& done) {
+                const std::function<Status(size_t task, TaskOutcome outcome)>& done) {
   Pool pool(tasks, options);
   while (true) {
-    if (options.stopped()) return interrupted_error();
+    if (options.stop) return interrupted_error();
     if (Status status = pool.start_some(); !status) return status;
     if (pool.idle()) return Done{};
     for (auto& [task, outcome] : pool.wait_for_some())

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
@@ -8,8 +9,8 @@
 
 namespace relievo::cli {
 
-/// The end of a run.
-struct ChildOutcome {
+/// How a run of the program ended.
+struct TaskOutcome {
   int code = 0;          ///< exit code, or 128 + the signal that ended it
   std::string messages;  ///< its standard error
   double seconds = 0;    ///< elapsed
@@ -26,15 +27,14 @@ struct PoolTask {
 struct PoolOptions {
   int processes = 1;     ///< maximum number at once
   double memory_mb = 0;  ///< for all of them
-  std::function<bool()> stopped;
+  const std::atomic<bool>& stop;
 };
 
 /// Runs the tasks in order, as many at once as `options` allow, but at least one. Calls `done` with
 /// the outcome of each task once it has ended. Reserves, for each task, its expected memory or the
 /// most that a task has used, and limits each to the whole memory. Errors: that of `done`, after
-/// which no task is started; `interrupted`; `limit` if the system can
-/// start no process.
+/// which no task is started; `interrupted`; `limit` if the system can start no process.
 Status run_pool(const std::vector<PoolTask>& tasks, const PoolOptions& options,
-                const std::function<Status(size_t task, ChildOutcome outcome)>& done);
+                const std::function<Status(size_t task, TaskOutcome outcome)>& done);
 
 }  // namespace relievo::cli
