@@ -26,6 +26,7 @@ std::vector<std::string> method_names() {
 }
 
 void add_options(CLI::App& app, CompareArguments& compare) {
+  using cli::add_path;
   add_common(app, compare.common, cli::input_help);
   add_connect(app, compare.common);
   add_mesh_options(app, compare.relief);
