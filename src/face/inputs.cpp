@@ -33,10 +33,6 @@ constexpr double vector_texture_side = 2048;
 /// Longest side of a vector drawing without fills whose lines are searched for parts, px.
 constexpr double line_art_side = 1600;
 
-std::string_view text_of(const Bytes& bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
 bool begins_with(std::string_view text, std::string_view start) {
   return text.substr(0, start.size()) == start;
 }
@@ -247,7 +243,7 @@ Result<Drawing> rasterize(const understanding::PaintableSvg& svg, double longest
 }
 
 InputKind sniff(ByteView bytes) {
-  std::string_view text{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  std::string_view text = text_of(bytes);
   if (begins_with(text, "\x89PNG") || begins_with(text, "\xff\xd8\xff")) return InputKind::image;
   if (begins_with(text, "GIF8") || begins_with(text, "BM")) return InputKind::image;
   if (begins_with(text, "RIFF") && text.substr(0, 16).find("WEBP") != std::string_view::npos)

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <future>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "relievo/bytes.h"
@@ -20,6 +21,11 @@ enum class InputKind { svg, json, image, psd, glb, zip, gzip, folder, unknown };
 
 /// Returns the kind of a file by its content.
 InputKind sniff(ByteView bytes);
+
+/// Returns a view of the content of a file as text.
+inline std::string_view text_of(ByteView bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
 struct InputFile {
   std::string name;  ///< as given; "-" is standard input

@@ -1,7 +1,6 @@
 #include "apps/cli/sequence/frames.h"
 
 #include <algorithm>
-#include <cctype>
 #include <memory>
 #include <set>
 #include <utility>
@@ -10,16 +9,13 @@
 #include "face/read_picture.h"
 #include "io/files/paths.h"
 #include "io/image/decode_image.h"
+#include "io/layered/layer_files.h"
 #include "relievo/files.h"
 
 namespace relievo::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string_view text_of(const Bytes& bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
 
 /// Checks whether a file lists the sprites of a sheet. Scene files have no "frames".
 bool lists_sprites(const InputFile& file) {
@@ -31,23 +27,6 @@ bool is_blank(const Image8& sheet, const Sprite& sprite) {
   bool blank = true;
   for_each_pixel(sprite, [&](int, int, int x, int y) { blank &= sheet.at(x, y, 3) == 0; });
   return blank;
-}
-
-/// Compares names by the numbers in them: walk 2 comes before walk 10.
-bool before(const std::string& a, const std::string& b) {
-  const auto digits = [](const std::string& s, size_t from) {
-    size_t end = from;
-    while (end < s.size() && std::isdigit(static_cast<unsigned char>(s[end])) != 0) ++end;
-    return end - from;
-  };
-  size_t i = 0;
-  for (; i < std::min(a.size(), b.size()); ++i) {
-    const size_t m = digits(a, i);
-    const size_t n = digits(b, i);
-    if (m > 0 && n > 0 && m != n) return m < n;
-    if (a[i] != b[i]) return a[i] < b[i];
-  }
-  return a.size() < b.size();
 }
 
 Frame sprite_frame(const std::shared_ptr<const Image8>& sheet, const Sprite& sprite,
@@ -96,7 +75,7 @@ Result<Frames> frames_of_list(const InputFile& list) {
   auto sheet = read_sprite_sheet(text_of(list.bytes));
   if (!sheet) return in_file(sheet.error(), list.name);
   std::stable_sort(sheet->sprites.begin(), sheet->sprites.end(),
-                   [](const Sprite& a, const Sprite& b) { return before(a.name, b.name); });
+                   [](const Sprite& a, const Sprite& b) { return comes_before(a.name, b.name); });
   const fs::path folder = fs::path(list.name).parent_path();
   const auto inside = path_below(folder / sheet->picture, folder.empty() ? "." : folder);
   if (sheet->picture.empty() || !inside)
