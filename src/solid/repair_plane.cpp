@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "solid/corner_fans.h"
+#include "solid/height_field.h"
 
 namespace relievo {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "solid/corner_fans.h"
+#include "solid/height_field.h"
 
 namespace relievo {
 namespace {

@@ -28,7 +28,6 @@
 #include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflate.h"
 #include "relief/inflation/poisson_system.h"
-#include "relief/inflation/raise_bumps.h"
 #include "relief/nonlinear/nonlinear_iteration.h"
 #include "relief/nonlinear/nonlinear_model.h"
 #include "relief/nonlinear/recall.h"

@@ -6,7 +6,7 @@
 
 #include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflate.h"
-#include "relief/ordering/ordering_system.h"
+#include "relief/ordering/order_depth.h"
 #include "support/stacked_parts.h"
 
 namespace relievo::relief {
