@@ -13,12 +13,11 @@
 #include "relief/layers/boundaries.h"
 #include "relief/layers/collect_constraints.h"
 #include "relief/layers/connect_sheets.h"
-#include "relief/layers/cover.h"
 #include "relief/layers/crease_lines.h"
-#include "relief/layers/flaps.h"
 #include "relief/layers/local_order.h"
 #include "relief/layers/mesh_spacing.h"
 #include "relief/layers/sample_outlines.h"
+#include "relief/layers/sheet_mesh.h"
 
 namespace relievo::relief {
 namespace {

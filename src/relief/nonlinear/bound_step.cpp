@@ -24,7 +24,7 @@
 #include <utility>
 
 #include "kernel/cholesky/sparse_products.h"
-#include "relief/nonlinear/shift_matrix.h"
+#include "relief/nonlinear/nonlinear_model.h"
 
 namespace relievo::relief {
 

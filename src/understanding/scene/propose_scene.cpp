@@ -11,7 +11,7 @@
 #include "understanding/joins/part_profile.h"
 #include "understanding/joins/propose_joins.h"
 #include "understanding/joins/propose_leans.h"
-#include "understanding/scene/relabel.h"
+#include "understanding/scene/keep_edits.h"
 #include "understanding/stacking/stack_parts.h"
 
 namespace relievo::understanding {
