@@ -15,6 +15,9 @@ struct GridPoint {
   friend bool operator==(const GridPoint&, const GridPoint&) = default;
 };
 
+/// Returns a point in floating point.
+inline Point2 as_point(GridPoint p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+
 /// A point of the floor that heights are counted from.
 struct FloorPoint {
   int64_t height = 0;  ///< grid steps above the plate

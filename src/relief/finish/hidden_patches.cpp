@@ -9,6 +9,7 @@
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/blur.h"
 #include "kernel/image/compose.h"
+#include "kernel/image/morphology.h"
 #include "kernel/image/pull_push.h"
 #include "relief/finish/fill_triangle.h"
 
@@ -48,40 +49,30 @@ PixelBox box_around(const Model& model, int begin, int end, ImageSize size) {
           std::min(size.height, pixel(box.max.y, size.height) + patch_margin + 1)};
 }
 
-/// Returns the Chebyshev distance of each pixel from the pixels that are not the part's, those
-/// beyond the drawing included, at most `most`.
-Image8 depths(const Image16& front, const PixelBox& box, uint16_t part, int most) {
-  const auto [width, height] = box.size();
-  Image8 depth(width, height, 1);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      if (front.at(box.x0 + x, box.y0 + y) == part) depth.at(x, y) = static_cast<uint8_t>(most);
-  const auto get = [&depth](int x, int y) {
-    const bool inside = x >= 0 && y >= 0 && x < depth.width && y < depth.height;
-    return inside ? static_cast<int>(depth.at(x, y)) : 0;
-  };
-  const auto relax = [&](int x, int y, int step) {
-    const int least =
-        std::min({get(x + step, y), get(x - 1, y + step), get(x, y + step), get(x + 1, y + step)});
-    depth.at(x, y) = static_cast<uint8_t>(std::min(get(x, y), least + 1));
-  };
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) relax(x, y, -1);
-  for (int y = height - 1; y >= 0; --y)
-    for (int x = width - 1; x >= 0; --x) relax(x, y, 1);
-  return depth;
+/// Returns the pixels of a part that are far from its outline, where it may be inked: as far as
+/// some of them are, and `ink_band` at most. The drawing's edge is an outline too. With a margin of
+/// a pixel around the box; empty if none of the part is seen.
+Image8 inner_pixels(const Image16& front, const PixelBox& box, uint16_t part) {
+  Image8 own(box.size().width + 2, box.size().height + 2, 1);
+  for (int y = box.y0; y < box.y1; ++y)
+    for (int x = box.x0; x < box.x1; ++x)
+      own.at(x - box.x0 + 1, y - box.y0 + 1) = front.at(x, y) == part ? 1 : 0;
+  for (int far = ink_band; far >= 0; --far) {
+    Image8 inner = min_filter(own, far);
+    if (std::find(inner.pixels.begin(), inner.pixels.end(), 1) != inner.pixels.end()) return inner;
+  }
+  return {};
 }
 
 /// Returns the seen colours of a part, weighted for pull_push; nothing if none of it is seen.
 std::optional<ImageF> seen_of(const Image16& front, const Image8& drawing, const PixelBox& box,
                               uint16_t part) {
-  const Image8 depth = depths(front, box, part, ink_band + 1);
-  const int deepest = *std::max_element(depth.pixels.begin(), depth.pixels.end());
-  if (deepest == 0) return std::nullopt;
-  ImageF seen(depth.width, depth.height, 4);
-  for (int y = 0; y < depth.height; ++y)
-    for (int x = 0; x < depth.width; ++x) {
-      if (depth.at(x, y) < deepest) continue;
+  const Image8 inner = inner_pixels(front, box, part);
+  if (inner.empty()) return std::nullopt;
+  ImageF seen(box.size().width, box.size().height, 4);
+  for (int y = 0; y < seen.height; ++y)
+    for (int x = 0; x < seen.width; ++x) {
+      if (inner.at(x + 1, y + 1) == 0) continue;
       const uint8_t* rgba = &drawing.at(box.x0 + x, box.y0 + y);
       for (int c = 0; c < 3; ++c) seen.at(x, y, c) = on_paper(rgba[c], rgba[3]);
       seen.at(x, y, 3) = 1;

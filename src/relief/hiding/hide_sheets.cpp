@@ -200,17 +200,9 @@ FlapSystem::FlapSystem(const LayeredMesh& mesh, const Discretisation& discretisa
   const double scale = discretisation.scale;
   L_ = stiffness_matrix(flat);
   L_.diagonal() += weakest * scale * scale * lumped_mass(flat);
-  std::vector<Eigen::Triplet<double>> entries;
-  for (const int j : nodes_)
-    for (SparseMatrix::InnerIterator entry(L_, j); entry; ++entry)
-      if (const int row = index[entry.row()]; row >= index[j])
-        entries.emplace_back(row, index[j], entry.value());
-  K_ = SparseMatrix(static_cast<Index>(nodes_.size()), static_cast<Index>(nodes_.size()));
-  K_.setFromTriplets(entries.begin(), entries.end());
-  std::vector<int> order;
-  for (const int n : discretisation.elimination)
-    if (index[n] >= 0) order.push_back(index[n]);
-  factor_.analyse(K_, Refactorisation::complete, order, context);
+  K_ = lower_block(L_, index, static_cast<int>(nodes_.size()));
+  factor_.analyse(K_, Refactorisation::complete, order_of_places(discretisation.elimination, index),
+                  context);
 }
 
 void FlapSystem::fill(const SurfaceInput& surface, const RunContext& context, Inflation& inflation,

@@ -23,23 +23,6 @@ constexpr std::array<Weights, 6> inner_points = {{{0.6, 0.2, 0.2},
 /// Distances from corners and edges at which rim_dip samples, as shares of the face.
 constexpr std::array<double, 2> rim_distances = {0.05, 0.01};
 
-/// Returns the pairs of parts that may cross, the later one first, sorted.
-std::vector<std::pair<int, int>> free_parts(const Scene& scene) {
-  std::vector<std::pair<int, int>> parts;
-  for (const Relation& relation : scene.relations)
-    if (relation.kind == RelationKind::free && !relation.range)
-      parts.push_back({relation.upper, relation.lower});
-  std::sort(parts.begin(), parts.end());
-  return parts;
-}
-
-/// Checks whether two faces may cross. `free`: free_parts of the scene.
-bool may_cross(const LayeredMesh& mesh, const std::vector<std::pair<int, int>>& free, int upper,
-               int lower) {
-  const auto [first, last] = std::minmax(mesh.face_part[upper], mesh.face_part[lower]);
-  return std::binary_search(free.begin(), free.end(), std::pair(last, first));
-}
-
 double height_at(const Face& face, const Weights& weight, const std::vector<double>& u,
                  const std::vector<double>& g) {
   double u_here = 0;

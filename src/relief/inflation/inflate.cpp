@@ -52,6 +52,7 @@
 namespace relievo::relief {
 namespace {
 
+using Eigen::Index;
 using Eigen::VectorXd;
 
 /// A smaller 1 - alpha counts as Dirichlet.
@@ -63,7 +64,7 @@ constexpr double least_ratio = 1e-3;
 PoissonBoundary boundary_conditions(const LayeredMesh& mesh, const InflationOptions& options) {
   PoissonBoundary boundary;
   for (const NodeRole role : mesh.node_role) boundary.fixed.push_back(role == NodeRole::outline);
-  boundary.diagonal = VectorXd::Zero(static_cast<Eigen::Index>(mesh.node_role.size()));
+  boundary.diagonal = VectorXd::Zero(static_cast<Index>(mesh.node_role.size()));
   for (const RampNode& node : mesh.ramp_nodes) {
     const RobinRamp& ramp = mesh.ramps[node.ramp];
     const double alpha0 = ramp.alpha0 >= 0 ? ramp.alpha0 : options.alpha0;
@@ -88,7 +89,7 @@ Status check_fixed(const LayeredMesh& mesh, const std::vector<int>& surface, con
                    const PoissonBoundary& boundary) {
   std::vector<uint8_t> is_fixed(mesh.node_vertex.size(), 0);
   for (size_t n = 0; n < is_fixed.size(); ++n)
-    if (boundary.fixed[n] != 0 || boundary.diagonal[static_cast<Eigen::Index>(n)] > 0)
+    if (boundary.fixed[n] != 0 || boundary.diagonal[static_cast<Index>(n)] > 0)
       is_fixed[surface[n]] = 1;
   for (size_t f = 0; f < mesh.faces.size(); ++f)
     if (is_fixed[surface[mesh.faces[f][0]]] == 0)
@@ -104,7 +105,7 @@ Status check_fixed(const LayeredMesh& mesh, const std::vector<int>& surface, con
 void restore_sign(const SurfaceInput& surface, VectorXd& u) {
   const std::vector<int> signs =
       surface_signs(surface.mesh, surface.discretisation.surface, surface.scene);
-  for (Eigen::Index n = 0; n < u.size(); ++n)
+  for (Index n = 0; n < u.size(); ++n)
     if (signs[n] * u[n] < 0) u[n] = 0;
 }
 
@@ -115,9 +116,6 @@ Status check_options(const InflationOptions& options) {
     return Error{ErrorCode::usage, "rho must be positive", "rho"};
   return Done{};
 }
-
-using Eigen::Index;
-using Eigen::VectorXd;
 
 /// The faces of one bump on nodes of its own.
 struct Bump {
@@ -168,15 +166,12 @@ Bump collect_bump(const SurfaceInput& surface, int part, const std::vector<doubl
   return bump;
 }
 
-SparseMatrix lower_triangle(const SparseMatrix& A) { return A.triangularView<Eigen::Lower>(); }
-
 /// Solves A x = load with x = `known` on the outline. `known` must be 0 elsewhere.
 VectorXd solve_inside(const SparseMatrix& A, const Bump& bump, const VectorXd& known,
                       const VectorXd& load) {
   SparseCholesky factor;
-  const SparseMatrix lower = lower_triangle(A);
-  factor.analyse(lower);
-  if (!factor.factorise(lower, bump.fixed)) return known;
+  factor.analyse(A);
+  if (!factor.factorise(A, bump.fixed)) return known;
   VectorXd b = load - A * known;
   for (Index i = 0; i < b.size(); ++i)
     if (bump.fixed[i] != 0) b[i] = 0;

@@ -166,16 +166,10 @@ Status check_options(const OrderingOptions& options) {
 }
 
 Status check_solved(SolveStatus status) {
-  switch (status) {
-    case SolveStatus::solved:
-      return Done{};
-    case SolveStatus::interrupted:
-      return interrupted_error();
-    case SolveStatus::iteration_limit:
-      return Error{ErrorCode::limit, "the depth order took too many iterations", ""};
-    case SolveStatus::not_positive_definite:
-      break;
-  }
+  if (status == SolveStatus::solved) return Done{};
+  if (status == SolveStatus::interrupted) return interrupted_error();
+  if (status == SolveStatus::iteration_limit)
+    return Error{ErrorCode::limit, "the depth order took too many iterations", ""};
   return Error{ErrorCode::internal, "the depth order has no finite solution", ""};
 }
 

@@ -21,12 +21,18 @@ constexpr double shaped_share = 0.4;
 /// Parts with a shorter common boundary, in pixel sides, are not compared.
 constexpr int min_shared_sides = 4;
 
+/// An empty set in the box around both sets, grown by `margin` px and clipped to the canvas.
+Mask joint_box(const Mask& a, const Mask& b, int margin, const Image16& canvas) {
+  return empty_mask(std::max(0, std::min(a.left, b.left) - margin),
+                    std::max(0, std::min(a.top, b.top) - margin),
+                    std::min(canvas.width, std::max(a.right(), b.right()) + margin),
+                    std::min(canvas.height, std::max(a.bottom(), b.bottom()) + margin));
+}
+
 /// The pixels of a candidate that are the part's own or its occluders', in one piece.
 Mask possible(const HiddenPart& hidden, const Mask& candidate) {
   const Mask& visible = hidden.visible();
-  Mask shape = empty_mask(
-      std::min(candidate.left, visible.left), std::min(candidate.top, visible.top),
-      std::max(candidate.right(), visible.right()), std::max(candidate.bottom(), visible.bottom()));
+  Mask shape = joint_box(candidate, visible, 0, hidden.regions.map);
   for_each_pixel(candidate, [&](int x, int y) {
     const int part = hidden.regions.part_at(x, y);
     if (part >= 0 && hidden.hides[part] != 0) shape.add(x, y);
@@ -87,14 +93,6 @@ double pixels_of(const PartRegions& regions, int part, const Mask& shape) {
 bool is_shaped(const PartRegions& regions, int part, int other) {
   const HiddenPart hidden = hidden_part(regions, part, all_but(regions, {part, other}));
   return fits(hidden, ellipse_shape(hidden, shaped_share * contour_tolerance(hidden)));
-}
-
-/// An empty set in the box around both sets, grown by `margin` px and clipped to the canvas.
-Mask joint_box(const Mask& a, const Mask& b, int margin, const Image16& canvas) {
-  return empty_mask(std::max(0, std::min(a.left, b.left) - margin),
-                    std::max(0, std::min(a.top, b.top) - margin),
-                    std::min(canvas.width, std::max(a.right(), b.right()) + margin),
-                    std::min(canvas.height, std::max(a.bottom(), b.bottom()) + margin));
 }
 
 /// Distance that hidden regions keep from where their occluders end, px.
