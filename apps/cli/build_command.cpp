@@ -150,7 +150,7 @@ Status add_models(Products& products, const BuildArguments& build, const SceneIn
 Result<ReliefMaps> make_maps(const BuildArguments& build, const Scene& scene,
                              const relief::Relief& relief, const RunContext& context) {
   const ImageSize size = fitted_size(scene.width, scene.height, build.map_size);
-  return relief::rasterize_relief(relief.layers, relief.inflation, relief.ordering, scene,
+  return relief::rasterize_relief({relief.layers, relief.inflation, relief.ordering, scene},
                                   size.width, size.height, context);
 }
 

@@ -46,7 +46,7 @@ Result<Model> reconstruct_ours(const RivalInput& input, const RunContext& contex
   options.layers.edge_length = input.joined.edge_length;
   const auto relief = relief::build_relief(input.scene, options, context);
   if (!relief) return relief.error();
-  return assemble_model(relief->layers, relief->inflation, relief->ordering, input.scene, {},
+  return assemble_model({relief->layers, relief->inflation, relief->ordering, input.scene}, {},
                         context);
 }
 

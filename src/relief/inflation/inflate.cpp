@@ -224,14 +224,6 @@ Result<Inflation> inflate(const SurfaceInput& surface, const InflationOptions& o
   return inflation;
 }
 
-Result<Inflation> inflate(const LayeredMesh& mesh, const Scene& scene,
-                          const InflationOptions& options, const RunContext& context) {
-  const Discretisation discretisation = discretise(mesh, context);
-  if (context.cancelled()) return interrupted_error();
-  PoissonSystem system(mesh, discretisation, Refactorisation::complete, context);
-  return inflate({mesh, discretisation, scene}, options, system, context);
-}
-
 void raise_bumps(const SurfaceInput& surface, const InflationOptions& options,
                  Inflation& inflation) {
   const std::vector<BumpNode>& outline = surface.mesh.bump_nodes;

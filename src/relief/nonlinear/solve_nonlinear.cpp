@@ -285,13 +285,4 @@ Result<NonlinearSolution> solve_nonlinear(const SurfaceInput& surface, const Inf
   return solution;
 }
 
-Result<NonlinearSolution> solve_nonlinear(const LayeredMesh& mesh, const Scene& scene,
-                                          const Inflation& start, const NonlinearOptions& options,
-                                          const RunContext& context) {
-  const Discretisation discretisation = discretise(mesh, context);
-  if (context.cancelled()) return interrupted_error();
-  OrderingSystem system;
-  return solve_nonlinear({mesh, discretisation, scene}, start, options, {}, system, context);
-}
-
 }  // namespace relievo::relief

@@ -42,9 +42,4 @@ Result<NonlinearSolution> solve_nonlinear(const SurfaceInput& surface, const Inf
                                           const NonlinearMemory& known, OrderingSystem& system,
                                           const RunContext& context = {});
 
-/// Makes the discretisation and the system, and solves once.
-Result<NonlinearSolution> solve_nonlinear(const LayeredMesh& mesh, const Scene& scene,
-                                          const Inflation& start, const NonlinearOptions& options,
-                                          const RunContext& context = {});
-
 }  // namespace relievo::relief

@@ -150,15 +150,6 @@ Result<Ordering> order_depth(const SurfaceInput& surface, const Inflation& infla
   return ordering;
 }
 
-Result<Ordering> order_depth(const LayeredMesh& mesh, const Inflation& inflation,
-                             const Scene& scene, const OrderingOptions& options,
-                             const RunContext& context) {
-  const Discretisation discretisation = discretise(mesh, context);
-  if (context.cancelled()) return interrupted_error();
-  OrderingSystem system;
-  return order_depth({mesh, discretisation, scene}, inflation, options, system, context);
-}
-
 Status check_options(const OrderingOptions& options) {
   if (!(options.epsilon > 0 && std::isfinite(options.epsilon)))
     return Error{ErrorCode::usage, "epsilon must be positive", "epsilon"};

@@ -74,11 +74,6 @@ Result<Ordering> order_depth(const SurfaceInput& surface, const Inflation& infla
                              const OrderingOptions& options, OrderingSystem& system,
                              const RunContext& context = {});
 
-/// Makes the discretisation and the system, and solves once.
-Result<Ordering> order_depth(const LayeredMesh& mesh, const Inflation& inflation,
-                             const Scene& scene, const OrderingOptions& options,
-                             const RunContext& context = {});
-
 Status check_options(const OrderingOptions& options);
 
 /// Returns the error that a status of the solver stands for, if any.

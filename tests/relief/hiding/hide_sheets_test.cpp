@@ -14,6 +14,7 @@
 #include "relief/ordering/order_depth.h"
 #include "support/random_limbs.h"
 #include "support/random_scene.h"
+#include "support/solve_once.h"
 #include "support/stacked_parts.h"
 
 namespace relievo::relief {

@@ -7,6 +7,7 @@
 #include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflate.h"
 #include "relief/ordering/order_depth.h"
+#include "support/solve_once.h"
 #include "support/stacked_parts.h"
 
 namespace relievo::relief {
