@@ -5,7 +5,6 @@
 #include <map>
 #include <utility>
 
-#include "face/inputs.h"
 #include "io/files/number_text.h"
 #include "io/files/paths.h"
 #include "io/image/decode_image.h"

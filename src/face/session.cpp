@@ -1,8 +1,5 @@
 #include "relievo/session.h"
 
-#include <cmath>
-#include <utility>
-
 #include "face/solid_of.h"
 #include "io/overlay/mesh_lines.h"
 #include "kernel/image/image_size.h"

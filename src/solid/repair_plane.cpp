@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "solid/height_field.h"
-
 namespace relievo {
 namespace {
 

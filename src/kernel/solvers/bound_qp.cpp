@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdint>
 #include <utility>
-#include <vector>
 
 #include "kernel/cholesky/sparse_products.h"
 #include "kernel/cholesky/symmetric_graph.h"

@@ -2,20 +2,16 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
-#include <vector>
 
 #include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/geometry/polygon.h"
 #include "kernel/geometry/triangles.h"
 #include "kernel/operators/laplacian.h"
 #include "relief/cues/part_sheet.h"
-#include "relief/layers/layered_mesh.h"
-#include "relievo/scene.h"
 
 namespace relievo::relief {
 namespace {

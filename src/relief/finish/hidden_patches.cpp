@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <optional>
-#include <utility>
 
 #include "kernel/geometry/polygon.h"
 #include "kernel/image/blur.h"

@@ -45,9 +45,6 @@
 #include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/operators/laplacian.h"
 #include "relief/cues/cue_fields.h"
-#include "relief/discretisation/discretisation.h"
-#include "relief/inflation/poisson_system.h"
-#include "relief/layers/layered_mesh.h"
 
 namespace relievo::relief {
 namespace {

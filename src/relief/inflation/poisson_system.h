@@ -8,7 +8,6 @@
 #include "kernel/base/sparse_matrix.h"
 #include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/geometry/polygon.h"
-#include "kernel/geometry/triangles.h"
 #include "kernel/operators/gradient.h"
 #include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflation.h"

@@ -5,9 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "kernel/geometry/polygon.h"
 #include "relief/layers/boundaries.h"
@@ -17,7 +15,6 @@
 #include "relief/layers/local_order.h"
 #include "relief/layers/mesh_spacing.h"
 #include "relief/layers/sample_outlines.h"
-#include "relief/layers/sheet_mesh.h"
 
 namespace relievo::relief {
 namespace {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "kernel/geometry/polygon.h"
-#include "kernel/geometry/triangles.h"
 
 namespace relievo::relief {
 

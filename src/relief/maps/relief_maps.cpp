@@ -5,8 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "relief/surface/surface_sample.h"
-
 namespace relievo::relief {
 namespace {
 

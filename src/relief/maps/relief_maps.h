@@ -4,7 +4,6 @@
 #include "relievo/maps.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
-#include "relievo/scene.h"
 
 namespace relievo::relief {
 

@@ -28,8 +28,6 @@
 
 #include "relief/nonlinear/nonlinear_model.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 

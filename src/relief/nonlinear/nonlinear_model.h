@@ -11,7 +11,6 @@
 #include "relief/nonlinear/nonlinear_solution.h"
 #include "relief/ordering/depth_forest.h"
 #include "relief/ordering/depth_system.h"
-#include "relief/ordering/order_depth.h"
 #include "relief/ordering/shift_metric.h"
 
 namespace relievo::relief {

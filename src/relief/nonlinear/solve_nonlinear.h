@@ -2,14 +2,11 @@
 
 #include <vector>
 
-#include "kernel/geometry/polygon.h"
 #include "relief/inflation/inflate.h"
-#include "relief/layers/layered_mesh.h"
 #include "relief/nonlinear/nonlinear_solution.h"
 #include "relief/ordering/order_depth.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
-#include "relievo/scene.h"
 
 namespace relievo::relief {
 

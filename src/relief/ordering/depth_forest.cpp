@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdint>
 #include <functional>
 #include <queue>
 #include <span>

@@ -26,7 +26,6 @@
 #include "kernel/base/stopwatch.h"
 #include "kernel/geometry/nearest_mark.h"
 #include "kernel/operators/laplacian.h"
-#include "relief/layers/layered_mesh.h"
 
 namespace relievo::relief {
 namespace {

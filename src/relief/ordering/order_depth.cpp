@@ -26,11 +26,7 @@
 #include <utility>
 
 #include "kernel/base/stopwatch.h"
-#include "relief/discretisation/discretisation.h"
-#include "relief/ordering/cap_rise.h"
-#include "relief/ordering/depth_system.h"
 #include "relief/ordering/limb_rise.h"
-#include "relief/ordering/shift_metric.h"
 
 namespace relievo::relief {
 namespace {

@@ -4,7 +4,6 @@
 #include <set>
 #include <vector>
 
-#include "kernel/geometry/polygon.h"
 #include "relief/discretisation/discretisation.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
@@ -14,7 +13,6 @@
 #include "relief/ordering/shift_metric.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
-#include "relievo/scene.h"
 
 namespace relievo::relief {
 

@@ -7,7 +7,6 @@
 #include "relief/surface/visible_sheet.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
-#include "relievo/scene.h"
 
 namespace relievo::relief {
 

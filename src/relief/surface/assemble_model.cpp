@@ -7,7 +7,6 @@
 #include "relief/surface/cut_faces.h"
 #include "relief/surface/model_builder.h"
 #include "relief/surface/sheet_surface.h"
-#include "relief/surface/surface_sample.h"
 #include "relief/surface/walls.h"
 
 namespace relievo::relief {

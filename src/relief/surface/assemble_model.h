@@ -5,7 +5,6 @@
 #include "relievo/model.h"
 #include "relievo/result.h"
 #include "relievo/run_context.h"
-#include "relievo/scene.h"
 
 namespace relievo::relief {
 

@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <numeric>
 
-#include "relievo/run_context.h"
-
 namespace relievo::relief {
 namespace {
 

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "kernel/base/disjoint_sets.h"
-#include "relievo/model.h"
 
 namespace relievo::relief {
 namespace {

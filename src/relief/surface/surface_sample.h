@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "kernel/geometry/polygon.h"
 #include "relief/inflation/inflation.h"
 #include "relief/layers/layered_mesh.h"
 #include "relief/ordering/ordering.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "kernel/base/workers.h"
 #include "kernel/image/components.h"

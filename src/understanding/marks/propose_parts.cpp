@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "kernel/geometry/region.h"
-#include "relievo/scene.h"
 
 namespace relievo::understanding {
 namespace {

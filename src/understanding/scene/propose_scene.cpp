@@ -7,7 +7,6 @@
 
 #include "kernel/base/text_rules.h"
 #include "kernel/image/outlines.h"
-#include "understanding/completion/complete_parts.h"
 #include "understanding/joins/part_profile.h"
 #include "understanding/joins/propose_joins.h"
 #include "understanding/joins/propose_leans.h"

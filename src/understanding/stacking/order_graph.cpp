@@ -1,9 +1,7 @@
 #include "understanding/stacking/order_graph.h"
 
 #include <algorithm>
-#include <limits>
 #include <string>
-#include <utility>
 
 namespace relievo::understanding {
 namespace {

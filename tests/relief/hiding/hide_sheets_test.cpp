@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "relief/discretisation/discretisation.h"
-#include "relief/hiding/overlap.h"
 #include "relief/inflation/inflate.h"
 #include "relief/layers/layer_parts.h"
 #include "relief/layers/layered_mesh.h"
