@@ -9,12 +9,17 @@
 
 #include "kernel/cholesky/sparse_cholesky.h"
 #include "kernel/geometry/polygon.h"
+#include "kernel/geometry/region.h"
 #include "kernel/geometry/triangles.h"
 #include "kernel/operators/laplacian.h"
 #include "relief/cues/part_sheet.h"
 
 namespace relievo::relief {
 namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 /// Called with a triangle of a sheet, a cue, and the unit direction of a segment of its line that
 /// meets the triangle.
@@ -24,14 +29,9 @@ using CornerPoints = std::array<Point2, 3>;
 
 /// Returns whether all of the triangle lies strictly on one side of the line through a and b.
 bool on_one_side(const CornerPoints& triangle, Point2 a, Point2 b) {
-  int left = 0;
-  int right = 0;
-  for (const Point2 p : triangle) {
-    const double side = cross(b - a, p - a);
-    left += side > 0 ? 1 : 0;
-    right += side < 0 ? 1 : 0;
-  }
-  return left == 3 || right == 3;
+  const auto side = [&](size_t k) { return cross(b - a, triangle[k] - a); };
+  const auto [least, most] = std::minmax({side(0), side(1), side(2)});
+  return least > 0 || most < 0;
 }
 
 /// Returns whether the segment lies strictly outside one edge of the triangle, whose area is
@@ -44,14 +44,6 @@ bool beyond_an_edge(const CornerPoints& triangle, Point2 a, Point2 b) {
   }
   return false;
 }
-
-bool apart(const Box2& a, const Box2& b) {
-  return a.max.x < b.min.x || b.max.x < a.min.x || a.max.y < b.min.y || b.max.y < a.min.y;
-}
-
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 /// Solves (L x)_i = load_i at free vertices with x_i = values_i at fixed ones; 0 if L is singular.
 MatrixXd solve_fixed(const SparseMatrix& L, const std::vector<uint8_t>& fixed, const MatrixXd& load,
@@ -86,9 +78,9 @@ void visit_strokes(const PartSheet& sheet, const Scene& scene, int part, CueKind
       for (size_t t = 0; t < sheet.triangles.size(); ++t) {
         const auto [p, q, r] = sheet.triangles[t];
         const CornerPoints triangle{sheet.positions[p], sheet.positions[q], sheet.positions[r]};
-        const auto [x0, x1] = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
-        const auto [y0, y1] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
-        if (apart(box, {{x0, y0}, {x1, y1}}) || on_one_side(triangle, a, b) ||
+        Box2 around;
+        for (const Point2 corner : triangle) around.add(corner);
+        if (!boxes_meet(box, around) || on_one_side(triangle, a, b) ||
             beyond_an_edge(triangle, a, b))
           continue;
         visit(static_cast<int>(t), cue, 1 / distance(a, b) * (b - a));
@@ -146,10 +138,6 @@ VectorXd nearest_potential(const FlatMesh& mesh, const std::vector<Point2>& fiel
   for (Index v = 0; v < vertices; ++v) potential[v] -= sum[piece[v]] / area[piece[v]];
   return potential;
 }
-
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 double tangent(const Cue& cue) { return std::tan(cue.value * M_PI / 180); }
 

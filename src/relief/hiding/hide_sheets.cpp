@@ -10,6 +10,8 @@
 namespace relievo::relief {
 namespace {
 
+using Eigen::Index;
+using Eigen::VectorXd;
 using Face = std::array<int, 3>;
 
 /// Barycentric coordinates.
@@ -181,9 +183,6 @@ class Lowering {
   double margin_;             ///< px
   std::vector<int> lowered_;  ///< #N, last round in which the node was lowered, or 0
 };
-
-using Eigen::Index;
-using Eigen::VectorXd;
 
 /// Weight of a pull of u and g to 0, for flaps without a fixed edge; in 1 / scene unit^2.
 constexpr double weakest = 1e-4;
