@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "relief/session/build_relief.h"
+#include "relief/surface/assemble_model.h"
 #include "research/rivals/rival.h"
 #include "research/rivals/separate_parts.h"
 #include "research/rivals/solution.h"
