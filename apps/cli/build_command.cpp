@@ -138,20 +138,25 @@ Status add_models(Products& products, const BuildArguments& build, const SceneIn
   return put(printed);
 }
 
+Result<ReliefMaps> make_maps(const BuildArguments& build, const Scene& scene,
+                             const relief::Relief& relief, const RunContext& context) {
+  const ImageSize size = fitted_size(scene.width, scene.height, build.map_size);
+  return relief::rasterize_relief({relief.layers, relief.inflation, relief.ordering, scene},
+                                  size.width, size.height, context);
+}
+
 Status add_maps(Outputs& outputs, const BuildArguments& build, const Scene& scene,
                 const relief::Relief& relief, const RunContext& context) {
   if (build.normal_map.empty() && build.depth_map.empty() && build.part_map.empty() &&
       build.occlusion_map.empty())
     return Done{};
-  const ImageSize size = fitted_size(scene.width, scene.height, build.map_size);
-  const auto maps = relief::rasterize_relief(relief.layers, relief.inflation, relief.ordering,
-                                             scene, size.width, size.height, context);
+  const auto maps = make_maps(build, scene, relief, context);
   if (!maps) return maps.error();
   outputs.add(build.normal_map, [&] { return encode_normal_map(*maps, build.normal_y_down); });
   outputs.add(build.depth_map, [&] { return encode_depth_map(*maps); });
   outputs.add(build.part_map, [&] { return encode_part_map(*maps); });
   outputs.add(build.occlusion_map, [&] {
-    const double pixel = scene.width / size.width;
+    const double pixel = scene.width / maps->height.width;
     return encode_png(share_image(relief::ambient_occlusion(*maps, pixel)));
   });
   return outputs.status;

@@ -57,7 +57,7 @@ Result<Image8> draw(const relief::Relief& relief, const relief::Inflation& infla
   ModelOptions options;
   options.visibility = Visibility::orbit;
   const auto model =
-      relief::assemble_model(relief.layers, inflation, ordering, scene, options, context);
+      relief::assemble_model({relief.layers, inflation, ordering, scene}, options, context);
   if (!model) return model.error();
   return render_model(*model, nullptr, cell_options(scene), context);
 }

@@ -10,7 +10,7 @@
 #include "io/scene/scene_json.h"
 #include "understanding/areas/find_basins.h"
 #include "understanding/labels/label_basins.h"
-#include "understanding/scene/relabel.h"
+#include "understanding/scene/keep_edits.h"
 #include "understanding/scene/understand_drawing.h"
 
 namespace relievo::wasm {

@@ -212,16 +212,12 @@ Result<SceneInput> load_json(const InputFile& input) {
   return loaded;
 }
 
-Result<SceneInput> refuse(InputKind kind) {
+Error refusal(InputKind kind) {
   const auto bad = [](const char* message) { return Error{ErrorCode::bad_input, message, ""}; };
-  switch (kind) {
-    case InputKind::glb:
-      return bad("is a finished model; use it with: relievo render");
-    case InputKind::gzip:
-      return bad("is compressed; unpack it first, for example with gunzip");
-    default:
-      return bad("is neither an SVG, OpenRaster or Photoshop drawing nor a scene or project file");
-  }
+  if (kind == InputKind::glb) return bad("is a finished model; use it with: relievo render");
+  if (kind == InputKind::gzip)
+    return bad("is compressed; unpack it first, for example with gunzip");
+  return bad("is neither an SVG, OpenRaster or Photoshop drawing nor a scene or project file");
 }
 
 Result<SceneInput> load(const InputFile& input, bool connect, const RunContext& context) {
@@ -232,7 +228,7 @@ Result<SceneInput> load(const InputFile& input, bool connect, const RunContext& 
   if (kind == InputKind::psd) return load_psd(input, connect, context);
   if (kind == InputKind::folder) return load_folder(input, connect);
   if (kind == InputKind::image) return read_picture(input, connect, context);
-  return refuse(kind);
+  return refusal(kind);
 }
 
 }  // namespace

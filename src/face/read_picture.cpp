@@ -5,9 +5,10 @@
 #include <map>
 #include <utility>
 
-#include "face/inputs.h"
 #include "io/files/number_text.h"
+#include "io/files/paths.h"
 #include "io/image/decode_image.h"
+#include "relievo/read.h"
 #include "understanding/labels/segment_drawing.h"
 #include "understanding/scene/understand_drawing.h"
 
@@ -44,6 +45,11 @@ std::string advice(const understanding::SegmentationRecord& record, const std::s
          " --scribbles strokes.png, or in the editor";
 }
 
+DrawnScene drawn(SceneInput input) {
+  return {std::move(input.scene), std::move(input.drawing), std::move(input.files),
+          std::move(input.warnings), input.proposed};
+}
+
 }  // namespace
 
 Result<SceneInput> understand_flat(Drawing drawing, const std::string& file, bool connect,
@@ -73,6 +79,24 @@ Result<SceneInput> read_picture(const InputFile& input, bool connect, const RunC
   auto pixels = decode_image(input.bytes);
   if (!pixels) return pixels.error();
   return understand_flat({std::move(*pixels)}, input.name, connect, context);
+}
+
+Result<DrawnScene> read_drawing(const std::filesystem::path& path, const RunContext& context) {
+  const auto file = read_input(path.string());
+  if (!file) return file.error();
+  auto input = load_scene(*file, true, context);
+  if (!input) return input.error();
+  return drawn(std::move(*input));
+}
+
+Result<DrawnScene> understand_picture(const std::filesystem::path& path,
+                                      const RunContext& context) {
+  const auto file = read_input(path.string());
+  if (!file) return file.error();
+  auto input = read_picture(*file, true, context);
+  if (!input) return in_file(input.error(), file->name);
+  input->files = {path};
+  return drawn(std::move(*input));
 }
 
 }  // namespace relievo

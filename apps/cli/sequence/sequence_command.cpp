@@ -66,8 +66,9 @@ class Animator {
     edge_length_ = relief.layers.edge_length;
     for (const std::string& warning : relief.layers.warnings) warn(frame, warning);
     for (const std::string& warning : input.warnings) warn(frame, warning);
-    auto maps = relief::rasterize_relief(relief.layers, relief.inflation, relief.ordering,
-                                         input.scene, size.width, size.height, context);
+    auto maps =
+        relief::rasterize_relief({relief.layers, relief.inflation, relief.ordering, input.scene},
+                                 size.width, size.height, context);
     if (!maps) return maps.error();
     FrameMaps made;
     made.name = frame.name;
