@@ -123,19 +123,26 @@ understanding::LayeredDrawing empty_drawing(int width, int height) {
   return drawing;
 }
 
+std::optional<understanding::Mark> opaque_mark(const RasterLayer& layer) {
+  understanding::Mark mark;
+  mark.region = opaque_region(layer);
+  if (mark.region.empty()) return std::nullopt;
+  set_color(layer, mark);
+  return mark;
+}
+
 void put_layer(understanding::LayeredDrawing& drawing, const RasterLayer& layer) {
   const RasterLayer cut = cut_to_canvas(layer, drawing.picture.rgba);
   if (cut.rgba.empty()) return;
   lay_picture_over(drawing.picture.rgba, cut.x, cut.y, cut.rgba, cut.opacity);
   if (layer.role == LayerRole::texture) return;
-  understanding::Mark mark;
-  mark.region = opaque_region(cut);
-  if (mark.region.empty()) {
+  std::optional<understanding::Mark> found = opaque_mark(cut);
+  if (!found) {
     drawing.warnings.push_back((layer.name.empty() ? "a layer" : "layer " + layer.name) +
                                " is less than half opaque everywhere and becomes no part");
     return;
   }
-  set_color(cut, mark);
+  understanding::Mark& mark = *found;
   if (layer.role == LayerRole::part) {
     drawing.scene.parts.push_back(part_of(layer, std::move(mark.region)));
     drawing.colors.push_back({{mark.color.r, mark.color.g, mark.color.b}});

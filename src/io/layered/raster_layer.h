@@ -52,9 +52,13 @@ void settle_roles(std::vector<Item>& items) {
 /// Returns a drawing with a transparent picture of this size and no layers.
 understanding::LayeredDrawing empty_drawing(int width, int height);
 
-/// Paints the layer over the drawing's picture and adds its opaque area (alpha of at least one
-/// half) as a part or a mark, exact to a fraction of a pixel. Pixels beyond the canvas are cut off.
-/// A layer that is nowhere opaque gives a warning. O(pixels of the layer).
+/// Returns the layer's opaque area (alpha of at least one half), exact to a fraction of a pixel,
+/// with its colour; nothing where the layer is nowhere opaque. O(pixels of the layer).
+std::optional<understanding::Mark> opaque_mark(const RasterLayer& layer);
+
+/// Paints the layer over the drawing's picture and adds its opaque area as a part or a mark. Pixels
+/// beyond the canvas are cut off. A layer that is nowhere opaque gives a warning. O(pixels of the
+/// layer).
 void put_layer(understanding::LayeredDrawing& drawing, const RasterLayer& layer);
 
 }  // namespace relievo

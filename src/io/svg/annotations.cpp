@@ -29,6 +29,7 @@ int owner_of(const SvgDrawing& drawing, int group, bool layers) {
 }
 
 Region silhouette(const SvgShape& shape, const SvgDrawing& drawing) {
+  if (is_paint(shape, drawing)) return {};
   const bool filled = shape.fill && shape.fill->a > faint_alpha;
   const bool stroked = shape.stroke && shape.stroke->a > faint_alpha;
   const bool wide = shape.pen.width > wide_stroke * drawing.canvas().diagonal();

@@ -1,26 +1,13 @@
 #include "io/svg/stylesheet.h"
 
 #include <algorithm>
-#include <cctype>
-#include <optional>
+#include <utility>
 
 #include "io/svg/svg_values.h"
 #include "kernel/base/text_rules.h"
 
 namespace relievo {
 namespace {
-
-bool is_name_char(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || (c & 0x80);
-}
-
-std::string take_name(std::string_view& text) {
-  size_t n = 0;
-  while (n < text.size() && is_name_char(text[n])) ++n;
-  std::string name(text.substr(0, n));
-  text.remove_prefix(n);
-  return name;
-}
 
 std::string without_comments(std::string_view text) {
   std::string result;
@@ -35,101 +22,26 @@ std::string without_comments(std::string_view text) {
   return result;
 }
 
-std::string unquoted(std::string_view text) {
-  text = trimmed_svg(text);
-  if (text.size() >= 2 && (text[0] == '"' || text[0] == '\'') && text.back() == text[0]) {
-    text = text.substr(1, text.size() - 2);
-  }
-  return std::string(text);
-}
-
-std::optional<CompoundSelector::Attribute> attribute_condition(std::string_view inside) {
-  CompoundSelector::Attribute condition;
-  const size_t equals = inside.find('=');
-  condition.name = std::string(trimmed_svg(inside.substr(0, equals)));
-  if (equals == std::string_view::npos) return condition;
-  condition.value = unquoted(inside.substr(equals + 1));
-  condition.match = '=';
-  if (!condition.name.empty() && !is_name_char(condition.name.back())) {
-    condition.match = condition.name.back();
-    condition.name.pop_back();
-  }
-  if (condition.match == '|') return std::nullopt;
-  return condition;
-}
-
-/// Takes one condition (".a", "#b", "[c=d]", ":first-child") from the front of `text`.
-bool take_condition(std::string_view& text, CompoundSelector& compound) {
-  const char kind = text.front();
-  text.remove_prefix(1);
-  if (kind == '.') {
-    compound.classes.push_back(take_name(text));
-    return !compound.classes.back().empty();
-  }
-  if (kind == '#') {
-    compound.id = take_name(text);
-    return !compound.id.empty();
-  }
-  if (kind == ':') {
-    compound.first_child = take_name(text) == "first-child";
-    return compound.first_child;
-  }
-  const size_t close = text.find(']');
-  if (kind != '[' || close == std::string_view::npos) return false;
-  const auto condition = attribute_condition(text.substr(0, close));
-  text.remove_prefix(close + 1);
-  if (condition) compound.attributes.push_back(*condition);
-  return condition.has_value();
-}
-
-std::optional<CompoundSelector> take_compound(std::string_view& text) {
-  CompoundSelector compound;
-  bool any = false;
-  if (text.front() == '*') {
-    text.remove_prefix(1);
-    any = true;
-  } else if (is_name_char(text.front())) {
-    compound.type = take_name(text);
-    any = true;
-  }
-  while (!text.empty() && std::string_view(".#:[").find(text.front()) != std::string_view::npos) {
-    if (!take_condition(text, compound)) return std::nullopt;
-    any = true;
-  }
-  if (!any) return std::nullopt;
-  return compound;
-}
-
-std::vector<CompoundSelector> parse_selector(std::string_view text) {
-  std::vector<CompoundSelector> chain;
-  bool child = false;
-  for (text = trimmed_svg(text); !text.empty(); text = trimmed_svg(text)) {
-    if (text.front() == '>') {
-      if (chain.empty() || child) return {};
-      child = true;
-      text.remove_prefix(1);
-      continue;
+/// Returns the position of the first `end` outside quotes and parentheses; the size where there is
+/// none.
+size_t find_end(std::string_view text, char end) {
+  int depth = 0;
+  char quote = '\0';
+  for (size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quote != '\0') {
+      if (c == quote) quote = '\0';
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '(') {
+      ++depth;
+    } else if (c == ')') {
+      --depth;
+    } else if (c == end && depth <= 0) {
+      return i;
     }
-    auto compound = take_compound(text);
-    if (!compound) return {};
-    compound->child_of_previous = child;
-    child = false;
-    chain.push_back(std::move(*compound));
   }
-  if (child) return {};
-  return chain;
-}
-
-int specificity(const std::vector<CompoundSelector>& chain) {
-  int ids = 0;
-  int classes = 0;
-  int types = 0;
-  for (const CompoundSelector& c : chain) {
-    ids += c.id.empty() ? 0 : 1;
-    classes += static_cast<int>(c.classes.size() + c.attributes.size()) + (c.first_child ? 1 : 0);
-    types += c.type.empty() ? 0 : 1;
-  }
-  return 1000000 * std::min(ids, 999) + 1000 * std::min(classes, 999) + std::min(types, 999);
+  return text.size();
 }
 
 /// Returns the position after the block that opens at `open`, or the end of the text.
@@ -142,52 +54,44 @@ size_t block_end(std::string_view text, size_t open) {
   return text.size();
 }
 
-bool has_word(std::string_view list, std::string_view word) {
-  for (std::string_view item = next_svg_item(list); !item.empty(); item = next_svg_item(list)) {
-    if (item == word) return true;
-  }
-  return false;
+/// Returns whether a rule that begins so holds for every screen.
+bool is_for_screens(std::string_view at_rule) {
+  if (!at_rule.starts_with("@media")) return false;
+  at_rule = trimmed_svg(at_rule.substr(6));
+  return at_rule == "all" || at_rule == "screen" || at_rule == "only screen";
 }
 
-bool holds(const CompoundSelector::Attribute& condition, const pugi::xml_node& element) {
-  const pugi::xml_attribute attribute = element.attribute(condition.name.c_str());
-  if (!attribute) return false;
-  const std::string_view value = attribute.value();
-  const std::string_view wanted = condition.value;
-  switch (condition.match) {
-    case '\0':
-      return true;
-    case '=':
-      return value == wanted;
-    case '~':
-      return has_word(value, wanted);
-    case '^':
-      return !wanted.empty() && value.starts_with(wanted);
-    case '$':
-      return !wanted.empty() && value.ends_with(wanted);
-    case '*':
-      return !wanted.empty() && value.find(wanted) != std::string_view::npos;
-    default:
-      return false;
+void add_rule(Stylesheet& sheet, std::string_view selectors, std::string_view body) {
+  const auto declarations =
+      std::make_shared<const std::vector<Declaration>>(parse_declarations(body));
+  while (!selectors.empty() && sheet.rules.size() <= max_style_rules) {
+    const size_t comma = find_end(selectors, ',');
+    Selector selector = parse_selector(selectors.substr(0, comma));
+    selectors.remove_prefix(std::min(comma + 1, selectors.size()));
+    if (selector.empty()) continue;
+    const int weight = specificity(selector);
+    sheet.rules.push_back({std::move(selector), weight, declarations});
   }
 }
 
-bool is_first_child(const pugi::xml_node& element) {
-  for (auto n = element.previous_sibling(); n; n = n.previous_sibling()) {
-    if (n.type() == pugi::node_element) return false;
+/// Adds the rules of a sheet without comments; `outer` of one that may have at-rules.
+void add_clean_rules(Stylesheet& sheet, std::string_view text, bool outer) {
+  std::string_view rest = trimmed_svg(text);
+  while (!rest.empty()) {
+    const size_t open = rest.find('{');
+    if (rest.front() == '@' && rest.find(';') < open) {
+      rest = trimmed_svg(rest.substr(rest.find(';') + 1));
+      continue;
+    }
+    if (open == std::string_view::npos) return;
+    const size_t end = block_end(rest, open);
+    const std::string_view head = trimmed_svg(rest.substr(0, open));
+    const std::string_view body = rest.substr(open + 1, end - open - 2);
+    if (head.starts_with("@font-face")) sheet.fonts.append(rest.substr(0, end));
+    if (outer && is_for_screens(head)) add_clean_rules(sheet, body, false);
+    if (!head.starts_with("@")) add_rule(sheet, head, body);
+    rest = trimmed_svg(rest.substr(end));
   }
-  return true;
-}
-
-bool matches_compound(const CompoundSelector& c, const pugi::xml_node& element) {
-  if (!c.type.empty() && local_name(element.name()) != c.type) return false;
-  if (!c.id.empty() && element.attribute("id").value() != c.id) return false;
-  if (c.first_child && !is_first_child(element)) return false;
-  const std::string_view classes = element.attribute("class").value();
-  return std::all_of(c.classes.begin(), c.classes.end(),
-                     [&](const std::string& name) { return has_word(classes, name); }) &&
-         std::all_of(c.attributes.begin(), c.attributes.end(),
-                     [&](const CompoundSelector::Attribute& a) { return holds(a, element); });
 }
 
 }  // namespace
@@ -197,12 +101,13 @@ std::vector<Declaration> parse_declarations(std::string_view text) {
   std::string_view rest = clean;
   std::vector<Declaration> list;
   while (!rest.empty()) {
-    const size_t end = std::min(rest.find(';'), rest.size());
+    const size_t end = find_end(rest, ';');
     const std::string_view item = rest.substr(0, end);
     rest.remove_prefix(std::min(end + 1, rest.size()));
     const size_t colon = item.find(':');
     if (colon == std::string_view::npos) continue;
-    Declaration d{lower_case(trimmed_svg(item.substr(0, colon))), "", false};
+    Declaration d{std::string(trimmed_svg(item.substr(0, colon))), "", false};
+    if (!d.is_custom()) d.name = lower_case(d.name);
     std::string_view value = trimmed_svg(item.substr(colon + 1));
     const size_t bang = value.find('!');
     if (bang != std::string_view::npos) {
@@ -216,53 +121,13 @@ std::vector<Declaration> parse_declarations(std::string_view text) {
 }
 
 void add_rules(Stylesheet& sheet, std::string_view text) {
-  const std::string clean = without_comments(text);
-  std::string_view rest = trimmed_svg(clean);
-  while (!rest.empty()) {
-    const size_t open = rest.find('{');
-    if (rest.front() == '@' && rest.find(';') < open) {
-      rest = trimmed_svg(rest.substr(rest.find(';') + 1));
-      continue;
-    }
-    if (open == std::string_view::npos) return;
-    const size_t end = block_end(rest, open);
-    std::string_view selectors = rest.substr(0, open);
-    const std::string_view body = rest.substr(open + 1, end - open - 2);
-    const bool at_rule = rest.front() == '@';
-    rest = trimmed_svg(rest.substr(end));
-    if (at_rule) continue;
-    while (!selectors.empty()) {
-      const size_t comma = std::min(selectors.find(','), selectors.size());
-      auto chain = parse_selector(selectors.substr(0, comma));
-      selectors.remove_prefix(std::min(comma + 1, selectors.size()));
-      if (chain.empty()) continue;
-      const int weight = specificity(chain);
-      sheet.push_back({std::move(chain), weight, parse_declarations(body)});
-    }
-  }
+  add_clean_rules(sheet, without_comments(text), true);
 }
 
 void sort_rules(Stylesheet& sheet) {
-  std::stable_sort(sheet.begin(), sheet.end(), [](const StyleRule& p, const StyleRule& q) {
-    return p.specificity < q.specificity;
-  });
-}
-
-bool matches(const StyleRule& rule, const pugi::xml_node& element) {
-  pugi::xml_node node = element;
-  if (!matches_compound(rule.selector.back(), node)) return false;
-  for (size_t i = rule.selector.size() - 1; i-- > 0;) {
-    const bool direct = rule.selector[i + 1].child_of_previous;
-    node = node.parent();
-    while (!direct && node && !matches_compound(rule.selector[i], node)) node = node.parent();
-    if (!node || !matches_compound(rule.selector[i], node)) return false;
-  }
-  return true;
-}
-
-std::string_view local_name(std::string_view name) {
-  const size_t colon = name.rfind(':');
-  return colon == std::string_view::npos ? name : name.substr(colon + 1);
+  std::stable_sort(
+      sheet.rules.begin(), sheet.rules.end(),
+      [](const StyleRule& p, const StyleRule& q) { return p.specificity < q.specificity; });
 }
 
 }  // namespace relievo

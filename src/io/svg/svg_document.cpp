@@ -4,9 +4,13 @@
 #include <initializer_list>
 
 #include "io/svg/basic_shapes.h"
+#include "io/svg/resolve_cuts.h"
+#include "io/svg/resolve_geometry.h"
+#include "io/svg/resolve_styles.h"
 #include "io/svg/stylesheet.h"
 #include "io/svg/svg_style.h"
 #include "io/svg/svg_values.h"
+#include "io/svg/xml_text.h"
 
 namespace relievo {
 namespace {
@@ -17,18 +21,27 @@ Error limit_error(const std::string& what, size_t limit) {
 
 /// Bounds the memory of the parser by counting the characters that start an element or give an
 /// attribute its value.
-Status check_bytes(std::string_view bytes, const SvgOptions& options) {
-  if (bytes.size() > options.max_bytes) return limit_error("has too many bytes", options.max_bytes);
-  if (bytes.size() >= 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b') {
-    return Error{ErrorCode::bad_input, "is compressed (SVGZ); save it as plain SVG", "svg"};
-  }
-  const auto tags = std::count(bytes.begin(), bytes.end(), '<');
-  const auto attributes = std::count(bytes.begin(), bytes.end(), '=');
+Status check_text(std::string_view text, const SvgOptions& options) {
+  const auto tags = std::count(text.begin(), text.end(), '<');
+  const auto attributes = std::count(text.begin(), text.end(), '=');
   if (static_cast<size_t>(tags) > 4 * options.max_elements ||
       static_cast<size_t>(attributes) > 30 * options.max_elements) {
     return limit_error("has too many elements", options.max_elements);
   }
   return Done{};
+}
+
+/// Returns the file's text in UTF-8, without entities.
+Result<std::string> plain_text(std::string_view bytes, const SvgOptions& options,
+                               std::vector<std::string>& warnings) {
+  if (bytes.size() > options.max_bytes) return limit_error("has too many bytes", options.max_bytes);
+  if (bytes.size() >= 2 && bytes[0] == '\x1f' && bytes[1] == '\x8b') {
+    return Error{ErrorCode::bad_input, "is compressed (SVGZ); save it as plain SVG", "svg"};
+  }
+  auto text = without_entities(utf8_text(bytes, warnings), options.max_bytes, warnings);
+  if (!text) return text;
+  if (const Status status = check_text(*text, options); !status) return status.error();
+  return text;
 }
 
 void add_style_element(Stylesheet& sheet, const pugi::xml_node& element) {
@@ -37,7 +50,21 @@ void add_style_element(Stylesheet& sheet, const pugi::xml_node& element) {
   for (const pugi::xml_node& text : element.children()) add_rules(sheet, text.value());
 }
 
-/// Counts all elements and collects ids and style sheets. `depth` is that of the children.
+/// Takes the <style> elements below `parent` away and adds their rules to the sheet.
+void take_style_elements(pugi::xml_node parent, Stylesheet& sheet) {
+  for (pugi::xml_node child = parent.first_child(); child;) {
+    const pugi::xml_node next = child.next_sibling();
+    if (local_name(child.name()) == "style") {
+      add_style_element(sheet, child);
+      parent.remove_child(child);
+    } else {
+      take_style_elements(child, sheet);
+    }
+    child = next;
+  }
+}
+
+/// Counts all elements and collects ids. `depth` is that of the children.
 Status index_children(SvgDocument& document, const pugi::xml_node& parent, size_t depth,
                       size_t& elements, const SvgOptions& options) {
   if (parent.first_child() && depth > options.max_depth)
@@ -48,11 +75,24 @@ Status index_children(SvgDocument& document, const pugi::xml_node& parent, size_
       return limit_error("has too many elements", options.max_elements);
     const pugi::xml_attribute id = child.attribute("id");
     if (depth > 0 && *id.value() != '\0') document.ids.emplace(id.value(), child);
-    if (local_name(child.name()) == "style") add_style_element(document.sheet, child);
     if (Status status = index_children(document, child, depth + 1, elements, options); !status)
       return status;
   }
   return Done{};
+}
+
+/// Leaves one place where a painter and a reader find what holds for an element: its attributes.
+Status resolve(SvgDocument& document, const SvgOptions& options) {
+  Stylesheet sheet;
+  take_style_elements(document.root, sheet);
+  sort_rules(sheet);
+  if (Status status = resolve_styles(document, sheet, options); !status) return status;
+  if (Status status = resolve_geometry(document); !status) return status;
+  if (Status status = resolve_cuts(document, options); !status) return status;
+  if (!sheet.fonts.empty()) document.root.append_child("style").text().set(sheet.fonts.c_str());
+  document.ids.clear();
+  size_t elements = 0;
+  return index_children(document, document.xml, 0, elements, options);
 }
 
 int line_of(std::string_view bytes, std::ptrdiff_t offset) {
@@ -79,24 +119,23 @@ bool any_class(const pugi::xml_node& element, const Test& test) {
 
 Result<std::unique_ptr<SvgDocument>> parse_svg_document(std::string_view bytes,
                                                         const SvgOptions& options) {
-  if (const Status status = check_bytes(bytes, options); !status) return status.error();
   auto document = std::make_unique<SvgDocument>();
-  const pugi::xml_parse_result parsed = document->xml.load_buffer(bytes.data(), bytes.size());
+  const auto text = plain_text(bytes, options, document->warnings);
+  if (!text) return text.error();
+  const pugi::xml_parse_result parsed = document->xml.load_buffer(
+      text->data(), text->size(), pugi::parse_default, pugi::encoding_utf8);
   if (!parsed) {
     return Error{ErrorCode::bad_input, std::string("is not XML: ") + parsed.description(),
-                 "line " + std::to_string(line_of(bytes, parsed.offset))};
+                 "line " + std::to_string(line_of(*text, parsed.offset))};
   }
   size_t elements = 0;
   if (const Status status = index_children(*document, document->xml, 0, elements, options); !status)
     return status.error();
-  sort_rules(document->sheet);
   document->root = document->xml.document_element();
   if (local_name(document->root.name()) != "svg") {
     return Error{ErrorCode::bad_input, "is not SVG: the outermost element must be <svg>", "svg"};
   }
-  if (bytes.find("<!ENTITY") != std::string_view::npos) {
-    document->warnings.push_back("entities of the document type are not replaced by their values");
-  }
+  if (const Status status = resolve(*document, options); !status) return status.error();
   return document;
 }
 

@@ -7,7 +7,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "io/svg/stylesheet.h"
 #include "io/svg/svg_options.h"
 #include "relievo/result.h"
 
@@ -23,12 +22,13 @@ enum class SvgMark {
   cue,      ///< a cue, not painted
 };
 
-/// A parsed file. Entities of a document type are never expanded, and no other file is ever read.
+/// A parsed file. No other file is ever read. Sheets, custom properties, entities and transforms of
+/// CSS are resolved: all that holds for an element is in its style attribute, which wins, and its
+/// other attributes.
 struct SvgDocument {
   pugi::xml_document xml;
   pugi::xml_node root;                                  ///< the outermost <svg>
   std::unordered_map<std::string, pugi::xml_node> ids;  ///< first element of each id, below it
-  Stylesheet sheet;                                     ///< of all <style> elements
   std::vector<std::string> warnings;
 };
 

@@ -120,6 +120,23 @@ void count_cells(Point2 a, Point2 b, std::vector<double>& counts) {
 
 }  // namespace
 
+Polyline rectangle_line(const Box2& box, const Affine2& map) {
+  return {{map(box.min), map({box.max.x, box.min.y}), map(box.max), map({box.min.x, box.max.y})},
+          true};
+}
+
+std::vector<Polyline> mapped(std::vector<Polyline> lines, const Affine2& map) {
+  for (Polyline& line : lines)
+    for (Point2& p : line.points) p = map(p);
+  return lines;
+}
+
+Region mapped_region(const Region& region, const Affine2& map, const Box2& bounds) {
+  std::vector<Polyline> lines;
+  for (const Ring& ring : region) lines.push_back({ring, true});
+  return fill_region(mapped(std::move(lines), map), FillRule::nonzero, bounds);
+}
+
 Region fill_region(const std::vector<Polyline>& lines, FillRule rule, const Box2& bounds) {
   ClipperLib::Paths paths;
   for (const Polyline& line : lines) {

@@ -16,6 +16,15 @@ struct StrokeShape {
   double miter_limit = 4;
 };
 
+/// Returns the outline of a box under a map.
+Polyline rectangle_line(const Box2& box, const Affine2& map);
+
+/// Returns the lines under a map.
+std::vector<Polyline> mapped(std::vector<Polyline> lines, const Affine2& map);
+
+/// Returns the area inside `bounds` of a region under a map.
+Region mapped_region(const Region& region, const Affine2& map, const Box2& bounds);
+
 /// Returns the area inside `bounds` that the lines enclose. Coordinates may be as large as 1e9 px.
 Region fill_region(const std::vector<Polyline>& lines, FillRule rule, const Box2& bounds);
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "io/svg/svg_attributes.h"
 #include "io/svg/svg_values.h"
 
 namespace relievo {
@@ -109,7 +110,8 @@ void apply(const Applied& a, std::string_view name) {
   if (name == "clip-path") return a.set(&SvgStyle::clip_path, reference);
   if (name == "mask") return a.set(&SvgStyle::mask, reference);
   if (name == "filter") return a.set(&SvgStyle::filter, reference);
-  if (name == "transform") a.style.transform = value;
+  if (name == "isolation") a.style.isolates = value == "isolate";
+  if (name == "mix-blend-mode") a.style.blends = value != "normal";
 }
 
 /// Sets `color` or `font-size`, to which other properties refer.
@@ -124,16 +126,13 @@ void apply_first(const Applied& a, std::string_view name) {
 }
 
 /// Returns all declarations for the element, the strongest last.
-std::vector<Declaration> declarations_of(const pugi::xml_node& element, const Stylesheet& sheet) {
+std::vector<Declaration> declarations_of(const pugi::xml_node& element) {
   std::vector<Declaration> list;
   for (const pugi::xml_attribute& attribute : element.attributes()) {
     const std::string_view name = attribute.name();
-    if (name == "style" || name == "d" || name == "points" || name == "transform") continue;
+    if (name == "style" || name == "d" || name == "points") continue;
+    if (name == "mix-blend-mode" || name == "isolation") continue;  // of CSS alone
     list.push_back({std::string(name), std::string(trimmed_svg(attribute.value())), false});
-  }
-  for (const StyleRule& rule : sheet) {
-    if (!matches(rule, element)) continue;
-    list.insert(list.end(), rule.declarations.begin(), rule.declarations.end());
   }
   const auto own = parse_declarations(element.attribute("style").value());
   list.insert(list.end(), own.begin(), own.end());
@@ -149,22 +148,14 @@ struct Stop {
   Color color;
 };
 
-std::string property(const pugi::xml_node& element, const char* name) {
-  std::string value = element.attribute(name).value();
-  for (const Declaration& d : parse_declarations(element.attribute("style").value())) {
-    if (d.name == name) value = d.value;
-  }
-  return value;
-}
-
 std::vector<Stop> own_stops(const pugi::xml_node& gradient) {
   std::vector<Stop> stops;
   for (const pugi::xml_node& child : gradient.children()) {
     if (local_name(child.name()) != "stop") continue;
     Stop stop{parse_fraction(child.attribute("offset").value()).value_or(0),
-              parse_color(property(child, "stop-color")).value_or(Color{})};
+              parse_color(stated_value(child, "stop-color")).value_or(Color{})};
     if (!stops.empty()) stop.offset = std::max(stop.offset, stops.back().offset);
-    stop.color.a *= parse_fraction(property(child, "stop-opacity")).value_or(1);
+    stop.color.a *= parse_fraction(stated_value(child, "stop-opacity")).value_or(1);
     stops.push_back(stop);
   }
   return stops;
@@ -187,8 +178,8 @@ Color overall_color(const std::vector<Stop>& stops) {
 
 }  // namespace
 
-SvgStyle computed_style(const pugi::xml_node& element, const Stylesheet& sheet,
-                        const SvgStyle& parent, const LengthContext& context) {
+SvgStyle computed_style(const pugi::xml_node& element, const SvgStyle& parent,
+                        const LengthContext& context) {
   SvgStyle style = parent;
   style.opacity = 1;
   style.displayed = true;
@@ -196,10 +187,12 @@ SvgStyle computed_style(const pugi::xml_node& element, const Stylesheet& sheet,
   style.clip_path.clear();
   style.mask.clear();
   style.filter.clear();
-  style.transform.reset();
-  const std::vector<Declaration> list = declarations_of(element, sheet);
+  style.blends = style.isolates = false;
+  const std::vector<Declaration> list = declarations_of(element);
   for (const Declaration& d : list) apply_first({style, parent, context, d.value}, d.name);
   for (const Declaration& d : list) apply({style, parent, context, d.value}, d.name);
+  style.isolates |= style.blends || style.opacity < 1 || !style.mask.empty() ||
+                    !style.filter.empty() || !style.clip_path.empty();
   return style;
 }
 

@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "io/svg/stylesheet.h"
 #include "io/svg/svg_document.h"
 #include "io/svg/svg_values.h"
 #include "kernel/image/color.h"
@@ -41,17 +40,18 @@ struct SvgStyle {
 
   double opacity = 1;
   bool displayed = true;
-  bool clips_overflow = true;            ///< of nested viewports
-  std::string clip_path;                 ///< id; may be empty
-  std::string mask;                      ///< likewise
-  std::string filter;                    ///< likewise
-  std::optional<std::string> transform;  ///< from CSS only
+  bool clips_overflow = true;  ///< of nested viewports
+  std::string clip_path;       ///< id; may be empty
+  std::string mask;            ///< likewise
+  std::string filter;          ///< likewise
+  bool blends = false;         ///< with what lies below, by multiply, screen, ...
+  bool isolates = false;       ///< what is in it blends with nothing outside
 };
 
-/// Computes the style of `element` from its parent's style, its presentation attributes, the sheet
-/// and its style attribute. Values that cannot be read are ignored.
-SvgStyle computed_style(const pugi::xml_node& element, const Stylesheet& sheet,
-                        const SvgStyle& parent, const LengthContext& context);
+/// Computes the style of `element` from its parent's style, its presentation attributes and its
+/// style attribute. Values that cannot be read are ignored.
+SvgStyle computed_style(const pugi::xml_node& element, const SvgStyle& parent,
+                        const LengthContext& context);
 
 /// Returns the id in "url(#id)" or "#id"; empty where the reference is not local.
 std::string local_reference(std::string_view text);

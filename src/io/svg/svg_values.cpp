@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -51,56 +50,6 @@ double scaled(double mantissa, int exponent) {
   if (mantissa == 0) return 0;
   if (exponent < -300) return mantissa * 1e-300 * std::pow(10.0, exponent + 300);
   return exponent < 0 ? mantissa / std::pow(10.0, -exponent) : mantissa * std::pow(10.0, exponent);
-}
-
-constexpr double radians = std::numbers::pi / 180;
-
-Affine2 rotation(double degrees) {
-  const double s = std::sin(degrees * radians);
-  const double c = std::cos(degrees * radians);
-  return {c, s, -s, c, 0, 0};
-}
-
-std::optional<Affine2> primitive(std::string_view name, const std::vector<double>& v) {
-  const size_t n = v.size();
-  if (name == "matrix" && n == 6) return Affine2{v[0], v[1], v[2], v[3], v[4], v[5]};
-  if (name == "translate" && (n == 1 || n == 2)) return translation(v[0], n == 2 ? v[1] : 0);
-  if (name == "scale" && (n == 1 || n == 2)) return scaling(v[0], n == 2 ? v[1] : v[0]);
-  if (name == "rotate" && n == 1) return rotation(v[0]);
-  if (name == "rotate" && n == 3) {
-    return translation(v[1], v[2]) * rotation(v[0]) * translation(-v[1], -v[2]);
-  }
-  if (name == "skewX" && n == 1) return Affine2{1, 0, std::tan(v[0] * radians), 1, 0, 0};
-  if (name == "skewY" && n == 1) return Affine2{1, std::tan(v[0] * radians), 0, 1, 0, 0};
-  return std::nullopt;
-}
-
-std::optional<std::vector<double>> arguments(SvgScanner& scanner) {
-  scanner.skip_space();
-  if (!scanner.take('(')) return std::nullopt;
-  std::vector<double> values;
-  scanner.skip_space();
-  while (!scanner.take(')')) {
-    const std::optional<double> value = scanner.number();
-    if (!value) return std::nullopt;
-    values.push_back(*value);
-    scanner.skip_separator();
-  }
-  return values;
-}
-
-/// Returns the user units per unit, or 0 for an unknown unit.
-double unit_factor(const std::string& unit, const LengthContext& context) {
-  if (unit.empty() || unit == "px") return 1;
-  if (unit == "pt") return 96.0 / 72;
-  if (unit == "pc") return 16;
-  if (unit == "mm") return 96 / 25.4;
-  if (unit == "cm") return 96 / 2.54;
-  if (unit == "in") return 96;
-  if (unit == "em") return context.font_size;
-  if (unit == "rem") return 16;
-  if (unit == "ex") return context.font_size / 2;
-  return 0;
 }
 
 /// Returns 0, 1/2 or 1 for Min, Mid or Max at `position` of an alignment like xMidYMax.
@@ -287,6 +236,11 @@ std::string_view trimmed_svg(std::string_view text) {
   return text;
 }
 
+std::string_view local_name(std::string_view name) {
+  const size_t colon = name.rfind(':');
+  return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
 std::string_view next_svg_item(std::string_view& text) {
   const auto separates = [](char c) { return is_space(c) || c == ','; };
   while (!text.empty() && separates(text.front())) text.remove_prefix(1);
@@ -306,24 +260,28 @@ Affine2 operator*(const Affine2& outer, const Affine2& inner) {
           origin.y};
 }
 
-std::optional<Affine2> parse_transform(std::string_view text) {
-  SvgScanner scanner(text);
-  Affine2 total;
-  for (scanner.skip_separator(); !scanner.at_end(); scanner.skip_separator()) {
-    const std::string_view name = scanner.word();
-    const auto values = arguments(scanner);
-    if (!values) return std::nullopt;
-    const auto step = primitive(name, *values);
-    if (!step) return std::nullopt;
-    total = total * *step;
-  }
-  return total;
+Affine2 inverse(const Affine2& m) {
+  const double det = m.a * m.d - m.b * m.c;
+  return Affine2{m.d / det, -m.b / det, -m.c / det, m.a / det, 0, 0} * translation(-m.e, -m.f);
 }
 
 double reference_length(LengthAxis axis, const LengthContext& context) {
   if (axis == LengthAxis::horizontal) return context.viewport_width;
   if (axis == LengthAxis::vertical) return context.viewport_height;
   return std::hypot(context.viewport_width, context.viewport_height) / std::sqrt(2.0);
+}
+
+double unit_factor(const std::string& unit, const LengthContext& context) {
+  if (unit.empty() || unit == "px") return 1;
+  if (unit == "pt") return 96.0 / 72;
+  if (unit == "pc") return 16;
+  if (unit == "mm") return 96 / 25.4;
+  if (unit == "cm") return 96 / 2.54;
+  if (unit == "in") return 96;
+  if (unit == "em") return context.font_size;
+  if (unit == "rem") return 16;
+  if (unit == "ex") return context.font_size / 2;
+  return 0;
 }
 
 std::optional<double> parse_length(std::string_view text, LengthAxis axis,

@@ -41,6 +41,9 @@ class SvgScanner {
 
 std::string_view trimmed_svg(std::string_view text);
 
+/// Returns the name of an element or attribute without its namespace prefix.
+std::string_view local_name(std::string_view name);
+
 /// Takes the next comma- or space-separated item from the front of `text`; empty at the end.
 std::string_view next_svg_item(std::string_view& text);
 
@@ -66,12 +69,11 @@ struct Affine2 {
 /// Returns the map that applies `inner` first, then `outer`.
 Affine2 operator*(const Affine2& outer, const Affine2& inner);
 
+/// Returns the inverse map. Precondition: it has one.
+Affine2 inverse(const Affine2& m);
+
 inline Affine2 translation(double x, double y) { return {1, 0, 0, 1, x, y}; }
 inline Affine2 scaling(double x, double y) { return {x, 0, 0, y, 0, 0}; }
-
-/// Reads a list of matrix, translate, scale, rotate, skewX and skewY; nothing where it is
-/// malformed.
-std::optional<Affine2> parse_transform(std::string_view text);
 
 /// The lengths that relative units refer to, in user units.
 struct LengthContext {
@@ -87,6 +89,9 @@ enum class LengthAxis { horizontal, vertical, diagonal };
 /// Nothing where it is malformed; not necessarily finite.
 std::optional<double> parse_length(std::string_view text, LengthAxis axis,
                                    const LengthContext& context);
+
+/// Returns the user units per unit (px, pt, ...), given in lower case, or 0 for an unknown one.
+double unit_factor(const std::string& unit, const LengthContext& context);
 
 /// Returns the size of the viewport along the axis; along the diagonal sqrt((w^2 + h^2) / 2).
 double reference_length(LengthAxis axis, const LengthContext& context);

@@ -27,7 +27,8 @@ struct Mark {
 
 /// An SVG file that is safe to render: without joins, cues, elements marked
 /// data-relievo="ignore", scripts, elements of other namespaces, and pictures other than embedded
-/// PNG files of at most 25 million pixels. Its root is as large as its canvas.
+/// PNG and JPEG files of at most 25 million pixels. Styles, custom properties and transforms are
+/// resolved (see SvgDocument). Its root is as large as its canvas. In UTF-8.
 struct PaintableSvg {
   std::string text;
   double width = 0;   ///< of the root, px
@@ -48,7 +49,7 @@ struct LayeredDrawing {
   PaintableSvg paintable;       ///< of a vector drawing
   /// The text of `paintable` where `layers` are no parts: with the lines that would join them.
   std::string text_with_lines;
-  bool flat = false;                  ///< all pixels are in one layer: parts come from segmentation
+  bool flat = false;                  ///< it is one picture: its parts come from segmentation
   bool proposed = false;              ///< make_parts proposed the parts
   bool line_art = false;              ///< it did, and no mark is filled: lines enclose the parts
   std::vector<std::string> warnings;  ///< a sentence each

@@ -33,21 +33,49 @@ TEST(SvgSecurity, WhatIsNotSvgIsRefused) {
   EXPECT_EQ(code_of(svg_file(square, "width='5000' height='1'")), ErrorCode::bad_input);
 }
 
-TEST(SvgSecurity, EntitiesAreNeverExpanded) {
-  std::string bomb = "<!DOCTYPE svg [<!ENTITY a0 'lol'>";
+/// A document type with entities a0 to a29, each four times as long as the one before.
+std::string bomb(const std::string& first) {
+  std::string text = "<!DOCTYPE svg [<!ENTITY a0 '" + first + "'>";
   for (int i = 1; i < 30; ++i) {
     const std::string inner = "&a" + std::to_string(i - 1) + ";";
-    bomb += "<!ENTITY a" + std::to_string(i) + " '" + inner + inner + inner + inner + "'>";
+    text += "<!ENTITY a" + std::to_string(i) + " '" + inner + inner + inner + inner + "'>";
   }
-  bomb += "<!ENTITY file SYSTEM 'file:///etc/passwd'><!ENTITY size '9'>]>";
-  const std::string file = bomb + svg_file(
-                                      "<title>&a29;&file;</title><rect id='&file;' width='100' "
-                                      "height='100'/><rect width='&size;' height='9'/>");
+  return text + "]>";
+}
+
+TEST(SvgSecurity, EntitiesThatGrowAreRefused) {
+  for (const char* first : {"lol", ""})
+    EXPECT_EQ(code_of(bomb(first) + svg_file("<title>&a29;</title>" + std::string(square))),
+              ErrorCode::limit);
+  EXPECT_EQ(code_of("<!DOCTYPE svg [<!ENTITY a '&b;'><!ENTITY b '&a;'>]>" + svg_file("&a;")),
+            ErrorCode::bad_input);
+}
+
+TEST(SvgSecurity, ExternalEntitiesAreNeverRead) {
+  const std::string file =
+      "<!DOCTYPE svg [<!ENTITY file SYSTEM 'file:///etc/passwd'>]>" +
+      svg_file("<title>&file;</title><rect id='&file;' width='100' height='100'/>");
   const understanding::LayeredDrawing import = import_of(file);
   ASSERT_EQ(import.scene.parts.size(), 1u);
   EXPECT_EQ(import.scene.parts[0].id, "&file;");
-  EXPECT_FALSE(import.warnings.empty());
-  EXPECT_EQ(alpha_at(file, 5, 5), 255);
+  ASSERT_EQ(import.warnings.size(), 1u);
+  EXPECT_NE(import.warnings[0].find("&file;"), std::string::npos);
+}
+
+TEST(SvgSecurity, StylesThatGrowAreRefused) {
+  std::string css = "rect{--a0:xxxxxxxx;";
+  for (int i = 1; i < 40; ++i) {
+    const std::string inner = "var(--a" + std::to_string(i - 1) + ")";
+    css += "--a" + std::to_string(i) + ":" + inner + inner + ";";
+  }
+  EXPECT_EQ(code_of(svg_file("<style>" + css + "fill:var(--a39)}</style>" + square)),
+            ErrorCode::limit);
+  std::string symbols = "<g id='s0'><rect width='9' height='9' fill='var(--c)'/></g>";
+  for (int i = 1; i < 40; ++i) {
+    const std::string use = "<use href='#s" + std::to_string(i - 1) + "'/>";
+    symbols += "<g id='s" + std::to_string(i) + "'>" + use + use + use + "</g>";
+  }
+  EXPECT_EQ(code_of(svg_file("<defs>" + symbols + "</defs><use href='#s39'/>")), ErrorCode::limit);
 }
 
 TEST(SvgSecurity, NamespacesThatAreEntitiesStillRender) {

@@ -7,37 +7,6 @@
 namespace relievo {
 namespace {
 
-void expect_maps(const char* transform, Point2 from, Point2 to) {
-  const auto affine = parse_transform(transform);
-  ASSERT_TRUE(affine.has_value()) << transform;
-  EXPECT_NEAR((*affine)(from).x, to.x, 1e-12) << transform;
-  EXPECT_NEAR((*affine)(from).y, to.y, 1e-12) << transform;
-}
-
-TEST(SvgTransform, EveryPrimitive) {
-  expect_maps("matrix(1 2 3 4 5 6)", {1, 1}, {9, 12});
-  expect_maps("translate(3)", {1, 1}, {4, 1});
-  expect_maps("translate(3,-4)", {1, 1}, {4, -3});
-  expect_maps("scale(2)", {1, 3}, {2, 6});
-  expect_maps("scale(2 -1)", {1, 3}, {2, -3});
-  expect_maps("rotate(90)", {1, 0}, {0, 1});
-  expect_maps("rotate(90 10 10)", {11, 10}, {10, 11});
-  expect_maps("skewX(45)", {0, 1}, {1, 1});
-  expect_maps("skewY(45)", {1, 0}, {1, 1});
-}
-
-TEST(SvgTransform, ListsApplyFromRightToLeft) {
-  expect_maps("translate(10 0) scale(2)", {1, 1}, {12, 2});
-  expect_maps("scale(2),translate(10 0)", {1, 1}, {22, 2});
-  expect_maps(" translate ( 1e1 , 0 ) ", {0, 0}, {10, 0});
-}
-
-TEST(SvgTransform, MalformedIsNothing) {
-  for (const char* text : {"rotate(1 2)", "scale()", "turn(3)", "translate(1", "matrix(1 2 3)"}) {
-    EXPECT_FALSE(parse_transform(text).has_value()) << text;
-  }
-}
-
 TEST(SvgLength, EveryUnit) {
   const LengthContext context{20, 200, 100};
   const auto width = [&](const char* text) {

@@ -149,14 +149,23 @@ TEST(MarkRoles, MasksCutLikeClipPaths) {
   EXPECT_TRUE(import.warnings.empty());
 }
 
-TEST(MarkRoles, PicturesTextAndMasksThatCannotBeHadAreNamedWithTheirLayer) {
+TEST(MarkRoles, MasksInUnitsOfTheBoxCutToo) {
   const LayeredDrawing import = roles_of(
-      "<mask id='m' maskContentUnits='objectBoundingBox'><rect width='1' height='1'/></mask>"
+      "<mask id='m' maskContentUnits='objectBoundingBox'><rect width='1' height='.55' "
+      "fill='#fff'/></mask><g mask='url(#m)'>" +
+      trunk + "</g>");
+  ASSERT_EQ(import.scene.parts.size(), 1U);
+  EXPECT_TRUE(covered(import, {500, 450}));
+  EXPECT_FALSE(covered(import, {500, 550}));
+  EXPECT_TRUE(import.warnings.empty());
+}
+
+TEST(MarkRoles, PicturesAndTextThatBecomeNoPartsAreNamedWithTheirLayer) {
+  const LayeredDrawing import = roles_of(
       "<g id='face'><image id='eyes' href='data:,'/><text id='word'>Hm</text>"
-      "<circle id='ball' mask='url(#m)' cx='500' cy='500' r='200'/></g>");
+      "<circle id='ball' cx='500' cy='500' r='200'/></g>");
   EXPECT_TRUE(says(import, "image eyes in face", "no part"));
   EXPECT_TRUE(says(import, "text word in face", "no part"));
-  EXPECT_TRUE(says(import, "circle ball in face", "mask"));
 }
 
 TEST(MarkRoles, DrawingsWithoutAnyFillAreLineArt) {

@@ -1,0 +1,118 @@
+#include "io/svg/svg_picture.h"
+
+#include <cstdint>
+#include <string_view>
+#include <utility>
+
+#include "io/image/png.h"
+#include "io/layered/raster_layer.h"
+#include "io/svg/svg_values.h"
+
+namespace relievo {
+namespace {
+
+int base64_value(char c) {
+  if (c >= 'A' && c <= 'Z') return c - 'A';
+  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+  if (c >= '0' && c <= '9') return c - '0' + 52;
+  if (c == '+') return 62;
+  return c == '/' ? 63 : -1;
+}
+
+Bytes decoded_base64(std::string_view text) {
+  Bytes bytes;
+  bytes.reserve(text.size() / 4 * 3);
+  uint32_t bits = 0;
+  int filled = 0;
+  for (const char c : text) {
+    if (c == '=') break;
+    const int value = base64_value(c);
+    if (value < 0) continue;
+    bits = bits << 6 | static_cast<uint32_t>(value);
+    filled += 6;
+    if (filled < 8) continue;
+    filled -= 8;
+    bytes.push_back(static_cast<uint8_t>(bits >> filled & 255));
+  }
+  return bytes;
+}
+
+/// Returns the base64 text of a data: reference; empty where it is none.
+std::string_view embedded_text(const pugi::xml_node& image) {
+  for (const pugi::xml_attribute& attribute : image.attributes()) {
+    if (local_name(attribute.name()) != "href") continue;
+    const std::string_view href = trimmed_svg(attribute.value());
+    const size_t comma = href.find(',');
+    if (!href.starts_with("data:") || comma == std::string_view::npos) return {};
+    if (!href.substr(0, comma).ends_with(";base64")) return {};
+    return href.substr(comma + 1);
+  }
+  return {};
+}
+
+bool begins_like_jpeg(ByteView bytes) {
+  return bytes.size() > 3 && bytes[0] == 0xff && bytes[1] == 0xd8 && bytes[2] == 0xff;
+}
+
+/// Returns the size in the first frame header of a JPEG file.
+Result<ImageSize> jpeg_size(ByteView bytes) {
+  const auto number = [&](size_t i) { return bytes[i] << 8 | bytes[i + 1]; };
+  for (size_t at = 2; at + 9 < bytes.size() && bytes[at] == 0xff;) {
+    const uint8_t marker = bytes[at + 1];
+    // Of C0 to CF, these three hold tables.
+    const bool is_frame =
+        (marker & 0xf0) == 0xc0 && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+    if (!is_frame) {
+      at += marker == 0xff ? 1 : 2 + static_cast<size_t>(number(at + 2));
+      continue;
+    }
+    const ImageSize size{number(at + 7), number(at + 5)};
+    if (Status status = check_image_size(size.width, size.height, embedded_limits); !status)
+      return status.error();
+    return size;
+  }
+  return damaged_image("JPEG", "it has no size");
+}
+
+Result<ImageSize> size_of(ByteView bytes) {
+  if (is_png(bytes)) return png_size(bytes, embedded_limits);
+  if (begins_like_jpeg(bytes)) return jpeg_size(bytes);
+  return Error{ErrorCode::bad_input, "embeds neither a PNG nor a JPEG picture", ""};
+}
+
+SvgPicture rectangle(ImageSize size) {
+  const double width = size.width;
+  const double height = size.height;
+  return {size, {{{0, 0}, {width, 0}, {width, height}, {0, height}}}, {0.5, 0.5, 0.5, 1}};
+}
+
+}  // namespace
+
+Result<ImageSize> embedded_size(const pugi::xml_node& image) {
+  // The header of a JPEG file may follow a thumbnail, that of a PNG file is at its front.
+  constexpr size_t front = size_t{1} << 18;
+  return size_of(decoded_base64(embedded_text(image).substr(0, front)));
+}
+
+Result<SvgPicture> embedded_picture(const pugi::xml_node& image) {
+  const Bytes bytes = decoded_base64(embedded_text(image));
+  const auto size = size_of(bytes);
+  if (!size) return size.error();
+  if (!is_png(bytes)) return rectangle(*size);
+  RasterLayer layer;
+  auto pixels = decode_png(bytes, embedded_limits);
+  if (!pixels) return pixels.error();
+  layer.rgba = std::move(*pixels);
+  SvgPicture picture = rectangle(*size);
+  const auto mark = opaque_mark(layer);
+  for (size_t i = 3; i < layer.rgba.pixels.size() && !picture.has_holes; i += 4)
+    picture.has_holes = layer.rgba.pixels[i] < 128;
+  if (picture.has_holes) picture.opaque = mark ? mark->region : Region();
+  if (mark) {
+    picture.color = mark->color;
+    picture.outlined = mark->outlined && picture.has_holes;
+  }
+  return picture;
+}
+
+}  // namespace relievo
